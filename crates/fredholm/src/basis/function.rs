@@ -1,0 +1,212 @@
+//! A function resolved by a Chebyshev series.
+
+use super::chebyshev::{ChebyshevSeries, points};
+use crate::Error;
+
+/// First degree tried; high enough that a feature of a few per cent of the interval is seen at once.
+const FIRST_DEGREE: usize = 64;
+/// Last degree tried.
+const LAST_DEGREE: usize = 1 << 17;
+/// Coefficients below this, relative to the largest value, count as rounding.
+const ROUNDING: f64 = 4e-16;
+/// Highest level, relative to the largest value, at which flat coefficients are taken for rounding.
+const PLATEAU: f64 = 1e-12;
+/// Points between the nodes at which a resolved series is checked.
+const CHECKS: usize = 257;
+
+/// A function on `[-1, 1]` with a Chebyshev series found by doubling the degree until the coefficients reach rounding
+/// *and* the series agrees with the function between the nodes.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Function {
+    series: ChebyshevSeries,
+    largest: f64,
+    error: f64,
+    resolved: bool,
+}
+
+impl Function {
+    /// Resolves `f`. A function that is not resolved at degree 131072 (a kink, a jump) comes back with its best series and
+    /// [`is_resolved`](Self::is_resolved) false.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] with the place when `f` gives NaN or an infinity at a node.
+    pub fn resolve(f: &dyn Fn(f64) -> f64) -> Result<Self, Error> {
+        let mut degree = FIRST_DEGREE;
+        let mut values = sample(f, &points(degree))?;
+        loop {
+            let largest = values
+                .iter()
+                .fold(0.0f64, |largest, value| largest.max(value.abs()));
+            let series = ChebyshevSeries::through(values.clone());
+            let tail = tail(series.coefficients());
+            if let Some(floor) = noise_floor(series.coefficients(), tail, largest) {
+                let series = trimmed(&series, floor);
+                let error = error_between_nodes(f, &series)?;
+                if error <= noise_allowance(degree) * largest.max(floor / ROUNDING) {
+                    return Ok(Self {
+                        series,
+                        largest,
+                        error: relative(error, largest),
+                        resolved: true,
+                    });
+                }
+            }
+            if degree == LAST_DEGREE {
+                let error = error_between_nodes(f, &series)?.max(tail);
+                return Ok(Self {
+                    series,
+                    largest,
+                    error: relative(error, largest),
+                    resolved: false,
+                });
+            }
+            degree *= 2;
+            values = refine(f, values, degree)?;
+        }
+    }
+
+    /// The series.
+    #[must_use]
+    pub fn series(&self) -> &ChebyshevSeries {
+        &self.series
+    }
+
+    /// The largest absolute value met.
+    #[must_use]
+    pub fn largest(&self) -> f64 {
+        self.largest
+    }
+
+    /// Largest difference between function and series found between the nodes, relative to the largest value: an
+    /// estimate.
+    #[must_use]
+    pub fn error(&self) -> f64 {
+        self.error
+    }
+
+    /// Whether the series represents the function to rounding.
+    #[must_use]
+    pub fn is_resolved(&self) -> bool {
+        self.resolved
+    }
+}
+
+fn relative(error: f64, largest: f64) -> f64 {
+    if largest > 0.0 { error / largest } else { 0.0 }
+}
+
+fn noise_allowance(degree: usize) -> f64 {
+    64.0 * f64::EPSILON * (degree as f64).sqrt()
+}
+
+fn sample(f: &dyn Fn(f64) -> f64, nodes: &[f64]) -> Result<Vec<f64>, Error> {
+    nodes.iter().map(|&x| finite(f, x)).collect()
+}
+
+fn finite(f: &dyn Fn(f64) -> f64, x: f64) -> Result<f64, Error> {
+    let value = f(x);
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(Error::NotFinite {
+            what: "function",
+            at: x,
+            value,
+        })
+    }
+}
+
+/// Values on the grid of twice the degree; the old ones are every second of the new.
+fn refine(f: &dyn Fn(f64) -> f64, old: Vec<f64>, degree: usize) -> Result<Vec<f64>, Error> {
+    let nodes = points(degree);
+    let mut old = old.into_iter();
+    let mut values = Vec::with_capacity(nodes.len());
+    for (j, &x) in nodes.iter().enumerate() {
+        let known = if j % 2 == 0 { old.next() } else { None };
+        values.push(match known {
+            Some(value) => value,
+            None => finite(f, x)?,
+        });
+    }
+    Ok(values)
+}
+
+/// The largest of the last eighth of the coefficients.
+fn tail(coefficients: &[f64]) -> f64 {
+    let start = coefficients.len() - coefficients.len() / 8;
+    coefficients[start..]
+        .iter()
+        .fold(0.0, |largest, c| largest.max(c.abs()))
+}
+
+/// The level at which the coefficients have come down to rounding, if they have: either that of the machine, or a higher
+/// plateau left by the conditioning of `f` itself (`cos(400 x)` loses three digits in its argument), which no degree
+/// removes.
+fn noise_floor(coefficients: &[f64], tail: f64, largest: f64) -> Option<f64> {
+    if tail <= ROUNDING * largest {
+        return Some(ROUNDING * largest);
+    }
+    let n = coefficients.len();
+    let middle = coefficients[n / 2..n / 2 + n / 8]
+        .iter()
+        .fold(0.0f64, |most, c| most.max(c.abs()));
+    (tail <= PLATEAU * largest && tail > 0.5 * middle).then_some(tail)
+}
+
+fn trimmed(series: &ChebyshevSeries, negligible: f64) -> ChebyshevSeries {
+    let keep = series
+        .coefficients()
+        .iter()
+        .rposition(|c| c.abs() > negligible)
+        .map_or(1, |last| last + 1);
+    let mut coefficients = series.coefficients().to_vec();
+    coefficients.truncate(keep);
+    ChebyshevSeries::new(coefficients)
+}
+
+/// Largest difference at a golden-ratio sequence of points, which no Chebyshev grid resonates with.
+fn error_between_nodes(f: &dyn Fn(f64) -> f64, series: &ChebyshevSeries) -> Result<f64, Error> {
+    const STEP: f64 = 0.618_033_988_749_894_9;
+    let mut worst = 0.0f64;
+    for i in 1..=CHECKS {
+        let x = 2.0 * (i as f64 * STEP).fract() - 1.0;
+        worst = worst.max((finite(f, x)? - series.evaluate(x)).abs());
+    }
+    Ok(worst)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn resolves_smooth_functions_and_says_how_well() {
+        for f in [
+            (&|x: f64| x * x / 1.6) as &dyn Fn(f64) -> f64,
+            &|x| (5.0 * x).exp(),
+            &|x| (400.0 * x).cos(),
+            &|x| 1.0 / (1.0 + 900.0 * x * x),
+            &|_| 0.0,
+        ] {
+            let function = Function::resolve(f).unwrap();
+            assert!(function.is_resolved() && function.error() < 2e-12);
+            for x in [-1.0, -0.377, 0.0, 0.123, 0.9999, 1.0] {
+                assert!((function.series().evaluate(x) - f(x)).abs() <= 2e-12 * function.largest());
+            }
+        }
+    }
+
+    #[test]
+    fn owns_up_to_kinks_and_jumps() {
+        let kink = Function::resolve(&f64::abs).unwrap();
+        assert!(!kink.is_resolved() && kink.error() > 1e-9);
+        let jump = Function::resolve(&|x| if x < 0.3 { 0.0 } else { 1.0 }).unwrap();
+        assert!(!jump.is_resolved() && jump.error() > 1e-6);
+    }
+
+    #[test]
+    fn refuses_values_that_are_not_finite() {
+        let error = Function::resolve(&|x| 1.0 / x).unwrap_err();
+        assert!(matches!(error, Error::NotFinite { at: 0.0, .. }));
+    }
+}

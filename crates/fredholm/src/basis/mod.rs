@@ -1,0 +1,7 @@
+//! Orthogonal systems.
+
+pub mod chebyshev;
+mod function;
+
+pub use chebyshev::ChebyshevSeries;
+pub use function::Function;

@@ -1,0 +1,84 @@
+//! The double-exponential map of the line to an interval.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use crate::Interval;
+
+/// A point of the interval with its distances to both ends, which near an end hold more digits than the point does.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Node {
+    /// `x = centre + half_length tanh(pi/2 sinh t)`.
+    pub(super) position: f64,
+    /// `x - left`.
+    pub(super) from_left: f64,
+    /// `right - x`.
+    pub(super) from_right: f64,
+    /// `dx/dt`.
+    pub(super) derivative: f64,
+}
+
+impl Node {
+    /// The image of `t`.
+    pub(super) fn at(interval: Interval, t: f64) -> Self {
+        let half = interval.half_length();
+        let argument = FRAC_PI_2 * t.sinh();
+        // 1 -+ tanh u = 2 / (1 + e^{+-2u})
+        let from_right = half * 2.0 / (1.0 + (2.0 * argument).exp());
+        let from_left = half * 2.0 / (1.0 + (-2.0 * argument).exp());
+        let derivative = FRAC_PI_2 * t.cosh() * from_left * from_right / half;
+        let position = if t > 0.0 {
+            interval.right() - from_right
+        } else {
+            interval.left() + from_left
+        };
+        Self {
+            position,
+            from_left,
+            from_right,
+            derivative,
+        }
+    }
+
+    /// `|x - s|` from the distances to the end that is nearer to both.
+    pub(super) fn distance(&self, other: &Self) -> f64 {
+        if self.from_left + other.from_left < self.from_right + other.from_right {
+            (self.from_left - other.from_left).abs()
+        } else {
+            (self.from_right - other.from_right).abs()
+        }
+    }
+}
+
+/// `t` of a point given by its distances to the ends; infinite at the ends.
+pub(super) fn inverse(from_left: f64, from_right: f64) -> f64 {
+    ((from_left / from_right).ln() / PI).asinh()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn inverts_itself() {
+        let interval = Interval::new(-0.5, 2.0).unwrap();
+        for i in -30..=30 {
+            let t = f64::from(i) * 0.1;
+            let node = Node::at(interval, t);
+            assert!((inverse(node.from_left, node.from_right) - t).abs() < 1e-14);
+            assert!((node.from_left + node.from_right - 2.5).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn derivative_agrees_with_differences() {
+        let interval = Interval::symmetric(1.0).unwrap();
+        let step = 1e-5;
+        for t in [-1.3, -0.2, 0.0, 0.7, 1.9] {
+            let slope = (Node::at(interval, t + step).position
+                - Node::at(interval, t - step).position)
+                / (2.0 * step);
+            let node = Node::at(interval, t);
+            assert!((slope - node.derivative).abs() < 1e-9 * (1.0 + node.derivative));
+        }
+    }
+}

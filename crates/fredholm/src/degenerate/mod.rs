@@ -1,0 +1,8 @@
+//! The paper's method: the kernel is replaced by the first terms of its bilinear expansion, (1.6), which turns the
+//! integral equation into a small linear system, (1.9).
+
+mod solution;
+mod system;
+
+pub use solution::DegenerateSolution;
+pub use system::DegenerateSystem;

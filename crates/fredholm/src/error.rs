@@ -1,0 +1,62 @@
+//! What can go wrong, with the values that made it so.
+
+/// Failure of a method or a parameter outside its range.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A parameter lies outside the range in which the formula holds.
+    #[error("{name} = {value} is out of range: it must be {requirement}")]
+    InvalidParameter {
+        /// Name of the parameter.
+        name: &'static str,
+        /// The value given.
+        value: f64,
+        /// What would be right.
+        requirement: &'static str,
+    },
+
+    /// A function was asked for a value and gave NaN or an infinity.
+    #[error("the {what} is {value} at x = {at}: it must be finite on the whole interval")]
+    NotFinite {
+        /// Which function.
+        what: &'static str,
+        /// Where.
+        at: f64,
+        /// What it gave.
+        value: f64,
+    },
+
+    /// A spectral relation has an eigenvalue that is not positive, so the symmetric positive form does not exist.
+    #[error(
+        "eigenvalue {index} of the kernel is {eigenvalue}: the symmetric positive form needs positive eigenvalues"
+    )]
+    NotPositive {
+        /// Index of the eigenvalue.
+        index: usize,
+        /// Its value.
+        eigenvalue: f64,
+    },
+
+    /// A Cholesky factorisation met a pivot that is not positive.
+    #[error("the matrix of order {order} is not positive definite: pivot {pivot} is not positive")]
+    NotPositiveDefinite {
+        /// Order of the matrix.
+        order: usize,
+        /// Index of the pivot.
+        pivot: usize,
+    },
+
+    /// The system does not fit into memory.
+    #[error(
+        "a dense system of degree {degree} needs {} of memory, and {} can be had",
+        crate::memory::display(*.needed), crate::memory::display(*.available)
+    )]
+    TooLarge {
+        /// Highest degree asked for.
+        degree: usize,
+        /// Bytes needed.
+        needed: u64,
+        /// Bytes that can be had.
+        available: u64,
+    },
+}

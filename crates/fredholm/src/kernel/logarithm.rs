@@ -1,0 +1,127 @@
+//! Kernel 1: the logarithm, `ln 1/|x - s|` on `(-a, a)`.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::{Gram, Kernel, Moments, Parity, Singularity, SpectralRelation, Split};
+use crate::basis::{self, Function};
+use crate::{Error, Interval};
+
+/// `K(x, s) = ln 1/|x - s|` on `(-a, a)`: the plane punch.
+///
+/// Spectral relation (section 3): with `w = 1/sqrt(a^2 - x^2)` and `phi_n = T_n(x/a)`,
+/// `lambda_0 = pi ln(2/a)`, `lambda_n = pi/n`, `h_0 = pi`, `h_n = pi/2`. The kernel is positive for `a < 2` (logarithmic
+/// capacity `a/2` of the interval below 1).
+///
+/// Gram matrix, (3.4): `R_km = -a [1/((k+m)^2 - 1) + 1/((k-m)^2 - 1)]` for even `k + m`, else 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Logarithm {
+    half_length: f64,
+}
+
+impl Logarithm {
+    /// The kernel on `(-half_length, half_length)`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] unless `half_length` is finite and positive.
+    pub fn new(half_length: f64) -> Result<Self, Error> {
+        Interval::symmetric(half_length)?;
+        Ok(Self { half_length })
+    }
+
+    /// The kernel on `(-1, 1)`, to which every plane punch is scaled, (2.5).
+    #[must_use]
+    pub fn unit() -> Self {
+        Self { half_length: 1.0 }
+    }
+
+    /// `a`.
+    #[must_use]
+    pub fn half_length(&self) -> f64 {
+        self.half_length
+    }
+}
+
+impl Kernel for Logarithm {
+    fn interval(&self) -> Interval {
+        Interval::symmetric(self.half_length)
+            .unwrap_or_else(|_| unreachable!("checked on construction"))
+    }
+
+    fn singularity(&self) -> Singularity {
+        Singularity::Logarithm
+    }
+
+    fn split(&self, _x: f64, _s: f64, _distance: f64) -> Split {
+        Split {
+            factor: -1.0,
+            rest: 0.0,
+        }
+    }
+}
+
+impl SpectralRelation for Logarithm {
+    fn weight(&self, x: f64) -> f64 {
+        1.0 / ((self.half_length - x) * (self.half_length + x)).sqrt()
+    }
+
+    fn eigenvalue(&self, n: usize) -> f64 {
+        if n == 0 {
+            PI * (2.0 / self.half_length).ln()
+        } else {
+            PI / n as f64
+        }
+    }
+
+    fn norm(&self, n: usize) -> f64 {
+        if n == 0 { PI } else { FRAC_PI_2 }
+    }
+
+    // The quotient of the two rounded values would cost the exact 2/m of section 3.
+    fn expansion_factor(&self, n: usize) -> f64 {
+        if n == 0 {
+            (2.0 / self.half_length).ln()
+        } else {
+            2.0 / n as f64
+        }
+    }
+
+    fn parity(&self) -> Parity {
+        Parity::Alternating
+    }
+
+    fn eigenfunctions(&self, x: f64, values: &mut [f64]) {
+        basis::chebyshev::polynomials(x / self.half_length, values);
+    }
+
+    fn sum(&self, coefficients: &[f64], x: f64) -> f64 {
+        basis::chebyshev::sum(coefficients, x / self.half_length)
+    }
+
+    fn gram(&self, count: usize) -> Result<Gram, Error> {
+        let entry = |j: usize| {
+            if j.is_multiple_of(2) {
+                -self.half_length / ((j as f64 - 1.0) * (j as f64 + 1.0))
+            } else {
+                0.0
+            }
+        };
+        Ok(Gram::ToeplitzHankel {
+            toeplitz: (0..count).map(entry).collect(),
+            hankel: (0..(2 * count).saturating_sub(1)).map(entry).collect(),
+        })
+    }
+
+    fn moments(&self, f: &dyn Fn(f64) -> f64, count: usize) -> Result<Moments, Error> {
+        let scaled = |xi: f64| f(self.half_length * xi);
+        let function = Function::resolve(&scaled)?;
+        let mut values = function.series().moments(count);
+        values
+            .iter_mut()
+            .for_each(|value| *value *= self.half_length);
+        Ok(Moments {
+            values,
+            error: function.error(),
+            resolved: function.is_resolved(),
+        })
+    }
+}
