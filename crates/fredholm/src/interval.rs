@@ -51,6 +51,15 @@ impl Interval {
         }
     }
 
+    /// `[-1, 1]`.
+    #[must_use]
+    pub fn unit() -> Self {
+        Self {
+            left: -1.0,
+            right: 1.0,
+        }
+    }
+
     /// Left end.
     #[must_use]
     pub fn left(&self) -> f64 {

@@ -39,6 +39,7 @@ mod interval;
 pub mod kernel;
 mod linear;
 pub mod memory;
+pub mod quadrature;
 pub mod special;
 
 pub use collocation::{SincOperator, SincSolution};

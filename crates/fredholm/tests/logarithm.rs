@@ -1,5 +1,7 @@
 //! Kernel 1 solved by two independent methods, against each other and against references.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 use std::f64::consts::PI;
 
 use fredholm::kernel::{Kernel, Logarithm, SpectralRelation};

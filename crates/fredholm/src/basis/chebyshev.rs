@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn sums_agree_with_cosines() {
         let coefficients: Vec<f64> = (0..40)
-            .map(|m| (1.3 * m as f64).sin() / (1.0 + m as f64))
+            .map(|m| (1.3 * f64::from(m)).sin() / (1.0 + f64::from(m)))
             .collect();
         for i in 0..=200 {
             let t = PI * f64::from(i) / 200.0;

@@ -4,22 +4,25 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::Interval;
 
+/// End of the range of `t`: there a point is 2e-17 of the interval from its end.
+pub(crate) const RANGE: f64 = 3.2;
+
 /// A point of the interval with its distances to both ends, which near an end hold more digits than the point does.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Node {
+pub(crate) struct Node {
     /// `x = centre + half_length tanh(pi/2 sinh t)`.
-    pub(super) position: f64,
+    pub(crate) position: f64,
     /// `x - left`.
-    pub(super) from_left: f64,
+    pub(crate) from_left: f64,
     /// `right - x`.
-    pub(super) from_right: f64,
+    pub(crate) from_right: f64,
     /// `dx/dt`.
-    pub(super) derivative: f64,
+    pub(crate) derivative: f64,
 }
 
 impl Node {
     /// The image of `t`.
-    pub(super) fn at(interval: Interval, t: f64) -> Self {
+    pub(crate) fn at(interval: Interval, t: f64) -> Self {
         let half = interval.half_length();
         let argument = FRAC_PI_2 * t.sinh();
         // 1 -+ tanh u = 2 / (1 + e^{+-2u})
@@ -40,7 +43,7 @@ impl Node {
     }
 
     /// `|x - s|` from the distances to the end that is nearer to both.
-    pub(super) fn distance(&self, other: &Self) -> f64 {
+    pub(crate) fn distance(&self, other: &Self) -> f64 {
         if self.from_left + other.from_left < self.from_right + other.from_right {
             (self.from_left - other.from_left).abs()
         } else {
@@ -50,7 +53,7 @@ impl Node {
 }
 
 /// `t` of a point given by its distances to the ends; infinite at the ends.
-pub(super) fn inverse(from_left: f64, from_right: f64) -> f64 {
+pub(crate) fn inverse(from_left: f64, from_right: f64) -> f64 {
     ((from_left / from_right).ln() / PI).asinh()
 }
 

@@ -1,6 +1,6 @@
 //! Collocation, independent of any spectral relation.
 
-mod map;
+pub(crate) mod map;
 mod sinc;
 mod weights;
 

@@ -12,14 +12,11 @@
 
 use std::f64::consts::PI;
 
-use super::map::{Node, inverse};
+use super::map::{Node, RANGE, inverse};
 use super::weights::logarithm_corrections;
 use crate::kernel::{Kernel, Singularity, Split};
 use crate::linear::Cholesky;
 use crate::{Error, Interval};
-
-/// End of the range of `t`: there the nodes are 1e-17 of the interval from its ends.
-const RANGE: f64 = 3.2;
 
 /// What collocation of a kernel on a given number of nodes needs, whatever the parameter and the right-hand side.
 #[derive(Debug, Clone)]

@@ -15,7 +15,7 @@ use crate::{Error, Interval};
 /// Gram matrix, (3.4): `R_km = -a [1/((k+m)^2 - 1) + 1/((k-m)^2 - 1)]` for even `k + m`, else 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Logarithm {
-    half_length: f64,
+    interval: Interval,
 }
 
 impl Logarithm {
@@ -24,27 +24,29 @@ impl Logarithm {
     /// # Errors
     /// [`Error::InvalidParameter`] unless `half_length` is finite and positive.
     pub fn new(half_length: f64) -> Result<Self, Error> {
-        Interval::symmetric(half_length)?;
-        Ok(Self { half_length })
+        Ok(Self {
+            interval: Interval::symmetric(half_length)?,
+        })
     }
 
     /// The kernel on `(-1, 1)`, to which every plane punch is scaled, (2.5).
     #[must_use]
     pub fn unit() -> Self {
-        Self { half_length: 1.0 }
+        Self {
+            interval: Interval::unit(),
+        }
     }
 
     /// `a`.
     #[must_use]
     pub fn half_length(&self) -> f64 {
-        self.half_length
+        self.interval.right()
     }
 }
 
 impl Kernel for Logarithm {
     fn interval(&self) -> Interval {
-        Interval::symmetric(self.half_length)
-            .unwrap_or_else(|_| unreachable!("checked on construction"))
+        self.interval
     }
 
     fn singularity(&self) -> Singularity {
@@ -61,12 +63,12 @@ impl Kernel for Logarithm {
 
 impl SpectralRelation for Logarithm {
     fn weight(&self, x: f64) -> f64 {
-        1.0 / ((self.half_length - x) * (self.half_length + x)).sqrt()
+        1.0 / ((self.half_length() - x) * (self.half_length() + x)).sqrt()
     }
 
     fn eigenvalue(&self, n: usize) -> f64 {
         if n == 0 {
-            PI * (2.0 / self.half_length).ln()
+            PI * (2.0 / self.half_length()).ln()
         } else {
             PI / n as f64
         }
@@ -79,7 +81,7 @@ impl SpectralRelation for Logarithm {
     // The quotient of the two rounded values would cost the exact 2/m of section 3.
     fn expansion_factor(&self, n: usize) -> f64 {
         if n == 0 {
-            (2.0 / self.half_length).ln()
+            (2.0 / self.half_length()).ln()
         } else {
             2.0 / n as f64
         }
@@ -90,17 +92,17 @@ impl SpectralRelation for Logarithm {
     }
 
     fn eigenfunctions(&self, x: f64, values: &mut [f64]) {
-        basis::chebyshev::polynomials(x / self.half_length, values);
+        basis::chebyshev::polynomials(x / self.half_length(), values);
     }
 
     fn sum(&self, coefficients: &[f64], x: f64) -> f64 {
-        basis::chebyshev::sum(coefficients, x / self.half_length)
+        basis::chebyshev::sum(coefficients, x / self.half_length())
     }
 
     fn gram(&self, count: usize) -> Result<Gram, Error> {
         let entry = |j: usize| {
             if j.is_multiple_of(2) {
-                -self.half_length / ((j as f64 - 1.0) * (j as f64 + 1.0))
+                -self.half_length() / ((j as f64 - 1.0) * (j as f64 + 1.0))
             } else {
                 0.0
             }
@@ -112,12 +114,12 @@ impl SpectralRelation for Logarithm {
     }
 
     fn moments(&self, f: &dyn Fn(f64) -> f64, count: usize) -> Result<Moments, Error> {
-        let scaled = |xi: f64| f(self.half_length * xi);
+        let scaled = |xi: f64| f(self.half_length() * xi);
         let function = Function::resolve(&scaled)?;
         let mut values = function.series().moments(count);
         values
             .iter_mut()
-            .for_each(|value| *value *= self.half_length);
+            .for_each(|value| *value *= self.half_length());
         Ok(Moments {
             values,
             error: function.error(),
