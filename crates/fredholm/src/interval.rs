@@ -38,10 +38,7 @@ impl Interval {
     /// [`Error::InvalidParameter`] unless `half_length` is finite and positive.
     pub fn symmetric(half_length: f64) -> Result<Self, Error> {
         if half_length.is_finite() && half_length > 0.0 {
-            Ok(Self {
-                left: -half_length,
-                right: half_length,
-            })
+            Ok(Self { left: -half_length, right: half_length })
         } else {
             Err(Error::InvalidParameter {
                 name: "half_length",
@@ -54,10 +51,7 @@ impl Interval {
     /// `[-1, 1]`.
     #[must_use]
     pub fn unit() -> Self {
-        Self {
-            left: -1.0,
-            right: 1.0,
-        }
+        Self { left: -1.0, right: 1.0 }
     }
 
     /// Left end.

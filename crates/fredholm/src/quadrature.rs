@@ -29,17 +29,7 @@ pub fn double_exponential(half_count: usize) -> impl Iterator<Item = Node> {
     let interval = Interval::unit();
     (0..=2 * half_count).map(move |j| {
         let image = Image::at(interval, (j as f64 - half_count as f64) * step);
-        let Image {
-            position,
-            from_left,
-            from_right,
-            derivative,
-        } = image;
-        Node {
-            position,
-            from_left,
-            from_right,
-            weight: step * derivative,
-        }
+        let Image { position, from_left, from_right, derivative } = image;
+        Node { position, from_left, from_right, weight: step * derivative }
     })
 }

@@ -11,11 +11,7 @@ use fredholm::{DegenerateSystem, SincOperator};
 fn parabola(projections: [f64; 2], ends: [f64; 2], middles: [f64; 2], lambda0: f64) -> [f64; 3] {
     // p = delta phi_1 - lambda0 phi_2, int p = P0
     let delta = (0.001 + lambda0 * projections[1]) / projections[0];
-    [
-        delta,
-        delta * ends[0] - lambda0 * ends[1],
-        delta * middles[0] - lambda0 * middles[1],
-    ]
+    [delta, delta * ends[0] - lambda0 * ends[1], delta * middles[0] - lambda0 * middles[1]]
 }
 
 fn by_sinc(lambda0: f64, half_count: usize) -> [f64; 3] {
@@ -23,9 +19,7 @@ fn by_sinc(lambda0: f64, half_count: usize) -> [f64; 3] {
     let x: Vec<f64> = operator.positions().collect();
     let right = vec![vec![1.0; x.len()], x.iter().map(|x| x * x).collect()];
     let solutions = operator.solve(15.0 / (8.0 * PI) * lambda0, &right).unwrap();
-    let [one, square] = &solutions[..] else {
-        unreachable!()
-    };
+    let [one, square] = &solutions[..] else { unreachable!() };
     parabola(
         [one.integral(|_| 1.0), square.integral(|_| 1.0)],
         [one.evaluate(1.0, 1.0), square.evaluate(1.0, 1.0)],
@@ -75,10 +69,7 @@ fn degenerate_kernel_converges_with_the_orders_of_the_theory() {
     let (coarse, fine) = (error(400), error(800));
     for (i, order) in [4.0, 2.0, 3.0].into_iter().enumerate() {
         let observed = (coarse[i] / fine[i]).log2();
-        assert!(
-            (observed - order).abs() < 0.15,
-            "quantity {i}: order {observed}"
-        );
+        assert!((observed - order).abs() < 0.15, "quantity {i}: order {observed}");
     }
 }
 
@@ -93,17 +84,10 @@ fn both_methods_satisfy_the_scaling_of_the_interval() {
     let force = p.projections()[0];
     let scaled = DegenerateSystem::new(&unit, lambda * a, degree).unwrap();
     let shift = lambda * force * a.ln();
-    let q = scaled.solve(
-        &unit
-            .moments(&|x| (a * x).exp() + shift, degree + 1)
-            .unwrap()
-            .values,
-    );
+    let q = scaled.solve(&unit.moments(&|x| (a * x).exp() + shift, degree + 1).unwrap().values);
     for xi in [-1.0, -0.4, 0.0, 0.9, 1.0] {
-        let (left, right) = (
-            p.evaluate(a * xi, (a * xi).exp()),
-            q.evaluate(xi, (a * xi).exp() + shift),
-        );
+        let (left, right) =
+            (p.evaluate(a * xi, (a * xi).exp()), q.evaluate(xi, (a * xi).exp() + shift));
         assert!((left - right).abs() < 1e-12, "xi = {xi}: {left} {right}");
     }
     let operator = SincOperator::new(&kernel, 50).unwrap();
@@ -116,10 +100,7 @@ fn both_methods_satisfy_the_scaling_of_the_interval() {
 fn long_intervals_are_refused_by_the_positive_form() {
     let kernel = Logarithm::new(2.5).unwrap();
     let error = DegenerateSystem::new(&kernel, 1.0, 20).unwrap_err();
-    assert!(
-        matches!(error, fredholm::Error::NotPositive { index: 0, .. }),
-        "{error}"
-    );
+    assert!(matches!(error, fredholm::Error::NotPositive { index: 0, .. }), "{error}");
     assert!(kernel.value(0.0, 0.5) > 0.0);
 }
 

@@ -49,9 +49,7 @@ pub fn sum(coefficients: &[f64], x: f64) -> f64 {
 #[must_use]
 pub fn points(degree: usize) -> Vec<f64> {
     let n = degree as f64;
-    (0..=degree)
-        .map(|j| (PI * (n - 2.0 * j as f64) / (2.0 * n.max(1.0))).sin())
-        .collect()
+    (0..=degree).map(|j| (PI * (n - 2.0 * j as f64) / (2.0 * n.max(1.0))).sin()).collect()
 }
 
 /// A polynomial as `sum_m coefficients[m] T_m(x)` on `[-1, 1]`.
@@ -78,9 +76,7 @@ impl ChebyshevSeries {
             values[0] *= 0.5;
             values[degree] *= 0.5;
         }
-        Self {
-            coefficients: values,
-        }
+        Self { coefficients: values }
     }
 
     /// The coefficients.
@@ -138,22 +134,14 @@ impl ChebyshevSeries {
 
 /// In place `y_k = y_0 / 2 + sum_{0<j<n} y_j cos(pi j k / n) + (-1)^k y_n / 2`, with `n + 1` values, `n >= 1`.
 fn cosine_sums(values: &mut [f64]) {
-    DctPlanner::new()
-        .plan_dct1(values.len())
-        .process_dct1(values);
+    DctPlanner::new().plan_dct1(values.len()).process_dct1(values);
 }
 
 /// Weights of the rule of Clenshaw and Curtis at [`points`]`(degree)`, `degree` even: `int f dx = sum w_j f(x_j)`, exact
 /// to that degree.
 fn clenshaw_curtis_weights(degree: usize) -> Vec<f64> {
     let mut weights: Vec<f64> = (0..=degree)
-        .map(|k| {
-            if k % 2 == 0 {
-                -2.0 / ((k as f64 - 1.0) * (k as f64 + 1.0))
-            } else {
-                0.0
-            }
-        })
+        .map(|k| if k % 2 == 0 { -2.0 / ((k as f64 - 1.0) * (k as f64 + 1.0)) } else { 0.0 })
         .collect();
     cosine_sums(&mut weights);
     let scale = 2.0 / degree as f64;
@@ -169,20 +157,13 @@ mod tests {
 
     #[test]
     fn sums_agree_with_cosines() {
-        let coefficients: Vec<f64> = (0..40)
-            .map(|m| (1.3 * f64::from(m)).sin() / (1.0 + f64::from(m)))
-            .collect();
+        let coefficients: Vec<f64> =
+            (0..40).map(|m| (1.3 * f64::from(m)).sin() / (1.0 + f64::from(m))).collect();
         for i in 0..=200 {
             let t = PI * f64::from(i) / 200.0;
-            let exact: f64 = coefficients
-                .iter()
-                .enumerate()
-                .map(|(m, c)| c * (m as f64 * t).cos())
-                .sum();
-            assert!(
-                (sum(&coefficients, t.cos()) - exact).abs() < 2e-14,
-                "t = {t}"
-            );
+            let exact: f64 =
+                coefficients.iter().enumerate().map(|(m, c)| c * (m as f64 * t).cos()).sum();
+            assert!((sum(&coefficients, t.cos()) - exact).abs() < 2e-14, "t = {t}");
         }
         assert_eq!(sum(&[], 0.3), 0.0);
         assert_eq!(sum(&[2.5], 0.9), 2.5);

@@ -34,9 +34,7 @@ impl Function {
         let mut degree = FIRST_DEGREE;
         let mut values = sample(f, &points(degree))?;
         loop {
-            let largest = values
-                .iter()
-                .fold(0.0f64, |largest, value| largest.max(value.abs()));
+            let largest = values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
             let series = ChebyshevSeries::through(values.clone());
             let tail = tail(series.coefficients());
             if let Some(floor) = noise_floor(series.coefficients(), tail, largest) {
@@ -108,11 +106,7 @@ fn finite(f: &dyn Fn(f64) -> f64, x: f64) -> Result<f64, Error> {
     if value.is_finite() {
         Ok(value)
     } else {
-        Err(Error::NotFinite {
-            what: "function",
-            at: x,
-            value,
-        })
+        Err(Error::NotFinite { what: "function", at: x, value })
     }
 }
 
@@ -134,9 +128,7 @@ fn refine(f: &dyn Fn(f64) -> f64, old: Vec<f64>, degree: usize) -> Result<Vec<f6
 /// The largest of the last eighth of the coefficients.
 fn tail(coefficients: &[f64]) -> f64 {
     let start = coefficients.len() - coefficients.len() / 8;
-    coefficients[start..]
-        .iter()
-        .fold(0.0, |largest, c| largest.max(c.abs()))
+    coefficients[start..].iter().fold(0.0, |largest, c| largest.max(c.abs()))
 }
 
 /// The level at which the coefficients have come down to rounding, if they have: either that of the machine, or a higher
@@ -147,18 +139,14 @@ fn noise_floor(coefficients: &[f64], tail: f64, largest: f64) -> Option<f64> {
         return Some(ROUNDING * largest);
     }
     let n = coefficients.len();
-    let middle = coefficients[n / 2..n / 2 + n / 8]
-        .iter()
-        .fold(0.0f64, |most, c| most.max(c.abs()));
+    let middle =
+        coefficients[n / 2..n / 2 + n / 8].iter().fold(0.0f64, |most, c| most.max(c.abs()));
     (tail <= PLATEAU * largest && tail > 0.5 * middle).then_some(tail)
 }
 
 fn trimmed(series: &ChebyshevSeries, negligible: f64) -> ChebyshevSeries {
-    let keep = series
-        .coefficients()
-        .iter()
-        .rposition(|c| c.abs() > negligible)
-        .map_or(1, |last| last + 1);
+    let keep =
+        series.coefficients().iter().rposition(|c| c.abs() > negligible).map_or(1, |last| last + 1);
     let mut coefficients = series.coefficients().to_vec();
     coefficients.truncate(keep);
     ChebyshevSeries::new(coefficients)

@@ -29,17 +29,9 @@ impl Node {
         let from_right = half * 2.0 / (1.0 + (2.0 * argument).exp());
         let from_left = half * 2.0 / (1.0 + (-2.0 * argument).exp());
         let derivative = FRAC_PI_2 * t.cosh() * from_left * from_right / half;
-        let position = if t > 0.0 {
-            interval.right() - from_right
-        } else {
-            interval.left() + from_left
-        };
-        Self {
-            position,
-            from_left,
-            from_right,
-            derivative,
-        }
+        let position =
+            if t > 0.0 { interval.right() - from_right } else { interval.left() + from_left };
+        Self { position, from_left, from_right, derivative }
     }
 
     /// `|x - s|` from the distances to the end that is nearer to both.

@@ -60,9 +60,8 @@ impl SincOperator {
         let interval = kernel.interval();
         let count = 2 * half_count + 1;
         let step = RANGE / half_count as f64;
-        let nodes: Vec<Node> = (0..count)
-            .map(|j| Node::at(interval, (j as f64 - half_count as f64) * step))
-            .collect();
+        let nodes: Vec<Node> =
+            (0..count).map(|j| Node::at(interval, (j as f64 - half_count as f64) * step)).collect();
         let weights: Vec<f64> = nodes.iter().map(|node| step * node.derivative).collect();
         let roots: Vec<f64> = weights.iter().map(|weight| weight.sqrt()).collect();
         let corrections = corrections(kernel.singularity(), count);
@@ -79,11 +78,8 @@ impl SincOperator {
                 .iter()
                 .zip(&weights)
                 .map(|(node, weight)| {
-                    let distance = if end == interval.left() {
-                        node.from_left
-                    } else {
-                        node.from_right
-                    };
+                    let distance =
+                        if end == interval.left() { node.from_left } else { node.from_right };
                     weight
                         * kernel
                             .split(end, node.position, distance)
@@ -91,14 +87,7 @@ impl SincOperator {
                 })
                 .collect()
         });
-        Ok(Self {
-            interval,
-            step,
-            nodes,
-            roots,
-            matrix,
-            ends,
-        })
+        Ok(Self { interval, step, nodes, roots, matrix, ends })
     }
 
     /// Number of nodes.
@@ -126,29 +115,18 @@ impl SincOperator {
         let cholesky = Cholesky::new(count, |i, j| {
             f64::from(u8::from(i == j)) + parameter * self.matrix[i * count + j]
         })?;
-        Ok(right_hand_sides
-            .iter()
-            .map(|f| self.finish(parameter, f, &cholesky))
-            .collect())
+        Ok(right_hand_sides.iter().map(|f| self.finish(parameter, f, &cholesky)).collect())
     }
 
     fn finish(&self, parameter: f64, f: &[f64], cholesky: &Cholesky) -> SincSolution<'_> {
         let count = self.count();
-        let mut scaled: Vec<f64> = f
-            .iter()
-            .zip(&self.roots)
-            .map(|(f, root)| f * root)
-            .collect();
+        let mut scaled: Vec<f64> = f.iter().zip(&self.roots).map(|(f, root)| f * root).collect();
         cholesky.solve(&mut scaled);
         // Division by the tiny weights near the ends would lose digits: values come from phi = f - lambda K phi.
         let potential: Vec<f64> = (0..count)
             .map(|i| dot(&self.matrix[i * count..(i + 1) * count], &scaled) / self.roots[i])
             .collect();
-        let values: Vec<f64> = f
-            .iter()
-            .zip(&potential)
-            .map(|(f, u)| f - parameter * u)
-            .collect();
+        let values: Vec<f64> = f.iter().zip(&potential).map(|(f, u)| f - parameter * u).collect();
         let ends = [dot(&self.ends[0], &values), dot(&self.ends[1], &values)];
         let length = 2.0 * self.interval.half_length();
         let bubble = potential
@@ -156,13 +134,7 @@ impl SincOperator {
             .zip(&self.nodes)
             .map(|(u, node)| u - (ends[0] * node.from_right + ends[1] * node.from_left) / length)
             .collect();
-        SincSolution {
-            operator: self,
-            parameter,
-            values,
-            ends,
-            bubble,
-        }
+        SincSolution { operator: self, parameter, values, ends, bubble }
     }
 }
 

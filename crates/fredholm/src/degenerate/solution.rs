@@ -21,16 +21,8 @@ impl<'k, K: SpectralRelation> DegenerateSolution<'k, K> {
         factors: &[f64],
         projections: Vec<f64>,
     ) -> Self {
-        let correction = projections
-            .iter()
-            .zip(factors)
-            .map(|(x, d)| parameter * d * x)
-            .collect();
-        Self {
-            kernel,
-            projections,
-            correction,
-        }
+        let correction = projections.iter().zip(factors).map(|(x, d)| parameter * d * x).collect();
+        Self { kernel, projections, correction }
     }
 
     /// `X_k = int_L phi phi_k dx`, `k = 0 .. degree`: for kernel 1, `X_0` is the integral of the solution and `a X_1` its first moment.

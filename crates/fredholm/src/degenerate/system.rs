@@ -57,12 +57,7 @@ impl<'k, K: SpectralRelation> DegenerateSystem<'k, K> {
             .filter(|&first| first <= degree)
             .map(|first| Block::new(&gram, &factors, parameter, first, step))
             .collect::<Result<_, _>>()?;
-        Ok(Self {
-            kernel,
-            parameter,
-            factors,
-            blocks,
-        })
+        Ok(Self { kernel, parameter, factors, blocks })
     }
 
     /// The highest index kept.
@@ -110,22 +105,13 @@ impl Block {
         first: usize,
         step: usize,
     ) -> Result<Self, Error> {
-        let root: Vec<f64> = factors
-            .iter()
-            .skip(first)
-            .step_by(step)
-            .map(|d| d.sqrt())
-            .collect();
+        let root: Vec<f64> = factors.iter().skip(first).step_by(step).map(|d| d.sqrt()).collect();
         let cholesky = Cholesky::new(root.len(), |i, j| {
             let identity = if i == j { 1.0 } else { 0.0 };
             identity
                 + parameter * root[i] * gram.entry(first + step * i, first + step * j) * root[j]
         })?;
-        Ok(Self {
-            first,
-            step,
-            cholesky,
-        })
+        Ok(Self { first, step, cholesky })
     }
 }
 
@@ -136,10 +122,7 @@ fn expansion_factors<K: SpectralRelation>(kernel: &K, degree: usize) -> Result<V
             if factor > 0.0 {
                 Ok(factor)
             } else {
-                Err(Error::NotPositive {
-                    index,
-                    eigenvalue: kernel.eigenvalue(index),
-                })
+                Err(Error::NotPositive { index, eigenvalue: kernel.eigenvalue(index) })
             }
         })
         .collect()
@@ -152,11 +135,7 @@ fn admit(degree: usize, step: usize) -> Result<(), Error> {
     let needed = (8.0 * step as f64 * order * order) as u64;
     let available = memory::available();
     if needed as f64 > HEADROOM * available as f64 {
-        return Err(Error::TooLarge {
-            degree,
-            needed,
-            available,
-        });
+        return Err(Error::TooLarge { degree, needed, available });
     }
     Ok(())
 }

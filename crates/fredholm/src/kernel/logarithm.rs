@@ -24,17 +24,13 @@ impl Logarithm {
     /// # Errors
     /// [`Error::InvalidParameter`] unless `half_length` is finite and positive.
     pub fn new(half_length: f64) -> Result<Self, Error> {
-        Ok(Self {
-            interval: Interval::symmetric(half_length)?,
-        })
+        Ok(Self { interval: Interval::symmetric(half_length)? })
     }
 
     /// The kernel on `(-1, 1)`, to which every plane punch is scaled, (2.5).
     #[must_use]
     pub fn unit() -> Self {
-        Self {
-            interval: Interval::unit(),
-        }
+        Self { interval: Interval::unit() }
     }
 
     /// `a`.
@@ -54,10 +50,7 @@ impl Kernel for Logarithm {
     }
 
     fn split(&self, _x: f64, _s: f64, _distance: f64) -> Split {
-        Split {
-            factor: -1.0,
-            rest: 0.0,
-        }
+        Split { factor: -1.0, rest: 0.0 }
     }
 }
 
@@ -67,11 +60,7 @@ impl SpectralRelation for Logarithm {
     }
 
     fn eigenvalue(&self, n: usize) -> f64 {
-        if n == 0 {
-            PI * (2.0 / self.half_length()).ln()
-        } else {
-            PI / n as f64
-        }
+        if n == 0 { PI * (2.0 / self.half_length()).ln() } else { PI / n as f64 }
     }
 
     fn norm(&self, n: usize) -> f64 {
@@ -80,11 +69,7 @@ impl SpectralRelation for Logarithm {
 
     // The quotient of the two rounded values would cost the exact 2/m of section 3.
     fn expansion_factor(&self, n: usize) -> f64 {
-        if n == 0 {
-            (2.0 / self.half_length()).ln()
-        } else {
-            2.0 / n as f64
-        }
+        if n == 0 { (2.0 / self.half_length()).ln() } else { 2.0 / n as f64 }
     }
 
     fn parity(&self) -> Parity {
@@ -117,13 +102,7 @@ impl SpectralRelation for Logarithm {
         let scaled = |xi: f64| f(self.half_length() * xi);
         let function = Function::resolve(&scaled)?;
         let mut values = function.series().moments(count);
-        values
-            .iter_mut()
-            .for_each(|value| *value *= self.half_length());
-        Ok(Moments {
-            values,
-            error: function.error(),
-            resolved: function.is_resolved(),
-        })
+        values.iter_mut().for_each(|value| *value *= self.half_length());
+        Ok(Moments { values, error: function.error(), resolved: function.is_resolved() })
     }
 }

@@ -31,7 +31,6 @@ pub trait Kernel {
     /// `K(x, s)`; infinite at `x = s` for a singular kernel.
     fn value(&self, x: f64, s: f64) -> f64 {
         let distance = (x - s).abs();
-        self.split(x, s, distance)
-            .value(self.singularity(), distance)
+        self.split(x, s, distance).value(self.singularity(), distance)
     }
 }

@@ -34,12 +34,10 @@ impl Cholesky {
             MemStack::new(&mut buffer),
             Default::default(),
         )
-        .map_err(
-            |LltError::NonPositivePivot { index }| Error::NotPositiveDefinite {
-                order,
-                pivot: index,
-            },
-        )?;
+        .map_err(|LltError::NonPositivePivot { index }| Error::NotPositiveDefinite {
+            order,
+            pivot: index,
+        })?;
         Ok(Self { factor: matrix })
     }
 
@@ -71,9 +69,8 @@ mod tests {
         // Hilbert matrix of order 4 plus the identity, against the residual.
         let entry = |i: usize, j: usize| 1.0 / (i + j + 1) as f64 + f64::from(u8::from(i == j));
         let exact = [1.0, -2.0, 3.0, 0.5];
-        let mut right: Vec<f64> = (0..4)
-            .map(|i| (0..4).map(|j| entry(i, j) * exact[j]).sum())
-            .collect();
+        let mut right: Vec<f64> =
+            (0..4).map(|i| (0..4).map(|j| entry(i, j) * exact[j]).sum()).collect();
         Cholesky::new(4, entry).unwrap().solve(&mut right);
         for (found, exact) in right.iter().zip(exact) {
             assert!((found - exact).abs() < 1e-14);

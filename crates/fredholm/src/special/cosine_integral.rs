@@ -53,27 +53,16 @@ fn continued_fraction(x: f64, j: usize) -> f64 {
     for i in 1..500 {
         let a = -f64::from(i * i);
         b.re += 2.0;
-        d = Complex {
-            re: a * d.re + b.re,
-            im: a * d.im + b.im,
-        }
-        .inverse();
+        d = Complex { re: a * d.re + b.re, im: a * d.im + b.im }.inverse();
         let back = c.inverse();
-        c = Complex {
-            re: b.re + a * back.re,
-            im: b.im + a * back.im,
-        };
+        c = Complex { re: b.re + a * back.re, im: b.im + a * back.im };
         let factor = c.times(d);
         fraction = fraction.times(factor);
         if (factor.re - 1.0).abs() + factor.im.abs() < 1e-16 {
             break;
         }
     }
-    if j.is_multiple_of(2) {
-        -fraction.re
-    } else {
-        fraction.re
-    }
+    if j.is_multiple_of(2) { -fraction.re } else { fraction.re }
 }
 
 #[derive(Clone, Copy)]
@@ -87,15 +76,9 @@ impl Complex {
         let square = self.re * self.re + self.im * self.im;
         // The start value 1e300 would overflow when squared.
         if square.is_infinite() {
-            Self {
-                re: 1.0 / self.re,
-                im: 0.0,
-            }
+            Self { re: 1.0 / self.re, im: 0.0 }
         } else {
-            Self {
-                re: self.re / square,
-                im: -self.im / square,
-            }
+            Self { re: self.re / square, im: -self.im / square }
         }
     }
 
