@@ -1,0 +1,3 @@
+//! The method of degenerate kernels.
+
+pub mod regularity;
