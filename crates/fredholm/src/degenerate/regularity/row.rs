@@ -126,6 +126,7 @@ impl Row {
         let p = self.index as f64;
         match (self.parity, self.index) {
             (Parity::Even, 0) => 6.0 * LN_2 - 2.0,
+            (Parity::Odd, 1) => 5.0 / 3.0,
             (Parity::Even, _) => {
                 let diagonal = (1.0 - 1.0 / ((4.0 * p - 1.0) * (4.0 * p + 1.0))) / p;
                 2.0 * diagonal + even_remainder(self.index)
