@@ -1,1 +1,3 @@
 //! Placeholder front page, replaced as the rooms are built.
+
+pub mod expression;
