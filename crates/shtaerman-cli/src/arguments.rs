@@ -11,7 +11,9 @@ use clap::{Args, Parser, Subcommand, ValueEnum};
 /// negative tilt.
 #[derive(Debug, Parser)]
 #[command(name = "shtaerman", version, propagate_version = true, arg_required_else_help = true)]
-#[command(after_help = "Exit codes: 0 an answer, 1 a check failed, 2 bad input, 3 a numerical promise not kept, 130 interrupted.")]
+#[command(
+    after_help = "Exit codes: 0 an answer, 1 a check failed, 2 bad input, 3 a numerical promise not kept, 130 interrupted."
+)]
 pub struct Arguments {
     /// What to do.
     #[command(subcommand)]

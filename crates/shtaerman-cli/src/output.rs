@@ -9,14 +9,14 @@ use crate::Failure;
 
 /// Everything a command writes: prepared first, then put in place together.
 #[derive(Debug, Default)]
-pub struct Outputs {
+pub(crate) struct Outputs {
     files: Vec<(PathBuf, Vec<u8>)>,
     terminal: Vec<u8>,
 }
 
 impl Outputs {
     /// A result for `file`, or for the terminal.
-    pub fn result(&mut self, file: Option<&Path>, content: impl Into<Vec<u8>>) {
+    pub(crate) fn result(&mut self, file: Option<&Path>, content: impl Into<Vec<u8>>) {
         match file {
             Some(path) => self.file(path, content),
             None => self.terminal.extend(content.into()),
@@ -24,7 +24,7 @@ impl Outputs {
     }
 
     /// A file.
-    pub fn file(&mut self, path: &Path, content: impl Into<Vec<u8>>) {
+    pub(crate) fn file(&mut self, path: &Path, content: impl Into<Vec<u8>>) {
         self.files.push((path.to_owned(), content.into()));
     }
 
@@ -32,11 +32,13 @@ impl Outputs {
     ///
     /// # Errors
     /// [`Failure::Unwritable`] with the path; nothing has been changed unless a rename itself failed.
-    pub fn write(self) -> Result<(), Failure> {
+    pub(crate) fn write(self) -> Result<(), Failure> {
         let prepared = self
             .files
             .iter()
-            .map(|(path, content)| prepare(path, content).map_err(|error| Failure::unwritable(path, &error)))
+            .map(|(path, content)| {
+                prepare(path, content).map_err(|error| Failure::unwritable(path, &error))
+            })
             .collect::<Result<Vec<_>, _>>()?;
         for (file, (path, _)) in prepared.into_iter().zip(&self.files) {
             file.persist(path).map_err(|error| Failure::unwritable(path, &error.error))?;
@@ -50,11 +52,14 @@ impl Outputs {
 /// # Errors
 /// [`Failure::Unwritable`] when the folder does not exist or does not take files, or the path is a folder;
 /// [`Failure::Usage`] when two outputs are the same file.
-pub fn check_writable(paths: &[Option<&Path>]) -> Result<(), Failure> {
+pub(crate) fn check_writable(paths: &[Option<&Path>]) -> Result<(), Failure> {
     let paths: Vec<&Path> = paths.iter().copied().flatten().collect();
     for (i, path) in paths.iter().enumerate() {
         if paths[..i].contains(path) {
-            return Err(Failure::Usage(format!("two outputs would be written to {}", path.display())));
+            return Err(Failure::Usage(format!(
+                "two outputs would be written to {}",
+                path.display()
+            )));
         }
         prepare(path, b"").map_err(|error| Failure::unwritable(path, &error))?;
     }
@@ -69,7 +74,8 @@ fn prepare(path: &Path, content: &[u8]) -> std::io::Result<NamedTempFile> {
     if path.file_name().is_none() {
         return Err(std::io::Error::other("it names no file"));
     }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let folder =
+        path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut builder = tempfile::Builder::new();
     builder.prefix(".shtaerman-");
     permit_as_usual(&mut builder);

@@ -117,7 +117,8 @@ impl PressureCurve {
     /// # Errors
     /// [`Error::BeyondPunch`] for a point that is not on the closed base.
     pub fn at(contact: &Contact, points: Vec<f64>) -> Result<Self, Error> {
-        let pressures = points.iter().map(|&x| contact.pressure(x)).collect::<Result<Vec<_>, _>>()?;
+        let pressures =
+            points.iter().map(|&x| contact.pressure(x)).collect::<Result<Vec<_>, _>>()?;
         Ok(if contact.problem().frame().scaling().is_some() {
             Self::Physical { x: points, p: pressures }
         } else {
@@ -159,7 +160,8 @@ impl Answer {
     /// The answer with a pressure curve.
     #[must_use]
     pub fn new(contact: &Contact, pressure: PressureCurve) -> Self {
-        let physical = contact.problem().frame().scaling().is_some().then(|| Physical::new(contact));
+        let physical =
+            contact.problem().frame().scaling().is_some().then(|| Physical::new(contact));
         Self {
             schema: SCHEMA,
             dimensionless: Dimensionless::new(contact),
@@ -208,7 +210,11 @@ impl Physical {
             pressure_max_at,
             stiffness: contact.stiffness().matrix(),
             edges: contact.edges(),
-            contact_modulus: contact.problem().frame().scaling().map_or(0.0, crate::Scaling::contact_modulus),
+            contact_modulus: contact
+                .problem()
+                .frame()
+                .scaling()
+                .map_or(0.0, crate::Scaling::contact_modulus),
             gauge: GAUGE,
         }
     }

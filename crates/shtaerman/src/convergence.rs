@@ -71,18 +71,29 @@ impl Convergence {
     /// # Errors
     /// [`Error::InvalidValue`] unless `last >= 32` (three degrees, one order); whatever [`Problem::solve`] gives.
     pub fn study(problem: &Problem, last: usize) -> Result<Self, Error> {
-        crate::error::require(last >= 4 * FIRST_DEGREE, "max_n", last as f64, "at least 32: an order takes three degrees")?;
+        crate::error::require(
+            last >= 4 * FIRST_DEGREE,
+            "max_n",
+            last as f64,
+            "at least 32: an order takes three degrees",
+        )?;
         let unknown = match problem.load().vertical {
             Vertical::Force(_) => Quantity::Settlement,
             Vertical::Settlement(_) => Quantity::Force,
         };
         let quantities = vec![unknown, Quantity::PressureRight, Quantity::PressureMid];
-        let degrees = std::iter::successors(Some(FIRST_DEGREE), |n| n.checked_mul(2)).take_while(|&n| n <= last);
+        let degrees = std::iter::successors(Some(FIRST_DEGREE), |n| n.checked_mul(2))
+            .take_while(|&n| n <= last);
         let mut rows: Vec<Row> = Vec::new();
         for n in degrees {
             let contact = problem.with_degree(n)?.solve()?;
             let entries = (0..quantities.len())
-                .map(|i| Entry::after(rows.last().map(|row| &row.entries[i]), value(quantities[i], &contact)))
+                .map(|i| {
+                    Entry::after(
+                        rows.last().map(|row| &row.entries[i]),
+                        value(quantities[i], &contact),
+                    )
+                })
                 .collect();
             rows.push(Row { n, entries });
         }
@@ -93,10 +104,12 @@ impl Convergence {
 impl Entry {
     fn after(previous: Option<&Self>, value: f64) -> Self {
         let difference = previous.map(|previous| (value - previous.value).abs());
-        let order = previous.and_then(|previous| previous.difference).zip(difference).and_then(|(coarse, fine)| {
-            let visible = fine > ROUNDING * value.abs();
-            visible.then(|| (coarse / fine).log2()).filter(|order| order.is_finite())
-        });
+        let order = previous.and_then(|previous| previous.difference).zip(difference).and_then(
+            |(coarse, fine)| {
+                let visible = fine > ROUNDING * value.abs();
+                visible.then(|| (coarse / fine).log2()).filter(|order| order.is_finite())
+            },
+        );
         Self { value, difference, order }
     }
 }
@@ -120,9 +133,14 @@ mod tests {
         for vertical in [Vertical::Force(0.001), Vertical::Settlement(5.0)] {
             let load = Load::new(vertical, Rotational::Moment(1e-4)).unwrap();
             let profile = Profile::expression("10*xi^2").unwrap();
-            let problem = Problem::new(Frame::dimensionless(6.0).unwrap(), profile, load, Solver::default()).unwrap();
+            let problem =
+                Problem::new(Frame::dimensionless(6.0).unwrap(), profile, load, Solver::default())
+                    .unwrap();
             let study = Convergence::study(&problem, 1024).unwrap();
-            assert_eq!(study.rows.iter().map(|row| row.n).collect::<Vec<_>>(), [8, 16, 32, 64, 128, 256, 512, 1024]);
+            assert_eq!(
+                study.rows.iter().map(|row| row.n).collect::<Vec<_>>(),
+                [8, 16, 32, 64, 128, 256, 512, 1024]
+            );
             let last = study.rows.last().unwrap();
             for (quantity, entry) in study.quantities.iter().zip(&last.entries) {
                 let order = entry.order.unwrap();

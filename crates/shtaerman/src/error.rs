@@ -1,6 +1,7 @@
 //! What can go wrong with a problem.
 
 use crate::document::FileError;
+use crate::expression::Defect;
 
 /// Why a problem has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -18,18 +19,20 @@ pub enum Error {
     },
 
     /// The profile is not finite somewhere on the punch.
-    #[error("the profile is {value} at {variable} = {at}: it must be finite on the whole punch")]
+    #[error("the profile {defect} at {variable} = {at}: it must be finite on the whole punch")]
     ProfileNotFinite {
         /// `x` (metres) or `xi`.
         variable: &'static str,
         /// Where.
         at: f64,
-        /// What the profile gives there.
-        value: f64,
+        /// How it fails to be finite.
+        defect: Defect,
     },
 
     /// A point for evaluation lies beyond the punch.
-    #[error("{variable} = {at} is beyond the punch: pressure is known for {variable} from {left} to {right}")]
+    #[error(
+        "{variable} = {at} is beyond the punch: pressure is known for {variable} from {left} to {right}"
+    )]
     BeyondPunch {
         /// `x` (metres) or `xi`.
         variable: &'static str,

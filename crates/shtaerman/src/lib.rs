@@ -32,11 +32,13 @@ pub mod convergence;
 pub mod document;
 mod error;
 pub mod expression;
+pub mod file;
 mod load;
 mod material;
+mod nearest;
 pub mod paper;
 mod problem;
-mod profile;
+pub mod profile;
 pub mod quantity;
 mod scaling;
 

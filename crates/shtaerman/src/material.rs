@@ -71,7 +71,9 @@ mod tests {
         let composite = steel.composite_modulus(&steel);
         assert!((composite - 0.5 * steel.plane_strain_modulus()).abs() < 1e-3);
         let stiff = Elastic::new(1e30, 0.0).unwrap();
-        assert!((steel.composite_modulus(&stiff) / steel.plane_strain_modulus() - 1.0).abs() < 1e-15);
+        assert!(
+            (steel.composite_modulus(&stiff) / steel.plane_strain_modulus() - 1.0).abs() < 1e-15
+        );
     }
 
     #[test]
@@ -83,7 +85,10 @@ mod tests {
             ));
         }
         for ratio in [-1.0, 0.500001, f64::NAN, f64::INFINITY] {
-            assert!(matches!(Elastic::new(1.0, ratio), Err(Error::InvalidValue { field: "poisson_ratio", .. })));
+            assert!(matches!(
+                Elastic::new(1.0, ratio),
+                Err(Error::InvalidValue { field: "poisson_ratio", .. })
+            ));
         }
         assert!(Elastic::new(1.0, 0.5).is_ok() && Elastic::new(1.0, -0.99).is_ok());
     }

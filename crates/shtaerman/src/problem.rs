@@ -3,6 +3,7 @@
 use fredholm::basis::Function;
 
 use crate::error::{finite, require};
+use crate::expression::Defect;
 use crate::{Elastic, Error, Load, Profile, Scaling};
 
 /// Degree of the degenerate kernel where the problem does not say.
@@ -164,33 +165,42 @@ impl Problem {
     #[must_use]
     pub fn dimensionless_profile(&self, xi: f64) -> f64 {
         let half_width = self.frame.half_width();
-        let height = self.profile.height(half_width * xi, half_width);
+        let height = self.profile.height(xi, half_width);
         self.frame.scaling().map_or(height, |scaling| height / scaling.displacement())
     }
 
     /// The profile resolved by a Chebyshev series in `xi`.
     pub(crate) fn resolved_profile(&self) -> Result<Function, Error> {
         Function::resolve(&|xi| self.dimensionless_profile(xi)).map_err(|error| match error {
-            fredholm::Error::NotFinite { at, value, .. } => self.profile_not_finite(at, value),
+            fredholm::Error::NotFinite { at, value, .. } if value.is_nan() => {
+                self.profile_not_finite(at, Defect::Undefined)
+            }
+            fredholm::Error::NotFinite { at, .. } => self.profile_not_finite(at, Defect::Infinite),
             other => other.into(),
         })
     }
 
     fn check_profile(&self) -> Result<(), Error> {
-        let half_width = self.frame.half_width();
-        if let Some(at) = self.profile.find_not_finite(half_width) {
-            return Err(self.profile_not_finite(at / half_width, self.dimensionless_profile(at / half_width)));
+        if let Some((xi, defect)) = self.profile.find_not_finite(self.frame.half_width()) {
+            return Err(self.profile_not_finite(xi, defect));
         }
+        // Scaling may overflow what is finite in the units of the file.
         for xi in fredholm::basis::chebyshev::points(64) {
-            let value = self.dimensionless_profile(xi);
-            if finite("profile", value).is_err() {
-                return Err(self.profile_not_finite(xi, value));
-            }
+            self.checked(xi, self.dimensionless_profile(xi))?;
         }
         Ok(())
     }
 
-    fn profile_not_finite(&self, xi: f64, value: f64) -> Error {
-        Error::ProfileNotFinite { variable: self.frame.coordinate(), at: xi * self.frame.half_width(), value }
+    fn checked(&self, xi: f64, value: f64) -> Result<f64, Error> {
+        let defect = if value.is_nan() { Defect::Undefined } else { Defect::Infinite };
+        finite("profile", value).map_err(|_| self.profile_not_finite(xi, defect))
+    }
+
+    fn profile_not_finite(&self, xi: f64, defect: Defect) -> Error {
+        Error::ProfileNotFinite {
+            variable: self.frame.coordinate(),
+            at: xi * self.frame.half_width(),
+            defect,
+        }
     }
 }

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::{Elastic, Error, Load, Rotational, Vertical};
 use crate::error::{positive, require};
+use crate::{Elastic, Error, Load, Rotational, Vertical};
 
 /// The units in which a problem becomes dimensionless: `a` for lengths along the base, `E` for pressures, `chi E` for displacements.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,10 +28,14 @@ impl Scaling {
     ) -> Result<Self, Error> {
         positive("half_width", half_width)?;
         positive("roughness", roughness)?;
-        let contact_modulus =
-            body.map_or(foundation.plane_strain_modulus(), |body| foundation.composite_modulus(body));
-        let scaling =
-            Self { half_width, young_modulus: foundation.young_modulus(), roughness, contact_modulus };
+        let contact_modulus = body
+            .map_or(foundation.plane_strain_modulus(), |body| foundation.composite_modulus(body));
+        let scaling = Self {
+            half_width,
+            young_modulus: foundation.young_modulus(),
+            roughness,
+            contact_modulus,
+        };
         let scales = [
             scaling.theta0(),
             scaling.displacement(),
@@ -108,7 +112,9 @@ impl Scaling {
     pub fn load(&self, load: &Load) -> Load {
         let vertical = match load.vertical {
             Vertical::Force(force) => Vertical::Force(force / self.force()),
-            Vertical::Settlement(settlement) => Vertical::Settlement(settlement / self.displacement()),
+            Vertical::Settlement(settlement) => {
+                Vertical::Settlement(settlement / self.displacement())
+            }
         };
         let rotational = match load.rotational {
             Rotational::Moment(moment) => Rotational::Moment(moment / self.moment()),
@@ -127,7 +133,9 @@ mod tests {
     fn agrees_with_the_papers_parameter() {
         // nu = 0.25: theta0 = 15/(8 pi) lambda0, lambda0 = a/(E chi), sec. 5
         let (modulus, roughness, half_width) = (70e9, 3e-13, 0.004);
-        let scaling = Scaling::new(&Elastic::new(modulus, 0.25).unwrap(), roughness, half_width, None).unwrap();
+        let scaling =
+            Scaling::new(&Elastic::new(modulus, 0.25).unwrap(), roughness, half_width, None)
+                .unwrap();
         let lambda0 = half_width / (modulus * roughness);
         assert!((scaling.theta0() / (15.0 / (8.0 * PI) * lambda0) - 1.0).abs() < 1e-15);
     }

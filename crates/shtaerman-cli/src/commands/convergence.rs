@@ -11,7 +11,7 @@ use crate::output::{Outputs, check_writable};
 use crate::plot::{ConvergencePlot, ConvergenceSeries, Format, Size, render};
 use crate::report::{self, Table};
 
-pub fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
     check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()])?;
     let problem = problem_file::read(&arguments.problem)?;
@@ -65,7 +65,9 @@ fn table(problem: &Problem, study: &Convergence) -> String {
         let mut cells = vec![row.n.to_string()];
         for entry in &row.entries {
             cells.push(report::significant(entry.value, 13));
-            cells.push(entry.difference.map_or(String::new(), |difference| format!("{difference:.1e}")));
+            cells.push(
+                entry.difference.map_or(String::new(), |difference| format!("{difference:.1e}")),
+            );
             cells.push(entry.order.map_or(String::new(), |order| format!("{order:.2}")));
         }
         table.row(cells);
@@ -99,7 +101,9 @@ fn csv(study: &Convergence) -> Result<String, Failure> {
 
 fn plot(problem: &Problem, study: &Convergence) -> ConvergencePlot {
     let series = study.quantities.iter().enumerate().map(|(i, &quantity)| {
-        let points = study.rows.iter().filter_map(|row| row.entries[i].difference.map(|d| (row.n as f64, d / row.entries[i].value.abs())));
+        let points = study.rows.iter().filter_map(|row| {
+            row.entries[i].difference.map(|d| (row.n as f64, d / row.entries[i].value.abs()))
+        });
         let (n, difference) = points.unzip();
         ConvergenceSeries { name: name(quantity).to_owned(), n, difference }
     });

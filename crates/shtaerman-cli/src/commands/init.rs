@@ -9,7 +9,7 @@ use crate::output::Outputs;
 const EXAMPLE: &str = include_str!("../../data/example.toml");
 const DIMENSIONLESS: &str = include_str!("../../data/example_dimensionless.toml");
 
-pub fn run(arguments: &InitArguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &InitArguments) -> Result<(), Failure> {
     let text = if arguments.dimensionless { DIMENSIONLESS } else { EXAMPLE };
     let mut outputs = Outputs::default();
     let path = arguments.file.as_path();
@@ -24,6 +24,7 @@ pub fn run(arguments: &InitArguments) -> Result<(), Failure> {
         )));
     }
     outputs.file(path, text);
-    outputs.result(None, format!("wrote {0}\nsolve it with: shtaerman solve {0}\n", path.display()));
+    outputs
+        .result(None, format!("wrote {0}\nsolve it with: shtaerman solve {0}\n", path.display()));
     outputs.write()
 }

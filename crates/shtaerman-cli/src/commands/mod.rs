@@ -12,7 +12,7 @@ use crate::Failure;
 use crate::arguments::Command;
 
 /// Runs a command.
-pub fn execute(command: &Command) -> Result<(), Failure> {
+pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Solve(arguments) => solve::run(arguments),
         Command::Validate(arguments) => validate::run(arguments),

@@ -8,7 +8,7 @@ use crate::arguments::{RegularityArguments, ReportFormat};
 use crate::output::{Outputs, check_writable};
 use crate::report::{self, Table};
 
-pub fn run(arguments: &RegularityArguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &RegularityArguments) -> Result<(), Failure> {
     check_writable(&[arguments.output.output.as_deref()])?;
     let study = match arguments.q0 {
         Some(q0) => RegularityReport::with_constant(arguments.theta0, q0, arguments.rows),
@@ -35,8 +35,17 @@ fn systems(study: &RegularityReport) -> [(&'static str, &'static str, &SystemRep
 fn table(study: &RegularityReport) -> String {
     let mut text = format!("Regularity of the infinite systems at theta0 = {}\n", study.theta0);
     for (name, number, system) in systems(study) {
-        text.push_str(&format!("\nThe {name} system {number}: row sums (theta0 times the sum of |a_m R_km|)\n"));
-        let mut rows = Table::new(&["row", "degree", "row sum", "paper's majorant (4.1)", "first sum", "second sum"]);
+        text.push_str(&format!(
+            "\nThe {name} system {number}: row sums (theta0 times the sum of |a_m R_km|)\n"
+        ));
+        let mut rows = Table::new(&[
+            "row",
+            "degree",
+            "row sum",
+            "paper's majorant (4.1)",
+            "first sum",
+            "second sum",
+        ]);
         for row in &system.rows {
             rows.row(vec![
                 row.row.to_string(),
@@ -64,7 +73,12 @@ fn table(study: &RegularityReport) -> String {
 }
 
 fn conditions(system: &SystemReport) -> String {
-    let mut table = Table::new(&["condition", "supremum of row sum / theta0", "complete regularity for theta0 up to", "met"]);
+    let mut table = Table::new(&[
+        "condition",
+        "supremum of row sum / theta0",
+        "complete regularity for theta0 up to",
+        "met",
+    ]);
     for (name, condition) in named_conditions(system) {
         table.row(vec![
             name.to_owned(),
@@ -114,9 +128,7 @@ fn data(study: &RegularityReport) -> Value {
 }
 
 fn system_data(number: &str, system: &SystemReport) -> Value {
-    let condition = |condition: &Condition| {
-        json!({ "supremum": condition.supremum, "critical_theta0": condition.critical_theta0, "met": condition.met })
-    };
+    let condition = |condition: &Condition| json!({ "supremum": condition.supremum, "critical_theta0": condition.critical_theta0, "met": condition.met });
     json!({
         "system": number,
         "rows": system.rows.iter().map(|row| json!({
@@ -142,7 +154,9 @@ fn system_data(number: &str, system: &SystemReport) -> Value {
 
 fn verdict_data(verdict: &Verdict) -> Value {
     match verdict {
-        Verdict::CompletelyRegular { constant } => json!({ "kind": "completely_regular", "constant": constant }),
+        Verdict::CompletelyRegular { constant } => {
+            json!({ "kind": "completely_regular", "constant": constant })
+        }
         Verdict::QuasiCompletelyRegular { from_degree } => {
             json!({ "kind": "quasi_completely_regular", "from_degree": from_degree })
         }
@@ -150,7 +164,8 @@ fn verdict_data(verdict: &Verdict) -> Value {
 }
 
 fn csv(study: &RegularityReport) -> Result<String, Failure> {
-    let header = ["system", "row", "degree", "sum", "majorant", "constant_share", "first_sum", "second_sum"];
+    let header =
+        ["system", "row", "degree", "sum", "majorant", "constant_share", "first_sum", "second_sum"];
     let rows = systems(study).into_iter().flat_map(|(name, _, system)| {
         system.rows.iter().map(move |row| {
             vec![

@@ -5,13 +5,13 @@ use shtaerman::paper::{self, Figure, Reproduction};
 use crate::Failure;
 use crate::arguments::{ReportFormat, ReproduceArguments};
 use crate::output::{Outputs, check_writable};
-use crate::plot::{Arrangement, Curve, CurvePanel, CurvesPlot, Format, Size, render};
+use crate::plot::{Arrangement, Curve, CurvePanel, CurveScaling, CurvesPlot, Format, Size, render};
 use crate::report::{self, Table};
 
 /// Points of each curve of Fig. 2.
 const CURVE_POINTS: usize = 401;
 
-pub fn run(arguments: &ReproduceArguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &ReproduceArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
     check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()])?;
     let reproduction = paper::reproduce()?;
@@ -44,7 +44,16 @@ fn table(reproduction: &Reproduction) -> String {
     );
     for number in 1..=3 {
         text.push_str(&format!("\nTable {number}\n"));
-        let mut table = Table::new(&["f0/lambda0", "lambda0", "", "printed", "as the paper", "true", "", "why it differs"]);
+        let mut table = Table::new(&[
+            "f0/lambda0",
+            "lambda0",
+            "",
+            "printed",
+            "as the paper",
+            "true",
+            "",
+            "why it differs",
+        ]);
         for figure in reproduction.figures.iter().filter(|figure| figure.table == number) {
             table.row(row(figure));
         }
@@ -94,7 +103,18 @@ fn json(reproduction: &Reproduction) -> Result<String, Failure> {
 }
 
 fn csv(reproduction: &Reproduction) -> Result<String, Failure> {
-    let header = ["table", "profile", "lambda0", "quantity", "printed", "as_the_paper", "exact", "n", "agrees", "reason"];
+    let header = [
+        "table",
+        "profile",
+        "lambda0",
+        "quantity",
+        "printed",
+        "as_the_paper",
+        "exact",
+        "n",
+        "agrees",
+        "reason",
+    ];
     let rows = reproduction.figures.iter().map(|figure| {
         vec![
             figure.table.to_string(),
@@ -131,7 +151,8 @@ fn figure2() -> Result<CurvesPlot, Failure> {
             panel("as the paper computed it: (3.8) as printed, n = 45", |curve| &curve.as_printed),
             panel("as it is", |curve| &curve.exact),
         ],
-        arrangement: Arrangement::default(),
+        scaling: CurveScaling::default(),
+        arrangement: Arrangement::Stacked,
         horizontal_label: "ξ".to_owned(),
         vertical_label: "p₀".to_owned(),
     })

@@ -19,14 +19,21 @@ const MOST_PLACES: usize = 1_000_000;
 /// How far beside the punch the surface is drawn, in half-widths.
 const PLOT_MARGIN: f64 = 0.6;
 
-pub fn run(arguments: &SolveArguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
     check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()])?;
     if arguments.points > MOST_PLACES {
-        return Err(Failure::Usage(format!("--points {}: at most {MOST_PLACES}", arguments.points)));
+        return Err(Failure::Usage(format!(
+            "--points {}: at most {MOST_PLACES}",
+            arguments.points
+        )));
     }
     let problem = problem_file::read(&arguments.problem)?;
-    let places = arguments.at.as_deref().map(|text| parse_places(text, problem.frame().scaling().is_some())).transpose()?;
+    let places = arguments
+        .at
+        .as_deref()
+        .map(|text| parse_places(text, problem.frame().scaling().is_some()))
+        .transpose()?;
     let contact = problem.solve()?;
     let curve = match places {
         Some(places) => PressureCurve::at(&contact, places)?,
@@ -63,7 +70,10 @@ pub fn run(arguments: &SolveArguments) -> Result<(), Failure> {
 fn parse_places(text: &str, physical: bool) -> Result<Vec<f64>, Failure> {
     let parts: Vec<&str> = text.split(',').collect();
     if parts.len() > MOST_PLACES {
-        return Err(Failure::Usage(format!("--at names {} places: at most {MOST_PLACES}", parts.len())));
+        return Err(Failure::Usage(format!(
+            "--at names {} places: at most {MOST_PLACES}",
+            parts.len()
+        )));
     }
     parts
         .into_iter()
@@ -72,7 +82,9 @@ fn parse_places(text: &str, physical: bool) -> Result<Vec<f64>, Failure> {
             let dimension = if physical { Dimension::LENGTH } else { Dimension::NONE };
             let quantity = shtaerman::quantity::parse(part)
                 .map_err(|error| Failure::Usage(format!("--at {part}: {error}")))?;
-            quantity.expect(dimension, "place", part).map_err(|error| Failure::Usage(format!("--at {part}: {error}")))
+            quantity
+                .expect(dimension, "place", part)
+                .map_err(|error| Failure::Usage(format!("--at {part}: {error}")))
         })
         .collect()
 }
@@ -92,18 +104,24 @@ fn plot(contact: &Contact) -> Result<ContactPlot, Failure> {
         .map(|x| (x, contact.elastic_displacement(x)))
         .collect();
     surface.sort_by(|one, two| one.0.total_cmp(&two.0));
-    let unit = |values: &mut dyn Iterator<Item = f64>, dimension: Dimension, symbol: &str, plain: &str| {
-        let largest = values.fold(0.0f64, |largest, value| largest.max(value.abs()));
-        if physical {
-            let unit = axis_unit(largest, dimension);
-            (unit.factor, format!("{symbol} [{}]", unit.label))
-        } else {
-            (1.0, plain.to_owned())
-        }
-    };
-    let (length, position_label) = unit(&mut std::iter::once(half_width), Dimension::LENGTH, "x", "ξ = x/a");
-    let (stress, pressure_label) =
-        unit(&mut curve.pressures().iter().copied(), Dimension::PRESSURE, "pressure p", "pressure p₀ = p/E");
+    let unit =
+        |values: &mut dyn Iterator<Item = f64>, dimension: Dimension, symbol: &str, plain: &str| {
+            let largest = values.fold(0.0f64, |largest, value| largest.max(value.abs()));
+            if physical {
+                let unit = axis_unit(largest, dimension);
+                (unit.factor, format!("{symbol} [{}]", unit.label))
+            } else {
+                (1.0, plain.to_owned())
+            }
+        };
+    let (length, position_label) =
+        unit(&mut std::iter::once(half_width), Dimension::LENGTH, "x", "ξ = x/a");
+    let (stress, pressure_label) = unit(
+        &mut curve.pressures().iter().copied(),
+        Dimension::PRESSURE,
+        "pressure p",
+        "pressure p₀ = p/E",
+    );
     let depths = &mut base.iter().copied().chain(surface.iter().map(|point| point.1));
     let (depth, displacement_label) = unit(depths, Dimension::LENGTH, "depth", "depth / (χE)");
     Ok(ContactPlot {
@@ -128,7 +146,10 @@ fn notes(contact: &Contact) -> Vec<String> {
         contact.method().n
     )];
     if !contact.tension().is_empty() {
-        notes.push("the pressure is negative where the area is shaded: the punch would lift off there".to_owned());
+        notes.push(
+            "the pressure is negative where the area is shaded: the punch would lift off there"
+                .to_owned(),
+        );
     }
     notes
 }

@@ -6,7 +6,7 @@ use crate::arguments::ValidateArguments;
 use crate::output::Outputs;
 use crate::report::significant;
 
-pub fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
+pub(super) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
     let problem = problem_file::read(&arguments.problem)?;
     let kind = if problem.frame().scaling().is_some() { "physical" } else { "dimensionless" };
     let mut outputs = Outputs::default();

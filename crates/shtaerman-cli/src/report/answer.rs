@@ -13,7 +13,12 @@ const DIGITS: usize = 8;
 
 /// The answer as a table in engineering units; `with_places` adds the pressure at the places asked for.
 #[must_use]
-pub fn answer_table(name: &str, contact: &Contact, answer: &Answer, with_places: bool) -> String {
+pub(crate) fn answer_table(
+    name: &str,
+    contact: &Contact,
+    answer: &Answer,
+    with_places: bool,
+) -> String {
     let mut text = format!(
         "{name}: bilateral contact, theta0 = {}, {} method with n = {}\n\n",
         significant(answer.dimensionless.theta0, DIGITS),
@@ -41,21 +46,37 @@ pub fn answer_table(name: &str, contact: &Contact, answer: &Answer, with_places:
 fn physical_table(contact: &Contact, physical: &Physical) -> Table {
     let length = |value| engineering(value, Dimension::LENGTH);
     let pressure = |value| engineering(value, Dimension::PRESSURE);
-    let elastic_punch = matches!(contact.problem().frame(), shtaerman::Frame::Physical { body: Some(_), .. });
-    let modulus = if elastic_punch { "composite of both bodies" } else { "E/(1-nu^2), rigid punch" };
+    let elastic_punch =
+        matches!(contact.problem().frame(), shtaerman::Frame::Physical { body: Some(_), .. });
+    let modulus =
+        if elastic_punch { "composite of both bodies" } else { "E/(1-nu^2), rigid punch" };
     let [[k11, k12], [_, k22]] = physical.stiffness;
     let mut table = Table::new(&["", "", ""]);
-    let mut row = |name: &str, value: String, note: &str| table.row(vec![name.to_owned(), value, note.to_owned()]);
+    let mut row = |name: &str, value: String, note: &str| {
+        table.row(vec![name.to_owned(), value, note.to_owned()])
+    };
     row("settlement", length(physical.settlement), &format!("gauge {GAUGE}"));
-    row("tilt", engineering(physical.tilt, DisplayUnit::angle()), "a positive moment gives a negative tilt");
+    row(
+        "tilt",
+        engineering(physical.tilt, DisplayUnit::angle()),
+        "a positive moment gives a negative tilt",
+    );
     row("force", engineering(physical.force, Dimension::FORCE_PER_LENGTH), "per unit length");
     row("moment", engineering(physical.moment, DisplayUnit::prefixed("N")), "N m per m");
     row("pressure, left edge", pressure(physical.pressure_left), "");
     row("pressure, centre", pressure(physical.pressure_mid), "");
     row("pressure, right edge", pressure(physical.pressure_right), "");
     row("pressure, mean", pressure(physical.pressure_mean), "");
-    row("pressure, largest", pressure(physical.pressure_max), &format!("at x = {}", length(physical.pressure_max_at)));
-    row("contact", format!("{} to {}", length(physical.edges[0][0]), length(physical.edges[0][1])), "the full base");
+    row(
+        "pressure, largest",
+        pressure(physical.pressure_max),
+        &format!("at x = {}", length(physical.pressure_max_at)),
+    );
+    row(
+        "contact",
+        format!("{} to {}", length(physical.edges[0][0]), length(physical.edges[0][1])),
+        "the full base",
+    );
     row("stiffness dP/d(settlement)", engineering(k11, Dimension::PRESSURE), "per unit length");
     row("stiffness dM/d(-tilt)", engineering(k22, DisplayUnit::prefixed("N")), "N m per m and rad");
     row("stiffness dM/d(settlement)", engineering(k12, Dimension::FORCE_PER_LENGTH), "");
@@ -90,7 +111,10 @@ fn places(curve: &PressureCurve) -> Table {
         PressureCurve::Physical { x, p } => {
             let mut table = Table::new(&["x", "pressure"]);
             for (x, p) in x.iter().zip(p) {
-                table.row(vec![engineering(*x, Dimension::LENGTH), engineering(*p, Dimension::PRESSURE)]);
+                table.row(vec![
+                    engineering(*x, Dimension::LENGTH),
+                    engineering(*p, Dimension::PRESSURE),
+                ]);
             }
             table
         }
@@ -108,7 +132,7 @@ fn places(curve: &PressureCurve) -> Table {
 ///
 /// # Errors
 /// [`Failure::Usage`] should writing to memory fail.
-pub fn answer_csv(answer: &Answer) -> Result<String, Failure> {
+pub(crate) fn answer_csv(answer: &Answer) -> Result<String, Failure> {
     let header = match answer.pressure {
         PressureCurve::Physical { .. } => ["x", "p"],
         PressureCurve::Dimensionless { .. } => ["xi", "p0"],

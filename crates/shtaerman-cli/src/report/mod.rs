@@ -4,9 +4,9 @@ mod answer;
 mod number;
 mod table;
 
-pub use answer::{answer_csv, answer_table};
-pub use number::significant;
-pub use table::Table;
+pub(crate) use answer::{answer_csv, answer_table};
+pub(crate) use number::significant;
+pub(crate) use table::Table;
 
 use serde::Serialize;
 
@@ -16,8 +16,9 @@ use crate::Failure;
 ///
 /// # Errors
 /// [`Failure::Usage`] for a value that JSON cannot hold; none of ours is.
-pub fn json(value: &impl Serialize) -> Result<String, Failure> {
-    let mut text = serde_json::to_string_pretty(value).map_err(|error| Failure::Usage(error.to_string()))?;
+pub(crate) fn json(value: &impl Serialize) -> Result<String, Failure> {
+    let mut text =
+        serde_json::to_string_pretty(value).map_err(|error| Failure::Usage(error.to_string()))?;
     text.push('\n');
     Ok(text)
 }
@@ -26,7 +27,10 @@ pub fn json(value: &impl Serialize) -> Result<String, Failure> {
 ///
 /// # Errors
 /// [`Failure::Usage`] should writing to memory fail.
-pub fn csv(header: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Result<String, Failure> {
+pub(crate) fn csv(
+    header: &[&str],
+    rows: impl IntoIterator<Item = Vec<String>>,
+) -> Result<String, Failure> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let failure = |error: csv::Error| Failure::Usage(error.to_string());
     writer.write_record(header).map_err(failure)?;

@@ -2,7 +2,7 @@
 
 /// `value` with this many significant digits, without trailing zeros; scientific outside `[1e-4, 1e7)`.
 #[must_use]
-pub fn significant(value: f64, digits: usize) -> String {
+pub(crate) fn significant(value: f64, digits: usize) -> String {
     let digits = digits.max(1);
     if value == 0.0 || !value.is_finite() {
         return if value == 0.0 { "0".to_owned() } else { value.to_string() };

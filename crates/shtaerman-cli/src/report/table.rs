@@ -6,7 +6,7 @@ use comfy_table::{CellAlignment, ColumnConstraint, ContentArrangement, presets};
 
 /// A table with a line under its heads; numbers are set to the right.
 #[derive(Debug)]
-pub struct Table {
+pub(crate) struct Table {
     inner: comfy_table::Table,
     columns: usize,
 }
@@ -14,9 +14,9 @@ pub struct Table {
 impl Table {
     /// A table with these column heads.
     #[must_use]
-    pub fn new(heads: &[impl AsRef<str>]) -> Self {
+    pub(crate) fn new(heads: &[impl AsRef<str>]) -> Self {
         let mut inner = comfy_table::Table::new();
-        inner.load_preset(presets::NOTHING).set_content_arrangement(ContentArrangement::Disabled);
+        inner.load_style(presets::NOTHING).set_content_arrangement(ContentArrangement::Disabled);
         if heads.iter().any(|head| !head.as_ref().is_empty()) {
             inner.set_header(heads.iter().map(AsRef::as_ref));
         }
@@ -24,12 +24,17 @@ impl Table {
     }
 
     /// Adds a row.
-    pub fn row(&mut self, cells: Vec<String>) {
+    pub(crate) fn row(&mut self, cells: Vec<String>) {
         self.inner.add_row(cells);
     }
 
     fn numeric(&self, column: usize) -> bool {
-        let mut cells = self.inner.column_cells_iter(column).flatten().map(comfy_table::Cell::content).peekable();
+        let mut cells = self
+            .inner
+            .column_cells_iter(column)
+            .flatten()
+            .map(comfy_table::Cell::content)
+            .peekable();
         cells.peek().is_some() && cells.all(|cell| cell.is_empty() || cell.parse::<f64>().is_ok())
     }
 }

@@ -97,7 +97,12 @@ fn displacements(load: &Load, stiffness: &Stiffness, [force, moment]: [f64; 2]) 
 }
 
 /// Force and moment; what is prescribed comes back as given.
-fn forces(load: &Load, stiffness: &Stiffness, free: [f64; 2], [settlement, tilt]: [f64; 2]) -> [f64; 2] {
+fn forces(
+    load: &Load,
+    stiffness: &Stiffness,
+    free: [f64; 2],
+    [settlement, tilt]: [f64; 2],
+) -> [f64; 2] {
     let Stiffness { force_settlement: c11, coupling: c12, moment_tilt: c22 } = *stiffness;
     let force = match load.vertical {
         Vertical::Force(prescribed) => prescribed,
@@ -113,9 +118,10 @@ fn forces(load: &Load, stiffness: &Stiffness, free: [f64; 2], [settlement, tilt]
 
 impl Contact {
     fn describe_pressure(&mut self) {
-        let sampled = self.sampled();
-        let peak = sampled.maximum();
-        let tension = sampled.negative();
+        let (peak, tension) = {
+            let sampled = self.sampled();
+            (sampled.maximum(), sampled.negative())
+        };
         self.peak = (peak.value, peak.place);
         self.tension = tension;
         if !self.tension.is_empty() {
@@ -134,7 +140,11 @@ impl Contact {
 }
 
 fn short(value: f64) -> String {
-    if value != 0.0 && !(1e-3..1e4).contains(&value.abs()) { format!("{value:.5e}") } else { format!("{value:.6}") }
+    if value != 0.0 && !(1e-3..1e4).contains(&value.abs()) {
+        format!("{value:.5e}")
+    } else {
+        format!("{value:.6}")
+    }
 }
 
 fn unresolved(error: f64) -> Warning {

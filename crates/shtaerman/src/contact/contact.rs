@@ -131,7 +131,12 @@ impl Contact {
         let half_width = self.problem.frame().half_width();
         if !(x.abs() <= half_width) {
             let variable = self.problem.frame().coordinate();
-            return Err(Error::BeyondPunch { variable, at: x, left: -half_width, right: half_width });
+            return Err(Error::BeyondPunch {
+                variable,
+                at: x,
+                left: -half_width,
+                right: half_width,
+            });
         }
         Ok(self.pressure0((x / half_width).clamp(-1.0, 1.0)) * self.scale(Scaling::pressure))
     }

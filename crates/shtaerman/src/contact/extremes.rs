@@ -60,7 +60,8 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
             match (negative, open) {
                 (true, None) => {
                     let previous = i.checked_sub(1).map(|before| self.points[before]);
-                    open = Some(previous.map_or(self.points[i], |x| self.crossing(x, self.points[i])));
+                    open =
+                        Some(previous.map_or(self.points[i], |x| self.crossing(x, self.points[i])));
                 }
                 (false, Some(start)) => {
                     intervals.push([start, self.crossing(self.points[i], self.points[i - 1])]);

@@ -49,7 +49,8 @@ pub(super) struct Misprint {
 #[allow(clippy::expect_used, reason = "the data is part of the program; the tests read it")]
 pub(super) fn tables() -> &'static Tables {
     static TABLES: LazyLock<Tables> = LazyLock::new(|| {
-        serde_json::from_str(include_str!("../../data/paper_tables.json")).expect("the printed tables are valid")
+        serde_json::from_str(include_str!("../../data/paper_tables.json"))
+            .expect("the printed tables are valid")
     });
     &TABLES
 }

@@ -26,7 +26,8 @@ impl Reading {
         let respond = |f: &dyn Fn(f64) -> f64| -> Result<Vec<f64>, Error> {
             Ok(system.solve(&kernel.moments(f, degree + 1)?.values).projections().to_vec())
         };
-        let responses = [respond(&|_| 1.0)?, respond(&|xi| xi)?, respond(&|xi| lambda0 * base.at(xi))?];
+        let responses =
+            [respond(&|_| 1.0)?, respond(&|xi| xi)?, respond(&|xi| lambda0 * base.at(xi))?];
         let forces = [0, 1, 2].map(|j| responses[j][0]);
         let moments = [0, 1, 2].map(|j| responses[j][1]);
         let weighted = responses

@@ -8,7 +8,7 @@ use super::truth::{Exact, Truth};
 use crate::Error;
 
 /// How many printed figures agree: all but one misprint.
-pub const EXPECTED_AGREEING: usize = 143;
+const EXPECTED_AGREEING: usize = 143;
 
 /// What a printed figure is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -115,7 +115,10 @@ impl Reproduction {
     pub fn is_as_expected(&self) -> bool {
         self.figures.len() == EXPECTED_AGREEING + 1
             && self.agreeing() == EXPECTED_AGREEING
-            && self.figures.iter().all(|figure| figure.agrees != (figure.reason == Some(Reason::Misprint)))
+            && self
+                .figures
+                .iter()
+                .all(|figure| figure.agrees != (figure.reason == Some(Reason::Misprint)))
     }
 }
 
@@ -140,7 +143,12 @@ pub fn reproduce() -> Result<Reproduction, Error> {
 }
 
 /// A row of Table 1 or 2: the loaded punch.
-fn loaded_row(number: u8, table: &'static Table, row: &'static [String], truth: &Truth) -> Result<Vec<Figure>, Error> {
+fn loaded_row(
+    number: u8,
+    table: &'static Table,
+    row: &'static [String],
+    truth: &Truth,
+) -> Result<Vec<Figure>, Error> {
     use Quantity::{PressureLeft, PressureRight, Settlement, Tilt};
     let (base, lambda0) = (printed::base(&table.profile_over_lambda0), printed::number(&row[0]));
     let reading = Reading::new(lambda0, base, table.n)?;
@@ -153,29 +161,29 @@ fn loaded_row(number: u8, table: &'static Table, row: &'static [String], truth: 
         (PressureLeft, reading.pressure_as_printed(-1.0), exact.pressure(-1.0)),
         (PressureRight, reading.pressure_as_printed(1.0), exact.pressure(1.0)),
     ];
-    let figures = pairs.into_iter().zip(&row[1..]).map(|((quantity, as_the_paper, exact), printed)| {
-        let misprinted = table
-            .misprint
-            .as_ref()
-            .is_some_and(|misprint| misprint.lambda0 == row[0] && misprint.column == quantity.symbol());
-        let reason = match quantity {
-            _ if misprinted => Reason::Misprint,
-            PressureLeft | PressureRight => Reason::PressureFormula,
-            _ => Reason::Truncation,
-        };
-        Figure {
-            table: number,
-            profile: &table.profile_over_lambda0,
-            lambda0: &row[0],
-            quantity,
-            printed,
-            as_the_paper,
-            exact,
-            n: reading.degree(),
-            agrees: rounds_to(as_the_paper, printed),
-            reason: (!rounds_to(exact, printed)).then_some(reason),
-        }
-    });
+    let figures =
+        pairs.into_iter().zip(&row[1..]).map(|((quantity, as_the_paper, exact), printed)| {
+            let misprinted = table.misprint.as_ref().is_some_and(|misprint| {
+                misprint.lambda0 == row[0] && misprint.column == quantity.symbol()
+            });
+            let reason = match quantity {
+                _ if misprinted => Reason::Misprint,
+                PressureLeft | PressureRight => Reason::PressureFormula,
+                _ => Reason::Truncation,
+            };
+            Figure {
+                table: number,
+                profile: &table.profile_over_lambda0,
+                lambda0: &row[0],
+                quantity,
+                printed,
+                as_the_paper,
+                exact,
+                n: reading.degree(),
+                agrees: rounds_to(as_the_paper, printed),
+                reason: (!rounds_to(exact, printed)).then_some(reason),
+            }
+        });
     Ok(figures.collect())
 }
 
@@ -195,18 +203,21 @@ fn level_row(
         (Quantity::Settlement, settlement, true_settlement, Reason::Truncation),
         (Quantity::Moment, moment.abs(), true_moment, Reason::Sign),
     ];
-    let figures = pairs.into_iter().zip(printed).map(|((quantity, as_the_paper, exact, reason), printed)| Figure {
-        table: 3,
-        profile: &half.profile_over_lambda0,
-        lambda0,
-        quantity,
-        printed,
-        as_the_paper,
-        exact,
-        n: reading.degree(),
-        agrees: rounds_to(as_the_paper, printed),
-        reason: (!rounds_to(exact, printed)).then_some(reason),
-    });
+    let figures =
+        pairs.into_iter().zip(printed).map(|((quantity, as_the_paper, exact, reason), printed)| {
+            Figure {
+                table: 3,
+                profile: &half.profile_over_lambda0,
+                lambda0,
+                quantity,
+                printed,
+                as_the_paper,
+                exact,
+                n: reading.degree(),
+                agrees: rounds_to(as_the_paper, printed),
+                reason: (!rounds_to(exact, printed)).then_some(reason),
+            }
+        });
     Ok(figures.collect())
 }
 
@@ -227,7 +238,11 @@ mod tests {
             assert!(
                 figure.agrees || figure.reason == Some(Reason::Misprint),
                 "table {} lambda0 {} {:?}: printed {}, computed {}",
-                figure.table, figure.lambda0, figure.quantity, figure.printed, figure.as_the_paper
+                figure.table,
+                figure.lambda0,
+                figure.quantity,
+                figure.printed,
+                figure.as_the_paper
             );
         }
         assert!(reproduction.is_as_expected());
@@ -238,7 +253,12 @@ mod tests {
         // Independent references at lambda0 = 100: symmetric part of p0(1) and settlement.
         let reproduction = reproduce().unwrap();
         let at_100 = |quantity| {
-            reproduction.figures.iter().find(|f| f.table == 1 && f.lambda0 == "100" && f.quantity == quantity).unwrap().exact
+            reproduction
+                .figures
+                .iter()
+                .find(|f| f.table == 1 && f.lambda0 == "100" && f.quantity == quantity)
+                .unwrap()
+                .exact
         };
         let symmetric = 0.5 * (at_100(Quantity::PressureLeft) + at_100(Quantity::PressureRight));
         assert!((symmetric + 8.99524832047766).abs() < 1e-11, "{symmetric}");

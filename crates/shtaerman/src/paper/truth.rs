@@ -33,7 +33,9 @@ impl Truth {
         let sample = |f: &dyn Fn(f64) -> f64| self.operator.positions().map(f).collect();
         let sides = [sample(&|_| 1.0), sample(&|xi| xi), sample(&|xi| lambda0 * base.at(xi))];
         let responses = self.operator.solve(theta0(lambda0), &sides)?;
-        let [one, xi, f] = &responses[..] else { unreachable!("three right-hand sides give three solutions") };
+        let [one, xi, f] = &responses[..] else {
+            unreachable!("three right-hand sides give three solutions")
+        };
         let settlement = (FORCE0 + f.integral(|_| 1.0)) / one.integral(|_| 1.0);
         let tilt = -(MOMENT0 + f.integral(|x| x)) / xi.integral(|x| x);
         let level_moment = -f.integral(|x| x);

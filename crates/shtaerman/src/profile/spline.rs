@@ -35,7 +35,8 @@ impl Spline {
     /// The value at `x`; beyond the points the end pieces go on.
     pub(super) fn evaluate(&self, x: f64) -> f64 {
         let last_piece = self.abscissas.len() - 2;
-        let piece = self.abscissas.partition_point(|&knot| knot <= x).saturating_sub(1).min(last_piece);
+        let piece =
+            self.abscissas.partition_point(|&knot| knot <= x).saturating_sub(1).min(last_piece);
         let width = self.abscissas[piece + 1] - self.abscissas[piece];
         let t = (x - self.abscissas[piece]) / width;
         let chord = self.ordinates[piece + 1] - self.ordinates[piece];
@@ -107,12 +108,19 @@ mod tests {
     #[test]
     fn reproduces_polynomials_of_its_degree() {
         for (count, degree) in [(2, 1), (3, 2), (4, 3), (5, 3), (12, 3)] {
-            let f = |x: f64| 0.3 - x + if degree > 1 { 0.7 * x * x } else { 0.0 } + if degree > 2 { 0.1 * x.powi(3) } else { 0.0 };
+            let f = |x: f64| {
+                0.3 - x
+                    + if degree > 1 { 0.7 * x * x } else { 0.0 }
+                    + if degree > 2 { 0.1 * x.powi(3) } else { 0.0 }
+            };
             let x = uneven(count);
             let spline = Spline::through(x.clone(), x.iter().map(|&x| f(x)).collect());
             for i in 0..=100 {
                 let at = x[0] + (x[count - 1] - x[0]) * f64::from(i) / 100.0;
-                assert!((spline.evaluate(at) - f(at)).abs() < 1e-12 * (1.0 + at.abs().powi(3)), "{count} points at {at}");
+                assert!(
+                    (spline.evaluate(at) - f(at)).abs() < 1e-12 * (1.0 + at.abs().powi(3)),
+                    "{count} points at {at}"
+                );
             }
         }
     }
@@ -122,7 +130,9 @@ mod tests {
         let error = |count: usize| {
             let x: Vec<f64> = (0..count).map(|i| 2.0 * i as f64 / (count - 1) as f64).collect();
             let spline = Spline::through(x.clone(), x.iter().map(|x| x.sin()).collect());
-            (0..500).map(|i| (spline.evaluate(i as f64 * 0.004) - (i as f64 * 0.004).sin()).abs()).fold(0.0, f64::max)
+            (0..500)
+                .map(|i| (spline.evaluate(i as f64 * 0.004) - (i as f64 * 0.004).sin()).abs())
+                .fold(0.0, f64::max)
         };
         let order = (error(41) / error(81)).log2();
         assert!(order > 3.7, "{order}");
