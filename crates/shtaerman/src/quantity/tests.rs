@@ -26,7 +26,7 @@ fn factors_agree_with_nist() {
         ("1 uin", 2.54e-8, Dimension::LENGTH),
         ("1 lbf", 4.4482216152605, Dimension::FORCE),
         ("1 kip", 4448.2216152605, Dimension::FORCE),
-        ("1 ozf", 0.27801385095378125, Dimension::FORCE),
+        ("1 ozf", 4.4482216152605 / 16.0, Dimension::FORCE),
         ("1 kgf", 9.80665, Dimension::FORCE),
         ("1 dyn", 1e-5, Dimension::FORCE),
         ("1 psi", 6894.757293168361, Dimension::PRESSURE),
