@@ -51,7 +51,7 @@ impl Expression {
     /// assert_eq!(found.places, [-0.25, 0.0, 0.25]);
     /// ```
     pub fn breakpoints(&self, line: &Line, range: Interval) -> Breakpoints {
-        let range = range.within(f64::MIN, f64::MAX).unwrap_or(range);
+        let range = range.with_finite_ends();
         let switches: Vec<Switch<'_>> = (0..self.operations.len())
             .filter_map(|index| Switch::of(&self.operations, index, line))
             .collect();

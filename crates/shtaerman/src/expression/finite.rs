@@ -82,7 +82,7 @@ impl Expression {
     /// assert_eq!(verdict("1/(xi - 0.3)"), Verdict::NotFinite { at: 0.3, defect: Defect::Infinite });
     /// ```
     pub fn finiteness(&self, line: &Line, range: Interval) -> Verdict {
-        let range = range.within(f64::MIN, f64::MAX).unwrap_or(range);
+        let range = range.with_finite_ends();
         let search = Search { expression: self, line };
         let most = (MOST_OPERATIONS / self.operations.len().max(1)).min(MOST_ENCLOSURES);
         let found = search.pieces(range, most);

@@ -55,6 +55,12 @@ impl Interval {
         Self::new(self.lower.max(lower), self.upper.min(upper))
     }
 
+    /// Infinite ends replaced by the largest finite numbers.
+    pub(super) fn with_finite_ends(self) -> Self {
+        let finite = |end: f64| end.clamp(f64::MIN, f64::MAX);
+        Self::ends(finite(self.lower), finite(self.upper))
+    }
+
     pub(super) fn is_point(self) -> bool {
         self.lower == self.upper
     }

@@ -44,6 +44,13 @@ fn kinks_and_jumps_are_located_to_rounding() {
 }
 
 #[test]
+fn steps_are_at_the_integer_itself() {
+    for text in ["floor(4*xi)", "floor(-4*xi)", "ceil(4*xi)", "ceil(-4*xi)"] {
+        assert_eq!(found(text).places, [-0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75], "{text}");
+    }
+}
+
+#[test]
 fn a_place_close_to_zero_keeps_its_digits() {
     let place = found("abs(xi - 1e-20)").places[0];
     assert_eq!(place, 1e-20);

@@ -118,6 +118,27 @@ fn ranges_of_single_functions_are_sharp() {
 }
 
 #[test]
+fn extremes_and_poles_close_to_an_end_are_not_missed() {
+    let [sine, cosine, tangent] = ["sin(x)", "cos(x)", "tan(x)"].map(parsed);
+    for quarter in -40..=40 {
+        let place = f64::from(quarter) * std::f64::consts::FRAC_PI_2;
+        let rounding = place.abs().max(1.0) * f64::EPSILON;
+        for (left, right) in [(1e-3, 1e-5), (1e-8, 0.1), (rounding, 1e-4), (1e-4, rounding)] {
+            let range = [interval(place - left, place + right)];
+            for wave in [&sine, &cosine] {
+                let found = wave.enclose(&range).interval;
+                assert!(found.contains(wave.evaluate(&[place])), "{wave} at {quarter}");
+                // At a quarter turn it is -1, 0 or 1 but for the rounding of the place.
+                let exact = wave.evaluate(&[place]).round();
+                assert!(exact == 0.0 || found.contains(exact), "{wave} at {quarter}: {found:?}");
+            }
+            let is_pole = quarter % 2 != 0;
+            assert!(!is_pole || !tangent.enclose(&range).is_finite(), "pole at {quarter}");
+        }
+    }
+}
+
+#[test]
 fn left_domains_are_noticed() {
     let undefined = [
         ("sqrt(x)", -0.1, 1.0),

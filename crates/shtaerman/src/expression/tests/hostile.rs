@@ -4,7 +4,9 @@ use std::time::{Duration, Instant};
 
 use proptest::prelude::*;
 
-use super::super::{DEPTH_LIMIT, ErrorReason, Expression, TEXT_LIMIT};
+use super::super::{
+    DEPTH_LIMIT, Defect, ErrorReason, Expression, Interval, Line, TEXT_LIMIT, Verdict,
+};
 use super::{NAMES, parsed, refused, tied, unit_range};
 
 #[test]
@@ -53,6 +55,35 @@ fn long_programs_are_checked_in_bounded_time() {
         expression.breakpoints(&tied(), unit_range());
     }
     assert!(begin.elapsed() < Duration::from_secs(60), "{:?}", begin.elapsed());
+}
+
+#[test]
+fn hostile_ranges_and_lines_are_answered() {
+    const INFINITY: f64 = f64::INFINITY;
+    let ends = [(INFINITY, INFINITY), (-INFINITY, -INFINITY), (0.0, INFINITY), (-5e-324, 5e-324)];
+    let lines = [
+        Line::new(&[]),
+        Line::new(&[(f64::NAN, 1.0), (INFINITY, -1.0), (0.0, INFINITY)]),
+        Line::new(&[(1e308, 1e308), (0.0, 1.0), (0.0, f64::NAN)]),
+    ];
+    for (lower, upper) in ends {
+        let range = Interval::new(lower, upper).unwrap();
+        for line in &lines {
+            for text in ["abs(x)/floor(xi)", "max(x, xi, a)", "where(x < xi, sqrt(a), tan(xi))"] {
+                let expression = parsed(text);
+                let verdict = expression.finiteness(line, range);
+                let Verdict::NotFinite { at, .. } = verdict else { continue };
+                assert!(range.contains(at) || range.lower() == range.upper(), "{text}: {at}");
+                assert!(at.is_finite(), "{text}: {at}");
+                assert!(expression.breakpoints(line, range).places.is_sorted());
+            }
+        }
+    }
+    // Nothing is known of a variable that is not given.
+    assert!(matches!(
+        parsed("a").finiteness(&lines[0], Interval::WHOLE),
+        Verdict::NotFinite { defect: Defect::Undefined, .. }
+    ));
 }
 
 /// Uses everything there is; the values do not matter.
