@@ -1,7 +1,7 @@
 //! Bilateral contact by the degenerate kernel, sections 2 and 3.
 
 use fredholm::basis::ChebyshevSeries;
-use fredholm::kernel::{Logarithm, SpectralRelation};
+use fredholm::kernel::Logarithm;
 use fredholm::{DegenerateSolution, DegenerateSystem};
 
 use super::contact::{Contact, Stiffness};
@@ -27,9 +27,10 @@ impl Problem {
         let degree = self.solver().degree;
         let function = self.resolved_profile()?;
         let system = DegenerateSystem::new(&kernel, theta0, degree)?;
+        let power = |coefficients: &[f64]| ChebyshevSeries::new(coefficients.to_vec()).moments(degree + 1);
         let responses = Responses {
-            level: system.solve(&kernel.moments(&|_| 1.0, degree + 1)?.values),
-            tilted: system.solve(&kernel.moments(&|xi| xi, degree + 1)?.values),
+            level: system.solve(&power(&[1.0])),
+            tilted: system.solve(&power(&[0.0, 1.0])),
             profile: system.solve(&function.series().moments(degree + 1)),
         };
         let mut contact = responses.contact(self);
