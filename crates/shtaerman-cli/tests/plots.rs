@@ -5,8 +5,8 @@ use std::path::Path;
 
 use shtaerman_cli::plot::{
     Arrangement, Axis, ContactPlot, ConvergencePlot, ConvergenceSeries, Curve, CurvePanel,
-    CurvesPlot, Figure, Format, Layer, LegendPlace, Line, PNG_PIXELS_PER_UNIT, Panel, Plot,
-    PlotError, Scale, Size, render,
+    CurveScaling, CurvesPlot, Figure, Format, Layer, LegendPlace, Line, PNG_PIXELS_PER_UNIT, Panel,
+    Plot, PlotError, Scale, Size, render,
 };
 
 fn positions(count: usize) -> Vec<f64> {
@@ -107,6 +107,7 @@ fn families() -> CurvesPlot {
             CurvePanel { heading: "as the paper computed it".to_owned(), curves: family(1.0) },
             CurvePanel { heading: "as it is".to_owned(), curves: family(-1.0) },
         ],
+        scaling: CurveScaling::Automatic,
         arrangement: Arrangement::SideBySide,
         horizontal_label: "ξ".to_owned(),
         vertical_label: "p₀".to_owned(),
@@ -318,4 +319,29 @@ fn a_size_out_of_range_is_an_error() {
     let size = Size { width: 10, height: 100_000 };
     let error = render(&parabola(), Format::Png, size).unwrap_err();
     assert_eq!(error, PlotError::Size { width: 10, height: 100_000 });
+}
+
+#[test]
+fn zz_temporary_fig2() {
+    let data = std::fs::read_to_string("/tmp/fig2.txt").unwrap();
+    let rows: Vec<Vec<f64>> =
+        data.lines().map(|l| l.split(' ').map(|w| w.parse().unwrap()).collect()).collect();
+    let mut plot = families();
+    for (column, panel) in [(2, 0), (3, 1)] {
+        let mut curves: Vec<Curve> = Vec::new();
+        for r in &rows {
+            let name = format!("λ₀ = {}", r[0]);
+            if curves.last().is_none_or(|c| c.name != name) {
+                curves.push(Curve { name, points: vec![] });
+            }
+            curves.last_mut().unwrap().points.push((r[1], r[column]));
+        }
+        plot.panels[panel].curves = curves;
+    }
+    let wide = Size { width: 1000, height: 600 };
+    picture("fig2_auto", &plot, Format::Png, wide);
+    plot.scaling = CurveScaling::Normalised;
+    picture("fig2_norm", &plot, Format::Png, wide);
+    plot.scaling = CurveScaling::SymmetricLogarithmic { threshold: 0.1 };
+    picture("fig2_sym", &plot, Format::Png, wide);
 }

@@ -71,7 +71,7 @@ impl ContactPlot {
             }));
         }
         layers.push(Layer::Mark(Mark::horizontal(0.0)));
-        layers.extend(self.edges());
+        layers.extend(self.edges(true));
         layers.push(Layer::Line(Line::new("contact pressure", points, Colour::BLUE)));
         Panel {
             heading: String::new(),
@@ -101,7 +101,7 @@ impl ContactPlot {
             area(self.body_surface.clone(), Base::Bottom, Colour::GREEN),
             Layer::Mark(Mark::horizontal(0.0)),
         ];
-        layers.extend(self.edges());
+        layers.extend(self.edges(false));
         layers.extend([Layer::Line(body), Layer::Line(punch)]);
         Panel {
             heading: String::new(),
@@ -112,11 +112,12 @@ impl ContactPlot {
     }
 
     /// Marks at the edges of the punch and at the ends of the contact zone.
-    fn edges(&self) -> Vec<Layer> {
+    fn edges(&self, named: bool) -> Vec<Layer> {
         let finite = || self.position.iter().copied().filter(|x| x.is_finite());
         let ends = finite().reduce(f64::min).zip(finite().reduce(f64::max));
-        let mut layers = marks("edges of the punch", ends, Dash::Dashed);
-        layers.extend(marks("ends of the contact", self.contact_zone, Dash::Dotted));
+        let mut layers = marks(if named { "edges of the punch" } else { "" }, ends, Dash::Dashed);
+        let name = if named { "ends of the contact" } else { "" };
+        layers.extend(marks(name, self.contact_zone, Dash::Dotted));
         layers
     }
 }

@@ -42,7 +42,10 @@ impl ConvergenceSeries {
 impl Plot for ConvergencePlot {
     fn figure(&self) -> Figure {
         let points: Vec<_> = self.series.iter().map(ConvergenceSeries::points).collect();
-        let mut layers = guides(&points.concat());
+        let corner = guide_corner(&points.concat());
+        let mut layers = corner.map_or_else(Vec::new, guides);
+        let mut vertical = Axis::logarithmic(&self.difference_label);
+        vertical.include.extend(corner.map(|corner| corner.top));
         for (index, (series, points)) in self.series.iter().zip(points).enumerate() {
             let mut line = Line::new(&series.name, points, Colour::categorical(index));
             line.dots = true;
@@ -54,7 +57,7 @@ impl Plot for ConvergencePlot {
             panels: vec![Panel {
                 heading: String::new(),
                 horizontal: Axis::logarithmic(&self.count_label),
-                vertical: Axis::logarithmic(&self.difference_label),
+                vertical,
                 layers,
             }],
             arrangement: Arrangement::Stacked,
@@ -63,20 +66,30 @@ impl Plot for ConvergencePlot {
     }
 }
 
-/// Lines of slope -2, -3 and -4 through the corner of the smallest count and the largest difference.
-fn guides(points: &[(f64, f64)]) -> Vec<Layer> {
+/// Where the guides begin, and the count at which they end.
+#[derive(Debug, Clone, Copy)]
+struct GuideCorner {
+    first: f64,
+    last: f64,
+    top: f64,
+}
+
+/// At the smallest count, far enough above the largest difference to be told from its curve.
+fn guide_corner(points: &[(f64, f64)]) -> Option<GuideCorner> {
     let drawable = |v: f64| v > 0.0 && v.is_finite();
     let drawn = || points.iter().copied().filter(|&(n, d)| drawable(n) && drawable(d));
-    let corner = drawn().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
-    let last = drawn().map(|(n, _)| n).reduce(f64::max);
-    let (Some((first, top)), Some(last)) = (corner, last) else { return Vec::new() };
+    let corner = drawn().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
+    let last = drawn().map(|(n, _)| n).reduce(f64::max)?;
+    Some(GuideCorner { first: corner.0, last, top: 2.5 * corner.1 })
+}
+
+/// Lines of slope -2, -3 and -4.
+fn guides(corner: GuideCorner) -> Vec<Layer> {
+    let GuideCorner { first, last, top } = corner;
     let guide = |(order, dash): (i32, Dash)| {
         let end = top * (first / last).powi(order);
-        let mut line = Line::new(
-            format!("n{}", superscript(-order)),
-            vec![(first, top), (last, end)],
-            Colour::GREY,
-        );
+        let name = format!("n{}", superscript(-order));
+        let mut line = Line::new(name, vec![(first, top), (last, end)], Colour::GREY);
         line.dash = dash;
         line.width = 1.2;
         line.sets_range = false;

@@ -5,10 +5,26 @@ use super::axis::{Axis, Scale};
 use super::colour::Colour;
 use super::figure::{Arrangement, Dash, Figure, Layer, LegendPlace, Line, Mark, Panel};
 
+/// How the ordinates of curves of very different sizes are shown.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum CurveScaling {
+    /// Linear where the largest curve is at most 100 times the smallest, else symmetric logarithmic
+    /// from the size of the smallest curve on, so that signs and all sizes can be seen.
+    #[default]
+    Automatic,
+    /// Linear.
+    Linear,
+    /// Symmetric logarithmic; see [`Scale::SymmetricLogarithmic`].
+    SymmetricLogarithmic {
+        /// Where the linear part goes over into the logarithmic one.
+        threshold: f64,
+    },
+    /// Every curve divided by its largest size: shapes can be compared and sizes cannot. The label of
+    /// the axis should say so.
+    Normalised,
+}
+
 /// Families of curves, one family a panel, with one legend for all.
-///
-/// Curves whose sizes differ by more than a factor of 100 are drawn on a symmetric logarithmic axis,
-/// so that the smallest can be told from zero and signs stay visible.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CurvesPlot {
     /// Title; empty for none.
@@ -17,6 +33,8 @@ pub struct CurvesPlot {
     pub notes: Vec<String>,
     /// The panels.
     pub panels: Vec<CurvePanel>,
+    /// How the ordinates are shown.
+    pub scaling: CurveScaling,
     /// How the panels lie to each other.
     pub arrangement: Arrangement,
     /// Label of the horizontal axis.
@@ -67,10 +85,20 @@ impl Plot for CurvesPlot {
 
 impl CurvesPlot {
     fn scale(&self) -> Scale {
+        match self.scaling {
+            CurveScaling::Automatic => self.automatic_scale(),
+            CurveScaling::Linear | CurveScaling::Normalised => Scale::Linear,
+            CurveScaling::SymmetricLogarithmic { threshold } => {
+                Scale::SymmetricLogarithmic { threshold }
+            }
+        }
+    }
+
+    fn automatic_scale(&self) -> Scale {
         let sizes = || self.panels.iter().flat_map(|panel| &panel.curves).filter_map(Curve::size);
         match (sizes().reduce(f64::min), sizes().reduce(f64::max)) {
             (Some(small), Some(large)) if large / small > 100.0 => {
-                let threshold = 10f64.powf(small.log10().floor());
+                let threshold = 10f64.powf(small.log10().round());
                 Scale::SymmetricLogarithmic { threshold }
             }
             _ => Scale::Linear,
@@ -90,16 +118,21 @@ impl CurvesPlot {
         }
         let mut layers = vec![Layer::Mark(Mark::horizontal(0.0))];
         let count = panel.curves.len();
-        layers.extend(panel.curves.iter().enumerate().map(|(i, curve)| line(curve, i, count)));
+        layers.extend(panel.curves.iter().enumerate().map(|(i, curve)| self.line(curve, i, count)));
         Panel { heading: panel.heading.clone(), horizontal, vertical, layers }
     }
-}
 
-/// Neighbours differ in stroke too, so that they can be told apart without colour.
-fn line(curve: &Curve, index: usize, count: usize) -> Layer {
-    const DASHES: [Dash; 3] = [Dash::Solid, Dash::Dashed, Dash::DashDotted];
-    let colour = Colour::ordered(index, count);
-    let mut line = Line::new(&curve.name, curve.points.clone(), colour);
-    line.dash = DASHES[index % DASHES.len()];
-    Layer::Line(line)
+    /// Neighbours differ in stroke too, so that they can be told apart without colour.
+    fn line(&self, curve: &Curve, index: usize, count: usize) -> Layer {
+        const DASHES: [Dash; 3] = [Dash::Solid, Dash::Dashed, Dash::DashDotted];
+        let divisor = match self.scaling {
+            CurveScaling::Normalised => curve.size().unwrap_or(1.0),
+            _ => 1.0,
+        };
+        let points = curve.points.iter().map(|&(x, y)| (x, y / divisor)).collect();
+        let mut line = Line::new(&curve.name, points, Colour::ordered(index, count));
+        line.dash = DASHES[index % DASHES.len()];
+        line.width = 1.8;
+        Layer::Line(line)
+    }
 }

@@ -38,17 +38,17 @@ impl Format {
 /// Size of a picture, in SVG user units (1/96 inch); a PNG has [`PNG_PIXELS_PER_UNIT`] pixels for each.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Size {
-    /// Width, 320 to 8000.
+    /// Width, 400 to 4000.
     pub width: u32,
-    /// Height, 240 to 8000.
+    /// Height, 300 to 4000.
     pub height: u32,
 }
 
 impl Size {
     /// The smallest picture whose text can be read.
-    pub const SMALLEST: Self = Self { width: 320, height: 240 };
-    /// The largest picture; its PNG takes 1 GB while it is drawn.
-    pub const LARGEST: Self = Self { width: 8000, height: 8000 };
+    pub const SMALLEST: Self = Self { width: 400, height: 300 };
+    /// The largest picture; its PNG takes half a gigabyte while it is drawn.
+    pub const LARGEST: Self = Self { width: 4000, height: 4000 };
 
     pub(super) fn check(self) -> Result<(), PlotError> {
         let (smallest, largest) = (Self::SMALLEST, Self::LARGEST);

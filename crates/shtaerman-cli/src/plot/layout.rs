@@ -4,7 +4,7 @@ use super::axis::{Axis, Range};
 use super::canvas::Frame;
 use super::figure::{Arrangement, Figure, Layer, LegendPlace, Panel};
 use super::format::Size;
-use super::legend::Legend;
+use super::legend::{self, Legend};
 use super::text;
 use super::ticks::Ticks;
 
@@ -21,8 +21,12 @@ pub(super) const TICK_MARK: f64 = 5.0;
 const LEADING: f64 = 1.4;
 /// Space between panels.
 const BETWEEN: f64 = 16.0;
+/// Room for the part of the last tick label that stands out beyond the frame.
+const LAST_LABEL: f64 = 10.0;
 /// Frames are not made smaller than this.
 const SMALLEST_FRAME: f64 = 40.0;
+/// Frames lower than this make notes and legends give way.
+const ROOMY_FRAME: f64 = 70.0;
 
 /// Height of a line of text.
 pub(super) fn line_height(size: u32) -> f64 {
@@ -55,31 +59,51 @@ pub(super) struct AxisLayout {
 }
 
 impl Layout {
+    /// A layout that gives up notes and legends where they would leave no room for the frames.
     pub(super) fn new(figure: &Figure, size: Size) -> Self {
+        let lines = (0.15 * f64::from(size.height) / line_height(NOTE)) as usize;
+        let full = Self::with(figure, size, lines, true);
+        if full.is_roomy() {
+            return full;
+        }
+        let bare = Self::with(figure, size, 0, true);
+        if bare.is_roomy() { bare } else { Self::with(figure, size, 0, false) }
+    }
+
+    fn is_roomy(&self) -> bool {
+        self.panels.iter().all(|panel| panel.frame.height() >= ROOMY_FRAME)
+    }
+
+    fn with(figure: &Figure, size: Size, lines: usize, legends: bool) -> Self {
         let (width, height) = (f64::from(size.width), f64::from(size.height));
         let room = width - 2.0 * RIM;
         let title = text::wrap(&text::clean(&figure.title), TITLE, room, 2);
-        let lines = (0.15 * height / line_height(NOTE)) as usize;
         let notes = figure.notes.iter().take(lines);
         let mut notes: Vec<String> =
             notes.flat_map(|note| text::wrap(&text::clean(note), NOTE, room, 2)).collect();
         notes.truncate(lines);
         let mut top = RIM;
         top += line_height(TITLE) * title.len() as f64 + line_height(NOTE) * notes.len() as f64;
-        let legend = shared_legend(figure, room, (0.2 * height / super::legend::ROW) as usize);
+        let legend = shared_legend(
+            figure,
+            room,
+            if legends { (0.25 * height / legend::ROW) as usize } else { 0 },
+        );
         let legend_top = top + 4.0;
         if legend.height() > 0.0 {
             top = legend_top + legend.height();
         }
         let area = Frame { left: RIM, top: top + 6.0, right: width - RIM, bottom: height - RIM };
-        Self { title, notes, legend: (legend, legend_top), panels: panels(figure, area) }
+        Self { title, notes, legend: (legend, legend_top), panels: panels(figure, area, legends) }
     }
 }
 
 fn shared_legend(figure: &Figure, width: f64, rows: usize) -> Legend {
     match figure.legend {
-        LegendPlace::Figure => Legend::new(&figure.panels.iter().collect::<Vec<_>>(), width, rows),
-        LegendPlace::Panel => Legend::default(),
+        LegendPlace::Figure if rows > 0 => {
+            Legend::new(&figure.panels.iter().collect::<Vec<_>>(), width, rows)
+        }
+        _ => Legend::default(),
     }
 }
 
@@ -92,12 +116,12 @@ struct Rows {
     legend: Legend,
 }
 
-fn panels(figure: &Figure, area: Frame) -> Vec<PanelLayout> {
+fn panels(figure: &Figure, area: Frame, legends: bool) -> Vec<PanelLayout> {
     let ranges = shared_ranges(figure);
     let cells = cells(figure, area);
     let parts = figure.panels.iter().zip(&cells).zip(&ranges);
     let rows: Vec<Rows> =
-        parts.map(|((panel, cell), ranges)| rows(figure, panel, *cell, *ranges)).collect();
+        parts.map(|((panel, cell), ranges)| rows(figure, panel, *cell, *ranges, legends)).collect();
     let cells = even_heights(figure, &cells, &rows);
     let mut built: Vec<PanelLayout> = Vec::new();
     for (((panel, cell), ranges), rows) in figure.panels.iter().zip(cells).zip(ranges).zip(rows) {
@@ -106,7 +130,7 @@ fn panels(figure: &Figure, area: Frame) -> Vec<PanelLayout> {
         let vertical = ticks(&panel.vertical, ranges.1, bottom - top, false);
         let left = cell.left + left_margin(&panel.vertical, &vertical);
         built.push(PanelLayout {
-            frame: Frame { left, top, right: cell.right, bottom },
+            frame: Frame { left, top, right: cell.right - LAST_LABEL, bottom },
             top: cell.top,
             legend: rows.legend,
             horizontal: AxisLayout { range: ranges.0, ticks: Ticks::default() },
@@ -176,13 +200,19 @@ fn even_heights(figure: &Figure, cells: &[Frame], rows: &[Rows]) -> Vec<Frame> {
     cells.iter().zip(rows).map(even).collect()
 }
 
-fn rows(figure: &Figure, panel: &Panel, cell: Frame, ranges: (Range, Range)) -> Rows {
+fn rows(
+    figure: &Figure,
+    panel: &Panel,
+    cell: Frame,
+    ranges: (Range, Range),
+    legends: bool,
+) -> Rows {
     let legend = match figure.legend {
-        LegendPlace::Panel => {
-            let most = (0.25 * cell.height() / super::legend::ROW) as usize;
+        LegendPlace::Panel if legends => {
+            let most = ((0.3 * cell.height() / legend::ROW) as usize).max(1);
             Legend::new(&[panel], cell.width() - 60.0, most)
         }
-        LegendPlace::Figure => Legend::default(),
+        _ => Legend::default(),
     };
     let exponent = |axis: &Axis, range| Ticks::new(axis.scale, range, 5).exponent;
     let mut above = legend.height() + 4.0;

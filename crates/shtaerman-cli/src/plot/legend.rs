@@ -19,6 +19,15 @@ enum Sample {
     Swatch { opacity: f64 },
 }
 
+impl Sample {
+    fn width(self) -> f64 {
+        match self {
+            Self::Stroke { upright: true, .. } => 4.0,
+            _ => SAMPLE,
+        }
+    }
+}
+
 #[derive(Debug, Clone, PartialEq)]
 struct Entry {
     name: String,
@@ -80,7 +89,7 @@ impl Legend {
         for (index, entry) in self.entries.iter().enumerate() {
             let (x, y) = place(index);
             draw_sample(canvas, (x, y), entry);
-            canvas.text((x + SAMPLE + GAP, y), &entry.name, style);
+            canvas.text((x + entry.sample.width() + GAP, y), &entry.name, style);
         }
         if self.omitted > 0 {
             canvas.text(place(self.entries.len()), &format!("… and {} more", self.omitted), style);
@@ -89,7 +98,7 @@ impl Legend {
 }
 
 fn length(entry: &Entry) -> f64 {
-    SAMPLE + GAP + text::width(&entry.name, SIZE)
+    entry.sample.width() + GAP + text::width(&entry.name, SIZE)
 }
 
 /// One row as narrow as the names allow, or even columns.
@@ -135,7 +144,7 @@ fn entry(layer: &Layer) -> Option<Entry> {
 
 fn draw_sample(canvas: &mut Canvas, at: Point, entry: &Entry) {
     let (x, y) = at;
-    let middle = x + 0.5 * SAMPLE;
+    let middle = x + 0.5 * entry.sample.width();
     match entry.sample {
         Sample::Stroke { width, dash, upright: true, .. } => {
             canvas.path(&[(middle, y - 8.0), (middle, y + 8.0)], entry.colour, width, dash);

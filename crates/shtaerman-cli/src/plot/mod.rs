@@ -19,6 +19,7 @@ mod figure;
 mod format;
 mod layout;
 mod legend;
+mod raster;
 mod shape;
 mod text;
 mod ticks;
@@ -27,14 +28,13 @@ pub use axis::{Axis, Scale};
 pub use colour::Colour;
 pub use contact::ContactPlot;
 pub use convergence::{ConvergencePlot, ConvergenceSeries};
-pub use curves::{Curve, CurvePanel, CurvesPlot};
+pub use curves::{Curve, CurvePanel, CurveScaling, CurvesPlot};
 pub use error::PlotError;
 pub use figure::{
     Area, Arrangement, Band, Base, Dash, Figure, Layer, LegendPlace, Line, Mark, Panel,
 };
 pub use format::{Format, PNG_PIXELS_PER_UNIT, Size};
 
-use kuva::backend::raster::RasterBackend;
 use kuva::backend::svg::SvgBackend;
 
 /// Something that can be drawn.
@@ -56,9 +56,6 @@ pub fn render(plot: &dyn Plot, format: Format, size: Size) -> Result<Vec<u8>, Pl
     let scene = draw::figure(&plot.figure(), size);
     match format {
         Format::Svg => Ok(SvgBackend::default().render_scene(&scene).into_bytes()),
-        Format::Png => RasterBackend::new()
-            .with_scale(PNG_PIXELS_PER_UNIT as f32)
-            .render_scene(&scene)
-            .map_err(PlotError::Encoding),
+        Format::Png => raster::png(&scene, size),
     }
 }

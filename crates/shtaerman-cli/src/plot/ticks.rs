@@ -52,9 +52,9 @@ fn power_of_ten(size: f64) -> i32 {
 fn round_step(width: f64) -> (i64, i32) {
     let exponent = power_of_ten(width);
     match width / 10f64.powi(exponent) {
-        part if part < 1.001 => (1, exponent),
-        part if part < 2.001 => (2, exponent),
-        part if part < 5.001 => (5, exponent),
+        part if part < 1.5 => (1, exponent),
+        part if part < 3.2 => (2, exponent),
+        part if part < 7.1 => (5, exponent),
         _ => (1, exponent + 1),
     }
 }
@@ -99,7 +99,7 @@ fn logarithmic(range: Range, wanted: usize) -> Ticks {
         return narrow_logarithmic(range, wanted);
     }
     let stride = stride(decades, wanted);
-    let factors: &[i64] = if decades < 2.5 { &[1, 2, 5] } else { &[1] };
+    let factors: &[i64] = if wanted as f64 > 2.2 * decades { &[1, 2, 5] } else { &[1] };
     let (first, last) = (range.low.floor() as i32, range.high.ceil() as i32);
     let plain = first >= -3 && last <= 5;
     let mut ticks = Ticks::default();
@@ -153,8 +153,9 @@ fn symmetric(range: Range, wanted: usize, threshold: f64) -> Ticks {
     let scale = Scale::SymmetricLogarithmic { threshold };
     let first = threshold.log10().round() as i32;
     let reach = range.low.abs().max(range.high.abs());
-    let last = first + reach.ceil() as i32;
+    let last = first + reach.floor() as i32;
     let stride = stride(range.high - range.low, wanted);
+    let apart = 0.5 * (range.high - range.low) / wanted as f64;
     let plain = first >= -4 && last <= 5;
     let inside = |place: &f64| (range.low - 1e-9..=range.high + 1e-9).contains(place);
     let mut ticks = Ticks::default();
@@ -165,7 +166,7 @@ fn symmetric(range: Range, wanted: usize, threshold: f64) -> Ticks {
         for sign in [-1, 1] {
             let value = sign as f64 * 10f64.powi(power);
             let Some(place) = scale.place(value).filter(inside) else { continue };
-            if (power - first) % stride == 0 {
+            if (last - power) % stride == 0 && place.abs() > apart {
                 ticks.labelled.push(Tick { place, label: scientific(sign, power, plain) });
             } else {
                 ticks.minor.push(place);
@@ -191,7 +192,7 @@ mod tests {
             labels(Scale::Linear, 0.0, 1.2),
             ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0", "1.2"]
         );
-        assert_eq!(labels(Scale::Linear, -20.0, 21.0), ["−20", "−10", "0", "10", "20"]);
+        assert_eq!(labels(Scale::Linear, -21.0, 42.0), ["−20", "−10", "0", "10", "20", "30", "40"]);
     }
 
     #[test]
@@ -216,7 +217,7 @@ mod tests {
     #[test]
     fn symmetric_labels_mirror_about_zero() {
         let scale = Scale::SymmetricLogarithmic { threshold: 0.01 };
-        let expected = ["−1", "−0.1", "−0.01", "0", "0.01", "0.1", "1"];
+        let expected = ["−1", "−0.1", "0", "0.1", "1"];
         assert_eq!(labels(scale, -2.1, 2.1), expected);
     }
 }
