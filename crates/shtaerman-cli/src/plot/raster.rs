@@ -19,7 +19,7 @@ fn fineness(size: Size) -> u32 {
     let pixels =
         u64::from(size.width) * u64::from(size.height) * u64::from(PNG_PIXELS_PER_UNIT).pow(2);
     let fits = |side: &u32| pixels * u64::from(*side).pow(2) <= MOST_FINE_PIXELS;
-    [4, 3, 2].into_iter().find(fits).unwrap_or(1)
+    [3, 2].into_iter().find(fits).unwrap_or(1)
 }
 
 /// The scene as a PNG of [`PNG_PIXELS_PER_UNIT`] pixels for each unit of its size.
@@ -97,6 +97,6 @@ mod tests {
                 u64::from(size.width) * u64::from(size.height) * side * side <= MOST_FINE_PIXELS
             );
         }
-        assert_eq!(fineness(Size::default()), 4);
+        assert_eq!(fineness(Size::default()), 3);
     }
 }
