@@ -240,7 +240,7 @@ fn left_margin(axis: &Axis, ticks: &Ticks) -> f64 {
 
 /// As many ticks as fit along a length without their labels touching.
 fn ticks(axis: &Axis, range: Range, length: f64, horizontal: bool) -> Ticks {
-    let spacing = if horizontal { 75.0 } else { 38.0 };
+    let spacing = if horizontal { 75.0 } else { 30.0 };
     let most = ((length / spacing) as usize).clamp(2, 24);
     let extent = |label: &str| if horizontal { text::width(label, TICK) + 10.0 } else { 15.0 };
     let reach = |index: usize, ticks: &Ticks| {
