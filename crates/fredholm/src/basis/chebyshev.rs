@@ -78,7 +78,11 @@ impl ChebyshevSeries {
             values[0] *= 0.5;
             values[degree] *= 0.5;
             if let Some(parity) = vanishing {
-                values.iter_mut().skip(parity).step_by(2).for_each(|coefficient| *coefficient = 0.0);
+                values
+                    .iter_mut()
+                    .skip(parity)
+                    .step_by(2)
+                    .for_each(|coefficient| *coefficient = 0.0);
             }
         }
         Self { coefficients: values }

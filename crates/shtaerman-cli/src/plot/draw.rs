@@ -149,20 +149,17 @@ fn draw_horizontal_axis(canvas: &mut Canvas, mapping: &Mapping<'_>) {
 fn draw_vertical_axis(canvas: &mut Canvas, mapping: &Mapping<'_>) {
     let frame = mapping.layout.frame;
     let ticks = &mapping.layout.vertical.ticks;
-    let mut widest = 0.0_f64;
     for tick in &ticks.labelled {
         let y = mapping.down(tick.place);
         canvas.line((frame.left - TICK_MARK, y), (frame.left, y), Colour::INK, 1.0);
         let at = (frame.left - TICK_MARK - 3.0, y);
         canvas.text(at, &tick.label, style(TICK, Colour::INK, Anchor::End));
-        widest = widest.max(text::width(&tick.label, TICK));
     }
     let above = (frame.left, frame.top - 0.5 * line_height(TICK));
     canvas.text(above, &ticks.multiplier(), style(TICK, Colour::INK, Anchor::Start));
-    let x = frame.left - TICK_MARK - 3.0 - widest - 5.0 - 0.5 * f64::from(LABEL);
     let label = axis_label(&mapping.panel.vertical, frame.height() + 20.0);
     let upright = Style { upright: true, ..style(LABEL, Colour::INK, Anchor::Middle) };
-    canvas.text((x, frame.centre().1), &label, upright);
+    canvas.text((mapping.layout.label, frame.centre().1), &label, upright);
 }
 
 fn axis_label(axis: &Axis, room: f64) -> String {

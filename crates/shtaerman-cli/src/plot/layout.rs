@@ -47,6 +47,8 @@ pub(super) struct PanelLayout {
     pub(super) frame: Frame,
     /// Upper side of the heading.
     pub(super) top: f64,
+    /// Middle of the vertical axis' label.
+    pub(super) label: f64,
     pub(super) legend: Legend,
     pub(super) horizontal: AxisLayout,
     pub(super) vertical: AxisLayout,
@@ -132,6 +134,7 @@ fn panels(figure: &Figure, area: Frame, legends: bool) -> Vec<PanelLayout> {
         built.push(PanelLayout {
             frame: Frame { left, top, right: cell.right - LAST_LABEL, bottom },
             top: cell.top,
+            label: cell.left + 0.5 * line_height(LABEL),
             legend: rows.legend,
             horizontal: AxisLayout { range: ranges.0, ticks: Ticks::default() },
             vertical: AxisLayout { range: ranges.1, ticks: vertical },
@@ -237,7 +240,7 @@ fn left_margin(axis: &Axis, ticks: &Ticks) -> f64 {
 
 /// As many ticks as fit along a length without their labels touching.
 fn ticks(axis: &Axis, range: Range, length: f64, horizontal: bool) -> Ticks {
-    let spacing = if horizontal { 75.0 } else { 38.0 };
+    let spacing = if horizontal { 75.0 } else { 30.0 };
     let most = ((length / spacing) as usize).clamp(2, 24);
     let extent = |label: &str| if horizontal { text::width(label, TICK) + 10.0 } else { 15.0 };
     let reach = |index: usize, ticks: &Ticks| {
@@ -300,7 +303,6 @@ fn panel_ranges(panel: &Panel) -> (Range, Range) {
             }
         }
     }
-    // What must be held as well does not widen an axis that has no curve of its own to show.
     let with = |axis: &Axis, places: Vec<f64>, padding: f64| {
         let included = axis.include.iter().filter_map(|&value| axis.scale.place(value));
         axis.scale.range(places.into_iter().chain(included), padding)

@@ -1,8 +1,9 @@
 //! Pictures of contacts and of convergence, as SVG or PNG.
 //!
 //! Plain numbers go in: every plot is a struct of vectors and labels that turns into a [`Figure`],
-//! and [`render`] turns a figure into the bytes of a file. The same figure gives the same bytes on
-//! every machine: text is measured and (in a PNG) drawn with a font that is part of the program.
+//! and [`render`] turns a figure into the bytes of a file. The same figure gives the same bytes. Text
+//! is measured and (in a PNG) drawn with a font that is part of the program; none need be installed.
+//! An SVG names that font first and close substitutes after it.
 //!
 //! Numbers that cannot be drawn (NaN, infinite, beyond `1e300`, not positive on a logarithmic axis)
 //! leave a gap in their curve.

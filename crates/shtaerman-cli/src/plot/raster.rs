@@ -28,11 +28,8 @@ pub(super) fn png(scene: &Scene, size: Size) -> Result<Vec<u8>, PlotError> {
     let scale = (fineness * PNG_PIXELS_PER_UNIT) as f32;
     let fine =
         RasterBackend::new().with_scale(scale).render_scene(scene).map_err(PlotError::Encoding)?;
-    let t = std::time::Instant::now();
     let (fine, width) = decode(&fine).map_err(|error| PlotError::Encoding(error.to_string()))?;
-    eprintln!("decode {:?}", t.elapsed());
     let pixels = means(&fine, width, fineness as usize);
-    eprintln!("+means {:?}", t.elapsed());
     let size = (PNG_PIXELS_PER_UNIT * size.width, PNG_PIXELS_PER_UNIT * size.height);
     encode(&pixels, size).map_err(|error| PlotError::Encoding(error.to_string()))
 }

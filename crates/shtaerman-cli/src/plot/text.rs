@@ -1,6 +1,6 @@
 //! Measuring, cutting and wrapping text.
 
-/// Advance widths of the printable ASCII characters in DejaVu Sans, in 1/2048 of the font size.
+/// Advance widths of the printable ASCII characters in `DejaVu` Sans, in 1/2048 of the font size.
 ///
 /// The PNG is drawn with this font, and an SVG names it first; common substitutes are narrower.
 #[rustfmt::skip]

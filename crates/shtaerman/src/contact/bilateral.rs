@@ -27,7 +27,8 @@ impl Problem {
         let degree = self.solver().degree;
         let function = self.resolved_profile()?;
         let system = DegenerateSystem::new(&kernel, theta0, degree)?;
-        let power = |coefficients: &[f64]| ChebyshevSeries::new(coefficients.to_vec()).moments(degree + 1);
+        let power =
+            |coefficients: &[f64]| ChebyshevSeries::new(coefficients.to_vec()).moments(degree + 1);
         let responses = Responses {
             level: system.solve(&power(&[1.0])),
             tilted: system.solve(&power(&[0.0, 1.0])),
