@@ -2,7 +2,10 @@
 //! integral equation into a small linear system, (1.9).
 
 mod solution;
+mod split;
+mod structured;
 mod system;
 
 pub use solution::DegenerateSolution;
+pub use structured::{Convergence, StructuredOperator, StructuredSystem};
 pub use system::DegenerateSystem;

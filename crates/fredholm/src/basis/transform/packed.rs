@@ -52,11 +52,7 @@ impl PackedTransform {
     }
 
     /// Calls `visit(k, X_k, X_{h-k})` for `k = 0 ..= h/2`.
-    pub(crate) fn visit(
-        &self,
-        packed: &[Complex],
-        mut visit: impl FnMut(usize, Complex, Complex),
-    ) {
+    pub(crate) fn visit(&self, packed: &[Complex], mut visit: impl FnMut(usize, Complex, Complex)) {
         let half = self.half();
         for k in 0..=half / 2 {
             let (low, high) = split(packed[k], packed[(half - k) % half], self.rotation.at(k));
