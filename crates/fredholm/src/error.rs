@@ -48,7 +48,7 @@ pub enum Error {
 
     /// The system does not fit into memory.
     #[error(
-        "a dense system of degree {degree} needs {} of memory, and {} can be had",
+        "a system of degree {degree} needs {} of memory, and {} can be had",
         crate::memory::display(*.needed), crate::memory::display(*.available)
     )]
     TooLarge {
@@ -58,5 +58,24 @@ pub enum Error {
         needed: u64,
         /// Bytes that can be had.
         available: u64,
+    },
+
+    /// The structured solve needs a Gram matrix that is the sum of a Toeplitz and a Hankel matrix.
+    #[error(
+        "the Gram matrix of this kernel is not the sum of a Toeplitz and a Hankel matrix: use the dense system"
+    )]
+    Unstructured,
+
+    /// An iteration stopped short of its tolerance.
+    #[error(
+        "not converged after {iterations} iterations: the relative residual is {residual:e} and should be at most {tolerance:e}"
+    )]
+    NotConverged {
+        /// Iterations done.
+        iterations: usize,
+        /// Relative residual reached, recomputed from the solution.
+        residual: f64,
+        /// Relative residual asked for.
+        tolerance: f64,
     },
 }

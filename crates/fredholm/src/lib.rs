@@ -43,6 +43,8 @@ pub mod quadrature;
 pub mod special;
 
 pub use collocation::{SincOperator, SincSolution};
-pub use degenerate::{DegenerateSolution, DegenerateSystem};
+pub use degenerate::{
+    Convergence, DegenerateSolution, DegenerateSystem, StructuredOperator, StructuredSystem,
+};
 pub use error::Error;
 pub use interval::Interval;

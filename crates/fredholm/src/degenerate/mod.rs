@@ -3,7 +3,10 @@
 
 pub mod regularity;
 mod solution;
+mod split;
+mod structured;
 mod system;
 
 pub use solution::DegenerateSolution;
+pub use structured::{Convergence, StructuredOperator, StructuredSystem};
 pub use system::DegenerateSystem;
