@@ -82,22 +82,19 @@ fn snippet(fault: &FileError) -> String {
     let (Some(source), Some(span)) = (fault.source_text(), fault.span()) else {
         return String::new();
     };
-    let line_length =
-        source[..span.start.min(source.len())].rfind('\n').map_or(span.start, |at| span.start - at)
-            + source[span.start.min(source.len())..]
-                .find('\n')
-                .unwrap_or(source.len().saturating_sub(span.start));
-    if line_length > LONGEST_LINE {
+    let start = span.start.min(source.len());
+    let line = source[..start].matches('\n').count();
+    if source.lines().skip(line.saturating_sub(1)).take(3).any(|shown| shown.len() > LONGEST_LINE) {
         return String::new();
     }
-    let first_line_end = source[span.start..].find('\n').map_or(source.len(), |at| span.start + at);
+    let first_line_end = source[start..].find('\n').map_or(source.len(), |at| start + at);
     let excerpt = Excerpt {
         text: NamedSource::new(fault.source_name(), source.to_owned()),
-        span: span.start..span.end.clamp(span.start, first_line_end),
+        span: start..span.end.clamp(start, first_line_end),
     };
     let mut drawn = String::new();
     let handler =
-        GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_context_lines(0);
+        GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_context_lines(1);
     // Drawing into a string cannot fail; should it, the message stands without its snippet.
     if handler.render_report(&mut drawn, &excerpt).is_err() {
         return String::new();

@@ -151,8 +151,8 @@ fn short(value: f64) -> String {
 
 fn unresolved(error: f64) -> Warning {
     let message = format!(
-        "the profile has a kink, a jump or faster oscillation than degree 131072 resolves: its expansion is off by about {error:.1e} \
-         of its largest value (estimate)"
+        "the profile is not resolved to rounding (a kink, a jump, fast oscillation, or a formula that loses digits): its expansion is \
+         off by about {error:.1e} of its largest value (estimate)"
     );
     Warning { code: WarningCode::ProfileNotResolved, message }
 }
