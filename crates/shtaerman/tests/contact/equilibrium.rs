@@ -41,7 +41,7 @@ fn the_residual_of_the_equation_falls_as_the_theory_says() {
         assert!((order(pair[0][0], pair[1][0]) - 2.0).abs() < 0.3, "edges: {residuals:?}");
         assert!((order(pair[0][1], pair[1][1]) - 3.0).abs() < 0.6, "inside: {residuals:?}");
     }
-    assert!(residuals[3][0] < 1e-3 && residuals[3][1] < 1e-5, "{residuals:?}");
+    assert!(residuals[3][0] < 1e-3 && residuals[3][1] < 2e-5, "{residuals:?}");
 }
 
 #[test]
