@@ -44,6 +44,17 @@ pub enum Error {
         right: f64,
     },
 
+    /// An answer leaves the range of double precision.
+    #[error(
+        "the {quantity} comes out as {value}: load, profile and moduli together leave the range of double precision"
+    )]
+    Overflow {
+        /// Which part of the answer.
+        quantity: &'static str,
+        /// What it came out as.
+        value: f64,
+    },
+
     /// The problem file cannot be read as a problem.
     #[error(transparent)]
     File(#[from] FileError),

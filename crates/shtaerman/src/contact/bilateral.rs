@@ -20,7 +20,8 @@ impl Problem {
     /// positive form, Cholesky.
     ///
     /// # Errors
-    /// [`Error::ProfileNotFinite`] where the profile is not finite; [`Error::Equation`] when the system does not fit into memory.
+    /// [`Error::ProfileNotFinite`] where the profile is not finite; [`Error::Equation`] when the system does not fit into memory;
+    /// [`Error::Overflow`] when the answer is not finite.
     pub fn solve(&self) -> Result<Contact, Error> {
         let kernel = Logarithm::unit();
         let theta0 = self.frame().theta0();
@@ -35,6 +36,7 @@ impl Problem {
             profile: system.solve(&function.series().moments(degree + 1)),
         };
         let mut contact = responses.contact(self);
+        contact.require_finite()?;
         contact.describe_pressure();
         if !function.is_resolved() {
             contact.warnings.push(unresolved(function.error()));
@@ -159,8 +161,9 @@ fn unresolved(error: f64) -> Warning {
 
 fn low_degree(degree: usize, theta0: f64) -> Warning {
     let message = format!(
-        "n = {degree} is below theta0 = {theta0:.4}: the boundary layers at the edges are not resolved and edge pressures may have no \
-         digit; take n of several times theta0"
+        "n = {degree} is below theta0 = {}: the boundary layers at the edges are not resolved and edge pressures may have no \
+         digit; take n of several times theta0",
+        short(theta0)
     );
     Warning { code: WarningCode::LowDegree, message }
 }

@@ -224,6 +224,33 @@ impl Contact {
         &self.warnings
     }
 
+    /// Refuses an answer that is not finite: extreme but valid input can overflow.
+    pub(super) fn require_finite(&self) -> Result<(), Error> {
+        let stiffness = self.stiffness();
+        for (quantity, value) in [
+            ("force", self.force()),
+            ("moment", self.moment()),
+            ("settlement", self.settlement()),
+            ("tilt", self.tilt()),
+            ("stiffness", stiffness.force_settlement + stiffness.coupling + stiffness.moment_tilt),
+            ("pressure", self.pressure_bound()),
+            ("pressure at the left edge", self.pressure_left()),
+            ("pressure in the middle", self.pressure_mid()),
+            ("pressure at the right edge", self.pressure_right()),
+        ] {
+            if !value.is_finite() {
+                return Err(Error::Overflow { quantity, value });
+            }
+        }
+        Ok(())
+    }
+
+    /// A bound of `|p + E f0|` on the base [Pa].
+    fn pressure_bound(&self) -> f64 {
+        let correction: f64 = self.correction.coefficients().iter().map(|c| c.abs()).sum();
+        (self.settlement0.abs() + self.tilt0.abs() + correction) * self.scale(Scaling::pressure)
+    }
+
     pub(super) fn sampled(&self) -> Sampled<impl Fn(f64) -> f64 + '_> {
         Sampled::new(|xi| self.pressure0(xi))
     }
