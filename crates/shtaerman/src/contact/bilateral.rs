@@ -20,7 +20,8 @@ impl Problem {
     /// positive form, Cholesky.
     ///
     /// # Errors
-    /// [`Error::ProfileNotFinite`] where the profile is not finite; [`Error::Equation`] when the system does not fit into memory.
+    /// [`Error::ProfileNotFinite`] where the profile is not finite; [`Error::Equation`] when the system does not fit into memory;
+    /// [`Error::InvalidValue`] when the answer leaves the range of double precision.
     pub fn solve(&self) -> Result<Contact, Error> {
         let kernel = Logarithm::unit();
         let theta0 = self.frame().theta0();
@@ -42,7 +43,7 @@ impl Problem {
         if (degree as f64) < theta0 {
             contact.warnings.push(low_degree(degree, theta0));
         }
-        Ok(contact)
+        contact.require_finite()
     }
 }
 
@@ -126,26 +127,7 @@ impl Contact {
         };
         self.peak = (peak.value, peak.place);
         self.tension = tension;
-        if !self.tension.is_empty() {
-            let variable = self.problem.frame().coordinate();
-            let places: Vec<String> = (self.tension().iter())
-                .map(|[left, right]| format!("{variable} = {} to {}", short(*left), short(*right)))
-                .collect();
-            let unit = if variable == "x" { " (m)" } else { "" };
-            let message = format!(
-                "the pressure is negative at {}{unit}: a bilateral answer that pulls there; a real punch would lift off",
-                places.join(" and ")
-            );
-            self.warnings.push(Warning { code: WarningCode::NegativePressure, message });
-        }
-    }
-}
-
-fn short(value: f64) -> String {
-    if value != 0.0 && !(1e-3..1e4).contains(&value.abs()) {
-        format!("{value:.5e}")
-    } else {
-        format!("{value:.6}")
+        self.warnings.extend(Warning::negative_pressure(self.problem.frame(), &self.tension));
     }
 }
 

@@ -4,6 +4,7 @@ use fredholm::basis::ChebyshevSeries;
 
 use super::extremes::Sampled;
 use super::warning::Warning;
+use crate::error::require;
 use crate::{Error, Problem, Scaling};
 
 /// Method and size of a solution.
@@ -222,6 +223,29 @@ impl Contact {
     #[must_use]
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings
+    }
+
+    /// Refuses an answer that overflows in the units of the problem.
+    pub(super) fn require_finite(self) -> Result<Self, Error> {
+        let stiffness = self.stiffness();
+        let named = [
+            ("settlement", self.settlement()),
+            ("tilt", self.tilt()),
+            ("force", self.force()),
+            ("moment", self.moment()),
+            ("pressure at the left edge", self.pressure_left()),
+            ("pressure in the middle", self.pressure_mid()),
+            ("pressure at the right edge", self.pressure_right()),
+            ("largest pressure", self.peak_pressure().0),
+            ("stiffness dP/d(settlement)", stiffness.force_settlement),
+            ("stiffness dM/d(-tilt)", stiffness.moment_tilt),
+        ];
+        for (name, value) in named {
+            let requirement =
+                "finite; load, profile and moduli together leave the range of double precision";
+            require(value.is_finite(), name, value, requirement)?;
+        }
+        Ok(self)
     }
 
     pub(super) fn sampled(&self) -> Sampled<impl Fn(f64) -> f64 + '_> {
