@@ -136,7 +136,14 @@ fn the_adaptive_solution_keeps_its_word() {
         let values = measured(&found.solution, f);
         let error = |k: usize| (values[k] - reference.values[k]).abs();
         for k in 2..5 {
-            assert!(error(k) <= found.estimate.solution, "{} {}", reference.parameter, k);
+            assert!(
+                error(k) <= found.estimate.solution,
+                "{} {} quantity {k}: {} {:?}",
+                reference.parameter,
+                reference.name,
+                error(k),
+                found.estimate
+            );
         }
         assert!(error(0) <= found.estimate.integral && error(1) <= found.estimate.first_moment);
         println!(

@@ -4,7 +4,7 @@ use super::SincSolution;
 use crate::Error;
 
 /// Rounding of `phi = f - lambda K phi`, in units of the last place of its terms.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// From here on two differences do not tell a rate of convergence.
 const NO_CONVERGENCE: f64 = 0.5;
 /// Safety on the geometric model.

@@ -164,7 +164,6 @@ impl Pairs {
     }
 
     fn sum(&self, tau: f64) -> f64 {
-        let square = tau * tau;
         let mut totals = [0.0; LANES];
         let mut index: [f64; LANES] = std::array::from_fn(|lane| (lane + 1) as f64);
         let (sums, differences) =
@@ -172,13 +171,15 @@ impl Pairs {
         let rest = sums.remainder().iter().zip(differences.remainder());
         for (s, d) in sums.zip(differences) {
             for lane in 0..LANES {
-                totals[lane] += (s[lane] * tau + d[lane]) / (square - index[lane] * index[lane]);
+                // As a product: next to a node the difference of squares would lose what the sine has.
+                let product = (tau - index[lane]) * (tau + index[lane]);
+                totals[lane] += (s[lane] * tau + d[lane]) / product;
                 index[lane] += LANES as f64;
             }
         }
         let mut total: f64 = totals.iter().sum();
         for ((s, d), j) in rest.zip(index) {
-            total += (s * tau + d) / (square - j * j);
+            total += (s * tau + d) / ((tau - j) * (tau + j));
         }
         total
     }
