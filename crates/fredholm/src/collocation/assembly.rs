@@ -1,5 +1,7 @@
 //! The scaled symmetric matrix of a kernel on a mesh, split by parity where that is possible.
 
+use std::ops::Range;
+
 use super::mesh::Mesh;
 use super::weights::SincWeights;
 use crate::kernel::{Kernel, Singularity};
@@ -177,18 +179,34 @@ struct Entries<'k, K: ?Sized> {
 }
 
 impl<K: Kernel + ?Sized> Entries<'_, K> {
-    /// The entry of the unscaled matrix, less the weight.
-    fn bracket(&self, i: usize, j: usize) -> f64 {
-        let (x, s) = (self.mesh.node(i).position, self.mesh.node(j).position);
-        if i == j {
-            return self.weights.at_node(self.kernel.split(x, s, 0.0), self.mesh.weights()[i]);
-        }
-        let distance = self.mesh.distance(i, j);
-        let split = self.kernel.split(x, s, distance);
-        if self.mesh.same_panel(i, j) {
-            self.weights.apart(split, distance, i.abs_diff(j))
-        } else {
-            split.value(self.singularity, distance)
+    /// The entry of the unscaled matrix on the diagonal, less the weight.
+    fn diagonal(&self, i: usize) -> f64 {
+        let x = self.mesh.node(i).position;
+        self.weights.at_node(self.kernel.split(x, x, 0.0), self.mesh.weights()[i])
+    }
+
+    /// The entries `(i, j)` of the unscaled matrix, less the weight, for the nodes `j` of a range that ends before `i`.
+    fn row(&self, i: usize, range: Range<usize>, row: &mut [f64]) {
+        let x = self.mesh.node(i).position;
+        let first = range.start;
+        let mut distances = vec![0.0; range.len()];
+        for segment in self.mesh.segments(range) {
+            let same_panel = self.mesh.same_panel(i, segment.start);
+            let local = segment.start - first..segment.end - first;
+            let distances = &mut distances[local.clone()];
+            self.mesh.distances(i, segment.clone(), distances);
+            let entries = segment.zip(distances.iter()).zip(&mut row[local]);
+            if same_panel {
+                entries.for_each(|((j, &distance), entry)| {
+                    let split = self.kernel.split(x, self.mesh.node(j).position, distance);
+                    *entry = self.weights.apart(split, distance, i - j);
+                });
+            } else {
+                entries.for_each(|((j, &distance), entry)| {
+                    let split = self.kernel.split(x, self.mesh.node(j).position, distance);
+                    *entry = split.value(self.singularity, distance);
+                });
+            }
         }
     }
 
@@ -197,12 +215,12 @@ impl<K: Kernel + ?Sized> Entries<'_, K> {
         let order = roots.len();
         let mut matrix = vec![0.0; order * order];
         for i in 0..order {
-            for j in 0..=i {
-                let entry = (roots[i] * self.bracket(i, j)) * roots[j];
-                matrix[i * order + j] = entry;
-                matrix[j * order + i] = entry;
-            }
+            let row = &mut matrix[i * order..=i * order + i];
+            self.row(i, 0..i, row);
+            row[i] = self.diagonal(i);
+            scale(row, &roots, roots[i]);
         }
+        mirror(&mut matrix, order);
         Block { part: Part::Whole, first: 0, roots, matrix, boundary_rows: Vec::new() }
     }
 
@@ -220,39 +238,59 @@ impl<K: Kernel + ?Sized> Entries<'_, K> {
         let (even_order, odd_order) = (roots.len(), roots.len() - skipped);
         let mut even = vec![0.0; even_order * even_order];
         let mut odd = vec![0.0; odd_order * odd_order];
+        let (mut same, mut images) = (vec![0.0; even_order], vec![0.0; even_order]);
         for a in 0..even_order {
-            for b in 0..=a {
-                let (i, j) = (middle + a, middle + b);
-                let same = self.bracket(i, j);
-                let mirror = self.bracket(i, count - 1 - j);
-                let entry = (roots[a] * (same + mirror)) * roots[b];
-                even[a * even_order + b] = entry;
-                even[b * even_order + a] = entry;
-                if b >= skipped {
-                    let (a, b) = (a - skipped, b - skipped);
-                    let entry = (roots[a + skipped] * (same - mirror)) * roots[b + skipped];
-                    odd[a * odd_order + b] = entry;
-                    odd[b * odd_order + a] = entry;
-                }
+            let i = middle + a;
+            let images = &mut images[..=a];
+            self.row(i, middle..i, &mut same);
+            same[a] = self.diagonal(i);
+            // The images of nodes `middle .. i` are `i' .. middle'` from left to right.
+            if has_middle && a == 0 {
+                images[0] = same[0];
+            } else {
+                self.row(i, count - 1 - i..count - middle, images);
+                images.reverse();
+            }
+            let pairs = || same.iter().zip(images.iter());
+            let row = &mut even[a * even_order..=a * even_order + a];
+            row.iter_mut().zip(pairs()).for_each(|(entry, (s, m))| *entry = s + m);
+            scale(row, &roots, roots[a]);
+            if a >= skipped {
+                let start = (a - skipped) * odd_order;
+                let row = &mut odd[start..=start + a - skipped];
+                let pairs = pairs().skip(skipped);
+                row.iter_mut().zip(pairs).for_each(|(entry, (s, m))| *entry = s - m);
+                scale(row, &roots[skipped..], roots[a]);
             }
         }
+        mirror(&mut even, even_order);
+        mirror(&mut odd, odd_order);
         let odd_roots = roots[skipped..].to_vec();
+        let block = |part, first, roots, matrix| Block {
+            part,
+            first,
+            roots,
+            matrix,
+            boundary_rows: Vec::new(),
+        };
         vec![
-            Block {
-                part: Part::Even,
-                first: middle,
-                roots,
-                matrix: even,
-                boundary_rows: Vec::new(),
-            },
-            Block {
-                part: Part::Odd,
-                first: middle + skipped,
-                roots: odd_roots,
-                matrix: odd,
-                boundary_rows: Vec::new(),
-            },
+            block(Part::Even, middle, roots, even),
+            block(Part::Odd, middle + skipped, odd_roots, odd),
         ]
+    }
+}
+
+/// Multiplies by the roots of the weights of the columns and of the row.
+fn scale(row: &mut [f64], roots: &[f64], root: f64) {
+    row.iter_mut().zip(roots).for_each(|(entry, column)| *entry = (root * *entry) * column);
+}
+
+/// Copies the lower triangle to the upper one.
+fn mirror(matrix: &mut [f64], order: usize) {
+    for i in 0..order {
+        for j in 0..i {
+            matrix[j * order + i] = matrix[i * order + j];
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The nodes on an interval cut into panels.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::SincGrid;
@@ -107,13 +108,30 @@ impl Mesh {
         self.nodes[i].0 == self.nodes[j].0
     }
 
-    /// `|x_i - x_j|`, across a breakpoint from the distances to it.
-    pub(super) fn distance(&self, i: usize, j: usize) -> f64 {
-        let ((p, x), (q, s)) = (&self.nodes[i], &self.nodes[j]);
-        match p.cmp(q) {
-            std::cmp::Ordering::Equal => x.distance(s),
-            std::cmp::Ordering::Less => x.from_right + self.gap(*p, *q) + s.from_left,
-            std::cmp::Ordering::Greater => s.from_right + self.gap(*q, *p) + x.from_left,
+    /// Cuts a range of nodes at the breakpoints.
+    pub(super) fn segments(
+        &self,
+        range: Range<usize>,
+    ) -> impl Iterator<Item = Range<usize>> + use<> {
+        let count = self.panel_count();
+        (range.start / count..range.end.div_ceil(count))
+            .map(move |panel| range.start.max(panel * count)..range.end.min((panel + 1) * count))
+    }
+
+    /// `|x_i - x_j|` for nodes `j` of one panel that lie left of `x_i`; across a breakpoint from the distances to it.
+    pub(super) fn distances(&self, i: usize, segment: Range<usize>, distances: &mut [f64]) {
+        let (panel, x) = &self.nodes[i];
+        let nodes = &self.nodes[segment];
+        let Some((left_panel, _)) = nodes.first() else { return };
+        if left_panel == panel {
+            for (distance, (_, s)) in distances.iter_mut().zip(nodes) {
+                *distance = x.distance(s);
+            }
+        } else {
+            let gap = self.boundaries[*panel] - self.boundaries[left_panel + 1];
+            for (distance, (_, s)) in distances.iter_mut().zip(nodes) {
+                *distance = s.from_right + gap + x.from_left;
+            }
         }
     }
 
@@ -125,10 +143,6 @@ impl Mesh {
         } else {
             self.boundaries[boundary] - self.boundaries[*panel + 1] + node.from_right
         }
-    }
-
-    fn gap(&self, left: usize, right: usize) -> f64 {
-        self.boundaries[right] - self.boundaries[left + 1]
     }
 
     /// The place of a point of the closed interval; points outside go to the nearer end, NaN stays.

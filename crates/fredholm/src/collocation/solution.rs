@@ -163,22 +163,25 @@ impl Pairs {
         Self { sums, differences }
     }
 
+    /// Two fractions share one division: divisions are what it costs.
     fn sum(&self, tau: f64) -> f64 {
         let mut totals = [0.0; LANES];
         let mut index: [f64; LANES] = std::array::from_fn(|lane| (lane + 1) as f64);
         let (sums, differences) =
-            (self.sums.chunks_exact(LANES), self.differences.chunks_exact(LANES));
+            (self.sums.chunks_exact(2 * LANES), self.differences.chunks_exact(2 * LANES));
         let rest = sums.remainder().iter().zip(differences.remainder());
         for (s, d) in sums.zip(differences) {
             for lane in 0..LANES {
-                // As a product: next to a node the difference of squares would lose what the sine has.
-                let product = (tau - index[lane]) * (tau + index[lane]);
-                totals[lane] += (s[lane] * tau + d[lane]) / product;
-                index[lane] += LANES as f64;
+                let (i, j) = (index[lane], index[lane] + LANES as f64);
+                // As products: next to a node the difference of squares would lose what the sine has.
+                let (p, q) = ((tau - i) * (tau + i), (tau - j) * (tau + j));
+                let (a, b) = (s[lane] * tau + d[lane], s[lane + LANES] * tau + d[lane + LANES]);
+                totals[lane] += (a * q + b * p) / (p * q);
+                index[lane] += 2.0 * LANES as f64;
             }
         }
         let mut total: f64 = totals.iter().sum();
-        for ((s, d), j) in rest.zip(index) {
+        for ((s, d), j) in rest.zip((0..).map(|k| index[0] + f64::from(k))) {
             total += (s * tau + d) / ((tau - j) * (tau + j));
         }
         total

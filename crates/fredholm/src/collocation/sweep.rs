@@ -7,7 +7,7 @@ use crate::Error;
 use crate::linear::Eigensystem;
 
 /// Parameters taken at once.
-const LANES: usize = 8;
+const LANES: usize = 4;
 /// Eigenvalues above minus this share of the largest count as not negative.
 const ROUNDING: f64 = 1e-13;
 

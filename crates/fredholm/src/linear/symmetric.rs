@@ -44,8 +44,14 @@ impl Factored {
             let pivot = cholesky.smallest_pivot();
             return Some((Self::Large(cholesky), pivot));
         }
-        let mut factor: Vec<f64> = matrix.iter().map(|entry| parameter * entry).collect();
-        factor.iter_mut().step_by(order + 1).for_each(|entry| *entry += 1.0);
+        let mut factor = vec![0.0; order * order];
+        for (j, (target, source)) in
+            factor.chunks_exact_mut(order).zip(matrix.chunks_exact(order)).enumerate()
+        {
+            let below = target[j..].iter_mut().zip(&source[j..]);
+            below.for_each(|(target, entry)| *target = parameter * entry);
+            target[j] += 1.0;
+        }
         small_cholesky::factor(&mut factor, order).ok()?;
         let pivot = factor.iter().step_by(order + 1).fold(f64::INFINITY, |least, &l| least.min(l));
         Some((Self::Small { order, factor }, pivot * pivot))
