@@ -102,9 +102,11 @@ pub fn solve_adaptive_with_breaks(
         let estimate = Estimate::extrapolated(&before, &difference, &solution, RATIO);
         let scale = largest(solution.values());
         let converged = estimate.solution <= tolerance * scale;
-        let settled = difference.solution <= rounding(&solution)
-            || (difference.solution > 0.5 * before.solution
-                && difference.solution <= STAGNANT * scale);
+        let rounding = rounding(&solution);
+        let stagnant = difference.solution > 0.5 * before.solution;
+        let out_of_reach = rounding > tolerance * scale;
+        let settled = difference.solution <= rounding
+            || (stagnant && (out_of_reach || difference.solution <= STAGNANT * scale));
         match next() {
             Some(larger) if !converged && !settled => half_count = larger,
             _ => return Ok(AdaptiveSolution { solution, estimate, converged, half_count }),

@@ -5,8 +5,10 @@ use crate::Error;
 
 /// Rounding of `phi = f - lambda K phi`, in units of the last place of its terms.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
-/// From here on two differences do not tell a rate of convergence.
-const NO_CONVERGENCE: f64 = 0.5;
+/// From here on convergence is not geometric: `h^2` of a kink gives 1/2, and fluctuates.
+const SLOW: f64 = 0.25;
+/// Safety on differences that fall slowly or not at all.
+const SAFETY_SLOW: f64 = 3.0;
 /// Safety on the geometric model.
 const SAFETY: f64 = 10.0;
 
@@ -56,9 +58,9 @@ impl Estimate {
         })
     }
 
-    /// From the differences of three solutions on numbers of nodes that grow by one ratio, which estimates the error of
-    /// the finest: `d_23 rho/(1 - rho)` with `rho = d_23/d_12` is exact for algebraic convergence; geometric convergence
-    /// gives `scale (d_23/scale)^ratio`. The larger counts, and never less than rounding.
+    /// The error of the finest of three solutions on numbers of nodes that grow by one ratio, from their differences: the
+    /// larger of `d_23 rho/(1 - rho)`, `rho = d_23/d_12`, as for algebraic convergence, and `10 scale (d_23/scale)^ratio`,
+    /// as for geometric convergence; for `rho > 1/4` three times the larger difference; never less than rounding.
     pub(super) fn extrapolated(
         first: &Self,
         second: &Self,
@@ -101,9 +103,8 @@ fn extrapolate(first: f64, second: f64, scale: f64, ratio: f64) -> f64 {
     if second == 0.0 {
         return 0.0;
     }
-    // Written so that NaN counts as no convergence.
-    if !(rate < NO_CONVERGENCE) {
-        return first.max(second);
+    if rate >= SLOW || rate.is_nan() {
+        return SAFETY_SLOW * first.max(second);
     }
     let algebraic = second * rate / (1.0 - rate);
     let geometric = SAFETY * scale * (second / scale).powf(ratio);

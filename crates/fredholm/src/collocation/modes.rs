@@ -29,10 +29,9 @@ impl<const Q: usize> ModeSums<Q> {
                 continue;
             }
             if largest * nu.abs() < GEOMETRIC {
-                for q in 0..Q {
-                    sums.merged[0][q] += products[q];
-                    sums.merged[1][q] -= products[q] * nu;
-                    sums.merged[2][q] += products[q] * nu * nu;
+                for (power, factor) in [1.0, -nu, nu * nu].into_iter().enumerate() {
+                    let merged = sums.merged[power].iter_mut().zip(products);
+                    merged.for_each(|(sum, product)| *sum += factor * product);
                 }
             } else {
                 sums.eigenvalues.push(nu);
@@ -51,11 +50,10 @@ impl<const Q: usize> ModeSums<Q> {
     #[inline]
     pub(super) fn at<const L: usize>(&self, parameters: &[f64; L]) -> [[f64; L]; Q] {
         let mut sums = [[0.0; L]; Q];
-        for q in 0..Q {
-            for lane in 0..L {
-                let parameter = parameters[lane];
-                sums[q][lane] = self.merged[0][q]
-                    + parameter * (self.merged[1][q] + parameter * self.merged[2][q]);
+        let [constant, linear, square] = &self.merged;
+        for (q, sums) in sums.iter_mut().enumerate() {
+            for (sum, parameter) in sums.iter_mut().zip(parameters) {
+                *sum = constant[q] + parameter * (linear[q] + parameter * square[q]);
             }
         }
         for (nu, products) in self.eigenvalues.iter().zip(&self.products) {

@@ -87,6 +87,14 @@ impl SincSolution {
         right_hand_side - self.parameter * self.potential_at(self.mesh.locate(x))
     }
 
+    /// `phi` at a place given by its distances to the ends of its panel, to all their digits; the position is not used. A
+    /// panel that does not exist counts as the last.
+    #[must_use]
+    pub fn evaluate_place(&self, place: Place, right_hand_side: f64) -> f64 {
+        let panel = place.panel.min(self.panels.len() - 1);
+        right_hand_side - self.parameter * self.potential_at(Place { panel, ..place })
+    }
+
     /// `phi` at several points, given `f` there, without allocation; as many as the shortest of the three lists has.
     pub fn evaluate_into(&self, points: &[f64], right_hand_side: &[f64], values: &mut [f64]) {
         for ((&x, f), value) in points.iter().zip(right_hand_side).zip(values) {

@@ -1,5 +1,8 @@
 //! What several tests share.
 
+#![allow(dead_code, reason = "each test uses a part")]
+#![allow(unreachable_pub, reason = "a module of tests")]
+
 use fredholm::Interval;
 use fredholm::kernel::{Kernel, Singularity, Split};
 
