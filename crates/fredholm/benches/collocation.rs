@@ -102,7 +102,7 @@ fn stages() {
 
 fn ready_operator() {
     let kernel = Logarithm::unit();
-    for (theta, half_count) in [(1.0, 31), (60.0, 50), (1e4, 100), (1e5, 130)] {
+    for (theta, half_count) in [(1.0, 31), (60.0, 50), (1e4, 100), (1e5, 130), (1e5, 260)] {
         let operator = SincOperator::new(&kernel, half_count).unwrap();
         let f = operator.sample(f64::exp).unwrap();
         let set = PointSet::new(&operator, &points()).unwrap();

@@ -299,7 +299,7 @@ fn fixed_points_agree_with_evaluation() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 40, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 40, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn reciprocity_linearity_and_reflection(

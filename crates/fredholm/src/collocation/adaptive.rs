@@ -11,7 +11,7 @@ use crate::kernel::Kernel;
 /// Growth of the number of nodes.
 const RATIO: f64 = SQRT_2;
 /// Most nodes on either side of the middle of a panel.
-const LARGEST_HALF_COUNT: usize = 1000;
+const LARGEST_HALF_COUNT: usize = 1500;
 /// Most nodes on either side of the middles of all panels together.
 const LARGEST_TOTAL: usize = 3999;
 /// Differences that no longer fall and are below this share of the solution are rounding.
