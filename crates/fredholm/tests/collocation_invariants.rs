@@ -299,7 +299,7 @@ fn fixed_points_agree_with_evaluation() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 40, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 60, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn reciprocity_linearity_and_reflection(
@@ -312,7 +312,9 @@ proptest! {
         let (f, g) = (|x: f64| (a * x).exp(), |x: f64| (b * x).cos() + x);
         let (p, q) = (solve(&operator, parameter, f), solve(&operator, parameter, g));
         let (left, right) = (p.integral(g), q.integral(f));
-        prop_assert!((left - right).abs() < 1e-12 * (left.abs() + p.integral(f)), "{left} {right}");
+        // phi = f - lambda K phi carries rounding of f, not of the much smaller phi.
+        let tolerance = 1e-14 + 1e-12 * p.integral(f);
+        prop_assert!((left - right).abs() < tolerance, "{left} {right}");
         prop_assert!(p.integral(f) > 0.0);
         let sum = solve(&operator, parameter, |x| f(x) + 2.0 * g(x));
         let mirrored = solve(&operator, parameter, |x| f(-x));
