@@ -4,7 +4,7 @@ use super::SincSolution;
 use crate::Error;
 
 /// Rounding of `phi = f - lambda K phi`, in units of the last place of its terms.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+const ROUNDING: f64 = 24.0 * f64::EPSILON;
 /// From here on convergence is not geometric: `h^2` of a kink gives 1/2, and fluctuates.
 const SLOW: f64 = 0.25;
 /// Safety on differences that fall slowly or not at all.
