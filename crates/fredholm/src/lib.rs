@@ -42,7 +42,7 @@ pub mod memory;
 pub mod quadrature;
 pub mod special;
 
-pub use collocation::{SincOperator, SincSolution};
+pub use collocation::{SincOperator, SincSolution, solve_adaptive};
 pub use degenerate::{
     Convergence, DegenerateSolution, DegenerateSolver, DegenerateSystem, StructuredOperator,
     StructuredSystem,

@@ -5,7 +5,7 @@ use fredholm::kernel::Logarithm;
 use fredholm::{DegenerateSolution, DegenerateSolver};
 
 use super::balance::Balance;
-use super::contact::{Contact, Stiffness};
+use super::solved::{Contact, Stiffness};
 use super::warning::{Warning, WarningCode};
 use crate::quantity::{Dimension, engineering};
 use crate::{Error, Problem};

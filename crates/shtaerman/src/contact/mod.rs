@@ -2,10 +2,10 @@
 
 mod balance;
 mod bilateral;
-mod contact;
 mod extremes;
+mod solved;
 mod surface;
 mod warning;
 
-pub use contact::{Contact, Method, Stiffness};
+pub use solved::{Contact, Method, Stiffness};
 pub use warning::{Warning, WarningCode};

@@ -129,7 +129,7 @@ impl Contact {
     /// [`Error::BeyondPunch`] outside the closed base, also for NaN.
     pub fn pressure(&self, x: f64) -> Result<f64, Error> {
         let half_width = self.problem.frame().half_width();
-        if !(x.abs() <= half_width) {
+        if x.is_nan() || x.abs() > half_width {
             let variable = self.problem.frame().coordinate();
             return Err(Error::BeyondPunch {
                 variable,
