@@ -4,7 +4,7 @@ use fredholm::basis::ChebyshevSeries;
 use fredholm::kernel::Logarithm;
 use fredholm::{DegenerateSolution, DegenerateSystem};
 
-use super::contact::{Contact, Stiffness};
+use super::solved::{Contact, Stiffness};
 use super::warning::{Warning, WarningCode};
 use crate::{Error, Load, Problem, Rotational, Vertical};
 

@@ -1,10 +1,10 @@
 //! The answer: settlement, tilt, force, moment, pressure.
 
 mod bilateral;
-mod contact;
 mod extremes;
+mod solved;
 mod surface;
 mod warning;
 
-pub use contact::{Contact, Method, Stiffness};
+pub use solved::{Contact, Method, Stiffness};
 pub use warning::{Warning, WarningCode};
