@@ -44,7 +44,8 @@ pub mod special;
 
 pub use collocation::{SincOperator, SincSolution};
 pub use degenerate::{
-    Convergence, DegenerateSolution, DegenerateSystem, StructuredOperator, StructuredSystem,
+    Convergence, DegenerateSolution, DegenerateSolver, DegenerateSystem, StructuredOperator,
+    StructuredSystem,
 };
 pub use error::Error;
 pub use interval::Interval;

@@ -68,7 +68,12 @@ impl Error {
     /// Whether a numerical promise failed, as opposed to bad input: exit code 3 instead of 2.
     #[must_use]
     pub fn is_numerical(&self) -> bool {
-        matches!(self, Self::Equation(fredholm::Error::NotPositiveDefinite { .. }))
+        matches!(
+            self,
+            Self::Equation(
+                fredholm::Error::NotPositiveDefinite { .. } | fredholm::Error::NotConverged { .. }
+            )
+        )
     }
 }
 

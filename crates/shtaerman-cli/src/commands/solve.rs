@@ -2,12 +2,13 @@
 
 use std::fmt::Write;
 
-use shtaerman::quantity::{Dimension, axis_unit};
-use shtaerman::{Answer, Contact, PressureCurve};
+use shtaerman::quantity::{Dimension, axis_unit, engineering};
+use shtaerman::{Answer, Contact, PressureCurve, Problem};
 
 use super::problem_file;
 use crate::Failure;
 use crate::arguments::{ReportFormat, SolveArguments};
+use crate::failure::say;
 use crate::output::{Outputs, check_writable};
 use crate::plot::{ContactPlot, Format, Size, render};
 use crate::report;
@@ -16,25 +17,27 @@ use crate::report;
 const PLOT_POINTS: usize = 401;
 /// Most places one `--at` may name.
 const MOST_PLACES: usize = 1_000_000;
+/// A place this far beyond an edge, in half-widths, is the edge: units round (200 mil and 5.08 mm).
+const EDGE_SLACK: f64 = 1e-12;
 /// How far beside the punch the surface is drawn, in half-widths.
 const PLOT_MARGIN: f64 = 0.6;
 
 pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
-    check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()])?;
-    if arguments.points > MOST_PLACES {
+    check_writable(
+        &[arguments.output.output.as_deref(), arguments.plot.as_deref()],
+        Some(&arguments.problem.file),
+    )?;
+    if !(2..=MOST_PLACES).contains(&arguments.points) {
         return Err(Failure::Usage(format!(
-            "--points {}: at most {MOST_PLACES}",
+            "--points {}: must be from 2 to {MOST_PLACES}",
             arguments.points
         )));
     }
-    let problem = problem_file::read(&arguments.problem)?;
-    let places = arguments
-        .at
-        .as_deref()
-        .map(|text| parse_places(text, problem.frame().scaling().is_some()))
-        .transpose()?;
-    let contact = problem.solve()?;
+    let file = problem_file::read(&arguments.problem)?;
+    let places =
+        arguments.at.as_deref().map(|text| parse_places(text, file.problem())).transpose()?;
+    let contact = file.solve()?;
     let curve = match places {
         Some(places) => PressureCurve::at(&contact, places)?,
         None => PressureCurve::along(&contact, arguments.points)?,
@@ -60,14 +63,17 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     outputs.write()?;
     if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {
         for warning in contact.warnings() {
-            eprintln!("warning: {}", warning.message);
+            say(&format!("warning: {}\n", warning.message));
         }
     }
     Ok(())
 }
 
 /// The places of `--at`: lengths, or bare numbers for a dimensionless problem.
-fn parse_places(text: &str, physical: bool) -> Result<Vec<f64>, Failure> {
+fn parse_places(text: &str, problem: &Problem) -> Result<Vec<f64>, Failure> {
+    let dimension =
+        if problem.frame().scaling().is_some() { Dimension::LENGTH } else { Dimension::NONE };
+    let half_width = problem.frame().half_width();
     let parts: Vec<&str> = text.split(',').collect();
     if parts.len() > MOST_PLACES {
         return Err(Failure::Usage(format!(
@@ -79,12 +85,20 @@ fn parse_places(text: &str, physical: bool) -> Result<Vec<f64>, Failure> {
         .into_iter()
         .map(|part| {
             let part = part.trim();
-            let dimension = if physical { Dimension::LENGTH } else { Dimension::NONE };
-            let quantity = shtaerman::quantity::parse(part)
-                .map_err(|error| Failure::Usage(format!("--at {part}: {error}")))?;
-            quantity
-                .expect(dimension, "place", part)
-                .map_err(|error| Failure::Usage(format!("--at {part}: {error}")))
+            let place = shtaerman::quantity::parse(part)
+                .and_then(|quantity| quantity.of(dimension, part))
+                .map_err(|error| Failure::Usage(format!("--at `{part}`: {error}")))?;
+            if place.abs() <= half_width {
+                return Ok(place);
+            }
+            if place.abs() <= half_width * (1.0 + EDGE_SLACK) {
+                return Ok(half_width.copysign(place));
+            }
+            Err(Failure::Usage(format!(
+                "--at `{part}`: is beyond the punch, which reaches from {} to {}",
+                engineering(-half_width, dimension),
+                engineering(half_width, dimension)
+            )))
         })
         .collect()
 }

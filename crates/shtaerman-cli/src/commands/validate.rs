@@ -7,7 +7,8 @@ use crate::output::Outputs;
 use crate::report::significant;
 
 pub(super) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
-    let problem = problem_file::read(&arguments.problem)?;
+    let file = problem_file::read(&arguments.problem)?;
+    let problem = file.problem();
     let kind = if problem.frame().scaling().is_some() { "physical" } else { "dimensionless" };
     let mut outputs = Outputs::default();
     outputs.result(

@@ -1,5 +1,6 @@
 //! The answer: settlement, tilt, force, moment, pressure.
 
+mod balance;
 mod bilateral;
 mod extremes;
 mod solved;

@@ -9,12 +9,8 @@ const MOST_DEGREE: usize = 1 << 40;
 const CONTACT_HELP: &str = "write contact = \"bilateral\" in [solver]: the full base stays in contact and the pressure may pull";
 
 pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
-    let table =
-        reader.required("solver").map_err(|error| error.with_help(CONTACT_HELP))?.table()?;
-    let contact = table.required("contact").map_err(|error| match error.help() {
-        Some(_) => error,
-        None => error.with_help(CONTACT_HELP),
-    })?;
+    let table = reader.required("solver").map_err(with_contact_help)?.table()?;
+    let contact = table.required("contact").map_err(with_contact_help)?;
     if contact.string()? == "unilateral" {
         let message = "is \"unilateral\", which is not solved yet: must be \"bilateral\"";
         return Err(contact
@@ -30,4 +26,9 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
         None => DEFAULT_DEGREE,
     };
     Ok(Solver { degree })
+}
+
+/// What to write, unless the help names a misspelt key already.
+fn with_contact_help(error: FileError) -> FileError {
+    if error.help().is_some() { error } else { error.with_help(CONTACT_HELP) }
 }
