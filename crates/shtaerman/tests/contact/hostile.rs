@@ -1,14 +1,13 @@
 //! Valid but extreme values: an answer or an error, never a panic, and no NaN in an answer.
 
-use crate::support::{assert_near, force_and_moment, load, settlement_and_tilt};
+use crate::support::{assert_near, force_and_moment, load, settlement_and_tilt, solver};
 use shtaerman::{
     Answer, Contact, Elastic, Error, Frame, Load, PressureCurve, Problem, Profile, Rotational,
-    Solver, Vertical,
+    Vertical,
 };
 
 fn try_solve(frame: Result<Frame, Error>, profile: &str, load: Load) -> Result<Contact, Error> {
-    let solver = Solver { degree: 48, ..Solver::default() };
-    Problem::new(frame?, Profile::expression(profile).unwrap(), load, solver)?.solve()
+    Problem::new(frame?, Profile::expression(profile).unwrap(), load, solver(48))?.solve()
 }
 
 /// All that an answer says is finite.

@@ -1,7 +1,7 @@
 //! What may not matter: reflection, constants and slopes of the profile, scale, the way a problem is stated.
 
-use crate::support::{assert_near, force_and_moment, load, solve};
-use shtaerman::{Contact, Elastic, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+use crate::support::{assert_near, force_and_moment, load, solve, solver};
+use shtaerman::{Contact, Elastic, Frame, Load, Problem, Profile, Rotational, Vertical};
 
 const PLACES: [f64; 7] = [-1.0, -0.83, -0.31, 0.0, 0.22, 0.9, 1.0];
 
@@ -110,10 +110,7 @@ impl Steel {
         let foundation = Elastic::new(self.modulus, self.ratio).unwrap();
         let frame = Frame::physical(foundation, self.roughness, self.half_width, body).unwrap();
         let profile = Profile::expression(profile).unwrap();
-        Problem::new(frame, profile, load, Solver { degree: 120, ..Solver::default() })
-            .unwrap()
-            .solve()
-            .unwrap()
+        Problem::new(frame, profile, load, solver(120)).unwrap().solve().unwrap()
     }
 }
 
@@ -158,6 +155,26 @@ fn physical_and_dimensionless_form_agree() {
     // Without dimensions every name means the same.
     assert_eq!(plain.settlement(), plain.settlement0());
     assert_eq!(plain.pressure(0.6).unwrap(), plain.pressure0(0.6));
+}
+
+#[test]
+fn what_is_prescribed_comes_back_as_given() {
+    for (vertical, rotational) in [
+        (Vertical::Force(0.8e6), Rotational::Moment(100.0)),
+        (Vertical::Force(0.7e6), Rotational::Eccentricity(1.3e-4)),
+        (Vertical::Settlement(2.9e-6), Rotational::Tilt(1.7e-5)),
+    ] {
+        let contact = STEEL.solve("x^2/(2*0.8)", load(vertical, rotational), None);
+        match vertical {
+            Vertical::Force(force) => assert_eq!(contact.force(), force),
+            Vertical::Settlement(settlement) => assert_eq!(contact.settlement(), settlement),
+        }
+        match rotational {
+            Rotational::Moment(moment) => assert_eq!(contact.moment(), moment),
+            Rotational::Eccentricity(e) => assert_eq!(contact.moment(), e * contact.force()),
+            Rotational::Tilt(tilt) => assert_eq!(contact.tilt(), tilt),
+        }
+    }
 }
 
 #[test]

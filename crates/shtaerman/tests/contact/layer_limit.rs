@@ -2,13 +2,15 @@
 
 use crate::support::{assert_near, force_and_moment, integral, settlement_and_tilt, solve};
 
+type Base = fn(f64) -> f64;
+
 const PLACES: [f64; 7] = [-1.0, -0.7, -0.2, 0.0, 0.4, 0.9, 1.0];
 
 #[test]
 fn a_layer_under_force_and_moment_is_exact() {
     let (force, moment) = (1.7, -0.31);
     // f0, its mean over the base, and int xi f0
-    let cases: [(&str, fn(f64) -> f64, f64, f64); 4] = [
+    let cases: [(&str, Base, f64, f64); 4] = [
         ("0", |_| 0.0, 0.0, 0.0),
         ("3*xi^2", |xi| 3.0 * xi * xi, 1.0, 0.0),
         ("xi^3 - 2", |xi| xi.powi(3) - 2.0, -2.0, 0.4),

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use crate::support::assert_near;
-use shtaerman::{Contact, WarningCode, file};
+use shtaerman::{Contact, file};
 
 /// A folder of its own for each test.
 fn folder(name: &str) -> PathBuf {
@@ -91,15 +91,4 @@ fn a_sampled_curve_tends_to_the_curve_as_the_fourth_power_of_the_spacing() {
         assert!((pair[0] / pair[1]).log2() > 3.5, "{errors:?}");
     }
     assert!(errors[2] < 1e-4, "{errors:?}");
-}
-
-#[test]
-fn the_points_of_a_measurement_are_no_kinks() {
-    // Third derivatives jump at the points of a spline, which costs digits far below what is shown.
-    let folder = folder("kinks");
-    let rows = sampled(|x| 2e-6 * (600.0 * x).cos() + parabola(x), 161, 1e-3, 1e-6);
-    std::fs::write(folder.join("trace.csv"), rows).unwrap();
-    let contact = solve(&folder, "{ csv = \"trace.csv\", x_unit = \"mm\", f_unit = \"um\" }");
-    let unresolved = contact.warnings().iter().any(|w| w.code == WarningCode::ProfileNotResolved);
-    assert!(!unresolved, "{:?}", contact.warnings());
 }

@@ -19,10 +19,17 @@ fn edge(theta0: f64, force: f64, moment: f64, degree: usize) -> f64 {
 #[test]
 fn edge_pressures_are_the_known_ones() {
     // K/sqrt(E* chi) with K = P/sqrt(pi a): p0(1)/sqrt(theta0) -> P0/sqrt 2; found numerically, five digits.
-    for (theta0, degree, known) in
-        [(10.0, 200, 0.72979), (100.0, 800, 0.71013), (1000.0, 3200, 0.70749)]
-    {
-        assert_near(edge(theta0, 1.0, 0.0, degree), known, 6e-6, &format!("theta0 = {theta0}"));
+    for (theta0, degree, force, moment, known) in [
+        (1.0, 200, 1.0, 0.0, 0.87271),
+        (10.0, 200, 1.0, 0.0, 0.72979),
+        (100.0, 800, 1.0, 0.0, 0.71013),
+        (1000.0, 3200, 1.0, 0.0, 0.70749),
+        (1.0, 400, 0.0, 1.0, 2.11108),
+        (10.0, 400, 0.0, 1.0, 1.52226),
+        (100.0, 1600, 0.0, 1.0, 1.42954),
+    ] {
+        let what = format!("theta0 = {theta0}, P0 = {force}, M0 = {moment}");
+        assert_near(edge(theta0, force, moment, degree), known, 6e-6, &what);
     }
 }
 

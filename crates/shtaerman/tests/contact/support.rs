@@ -4,6 +4,11 @@ use std::f64::consts::FRAC_PI_2;
 
 use shtaerman::{Contact, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
 
+/// The spectral method with this degree.
+pub(crate) fn solver(degree: usize) -> Solver {
+    Solver { degree }
+}
+
 /// The dimensionless contact with this base and load.
 pub(crate) fn solve(theta0: f64, profile: &str, load: Load, degree: usize) -> Contact {
     let profile = Profile::expression(profile).unwrap();
@@ -12,10 +17,7 @@ pub(crate) fn solve(theta0: f64, profile: &str, load: Load, degree: usize) -> Co
 
 pub(crate) fn solve_profile(theta0: f64, profile: Profile, load: Load, degree: usize) -> Contact {
     let frame = Frame::dimensionless(theta0).unwrap();
-    Problem::new(frame, profile, load, Solver { degree, ..Solver::default() })
-        .unwrap()
-        .solve()
-        .unwrap()
+    Problem::new(frame, profile, load, solver(degree)).unwrap().solve().unwrap()
 }
 
 pub(crate) fn load(vertical: Vertical, rotational: Rotational) -> Load {
