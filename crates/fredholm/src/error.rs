@@ -70,7 +70,7 @@ pub enum Error {
 
     /// A matrix library gave up.
     #[error("the eigenvalues of a matrix of order {order} were not found")]
-    NoConvergence {
+    EigenvaluesNotFound {
         /// Order of the matrix.
         order: usize,
     },

@@ -55,6 +55,26 @@ pub enum Error {
         value: f64,
     },
 
+    /// An explicit tolerance was not met.
+    #[error(
+        "the tolerance {tolerance:e} was not met: the {method} method with n = {n} reached a relative error of {reached:.1e} \
+         (delta0 = {settlement0}, alpha0 = {tilt0}); double precision allows about 1e-12 to 1e-14, and less at large theta0"
+    )]
+    ToleranceNotMet {
+        /// What was asked for.
+        tolerance: f64,
+        /// The best relative error reached.
+        reached: f64,
+        /// Method that reached it.
+        method: &'static str,
+        /// Its size.
+        n: usize,
+        /// Its `delta0`.
+        settlement0: f64,
+        /// Its `alpha0`.
+        tilt0: f64,
+    },
+
     /// The problem file cannot be read as a problem.
     #[error(transparent)]
     File(#[from] FileError),
@@ -70,9 +90,13 @@ impl Error {
     pub fn is_numerical(&self) -> bool {
         matches!(
             self,
-            Self::Equation(
-                fredholm::Error::NotPositiveDefinite { .. } | fredholm::Error::NotConverged { .. }
-            )
+            Self::ToleranceNotMet { .. }
+                | Self::Equation(
+                    fredholm::Error::NotPositiveDefinite { .. }
+                        | fredholm::Error::NotConverged { .. }
+                        | fredholm::Error::EigenvaluesNotFound { .. }
+                        | fredholm::Error::Singular { .. }
+                )
         )
     }
 }

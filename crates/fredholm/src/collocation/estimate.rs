@@ -88,8 +88,9 @@ impl Estimate {
     }
 }
 
-/// Rounding that `f - lambda K phi` carries.
-pub(super) fn rounding(solution: &SincSolution) -> f64 {
+/// Rounding that `f - lambda K phi` carries: a floor of the error of any value of a solution.
+#[must_use]
+pub fn rounding(solution: &SincSolution) -> f64 {
     ROUNDING
         * (largest(solution.values()) + solution.parameter().abs() * largest(solution.potential()))
 }
@@ -98,7 +99,11 @@ pub(super) fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
 }
 
-fn extrapolate(first: f64, second: f64, scale: f64, ratio: f64) -> f64 {
+/// The error of the finest of three solutions on numbers of nodes that grow by `ratio`, from the differences `first` (coarsest to
+/// middle) and `second` (middle to finest) of a quantity of size `scale`: the larger of the algebraic and the geometric model, see
+/// [`Estimate`]; for differences that hardly fall three times the larger. An estimate.
+#[must_use]
+pub fn extrapolate(first: f64, second: f64, scale: f64, ratio: f64) -> f64 {
     let rate = second / first;
     if second == 0.0 {
         return 0.0;

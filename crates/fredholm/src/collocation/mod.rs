@@ -37,8 +37,10 @@ mod spectrum;
 mod sweep;
 mod weights;
 
-pub use adaptive::{AdaptiveSolution, solve_adaptive, solve_adaptive_with_breaks};
-pub use estimate::Estimate;
+pub use adaptive::{
+    AdaptiveSolution, first_half_count, solve_adaptive, solve_adaptive_with_breaks,
+};
+pub use estimate::{Estimate, extrapolate, rounding};
 pub use factor::SincFactor;
 pub use grid::SincGrid;
 pub use mesh::Place;

@@ -124,7 +124,7 @@ impl SincOperator {
     /// The eigendecomposition of the operator, which serves every parameter.
     ///
     /// # Errors
-    /// [`Error::NoConvergence`] when the eigenvalues are not found.
+    /// [`Error::EigenvaluesNotFound`] when the eigenvalues are not found.
     pub fn spectrum(&self) -> Result<SincSpectrum<'_>, Error> {
         SincSpectrum::new(self)
     }

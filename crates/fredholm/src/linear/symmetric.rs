@@ -125,7 +125,7 @@ impl Eigensystem {
     pub(crate) fn new(matrix: &[f64], order: usize) -> Result<Self, Error> {
         let decomposition = MatRef::from_column_major_slice(matrix, order, order)
             .self_adjoint_eigen(Side::Lower)
-            .map_err(|_| Error::NoConvergence { order })?;
+            .map_err(|_| Error::EigenvaluesNotFound { order })?;
         let values = (0..order).map(|k| decomposition.S()[k]).collect();
         let vectors = (0..order)
             .flat_map(|k| (0..order).map(move |i| (i, k)))

@@ -42,7 +42,11 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         Some(places) => PressureCurve::at(&contact, places)?,
         None => PressureCurve::along(&contact, arguments.points)?,
     };
-    let answer = Answer::new(&contact, curve);
+    let mut answer = Answer::new(&contact, curve);
+    if arguments.cross_check {
+        answer.cross_check =
+            Some(file.problem().cross_check(&contact).map_err(|error| file.locate(error))?);
+    }
     let text = match arguments.output.format {
         ReportFormat::Table => {
             let name = problem_file::name(&arguments.problem.file);
@@ -143,7 +147,7 @@ fn plot(contact: &Contact) -> Result<ContactPlot, Failure> {
         notes: notes(contact),
         position: places.iter().map(|x| x * length).collect(),
         pressure: curve.pressures().iter().map(|p| p * stress).collect(),
-        pressure_band: None,
+        pressure_band: band(contact, &curve, stress),
         punch_base: base.iter().map(|u| u * depth).collect(),
         body_surface: surface.iter().map(|(x, u)| (x * length, u * depth)).collect(),
         contact_zone: None,
@@ -153,10 +157,23 @@ fn plot(contact: &Contact) -> Result<ContactPlot, Failure> {
     })
 }
 
+/// Error of the pressure, relative to its largest value, from which on it can be seen in a plot.
+const VISIBLE: f64 = 1e-3;
+
+/// The pressure less and plus its error, where that can be seen.
+fn band(contact: &Contact, curve: &PressureCurve, factor: f64) -> Option<(Vec<f64>, Vec<f64>)> {
+    let scale = contact.problem().frame().scaling().map_or(1.0, shtaerman::Scaling::pressure);
+    let error = contact.accuracy()?.pressure * scale;
+    let largest = curve.pressures().iter().fold(0.0f64, |most, p| most.max(p.abs()));
+    let shifted = |by: f64| curve.pressures().iter().map(|p| (p + by) * factor).collect();
+    (error > VISIBLE * largest).then(|| (shifted(-error), shifted(error)))
+}
+
 fn notes(contact: &Contact) -> Vec<String> {
     let mut notes = vec![format!(
-        "θ₀ = {}, degenerate kernel with n = {}; bilateral",
+        "θ₀ = {}, {} method with n = {}; bilateral",
         report::significant(contact.theta0(), 5),
+        contact.method().name,
         contact.method().n
     )];
     if !contact.tension().is_empty() {

@@ -14,10 +14,9 @@ pub(super) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
     outputs.result(
         None,
         format!(
-            "{}: valid; {kind} problem, theta0 = {}, n = {}\n",
+            "{}: valid; {kind} problem, theta0 = {}\n",
             problem_file::name(&arguments.problem.file),
-            significant(problem.frame().theta0(), 8),
-            problem.solver().degree
+            significant(problem.frame().theta0(), 8)
         ),
     );
     outputs.write()

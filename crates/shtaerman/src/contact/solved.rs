@@ -1,7 +1,7 @@
 //! The solved contact.
 
-use fredholm::basis::ChebyshevSeries;
-
+use super::accuracy::Accuracy;
+use super::draft::Draft;
 use super::extremes::Sampled;
 use super::warning::Warning;
 use crate::{Error, Problem, Rotational, Scaling, Vertical};
@@ -9,9 +9,9 @@ use crate::{Error, Problem, Rotational, Scaling, Vertical};
 /// Method and size of a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct Method {
-    /// Name of the method: `spectral`.
+    /// Name of the method: `spectral` or `sinc`.
     pub name: &'static str,
-    /// Highest Chebyshev degree kept.
+    /// Highest Chebyshev degree kept, or number of nodes.
     pub n: usize,
 }
 
@@ -40,20 +40,35 @@ impl Stiffness {
 /// dimensionless problem).
 #[derive(Debug, Clone)]
 pub struct Contact {
-    pub(super) problem: Problem,
-    pub(super) force0: f64,
-    pub(super) moment0: f64,
-    pub(super) settlement0: f64,
-    pub(super) tilt0: f64,
-    pub(super) stiffness0: Stiffness,
-    /// Chebyshev coefficients of `delta0 - alpha0 xi - f0 - p0`.
-    pub(super) correction: ChebyshevSeries,
-    pub(super) peak: (f64, f64),
-    pub(super) tension: Vec<[f64; 2]>,
-    pub(super) warnings: Vec<Warning>,
+    problem: Problem,
+    draft: Draft,
+    reason: String,
+    peak: (f64, f64),
+    tension: Vec<[f64; 2]>,
+    warnings: Vec<Warning>,
 }
 
 impl Contact {
+    /// The answer that a draft amounts to.
+    pub(super) fn new(problem: &Problem, draft: Draft, reason: String) -> Result<Self, Error> {
+        let mut contact = Self {
+            problem: problem.clone(),
+            draft,
+            reason,
+            peak: (0.0, 0.0),
+            tension: Vec::new(),
+            warnings: Vec::new(),
+        };
+        contact.require_finite()?;
+        let (peak, tension) = {
+            let sampled = Sampled::new(|xi| contact.pressure0(xi));
+            (sampled.maximum(), sampled.negative())
+        };
+        contact.peak = (peak.value, peak.place);
+        contact.tension = tension;
+        Ok(contact)
+    }
+
     /// The problem solved.
     #[must_use]
     pub fn problem(&self) -> &Problem {
@@ -69,34 +84,31 @@ impl Contact {
     /// `P0 = P/(a E)`.
     #[must_use]
     pub fn force0(&self) -> f64 {
-        self.force0
+        self.draft.state.force
     }
 
     /// `M0 = M/(a^2 E)`.
     #[must_use]
     pub fn moment0(&self) -> f64 {
-        self.moment0
+        self.draft.state.moment
     }
 
     /// `delta0 = delta/(chi E)`.
     #[must_use]
     pub fn settlement0(&self) -> f64 {
-        self.settlement0
+        self.draft.state.settlement
     }
 
     /// `alpha0 = a alpha/(chi E)`.
     #[must_use]
     pub fn tilt0(&self) -> f64 {
-        self.tilt0
+        self.draft.state.tilt
     }
 
     /// `p0(xi) = delta0 - alpha0 xi - f0(xi) - theta0 sum a_m X_m T_m(xi)`, (3.1), for `xi` in `[-1, 1]`.
     #[must_use]
     pub fn pressure0(&self, xi: f64) -> f64 {
-        self.settlement0
-            - self.tilt0 * xi
-            - self.problem.dimensionless_profile(xi)
-            - self.correction.evaluate(xi)
+        self.draft.pressure(&self.problem, xi)
     }
 
     /// Force per unit length `P` [N/m]; where it is prescribed, as given.
@@ -104,7 +116,7 @@ impl Contact {
     pub fn force(&self) -> f64 {
         match self.problem.load().vertical {
             Vertical::Force(prescribed) => prescribed,
-            Vertical::Settlement(_) => self.force0 * self.scale(Scaling::force),
+            Vertical::Settlement(_) => self.force0() * self.scale(Scaling::force),
         }
     }
 
@@ -114,7 +126,7 @@ impl Contact {
         match self.problem.load().rotational {
             Rotational::Moment(prescribed) => prescribed,
             Rotational::Eccentricity(eccentricity) => eccentricity * self.force(),
-            Rotational::Tilt(_) => self.moment0 * self.scale(Scaling::moment),
+            Rotational::Tilt(_) => self.moment0() * self.scale(Scaling::moment),
         }
     }
 
@@ -123,7 +135,7 @@ impl Contact {
     pub fn settlement(&self) -> f64 {
         match self.problem.load().vertical {
             Vertical::Settlement(prescribed) => prescribed,
-            Vertical::Force(_) => self.settlement0 * self.scale(Scaling::displacement),
+            Vertical::Force(_) => self.settlement0() * self.scale(Scaling::displacement),
         }
     }
 
@@ -133,7 +145,7 @@ impl Contact {
         match self.problem.load().rotational {
             Rotational::Tilt(prescribed) => prescribed,
             Rotational::Moment(_) | Rotational::Eccentricity(_) => {
-                self.tilt0 * self.scale(Scaling::angle)
+                self.tilt0() * self.scale(Scaling::angle)
             }
         }
     }
@@ -173,7 +185,7 @@ impl Contact {
     /// Mean pressure `P/(2a)` [Pa].
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
-        0.5 * self.force0 * self.scale(Scaling::pressure)
+        0.5 * self.force0() * self.scale(Scaling::pressure)
     }
 
     /// The largest pressure [Pa] and its place [m]; of equal ones the leftmost.
@@ -211,22 +223,34 @@ impl Contact {
         let displacement = self.scale(Scaling::displacement);
         let angle = self.scale(Scaling::angle);
         Stiffness {
-            force_settlement: self.stiffness0.force_settlement * force / displacement,
-            coupling: self.stiffness0.coupling * force / angle,
-            moment_tilt: self.stiffness0.moment_tilt * moment / angle,
+            force_settlement: self.stiffness0().force_settlement * force / displacement,
+            coupling: self.stiffness0().coupling * force / angle,
+            moment_tilt: self.stiffness0().moment_tilt * moment / angle,
         }
     }
 
     /// The tangent stiffness without dimensions.
     #[must_use]
     pub fn stiffness0(&self) -> Stiffness {
-        self.stiffness0
+        self.draft.balance.stiffness
     }
 
     /// How it was solved.
     #[must_use]
     pub fn method(&self) -> Method {
-        Method { name: "spectral", n: self.problem.solver().degree }
+        self.draft.method
+    }
+
+    /// Why this method was taken.
+    #[must_use]
+    pub fn reason(&self) -> &str {
+        &self.reason
+    }
+
+    /// The error of the answer without dimensions, where the method tells one.
+    #[must_use]
+    pub fn accuracy(&self) -> Option<&Accuracy> {
+        self.draft.accuracy.as_ref()
     }
 
     /// What a user should know.
@@ -236,7 +260,7 @@ impl Contact {
     }
 
     /// Refuses an answer that is not finite: extreme but valid input can overflow.
-    pub(super) fn require_finite(&self) -> Result<(), Error> {
+    fn require_finite(&self) -> Result<(), Error> {
         let stiffness = self.stiffness();
         for (quantity, value) in [
             ("force", self.force()),
@@ -258,12 +282,21 @@ impl Contact {
 
     /// A bound of `|p + E f0|` on the base [Pa].
     fn pressure_bound(&self) -> f64 {
-        let correction: f64 = self.correction.coefficients().iter().map(|c| c.abs()).sum();
-        (self.settlement0.abs() + self.tilt0.abs() + correction) * self.scale(Scaling::pressure)
+        let state = &self.draft.state;
+        (state.settlement.abs() + state.tilt.abs() + self.draft.potential.size())
+            * self.scale(Scaling::pressure)
     }
 
-    pub(super) fn sampled(&self) -> Sampled<impl Fn(f64) -> f64 + '_> {
-        Sampled::new(|xi| self.pressure0(xi))
+    pub(super) fn draft(&self) -> &Draft {
+        &self.draft
+    }
+
+    pub(super) fn tension0(&self) -> &[[f64; 2]] {
+        &self.tension
+    }
+
+    pub(super) fn warn(&mut self, warning: Option<Warning>) {
+        self.warnings.extend(warning);
     }
 
     fn scale(&self, unit: impl Fn(&Scaling) -> f64) -> f64 {

@@ -11,10 +11,10 @@ impl Contact {
     /// of `T_m(xi)`: continuous at the edges, and more accurate the farther away, as the terms beyond `n` fall as `z^-n`.
     #[must_use]
     pub fn elastic_displacement(&self, x: f64) -> f64 {
-        let xi = x / self.problem.frame().half_width();
-        let scale = self.problem.frame().scaling().map_or(1.0, crate::Scaling::displacement);
+        let xi = x / self.problem().frame().half_width();
+        let scale = self.problem().frame().scaling().map_or(1.0, crate::Scaling::displacement);
         let displacement =
-            if xi.abs() <= 1.0 { self.correction.evaluate(xi) } else { self.beside(xi) };
+            if xi.abs() <= 1.0 { self.draft().potential.at(xi) } else { self.beside(xi) };
         displacement * scale
     }
 
@@ -24,16 +24,16 @@ impl Contact {
         let z = distance + (distance - 1.0).sqrt() * (distance + 1.0).sqrt();
         let inverse = xi.signum() / z;
         // Coefficient 0 is theta0 P0 ln 2; outside, ln 2 becomes ln 2 - ln z.
-        let coefficients = self.correction.coefficients();
+        let coefficients = self.draft().potential.series().coefficients();
         let series = coefficients.iter().rev().fold(0.0, |sum, c| c + inverse * sum);
-        series - self.theta0() * self.force0 * z.ln()
+        series - self.theta0() * self.force0() * z.ln()
     }
 
     /// Depth of the punch's base [m] at `x` under it: `delta - alpha x - f(x)`, positive into the body.
     #[must_use]
     pub fn base_depth(&self, x: f64) -> f64 {
-        let xi = x / self.problem.frame().half_width();
-        let scale = self.problem.frame().scaling().map_or(1.0, crate::Scaling::displacement);
-        (self.settlement0 - self.tilt0 * xi - self.problem.dimensionless_profile(xi)) * scale
+        let xi = x / self.problem().frame().half_width();
+        let scale = self.problem().frame().scaling().map_or(1.0, crate::Scaling::displacement);
+        (self.settlement0() - self.tilt0() * xi - self.problem().dimensionless_profile(xi)) * scale
     }
 }

@@ -16,6 +16,8 @@ pub enum WarningCode {
     ProfileNotResolved,
     /// The degree is too low for this roughness: the answer has few digits.
     LowDegree,
+    /// The error that is aimed at was not reached.
+    ToleranceNotMet,
 }
 
 /// A warning with its text.
@@ -27,6 +29,8 @@ pub struct Warning {
     pub message: String,
 }
 
+/// Degrees per unit of `theta0` below which the layers of width `1/theta0` at the edges are hardly resolved.
+const LAYER_DEGREES: f64 = 4.0;
 /// Most intervals a message names.
 const MOST_PLACES: usize = 6;
 /// A coordinate below this, in half-widths, is a rounded zero.
@@ -59,6 +63,36 @@ impl Warning {
             places.join(" and ")
         );
         Some(Self { code: WarningCode::NegativePressure, message })
+    }
+
+    /// The expansion of the profile is off by `error`, relative to its largest value.
+    pub(super) fn profile_not_resolved(error: f64) -> Self {
+        let message = format!(
+            "the profile is not resolved to rounding (a kink, a jump, fast oscillation, or a formula that loses digits): its \
+             expansion is off by about {error:.1e} of its largest value (estimate)"
+        );
+        Self { code: WarningCode::ProfileNotResolved, message }
+    }
+
+    /// The degree does not resolve the boundary layers; none if it does.
+    pub(super) fn low_degree(degree: usize, theta0: f64) -> Option<Self> {
+        if degree as f64 >= LAYER_DEGREES * theta0 {
+            return None;
+        }
+        let message = format!(
+            "n = {degree} is below {LAYER_DEGREES} theta0 = {}: the boundary layers at the edges are hardly resolved and edge pressures have \
+             few digits",
+            engineering(LAYER_DEGREES * theta0, Dimension::NONE)
+        );
+        Some(Self { code: WarningCode::LowDegree, message })
+    }
+
+    /// The relative error aimed at, and the one reached.
+    pub(super) fn tolerance_not_met(tolerance: f64, reached: f64) -> Self {
+        let message = format!(
+            "the relative error reached is {reached:.1e}, more than the {tolerance:.0e} aimed at"
+        );
+        Self { code: WarningCode::ToleranceNotMet, message }
     }
 }
 

@@ -1,7 +1,7 @@
 //! `[solver]`.
 
 use crate::document::{FileError, TableReader};
-use crate::{DEFAULT_DEGREE, Solver};
+use crate::{MethodChoice, Solver};
 
 /// Highest degree a file may ask for; memory refuses far below.
 const MOST_DEGREE: usize = 1 << 40;
@@ -18,14 +18,36 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
             .with_help("a warning tells where the bilateral pressure pulls"));
     }
     contact.one_of(&["bilateral"])?;
-    if let Some(method) = table.optional("method") {
-        method.one_of(&["spectral"])?;
-    }
-    let degree = match table.optional("n") {
-        Some(field) => field.count(1..=MOST_DEGREE)?,
-        None => DEFAULT_DEGREE,
+    let method = match table.optional("method") {
+        Some(field) => match field.one_of(&["auto", "spectral", "sinc"])? {
+            "spectral" => MethodChoice::Spectral,
+            "sinc" => MethodChoice::Sinc,
+            _ => MethodChoice::Auto,
+        },
+        None => MethodChoice::Auto,
     };
-    Ok(Solver { degree })
+    let degree = match table.optional("n") {
+        Some(field) if method == MethodChoice::Sinc => {
+            return Err(field.error(
+                "belongs to method = \"spectral\"; collocation chooses its nodes by the error",
+            ));
+        }
+        Some(field) => Some(field.count(1..=MOST_DEGREE)?),
+        None => None,
+    };
+    let tolerance = match table.optional("tolerance") {
+        Some(field) => {
+            let value = field.number()?;
+            if !(value > 0.0 && value < 1.0) {
+                return Err(field.error(format!(
+                    "is {value}: must be greater than 0 and less than 1, like 1e-10"
+                )));
+            }
+            Some(value)
+        }
+        None => None,
+    };
+    Ok(Solver { method, degree, tolerance })
 }
 
 /// What to write, unless the help names a misspelt key already.
