@@ -46,9 +46,38 @@ pub enum Error {
         pivot: usize,
     },
 
+    /// The operator `1 + parameter K` is singular to rounding: the parameter is `-1/nu` for an eigenvalue `nu` of `K`.
+    #[error(
+        "1 + {parameter} K has the eigenvalue {smallest:e}, zero to rounding: the equation has no unique solution"
+    )]
+    Singular {
+        /// The parameter.
+        parameter: f64,
+        /// Estimate of the eigenvalue of smallest magnitude.
+        smallest: f64,
+    },
+
+    /// A list of values has the wrong length.
+    #[error("the {what} has {found} values where {expected} are needed")]
+    WrongLength {
+        /// Which list.
+        what: &'static str,
+        /// Its length.
+        found: usize,
+        /// The right length.
+        expected: usize,
+    },
+
+    /// A matrix library gave up.
+    #[error("the eigenvalues of a matrix of order {order} were not found")]
+    NoConvergence {
+        /// Order of the matrix.
+        order: usize,
+    },
+
     /// The system does not fit into memory.
     #[error(
-        "a dense system of degree {degree} needs {} of memory, and {} can be had",
+        "a system of degree {degree} needs {} of memory, and {} can be had",
         crate::memory::display(*.needed), crate::memory::display(*.available)
     )]
     TooLarge {
@@ -58,5 +87,24 @@ pub enum Error {
         needed: u64,
         /// Bytes that can be had.
         available: u64,
+    },
+
+    /// The structured solve needs a Gram matrix that is the sum of a Toeplitz and a Hankel matrix.
+    #[error(
+        "the Gram matrix of this kernel is not the sum of a Toeplitz and a Hankel matrix: use the dense system"
+    )]
+    Unstructured,
+
+    /// An iteration stopped short of its tolerance.
+    #[error(
+        "not converged after {iterations} iterations: the relative residual is {residual:e} and should be at most {tolerance:e}"
+    )]
+    NotConverged {
+        /// Iterations done.
+        iterations: usize,
+        /// Relative residual reached, recomputed from the solution.
+        residual: f64,
+        /// Relative residual asked for.
+        tolerance: f64,
     },
 }

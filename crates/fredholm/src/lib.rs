@@ -42,7 +42,10 @@ pub mod memory;
 pub mod quadrature;
 pub mod special;
 
-pub use collocation::{SincOperator, SincSolution};
-pub use degenerate::{DegenerateSolution, DegenerateSystem};
+pub use collocation::{SincOperator, SincSolution, solve_adaptive};
+pub use degenerate::{
+    Convergence, DegenerateSolution, DegenerateSolver, DegenerateSystem, StructuredOperator,
+    StructuredSystem,
+};
 pub use error::Error;
 pub use interval::Interval;

@@ -44,6 +44,17 @@ pub enum Error {
         right: f64,
     },
 
+    /// An answer leaves the range of double precision.
+    #[error(
+        "the {quantity} comes out as {value}: load, profile and moduli together leave the range of double precision"
+    )]
+    Overflow {
+        /// Which part of the answer.
+        quantity: &'static str,
+        /// What it came out as.
+        value: f64,
+    },
+
     /// The problem file cannot be read as a problem.
     #[error(transparent)]
     File(#[from] FileError),
@@ -57,7 +68,12 @@ impl Error {
     /// Whether a numerical promise failed, as opposed to bad input: exit code 3 instead of 2.
     #[must_use]
     pub fn is_numerical(&self) -> bool {
-        matches!(self, Self::Equation(fredholm::Error::NotPositiveDefinite { .. }))
+        matches!(
+            self,
+            Self::Equation(
+                fredholm::Error::NotPositiveDefinite { .. } | fredholm::Error::NotConverged { .. }
+            )
+        )
     }
 }
 

@@ -10,7 +10,9 @@ const LAST_DEGREE: usize = 1 << 17;
 /// Coefficients below this, relative to the largest value, count as rounding.
 const ROUNDING: f64 = 4e-16;
 /// Highest level, relative to the largest value, at which flat coefficients are taken for rounding.
-const PLATEAU: f64 = 1e-12;
+const PLATEAU: f64 = 1e-6;
+/// Highest level of rounding at which a function still counts as resolved.
+const RESOLVED: f64 = 1e-12;
 /// Points between the nodes at which a resolved series is checked.
 const CHECKS: usize = 257;
 
@@ -36,21 +38,16 @@ impl Function {
         loop {
             let largest = values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
             let series = ChebyshevSeries::through(values.clone());
-            let tail = tail(series.coefficients());
-            if let Some(floor) = noise_floor(series.coefficients(), tail, largest) {
+            if let Some(floor) = floor(series.coefficients(), largest) {
                 let series = trimmed(&series, floor);
                 let error = error_between_nodes(f, &series)?;
-                if error <= noise_allowance(degree) * largest.max(floor / ROUNDING) {
-                    return Ok(Self {
-                        series,
-                        largest,
-                        error: relative(error, largest),
-                        resolved: true,
-                    });
+                if error <= 64.0 * floor * (degree as f64).sqrt() {
+                    let resolved = floor <= RESOLVED * largest;
+                    return Ok(Self { series, largest, error: relative(error, largest), resolved });
                 }
             }
             if degree == LAST_DEGREE {
-                let error = error_between_nodes(f, &series)?.max(tail);
+                let error = error_between_nodes(f, &series)?.max(tail(series.coefficients()));
                 return Ok(Self {
                     series,
                     largest,
@@ -93,10 +90,6 @@ fn relative(error: f64, largest: f64) -> f64 {
     if largest > 0.0 { error / largest } else { 0.0 }
 }
 
-fn noise_allowance(degree: usize) -> f64 {
-    64.0 * f64::EPSILON * (degree as f64).sqrt()
-}
-
 fn sample(f: &dyn Fn(f64) -> f64, nodes: &[f64]) -> Result<Vec<f64>, Error> {
     nodes.iter().map(|&x| finite(f, x)).collect()
 }
@@ -131,17 +124,17 @@ fn tail(coefficients: &[f64]) -> f64 {
     coefficients[start..].iter().fold(0.0, |largest, c| largest.max(c.abs()))
 }
 
-/// The level at which the coefficients have come down to rounding, if they have: either that of the machine, or a higher
-/// plateau left by the conditioning of `f` itself (`cos(400 x)` loses three digits in its argument), which no degree
-/// removes.
-fn noise_floor(coefficients: &[f64], tail: f64, largest: f64) -> Option<f64> {
+/// The level at which the coefficients have come down to rounding, if they have: that of the machine, or a higher plateau left by the
+/// conditioning of `f` itself (`cos(400 x)` loses three digits in its argument, a difference of large numbers more), which no degree
+/// removes. A plateau is told from the slow decay behind a jump (`1/m`) or a kink by comparing far ends of the spectrum.
+fn floor(coefficients: &[f64], largest: f64) -> Option<f64> {
+    let tail = tail(coefficients);
     if tail <= ROUNDING * largest {
         return Some(ROUNDING * largest);
     }
     let n = coefficients.len();
-    let middle =
-        coefficients[n / 2..n / 2 + n / 8].iter().fold(0.0f64, |most, c| most.max(c.abs()));
-    (tail <= PLATEAU * largest && tail > 0.5 * middle).then_some(tail)
+    let earlier = coefficients[n / 4..3 * n / 8].iter().fold(0.0f64, |most, c| most.max(c.abs()));
+    (tail <= PLATEAU * largest && tail > 0.5 * earlier).then_some(tail)
 }
 
 fn trimmed(series: &ChebyshevSeries, negligible: f64) -> ChebyshevSeries {
@@ -190,6 +183,14 @@ mod tests {
         assert!(!kink.is_resolved() && kink.error() > 1e-9);
         let jump = Function::resolve(&|x| if x < 0.3 { 0.0 } else { 1.0 }).unwrap();
         assert!(!jump.is_resolved() && jump.error() > 1e-6);
+    }
+
+    #[test]
+    fn stops_at_the_noise_of_cancellation() {
+        // 20 - sqrt(400 - x^2) is of the order 1 / 40 but carries the rounding of 20, times 1e4 here.
+        let noisy = Function::resolve(&|x| 20.0 - (400.0 - 1e-8 * x * x).sqrt()).unwrap();
+        assert!(!noisy.is_resolved() && noisy.series().degree() < 4096);
+        assert!((1e-8..1e-3).contains(&noisy.error()), "{}", noisy.error());
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 pub mod chebyshev;
 mod function;
+pub(crate) mod transform;
 
 pub use chebyshev::ChebyshevSeries;
 pub use function::Function;

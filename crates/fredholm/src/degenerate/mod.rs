@@ -3,7 +3,12 @@
 
 pub mod regularity;
 mod solution;
+mod solver;
+mod split;
+mod structured;
 mod system;
 
 pub use solution::DegenerateSolution;
+pub use solver::DegenerateSolver;
+pub use structured::{Convergence, StructuredOperator, StructuredSystem};
 pub use system::DegenerateSystem;

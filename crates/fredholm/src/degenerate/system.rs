@@ -1,11 +1,9 @@
 //! The degenerate system (1.9) in symmetric positive form.
 
-use crate::kernel::{Gram, Parity, SpectralRelation};
+use super::split::{Indices, admit, check_parameter, expansion_factors, steps};
+use crate::kernel::{Gram, SpectralRelation};
 use crate::linear::Cholesky;
-use crate::{DegenerateSolution, Error, memory};
-
-/// Memory left alone when a dense system is admitted: the right-hand sides, the result and the rest of the program.
-const HEADROOM: f64 = 0.9;
+use crate::{DegenerateSolution, Error};
 
 /// The degenerate system of a kernel at one parameter, factored: for `k = 0 .. degree`
 ///
@@ -24,11 +22,10 @@ pub struct DegenerateSystem<'k, K> {
     blocks: Vec<Block>,
 }
 
-/// The indices `first, first + step, ...` and the factor of their part of the matrix.
+/// One part of the unknowns and the factor of their part of the matrix.
 #[derive(Debug, Clone)]
 struct Block {
-    first: usize,
-    step: usize,
+    indices: Indices,
     cholesky: Cholesky,
 }
 
@@ -39,23 +36,14 @@ impl<'k, K: SpectralRelation> DegenerateSystem<'k, K> {
     /// [`Error::InvalidParameter`] for a negative or not finite parameter, [`Error::NotPositive`] when one of the
     /// eigenvalues is not positive, [`Error::TooLarge`] beyond memory, [`Error::NotPositiveDefinite`] if rounding spoils the factorisation.
     pub fn new(kernel: &'k K, parameter: f64, degree: usize) -> Result<Self, Error> {
-        if !(parameter.is_finite() && parameter >= 0.0) {
-            return Err(Error::InvalidParameter {
-                name: "parameter",
-                value: parameter,
-                requirement: "finite and not negative",
-            });
-        }
-        let step = match kernel.parity() {
-            Parity::Alternating => 2,
-            Parity::None => 1,
-        };
-        admit(degree, step)?;
+        check_parameter(parameter)?;
+        let parts = steps(kernel.parity()) as f64;
+        let order = degree as f64 / parts + 1.0;
+        admit(degree, 8.0 * parts * order * order)?;
         let factors = expansion_factors(kernel, degree)?;
         let gram = kernel.gram(degree + 1)?;
-        let blocks = (0..step)
-            .filter(|&first| first <= degree)
-            .map(|first| Block::new(&gram, &factors, parameter, first, step))
+        let blocks = Indices::parts(kernel.parity(), degree + 1)
+            .map(|indices| Block::new(&gram, &factors, parameter, indices))
             .collect::<Result<_, _>>()?;
         Ok(Self { kernel, parameter, factors, blocks })
     }
@@ -83,59 +71,23 @@ impl<'k, K: SpectralRelation> DegenerateSystem<'k, K> {
     pub fn solve(&self, moments: &[f64]) -> DegenerateSolution<'k, K> {
         let mut projections = vec![0.0; self.factors.len()];
         for block in &self.blocks {
-            let indices = (block.first..self.factors.len()).step_by(block.step);
-            let mut part: Vec<f64> = indices
-                .clone()
-                .map(|k| self.factors[k].sqrt() * moments.get(k).copied().unwrap_or(0.0))
-                .collect();
+            let roots = || block.indices.of(&self.factors).map(f64::sqrt);
+            let given = block.indices.of(moments).chain(std::iter::repeat(0.0));
+            let mut part: Vec<f64> = roots().zip(given).map(|(d, f)| d * f).collect();
             block.cholesky.solve(&mut part);
-            for (k, y) in indices.zip(part) {
-                projections[k] = y / self.factors[k].sqrt();
-            }
+            block.indices.put(part.iter().zip(roots()).map(|(y, d)| y / d), &mut projections);
         }
         DegenerateSolution::new(self.kernel, self.parameter, &self.factors, projections)
     }
 }
 
 impl Block {
-    fn new(
-        gram: &Gram,
-        factors: &[f64],
-        parameter: f64,
-        first: usize,
-        step: usize,
-    ) -> Result<Self, Error> {
-        let root: Vec<f64> = factors.iter().skip(first).step_by(step).map(|d| d.sqrt()).collect();
+    fn new(gram: &Gram, factors: &[f64], parameter: f64, indices: Indices) -> Result<Self, Error> {
+        let root: Vec<f64> = indices.of(factors).map(f64::sqrt).collect();
         let cholesky = Cholesky::new(root.len(), |i, j| {
             let identity = if i == j { 1.0 } else { 0.0 };
-            identity
-                + parameter * root[i] * gram.entry(first + step * i, first + step * j) * root[j]
+            identity + parameter * root[i] * gram.entry(indices.at(i), indices.at(j)) * root[j]
         })?;
-        Ok(Self { first, step, cholesky })
+        Ok(Self { indices, cholesky })
     }
-}
-
-fn expansion_factors<K: SpectralRelation>(kernel: &K, degree: usize) -> Result<Vec<f64>, Error> {
-    (0..=degree)
-        .map(|index| {
-            let factor = kernel.expansion_factor(index);
-            if factor > 0.0 {
-                Ok(factor)
-            } else {
-                Err(Error::NotPositive { index, eigenvalue: kernel.eigenvalue(index) })
-            }
-        })
-        .collect()
-}
-
-/// Refuses a system whose dense blocks would not fit into memory, before anything is allocated.
-fn admit(degree: usize, step: usize) -> Result<(), Error> {
-    // In floating point: the square of a hostile degree overflows every integer.
-    let order = (degree / step) as f64 + 1.0;
-    let needed = (8.0 * step as f64 * order * order) as u64;
-    let available = memory::available();
-    if needed as f64 > HEADROOM * available as f64 {
-        return Err(Error::TooLarge { degree, needed, available });
-    }
-    Ok(())
 }

@@ -146,7 +146,10 @@ fn figure2() -> Result<CurvesPlot, Failure> {
     };
     Ok(CurvesPlot {
         title: "Fig. 2: pressure under a parabolic punch, f₀ = λ₀ ξ²".to_owned(),
-        notes: vec!["ν = 0.25, P₀ = 0.001, M₀ = 0.0001".to_owned()],
+        notes: vec![
+            "ν = 0.25, P₀ = 0.001, M₀ = 0.0001; pressures linear near zero, logarithmic beyond"
+                .to_owned(),
+        ],
         panels: vec![
             panel("as the paper computed it: (3.8) as printed, n = 45", |curve| &curve.as_printed),
             panel("as it is", |curve| &curve.exact),

@@ -95,7 +95,11 @@ impl ContactPlot {
         let base = over(&self.position, &self.punch_base);
         let mut punch = Line::new("base of the punch", base.clone(), Colour::INK);
         punch.dash = Dash::Dashed;
-        let body = Line::new("surface of the body", self.body_surface.clone(), Colour::GREEN);
+        let body = Line::new(
+            "elastic surface of the body (gap: rough layer)",
+            self.body_surface.clone(),
+            Colour::GREEN,
+        );
         let mut layers = vec![
             area(base, Base::Top, Colour::GREY),
             area(self.body_surface.clone(), Base::Bottom, Colour::GREEN),

@@ -53,7 +53,7 @@ fn physical_table(contact: &Contact, physical: &Physical) -> Table {
     let [[k11, k12], [_, k22]] = physical.stiffness;
     let mut table = Table::new(&["", "", ""]);
     let mut row = |name: &str, value: String, note: &str| {
-        table.row(vec![name.to_owned(), value, note.to_owned()])
+        table.row(vec![name.to_owned(), value, note.to_owned()]);
     };
     row("settlement", length(physical.settlement), &format!("gauge {GAUGE}"));
     row(

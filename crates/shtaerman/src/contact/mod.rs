@@ -1,10 +1,11 @@
 //! The answer: settlement, tilt, force, moment, pressure.
 
+mod balance;
 mod bilateral;
-mod contact;
 mod extremes;
+mod solved;
 mod surface;
 mod warning;
 
-pub use contact::{Contact, Method, Stiffness};
+pub use solved::{Contact, Method, Stiffness};
 pub use warning::{Warning, WarningCode};
