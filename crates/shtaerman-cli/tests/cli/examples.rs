@@ -84,6 +84,38 @@ fn the_command_of_each_heading_runs() {
     }
 }
 
+/// The blocks of the README between fences of this kind.
+fn readme_blocks(kind: &str) -> Vec<String> {
+    let readme = std::fs::read_to_string(repository().join("README.md")).unwrap();
+    let fence = format!("```{kind}\n");
+    readme.split(&fence).skip(1).map(|rest| rest.split("```").next().unwrap().to_owned()).collect()
+}
+
+#[test]
+fn the_readme_shows_what_its_command_prints() {
+    let folder = copy();
+    let blocks = readme_blocks("sh");
+    let command = blocks
+        .iter()
+        .flat_map(|block| block.lines())
+        .find_map(|line| line.strip_prefix("cargo run -- "))
+        .unwrap();
+    let command = command.split('#').next().unwrap();
+    let arguments: Vec<&str> = command.split_whitespace().collect();
+    let printed = folder.run(&arguments).answer();
+    assert!(
+        readme_blocks("text").contains(&printed),
+        "the README shows another table than\n{printed}"
+    );
+
+    let problem = schema("problem");
+    for block in readme_blocks("toml") {
+        assert_valid(&problem, &toml_as_json(&block), "README");
+        folder.write("punch.toml", &block);
+        folder.run(&["solve", "punch.toml"]).answer();
+    }
+}
+
 #[test]
 fn both_forms_of_init_are_valid_and_solve() {
     let (problem, answer) = (schema("problem"), schema("answer"));

@@ -106,15 +106,14 @@ fn files_too_large_to_be_read() {
     assert!(refused(&folder, "punch.toml:8: punch.profile.csv").stderr.contains("p.csv has"));
 }
 
+/// 200 TiB with any method, so beyond every machine.
 #[test]
 fn degrees_beyond_memory() {
-    for n in ["1000000000", "1000000000000"] {
-        let folder = Folder::with(&PHYSICAL.replace("n = 40", &format!("n = {n}")));
-        let run = refused(&folder, "punch.toml:16: solver.n");
-        assert!(run.stderr.contains("memory"), "{}", run.stderr);
-        let run = folder.run(&["validate", "punch.toml", "--set", "solver.n=10"]);
-        assert_eq!(run.code, Some(0), "{}", run.stderr);
-    }
+    let folder = Folder::with(&PHYSICAL.replace("n = 40", "n = 1_000_000_000_000"));
+    let run = refused(&folder, "punch.toml:16: solver.n");
+    assert!(run.stderr.contains("of memory, and"), "{}", run.stderr);
+    let run = folder.run(&["validate", "punch.toml", "--set", "solver.n=10"]);
+    assert_eq!(run.code, Some(0), "{}", run.stderr);
 }
 
 /// What is finite in the file may overflow on its way to the answer: that is bad input, too, and never `null` in JSON.
@@ -136,5 +135,5 @@ fn answers_that_overflow() {
         }
     }
     let folder = Folder::with(&PHYSICAL.replace("0.8 MN/m", "1e306 N/m"));
-    refused(&folder, "punch.toml: pressure at the left edge");
+    refused(&folder, "punch.toml: the pressure comes out as inf");
 }

@@ -121,7 +121,7 @@ fn bad_overrides_are_refused() {
         (".=3", "nothing between its dots"),
         ("punch.profile=1/xi", "is infinite at x = 0"),
         ("punch.profile={csv=\"nowhere.csv\"}", "nowhere.csv cannot be read"),
-        ("solver.n=1000000000", "solver.n: a dense system of degree 1000000000 needs"),
+        ("solver.n=1000000000000", "solver.n: a system of degree 1000000000000 needs"),
         ("solver.contact=unilateral", "not solved yet"),
     ] {
         let folder = Folder::with(PHYSICAL);
