@@ -149,7 +149,7 @@ fn values_out_of_range() {
             "n = 40",
             "method = \"magic\"",
             "punch.toml:16: solver.method",
-            "is one of \"spectral\"",
+            "is one of \"auto\", \"spectral\", \"sinc\"",
         ),
     ]);
 }

@@ -91,6 +91,11 @@ fn readme_blocks(kind: &str) -> Vec<String> {
     readme.split(&fence).skip(1).map(|rest| rest.split("```").next().unwrap().to_owned()).collect()
 }
 
+/// The lines whose figures are not rounding: an estimate of the error at rounding level differs between processors.
+fn without_errors(text: &str) -> Vec<&str> {
+    text.lines().filter(|line| !line.starts_with("error (")).collect()
+}
+
 #[test]
 fn the_readme_shows_what_its_command_prints() {
     let folder = copy();
@@ -103,8 +108,9 @@ fn the_readme_shows_what_its_command_prints() {
     let command = command.split('#').next().unwrap();
     let arguments: Vec<&str> = command.split_whitespace().collect();
     let printed = folder.run(&arguments).answer();
+    let shown = readme_blocks("text");
     assert!(
-        readme_blocks("text").contains(&printed),
+        shown.iter().any(|block| without_errors(block) == without_errors(&printed)),
         "the README shows another table than\n{printed}"
     );
 

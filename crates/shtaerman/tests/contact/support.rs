@@ -6,7 +6,7 @@ use shtaerman::{Contact, Frame, Load, Problem, Profile, Rotational, Solver, Vert
 
 /// The spectral method with this degree.
 pub(crate) fn solver(degree: usize) -> Solver {
-    Solver { degree }
+    Solver::spectral(degree)
 }
 
 /// The dimensionless contact with this base and load.
