@@ -6,6 +6,9 @@ use crate::error::{finite, require};
 use crate::expression::Defect;
 use crate::{Elastic, Error, Load, Profile, Scaling};
 
+/// Chebyshev degrees for each measured point, so that none falls between the first samples.
+const POINTS_PER_SAMPLE: usize = 4;
+
 /// In which units a problem is stated.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Frame {
@@ -200,12 +203,17 @@ impl Problem {
 
     /// The profile resolved by a Chebyshev series in `xi`.
     pub(crate) fn resolved_profile(&self) -> Result<Function, Error> {
-        Function::resolve(&|xi| self.dimensionless_profile(xi)).map_err(|error| match error {
-            fredholm::Error::NotFinite { at, value, .. } if value.is_nan() => {
-                self.profile_not_finite(at, Defect::Undefined)
+        let degree = POINTS_PER_SAMPLE * self.profile.measured_points().unwrap_or(0);
+        Function::resolve_from(&|xi| self.dimensionless_profile(xi), degree).map_err(|error| {
+            match error {
+                fredholm::Error::NotFinite { at, value, .. } if value.is_nan() => {
+                    self.profile_not_finite(at, Defect::Undefined)
+                }
+                fredholm::Error::NotFinite { at, .. } => {
+                    self.profile_not_finite(at, Defect::Infinite)
+                }
+                other => other.into(),
             }
-            fredholm::Error::NotFinite { at, .. } => self.profile_not_finite(at, Defect::Infinite),
-            other => other.into(),
         })
     }
 

@@ -3,8 +3,8 @@
 use super::chebyshev::{ChebyshevSeries, points};
 use crate::Error;
 
-/// First degree tried; high enough that a feature of a few per cent of the interval is seen at once.
-const FIRST_DEGREE: usize = 64;
+/// First degree tried; high enough that a feature of a hundredth of the interval is seen at once.
+const FIRST_DEGREE: usize = 256;
 /// Last degree tried.
 const LAST_DEGREE: usize = 1 << 17;
 /// Coefficients below this, relative to the largest value, count as rounding.
@@ -13,8 +13,12 @@ const ROUNDING: f64 = 4e-16;
 const PLATEAU: f64 = 1e-6;
 /// Highest level of rounding at which a function still counts as resolved.
 const RESOLVED: f64 = 1e-12;
+/// Highest level of a plateau that is believed at any degree; a higher one may be a fast oscillation of small amplitude, which ends further on.
+const PLAIN_PLATEAU: f64 = 1e-13;
+/// Degree from which on every plateau is believed.
+const BELIEVED_FROM: usize = 1 << 14;
 /// Points between the nodes at which a resolved series is checked.
-const CHECKS: usize = 257;
+const CHECKS: usize = 1021;
 
 /// A function on `[-1, 1]` with a Chebyshev series found by doubling the degree until the coefficients reach rounding
 /// *and* the series agrees with the function between the nodes.
@@ -33,7 +37,15 @@ impl Function {
     /// # Errors
     /// [`Error::NotFinite`] with the place when `f` gives NaN or an infinity at a node.
     pub fn resolve(f: &dyn Fn(f64) -> f64) -> Result<Self, Error> {
-        let mut degree = FIRST_DEGREE;
+        Self::resolve_from(f, FIRST_DEGREE)
+    }
+
+    /// As [`resolve`](Self::resolve), beginning at a degree that shows the finest feature known of `f`.
+    ///
+    /// # Errors
+    /// As [`resolve`](Self::resolve).
+    pub fn resolve_from(f: &dyn Fn(f64) -> f64, degree: usize) -> Result<Self, Error> {
+        let mut degree = degree.clamp(FIRST_DEGREE, LAST_DEGREE).next_power_of_two();
         let mut values = sample(f, &points(degree))?;
         loop {
             let largest = values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
@@ -134,7 +146,8 @@ fn floor(coefficients: &[f64], largest: f64) -> Option<f64> {
     }
     let n = coefficients.len();
     let earlier = coefficients[n / 4..3 * n / 8].iter().fold(0.0f64, |most, c| most.max(c.abs()));
-    (tail <= PLATEAU * largest && tail > 0.5 * earlier).then_some(tail)
+    let believed = if n > BELIEVED_FROM { PLATEAU } else { PLAIN_PLATEAU };
+    (tail <= believed * largest && tail > 0.5 * earlier).then_some(tail)
 }
 
 fn trimmed(series: &ChebyshevSeries, negligible: f64) -> ChebyshevSeries {
@@ -178,6 +191,18 @@ mod tests {
     }
 
     #[test]
+    fn takes_no_small_oscillation_for_noise() {
+        for f in [
+            (&|x: f64| 2e-6 * (600.0 * x).cos() + x * x / 1.6) as &dyn Fn(f64) -> f64,
+            &|x| 1.0 + 1e-7 * (300.0 * x).cos(),
+            &|x| 1.0 + 1e-9 * (5000.0 * x).sin(),
+        ] {
+            let function = Function::resolve(f).unwrap();
+            assert!(function.is_resolved() && function.error() < 1e-12, "{}", function.error());
+        }
+    }
+
+    #[test]
     fn owns_up_to_kinks_and_jumps() {
         let kink = Function::resolve(&f64::abs).unwrap();
         assert!(!kink.is_resolved() && kink.error() > 1e-9);
@@ -189,7 +214,7 @@ mod tests {
     fn stops_at_the_noise_of_cancellation() {
         // 20 - sqrt(400 - x^2) is of the order 1 / 40 but carries the rounding of 20, times 1e4 here.
         let noisy = Function::resolve(&|x| 20.0 - (400.0 - 1e-8 * x * x).sqrt()).unwrap();
-        assert!(!noisy.is_resolved() && noisy.series().degree() < 4096);
+        assert!(!noisy.is_resolved() && noisy.series().degree() < LAST_DEGREE);
         assert!((1e-8..1e-3).contains(&noisy.error()), "{}", noisy.error());
     }
 

@@ -10,5 +10,5 @@ mod system;
 
 pub use solution::DegenerateSolution;
 pub use solver::DegenerateSolver;
-pub use structured::{Convergence, StructuredOperator, StructuredSystem};
+pub use structured::{BYTES_A_DEGREE, Convergence, StructuredOperator, StructuredSystem};
 pub use system::DegenerateSystem;

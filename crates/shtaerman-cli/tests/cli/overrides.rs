@@ -121,14 +121,11 @@ fn bad_overrides_are_refused() {
         (".=3", "nothing between its dots"),
         ("punch.profile=1/xi", "is infinite at x = 0"),
         ("punch.profile={csv=\"nowhere.csv\"}", "nowhere.csv cannot be read"),
-        ("solver.n=1000000000000", "solver.n: a system of degree 1000000000000 needs"),
+        ("solver.n=1000000000000", "solver.n: is 1000000000000: that needs"),
         ("solver.contact=unilateral", "not solved yet"),
     ] {
         let folder = Folder::with(PHYSICAL);
         for command in ["solve", "validate", "convergence"] {
-            if text.starts_with("solver.n") && command != "solve" {
-                continue;
-            }
             let run = folder.run(&[command, "punch.toml", "--set", text]);
             let message = run.refusal();
             assert!(message.contains("--set") && message.contains(said), "{text}: {message}");

@@ -27,7 +27,13 @@ impl Balance {
     pub(super) fn state(&self, load: &Load) -> State {
         let [settlement, tilt] = self.displacements(load);
         let [force, moment] = self.forces(load, settlement, tilt);
-        State { settlement, tilt, force, moment }
+        // Adding zero turns a negative zero into a plain one.
+        State {
+            settlement: settlement + 0.0,
+            tilt: tilt + 0.0,
+            force: force + 0.0,
+            moment: moment + 0.0,
+        }
     }
 
     /// Settlement and tilt from the two conditions of the load.

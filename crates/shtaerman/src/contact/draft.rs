@@ -1,13 +1,17 @@
 //! What a method hands over before the answer is drawn up.
 
+use fredholm::basis::chebyshev;
+
 use super::accuracy::{Accuracy, ErrorKind, Sizes};
 use super::balance::{Balance, State};
 use super::potential::Potential;
 use super::solved::Method;
 use crate::Problem;
 
-/// Points at which the pressures of two drafts are compared.
-const COMPARED: usize = 1024;
+/// Least and most samples of a pressure.
+const SAMPLES: std::ops::RangeInclusive<usize> = 1024..=1 << 17;
+/// Samples for each Chebyshev degree that the profile needs.
+const SAMPLES_PER_DEGREE: usize = 4;
 
 /// A solution by one method.
 #[derive(Debug, Clone)]
@@ -38,20 +42,30 @@ impl Draft {
             - self.potential.at(xi)
     }
 
-    /// Differences from another draft of the same problem, the pressure's over a set of points that no grid of a method shares.
+    /// Places from left to right with the pressures there, dense enough for a profile of this Chebyshev degree.
+    pub(super) fn sample(&self, problem: &Problem, profile_degree: usize) -> (Vec<f64>, Vec<f64>) {
+        let wanted = (SAMPLES_PER_DEGREE * profile_degree).clamp(*SAMPLES.start(), *SAMPLES.end());
+        let potential = self.potential.sample(wanted.next_power_of_two());
+        let mut places = chebyshev::points(potential.len() - 1);
+        let mut pressures: Vec<f64> = (places.iter().zip(&potential))
+            .map(|(&xi, u)| {
+                self.state.settlement - self.state.tilt * xi - problem.dimensionless_profile(xi) - u
+            })
+            .collect();
+        places.reverse();
+        pressures.reverse();
+        (places, pressures)
+    }
+
+    /// Differences from another draft of the same problem, the pressure's over points that are dense between the nodes of either.
     pub(super) fn difference(&self, other: &Self) -> Accuracy {
-        let settlement = (self.state.settlement - other.state.settlement).abs();
-        let tilt = (self.state.tilt - other.state.tilt).abs();
-        let signed = |xi: f64| {
-            (self.state.settlement - other.state.settlement)
-                - (self.state.tilt - other.state.tilt) * xi
-                - (self.potential.at(xi) - other.potential.at(xi))
-        };
+        let settlement = self.state.settlement - other.state.settlement;
+        let tilt = self.state.tilt - other.state.tilt;
         Accuracy {
             kind: ErrorKind::Estimate,
-            pressure: compared_points().fold(0.0f64, |most, xi| most.max(signed(xi).abs())),
-            settlement,
-            tilt,
+            pressure: self.potential.largest_difference(&other.potential, settlement, tilt),
+            settlement: settlement.abs(),
+            tilt: tilt.abs(),
             force: (self.state.force - other.state.force).abs(),
             moment: (self.state.moment - other.state.moment).abs(),
         }
@@ -59,8 +73,8 @@ impl Draft {
 
     /// The estimated or bounded error relative to its size.
     pub(super) fn relative_error(&self, problem: &Problem) -> f64 {
-        let largest =
-            compared_points().fold(0.0f64, |most, xi| most.max(self.pressure(problem, xi).abs()));
+        let (_, pressures) = self.sample(problem, 0);
+        let largest = pressures.into_iter().fold(0.0f64, |most, p| most.max(p.abs()));
         self.accuracy
             .map_or(f64::INFINITY, |accuracy| accuracy.relative(&self.state.sizes(largest)))
     }
@@ -81,11 +95,4 @@ impl Accuracy {
             moment: factor * self.moment,
         }
     }
-}
-
-/// Both ends, the middle, and a golden-ratio sequence of angles between.
-fn compared_points() -> impl Iterator<Item = f64> {
-    const STEP: f64 = 0.618_033_988_749_894_9;
-    let between = (1..=COMPARED).map(|i| (std::f64::consts::PI * (i as f64 * STEP).fract()).cos());
-    [-1.0, 0.0, 1.0].into_iter().chain(between)
 }

@@ -68,7 +68,7 @@ impl Problem {
             });
         }
         let fixed = solver.degree.is_some();
-        let mut contact = Contact::new(self, draft, reason)?;
+        let mut contact = Contact::new(self, draft, reason, function.series().degree())?;
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
         if let Some(reached) = fell_short.filter(|_| !fixed) {
             contact.warn(Some(Warning::tolerance_not_met(target.tolerance, reached)));
@@ -80,6 +80,13 @@ impl Problem {
             contact.warn(Warning::low_degree(contact.method().n, self.frame().theta0()));
         }
         Ok(contact)
+    }
+
+    /// The plain degenerate kernel of a given degree, without an estimate of its error.
+    pub(crate) fn solve_truncated(&self, degree: usize) -> Result<Contact, Error> {
+        let function = self.resolved_profile()?;
+        let draft = spectral::solve(self, &function, degree)?;
+        Contact::new(self, draft, "a given degree".to_owned(), function.series().degree())
     }
 
     fn choose(&self, function: &Function, target: Target) -> Result<Route, Error> {

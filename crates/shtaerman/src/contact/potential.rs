@@ -8,6 +8,11 @@ use fredholm::basis::{ChebyshevSeries, chebyshev};
 /// Degree of the series that stands for a collocated potential beside the punch: its coefficients fall as `m^-3`.
 const SERIES_DEGREE: usize = 2048;
 
+/// Points at which potentials of different kinds are compared.
+const COMPARED: usize = 1024;
+/// Most samples of a collocated potential, each of which costs a sum over the nodes.
+const MOST_COLLOCATED_SAMPLES: usize = 8192;
+
 /// `theta0 int ln(1/|xi - eta|) p0(eta) deta` on the base.
 #[derive(Debug, Clone)]
 pub(super) enum Potential {
@@ -27,6 +32,37 @@ impl Potential {
         match self {
             Self::Series(series) => series.evaluate(xi),
             Self::Collocated(solution, _) => solution.parameter() * solution.evaluate_potential(xi),
+        }
+    }
+
+    /// Largest `|level - slope xi - (self - other)(xi)|` over the base: by one transform where both are series, else over points that no grid
+    /// of a method shares.
+    pub(super) fn largest_difference(&self, other: &Self, level: f64, slope: f64) -> f64 {
+        let largest = |values: &mut dyn Iterator<Item = f64>| {
+            values.fold(0.0f64, |most, v| most.max(v.abs()))
+        };
+        if let (Self::Series(one), Self::Series(two)) = (self, other) {
+            let mut difference =
+                vec![0.0; one.coefficients().len().max(two.coefficients().len()).max(2)];
+            difference.iter_mut().zip(one.coefficients()).for_each(|(d, c)| *d -= c);
+            difference.iter_mut().zip(two.coefficients()).for_each(|(d, c)| *d += c);
+            difference[0] += level;
+            difference[1] -= slope;
+            let degree = 2 * difference.len();
+            return largest(&mut ChebyshevSeries::new(difference).values(degree).into_iter());
+        }
+        let signed = |xi: f64| level - slope * xi - (self.at(xi) - other.at(xi));
+        largest(&mut compared_points().map(signed))
+    }
+
+    /// The values at [`chebyshev::points`]`(degree)`: by one transform where there is a series, whose own degree may raise the number.
+    pub(super) fn sample(&self, degree: usize) -> Vec<f64> {
+        match self {
+            Self::Series(series) => series.values(degree),
+            Self::Collocated(..) => {
+                let degree = degree.min(MOST_COLLOCATED_SAMPLES);
+                chebyshev::points(degree).into_iter().map(|xi| self.at(xi)).collect()
+            }
         }
     }
 
@@ -51,4 +87,11 @@ impl Potential {
             }
         }
     }
+}
+
+/// Both ends, the middle, and a golden-ratio sequence of angles between.
+fn compared_points() -> impl Iterator<Item = f64> {
+    const STEP: f64 = 0.618_033_988_749_894_9;
+    let between = (1..=COMPARED).map(|i| (std::f64::consts::PI * (i as f64 * STEP).fract()).cos());
+    [-1.0, 0.0, 1.0].into_iter().chain(between)
 }

@@ -50,7 +50,12 @@ pub struct Contact {
 
 impl Contact {
     /// The answer that a draft amounts to.
-    pub(super) fn new(problem: &Problem, draft: Draft, reason: String) -> Result<Self, Error> {
+    pub(super) fn new(
+        problem: &Problem,
+        draft: Draft,
+        reason: String,
+        profile_degree: usize,
+    ) -> Result<Self, Error> {
         let mut contact = Self {
             problem: problem.clone(),
             draft,
@@ -61,7 +66,8 @@ impl Contact {
         };
         contact.require_finite()?;
         let (peak, tension) = {
-            let sampled = Sampled::new(|xi| contact.pressure0(xi));
+            let (places, pressures) = contact.draft.sample(problem, profile_degree);
+            let sampled = Sampled::new(|xi| contact.pressure0(xi), places, pressures);
             (sampled.maximum(), sampled.negative())
         };
         contact.peak = (peak.value, peak.place);

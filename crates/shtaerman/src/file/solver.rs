@@ -1,10 +1,12 @@
 //! `[solver]`.
 
-use crate::document::{FileError, TableReader};
+use fredholm::degenerate::BYTES_A_DEGREE;
+
+use crate::document::{Field, FileError, TableReader};
 use crate::{MethodChoice, Solver};
 
-/// Highest degree a file may ask for; memory refuses far below.
-const MOST_DEGREE: usize = 1 << 40;
+/// Share of the free memory that a solve may take.
+const MEMORY_SHARE: f64 = 0.9;
 
 const CONTACT_HELP: &str = "write contact = \"bilateral\" in [solver]: the full base stays in contact and the pressure may pull";
 
@@ -32,7 +34,7 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
                 "belongs to method = \"spectral\"; collocation chooses its nodes by the error",
             ));
         }
-        Some(field) => Some(field.count(1..=MOST_DEGREE)?),
+        Some(field) => Some(degree_of(&field)?),
         None => None,
     };
     let tolerance = match table.optional("tolerance") {
@@ -48,6 +50,21 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
         None => None,
     };
     Ok(Solver { method, degree, tolerance })
+}
+
+/// A degree whose solve fits into memory.
+fn degree_of(field: &Field<'_>) -> Result<usize, FileError> {
+    let degree = field.count(1..=usize::MAX >> 12)?;
+    let available = fredholm::memory::available();
+    let needed = BYTES_A_DEGREE * degree as f64;
+    if needed > MEMORY_SHARE * available as f64 {
+        return Err(field.error(format!(
+            "is {degree}: that needs {:.3} GB of memory, and {:.3} GB are free",
+            needed / 1e9,
+            available as f64 / 1e9
+        )));
+    }
+    Ok(degree)
 }
 
 /// What to write, unless the help names a misspelt key already.

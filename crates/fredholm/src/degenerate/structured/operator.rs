@@ -12,7 +12,7 @@ use crate::degenerate::split::{Indices, admit, check_parameter, expansion_factor
 use crate::kernel::{Gram, SpectralRelation};
 
 /// Memory a coefficient takes at the peak of a solve, in bytes: measured, rounded up.
-const BYTES: f64 = 240.0;
+pub const BYTES_A_DEGREE: f64 = 240.0;
 
 /// The Gram matrix `R` and the factors `D` of a kernel up to a degree, ready for fast products: independent of the
 /// parameter, and shared by the systems of several.
@@ -57,7 +57,7 @@ impl<'k, K: SpectralRelation> StructuredOperator<'k, K> {
     /// [`Error::TooLarge`] beyond memory, [`Error::NotPositive`] when one of the eigenvalues is not positive,
     /// [`Error::Unstructured`] when the Gram matrix is not Toeplitz plus Hankel; whatever the kernel's own route to it meets.
     pub fn new(kernel: &'k K, degree: usize) -> Result<Self, Error> {
-        admit(degree, BYTES * degree as f64)?;
+        admit(degree, BYTES_A_DEGREE * degree as f64)?;
         let factors = expansion_factors(kernel, degree)?;
         let Gram::ToeplitzHankel { toeplitz, hankel } = kernel.gram(degree + 1)? else {
             return Err(Error::Unstructured);
