@@ -1,6 +1,7 @@
 //! The paper's method: the kernel is replaced by the first terms of its bilinear expansion, (1.6), which turns the
 //! integral equation into a small linear system, (1.9).
 
+mod constant_shift;
 pub mod regularity;
 mod solution;
 mod solver;
@@ -8,6 +9,7 @@ mod split;
 mod structured;
 mod system;
 
+pub use constant_shift::{ConstantShift, ShiftedSolution};
 pub use solution::DegenerateSolution;
 pub use solver::DegenerateSolver;
 pub use structured::{BYTES_A_DEGREE, Convergence, StructuredOperator, StructuredSystem};

@@ -6,16 +6,18 @@ use super::{Gram, Kernel, Moments, Parity, Singularity, SpectralRelation, Split}
 use crate::basis::{self, Function};
 use crate::{Error, Interval};
 
-/// `K(x, s) = ln 1/|x - s|` on `(-a, a)`: the plane punch.
+/// `K(x, s) = ln l/|x - s|` on `(-a, a)`, with the gauge length `l`, 1 unless said: the plane punch.
 ///
 /// Spectral relation (section 3): with `w = 1/sqrt(a^2 - x^2)` and `phi_n = T_n(x/a)`,
-/// `lambda_0 = pi ln(2/a)`, `lambda_n = pi/n`, `h_0 = pi`, `h_n = pi/2`. The kernel is positive for `a < 2` (logarithmic
-/// capacity `a/2` of the interval below 1).
+/// `lambda_0 = pi ln(2 l/a)`, `lambda_n = pi/n`, `h_0 = pi`, `h_n = pi/2`. The kernel is positive for `a < 2 l` (logarithmic
+/// capacity `a/2` of the interval below the gauge).
 ///
 /// Gram matrix, (3.4): `R_km = -a [1/((k+m)^2 - 1) + 1/((k-m)^2 - 1)]` for even `k + m`, else 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Logarithm {
     interval: Interval,
+    /// `ln l`.
+    offset: f64,
 }
 
 impl Logarithm {
@@ -24,13 +26,28 @@ impl Logarithm {
     /// # Errors
     /// [`Error::InvalidParameter`] unless `half_length` is finite and positive.
     pub fn new(half_length: f64) -> Result<Self, Error> {
-        Ok(Self { interval: Interval::symmetric(half_length)? })
+        Ok(Self { interval: Interval::symmetric(half_length)?, offset: 0.0 })
+    }
+
+    /// `ln gauge/|x - s|` on `(-half_length, half_length)`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] unless both are finite and positive.
+    pub fn with_gauge(half_length: f64, gauge: f64) -> Result<Self, Error> {
+        if gauge.is_finite() && gauge > 0.0 {
+            return Ok(Self { interval: Interval::symmetric(half_length)?, offset: gauge.ln() });
+        }
+        Err(Error::InvalidParameter {
+            name: "gauge",
+            value: gauge,
+            requirement: "finite and positive",
+        })
     }
 
     /// The kernel on `(-1, 1)`, to which every plane punch is scaled, (2.5).
     #[must_use]
     pub fn unit() -> Self {
-        Self { interval: Interval::unit() }
+        Self { interval: Interval::unit(), offset: 0.0 }
     }
 
     /// `a`.
@@ -50,7 +67,7 @@ impl Kernel for Logarithm {
     }
 
     fn split(&self, _x: f64, _s: f64, _distance: f64) -> Split {
-        Split { factor: -1.0, rest: 0.0 }
+        Split { factor: -1.0, rest: self.offset }
     }
 
     fn is_even(&self) -> bool {
@@ -64,7 +81,7 @@ impl SpectralRelation for Logarithm {
     }
 
     fn eigenvalue(&self, n: usize) -> f64 {
-        if n == 0 { PI * (2.0 / self.half_length()).ln() } else { PI / n as f64 }
+        if n == 0 { PI * ((2.0 / self.half_length()).ln() + self.offset) } else { PI / n as f64 }
     }
 
     fn norm(&self, n: usize) -> f64 {
@@ -73,7 +90,7 @@ impl SpectralRelation for Logarithm {
 
     // The quotient of the two rounded values would cost the exact 2/m of section 3.
     fn expansion_factor(&self, n: usize) -> f64 {
-        if n == 0 { (2.0 / self.half_length()).ln() } else { 2.0 / n as f64 }
+        if n == 0 { (2.0 / self.half_length()).ln() + self.offset } else { 2.0 / n as f64 }
     }
 
     fn parity(&self) -> Parity {
