@@ -1,3 +1,5 @@
-//! Command line of Shtaerman.
+//! The `shtaerman` command.
 
-fn main() {}
+fn main() -> std::process::ExitCode {
+    shtaerman_cli::run()
+}

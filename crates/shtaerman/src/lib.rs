@@ -1,1 +1,53 @@
-//! Placeholder front page, replaced as the rooms are built.
+//! Contact of a rigid punch with a rough elastic body: Shtaerman's model.
+//!
+//! `chi p(x) + theta int_{-a}^{a} ln(a/|x-s|) p(s) ds = delta - alpha x - f(x)`, `theta = 2/(pi E*)`   (2.3)
+//!
+//! with `int p dx = P` and `int x p dx = M`, (2.4): plane strain, small slopes, no friction, adhesion or plasticity. Compression is positive; a
+//! positive moment gives a negative tilt; the settlement is in the gauge `ln(a/|x-s|)`, `a` the half-width.
+//!
+//! A flat steel punch on a ground steel surface:
+//!
+//! ```
+//! use shtaerman::{Elastic, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+//!
+//! let steel = Elastic::new(200e9, 0.3)?;
+//! let frame = Frame::physical(steel, 1.2e-14, 5e-3, None)?;      // chi [m/Pa], a [m], rigid punch
+//! let load = Load::new(Vertical::Force(0.8e6), Rotational::Moment(0.0))?;
+//! let problem = Problem::new(frame, Profile::flat(), load, Solver::default())?;
+//! let contact = problem.solve()?;
+//!
+//! assert!((contact.mean_pressure() - 80e6).abs() < 1.0);
+//! let (peak, place) = contact.peak_pressure();
+//! assert!(peak > 1.2 * contact.mean_pressure() && place == -5e-3);   // at the edges, and finite
+//! assert_eq!(contact.tilt(), 0.0);
+//! # Ok::<(), shtaerman::Error>(())
+//! ```
+//!
+//! Equation numbers are those of S. M. Mkhitaryan, *On the solution to integral equations of one class of mixed and
+//! contact problems by the degenerate kernel method*, Proceedings of NAS of Armenia, Mechanics.
+
+mod answer;
+mod contact;
+pub mod convergence;
+pub mod document;
+mod error;
+pub mod expression;
+pub mod file;
+mod load;
+mod material;
+mod nearest;
+pub mod paper;
+mod problem;
+pub mod profile;
+pub mod quantity;
+mod scaling;
+
+pub use answer::{Answer, Dimensionless, GAUGE, Physical, PressureCurve, SCHEMA};
+pub use contact::{Contact, Method, Stiffness, Warning, WarningCode};
+pub use convergence::Convergence;
+pub use error::Error;
+pub use load::{Load, Rotational, Vertical};
+pub use material::Elastic;
+pub use problem::{DEFAULT_DEGREE, Frame, Problem, Solver};
+pub use profile::Profile;
+pub use scaling::Scaling;

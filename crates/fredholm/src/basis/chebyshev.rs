@@ -68,16 +68,25 @@ impl ChebyshevSeries {
         Self { coefficients }
     }
 
-    /// The polynomial through `values[j]` at [`points`]`(values.len() - 1)`, by one discrete cosine transform.
+    /// The polynomial through `values[j]` at [`points`]`(values.len() - 1)`, by one discrete cosine transform. Exactly even or odd
+    /// values give an exactly even or odd series.
     #[must_use]
     pub fn through(mut values: Vec<f64>) -> Self {
         if values.len() > 1 {
             let degree = values.len() - 1;
+            let vanishing = vanishing_parity(&values);
             cosine_sums(&mut values);
             let scale = 2.0 / degree as f64;
             values.iter_mut().for_each(|value| *value *= scale);
             values[0] *= 0.5;
             values[degree] *= 0.5;
+            if let Some(parity) = vanishing {
+                values
+                    .iter_mut()
+                    .skip(parity)
+                    .step_by(2)
+                    .for_each(|coefficient| *coefficient = 0.0);
+            }
         }
         Self { coefficients: values }
     }
@@ -134,6 +143,12 @@ impl ChebyshevSeries {
         weighted[degree] *= 2.0;
         cosine_sums(&mut weighted);
         weighted.truncate(count);
+        // An even or odd series has exactly zero moments of the other parity; the transforms leave rounding there.
+        for parity in 0..2 {
+            if self.coefficients.iter().skip(parity).step_by(2).all(|&c| c == 0.0) {
+                weighted.iter_mut().skip(parity).step_by(2).for_each(|moment| *moment = 0.0);
+            }
+        }
         weighted
     }
 
@@ -148,6 +163,18 @@ impl ChebyshevSeries {
 fn integral(m: usize) -> f64 {
     let m = m as f64;
     -2.0 / ((m - 1.0) * (m + 1.0))
+}
+
+/// The parity (0 even, 1 odd) of the coefficients that vanish because the values are exactly odd or even.
+fn vanishing_parity(values: &[f64]) -> Option<usize> {
+    let mirrored = || values.iter().zip(values.iter().rev());
+    if mirrored().all(|(left, right)| left == right) {
+        Some(1)
+    } else if mirrored().all(|(left, right)| *left == -right) {
+        Some(0)
+    } else {
+        None
+    }
 }
 
 /// Weights of the rule of Clenshaw and Curtis at [`points`]`(degree)`, `degree` even: `int f dx = sum w_j f(x_j)`, exact
@@ -194,6 +221,15 @@ mod tests {
         let values = series.values(16);
         for (x, value) in points(16).into_iter().zip(values) {
             assert!((value - f(x)).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn parity_is_kept_exactly() {
+        for (f, vanishing) in [((|x: f64| x.cos()) as fn(f64) -> f64, 1), (|x: f64| x.sin(), 0)] {
+            let series = ChebyshevSeries::through(points(32).into_iter().map(f).collect());
+            assert!(series.coefficients().iter().skip(vanishing).step_by(2).all(|&c| c == 0.0));
+            assert!(series.moments(20).iter().skip(vanishing).step_by(2).all(|&m| m == 0.0));
         }
     }
 

@@ -1,0 +1,158 @@
+//! The arguments of the command line.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+/// Contact of a rigid punch with a rough elastic body (Shtaerman's model).
+///
+/// chi p(x) + theta int ln(a/|x-s|) p(s) ds = delta - alpha x - f(x), int p = P, int x p = M.
+/// Plane strain, small slopes, no friction, adhesion or plasticity. Compression is positive; a positive moment gives a
+/// negative tilt.
+#[derive(Debug, Parser)]
+#[command(name = "shtaerman", version, propagate_version = true, arg_required_else_help = true)]
+#[command(
+    after_help = "Exit codes: 0 an answer, 1 a check failed, 2 bad input, 3 a numerical promise not kept, 130 interrupted."
+)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+/// The commands.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Solve a problem file: settlement, tilt, force, moment, pressure.
+    Solve(SolveArguments),
+    /// Check a problem file without solving it.
+    Validate(ValidateArguments),
+    /// Write a commented example of a problem file.
+    Init(InitArguments),
+    /// Reproduce every figure of the paper's Tables 1-3, as printed and as it is.
+    Reproduce(ReproduceArguments),
+    /// Tell how regular the paper's infinite systems are (section 4).
+    Regularity(RegularityArguments),
+    /// Follow the answer as the degree of the degenerate kernel grows.
+    Convergence(ConvergenceArguments),
+}
+
+/// How results are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ReportFormat {
+    /// A table for people, in engineering units.
+    Table,
+    /// JSON, in SI units.
+    Json,
+    /// CSV, in SI units.
+    Csv,
+}
+
+/// Where results go.
+#[derive(Debug, Args)]
+pub struct OutputArguments {
+    /// Format of the result.
+    #[arg(long, value_enum, default_value = "table", value_name = "FORMAT")]
+    pub format: ReportFormat,
+    /// Write the result to this file instead of the terminal.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// A problem file with overrides.
+#[derive(Debug, Args)]
+pub struct ProblemArguments {
+    /// Problem file (TOML); `-` reads standard input.
+    #[arg(value_name = "FILE.toml")]
+    pub file: PathBuf,
+    /// Override a key of the file, such as load.force="1 MN/m"; may be given again.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub overrides: Vec<String>,
+}
+
+/// `shtaerman solve`.
+#[derive(Debug, Args)]
+pub struct SolveArguments {
+    #[command(flatten)]
+    /// The problem.
+    pub problem: ProblemArguments,
+    #[command(flatten)]
+    /// The result.
+    pub output: OutputArguments,
+    /// Draw pressure and deformed surface to this file (.svg or .png).
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// Places for the pressure, separated by commas: metres or with a unit; xi for a dimensionless file.
+    #[arg(long, value_name = "X1,X2,...", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// Number of points of the pressure curve, from edge to edge and denser at the edges.
+    #[arg(long, value_name = "COUNT", default_value_t = 201, conflicts_with = "at")]
+    pub points: usize,
+}
+
+/// `shtaerman validate`.
+#[derive(Debug, Args)]
+pub struct ValidateArguments {
+    #[command(flatten)]
+    /// The problem.
+    pub problem: ProblemArguments,
+}
+
+/// `shtaerman init`.
+#[derive(Debug, Args)]
+pub struct InitArguments {
+    /// File to write; `-` for the terminal.
+    #[arg(value_name = "FILE.toml", default_value = "punch.toml")]
+    pub file: PathBuf,
+    /// Write the dimensionless form.
+    #[arg(long)]
+    pub dimensionless: bool,
+    /// Overwrite an existing file.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `shtaerman reproduce`.
+#[derive(Debug, Args)]
+pub struct ReproduceArguments {
+    #[command(flatten)]
+    /// The result.
+    pub output: OutputArguments,
+    /// Draw Fig. 2 (f0 = lambda0 xi^2) as the paper computed it and as it is (.svg or .png).
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+}
+
+/// `shtaerman regularity`.
+#[derive(Debug, Args)]
+pub struct RegularityArguments {
+    /// The parameter theta0 of the systems (3.10) and (3.11).
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    pub theta0: f64,
+    /// Complete regularity asks for row sums of at most this constant, between 0 and 1; without it, for row sums below 1.
+    #[arg(long, value_name = "Q0", allow_negative_numbers = true)]
+    pub q0: Option<f64>,
+    /// Number of rows whose sums are shown.
+    #[arg(long, value_name = "COUNT", default_value_t = 10)]
+    pub rows: usize,
+    #[command(flatten)]
+    /// The result.
+    pub output: OutputArguments,
+}
+
+/// `shtaerman convergence`.
+#[derive(Debug, Args)]
+pub struct ConvergenceArguments {
+    #[command(flatten)]
+    /// The problem.
+    pub problem: ProblemArguments,
+    /// Highest degree.
+    #[arg(long, value_name = "N", default_value_t = 1024)]
+    pub max_n: usize,
+    #[command(flatten)]
+    /// The result.
+    pub output: OutputArguments,
+    /// Draw the differences over n (.svg or .png).
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+}

@@ -1,0 +1,117 @@
+//! `shtaerman convergence`.
+
+use serde_json::json;
+use shtaerman::Problem;
+use shtaerman::convergence::{Convergence, Quantity};
+
+use super::problem_file;
+use crate::Failure;
+use crate::arguments::{ConvergenceArguments, ReportFormat};
+use crate::output::{Outputs, check_writable};
+use crate::plot::{ConvergencePlot, ConvergenceSeries, Format, Size, render};
+use crate::report::{self, Table};
+
+pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
+    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()])?;
+    let problem = problem_file::read(&arguments.problem)?;
+    let study = Convergence::study(&problem, arguments.max_n)?;
+    let text = match arguments.output.format {
+        ReportFormat::Table => table(&problem, &study),
+        ReportFormat::Json => report::json(&json!({
+            "schema": "shtaerman-convergence/1",
+            "theta0": problem.frame().theta0(),
+            "quantities": study.quantities,
+            "expected_orders": study.quantities.iter().map(|quantity| quantity.expected_order()).collect::<Vec<_>>(),
+            "rows": study.rows,
+        }))?,
+        ReportFormat::Csv => csv(&study)?,
+    };
+    let mut outputs = Outputs::default();
+    outputs.result(arguments.output.output.as_deref(), text);
+    if let (Some(path), Some(format)) = (&arguments.plot, format) {
+        outputs.file(path, render(&plot(&problem, &study), format, Size::default())?);
+    }
+    outputs.write()
+}
+
+fn name(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Settlement => "settlement",
+        Quantity::Force => "force",
+        Quantity::PressureRight => "pressure at right edge",
+        Quantity::PressureMid => "pressure in the middle",
+    }
+}
+
+fn unit(quantity: Quantity, problem: &Problem) -> &'static str {
+    match quantity {
+        _ if problem.frame().scaling().is_none() => "",
+        Quantity::Settlement => " [m]",
+        Quantity::Force => " [N/m]",
+        Quantity::PressureRight | Quantity::PressureMid => " [Pa]",
+    }
+}
+
+fn table(problem: &Problem, study: &Convergence) -> String {
+    let mut heads = vec!["n".to_owned()];
+    for &quantity in &study.quantities {
+        heads.push(format!("{}{}", name(quantity), unit(quantity, problem)));
+        heads.push("difference".to_owned());
+        heads.push("order".to_owned());
+    }
+    let mut table = Table::new(&heads);
+    for row in &study.rows {
+        let mut cells = vec![row.n.to_string()];
+        for entry in &row.entries {
+            cells.push(report::significant(entry.value, 13));
+            cells.push(
+                entry.difference.map_or(String::new(), |difference| format!("{difference:.1e}")),
+            );
+            cells.push(entry.order.map_or(String::new(), |order| format!("{order:.2}")));
+        }
+        table.row(cells);
+    }
+    let expected: Vec<String> = (study.quantities.iter())
+        .map(|&quantity| format!("{} {}", name(quantity), quantity.expected_order()))
+        .collect();
+    format!(
+        "Degenerate kernel of degree n at theta0 = {}: difference from the row above, and its order in 1/n\n{table}Orders of the theory: {}.\n",
+        report::significant(problem.frame().theta0(), 8),
+        expected.join(", ")
+    )
+}
+
+fn csv(study: &Convergence) -> Result<String, Failure> {
+    let header = ["n", "quantity", "value", "difference", "order"];
+    let optional = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
+    let rows = study.rows.iter().flat_map(|row| {
+        row.entries.iter().zip(&study.quantities).map(move |(entry, &quantity)| {
+            vec![
+                row.n.to_string(),
+                name(quantity).to_owned(),
+                entry.value.to_string(),
+                optional(entry.difference),
+                optional(entry.order),
+            ]
+        })
+    });
+    report::csv(&header, rows)
+}
+
+fn plot(problem: &Problem, study: &Convergence) -> ConvergencePlot {
+    let series = study.quantities.iter().enumerate().map(|(i, &quantity)| {
+        let points = study.rows.iter().filter_map(|row| {
+            row.entries[i].difference.map(|d| (row.n as f64, d / row.entries[i].value.abs()))
+        });
+        let (n, difference) = points.unzip();
+        ConvergenceSeries { name: name(quantity).to_owned(), n, difference }
+    });
+    ConvergencePlot {
+        title: "Convergence of the degenerate kernel".to_owned(),
+        notes: vec![format!("theta0 = {}", report::significant(problem.frame().theta0(), 6))],
+        series: series.collect(),
+        count_label: "n, highest Chebyshev degree".to_owned(),
+        difference_label: "relative difference from n/2".to_owned(),
+    }
+}

@@ -1,0 +1,24 @@
+//! One file a command.
+
+mod convergence;
+mod init;
+mod problem_file;
+mod regularity;
+mod reproduce;
+mod solve;
+mod validate;
+
+use crate::Failure;
+use crate::arguments::Command;
+
+/// Runs a command.
+pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
+    match command {
+        Command::Solve(arguments) => solve::run(arguments),
+        Command::Validate(arguments) => validate::run(arguments),
+        Command::Init(arguments) => init::run(arguments),
+        Command::Reproduce(arguments) => reproduce::run(arguments),
+        Command::Regularity(arguments) => regularity::run(arguments),
+        Command::Convergence(arguments) => convergence::run(arguments),
+    }
+}

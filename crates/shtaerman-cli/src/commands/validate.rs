@@ -1,0 +1,23 @@
+//! `shtaerman validate`.
+
+use super::problem_file;
+use crate::Failure;
+use crate::arguments::ValidateArguments;
+use crate::output::Outputs;
+use crate::report::significant;
+
+pub(super) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
+    let problem = problem_file::read(&arguments.problem)?;
+    let kind = if problem.frame().scaling().is_some() { "physical" } else { "dimensionless" };
+    let mut outputs = Outputs::default();
+    outputs.result(
+        None,
+        format!(
+            "{}: valid; {kind} problem, theta0 = {}, n = {}\n",
+            problem_file::name(&arguments.problem.file),
+            significant(problem.frame().theta0(), 8),
+            problem.solver().degree
+        ),
+    );
+    outputs.write()
+}

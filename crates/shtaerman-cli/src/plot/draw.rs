@@ -1,0 +1,238 @@
+//! Draws a figure from its layout.
+
+use kuva::render::render::Scene;
+
+use super::axis::Axis;
+use super::canvas::{Anchor, Canvas, Frame, Point, Style};
+use super::colour::Colour;
+use super::figure::{Area, Band, Base, Figure, Layer, Line, Mark, Panel};
+use super::format::Size;
+use super::layout::{
+    AxisLayout, HEADING, LABEL, Layout, NOTE, PanelLayout, RIM, TICK, TICK_MARK, TITLE, line_height,
+};
+use super::shape;
+use super::text;
+
+/// The picture of a figure.
+pub(super) fn figure(figure: &Figure, size: Size) -> Scene {
+    let mut canvas = Canvas::new(size);
+    let layout = Layout::new(figure, size);
+    let mut top = RIM;
+    for (lines, size, colour) in
+        [(&layout.title, TITLE, Colour::INK), (&layout.notes, NOTE, Colour::GREY)]
+    {
+        for line in lines {
+            let at = (RIM, top + 0.5 * line_height(size));
+            canvas.text(at, line, style(size, colour, Anchor::Start));
+            top += line_height(size);
+        }
+    }
+    layout.legend.0.draw(&mut canvas, (RIM, layout.legend.1));
+    for (panel, layout) in figure.panels.iter().zip(&layout.panels) {
+        draw_panel(&mut canvas, panel, layout);
+    }
+    canvas.finish()
+}
+
+fn style(size: u32, colour: Colour, anchor: Anchor) -> Style {
+    Style { size, colour, anchor, upright: false }
+}
+
+/// Carries points of a panel to points of the picture.
+struct Mapping<'a> {
+    panel: &'a Panel,
+    layout: &'a PanelLayout,
+}
+
+impl Mapping<'_> {
+    fn across(&self, place: f64) -> f64 {
+        let part = self.layout.horizontal.range.part(place);
+        let part = if self.panel.horizontal.reversed { 1.0 - part } else { part };
+        self.layout.frame.left + part * self.layout.frame.width()
+    }
+
+    fn down(&self, place: f64) -> f64 {
+        let part = self.layout.vertical.range.part(place);
+        let part = if self.panel.vertical.reversed { part } else { 1.0 - part };
+        self.layout.frame.top + part * self.layout.frame.height()
+    }
+
+    fn x(&self, value: f64) -> Option<f64> {
+        self.panel.horizontal.scale.place(value).map(|place| self.across(place))
+    }
+
+    fn y(&self, value: f64) -> Option<f64> {
+        self.panel.vertical.scale.place(value).map(|place| self.down(place))
+    }
+
+    /// Unbroken parts of a curve.
+    fn runs(&self, points: &[(f64, f64)]) -> Vec<Vec<Point>> {
+        shape::runs(points.iter().map(|&(x, y)| self.x(x).zip(self.y(y))))
+    }
+}
+
+fn draw_panel(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
+    let frame = layout.frame;
+    let mapping = Mapping { panel, layout };
+    draw_grid(canvas, &mapping);
+    canvas.clip(frame);
+    let mut drawn = false;
+    for layer in &panel.layers {
+        drawn |= draw_layer(canvas, &mapping, layer);
+    }
+    canvas.unclip();
+    if !drawn {
+        let style = style(LABEL, Colour::GREY, Anchor::Middle);
+        canvas.text(frame.centre(), "no numbers to draw", style);
+    }
+    draw_frame(canvas, frame);
+    draw_head(canvas, panel, layout);
+    draw_horizontal_axis(canvas, &mapping);
+    draw_vertical_axis(canvas, &mapping);
+}
+
+fn draw_grid(canvas: &mut Canvas, mapping: &Mapping<'_>) {
+    let frame = mapping.layout.frame;
+    let lines = |axis: &AxisLayout| {
+        let minor = axis.ticks.minor.iter().map(|&place| (place, Colour::FAINT));
+        let major = axis.ticks.labelled.iter().map(|tick| (tick.place, Colour::GRID));
+        minor.chain(major).collect::<Vec<_>>()
+    };
+    for (place, colour) in lines(&mapping.layout.horizontal) {
+        let x = mapping.across(place);
+        canvas.line((x, frame.top), (x, frame.bottom), colour, 1.0);
+    }
+    for (place, colour) in lines(&mapping.layout.vertical) {
+        let y = mapping.down(place);
+        canvas.line((frame.left, y), (frame.right, y), colour, 1.0);
+    }
+}
+
+fn draw_frame(canvas: &mut Canvas, frame: Frame) {
+    let (left, top, right, bottom) = (frame.left, frame.top, frame.right, frame.bottom);
+    let corners = [(left, top), (right, top), (right, bottom), (left, bottom), (left, top)];
+    for pair in corners.windows(2) {
+        canvas.line(pair[0], pair[1], Colour::INK, 1.0);
+    }
+}
+
+fn draw_head(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
+    let mut top = layout.top;
+    if !panel.heading.is_empty() {
+        let room = layout.frame.width();
+        let heading = text::fit(&text::clean(&panel.heading), HEADING, room);
+        let at = (layout.frame.left, top + 0.5 * line_height(HEADING));
+        canvas.text(at, &heading, style(HEADING, Colour::INK, Anchor::Start));
+        top += line_height(HEADING);
+    }
+    let left = layout.frame.left.min(layout.frame.right - layout.legend.width());
+    layout.legend.draw(canvas, (left, top));
+}
+
+fn draw_horizontal_axis(canvas: &mut Canvas, mapping: &Mapping<'_>) {
+    let frame = mapping.layout.frame;
+    let ticks = &mapping.layout.horizontal.ticks;
+    let row = frame.bottom + TICK_MARK + 0.5 * line_height(TICK);
+    for tick in &ticks.labelled {
+        let x = mapping.across(tick.place);
+        canvas.line((x, frame.bottom), (x, frame.bottom + TICK_MARK), Colour::INK, 1.0);
+        canvas.text((x, row), &tick.label, style(TICK, Colour::INK, Anchor::Middle));
+    }
+    let row = frame.bottom + TICK_MARK + line_height(TICK) + 0.5 * line_height(LABEL);
+    let multiplier = ticks.multiplier();
+    let room = frame.width() - 2.0 * text::width(&multiplier, TICK);
+    let label = axis_label(&mapping.panel.horizontal, room);
+    canvas.text((frame.centre().0, row), &label, style(LABEL, Colour::INK, Anchor::Middle));
+    canvas.text((frame.right, row), &multiplier, style(TICK, Colour::INK, Anchor::End));
+}
+
+fn draw_vertical_axis(canvas: &mut Canvas, mapping: &Mapping<'_>) {
+    let frame = mapping.layout.frame;
+    let ticks = &mapping.layout.vertical.ticks;
+    for tick in &ticks.labelled {
+        let y = mapping.down(tick.place);
+        canvas.line((frame.left - TICK_MARK, y), (frame.left, y), Colour::INK, 1.0);
+        let at = (frame.left - TICK_MARK - 3.0, y);
+        canvas.text(at, &tick.label, style(TICK, Colour::INK, Anchor::End));
+    }
+    let above = (frame.left, frame.top - 0.5 * line_height(TICK));
+    canvas.text(above, &ticks.multiplier(), style(TICK, Colour::INK, Anchor::Start));
+    let label = axis_label(&mapping.panel.vertical, frame.height() + 20.0);
+    let upright = Style { upright: true, ..style(LABEL, Colour::INK, Anchor::Middle) };
+    canvas.text((mapping.layout.label, frame.centre().1), &label, upright);
+}
+
+fn axis_label(axis: &Axis, room: f64) -> String {
+    text::fit(&text::clean(&axis.label), LABEL, room)
+}
+
+/// Draws a layer and tells whether anything but a mark was there to draw.
+fn draw_layer(canvas: &mut Canvas, mapping: &Mapping<'_>, layer: &Layer) -> bool {
+    match layer {
+        Layer::Line(line) => draw_line(canvas, mapping, line),
+        Layer::Band(band) => draw_band(canvas, mapping, band),
+        Layer::Area(area) => draw_area(canvas, mapping, area),
+        Layer::Mark(mark) => {
+            draw_mark(canvas, mapping, mark);
+            false
+        }
+    }
+}
+
+fn draw_line(canvas: &mut Canvas, mapping: &Mapping<'_>, line: &Line) -> bool {
+    let runs = mapping.runs(&line.points);
+    for run in &runs {
+        if run.len() > 1 {
+            canvas.path(run, line.colour, line.width, line.dash);
+        }
+        if line.dots || run.len() == 1 {
+            run.iter().for_each(|&point| canvas.dot(point, line.width + 1.2, line.colour));
+        }
+    }
+    !runs.is_empty() && line.sets_range
+}
+
+fn draw_band(canvas: &mut Canvas, mapping: &Mapping<'_>, band: &Band) -> bool {
+    let points = band.points.iter().map(|&(x, low, high)| {
+        let x = mapping.x(x)?;
+        Some(((x, mapping.y(low)?), (x, mapping.y(high)?)))
+    });
+    let runs = shape::runs(points);
+    for run in &runs {
+        let upper = run.iter().map(|pair| pair.1);
+        let polygon: Vec<Point> = upper.chain(run.iter().rev().map(|pair| pair.0)).collect();
+        canvas.fill(&polygon, band.colour, band.opacity);
+    }
+    !runs.is_empty()
+}
+
+fn draw_area(canvas: &mut Canvas, mapping: &Mapping<'_>, area: &Area) -> bool {
+    let frame = mapping.layout.frame;
+    let runs = mapping.runs(&area.points);
+    for run in &runs {
+        let polygons = match (area.base, mapping.y(0.0)) {
+            (Base::Top, _) => vec![shape::down_to(run, frame.top)],
+            (Base::Bottom, _) => vec![shape::down_to(run, frame.bottom)],
+            (Base::NegativeToZero, Some(zero)) => {
+                shape::beyond(run, zero, !mapping.panel.vertical.reversed)
+            }
+            (Base::NegativeToZero, None) => Vec::new(),
+        };
+        for polygon in polygons {
+            canvas.fill(&polygon, area.colour, area.opacity);
+        }
+    }
+    !runs.is_empty()
+}
+
+fn draw_mark(canvas: &mut Canvas, mapping: &Mapping<'_>, mark: &Mark) {
+    let frame = mapping.layout.frame;
+    let ends = if mark.vertical {
+        mapping.x(mark.at).map(|x| [(x, frame.top), (x, frame.bottom)])
+    } else {
+        mapping.y(mark.at).map(|y| [(frame.left, y), (frame.right, y)])
+    };
+    if let Some(ends) = ends {
+        canvas.path(&ends, mark.colour, 1.2, mark.dash);
+    }
+}

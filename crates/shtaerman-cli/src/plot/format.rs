@@ -1,0 +1,92 @@
+//! File format and size of a picture.
+
+use std::path::Path;
+
+use super::error::PlotError;
+
+/// Pixels of a PNG per unit of [`Size`]: sharp on a dense screen and in print.
+pub const PNG_PIXELS_PER_UNIT: u32 = 2;
+
+/// File format of a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// Scalable Vector Graphics.
+    Svg,
+    /// Portable Network Graphics.
+    Png,
+}
+
+impl Format {
+    /// The format that a file's suffix asks for, in any case of letters.
+    ///
+    /// # Errors
+    ///
+    /// [`PlotError::Format`] for another suffix, [`PlotError::NoSuffix`] for none.
+    pub fn of_file(file: &Path) -> Result<Self, PlotError> {
+        let Some(suffix) = file.extension() else {
+            return Err(PlotError::NoSuffix { file: file.to_string_lossy().into_owned() });
+        };
+        let suffix = suffix.to_string_lossy();
+        match suffix.to_ascii_lowercase().as_str() {
+            "svg" => Ok(Self::Svg),
+            "png" => Ok(Self::Png),
+            _ => Err(PlotError::Format { suffix: suffix.into_owned() }),
+        }
+    }
+}
+
+/// Size of a picture, in SVG user units (1/96 inch); a PNG has [`PNG_PIXELS_PER_UNIT`] pixels for each.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Size {
+    /// Width, 400 to 4000.
+    pub width: u32,
+    /// Height, 300 to 4000.
+    pub height: u32,
+}
+
+impl Size {
+    /// The smallest picture whose text can be read.
+    pub const SMALLEST: Self = Self { width: 400, height: 300 };
+    /// The largest picture; its PNG takes half a gigabyte while it is drawn.
+    pub const LARGEST: Self = Self { width: 4000, height: 4000 };
+
+    pub(super) fn check(self) -> Result<(), PlotError> {
+        let (smallest, largest) = (Self::SMALLEST, Self::LARGEST);
+        let fits = (smallest.width..=largest.width).contains(&self.width)
+            && (smallest.height..=largest.height).contains(&self.height);
+        if fits { Ok(()) } else { Err(PlotError::Size { width: self.width, height: self.height }) }
+    }
+}
+
+impl Default for Size {
+    /// 800 x 600.
+    fn default() -> Self {
+        Self { width: 800, height: 600 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_suffix_picks_the_format() {
+        assert_eq!(Format::of_file(Path::new("out/p.svg")), Ok(Format::Svg));
+        assert_eq!(Format::of_file(Path::new("P.PNG")), Ok(Format::Png));
+    }
+
+    #[test]
+    fn another_suffix_is_an_error_that_says_what_would_be_right() {
+        let error = Format::of_file(Path::new("p.pdf")).unwrap_err();
+        assert_eq!(error.to_string(), ".pdf is not supported: use .svg or .png");
+        let error = Format::of_file(Path::new("picture")).unwrap_err();
+        assert!(error.to_string().contains("\"picture\" has no suffix"));
+    }
+
+    #[test]
+    fn a_size_out_of_range_is_refused() {
+        assert!(Size::default().check().is_ok());
+        let error = Size { width: 0, height: 9000 }.check().unwrap_err();
+        assert!(error.to_string().contains("0 x 9000"), "{error}");
+    }
+}

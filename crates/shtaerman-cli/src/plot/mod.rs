@@ -1,0 +1,62 @@
+//! Pictures of contacts and of convergence, as SVG or PNG.
+//!
+//! Plain numbers go in: every plot is a struct of vectors and labels that turns into a [`Figure`],
+//! and [`render`] turns a figure into the bytes of a file. The same figure gives the same bytes. Text
+//! is measured and (in a PNG) drawn with a font that is part of the program; none need be installed.
+//! An SVG names that font first and close substitutes after it.
+//!
+//! Numbers that cannot be drawn (NaN, infinite, beyond `1e300`, not positive on a logarithmic axis)
+//! leave a gap in their curve.
+
+mod axis;
+mod canvas;
+mod colour;
+mod contact;
+mod convergence;
+mod curves;
+mod draw;
+mod error;
+mod figure;
+mod format;
+mod layout;
+mod legend;
+mod raster;
+mod shape;
+mod text;
+mod ticks;
+
+pub use axis::{Axis, Scale};
+pub use colour::Colour;
+pub use contact::ContactPlot;
+pub use convergence::{ConvergencePlot, ConvergenceSeries};
+pub use curves::{Curve, CurvePanel, CurveScaling, CurvesPlot};
+pub use error::PlotError;
+pub use figure::{
+    Area, Arrangement, Band, Base, Dash, Figure, Layer, LegendPlace, Line, Mark, Panel,
+};
+pub use format::{Format, PNG_PIXELS_PER_UNIT, Size};
+
+use kuva::backend::svg::SvgBackend;
+
+/// Something that can be drawn.
+pub trait Plot {
+    /// The panels, curves and labels to draw.
+    fn figure(&self) -> Figure;
+}
+
+/// Draws a plot and returns the bytes of the file.
+///
+/// The bytes depend on the arguments alone.
+///
+/// # Errors
+///
+/// [`PlotError::Size`] when the size is outside of [`Size::SMALLEST`] to [`Size::LARGEST`];
+/// [`PlotError::Encoding`] when the PNG cannot be encoded.
+pub fn render(plot: &dyn Plot, format: Format, size: Size) -> Result<Vec<u8>, PlotError> {
+    size.check()?;
+    let scene = draw::figure(&plot.figure(), size);
+    match format {
+        Format::Svg => Ok(SvgBackend::default().render_scene(&scene).into_bytes()),
+        Format::Png => raster::png(&scene, size),
+    }
+}

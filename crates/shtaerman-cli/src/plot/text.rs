@@ -1,0 +1,120 @@
+//! Measuring, cutting and wrapping text.
+
+/// Advance widths of the printable ASCII characters in `DejaVu` Sans, in 1/2048 of the font size.
+///
+/// The PNG is drawn with this font, and an SVG names it first; common substitutes are narrower.
+#[rustfmt::skip]
+const ASCII_ADVANCES: [u16; 95] = [
+    651, 821, 942, 1716, 1303, 1946, 1597, 563, 799, 799, 1024, 1716, 651, 739, 651, 690,
+    1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 1303, 690, 690, 1716, 1716, 1716, 1087,
+    2048, 1401, 1405, 1430, 1577, 1294, 1178, 1587, 1540, 604, 604, 1343, 1141, 1767, 1532, 1612,
+    1235, 1612, 1423, 1300, 1251, 1499, 1401, 2025, 1403, 1251, 1403, 799, 690, 799, 1716, 1024,
+    1024, 1255, 1300, 1126, 1300, 1260, 721, 1300, 1298, 569, 569, 1186, 569, 1995, 1298, 1253,
+    1300, 1300, 842, 1067, 803, 1298, 1212, 1675, 1212, 1212, 1075, 1303, 690, 1303, 1716,
+];
+
+fn advance(character: char) -> u16 {
+    let code = character as u32;
+    match character {
+        ' '..='~' => ASCII_ADVANCES[(code - 32) as usize],
+        '¹' | '²' | '³' | '⁰'..='⁹' | '₀'..='₉' => 821,
+        '⁻' => 1081,
+        '·' => 651,
+        _ if code < 0x400 => 1350,
+        _ => 2048,
+    }
+}
+
+/// Width of a line of text.
+pub(super) fn width(text: &str, size: u32) -> f64 {
+    let units: f64 = text.chars().map(|character| f64::from(advance(character))).sum();
+    units * f64::from(size) / 2048.0
+}
+
+/// The text on one line, without characters that XML forbids.
+pub(super) fn clean(text: &str) -> String {
+    let allowed = |c: &char| !matches!(c, '\u{fffe}' | '\u{ffff}');
+    let spaced = text.chars().filter(allowed).map(|c| if c.is_control() { ' ' } else { c });
+    let spaced: String = spaced.collect();
+    spaced.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// The text, cut at its end with an ellipsis where it is wider than `room`.
+pub(super) fn fit(text: &str, size: u32, room: f64) -> String {
+    if width(text, size) <= room {
+        return text.to_owned();
+    }
+    let mut left = room - width("…", size);
+    let mut cut = String::new();
+    for character in text.chars() {
+        left -= f64::from(advance(character)) * f64::from(size) / 2048.0;
+        if left < 0.0 {
+            break;
+        }
+        cut.push(character);
+    }
+    format!("{}…", cut.trim_end())
+}
+
+/// The text broken between words into at most `lines` lines no wider than `room`.
+pub(super) fn wrap(text: &str, size: u32, room: f64, lines: usize) -> Vec<String> {
+    let mut wrapped: Vec<String> = Vec::new();
+    let mut line = String::new();
+    let mut words = text.split_whitespace().peekable();
+    while let Some(word) = words.next() {
+        let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
+        if line.is_empty() || width(&longer, size) <= room {
+            line = longer;
+        } else if wrapped.len() + 1 < lines {
+            wrapped.push(fit(&line, size, room));
+            line = word.to_owned();
+        } else {
+            line = format!("{longer} …");
+            words.by_ref().for_each(drop);
+        }
+    }
+    if !line.is_empty() && lines > 0 {
+        wrapped.push(fit(&line, size, room));
+    }
+    wrapped
+}
+
+/// An integer in raised digits.
+pub(super) fn superscript(exponent: i32) -> String {
+    let raise = |c: char| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        '0' => '⁰',
+        digit => char::from_u32(digit as u32 - '0' as u32 + 0x2070).unwrap_or(digit),
+    };
+    exponent.to_string().chars().map(raise).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn wrapped_lines_fit_and_say_that_they_were_cut() {
+        let text = "a punch with a flat base pressed into a rough body ".repeat(10);
+        let lines = wrap(&text, 12, 200.0, 3);
+        assert_eq!(lines.len(), 3);
+        assert!(lines.iter().all(|line| width(line, 12) <= 200.0));
+        assert!(lines[2].ends_with('…'));
+        assert_eq!(wrap("short", 12, 200.0, 3), ["short"]);
+        assert!(wrap("", 12, 200.0, 3).is_empty());
+    }
+
+    #[test]
+    fn cleaning_keeps_text_legal_in_xml() {
+        assert_eq!(clean(" a\u{0}b\n\tc\u{ffff} "), "a b c");
+    }
+
+    #[test]
+    fn exponents_are_raised() {
+        assert_eq!(superscript(-12), "⁻¹²");
+        assert_eq!(superscript(304), "³⁰⁴");
+    }
+}

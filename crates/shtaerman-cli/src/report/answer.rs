@@ -1,0 +1,142 @@
+//! The answer of `solve` for people, and as CSV.
+
+use std::fmt::Write;
+
+use shtaerman::quantity::{Dimension, DisplayUnit, engineering};
+use shtaerman::{Answer, Contact, GAUGE, Physical, PressureCurve};
+
+use super::{Table, significant};
+use crate::Failure;
+
+/// Significant digits of a table.
+const DIGITS: usize = 8;
+
+/// The answer as a table in engineering units; `with_places` adds the pressure at the places asked for.
+#[must_use]
+pub(crate) fn answer_table(
+    name: &str,
+    contact: &Contact,
+    answer: &Answer,
+    with_places: bool,
+) -> String {
+    let mut text = format!(
+        "{name}: bilateral contact, theta0 = {}, {} method with n = {}\n\n",
+        significant(answer.dimensionless.theta0, DIGITS),
+        answer.method.name,
+        answer.method.n
+    );
+    let table = match &answer.physical {
+        Some(physical) => physical_table(contact, physical),
+        None => dimensionless_table(answer),
+    };
+    text.push_str(&table.to_string());
+    if with_places {
+        text.push('\n');
+        text.push_str(&places(&answer.pressure).to_string());
+    }
+    if !answer.warnings.is_empty() {
+        text.push('\n');
+    }
+    for warning in &answer.warnings {
+        let _ = writeln!(text, "warning: {}", warning.message);
+    }
+    text
+}
+
+fn physical_table(contact: &Contact, physical: &Physical) -> Table {
+    let length = |value| engineering(value, Dimension::LENGTH);
+    let pressure = |value| engineering(value, Dimension::PRESSURE);
+    let elastic_punch =
+        matches!(contact.problem().frame(), shtaerman::Frame::Physical { body: Some(_), .. });
+    let modulus =
+        if elastic_punch { "composite of both bodies" } else { "E/(1-nu^2), rigid punch" };
+    let [[k11, k12], [_, k22]] = physical.stiffness;
+    let mut table = Table::new(&["", "", ""]);
+    let mut row = |name: &str, value: String, note: &str| {
+        table.row(vec![name.to_owned(), value, note.to_owned()])
+    };
+    row("settlement", length(physical.settlement), &format!("gauge {GAUGE}"));
+    row(
+        "tilt",
+        engineering(physical.tilt, DisplayUnit::angle()),
+        "a positive moment gives a negative tilt",
+    );
+    row("force", engineering(physical.force, Dimension::FORCE_PER_LENGTH), "per unit length");
+    row("moment", engineering(physical.moment, DisplayUnit::prefixed("N")), "N m per m");
+    row("pressure, left edge", pressure(physical.pressure_left), "");
+    row("pressure, centre", pressure(physical.pressure_mid), "");
+    row("pressure, right edge", pressure(physical.pressure_right), "");
+    row("pressure, mean", pressure(physical.pressure_mean), "");
+    row(
+        "pressure, largest",
+        pressure(physical.pressure_max),
+        &format!("at x = {}", length(physical.pressure_max_at)),
+    );
+    row(
+        "contact",
+        format!("{} to {}", length(physical.edges[0][0]), length(physical.edges[0][1])),
+        "the full base",
+    );
+    row("stiffness dP/d(settlement)", engineering(k11, Dimension::PRESSURE), "per unit length");
+    row("stiffness dM/d(-tilt)", engineering(k22, DisplayUnit::prefixed("N")), "N m per m and rad");
+    row("stiffness dM/d(settlement)", engineering(k12, Dimension::FORCE_PER_LENGTH), "");
+    row("contact modulus E*", pressure(physical.contact_modulus), modulus);
+    table
+}
+
+fn dimensionless_table(answer: &Answer) -> Table {
+    let d = &answer.dimensionless;
+    let [[k11, k12], [_, k22]] = d.stiffness;
+    let mut table = Table::new(&["", "", ""]);
+    let mut row = |name: &str, value: f64, note: &str| {
+        table.row(vec![name.to_owned(), significant(value, 10), note.to_owned()]);
+    };
+    row("settlement delta0", d.delta0, "delta/(chi E), gauge ln(a/|x-s|)");
+    row("tilt alpha0", d.alpha0, "a alpha/(chi E); a positive moment gives a negative tilt");
+    row("force P0", d.P0, "P/(a E)");
+    row("moment M0", d.M0, "M/(a^2 E)");
+    row("pressure, left edge", d.p0_left, "p/E");
+    row("pressure, centre", d.p0_mid, "");
+    row("pressure, right edge", d.p0_right, "");
+    row("pressure, mean", d.p0_mean, "");
+    row("pressure, largest", d.p0_max, &format!("at xi = {}", significant(d.p0_max_at, DIGITS)));
+    row("stiffness dP0/d(delta0)", k11, "");
+    row("stiffness dM0/d(-alpha0)", k22, "");
+    row("stiffness dM0/d(delta0)", k12, "");
+    table
+}
+
+fn places(curve: &PressureCurve) -> Table {
+    match curve {
+        PressureCurve::Physical { x, p } => {
+            let mut table = Table::new(&["x", "pressure"]);
+            for (x, p) in x.iter().zip(p) {
+                table.row(vec![
+                    engineering(*x, Dimension::LENGTH),
+                    engineering(*p, Dimension::PRESSURE),
+                ]);
+            }
+            table
+        }
+        PressureCurve::Dimensionless { xi, p0 } => {
+            let mut table = Table::new(&["xi", "p0"]);
+            for (xi, p0) in xi.iter().zip(p0) {
+                table.row(vec![significant(*xi, 12), significant(*p0, 12)]);
+            }
+            table
+        }
+    }
+}
+
+/// The pressure curve as CSV: `x,p` in SI units, or `xi,p0`.
+///
+/// # Errors
+/// [`Failure::Usage`] should writing to memory fail.
+pub(crate) fn answer_csv(answer: &Answer) -> Result<String, Failure> {
+    let header = match answer.pressure {
+        PressureCurve::Physical { .. } => ["x", "p"],
+        PressureCurve::Dimensionless { .. } => ["xi", "p0"],
+    };
+    let pairs = answer.pressure.places().iter().zip(answer.pressure.pressures());
+    super::csv(&header, pairs.map(|(x, p)| vec![x.to_string(), p.to_string()]))
+}

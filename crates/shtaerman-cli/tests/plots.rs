@@ -1,0 +1,353 @@
+//! Pictures of contacts, convergence and curves: what is in them, and that nothing makes them fail.
+#![expect(clippy::unwrap_used, reason = "helpers outside of test functions fail by panicking")]
+
+use std::f64::consts::PI;
+use std::path::Path;
+
+use shtaerman_cli::plot::{
+    Arrangement, Axis, ContactPlot, ConvergencePlot, ConvergenceSeries, Curve, CurvePanel,
+    CurveScaling, CurvesPlot, Figure, Format, Layer, LegendPlace, Line, PNG_PIXELS_PER_UNIT, Panel,
+    Plot, PlotError, Scale, Size, render,
+};
+
+fn positions(count: usize) -> Vec<f64> {
+    (0..count).map(|i| 2.0 * i as f64 / (count - 1) as f64 - 1.0).collect()
+}
+
+/// Smooth flat punch of half-width 10 mm pressed by 1 kN/mm, cut short of its infinite corners.
+fn flat_punch() -> ContactPlot {
+    let xi: Vec<f64> = positions(401).into_iter().map(|xi| 0.998 * xi).collect();
+    let pressure = |xi: &f64| 1000.0 / (10.0 * PI * (1.0 - xi * xi).sqrt());
+    let outside = |xi: f64| 12.0 - 3.0 * (xi.abs() + (xi * xi - 1.0).max(0.0).sqrt()).ln();
+    let surface = |i: i32| {
+        let xi = f64::from(i) / 100.0;
+        (10.0 * xi, outside(xi.abs().max(1.0)))
+    };
+    ContactPlot {
+        title: "Flat punch on a smooth half-plane".to_owned(),
+        notes: vec![
+            "a = 10 mm, P = 1 kN/mm; displacement relative to the gauge ln(a/|x − s|)".to_owned(),
+        ],
+        position: xi.iter().map(|xi| 10.0 * xi).collect(),
+        pressure: xi.iter().map(pressure).collect(),
+        pressure_band: None,
+        punch_base: vec![12.0; xi.len()],
+        body_surface: (-160..=160).map(surface).collect(),
+        contact_zone: None,
+        position_label: "x [mm]".to_owned(),
+        pressure_label: "p [MPa]".to_owned(),
+        displacement_label: "displacement [µm]".to_owned(),
+    }
+}
+
+/// Bilateral parabolic punch: the edges pull.
+fn parabola() -> ContactPlot {
+    let xi = positions(201);
+    let pressure: Vec<f64> = xi.iter().map(|xi| 180.0 - 260.0 * xi * xi).collect();
+    let shifted =
+        |by: f64| pressure.iter().zip(&xi).map(|(p, x)| p + by * (8.0 + 14.0 * x * x)).collect();
+    let surface = |i: i32| {
+        let x = f64::from(i) / 100.0;
+        (2.0 * x, 5.5 - 2.0 * x * x / (1.0 + 0.35 * x * x))
+    };
+    ContactPlot {
+        title: "Parabolic punch on a rough body, bilateral contact".to_owned(),
+        notes: vec![
+            "the pressure pulls at both edges: use unilateral contact if nothing bonds the bodies"
+                .to_owned(),
+        ],
+        position: xi.iter().map(|xi| 2.0 * xi).collect(),
+        pressure_band: Some((shifted(-1.0), shifted(1.0))),
+        pressure,
+        punch_base: xi.iter().map(|xi| 6.5 - 3.5 * xi * xi).collect(),
+        body_surface: (-150..=150).map(surface).collect(),
+        contact_zone: Some((-1.664, 1.664)),
+        position_label: "x [mm]".to_owned(),
+        pressure_label: "p [MPa]".to_owned(),
+        displacement_label: "displacement [µm]".to_owned(),
+    }
+}
+
+fn convergence() -> ConvergencePlot {
+    let counts: Vec<f64> = (2..11).map(|k| f64::from(1 << k)).collect();
+    let series = |name: &str, size: f64, order: i32| ConvergenceSeries {
+        name: name.to_owned(),
+        n: counts.clone(),
+        difference: counts.iter().map(|n| size * n.powi(-order) * (1.0 + 0.3 * n.sin())).collect(),
+    };
+    ConvergencePlot {
+        title: "Convergence of the degenerate kernel".to_owned(),
+        notes: Vec::new(),
+        series: vec![
+            series("settlement", 0.4, 4),
+            series("pressure at the centre", 2.0, 3),
+            series("pressure at the edges", 3.0, 2),
+        ],
+        count_label: "highest degree n".to_owned(),
+        difference_label: "difference from collocation".to_owned(),
+    }
+}
+
+/// Curves of the sizes of a parabolic base from very rough to nearly smooth.
+fn families() -> CurvesPlot {
+    const LAMBDAS: [f64; 12] =
+        [0.001, 0.005, 0.1, 0.3, 0.5, 0.8, 1.0, 5.0, 10.0, 20.0, 50.0, 100.0];
+    let family = |sign: f64| {
+        let curve = |lambda: &f64| {
+            let bend = sign * 0.9 * lambda / (1.0 + 0.05 * (1.0 - sign) * lambda);
+            let value = |xi: f64| 0.0005 + bend * (xi * xi - 1.0 / 3.0);
+            let points = positions(101).into_iter().map(|xi| (xi, value(xi))).collect();
+            Curve { name: format!("λ₀ = {lambda}"), points }
+        };
+        LAMBDAS.iter().map(curve).collect()
+    };
+    CurvesPlot {
+        title: "Pressure for a parabolic base, P₀ = 0.001, M₀ = 0.0001".to_owned(),
+        notes: Vec::new(),
+        panels: vec![
+            CurvePanel { heading: "as the paper computed it".to_owned(), curves: family(1.0) },
+            CurvePanel { heading: "as it is".to_owned(), curves: family(-1.0) },
+        ],
+        scaling: CurveScaling::Automatic,
+        arrangement: Arrangement::SideBySide,
+        horizontal_label: "ξ".to_owned(),
+        vertical_label: "p₀".to_owned(),
+    }
+}
+
+/// Renders, and leaves the picture where it can be looked at.
+fn picture(name: &str, plot: &dyn Plot, format: Format, size: Size) -> Vec<u8> {
+    let bytes = render(plot, format, size).unwrap();
+    let suffix = if format == Format::Png { "png" } else { "svg" };
+    let file = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.{suffix}"));
+    std::fs::write(file, &bytes).unwrap();
+    bytes
+}
+
+fn svg(name: &str, plot: &dyn Plot) -> String {
+    String::from_utf8(picture(name, plot, Format::Svg, Size::default())).unwrap()
+}
+
+/// All texts of an SVG with the place of their anchors, after checking that it is XML.
+fn texts(svg: &str) -> Vec<(f64, f64, String)> {
+    let document = roxmltree::Document::parse(svg).unwrap();
+    let texts = document.descendants().filter(|node| node.has_tag_name("text"));
+    let number =
+        |node: &roxmltree::Node<'_, '_>, name| node.attribute(name).unwrap().parse().unwrap();
+    texts.map(|n| (number(&n, "x"), number(&n, "y"), n.text().unwrap().to_owned())).collect()
+}
+
+fn assert_png(bytes: &[u8], size: Size) {
+    assert_eq!(bytes[..8], *b"\x89PNG\r\n\x1a\n");
+    let word = |at: usize| u32::from_be_bytes(bytes[at..at + 4].try_into().unwrap());
+    assert_eq!(word(16), PNG_PIXELS_PER_UNIT * size.width);
+    assert_eq!(word(20), PNG_PIXELS_PER_UNIT * size.height);
+}
+
+#[test]
+fn pictures_are_xml_with_their_labels_inside() {
+    let plots: [(&str, &dyn Plot, &[&str]); 4] = [
+        ("flat", &flat_punch(), &["x [mm]", "p [MPa]", "displacement [µm]", "edges of the punch"]),
+        (
+            "parabola",
+            &parabola(),
+            &["tension, p < 0", "bounds of the pressure", "ends of the contact"],
+        ),
+        ("convergence", &convergence(), &["n⁻²", "n⁻³", "n⁻⁴", "settlement", "10⁻⁶"]),
+        ("families", &families(), &["λ₀ = 0.001", "λ₀ = 100", "as it is", "ξ", "p₀"]),
+    ];
+    for (name, plot, labels) in plots {
+        let texts = texts(&svg(name, plot));
+        for label in labels {
+            assert!(texts.iter().any(|(_, _, text)| text == label), "{name} lacks {label}");
+        }
+        for (x, y, text) in &texts {
+            let inside = (0.0..=800.0).contains(x) && (0.0..=600.0).contains(y);
+            assert!(inside, "{name}: {text} at {x}, {y}");
+        }
+    }
+}
+
+#[test]
+fn a_png_has_its_signature_and_size() {
+    let size = Size { width: 900, height: 700 };
+    assert_png(&picture("flat", &flat_punch(), Format::Png, size), size);
+    assert_png(&picture("parabola", &parabola(), Format::Png, size), size);
+    assert_png(&picture("convergence", &convergence(), Format::Png, size), size);
+    let wide = Size { width: 1000, height: 560 };
+    assert_png(&picture("families", &families(), Format::Png, wide), wide);
+    let small = Size::SMALLEST;
+    assert_png(&picture("small", &parabola(), Format::Png, small), small);
+}
+
+#[test]
+fn equal_plots_give_equal_bytes_and_other_plots_do_not() {
+    for format in [Format::Svg, Format::Png] {
+        let once = render(&parabola(), format, Size::default()).unwrap();
+        assert_eq!(once, render(&parabola(), format, Size::default()).unwrap());
+        let mut other = parabola();
+        other.pressure[100] += 20.0;
+        assert_ne!(once, render(&other, format, Size::default()).unwrap());
+    }
+}
+
+#[test]
+fn tension_is_named_only_where_there_is_some() {
+    let named = |plot: &dyn Plot| svg("tension", plot).contains("tension");
+    assert!(named(&parabola()));
+    assert!(!named(&flat_punch()));
+}
+
+/// The deepest point of the surface is drawn lowest: the axis counts downward.
+#[test]
+fn depth_grows_downward() {
+    let texts = texts(&svg("depth", &flat_punch()));
+    let height = |label: &str| {
+        let found = texts.iter().filter(|(x, _, text)| *x < 100.0 && text == label);
+        found.map(|text| text.1).fold(f64::NEG_INFINITY, f64::max)
+    };
+    assert!(height("10") > height("5"), "{texts:?}");
+}
+
+fn nasty_numbers() -> Vec<Vec<f64>> {
+    vec![
+        vec![],
+        vec![0.0],
+        vec![f64::NAN],
+        vec![5.0; 7],
+        vec![-0.0, 0.0],
+        vec![1e-15, 2e-15, -3e-15],
+        vec![1e20, 2e20, 1.5e20],
+        vec![1.0, 1.0 + 1e-12, 1.0 - 1e-12],
+        vec![f64::NAN, 1.0, f64::INFINITY, 2.0, f64::NEG_INFINITY, -3.0],
+        vec![f64::MAX, f64::MIN, f64::MIN_POSITIVE, 5e-324],
+        vec![1e300, -1e300, 1e-300],
+        vec![1e-300, 1.000_000_01e-300, 2e-300],
+        vec![1e-12, 1e12, 3.0, 1e5, -1e-9],
+    ]
+}
+
+#[test]
+fn nasty_numbers_never_fail() {
+    for x in nasty_numbers() {
+        for y in nasty_numbers() {
+            let points: Vec<_> = x.iter().copied().zip(y.iter().copied()).collect();
+            let contact = ContactPlot {
+                position: x.clone(),
+                pressure: y.clone(),
+                pressure_band: Some((x.clone(), y.clone())),
+                punch_base: y.clone(),
+                body_surface: points.clone(),
+                contact_zone: x.first().copied().zip(y.first().copied()),
+                ..flat_punch()
+            };
+            let series =
+                ConvergenceSeries { n: x.clone(), difference: y.clone(), ..Default::default() };
+            let convergence = ConvergencePlot { series: vec![series], ..convergence() };
+            let curves = vec![Curve { name: "c".to_owned(), points: points.clone() }];
+            let panels = vec![CurvePanel { curves, ..Default::default() }, CurvePanel::default()];
+            let curves = CurvesPlot { panels, ..families() };
+            for plot in [&contact as &dyn Plot, &convergence, &curves] {
+                let svg = render(plot, Format::Svg, Size::SMALLEST).unwrap();
+                let svg = String::from_utf8(svg).unwrap();
+                texts(&svg);
+                assert!(!svg.contains("NaN") && !svg.contains("inf"), "{x:?} {y:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn nasty_numbers_never_fail_in_pixels() {
+    for numbers in nasty_numbers() {
+        let plot = ContactPlot {
+            position: numbers.clone(),
+            pressure: numbers.clone(),
+            punch_base: numbers.clone(),
+            body_surface: numbers.iter().map(|&v| (v, v)).collect(),
+            ..flat_punch()
+        };
+        assert_png(&render(&plot, Format::Png, Size::SMALLEST).unwrap(), Size::SMALLEST);
+    }
+}
+
+#[test]
+fn nasty_scales_never_fail() {
+    let scales = [Scale::Linear, Scale::Logarithmic].into_iter().chain(
+        [0.0, -1.0, f64::NAN, 1e-299, 1e299]
+            .map(|threshold| Scale::SymmetricLogarithmic { threshold }),
+    );
+    for scale in scales {
+        for x in nasty_numbers() {
+            let axis = Axis::with_scale("v", scale).including(f64::NAN).reversed();
+            let points = x.iter().map(|&x| (x, x)).collect();
+            let line = Line::new("", points, shtaerman_cli::plot::Colour::BLUE);
+            let figure = Figure {
+                title: String::new(),
+                notes: Vec::new(),
+                panels: vec![Panel {
+                    heading: String::new(),
+                    horizontal: axis.clone(),
+                    vertical: axis,
+                    layers: vec![Layer::Line(line)],
+                }],
+                arrangement: Arrangement::Stacked,
+                legend: LegendPlace::Panel,
+            };
+            texts(
+                &String::from_utf8(render(&figure, Format::Svg, Size::SMALLEST).unwrap()).unwrap(),
+            );
+        }
+    }
+}
+
+#[test]
+fn hostile_text_is_cut_and_escaped() {
+    let long = "<&\"'>\u{0}$x^2$ \\$ ".repeat(4000);
+    let mut plot = parabola();
+    plot.title.clone_from(&long);
+    plot.notes = vec![long.clone(); 50];
+    plot.position_label.clone_from(&long);
+    plot.pressure_label.clone_from(&long);
+    let svg = svg("hostile", &plot);
+    assert!(texts(&svg).iter().any(|(_, _, text)| text.starts_with("<&\"'> $x^2$")));
+    assert!(svg.len() < 200_000);
+    let curve = |i: usize| Curve { name: format!("{i} {long}"), points: vec![(0.0, i as f64)] };
+    let curves = (0..300).map(curve).collect();
+    let panels = vec![CurvePanel { heading: long.clone(), curves }];
+    let plot = CurvesPlot { panels, ..families() };
+    let svg = String::from_utf8(render(&plot, Format::Svg, Size::SMALLEST).unwrap()).unwrap();
+    assert!(texts(&svg).iter().any(|(_, _, text)| text.contains("more")));
+}
+
+#[test]
+fn nothing_to_draw_is_said() {
+    let empty = ContactPlot::default();
+    assert!(svg("empty", &empty).contains("no numbers to draw"));
+    let none = CurvesPlot { panels: Vec::new(), ..families() };
+    assert!(svg("none", &none).contains("Pressure"));
+}
+
+#[test]
+fn a_size_out_of_range_is_an_error() {
+    let size = Size { width: 10, height: 100_000 };
+    let error = render(&parabola(), Format::Png, size).unwrap_err();
+    assert_eq!(error, PlotError::Size { width: 10, height: 100_000 });
+}
+
+#[test]
+fn the_common_power_of_ten_of_tiny_and_huge_numbers_is_written_at_the_axis() {
+    let mut plot = parabola();
+    plot.pressure.iter_mut().for_each(|p| *p *= 1e-12);
+    plot.pressure_band = None;
+    plot.position.iter_mut().for_each(|x| *x *= 1e20);
+    plot.body_surface.iter_mut().for_each(|point| point.0 *= 1e20);
+    plot.contact_zone = None;
+    let texts = texts(&svg("factors", &plot));
+    picture("factors", &plot, Format::Png, Size::default());
+    // 180e-12 = 180 x 10^-12 and 3e20 = 300 x 10^18
+    for factor in ["×10⁻¹²", "×10¹⁸"] {
+        assert!(texts.iter().any(|(_, _, text)| text == factor), "{factor}: {texts:?}");
+    }
+    assert!(texts.iter().any(|(_, _, text)| text == "150"));
+}

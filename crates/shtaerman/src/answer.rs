@@ -1,0 +1,221 @@
+//! The answer as data: what the faces print and other programs read.
+
+use serde::Serialize;
+
+use crate::{Contact, Error, Method, Warning};
+
+/// Version of the answer's layout; the JSON Schema `schema/answer.schema.json` describes it.
+pub const SCHEMA: &str = "shtaerman-answer/1";
+/// What the settlement is measured against.
+pub const GAUGE: &str = "ln(a/|x-s|), a = half_width";
+
+/// A solved contact with its pressure at chosen points.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Answer {
+    /// [`SCHEMA`].
+    pub schema: &'static str,
+    /// Quantities without dimension, (2.5).
+    pub dimensionless: Dimensionless,
+    /// Quantities in SI units; `null` for a dimensionless problem.
+    pub physical: Option<Physical>,
+    /// The pressure at points.
+    pub pressure: PressureCurve,
+    /// How it was solved.
+    pub method: Method,
+    /// What a user should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// Quantities without dimension.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[allow(non_snake_case, reason = "the names of the paper are the names of the interface")]
+pub struct Dimensionless {
+    /// `2 a/(pi E* chi)`.
+    pub theta0: f64,
+    /// `P/(a E)`.
+    pub P0: f64,
+    /// `M/(a^2 E)`.
+    pub M0: f64,
+    /// `delta/(chi E)`.
+    pub delta0: f64,
+    /// `a alpha/(chi E)`.
+    pub alpha0: f64,
+    /// `p/E` at the left edge.
+    pub p0_left: f64,
+    /// `p/E` in the middle.
+    pub p0_mid: f64,
+    /// `p/E` at the right edge.
+    pub p0_right: f64,
+    /// Mean of `p/E`.
+    pub p0_mean: f64,
+    /// The largest `p/E`.
+    pub p0_max: f64,
+    /// Its place `xi`; of equal ones the leftmost.
+    pub p0_max_at: f64,
+    /// `d(P0, M0)/d(delta0, -alpha0)`.
+    pub stiffness: [[f64; 2]; 2],
+    /// Zones of contact, as `xi`.
+    pub edges: Vec<[f64; 2]>,
+}
+
+/// Quantities in SI units.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Physical {
+    /// `delta` [m], see `gauge`.
+    pub settlement: f64,
+    /// `alpha` [rad].
+    pub tilt: f64,
+    /// `P` [N/m].
+    pub force: f64,
+    /// `M` [N m/m].
+    pub moment: f64,
+    /// `p` at the left edge of the punch [Pa].
+    pub pressure_left: f64,
+    /// `p` in the middle [Pa].
+    pub pressure_mid: f64,
+    /// `p` at the right edge of the punch [Pa].
+    pub pressure_right: f64,
+    /// `P/(2a)` [Pa].
+    pub pressure_mean: f64,
+    /// The largest pressure [Pa].
+    pub pressure_max: f64,
+    /// Its place [m]; of equal ones the leftmost.
+    pub pressure_max_at: f64,
+    /// `d(P, M)/d(delta, -alpha)` [Pa, N/m; N/m, N].
+    pub stiffness: [[f64; 2]; 2],
+    /// Zones of contact [m].
+    pub edges: Vec<[f64; 2]>,
+    /// `E*` [Pa], composite where the punch is elastic.
+    pub contact_modulus: f64,
+    /// What the settlement is measured against.
+    pub gauge: &'static str,
+}
+
+/// The pressure at points.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum PressureCurve {
+    /// SI units.
+    Physical {
+        /// Places [m].
+        x: Vec<f64>,
+        /// Pressures [Pa].
+        p: Vec<f64>,
+    },
+    /// No dimensions.
+    Dimensionless {
+        /// Places.
+        xi: Vec<f64>,
+        /// Pressures over `E`.
+        p0: Vec<f64>,
+    },
+}
+
+impl PressureCurve {
+    /// The pressure at `points`, in the units of the problem.
+    ///
+    /// # Errors
+    /// [`Error::BeyondPunch`] for a point that is not on the closed base.
+    pub fn at(contact: &Contact, points: Vec<f64>) -> Result<Self, Error> {
+        let pressures =
+            points.iter().map(|&x| contact.pressure(x)).collect::<Result<Vec<_>, _>>()?;
+        Ok(if contact.problem().frame().scaling().is_some() {
+            Self::Physical { x: points, p: pressures }
+        } else {
+            Self::Dimensionless { xi: points, p0: pressures }
+        })
+    }
+
+    /// The pressure at `count` points from edge to edge, denser at the edges.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for fewer than two points.
+    pub fn along(contact: &Contact, count: usize) -> Result<Self, Error> {
+        crate::error::require(count >= 2, "points", count as f64, "at least 2")?;
+        let half_width = contact.problem().frame().half_width();
+        let points = fredholm::basis::chebyshev::points(count - 1);
+        Self::at(contact, points.into_iter().rev().map(|xi| half_width * xi).collect())
+    }
+
+    /// The places, in the units of the problem.
+    #[must_use]
+    pub fn places(&self) -> &[f64] {
+        match self {
+            Self::Physical { x, .. } => x,
+            Self::Dimensionless { xi, .. } => xi,
+        }
+    }
+
+    /// The pressures, in the units of the problem.
+    #[must_use]
+    pub fn pressures(&self) -> &[f64] {
+        match self {
+            Self::Physical { p, .. } => p,
+            Self::Dimensionless { p0, .. } => p0,
+        }
+    }
+}
+
+impl Answer {
+    /// The answer with a pressure curve.
+    #[must_use]
+    pub fn new(contact: &Contact, pressure: PressureCurve) -> Self {
+        let physical =
+            contact.problem().frame().scaling().is_some().then(|| Physical::new(contact));
+        Self {
+            schema: SCHEMA,
+            dimensionless: Dimensionless::new(contact),
+            physical,
+            pressure,
+            method: contact.method(),
+            warnings: contact.warnings().to_vec(),
+        }
+    }
+}
+
+impl Dimensionless {
+    fn new(contact: &Contact) -> Self {
+        let (p0_max, p0_max_at) = contact.peak_pressure0();
+        Self {
+            theta0: contact.theta0(),
+            P0: contact.force0(),
+            M0: contact.moment0(),
+            delta0: contact.settlement0(),
+            alpha0: contact.tilt0(),
+            p0_left: contact.pressure0(-1.0),
+            p0_mid: contact.pressure0(0.0),
+            p0_right: contact.pressure0(1.0),
+            p0_mean: 0.5 * contact.force0(),
+            p0_max,
+            p0_max_at,
+            stiffness: contact.stiffness0().matrix(),
+            edges: vec![[-1.0, 1.0]],
+        }
+    }
+}
+
+impl Physical {
+    fn new(contact: &Contact) -> Self {
+        let (pressure_max, pressure_max_at) = contact.peak_pressure();
+        Self {
+            settlement: contact.settlement(),
+            tilt: contact.tilt(),
+            force: contact.force(),
+            moment: contact.moment(),
+            pressure_left: contact.pressure_left(),
+            pressure_mid: contact.pressure_mid(),
+            pressure_right: contact.pressure_right(),
+            pressure_mean: contact.mean_pressure(),
+            pressure_max,
+            pressure_max_at,
+            stiffness: contact.stiffness().matrix(),
+            edges: contact.edges(),
+            contact_modulus: contact
+                .problem()
+                .frame()
+                .scaling()
+                .map_or(0.0, crate::Scaling::contact_modulus),
+            gauge: GAUGE,
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! Where a pressure is largest, and where it is negative.
+
+use fredholm::basis::chebyshev;
+
+/// Sampling of the base; extremes and sign changes are refined between neighbours.
+const SAMPLES: usize = 1024;
+/// Golden-section steps: the place is found to the square root of rounding, as far as a maximum shows it.
+const GOLDEN_STEPS: usize = 48;
+/// Bisections of a sign change.
+const BISECTIONS: usize = 60;
+/// A pressure below this, relative to the largest, counts as zero.
+const NEGLIGIBLE: f64 = 1e-12;
+
+/// A value and its place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Extreme {
+    pub(super) place: f64,
+    pub(super) value: f64,
+}
+
+/// A function sampled on `[-1, 1]`, from left to right.
+pub(super) struct Sampled<F> {
+    f: F,
+    points: Vec<f64>,
+    values: Vec<f64>,
+}
+
+impl<F: Fn(f64) -> f64> Sampled<F> {
+    /// Samples `f`, densely towards the ends.
+    pub(super) fn new(f: F) -> Self {
+        let mut points = chebyshev::points(SAMPLES);
+        points.reverse();
+        let values = points.iter().map(|&x| f(x)).collect();
+        Self { f, points, values }
+    }
+
+    /// The largest value and its place; of equal ones the leftmost.
+    pub(super) fn maximum(&self) -> Extreme {
+        let mut best = 0;
+        for (i, value) in self.values.iter().enumerate() {
+            if *value > self.values[best] + NEGLIGIBLE * self.values[best].abs() {
+                best = i;
+            }
+        }
+        let sampled = Extreme { place: self.points[best], value: self.values[best] };
+        let left = self.points[best.saturating_sub(1)];
+        let right = self.points[(best + 1).min(self.points.len() - 1)];
+        let refined = golden_section(&self.f, left, right);
+        if refined.value > sampled.value { refined } else { sampled }
+    }
+
+    /// The intervals on which the function is negative beyond rounding.
+    pub(super) fn negative(&self) -> Vec<[f64; 2]> {
+        let largest = self.values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
+        let threshold = -NEGLIGIBLE * largest;
+        let mut intervals = Vec::new();
+        let mut open = None;
+        for i in 0..self.points.len() {
+            let negative = self.values[i] < threshold;
+            match (negative, open) {
+                (true, None) => {
+                    let previous = i.checked_sub(1).map(|before| self.points[before]);
+                    open =
+                        Some(previous.map_or(self.points[i], |x| self.crossing(x, self.points[i])));
+                }
+                (false, Some(start)) => {
+                    intervals.push([start, self.crossing(self.points[i], self.points[i - 1])]);
+                    open = None;
+                }
+                _ => {}
+            }
+        }
+        intervals.extend(open.map(|start| [start, 1.0]));
+        intervals
+    }
+
+    /// The zero between a point where the function is not negative and one where it is.
+    fn crossing(&self, mut outside: f64, mut inside: f64) -> f64 {
+        for _ in 0..BISECTIONS {
+            let middle = 0.5 * (outside + inside);
+            if (self.f)(middle) < 0.0 { inside = middle } else { outside = middle }
+        }
+        inside
+    }
+}
+
+fn golden_section(f: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> Extreme {
+    const RATIO: f64 = 0.618_033_988_749_894_9;
+    let mut inner = [right - RATIO * (right - left), left + RATIO * (right - left)];
+    let mut values = inner.map(f);
+    for _ in 0..GOLDEN_STEPS {
+        if values[0] >= values[1] {
+            right = inner[1];
+            inner = [right - RATIO * (right - left), inner[0]];
+            values = [f(inner[0]), values[0]];
+        } else {
+            left = inner[0];
+            inner = [inner[1], left + RATIO * (right - left)];
+            values = [values[1], f(inner[1])];
+        }
+    }
+    let best = usize::from(values[1] > values[0]);
+    Extreme { place: inner[best], value: values[best] }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_inner_and_edge_maxima() {
+        let inner = Sampled::new(|x: f64| 2.0 - (x - 0.3).powi(2)).maximum();
+        assert!((inner.place - 0.3).abs() < 1e-7 && (inner.value - 2.0).abs() < 1e-15);
+        assert_eq!(Sampled::new(|x: f64| x).maximum(), Extreme { place: 1.0, value: 1.0 });
+        assert_eq!(Sampled::new(|x: f64| x * x).maximum().place, -1.0);
+        assert_eq!(Sampled::new(|_| 0.5).maximum().value, 0.5);
+    }
+
+    #[test]
+    fn finds_where_a_function_is_negative() {
+        let ends = Sampled::new(|x: f64| 0.25 - x * x).negative();
+        assert_eq!(ends.len(), 2);
+        assert!(ends[0][0] == -1.0 && (ends[0][1] + 0.5).abs() < 1e-14);
+        assert!((ends[1][0] - 0.5).abs() < 1e-14 && ends[1][1] == 1.0);
+        assert!(Sampled::new(|x: f64| x * x).negative().is_empty());
+        assert_eq!(Sampled::new(|_| -1.0).negative(), [[-1.0, 1.0]]);
+    }
+}

@@ -1,0 +1,151 @@
+//! How the degenerate kernel converges on a problem: the answer for `n = 8, 16, 32, ...` with observed orders.
+
+use serde::Serialize;
+
+use crate::{Contact, Error, Problem, Vertical};
+
+/// The first degree.
+pub const FIRST_DEGREE: usize = 8;
+/// A difference below this, relative to the value's scale, is rounding: no order is read off it.
+const ROUNDING: f64 = 1e-13;
+
+/// A quantity that is followed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Quantity {
+    /// Settlement, where the force is prescribed.
+    Settlement,
+    /// Force, where the settlement is prescribed.
+    Force,
+    /// Pressure at the right edge.
+    PressureRight,
+    /// Pressure in the middle.
+    PressureMid,
+}
+
+impl Quantity {
+    /// The order of the error in `1/n` that the theory gives: the solution has `(1 -+ xi) ln(1 -+ xi)` at the edges, so its coefficients fall
+    /// as `m^-3`.
+    #[must_use]
+    pub fn expected_order(self) -> f64 {
+        match self {
+            Self::Settlement | Self::Force => 4.0,
+            Self::PressureRight => 2.0,
+            Self::PressureMid => 3.0,
+        }
+    }
+}
+
+/// One quantity at one degree.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Entry {
+    /// The value, in the units of the problem.
+    pub value: f64,
+    /// `|value(n) - value(n/2)|`.
+    pub difference: Option<f64>,
+    /// `log2` of the ratio of the last two differences.
+    pub order: Option<f64>,
+}
+
+/// All quantities at one degree.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Row {
+    /// Highest Chebyshev degree.
+    pub n: usize,
+    /// One entry a quantity, in the order of [`Convergence::quantities`].
+    pub entries: Vec<Entry>,
+}
+
+/// The table.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Convergence {
+    /// What is followed.
+    pub quantities: Vec<Quantity>,
+    /// One row a degree.
+    pub rows: Vec<Row>,
+}
+
+impl Convergence {
+    /// Solves the problem for `n = 8, 16, ..., ` up to `last`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] unless `last >= 32` (three degrees, one order); whatever [`Problem::solve`] gives.
+    pub fn study(problem: &Problem, last: usize) -> Result<Self, Error> {
+        crate::error::require(
+            last >= 4 * FIRST_DEGREE,
+            "max_n",
+            last as f64,
+            "at least 32: an order takes three degrees",
+        )?;
+        let unknown = match problem.load().vertical {
+            Vertical::Force(_) => Quantity::Settlement,
+            Vertical::Settlement(_) => Quantity::Force,
+        };
+        let quantities = vec![unknown, Quantity::PressureRight, Quantity::PressureMid];
+        let degrees = std::iter::successors(Some(FIRST_DEGREE), |n| n.checked_mul(2))
+            .take_while(|&n| n <= last);
+        let mut rows: Vec<Row> = Vec::new();
+        for n in degrees {
+            let contact = problem.with_degree(n)?.solve()?;
+            let entries = (0..quantities.len())
+                .map(|i| {
+                    Entry::after(
+                        rows.last().map(|row| &row.entries[i]),
+                        value(quantities[i], &contact),
+                    )
+                })
+                .collect();
+            rows.push(Row { n, entries });
+        }
+        Ok(Self { quantities, rows })
+    }
+}
+
+impl Entry {
+    fn after(previous: Option<&Self>, value: f64) -> Self {
+        let difference = previous.map(|previous| (value - previous.value).abs());
+        let order = previous.and_then(|previous| previous.difference).zip(difference).and_then(
+            |(coarse, fine)| {
+                let visible = fine > ROUNDING * value.abs();
+                visible.then(|| (coarse / fine).log2()).filter(|order| order.is_finite())
+            },
+        );
+        Self { value, difference, order }
+    }
+}
+
+fn value(quantity: Quantity, contact: &Contact) -> f64 {
+    match quantity {
+        Quantity::Settlement => contact.settlement(),
+        Quantity::Force => contact.force(),
+        Quantity::PressureRight => contact.pressure_right(),
+        Quantity::PressureMid => contact.pressure_mid(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Frame, Load, Profile, Rotational, Solver};
+
+    #[test]
+    fn observes_the_orders_of_the_theory() {
+        for vertical in [Vertical::Force(0.001), Vertical::Settlement(5.0)] {
+            let load = Load::new(vertical, Rotational::Moment(1e-4)).unwrap();
+            let profile = Profile::expression("10*xi^2").unwrap();
+            let problem =
+                Problem::new(Frame::dimensionless(6.0).unwrap(), profile, load, Solver::default())
+                    .unwrap();
+            let study = Convergence::study(&problem, 1024).unwrap();
+            assert_eq!(
+                study.rows.iter().map(|row| row.n).collect::<Vec<_>>(),
+                [8, 16, 32, 64, 128, 256, 512, 1024]
+            );
+            let last = study.rows.last().unwrap();
+            for (quantity, entry) in study.quantities.iter().zip(&last.entries) {
+                let order = entry.order.unwrap();
+                assert!((order - quantity.expected_order()).abs() < 0.25, "{quantity:?}: {order}");
+            }
+        }
+    }
+}

@@ -1,0 +1,88 @@
+//! What can go wrong with a problem.
+
+use crate::document::FileError;
+use crate::expression::Defect;
+
+/// Why a problem has no answer.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A quantity lies outside the range where the model holds.
+    #[error("{field} = {value}: must be {requirement}")]
+    InvalidValue {
+        /// Name of the quantity, as in the problem file.
+        field: &'static str,
+        /// The value given, SI.
+        value: f64,
+        /// What would be right.
+        requirement: &'static str,
+    },
+
+    /// The profile is not finite somewhere on the punch.
+    #[error("the profile {defect} at {variable} = {at}: it must be finite on the whole punch")]
+    ProfileNotFinite {
+        /// `x` (metres) or `xi`.
+        variable: &'static str,
+        /// Where.
+        at: f64,
+        /// How it fails to be finite.
+        defect: Defect,
+    },
+
+    /// A point for evaluation lies beyond the punch.
+    #[error(
+        "{variable} = {at} is beyond the punch: pressure is known for {variable} from {left} to {right}"
+    )]
+    BeyondPunch {
+        /// `x` (metres) or `xi`.
+        variable: &'static str,
+        /// Where.
+        at: f64,
+        /// Left edge.
+        left: f64,
+        /// Right edge.
+        right: f64,
+    },
+
+    /// The problem file cannot be read as a problem.
+    #[error(transparent)]
+    File(#[from] FileError),
+
+    /// The integral equation could not be solved.
+    #[error(transparent)]
+    Equation(fredholm::Error),
+}
+
+impl Error {
+    /// Whether a numerical promise failed, as opposed to bad input: exit code 3 instead of 2.
+    #[must_use]
+    pub fn is_numerical(&self) -> bool {
+        matches!(self, Self::Equation(fredholm::Error::NotPositiveDefinite { .. }))
+    }
+}
+
+impl From<fredholm::Error> for Error {
+    fn from(error: fredholm::Error) -> Self {
+        Self::Equation(error)
+    }
+}
+
+/// Refuses a value that is not finite and positive.
+pub(crate) fn positive(field: &'static str, value: f64) -> Result<f64, Error> {
+    require(value.is_finite() && value > 0.0, field, value, "finite and greater than zero")
+}
+
+/// Refuses a value that is not finite.
+pub(crate) fn finite(field: &'static str, value: f64) -> Result<f64, Error> {
+    require(value.is_finite(), field, value, "finite")
+}
+
+/// The value, or the error that says what would be right.
+pub(crate) fn require(
+    holds: bool,
+    field: &'static str,
+    value: f64,
+    requirement: &'static str,
+) -> Result<f64, Error> {
+    if holds { Ok(value) } else { Err(Error::InvalidValue { field, value, requirement }) }
+}

@@ -1,0 +1,86 @@
+//! Runs a program over any kind of value: numbers, numbers with a derivative, enclosures.
+
+use super::function::{Binary, Unary};
+use super::program::Operation;
+
+/// What a program can compute with.
+pub(super) trait Value: Copy {
+    fn constant(value: f64) -> Self;
+    fn unary(function: Unary, u: Self) -> Self;
+    fn binary(function: Binary, u: Self, v: Self) -> Self;
+    /// `holds` where the condition is not zero, `fails` where it is.
+    fn choose(condition: Self, holds: Self, fails: Self) -> Self;
+}
+
+impl Value for f64 {
+    fn constant(value: f64) -> Self {
+        value
+    }
+
+    fn unary(function: Unary, u: Self) -> Self {
+        function.value(u)
+    }
+
+    fn binary(function: Binary, u: Self, v: Self) -> Self {
+        function.value(u, v)
+    }
+
+    fn choose(condition: Self, holds: Self, fails: Self) -> Self {
+        if condition.is_nan() {
+            f64::NAN
+        } else if condition != 0.0 {
+            holds
+        } else {
+            fails
+        }
+    }
+}
+
+/// Height of the stack that most programs make do with: zeroing it costs next to nothing.
+const SMALL_STACK: usize = 16;
+
+/// Runs the operations and returns the two topmost values (the second one only means something
+/// when the operations leave two values). `height` is the stack they need.
+pub(super) fn run<V: Value>(
+    operations: &[Operation],
+    height: usize,
+    variable: impl Fn(usize) -> V,
+) -> (V, V) {
+    let zero = V::constant(0.0);
+    if height < SMALL_STACK {
+        run_on(operations, variable, &mut [zero; SMALL_STACK])
+    } else {
+        run_on(operations, variable, &mut [zero; super::STACK_LIMIT + 1])
+    }
+}
+
+/// `stack[0]` lies below the values, so that there are always two topmost ones.
+fn run_on<V: Value>(
+    operations: &[Operation],
+    variable: impl Fn(usize) -> V,
+    stack: &mut [V],
+) -> (V, V) {
+    let mut top = 0;
+    for operation in operations {
+        match *operation {
+            Operation::Constant(value) => {
+                top += 1;
+                stack[top] = V::constant(value);
+            }
+            Operation::Variable(index) => {
+                top += 1;
+                stack[top] = variable(index);
+            }
+            Operation::Unary(function) => stack[top] = V::unary(function, stack[top]),
+            Operation::Binary(function) => {
+                top -= 1;
+                stack[top] = V::binary(function, stack[top], stack[top + 1]);
+            }
+            Operation::Where => {
+                top -= 2;
+                stack[top] = V::choose(stack[top], stack[top + 1], stack[top + 2]);
+            }
+        }
+    }
+    (stack[top], stack[top.saturating_sub(1)])
+}

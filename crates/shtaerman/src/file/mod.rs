@@ -1,0 +1,171 @@
+//! Problem files: TOML with units, read into a [`Problem`].
+//!
+//! ```
+//! let problem = shtaerman::file::parse(
+//!     r#"
+//!     [foundation]
+//!     young_modulus = "200 GPa"
+//!     poisson_ratio = 0.3
+//!     roughness = "1.2e-13 m/Pa"
+//!
+//!     [punch]
+//!     half_width = "5 mm"
+//!     profile = "x^2 / (2*0.8)"
+//!
+//!     [load]
+//!     force = "0.8 MN/m"
+//!     moment = "100 N"
+//!
+//!     [solver]
+//!     contact = "bilateral"
+//!     "#,
+//!     "punch.toml",
+//! )?;
+//! assert_eq!(problem.frame().half_width(), 5e-3);
+//! # Ok::<(), shtaerman::Error>(())
+//! ```
+
+mod load;
+mod physical;
+mod profile;
+mod solver;
+
+use std::path::Path;
+
+use crate::document::{Document, Field, FileError, MAXIMUM_BYTES, TableReader};
+use crate::{Error, Frame, Problem};
+
+/// Keys of which a file has one; an override of one replaces the other.
+const ALTERNATIVES: [&[&str]; 7] = [
+    &["load.force", "load.settlement"],
+    &["load.moment", "load.eccentricity", "load.tilt"],
+    &["foundation.roughness", "foundation.subgrade_modulus"],
+    &["dimensionless.theta0", "dimensionless.lambda0"],
+    &["dimensionless.force", "dimensionless.settlement"],
+    &["dimensionless.moment", "dimensionless.eccentricity", "dimensionless.tilt"],
+    &["dimensionless.theta0", "dimensionless.poisson_ratio"],
+];
+
+/// Reads a problem from text; a measured profile is looked for in the current folder. `name` is for messages.
+///
+/// # Errors
+/// [`Error::File`] with file, line and field.
+pub fn parse(text: &str, name: &str) -> Result<Problem, Error> {
+    read(&Document::parse(text, name)?, Path::new(""))
+}
+
+/// Reads a problem from the bytes of a file, with overrides `KEY=VALUE`; `folder` is where a measured profile is looked for.
+///
+/// # Errors
+/// [`Error::File`] with file, line and field.
+pub fn from_bytes(
+    bytes: &[u8],
+    name: &str,
+    folder: &Path,
+    overrides: &[String],
+) -> Result<Problem, Error> {
+    let mut document = Document::from_bytes(bytes, name)?;
+    for text in overrides {
+        let (key, value) = text.split_once('=').ok_or_else(|| {
+            FileError::new(format!("--set {text}: has no `=`"))
+                .with_help("write --set load.force=\"1 MN/m\"")
+        })?;
+        document.set(key.trim(), value.trim())?;
+    }
+    for group in ALTERNATIVES {
+        document.prefer_overrides(group);
+    }
+    read(&document, folder)
+}
+
+/// Reads a problem file, with overrides `KEY=VALUE`.
+///
+/// # Errors
+/// [`Error::File`] with file, line and field.
+pub fn open(path: &Path, overrides: &[String]) -> Result<Problem, Error> {
+    let name = path.display().to_string();
+    let bytes = load_bytes(path).map_err(|message| FileError::new(message).in_file(Some(&name)))?;
+    from_bytes(&bytes, &name, path.parent().unwrap_or(Path::new("")), overrides)
+}
+
+/// The bytes of a file of at most [`MAXIMUM_BYTES`], or what is wrong with it.
+fn load_bytes(path: &Path) -> Result<Vec<u8>, String> {
+    let readable = |error: std::io::Error| format!("cannot be read: {error}");
+    let metadata = std::fs::metadata(path).map_err(readable)?;
+    if metadata.is_dir() {
+        return Err("is a folder, not a file".to_owned());
+    }
+    if metadata.len() > MAXIMUM_BYTES as u64 {
+        return Err(format!(
+            "has {} bytes, more than the {MAXIMUM_BYTES} that are read",
+            metadata.len()
+        ));
+    }
+    std::fs::read(path).map_err(readable)
+}
+
+fn read(document: &Document, folder: &Path) -> Result<Problem, Error> {
+    let reader = document.reader();
+    let solver = solver::read(&reader)?;
+    let problem = if let Some(table) = reader.table("dimensionless")? {
+        for name in ["foundation", "punch", "load", "body"] {
+            if let Some(field) = reader.optional(name) {
+                let message =
+                    "does not go with [dimensionless]: a problem is physical or dimensionless";
+                return Err(field.error(message).into());
+            }
+        }
+        let frame = dimensionless_frame(&table)?;
+        let profile = profile::read(&table, &frame, folder)?;
+        let load = load::read(&table, false)?;
+        reader.finish()?;
+        profile.problem(frame, load, solver)?
+    } else {
+        if !reader.has("foundation") && !reader.has("punch") && !reader.has("load") {
+            let message = "has neither [foundation], [punch], [load] nor [dimensionless]";
+            let help = "`shtaerman init` writes an example";
+            return Err(FileError::new(message)
+                .in_file(document.file_name())
+                .with_help(help)
+                .into());
+        }
+        let frame = physical::read(&reader)?;
+        let profile = profile::read(&reader.required("punch")?.table()?, &frame, folder)?;
+        let load = load::read(&reader.required("load")?.table()?, true)?;
+        reader.finish()?;
+        profile.problem(frame, load, solver)?
+    };
+    Ok(problem)
+}
+
+fn dimensionless_frame(table: &TableReader<'_>) -> Result<Frame, FileError> {
+    let field = table.exactly_one(&["theta0", "lambda0"])?;
+    let poisson_ratio = table.optional("poisson_ratio");
+    let value = field.number()?;
+    if field.name().ends_with("theta0") {
+        if let Some(ratio) = poisson_ratio {
+            return Err(ratio.error("goes with lambda0; theta0 alone is enough"));
+        }
+        return Frame::dimensionless(value).map_err(|error| refused(&field, &error));
+    }
+    let ratio_field = table.required("poisson_ratio")?;
+    let ratio = ratio_field.number()?;
+    if !(ratio > -1.0 && ratio <= 0.5) {
+        return Err(
+            ratio_field.error(format!("is {ratio}: must be greater than -1 and at most 0.5"))
+        );
+    }
+    // theta0 = 2 (1 - nu^2)/pi lambda0
+    Frame::dimensionless(2.0 * (1.0 - ratio * ratio) / std::f64::consts::PI * value)
+        .map_err(|_| field.error(format!("is {value}: must be finite and not negative")))
+}
+
+/// The fault of a field whose value a constructor refused.
+fn refused(field: &Field<'_>, error: &Error) -> FileError {
+    match error {
+        Error::InvalidValue { value, requirement, .. } => {
+            field.error(format!("is {value}: must be {requirement}"))
+        }
+        other => field.error(other),
+    }
+}

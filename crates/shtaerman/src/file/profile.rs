@@ -1,0 +1,93 @@
+//! The profile of a punch.
+
+use std::path::Path;
+
+use super::load_bytes;
+use crate::document::{Field, FileError, TableReader};
+use crate::profile::{CsvOptions, read_csv};
+use crate::quantity::{self, Dimension};
+use crate::{Error, Frame, Load, Problem, Profile, Solver};
+
+/// A profile with its field, for messages that need the finished problem.
+pub(super) struct ReadProfile<'d> {
+    field: Field<'d>,
+    profile: Profile,
+}
+
+pub(super) fn read<'d>(
+    table: &TableReader<'d>,
+    frame: &Frame,
+    folder: &Path,
+) -> Result<ReadProfile<'d>, FileError> {
+    let field = table.required("profile").map_err(|error| match error.help() {
+        Some(_) => error,
+        None => error.with_help("profile = \"0\" is a flat base"),
+    })?;
+    let profile =
+        if field.is_table() { measured(&field, frame, folder)? } else { expression(&field)? };
+    Ok(ReadProfile { field, profile })
+}
+
+impl ReadProfile<'_> {
+    /// The problem; what it finds wrong with the profile is told at the profile.
+    pub(super) fn problem(
+        self,
+        frame: Frame,
+        load: Load,
+        solver: Solver,
+    ) -> Result<Problem, Error> {
+        Problem::new(frame, self.profile, load, solver).map_err(|error| match error {
+            Error::ProfileNotFinite { .. } => {
+                let message = error.to_string();
+                self.field.error(message.strip_prefix("the profile ").unwrap_or(&message)).into()
+            }
+            other => other,
+        })
+    }
+}
+
+fn expression(field: &Field<'_>) -> Result<Profile, FileError> {
+    Profile::expression(field.string()?).map_err(|error| {
+        let fault = field.error_within(&error, error.span.clone());
+        match error.help() {
+            Some(help) => fault.with_help(help),
+            None => fault,
+        }
+    })
+}
+
+fn measured(field: &Field<'_>, frame: &Frame, folder: &Path) -> Result<Profile, FileError> {
+    let table = field.table()?;
+    let csv = table.required("csv")?;
+    let path = folder.join(csv.string()?);
+    let physical = frame.scaling().is_some();
+    let half_width = frame.half_width();
+    let options = CsvOptions {
+        position_unit: unit(&table, "x_unit", physical)?,
+        height_unit: unit(&table, "f_unit", physical)?,
+        flip: table.boolean("flip")?.unwrap_or(false),
+        cover: [-half_width, half_width],
+    };
+    let name = path.display().to_string();
+    let bytes = load_bytes(&path).map_err(|message| csv.error(format!("{name} {message}")))?;
+    read_csv(&bytes, &name, &options).map_err(|error| csv.error(error))
+}
+
+/// SI value of the unit of a column.
+fn unit(table: &TableReader<'_>, key: &str, physical: bool) -> Result<f64, FileError> {
+    let Some(field) = table.optional(key) else { return Ok(1.0) };
+    if !physical {
+        return Err(
+            field.error("has no place in a dimensionless problem: the columns are xi and f0")
+        );
+    }
+    let text = field.string()?;
+    let value = quantity::parse(&format!("1 {text}"))
+        .and_then(|quantity| quantity.of(Dimension::LENGTH, text))
+        .map_err(|error| field.error(format!("is a unit of length (like \"mm\"): {error}")))?;
+    if value > 0.0 {
+        Ok(value)
+    } else {
+        Err(field.error(format!("is a unit of length (like \"mm\"), got `{text}`")))
+    }
+}

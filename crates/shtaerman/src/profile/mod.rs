@@ -1,0 +1,113 @@
+//! The base of the punch.
+
+mod measured;
+mod spline;
+
+pub use measured::{CsvOptions, read_csv};
+
+use crate::Error;
+use crate::error::require;
+use crate::expression::{Defect, Expression, ExpressionError, Interval, Line, Verdict};
+use spline::Spline;
+
+/// Names an expression may use: `x` (metres; in a dimensionless problem the same as `xi`), `xi = x/a`, and the half-width `a`.
+pub const VARIABLES: [&str; 3] = ["x", "xi", "a"];
+
+/// The base `f(x)` of a punch, positive away from the body: an expression or a measured curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Profile {
+    shape: Shape,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum Shape {
+    Flat,
+    Expression(Expression),
+    Measured(Spline),
+}
+
+impl Profile {
+    /// `f = 0`.
+    #[must_use]
+    pub fn flat() -> Self {
+        Self { shape: Shape::Flat }
+    }
+
+    /// An expression in [`VARIABLES`], such as `x^2 / (2*0.8)`: see [`crate::expression`].
+    ///
+    /// # Errors
+    /// [`ExpressionError`] with the place in the text.
+    pub fn expression(text: &str) -> Result<Self, ExpressionError> {
+        Ok(Self { shape: Shape::Expression(Expression::parse(text, &VARIABLES)?) })
+    }
+
+    /// The cubic spline through measured points; lengths in the units of the problem.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] unless there are at least two points, all finite, with strictly increasing positions.
+    pub fn measured(positions: Vec<f64>, heights: Vec<f64>) -> Result<Self, Error> {
+        let count = positions.len().min(heights.len());
+        require(count >= 2, "profile", count as f64, "given by at least two points")?;
+        require(
+            positions.len() == heights.len(),
+            "profile",
+            heights.len() as f64,
+            "one height for each position",
+        )?;
+        for value in positions.iter().chain(&heights) {
+            require(value.is_finite(), "profile", *value, "finite at every point")?;
+        }
+        for pair in positions.windows(2) {
+            require(
+                pair[0] < pair[1],
+                "profile",
+                pair[1],
+                "given at strictly increasing positions",
+            )?;
+        }
+        Ok(Self { shape: Shape::Measured(Spline::through(positions, heights)) })
+    }
+
+    /// `f(a xi)` for a punch of half-width `a`; taken at `xi`, whose ends are exact.
+    #[must_use]
+    pub fn height(&self, xi: f64, half_width: f64) -> f64 {
+        match &self.shape {
+            Shape::Flat => 0.0,
+            Shape::Expression(expression) => {
+                expression.evaluate(&[half_width * xi, xi, half_width])
+            }
+            Shape::Measured(spline) => spline.evaluate(half_width * xi),
+        }
+    }
+
+    /// A `xi` in `[-1, 1]` at which the profile is not finite, and how, if there is one: proven for an expression where interval
+    /// arithmetic can, so that a pole between all samples is found.
+    #[must_use]
+    pub fn find_not_finite(&self, half_width: f64) -> Option<(f64, Defect)> {
+        let Shape::Expression(expression) = &self.shape else { return None };
+        let line = Line::new(&[(0.0, half_width), (0.0, 1.0), (half_width, 0.0)]);
+        let base = Interval::new(-1.0, 1.0)?;
+        match expression.finiteness(&line, base) {
+            Verdict::NotFinite { at, defect } => Some((at, defect)),
+            Verdict::ProvedFinite | Verdict::Undecided => None,
+        }
+    }
+
+    /// First and last position of a measured profile.
+    #[must_use]
+    pub fn measured_range(&self) -> Option<[f64; 2]> {
+        match &self.shape {
+            Shape::Measured(spline) => Some(spline.range()),
+            Shape::Flat | Shape::Expression(_) => None,
+        }
+    }
+
+    /// Number of points of a measured profile.
+    #[must_use]
+    pub fn measured_points(&self) -> Option<usize> {
+        match &self.shape {
+            Shape::Measured(spline) => Some(spline.len()),
+            Shape::Flat | Shape::Expression(_) => None,
+        }
+    }
+}
