@@ -43,6 +43,7 @@ pub mod quadrature;
 pub mod special;
 
 pub use collocation::{SincOperator, SincSolution};
+pub use degenerate::bounds;
 pub use degenerate::{
     Convergence, DegenerateSolution, DegenerateSystem, StructuredOperator, StructuredSystem,
 };

@@ -4,10 +4,12 @@
 //! known, [`SpectralRelation`].
 
 mod logarithm;
+mod potential;
 mod relation;
 mod singularity;
 
 pub use logarithm::Logarithm;
+pub use potential::LogarithmicPotential;
 pub use relation::{Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Singularity, Split};
 
