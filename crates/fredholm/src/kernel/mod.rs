@@ -9,7 +9,8 @@ mod relation;
 mod singularity;
 
 pub use logarithm::Logarithm;
-pub use potential::LogarithmicPotential;
+pub(crate) use potential::EndMoments;
+pub use potential::{LogarithmicPotential, end_moments};
 pub use relation::{Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Singularity, Split};
 

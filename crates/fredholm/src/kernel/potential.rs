@@ -1,5 +1,7 @@
 //! The logarithmic potential of a polynomial, in closed form.
 
+use std::f64::consts::LN_2;
+
 use crate::basis::ChebyshevSeries;
 
 /// `U(x) = int_{-1}^{1} ln(1/|x - s|) q(s) ds` of `q = sum c_j T_j`, exact but for rounding, the ends included.
@@ -25,6 +27,8 @@ pub struct LogarithmicPotential {
     antiderivative: Vec<f64>,
     /// `G(-1)` and `G(1)`.
     ends: [f64; 2],
+    /// `U(-1)` and `U(1)`, from the moments of the kernel at the ends: at high degrees the recurrence loses digits there.
+    end_values: [f64; 2],
 }
 
 impl LogarithmicPotential {
@@ -41,12 +45,27 @@ impl LogarithmicPotential {
             .collect();
         let odd: f64 = antiderivative.iter().step_by(2).sum();
         let even: f64 = antiderivative.iter().skip(1).step_by(2).sum();
-        Self { antiderivative, ends: [even - odd, even + odd] }
+        let mut values = [0.0; 2];
+        for (j, (c, e)) in c.iter().zip(EndMoments::default()).enumerate() {
+            values[j % 2] += c * e;
+        }
+        Self {
+            antiderivative,
+            ends: [even - odd, even + odd],
+            end_values: [values[0] - values[1], values[0] + values[1]],
+        }
     }
 
     /// `U(x)`, `x` in `[-1, 1]`.
     #[must_use]
     pub fn evaluate(&self, x: f64) -> f64 {
+        if x.abs() == 1.0 {
+            return self.end_values[usize::from(x > 0.0)];
+        }
+        self.inside(x)
+    }
+
+    fn inside(&self, x: f64) -> f64 {
         let (value, polynomial) = if x.abs() < 0.5 { self.plain(x) } else { self.reinsch(x) };
         polynomial
             - vanishing(self.ends[1] - value, 1.0 - x)
@@ -74,6 +93,43 @@ impl LogarithmicPotential {
             sum += weight(i) * b;
         }
         (0.5 * slope * b + sign * difference, sum)
+    }
+}
+
+/// `e_m = int_{-1}^{1} ln(1/(1 - x)) T_m dx`, `m < count`: the kernel at the right end against the eigenfunctions.
+///
+/// With `B_m = -4 sum i/(i^2 - 1)` over even `0 < i < m`: `e_m = [2 ln 2 - 2/(m + 1) + B_m]/(m^2 - 1)` for even `m`, `B_m/(m^2 - 1)` for odd
+/// `m >= 3`, `e_1 = 1`; no cancellation but of a few units in the first.
+#[must_use]
+pub fn end_moments(count: usize) -> Vec<f64> {
+    EndMoments::default().take(count).collect()
+}
+
+/// The moments one after another.
+#[derive(Debug, Default)]
+pub(crate) struct EndMoments {
+    next: usize,
+    sum: f64,
+}
+
+impl Iterator for EndMoments {
+    type Item = f64;
+
+    fn next(&mut self) -> Option<f64> {
+        let m = self.next as f64;
+        self.next += 1;
+        let square = (m - 1.0) * (m + 1.0);
+        if self.next == 2 {
+            return Some(1.0);
+        }
+        if self.next.is_multiple_of(2) {
+            return Some(self.sum / square);
+        }
+        let value = (2.0 * LN_2 - 2.0 / (m + 1.0) + self.sum) / square;
+        if m > 0.0 {
+            self.sum -= 4.0 * m / square;
+        }
+        Some(value)
     }
 }
 
@@ -132,6 +188,23 @@ mod tests {
             }
         }
         assert_eq!(LogarithmicPotential::new(&ChebyshevSeries::default()).evaluate(0.3), 0.0);
+    }
+
+    #[test]
+    fn both_ways_agree_at_the_ends() {
+        for m in 0..300 {
+            let mut coefficients = vec![0.0; m + 1];
+            coefficients[m] = 1.0;
+            let potential = LogarithmicPotential::new(&ChebyshevSeries::new(coefficients));
+            for end in [-1.0, 1.0] {
+                let (found, exact) = (potential.evaluate(end), potential.inside(end));
+                assert!(
+                    (found - exact).abs() < 1e-15 + 1e-14 * exact.abs(),
+                    "{m}: {found} {exact}"
+                );
+            }
+        }
+        assert_eq!(end_moments(2), [2.0 - 2.0 * LN_2, 1.0]);
     }
 
     #[test]

@@ -26,12 +26,12 @@ pub struct Approximation {
     /// `<q, T_m>`, `m <= M`.
     moments: Vec<f64>,
     /// `r_m`, `m <= M`, and its own moments `<r, T_m>` without the tail.
-    residual: ChebyshevSeries,
-    residual_moments: Vec<f64>,
-    tail: Tail,
+    pub(super) residual: ChebyshevSeries,
+    pub(super) residual_moments: Vec<f64>,
+    pub(super) tail: Tail,
     /// Norms of the even and the odd part of the residual: of the modes up to `M`, and of those beyond.
-    explicit_norms: [f64; 2],
-    tail_norms: [f64; 2],
+    pub(super) explicit_norms: [f64; 2],
+    pub(super) tail_norms: [f64; 2],
 }
 
 /// What is linear in the approximation.
@@ -184,26 +184,25 @@ impl Approximation {
     /// `<g_u, q_v> + <q_u, r_v> + <r_u, r_v>/2`, off by at most `||r_u|| ||r_v|| / 2`, for even and odd parts separately,
     ///
     /// because `A^{-1} - 1/2` has a norm of at most `1/2`. Converges as the square of the norm of the residual: `n^-6 ln n` for
-    /// degenerate solutions, where `<g_u, q_v>` alone has `n^-4`.
+    /// degenerate solutions, where `<g_u, q_v>` alone has `n^-4`. Both must be of the same operator: where the parameters or the degrees
+    /// of the operators differ the radius is infinite.
     #[must_use]
     pub fn functional(&self, other: &Self) -> Enclosure {
         let plain = dot(self.right.coefficients(), prefix(&other.moments, &self.right));
-        let count = self.moments.len().min(other.residual.coefficients().len());
-        let explicit = dot(&self.moments[..count], &other.residual.coefficients()[..count]);
-        let (beyond, mut radius) = other.tail.product(self.parameter, &self.tail);
-        let mut half = 0.0;
-        for parity in 0..2 {
-            let part = |values: &[f64]| values.iter().skip(parity).step_by(2).copied().collect();
-            let (left, right): (Vec<f64>, Vec<f64>) =
-                (part(self.residual.coefficients()), part(&other.residual_moments));
-            half += 0.5
-                * dot(&left[..left.len().min(right.len())], &right[..left.len().min(right.len())]);
-            let (own, others) = (self.explicit_norms[parity], other.explicit_norms[parity]);
-            let (own_tail, others_tail) = (self.tail_norms[parity], other.tail_norms[parity]);
-            let unknown = own * others_tail + own_tail * others + own_tail * others_tail;
-            radius += 0.5 * (own + own_tail) * (others + others_tail) + 0.5 * unknown;
+        if !self.matches(other) {
+            return Enclosure { value: plain, radius: f64::INFINITY };
         }
+        let explicit = dot(&self.moments, other.residual.coefficients());
+        let half = 0.5 * dot(self.residual.coefficients(), &other.residual_moments);
+        let (beyond, unsure) = other.tail.product(self.parameter, &self.tail);
+        let split = |term: &Self| [term.explicit_norms, term.tail_norms];
+        let radius = unsure + half_product(split(self), split(other));
         Enclosure { value: plain + explicit + beyond + half, radius }
+    }
+
+    /// Whether both have the same parameter and know the same modes of their residuals.
+    pub(super) fn matches(&self, other: &Self) -> bool {
+        self.parameter == other.parameter && self.tail.last() == other.tail.last()
     }
 
     /// An upper bound of the norm of `p` of one parity in `L2(-1, 1)`.
@@ -224,13 +223,25 @@ impl Approximation {
     }
 }
 
+/// Half of the product of the norms of two residuals, and what their modes beyond leave uncertain in half of their scalar product; each given
+/// as the norms of the known modes and of those beyond, even and odd.
+pub(super) fn half_product(own: [[f64; 2]; 2], other: [[f64; 2]; 2]) -> f64 {
+    let parity = |i: usize| {
+        let ([known, beyond], [others, others_beyond]) =
+            (own.map(|norms| norms[i]), other.map(|norms| norms[i]));
+        let unknown = known * others_beyond + beyond * others + beyond * others_beyond;
+        0.5 * ((known + beyond) * (others + others_beyond) + unknown)
+    };
+    parity(0) + parity(1)
+}
+
 /// The moments that meet the coefficients of a series; the operator admits no longer series.
 fn prefix<'m>(moments: &'m [f64], series: &ChebyshevSeries) -> &'m [f64] {
     &moments[..moments.len().min(series.coefficients().len())]
 }
 
 /// The norm of one parity of a polynomial from its coefficients and moments, rounded up.
-fn norm(coefficients: &[f64], moments: &[f64], parity: usize) -> f64 {
+pub(super) fn norm(coefficients: &[f64], moments: &[f64], parity: usize) -> f64 {
     let (mut square, mut squares) = (0.0, 0.0);
     for (c, moment) in coefficients.iter().zip(moments).skip(parity).step_by(2) {
         square += c * moment;

@@ -2,6 +2,7 @@
 
 use super::approximation::Approximation;
 use super::enclosure::{Enclosure, Kind};
+use super::ends::{End, EndInfluence};
 use super::responses::{Given, Responses};
 use crate::basis::ChebyshevSeries;
 
@@ -171,6 +172,22 @@ impl<'r> Combination<'r> {
     #[must_use]
     pub fn error_supremum(&self) -> f64 {
         self.approximation.residual_supremum() + self.iterated_error()
+    }
+
+    /// `p` at an end, corrected with the influence function of the same parameter.
+    #[must_use]
+    pub fn end_value(&self, influence: &EndInfluence, end: End) -> Enclosure {
+        let mut found = influence.value(&self.approximation, end);
+        for index in 0..2 {
+            let coefficient = self.coefficients[index];
+            let shift = coefficient.value - self.used[index];
+            if shift != 0.0 || coefficient.radius != 0.0 {
+                let base = influence.value(&self.responses.bases()[index], end);
+                found.value += shift * base.value;
+                found.radius += shift.abs() * base.radius + coefficient.radius * base.magnitude();
+            }
+        }
+        found
     }
 
     /// The errors of `q` by comparison with a finer combination of the same problem: sharper where `q` does not resolve the boundary layers

@@ -9,6 +9,7 @@
 //! | `p - q` in `L2` | `‖r‖` |
 //! | `p(x) - q(x)` | `abs(r(x)) + C(theta) ‖r‖` |
 //! | `p(x) - q_1(x)`, the [iterated solution](IteratedSolution) | `C(theta) ‖r‖` |
+//! | `p(1)`, `p(-1)`, corrected with an [influence function](EndInfluence) | `theta ‖r_k‖ ‖r‖ / 2` |
 //! | `<u, A^{-1} v>`, corrected | `‖r_u‖ ‖r_v‖ / 2` |
 //! | coefficients and projections of a [combination](Combination) `c_1 A^{-1} 1 + c_2 A^{-1} x - A^{-1} f` | from those |
 //!
@@ -19,6 +20,7 @@ mod amplification;
 mod approximation;
 mod combination;
 mod enclosure;
+mod ends;
 mod iterated;
 mod operator;
 mod responses;
@@ -27,6 +29,7 @@ mod tail;
 pub use approximation::Approximation;
 pub use combination::{Combination, Refinement};
 pub use enclosure::{Enclosure, Kind};
+pub use ends::{End, EndInfluence};
 pub use iterated::IteratedSolution;
 pub use operator::ResidualOperator;
 pub use responses::{Given, Responses};

@@ -3,10 +3,11 @@
 use super::amplification::amplification;
 use super::approximation::{Approximation, Parts};
 use super::enclosure::Kind;
+use super::ends::EndInfluence;
 use super::iterated::difference;
 use crate::basis::ChebyshevSeries;
 use crate::degenerate::split::check_parameter;
-use crate::kernel::{Logarithm, SpectralRelation};
+use crate::kernel::{Logarithm, SpectralRelation, end_moments};
 use crate::{Error, StructuredOperator};
 
 /// Degree up to which the residual is formed mode by mode, over that of the approximation.
@@ -124,6 +125,28 @@ impl<'k> ResidualOperator<'k> {
             residual,
         };
         Ok(Approximation::new(self.parameter, self.amplification, kind, parts))
+    }
+
+    /// The approximation `k - s` of the influence function `A^{-1} k` of the end values, `k(x) = ln(1/(1 - x))`; `s` by its
+    /// coefficients, from the system with the moments [`end_moments`]. Two products of four times the degree.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] when the degree of `s` exceeds [`degree`](Self::degree) or a coefficient is not finite.
+    pub fn end_influence(&self, correction: &[f64]) -> Result<EndInfluence, Error> {
+        self.check(correction)?;
+        let count = self.products.degree() + 1;
+        let kernel = self.products.kernel();
+        let smooth = self.products.product(correction);
+        let moments: Vec<f64> =
+            end_moments(count).iter().zip(&smooth).map(|(e, s)| e - s).collect();
+        let residual: Vec<f64> = (moments.iter().enumerate())
+            .map(|(m, moment)| {
+                let s = correction.get(m).copied().unwrap_or(0.0);
+                s - self.parameter * kernel.expansion_factor(m) * moment
+            })
+            .collect();
+        let residual_moments = self.products.product(&residual);
+        Ok(EndInfluence::new(self.parameter, correction, moments, residual, &residual_moments))
     }
 
     fn check(&self, density: &[f64]) -> Result<(), Error> {

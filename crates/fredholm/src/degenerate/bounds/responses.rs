@@ -29,7 +29,7 @@ impl Responses {
     /// From the approximations for the right-hand sides `1`, `x` and `f`.
     ///
     /// # Errors
-    /// [`Error::InvalidParameter`] when the parameters differ or the first two right-hand sides are not `1` and `x`.
+    /// [`Error::InvalidParameter`] when the parameters or the degrees of the operators differ, or when the first two right-hand sides are not `1` and `x`.
     pub fn new(
         constant: Approximation,
         linear: Approximation,
@@ -40,6 +40,13 @@ impl Responses {
                 return Err(Error::InvalidParameter {
                     name: "parameter of a response",
                     value: other.parameter,
+                    requirement: "the same for all",
+                });
+            }
+            if !other.matches(&constant) {
+                return Err(Error::InvalidParameter {
+                    name: "degree of the operator of a response",
+                    value: other.tail.last() as f64,
                     requirement: "the same for all",
                 });
             }

@@ -2,6 +2,8 @@
 
 /// Terms of the expansion in `1/m^2` that are kept.
 const TERMS: usize = 14;
+/// Terms of a sum that are added one by one.
+const ONE_BY_ONE: usize = 32;
 
 /// Moments and residual of `q = sum_{j<=n} c_j T_j` beyond degree `M >= 4 (n + 1)`. For `m > n + 1`
 ///
@@ -48,8 +50,26 @@ impl Tail {
         Self { last, parts }
     }
 
+    /// `<q, T_m>` for `m > M`, but for the remainder.
+    pub(super) fn moment(&self, m: usize) -> f64 {
+        let square = (m as f64).powi(-2);
+        let ratio = (self.last as f64).powi(2) * square;
+        let terms = &self.parts[m % 2].terms;
+        -square * terms.iter().rev().fold(0.0, |sum, term| sum * ratio + term)
+    }
+
+    /// What the kept terms may leave, times `m^2`.
+    pub(super) fn remainder(&self, parity: usize) -> f64 {
+        self.parts[parity].remainder
+    }
+
+    /// `M`.
+    pub(super) fn last(&self) -> usize {
+        self.last
+    }
+
     /// `Phi` with `|<q, T_m>| <= Phi / m^2` for `m > M` of this parity.
-    fn size(&self, parity: usize) -> f64 {
+    pub(super) fn size(&self, parity: usize) -> f64 {
         let part = &self.parts[parity];
         part.terms.iter().map(|term| term.abs()).sum::<f64>() + part.remainder
     }
@@ -67,11 +87,7 @@ impl Tail {
     pub(super) fn norm(&self, theta: f64, parity: usize) -> f64 {
         let last = self.last as f64;
         let (sum, first) = (1.0 / (4.0 * last * last), (last + 1.0).powi(-3));
-        let turn = (first / sum).min(1.0).asin();
-        // int_0^pi min(S, w / sin t)^2 sin t dt
-        let ends = 4.0 * (sum * (0.5 * turn).sin()).powi(2);
-        let middle = -2.0 * first * first * (0.5 * turn).tan().ln();
-        2.0 * theta * self.size(parity) * (ends + middle.max(0.0)).sqrt()
+        2.0 * theta * self.size(parity) * peaked_norm(sum, first)
     }
 
     /// An upper bound of `sum_{m>M} |r_m| int T_m|`, even modes; and of the first moment, odd modes.
@@ -102,16 +118,27 @@ impl Tail {
     }
 }
 
-/// `sum_{m = first, first + 2, ..} m^-5 (scale/m)^power` by Euler and Maclaurin.
+/// The norm in `L2(-1, 1)` of `min(sum, first / sin t)` as a function of `cos t`.
+pub(super) fn peaked_norm(sum: f64, first: f64) -> f64 {
+    // int_0^pi min(S, w / sin t)^2 sin t dt
+    let turn = (first / sum).min(1.0).asin();
+    let ends = 4.0 * (sum * (0.5 * turn).sin()).powi(2);
+    let middle = -2.0 * first * first * (0.5 * turn).tan().ln();
+    (ends + middle.max(0.0)).sqrt()
+}
+
+/// `sum_{m = first, first + 2, ..} m^-5 (scale/m)^power`: the first terms one by one, the rest by Euler and Maclaurin.
 fn scaled_sum(first: usize, scale: f64, power: usize) -> f64 {
-    let m = first as f64;
+    let term = |m: f64| m.powi(-5) * (scale / m).powi(power as i32);
+    let leading: f64 = (0..ONE_BY_ONE).map(|i| term((first + 2 * i) as f64)).sum();
+    let m = (first + 2 * ONE_BY_ONE) as f64;
     let p = (power + 5) as f64;
     let ratio = |k: f64| (p + k) / m;
     // Steps of 2: B_2j 2^(2j-1) / (2j)! before the odd derivatives.
     let cubic = ratio(0.0) * ratio(1.0) * ratio(2.0);
-    let series = m / (2.0 * (p - 1.0)) + 0.5 + ratio(0.0) / 6.0 - cubic / 90.0
-        + cubic * ratio(3.0) * ratio(4.0) / 945.0;
-    (power as f64 * (scale / m).ln()).exp() * m.powi(-5) * series
+    let quintic = cubic * ratio(3.0) * ratio(4.0);
+    let series = m / (2.0 * (p - 1.0)) + 0.5 + ratio(0.0) / 6.0 - cubic / 90.0 + quintic / 945.0;
+    leading + term(m) * series
 }
 
 #[cfg(test)]
@@ -128,11 +155,8 @@ mod tests {
         let (c, last) = (coefficients(), 52);
         let tail = Tail::new(&c, last);
         for (m, exact) in ChebyshevSeries::new(c).moments(4000).into_iter().enumerate().skip(53) {
-            let square = (m as f64).powi(-2);
-            let ratio = (last as f64).powi(2) * square;
-            let part = tail.parts[m % 2];
-            let found = -square * part.terms.iter().rev().fold(0.0, |sum, term| sum * ratio + term);
-            assert!((found - exact).abs() <= part.remainder * square + 1e-15 * square);
+            let (square, error) = ((m as f64).powi(-2), (tail.moment(m) - exact).abs());
+            assert!(error <= (tail.remainder(m % 2) + 1e-15) * square);
             assert!(exact.abs() <= tail.size(m % 2) * square);
         }
     }
