@@ -73,7 +73,7 @@ fn comparison_with_a_finer_solution_is_sharp_where_the_layers_are_not_resolved()
         }
         let (coarse, fine) =
             (problem.responses(problem.degree), problem.responses((6.0 * problem.theta) as usize));
-        let (coarse, fine) = (coarse.combine(problem.given), fine.combine(problem.given));
+        let (coarse, fine) = (coarse.0.combine(problem.given), fine.0.combine(problem.given));
         let refinement = coarse.refined_by(&fine);
         let [reference, _] = references(&operators, &problem);
         let size = reference.sizes.2;

@@ -1,10 +1,12 @@
 //! How fast plain and iterated solutions and corrected functionals converge.
 
 use fredholm::basis::ChebyshevSeries;
-use fredholm::bounds::{Approximation, IteratedSolution, Kind, ResidualOperator};
-use fredholm::kernel::Logarithm;
+use fredholm::bounds::{
+    Approximation, End, EndInfluence, IteratedSolution, Kind, ResidualOperator,
+};
+use fredholm::kernel::{Logarithm, end_moments};
 use fredholm::quadrature::double_exponential;
-use fredholm::{DegenerateSystem, SincOperator, SincSolution};
+use fredholm::{DegenerateSystem, SincOperator, SincSolution, StructuredSystem};
 
 /// `g = 1 + x - x^3/4`
 fn right() -> ChebyshevSeries {
@@ -126,5 +128,52 @@ fn the_norm_of_the_error_is_bounded_sharply() {
         let (norm, bound) = (square.sqrt(), found.error_norm());
         println!("theta {theta}, n {degree}: {norm:e} {bound:e}");
         assert!(norm <= bound && bound <= 6.0 * norm, "{theta}: {norm:e} {bound:e}");
+    }
+}
+
+fn with_influence(theta: f64, degree: usize) -> (Approximation, EndInfluence) {
+    let (kernel, g) = (Logarithm::unit(), right());
+    let system = StructuredSystem::new(&kernel, theta, degree).unwrap();
+    let operator = ResidualOperator::new(&kernel, theta, degree).unwrap();
+    let (solution, _) = system.solve(&g.moments(degree + 1), 1e-14).unwrap();
+    let (influence, _) = system.solve(&end_moments(degree + 1), 1e-14).unwrap();
+    let found = operator.approximation(&g, solution.correction(), Kind::Bound).unwrap();
+    (found, operator.end_influence(influence.correction()).unwrap())
+}
+
+#[test]
+fn corrected_ends_converge_faster_than_the_fifth_order() {
+    let operator = SincOperator::new(&Logarithm::unit(), 100).unwrap();
+    for (theta, degrees) in [(1.0, [32usize, 64]), (10.0, [64, 128]), (60.0, [256, 512])] {
+        let exact = reference(&operator, theta);
+        for end in [End::Left, End::Right] {
+            let truth = exact.evaluate(end.position(), right().evaluate(end.position()));
+            let [coarse, fine] = degrees.map(|degree| {
+                let (found, influence) = with_influence(theta, degree);
+                let value = influence.value(&found, end);
+                let error = (value.value - truth).abs();
+                assert!(error <= value.radius + 2e-12, "{theta} {degree}: {error:e} {value:?}");
+                [error, value.radius]
+            });
+            let order = (coarse[1] / fine[1]).log2();
+            assert!(order > 5.0, "{theta}: {order} {coarse:?} {fine:?}");
+            assert!(coarse[1] < 60.0 * coarse[0], "{theta}: {coarse:?}");
+        }
+    }
+}
+
+#[test]
+fn corrected_ends_of_two_degrees_agree_at_a_large_parameter() {
+    // Where the reference has no more than 1e-10.
+    let theta = 8000.0;
+    let [coarse, fine] = [24_000usize, 40_000].map(|degree| with_influence(theta, degree));
+    for end in [End::Left, End::Right] {
+        let (coarse, fine) = (coarse.1.value(&coarse.0, end), fine.1.value(&fine.0, end));
+        let difference = (coarse.value - fine.value).abs();
+        println!(
+            "{end:?}: {difference:e} of {}, radii {:e} {:e}",
+            fine.value, coarse.radius, fine.radius
+        );
+        assert!(difference <= coarse.radius + fine.radius + 1e-11 * fine.value.abs());
     }
 }

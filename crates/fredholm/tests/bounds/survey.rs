@@ -219,49 +219,48 @@ pub(crate) fn observe(
     points: &[f64],
 ) -> Vec<Observation> {
     let mut found = Vec::new();
-    // Exact value twice, found value, bound.
-    let mut add = |quantity, size: f64, exact: [f64; 2], value: f64, bound: f64| {
-        found.push(Observation {
-            quantity,
-            theta: problem.theta,
-            error: (value - exact[0]).abs() / size,
-            bound: bound / size,
-            noise: (exact[0] - exact[1]).abs() / size,
-        });
-    };
     let (sizes, approximation) = (&references[0].sizes, combination.approximation());
-    let exact = |x: f64| [0, 1].map(|i| references[i].value(problem, x));
-    let mut worst = [[0.0f64; 2]; 2];
+    let values = |x: f64| [0, 1].map(|i| references[i].value(problem, x));
+    let distance = |pair: [f64; 2]| (pair[0] - pair[1]).abs();
+    // The largest over the interval: at one point two references may agree by chance.
+    let noise = points.iter().map(|&x| distance(values(x)) / sizes.2).fold(0.0, f64::max);
+    let noises = [0, 1].map(|i| {
+        let coefficients = distance([0, 1].map(|k| references[k].coefficients[i])) / sizes.0[i];
+        coefficients + distance([0, 1].map(|k| references[k].projections[i])) / sizes.1[i]
+    });
+    let mut add = |quantity, size: f64, noise: f64, error: f64, bound: f64| {
+        let (theta, error, bound) = (problem.theta, error.abs() / size, bound / size);
+        found.push(Observation { quantity, theta, error, bound, noise });
+    };
+    let mut worst = [0.0f64; 2];
     for &x in points {
-        let (truth, g) = (exact(x), approximation.right_hand_side().evaluate(x));
-        let values = [approximation.evaluate(x), approximation.iterated().evaluate(x, g)];
-        add("pressure at a point", sizes.2, truth, values[0], combination.error_at(x));
-        for (worst, value) in worst.iter_mut().zip(values) {
-            let error = (value - truth[0]).abs();
-            if error > worst[0] {
-                *worst = [error, error - (truth[1] - truth[0]).abs()];
-            }
-        }
+        let (truth, g) = (values(x)[0], approximation.right_hand_side().evaluate(x));
+        let plain = approximation.evaluate(x) - truth;
+        let iterated = approximation.iterated().evaluate(x, g) - truth;
+        add("pressure at a point", sizes.2, noise, plain, combination.error_at(x));
+        worst = [worst[0].max(plain.abs()), worst[1].max(iterated.abs())];
     }
-    add("pressure", sizes.2, worst[0], 0.0, combination.error_supremum());
-    add("iterated pressure", sizes.2, worst[1], 0.0, combination.iterated_error());
+    add("pressure", sizes.2, noise, worst[0], combination.error_supremum());
+    add("iterated pressure", sizes.2, noise, worst[1], combination.iterated_error());
     for end in [End::Left, End::Right] {
-        let enclosure = combination.end_value(influence, end);
-        let truth = exact(end.position());
-        add("end pressure, corrected", sizes.2, truth, enclosure.value, enclosure.radius);
+        let found = combination.end_value(influence, end);
+        let error = found.value - values(end.position())[0];
+        add("end pressure, corrected", sizes.2, noise, error, found.radius);
     }
     for i in 0..2 {
         if !matches!(problem.given[i], Given::Coefficient(_)) {
-            let truth = [0, 1].map(|k| references[k].coefficients[i]);
+            let truth = references[0].coefficients[i];
             let (best, plain) = (combination.coefficients()[i], combination.used_coefficients()[i]);
-            add("coefficient", sizes.0[i], truth, best.value, best.radius);
-            add("coefficient, plain", sizes.0[i], truth, plain, best.error_of(plain));
+            add("coefficient", sizes.0[i], noises[i], best.value - truth, best.radius);
+            let bound = best.error_of(plain);
+            add("coefficient, plain", sizes.0[i], noises[i], plain - truth, bound);
         }
         if !matches!(problem.given[i], Given::Projection(_)) {
-            let truth = [0, 1].map(|k| references[k].projections[i]);
+            let truth = references[0].projections[i];
             let (best, plain) = (combination.projections()[i], approximation.moments()[i]);
-            add("projection", sizes.1[i], truth, best.value, best.radius);
-            add("projection, plain", sizes.1[i], truth, plain, best.error_of(plain));
+            add("projection", sizes.1[i], noises[i], best.value - truth, best.radius);
+            let bound = best.error_of(plain);
+            add("projection, plain", sizes.1[i], noises[i], plain - truth, bound);
         }
     }
     found
