@@ -210,7 +210,8 @@ mod tests {
     #[test]
     fn satisfies_the_bilinear_expansion_at_high_degree() {
         // U = sum a_m <q, T_m> T_m with a_0 = ln 2, a_m = 2/m; the terms fall as m^-3.
-        let coefficients: Vec<f64> = (0..=3000).map(|j| 1.0 / (1.0 + j as f64).powi(2)).collect();
+        let coefficients: Vec<f64> =
+            (0..=3000).map(|j| 1.0 / (1.0 + f64::from(j)).powi(2)).collect();
         let q = ChebyshevSeries::new(coefficients);
         let potential = LogarithmicPotential::new(&q);
         let mut terms = q.moments(1 << 16);

@@ -6,22 +6,23 @@ mod corners;
 mod orders;
 mod survey;
 
-use survey::{Observation, Problem, Random, SLACK, observe, operators, points, references};
+use survey::{Observation, Problem, Random, Reference, SLACK, observe, operator, points};
 
 /// Observations of seeded problems with the degree `max(64, resolution * theta)`.
 fn survey(seed: u64, count: usize, resolution: f64) -> Vec<Observation> {
-    let operators = operators();
+    let operator = operator();
     let mut random = Random::new(seed);
     let mut found = Vec::new();
     for _ in 0..count {
         let problem = Problem::random(&mut random, resolution);
         let (responses, influence) = problem.responses(problem.degree);
-        let references = references(&operators, &problem);
+        let reference = Reference::new(&operator, &problem);
         let points = points(&mut random, problem.degree);
         let combination = responses.combine(problem.given);
-        let observations = observe(&problem, &combination, &influence, &references, &points);
+        let observations = observe(&problem, &combination, &influence, &reference, &points);
         for observation in &observations {
-            assert!(!observation.is_broken(), "{observation:?} of {problem:?}");
+            let theta = observation.theta;
+            assert!(!observation.is_broken(), "theta {theta}: {observation:?} of {problem:?}");
         }
         found.extend(observations);
     }
@@ -63,7 +64,7 @@ fn bounds_hold_where_the_layers_are_not_resolved() {
 
 #[test]
 fn comparison_with_a_finer_solution_is_sharp_where_the_layers_are_not_resolved() {
-    let operators = operators();
+    let operator = operator();
     let mut random = Random::new(4);
     let mut ratios = Vec::new();
     while ratios.len() < 12 {
@@ -75,7 +76,7 @@ fn comparison_with_a_finer_solution_is_sharp_where_the_layers_are_not_resolved()
             (problem.responses(problem.degree), problem.responses((6.0 * problem.theta) as usize));
         let (coarse, fine) = (coarse.0.combine(problem.given), fine.0.combine(problem.given));
         let refinement = coarse.refined_by(&fine);
-        let [reference, _] = references(&operators, &problem);
+        let reference = Reference::new(&operator, &problem);
         let size = reference.sizes.2;
         let (mut worst, mut iterated) = (0.0f64, [0.0f64; 2]);
         for x in points(&mut random, problem.degree) {
