@@ -19,10 +19,9 @@ use crate::kernel::LogarithmicPotential;
 /// let right = ChebyshevSeries::new(vec![1.0]);
 /// let plain = DegenerateSystem::new(&kernel, 2.0, 40)?.solve(&right.moments(41));
 /// let iterated = IteratedSolution::new(2.0, &right, plain.correction());
-/// let finer = DegenerateSystem::new(&kernel, 2.0, 1600)?.solve(&right.moments(1601));
-/// let exact = finer.evaluate(1.0, 1.0);
-/// assert!((plain.evaluate(1.0, 1.0) - exact).abs() > 1e-4);
-/// assert!((iterated.evaluate(1.0, 1.0) - exact).abs() < 2e-6);
+/// let exact = 0.564_321_309_702; // by sinc collocation
+/// assert!((plain.evaluate(1.0, 1.0) - exact).abs() > 6e-4);
+/// assert!((iterated.evaluate(1.0, 1.0) - exact).abs() < 3e-6);
 /// # Ok::<(), fredholm::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
