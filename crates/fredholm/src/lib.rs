@@ -43,6 +43,7 @@ pub mod quadrature;
 pub mod special;
 
 pub use collocation::{SincOperator, SincSolution, solve_adaptive};
+pub use degenerate::bounds;
 pub use degenerate::{
     Convergence, DegenerateSolution, DegenerateSolver, DegenerateSystem, StructuredOperator,
     StructuredSystem,

@@ -2,6 +2,7 @@
 
 pub mod chebyshev;
 mod function;
+mod supremum;
 pub(crate) mod transform;
 
 pub use chebyshev::ChebyshevSeries;

@@ -1,6 +1,7 @@
 //! The paper's method: the kernel is replaced by the first terms of its bilinear expansion, (1.6), which turns the
 //! integral equation into a small linear system, (1.9).
 
+pub mod bounds;
 mod constant_shift;
 pub mod regularity;
 mod solution;

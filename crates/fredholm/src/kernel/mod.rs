@@ -4,11 +4,14 @@
 //! known, [`SpectralRelation`].
 
 mod logarithm;
+mod potential;
 mod power;
 mod relation;
 mod singularity;
 
 pub use logarithm::Logarithm;
+pub(crate) use potential::EndMoments;
+pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
 pub use relation::{Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Singularity, Split};
