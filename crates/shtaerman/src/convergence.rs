@@ -23,6 +23,8 @@ pub enum Quantity {
     PressureRight,
     /// Pressure in the middle.
     PressureMid,
+    /// Pressure at the right edge by the iterated solution: one exact application of the kernel to the degenerate one.
+    PressureRightIterated,
 }
 
 impl Quantity {
@@ -31,7 +33,7 @@ impl Quantity {
     #[must_use]
     pub fn expected_order(self) -> f64 {
         match self {
-            Self::Settlement | Self::Force => 4.0,
+            Self::Settlement | Self::Force | Self::PressureRightIterated => 4.0,
             Self::PressureRight => 2.0,
             Self::PressureMid => 3.0,
         }
@@ -84,17 +86,22 @@ impl Convergence {
             Vertical::Force(_) => Quantity::Settlement,
             Vertical::Settlement(_) => Quantity::Force,
         };
-        let quantities = vec![unknown, Quantity::PressureRight, Quantity::PressureMid];
+        let quantities = vec![
+            unknown,
+            Quantity::PressureRight,
+            Quantity::PressureMid,
+            Quantity::PressureRightIterated,
+        ];
         let degrees = std::iter::successors(Some(FIRST_DEGREE), |n| n.checked_mul(2))
             .take_while(|&n| n <= last);
         let mut rows: Vec<Row> = Vec::new();
         for n in degrees {
-            let contact = problem.solve_truncated(n)?;
+            let (contact, iterated) = problem.solve_iterated(n)?;
             let entries = (0..quantities.len())
                 .map(|i| {
                     Entry::after(
                         rows.last().map(|row| &row.entries[i]),
-                        value(quantities[i], &contact),
+                        value(quantities[i], &contact, iterated),
                     )
                 })
                 .collect();
@@ -117,12 +124,13 @@ impl Entry {
     }
 }
 
-fn value(quantity: Quantity, contact: &Contact) -> f64 {
+fn value(quantity: Quantity, contact: &Contact, iterated: f64) -> f64 {
     match quantity {
         Quantity::Settlement => contact.settlement(),
         Quantity::Force => contact.force(),
         Quantity::PressureRight => contact.pressure_right(),
         Quantity::PressureMid => contact.pressure_mid(),
+        Quantity::PressureRightIterated => iterated,
     }
 }
 

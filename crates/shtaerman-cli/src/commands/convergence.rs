@@ -54,6 +54,7 @@ fn name(quantity: Quantity) -> &'static str {
         Quantity::Force => "force",
         Quantity::PressureRight => "pressure at right edge",
         Quantity::PressureMid => "pressure in the middle",
+        Quantity::PressureRightIterated => "right edge, iterated",
     }
 }
 
@@ -62,7 +63,9 @@ fn unit(quantity: Quantity, problem: &Problem) -> &'static str {
         _ if problem.frame().scaling().is_none() => "",
         Quantity::Settlement => " [m]",
         Quantity::Force => " [N/m]",
-        Quantity::PressureRight | Quantity::PressureMid => " [Pa]",
+        Quantity::PressureRight | Quantity::PressureMid | Quantity::PressureRightIterated => {
+            " [Pa]"
+        }
     }
 }
 

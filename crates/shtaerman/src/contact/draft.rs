@@ -83,16 +83,3 @@ impl Draft {
         self.relative_error(problem) <= tolerance
     }
 }
-
-impl Accuracy {
-    pub(super) fn scaled(self, factor: f64) -> Self {
-        Self {
-            kind: self.kind,
-            pressure: factor * self.pressure,
-            settlement: factor * self.settlement,
-            tilt: factor * self.tilt,
-            force: factor * self.force,
-            moment: factor * self.moment,
-        }
-    }
-}

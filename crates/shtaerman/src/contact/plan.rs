@@ -42,12 +42,12 @@ impl Problem {
         let function = self.resolved_profile()?;
         let Route { draft, reason } = match (solver.method, solver.degree) {
             (MethodChoice::Spectral | MethodChoice::Auto, Some(degree)) => Route {
-                draft: spectral::solve_with_estimate(self, &function, degree)?,
+                draft: spectral::solve_with_bounds(self, &function, degree)?,
                 reason: "a given n fixes the truncation of the degenerate kernel".to_owned(),
             },
             (MethodChoice::Spectral, None) => Route {
                 draft: spectral::solve_adaptively(self, &function, target)?,
-                reason: "asked for; n doubled until the estimate was met or the last n reached"
+                reason: "asked for; n doubled until the bound was met or the last n reached"
                     .to_owned(),
             },
             (MethodChoice::Sinc, _) => Route {
@@ -87,6 +87,14 @@ impl Problem {
         let function = self.resolved_profile()?;
         let draft = spectral::solve(self, &function, degree)?;
         Contact::new(self, draft, "a given degree".to_owned(), function.series().degree())
+    }
+
+    /// The same with the iterated pressure at the right edge, in the units of the problem.
+    pub(crate) fn solve_iterated(&self, degree: usize) -> Result<(Contact, f64), Error> {
+        let contact = self.solve_truncated(degree)?;
+        let edge = spectral::iterated_edge(self, &self.resolved_profile()?, contact.draft());
+        let scale = self.frame().scaling().map_or(1.0, crate::Scaling::pressure);
+        Ok((contact, edge * scale))
     }
 
     fn choose(&self, function: &Function, target: Target) -> Result<Route, Error> {

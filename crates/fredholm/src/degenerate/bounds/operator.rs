@@ -69,6 +69,13 @@ impl<'k> ResidualOperator<'k> {
                 requirement: "1: scale the equation to (-1, 1)",
             });
         }
+        if products.kernel().expansion_factor(0) != std::f64::consts::LN_2 {
+            return Err(Error::InvalidParameter {
+                name: "first factor of the expansion",
+                value: products.kernel().expansion_factor(0),
+                requirement: "ln 2: the kernel without a gauge",
+            });
+        }
         if products.degree() < LEAST {
             return Err(Error::InvalidParameter {
                 name: "degree of the products",
