@@ -46,6 +46,35 @@ pub enum Error {
         pivot: usize,
     },
 
+    /// The operator `1 + parameter K` is singular to rounding: the parameter is `-1/nu` for an eigenvalue `nu` of `K`.
+    #[error(
+        "1 + {parameter} K has the eigenvalue {smallest:e}, zero to rounding: the equation has no unique solution"
+    )]
+    Singular {
+        /// The parameter.
+        parameter: f64,
+        /// Estimate of the eigenvalue of smallest magnitude.
+        smallest: f64,
+    },
+
+    /// A list of values has the wrong length.
+    #[error("the {what} has {found} values where {expected} are needed")]
+    WrongLength {
+        /// Which list.
+        what: &'static str,
+        /// Its length.
+        found: usize,
+        /// The right length.
+        expected: usize,
+    },
+
+    /// A matrix library gave up.
+    #[error("the eigenvalues of a matrix of order {order} were not found")]
+    EigenvaluesNotFound {
+        /// Order of the matrix.
+        order: usize,
+    },
+
     /// The system does not fit into memory.
     #[error(
         "a system of degree {degree} needs {} of memory, and {} can be had",

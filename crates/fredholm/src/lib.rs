@@ -42,10 +42,11 @@ pub mod memory;
 pub mod quadrature;
 pub mod special;
 
-pub use collocation::{SincOperator, SincSolution};
+pub use collocation::{SincOperator, SincSolution, solve_adaptive};
 pub use degenerate::bounds;
 pub use degenerate::{
-    Convergence, DegenerateSolution, DegenerateSystem, StructuredOperator, StructuredSystem,
+    Convergence, DegenerateSolution, DegenerateSolver, DegenerateSystem, StructuredOperator,
+    StructuredSystem,
 };
 pub use error::Error;
 pub use interval::Interval;

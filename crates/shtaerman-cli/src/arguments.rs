@@ -82,6 +82,9 @@ pub struct SolveArguments {
     /// Draw pressure and deformed surface to this file (.svg or .png).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    /// Solve by both methods and report their differences.
+    #[arg(long)]
+    pub cross_check: bool,
     /// Places for the pressure, separated by commas: metres or with a unit; xi for a dimensionless file.
     #[arg(long, value_name = "X1,X2,...", allow_hyphen_values = true)]
     pub at: Option<String>,

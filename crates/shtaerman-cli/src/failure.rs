@@ -1,10 +1,12 @@
 //! Why a command ends without its result, and the exit code that says so.
 
+use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 
 use miette::{
-    Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, SourceCode,
+    Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError,
+    MietteSpanContents, SourceCode, SourceSpan, SpanContents,
 };
 use shtaerman::document::FileError;
 
@@ -49,7 +51,7 @@ impl Failure {
 
     /// Prints the message to standard error and returns the exit code.
     pub(crate) fn report(&self) -> ExitCode {
-        eprint!("{}", self.message());
+        say(&self.message());
         ExitCode::from(self.exit_code())
     }
 
@@ -74,27 +76,17 @@ impl Failure {
     }
 }
 
-/// Longest source line that is shown.
+/// Writes to standard error; where that is closed or full, nobody is left to be told.
+pub(crate) fn say(text: &str) {
+    let _ = std::io::stderr().lock().write_all(text.as_bytes());
+}
+
+/// Longest source line that is shown, in bytes.
 const LONGEST_LINE: usize = 400;
 
 /// The faulty line with a caret; empty where there is none to show.
 fn snippet(fault: &FileError) -> String {
-    let (Some(source), Some(span)) = (fault.source_text(), fault.span()) else {
-        return String::new();
-    };
-    let line_length =
-        source[..span.start.min(source.len())].rfind('\n').map_or(span.start, |at| span.start - at)
-            + source[span.start.min(source.len())..]
-                .find('\n')
-                .unwrap_or(source.len().saturating_sub(span.start));
-    if line_length > LONGEST_LINE {
-        return String::new();
-    }
-    let first_line_end = source[span.start..].find('\n').map_or(source.len(), |at| span.start + at);
-    let excerpt = Excerpt {
-        text: NamedSource::new(fault.source_name(), source.to_owned()),
-        span: span.start..span.end.clamp(span.start, first_line_end),
-    };
+    let Some(excerpt) = Excerpt::of(fault) else { return String::new() };
     let mut drawn = String::new();
     let handler =
         GraphicalReportHandler::new_themed(GraphicalTheme::unicode_nocolor()).with_context_lines(0);
@@ -107,20 +99,67 @@ fn snippet(fault: &FileError) -> String {
     if body.is_empty() { String::new() } else { format!("  {body}") }
 }
 
-/// A place in a source, for the snippet drawer.
+/// One line of a source with the place at fault, for the snippet drawer.
 #[derive(Debug, thiserror::Error)]
 #[error("")]
 struct Excerpt {
-    text: NamedSource<String>,
-    span: std::ops::Range<usize>,
+    source_name: String,
+    line: String,
+    /// Byte of the source at which the line begins.
+    line_start: usize,
+    /// Index of the line, and of the first character at fault in it.
+    place: (usize, usize),
+    span: SourceSpan,
+}
+
+impl Excerpt {
+    /// None without a place, and for a line too long to be shown.
+    fn of(fault: &FileError) -> Option<Self> {
+        let (source, span) = (fault.source_text()?, fault.span()?);
+        let (before, after) = source.split_at_checked(span.start)?;
+        let line_start = before.rfind('\n').map_or(0, |at| at + 1);
+        let line_end = after.find('\n').map_or(source.len(), |at| span.start + at);
+        if line_end - line_start > LONGEST_LINE {
+            return None;
+        }
+        let end = span.end.clamp(span.start, line_end);
+        Some(Self {
+            source_name: fault.source_name().to_owned(),
+            line: source[line_start..line_end].trim_end_matches('\r').to_owned(),
+            line_start,
+            place: (before.matches('\n').count(), before[line_start..].chars().count()),
+            span: (span.start..end).into(),
+        })
+    }
 }
 
 impl Diagnostic for Excerpt {
     fn source_code(&self) -> Option<&dyn SourceCode> {
-        Some(&self.text)
+        Some(self)
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(None, self.span.clone()))))
+        Some(Box::new(std::iter::once(LabeledSpan::new_with_span(None, self.span))))
+    }
+}
+
+/// Gives the full line whatever part of it is asked for: without context lines the drawer asks for the span alone.
+impl SourceCode for Excerpt {
+    fn read_span<'a>(
+        &'a self,
+        _span: &SourceSpan,
+        _lines_before: usize,
+        _lines_after: usize,
+    ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
+        let span = (self.line_start, self.line.len()).into();
+        let (line, column) = self.place;
+        Ok(Box::new(MietteSpanContents::new_named(
+            self.source_name.clone(),
+            self.line.as_bytes(),
+            span,
+            line,
+            column,
+            1,
+        )))
     }
 }

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::{Contact, Error, Method, Warning};
+use crate::{Contact, CrossCheck, Error, ErrorKind, Rotational, Scaling, Vertical, Warning};
 
 /// Version of the answer's layout; the JSON Schema `schema/answer.schema.json` describes it.
 pub const SCHEMA: &str = "shtaerman-answer/1";
@@ -21,9 +21,56 @@ pub struct Answer {
     /// The pressure at points.
     pub pressure: PressureCurve,
     /// How it was solved.
-    pub method: Method,
+    pub method: MethodReport,
+    /// How sure the answer is.
+    pub error: Option<ErrorReport>,
+    /// Differences from the other method, where asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cross_check: Option<CrossCheck>,
     /// What a user should know.
     pub warnings: Vec<Warning>,
+}
+
+/// How an answer was found.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct MethodReport {
+    /// `spectral` or `sinc`.
+    pub name: &'static str,
+    /// Highest Chebyshev degree kept, or number of nodes.
+    pub n: usize,
+    /// Why this method.
+    pub reason: String,
+}
+
+/// The error of an answer: without dimensions, with a twin in SI units. Only what the load leaves unknown has an entry.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ErrorReport {
+    /// `bound` or `estimate`.
+    pub kind: ErrorKind,
+    /// The errors without dimensions.
+    #[serde(flatten)]
+    pub dimensionless: Errors,
+    /// The errors in SI units; `null` for a dimensionless problem.
+    pub physical: Option<Errors>,
+}
+
+/// Errors of the pressure and of the unknowns.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Errors {
+    /// Largest error of the pressure on the closed base.
+    pub pressure_sup: f64,
+    /// Error of the settlement.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub settlement: Option<f64>,
+    /// Error of the tilt.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tilt: Option<f64>,
+    /// Error of the force.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub force: Option<f64>,
+    /// Error of the moment.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moment: Option<f64>,
 }
 
 /// Quantities without dimension.
@@ -167,8 +214,46 @@ impl Answer {
             dimensionless: Dimensionless::new(contact),
             physical,
             pressure,
-            method: contact.method(),
+            method: MethodReport {
+                name: contact.method().name,
+                n: contact.method().n,
+                reason: contact.reason().to_owned(),
+            },
+            error: ErrorReport::new(contact),
+            cross_check: None,
             warnings: contact.warnings().to_vec(),
+        }
+    }
+}
+
+impl ErrorReport {
+    fn new(contact: &Contact) -> Option<Self> {
+        let accuracy = contact.accuracy()?;
+        let load = contact.problem().load();
+        let by_force = matches!(load.vertical, Vertical::Force(_));
+        let by_tilt = matches!(load.rotational, Rotational::Tilt(_));
+        let by_moment = matches!(load.rotational, Rotational::Moment(_));
+        let dimensionless = Errors {
+            pressure_sup: accuracy.pressure,
+            settlement: by_force.then_some(accuracy.settlement),
+            tilt: (!by_tilt).then_some(accuracy.tilt),
+            force: (!by_force).then_some(accuracy.force),
+            moment: (!by_moment).then_some(accuracy.moment),
+        };
+        let physical =
+            contact.problem().frame().scaling().map(|scaling| dimensionless.scaled(scaling));
+        Some(Self { kind: accuracy.kind, dimensionless, physical })
+    }
+}
+
+impl Errors {
+    fn scaled(&self, scaling: &Scaling) -> Self {
+        Self {
+            pressure_sup: self.pressure_sup * scaling.pressure(),
+            settlement: self.settlement.map(|error| error * scaling.displacement()),
+            tilt: self.tilt.map(|error| error * scaling.angle()),
+            force: self.force.map(|error| error * scaling.force()),
+            moment: self.moment.map(|error| error * scaling.moment()),
         }
     }
 }
@@ -214,7 +299,7 @@ impl Physical {
                 .problem()
                 .frame()
                 .scaling()
-                .map_or(0.0, crate::Scaling::contact_modulus),
+                .map_or(0.0, Scaling::contact_modulus),
             gauge: GAUGE,
         }
     }

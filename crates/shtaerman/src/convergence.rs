@@ -6,6 +6,8 @@ use crate::{Contact, Error, Problem, Vertical};
 
 /// The first degree.
 pub const FIRST_DEGREE: usize = 8;
+/// The last degree: beyond it rounding has long taken over.
+const MOST_DEGREE: usize = 1 << 22;
 /// A difference below this, relative to the value's scale, is rounding: no order is read off it.
 const ROUNDING: f64 = 1e-13;
 
@@ -77,6 +79,7 @@ impl Convergence {
             last as f64,
             "at least 32: an order takes three degrees",
         )?;
+        crate::error::require(last <= MOST_DEGREE, "max_n", last as f64, "at most 4194304")?;
         let unknown = match problem.load().vertical {
             Vertical::Force(_) => Quantity::Settlement,
             Vertical::Settlement(_) => Quantity::Force,
@@ -86,7 +89,7 @@ impl Convergence {
             .take_while(|&n| n <= last);
         let mut rows: Vec<Row> = Vec::new();
         for n in degrees {
-            let contact = problem.with_degree(n)?.solve()?;
+            let contact = problem.solve_truncated(n)?;
             let entries = (0..quantities.len())
                 .map(|i| {
                     Entry::after(

@@ -44,6 +44,37 @@ pub enum Error {
         right: f64,
     },
 
+    /// An answer leaves the range of double precision.
+    #[error(
+        "the {quantity} comes out as {value}: load, profile and moduli together leave the range of double precision"
+    )]
+    Overflow {
+        /// Which part of the answer.
+        quantity: &'static str,
+        /// What it came out as.
+        value: f64,
+    },
+
+    /// An explicit tolerance was not met.
+    #[error(
+        "the tolerance {tolerance:e} was not met: the {method} method with n = {n} reached a relative error of {reached:.1e} \
+         (delta0 = {settlement0}, alpha0 = {tilt0}); double precision allows about 1e-12 to 1e-14, and less at large theta0"
+    )]
+    ToleranceNotMet {
+        /// What was asked for.
+        tolerance: f64,
+        /// The best relative error reached.
+        reached: f64,
+        /// Method that reached it.
+        method: &'static str,
+        /// Its size.
+        n: usize,
+        /// Its `delta0`.
+        settlement0: f64,
+        /// Its `alpha0`.
+        tilt0: f64,
+    },
+
     /// The problem file cannot be read as a problem.
     #[error(transparent)]
     File(#[from] FileError),
@@ -57,7 +88,16 @@ impl Error {
     /// Whether a numerical promise failed, as opposed to bad input: exit code 3 instead of 2.
     #[must_use]
     pub fn is_numerical(&self) -> bool {
-        matches!(self, Self::Equation(fredholm::Error::NotPositiveDefinite { .. }))
+        matches!(
+            self,
+            Self::ToleranceNotMet { .. }
+                | Self::Equation(
+                    fredholm::Error::NotPositiveDefinite { .. }
+                        | fredholm::Error::NotConverged { .. }
+                        | fredholm::Error::EigenvaluesNotFound { .. }
+                        | fredholm::Error::Singular { .. }
+                )
+        )
     }
 }
 

@@ -42,12 +42,17 @@ pub mod profile;
 pub mod quantity;
 mod scaling;
 
-pub use answer::{Answer, Dimensionless, GAUGE, Physical, PressureCurve, SCHEMA};
-pub use contact::{Contact, Method, Stiffness, Warning, WarningCode};
+pub use answer::{
+    Answer, Dimensionless, ErrorReport, Errors, GAUGE, MethodReport, Physical, PressureCurve,
+    SCHEMA,
+};
+pub use contact::{
+    AIM, Accuracy, Contact, CrossCheck, ErrorKind, Method, Stiffness, Warning, WarningCode,
+};
 pub use convergence::Convergence;
 pub use error::Error;
 pub use load::{Load, Rotational, Vertical};
 pub use material::Elastic;
-pub use problem::{DEFAULT_DEGREE, Frame, Problem, Solver};
+pub use problem::{Frame, MethodChoice, Problem, Solver};
 pub use profile::Profile;
 pub use scaling::Scaling;

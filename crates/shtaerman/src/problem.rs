@@ -6,8 +6,8 @@ use crate::error::{finite, require};
 use crate::expression::Defect;
 use crate::{Elastic, Error, Load, Profile, Scaling};
 
-/// Degree of the degenerate kernel where the problem does not say.
-pub const DEFAULT_DEGREE: usize = 400;
+/// Chebyshev degrees for each measured point, so that none falls between the first samples.
+const POINTS_PER_SAMPLE: usize = 4;
 
 /// In which units a problem is stated.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,16 +83,47 @@ impl Frame {
     }
 }
 
-/// How the equation is to be solved.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Solver {
-    /// Highest Chebyshev degree kept in the degenerate kernel, the paper's `n`.
-    pub degree: usize,
+/// The method that solves the equation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MethodChoice {
+    /// The one that suits the problem.
+    #[default]
+    Auto,
+    /// The paper's degenerate kernel.
+    Spectral,
+    /// Sinc collocation.
+    Sinc,
 }
 
-impl Default for Solver {
-    fn default() -> Self {
-        Self { degree: DEFAULT_DEGREE }
+/// How the equation is to be solved.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Solver {
+    /// The method.
+    pub method: MethodChoice,
+    /// Highest Chebyshev degree kept in the degenerate kernel, the paper's `n`; fixes the truncation. Not for [`MethodChoice::Sinc`].
+    pub degree: Option<usize>,
+    /// Relative error to be met, of settlement, tilt and of the pressure over its largest value; without it `1e-12` is aimed at.
+    pub tolerance: Option<f64>,
+}
+
+impl Solver {
+    /// The degenerate kernel with a fixed degree.
+    #[must_use]
+    pub fn spectral(degree: usize) -> Self {
+        Self { method: MethodChoice::Spectral, degree: Some(degree), tolerance: None }
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        if let Some(degree) = self.degree {
+            require(degree > 0, "n", 0.0, "at least 1")?;
+            let spectral = self.method != MethodChoice::Sinc;
+            require(spectral, "n", degree as f64, "left out: it belongs to method = \"spectral\"")?;
+        }
+        if let Some(tolerance) = self.tolerance {
+            let sensible = tolerance.is_finite() && tolerance > 0.0 && tolerance < 1.0;
+            require(sensible, "tolerance", tolerance, "greater than 0 and less than 1")?;
+        }
+        Ok(())
     }
 }
 
@@ -112,7 +143,7 @@ impl Problem {
     /// [`Error::InvalidValue`] for `degree = 0` or a load that is not finite once scaled, [`Error::ProfileNotFinite`] where the profile
     /// is not finite on the closed punch.
     pub fn new(frame: Frame, profile: Profile, load: Load, solver: Solver) -> Result<Self, Error> {
-        require(solver.degree > 0, "n", 0.0, "at least 1")?;
+        solver.check()?;
         if let Some(scaling) = frame.scaling() {
             let scaled = scaling.load(&load);
             Load::new(scaled.vertical, scaled.rotational)?;
@@ -152,13 +183,14 @@ impl Problem {
         &self.solver
     }
 
-    /// The same problem with another degree.
+    /// The same problem for the degenerate kernel of another degree.
     ///
     /// # Errors
     /// [`Error::InvalidValue`] for zero.
     pub fn with_degree(&self, degree: usize) -> Result<Self, Error> {
-        require(degree > 0, "n", 0.0, "at least 1")?;
-        Ok(Self { solver: Solver { degree }, ..self.clone() })
+        let solver = Solver::spectral(degree);
+        solver.check()?;
+        Ok(Self { solver, ..self.clone() })
     }
 
     /// `f0(xi) = f(a xi)/(chi E)`, for a dimensionless problem the profile itself.
@@ -171,13 +203,23 @@ impl Problem {
 
     /// The profile resolved by a Chebyshev series in `xi`.
     pub(crate) fn resolved_profile(&self) -> Result<Function, Error> {
-        Function::resolve(&|xi| self.dimensionless_profile(xi)).map_err(|error| match error {
-            fredholm::Error::NotFinite { at, value, .. } if value.is_nan() => {
-                self.profile_not_finite(at, Defect::Undefined)
+        let degree = POINTS_PER_SAMPLE * self.profile.measured_points().unwrap_or(0);
+        Function::resolve_from(&|xi| self.dimensionless_profile(xi), degree).map_err(|error| {
+            match error {
+                fredholm::Error::NotFinite { at, value, .. } if value.is_nan() => {
+                    self.profile_not_finite(at, Defect::Undefined)
+                }
+                fredholm::Error::NotFinite { at, .. } => {
+                    self.profile_not_finite(at, Defect::Infinite)
+                }
+                other => other.into(),
             }
-            fredholm::Error::NotFinite { at, .. } => self.profile_not_finite(at, Defect::Infinite),
-            other => other.into(),
         })
+    }
+
+    /// `f0(xi)`, which must be finite.
+    pub(crate) fn finite_profile(&self, xi: f64) -> Result<f64, Error> {
+        self.checked(xi, self.dimensionless_profile(xi))
     }
 
     fn check_profile(&self) -> Result<(), Error> {
@@ -186,7 +228,7 @@ impl Problem {
         }
         // Scaling may overflow what is finite in the units of the file.
         for xi in fredholm::basis::chebyshev::points(64) {
-            self.checked(xi, self.dimensionless_profile(xi))?;
+            self.finite_profile(xi)?;
         }
         Ok(())
     }

@@ -155,7 +155,7 @@ impl ChebyshevSeries {
     /// `int_{-1}^{1} f T_k dx` term by term, with `2 T_k T_m = T_{k+m} + T_{|k-m|}`.
     fn moment(&self, k: usize) -> f64 {
         let terms = self.coefficients.iter().enumerate().skip(k % 2).step_by(2);
-        terms.map(|(m, c)| 0.5 * c * (integral(k + m) + integral(k.abs_diff(m)))).sum()
+        terms.fold(0.0, |sum, (m, c)| sum + 0.5 * c * (integral(k + m) + integral(k.abs_diff(m))))
     }
 }
 

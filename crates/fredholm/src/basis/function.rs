@@ -3,16 +3,22 @@
 use super::chebyshev::{ChebyshevSeries, points};
 use crate::Error;
 
-/// First degree tried; high enough that a feature of a few per cent of the interval is seen at once.
-const FIRST_DEGREE: usize = 64;
+/// First degree tried; high enough that a feature of a hundredth of the interval is seen at once.
+const FIRST_DEGREE: usize = 256;
 /// Last degree tried.
 const LAST_DEGREE: usize = 1 << 17;
 /// Coefficients below this, relative to the largest value, count as rounding.
 const ROUNDING: f64 = 4e-16;
 /// Highest level, relative to the largest value, at which flat coefficients are taken for rounding.
-const PLATEAU: f64 = 1e-12;
+const PLATEAU: f64 = 1e-6;
+/// Highest level of rounding at which a function still counts as resolved.
+const RESOLVED: f64 = 1e-12;
+/// Highest level of a plateau that is believed at any degree; a higher one may be a fast oscillation of small amplitude, which ends further on.
+const PLAIN_PLATEAU: f64 = 1e-13;
+/// Degree from which on every plateau is believed.
+const BELIEVED_FROM: usize = 1 << 14;
 /// Points between the nodes at which a resolved series is checked.
-const CHECKS: usize = 257;
+const CHECKS: usize = 1021;
 
 /// A function on `[-1, 1]` with a Chebyshev series found by doubling the degree until the coefficients reach rounding
 /// *and* the series agrees with the function between the nodes.
@@ -31,26 +37,29 @@ impl Function {
     /// # Errors
     /// [`Error::NotFinite`] with the place when `f` gives NaN or an infinity at a node.
     pub fn resolve(f: &dyn Fn(f64) -> f64) -> Result<Self, Error> {
-        let mut degree = FIRST_DEGREE;
+        Self::resolve_from(f, FIRST_DEGREE)
+    }
+
+    /// As [`resolve`](Self::resolve), beginning at a degree that shows the finest feature known of `f`.
+    ///
+    /// # Errors
+    /// As [`resolve`](Self::resolve).
+    pub fn resolve_from(f: &dyn Fn(f64) -> f64, degree: usize) -> Result<Self, Error> {
+        let mut degree = degree.clamp(FIRST_DEGREE, LAST_DEGREE).next_power_of_two();
         let mut values = sample(f, &points(degree))?;
         loop {
             let largest = values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
             let series = ChebyshevSeries::through(values.clone());
-            let tail = tail(series.coefficients());
-            if let Some(floor) = noise_floor(series.coefficients(), tail, largest) {
+            if let Some(floor) = floor(series.coefficients(), largest) {
                 let series = trimmed(&series, floor);
                 let error = error_between_nodes(f, &series)?;
-                if error <= noise_allowance(degree) * largest.max(floor / ROUNDING) {
-                    return Ok(Self {
-                        series,
-                        largest,
-                        error: relative(error, largest),
-                        resolved: true,
-                    });
+                if error <= 64.0 * floor * (degree as f64).sqrt() {
+                    let resolved = floor <= RESOLVED * largest;
+                    return Ok(Self { series, largest, error: relative(error, largest), resolved });
                 }
             }
             if degree == LAST_DEGREE {
-                let error = error_between_nodes(f, &series)?.max(tail);
+                let error = error_between_nodes(f, &series)?.max(tail(series.coefficients()));
                 return Ok(Self {
                     series,
                     largest,
@@ -93,10 +102,6 @@ fn relative(error: f64, largest: f64) -> f64 {
     if largest > 0.0 { error / largest } else { 0.0 }
 }
 
-fn noise_allowance(degree: usize) -> f64 {
-    64.0 * f64::EPSILON * (degree as f64).sqrt()
-}
-
 fn sample(f: &dyn Fn(f64) -> f64, nodes: &[f64]) -> Result<Vec<f64>, Error> {
     nodes.iter().map(|&x| finite(f, x)).collect()
 }
@@ -131,17 +136,18 @@ fn tail(coefficients: &[f64]) -> f64 {
     coefficients[start..].iter().fold(0.0, |largest, c| largest.max(c.abs()))
 }
 
-/// The level at which the coefficients have come down to rounding, if they have: either that of the machine, or a higher
-/// plateau left by the conditioning of `f` itself (`cos(400 x)` loses three digits in its argument), which no degree
-/// removes.
-fn noise_floor(coefficients: &[f64], tail: f64, largest: f64) -> Option<f64> {
+/// The level at which the coefficients have come down to rounding, if they have: that of the machine, or a higher plateau left by the
+/// conditioning of `f` itself (`cos(400 x)` loses three digits in its argument, a difference of large numbers more), which no degree
+/// removes. A plateau is told from the slow decay behind a jump (`1/m`) or a kink by comparing far ends of the spectrum.
+fn floor(coefficients: &[f64], largest: f64) -> Option<f64> {
+    let tail = tail(coefficients);
     if tail <= ROUNDING * largest {
         return Some(ROUNDING * largest);
     }
     let n = coefficients.len();
-    let middle =
-        coefficients[n / 2..n / 2 + n / 8].iter().fold(0.0f64, |most, c| most.max(c.abs()));
-    (tail <= PLATEAU * largest && tail > 0.5 * middle).then_some(tail)
+    let earlier = coefficients[n / 4..3 * n / 8].iter().fold(0.0f64, |most, c| most.max(c.abs()));
+    let believed = if n > BELIEVED_FROM { PLATEAU } else { PLAIN_PLATEAU };
+    (tail <= believed * largest && tail > 0.5 * earlier).then_some(tail)
 }
 
 fn trimmed(series: &ChebyshevSeries, negligible: f64) -> ChebyshevSeries {
@@ -185,11 +191,31 @@ mod tests {
     }
 
     #[test]
+    fn takes_no_small_oscillation_for_noise() {
+        for f in [
+            (&|x: f64| 2e-6 * (600.0 * x).cos() + x * x / 1.6) as &dyn Fn(f64) -> f64,
+            &|x| 1.0 + 1e-7 * (300.0 * x).cos(),
+            &|x| 1.0 + 1e-9 * (5000.0 * x).sin(),
+        ] {
+            let function = Function::resolve(f).unwrap();
+            assert!(function.is_resolved() && function.error() < 1e-12, "{}", function.error());
+        }
+    }
+
+    #[test]
     fn owns_up_to_kinks_and_jumps() {
         let kink = Function::resolve(&f64::abs).unwrap();
         assert!(!kink.is_resolved() && kink.error() > 1e-9);
         let jump = Function::resolve(&|x| if x < 0.3 { 0.0 } else { 1.0 }).unwrap();
         assert!(!jump.is_resolved() && jump.error() > 1e-6);
+    }
+
+    #[test]
+    fn stops_at_the_noise_of_cancellation() {
+        // 20 - sqrt(400 - x^2) is of the order 1 / 40 but carries the rounding of 20, times 1e4 here.
+        let noisy = Function::resolve(&|x| 20.0 - (400.0 - 1e-8 * x * x).sqrt()).unwrap();
+        assert!(!noisy.is_resolved() && noisy.series().degree() < LAST_DEGREE);
+        assert!((1e-8..1e-3).contains(&noisy.error()), "{}", noisy.error());
     }
 
     #[test]

@@ -34,6 +34,29 @@ impl Node {
         Self { position, from_left, from_right, derivative }
     }
 
+    /// The image of a node of `[-1, 1]` under the reflection about 0.
+    pub(crate) fn mirrored(&self) -> Self {
+        Self {
+            position: -self.position,
+            from_left: self.from_right,
+            from_right: self.from_left,
+            derivative: self.derivative,
+        }
+    }
+
+    /// The node of `[-1, 1]` carried to the interval `[left, right]`, kept strictly inside it.
+    pub(crate) fn carried(&self, left: f64, right: f64) -> Self {
+        let half = 0.5 * right - 0.5 * left;
+        let (from_left, from_right) = (half * self.from_left, half * self.from_right);
+        let position = if self.position > 0.0 { right - from_right } else { left + from_left };
+        Self {
+            position: position.max(left.next_up()).min(right.next_down()),
+            from_left,
+            from_right,
+            derivative: half * self.derivative,
+        }
+    }
+
     /// `|x - s|` from the distances to the end that is nearer to both.
     pub(crate) fn distance(&self, other: &Self) -> f64 {
         if self.from_left + other.from_left < self.from_right + other.from_right {

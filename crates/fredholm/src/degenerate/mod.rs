@@ -4,10 +4,12 @@
 pub mod bounds;
 pub mod regularity;
 mod solution;
+mod solver;
 mod split;
 mod structured;
 mod system;
 
 pub use solution::DegenerateSolution;
-pub use structured::{Convergence, StructuredOperator, StructuredSystem};
+pub use solver::DegenerateSolver;
+pub use structured::{BYTES_A_DEGREE, Convergence, StructuredOperator, StructuredSystem};
 pub use system::DegenerateSystem;

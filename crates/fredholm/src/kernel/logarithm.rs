@@ -52,6 +52,10 @@ impl Kernel for Logarithm {
     fn split(&self, _x: f64, _s: f64, _distance: f64) -> Split {
         Split { factor: -1.0, rest: 0.0 }
     }
+
+    fn is_even(&self) -> bool {
+        true
+    }
 }
 
 impl SpectralRelation for Logarithm {

@@ -5,18 +5,50 @@
 
 mod logarithm;
 mod potential;
+mod power;
 mod relation;
 mod singularity;
 
 pub use logarithm::Logarithm;
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
+pub use power::Power;
 pub use relation::{Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Singularity, Split};
 
 use crate::Interval;
 
 /// A symmetric kernel `K(x, s) = K(s, x)` on a finite interval `L`, smooth but for its singularity at `x = s`.
+///
+/// A kernel of one's own, `exp(-(x - s)^2) - ln|x - s|` on `(-1, 1)`, solved by collocation:
+///
+/// ```
+/// use fredholm::kernel::{Kernel, Singularity, Split};
+/// use fredholm::{Interval, SincOperator};
+///
+/// struct Layered;
+///
+/// impl Kernel for Layered {
+///     fn interval(&self) -> Interval {
+///         Interval::unit()
+///     }
+///     fn singularity(&self) -> Singularity {
+///         Singularity::Logarithm
+///     }
+///     fn split(&self, _x: f64, _s: f64, distance: f64) -> Split {
+///         Split { factor: -1.0, rest: (-distance * distance).exp() }
+///     }
+///     fn is_even(&self) -> bool {
+///         true
+///     }
+/// }
+///
+/// let operator = SincOperator::new(&Layered, 40)?;
+/// let solution = &operator.solve(0.5, &[operator.sample(f64::exp)?])?[0];
+/// let exact = 0.456_015_642_588_867_46; // mpmath, 40 digits
+/// assert!((solution.evaluate(0.3, 0.3f64.exp()) - exact).abs() < 1e-13);
+/// # Ok::<(), fredholm::Error>(())
+/// ```
 pub trait Kernel {
     /// The interval `L`.
     fn interval(&self) -> Interval;
@@ -30,6 +62,14 @@ pub trait Kernel {
     /// `distance` is `|x - s|`, handed in because near the ends of the interval the caller knows it to more digits
     /// than the difference of `x` and `s` holds.
     fn split(&self, x: f64, s: f64, distance: f64) -> Split;
+
+    /// Whether the kernel keeps its value under the reflection of both points about the middle `c` of the interval,
+    /// `K(2c - x, 2c - s) = K(x, s)`: collocation then splits into an even and an odd problem of half the size.
+    ///
+    /// False unless said otherwise, which is always right and only slower.
+    fn is_even(&self) -> bool {
+        false
+    }
 
     /// `K(x, s)`; infinite at `x = s` for a singular kernel.
     fn value(&self, x: f64, s: f64) -> f64 {

@@ -6,6 +6,11 @@
 pub enum Singularity {
     /// `sigma(d) = ln d`.
     Logarithm,
+    /// `sigma(d) = d^-mu`.
+    Power {
+        /// `mu`, between 0 and 1.
+        exponent: f64,
+    },
     /// None: the kernel is smooth, `sigma = 0`.
     None,
 }
@@ -16,6 +21,7 @@ impl Singularity {
     pub fn value(self, distance: f64) -> f64 {
         match self {
             Self::Logarithm => distance.ln(),
+            Self::Power { exponent } => distance.powf(-exponent),
             Self::None => 0.0,
         }
     }
@@ -36,7 +42,9 @@ impl Split {
     pub fn value(self, singularity: Singularity, distance: f64) -> f64 {
         match singularity {
             Singularity::None => self.rest,
-            Singularity::Logarithm => self.factor * singularity.value(distance) + self.rest,
+            Singularity::Logarithm | Singularity::Power { .. } => {
+                self.factor * singularity.value(distance) + self.rest
+            }
         }
     }
 }

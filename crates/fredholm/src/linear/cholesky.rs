@@ -46,6 +46,11 @@ impl Cholesky {
         self.factor.nrows()
     }
 
+    /// The smallest pivot.
+    pub(crate) fn smallest_pivot(&self) -> f64 {
+        (0..self.order()).map(|i| self.factor[(i, i)].powi(2)).fold(f64::INFINITY, f64::min)
+    }
+
     /// Overwrites `right` with `A^{-1} right`.
     pub(crate) fn solve(&self, right: &mut [f64]) {
         let order = self.order();

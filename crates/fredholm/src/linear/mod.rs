@@ -1,8 +1,13 @@
 //! Dense linear algebra behind our own names; the library underneath does not show.
 
 mod cholesky;
+mod dense;
+mod small_cholesky;
+mod symmetric;
 mod tridiagonal;
 pub(crate) mod vector;
 
 pub(crate) use cholesky::Cholesky;
+pub(crate) use dense::{dot, multiply_rows};
+pub(crate) use symmetric::{Eigensystem, Factored};
 pub(crate) use tridiagonal::Tridiagonal;

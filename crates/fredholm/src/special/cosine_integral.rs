@@ -1,9 +1,11 @@
 //! The cosine integral at the multiples of pi, which the exact sinc weights of the logarithm need.
 
-use std::f64::consts::PI;
+use std::sync::LazyLock;
 
-/// From here on the asymptotic series reaches rounding before its terms grow again.
-const ASYMPTOTIC_FROM: usize = 12;
+use super::oscillatory_tail::oscillatory_tail;
+
+/// The first values cost a continued fraction each.
+static FIRST: LazyLock<[f64; 12]> = LazyLock::new(|| std::array::from_fn(by_tail));
 
 /// `Ci(pi j) = -int_{pi j}^inf cos(t)/t dt`, `j >= 1`.
 ///
@@ -19,75 +21,12 @@ const ASYMPTOTIC_FROM: usize = 12;
 /// ```
 #[must_use]
 pub fn cosine_integral_pi(j: usize) -> f64 {
-    match j {
-        0 => f64::NEG_INFINITY,
-        1..ASYMPTOTIC_FROM => continued_fraction(PI * j as f64, j),
-        _ => {
-            let g = auxiliary_asymptotic(PI * j as f64);
-            if j.is_multiple_of(2) { -g } else { g }
-        }
-    }
+    FIRST.get(j).copied().unwrap_or_else(|| by_tail(j))
 }
 
-/// `g(x) ~ x^-2 (1 - 3!/x^2 + 5!/x^4 - ...)`.
-fn auxiliary_asymptotic(x: f64) -> f64 {
-    let inverse_square = 1.0 / (x * x);
-    let mut term = inverse_square;
-    let mut sum = 0.0;
-    let mut k = 1.0;
-    while term.abs() > 1e-18 * inverse_square && k < 40.0 {
-        sum += term;
-        term *= -(k + 1.0) * (k + 2.0) * inverse_square;
-        k += 2.0;
-    }
-    sum
-}
-
-/// `-Re E_1(i x)` at `x = pi j` by Lentz's evaluation of
-/// `E_1(z) = e^-z / (z + 1 - 1/(z + 3 - 4/(z + 5 - ...)))`; `e^{-i pi j} = (-1)^j`.
-fn continued_fraction(x: f64, j: usize) -> f64 {
-    let mut b = Complex { re: 1.0, im: x };
-    let mut c = Complex { re: 1e300, im: 0.0 };
-    let mut d = b.inverse();
-    let mut fraction = d;
-    for i in 1..500 {
-        let a = -f64::from(i * i);
-        b.re += 2.0;
-        d = Complex { re: a * d.re + b.re, im: a * d.im + b.im }.inverse();
-        let back = c.inverse();
-        c = Complex { re: b.re + a * back.re, im: b.im + a * back.im };
-        let factor = c.times(d);
-        fraction = fraction.times(factor);
-        if (factor.re - 1.0).abs() + factor.im.abs() < 1e-16 {
-            break;
-        }
-    }
-    if j.is_multiple_of(2) { -fraction.re } else { fraction.re }
-}
-
-#[derive(Clone, Copy)]
-struct Complex {
-    re: f64,
-    im: f64,
-}
-
-impl Complex {
-    fn inverse(self) -> Self {
-        let square = self.re * self.re + self.im * self.im;
-        // The start value 1e300 would overflow when squared.
-        if square.is_infinite() {
-            Self { re: 1.0 / self.re, im: 0.0 }
-        } else {
-            Self { re: self.re / square, im: -self.im / square }
-        }
-    }
-
-    fn times(self, other: Self) -> Self {
-        Self {
-            re: self.re * other.re - self.im * other.im,
-            im: self.re * other.im + self.im * other.re,
-        }
-    }
+fn by_tail(j: usize) -> f64 {
+    let tail = oscillatory_tail(0.0, j);
+    if j.is_multiple_of(2) { -tail } else { tail }
 }
 
 #[cfg(test)]

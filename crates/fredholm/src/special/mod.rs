@@ -1,5 +1,7 @@
 //! Special functions for which no library of ours serves.
 
 mod cosine_integral;
+mod oscillatory_tail;
 
 pub use cosine_integral::cosine_integral_pi;
+pub(crate) use oscillatory_tail::oscillatory_tail;

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 use shtaerman::Problem;
-use shtaerman::convergence::{Convergence, Quantity};
+use shtaerman::convergence::{Convergence, FIRST_DEGREE, Quantity};
 
 use super::problem_file;
 use crate::Failure;
@@ -11,13 +11,26 @@ use crate::output::{Outputs, check_writable};
 use crate::plot::{ConvergencePlot, ConvergenceSeries, Format, Size, render};
 use crate::report::{self, Table};
 
+/// Lowest `--max-n`.
+const LEAST_DEGREE: usize = 4 * FIRST_DEGREE;
+
 pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
-    check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()])?;
-    let problem = problem_file::read(&arguments.problem)?;
-    let study = Convergence::study(&problem, arguments.max_n)?;
+    check_writable(
+        &[arguments.output.output.as_deref(), arguments.plot.as_deref()],
+        Some(&arguments.problem.file),
+    )?;
+    if arguments.max_n < LEAST_DEGREE {
+        return Err(Failure::Usage(format!(
+            "--max-n {}: must be at least {LEAST_DEGREE}, as an order takes three degrees",
+            arguments.max_n
+        )));
+    }
+    let file = problem_file::read(&arguments.problem)?;
+    let problem = file.problem();
+    let study = Convergence::study(problem, arguments.max_n).map_err(|error| file.locate(error))?;
     let text = match arguments.output.format {
-        ReportFormat::Table => table(&problem, &study),
+        ReportFormat::Table => table(problem, &study),
         ReportFormat::Json => report::json(&json!({
             "schema": "shtaerman-convergence/1",
             "theta0": problem.frame().theta0(),
@@ -30,7 +43,7 @@ pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
     let mut outputs = Outputs::default();
     outputs.result(arguments.output.output.as_deref(), text);
     if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        outputs.file(path, render(&plot(&problem, &study), format, Size::default())?);
+        outputs.file(path, render(&plot(problem, &study), format, Size::default())?);
     }
     outputs.write()
 }

@@ -4,15 +4,15 @@ use std::io::Read;
 use std::path::Path;
 
 use shtaerman::document::MAXIMUM_BYTES;
-use shtaerman::{Problem, file};
+use shtaerman::file::ProblemFile;
 
 use crate::Failure;
 use crate::arguments::ProblemArguments;
 
 /// Reads the problem, with its overrides; `-` is standard input.
-pub(super) fn read(arguments: &ProblemArguments) -> Result<Problem, Failure> {
+pub(super) fn read(arguments: &ProblemArguments) -> Result<ProblemFile, Failure> {
     if arguments.file != Path::new("-") {
-        return Ok(file::open(&arguments.file, &arguments.overrides)?);
+        return Ok(ProblemFile::open(&arguments.file, &arguments.overrides)?);
     }
     let mut bytes = Vec::new();
     std::io::stdin()
@@ -20,7 +20,12 @@ pub(super) fn read(arguments: &ProblemArguments) -> Result<Problem, Failure> {
         .take(MAXIMUM_BYTES as u64 + 1)
         .read_to_end(&mut bytes)
         .map_err(|error| Failure::Usage(format!("standard input cannot be read: {error}")))?;
-    Ok(file::from_bytes(&bytes, &name(&arguments.file), Path::new(""), &arguments.overrides)?)
+    Ok(ProblemFile::from_bytes(
+        &bytes,
+        &name(&arguments.file),
+        Path::new(""),
+        &arguments.overrides,
+    )?)
 }
 
 /// What to call the file in messages.

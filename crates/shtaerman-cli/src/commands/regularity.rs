@@ -9,7 +9,7 @@ use crate::output::{Outputs, check_writable};
 use crate::report::{self, Table};
 
 pub(super) fn run(arguments: &RegularityArguments) -> Result<(), Failure> {
-    check_writable(&[arguments.output.output.as_deref()])?;
+    check_writable(&[arguments.output.output.as_deref()], None)?;
     let study = match arguments.q0 {
         Some(q0) => RegularityReport::with_constant(arguments.theta0, q0, arguments.rows),
         None => RegularityReport::new(arguments.theta0, arguments.rows),

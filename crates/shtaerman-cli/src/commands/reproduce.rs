@@ -13,7 +13,7 @@ const CURVE_POINTS: usize = 401;
 
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
-    check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()])?;
+    check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()], None)?;
     let reproduction = paper::reproduce()?;
     let mut outputs = Outputs::default();
     let text = match arguments.output.format {

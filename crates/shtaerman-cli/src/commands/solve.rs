@@ -2,12 +2,13 @@
 
 use std::fmt::Write;
 
-use shtaerman::quantity::{Dimension, axis_unit};
-use shtaerman::{Answer, Contact, PressureCurve};
+use shtaerman::quantity::{Dimension, axis_unit, engineering};
+use shtaerman::{Answer, Contact, PressureCurve, Problem};
 
 use super::problem_file;
 use crate::Failure;
 use crate::arguments::{ReportFormat, SolveArguments};
+use crate::failure::say;
 use crate::output::{Outputs, check_writable};
 use crate::plot::{ContactPlot, Format, Size, render};
 use crate::report;
@@ -16,30 +17,36 @@ use crate::report;
 const PLOT_POINTS: usize = 401;
 /// Most places one `--at` may name.
 const MOST_PLACES: usize = 1_000_000;
+/// A place this far beyond an edge, in half-widths, is the edge: units round (200 mil and 5.08 mm).
+const EDGE_SLACK: f64 = 1e-12;
 /// How far beside the punch the surface is drawn, in half-widths.
 const PLOT_MARGIN: f64 = 0.6;
 
 pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
-    check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()])?;
-    if arguments.points > MOST_PLACES {
+    check_writable(
+        &[arguments.output.output.as_deref(), arguments.plot.as_deref()],
+        Some(&arguments.problem.file),
+    )?;
+    if !(2..=MOST_PLACES).contains(&arguments.points) {
         return Err(Failure::Usage(format!(
-            "--points {}: at most {MOST_PLACES}",
+            "--points {}: must be from 2 to {MOST_PLACES}",
             arguments.points
         )));
     }
-    let problem = problem_file::read(&arguments.problem)?;
-    let places = arguments
-        .at
-        .as_deref()
-        .map(|text| parse_places(text, problem.frame().scaling().is_some()))
-        .transpose()?;
-    let contact = problem.solve()?;
+    let file = problem_file::read(&arguments.problem)?;
+    let places =
+        arguments.at.as_deref().map(|text| parse_places(text, file.problem())).transpose()?;
+    let contact = file.solve()?;
     let curve = match places {
         Some(places) => PressureCurve::at(&contact, places)?,
         None => PressureCurve::along(&contact, arguments.points)?,
     };
-    let answer = Answer::new(&contact, curve);
+    let mut answer = Answer::new(&contact, curve);
+    if arguments.cross_check {
+        answer.cross_check =
+            Some(file.problem().cross_check(&contact).map_err(|error| file.locate(error))?);
+    }
     let text = match arguments.output.format {
         ReportFormat::Table => {
             let name = problem_file::name(&arguments.problem.file);
@@ -60,14 +67,17 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     outputs.write()?;
     if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {
         for warning in contact.warnings() {
-            eprintln!("warning: {}", warning.message);
+            say(&format!("warning: {}\n", warning.message));
         }
     }
     Ok(())
 }
 
 /// The places of `--at`: lengths, or bare numbers for a dimensionless problem.
-fn parse_places(text: &str, physical: bool) -> Result<Vec<f64>, Failure> {
+fn parse_places(text: &str, problem: &Problem) -> Result<Vec<f64>, Failure> {
+    let dimension =
+        if problem.frame().scaling().is_some() { Dimension::LENGTH } else { Dimension::NONE };
+    let half_width = problem.frame().half_width();
     let parts: Vec<&str> = text.split(',').collect();
     if parts.len() > MOST_PLACES {
         return Err(Failure::Usage(format!(
@@ -79,12 +89,20 @@ fn parse_places(text: &str, physical: bool) -> Result<Vec<f64>, Failure> {
         .into_iter()
         .map(|part| {
             let part = part.trim();
-            let dimension = if physical { Dimension::LENGTH } else { Dimension::NONE };
-            let quantity = shtaerman::quantity::parse(part)
-                .map_err(|error| Failure::Usage(format!("--at {part}: {error}")))?;
-            quantity
-                .expect(dimension, "place", part)
-                .map_err(|error| Failure::Usage(format!("--at {part}: {error}")))
+            let place = shtaerman::quantity::parse(part)
+                .and_then(|quantity| quantity.of(dimension, part))
+                .map_err(|error| Failure::Usage(format!("--at `{part}`: {error}")))?;
+            if place.abs() <= half_width {
+                return Ok(place);
+            }
+            if place.abs() <= half_width * (1.0 + EDGE_SLACK) {
+                return Ok(half_width.copysign(place));
+            }
+            Err(Failure::Usage(format!(
+                "--at `{part}`: is beyond the punch, which reaches from {} to {}",
+                engineering(-half_width, dimension),
+                engineering(half_width, dimension)
+            )))
         })
         .collect()
 }
@@ -129,7 +147,7 @@ fn plot(contact: &Contact) -> Result<ContactPlot, Failure> {
         notes: notes(contact),
         position: places.iter().map(|x| x * length).collect(),
         pressure: curve.pressures().iter().map(|p| p * stress).collect(),
-        pressure_band: None,
+        pressure_band: band(contact, &curve, stress),
         punch_base: base.iter().map(|u| u * depth).collect(),
         body_surface: surface.iter().map(|(x, u)| (x * length, u * depth)).collect(),
         contact_zone: None,
@@ -139,10 +157,23 @@ fn plot(contact: &Contact) -> Result<ContactPlot, Failure> {
     })
 }
 
+/// Error of the pressure, relative to its largest value, from which on it can be seen in a plot.
+const VISIBLE: f64 = 1e-3;
+
+/// The pressure less and plus its error, where that can be seen.
+fn band(contact: &Contact, curve: &PressureCurve, factor: f64) -> Option<(Vec<f64>, Vec<f64>)> {
+    let scale = contact.problem().frame().scaling().map_or(1.0, shtaerman::Scaling::pressure);
+    let error = contact.accuracy()?.pressure * scale;
+    let largest = curve.pressures().iter().fold(0.0f64, |most, p| most.max(p.abs()));
+    let shifted = |by: f64| curve.pressures().iter().map(|p| (p + by) * factor).collect();
+    (error > VISIBLE * largest).then(|| (shifted(-error), shifted(error)))
+}
+
 fn notes(contact: &Contact) -> Vec<String> {
     let mut notes = vec![format!(
-        "θ₀ = {}, degenerate kernel with n = {}; bilateral",
+        "θ₀ = {}, {} method with n = {}; bilateral",
         report::significant(contact.theta0(), 5),
+        contact.method().name,
         contact.method().n
     )];
     if !contact.tension().is_empty() {

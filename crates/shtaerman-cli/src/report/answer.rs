@@ -2,8 +2,10 @@
 
 use std::fmt::Write;
 
-use shtaerman::quantity::{Dimension, DisplayUnit, engineering};
-use shtaerman::{Answer, Contact, GAUGE, Physical, PressureCurve};
+use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
+use shtaerman::{
+    Answer, Contact, CrossCheck, ErrorKind, ErrorReport, GAUGE, Physical, PressureCurve,
+};
 
 use super::{Table, significant};
 use crate::Failure;
@@ -30,6 +32,13 @@ pub(crate) fn answer_table(
         None => dimensionless_table(answer),
     };
     text.push_str(&table.to_string());
+    let _ = writeln!(text, "\nmethod: {}", answer.method.reason);
+    if let Some(error) = &answer.error {
+        text.push_str(&error_line(error));
+    }
+    if let Some(check) = &answer.cross_check {
+        text.push_str(&cross_check_line(check));
+    }
     if with_places {
         text.push('\n');
         text.push_str(&places(&answer.pressure).to_string());
@@ -43,6 +52,45 @@ pub(crate) fn answer_table(
     text
 }
 
+/// The error of the answer on one line.
+fn error_line(error: &ErrorReport) -> String {
+    let kind = match error.kind {
+        ErrorKind::Bound => "bound",
+        ErrorKind::Estimate => "estimate",
+    };
+    let errors = error.physical.as_ref().unwrap_or(&error.dimensionless);
+    let physical = error.physical.is_some();
+    let shown = |value: f64, unit: DisplayUnit| {
+        if physical { engineering_with_digits(value, unit, 2) } else { significant(value, 2) }
+    };
+    let mut parts =
+        vec![format!("pressure {}", shown(errors.pressure_sup, Dimension::PRESSURE.into()))];
+    let unknowns: [(&str, Option<f64>, DisplayUnit); 4] = [
+        ("settlement", errors.settlement, Dimension::LENGTH.into()),
+        ("tilt", errors.tilt, DisplayUnit::angle()),
+        ("force", errors.force, Dimension::FORCE_PER_LENGTH.into()),
+        ("moment", errors.moment, DisplayUnit::prefixed("N")),
+    ];
+    for (name, value, unit) in unknowns {
+        parts.extend(value.map(|value| format!("{name} {}", shown(value, unit))));
+    }
+    format!("error ({kind}), at most: {}\n", parts.join(", "))
+}
+
+/// The differences from the other method on one line.
+fn cross_check_line(check: &CrossCheck) -> String {
+    format!(
+        "cross-check by the {} method with n = {}: differences without dimensions: pressure {}, settlement {}, tilt {}, force {}, moment {}\n",
+        check.method,
+        check.n,
+        significant(check.pressure_sup, 2),
+        significant(check.settlement, 2),
+        significant(check.tilt, 2),
+        significant(check.force, 2),
+        significant(check.moment, 2)
+    )
+}
+
 fn physical_table(contact: &Contact, physical: &Physical) -> Table {
     let length = |value| engineering(value, Dimension::LENGTH);
     let pressure = |value| engineering(value, Dimension::PRESSURE);
@@ -53,7 +101,7 @@ fn physical_table(contact: &Contact, physical: &Physical) -> Table {
     let [[k11, k12], [_, k22]] = physical.stiffness;
     let mut table = Table::new(&["", "", ""]);
     let mut row = |name: &str, value: String, note: &str| {
-        table.row(vec![name.to_owned(), value, note.to_owned()])
+        table.row(vec![name.to_owned(), value, note.to_owned()]);
     };
     row("settlement", length(physical.settlement), &format!("gauge {GAUGE}"));
     row(

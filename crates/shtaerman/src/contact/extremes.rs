@@ -1,9 +1,5 @@
 //! Where a pressure is largest, and where it is negative.
 
-use fredholm::basis::chebyshev;
-
-/// Sampling of the base; extremes and sign changes are refined between neighbours.
-const SAMPLES: usize = 1024;
 /// Golden-section steps: the place is found to the square root of rounding, as far as a maximum shows it.
 const GOLDEN_STEPS: usize = 48;
 /// Bisections of a sign change.
@@ -26,11 +22,8 @@ pub(super) struct Sampled<F> {
 }
 
 impl<F: Fn(f64) -> f64> Sampled<F> {
-    /// Samples `f`, densely towards the ends.
-    pub(super) fn new(f: F) -> Self {
-        let mut points = chebyshev::points(SAMPLES);
-        points.reverse();
-        let values = points.iter().map(|&x| f(x)).collect();
+    /// `f` with its values at increasing points from -1 to 1; extremes and sign changes are refined between neighbours.
+    pub(super) fn new(f: F, points: Vec<f64>, values: Vec<f64>) -> Self {
         Self { f, points, values }
     }
 
@@ -107,22 +100,29 @@ fn golden_section(f: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> Ext
 mod tests {
     use super::*;
 
+    fn sampled<F: Fn(f64) -> f64>(f: F) -> Sampled<F> {
+        let mut points = fredholm::basis::chebyshev::points(1024);
+        points.reverse();
+        let values = points.iter().map(|&x| f(x)).collect();
+        Sampled::new(f, points, values)
+    }
+
     #[test]
     fn finds_inner_and_edge_maxima() {
-        let inner = Sampled::new(|x: f64| 2.0 - (x - 0.3).powi(2)).maximum();
+        let inner = sampled(|x: f64| 2.0 - (x - 0.3).powi(2)).maximum();
         assert!((inner.place - 0.3).abs() < 1e-7 && (inner.value - 2.0).abs() < 1e-15);
-        assert_eq!(Sampled::new(|x: f64| x).maximum(), Extreme { place: 1.0, value: 1.0 });
-        assert_eq!(Sampled::new(|x: f64| x * x).maximum().place, -1.0);
-        assert_eq!(Sampled::new(|_| 0.5).maximum().value, 0.5);
+        assert_eq!(sampled(|x: f64| x).maximum(), Extreme { place: 1.0, value: 1.0 });
+        assert_eq!(sampled(|x: f64| x * x).maximum().place, -1.0);
+        assert_eq!(sampled(|_| 0.5).maximum().value, 0.5);
     }
 
     #[test]
     fn finds_where_a_function_is_negative() {
-        let ends = Sampled::new(|x: f64| 0.25 - x * x).negative();
+        let ends = sampled(|x: f64| 0.25 - x * x).negative();
         assert_eq!(ends.len(), 2);
         assert!(ends[0][0] == -1.0 && (ends[0][1] + 0.5).abs() < 1e-14);
         assert!((ends[1][0] - 0.5).abs() < 1e-14 && ends[1][1] == 1.0);
-        assert!(Sampled::new(|x: f64| x * x).negative().is_empty());
-        assert_eq!(Sampled::new(|_| -1.0).negative(), [[-1.0, 1.0]]);
+        assert!(sampled(|x: f64| x * x).negative().is_empty());
+        assert_eq!(sampled(|_| -1.0).negative(), [[-1.0, 1.0]]);
     }
 }

@@ -1,10 +1,25 @@
 //! The answer: settlement, tilt, force, moment, pressure.
+//!
+//! A [plan](crate::MethodChoice) picks the method, each method hands over a draft, and the draft becomes the [`Contact`].
 
-mod bilateral;
-mod contact;
+mod accuracy;
+mod balance;
+mod collocated;
+mod cross_check;
+mod draft;
 mod extremes;
+mod plan;
+mod potential;
+mod solved;
+mod spectral;
 mod surface;
 mod warning;
 
-pub use contact::{Contact, Method, Stiffness};
+pub use accuracy::{Accuracy, ErrorKind};
+pub use cross_check::CrossCheck;
+pub use plan::AIM;
+pub use solved::{Contact, Method, Stiffness};
 pub use warning::{Warning, WarningCode};
+
+use draft::Draft;
+use plan::Target;

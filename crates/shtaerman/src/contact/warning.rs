@@ -2,6 +2,9 @@
 
 use serde::Serialize;
 
+use crate::Frame;
+use crate::quantity::{Dimension, engineering};
+
 /// Kind of a warning, stable across releases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -13,6 +16,8 @@ pub enum WarningCode {
     ProfileNotResolved,
     /// The degree is too low for this roughness: the answer has few digits.
     LowDegree,
+    /// The error that is aimed at was not reached.
+    ToleranceNotMet,
 }
 
 /// A warning with its text.
@@ -22,4 +27,98 @@ pub struct Warning {
     pub code: WarningCode,
     /// One sentence for people, with figures.
     pub message: String,
+}
+
+/// Degrees per unit of `theta0` below which the layers of width `1/theta0` at the edges are hardly resolved.
+const LAYER_DEGREES: f64 = 4.0;
+/// Most intervals a message names.
+const MOST_PLACES: usize = 6;
+/// A coordinate below this, in half-widths, is a rounded zero.
+const NEGLIGIBLE: f64 = 1e-9;
+
+impl Warning {
+    /// The pressure is negative on these intervals of `xi`; none if there are none.
+    pub(super) fn negative_pressure(frame: &Frame, tension: &[[f64; 2]]) -> Option<Self> {
+        if tension.is_empty() {
+            return None;
+        }
+        let shown = |xi: f64| {
+            if xi.abs() < NEGLIGIBLE {
+                return "0".to_owned();
+            }
+            match frame.scaling() {
+                Some(scaling) => engineering(xi * scaling.half_width(), Dimension::LENGTH),
+                None => engineering(xi, Dimension::NONE),
+            }
+        };
+        let variable = frame.coordinate();
+        let mut places: Vec<String> = (tension.iter().take(MOST_PLACES))
+            .map(|[left, right]| format!("{variable} = {} to {}", shown(*left), shown(*right)))
+            .collect();
+        if let Some(more) = tension.len().checked_sub(MOST_PLACES).filter(|more| *more > 0) {
+            places.push(format!("{more} more intervals"));
+        }
+        let message = format!(
+            "the pressure is negative at {}: a bilateral answer that pulls there; a real punch would lift off",
+            places.join(" and ")
+        );
+        Some(Self { code: WarningCode::NegativePressure, message })
+    }
+
+    /// The expansion of the profile is off by `error`, relative to its largest value.
+    pub(super) fn profile_not_resolved(error: f64) -> Self {
+        let message = format!(
+            "the profile is not resolved to rounding (a kink, a jump, fast oscillation, or a formula that loses digits): its \
+             expansion is off by about {error:.1e} of its largest value (estimate)"
+        );
+        Self { code: WarningCode::ProfileNotResolved, message }
+    }
+
+    /// The degree does not resolve the boundary layers; none if it does.
+    pub(super) fn low_degree(degree: usize, theta0: f64) -> Option<Self> {
+        if degree as f64 >= LAYER_DEGREES * theta0 {
+            return None;
+        }
+        let message = format!(
+            "n = {degree} is below {LAYER_DEGREES} theta0 = {}: the boundary layers at the edges are hardly resolved and edge pressures have \
+             few digits",
+            engineering(LAYER_DEGREES * theta0, Dimension::NONE)
+        );
+        Some(Self { code: WarningCode::LowDegree, message })
+    }
+
+    /// The relative error aimed at, and the one reached.
+    pub(super) fn tolerance_not_met(tolerance: f64, reached: f64) -> Self {
+        let message = format!(
+            "the relative error reached is {reached:.1e}, more than the {tolerance:.0e} aimed at"
+        );
+        Self { code: WarningCode::ToleranceNotMet, message }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Elastic;
+
+    #[test]
+    fn names_places_as_people_write_them() {
+        let steel = Elastic::new(200e9, 0.3).unwrap();
+        let physical = Frame::physical(steel, 1.2e-14, 5e-3, None).unwrap();
+        let bare = Frame::dimensionless(1.0).unwrap();
+        for (frame, tension, said) in [
+            (&physical, [[-1.0, -2.67e-16]].as_slice(), "at x = -5 mm to 0:"),
+            (&physical, &[[0.5, 1.0]], "at x = 2.5 mm to 5 mm:"),
+            (
+                &bare,
+                &[[-1.0, -0.892_038_1], [0.25, 1.0]],
+                "at xi = -1 to -0.892038 and xi = 0.25 to 1:",
+            ),
+            (&bare, &[[0.0, 0.1]; 9], "and 3 more intervals:"),
+        ] {
+            let warning = Warning::negative_pressure(frame, tension).unwrap();
+            assert!(warning.message.contains(said), "{}", warning.message);
+        }
+        assert_eq!(Warning::negative_pressure(&bare, &[]), None);
+    }
 }

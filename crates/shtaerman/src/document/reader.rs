@@ -221,7 +221,7 @@ impl<'d> TableReader<'d> {
         let vocabulary = self.vocabulary.borrow();
         let unread = |name: &&str| !vocabulary.knows(&self.path, name);
         if let Some(written) = nearest(key, self.table.keys().filter(unread)) {
-            let help = format!("{written} is written, perhaps {key} was meant");
+            let help = format!("{written} is written, did you mean {key}?");
             let entry = self.table.entries.get(written);
             let fault = fault.with_help(help);
             return match entry {

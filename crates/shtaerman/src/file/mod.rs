@@ -26,6 +26,7 @@
 //! ```
 
 mod load;
+mod located;
 mod physical;
 mod profile;
 mod solver;
@@ -33,25 +34,17 @@ mod solver;
 use std::path::Path;
 
 use crate::document::{Document, Field, FileError, MAXIMUM_BYTES, TableReader};
+use crate::quantity::{Dimension, engineering};
 use crate::{Error, Frame, Problem};
 
-/// Keys of which a file has one; an override of one replaces the other.
-const ALTERNATIVES: [&[&str]; 7] = [
-    &["load.force", "load.settlement"],
-    &["load.moment", "load.eccentricity", "load.tilt"],
-    &["foundation.roughness", "foundation.subgrade_modulus"],
-    &["dimensionless.theta0", "dimensionless.lambda0"],
-    &["dimensionless.force", "dimensionless.settlement"],
-    &["dimensionless.moment", "dimensionless.eccentricity", "dimensionless.tilt"],
-    &["dimensionless.theta0", "dimensionless.poisson_ratio"],
-];
+pub use located::ProblemFile;
 
 /// Reads a problem from text; a measured profile is looked for in the current folder. `name` is for messages.
 ///
 /// # Errors
 /// [`Error::File`] with file, line and field.
 pub fn parse(text: &str, name: &str) -> Result<Problem, Error> {
-    read(&Document::parse(text, name)?, Path::new(""))
+    Ok(ProblemFile::read(Document::parse(text, name)?, Path::new(""))?.problem)
 }
 
 /// Reads a problem from the bytes of a file, with overrides `KEY=VALUE`; `folder` is where a measured profile is looked for.
@@ -64,18 +57,7 @@ pub fn from_bytes(
     folder: &Path,
     overrides: &[String],
 ) -> Result<Problem, Error> {
-    let mut document = Document::from_bytes(bytes, name)?;
-    for text in overrides {
-        let (key, value) = text.split_once('=').ok_or_else(|| {
-            FileError::new(format!("--set {text}: has no `=`"))
-                .with_help("write --set load.force=\"1 MN/m\"")
-        })?;
-        document.set(key.trim(), value.trim())?;
-    }
-    for group in ALTERNATIVES {
-        document.prefer_overrides(group);
-    }
-    read(&document, folder)
+    Ok(ProblemFile::from_bytes(bytes, name, folder, overrides)?.problem)
 }
 
 /// Reads a problem file, with overrides `KEY=VALUE`.
@@ -83,9 +65,7 @@ pub fn from_bytes(
 /// # Errors
 /// [`Error::File`] with file, line and field.
 pub fn open(path: &Path, overrides: &[String]) -> Result<Problem, Error> {
-    let name = path.display().to_string();
-    let bytes = load_bytes(path).map_err(|message| FileError::new(message).in_file(Some(&name)))?;
-    from_bytes(&bytes, &name, path.parent().unwrap_or(Path::new("")), overrides)
+    Ok(ProblemFile::open(path, overrides)?.problem)
 }
 
 /// The bytes of a file of at most [`MAXIMUM_BYTES`], or what is wrong with it.
@@ -163,9 +143,20 @@ fn dimensionless_frame(table: &TableReader<'_>) -> Result<Frame, FileError> {
 /// The fault of a field whose value a constructor refused.
 fn refused(field: &Field<'_>, error: &Error) -> FileError {
     match error {
-        Error::InvalidValue { value, requirement, .. } => {
-            field.error(format!("is {value}: must be {requirement}"))
+        Error::InvalidValue { field: name, value, requirement } if field.name().ends_with(name) => {
+            field.error(format!("is {}: must be {requirement}", shown(name, *value)))
         }
         other => field.error(other),
+    }
+}
+
+/// A value as people write it, in the unit of the key.
+fn shown(key: &str, value: f64) -> String {
+    match key {
+        "young_modulus" => engineering(value, Dimension::PRESSURE),
+        "half_width" => engineering(value, Dimension::LENGTH),
+        "roughness" => engineering(value, Dimension::COMPLIANCE),
+        "subgrade_modulus" => engineering(value, Dimension::SUBGRADE_MODULUS),
+        _ => value.to_string(),
     }
 }

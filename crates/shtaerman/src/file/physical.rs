@@ -1,6 +1,6 @@
 //! `[foundation]`, `[body]` and the half-width of `[punch]`.
 
-use super::refused;
+use super::{refused, shown};
 use crate::document::{FileError, TableReader};
 use crate::quantity::Dimension;
 use crate::{Elastic, Error, Frame};
@@ -35,8 +35,10 @@ fn roughness(table: &TableReader<'_>) -> Result<f64, FileError> {
         if modulus > 0.0 && compliance.is_finite() {
             return Ok(compliance);
         }
-        return Err(field
-            .error(format!("is {modulus} Pa/m: must be greater than zero (its inverse is chi)")));
+        return Err(field.error(format!(
+            "is {}: must be greater than zero (its inverse is chi)",
+            shown("subgrade_modulus", modulus)
+        )));
     }
     let compliance = field.quantity(Dimension::COMPLIANCE)?;
     if compliance == 0.0 {
@@ -47,7 +49,8 @@ fn roughness(table: &TableReader<'_>) -> Result<f64, FileError> {
             .with_help("give a roughness compliance greater than zero"));
     }
     if compliance < 0.0 {
-        return Err(field.error(format!("is {compliance} m/Pa: must be greater than zero")));
+        let value = shown("roughness", compliance);
+        return Err(field.error(format!("is {value}: must be greater than zero")));
     }
     Ok(compliance)
 }

@@ -46,8 +46,14 @@ impl ReadProfile<'_> {
     }
 }
 
+/// A formula; a bare number is a constant, so that `--set punch.profile=0` needs no quotes within quotes.
 fn expression(field: &Field<'_>) -> Result<Profile, FileError> {
-    Profile::expression(field.string()?).map_err(|error| {
+    let constant = field.number().ok().map(|value| format!("{value:e}"));
+    let text = match &constant {
+        Some(text) => text,
+        None => field.string()?,
+    };
+    Profile::expression(text).map_err(|error| {
         let fault = field.error_within(&error, error.span.clone());
         match error.help() {
             Some(help) => fault.with_help(help),

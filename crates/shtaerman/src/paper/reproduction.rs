@@ -152,7 +152,7 @@ fn loaded_row(
     use Quantity::{PressureLeft, PressureRight, Settlement, Tilt};
     let (base, lambda0) = (printed::base(&table.profile_over_lambda0), printed::number(&row[0]));
     let reading = Reading::new(lambda0, base, table.n)?;
-    let exact: Exact<'_> = truth.solve(lambda0, base)?;
+    let exact: Exact = truth.solve(lambda0, base)?;
     let [settlement, tilt] = reading.displacements();
     let [true_settlement, true_tilt] = exact.displacements();
     let pairs = [

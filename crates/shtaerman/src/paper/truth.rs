@@ -15,8 +15,8 @@ pub(super) struct Truth {
 }
 
 /// The true solution for one row.
-pub(super) struct Exact<'t> {
-    responses: Vec<fredholm::SincSolution<'t>>,
+pub(super) struct Exact {
+    responses: Vec<fredholm::SincSolution>,
     lambda0: f64,
     base: Base,
     settlement: f64,
@@ -29,7 +29,7 @@ impl Truth {
         Ok(Self { operator: SincOperator::new(&Logarithm::unit(), HALF_COUNT)? })
     }
 
-    pub(super) fn solve(&self, lambda0: f64, base: Base) -> Result<Exact<'_>, Error> {
+    pub(super) fn solve(&self, lambda0: f64, base: Base) -> Result<Exact, Error> {
         let sample = |f: &dyn Fn(f64) -> f64| self.operator.positions().map(f).collect();
         let sides = [sample(&|_| 1.0), sample(&|xi| xi), sample(&|xi| lambda0 * base.at(xi))];
         let responses = self.operator.solve(theta0(lambda0), &sides)?;
@@ -43,7 +43,7 @@ impl Truth {
     }
 }
 
-impl Exact<'_> {
+impl Exact {
     /// `delta0` and `alpha0` under the force and moment of sec. 5.
     pub(super) fn displacements(&self) -> [f64; 2] {
         [self.settlement, self.tilt]

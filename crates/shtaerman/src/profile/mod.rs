@@ -85,12 +85,24 @@ impl Profile {
     #[must_use]
     pub fn find_not_finite(&self, half_width: f64) -> Option<(f64, Defect)> {
         let Shape::Expression(expression) = &self.shape else { return None };
-        let line = Line::new(&[(0.0, half_width), (0.0, 1.0), (half_width, 0.0)]);
         let base = Interval::new(-1.0, 1.0)?;
-        match expression.finiteness(&line, base) {
+        match expression.finiteness(&line(half_width), base) {
             Verdict::NotFinite { at, defect } => Some((at, defect)),
             Verdict::ProvedFinite | Verdict::Undecided => None,
         }
+    }
+
+    /// Places strictly inside `(-1, 1)`, as `xi`, where an expression switches (`abs`, `max`, `where`, ..) and so has a kink or a jump; a
+    /// measured profile, being twice differentiable, has none.
+    #[must_use]
+    pub fn breakpoints(&self, half_width: f64) -> Vec<f64> {
+        let (Shape::Expression(expression), Some(base)) = (&self.shape, Interval::new(-1.0, 1.0))
+        else {
+            return Vec::new();
+        };
+        let mut places = expression.breakpoints(&line(half_width), base).places;
+        places.retain(|xi| xi.abs() < 1.0);
+        places
     }
 
     /// First and last position of a measured profile.
@@ -110,4 +122,9 @@ impl Profile {
             Shape::Flat | Shape::Expression(_) => None,
         }
     }
+}
+
+/// [`VARIABLES`] as functions of `xi`.
+fn line(half_width: f64) -> Line {
+    Line::new(&[(0.0, half_width), (0.0, 1.0), (half_width, 0.0)])
 }

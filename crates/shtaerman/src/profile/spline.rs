@@ -131,7 +131,9 @@ mod tests {
             let x: Vec<f64> = (0..count).map(|i| 2.0 * i as f64 / (count - 1) as f64).collect();
             let spline = Spline::through(x.clone(), x.iter().map(|x| x.sin()).collect());
             (0..500)
-                .map(|i| (spline.evaluate(i as f64 * 0.004) - (i as f64 * 0.004).sin()).abs())
+                .map(|i| {
+                    (spline.evaluate(f64::from(i) * 0.004) - (f64::from(i) * 0.004).sin()).abs()
+                })
                 .fold(0.0, f64::max)
         };
         let order = (error(41) / error(81)).log2();

@@ -48,7 +48,7 @@ fn half_shifted_sums(values: &mut [f64]) {
         root * Complex::new(direct, -mirrored)
     };
     let sequence: Vec<f64> = if n.is_multiple_of(2) {
-        let transform = PackedTransform::new(n / 2);
+        let transform = PackedTransform::new(&mut FftPlanner::new(), n / 2);
         let mut buffer = vec![Complex::default(); n / 2];
         transform.filter(&mut buffer, |k, _, _| (spectrum(k), spectrum(n / 2 - k)));
         transform.backward(&mut buffer, &mut transform.scratch());

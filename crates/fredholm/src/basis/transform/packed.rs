@@ -25,9 +25,9 @@ impl fmt::Debug for PackedTransform {
 }
 
 impl PackedTransform {
-    /// The transform of real sequences of length `2 half`, `half >= 1`.
-    pub(crate) fn new(half: usize) -> Self {
-        let plan = FftPlanner::new().plan_fft_forward(half);
+    /// The transform of real sequences of length `2 half`, `half >= 1`; the planner shares what equal lengths need.
+    pub(crate) fn new(planner: &mut FftPlanner<f64>, half: usize) -> Self {
+        let plan = planner.plan_fft_forward(half);
         Self { plan, rotation: Arc::new(Rotation::new(2 * half)) }
     }
 
@@ -118,7 +118,7 @@ mod tests {
     #[test]
     fn agrees_with_the_sum() {
         for half in [1, 2, 3, 4, 5, 9, 30, 64] {
-            let transform = PackedTransform::new(half);
+            let transform = PackedTransform::new(&mut FftPlanner::new(), half);
             let x = sequence(2 * half);
             let mut buffer = packed(&x);
             transform.forward(&mut buffer, &mut transform.scratch());
@@ -139,7 +139,7 @@ mod tests {
     #[test]
     fn comes_back() {
         for half in [1, 2, 3, 4, 5, 9, 30, 64, 1000] {
-            let transform = PackedTransform::new(half);
+            let transform = PackedTransform::new(&mut FftPlanner::new(), half);
             let x = sequence(2 * half);
             let mut buffer = packed(&x);
             let mut scratch = transform.scratch();

@@ -59,7 +59,7 @@ pub enum RegularityError {
     },
     /// `theta0/q0` is so large that the row cannot be told from its neighbours.
     #[error(
-        "theta0/q0 = {theta0}/{constant} is too large to tell the first regular row; it may be at most {LARGEST_RATIO:e}"
+        "theta0/q0 = {theta0:e}/{constant} is too large to tell the first regular row; it may be at most {LARGEST_RATIO:e}"
     )]
     RowTooFar {
         /// The parameter given.

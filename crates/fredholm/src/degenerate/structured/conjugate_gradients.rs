@@ -64,8 +64,7 @@ pub(super) fn solve(
         if residual <= matrix.rounding(&solution) / size {
             return Ok((solution, Convergence { iterations, residual, limited_by_rounding: true }));
         }
-        // Also true for NaN.
-        let stagnant = !(residual < 0.5 * previous);
+        let stagnant = residual.is_nan() || residual >= 0.5 * previous;
         if iterations >= goal.maximum || stagnant {
             let tolerance = goal.tolerance;
             return Err(Error::NotConverged { iterations, residual, tolerance });

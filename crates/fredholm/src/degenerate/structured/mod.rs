@@ -8,5 +8,5 @@ mod product;
 mod system;
 
 pub use conjugate_gradients::Convergence;
-pub use operator::StructuredOperator;
+pub use operator::{BYTES_A_DEGREE, StructuredOperator};
 pub use system::StructuredSystem;

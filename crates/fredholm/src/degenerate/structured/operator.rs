@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use rustfft::FftPlanner;
+
 use super::preconditioner::largest_leading_order;
 use super::product::{Product, Workspace};
 use super::system::StructuredSystem;
@@ -10,7 +12,7 @@ use crate::degenerate::split::{Indices, admit, check_parameter, expansion_factor
 use crate::kernel::{Gram, SpectralRelation};
 
 /// Memory a coefficient takes at the peak of a solve, in bytes: measured, rounded up.
-const BYTES: f64 = 240.0;
+pub const BYTES_A_DEGREE: f64 = 240.0;
 
 /// The Gram matrix `R` and the factors `D` of a kernel up to a degree, ready for fast products: independent of the
 /// parameter, and shared by the systems of several.
@@ -55,7 +57,7 @@ impl<'k, K: SpectralRelation> StructuredOperator<'k, K> {
     /// [`Error::TooLarge`] beyond memory, [`Error::NotPositive`] when one of the eigenvalues is not positive,
     /// [`Error::Unstructured`] when the Gram matrix is not Toeplitz plus Hankel; whatever the kernel's own route to it meets.
     pub fn new(kernel: &'k K, degree: usize) -> Result<Self, Error> {
-        admit(degree, BYTES * degree as f64)?;
+        admit(degree, BYTES_A_DEGREE * degree as f64)?;
         let factors = expansion_factors(kernel, degree)?;
         let Gram::ToeplitzHankel { toeplitz, hankel } = kernel.gram(degree + 1)? else {
             return Err(Error::Unstructured);
@@ -63,8 +65,9 @@ impl<'k, K: SpectralRelation> StructuredOperator<'k, K> {
         if toeplitz.len() <= degree || hankel.len() <= 2 * degree {
             return Err(Error::Unstructured);
         }
+        let mut planner = FftPlanner::new();
         let parts = Indices::parts(kernel.parity(), degree + 1)
-            .map(|indices| Part::new(indices, &factors, &toeplitz, &hankel))
+            .map(|indices| Part::new(&mut planner, indices, &factors, &toeplitz, &hankel))
             .collect();
         Ok(Self { kernel, shared: Arc::new(Shared { factors, parts }) })
     }
@@ -115,14 +118,20 @@ impl<'k, K: SpectralRelation> StructuredOperator<'k, K> {
 }
 
 impl Part {
-    fn new(indices: Indices, factors: &[f64], toeplitz: &[f64], hankel: &[f64]) -> Self {
+    fn new(
+        planner: &mut FftPlanner<f64>,
+        indices: Indices,
+        factors: &[f64],
+        toeplitz: &[f64],
+        hankel: &[f64],
+    ) -> Self {
         let roots: Vec<f64> = indices.of(factors).map(f64::sqrt).collect();
         let toeplitz = |j: usize| toeplitz[indices.step * j];
         let hankel = |j: usize| hankel[2 * indices.first + indices.step * j];
         let leading = roots.len().min(largest_leading_order());
         Self {
             indices,
-            product: Product::new(roots.len(), toeplitz, hankel),
+            product: Product::new(planner, roots.len(), toeplitz, hankel),
             toeplitz: (0..leading).map(toeplitz).collect(),
             hankel: (0..2 * leading - 1).map(hankel).collect(),
             roots,

@@ -1,5 +1,7 @@
 //! The product with a Toeplitz plus Hankel matrix.
 
+use rustfft::FftPlanner;
+
 use crate::basis::transform::{Complex, PackedTransform, fast_length};
 
 /// `y_p = sum_q (t_|p-q| + h_{p+q}) x_q`, `p, q < count`, by one real Fourier transform each way:
@@ -36,13 +38,14 @@ pub(super) struct Workspace {
 impl Product {
     /// The product for `t_0 ..= t_{count-1}` and `h_0 ..= h_{2 count - 2}`, `count >= 1`.
     pub(super) fn new(
+        planner: &mut FftPlanner<f64>,
         count: usize,
         toeplitz: impl Fn(usize) -> f64,
         hankel: impl Fn(usize) -> f64,
     ) -> Self {
         let half = fast_length(count.saturating_sub(1));
         let length = 2 * half;
-        let transform = PackedTransform::new(half);
+        let transform = PackedTransform::new(planner, half);
         let mut workspace = Workspace::new(&transform);
         let mut symbol = vec![SymbolPair::default(); half / 2 + 1];
         let scale = 1.0 / half as f64;
@@ -146,7 +149,7 @@ mod tests {
         let toeplitz = |j: usize| 1.0 / (1.0 + j as f64);
         let hankel = |j: usize| (0.7 * j as f64).cos() / (2.0 + j as f64);
         for count in [1usize, 2, 3, 4, 5, 8, 9, 10, 17, 33, 51, 64, 65, 200, 257, 1000] {
-            let product = Product::new(count, toeplitz, hankel);
+            let product = Product::new(&mut FftPlanner::new(), count, toeplitz, hankel);
             let x: Vec<f64> = (0..count).map(|q| (1.1 * q as f64 + 0.2).sin()).collect();
             let mut positions = 0;
             let mut workspace = product.workspace();

@@ -137,7 +137,7 @@ fn missing_keys_name_what_is_written_instead() {
     let punch = root.required("punch").unwrap().table().unwrap();
     let error = punch.required("half_width").unwrap_err();
     assert_eq!(error.to_string(), "punch.toml:3: punch.half_width: is missing");
-    assert_eq!(error.help(), Some("half_witdh is written, perhaps half_width was meant"));
+    assert_eq!(error.help(), Some("half_witdh is written, did you mean half_width?"));
     let foundation = root.required("foundation").unwrap().table().unwrap();
     let error = foundation.required("compliance").unwrap_err();
     assert_eq!(error.help(), Some("move it from the top of the file to [foundation]"));

@@ -1,0 +1,317 @@
+//! The scaled symmetric matrix of a kernel on a mesh, split by parity where that is possible.
+
+use std::ops::Range;
+
+use super::mesh::Mesh;
+use super::weights::SincWeights;
+use crate::kernel::{Kernel, Singularity};
+use crate::linear::{dot, multiply_rows};
+use crate::{Error, memory};
+
+/// Memory left alone when a matrix is admitted: its factor, and the rest of the program.
+const SHARE: f64 = 0.4;
+
+/// The functions a block acts on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    /// All.
+    Whole,
+    /// `f(2c - x) = f(x)`, by its values at the nodes from the middle to the right.
+    Even,
+    /// `f(2c - x) = -f(x)`, by its values at the nodes right of the middle.
+    Odd,
+}
+
+/// One symmetric problem: `(1 + lambda S) z = rho f`, `phi = f - lambda S z / rho`.
+#[derive(Debug, Clone)]
+pub(super) struct Block {
+    pub(super) part: Part,
+    /// First node of the block; the others follow to the right.
+    first: usize,
+    /// `rho`: square roots of the weights, the middle node of an even block having half the weight.
+    pub(super) roots: Vec<f64>,
+    /// `S`, all entries.
+    pub(super) matrix: Vec<f64>,
+    /// For each boundary of the panels the row that gives the share of `K phi` there from the scaled solution `z`.
+    boundary_rows: Vec<Vec<f64>>,
+}
+
+impl Block {
+    pub(super) fn order(&self) -> usize {
+        self.roots.len()
+    }
+
+    /// Values at the nodes of the block of the part of `f` it acts on; `f` is given at all nodes.
+    pub(super) fn restrict(&self, f: &[f64]) -> Vec<f64> {
+        let right = &f[self.first..];
+        let mirrored = f.iter().rev().skip(self.first);
+        match self.part {
+            Part::Whole => f.to_vec(),
+            Part::Even => right.iter().zip(mirrored).map(|(f, g)| 0.5 * (f + g)).collect(),
+            Part::Odd => right.iter().zip(mirrored).map(|(f, g)| 0.5 * (f - g)).collect(),
+        }
+    }
+
+    /// Adds the part of a function given at the nodes of the block to its values at all nodes.
+    pub(super) fn extend(&self, part: &[f64], values: &mut [f64]) {
+        let sign = match self.part {
+            Part::Whole => return values.iter_mut().zip(part).for_each(|(v, p)| *v += p),
+            Part::Even => 1.0,
+            Part::Odd => -1.0,
+        };
+        let last = values.len() - 1;
+        for (i, value) in (self.first..).zip(part) {
+            values[i] += value;
+            if i != last - i {
+                values[last - i] += sign * value;
+            }
+        }
+    }
+
+    /// `rho f` for the part of `f`.
+    pub(super) fn scaled(&self, f: &[f64]) -> Vec<f64> {
+        let mut part = self.restrict(f);
+        part.iter_mut().zip(&self.roots).for_each(|(f, root)| *f *= root);
+        part
+    }
+
+    /// `(K phi)` at the nodes of the block from the scaled solution `z = rho phi`.
+    pub(super) fn potential(&self, z: &[f64]) -> Vec<f64> {
+        let mut potential = multiply_rows(&self.matrix, z);
+        potential.iter_mut().zip(&self.roots).for_each(|(u, root)| *u /= root);
+        potential
+    }
+
+    /// The share of `K phi` at the boundaries of the panels from the scaled solution `z`.
+    pub(super) fn add_boundary_potential(&self, z: &[f64], boundaries: &mut [f64]) {
+        for (potential, row) in boundaries.iter_mut().zip(&self.boundary_rows) {
+            *potential += dot(row, z);
+        }
+    }
+
+    /// The rows of the left and the right end of the interval.
+    pub(super) fn end_rows(&self) -> [&[f64]; 2] {
+        match (self.boundary_rows.first(), self.boundary_rows.last()) {
+            (Some(left), Some(right)) => [left, right],
+            _ => [&[], &[]],
+        }
+    }
+
+    /// Turns a row that acts on values at all nodes into one that acts on the scaled solution.
+    fn boundary_row(&self, row: &[f64]) -> Vec<f64> {
+        let mut part = self.restrict(row);
+        let count = self.multiplicity();
+        part.iter_mut().zip(&self.roots).for_each(|(value, root)| *value *= count / root);
+        if self.part == Part::Even && row.len() % 2 == 1 {
+            // The middle node is its own image: it counts once.
+            part[0] *= 0.5;
+        }
+        part
+    }
+
+    /// How many times the sum over the block makes the sum over all nodes.
+    pub(super) fn multiplicity(&self) -> f64 {
+        if self.part == Part::Whole { 1.0 } else { 2.0 }
+    }
+}
+
+/// The blocks of a kernel on a mesh.
+pub(super) fn blocks(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Result<Vec<Block>, Error> {
+    let entries = Entries {
+        kernel,
+        mesh,
+        singularity: kernel.singularity(),
+        weights: SincWeights::new(kernel.singularity(), mesh.panel_count()),
+    };
+    let mut blocks = if kernel.is_even() && mesh.is_symmetric() {
+        admit(mesh.count() / 2 + 1, 2)?;
+        entries.by_parity()
+    } else {
+        admit(mesh.count(), 1)?;
+        vec![entries.whole()]
+    };
+    for block in &blocks {
+        require_finite(block, mesh)?;
+    }
+    let rows = boundary_rows(kernel, mesh);
+    for block in &mut blocks {
+        block.boundary_rows =
+            rows.chunks_exact(mesh.count()).map(|row| block.boundary_row(row)).collect();
+    }
+    Ok(blocks)
+}
+
+/// Refuses matrices that would not fit into memory, before anything large is allocated.
+fn admit(order: usize, count: usize) -> Result<(), Error> {
+    let needed = 8 * (order * order * count) as u64;
+    // Small ones fit; asking the system takes longer than solving them.
+    if needed <= 16 << 20 {
+        return Ok(());
+    }
+    let available = memory::available();
+    if needed as f64 > SHARE * available as f64 {
+        return Err(Error::TooLarge { degree: order, needed, available });
+    }
+    Ok(())
+}
+
+fn require_finite(block: &Block, mesh: &Mesh) -> Result<(), Error> {
+    // One sum tells; the culprit is looked for only when there is one.
+    if block.matrix.iter().sum::<f64>().is_finite() {
+        return Ok(());
+    }
+    let culprit = block.matrix.iter().position(|entry| !entry.is_finite());
+    match culprit {
+        Some(place) => Err(Error::NotFinite {
+            what: "kernel",
+            at: mesh.node(block.first + place % block.order()).position,
+            value: block.matrix[place],
+        }),
+        None => Ok(()),
+    }
+}
+
+struct Entries<'k, K: ?Sized> {
+    kernel: &'k K,
+    mesh: &'k Mesh,
+    singularity: Singularity,
+    weights: SincWeights,
+}
+
+impl<K: Kernel + ?Sized> Entries<'_, K> {
+    /// The entry of the unscaled matrix on the diagonal, less the weight.
+    fn diagonal(&self, i: usize) -> f64 {
+        let x = self.mesh.node(i).position;
+        self.weights.at_node(self.kernel.split(x, x, 0.0), self.mesh.weights()[i])
+    }
+
+    /// The entries `(i, j)` of the unscaled matrix, less the weight, for the nodes `j` of a range that ends before `i`.
+    fn row(&self, i: usize, range: Range<usize>, row: &mut [f64]) {
+        let x = self.mesh.node(i).position;
+        let first = range.start;
+        let mut distances = vec![0.0; range.len()];
+        for segment in self.mesh.segments(range) {
+            let same_panel = self.mesh.same_panel(i, segment.start);
+            let local = segment.start - first..segment.end - first;
+            let distances = &mut distances[local.clone()];
+            self.mesh.distances(i, segment.clone(), distances);
+            let entries = segment.zip(distances.iter()).zip(&mut row[local]);
+            if same_panel {
+                entries.for_each(|((j, &distance), entry)| {
+                    let split = self.kernel.split(x, self.mesh.node(j).position, distance);
+                    *entry = self.weights.apart(split, distance, i - j);
+                });
+            } else {
+                entries.for_each(|((j, &distance), entry)| {
+                    let split = self.kernel.split(x, self.mesh.node(j).position, distance);
+                    *entry = split.value(self.singularity, distance);
+                });
+            }
+        }
+    }
+
+    fn whole(&self) -> Block {
+        let roots: Vec<f64> = self.mesh.weights().iter().map(|weight| weight.sqrt()).collect();
+        let order = roots.len();
+        let mut matrix = vec![0.0; order * order];
+        for i in 0..order {
+            let row = &mut matrix[i * order..=i * order + i];
+            self.row(i, 0..i, row);
+            row[i] = self.diagonal(i);
+            scale(row, &roots, roots[i]);
+        }
+        mirror(&mut matrix, order);
+        Block { part: Part::Whole, first: 0, roots, matrix, boundary_rows: Vec::new() }
+    }
+
+    /// The even and the odd block: `S_ij +- S_ij'` with the mirror image `j'` of `j`.
+    fn by_parity(&self) -> Vec<Block> {
+        let count = self.mesh.count();
+        let middle = count / 2;
+        let has_middle = !count.is_multiple_of(2);
+        let mut roots: Vec<f64> =
+            self.mesh.weights()[middle..].iter().map(|weight| weight.sqrt()).collect();
+        if has_middle {
+            roots[0] *= std::f64::consts::FRAC_1_SQRT_2;
+        }
+        let skipped = usize::from(has_middle);
+        let (even_order, odd_order) = (roots.len(), roots.len() - skipped);
+        let mut even = vec![0.0; even_order * even_order];
+        let mut odd = vec![0.0; odd_order * odd_order];
+        let (mut same, mut images) = (vec![0.0; even_order], vec![0.0; even_order]);
+        for a in 0..even_order {
+            let i = middle + a;
+            let images = &mut images[..=a];
+            self.row(i, middle..i, &mut same);
+            same[a] = self.diagonal(i);
+            // The images of nodes `middle .. i` are `i' .. middle'` from left to right.
+            if has_middle && a == 0 {
+                images[0] = same[0];
+            } else {
+                self.row(i, count - 1 - i..count - middle, images);
+                images.reverse();
+            }
+            let pairs = || same.iter().zip(images.iter());
+            let row = &mut even[a * even_order..=a * even_order + a];
+            row.iter_mut().zip(pairs()).for_each(|(entry, (s, m))| *entry = s + m);
+            scale(row, &roots, roots[a]);
+            if a >= skipped {
+                let start = (a - skipped) * odd_order;
+                let row = &mut odd[start..=start + a - skipped];
+                let pairs = pairs().skip(skipped);
+                row.iter_mut().zip(pairs).for_each(|(entry, (s, m))| *entry = s - m);
+                scale(row, &roots[skipped..], roots[a]);
+            }
+        }
+        mirror(&mut even, even_order);
+        mirror(&mut odd, odd_order);
+        let odd_roots = roots[skipped..].to_vec();
+        let block = |part, first, roots, matrix| Block {
+            part,
+            first,
+            roots,
+            matrix,
+            boundary_rows: Vec::new(),
+        };
+        vec![
+            block(Part::Even, middle, roots, even),
+            block(Part::Odd, middle + skipped, odd_roots, odd),
+        ]
+    }
+}
+
+/// Multiplies by the roots of the weights of the columns and of the row.
+fn scale(row: &mut [f64], roots: &[f64], root: f64) {
+    row.iter_mut().zip(roots).for_each(|(entry, column)| *entry = (root * *entry) * column);
+}
+
+/// Copies the lower triangle to the upper one.
+fn mirror(matrix: &mut [f64], order: usize) {
+    for i in 0..order {
+        for j in 0..i {
+            matrix[j * order + i] = matrix[i * order + j];
+        }
+    }
+}
+
+/// `w_j K(x_b, x_j)` for every boundary `x_b` of the panels: a row for each.
+fn boundary_rows(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Vec<f64> {
+    let singularity = kernel.singularity();
+    let row = |boundary: usize| {
+        let x = mesh.boundaries()[boundary];
+        (0..mesh.count()).map(move |j| {
+            let distance = mesh.distance_to_boundary(boundary, j);
+            mesh.weights()[j]
+                * kernel.split(x, mesh.node(j).position, distance).value(singularity, distance)
+        })
+    };
+    let boundaries = mesh.boundaries().len();
+    if kernel.is_even() && mesh.is_symmetric() {
+        let mut rows: Vec<f64> = (0..boundaries.div_ceil(2)).flat_map(row).collect();
+        let mirrored: Vec<f64> =
+            rows[..boundaries / 2 * mesh.count()].iter().rev().copied().collect();
+        rows.extend(mirrored);
+        return rows;
+    }
+    (0..boundaries).flat_map(row).collect()
+}

@@ -1,0 +1,197 @@
+//! A solution of collocation, which can be evaluated anywhere.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use super::Place;
+use super::map::inverse;
+use super::mesh::Mesh;
+
+/// Independent partial sums of the interpolation.
+const LANES: usize = 4;
+/// A point this close to a node, in steps, is that node.
+const AT_NODE: f64 = 1e-13;
+
+/// A solution of collocation: values at the nodes and what evaluation elsewhere needs.
+///
+/// Between the nodes `U = K phi` is interpolated and `phi = f - lambda U`: with the straight line `l` through the values of
+/// `U` at the ends of the panel, `v_j = U_j - l_j` and `tau = t(x)/h`,
+///
+/// `U(x) = l(x) + (sin(pi tau)/pi) sum_j (-1)^j v_j / (tau - j)`.
+#[derive(Debug, Clone)]
+pub struct SincSolution {
+    mesh: Arc<Mesh>,
+    parameter: f64,
+    values: Vec<f64>,
+    potential: Vec<f64>,
+    /// `U` at the boundaries of the panels.
+    boundaries: Vec<f64>,
+    /// `v_j`.
+    bubble: Vec<f64>,
+    panels: Vec<Pairs>,
+}
+
+/// `v_j / (tau - j)` and `v_-j / (tau + j)` added over their common denominator `tau^2 - j^2`, with the sign `(-1)^j`.
+#[derive(Debug, Clone)]
+struct Pairs {
+    sums: Vec<f64>,
+    differences: Vec<f64>,
+}
+
+impl SincSolution {
+    pub(super) fn new(
+        mesh: Arc<Mesh>,
+        parameter: f64,
+        values: Vec<f64>,
+        potential: Vec<f64>,
+        boundaries: Vec<f64>,
+    ) -> Self {
+        let bubble: Vec<f64> = (mesh.places().zip(&potential))
+            .map(|(place, u)| u - line(&boundaries, place))
+            .collect();
+        let panels = bubble.chunks_exact(mesh.panel_count()).map(Pairs::new).collect();
+        Self { mesh, parameter, values, potential, boundaries, bubble, panels }
+    }
+
+    /// `lambda`.
+    #[must_use]
+    pub fn parameter(&self) -> f64 {
+        self.parameter
+    }
+
+    /// `phi` at the nodes.
+    #[must_use]
+    pub fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// `(K phi)` at the nodes.
+    #[must_use]
+    pub fn potential(&self) -> &[f64] {
+        &self.potential
+    }
+
+    /// `int_L u phi dx`.
+    #[must_use]
+    pub fn integral(&self, u: impl Fn(f64) -> f64) -> f64 {
+        (self.mesh.places().zip(&self.values).zip(self.mesh.weights()))
+            .map(|((place, value), weight)| u(place.position) * value * weight)
+            .sum()
+    }
+
+    /// `phi(x)` for `x` in the closed interval, given `f(x)`; points outside count as the nearer end.
+    ///
+    /// At a breakpoint `f(x)` decides which one-sided value it is: `K phi` is continuous.
+    #[must_use]
+    pub fn evaluate(&self, x: f64, right_hand_side: f64) -> f64 {
+        right_hand_side - self.parameter * self.potential_at(self.mesh.locate(x))
+    }
+
+    /// `phi` at a place given by its distances to the ends of its panel, to all their digits; the position is not used. A
+    /// panel that does not exist counts as the last.
+    #[must_use]
+    pub fn evaluate_place(&self, place: Place, right_hand_side: f64) -> f64 {
+        let panel = place.panel.min(self.panels.len() - 1);
+        right_hand_side - self.parameter * self.potential_at(Place { panel, ..place })
+    }
+
+    /// `phi` at several points, given `f` there, without allocation; as many as the shortest of the three lists has.
+    pub fn evaluate_into(&self, points: &[f64], right_hand_side: &[f64], values: &mut [f64]) {
+        for ((&x, f), value) in points.iter().zip(right_hand_side).zip(values) {
+            *value = self.evaluate(x, *f);
+        }
+    }
+
+    /// `(K phi)(x)` for `x` in the closed interval.
+    #[must_use]
+    pub fn evaluate_potential(&self, x: f64) -> f64 {
+        self.potential_at(self.mesh.locate(x))
+    }
+
+    /// `(K phi)` at a place.
+    pub(super) fn potential_at(&self, place: Place) -> f64 {
+        if place.from_left <= 0.0 {
+            return self.boundaries[place.panel];
+        }
+        if place.from_right <= 0.0 {
+            return self.boundaries[place.panel + 1];
+        }
+        let t = inverse(place.from_left, place.from_right);
+        line(&self.boundaries, place) + self.interpolate(place.panel, t)
+    }
+
+    /// The interpolated part of `K phi` at `t` in a panel, beside the straight line.
+    pub(super) fn interpolate(&self, panel: usize, t: f64) -> f64 {
+        let half_count = self.mesh.grid().half_count();
+        let tau = t / self.mesh.grid().step();
+        let nearest = tau.round();
+        let bubble = &self.bubble[panel * self.mesh.panel_count()..];
+        if (tau - nearest).abs() < AT_NODE && nearest.abs() <= half_count as f64 {
+            return bubble[(nearest + half_count as f64) as usize];
+        }
+        (bubble[half_count] / tau + self.panels[panel].sum(tau)) * sine_of_turns(tau, nearest)
+    }
+
+    pub(super) fn mesh(&self) -> &Arc<Mesh> {
+        &self.mesh
+    }
+
+    pub(super) fn boundaries(&self) -> &[f64] {
+        &self.boundaries
+    }
+
+    pub(super) fn bubble(&self) -> &[f64] {
+        &self.bubble
+    }
+}
+
+/// `sin(pi tau)/pi`, reduced by hand: `tau` itself may be large. `nearest` is the integer nearest to `tau`.
+pub(super) fn sine_of_turns(tau: f64, nearest: f64) -> f64 {
+    let sign = if nearest % 2.0 == 0.0 { 1.0 } else { -1.0 };
+    sign * (PI * (tau - nearest)).sin() / PI
+}
+
+/// The straight line through the values at the ends of the panel.
+pub(super) fn line(boundaries: &[f64], place: Place) -> f64 {
+    let Place { from_left, from_right, panel, .. } = place;
+    (boundaries[panel] * from_right + boundaries[panel + 1] * from_left) / (from_left + from_right)
+}
+
+impl Pairs {
+    fn new(bubble: &[f64]) -> Self {
+        let middle = bubble.len() / 2;
+        let (mut sums, mut differences) = (Vec::with_capacity(middle), Vec::with_capacity(middle));
+        let mut sign = -1.0;
+        for j in 1..=middle {
+            let (right, left) = (bubble[middle + j], bubble[middle - j]);
+            sums.push(sign * (right + left));
+            differences.push(sign * (right - left) * j as f64);
+            sign = -sign;
+        }
+        Self { sums, differences }
+    }
+
+    /// Two fractions share one division: divisions are what it costs.
+    fn sum(&self, tau: f64) -> f64 {
+        let mut totals = [0.0; LANES];
+        let mut index: [f64; LANES] = std::array::from_fn(|lane| (lane + 1) as f64);
+        let (sums, differences) =
+            (self.sums.chunks_exact(2 * LANES), self.differences.chunks_exact(2 * LANES));
+        let rest = sums.remainder().iter().zip(differences.remainder());
+        for (s, d) in sums.zip(differences) {
+            for lane in 0..LANES {
+                let (i, j) = (index[lane], index[lane] + LANES as f64);
+                // As products: next to a node the difference of squares would lose what the sine has.
+                let (p, q) = ((tau - i) * (tau + i), (tau - j) * (tau + j));
+                let (a, b) = (s[lane] * tau + d[lane], s[lane + LANES] * tau + d[lane + LANES]);
+                totals[lane] += (a * q + b * p) / (p * q);
+                index[lane] += 2.0 * LANES as f64;
+            }
+        }
+        let mut total: f64 = totals.iter().sum();
+        for ((s, d), j) in rest.zip((0..).map(|k| index[0] + f64::from(k))) {
+            total += (s * tau + d) / ((tau - j) * (tau + j));
+        }
+        total
+    }
+}

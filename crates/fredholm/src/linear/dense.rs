@@ -1,0 +1,45 @@
+//! Products with dense matrices, written so that the compiler vectorises them without reordering sums by chance.
+
+/// Columns taken at once.
+const COLUMNS: usize = 4;
+/// Independent partial sums of a scalar product.
+const LANES: usize = 8;
+
+/// `a . b`; the shorter of the two counts.
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let length = a.len().min(b.len());
+    let (a, b) = (&a[..length], &b[..length]);
+    let mut sums = [0.0; LANES];
+    let (chunks_a, chunks_b) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
+    let rest: f64 = chunks_a.remainder().iter().zip(chunks_b.remainder()).map(|(a, b)| a * b).sum();
+    for (a, b) in chunks_a.zip(chunks_b) {
+        for lane in 0..LANES {
+            sums[lane] += a[lane] * b[lane];
+        }
+    }
+    sums.iter().sum::<f64>() + rest
+}
+
+/// `target -= sum_k factors[k] columns[k]` for four columns.
+#[inline]
+pub(crate) fn subtract_columns(target: &mut [f64], columns: [&[f64]; COLUMNS], factors: [f64; 4]) {
+    let length = target.len();
+    let [c0, c1, c2, c3] = columns.map(|column| &column[..length]);
+    let [f0, f1, f2, f3] = factors;
+    for i in 0..length {
+        target[i] -= (f0 * c0[i] + f1 * c1[i]) + (f2 * c2[i] + f3 * c3[i]);
+    }
+}
+
+/// `target -= factor column`.
+#[inline]
+pub(crate) fn subtract_column(target: &mut [f64], column: &[f64], factor: f64) {
+    for (target, value) in target.iter_mut().zip(column) {
+        *target -= factor * value;
+    }
+}
+
+/// The scalar products of the rows of a square matrix with `x`.
+pub(crate) fn multiply_rows(matrix: &[f64], x: &[f64]) -> Vec<f64> {
+    matrix.chunks_exact(x.len().max(1)).map(|row| dot(row, x)).collect()
+}

@@ -1,0 +1,151 @@
+//! Symmetric systems and eigenvalue problems.
+
+use faer::linalg::solvers::{PartialPivLu, Solve};
+use faer::{MatMut, MatRef, Side};
+
+use super::dense::multiply_rows;
+use super::{Cholesky, small_cholesky};
+use crate::Error;
+
+/// Up to this order our own factorisation is faster than the library (order 51: 6 against 12 us; order 101: slower).
+const SMALL: usize = 80;
+/// A positive definite matrix `1 + lambda K` with a pivot below this is looked at for being singular.
+const SUSPICIOUS_PIVOT: f64 = 0.5;
+/// An eigenvalue below this share of the largest counts as zero.
+const ZERO: f64 = 1e-13;
+/// Steps of the inverse iteration that finds the smallest eigenvalue; its magnitude is all that matters.
+const STEPS: usize = 4;
+
+/// A factored symmetric matrix `1 + lambda S`.
+#[derive(Debug, Clone)]
+pub(crate) enum Factored {
+    Small { order: usize, factor: Vec<f64> },
+    Large(Cholesky),
+    Indefinite(PartialPivLu<f64>),
+}
+
+impl Factored {
+    /// Factors `1 + parameter S` for `S` with all its entries stored: by Cholesky where it is positive definite,
+    /// otherwise by elimination with pivots.
+    pub(crate) fn shifted(matrix: &[f64], order: usize, parameter: f64) -> Result<Self, Error> {
+        match Self::positive(matrix, order, parameter) {
+            Some((factored, pivot)) if pivot >= SUSPICIOUS_PIVOT => Ok(factored),
+            _ => Self::indefinite(matrix, order, parameter),
+        }
+    }
+
+    /// The Cholesky factor and its smallest pivot.
+    fn positive(matrix: &[f64], order: usize, parameter: f64) -> Option<(Self, f64)> {
+        if order > SMALL {
+            let cholesky = Cholesky::new(order, |i, j| {
+                f64::from(u8::from(i == j)) + parameter * matrix[j * order + i]
+            })
+            .ok()?;
+            let pivot = cholesky.smallest_pivot();
+            return Some((Self::Large(cholesky), pivot));
+        }
+        let mut factor = vec![0.0; order * order];
+        for (j, (target, source)) in
+            factor.chunks_exact_mut(order).zip(matrix.chunks_exact(order)).enumerate()
+        {
+            let below = target[j..].iter_mut().zip(&source[j..]);
+            below.for_each(|(target, entry)| *target = parameter * entry);
+            target[j] += 1.0;
+        }
+        small_cholesky::factor(&mut factor, order).ok()?;
+        let pivot = factor.iter().step_by(order + 1).fold(f64::INFINITY, |least, &l| least.min(l));
+        Some((Self::Small { order, factor }, pivot * pivot))
+    }
+
+    fn indefinite(matrix: &[f64], order: usize, parameter: f64) -> Result<Self, Error> {
+        let shifted =
+            |i: usize, j: usize| f64::from(u8::from(i == j)) + parameter * matrix[j * order + i];
+        let lu = faer::Mat::from_fn(order, order, shifted).partial_piv_lu();
+        let factored = Self::Indefinite(lu);
+        let largest = (0..order)
+            .map(|i| (0..order).map(|j| shifted(i, j).abs()).sum::<f64>())
+            .fold(0.0, f64::max);
+        let smallest = factored.smallest_eigenvalue(order);
+        if smallest > ZERO * largest {
+            Ok(factored)
+        } else {
+            Err(Error::Singular { parameter, smallest })
+        }
+    }
+
+    /// Magnitude of the smallest eigenvalue, by inverse iteration; 0 for an exactly singular or not finite matrix.
+    fn smallest_eigenvalue(&self, order: usize) -> f64 {
+        // Irrational turns of a circle: a start with a share of every eigenvector.
+        let mut vector: Vec<f64> =
+            (1..=order).map(|i| (i as f64 * 2.399_963_229_728_653).sin() + 0.1).collect();
+        let mut smallest = 0.0;
+        for _ in 0..STEPS {
+            let before = norm(&vector);
+            vector.iter_mut().for_each(|value| *value /= before);
+            self.solve(&mut vector);
+            let after = norm(&vector);
+            if !after.is_finite() {
+                return 0.0;
+            }
+            smallest = 1.0 / after;
+        }
+        smallest
+    }
+
+    /// Whether Cholesky served.
+    pub(crate) fn is_positive(&self) -> bool {
+        !matches!(self, Self::Indefinite(_))
+    }
+
+    /// Overwrites `right` with the solution.
+    pub(crate) fn solve(&self, right: &mut [f64]) {
+        match self {
+            Self::Small { order, factor } => small_cholesky::solve(factor, *order, right),
+            Self::Large(cholesky) => cholesky.solve(right),
+            Self::Indefinite(lu) => {
+                let order = right.len();
+                lu.solve_in_place(MatMut::from_column_major_slice_mut(right, order, 1));
+            }
+        }
+    }
+}
+
+fn norm(vector: &[f64]) -> f64 {
+    vector.iter().map(|value| value * value).sum::<f64>().sqrt()
+}
+
+/// `S = V diag(values) V^T`, eigenvalues ascending, eigenvectors as the columns of `V`, one after the other.
+#[derive(Debug, Clone)]
+pub(crate) struct Eigensystem {
+    pub(crate) values: Vec<f64>,
+    pub(crate) vectors: Vec<f64>,
+}
+
+impl Eigensystem {
+    pub(crate) fn new(matrix: &[f64], order: usize) -> Result<Self, Error> {
+        let decomposition = MatRef::from_column_major_slice(matrix, order, order)
+            .self_adjoint_eigen(Side::Lower)
+            .map_err(|_| Error::EigenvaluesNotFound { order })?;
+        let values = (0..order).map(|k| decomposition.S()[k]).collect();
+        let vectors = (0..order)
+            .flat_map(|k| (0..order).map(move |i| (i, k)))
+            .map(|place| decomposition.U()[place])
+            .collect();
+        Ok(Self { values, vectors })
+    }
+
+    /// `V^T x`.
+    pub(crate) fn coefficients(&self, x: &[f64]) -> Vec<f64> {
+        multiply_rows(&self.vectors, x)
+    }
+
+    /// `V c`.
+    pub(crate) fn combine(&self, coefficients: &[f64]) -> Vec<f64> {
+        let order = self.values.len();
+        let mut sum = vec![0.0; order];
+        for (column, coefficient) in self.vectors.chunks_exact(order.max(1)).zip(coefficients) {
+            super::dense::subtract_column(&mut sum, column, -coefficient);
+        }
+        sum
+    }
+}

@@ -1,0 +1,14 @@
+//! The program as a user runs it: files in, answers, messages and exit codes out.
+#![expect(clippy::unwrap_used, reason = "helpers outside of test functions fail by panicking")]
+
+mod arguments;
+mod bad_input;
+mod bad_values;
+mod commands;
+mod examples;
+mod hostile;
+mod outputs;
+mod overrides;
+mod places;
+mod references;
+mod support;

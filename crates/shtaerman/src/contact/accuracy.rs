@@ -1,0 +1,55 @@
+//! How sure an answer is.
+
+use serde::Serialize;
+
+/// What a statement of error is worth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum ErrorKind {
+    /// Guaranteed, rounding aside, under the assumptions of the method.
+    Bound,
+    /// Likely: from the comparison of resolutions.
+    Estimate,
+}
+
+/// The error of an answer, without dimensions; zero for what the load prescribes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Accuracy {
+    /// Bound or estimate.
+    pub kind: ErrorKind,
+    /// Of the pressure `p0`, largest over the closed base.
+    pub pressure: f64,
+    /// Of `delta0`.
+    pub settlement: f64,
+    /// Of `alpha0`.
+    pub tilt: f64,
+    /// Of `P0`.
+    pub force: f64,
+    /// Of `M0`.
+    pub moment: f64,
+}
+
+/// Sizes against which the errors of an answer are held.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Sizes {
+    /// Largest `|p0|`.
+    pub(super) pressure: f64,
+    /// Larger of `|delta0|` and `|alpha0|`.
+    pub(super) displacement: f64,
+    /// Larger of `|P0|` and `|M0|`.
+    pub(super) force: f64,
+}
+
+impl Accuracy {
+    /// The largest error relative to its size.
+    pub(super) fn relative(&self, sizes: &Sizes) -> f64 {
+        let parts = [
+            (self.pressure, sizes.pressure),
+            (self.settlement.max(self.tilt), sizes.displacement),
+            (self.force.max(self.moment), sizes.force),
+        ];
+        parts.into_iter().fold(0.0, |worst: f64, (error, size)| {
+            worst.max(if error == 0.0 { 0.0 } else { error / size })
+        })
+    }
+}

@@ -1,0 +1,155 @@
+//! Bilateral contact by sinc collocation, independent of the spectral relation.
+
+use fredholm::collocation::{Estimate, extrapolate, first_half_count, rounding};
+use fredholm::kernel::Logarithm;
+use fredholm::{SincOperator, SincSolution};
+
+use super::accuracy::{Accuracy, ErrorKind};
+use super::balance::Balance;
+use super::potential::Potential;
+use super::solved::{Method, Stiffness};
+use super::{Draft, Target};
+use crate::{Error, Problem};
+
+/// Growth of the number of nodes from one resolution to the next.
+const RATIO: f64 = std::f64::consts::SQRT_2;
+/// Most nodes on either side of the middle of a panel, and of all panels together.
+const MOST_HALF_COUNT: usize = 1000;
+/// Differences that no longer fall and are below this share of the solution are rounding.
+const STAGNANT: f64 = 1e-9;
+/// Rounding of settlement, tilt, force and moment relative to their size.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// One resolution.
+struct Level {
+    balance: Balance,
+    state: super::balance::State,
+    solution: SincSolution,
+    count: usize,
+}
+
+/// Refines the nodes, on panels between the breakpoints `breaks`, until the estimate meets the target or rounding is reached.
+pub(super) fn solve(problem: &Problem, breaks: &[f64], target: Target) -> Result<Draft, Error> {
+    let start = first_half_count(problem.frame().theta0());
+    let most = MOST_HALF_COUNT / (breaks.len() + 1);
+    let half_count = |power: i32| ((start * RATIO.powi(power)).round() as usize).clamp(4, most);
+    let mut coarse = Level::new(problem, breaks, half_count(-2))?;
+    let mut fine = Level::new(problem, breaks, half_count(-1))?;
+    let mut before = fine.difference(&coarse)?;
+    for power in 0.. {
+        (coarse, fine) = (fine, Level::new(problem, breaks, half_count(power))?);
+        let difference = fine.difference(&coarse)?;
+        let floor = rounding(&fine.solution);
+        let stagnant = difference.pressure > 0.5 * before.pressure
+            && difference.pressure <= STAGNANT * largest(&fine.solution);
+        let last = half_count(power + 1) == half_count(power);
+        let accuracy = fine.accuracy(&before, &difference, floor);
+        let draft_done = last || stagnant || difference.pressure <= floor;
+        if draft_done || fine.meets(&accuracy, target.tolerance) {
+            return Ok(fine.draft(accuracy));
+        }
+        before = difference;
+    }
+    unreachable!("the number of nodes is limited")
+}
+
+impl Level {
+    fn new(problem: &Problem, breaks: &[f64], half_count: usize) -> Result<Self, Error> {
+        let operator = SincOperator::with_breaks(&Logarithm::unit(), half_count, breaks)?;
+        let factor = operator.factor(problem.frame().theta0())?;
+        let ones = vec![1.0; operator.count()];
+        let positions: Vec<f64> = operator.positions().collect();
+        let heights: Vec<f64> =
+            positions.iter().map(|&xi| problem.finite_profile(xi)).collect::<Result<_, _>>()?;
+        let level = factor.solve(&ones)?;
+        let tilted = factor.solve(&positions)?;
+        let profile = factor.solve(&heights)?;
+        let balance = Balance {
+            stiffness: Stiffness {
+                force_settlement: level.integral(|_| 1.0),
+                // The kernel is even: a level base calls for no moment.
+                coupling: 0.0,
+                moment_tilt: tilted.integral(|xi| xi),
+            },
+            free: free(&profile, &heights),
+        };
+        let state = balance.state(&problem.dimensionless_load());
+        let combined: Vec<f64> = (positions.iter().zip(&heights))
+            .map(|(xi, height)| state.settlement - state.tilt * xi - height)
+            .collect();
+        let solution = factor.solve(&combined)?;
+        Ok(Self { balance, state, solution, count: operator.count() })
+    }
+
+    /// Differences from a coarser level, the pressure's also between the nodes.
+    fn difference(&self, coarse: &Self) -> Result<Accuracy, Error> {
+        let potential = Estimate::between(&coarse.solution, &self.solution)?.solution;
+        let settlement = (self.state.settlement - coarse.state.settlement).abs();
+        let tilt = (self.state.tilt - coarse.state.tilt).abs();
+        Ok(Accuracy {
+            kind: ErrorKind::Estimate,
+            pressure: potential + settlement + tilt,
+            settlement,
+            tilt,
+            force: (self.state.force - coarse.state.force).abs(),
+            moment: (self.state.moment - coarse.state.moment).abs(),
+        })
+    }
+
+    fn accuracy(&self, before: &Accuracy, difference: &Accuracy, floor: f64) -> Accuracy {
+        let of = |part: fn(&Accuracy) -> f64, scale: f64, floor: f64| {
+            let (first, second) = (part(before), part(difference));
+            // What the load prescribes never differs and has no error.
+            if first == 0.0 && second == 0.0 {
+                0.0
+            } else {
+                extrapolate(first, second, scale, RATIO).max(floor)
+            }
+        };
+        let displacement = self.state.settlement.abs().max(self.state.tilt.abs());
+        let force = self.state.force.abs().max(self.state.moment.abs());
+        Accuracy {
+            kind: ErrorKind::Estimate,
+            pressure: extrapolate(
+                before.pressure,
+                difference.pressure,
+                largest(&self.solution),
+                RATIO,
+            )
+            .max(floor),
+            settlement: of(|a| a.settlement, displacement, ROUNDING * displacement),
+            tilt: of(|a| a.tilt, displacement, ROUNDING * displacement),
+            force: of(|a| a.force, force, ROUNDING * force),
+            moment: of(|a| a.moment, force, ROUNDING * force),
+        }
+    }
+
+    fn meets(&self, accuracy: &Accuracy, tolerance: f64) -> bool {
+        accuracy.relative(&self.state.sizes(largest(&self.solution))) <= tolerance
+    }
+
+    fn draft(self, accuracy: Accuracy) -> Draft {
+        Draft {
+            balance: self.balance,
+            state: self.state,
+            potential: Potential::collocated(self.solution),
+            method: Method { name: "sinc", n: self.count },
+            accuracy: Some(accuracy),
+        }
+    }
+}
+
+/// Force and moment of the response to the profile; exactly zero where its symmetry says so.
+fn free(profile: &SincSolution, heights: &[f64]) -> [f64; 2] {
+    let mirrored = || heights.iter().zip(heights.iter().rev());
+    let even = mirrored().all(|(left, right)| left == right);
+    let odd = mirrored().all(|(left, right)| *left == -right);
+    [
+        if odd { 0.0 } else { profile.integral(|_| 1.0) },
+        if even { 0.0 } else { profile.integral(|xi| xi) },
+    ]
+}
+
+fn largest(solution: &SincSolution) -> f64 {
+    solution.values().iter().fold(0.0, |largest: f64, value| largest.max(value.abs()))
+}

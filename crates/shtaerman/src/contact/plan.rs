@@ -1,0 +1,130 @@
+//! Which method solves a problem, and how far it goes.
+
+use fredholm::basis::Function;
+
+use super::warning::Warning;
+use super::{Contact, Draft, collocated, spectral};
+use crate::{Error, MethodChoice, Problem};
+
+/// Relative error that is aimed at where no tolerance is given.
+pub const AIM: f64 = 1e-12;
+/// Profiles of a higher Chebyshev degree than this oscillate faster than collocation should follow.
+const LARGEST_COLLOCATED_DEGREE: usize = 256;
+/// Most breakpoints that get panels of their own.
+const MOST_BREAKS: usize = 15;
+
+/// The relative error to reach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Target {
+    pub(super) tolerance: f64,
+    /// Whether the user asked for it: then falling short is an error.
+    pub(super) is_explicit: bool,
+}
+
+/// The route taken, with its reason.
+struct Route {
+    draft: Draft,
+    reason: String,
+}
+
+impl Problem {
+    /// Solves the problem by the method of its [`Solver`](crate::Solver), or by the one that suits it.
+    ///
+    /// # Errors
+    /// [`Error::ProfileNotFinite`] where the profile is not finite; [`Error::Equation`] when a system does not fit into memory;
+    /// [`Error::Overflow`] when the answer is not finite; [`Error::ToleranceNotMet`] when an explicit tolerance is out of reach.
+    pub fn solve(&self) -> Result<Contact, Error> {
+        let solver = self.solver();
+        let target = Target {
+            tolerance: solver.tolerance.unwrap_or(AIM),
+            is_explicit: solver.tolerance.is_some(),
+        };
+        let function = self.resolved_profile()?;
+        let Route { draft, reason } = match (solver.method, solver.degree) {
+            (MethodChoice::Spectral | MethodChoice::Auto, Some(degree)) => Route {
+                draft: spectral::solve_with_estimate(self, &function, degree)?,
+                reason: "a given n fixes the truncation of the degenerate kernel".to_owned(),
+            },
+            (MethodChoice::Spectral, None) => Route {
+                draft: spectral::solve_adaptively(self, &function, target)?,
+                reason: "asked for; n doubled until the estimate was met or the last n reached"
+                    .to_owned(),
+            },
+            (MethodChoice::Sinc, _) => Route {
+                draft: collocated::solve(self, &self.breaks(), target)?,
+                reason: "asked for".to_owned(),
+            },
+            (MethodChoice::Auto, None) => self.choose(&function, target)?,
+        };
+        let fell_short = (!draft.meets(self, target.tolerance)).then(|| draft.relative_error(self));
+        if let Some(reached) = fell_short.filter(|_| target.is_explicit) {
+            return Err(Error::ToleranceNotMet {
+                tolerance: target.tolerance,
+                reached,
+                method: draft.method.name,
+                n: draft.method.n,
+                settlement0: draft.state.settlement,
+                tilt0: draft.state.tilt,
+            });
+        }
+        let fixed = solver.degree.is_some();
+        let mut contact = Contact::new(self, draft, reason, function.series().degree())?;
+        contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
+        if let Some(reached) = fell_short.filter(|_| !fixed) {
+            contact.warn(Some(Warning::tolerance_not_met(target.tolerance, reached)));
+        }
+        if contact.method().name == "spectral" {
+            contact.warn(
+                (!function.is_resolved()).then(|| Warning::profile_not_resolved(function.error())),
+            );
+            contact.warn(Warning::low_degree(contact.method().n, self.frame().theta0()));
+        }
+        Ok(contact)
+    }
+
+    /// The plain degenerate kernel of a given degree, without an estimate of its error.
+    pub(crate) fn solve_truncated(&self, degree: usize) -> Result<Contact, Error> {
+        let function = self.resolved_profile()?;
+        let draft = spectral::solve(self, &function, degree)?;
+        Contact::new(self, draft, "a given degree".to_owned(), function.series().degree())
+    }
+
+    fn choose(&self, function: &Function, target: Target) -> Result<Route, Error> {
+        let breaks = self.breaks();
+        let smooth =
+            function.is_resolved() && function.series().degree() <= LARGEST_COLLOCATED_DEGREE;
+        if smooth {
+            let draft = collocated::solve(self, &[], target)?;
+            return Ok(Route {
+                draft,
+                reason: "the profile is smooth: collocation converges exponentially".to_owned(),
+            });
+        }
+        if !function.is_resolved() && !breaks.is_empty() && breaks.len() <= MOST_BREAKS {
+            let draft = collocated::solve(self, &breaks, target)?;
+            if draft.meets(self, target.tolerance) {
+                let reason = format!(
+                    "the profile has {} breakpoint(s): collocation on the panels between them",
+                    breaks.len()
+                );
+                return Ok(Route { draft, reason });
+            }
+        }
+        let draft = spectral::solve_adaptively(self, function, target)?;
+        let reason = format!(
+            "the profile needs Chebyshev degree {}: the structured spectral solve",
+            if function.is_resolved() {
+                function.series().degree().to_string()
+            } else {
+                "beyond 131072".to_owned()
+            }
+        );
+        Ok(Route { draft, reason })
+    }
+
+    /// Breakpoints of the profile strictly inside the base, as `xi`; none when there are more than can have panels.
+    pub(super) fn breaks(&self) -> Vec<f64> {
+        let breaks = self.profile().breakpoints(self.frame().half_width());
+        if breaks.len() <= MOST_BREAKS { breaks } else { Vec::new() }
+    }
+}

@@ -1,0 +1,311 @@
+//! The solved contact.
+
+use super::accuracy::Accuracy;
+use super::draft::Draft;
+use super::extremes::Sampled;
+use super::warning::Warning;
+use crate::{Error, Problem, Rotational, Scaling, Vertical};
+
+/// Method and size of a solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct Method {
+    /// Name of the method: `spectral` or `sinc`.
+    pub name: &'static str,
+    /// Highest Chebyshev degree kept, or number of nodes.
+    pub n: usize,
+}
+
+/// The tangent stiffness `d(P, M)/d(delta, -alpha)`, symmetric positive definite.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stiffness {
+    /// `dP/d delta` [Pa].
+    pub force_settlement: f64,
+    /// `dP/d(-alpha) = dM/d delta` [N/m].
+    pub coupling: f64,
+    /// `dM/d(-alpha)` [N].
+    pub moment_tilt: f64,
+}
+
+impl Stiffness {
+    /// As a matrix, row by row.
+    #[must_use]
+    pub fn matrix(&self) -> [[f64; 2]; 2] {
+        [[self.force_settlement, self.coupling], [self.coupling, self.moment_tilt]]
+    }
+}
+
+/// Settlement, tilt, force, moment and pressure of a bilateral contact.
+///
+/// Quantities are kept without dimensions; those without a `0` in their name are in the units of the problem (SI, or none for a
+/// dimensionless problem).
+#[derive(Debug, Clone)]
+pub struct Contact {
+    problem: Problem,
+    draft: Draft,
+    reason: String,
+    peak: (f64, f64),
+    tension: Vec<[f64; 2]>,
+    warnings: Vec<Warning>,
+}
+
+impl Contact {
+    /// The answer that a draft amounts to.
+    pub(super) fn new(
+        problem: &Problem,
+        draft: Draft,
+        reason: String,
+        profile_degree: usize,
+    ) -> Result<Self, Error> {
+        let mut contact = Self {
+            problem: problem.clone(),
+            draft,
+            reason,
+            peak: (0.0, 0.0),
+            tension: Vec::new(),
+            warnings: Vec::new(),
+        };
+        contact.require_finite()?;
+        let (peak, tension) = {
+            let (places, pressures) = contact.draft.sample(problem, profile_degree);
+            let sampled = Sampled::new(|xi| contact.pressure0(xi), places, pressures);
+            (sampled.maximum(), sampled.negative())
+        };
+        contact.peak = (peak.value, peak.place);
+        contact.tension = tension;
+        Ok(contact)
+    }
+
+    /// The problem solved.
+    #[must_use]
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    /// `theta0`.
+    #[must_use]
+    pub fn theta0(&self) -> f64 {
+        self.problem.frame().theta0()
+    }
+
+    /// `P0 = P/(a E)`.
+    #[must_use]
+    pub fn force0(&self) -> f64 {
+        self.draft.state.force
+    }
+
+    /// `M0 = M/(a^2 E)`.
+    #[must_use]
+    pub fn moment0(&self) -> f64 {
+        self.draft.state.moment
+    }
+
+    /// `delta0 = delta/(chi E)`.
+    #[must_use]
+    pub fn settlement0(&self) -> f64 {
+        self.draft.state.settlement
+    }
+
+    /// `alpha0 = a alpha/(chi E)`.
+    #[must_use]
+    pub fn tilt0(&self) -> f64 {
+        self.draft.state.tilt
+    }
+
+    /// `p0(xi) = delta0 - alpha0 xi - f0(xi) - theta0 sum a_m X_m T_m(xi)`, (3.1), for `xi` in `[-1, 1]`.
+    #[must_use]
+    pub fn pressure0(&self, xi: f64) -> f64 {
+        self.draft.pressure(&self.problem, xi)
+    }
+
+    /// Force per unit length `P` [N/m]; where it is prescribed, as given.
+    #[must_use]
+    pub fn force(&self) -> f64 {
+        match self.problem.load().vertical {
+            Vertical::Force(prescribed) => prescribed,
+            Vertical::Settlement(_) => self.force0() * self.scale(Scaling::force),
+        }
+    }
+
+    /// Moment per unit length `M = int x p dx` [N m/m]; where it is prescribed, as given.
+    #[must_use]
+    pub fn moment(&self) -> f64 {
+        match self.problem.load().rotational {
+            Rotational::Moment(prescribed) => prescribed,
+            Rotational::Eccentricity(eccentricity) => eccentricity * self.force(),
+            Rotational::Tilt(_) => self.moment0() * self.scale(Scaling::moment),
+        }
+    }
+
+    /// Settlement `delta` in the gauge `ln(a/|x-s|)` [m]; where it is prescribed, as given.
+    #[must_use]
+    pub fn settlement(&self) -> f64 {
+        match self.problem.load().vertical {
+            Vertical::Settlement(prescribed) => prescribed,
+            Vertical::Force(_) => self.settlement0() * self.scale(Scaling::displacement),
+        }
+    }
+
+    /// Tilt `alpha` [rad]; a positive moment gives a negative one; where it is prescribed, as given.
+    #[must_use]
+    pub fn tilt(&self) -> f64 {
+        match self.problem.load().rotational {
+            Rotational::Tilt(prescribed) => prescribed,
+            Rotational::Moment(_) | Rotational::Eccentricity(_) => {
+                self.tilt0() * self.scale(Scaling::angle)
+            }
+        }
+    }
+
+    /// Pressure `p(x)` [Pa], `x` in the units of the problem.
+    ///
+    /// # Errors
+    /// [`Error::BeyondPunch`] outside the closed base, also for NaN.
+    pub fn pressure(&self, x: f64) -> Result<f64, Error> {
+        let half_width = self.problem.frame().half_width();
+        if x.abs() <= half_width {
+            let xi = (x / half_width).clamp(-1.0, 1.0);
+            return Ok(self.pressure0(xi) * self.scale(Scaling::pressure));
+        }
+        let variable = self.problem.frame().coordinate();
+        Err(Error::BeyondPunch { variable, at: x, left: -half_width, right: half_width })
+    }
+
+    /// Pressure at the left edge of the punch [Pa].
+    #[must_use]
+    pub fn pressure_left(&self) -> f64 {
+        self.pressure0(-1.0) * self.scale(Scaling::pressure)
+    }
+
+    /// Pressure in the middle of the punch [Pa].
+    #[must_use]
+    pub fn pressure_mid(&self) -> f64 {
+        self.pressure0(0.0) * self.scale(Scaling::pressure)
+    }
+
+    /// Pressure at the right edge of the punch [Pa].
+    #[must_use]
+    pub fn pressure_right(&self) -> f64 {
+        self.pressure0(1.0) * self.scale(Scaling::pressure)
+    }
+
+    /// Mean pressure `P/(2a)` [Pa].
+    #[must_use]
+    pub fn mean_pressure(&self) -> f64 {
+        0.5 * self.force0() * self.scale(Scaling::pressure)
+    }
+
+    /// The largest pressure [Pa] and its place [m]; of equal ones the leftmost.
+    #[must_use]
+    pub fn peak_pressure(&self) -> (f64, f64) {
+        let (value, xi) = self.peak;
+        (value * self.scale(Scaling::pressure), xi * self.problem.frame().half_width())
+    }
+
+    /// The largest `p0` and its `xi`.
+    #[must_use]
+    pub fn peak_pressure0(&self) -> (f64, f64) {
+        self.peak
+    }
+
+    /// Intervals of the base where the pressure is negative, in the units of the problem.
+    #[must_use]
+    pub fn tension(&self) -> Vec<[f64; 2]> {
+        let half_width = self.problem.frame().half_width();
+        self.tension.iter().map(|interval| interval.map(|xi| xi * half_width)).collect()
+    }
+
+    /// Edges of the contact, one pair a zone: the full base, as contact is bilateral.
+    #[must_use]
+    pub fn edges(&self) -> Vec<[f64; 2]> {
+        let half_width = self.problem.frame().half_width();
+        vec![[-half_width, half_width]]
+    }
+
+    /// The tangent stiffness in the units of the problem.
+    #[must_use]
+    pub fn stiffness(&self) -> Stiffness {
+        let force = self.scale(Scaling::force);
+        let moment = self.scale(Scaling::moment);
+        let displacement = self.scale(Scaling::displacement);
+        let angle = self.scale(Scaling::angle);
+        Stiffness {
+            force_settlement: self.stiffness0().force_settlement * force / displacement,
+            coupling: self.stiffness0().coupling * force / angle,
+            moment_tilt: self.stiffness0().moment_tilt * moment / angle,
+        }
+    }
+
+    /// The tangent stiffness without dimensions.
+    #[must_use]
+    pub fn stiffness0(&self) -> Stiffness {
+        self.draft.balance.stiffness
+    }
+
+    /// How it was solved.
+    #[must_use]
+    pub fn method(&self) -> Method {
+        self.draft.method
+    }
+
+    /// Why this method was taken.
+    #[must_use]
+    pub fn reason(&self) -> &str {
+        &self.reason
+    }
+
+    /// The error of the answer without dimensions, where the method tells one.
+    #[must_use]
+    pub fn accuracy(&self) -> Option<&Accuracy> {
+        self.draft.accuracy.as_ref()
+    }
+
+    /// What a user should know.
+    #[must_use]
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+
+    /// Refuses an answer that is not finite: extreme but valid input can overflow.
+    fn require_finite(&self) -> Result<(), Error> {
+        let stiffness = self.stiffness();
+        for (quantity, value) in [
+            ("force", self.force()),
+            ("moment", self.moment()),
+            ("settlement", self.settlement()),
+            ("tilt", self.tilt()),
+            ("stiffness", stiffness.force_settlement + stiffness.coupling + stiffness.moment_tilt),
+            ("pressure", self.pressure_bound()),
+            ("pressure at the left edge", self.pressure_left()),
+            ("pressure in the middle", self.pressure_mid()),
+            ("pressure at the right edge", self.pressure_right()),
+        ] {
+            if !value.is_finite() {
+                return Err(Error::Overflow { quantity, value });
+            }
+        }
+        Ok(())
+    }
+
+    /// A bound of `|p + E f0|` on the base [Pa].
+    fn pressure_bound(&self) -> f64 {
+        let state = &self.draft.state;
+        (state.settlement.abs() + state.tilt.abs() + self.draft.potential.size())
+            * self.scale(Scaling::pressure)
+    }
+
+    pub(super) fn draft(&self) -> &Draft {
+        &self.draft
+    }
+
+    pub(super) fn tension0(&self) -> &[[f64; 2]] {
+        &self.tension
+    }
+
+    pub(super) fn warn(&mut self, warning: Option<Warning>) {
+        self.warnings.extend(warning);
+    }
+
+    fn scale(&self, unit: impl Fn(&Scaling) -> f64) -> f64 {
+        self.problem.frame().scaling().map_or(1.0, unit)
+    }
+}

@@ -1,0 +1,111 @@
+//! A problem that remembers where its values were written.
+
+use std::path::Path;
+
+use super::{load_bytes, read};
+use crate::document::{Document, FileError};
+use crate::{Contact, Error, Problem};
+
+/// Keys of which a file has one; an override of one replaces the other.
+const ALTERNATIVES: [&[&str]; 7] = [
+    &["load.force", "load.settlement"],
+    &["load.moment", "load.eccentricity", "load.tilt"],
+    &["foundation.roughness", "foundation.subgrade_modulus"],
+    &["dimensionless.theta0", "dimensionless.lambda0"],
+    &["dimensionless.force", "dimensionless.settlement"],
+    &["dimensionless.moment", "dimensionless.eccentricity", "dimensionless.tilt"],
+    &["dimensionless.theta0", "dimensionless.poisson_ratio"],
+];
+
+/// A problem with the document it was read from, so that a fault found while solving still names file, line and field.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProblemFile {
+    pub(super) problem: Problem,
+    document: Document,
+}
+
+impl ProblemFile {
+    /// Reads a problem file, with overrides `KEY=VALUE`.
+    ///
+    /// # Errors
+    /// [`Error::File`] with file, line and field.
+    pub fn open(path: &Path, overrides: &[String]) -> Result<Self, Error> {
+        let name = path.display().to_string();
+        let bytes =
+            load_bytes(path).map_err(|message| FileError::new(message).in_file(Some(&name)))?;
+        Self::from_bytes(&bytes, &name, path.parent().unwrap_or(Path::new("")), overrides)
+    }
+
+    /// Reads a problem from the bytes of a file, with overrides `KEY=VALUE`; `folder` is where a measured profile is looked for, `name`
+    /// is for messages.
+    ///
+    /// # Errors
+    /// [`Error::File`] with file, line and field.
+    pub fn from_bytes(
+        bytes: &[u8],
+        name: &str,
+        folder: &Path,
+        overrides: &[String],
+    ) -> Result<Self, Error> {
+        let mut document = Document::from_bytes(bytes, name)?;
+        for text in overrides {
+            let (key, value) = text.split_once('=').ok_or_else(|| {
+                FileError::new(format!("--set {text}: has no `=`"))
+                    .with_help("write --set load.force=\"1 MN/m\"")
+            })?;
+            document.set(key.trim(), value.trim())?;
+        }
+        for group in ALTERNATIVES {
+            document.prefer_overrides(group);
+        }
+        Self::read(document, folder)
+    }
+
+    pub(super) fn read(document: Document, folder: &Path) -> Result<Self, Error> {
+        let problem = read(&document, folder).map_err(|error| locate(&document, error))?;
+        Ok(Self { problem, document })
+    }
+
+    /// The problem.
+    #[must_use]
+    pub fn problem(&self) -> &Problem {
+        &self.problem
+    }
+
+    /// Solves the problem as [`Problem::solve`] does.
+    ///
+    /// # Errors
+    /// Those of [`Problem::solve`]; bad input as [`Error::File`].
+    pub fn solve(&self) -> Result<Contact, Error> {
+        self.problem.solve().map_err(|error| self.locate(error))
+    }
+
+    /// The error with the file, and line and field where they are known; a failed numerical promise stays as it is.
+    #[must_use]
+    pub fn locate(&self, error: Error) -> Error {
+        locate(&self.document, error)
+    }
+}
+
+fn locate(document: &Document, error: Error) -> Error {
+    let keys: &[&str] = match &error {
+        Error::File(_) => return error,
+        numerical if numerical.is_numerical() => return error,
+        Error::Equation(fredholm::Error::TooLarge { .. }) => &["solver.n"],
+        Error::InvalidValue { field, .. } => match *field {
+            "force" => &["load.force", "dimensionless.force"],
+            "settlement" => &["load.settlement", "dimensionless.settlement"],
+            "moment" => &["load.moment", "dimensionless.moment"],
+            "eccentricity" => &["load.eccentricity", "dimensionless.eccentricity"],
+            "tilt" => &["load.tilt", "dimensionless.tilt"],
+            _ => &[],
+        },
+        _ => &[],
+    };
+    let written = keys.iter().find_map(|key| Some((key, document.get(key)?)));
+    let fault = FileError::new(error.to_string()).in_file(document.file_name());
+    match written {
+        Some((key, value)) => fault.of_field(*key).at(value.origin()).into(),
+        None => fault.into(),
+    }
+}

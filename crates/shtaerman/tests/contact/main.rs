@@ -1,0 +1,16 @@
+//! Solved contacts against closed forms, invariants and an independent quadrature.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+mod support;
+
+mod equilibrium;
+mod hostile;
+mod invariance;
+mod layer_limit;
+mod measured;
+mod pairs;
+mod random;
+mod smooth_limit;
+mod surface;
+mod units;
