@@ -13,7 +13,7 @@ fn right() -> ChebyshevSeries {
     ChebyshevSeries::new(vec![1.0, 1.0 - 0.1875, 0.0, -0.0625])
 }
 
-fn reference(operator: &SincOperator, theta: f64) -> SincSolution<'_> {
+fn reference(operator: &SincOperator, theta: f64) -> SincSolution {
     let g = operator.positions().map(|x| right().evaluate(x)).collect();
     operator.solve(theta, &[g]).unwrap().remove(0)
 }

@@ -108,8 +108,8 @@ impl Problem {
 }
 
 /// The answer by sinc collocation.
-pub(crate) struct Reference<'o> {
-    solutions: Vec<SincSolution<'o>>,
+pub(crate) struct Reference {
+    solutions: Vec<SincSolution>,
     pub(crate) coefficients: [f64; 2],
     pub(crate) projections: [f64; 2],
     /// Sizes of what is added up in coefficients, projections and the solution: their rounding errors go with them.
@@ -119,8 +119,8 @@ pub(crate) struct Reference<'o> {
     pub(crate) rounding: ([f64; 2], [f64; 2], f64),
 }
 
-impl<'o> Reference<'o> {
-    pub(crate) fn new(operator: &'o SincOperator, problem: &Problem) -> Self {
+impl Reference {
+    pub(crate) fn new(operator: &SincOperator, problem: &Problem) -> Self {
         let positions: Vec<f64> = operator.positions().collect();
         let profile = positions.iter().map(|&x| problem.profile(x)).collect();
         let right = [vec![1.0; positions.len()], positions, profile];
@@ -220,7 +220,7 @@ pub(crate) fn observe(
     problem: &Problem,
     combination: &Combination<'_>,
     influence: &EndInfluence,
-    reference: &Reference<'_>,
+    reference: &Reference,
     points: &[f64],
 ) -> Vec<Observation> {
     let mut found = Vec::new();
