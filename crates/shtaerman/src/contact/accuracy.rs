@@ -40,7 +40,24 @@ pub(super) struct Sizes {
     pub(super) force: f64,
 }
 
+/// Rounding of a quantity relative to what is added up in it.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 impl Accuracy {
+    /// No error below rounding, which the bounds leave aside; what the load prescribes stays exact.
+    pub(super) fn with_rounding(self, sizes: &Sizes) -> Self {
+        let floor =
+            |error: f64, size: f64| if error == 0.0 { 0.0 } else { error.max(ROUNDING * size) };
+        Self {
+            kind: self.kind,
+            pressure: self.pressure.max(ROUNDING * sizes.pressure),
+            settlement: floor(self.settlement, sizes.displacement),
+            tilt: floor(self.tilt, sizes.displacement),
+            force: floor(self.force, sizes.force),
+            moment: floor(self.moment, sizes.force),
+        }
+    }
+
     /// The largest error relative to its size.
     pub(super) fn relative(&self, sizes: &Sizes) -> f64 {
         let parts = [

@@ -155,17 +155,19 @@ impl<'k> Truncated<'k> {
         let combination = responses.combine_with(given, [state.settlement, -state.tilt]);
         let ([settlement, slope], [force, moment]) =
             (combination.coefficients(), combination.projections());
-        Ok(Accuracy {
-            kind: match combination.kind() {
-                Kind::Bound => ErrorKind::Bound,
-                Kind::Estimate => ErrorKind::Estimate,
-            },
+        let kind = match combination.kind() {
+            Kind::Bound => ErrorKind::Bound,
+            Kind::Estimate => ErrorKind::Estimate,
+        };
+        let exact = Accuracy {
+            kind,
             pressure: combination.error_supremum(),
             settlement: settlement.error_of(state.settlement),
             tilt: slope.error_of(-state.tilt),
             force: force.error_of(state.force),
             moment: moment.error_of(state.moment),
-        })
+        };
+        Ok(exact.with_rounding(&state.sizes(function.largest() + state.settlement.abs())))
     }
 }
 
