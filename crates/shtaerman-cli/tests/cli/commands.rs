@@ -109,10 +109,12 @@ fn convergence_observes_the_orders_of_the_theory() {
         let rows = json["rows"].as_array().unwrap();
         let degrees: Vec<u64> = rows.iter().map(|row| row["n"].as_u64().unwrap()).collect();
         assert_eq!(degrees, [8, 16, 32, 64, 128, 256, 512]);
-        for (i, expected) in [4.0, 2.0, 3.0].into_iter().enumerate() {
+        // The iterated edge pressure falls as n^-4 ln n: its observed order stays below 4 for long.
+        for (i, expected) in [4.0, 2.0, 3.0, 4.0].into_iter().enumerate() {
             assert_eq!(json["expected_orders"][i].as_f64(), Some(expected));
             let observed = number(&rows[5], &format!("/entries/{i}/order"));
-            assert!((observed - expected).abs() < 0.25, "{}: {observed}", json["quantities"][i]);
+            let slack = if i == 3 { 0.4 } else { 0.25 };
+            assert!((observed - expected).abs() < slack, "{}: {observed}", json["quantities"][i]);
         }
         assert!(folder.read("c.svg").contains("<svg"));
         let table = folder.run(&["convergence", "punch.toml", "--max-n", "64"]).answer();
@@ -120,7 +122,7 @@ fn convergence_observes_the_orders_of_the_theory() {
         let csv =
             folder.run(&["convergence", "punch.toml", "--max-n", "64", "--format", "csv"]).answer();
         assert_eq!(csv.lines().next(), Some("n,quantity,value,difference,order"));
-        assert_eq!(csv.lines().count(), 1 + 3 * 4);
+        assert_eq!(csv.lines().count(), 1 + 4 * 4);
     }
 }
 

@@ -58,6 +58,11 @@ impl Accuracy {
         }
     }
 
+    pub(super) fn is_finite(&self) -> bool {
+        let parts = [self.pressure, self.settlement, self.tilt, self.force, self.moment];
+        parts.into_iter().all(f64::is_finite)
+    }
+
     /// The largest error relative to its size.
     pub(super) fn relative(&self, sizes: &Sizes) -> f64 {
         let parts = [

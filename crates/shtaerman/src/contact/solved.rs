@@ -283,7 +283,12 @@ impl Contact {
                 return Err(Error::Overflow { quantity, value });
             }
         }
-        Ok(())
+        match self.accuracy().filter(|accuracy| !accuracy.is_finite()) {
+            Some(accuracy) => {
+                Err(Error::Overflow { quantity: "error of the pressure", value: accuracy.pressure })
+            }
+            None => Ok(()),
+        }
     }
 
     /// A bound of `|p + E f0|` on the base [Pa].
