@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 mod corners;
+mod long_interval;
 mod orders;
 mod survey;
 

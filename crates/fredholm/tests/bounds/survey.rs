@@ -139,6 +139,7 @@ impl Reference {
             let projection = match problem.given[i] {
                 Given::Coefficient(c) => c * energy[i] - free[i],
                 Given::Projection(value) => value,
+                Given::Proportion(factor) => -free[i] / (1.0 - factor * energy[i]),
                 Given::Quotient(e) => e * found.projections[0],
             };
             let c = match problem.given[i] {

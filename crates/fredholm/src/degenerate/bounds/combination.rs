@@ -52,6 +52,15 @@ impl<'r> Combination<'r> {
                 self.projections[index] = self.projection_of(index, c);
                 return;
             }
+            Given::Proportion(factor) => {
+                let projection = self.proportional_projection(index, factor);
+                self.projections[index] = projection;
+                self.coefficients[index] = Enclosure {
+                    value: factor * projection.value,
+                    radius: factor.abs() * projection.radius,
+                };
+                return;
+            }
             Given::Projection(value) => Enclosure::exact(value),
             Given::Quotient(_) if index == 0 => Enclosure::default(),
             Given::Quotient(e) => {
@@ -75,6 +84,24 @@ impl<'r> Combination<'r> {
             value: found.value + shift * energy.value,
             radius: found.radius + shift.abs() * energy.radius,
         }
+    }
+
+    /// `t = <u, p>` when the coefficient is `kappa t`: from `t = <u, A^{-1} g'> + (kappa t - c') <u, A^{-1} u>`. Without bound where the enclosure of
+    /// `1 - kappa <u, A^{-1} u>` contains 0.
+    fn proportional_projection(&self, index: usize, factor: f64) -> Enclosure {
+        let found = self.responses.bases()[index].functional(&self.approximation);
+        let (energy, used) = (self.responses.energies()[index], self.used[index]);
+        let numerator = found.value - used * energy.value;
+        let denominator = 1.0 - factor * energy.value;
+        let value = numerator / denominator;
+        let least = denominator.abs() - factor.abs() * energy.radius;
+        let radius = if least > 0.0 {
+            let spread = found.radius + used.abs() * energy.radius;
+            (spread + value.abs() * factor.abs() * energy.radius) / least
+        } else {
+            f64::INFINITY
+        };
+        Enclosure { value, radius }
     }
 
     /// The coefficient when `<u, p>` is given: `c' + (<u, p> - <u, A^{-1} g'>) / <u, A^{-1} u>`, `g'` the right-hand side of `q`.

@@ -12,6 +12,9 @@ pub enum Given {
     Coefficient(f64),
     /// The projection `int u p dx`.
     Projection(f64),
+    /// The quotient `kappa` of the coefficient and its projection, `c = kappa int u p dx`: the rank-one step beside a positive kernel. The logarithm on `(-a, a)`,
+    /// scaled to `(-1, 1)`, is `ln(1/|x - s|) - ln a`, so that `p + theta K p = g` has `kappa = theta ln a` for `u = 1` and `f = -g`.
+    Proportion(f64),
     /// The quotient `e` of the projections, `int x p dx = e int p dx`: for the second only; as the first it counts as a projection of 0.
     Quotient(f64),
 }
@@ -102,13 +105,19 @@ impl Responses {
         let coefficient = |index: usize, projection: f64| {
             (projection + self.free.moments()[index]) / self.bases[index].moments()[index]
         };
+        let proportion = |index: usize, factor: f64| {
+            let denominator = 1.0 - factor * self.bases[index].moments()[index];
+            -factor * self.free.moments()[index] / denominator
+        };
         let first = match given[0] {
             Given::Coefficient(c) => c,
+            Given::Proportion(factor) => proportion(0, factor),
             Given::Projection(value) => coefficient(0, value),
             Given::Quotient(_) => coefficient(0, 0.0),
         };
         let second = match given[1] {
             Given::Coefficient(c) => c,
+            Given::Proportion(factor) => proportion(1, factor),
             Given::Projection(value) => coefficient(1, value),
             Given::Quotient(e) => coefficient(1, e * projection(0, first)),
         };
