@@ -135,6 +135,7 @@ impl Level {
             potential: Potential::collocated(self.solution),
             method: Method { name: "sinc", n: self.count },
             accuracy: Some(accuracy),
+            edges: None,
         }
     }
 }

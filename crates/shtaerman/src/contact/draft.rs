@@ -21,6 +21,8 @@ pub(super) struct Draft {
     pub(super) potential: Potential,
     pub(super) method: Method,
     pub(super) accuracy: Option<Accuracy>,
+    /// Sharper pressures at the left and right edge, where the method has them.
+    pub(super) edges: Option<[f64; 2]>,
 }
 
 impl State {
@@ -36,10 +38,15 @@ impl State {
 impl Draft {
     /// `p0(xi)`.
     pub(super) fn pressure(&self, problem: &Problem, xi: f64) -> f64 {
-        self.state.settlement
-            - self.state.tilt * xi
-            - problem.dimensionless_profile(xi)
-            - self.potential.at(xi)
+        match self.edges {
+            Some([left, _]) if xi == -1.0 => left,
+            Some([_, right]) if xi == 1.0 => right,
+            _ => self.plain_pressure(problem, xi, self.potential.at(xi)),
+        }
+    }
+
+    fn plain_pressure(&self, problem: &Problem, xi: f64, potential: f64) -> f64 {
+        self.state.settlement - self.state.tilt * xi - problem.dimensionless_profile(xi) - potential
     }
 
     /// Places from left to right with the pressures there, dense enough for a profile of this Chebyshev degree.
@@ -48,12 +55,14 @@ impl Draft {
         let potential = self.potential.sample(wanted.next_power_of_two());
         let mut places = chebyshev::points(potential.len() - 1);
         let mut pressures: Vec<f64> = (places.iter().zip(&potential))
-            .map(|(&xi, u)| {
-                self.state.settlement - self.state.tilt * xi - problem.dimensionless_profile(xi) - u
-            })
+            .map(|(&xi, u)| self.plain_pressure(problem, xi, *u))
             .collect();
         places.reverse();
         pressures.reverse();
+        if let Some([left, right]) = self.edges {
+            pressures[0] = left;
+            pressures[potential.len() - 1] = right;
+        }
         (places, pressures)
     }
 

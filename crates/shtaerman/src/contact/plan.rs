@@ -47,7 +47,7 @@ impl Problem {
             },
             (MethodChoice::Spectral, None) => Route {
                 draft: spectral::solve_adaptively(self, &function, target)?,
-                reason: "asked for; n doubled until the bound was met or the last n reached"
+                reason: "asked for; n doubled until the bound was met or the last n reached; edge pressures by the iterated solution"
                     .to_owned(),
             },
             (MethodChoice::Sinc, _) => Route {
@@ -92,7 +92,8 @@ impl Problem {
     /// The same with the iterated pressure at the right edge, in the units of the problem.
     pub(crate) fn solve_iterated(&self, degree: usize) -> Result<(Contact, f64), Error> {
         let contact = self.solve_truncated(degree)?;
-        let edge = spectral::iterated_edge(self, &self.resolved_profile()?, contact.draft());
+        let function = self.resolved_profile()?;
+        let [_, edge] = spectral::iterated_edges(self, &function, contact.draft());
         let scale = self.frame().scaling().map_or(1.0, crate::Scaling::pressure);
         Ok((contact, edge * scale))
     }

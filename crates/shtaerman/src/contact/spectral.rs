@@ -55,17 +55,21 @@ pub(super) fn solve_adaptively(
     let first = (4.0 * problem.frame().theta0()).min(last as f64) as usize;
     let mut degree = first.max(FIRST_DEGREE).next_power_of_two();
     loop {
-        let draft = solve_with_bounds(problem, function, degree)?;
+        let mut draft = solve_with_bounds(problem, function, degree)?;
         if draft.meets(problem, target.tolerance) || 2 * degree > last {
+            // Below n = 2 theta0 the exact application of the kernel amplifies the error.
+            if degree as f64 >= 2.0 * problem.frame().theta0() {
+                draft.edges = Some(iterated_edges(problem, function, &draft));
+            }
             return Ok(draft);
         }
         degree *= 2;
     }
 }
 
-/// The pressure at the right edge by one exact application of the kernel to the degenerate solution: its error falls nearly as `n^-4`, that of the plain
-/// one as `n^-2`.
-pub(super) fn iterated_edge(problem: &Problem, function: &Function, draft: &Draft) -> f64 {
+/// The pressures at the left and right edge by one exact application of the kernel to the degenerate solution: their error falls nearly as `n^-4`, that of
+/// the plain ones as `n^-2`.
+pub(super) fn iterated_edges(problem: &Problem, function: &Function, draft: &Draft) -> [f64; 2] {
     let state = &draft.state;
     let mut right: Vec<f64> = function.series().coefficients().iter().map(|c| -c).collect();
     right.resize(right.len().max(2), 0.0);
@@ -74,7 +78,10 @@ pub(super) fn iterated_edge(problem: &Problem, function: &Function, draft: &Draf
     let series = ChebyshevSeries::new(right);
     let correction = draft.potential.series().coefficients();
     let iterated = IteratedSolution::new(problem.frame().theta0(), &series, correction);
-    iterated.evaluate(1.0, state.settlement - state.tilt - problem.dimensionless_profile(1.0))
+    [-1.0, 1.0].map(|xi| {
+        let given = state.settlement - state.tilt * xi - problem.dimensionless_profile(xi);
+        iterated.evaluate(xi, given)
+    })
 }
 
 impl<'k> Truncated<'k> {
@@ -116,6 +123,7 @@ impl<'k> Truncated<'k> {
             potential: Potential::Series(ChebyshevSeries::new(potential)),
             method: Method { name: "spectral", n: degree },
             accuracy: None,
+            edges: None,
         }
     }
 
