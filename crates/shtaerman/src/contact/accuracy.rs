@@ -58,6 +58,20 @@ impl Accuracy {
         }
     }
 
+    /// What a series that misses the profile by `error` adds: `A^-1` has norms near one, so each displacement moves by about as much, the pressure by twice that
+    /// and forces by the stiffnesses `c11`, `c22` times that. An estimate.
+    pub(super) fn with_profile_error(self, error: f64, stiffness: [f64; 2]) -> Self {
+        let raised = |known: f64, by: f64| if known == 0.0 { 0.0 } else { known + by };
+        Self {
+            kind: ErrorKind::Estimate,
+            pressure: self.pressure + 2.0 * error,
+            settlement: raised(self.settlement, error),
+            tilt: raised(self.tilt, 2.0 * error),
+            force: raised(self.force, stiffness[0] * error),
+            moment: raised(self.moment, 2.0 * stiffness[1] * error),
+        }
+    }
+
     pub(super) fn is_finite(&self) -> bool {
         let parts = [self.pressure, self.settlement, self.tilt, self.force, self.moment];
         parts.into_iter().all(f64::is_finite)

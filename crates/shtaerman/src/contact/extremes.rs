@@ -2,8 +2,9 @@
 
 /// Golden-section steps: the place is found to the square root of rounding, as far as a maximum shows it.
 const GOLDEN_STEPS: usize = 48;
-/// Bisections of a sign change.
-const BISECTIONS: usize = 60;
+/// Steps towards a sign change, and the share of the first bracket that is small enough.
+const CROSSING_STEPS: usize = 24;
+const CROSSING: f64 = 1e-9;
 /// A pressure below this, relative to the largest, counts as zero.
 const NEGLIGIBLE: f64 = 1e-12;
 
@@ -52,12 +53,11 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
             let negative = self.values[i] < threshold;
             match (negative, open) {
                 (true, None) => {
-                    let previous = i.checked_sub(1).map(|before| self.points[before]);
-                    open =
-                        Some(previous.map_or(self.points[i], |x| self.crossing(x, self.points[i])));
+                    let previous = i.checked_sub(1);
+                    open = Some(previous.map_or(self.points[i], |before| self.crossing(before, i)));
                 }
                 (false, Some(start)) => {
-                    intervals.push([start, self.crossing(self.points[i], self.points[i - 1])]);
+                    intervals.push([start, self.crossing(i, i - 1)]);
                     open = None;
                 }
                 _ => {}
@@ -67,13 +67,30 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         intervals
     }
 
-    /// The zero between a point where the function is not negative and one where it is.
-    fn crossing(&self, mut outside: f64, mut inside: f64) -> f64 {
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (outside + inside);
-            if (self.f)(middle) < 0.0 { inside = middle } else { outside = middle }
+    /// The zero between a point where the function is not negative and one where it is, by regula falsi in the Illinois form.
+    fn crossing(&self, outside: usize, inside: usize) -> f64 {
+        let (mut left, mut right) = (self.points[outside], self.points[inside]);
+        let (mut above, mut below) = (self.values[outside], self.values[inside]);
+        let tolerance = CROSSING * (right - left).abs().max(f64::EPSILON * left.abs());
+        for _ in 0..CROSSING_STEPS {
+            let middle = right - below * (right - left) / (below - above);
+            if !middle.is_finite() || (right - left).abs() <= tolerance {
+                break;
+            }
+            let value = (self.f)(middle);
+            // The end that stays gets half its weight, so that the bracket shrinks from both sides.
+            if value < 0.0 {
+                (right, below) = (middle, value);
+                above *= 0.5;
+            } else {
+                (left, above) = (middle, value);
+                below *= 0.5;
+            }
+            if value == 0.0 {
+                return middle;
+            }
         }
-        inside
+        right
     }
 }
 
@@ -120,8 +137,8 @@ mod tests {
     fn finds_where_a_function_is_negative() {
         let ends = sampled(|x: f64| 0.25 - x * x).negative();
         assert_eq!(ends.len(), 2);
-        assert!(ends[0][0] == -1.0 && (ends[0][1] + 0.5).abs() < 1e-14);
-        assert!((ends[1][0] - 0.5).abs() < 1e-14 && ends[1][1] == 1.0);
+        assert!(ends[0][0] == -1.0 && (ends[0][1] + 0.5).abs() < 1e-11);
+        assert!((ends[1][0] - 0.5).abs() < 1e-11 && ends[1][1] == 1.0);
         assert!(sampled(|x: f64| x * x).negative().is_empty());
         assert_eq!(sampled(|_| -1.0).negative(), [[-1.0, 1.0]]);
     }

@@ -10,6 +10,8 @@ use crate::{Error, MethodChoice, Problem};
 pub const AIM: f64 = 1e-12;
 /// Profiles of a higher Chebyshev degree than this oscillate faster than collocation should follow.
 const LARGEST_COLLOCATED_DEGREE: usize = 256;
+/// Profiles up to this degree are tried by collocation, too, where the degenerate kernel falls short.
+const LARGEST_TRIED_DEGREE: usize = 2048;
 /// Most breakpoints that get panels of their own.
 const MOST_BREAKS: usize = 15;
 
@@ -25,7 +27,29 @@ pub(super) struct Target {
 struct Route {
     draft: Draft,
     reason: String,
+    /// Chebyshev degree that shows the features of the profile.
+    profile_degree: usize,
+    /// Error of the series that stood for the profile, where it was not resolved.
+    profile_error: Option<f64>,
 }
+
+impl Route {
+    fn spectral(draft: Draft, function: &Function, reason: &str) -> Self {
+        Self {
+            draft,
+            reason: reason.to_owned(),
+            profile_degree: function.series().degree(),
+            profile_error: (!function.is_resolved()).then(|| function.error()),
+        }
+    }
+
+    fn collocated(draft: Draft, reason: String) -> Self {
+        let profile_degree = draft.method.n;
+        Self { draft, reason, profile_degree, profile_error: None }
+    }
+}
+
+const SPECTRAL_REASON: &str = "asked for; n doubled until the bound was met or the last n reached, edge pressures by the iterated solution";
 
 impl Problem {
     /// Solves the problem by the method of its [`Solver`](crate::Solver), or by the one that suits it.
@@ -39,23 +63,28 @@ impl Problem {
             tolerance: solver.tolerance.unwrap_or(AIM),
             is_explicit: solver.tolerance.is_some(),
         };
-        let function = self.resolved_profile()?;
-        let Route { draft, reason } = match (solver.method, solver.degree) {
-            (MethodChoice::Spectral | MethodChoice::Auto, Some(degree)) => Route {
-                draft: spectral::solve_with_bounds(self, &function, degree)?,
-                reason: "a given n fixes the truncation of the degenerate kernel".to_owned(),
-            },
-            (MethodChoice::Spectral, None) => Route {
-                draft: spectral::solve_adaptively(self, &function, target)?,
-                reason: "asked for; n doubled until the bound was met or the last n reached; edge pressures by the iterated solution"
-                    .to_owned(),
-            },
-            (MethodChoice::Sinc, _) => Route {
-                draft: collocated::solve(self, &self.breaks(), target)?,
-                reason: "asked for".to_owned(),
-            },
-            (MethodChoice::Auto, None) => self.choose(&function, target)?,
-        };
+        let Route { draft, reason, profile_degree, profile_error } =
+            match (solver.method, solver.degree) {
+                (MethodChoice::Spectral | MethodChoice::Auto, Some(degree)) => {
+                    let function = self.resolved_profile()?;
+                    let draft = spectral::solve_with_bounds(self, &function, degree)?;
+                    Route::spectral(
+                        draft,
+                        &function,
+                        "a given n fixes the truncation of the degenerate kernel",
+                    )
+                }
+                (MethodChoice::Spectral, None) => {
+                    let function = self.resolved_profile()?;
+                    let draft = spectral::solve_adaptively(self, &function, target)?;
+                    Route::spectral(draft, &function, SPECTRAL_REASON)
+                }
+                (MethodChoice::Sinc, _) => {
+                    let draft = collocated::solve(self, &self.breaks(), target)?;
+                    Route::collocated(draft, "asked for".to_owned())
+                }
+                (MethodChoice::Auto, None) => self.choose(target)?,
+            };
         let fell_short = (!draft.meets(self, target.tolerance)).then(|| draft.relative_error(self));
         if let Some(reached) = fell_short.filter(|_| target.is_explicit) {
             return Err(Error::ToleranceNotMet {
@@ -68,15 +97,13 @@ impl Problem {
             });
         }
         let fixed = solver.degree.is_some();
-        let mut contact = Contact::new(self, draft, reason, function.series().degree())?;
+        let mut contact = Contact::new(self, draft, reason, profile_degree)?;
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
         if let Some(reached) = fell_short.filter(|_| !fixed) {
             contact.warn(Some(Warning::tolerance_not_met(target.tolerance, reached)));
         }
         if contact.method().name == "spectral" {
-            contact.warn(
-                (!function.is_resolved()).then(|| Warning::profile_not_resolved(function.error())),
-            );
+            contact.warn(profile_error.map(Warning::profile_not_resolved));
             contact.warn(Warning::low_degree(contact.method().n, self.frame().theta0()));
         }
         Ok(contact)
@@ -98,37 +125,46 @@ impl Problem {
         Ok((contact, edge * scale))
     }
 
-    fn choose(&self, function: &Function, target: Target) -> Result<Route, Error> {
+    fn choose(&self, target: Target) -> Result<Route, Error> {
         let breaks = self.breaks();
-        let smooth =
-            function.is_resolved() && function.series().degree() <= LARGEST_COLLOCATED_DEGREE;
-        if smooth {
-            let draft = collocated::solve(self, &[], target)?;
-            return Ok(Route {
-                draft,
-                reason: "the profile is smooth: collocation converges exponentially".to_owned(),
-            });
-        }
-        if !function.is_resolved() && !breaks.is_empty() && breaks.len() <= MOST_BREAKS {
+        let mut candidates = Vec::new();
+        // Resolving a profile with a kink takes long and leads nowhere: panels are tried first.
+        if !breaks.is_empty() {
             let draft = collocated::solve(self, &breaks, target)?;
+            let reason = format!(
+                "the profile has {} breakpoint(s): collocation on the panels between them",
+                breaks.len()
+            );
             if draft.meets(self, target.tolerance) {
-                let reason = format!(
-                    "the profile has {} breakpoint(s): collocation on the panels between them",
-                    breaks.len()
-                );
-                return Ok(Route { draft, reason });
+                return Ok(Route::collocated(draft, reason));
             }
+            candidates.push(Route::collocated(draft, reason));
         }
-        let draft = spectral::solve_adaptively(self, function, target)?;
+        let function = self.resolved_profile()?;
+        let degree = function.series().degree();
+        if function.is_resolved() && degree <= LARGEST_COLLOCATED_DEGREE {
+            let draft = collocated::solve(self, &[], target)?;
+            let reason = "the profile is smooth: collocation converges exponentially".to_owned();
+            return Ok(Route::collocated(draft, reason));
+        }
+        let draft = spectral::solve_adaptively(self, &function, target)?;
+        let met = draft.meets(self, target.tolerance);
+        let needed =
+            if function.is_resolved() { degree.to_string() } else { "beyond 131072".to_owned() };
         let reason = format!(
-            "the profile needs Chebyshev degree {}: the structured spectral solve",
-            if function.is_resolved() {
-                function.series().degree().to_string()
-            } else {
-                "beyond 131072".to_owned()
-            }
+            "the profile needs Chebyshev degree {needed}: the structured spectral solve; edge pressures by the iterated solution"
         );
-        Ok(Route { draft, reason })
+        candidates.push(Route::spectral(draft, &function, &reason));
+        if !met && function.is_resolved() && degree <= LARGEST_TRIED_DEGREE {
+            let draft = collocated::solve(self, &[], target)?;
+            let reason = "the profile oscillates: collocation on many nodes came closer than the degenerate kernel";
+            candidates.push(Route::collocated(draft, reason.to_owned()));
+        }
+        let error = |route: &Route| route.draft.relative_error(self);
+        candidates
+            .into_iter()
+            .min_by(|one, two| error(one).total_cmp(&error(two)))
+            .map_or_else(|| unreachable!("the spectral route is always a candidate"), Ok)
     }
 
     /// Breakpoints of the profile strictly inside the base, as `xi`; none when there are more than can have panels.

@@ -52,7 +52,7 @@ impl Potential {
             return largest(&mut ChebyshevSeries::new(difference).values(degree).into_iter());
         }
         let signed = |xi: f64| level - slope * xi - (self.at(xi) - other.at(xi));
-        largest(&mut compared_points().map(signed))
+        largest(&mut between_nodes(COMPARED).map(signed))
     }
 
     /// The values at [`chebyshev::points`]`(degree)`: by one transform where there is a series, whose own degree may raise the number.
@@ -89,9 +89,9 @@ impl Potential {
     }
 }
 
-/// Both ends, the middle, and a golden-ratio sequence of angles between.
-fn compared_points() -> impl Iterator<Item = f64> {
+/// Both ends, the middle, and a golden-ratio sequence of angles between, which no grid of a method shares.
+pub(super) fn between_nodes(count: usize) -> impl Iterator<Item = f64> {
     const STEP: f64 = 0.618_033_988_749_894_9;
-    let between = (1..=COMPARED).map(|i| (std::f64::consts::PI * (i as f64 * STEP).fract()).cos());
+    let between = (1..=count).map(|i| (std::f64::consts::PI * (i as f64 * STEP).fract()).cos());
     [-1.0, 0.0, 1.0].into_iter().chain(between)
 }

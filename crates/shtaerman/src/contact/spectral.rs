@@ -175,7 +175,13 @@ impl<'k> Truncated<'k> {
             force: force.error_of(state.force),
             moment: moment.error_of(state.moment),
         };
-        Ok(exact.with_rounding(&state.sizes(function.largest() + state.settlement.abs())))
+        let rounded =
+            exact.with_rounding(&state.sizes(function.largest() + state.settlement.abs()));
+        if function.is_resolved() {
+            return Ok(rounded);
+        }
+        let stiffness = [self.level.projections()[0], self.tilted.projections()[1]];
+        Ok(rounded.with_profile_error(function.error() * function.largest(), stiffness))
     }
 }
 
