@@ -75,6 +75,12 @@ impl Block {
         part
     }
 
+    /// `phi = z / rho` at the nodes of the block; 0 where the weight vanishes.
+    pub(super) fn unscaled(&self, z: &[f64]) -> Vec<f64> {
+        let value = |(z, root): (&f64, &f64)| if *root > 0.0 { z / root } else { 0.0 };
+        z.iter().zip(&self.roots).map(value).collect()
+    }
+
     /// `(K phi)` at the nodes of the block from the scaled solution `z = rho phi`.
     pub(super) fn potential(&self, z: &[f64]) -> Vec<f64> {
         let mut potential = multiply_rows(&self.matrix, z);

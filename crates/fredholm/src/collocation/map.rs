@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::Interval;
 
-/// End of the range of `t`: there a point is 2e-17 of the interval from its end.
+/// End of the range of `t` of the plain quadrature rule: there a point is 2e-17 of the interval from its end.
 pub(crate) const RANGE: f64 = 3.2;
 
 /// A point of the interval with its distances to both ends, which near an end hold more digits than the point does.

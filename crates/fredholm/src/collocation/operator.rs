@@ -184,7 +184,18 @@ impl SincOperator {
         }
         // Division of z by the tiny weights near the ends would lose digits.
         let values: Vec<f64> = f.iter().zip(&potential).map(|(f, u)| f - parameter * u).collect();
-        SincSolution::new(Arc::clone(&self.mesh), parameter, values, potential, boundaries)
+        let masses = self.masses(scaled);
+        SincSolution::new(Arc::clone(&self.mesh), parameter, values, masses, potential, boundaries)
+    }
+
+    /// `w_j phi_j` from the scaled solutions, for integrals: `f - parameter (K phi)` is a small difference where the parameter is large, `z` is not.
+    fn masses(&self, scaled: &[Vec<f64>]) -> Vec<f64> {
+        let mut masses = vec![0.0; self.count()];
+        for (block, z) in self.blocks.iter().zip(scaled) {
+            block.extend(&block.unscaled(z), &mut masses);
+        }
+        masses.iter_mut().zip(self.mesh.weights()).for_each(|(mass, weight)| *mass *= weight);
+        masses
     }
 }
 

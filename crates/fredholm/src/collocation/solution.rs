@@ -23,6 +23,8 @@ pub struct SincSolution {
     mesh: Arc<Mesh>,
     parameter: f64,
     values: Vec<f64>,
+    /// `w_j phi_j`.
+    masses: Vec<f64>,
     potential: Vec<f64>,
     /// `U` at the boundaries of the panels.
     boundaries: Vec<f64>,
@@ -43,6 +45,7 @@ impl SincSolution {
         mesh: Arc<Mesh>,
         parameter: f64,
         values: Vec<f64>,
+        masses: Vec<f64>,
         potential: Vec<f64>,
         boundaries: Vec<f64>,
     ) -> Self {
@@ -50,7 +53,7 @@ impl SincSolution {
             .map(|(place, u)| u - line(&boundaries, place))
             .collect();
         let panels = bubble.chunks_exact(mesh.panel_count()).map(Pairs::new).collect();
-        Self { mesh, parameter, values, potential, boundaries, bubble, panels }
+        Self { mesh, parameter, values, masses, potential, boundaries, bubble, panels }
     }
 
     /// `lambda`.
@@ -74,9 +77,7 @@ impl SincSolution {
     /// `int_L u phi dx`.
     #[must_use]
     pub fn integral(&self, u: impl Fn(f64) -> f64) -> f64 {
-        (self.mesh.places().zip(&self.values).zip(self.mesh.weights()))
-            .map(|((place, value), weight)| u(place.position) * value * weight)
-            .sum()
+        (self.mesh.places().zip(&self.masses)).map(|(place, mass)| u(place.position) * mass).sum()
     }
 
     /// `phi(x)` for `x` in the closed interval, given `f(x)`; points outside count as the nearer end.

@@ -9,7 +9,7 @@ use super::balance::Balance;
 use super::potential::{Potential, between_nodes};
 use super::solved::{Method, Stiffness};
 use super::{Draft, Target};
-use crate::{Error, Problem};
+use crate::{Error, Load, Problem, Rotational, Vertical};
 
 /// Growth of the number of nodes from one resolution to the next.
 const RATIO: f64 = std::f64::consts::SQRT_2;
@@ -37,6 +37,7 @@ pub(super) fn solve(problem: &Problem, breaks: &[f64], target: Target) -> Result
     let start = first_half_count(problem.frame().theta0());
     let most = MOST_HALF_COUNT / (breaks.len() + 1);
     let half_count = |power: i32| ((start * RATIO.powi(power)).round() as usize).clamp(4, most);
+    let load = problem.dimensionless_load();
     let mut coarse = Level::new(problem, breaks, half_count(-2))?;
     let mut fine = Level::new(problem, breaks, half_count(-1))?;
     let mut before = fine.difference(&coarse);
@@ -46,7 +47,7 @@ pub(super) fn solve(problem: &Problem, breaks: &[f64], target: Target) -> Result
         (coarse, fine) = (fine, finer);
         let difference = fine.difference(&coarse);
         let floor = rounding(&fine.solution);
-        let accuracy = fine.accuracy(&before, &difference, floor);
+        let accuracy = fine.accuracy(&load, &before, &difference, floor);
         let met = fine.meets(&accuracy, target.tolerance);
         // Past the rounding floor more nodes only add noise.
         let settled = difference.pressure <= 2.0 * floor
@@ -115,31 +116,31 @@ impl Level {
         }
     }
 
-    fn accuracy(&self, before: &Accuracy, difference: &Accuracy, floor: f64) -> Accuracy {
-        let of = |part: fn(&Accuracy) -> f64, scale: f64, floor: f64| {
-            let (first, second) = (part(before), part(difference));
-            // What the load prescribes never differs and has no error.
-            if first == 0.0 && second == 0.0 {
-                0.0
-            } else {
-                extrapolate(first, second, scale, RATIO).max(floor)
-            }
+    /// The error of this level from its difference and the one before; none for what the load prescribes.
+    fn accuracy(
+        &self,
+        load: &Load,
+        before: &Accuracy,
+        difference: &Accuracy,
+        floor: f64,
+    ) -> Accuracy {
+        let of = |unknown: bool, part: fn(&Accuracy) -> f64, scale: f64| {
+            let estimate = extrapolate(part(before), part(difference), scale, RATIO);
+            if unknown { estimate.max(ROUNDING * scale) } else { 0.0 }
         };
         let displacement = self.state.settlement.abs().max(self.state.tilt.abs());
         let force = self.state.force.abs().max(self.state.moment.abs());
+        let by_force = matches!(load.vertical, Vertical::Force(_));
+        let by_tilt = matches!(load.rotational, Rotational::Tilt(_));
+        let by_moment = matches!(load.rotational, Rotational::Moment(_));
+        let largest = largest(&self.solution);
         Accuracy {
             kind: ErrorKind::Estimate,
-            pressure: extrapolate(
-                before.pressure,
-                difference.pressure,
-                largest(&self.solution),
-                RATIO,
-            )
-            .max(floor),
-            settlement: of(|a| a.settlement, displacement, ROUNDING * displacement),
-            tilt: of(|a| a.tilt, displacement, ROUNDING * displacement),
-            force: of(|a| a.force, force, ROUNDING * force),
-            moment: of(|a| a.moment, force, ROUNDING * force),
+            pressure: extrapolate(before.pressure, difference.pressure, largest, RATIO).max(floor),
+            settlement: of(by_force, |a| a.settlement, displacement),
+            tilt: of(!by_tilt, |a| a.tilt, displacement),
+            force: of(!by_force, |a| a.force, force),
+            moment: of(!by_moment, |a| a.moment, force),
         }
     }
 

@@ -32,7 +32,7 @@ pub(super) fn solve(problem: &Problem, function: &Function, degree: usize) -> Re
     Ok(Truncated::new(&Logarithm::unit(), problem, function, degree)?.draft(problem, degree))
 }
 
-/// The same with the guaranteed bounds of its error; an estimate where the profile is not resolved.
+/// The same with the guaranteed bounds of its error; an estimate where the profile is not resolved or `n` is far below `theta0`.
 pub(super) fn solve_with_bounds(
     problem: &Problem,
     function: &Function,
@@ -41,7 +41,13 @@ pub(super) fn solve_with_bounds(
     let kernel = Logarithm::unit();
     let truncated = Truncated::new(&kernel, problem, function, degree)?;
     let mut draft = truncated.draft(problem, degree);
-    draft.accuracy = Some(truncated.accuracy(&kernel, problem, function, &draft.state)?);
+    let bounds = truncated.accuracy(&kernel, problem, function, &draft.state)?;
+    draft.accuracy = Some(if bounds.is_finite() {
+        bounds
+    } else {
+        // Far below n = theta0 the energies are not known to be positive, and there is no bound: twice the degree gives an estimate.
+        draft.difference(&solve(problem, function, degree.saturating_mul(2))?)
+    });
     Ok(draft)
 }
 
