@@ -4,6 +4,8 @@
 const GOLDEN_STEPS: usize = 48;
 /// Steps towards a sign change, and the share of the first bracket that is small enough.
 const CROSSING_STEPS: usize = 24;
+/// Most sign changes that are refined; of more, the samples are dense enough for a straight line.
+const REFINED_CHANGES: usize = 64;
 const CROSSING: f64 = 1e-9;
 /// A pressure below this, relative to the largest, counts as zero.
 const NEGLIGIBLE: f64 = 1e-12;
@@ -47,6 +49,12 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
     pub(super) fn negative(&self) -> Vec<[f64; 2]> {
         let largest = self.values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
         let threshold = -NEGLIGIBLE * largest;
+        let changes = self
+            .values
+            .windows(2)
+            .filter(|pair| (pair[0] < threshold) != (pair[1] < threshold))
+            .count();
+        let steps = if changes <= REFINED_CHANGES { CROSSING_STEPS } else { 0 };
         let mut intervals = Vec::new();
         let mut open = None;
         for i in 0..self.points.len() {
@@ -54,10 +62,12 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
             match (negative, open) {
                 (true, None) => {
                     let previous = i.checked_sub(1);
-                    open = Some(previous.map_or(self.points[i], |before| self.crossing(before, i)));
+                    open = Some(
+                        previous.map_or(self.points[i], |before| self.crossing(before, i, steps)),
+                    );
                 }
                 (false, Some(start)) => {
-                    intervals.push([start, self.crossing(i, i - 1)]);
+                    intervals.push([start, self.crossing(i, i - 1, steps)]);
                     open = None;
                 }
                 _ => {}
@@ -68,11 +78,14 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
     }
 
     /// The zero between a point where the function is not negative and one where it is, by regula falsi in the Illinois form.
-    fn crossing(&self, outside: usize, inside: usize) -> f64 {
+    fn crossing(&self, outside: usize, inside: usize, steps: usize) -> f64 {
         let (mut left, mut right) = (self.points[outside], self.points[inside]);
         let (mut above, mut below) = (self.values[outside], self.values[inside]);
+        if steps == 0 {
+            return right - below * (right - left) / (below - above);
+        }
         let tolerance = CROSSING * (right - left).abs().max(f64::EPSILON * left.abs());
-        for _ in 0..CROSSING_STEPS {
+        for _ in 0..steps {
             let middle = right - below * (right - left) / (below - above);
             if !middle.is_finite() || (right - left).abs() <= tolerance {
                 break;
