@@ -11,6 +11,7 @@ mod layer_limit;
 mod measured;
 mod pairs;
 mod random;
+mod references;
 mod smooth_limit;
 mod surface;
 mod units;
