@@ -108,31 +108,31 @@ pub struct Dimensionless {
 /// Quantities in SI units.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Physical {
-    /// `delta` [m], see `gauge`.
+    /// `delta` (m), see `gauge`.
     pub settlement: f64,
-    /// `alpha` [rad].
+    /// `alpha` (rad).
     pub tilt: f64,
-    /// `P` [N/m].
+    /// `P` (N/m).
     pub force: f64,
-    /// `M` [N m/m].
+    /// `M` (N m/m).
     pub moment: f64,
-    /// `p` at the left edge of the punch [Pa].
+    /// `p` at the left edge of the punch (Pa).
     pub pressure_left: f64,
-    /// `p` in the middle [Pa].
+    /// `p` in the middle (Pa).
     pub pressure_mid: f64,
-    /// `p` at the right edge of the punch [Pa].
+    /// `p` at the right edge of the punch (Pa).
     pub pressure_right: f64,
-    /// `P/(2a)` [Pa].
+    /// `P/(2a)` (Pa).
     pub pressure_mean: f64,
-    /// The largest pressure [Pa].
+    /// The largest pressure (Pa).
     pub pressure_max: f64,
-    /// Its place [m]; of equal ones the leftmost.
+    /// Its place (m); of equal ones the leftmost.
     pub pressure_max_at: f64,
-    /// `d(P, M)/d(delta, -alpha)` [Pa, N/m; N/m, N].
+    /// `d(P, M)/d(delta, -alpha)` (Pa, N/m; N/m, N).
     pub stiffness: [[f64; 2]; 2],
-    /// Zones of contact [m].
+    /// Zones of contact (m).
     pub edges: Vec<[f64; 2]>,
-    /// `E*` [Pa], composite where the punch is elastic.
+    /// `E*` (Pa), composite where the punch is elastic.
     pub contact_modulus: f64,
     /// What the settlement is measured against.
     pub gauge: &'static str,
@@ -144,9 +144,9 @@ pub struct Physical {
 pub enum PressureCurve {
     /// SI units.
     Physical {
-        /// Places [m].
+        /// Places (m).
         x: Vec<f64>,
-        /// Pressures [Pa].
+        /// Pressures (Pa).
         p: Vec<f64>,
     },
     /// No dimensions.

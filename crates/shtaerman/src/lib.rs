@@ -11,7 +11,7 @@
 //! use shtaerman::{Elastic, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
 //!
 //! let steel = Elastic::new(200e9, 0.3)?;
-//! let frame = Frame::physical(steel, 1.2e-14, 5e-3, None)?;      // chi [m/Pa], a [m], rigid punch
+//! let frame = Frame::physical(steel, 1.2e-14, 5e-3, None)?;      // chi (m/Pa), a (m), rigid punch
 //! let load = Load::new(Vertical::Force(0.8e6), Rotational::Moment(0.0))?;
 //! let problem = Problem::new(frame, Profile::flat(), load, Solver::default())?;
 //! let contact = problem.solve()?;

@@ -9,9 +9,9 @@ use crate::error::finite;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Vertical {
-    /// Force `P` per unit length, positive into the body [N/m].
+    /// Force `P` per unit length, positive into the body (N/m).
     Force(f64),
-    /// Settlement `delta` in the gauge `ln(a/|x-s|)` [m].
+    /// Settlement `delta` in the gauge `ln(a/|x-s|)` (m).
     Settlement(f64),
 }
 
@@ -19,11 +19,11 @@ pub enum Vertical {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Rotational {
-    /// Moment `M = int x p dx` per unit length [N m/m].
+    /// Moment `M = int x p dx` per unit length (N m/m).
     Moment(f64),
-    /// Eccentricity `e` of the force, `M = P e` [m].
+    /// Eccentricity `e` of the force, `M = P e` (m).
     Eccentricity(f64),
-    /// Tilt `alpha` [rad]; zero keeps the punch level, (5.1).
+    /// Tilt `alpha` (rad); zero keeps the punch level, (5.1).
     Tilt(f64),
 }
 

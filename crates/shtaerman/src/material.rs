@@ -28,7 +28,7 @@ impl Elastic {
         Ok(Self { young_modulus, poisson_ratio })
     }
 
-    /// `E` [Pa].
+    /// `E` (Pa).
     #[must_use]
     pub fn young_modulus(&self) -> f64 {
         self.young_modulus
@@ -40,7 +40,7 @@ impl Elastic {
         self.poisson_ratio
     }
 
-    /// The plane-strain modulus `E/(1 - nu^2)` [Pa].
+    /// The plane-strain modulus `E/(1 - nu^2)` (Pa).
     ///
     /// ```
     /// let steel = shtaerman::Elastic::new(200e9, 0.3)?;
@@ -52,7 +52,7 @@ impl Elastic {
         self.young_modulus / (1.0 - self.poisson_ratio * self.poisson_ratio)
     }
 
-    /// The composite modulus `E*` of two elastic bodies [Pa], `1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2` (K. L. Johnson,
+    /// The composite modulus `E*` of two elastic bodies (Pa), `1/E* = (1-nu1^2)/E1 + (1-nu2^2)/E2` (K. L. Johnson,
     /// *Contact Mechanics*, 4.2). Valid where both bodies deform like half-planes.
     #[must_use]
     pub fn composite_modulus(&self, other: &Self) -> f64 {

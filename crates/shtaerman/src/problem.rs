@@ -29,7 +29,7 @@ pub enum Frame {
 }
 
 impl Frame {
-    /// A foundation with roughness compliance `chi` [m/Pa] under a punch of half-width `a` [m], rigid or elastic.
+    /// A foundation with roughness compliance `chi` (m/Pa) under a punch of half-width `a` (m), rigid or elastic.
     ///
     /// # Errors
     /// Those of [`Scaling::new`].

@@ -15,7 +15,7 @@ pub struct Scaling {
 }
 
 impl Scaling {
-    /// Scales of a foundation with roughness compliance `chi` [m/Pa] under a punch of half-width `a` [m], rigid or
+    /// Scales of a foundation with roughness compliance `chi` (m/Pa) under a punch of half-width `a` (m), rigid or
     /// (`body`) elastic.
     ///
     /// # Errors
@@ -59,37 +59,37 @@ impl Scaling {
         2.0 / PI * self.half_width / (self.contact_modulus * self.roughness)
     }
 
-    /// `E*` [Pa].
+    /// `E*` (Pa).
     #[must_use]
     pub fn contact_modulus(&self) -> f64 {
         self.contact_modulus
     }
 
-    /// `a` [m]: `x = a xi`.
+    /// `a` (m): `x = a xi`.
     #[must_use]
     pub fn half_width(&self) -> f64 {
         self.half_width
     }
 
-    /// `E` [Pa]: `p = E p0`.
+    /// `E` (Pa): `p = E p0`.
     #[must_use]
     pub fn pressure(&self) -> f64 {
         self.young_modulus
     }
 
-    /// `chi` [m/Pa].
+    /// `chi` (m/Pa).
     #[must_use]
     pub fn roughness(&self) -> f64 {
         self.roughness
     }
 
-    /// `chi E` [m]: `delta = chi E delta0`, `f = chi E f0`.
+    /// `chi E` (m): `delta = chi E delta0`, `f = chi E f0`.
     #[must_use]
     pub fn displacement(&self) -> f64 {
         self.roughness * self.young_modulus
     }
 
-    /// `chi E/a` [rad]: `alpha = (chi E/a) alpha0`.
+    /// `chi E/a` (rad): `alpha = (chi E/a) alpha0`.
     #[must_use]
     pub fn angle(&self) -> f64 {
         self.displacement() / self.half_width

@@ -18,11 +18,11 @@ pub struct Method {
 /// The tangent stiffness `d(P, M)/d(delta, -alpha)`, symmetric positive definite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stiffness {
-    /// `dP/d delta` [Pa].
+    /// `dP/d delta` (Pa).
     pub force_settlement: f64,
-    /// `dP/d(-alpha) = dM/d delta` [N/m].
+    /// `dP/d(-alpha) = dM/d delta` (N/m).
     pub coupling: f64,
-    /// `dM/d(-alpha)` [N].
+    /// `dM/d(-alpha)` (N).
     pub moment_tilt: f64,
 }
 
@@ -117,7 +117,7 @@ impl Contact {
         self.draft.pressure(&self.problem, xi)
     }
 
-    /// Force per unit length `P` [N/m]; where it is prescribed, as given.
+    /// Force per unit length `P` (N/m); where it is prescribed, as given.
     #[must_use]
     pub fn force(&self) -> f64 {
         match self.problem.load().vertical {
@@ -126,7 +126,7 @@ impl Contact {
         }
     }
 
-    /// Moment per unit length `M = int x p dx` [N m/m]; where it is prescribed, as given.
+    /// Moment per unit length `M = int x p dx` (N m/m); where it is prescribed, as given.
     #[must_use]
     pub fn moment(&self) -> f64 {
         match self.problem.load().rotational {
@@ -136,7 +136,7 @@ impl Contact {
         }
     }
 
-    /// Settlement `delta` in the gauge `ln(a/|x-s|)` [m]; where it is prescribed, as given.
+    /// Settlement `delta` in the gauge `ln(a/|x-s|)` (m); where it is prescribed, as given.
     #[must_use]
     pub fn settlement(&self) -> f64 {
         match self.problem.load().vertical {
@@ -145,7 +145,7 @@ impl Contact {
         }
     }
 
-    /// Tilt `alpha` [rad]; a positive moment gives a negative one; where it is prescribed, as given.
+    /// Tilt `alpha` (rad); a positive moment gives a negative one; where it is prescribed, as given.
     #[must_use]
     pub fn tilt(&self) -> f64 {
         match self.problem.load().rotational {
@@ -156,7 +156,7 @@ impl Contact {
         }
     }
 
-    /// Pressure `p(x)` [Pa], `x` in the units of the problem.
+    /// Pressure `p(x)` (Pa), `x` in the units of the problem.
     ///
     /// # Errors
     /// [`Error::BeyondPunch`] outside the closed base, also for NaN.
@@ -170,31 +170,31 @@ impl Contact {
         Err(Error::BeyondPunch { variable, at: x, left: -half_width, right: half_width })
     }
 
-    /// Pressure at the left edge of the punch [Pa].
+    /// Pressure at the left edge of the punch (Pa).
     #[must_use]
     pub fn pressure_left(&self) -> f64 {
         self.pressure0(-1.0) * self.scale(Scaling::pressure)
     }
 
-    /// Pressure in the middle of the punch [Pa].
+    /// Pressure in the middle of the punch (Pa).
     #[must_use]
     pub fn pressure_mid(&self) -> f64 {
         self.pressure0(0.0) * self.scale(Scaling::pressure)
     }
 
-    /// Pressure at the right edge of the punch [Pa].
+    /// Pressure at the right edge of the punch (Pa).
     #[must_use]
     pub fn pressure_right(&self) -> f64 {
         self.pressure0(1.0) * self.scale(Scaling::pressure)
     }
 
-    /// Mean pressure `P/(2a)` [Pa].
+    /// Mean pressure `P/(2a)` (Pa).
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
         0.5 * self.force0() * self.scale(Scaling::pressure)
     }
 
-    /// The largest pressure [Pa] and its place [m]; of equal ones the leftmost.
+    /// The largest pressure (Pa) and its place (m); of equal ones the leftmost.
     #[must_use]
     pub fn peak_pressure(&self) -> (f64, f64) {
         let (value, xi) = self.peak;
@@ -291,7 +291,7 @@ impl Contact {
         }
     }
 
-    /// A bound of `|p + E f0|` on the base [Pa].
+    /// A bound of `|p + E f0|` on the base (Pa).
     fn pressure_bound(&self) -> f64 {
         let state = &self.draft.state;
         (state.settlement.abs() + state.tilt.abs() + self.draft.potential.size())

@@ -3,7 +3,7 @@
 use super::Contact;
 
 impl Contact {
-    /// Elastic displacement of the body's surface [m] (without the layer) at `x` beside or under the punch, positive into the body:
+    /// Elastic displacement of the body's surface (m) (without the layer) at `x` beside or under the punch, positive into the body:
     /// `theta int ln(a/|x-s|) p(s) ds`, in the gauge of the settlement. In the units of the problem.
     ///
     /// Under the punch it is `delta - alpha x - f - chi p`. Outside, with `xi = (z + 1/z)/2`, `|z| > 1`, the kernel is
@@ -29,7 +29,7 @@ impl Contact {
         series - self.theta0() * self.force0() * z.ln()
     }
 
-    /// Depth of the punch's base [m] at `x` under it: `delta - alpha x - f(x)`, positive into the body.
+    /// Depth of the punch's base (m) at `x` under it: `delta - alpha x - f(x)`, positive into the body.
     #[must_use]
     pub fn base_depth(&self, x: f64) -> f64 {
         let xi = x / self.problem().frame().half_width();

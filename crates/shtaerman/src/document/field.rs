@@ -169,7 +169,7 @@ impl<'d> Field<'d> {
         })
     }
 
-    /// The items of an array, named `field[0]`, `field[1]` and so on.
+    /// The items of an array, named `field[0]`, `field(1)` and so on.
     ///
     /// # Errors
     /// If the value is not an array.

@@ -7,7 +7,7 @@
 //! ```
 //! use shtaerman::expression::{Expression, Interval, Line, Verdict};
 //!
-//! // A parabola with a flat of half-width 2 mm: x [m], base [m].
+//! // A parabola with a flat of half-width 2 mm: x (m), base (m).
 //! let base = Expression::parse("max(0, abs(x) - 0.002)^2 / (2*0.8)", &["x"])?;
 //! assert_eq!(base.evaluate(&[0.001]), 0.0);
 //! assert!((base.evaluate(&[0.012]) - 6.25e-5).abs() < 1e-18);

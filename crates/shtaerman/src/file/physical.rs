@@ -26,7 +26,7 @@ fn elastic(table: &TableReader<'_>) -> Result<Elastic, FileError> {
     )
 }
 
-/// `chi` [m/Pa], written as such or as its inverse.
+/// `chi` (m/Pa), written as such or as its inverse.
 fn roughness(table: &TableReader<'_>) -> Result<f64, FileError> {
     let field = table.exactly_one(&["roughness", "subgrade_modulus"])?;
     if field.name().ends_with("subgrade_modulus") {
