@@ -114,9 +114,9 @@ pub(crate) struct Reference {
     pub(crate) projections: [f64; 2],
     /// Sizes of what is added up in coefficients, projections and the solution: their rounding errors go with them.
     pub(crate) sizes: ([f64; 2], [f64; 2], f64),
-    /// Rounding errors of the same. `p = g - theta K p` is a small difference of terms of the size `G` of `g`: values at the ends are
-    /// uncertain by `theta G` units of rounding, values inside and integrals by `G`.
-    pub(crate) rounding: ([f64; 2], [f64; 2], f64),
+    /// Rounding of a pressure: `p = g - theta K p` is a small difference of terms of the size `G` of `g`, uncertain by `theta G` units of
+    /// rounding. Integrals come from the scaled solution and have no such loss.
+    pub(crate) rounding: f64,
 }
 
 impl Reference {
@@ -133,7 +133,7 @@ impl Reference {
             coefficients: [0.0; 2],
             projections: [0.0; 2],
             sizes: ([0.0; 2], [0.0; 2], 0.0),
-            rounding: ([0.0; 2], [0.0; 2], 0.0),
+            rounding: 0.0,
         };
         for i in 0..2 {
             let projection = match problem.given[i] {
@@ -161,11 +161,7 @@ impl Reference {
         let largest = (0..=64).map(|i| problem.profile(f64::from(i) / 32.0 - 1.0).abs());
         let given = c1.abs() + c2.abs() + largest.fold(0.0, f64::max);
         let unit = 4.0 * f64::EPSILON * given;
-        found.rounding = (
-            energy.map(|energy| 4.0 * unit / energy),
-            [4.0 * unit; 2],
-            unit * (1.0 + problem.theta),
-        );
+        found.rounding = unit * (1.0 + problem.theta);
         found.sizes.2 = c1.abs() * peak(0) + c2.abs() * peak(1) + peak(2);
         found
     }
@@ -225,7 +221,7 @@ pub(crate) fn observe(
     points: &[f64],
 ) -> Vec<Observation> {
     let mut found = Vec::new();
-    let (sizes, rounding) = (&reference.sizes, &reference.rounding);
+    let (sizes, rounding) = (&reference.sizes, reference.rounding);
     let approximation = combination.approximation();
     let mut add = |quantity, size: f64, rounding: f64, error: f64, bound: f64| {
         let (theta, noise) = (problem.theta, rounding / size);
@@ -237,30 +233,30 @@ pub(crate) fn observe(
         let (truth, g) = (reference.value(problem, x), approximation.right_hand_side().evaluate(x));
         let plain = approximation.evaluate(x) - truth;
         let iterated = approximation.iterated().evaluate(x, g) - truth;
-        add("pressure at a point", sizes.2, rounding.2, plain, combination.error_at(x));
+        add("pressure at a point", sizes.2, rounding, plain, combination.error_at(x));
         worst = [worst[0].max(plain.abs()), worst[1].max(iterated.abs())];
     }
-    add("pressure", sizes.2, rounding.2, worst[0], combination.error_supremum());
-    add("iterated pressure", sizes.2, rounding.2, worst[1], combination.iterated_error());
+    add("pressure", sizes.2, rounding, worst[0], combination.error_supremum());
+    add("iterated pressure", sizes.2, rounding, worst[1], combination.iterated_error());
     for end in [End::Left, End::Right] {
         let found = combination.end_value(influence, end);
         let error = found.value - reference.value(problem, end.position());
-        add("end pressure, corrected", sizes.2, rounding.2, error, found.radius);
+        add("end pressure, corrected", sizes.2, rounding, error, found.radius);
     }
     for i in 0..2 {
         if !matches!(problem.given[i], Given::Coefficient(_)) {
             let truth = reference.coefficients[i];
             let (best, plain) = (combination.coefficients()[i], combination.used_coefficients()[i]);
-            add("coefficient", sizes.0[i], rounding.0[i], best.value - truth, best.radius);
+            add("coefficient", sizes.0[i], 0.0, best.value - truth, best.radius);
             let bound = best.error_of(plain);
-            add("coefficient, plain", sizes.0[i], rounding.0[i], plain - truth, bound);
+            add("coefficient, plain", sizes.0[i], 0.0, plain - truth, bound);
         }
         if !matches!(problem.given[i], Given::Projection(_)) {
             let truth = reference.projections[i];
             let (best, plain) = (combination.projections()[i], approximation.moments()[i]);
-            add("projection", sizes.1[i], rounding.1[i], best.value - truth, best.radius);
+            add("projection", sizes.1[i], 0.0, best.value - truth, best.radius);
             let bound = best.error_of(plain);
-            add("projection, plain", sizes.1[i], rounding.1[i], plain - truth, bound);
+            add("projection, plain", sizes.1[i], 0.0, plain - truth, bound);
         }
     }
     found
