@@ -6,7 +6,7 @@ const GOLDEN_STEPS: usize = 48;
 const CROSSING_STEPS: usize = 24;
 /// Most sign changes that are refined; of more, the samples are dense enough for a straight line.
 const REFINED_CHANGES: usize = 64;
-const CROSSING: f64 = 1e-9;
+const CROSSING: f64 = 1e-13;
 /// A pressure below this, relative to the largest, counts as zero.
 const NEGLIGIBLE: f64 = 1e-12;
 
@@ -85,26 +85,42 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
             return right - below * (right - left) / (below - above);
         }
         let tolerance = CROSSING * (right - left).abs().max(f64::EPSILON * left.abs());
+        let (mut last, mut nearest) = (None, right);
         for _ in 0..steps {
             let middle = right - below * (right - left) / (below - above);
             if !middle.is_finite() || (right - left).abs() <= tolerance {
                 break;
             }
             let value = (self.f)(middle);
-            // The end that stays gets half its weight, so that the bracket shrinks from both sides.
-            if value < 0.0 {
-                (right, below) = (middle, value);
-                above *= 0.5;
-            } else {
-                (left, above) = (middle, value);
-                below *= 0.5;
-            }
             if value == 0.0 {
                 return middle;
             }
+            // An end that stays twice gets half its weight, so that the bracket shrinks from both sides.
+            let moved = if value < 0.0 { Moved::Inside } else { Moved::Outside };
+            match moved {
+                Moved::Inside => (right, below) = (middle, value),
+                Moved::Outside => (left, above) = (middle, value),
+            }
+            if last == Some(moved) {
+                match moved {
+                    Moved::Inside => above *= 0.5,
+                    Moved::Outside => below *= 0.5,
+                }
+            }
+            last = Some(moved);
+            nearest = middle;
         }
-        right
+        nearest
     }
+}
+
+/// The end of a bracket that moved last.
+#[derive(Clone, Copy, PartialEq)]
+enum Moved {
+    /// Where the function is negative.
+    Inside,
+    /// Where it is not.
+    Outside,
 }
 
 fn golden_section(f: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> Extreme {
@@ -150,8 +166,8 @@ mod tests {
     fn finds_where_a_function_is_negative() {
         let ends = sampled(|x: f64| 0.25 - x * x).negative();
         assert_eq!(ends.len(), 2);
-        assert!(ends[0][0] == -1.0 && (ends[0][1] + 0.5).abs() < 1e-11);
-        assert!((ends[1][0] - 0.5).abs() < 1e-11 && ends[1][1] == 1.0);
+        assert!(ends[0][0] == -1.0 && (ends[0][1] + 0.5).abs() < 1e-14);
+        assert!((ends[1][0] - 0.5).abs() < 1e-14 && ends[1][1] == 1.0);
         assert!(sampled(|x: f64| x * x).negative().is_empty());
         assert_eq!(sampled(|_| -1.0).negative(), [[-1.0, 1.0]]);
     }
