@@ -68,6 +68,15 @@ pub enum Error {
         expected: usize,
     },
 
+    /// More eigenfunctions are asked for than were computed.
+    #[error("{needed} eigenfunctions are needed, and this kernel was prepared for {available}")]
+    TooFew {
+        /// How many are needed.
+        needed: usize,
+        /// How many there are.
+        available: usize,
+    },
+
     /// A matrix library gave up.
     #[error("the eigenvalues of a matrix of order {order} were not found")]
     EigenvaluesNotFound {

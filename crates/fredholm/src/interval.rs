@@ -2,7 +2,7 @@
 
 use crate::Error;
 
-/// A finite interval `[left, right]`.
+/// An interval `[left, right]`, finite unless made by [`Interval::half_line`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
     left: f64,
@@ -52,6 +52,23 @@ impl Interval {
     #[must_use]
     pub fn unit() -> Self {
         Self { left: -1.0, right: 1.0 }
+    }
+
+    /// `[left, infinity)`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] unless `left` is finite.
+    pub fn half_line(left: f64) -> Result<Self, Error> {
+        if left.is_finite() {
+            return Ok(Self { left, right: f64::INFINITY });
+        }
+        Err(Error::InvalidParameter { name: "left end", value: left, requirement: "finite" })
+    }
+
+    /// Whether both ends are finite.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        self.right.is_finite()
     }
 
     /// Left end.

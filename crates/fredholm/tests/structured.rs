@@ -5,7 +5,8 @@
 use std::f64::consts::PI;
 
 use fredholm::kernel::{
-    Gram, Kernel, Logarithm, Moments, Parity, Singularity, SpectralRelation, Split,
+    EndExponents, Expansion, Gram, Kernel, Logarithm, Moments, Parity, Singularity,
+    SpectralRelation, Split,
 };
 use fredholm::{DegenerateSystem, Error, Interval, StructuredOperator, StructuredSystem};
 
@@ -46,8 +47,14 @@ impl Kernel for Concealed {
 }
 
 impl SpectralRelation for Concealed {
-    fn weight(&self, x: f64) -> f64 {
-        self.kernel.weight(x)
+    fn weight_exponents(&self) -> EndExponents {
+        self.kernel.weight_exponents()
+    }
+    fn weight_rest(&self, n: usize, x: f64) -> f64 {
+        self.kernel.weight_rest(n, x)
+    }
+    fn expand(&self, f: &dyn Fn(f64) -> f64) -> Result<Expansion, Error> {
+        self.kernel.expand(f)
     }
     fn eigenvalue(&self, n: usize) -> f64 {
         self.kernel.eigenvalue(n)

@@ -1,6 +1,7 @@
 //! Orthogonal systems.
 
 pub mod chebyshev;
+pub(crate) mod expansion;
 mod function;
 mod supremum;
 pub(crate) mod transform;

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::mesh::Mesh;
 use super::weights::SincWeights;
-use crate::kernel::{Kernel, Singularity};
+use crate::kernel::Kernel;
 use crate::linear::{dot, multiply_rows};
 use crate::{Error, memory};
 
@@ -81,7 +81,7 @@ impl Block {
         z.iter().zip(&self.roots).map(value).collect()
     }
 
-    /// `(K phi)` at the nodes of the block from the scaled solution `z = rho phi`.
+    /// `(K phi)` at the nodes of the block from the scaled solution `z = rho phi`; NaN where the weight vanishes.
     pub(super) fn potential(&self, z: &[f64]) -> Vec<f64> {
         let mut potential = multiply_rows(&self.matrix, z);
         potential.iter_mut().zip(&self.roots).for_each(|(u, root)| *u /= root);
@@ -107,7 +107,8 @@ impl Block {
     fn boundary_row(&self, row: &[f64]) -> Vec<f64> {
         let mut part = self.restrict(row);
         let count = self.multiplicity();
-        part.iter_mut().zip(&self.roots).for_each(|(value, root)| *value *= count / root);
+        let scale = |root: f64| if root > 0.0 { count / root } else { 0.0 };
+        part.iter_mut().zip(&self.roots).for_each(|(value, root)| *value *= scale(*root));
         if self.part == Part::Even && row.len() % 2 == 1 {
             // The middle node is its own image: it counts once.
             part[0] *= 0.5;
@@ -121,12 +122,16 @@ impl Block {
     }
 }
 
-/// The blocks of a kernel on a mesh.
-pub(super) fn blocks(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Result<Vec<Block>, Error> {
+/// The blocks of a kernel on a mesh; `masses` are the weights of the nodes times the density of the measure.
+pub(super) fn blocks(
+    kernel: &(impl Kernel + ?Sized),
+    mesh: &Mesh,
+    masses: &[f64],
+) -> Result<Vec<Block>, Error> {
     let entries = Entries {
         kernel,
         mesh,
-        singularity: kernel.singularity(),
+        masses,
         weights: SincWeights::new(kernel.singularity(), mesh.panel_count()),
     };
     let mut blocks = if kernel.is_even() && mesh.is_symmetric() {
@@ -139,7 +144,7 @@ pub(super) fn blocks(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Result<Vec
     for block in &blocks {
         require_finite(block, mesh)?;
     }
-    let rows = boundary_rows(kernel, mesh);
+    let rows = boundary_rows(kernel, mesh, masses);
     for block in &mut blocks {
         block.boundary_rows =
             rows.chunks_exact(mesh.count()).map(|row| block.boundary_row(row)).collect();
@@ -180,7 +185,7 @@ fn require_finite(block: &Block, mesh: &Mesh) -> Result<(), Error> {
 struct Entries<'k, K: ?Sized> {
     kernel: &'k K,
     mesh: &'k Mesh,
-    singularity: Singularity,
+    masses: &'k [f64],
     weights: SincWeights,
 }
 
@@ -204,20 +209,19 @@ impl<K: Kernel + ?Sized> Entries<'_, K> {
             let entries = segment.zip(distances.iter()).zip(&mut row[local]);
             if same_panel {
                 entries.for_each(|((j, &distance), entry)| {
-                    let split = self.kernel.split(x, self.mesh.node(j).position, distance);
-                    *entry = self.weights.apart(split, distance, i - j);
+                    let pair = self.kernel.pair(x, self.mesh.node(j).position, distance);
+                    *entry = self.weights.apart(pair, distance, i - j);
                 });
             } else {
                 entries.for_each(|((j, &distance), entry)| {
-                    let split = self.kernel.split(x, self.mesh.node(j).position, distance);
-                    *entry = split.value(self.singularity, distance);
+                    *entry = self.kernel.pair(x, self.mesh.node(j).position, distance).value;
                 });
             }
         }
     }
 
     fn whole(&self) -> Block {
-        let roots: Vec<f64> = self.mesh.weights().iter().map(|weight| weight.sqrt()).collect();
+        let roots: Vec<f64> = self.masses.iter().map(|mass| mass.sqrt()).collect();
         let order = roots.len();
         let mut matrix = vec![0.0; order * order];
         for i in 0..order {
@@ -235,8 +239,7 @@ impl<K: Kernel + ?Sized> Entries<'_, K> {
         let count = self.mesh.count();
         let middle = count / 2;
         let has_middle = !count.is_multiple_of(2);
-        let mut roots: Vec<f64> =
-            self.mesh.weights()[middle..].iter().map(|weight| weight.sqrt()).collect();
+        let mut roots: Vec<f64> = self.masses[middle..].iter().map(|mass| mass.sqrt()).collect();
         if has_middle {
             roots[0] *= std::f64::consts::FRAC_1_SQRT_2;
         }
@@ -300,15 +303,13 @@ fn mirror(matrix: &mut [f64], order: usize) {
     }
 }
 
-/// `w_j K(x_b, x_j)` for every boundary `x_b` of the panels: a row for each.
-fn boundary_rows(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Vec<f64> {
-    let singularity = kernel.singularity();
+/// `m_j K(x_b, x_j)` for every boundary `x_b` of the panels: a row for each.
+fn boundary_rows(kernel: &(impl Kernel + ?Sized), mesh: &Mesh, masses: &[f64]) -> Vec<f64> {
     let row = |boundary: usize| {
         let x = mesh.boundaries()[boundary];
         (0..mesh.count()).map(move |j| {
             let distance = mesh.distance_to_boundary(boundary, j);
-            mesh.weights()[j]
-                * kernel.split(x, mesh.node(j).position, distance).value(singularity, distance)
+            masses[j] * kernel.pair(x, mesh.node(j).position, distance).value
         })
     };
     let boundaries = mesh.boundaries().len();

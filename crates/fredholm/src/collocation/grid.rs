@@ -3,7 +3,7 @@
 use std::f64::consts::{LN_2, PI};
 
 use super::map::Node;
-use crate::kernel::{Kernel, Singularity};
+use crate::kernel::Kernel;
 use crate::{Error, Interval};
 
 /// Fewest and most nodes on either side of the middle.
@@ -32,7 +32,7 @@ impl SincGrid {
     /// # Errors
     /// As [`SincGrid::with_range`].
     pub fn new(kernel: &(impl Kernel + ?Sized), half_count: usize) -> Result<Self, Error> {
-        Self::with_range(half_count, suitable_range(kernel.singularity()))
+        Self::with_range(half_count, suitable_range(kernel.end_exponent()))
     }
 
     /// The grid with `2 half_count + 1` nodes on `[-T, T]`, `T` being `range`.
@@ -89,13 +89,11 @@ impl SincGrid {
 /// The range of `t` beyond which a solution differs from its end values by rounding only.
 ///
 /// A point is `2 exp(-pi sinh T)` of the half-length from its end; solutions behave as `d ln d` for the logarithm and as
-/// `d^(1-mu)` for the power. For `mu > 0.95` the range is cut where distances underflow, and accuracy is lost.
-fn suitable_range(singularity: Singularity) -> f64 {
-    match singularity {
-        Singularity::Power { exponent } => {
-            let decades = -TAIL.ln() / (1.0 - exponent);
-            ((LN_2 + decades) / PI).asinh().clamp(RANGE, LARGEST_RANGE)
-        }
-        Singularity::Logarithm | Singularity::None => RANGE,
+/// `d^beta` for `beta < 1`. For `beta < 0.05` the range is cut where distances underflow, and accuracy is lost.
+fn suitable_range(end_exponent: f64) -> f64 {
+    if end_exponent >= 1.0 {
+        return RANGE;
     }
+    let decades = -TAIL.ln() / end_exponent;
+    ((LN_2 + decades) / PI).asinh().clamp(RANGE, LARGEST_RANGE)
 }

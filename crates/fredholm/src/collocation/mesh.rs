@@ -156,6 +156,13 @@ impl Mesh {
 }
 
 fn boundaries(interval: Interval, breaks: &[f64]) -> Result<Vec<f64>, Error> {
+    if !interval.is_finite() {
+        return Err(Error::InvalidParameter {
+            name: "right end",
+            value: interval.right(),
+            requirement: "finite: collocation needs a finite section of the half-line",
+        });
+    }
     let mut inner = breaks.to_vec();
     inner.sort_by(f64::total_cmp);
     inner.dedup();

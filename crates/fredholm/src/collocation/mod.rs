@@ -1,16 +1,16 @@
 //! Sinc collocation with the double-exponential map, independent of any spectral relation.
 //!
 //! `x = c + a tanh(pi/2 sinh t)` maps the line onto `(c - a, c + a)` and crowds the nodes `t_j = j h` towards the ends, so
-//! that the `d ln d` or `d^(1-mu)` behaviour of solutions there costs nothing. With `w_j = h x'(t_j)` the equation
-//! `phi + lambda int K phi = f` becomes `phi_i + lambda sum_j M_ij phi_j = f_i`. For the split `K = A sigma(|x - s|) + B`
+//! that the `d ln d` or `d^(1-q)` behaviour of solutions there costs nothing. With `w_j = h x'(t_j)` and the density `m` of the measure the
+//! equation `phi + lambda int K phi dm = f` becomes `phi_i + lambda sum_j M_ij phi_j = f_i`. For the split `K = A sigma(|x - s|) + B`
 //!
-//! `M_ij = w_j [A_ij (ln|x_i - x_j| - Ci(pi |i-j|)) + B_ij]`, `M_ii = w_i [A_ii (ln w_i - gamma - ln pi) + B_ii]`
+//! `M_ij = w_j m_j [K_ij - A_ij Ci(pi |i-j|)]`, `M_ii = w_i m_i [A_ii (ln w_i - gamma - ln pi) + B_ii]`
 //!
-//! with `sigma = ln`, and with `sigma(d) = d^-mu` and the exact sinc weights `h^(1-mu) c_j` of `|t - u|^-mu`
+//! with `sigma = ln`, and with `sigma(d) = (d^-q - 1)/q` and the exact sinc weights `h^(1-q) c_j` of `|t - u|^-q`
 //!
-//! `M_ij = w_j [A_ij |x_i - x_j|^-mu |i-j|^mu c_{|i-j|} + B_ij]`, `M_ii = w_i [A_ii w_i^-mu c_0 + B_ii]`.
+//! `M_ij = w_j m_j [K_ij + A_ij |x_i - x_j|^-q (|i-j|^q c_{|i-j|} - 1)/q]`, `M_ii = w_i m_i [A_ii (w_i^-q c_0 - 1)/q + B_ii]`.
 //!
-//! Scaled by the square roots of the weights the matrix is symmetric, and positive to rounding for a positive kernel. It
+//! Scaled by the square roots of the masses `w_i m_i` the matrix is symmetric, and positive to rounding for a positive kernel. It
 //! does not depend on `lambda`: [`SincOperator`] holds it, and solves by one Cholesky factorisation for each `lambda`
 //! ([`SincFactor`], the most accurate) or by one eigendecomposition for all ([`SincSpectrum`], [`Sweep`]).
 //!

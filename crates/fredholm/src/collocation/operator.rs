@@ -28,6 +28,8 @@ use crate::{Error, Interval};
 pub struct SincOperator {
     interval: Interval,
     mesh: Arc<Mesh>,
+    /// Weights of the nodes in the measure of the kernel.
+    masses: Vec<f64>,
     blocks: Vec<Block>,
 }
 
@@ -66,8 +68,9 @@ impl SincOperator {
     ) -> Result<Self, Error> {
         let interval = kernel.interval();
         let mesh = Mesh::new(grid, interval, breaks)?;
-        let blocks = blocks(kernel, &mesh)?;
-        Ok(Self { interval, mesh: Arc::new(mesh), blocks })
+        let masses = masses(kernel, &mesh)?;
+        let blocks = blocks(kernel, &mesh, &masses)?;
+        Ok(Self { interval, mesh: Arc::new(mesh), masses, blocks })
     }
 
     /// The interval of the kernel.
@@ -182,6 +185,7 @@ impl SincOperator {
             block.extend(&block.potential(z), &mut potential);
             block.add_boundary_potential(z, &mut boundaries);
         }
+        self.fill_corners(&mut potential, &boundaries);
         // Division of z by the tiny weights near the ends would lose digits.
         let values: Vec<f64> = f.iter().zip(&potential).map(|(f, u)| f - parameter * u).collect();
         let masses = self.masses(scaled);
@@ -194,9 +198,30 @@ impl SincOperator {
         for (block, z) in self.blocks.iter().zip(scaled) {
             block.extend(&block.unscaled(z), &mut masses);
         }
-        masses.iter_mut().zip(self.mesh.weights()).for_each(|(mass, weight)| *mass *= weight);
+        masses.iter_mut().zip(&self.masses).for_each(|(mass, weight)| *mass *= weight);
         masses
     }
+
+    /// Nodes so deep in a corner that their mass vanishes have the potential of that end of their panel.
+    fn fill_corners(&self, potential: &mut [f64], boundaries: &[f64]) {
+        let corners = potential.iter_mut().zip(&self.masses).zip(self.mesh.places());
+        for ((potential, _), place) in corners.filter(|((_, mass), _)| **mass == 0.0) {
+            let at_left = place.from_left < place.from_right;
+            *potential = boundaries[place.panel + usize::from(!at_left)];
+        }
+    }
+}
+
+/// `h x'(t_j) m(x_j)`.
+fn masses(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Result<Vec<f64>, Error> {
+    let mass = |(weight, place): (&f64, Place)| {
+        let density = kernel.measure(place.position);
+        if density.is_finite() && density >= 0.0 {
+            return Ok(weight * density);
+        }
+        Err(Error::NotFinite { what: "measure", at: place.position, value: density })
+    };
+    mesh.weights().iter().zip(mesh.places()).map(mass).collect()
 }
 
 pub(super) fn require_finite_parameter(parameter: f64) -> Result<(), Error> {

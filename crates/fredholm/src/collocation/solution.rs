@@ -23,7 +23,7 @@ pub struct SincSolution {
     mesh: Arc<Mesh>,
     parameter: f64,
     values: Vec<f64>,
-    /// `w_j phi_j`.
+    /// `m_j phi_j` with the masses of the nodes.
     masses: Vec<f64>,
     potential: Vec<f64>,
     /// `U` at the boundaries of the panels.
@@ -74,7 +74,7 @@ impl SincSolution {
         &self.potential
     }
 
-    /// `int_L u phi dx`.
+    /// `int_L u phi dm` with the measure of the kernel.
     #[must_use]
     pub fn integral(&self, u: impl Fn(f64) -> f64) -> f64 {
         (self.mesh.places().zip(&self.masses)).map(|(place, mass)| u(place.position) * mass).sum()

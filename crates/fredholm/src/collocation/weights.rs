@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::kernel::{Singularity, Split};
+use crate::kernel::{Pair, Singularity, Split};
 use crate::special::{cosine_integral_pi, oscillatory_tail};
 
 /// Euler's constant.
@@ -10,17 +10,29 @@ const EULER: f64 = 0.577_215_664_901_532_9;
 
 /// What turns values of a kernel into exact sinc weights.
 ///
-/// With nodes `jh`, `int sinc(u/h - j) sigma(|ih - u|) du` is `h (ln h + c_{i-j})` for the logarithm, where
-/// `c_0 = -(gamma + ln pi)`, `c_j = ln j - Ci(pi j)`, and `h^(1-mu) c_{i-j}` for the power, where
-/// `c_j = (2 Gamma(1-mu) sin(pi mu/2)/pi) int_0^pi w^(mu-1) cos(jw) dw`. A plain trapezoidal rule has `ln(hj)` and
-/// `(hj)^-mu` there: beside it remain the term `-Ci(pi j)` and the factor `j^mu c_j`.
+/// With nodes `jh`, `int sinc(u/h - j) ln|ih - u| du` is `h (ln h + c_{i-j})`, where `c_0 = -(gamma + ln pi)`,
+/// `c_j = ln j - Ci(pi j)`. A plain trapezoidal rule has `ln(hj)` there: beside it remains the term `-Ci(pi j)`.
+///
+/// For the power `|ih - u|^-q` it is `h^(1-q) c_{i-j}`, where `c_j = (2 Gamma(1-q) sin(pi q/2)/pi) int_0^pi w^(q-1) cos(jw) dw`, continued
+/// analytically to `q <= 0`; of `sigma = (d^-q - 1)/q` there remains beside the trapezoidal rule `d^-q e_j`, `e_j = (j^q c_j - 1)/q`, and
+/// on the diagonal `(h^-q c_0 - 1)/q`. At `q = 0` they are those of `-ln d`.
 #[derive(Debug, Clone)]
 pub(super) enum SincWeights {
     /// `c_0, -Ci(pi), -Ci(2 pi), ...`.
     Logarithm(Vec<f64>),
-    /// `mu`, and `c_0, c_1, 2^mu c_2, ...`.
-    Power(f64, Vec<f64>),
+    Power(PowerWeights),
     Smooth,
+}
+
+/// Weights of `(d^-q - 1)/q`.
+#[derive(Debug, Clone)]
+pub(super) struct PowerWeights {
+    /// `q`.
+    exponent: f64,
+    /// `ln(c_0)/q`.
+    origin: f64,
+    /// `e_1, e_2, ...`, after a zero.
+    corrections: Vec<f64>,
 }
 
 impl SincWeights {
@@ -28,18 +40,18 @@ impl SincWeights {
     pub(super) fn new(singularity: Singularity, count: usize) -> Self {
         match singularity {
             Singularity::Logarithm => Self::Logarithm(logarithm(count)),
-            Singularity::Power { exponent } => Self::Power(exponent, power(exponent, count)),
+            Singularity::Power { exponent } => Self::Power(PowerWeights::new(exponent, count)),
             Singularity::None => Self::Smooth,
         }
     }
 
     /// The entry of the matrix, less the weight, for two nodes `difference > 0` places apart.
-    pub(super) fn apart(&self, split: Split, distance: f64, difference: usize) -> f64 {
-        let Split { factor, rest } = split;
+    pub(super) fn apart(&self, pair: Pair, distance: f64, difference: usize) -> f64 {
+        let Pair { value, factor } = pair;
         match self {
-            Self::Logarithm(c) => factor * (distance.ln() + c[difference]) + rest,
-            Self::Power(exponent, c) => factor * distance.powf(-exponent) * c[difference] + rest,
-            Self::Smooth => rest,
+            Self::Logarithm(c) => value + factor * c[difference],
+            Self::Power(power) => value + factor * power.apart(distance, difference),
+            Self::Smooth => value,
         }
     }
 
@@ -48,7 +60,7 @@ impl SincWeights {
         let Split { factor, rest } = split;
         match self {
             Self::Logarithm(c) => factor * (weight.ln() + c[0]) + rest,
-            Self::Power(exponent, c) => factor * weight.powf(-exponent) * c[0] + rest,
+            Self::Power(power) => factor * power.at_node(weight) + rest,
             Self::Smooth => rest,
         }
     }
@@ -58,44 +70,124 @@ fn logarithm(count: usize) -> Vec<f64> {
     (0..count).map(|j| if j == 0 { -(EULER + PI.ln()) } else { -cosine_integral_pi(j) }).collect()
 }
 
-/// `j^mu c_j = 1 - C int_{pi j}^inf v^(mu-1) cos v dv` with `C = 2 Gamma(1-mu) sin(pi mu/2)/pi`, because the whole
-/// integral from 0 is `1/C`; `c_0 = C pi^mu/mu`.
-fn power(exponent: f64, count: usize) -> Vec<f64> {
-    let constant = 2.0 * libm::tgamma(1.0 - exponent) * (FRAC_PI_2 * exponent).sin() / PI;
-    (0..count)
-        .map(|j| {
+impl PowerWeights {
+    /// `j^q c_j = 1 - C int_{pi j}^inf v^(q-1) cos v dv` with `C = 2 Gamma(1-q) sin(pi q/2)/pi`, because the whole
+    /// integral from 0 is `1/C`; `c_0 = C pi^q/q`.
+    fn new(exponent: f64, count: usize) -> Self {
+        // ln(C/q) = ln Gamma(1-q) + ln(sin(pi q/2)/(pi q/2)), free of 0/0 at q = 0
+        let strength = log_gamma_sine(exponent);
+        let corrections = (0..count).map(|j| {
             if j == 0 {
-                return constant * PI.powf(exponent) / exponent;
+                return 0.0;
             }
-            let sign = if j.is_multiple_of(2) { 1.0 } else { -1.0 };
-            let scale = constant * (PI * j as f64).powf(exponent);
-            1.0 - sign * scale * oscillatory_tail(exponent, j)
-        })
-        .collect()
+            let sign = if j.is_multiple_of(2) { -1.0 } else { 1.0 };
+            let scale = (exponent * (strength + (PI * j as f64).ln())).exp();
+            sign * scale * oscillatory_tail(exponent, j)
+        });
+        Self { exponent, origin: strength + PI.ln(), corrections: corrections.collect() }
+    }
+
+    fn apart(&self, distance: f64, difference: usize) -> f64 {
+        distance.powf(-self.exponent) * self.corrections[difference]
+    }
+
+    fn at_node(&self, weight: f64) -> f64 {
+        let logarithm = self.origin - weight.ln();
+        if self.exponent == 0.0 {
+            logarithm
+        } else {
+            (self.exponent * logarithm).exp_m1() / self.exponent
+        }
+    }
 }
+
+/// `[ln Gamma(1-q) + ln(sin(pi q/2)/(pi q/2))]/q`, `gamma` at `q = 0`.
+fn log_gamma_sine(exponent: f64) -> f64 {
+    if exponent.abs() > 0.25 {
+        let sine = (FRAC_PI_2 * exponent).sin() / (FRAC_PI_2 * exponent);
+        return (libm::lgamma(1.0 - exponent) + sine.ln()) / exponent;
+    }
+    // Both logarithms as series with the values of the zeta function: sum zeta(k) q^k/k - sum zeta(2k) (q/2)^(2k)/k.
+    let mut sum = EULER;
+    let mut power = 1.0;
+    for (k, zeta) in (2..).zip(ZETA) {
+        power *= exponent;
+        let halves = if k % 2 == 0 { 2.0 * 0.5f64.powi(k) } else { 0.0 };
+        sum += zeta * power * (1.0 - halves) / f64::from(k);
+    }
+    sum
+}
+
+/// `zeta(2), zeta(3), ...`; the last is 1 to 8 digits, times `0.25^26`.
+const ZETA: [f64; 25] = [
+    1.644_934_066_848_226_4,
+    1.202_056_903_159_594_3,
+    1.082_323_233_711_138_2,
+    1.036_927_755_143_37,
+    1.017_343_061_984_449_1,
+    1.008_349_277_381_922_8,
+    1.004_077_356_197_944_3,
+    1.002_008_392_826_082_2,
+    1.000_994_575_127_818_1,
+    1.000_494_188_604_119_5,
+    1.000_246_086_553_308,
+    1.000_122_713_347_578_5,
+    1.000_061_248_135_058_7,
+    1.000_030_588_236_307,
+    1.000_015_282_259_408_7,
+    1.000_007_637_197_637_9,
+    1.000_003_817_293_265,
+    1.000_001_908_212_716_6,
+    1.000_000_953_962_033_9,
+    1.000_000_476_932_986_8,
+    1.000_000_238_450_502_7,
+    1.000_000_119_219_926,
+    1.000_000_059_608_189,
+    1.000_000_029_803_503_5,
+    1.000_000_014_901_554_8,
+];
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Origin: see the head of the file.
-    const REFERENCE: &str = include_str!("../../tests/data/sinc_weights_power.txt");
+    fn table(text: &str) -> impl Iterator<Item = [f64; 3]> + '_ {
+        text.lines().filter(|line| !line.starts_with('#')).map(|line| {
+            let fields: Vec<f64> =
+                line.split_whitespace().map(|field| field.parse().unwrap()).collect();
+            fields.try_into().unwrap()
+        })
+    }
 
     #[test]
     fn weights_of_the_power_agree_with_mpmath() {
-        let mut compared = 0;
-        for line in REFERENCE.lines().filter(|line| !line.starts_with('#')) {
-            let fields: Vec<f64> =
-                line.split_whitespace().map(|field| field.parse().unwrap()).collect();
-            let [exponent, j, exact] = fields[..] else { panic!("three numbers a line") };
-            let found = power(exponent, j as usize + 1)[j as usize];
-            // Gamma(1 - mu) carries the rounding of 1 - mu.
+        // Origin: see the head of the file.
+        let reference = include_str!("../../tests/data/sinc_weights_power.txt");
+        for [exponent, j, exact] in table(reference) {
+            let weights = PowerWeights::new(exponent, j as usize + 1);
+            let found = match j as usize {
+                0 => (exponent * weights.origin).exp(),
+                j => 1.0 + exponent * weights.corrections[j],
+            };
+            // Gamma(1 - q) carries the rounding of 1 - q.
             assert!(
                 (found - exact).abs() < 1e-15 + 5e-16 / (1.0 - exponent) * exact.abs(),
-                "mu = {exponent}, j = {j}: {found} {exact}"
+                "q = {exponent}, j = {j}: {found} {exact}"
             );
-            compared += 1;
         }
-        assert_eq!(compared, 63);
+        assert_eq!(table(reference).count(), 63);
+    }
+
+    #[test]
+    fn the_family_is_continuous_through_the_logarithm() {
+        // Origin: see the head of the file.
+        let reference = include_str!("../../tests/data/sinc_weights_family.txt");
+        for [exponent, j, exact] in table(reference) {
+            let weights = PowerWeights::new(exponent, j as usize + 1);
+            let found = if j == 0.0 { weights.origin } else { weights.corrections[j as usize] };
+            let rounding = 1e-15 / (1.0 - exponent) * (1.0 + exact.abs());
+            assert!((found - exact).abs() < rounding, "q = {exponent}, j = {j}: {found} {exact}");
+        }
+        assert_eq!(table(reference).count(), 84);
     }
 }

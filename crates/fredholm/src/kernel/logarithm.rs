@@ -2,7 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::{Gram, Kernel, Moments, Parity, Singularity, SpectralRelation, Split};
+use super::{
+    EndExponents, Expansion, Gram, Kernel, Moments, Parity, Singularity, SpectralRelation, Split,
+};
 use crate::basis::{self, Function};
 use crate::{Error, Interval};
 
@@ -76,8 +78,12 @@ impl Kernel for Logarithm {
 }
 
 impl SpectralRelation for Logarithm {
-    fn weight(&self, x: f64) -> f64 {
-        1.0 / ((self.half_length() - x) * (self.half_length() + x)).sqrt()
+    fn weight_exponents(&self) -> EndExponents {
+        EndExponents { left: -0.5, right: -0.5 }
+    }
+
+    fn weight_rest(&self, _n: usize, _x: f64) -> f64 {
+        1.0
     }
 
     fn eigenvalue(&self, n: usize) -> f64 {
@@ -116,6 +122,16 @@ impl SpectralRelation for Logarithm {
         Ok(Gram::ToeplitzHankel {
             toeplitz: (0..count).map(entry).collect(),
             hankel: (0..(2 * count).saturating_sub(1)).map(entry).collect(),
+        })
+    }
+
+    fn expand(&self, f: &dyn Fn(f64) -> f64) -> Result<Expansion, Error> {
+        let scaled = |xi: f64| f(self.half_length() * xi);
+        let function = Function::resolve(&scaled)?;
+        Ok(Expansion {
+            coefficients: function.series().coefficients().to_vec(),
+            error: function.error(),
+            resolved: function.is_resolved(),
         })
     }
 

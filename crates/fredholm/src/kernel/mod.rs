@@ -13,12 +13,13 @@ pub use logarithm::Logarithm;
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
-pub use relation::{Gram, Moments, Parity, SpectralRelation};
-pub use singularity::{Singularity, Split};
+pub use relation::{EndExponents, Expansion, Gram, Moments, Parity, SpectralRelation};
+pub use singularity::{Pair, Singularity, Split};
 
 use crate::Interval;
 
-/// A symmetric kernel `K(x, s) = K(s, x)` on a finite interval `L`, smooth but for its singularity at `x = s`.
+/// A symmetric kernel `K(x, s) = K(s, x)` on an interval `L`, smooth but for its singularity at `x = s`. Its operator is
+/// `K phi = int_L K(x, s) phi(s) dm(s)` with a measure `dm = m(s) ds`, `ds` unless said otherwise.
 ///
 /// A kernel of one's own, `exp(-(x - s)^2) - ln|x - s|` on `(-1, 1)`, solved by collocation:
 ///
@@ -60,10 +61,19 @@ pub trait Kernel {
     /// and smooth `A`, `B`.
     ///
     /// `distance` is `|x - s|`, handed in because near the ends of the interval the caller knows it to more digits
-    /// than the difference of `x` and `s` holds.
+    /// than the difference of `x` and `s` holds. It is zero for `x = s`, where both functions have their limits.
     fn split(&self, x: f64, s: f64, distance: f64) -> Split;
 
-    /// Whether the kernel keeps its value under the reflection of both points about the middle `c` of the interval,
+    /// `K(x, s)` and `A(x, s)` for two different points.
+    ///
+    /// From the split unless said otherwise. Where both parts of the split are large and their sum is small (a kernel that decays, far from the
+    /// diagonal), give the value by a way of its own, and let `A` fade away smoothly where it would grow: only its values near the diagonal matter.
+    fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
+        let split = self.split(x, s, distance);
+        Pair { value: split.value(self.singularity(), distance), factor: split.factor }
+    }
+
+    /// Whether the kernel and its measure keep their values under the reflection about the middle `c` of the interval,
     /// `K(2c - x, 2c - s) = K(x, s)`: collocation then splits into an even and an odd problem of half the size.
     ///
     /// False unless said otherwise, which is always right and only slower.
@@ -71,9 +81,24 @@ pub trait Kernel {
         false
     }
 
+    /// The density `m(s)` of the measure, positive inside the interval; 1 unless said otherwise. On a disk it is `s`.
+    fn measure(&self, _s: f64) -> f64 {
+        1.0
+    }
+
+    /// The power `d^beta`, `beta > 0`, of the distance to an end with which solutions leave their end values, for right-hand sides that are smooth; the
+    /// smaller one of both ends. Collocation reaches so far into the corners that what lies beyond does not matter.
+    ///
+    /// Unless said otherwise `1 - q`, with the exponent of the singularity, and at most 1.
+    fn end_exponent(&self) -> f64 {
+        (1.0 - self.singularity().exponent()).min(1.0)
+    }
+
     /// `K(x, s)`; infinite at `x = s` for a singular kernel.
     fn value(&self, x: f64, s: f64) -> f64 {
-        let distance = (x - s).abs();
-        self.split(x, s, distance).value(self.singularity(), distance)
+        if x == s {
+            return self.split(x, s, 0.0).value(self.singularity(), 0.0);
+        }
+        self.pair(x, s, (x - s).abs()).value
     }
 }

@@ -1,6 +1,6 @@
 //! The power kernel `|x - s|^-mu`.
 
-use super::{Kernel, Singularity, Split};
+use super::{Kernel, Pair, Singularity, Split};
 use crate::{Error, Interval};
 
 /// `K(x, s) = |x - s|^-mu`, `0 < mu < 1`, on a finite interval: the plane punch on a half-plane whose modulus grows as
@@ -47,7 +47,12 @@ impl Kernel for Power {
     }
 
     fn split(&self, _x: f64, _s: f64, _distance: f64) -> Split {
-        Split { factor: 1.0, rest: 0.0 }
+        // d^-mu = 1 + mu sigma(d)
+        Split { factor: self.exponent, rest: 1.0 }
+    }
+
+    fn pair(&self, _x: f64, _s: f64, distance: f64) -> Pair {
+        Pair { value: distance.powf(-self.exponent), factor: self.exponent }
     }
 
     fn is_even(&self) -> bool {

@@ -6,9 +6,10 @@
 pub enum Singularity {
     /// `sigma(d) = ln d`.
     Logarithm,
-    /// `sigma(d) = d^-mu`.
+    /// `sigma(d) = (d^-q - 1)/q`, and its limit `-ln d` at `q = 0`: a family without a gap between powers of either sign and the
+    /// logarithm.
     Power {
-        /// `mu`, between 0 and 1.
+        /// `q`, between -1 and 1: a power that is infinite for `q > 0`, one that only bends for `q < 0`.
         exponent: f64,
     },
     /// None: the kernel is smooth, `sigma = 0`.
@@ -21,8 +22,19 @@ impl Singularity {
     pub fn value(self, distance: f64) -> f64 {
         match self {
             Self::Logarithm => distance.ln(),
-            Self::Power { exponent } => distance.powf(-exponent),
+            Self::Power { exponent: 0.0 } => -distance.ln(),
+            Self::Power { exponent } => (-exponent * distance.ln()).exp_m1() / exponent,
             Self::None => 0.0,
+        }
+    }
+
+    /// The exponent `q` for which `|x - s|^-q` has the strength of the singularity: 0 for the logarithm, -1 where there is none.
+    #[must_use]
+    pub fn exponent(self) -> f64 {
+        match self {
+            Self::Logarithm => 0.0,
+            Self::Power { exponent } => exponent,
+            Self::None => -1.0,
         }
     }
 }
@@ -47,4 +59,13 @@ impl Split {
             }
         }
     }
+}
+
+/// A kernel at two points `x != s`: what collocation asks for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    /// `K(x, s)`.
+    pub value: f64,
+    /// `A(x, s)`, the factor of the singular function in the [`Split`].
+    pub factor: f64,
 }

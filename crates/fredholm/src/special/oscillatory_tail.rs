@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 /// From here on the asymptotic series reaches rounding before its terms grow again.
 const ASYMPTOTIC_FROM: usize = 12;
 
-/// `(-1)^j int_{pi j}^inf v^{a-1} cos(v) dv / (pi j)^a`, `0 <= a < 1`, `j >= 1`.
+/// `(-1)^j int_{pi j}^inf v^{a-1} cos(v) dv / (pi j)^a`, `-1 < a < 1`, `j >= 1`.
 ///
 /// It is the real part of `e^z z^{-a} Gamma(a, z)` at `z = i pi j`: its asymptotic series (DLMF 8.11.2) for `j >= 12`,
 /// before that its continued fraction (DLMF 8.9.2). Absolute error below 2e-16. `j = 0` gives infinity.

@@ -1,0 +1,90 @@
+//! Functions expanded in the eigenfunctions of a kernel by a Gauss rule of its weight.
+
+use crate::Error;
+use crate::kernel::{Expansion, SpectralRelation};
+
+/// Fewest and most terms tried.
+const COUNTS: [usize; 2] = [32, 1024];
+/// Terms below this share of the largest value of the function count as rounding.
+const ROUNDING: f64 = 4e-16;
+/// An expansion that is this close between the nodes, relative to the largest value, resolves the function.
+const RESOLVED: f64 = 1e-12;
+
+/// A quadrature rule `int_L g w dm = sum_j weights[j] g(nodes[j])`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Rule {
+    pub(crate) nodes: Vec<f64>,
+    pub(crate) weights: Vec<f64>,
+}
+
+/// Expands `f` in the eigenfunctions of a relation; `rule(count)` integrates the products of `phi_0 .. phi_{count-1}` with the weight exactly. The number of
+/// terms doubles until the sum agrees with `f` at the nodes of the next rule.
+///
+/// # Errors
+/// [`Error::NotFinite`] with the place when `f` is not finite at a node; those of the rule.
+pub(crate) fn expand_by_rule(
+    relation: &(impl SpectralRelation + ?Sized),
+    f: &dyn Fn(f64) -> f64,
+    rule: impl Fn(usize) -> Result<Rule, Error>,
+) -> Result<Expansion, Error> {
+    let most = COUNTS[1].min(relation.available());
+    let mut count = COUNTS[0].min(most);
+    let mut current = rule(count)?;
+    let mut values = sample(f, &current.nodes)?;
+    loop {
+        let next = rule((2 * count).min(2 * COUNTS[1]))?;
+        let checks = sample(f, &next.nodes)?;
+        let largest = values.iter().chain(&checks).fold(0.0, |most: f64, v| most.max(v.abs()));
+        let coefficients = project(relation, &current, &values, count, largest);
+        let error = next
+            .nodes
+            .iter()
+            .zip(&checks)
+            .map(|(&x, value)| (relation.sum(&coefficients, x) - value).abs())
+            .fold(0.0, f64::max);
+        let error = if largest > 0.0 { error / largest } else { 0.0 };
+        let resolved = error <= RESOLVED;
+        if resolved || count == most {
+            return Ok(Expansion { coefficients, error, resolved });
+        }
+        count = (2 * count).min(most);
+        (current, values) = (next, checks);
+    }
+}
+
+/// The coefficients, without the trailing ones that are rounding.
+fn project(
+    relation: &(impl SpectralRelation + ?Sized),
+    rule: &Rule,
+    values: &[f64],
+    count: usize,
+    largest: f64,
+) -> Vec<f64> {
+    let mut coefficients = vec![0.0; count];
+    let mut sizes = vec![0.0f64; count];
+    let mut functions = vec![0.0; count];
+    for ((&x, weight), value) in rule.nodes.iter().zip(&rule.weights).zip(values) {
+        relation.eigenfunctions(x, &mut functions);
+        for ((c, size), phi) in coefficients.iter_mut().zip(&mut sizes).zip(&functions) {
+            *c += weight * value * phi;
+            *size = size.max(phi.abs());
+        }
+    }
+    coefficients.iter_mut().enumerate().for_each(|(n, c)| *c /= relation.norm(n));
+    let matters = |(c, size): (&f64, &f64)| c.abs() * size > ROUNDING * largest;
+    let kept = coefficients.iter().zip(&sizes).rposition(matters).map_or(1, |last| last + 1);
+    coefficients.truncate(kept);
+    coefficients
+}
+
+fn sample(f: &dyn Fn(f64) -> f64, nodes: &[f64]) -> Result<Vec<f64>, Error> {
+    let value = |&x: &f64| {
+        let value = f(x);
+        if value.is_finite() {
+            Ok(value)
+        } else {
+            Err(Error::NotFinite { what: "function", at: x, value })
+        }
+    };
+    nodes.iter().map(value).collect()
+}
