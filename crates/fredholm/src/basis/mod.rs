@@ -3,6 +3,7 @@
 pub mod chebyshev;
 pub(crate) mod expansion;
 mod function;
+pub(crate) mod jacobi;
 mod supremum;
 pub(crate) mod transform;
 

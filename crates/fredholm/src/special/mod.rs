@@ -1,7 +1,9 @@
 //! Special functions for which no library of ours serves.
 
 mod cosine_integral;
+mod gamma_quotient;
 mod oscillatory_tail;
 
 pub use cosine_integral::cosine_integral_pi;
+pub(crate) use gamma_quotient::{gamma_quotient, mean_digamma};
 pub(crate) use oscillatory_tail::oscillatory_tail;
