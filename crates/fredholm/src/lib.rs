@@ -34,6 +34,7 @@
 pub mod basis;
 pub mod collocation;
 pub mod degenerate;
+pub mod equation;
 mod error;
 mod interval;
 pub mod kernel;
