@@ -141,7 +141,7 @@ mod tests {
             for (found, exact) in found.iter().zip([1.0, first, second]) {
                 assert!((found - 3.0 * exact).abs() < 1e-14 * (1.0 + exact.abs()), "t = {t}");
             }
-            assert_eq!(jacobi.sum(&[0.0, 2.0], at(t), 1.0), 2.0 / 3.0 * found[1]);
+            assert!((jacobi.sum(&[0.0, 2.0], at(t), 1.0) - 2.0 * first).abs() < 1e-14);
         }
     }
 

@@ -8,13 +8,13 @@ use crate::kernel::SpectralRelation;
 ///
 /// It is kept as its coefficients: the right-hand side `f` stays with the caller and is handed in again for values.
 #[derive(Debug, Clone)]
-pub struct DegenerateSolution<'k, K> {
+pub struct DegenerateSolution<'k, K: ?Sized> {
     kernel: &'k K,
     projections: Vec<f64>,
     correction: Vec<f64>,
 }
 
-impl<'k, K: SpectralRelation> DegenerateSolution<'k, K> {
+impl<'k, K: SpectralRelation + ?Sized> DegenerateSolution<'k, K> {
     pub(super) fn new(
         kernel: &'k K,
         parameter: f64,

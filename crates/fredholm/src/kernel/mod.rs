@@ -3,7 +3,12 @@
 //! To add a kernel, write one file here: implement [`Kernel`] (value and split of the singularity) and, where one is
 //! known, [`SpectralRelation`].
 
+mod half_sums;
 mod logarithm;
+mod logarithm_ratio;
+mod logarithm_ratio_limit;
+mod logarithm_sine;
+mod logarithm_square;
 mod potential;
 mod power;
 mod relation;
@@ -11,6 +16,10 @@ mod singularity;
 mod weber_sonine;
 
 pub use logarithm::Logarithm;
+pub use logarithm_ratio::LogarithmRatio;
+pub use logarithm_ratio_limit::LogarithmRatioLimit;
+pub use logarithm_sine::LogarithmSine;
+pub use logarithm_square::LogarithmSquare;
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
@@ -56,6 +65,11 @@ pub trait Kernel {
     /// The interval `L`.
     fn interval(&self) -> Interval;
 
+    /// The finite part of the interval on which solutions are compared and shown: the whole of a finite interval.
+    fn extent(&self) -> Interval {
+        self.interval()
+    }
+
     /// What the kernel does as `x -> s`.
     fn singularity(&self) -> Singularity;
 
@@ -85,6 +99,11 @@ pub trait Kernel {
 
     /// The density `m(s)` of the measure, positive inside the interval; 1 unless said otherwise. On a disk it is `s`.
     fn measure(&self, _s: f64) -> f64 {
+        1.0
+    }
+
+    /// The function `u` with which a solution is integrated, `int_L u phi dm`: 1 unless said otherwise, and on a disk the power of the harmonic.
+    fn mass_function(&self, _x: f64) -> f64 {
         1.0
     }
 

@@ -1,6 +1,8 @@
 //! Special functions for which no library of ours serves.
 
 mod cosine_integral;
+pub(crate) mod elliptic;
+pub(crate) mod exponential_sum;
 mod gamma_quotient;
 mod oscillatory_tail;
 

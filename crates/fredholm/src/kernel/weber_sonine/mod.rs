@@ -158,6 +158,11 @@ impl Kernel for WeberSonine {
         if self.order > 0.0 { at_rim.min(self.order) } else { at_rim }
     }
 
+    /// `x^mu`, with which harmonics are integrated: the moment of a tilt has `mu = 1`.
+    fn mass_function(&self, x: f64) -> f64 {
+        if self.order == 0.0 { 1.0 } else { x.powf(self.order) }
+    }
+
     fn value(&self, x: f64, s: f64) -> f64 {
         if x == s { self.tables.at(x) } else { self.pair(x, s, (x - s).abs()).value }
     }

@@ -4,7 +4,7 @@ use super::WeberSonine;
 use crate::Error;
 use crate::basis::expansion::{Rule, expand_by_rule};
 use crate::basis::jacobi::Argument;
-use crate::kernel::{EndExponents, Expansion, Gram, Parity, SpectralRelation};
+use crate::kernel::{EndExponents, Expansion, Gram, Kernel, Parity, SpectralRelation};
 use crate::quadrature::gauss_jacobi;
 use crate::special::gamma_quotient;
 
@@ -109,9 +109,5 @@ impl SpectralRelation for WeberSonine {
 
     fn expand(&self, f: &dyn Fn(f64) -> f64) -> Result<Expansion, Error> {
         expand_by_rule(self, f, |count| self.rule(count))
-    }
-
-    fn mass_function(&self, x: f64) -> f64 {
-        if self.order == 0.0 { 1.0 } else { x.powf(self.order) }
     }
 }
