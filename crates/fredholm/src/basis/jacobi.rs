@@ -39,21 +39,6 @@ impl Jacobi {
     pub(crate) fn sum(self, coefficients: &[f64], argument: Argument, scale: f64) -> f64 {
         coefficients.iter().zip(self.values(argument, scale)).map(|(c, value)| c * value).sum()
     }
-
-    /// The coefficients of `t p_n = b_n p_{n+1} + a_n p_n + b_{n-1} p_{n-1}` for the orthonormal polynomials `p_n`: `(a_n, b_n)`.
-    pub(crate) fn recurrence(self, n: usize) -> (f64, f64) {
-        let Self { alpha, beta } = self;
-        let (k, sum) = (n as f64, alpha + beta);
-        if n == 0 {
-            let off = 2.0 / (sum + 2.0) * ((alpha + 1.0) * (beta + 1.0) / (sum + 3.0)).sqrt();
-            return ((beta - alpha) / (sum + 2.0), off);
-        }
-        let degree = 2.0 * k + sum;
-        let diagonal = (beta - alpha) / degree * (sum / (degree + 2.0));
-        let product = (k + 1.0) * (k + 1.0 + alpha) / (degree + 1.0)
-            * ((k + 1.0 + beta) * (k + 1.0 + sum) / (degree + 3.0));
-        (diagonal, 2.0 / (degree + 2.0) * product.sqrt())
-    }
 }
 
 /// The values of Jacobi polynomials of growing degree at one point.
@@ -142,32 +127,6 @@ mod tests {
                 assert!((found - 3.0 * exact).abs() < 1e-14 * (1.0 + exact.abs()), "t = {t}");
             }
             assert!((jacobi.sum(&[0.0, 2.0], at(t), 1.0) - 2.0 * first).abs() < 1e-14);
-        }
-    }
-
-    #[test]
-    fn the_orthonormal_recurrence_is_that_of_the_polynomials() {
-        // Without norms: a_n, and b_n^2 = (coefficient up) (coefficient down) of the recurrence of P_n.
-        for (alpha, beta) in [(0.0, -0.5), (2.5, -0.9), (0.5, 0.3), (-0.5, -0.5)] {
-            let jacobi = Jacobi::new(alpha, beta);
-            let (s, t) = (0.3, -0.8);
-            let [p, q]: [Vec<f64>; 2] =
-                [s, t].map(|t| jacobi.values(at(t), 1.0).take(12).collect());
-            let mut up_before = 0.0;
-            for n in 1..11 {
-                // t P_n = u P_{n+1} + a_n P_n + d P_{n-1}; u from the leading coefficients (DLMF 18.3.1)
-                let (k, sum) = (n as f64, alpha + beta);
-                let up = 2.0 * (k + 1.0) * (k + 1.0 + sum)
-                    / ((2.0 * k + sum + 1.0) * (2.0 * k + sum + 2.0));
-                let a = jacobi.recurrence(n).0;
-                let down = |t: f64, p: &[f64]| (t * p[n] - up * p[n + 1] - a * p[n]) / p[n - 1];
-                assert!((down(s, &p) - down(t, &q)).abs() < 1e-13, "{alpha} {beta} {n}");
-                let off = jacobi.recurrence(n - 1).1;
-                if n > 1 {
-                    assert!((off * off - up_before * down(s, &p)).abs() < 1e-13);
-                }
-                up_before = up;
-            }
         }
     }
 }

@@ -7,5 +7,5 @@ mod gamma_quotient;
 mod oscillatory_tail;
 
 pub use cosine_integral::cosine_integral_pi;
-pub(crate) use gamma_quotient::{gamma_quotient, mean_digamma};
+pub(crate) use gamma_quotient::{half_gamma_quotient, mean_digamma};
 pub(crate) use oscillatory_tail::oscillatory_tail;

@@ -6,17 +6,17 @@ use crate::basis::expansion::{Rule, expand_by_rule};
 use crate::basis::jacobi::Argument;
 use crate::kernel::{EndExponents, Expansion, Gram, Kernel, Parity, SpectralRelation};
 use crate::quadrature::gauss_jacobi;
-use crate::special::gamma_quotient;
+use crate::special::half_gamma_quotient;
 
 impl WeberSonine {
     /// `Gamma(n+gamma+1/2) / n!`.
     fn first_quotient(&self, n: f64) -> f64 {
-        gamma_quotient(n + (self.exponent + 0.5), n + 1.0)
+        half_gamma_quotient(n, self.exponent)
     }
 
     /// `Gamma(n+mu+gamma+1/2) / Gamma(n+mu+1)`.
-    fn second_quotient(&self, n: f64) -> f64 {
-        gamma_quotient(n + self.order + (self.exponent + 0.5), n + self.order + 1.0)
+    pub(super) fn second_quotient(&self, n: f64) -> f64 {
+        half_gamma_quotient(n + self.order, self.exponent)
     }
 
     /// `2n + mu + gamma + 1/2`.

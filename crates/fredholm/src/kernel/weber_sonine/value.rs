@@ -75,18 +75,16 @@ impl Tables {
             let value = if self.coefficients.order == 0.0 { self.at_centre(larger) } else { 0.0 };
             return Pair { value, factor: 0.0 };
         }
-        let (of_larger, of_smaller) = (larger.ln(), smaller.ln());
-        let logarithms = Logarithms {
-            product: of_larger + of_smaller,
-            ratio: of_larger - of_smaller,
-            larger: of_larger,
-        };
+        // Deep in the corner the difference of their logarithms would not hold the ratio.
+        let quotient = smaller / larger;
+        let (of_larger, ratio) = (larger.ln(), -quotient.ln());
+        let logarithms = Logarithms { product: 2.0 * of_larger - ratio, ratio, larger: of_larger };
         let share = distance / larger;
         let quarter = 0.25 * share * (distance / smaller);
         let value = if quarter <= self.near_limit {
             self.near_value(quarter, distance, &logarithms)
         } else {
-            self.far_value(share * (1.0 + smaller / larger), &logarithms)
+            self.far_value(share * (1.0 + quotient), &logarithms)
         };
         let depth = radius.ln() - 0.5 * logarithms.product;
         Pair { value: value.min(f64::MAX), factor: self.factor(quarter, &logarithms, depth) }
