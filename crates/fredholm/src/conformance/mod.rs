@@ -15,7 +15,6 @@
 
 mod bilinear;
 mod methods;
-mod panels;
 mod report;
 mod value;
 mod verification;

@@ -2,9 +2,9 @@
 
 use super::Report;
 use super::bilinear::bilinear_error;
-use super::panels::{kernel_rule, weighted};
 use crate::Error;
 use crate::kernel::{Parity, SpectralRelation};
+use crate::quadrature::panels::{kernel_rule, panel, tail, weighted};
 
 /// Where the relation (1.2) is checked, as shares of the extent.
 const PLACES: [f64; 4] = [0.02, 0.31, 0.58, 0.93];
@@ -120,7 +120,7 @@ fn relation_error(
     let mut worst = 0.0f64;
     for x in places {
         let mut integrals = vec![0.0; indices.len()];
-        for (s, weight) in kernel_rule(relation, x, half_count) {
+        for (s, weight) in kernel_rule(relation, relation.weight_exponents(), x, half_count) {
             if weight == 0.0 {
                 continue;
             }
@@ -236,16 +236,14 @@ impl Products {
 fn plain_rule(relation: &dyn SpectralRelation, half_count: usize) -> Vec<(f64, f64)> {
     let interval = relation.interval();
     let middle = relation.extent().centre();
-    let rule = |start: f64| {
-        super::panels::panel(start, middle, 0.0, half_count)
-            .map(|node| (node.position, node.weight))
-    };
+    let rule =
+        |start: f64| panel(start, middle, 0.0, half_count).map(|node| (node.position, node.weight));
     let mut nodes: Vec<(f64, f64)> = rule(interval.left()).collect();
     if interval.is_finite() {
         nodes.extend(rule(interval.right()));
     } else {
         let scale = relation.extent().half_length();
-        nodes.extend(super::panels::tail(middle, scale, half_count));
+        nodes.extend(tail(middle, scale, half_count));
     }
     nodes
 }
