@@ -3,6 +3,7 @@
 pub mod chebyshev;
 pub(crate) mod expansion;
 mod function;
+pub(crate) mod gegenbauer;
 mod supremum;
 pub(crate) mod transform;
 

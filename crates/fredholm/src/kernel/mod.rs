@@ -4,12 +4,16 @@
 //! known, [`SpectralRelation`].
 
 mod logarithm;
+mod macdonald;
 mod potential;
 mod power;
 mod relation;
 mod singularity;
 
 pub use logarithm::Logarithm;
+pub use macdonald::Macdonald;
+#[expect(unused_imports, reason = "for the half-line")]
+pub(crate) use macdonald::MacdonaldProfile;
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
