@@ -42,8 +42,11 @@ fn integral_to(order: f64, decay: f64, distance: f64) -> f64 {
                 // u = right t^p
                 let t = 0.5 * node.from_left;
                 let u = right * t.powf(power);
-                sum +=
-                    0.5 * node.weight * macdonald(order, u) * right * power * t.powf(power - 1.0);
+                // What underflows does not count.
+                if u > 1e-300 {
+                    let derivative = right * power * t.powf(power - 1.0);
+                    sum += 0.5 * node.weight * macdonald(order, u) * derivative;
+                }
             } else {
                 sum += half * node.weight * macdonald(order, left + half * node.from_left);
             }
