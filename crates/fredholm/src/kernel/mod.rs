@@ -11,9 +11,9 @@ mod relation;
 mod singularity;
 
 pub use logarithm::Logarithm;
-pub use macdonald::Macdonald;
 #[expect(unused_imports, reason = "for the half-line")]
 pub(crate) use macdonald::MacdonaldProfile;
+pub use macdonald::{Macdonald, MacdonaldRelation};
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;

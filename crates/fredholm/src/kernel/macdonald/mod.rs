@@ -1,10 +1,13 @@
 //! Kernel 5 on a finite interval: the Macdonald function, `|x - s|^-mu K_mu(kappa |x - s|)` on `(-a, a)`.
 
 mod profile;
+mod relation;
+mod spheroidal;
 
 use std::sync::Arc;
 
 pub(crate) use profile::MacdonaldProfile;
+pub use relation::MacdonaldRelation;
 
 use super::{Kernel, Pair, Singularity, Split};
 use crate::{Error, Interval};

@@ -59,15 +59,17 @@ impl MacdonaldProfile {
             return Err(invalid("largest distance times decay", largest, "positive"));
         }
         let series = SmallArgument::new(order);
+        // Rounding may carry the largest distance across a boundary of pieces.
+        let largest = largest * (1.0 + 1e-9);
         let end = largest.min(LARGEST_MACDONALD);
         let far = (0..)
             .map(half_octave)
-            .take_while(|ends| ends[0] < end)
+            .take_while(|ends| ends[0] <= end)
             .map(|ends| fit(ends, |z| macdonald_scaled(order, z)))
             .collect();
         let short = largest <= SHORT;
         let factor = |z: f64| series.factor_anywhere(z) * if short { 1.0 } else { cutoff(z) };
-        let pieces = largest.min(END).ceil() as u32;
+        let pieces = largest.min(END).floor() as u32 + 1;
         let factors =
             (0..pieces).map(|k| fit([f64::from(k), f64::from(k) + 1.0], factor)).collect();
         let (value_scale, factor_scale) = (decay.powf(order), decay.powf(-order));
