@@ -11,4 +11,6 @@ pub use macdonald::macdonald;
 pub(crate) use macdonald::{
     LARGEST as LARGEST_MACDONALD, SmallArgument, macdonald_scaled, polynomial, sigma,
 };
+mod gamma_quotient;
+pub(crate) use gamma_quotient::{gamma_quotient, mean_digamma};
 pub(crate) use oscillatory_tail::oscillatory_tail;
