@@ -3,12 +3,14 @@
 //! To add a kernel, write one file here: implement [`Kernel`] (value and split of the singularity) and, where one is
 //! known, [`SpectralRelation`].
 
+mod computed;
 mod logarithm;
 mod potential;
 mod power;
 mod relation;
 mod singularity;
 
+pub use computed::ComputedRelation;
 pub use logarithm::Logarithm;
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
