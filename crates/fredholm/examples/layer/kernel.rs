@@ -15,8 +15,12 @@
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use fredholm::basis::Function;
-use fredholm::kernel::{Kernel, Pair, Singularity, Split};
-use fredholm::{Error, Interval};
+use fredholm::collocation::{AdaptiveSolution, solve_adaptive};
+use fredholm::kernel::{Kernel, Logarithm, Pair, Singularity, SpectralRelation, Split};
+use fredholm::{DegenerateSolution, DegenerateSystem, Error, Interval};
+
+/// `lambda = 2a/(pi E* chi)` of the tables.
+pub const LAMBDA: f64 = 2.0;
 
 /// What lies below the layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,8 +65,8 @@ impl Base {
 
 /// `(L - tanh u)/u` is rounding beyond this `u`.
 const LAST: f64 = 25.0;
-/// `Q` is rounding beyond this `t`.
-const FAR: f64 = 40.0;
+/// `Q` is rounding beyond this `t`: the pole of `L` nearest to the real line, `u = 0.739 i` for an incompressible layer, makes it fall as `exp(-0.739 t)`.
+const FAR: f64 = 50.0;
 
 /// `Q(t)` by the trapezoidal rule for `|t| <= far`: its error is `Q` at `2 pi/step - far`.
 fn smooth_part(base: Base, far: f64) -> impl Fn(f64) -> f64 {
@@ -111,6 +115,11 @@ impl Layer {
         self.table.series().evaluate((2.0 * share * share - 1.0).min(1.0))
     }
 
+    /// `h/a`.
+    pub fn thickness(&self) -> f64 {
+        self.thickness
+    }
+
     /// `a_0 = lim k(t) + ln t`: a thick layer is a half-plane with the gauge `h exp(a_0)`.
     pub fn gauge_constant(&self) -> f64 {
         self.smooth(0.0) - FRAC_PI_4.ln()
@@ -147,3 +156,33 @@ impl Kernel for Layer {
     }
 }
 // ANCHOR_END: kernel
+
+/// The flat punch on the layer: `phi = 1` where the roughness gives way alone.
+pub fn on_layer(layer: &Layer, lambda: f64) -> Result<AdaptiveSolution, Error> {
+    solve_adaptive(layer, lambda, |_| 1.0, 1e-12)
+}
+
+/// `int phi dx` on the half-plane that a thick layer becomes: the logarithm with the gauge `h exp(a_0)`.
+pub fn on_half_plane(layer: &Layer, lambda: f64) -> Result<f64, Error> {
+    let gauge = layer.thickness() * layer.gauge_constant().exp();
+    let kernel = Logarithm::with_gauge(1.0, gauge)?;
+    Ok(solve_adaptive(&kernel, lambda, |_| 1.0, 1e-12)?.solution.integral(|_| 1.0))
+}
+
+/// `int phi dx` on the bed of springs that a thin layer becomes.
+pub fn on_springs(base: Base, thickness: f64, lambda: f64) -> f64 {
+    2.0 / (1.0 + lambda * thickness * PI * base.slope())
+}
+
+/// `int phi dx` and `phi` by the degenerate kernel, with all eigenpairs of the relation.
+pub fn by_degenerate_kernel<R: SpectralRelation>(
+    relation: &R,
+    lambda: f64,
+) -> Result<(f64, DegenerateSolution<'_, R>), Error> {
+    let count = relation.available();
+    let moments = relation.moments(&|_| 1.0, count)?.values;
+    let phi = DegenerateSystem::new(relation, lambda, count - 1)?.solve(&moments);
+    // phi = 1 - sum c_n phi_n
+    let less: f64 = phi.correction().iter().zip(&moments).map(|(c, moment)| c * moment).sum();
+    Ok((2.0 - less, phi))
+}

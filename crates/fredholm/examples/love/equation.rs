@@ -84,12 +84,46 @@ pub fn by_degenerate_kernel(separation: f64, sign: f64, most: usize) -> Result<I
 }
 // ANCHOR_END: degenerate
 
-/// The capacitance of two equal coaxial disks at opposite potentials, `C/(epsilon_0 a) = 2 int phi dx` with the sign -1.
-pub fn capacitance(love: Integrals) -> f64 {
+/// Chebyshev coefficients `c_0, c_2, c_4, ...` of `phi` for `kappa = 1` as published. The sign 1: seven figures of the example of L. Fox and E. T. Goodwin (Phil. Trans. R. Soc. A 245 (1953)
+/// 501); the sign -1: P. Abbott, The Mathematica Journal 8 (4), a series that ends with `T_8`. Both as transcribed in R. W. Marejka's program `integral-eqn`.
+pub const PUBLISHED: [(f64, &[f64]); 2] = [
+    (
+        1.0,
+        &[
+            0.707_592_5,
+            0.049_385_1,
+            -0.001_047_5,
+            -0.000_232_7,
+            0.000_020_0,
+            0.000_001_0,
+            -0.000_000_2,
+        ],
+    ),
+    (
+        -1.0,
+        &[
+            1.774_444_805,
+            -0.140_043_074_5,
+            0.004_962_498_177,
+            0.000_374_672_334_1,
+            -0.000_043_686_508_86,
+        ],
+    ),
+];
+
+/// The sum of such a series.
+pub fn published_series(coefficients: &[f64], x: f64) -> f64 {
+    let angle = 2.0 * x.acos();
+    coefficients.iter().zip(0..).map(|(c, k)| c * (f64::from(k) * angle).cos()).sum()
+}
+
+/// The charge of each disk at the potentials `V` and `-V` (sign -1) or `V` and `V` (sign 1): `Q/(2 V epsilon_0 a) = 2 int phi dx`, 4 for a lone disk. With the sign -1 it is the
+/// capacitance `C/(epsilon_0 a)`.
+pub fn capacitance(love: &Integrals) -> f64 {
     2.0 * love.zeroth
 }
 
-/// Its expansion for close disks: Kirchhoff's two terms and the third (Shaw; Chew and Kong).
+/// The capacitance of close disks: Kirchhoff's two terms and the third (S. J. N. Shaw; W. C. Chew and J. A. Kong, Math. Proc. Camb. Phil. Soc. 89 (1981) 373).
 pub fn close_disks(kappa: f64) -> f64 {
     let logarithm = (16.0 * PI / kappa).ln();
     PI / kappa + (logarithm - 1.0) + kappa / (4.0 * PI) * (logarithm * logarithm - 2.0)
@@ -97,14 +131,14 @@ pub fn close_disks(kappa: f64) -> f64 {
 
 /// The ground state of the Lieb-Liniger gas with the largest rapidity `1/kappa` of the coupling: `gamma = 2 pi kappa/int phi dx` and the energy
 /// `e = (gamma/kappa)^3 int x^2 phi dx/(2 pi)`, with the sign -1.
-pub fn gas(separation: f64, love: Integrals) -> [f64; 2] {
+pub fn gas(separation: f64, love: &Integrals) -> [f64; 2] {
     let gamma = 2.0 * PI * separation / love.zeroth;
     [gamma, (gamma / separation).powi(3) * love.second / (2.0 * PI)]
 }
 
 /// `e(gamma)`, by the method given: `gamma` grows with `kappa`, which is found by the secant rule in logarithms.
 pub fn energy(gamma: f64, method: impl Fn(f64) -> Result<Integrals, Error>) -> Result<f64, Error> {
-    let state = |kappa: f64| method(kappa).map(|love| gas(kappa, love));
+    let state = |kappa: f64| method(kappa).map(|love| gas(kappa, &love));
     // The limits of weak and of strong coupling.
     let mut kappa = 0.5 * gamma.sqrt() + gamma / PI;
     let mut previous = (kappa * 0.9, state(kappa * 0.9)?);
@@ -123,11 +157,17 @@ pub fn energy(gamma: f64, method: impl Fn(f64) -> Result<Integrals, Error>) -> R
     Err(Error::NotConverged { iterations: 40, residual: kappa, tolerance: 1e-9 })
 }
 
-/// The expansion for weak coupling up to `gamma^{5/2}`, the last coefficient as identified by Lang.
+/// The expansion for weak coupling up to `gamma^{5/2}`: the last coefficient found by S. Prolhac (arXiv:1610.08912) to 21 figures and identified by G. Lang.
 pub fn weak_coupling(gamma: f64) -> f64 {
     const ZETA_3: f64 = 1.202_056_903_159_594_3;
     let root = gamma.sqrt();
     let quarter = (3.0 * ZETA_3 / 8.0 - 0.5) / PI.powi(3);
     gamma * (1.0 - 4.0 * root / (3.0 * PI) + (1.0 / 6.0 - 1.0 / (PI * PI)) * gamma)
         + quarter * gamma * gamma * root
+}
+
+/// The expansion for strong coupling up to `gamma^{-3}`.
+pub fn strong_coupling(gamma: f64) -> f64 {
+    let cubic = 32.0 * (PI * PI / 15.0 - 1.0);
+    PI * PI / 3.0 * (1.0 - (4.0 - (12.0 + cubic / gamma) / gamma) / gamma)
 }

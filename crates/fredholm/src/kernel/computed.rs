@@ -137,7 +137,8 @@ impl<K: Kernel> ComputedRelation<K> {
             });
         }
         let mut half_counts = half_counts(count);
-        let mut operator = SincOperator::new(&kernel, half_counts.next().unwrap_or(MOST))?;
+        let mut operator =
+            SincOperator::new(&kernel, half_counts.next().unwrap_or(LARGEST_HALF_COUNT))?;
         let (mut iterations, mut residual) = (0, f64::INFINITY);
         for half_count in half_counts {
             let pairs = Eigenpairs::new(&operator, count, NEGLIGIBLE)?;
@@ -194,9 +195,9 @@ impl<K: Kernel> ComputedRelation<K> {
     }
 }
 
-/// Numbers of nodes on either side of the middle: an eigenfunction with `n` oscillations wants about 3 for each.
+/// Numbers of nodes on either side of the middle. An eigenfunction with `n` oscillations wants about `3 n`; but a smooth kernel has fewer eigenfunctions than may be asked for.
 fn half_counts(count: usize) -> impl Iterator<Item = usize> {
-    let start = (24.0 + 3.0 * count as f64).min(LARGEST_HALF_COUNT as f64 / 3.0);
+    let start = 24.0 + 3.0 * count.min(16) as f64;
     (0..)
         .map(move |power| (start * RATIO.powi(power)).round() as usize)
         .take_while(|half_count| *half_count <= LARGEST_HALF_COUNT)

@@ -104,3 +104,38 @@ pub trait Kernel {
         self.pair(x, s, (x - s).abs()).value
     }
 }
+
+/// A kernel behind a reference is that kernel.
+impl<K: Kernel + ?Sized> Kernel for &K {
+    fn interval(&self) -> Interval {
+        (**self).interval()
+    }
+
+    fn singularity(&self) -> Singularity {
+        (**self).singularity()
+    }
+
+    fn split(&self, x: f64, s: f64, distance: f64) -> Split {
+        (**self).split(x, s, distance)
+    }
+
+    fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
+        (**self).pair(x, s, distance)
+    }
+
+    fn is_even(&self) -> bool {
+        (**self).is_even()
+    }
+
+    fn measure(&self, s: f64) -> f64 {
+        (**self).measure(s)
+    }
+
+    fn end_exponent(&self) -> f64 {
+        (**self).end_exponent()
+    }
+
+    fn value(&self, x: f64, s: f64) -> f64 {
+        (**self).value(x, s)
+    }
+}
