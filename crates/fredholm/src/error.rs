@@ -57,6 +57,17 @@ pub enum Error {
         smallest: f64,
     },
 
+    /// An eigenvalue of the kernel is zero, so that the equation of the first kind has no unique solution.
+    #[error(
+        "eigenvalue {index} of the kernel is {eigenvalue:e}: the equation of the first kind has no unique solution"
+    )]
+    ZeroEigenvalue {
+        /// Index of the eigenvalue.
+        index: usize,
+        /// Its value.
+        eigenvalue: f64,
+    },
+
     /// A list of values has the wrong length.
     #[error("the {what} has {found} values where {expected} are needed")]
     WrongLength {

@@ -93,12 +93,13 @@ pub fn solve_adaptive_with_breaks(
             requirement: "few enough for 2 * half_count + 1 nodes on each panel",
         });
     };
+    let mass = |x: f64| kernel.mass_function(x);
     let (first, mut previous) = (solve(n1)?, solve(n2)?);
-    let mut before = Estimate::between(&first, &previous)?;
+    let mut before = Estimate::weighted(&first, &previous, &mass)?;
     let mut half_count = n3;
     loop {
         let solution = solve(half_count)?;
-        let difference = Estimate::between(&previous, &solution)?;
+        let difference = Estimate::weighted(&previous, &solution, &mass)?;
         let estimate = Estimate::extrapolated(&before, &difference, &solution, RATIO);
         let scale = largest(solution.values());
         let converged = estimate.solution <= tolerance * scale;

@@ -17,7 +17,7 @@ const SAFETY: f64 = 10.0;
 pub struct Estimate {
     /// Of the largest error of the solution on the closed interval.
     pub solution: f64,
-    /// Of the error of `int phi dx`.
+    /// Of the error of the integral `int phi dm`, with the [mass function](crate::kernel::Kernel::mass_function) of the kernel where it has one.
     pub integral: f64,
     /// Of the error of `int (x - c) phi dx` about the middle `c` of the interval.
     pub first_moment: f64,
@@ -34,6 +34,15 @@ impl Estimate {
     /// [`Error::InvalidParameter`] when the solutions have different parameters, [`Error::WrongLength`] when they have
     /// different panels.
     pub fn between(coarse: &SincSolution, fine: &SincSolution) -> Result<Self, Error> {
+        Self::weighted(coarse, fine, &|_| 1.0)
+    }
+
+    /// The same with the integral `int u phi dm`.
+    pub(super) fn weighted(
+        coarse: &SincSolution,
+        fine: &SincSolution,
+        mass_function: &dyn Fn(f64) -> f64,
+    ) -> Result<Self, Error> {
         if coarse.parameter().to_bits() != fine.parameter().to_bits() {
             return Err(Error::InvalidParameter {
                 name: "parameter of the coarser solution",
@@ -53,7 +62,7 @@ impl Estimate {
         let difference = |u: &dyn Fn(f64) -> f64| (fine.integral(u) - coarse.integral(u)).abs();
         Ok(Self {
             solution: fine.parameter().abs() * potential_difference(coarse, fine),
-            integral: difference(&|_| 1.0),
+            integral: difference(mass_function),
             first_moment: difference(&|x| x - centre),
         })
     }

@@ -56,6 +56,11 @@ pub trait Kernel {
     /// The interval `L`.
     fn interval(&self) -> Interval;
 
+    /// The finite part of the interval on which solutions are compared and shown: the whole of a finite interval.
+    fn extent(&self) -> Interval {
+        self.interval()
+    }
+
     /// What the kernel does as `x -> s`.
     fn singularity(&self) -> Singularity;
 
@@ -85,6 +90,11 @@ pub trait Kernel {
 
     /// The density `m(s)` of the measure, positive inside the interval; 1 unless said otherwise. On a disk it is `s`.
     fn measure(&self, _s: f64) -> f64 {
+        1.0
+    }
+
+    /// The function `u` with which a solution is integrated, `int_L u phi dm`: 1 unless said otherwise, and on a disk the power of the harmonic.
+    fn mass_function(&self, _x: f64) -> f64 {
         1.0
     }
 

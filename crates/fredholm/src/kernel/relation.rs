@@ -129,12 +129,7 @@ pub trait SpectralRelation: Kernel {
         Ok(Moments { values: (0..count).map(moment).collect(), error, resolved })
     }
 
-    /// The function `u` with which a solution is integrated, `int_L u phi dm`: 1, and on a disk the power of the harmonic.
-    fn mass_function(&self, _x: f64) -> f64 {
-        1.0
-    }
-
-    /// `int_L u phi_n w dm` with the [`mass_function`](Self::mass_function) `u`: `h_0` for `n = 0` and 0 for the others where `u = phi_0`.
+    /// `int_L u phi_n w dm` with the [`mass_function`](Kernel::mass_function) `u`: `h_0` for `n = 0` and 0 for the others where `u = phi_0`.
     fn mass(&self, n: usize) -> f64 {
         if n == 0 { self.norm(0) } else { 0.0 }
     }
