@@ -3,9 +3,9 @@
 pub mod chebyshev;
 pub(crate) mod expansion;
 mod function;
+pub(crate) mod gegenbauer;
 pub(crate) mod harmonics;
 pub(crate) mod interval_moments;
-pub(crate) mod gegenbauer;
 pub(crate) mod jacobi;
 mod supremum;
 pub(crate) mod transform;
