@@ -2,9 +2,8 @@
 
 use std::f64::consts::PI;
 
-use fredholm::conformance;
 use fredholm::kernel::{
-    Kernel, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare, SpectralRelation,
+    LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare, SpectralRelation,
 };
 use fredholm::quadrature::double_exponential;
 use serde_json::Value;
@@ -189,43 +188,4 @@ fn relations_hold_under_the_integral() {
         }
     }
     worst.require("relations by quadrature", EXACT);
-}
-
-/// Passes the conformance suite with a few eigenfunctions, and with as many as the quadrature of the suite resolves.
-fn pass<K: SpectralRelation>(kernel: &K, most: usize) {
-    for count in [1, 12, most] {
-        let report = conformance::run(kernel as &dyn Kernel, kernel, count).unwrap();
-        assert!(report.passes(), "{:?}, {count} functions:\n{report}", kernel.interval());
-    }
-}
-
-#[test]
-fn the_suite_passes_for_two_punches() {
-    for (b, a, most) in [
-        (0.25, 1.0, 120),
-        (1.0, 2.0, 120),
-        (1e-2, 1.0, 60),
-        (1e-6, 1.0, 30),
-        (1e-8, 3.0, 30),
-        (0.999, 1.0, 120),
-    ] {
-        pass(&LogarithmRatio::new(b, a).unwrap(), most);
-        pass(&LogarithmSquare::with_gauge(b, a, 2.0 * a).unwrap(), most);
-    }
-}
-
-#[test]
-fn the_suite_passes_for_limits() {
-    for a in [1e-3, 1.0, 7.0] {
-        pass(&LogarithmRatioLimit::new(a).unwrap(), 120);
-        // lambda_0 changes its sign at a = 2.
-        pass(&LogarithmSquare::new(0.0, a).unwrap(), 120);
-    }
-}
-
-#[test]
-fn the_suite_passes_for_the_row_of_punches() {
-    for (alpha, most) in [(1e-3, 120), (0.3, 120), (1.5, 120), (2.8, 120), (3.1, 60)] {
-        pass(&LogarithmSine::new(alpha).unwrap(), most);
-    }
 }
