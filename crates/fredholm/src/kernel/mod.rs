@@ -3,23 +3,29 @@
 //! To add a kernel, write one file here: implement [`Kernel`] (value and split of the singularity) and, where one is
 //! known, [`SpectralRelation`].
 
+mod computed;
 mod half_sums;
 mod logarithm;
 mod logarithm_ratio;
 mod logarithm_ratio_limit;
 mod logarithm_sine;
 mod logarithm_square;
+mod macdonald;
 mod potential;
 mod power;
 mod relation;
 mod singularity;
 mod weber_sonine;
 
+pub use computed::ComputedRelation;
 pub use logarithm::Logarithm;
 pub use logarithm_ratio::LogarithmRatio;
 pub use logarithm_ratio_limit::LogarithmRatioLimit;
 pub use logarithm_sine::LogarithmSine;
 pub use logarithm_square::LogarithmSquare;
+#[expect(unused_imports, reason = "for the half-line")]
+pub(crate) use macdonald::MacdonaldProfile;
+pub use macdonald::{Macdonald, MacdonaldRelation};
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
@@ -121,5 +127,40 @@ pub trait Kernel {
             return self.split(x, s, 0.0).value(self.singularity(), 0.0);
         }
         self.pair(x, s, (x - s).abs()).value
+    }
+}
+
+/// A kernel behind a reference is that kernel.
+impl<K: Kernel + ?Sized> Kernel for &K {
+    fn interval(&self) -> Interval {
+        (**self).interval()
+    }
+
+    fn singularity(&self) -> Singularity {
+        (**self).singularity()
+    }
+
+    fn split(&self, x: f64, s: f64, distance: f64) -> Split {
+        (**self).split(x, s, distance)
+    }
+
+    fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
+        (**self).pair(x, s, distance)
+    }
+
+    fn is_even(&self) -> bool {
+        (**self).is_even()
+    }
+
+    fn measure(&self, s: f64) -> f64 {
+        (**self).measure(s)
+    }
+
+    fn end_exponent(&self) -> f64 {
+        (**self).end_exponent()
+    }
+
+    fn value(&self, x: f64, s: f64) -> f64 {
+        (**self).value(x, s)
     }
 }
