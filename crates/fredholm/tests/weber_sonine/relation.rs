@@ -95,7 +95,6 @@ fn functions_are_expanded() {
             let mut given = vec![1.0, 0.0, -3.0];
             given.resize(8, 0.25);
             let found = kernel.expand(&|x| kernel.sum(&given, x)).unwrap();
-            println!("{order} {gamma} {:e}", found.error);
             assert!(found.resolved);
             let size = (given.iter().enumerate()).map(|(n, c)| c * c * kernel.norm(n)).sum::<f64>();
             for (n, c) in found.coefficients.iter().enumerate() {

@@ -218,7 +218,7 @@ fn the_first_kind_has_closed_forms() {
     let found = first_kind(&flat, &|_| 1.0, 40).unwrap();
     for x in [0.0f64, 0.4, 0.9] {
         let exact = FRAC_2_PI / (1.0 - x * x).sqrt();
-        assert!((found.evaluate(x) / exact - 1.0).abs() < 1e-13, "{} {exact}", found.evaluate(x));
+        assert!((found.evaluate(x) / exact - 1.0).abs() < 1e-12, "{} {exact}", found.evaluate(x));
     }
     assert!((found.integral.unwrap() - FRAC_2_PI).abs() < 1e-14);
     let mut worst = Worst::new("first kind");
@@ -229,14 +229,17 @@ fn the_first_kind_has_closed_forms() {
             phi[n] = 1.0;
             let f = |x: f64| kernel.sum(&phi, x);
             let found = first_kind(&kernel, &f, 60).unwrap();
-            let at = |share: f64| {
+            let largest = (found.largest * kernel.eigenvalue(n)).abs();
+            for share in [0.05, 0.3, 0.55, 0.8, 0.95] {
                 let x = share * kernel.radius();
-                (found.evaluate(x) * kernel.eigenvalue(n), kernel.weight(n, x) * f(x))
-            };
-            let points = [0.05, 0.3, 0.55, 0.8, 0.95].map(at);
-            let largest = points.iter().fold(0.0, |most: f64, (_, exact)| most.max(exact.abs()));
-            for (found, exact) in points {
-                worst.add((found - exact).abs() / largest, || format!("{} {n}", name(case)));
+                let over_weight = found.evaluate(x) / kernel.weight(n, x);
+                let error = (over_weight - f(x) / kernel.eigenvalue(n)).abs();
+                assert!(error <= found.error.solution, "{} {n}: {error:e} {found:?}", name(case));
+                // Close to -1/2 eigenvalues differ by 1e6 within twenty, and so do the errors of coefficients.
+                if kernel.exponent() > -0.45 {
+                    let error = error * kernel.eigenvalue(n) / largest;
+                    worst.add(error, || format!("{} {n}", name(case)));
+                }
             }
         }
     }

@@ -99,7 +99,7 @@ impl WeberSonine {
             radius,
             order,
             exponent,
-            tables: Arc::new(Tables::new(order, exponent)),
+            tables: Arc::new(Tables::new(radius, order, exponent)),
         })
     }
 
@@ -144,7 +144,7 @@ impl Kernel for WeberSonine {
     }
 
     fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
-        self.tables.pair(x, s, distance, self.radius)
+        self.tables.pair(x, s, distance)
     }
 
     fn measure(&self, s: f64) -> f64 {

@@ -2,7 +2,7 @@
 
 use super::WeberSonine;
 use crate::Error;
-use crate::basis::expansion::{Rule, expand_by_rule};
+use crate::basis::expansion::{Rule, expand_at_nodes};
 use crate::basis::jacobi::{Argument, GaussNode, Jacobi};
 use crate::kernel::{EndExponents, Expansion, Gram, Kernel, Parity, SpectralRelation};
 use crate::special::half_gamma_quotient;
@@ -43,7 +43,7 @@ impl WeberSonine {
     ///
     /// In `z = s^2/a^2` it is `z^mu (1-z)^(gamma-1/2)` times a polynomial. The rule has the weight `z^e (1-z)^(gamma-1/2)` with the broken part `e` of `mu`, so
     /// that it can be divided by its power.
-    fn rule(&self, count: usize) -> Result<Rule, Error> {
+    fn rule(&self, count: usize) -> Result<Rule<Argument>, Error> {
         let part = self.order.fract();
         let nodes = count + (0.5 * self.order) as usize + 1;
         let rule = Jacobi::new(part, self.exponent - 0.5).gauss(nodes)?;
@@ -52,7 +52,7 @@ impl WeberSonine {
         let weight = |node: &GaussNode| node.weight * scale * node.argument.from_one.powf(-part);
         Ok(Rule {
             weights: rule.iter().map(weight).collect(),
-            nodes: rule.iter().map(|node| self.radius * node.argument.from_one.sqrt()).collect(),
+            nodes: rule.iter().map(|node| node.argument).collect(),
         })
     }
 }
@@ -103,6 +103,11 @@ impl SpectralRelation for WeberSonine {
     }
 
     fn expand(&self, f: &dyn Fn(f64) -> f64) -> Result<Expansion, Error> {
-        expand_by_rule(self, f, |count| self.rule(count))
+        let place = |node: &Argument| self.radius * node.from_one.sqrt();
+        let functions = |node: &Argument, values: &mut [f64]| {
+            let functions = self.polynomials().values(*node, self.mass_function(place(node)));
+            values.iter_mut().zip(functions).for_each(|(value, function)| *value = function);
+        };
+        expand_at_nodes(self, f, |count| self.rule(count), place, functions)
     }
 }
