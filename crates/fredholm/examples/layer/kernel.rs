@@ -85,7 +85,6 @@ fn smooth_part(base: Base, far: f64) -> impl Fn(f64) -> f64 {
     }
 }
 
-// ANCHOR: kernel
 /// The kernel `k((x - s)/h)` on `(-1, 1)`, lengths in half-widths `a` of the punch.
 pub struct Layer {
     /// `h/a`.
@@ -160,7 +159,6 @@ impl Kernel for Layer {
         true
     }
 }
-// ANCHOR_END: kernel
 
 /// `int phi dx` on the half-plane that a thick layer becomes: the logarithm with the gauge `h exp(a_0)`.
 pub fn on_half_plane(layer: &Layer, lambda: f64) -> Result<Option<f64>, Error> {

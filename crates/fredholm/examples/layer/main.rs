@@ -75,10 +75,8 @@ fn by_degenerate_kernel() -> Result<(), Error> {
     );
     println!("pairs  nodes  defect  int phi dx  reported   phi(0)   phi(1)  reported");
     for count in [10, 20, 40, 80] {
-        // ANCHOR: degenerate
         let relation = ComputedRelation::new(&layer, count)?;
         let phi = degenerate(&relation, LAMBDA, &|_| 1.0, count - 1)?;
-        // ANCHOR_END: degenerate
         let gap = match (phi.integral, exact.integral) {
             (Some(one), Some(other)) => (one - other).abs(),
             _ => f64::NAN,

@@ -1,7 +1,7 @@
 //! Symmetric kernels, their singularities and their spectral relations (paper, section 1).
 //!
 //! To add a kernel, write one file here: implement [`Kernel`] (value and split of the singularity) and, where one is
-//! known, [`SpectralRelation`].
+//! known, [`SpectralRelation`]; where none is known, [`ComputedRelation`] computes the eigenpairs.
 
 mod computed;
 mod logarithm;
