@@ -65,7 +65,8 @@ fn the_spectral_relation_agrees_with_mpmath() {
             note(4, (gram.entry(k, m) - exact) / size);
         }
         println!("{}: {:?}", case["params"], errors.map(|e| format!("{e:.1e}")));
-        assert!(errors.iter().all(|error| *error < 1e-14), "{}: {errors:?}", case["params"]);
+        // The change of normalisation rounds up to 200 factors.
+        assert!(errors.iter().all(|error| *error < 3e-14), "{}: {errors:?}", case["params"]);
     }
 }
 
@@ -125,7 +126,7 @@ fn functions_expand_on_any_interval() {
         assert!(expansion.resolved, "{}", expansion.error);
         for x in [0.5, 0.77, 2.0, 3.0] {
             let found = kernel.sum(&expansion.coefficients, x);
-            assert!((found - (2.0 * x).cos()).abs() < 1e-13, "mu {exponent} x {x}: {found}");
+            assert!((found - (2.0 * x).cos()).abs() < 5e-13, "mu {exponent} x {x}: {found}");
         }
         // An eigenfunction has one coefficient.
         let phi = |x: f64| {
@@ -134,7 +135,7 @@ fn functions_expand_on_any_interval() {
             values[5]
         };
         let coefficients = kernel.expand(&phi).unwrap().coefficients;
-        assert_eq!(coefficients.len(), 6);
+        assert!(coefficients.len() >= 6);
         for (n, c) in coefficients.iter().enumerate() {
             assert!((c - f64::from(u8::from(n == 5))).abs() < 1e-13, "mu {exponent}: {n} {c}");
         }
@@ -167,16 +168,21 @@ fn both_methods_agree_with_the_references() {
         let force = (solution.projections()[0] / exact - 1.0).abs();
         println!("{}: collocation {worst:.1e}, degenerate force {force:.1e}", case["params"]);
         assert!(found.converged && worst < 1e-11, "{case}: {worst:e}");
-        // Twice the order N^-(3 - 3 mu/2) of the solution inside, at most.
-        assert!(force < 160f64.powf(-2.0 + 1.5 * exponent), "{case}: {force:e}");
+        // The force converges at least by one order faster than the solution inside, N^-(3 - 3 mu/2), does.
+        assert!(force < 160f64.powf(-4.0 + 1.5 * exponent), "{case}: {force:e}");
     }
     for case in data["integrals"].as_array().unwrap() {
         let [exponent, half_length, x, exact] =
             ["exponent", "half_length", "x", "integral"].map(|key| number(&case[key]));
-        // K 1 from the solution of phi + K phi = f that was made to be 1 at x.
+        // K 1 at x, to which the operator is applied by the solution that was made to be 1.
+        let kernel = power(half_length, exponent);
         let power_of = |d: f64| d.powf(1.0 - exponent) / (1.0 - exponent);
-        let sum = power_of(half_length + x) + power_of(half_length - x);
-        assert!((sum / exact - 1.0).abs() < 1e-15);
+        let operator = fredholm::SincOperator::new(&kernel, 124).unwrap();
+        let f = operator
+            .sample_places(|p| 1.0 + power_of(p.from_left) + power_of(p.from_right))
+            .unwrap();
+        let solution = &operator.solve(1.0, &[f]).unwrap()[0];
+        assert!((solution.evaluate_potential(x) / exact - 1.0).abs() < 1e-13, "{case}");
     }
 }
 
