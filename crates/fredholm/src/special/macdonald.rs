@@ -12,7 +12,7 @@ const NEGLIGIBLE: f64 = 42.0;
 /// `z^-mu K_mu(z)` for `|mu| < 1/2` and `z > 0`, to a relative error of about 1e-15; infinite at `z = 0` for `mu >= 0`, 0 where it underflows
 /// (`z > 745`), NaN outside that range of `mu` and `z`.
 ///
-/// For `z < 1` by the power series ([`SmallArgument`]), of which all terms are positive, without a gap at `mu = 0`; from there on by the
+/// For `z < 1` by the power series in `z^2` and the singular power, of which all terms are positive, without a gap at `mu = 0`; from there on by the
 /// trapezoidal rule for `K_mu(z) = int_0^inf exp(-z cosh t) cosh(mu t) dt` (DLMF 10.32.9), which converges exponentially.
 ///
 /// ```
