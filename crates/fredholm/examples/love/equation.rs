@@ -7,8 +7,9 @@ use fredholm::kernel::{ComputedRelation, Kernel, Singularity, SpectralRelation, 
 use fredholm::{DegenerateSystem, Error, Interval};
 
 // ANCHOR: kernel
-/// Love's kernel; `separation` is `kappa`, the distance of the disks in radii.
+/// Love's kernel; `kappa` is the distance of the disks in radii.
 pub struct Love {
+    /// `kappa`.
     pub separation: f64,
 }
 

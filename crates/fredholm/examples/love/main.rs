@@ -54,7 +54,7 @@ fn capacitors(sign: f64, hard: bool) -> Result<(), Error> {
         print!("{kappa:<6} {value:>17.12} {:>7}   {:.1e}", sinc.count, sinc.error);
         match by_degenerate_kernel(*kappa, sign, MOST) {
             Ok(found) => {
-                print!(" {:>19.12} {:>6}   {:.1e}", capacitance(&found), found.count, found.error)
+                print!(" {:>19.12} {:>6}   {:.1e}", capacitance(&found), found.count, found.error);
             }
             Err(error) => print!(" {error}"),
         }

@@ -137,6 +137,10 @@ impl<K: Kernel + ?Sized> Kernel for &K {
         (**self).interval()
     }
 
+    fn extent(&self) -> Interval {
+        (**self).extent()
+    }
+
     fn singularity(&self) -> Singularity {
         (**self).singularity()
     }
@@ -155,6 +159,10 @@ impl<K: Kernel + ?Sized> Kernel for &K {
 
     fn measure(&self, s: f64) -> f64 {
         (**self).measure(s)
+    }
+
+    fn mass_function(&self, x: f64) -> f64 {
+        (**self).mass_function(x)
     }
 
     fn end_exponent(&self) -> f64 {
