@@ -122,6 +122,11 @@ pub trait Kernel {
         (1.0 - self.singularity().exponent()).min(1.0)
     }
 
+    /// Nodes on either side of the middle with which adaptive collocation should begin, where the kernel has features finer than the interval; 0 leaves it to the parameter.
+    fn first_half_count(&self) -> f64 {
+        0.0
+    }
+
     /// `K(x, s)`; infinite at `x = s` for a singular kernel.
     fn value(&self, x: f64, s: f64) -> f64 {
         if x == s {
