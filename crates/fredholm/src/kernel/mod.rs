@@ -4,19 +4,34 @@
 //! known, [`SpectralRelation`]; where none is known, [`ComputedRelation`] computes the eigenpairs.
 
 mod computed;
+mod half_sums;
 mod logarithm;
+mod logarithm_ratio;
+mod logarithm_ratio_limit;
+mod logarithm_sine;
+mod logarithm_square;
+mod macdonald;
 mod potential;
 mod power;
 mod relation;
 mod singularity;
+mod weber_sonine;
 
 pub use computed::ComputedRelation;
 pub use logarithm::Logarithm;
+pub use logarithm_ratio::LogarithmRatio;
+pub use logarithm_ratio_limit::LogarithmRatioLimit;
+pub use logarithm_sine::LogarithmSine;
+pub use logarithm_square::LogarithmSquare;
+#[expect(unused_imports, reason = "for the half-line")]
+pub(crate) use macdonald::MacdonaldProfile;
+pub use macdonald::{Macdonald, MacdonaldRelation};
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
 pub use relation::{EndExponents, Expansion, Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Pair, Singularity, Split};
+pub use weber_sonine::WeberSonine;
 
 use crate::Interval;
 
@@ -88,7 +103,8 @@ pub trait Kernel {
         false
     }
 
-    /// The density `m(s)` of the measure, positive inside the interval; 1 unless said otherwise. On a disk it is `s`.
+    /// The density `m(s)` of the measure, positive inside the interval; 1 unless said otherwise. On a disk it is `s`. It may be 0 so near an end that nothing there
+    /// matters: collocation leaves such nodes out.
     fn measure(&self, _s: f64) -> f64 {
         1.0
     }
@@ -104,6 +120,11 @@ pub trait Kernel {
     /// Unless said otherwise `1 - q`, with the exponent of the singularity, and at most 1.
     fn end_exponent(&self) -> f64 {
         (1.0 - self.singularity().exponent()).min(1.0)
+    }
+
+    /// Nodes on either side of the middle with which adaptive collocation should begin, where the kernel has features finer than the interval; 0 leaves it to the parameter.
+    fn first_half_count(&self) -> f64 {
+        0.0
     }
 
     /// `K(x, s)`; infinite at `x = s` for a singular kernel.
