@@ -92,7 +92,7 @@ impl std::fmt::Debug for Solution<'_> {
 }
 
 /// Points from end to end, dense at both, on which solutions are compared: cosines, the ends among them.
-fn checks(interval: crate::Interval, count: usize) -> impl Iterator<Item = f64> {
+pub(crate) fn checks(interval: crate::Interval, count: usize) -> impl Iterator<Item = f64> {
     let (centre, half) = (interval.centre(), interval.half_length());
     (0..=count).map(move |i| match i {
         0 => interval.left(),

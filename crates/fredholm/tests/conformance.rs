@@ -1,0 +1,128 @@
+//! Every kernel passes the suite, with the parameters that hurt.
+
+use fredholm::conformance::{self, Report};
+use fredholm::kernel::{
+    EndExponents, Expansion, Gram, Kernel, Logarithm, Parity, Singularity, SpectralRelation, Split,
+};
+use fredholm::{Error, Interval};
+
+fn require(
+    name: &str,
+    kernel: &dyn Kernel,
+    relation: &dyn SpectralRelation,
+    count: usize,
+) -> Report {
+    let report = conformance::run(kernel, relation, count).unwrap();
+    assert!(report.passes(), "{name}, {count} eigenfunctions:\n{report}");
+    println!("{name}\n{report}");
+    report
+}
+
+#[test]
+fn kernel_1_logarithm() {
+    for (a, gauge) in [(1.0, 1.0), (0.3, 1.0), (1.9, 1.0), (50.0, 60.0), (1e-6, 1.0)] {
+        let kernel = Logarithm::with_gauge(a, gauge).unwrap();
+        for count in [1, 20, 200] {
+            require(&format!("a = {a}"), &kernel, &kernel, count);
+        }
+    }
+}
+
+/// What is false about a kernel.
+#[derive(Clone, Copy, PartialEq)]
+enum Fault {
+    Eigenvalue,
+    Norm,
+    Weight,
+    Gram,
+    Split,
+    Asymmetry,
+}
+
+struct Faulty {
+    kernel: Logarithm,
+    fault: Fault,
+}
+
+impl Faulty {
+    fn slip(&self, fault: Fault) -> f64 {
+        if self.fault == fault { 1.0 + 1e-9 } else { 1.0 }
+    }
+}
+
+impl Kernel for Faulty {
+    fn interval(&self) -> Interval {
+        self.kernel.interval()
+    }
+    fn singularity(&self) -> Singularity {
+        self.kernel.singularity()
+    }
+    fn split(&self, x: f64, s: f64, distance: f64) -> Split {
+        let mut split = self.kernel.split(x, s, distance);
+        if self.fault == Fault::Split && distance == 0.0 {
+            split.rest += 1e-3;
+        }
+        if self.fault == Fault::Asymmetry && x > s {
+            split.rest += 1e-12;
+        }
+        split
+    }
+    fn is_even(&self) -> bool {
+        true
+    }
+}
+
+impl SpectralRelation for Faulty {
+    fn weight_exponents(&self) -> EndExponents {
+        self.kernel.weight_exponents()
+    }
+    fn weight_rest(&self, n: usize, x: f64) -> f64 {
+        if self.fault == Fault::Weight { 1.0 + 1e-9 * x } else { self.kernel.weight_rest(n, x) }
+    }
+    fn eigenvalue(&self, n: usize) -> f64 {
+        self.kernel.eigenvalue(n) * self.slip(Fault::Eigenvalue)
+    }
+    fn expansion_factor(&self, n: usize) -> f64 {
+        self.kernel.expansion_factor(n)
+    }
+    fn norm(&self, n: usize) -> f64 {
+        self.kernel.norm(n) * self.slip(Fault::Norm)
+    }
+    fn parity(&self) -> Parity {
+        self.kernel.parity()
+    }
+    fn eigenfunctions(&self, x: f64, values: &mut [f64]) {
+        self.kernel.eigenfunctions(x, values);
+    }
+    fn sum(&self, coefficients: &[f64], x: f64) -> f64 {
+        self.kernel.sum(coefficients, x)
+    }
+    fn gram(&self, count: usize) -> Result<Gram, Error> {
+        let gram = self.kernel.gram(count)?;
+        let entry = |i: usize| gram.entry(i / count, i % count) * self.slip(Fault::Gram);
+        Ok(Gram::Dense { order: count, entries: (0..count * count).map(entry).collect() })
+    }
+    fn expand(&self, f: &dyn Fn(f64) -> f64) -> Result<Expansion, Error> {
+        self.kernel.expand(f)
+    }
+}
+
+#[test]
+fn the_suite_finds_small_faults() {
+    for (fault, names) in [
+        (Fault::Eigenvalue, &["relation"][..]),
+        (Fault::Norm, &["norms"]),
+        (Fault::Weight, &["relation", "orthogonality"]),
+        (Fault::Gram, &["Gram matrix"]),
+        (Fault::Split, &["split at the diagonal"]),
+        (Fault::Asymmetry, &["symmetry"]),
+    ] {
+        let faulty = Faulty { kernel: Logarithm::unit(), fault };
+        let report = conformance::run(&faulty, &faulty, 20).unwrap();
+        let failed: Vec<&str> =
+            report.checks.iter().filter(|check| !check.passes()).map(|check| check.name).collect();
+        for name in names {
+            assert!(failed.contains(name), "{name}:\n{report}");
+        }
+    }
+}
