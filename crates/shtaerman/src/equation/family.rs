@@ -197,7 +197,11 @@ impl NamedKernel {
 
     /// The parameters with their values.
     pub fn parameters(&self) -> impl Iterator<Item = (&'static str, f64)> {
-        self.family.parameters.iter().map(|parameter| parameter.name).zip(self.values.iter().copied())
+        self.family
+            .parameters
+            .iter()
+            .map(|parameter| parameter.name)
+            .zip(self.values.iter().copied())
     }
 
     /// The value of a parameter.
@@ -274,7 +278,9 @@ fn refused(family: &Family, values: &[f64], error: fredholm::Error) -> KernelErr
             help: (family.name == "log-ratio" && name_is_zero(family, values, index))
                 .then_some(LIMIT_HELP),
         },
-        None => KernelError::Equation(fredholm::Error::InvalidParameter { name, value, requirement }),
+        None => {
+            KernelError::Equation(fredholm::Error::InvalidParameter { name, value, requirement })
+        }
     }
 }
 
