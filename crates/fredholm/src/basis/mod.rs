@@ -3,6 +3,8 @@
 pub mod chebyshev;
 pub(crate) mod expansion;
 mod function;
+pub(crate) mod harmonics;
+pub(crate) mod interval_moments;
 mod supremum;
 pub(crate) mod transform;
 

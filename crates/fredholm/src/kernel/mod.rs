@@ -3,13 +3,22 @@
 //! To add a kernel, write one file here: implement [`Kernel`] (value and split of the singularity) and, where one is
 //! known, [`SpectralRelation`].
 
+mod half_sums;
 mod logarithm;
+mod logarithm_ratio;
+mod logarithm_ratio_limit;
+mod logarithm_sine;
+mod logarithm_square;
 mod potential;
 mod power;
 mod relation;
 mod singularity;
 
 pub use logarithm::Logarithm;
+pub use logarithm_ratio::LogarithmRatio;
+pub use logarithm_ratio_limit::LogarithmRatioLimit;
+pub use logarithm_sine::LogarithmSine;
+pub use logarithm_square::LogarithmSquare;
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;

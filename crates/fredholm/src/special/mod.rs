@@ -1,6 +1,8 @@
 //! Special functions for which no library of ours serves.
 
 mod cosine_integral;
+pub(crate) mod elliptic;
+pub(crate) mod exponential_sum;
 mod oscillatory_tail;
 
 pub use cosine_integral::cosine_integral_pi;
