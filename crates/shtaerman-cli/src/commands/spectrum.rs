@@ -71,7 +71,7 @@ fn family(arguments: &SpectrumArguments) -> Result<&'static Family, Failure> {
     let name = arguments.kernel.as_str();
     if Family::find(name, false).is_none() {
         let guess = shtaerman::equation::suggestion(name)
-            .map_or(String::new(), |known| format!(", did you mean {known}?"));
+            .map_or(".".to_owned(), |known| format!(", did you mean {known}?"));
         let names = Family::names().join(", ");
         return Err(Failure::Usage(format!("{name:?} is no kernel{guess} Kernels: {names}")));
     }

@@ -265,27 +265,12 @@ fn refused(family: &Family, values: &[f64], error: fredholm::Error) -> KernelErr
     let fredholm::Error::InvalidParameter { name, value, requirement } = error else {
         return KernelError::Equation(error);
     };
-    let meant = |known: &str| {
-        let alias = family.aliases.iter().find(|(alias, _)| *alias == known);
-        alias.map_or_else(|| known.to_owned(), |(_, parameter)| (*parameter).to_owned())
-    };
-    let index = family.parameters.iter().position(|parameter| parameter.name == meant(name));
-    match index {
-        Some(index) => KernelError::Refused {
-            parameter: family.parameters[index].name,
-            value: values[index],
-            requirement,
-            help: (family.name == "log-ratio" && name_is_zero(family, values, index))
-                .then_some(LIMIT_HELP),
-        },
-        None => {
-            KernelError::Equation(fredholm::Error::InvalidParameter { name, value, requirement })
-        }
-    }
-}
-
-fn name_is_zero(family: &Family, values: &[f64], index: usize) -> bool {
-    family.parameters[index].name == "b" && values[index] == 0.0
+    let alias = family.aliases.iter().find(|(alias, _)| *alias == name);
+    let parameter = alias.map_or(name, |(_, parameter)| parameter);
+    let index = family.parameters.iter().position(|known| known.name == parameter);
+    let value = index.map_or(value, |index| values[index]);
+    let is_limit = family.name == "log-ratio" && parameter == "b" && value == 0.0;
+    KernelError::Refused { parameter, value, requirement, help: is_limit.then_some(LIMIT_HELP) }
 }
 
 /// Makes the spectral relation with so many eigenfunctions.

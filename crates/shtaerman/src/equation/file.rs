@@ -130,7 +130,7 @@ fn plain(field: &Field<'_>) -> Result<f64, FileError> {
 /// A formula in `x`; a bare number is a constant.
 fn right_hand_side(table: &TableReader<'_>) -> Result<Expression, FileError> {
     let field = table.required("rhs")?;
-    let constant = field.number().ok().map(|value| format!("{value:e}"));
+    let constant = field.number().ok().map(written);
     let text = match &constant {
         Some(text) => text,
         None => field.string()?,
@@ -142,6 +142,15 @@ fn right_hand_side(table: &TableReader<'_>) -> Result<Expression, FileError> {
             None => fault,
         }
     })
+}
+
+/// A number as people write it.
+fn written(value: f64) -> String {
+    if value == 0.0 || (1e-5..1e16).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
 }
 
 fn kernel(table: &TableReader<'_>) -> Result<NamedKernel, FileError> {
