@@ -5,6 +5,7 @@ pub(crate) mod expansion;
 mod function;
 pub(crate) mod harmonics;
 pub(crate) mod interval_moments;
+pub(crate) mod jacobi;
 mod supremum;
 pub(crate) mod transform;
 

@@ -13,6 +13,7 @@ mod potential;
 mod power;
 mod relation;
 mod singularity;
+mod weber_sonine;
 
 pub use logarithm::Logarithm;
 pub use logarithm_ratio::LogarithmRatio;
@@ -24,6 +25,7 @@ pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
 pub use relation::{EndExponents, Expansion, Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Pair, Singularity, Split};
+pub use weber_sonine::WeberSonine;
 
 use crate::Interval;
 

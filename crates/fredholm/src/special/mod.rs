@@ -3,7 +3,9 @@
 mod cosine_integral;
 pub(crate) mod elliptic;
 pub(crate) mod exponential_sum;
+mod gamma_quotient;
 mod oscillatory_tail;
 
 pub use cosine_integral::cosine_integral_pi;
+pub(crate) use gamma_quotient::{gamma_quotient, mean_digamma};
 pub(crate) use oscillatory_tail::oscillatory_tail;
