@@ -6,6 +6,7 @@ mod function;
 pub(crate) mod harmonics;
 pub(crate) mod interval_moments;
 pub(crate) mod jacobi;
+pub(crate) mod gegenbauer;
 mod supremum;
 pub(crate) mod transform;
 
