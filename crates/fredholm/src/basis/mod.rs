@@ -3,10 +3,10 @@
 pub mod chebyshev;
 pub(crate) mod expansion;
 mod function;
+pub(crate) mod gegenbauer;
 pub(crate) mod harmonics;
 pub(crate) mod interval_moments;
 pub(crate) mod jacobi;
-pub(crate) mod gegenbauer;
 mod supremum;
 pub(crate) mod transform;
 

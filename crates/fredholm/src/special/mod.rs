@@ -9,9 +9,7 @@ mod oscillatory_tail;
 pub use cosine_integral::cosine_integral_pi;
 pub(crate) use gamma_quotient::{gamma_quotient, mean_digamma};
 mod macdonald;
-mod oscillatory_tail;
 
-pub use cosine_integral::cosine_integral_pi;
 pub use macdonald::macdonald;
 pub(crate) use macdonald::{
     LARGEST as LARGEST_MACDONALD, SmallArgument, macdonald_scaled, polynomial, sigma,

@@ -1,7 +1,9 @@
 //! The kernels that have a name. To add one, add its entry here.
 
+use fredholm::Interval;
 use fredholm::kernel::{
-    Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare,
+    Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare, Macdonald,
+    Power, WeberSonine,
 };
 
 use super::family::{Family, Operator, Parameter, Route};
@@ -9,8 +11,16 @@ use super::family::{Family, Operator, Parameter, Route};
 const HALF_LENGTH: Parameter = Parameter::real("a", "greater than 0, the half-length");
 const OUTER: Parameter = Parameter::real("a", "greater than b, the outer end");
 
+const RADIUS: Parameter = Parameter::real("a", "greater than 0, the radius");
+
+const ORDER: Parameter = Parameter::real(
+    "mu",
+    "between -1/2 and 1/2, where the kernel is positive and the weight integrable",
+);
+const DECAY: Parameter = Parameter::real("kappa", "greater than 0, the decay");
+
 /// All kernels, in the order of the paper.
-pub(super) static FAMILIES: [Family; 5] = [
+pub(super) static FAMILIES: [Family; 8] = [
     Family {
         name: "log",
         is_half_line: false,
@@ -82,5 +92,58 @@ pub(super) static FAMILIES: [Family; 5] = [
         )],
         aliases: &[],
         build: |values| Ok(Operator::closed(LogarithmSine::new(values[0])?)),
+    },
+    Family {
+        name: "power",
+        is_half_line: false,
+        formula: "|x - s|^-mu",
+        interval: "(-a, a)",
+        weight: "(a^2 - x^2)^((mu - 1)/2)",
+        measure: "ds",
+        integral_of: "phi",
+        parameters: &[
+            HALF_LENGTH,
+            Parameter::real("mu", "between 0 and 1, where the kernel is positive and integrable"),
+        ],
+        aliases: &[("half_length", "a"), ("exponent", "mu")],
+        build: |values| {
+            Ok(Operator::closed(Power::new(Interval::symmetric(values[0])?, values[1])?))
+        },
+    },
+    Family {
+        name: "macdonald",
+        is_half_line: false,
+        formula: "K_mu(kappa |x - s|)/|x - s|^mu",
+        interval: "(-a, a)",
+        weight: "(a^2 - x^2)^(mu - 1/2)",
+        measure: "ds",
+        integral_of: "phi",
+        parameters: &[HALF_LENGTH, ORDER, DECAY],
+        aliases: &[
+            ("half_length", "a"),
+            ("order", "mu"),
+            ("decay", "kappa"),
+            ("decay * half_length", "kappa a"),
+        ],
+        build: |values| {
+            let kernel = Macdonald::new(values[0], values[1], values[2])?;
+            Ok(Operator::prepared(kernel, |kernel, count| kernel.relation(count)))
+        },
+    },
+    Family {
+        name: "weber-sonine",
+        is_half_line: false,
+        formula: "int_0^inf J_mu(t x) J_mu(t s) t^(2 gamma) dt",
+        interval: "(0, a)",
+        weight: "(a^2 - x^2)^(gamma - 1/2)",
+        measure: "s ds",
+        integral_of: "phi x^(mu+1)",
+        parameters: &[
+            RADIUS,
+            Parameter::real("mu", "from 0 to 100: below 0 the kernel need not be positive"),
+            Parameter::real("gamma", "between -1/2 and 1/2, where the kernel is integrable"),
+        ],
+        aliases: &[("radius", "a"), ("order", "mu"), ("exponent", "gamma")],
+        build: |values| Ok(Operator::closed(WeberSonine::new(values[0], values[1], values[2])?)),
     },
 ];

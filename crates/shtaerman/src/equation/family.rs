@@ -305,6 +305,24 @@ impl Operator {
         }
     }
 
+    /// A kernel whose eigenfunctions are computed, so many as are asked for.
+    pub(super) fn prepared<K, R>(
+        kernel: K,
+        relation: impl Fn(&K, usize) -> Result<R, fredholm::Error> + 'static,
+    ) -> Self
+    where
+        K: Kernel + Clone + 'static,
+        R: SpectralRelation + 'static,
+    {
+        let source = kernel.clone();
+        Self {
+            kernel: Box::new(kernel),
+            relation: Box::new(move |count| Ok(Box::new(relation(&source, count)?))),
+            is_prepared: true,
+            route: Route::General,
+        }
+    }
+
     pub(super) fn with_route(mut self, route: Route) -> Self {
         self.route = route;
         self

@@ -261,9 +261,11 @@ fn locate(document: &Document, error: Error) -> Error {
         Error::RightHandSide { .. } | Error::Equation(fredholm::Error::NotFinite { .. }) => {
             "equation.rhs"
         }
-        Error::Equation(fredholm::Error::TooLarge { .. } | fredholm::Error::TooFew { .. }) => {
-            "solver.n"
-        }
+        Error::Equation(
+            fredholm::Error::TooLarge { .. }
+            | fredholm::Error::TooFew { .. }
+            | fredholm::Error::InvalidParameter { name: "number of eigenfunctions", .. },
+        ) => "solver.n",
         Error::Equation(fredholm::Error::InvalidParameter { name: "parameter", .. }) => {
             "equation.lambda"
         }
