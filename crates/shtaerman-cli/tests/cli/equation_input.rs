@@ -49,44 +49,44 @@ fn keys_and_kinds() {
         (SECOND, "\"log\"", "\"pwoer\"", "e.toml:7: kernel.name", "did you mean \"power\"?"),
         (SECOND, "\"log\"", "\"logratio\"", "e.toml:7: kernel.name", "did you mean \"log-ratio\"?"),
         (SECOND, "\"log\"", "1", "e.toml:7: kernel.name", "is a string"),
-        (SECOND, "a = 1.0", "a = 1.0\nmu = 0.3", "e.toml:9: kernel.mu", "kernel log takes a ("),
-        (SECOND, "a = 1.0", "", "e.toml:6: kernel.a", "kernel log takes a ("),
-        (SECOND, "a = 1.0", "A = 1.0", "e.toml:8: kernel.a", "A is written, did you mean a?"),
-        (SECOND, "a = 1.0", "a = \"5 mm\"", "e.toml:8: kernel.a", "no dimensions"),
-        (SECOND, "a = 1.0", "a = 1.0\nweight = 3", "e.toml:9: kernel.weight", "not a known key"),
+        (SECOND, "\na = 1.0", "\na = 1.0\nmu = 0.3", "e.toml:9: kernel.mu", "kernel log takes a ("),
+        (SECOND, "\na = 1.0", "", "e.toml:6: kernel.a", "kernel log takes a ("),
+        (SECOND, "\na = 1.0", "\nA = 1.0", "e.toml:8: kernel.a", "A is written, did you mean a?"),
+        (SECOND, "\na = 1.0", "\na = \"5 mm\"", "e.toml:8: kernel.a", "no dimensions"),
+        (SECOND, "\na = 1.0", "\na = 1.0\nweight = 3", "e.toml:9: kernel.weight", "not a known key"),
         (
             SECOND,
-            "a = 1.0",
-            "a = 1.0\ninterval = \"half-line\"",
+            "\na = 1.0",
+            "\na = 1.0\ninterval = \"half-line\"",
             "e.toml:9: kernel.interval",
             "macdonald",
         ),
-        (SECOND, "a = 1.0", "a = 1.0\n[load]\nforce = 1", "e.toml:9: load", "is not a known key"),
+        (SECOND, "\na = 1.0", "\na = 1.0\n[load]\nforce = 1", "e.toml:9: load", "is not a known key"),
         (
             SECOND,
-            "a = 1.0",
-            "a = 1.0\n[solver]\nn = 40",
+            "\na = 1.0",
+            "\na = 1.0\n[solver]\nn = 40",
             "e.toml:10: solver.n",
             "method = \"spectral\"",
         ),
         (
             SECOND,
-            "a = 1.0",
-            "a = 1.0\n[solver]\ntolerance = 0",
+            "\na = 1.0",
+            "\na = 1.0\n[solver]\ntolerance = 0",
             "e.toml:10: solver.tolerance",
             "greater than 0",
         ),
         (
             SECOND,
-            "a = 1.0",
-            "a = 1.0\n[solver]\ncontact = \"bilateral\"",
+            "\na = 1.0",
+            "\na = 1.0\n[solver]\ncontact = \"bilateral\"",
             "e.toml:10: solver.contact",
             "not a known key",
         ),
         (
             SECOND,
-            "a = 1.0",
-            "a = 1.0\n[solver]\nmethod = \"magic\"",
+            "\na = 1.0",
+            "\na = 1.0\n[solver]\nmethod = \"magic\"",
             "e.toml:10: solver.method",
             "is one of",
         ),
@@ -99,12 +99,12 @@ fn keys_and_kinds() {
         ),
         (
             FIRST,
-            "a = 1.0",
-            "a = 1.0\n[solver]\nmethod = \"sinc\"",
+            "\na = 1.0",
+            "\na = 1.0\n[solver]\nmethod = \"sinc\"",
             "e.toml:9: solver.method",
             "second kind",
         ),
-        (FIRST, "a = 1.0", "a = 1.0\n[solver]\nn = 0", "e.toml:9: solver.n", "from 1 to 20000"),
+        (FIRST, "\na = 1.0", "\na = 1.0\n[solver]\nn = 0", "e.toml:9: solver.n", "from 1 to 20000"),
     ] {
         let text = base.replace(from, to);
         assert_ne!(text, base, "{from}");
@@ -139,7 +139,7 @@ fn parameters_out_of_range() {
         ("name = \"log-sine\"\nalpha = \"180 deg\"", "alpha", "below pi"),
         ("name = \"log-sine\"\nalpha = \"1 mm\"", "alpha", "mm"),
         ("name = \"power\"\na = 1\nmu = 0", "mu", "between 0 and 1"),
-        ("name = \"power\"\na = 1\nmu = 1", "mu", "integrable"),
+        ("name = \"power\"\na = 1\nmu = 1", "mu", "integrated"),
         ("name = \"power\"\na = 1\nmu = -0.2", "mu", "positive"),
         ("name = \"power\"\na = 0\nmu = 0.2", "a", "positive"),
         ("name = \"macdonald\"\na = 1\nmu = 0.5\nkappa = 1", "mu", "1/2"),
@@ -237,7 +237,7 @@ fn hostile_values() {
     ];
     for value in values {
         let lambda = SECOND.replace("= 1.0\nrhs", &format!("= {value}\nrhs"));
-        let half_length = SECOND.replace("a = 1.0", &format!("a = {value}"));
+        let half_length = SECOND.replace("\na = 1.0", &format!("\na = {value}"));
         let rhs = SECOND.replace("\"1 + x\"", value);
         let mu = file(Some(1.0), "1", &format!("name = \"power\"\na = 1.0\nmu = {value}"));
         let decay = file(

@@ -56,7 +56,8 @@ impl<'a> SolvedEquation<'a> {
         }
         let interval = self.equation.kernel().kernel().interval();
         let at_end = place == interval.left() || place == interval.right();
-        if self.equation.kind() == Kind::First && at_end && value.is_infinite() {
+        // Where parts of both signs meet at an end, the sum of their infinities is NaN.
+        if self.equation.kind() == Kind::First && at_end {
             return Ok(None);
         }
         Err(Error::EquationOverflow { quantity: "solution", value })
