@@ -146,6 +146,11 @@ impl SincOperator {
         right_hand_sides.iter().map(|f| factor.solve(f)).collect()
     }
 
+    /// Weights of the nodes in the measure of the kernel.
+    pub(crate) fn node_masses(&self) -> &[f64] {
+        &self.masses
+    }
+
     pub(super) fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
     }

@@ -24,6 +24,7 @@
 mod collocated;
 mod first_kind;
 mod logarithm;
+mod residual;
 mod truncated;
 
 pub use collocated::collocate;

@@ -1,5 +1,6 @@
 //! The second kind by the degenerate kernel.
 
+use super::residual::residual;
 use super::{ErrorStatement, Method, Solution, checks};
 use crate::bounds::Kind;
 use crate::kernel::{Expansion, SpectralRelation};
@@ -12,6 +13,8 @@ const CHECKS: usize = 257;
 const SAFETY: f64 = 4.0;
 /// What an error of the moments counts for in the solution.
 const AMPLIFICATION: f64 = 4.0;
+/// Safety on the residual.
+const RESIDUAL: f64 = 2.0;
 /// Rounding, in units of the last place of the terms.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// An error below this share of the solution is an answer.
@@ -20,7 +23,8 @@ const USEFUL: f64 = 0.1;
 /// `phi + parameter K phi = f` by the degenerate kernel with the eigenfunctions `phi_0 .. phi_degree`.
 ///
 /// The error is estimated from the degrees `degree`, `degree/2` and `degree/4`: the last difference, continued as it falls or as the singularity of the
-/// kernel makes it fall at the ends, `degree^{-2(1-q)}`, whichever is slower, times 4. For the logarithm [`degenerate_logarithm`](super::degenerate_logarithm) has guaranteed bounds.
+/// kernel makes it fall at the ends, `degree^{-2(1-q)}`, whichever is slower, times 4; or twice the residual at the ends and
+/// a few other points, where that is larger. For the logarithm [`degenerate_logarithm`](super::degenerate_logarithm) has guaranteed bounds.
 ///
 /// # Errors
 /// [`Error::InvalidParameter`] for a degree below 8 or an infinite interval; those of [`DegenerateSolver::new`] and of the moments.
@@ -49,7 +53,12 @@ pub fn degenerate<'a>(
         values.fold((0.0f64, 0.0f64), |(f, phi), (g, psi)| (f.max(g), phi.max(psi)));
     let rate = slowest_rate(relation);
     let rounding = ROUNDING * (given + largest) + AMPLIFICATION * moments.error * given;
-    let error = extrapolate(before, after, rate) + rounding;
+    let unresolved = if relation.interval().is_finite() {
+        RESIDUAL * residual(relation, parameter, f, &|x| solution.evaluate(x, f(x)), degree)
+    } else {
+        0.0
+    };
+    let error = extrapolate(before, after, rate).max(unresolved) + rounding;
     let functional = Integral::new(relation)?;
     let integrals =
         [&first, &second, &solution].map(|solution| functional.of(relation, f, solution));

@@ -4,6 +4,7 @@
 //! known, [`SpectralRelation`].
 
 mod half_sums;
+mod computed;
 mod logarithm;
 mod logarithm_ratio;
 mod logarithm_ratio_limit;
@@ -16,6 +17,7 @@ mod relation;
 mod singularity;
 mod weber_sonine;
 
+pub use computed::ComputedRelation;
 pub use logarithm::Logarithm;
 pub use logarithm_ratio::LogarithmRatio;
 pub use logarithm_ratio_limit::LogarithmRatioLimit;
@@ -125,5 +127,40 @@ pub trait Kernel {
             return self.split(x, s, 0.0).value(self.singularity(), 0.0);
         }
         self.pair(x, s, (x - s).abs()).value
+    }
+}
+
+/// A kernel behind a reference is that kernel.
+impl<K: Kernel + ?Sized> Kernel for &K {
+    fn interval(&self) -> Interval {
+        (**self).interval()
+    }
+
+    fn singularity(&self) -> Singularity {
+        (**self).singularity()
+    }
+
+    fn split(&self, x: f64, s: f64, distance: f64) -> Split {
+        (**self).split(x, s, distance)
+    }
+
+    fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
+        (**self).pair(x, s, distance)
+    }
+
+    fn is_even(&self) -> bool {
+        (**self).is_even()
+    }
+
+    fn measure(&self, s: f64) -> f64 {
+        (**self).measure(s)
+    }
+
+    fn end_exponent(&self) -> f64 {
+        (**self).end_exponent()
+    }
+
+    fn value(&self, x: f64, s: f64) -> f64 {
+        (**self).value(x, s)
     }
 }

@@ -30,6 +30,8 @@ pub enum Gram {
         /// `entries[k * order + m]`.
         entries: Vec<f64>,
     },
+    /// `R_km = 1` for `k = m`, else 0: the eigenfunctions are orthonormal without a weight, and the degenerate system is diagonal.
+    Identity,
 }
 
 impl Gram {
@@ -42,6 +44,7 @@ impl Gram {
         match self {
             Self::ToeplitzHankel { toeplitz, hankel } => toeplitz[k.abs_diff(m)] + hankel[k + m],
             Self::Dense { order, entries } => entries[k * order + m],
+            Self::Identity => f64::from(u8::from(k == m)),
         }
     }
 }

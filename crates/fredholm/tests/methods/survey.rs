@@ -2,7 +2,10 @@
 
 use fredholm::Error;
 use fredholm::conformance::{Comparison, compare};
-use fredholm::kernel::{Logarithm, SpectralRelation};
+use fredholm::kernel::{
+    Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare,
+    SpectralRelation,
+};
 
 /// A generator of reproducible numbers (G. L. Steele et al., OOPSLA 2014, p. 453).
 pub(crate) struct Random(u64);
@@ -45,7 +48,13 @@ pub(crate) struct Drawn {
 type Draw = fn(&mut Random, usize) -> Result<Drawn, Error>;
 
 /// The kernels by name.
-pub(crate) const KERNELS: &[(&str, Draw)] = &[("log", logarithm)];
+pub(crate) const KERNELS: &[(&str, Draw)] = &[
+    ("log", logarithm),
+    ("log-ratio", logarithm_ratio),
+    ("log-ratio-limit", logarithm_ratio_limit),
+    ("log-square", logarithm_square),
+    ("log-sine", logarithm_sine),
+];
 
 fn drawn(relation: impl SpectralRelation + 'static, parameters: String) -> Result<Drawn, Error> {
     Ok(Drawn { relation: Box::new(relation), parameters })
@@ -55,6 +64,37 @@ fn logarithm(random: &mut Random, _: usize) -> Result<Drawn, Error> {
     let a = random.scale(1e-3, 1e2);
     let gauge = a * random.scale(0.6, 10.0);
     drawn(Logarithm::with_gauge(a, gauge)?, format!("a = {a}, gauge = {gauge}"))
+}
+
+fn logarithm_ratio(random: &mut Random, _: usize) -> Result<Drawn, Error> {
+    let a = random.scale(1e-2, 1e2);
+    let b = a * gap(random);
+    drawn(LogarithmRatio::new(b, a)?, format!("b = {b}, a = {a}"))
+}
+
+fn logarithm_ratio_limit(random: &mut Random, _: usize) -> Result<Drawn, Error> {
+    let a = random.scale(1e-2, 1e2);
+    drawn(LogarithmRatioLimit::new(a)?, format!("a = {a}"))
+}
+
+fn logarithm_square(random: &mut Random, _: usize) -> Result<Drawn, Error> {
+    let a = random.scale(1e-2, 3.0);
+    let b = if random.below(5) == 0 { 0.0 } else { a * gap(random) };
+    drawn(LogarithmSquare::new(b, a)?, format!("b = {b}, a = {a}"))
+}
+
+/// `b/a`: small, or near 1.
+fn gap(random: &mut Random) -> f64 {
+    if random.below(2) == 0 { random.scale(1e-6, 0.5) } else { 1.0 - random.scale(1e-3, 0.5) }
+}
+
+fn logarithm_sine(random: &mut Random, _: usize) -> Result<Drawn, Error> {
+    let alpha = if random.below(2) == 0 {
+        random.scale(1e-2, 1.5)
+    } else {
+        std::f64::consts::PI - random.scale(0.04, 1.6)
+    };
+    drawn(LogarithmSine::new(alpha)?, format!("alpha = {alpha}"))
 }
 
 /// A random right-hand side: a polynomial, an exponential or a wave in the share of the interval, times the mass function.
