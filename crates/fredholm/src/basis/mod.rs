@@ -3,6 +3,8 @@
 pub mod chebyshev;
 pub(crate) mod expansion;
 mod function;
+pub(crate) mod laguerre;
+pub(crate) mod laguerre_moments;
 mod supremum;
 pub(crate) mod transform;
 

@@ -27,6 +27,7 @@ mod assembly;
 mod estimate;
 mod factor;
 mod grid;
+mod half_line;
 pub(crate) mod map;
 mod mesh;
 mod modes;
@@ -43,6 +44,7 @@ pub use adaptive::{
 pub use estimate::{Estimate, extrapolate, rounding};
 pub use factor::SincFactor;
 pub use grid::SincGrid;
+pub use half_line::{HalfLineEstimate, HalfLineSolution, solve_half_line};
 pub use mesh::Place;
 pub use operator::SincOperator;
 pub use points::PointSet;

@@ -4,12 +4,14 @@
 //! known, [`SpectralRelation`].
 
 mod logarithm;
+mod macdonald_half_line;
 mod potential;
 mod power;
 mod relation;
 mod singularity;
 
 pub use logarithm::Logarithm;
+pub use macdonald_half_line::MacdonaldHalfLine;
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;

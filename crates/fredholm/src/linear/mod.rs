@@ -2,6 +2,7 @@
 
 mod cholesky;
 mod dense;
+mod skyline;
 mod small_cholesky;
 mod symmetric;
 mod tridiagonal;
@@ -9,5 +10,6 @@ pub(crate) mod vector;
 
 pub(crate) use cholesky::Cholesky;
 pub(crate) use dense::{dot, multiply_rows};
+pub(crate) use skyline::{Skyline, SkylineFactor};
 pub(crate) use symmetric::{Eigensystem, Factored};
 pub(crate) use tridiagonal::Tridiagonal;
