@@ -67,8 +67,7 @@ impl Iterator for Functions {
     fn next(&mut self) -> Option<f64> {
         let result = self.value * self.factor;
         let next = self.k + 1.0;
-        self.difference =
-            ((self.k + self.alpha) * self.difference - self.y * self.value) / next;
+        self.difference = ((self.k + self.alpha) * self.difference - self.y * self.value) / next;
         if self.k == 0.0 {
             // L_1 - L_0 = alpha - y: the recurrence has no L_{-1} to start from.
             self.difference = self.alpha - self.y;
@@ -172,7 +171,10 @@ mod tests {
         for y in [0.0, -1.0, 5e-324, 1e-300, 1490.0, 3000.0, 1e5, 1e12, 1e308, f64::INFINITY] {
             for alpha in [-0.999_999, -0.5, 0.0] {
                 for (n, value) in Functions::at(alpha, y).take(3000).enumerate() {
-                    assert!(value.abs() < 1.0 + 1e-10, "alpha = {alpha}, y = {y}, n = {n}: {value}");
+                    assert!(
+                        value.abs() < 1.0 + 1e-10,
+                        "alpha = {alpha}, y = {y}, n = {n}: {value}"
+                    );
                 }
             }
         }

@@ -64,11 +64,7 @@ impl Panels {
     ///
     /// # Errors
     /// [`Error::NotFinite`] when `f` is not finite where the functions are not yet small.
-    pub(crate) fn moments(
-        self,
-        f: &dyn Fn(f64) -> f64,
-        count: usize,
-    ) -> Result<Moments, Error> {
+    pub(crate) fn moments(self, f: &dyn Fn(f64) -> f64, count: usize) -> Result<Moments, Error> {
         let rule = Legendre::new()?;
         let sampled = self.sample(f, count, &rule)?;
         let mut values = vec![0.0; count];
@@ -82,11 +78,7 @@ impl Panels {
                 }
             }
         }
-        Ok(Moments {
-            values,
-            error: sampled.unresolved,
-            resolved: sampled.unresolved <= EXPANDED,
-        })
+        Ok(Moments { values, error: sampled.unresolved, resolved: sampled.unresolved <= EXPANDED })
     }
 
     /// The coefficients of `f = sum c_n phi_n` with the norms `h_n`, as many as resolve it.
@@ -246,8 +238,7 @@ fn legendre(degree: usize, t: f64) -> f64 {
     let (mut previous, mut current) = (0.0, 1.0);
     for l in 0..degree {
         let l = l as f64;
-        (previous, current) =
-            (current, ((2.0 * l + 1.0) * t * current - l * previous) / (l + 1.0));
+        (previous, current) = (current, ((2.0 * l + 1.0) * t * current - l * previous) / (l + 1.0));
     }
     current
 }

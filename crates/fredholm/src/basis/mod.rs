@@ -3,6 +3,7 @@
 pub mod chebyshev;
 pub(crate) mod expansion;
 mod function;
+pub(crate) mod gegenbauer;
 pub(crate) mod laguerre;
 pub(crate) mod laguerre_moments;
 mod supremum;

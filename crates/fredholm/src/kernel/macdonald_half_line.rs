@@ -37,10 +37,10 @@ const SHARE: f64 = 0.4;
 ///
 /// let kernel = MacdonaldHalfLine::new(0.3, 1.0)?;
 /// assert!((kernel.eigenvalue(5) - 4.105_397_724_819_213).abs() < 1e-14);
-/// // L_100 (2 kappa x) alone is 1e97 here, and the exponential 1e-109.
+/// // L_100 (2 kappa x) alone is 3e100 here, and the exponential 1e-109.
 /// let mut values = vec![0.0; 101];
 /// kernel.eigenfunctions(250.0, &mut values);
-/// assert!((values[100] / 7.218_961_612_5e-13 - 1.0).abs() < 1e-9);
+/// assert!((values[100] / 8.019_080_503_765_137e-9 - 1.0).abs() < 1e-12);
 /// # Ok::<(), fredholm::Error>(())
 /// ```
 #[derive(Debug, Clone)]

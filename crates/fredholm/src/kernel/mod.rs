@@ -4,6 +4,7 @@
 //! known, [`SpectralRelation`].
 
 mod logarithm;
+mod macdonald;
 mod macdonald_half_line;
 mod potential;
 mod power;
@@ -11,6 +12,8 @@ mod relation;
 mod singularity;
 
 pub use logarithm::Logarithm;
+pub use macdonald::Macdonald;
+pub(crate) use macdonald::MacdonaldProfile;
 pub use macdonald_half_line::MacdonaldHalfLine;
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};

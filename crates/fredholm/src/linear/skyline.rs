@@ -71,7 +71,8 @@ impl Skyline {
                 let row_j = &done[start..factor.starts[j + 1]];
                 // Firsts do not decrease, so that row j begins no later than row i.
                 let shared = &row_j[first - first_j..j - first_j];
-                row[j - first] = (row[j - first] - dot(&row[..j - first], shared)) / row_j[j - first_j];
+                row[j - first] =
+                    (row[j - first] - dot(&row[..j - first], shared)) / row_j[j - first_j];
             }
             let (below, diagonal) = row.split_at_mut(i - first);
             let pivot = 1.0 + diagonal[0] - dot(below, below);
@@ -116,7 +117,8 @@ mod tests {
 
     #[test]
     fn solves_against_the_residual() {
-        let firsts: Vec<usize> = (0..40usize).map(|i| i.saturating_sub(3 + i / 5) * 3 / 4).collect();
+        let firsts: Vec<usize> =
+            (0..40usize).map(|i| i.saturating_sub(3 + i / 5) * 3 / 4).collect();
         let mut matrix = Skyline::zeros(firsts);
         for i in 0..40 {
             let (first, row) = matrix.row_mut(i);

@@ -16,41 +16,17 @@
 
 mod integral;
 mod map;
+mod problem;
 mod section;
 mod solution;
 
 pub use solution::{HalfLineEstimate, HalfLineSolution};
 
-use integral::over_half_line;
-use section::{Layout, Nodal, Section};
+use problem::Problem;
 
-use super::estimate::extrapolate;
 use super::operator::require_finite_parameter;
 use crate::Error;
-use crate::kernel::{Kernel, MacdonaldHalfLine};
-
-/// Length of the section beyond `x_max` in units of the rate of decay.
-const ROOM: f64 = 44.0;
-/// The same of the section it is compared with.
-const LESS_ROOM: f64 = 34.0;
-/// How often the room is doubled where a right-hand side grows.
-const ROOMS: u32 = 3;
-/// Growth of the number of nodes.
-const RATIO: f64 = std::f64::consts::SQRT_2;
-/// Most refinements beyond the third solution.
-const REFINEMENTS: i32 = 6;
-/// Nodes in a decay length far from 0, for the third solution.
-const DENSITY: f64 = 3.3;
-/// Largest step of `t` of the third solution. Measured, as the rest of [`step`].
-const LARGEST_STEP: f64 = 0.12;
-/// Smallest step of `t`.
-const SMALLEST_STEP: f64 = 0.004;
-/// Rounding of `f - lambda K phi`, in units of the last place of its terms.
-const ROUNDING: f64 = 24.0 * f64::EPSILON;
-/// Differences that no longer fall and are below this share of the solution are rounding.
-const STAGNANT: f64 = 1e-9;
-/// Safety on the exponential law of the section.
-const SAFETY: f64 = 10.0;
+use crate::kernel::MacdonaldHalfLine;
 
 /// Solves `phi + parameter int_0^inf K phi ds = f` on the half-line for `0 <= x <= x_max`, to a tolerance relative to the largest value of the solution on
 /// the section; `f` must be bounded, and is asked for values on the whole half-line for the sake of the integral.
@@ -88,27 +64,22 @@ pub fn solve_half_line(
     tolerance: f64,
 ) -> Result<HalfLineSolution, Error> {
     require_finite_parameter(parameter)?;
-    require(tolerance > 0.0 && tolerance.is_finite(), "tolerance", tolerance, "finite and positive")?;
+    let end = kernel.decay() * x_max;
     require(
-        x_max >= 0.0 && (kernel.decay() * x_max).is_finite(),
-        "x_max",
-        x_max,
-        "finite and not negative",
+        "tolerance",
+        tolerance,
+        tolerance > 0.0 && tolerance.is_finite(),
+        "finite and positive",
     )?;
-    let rate = rate(kernel, parameter)?;
-    let problem = Problem { kernel, parameter, f: &f, end: kernel.decay() * x_max };
-    let step = step(kernel, parameter);
-    let (mut solution, mut accuracy) = problem.refined(step, ROOM / rate, tolerance)?;
-    let mut room = ROOM;
-    for _ in 0..ROOMS {
-        let error = problem.section_error(accuracy.coarse, &accuracy, [room, rate])?;
-        solution.estimate.section = error;
-        if error <= tolerance * accuracy.largest {
-            break;
-        }
-        room *= 2.0;
-        (solution, accuracy) = problem.refined(step, room / rate, tolerance)?;
-    }
-    finish(&mut solution, &accuracy, tolerance);
-    Ok(solution)
+    require("x_max", x_max, end >= 0.0 && end.is_finite(), "finite and not negative")?;
+    Problem::new(kernel, parameter, &f, end)?.solve(tolerance)
+}
+
+fn require(
+    name: &'static str,
+    value: f64,
+    met: bool,
+    requirement: &'static str,
+) -> Result<(), Error> {
+    if met { Ok(()) } else { Err(Error::InvalidParameter { name, value, requirement }) }
 }

@@ -37,6 +37,18 @@ pub(super) struct Layout {
     pub(super) stretch: f64,
 }
 
+impl Layout {
+    /// Nodes right of `t = 0`.
+    fn right(self) -> f64 {
+        (self.length * self.stretch / self.step).ceil()
+    }
+
+    /// Whether it does not need too many nodes.
+    pub(super) fn fits(self) -> bool {
+        self.right() + FARTHEST / self.step <= MOST_NODES
+    }
+}
+
 /// `phi + lambda int_0^inf K phi chi ds = f` at the nodes, with a taper `chi` that is 1 up to 16 decay lengths before the end of the section
 /// and 0 beyond it.
 #[derive(Debug)]
@@ -63,8 +75,6 @@ pub(super) struct Nodal {
     pub(super) at_origin: f64,
     /// `m_j phi_j`.
     pub(super) masses: Vec<f64>,
-    /// The largest `|phi_j|`.
-    pub(super) largest: f64,
 }
 
 impl Section {
@@ -72,8 +82,8 @@ impl Section {
         let Layout { length, step, stretch } = layout;
         let map = Map::new(stretch);
         let left = (first(kernel) / step).ceil();
-        let right = (length * stretch / step).ceil();
-        if left + right > MOST_NODES {
+        let right = layout.right();
+        if !layout.fits() {
             return Err(too_long(length / kernel.decay()));
         }
         let (left, count) = (left as usize, (left + right) as usize + 1);
@@ -89,7 +99,8 @@ impl Section {
             roots.push((weight * taper(image.position, length)).sqrt());
         }
         let matrix = assemble(kernel, &positions, &weights, &roots);
-        let origin = positions.iter().zip(&roots).map(|(&x, root)| root * kernel.profile_pair(x).value);
+        let origin =
+            positions.iter().zip(&roots).map(|(&x, root)| root * kernel.profile_pair(x).value);
         let origin = origin.collect();
         Ok(Self { map, step, left, positions, roots, matrix, origin })
     }
@@ -99,16 +110,14 @@ impl Section {
     }
 
     /// The solution for the values of `f` at the nodes.
-    pub(super) fn solve(&self, factor: &SkylineFactor, parameter: f64, f: &[f64]) -> Nodal {
+    pub(super) fn solve(&self, factor: &SkylineFactor, f: &[f64]) -> Nodal {
         let mut z: Vec<f64> = f.iter().zip(&self.roots).map(|(f, root)| f * root).collect();
         factor.solve(&mut z);
         let mut potential = self.matrix.multiply(&z);
         potential.iter_mut().zip(&self.roots).for_each(|(u, root)| *u /= root);
         let at_origin = self.origin.iter().zip(&z).map(|(k, z)| k * z).sum();
-        let values = f.iter().zip(&potential).map(|(f, u)| (f - parameter * u).abs());
-        let largest = values.fold(0.0, f64::max);
         let masses = z.iter().zip(&self.roots).map(|(z, root)| z * root).collect();
-        Nodal { potential, at_origin, masses, largest }
+        Nodal { potential, at_origin, masses }
     }
 
     /// `int_x^inf K(u) du` of the kernel as a function of the distance, at the nodes.

@@ -1,0 +1,173 @@
+//! The Macdonald kernel as a function of the distance, tabulated.
+
+use std::f64::consts::PI;
+
+use crate::Error;
+use crate::kernel::{Pair, Singularity, Split};
+use crate::special::{LARGEST_MACDONALD, SmallArgument, macdonald_scaled, polynomial, sigma};
+
+/// Coefficients of `e^z z^-mu K_mu(z)` on half an octave: its singularity at 0 is 5 half-widths off or more, so that they fall by 9.9 each.
+const FAR: usize = 17;
+/// Coefficients of the factor on a piece of length 1.
+const NEAR: usize = 16;
+/// Sharpness of the cutoff: `erfc` of it is 4e-15, what the factor loses at the origin.
+const SHARPNESS: f64 = 5.5;
+/// Where the cutoff has fallen to one half, in decay lengths: the factor then reaches 1e5 there, which costs no digits that matter because its
+/// contribution falls as the square of the number of nodes between; and nodes must be 0.7 decay lengths apart in the middle of the interval.
+const CUTOFF: f64 = 14.0;
+/// Up to this length of the interval, in decay lengths, the factor needs no cutoff.
+const SHORT: f64 = 12.0;
+/// End of the factor with a cutoff: there it is 1e-17.
+const END: f64 = 36.0;
+
+/// `K(d) = d^-mu K_mu(kappa d)` and the factor `A(d)` of `sigma(d) = (d^-2mu - 1)/(2 mu)`, for `0 <= d` up to a largest distance.
+///
+/// In `z = kappa d`: below 1 by the power series, from there on `e^-z` times a polynomial on every half octave. The factor `A`, which grows as `I_-mu(z) z^mu`, is
+/// multiplied by `erfc(5.5 (z/14 - 1))/2` where the interval is longer than 12 decay lengths, and given by a polynomial on every unit of `z`.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct MacdonaldProfile {
+    order: f64,
+    decay: f64,
+    /// `kappa^mu`.
+    value_scale: f64,
+    /// `kappa^-mu`.
+    factor_scale: f64,
+    series: SmallArgument,
+    far: Vec<[f64; FAR]>,
+    factors: Vec<[f64; NEAR]>,
+}
+
+impl MacdonaldProfile {
+    /// For `kappa d` up to `largest`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] unless `|order| < 1/2`, `decay` is finite and positive and `largest` is positive.
+    pub(crate) fn new(order: f64, decay: f64, largest: f64) -> Result<Self, Error> {
+        let invalid =
+            |name, value, requirement| Error::InvalidParameter { name, value, requirement };
+        if !(order.abs() < 0.5) {
+            let requirement = "between -1/2 and 1/2, both excluded: the symbol of the kernel falls with the frequency and the weight can \
+                               be integrated only there";
+            return Err(invalid("order", order, requirement));
+        }
+        if !(decay > 0.0 && decay.is_finite()) {
+            let requirement = "finite and positive: the kernel decays as exp(-decay |x - s|)";
+            return Err(invalid("decay", decay, requirement));
+        }
+        if !(largest > 0.0) {
+            return Err(invalid("largest distance times decay", largest, "positive"));
+        }
+        let series = SmallArgument::new(order);
+        let end = largest.min(LARGEST_MACDONALD);
+        let far = (0..)
+            .map(half_octave)
+            .take_while(|ends| ends[0] < end)
+            .map(|ends| fit(ends, |z| macdonald_scaled(order, z)))
+            .collect();
+        let short = largest <= SHORT;
+        let factor = |z: f64| series.factor_anywhere(z) * if short { 1.0 } else { cutoff(z) };
+        let pieces = largest.min(END).ceil() as u32;
+        let factors =
+            (0..pieces).map(|k| fit([f64::from(k), f64::from(k) + 1.0], factor)).collect();
+        let (value_scale, factor_scale) = (decay.powf(order), decay.powf(-order));
+        Ok(Self { order, decay, value_scale, factor_scale, series, far, factors })
+    }
+
+    pub(crate) fn order(&self) -> f64 {
+        self.order
+    }
+
+    pub(crate) fn decay(&self) -> f64 {
+        self.decay
+    }
+
+    pub(crate) fn singularity(&self) -> Singularity {
+        Singularity::Power { exponent: 2.0 * self.order }
+    }
+
+    /// `K(d)` and `A(d)`.
+    #[inline]
+    pub(crate) fn pair(&self, distance: f64) -> Pair {
+        let z = self.decay * distance;
+        Pair { value: self.value_scale * self.value(z), factor: self.factor(z) }
+    }
+
+    /// `A(d)` and `B(d) = K(d) - A(d) sigma(d)`, with their limits at `d = 0`.
+    pub(crate) fn split(&self, distance: f64) -> Split {
+        if distance == 0.0 {
+            return Split {
+                factor: self.factor_scale * self.series.factor[0],
+                rest: self.series.rest_at_origin(self.decay),
+            };
+        }
+        let Pair { value, factor } = self.pair(distance);
+        Split { factor, rest: value - factor * sigma(2.0 * self.order, distance) }
+    }
+
+    /// `z^-mu K_mu(z)`.
+    #[inline]
+    fn value(&self, z: f64) -> f64 {
+        if z < 1.0 {
+            return self.series.value(z);
+        }
+        let (index, local) = place(z);
+        match self.far.get(index) {
+            Some(piece) => (-z).exp() * polynomial(piece, local),
+            None if z.is_nan() => f64::NAN,
+            None => 0.0,
+        }
+    }
+
+    #[inline]
+    fn factor(&self, z: f64) -> f64 {
+        let index = z as usize;
+        let local = 2.0 * (z - index as f64) - 1.0;
+        self.factors.get(index).map_or(0.0, |piece| self.factor_scale * polynomial(piece, local))
+    }
+}
+
+fn cutoff(z: f64) -> f64 {
+    0.5 * libm::erfc(SHARPNESS * (z / CUTOFF - 1.0))
+}
+
+/// `[1, 3/2], [3/2, 2], [2, 3], [3, 4], [4, 6], ...`.
+fn half_octave(index: i32) -> [f64; 2] {
+    let low = 2f64.powi(index / 2);
+    if index % 2 == 0 { [low, 1.5 * low] } else { [1.5 * low, 2.0 * low] }
+}
+
+/// Index of the half octave of `z >= 1` and the place in it, from -1 to 1: both from the bits of `z`.
+#[inline]
+fn place(z: f64) -> (usize, f64) {
+    const FRACTION: u32 = 52;
+    let bits = z.to_bits();
+    let index = (bits >> (FRACTION - 1)) as usize - (1023 << 1);
+    let mantissa = f64::from_bits((bits & ((1 << FRACTION) - 1)) | (1023 << FRACTION));
+    let middle = if index % 2 == 0 { 1.25 } else { 1.75 };
+    (index, 4.0 * (mantissa - middle))
+}
+
+/// The polynomial through the values of `f` at the Chebyshev points of an interval, by its powers of the variable carried to `[-1, 1]`.
+fn fit<const N: usize>(ends: [f64; 2], f: impl Fn(f64) -> f64) -> [f64; N] {
+    let angle = |j: usize| PI * (j as f64 + 0.5) / N as f64;
+    let (middle, half) = (0.5 * (ends[0] + ends[1]), 0.5 * (ends[1] - ends[0]));
+    let values: [f64; N] = std::array::from_fn(|j| f(middle + half * angle(j).cos()));
+    // Powers of T_0, T_1, ... as the three-term recurrence makes them.
+    let (mut before, mut current) = ([0.0; N], [0.0; N]);
+    current[0] = 1.0;
+    let mut powers = [0.0; N];
+    for k in 0..N {
+        let sum: f64 =
+            values.iter().enumerate().map(|(j, v)| v * (k as f64 * angle(j)).cos()).sum();
+        let coefficient = sum * if k == 0 { 1.0 } else { 2.0 } / N as f64;
+        powers.iter_mut().zip(&current).for_each(|(power, t)| *power += coefficient * t);
+        let double = if k == 0 { 1.0 } else { 2.0 };
+        let next = std::array::from_fn(|i| {
+            let raised = if i > 0 { double * current[i - 1] } else { 0.0 };
+            raised - before[i]
+        });
+        before = current;
+        current = next;
+    }
+    powers
+}
