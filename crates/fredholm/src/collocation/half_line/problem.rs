@@ -108,10 +108,10 @@ impl<'p> Problem<'p> {
         room: f64,
         tolerance: f64,
     ) -> Result<(Run, HalfLineEstimate, Reference), Error> {
-        let first = self.run(RATIO * RATIO * self.step, room)?;
-        let mut previous =
-            Reference { run: self.run(RATIO * self.step, room)?, step: RATIO * self.step };
-        let mut before = self.difference(&first, &previous.run);
+        let first = self.first(room)?;
+        let step = first.step / RATIO;
+        let mut previous = Reference { run: self.run(step, room)?, step };
+        let mut before = self.difference(&first.run, &previous.run);
         let mut refinements = 0;
         loop {
             let step = previous.step / RATIO;
@@ -135,6 +135,18 @@ impl<'p> Problem<'p> {
             previous = Reference { run, step };
             before = difference;
         }
+    }
+
+    /// The coarsest solution: a strong equation is not positive definite on too few nodes.
+    fn first(&self, room: f64) -> Result<Reference, Error> {
+        let mut step = RATIO * RATIO * self.step;
+        for _ in 0..REFINEMENTS {
+            match self.run(step, room) {
+                Err(Error::NotPositiveDefinite { .. }) => step /= RATIO,
+                run => return Ok(Reference { run: run?, step }),
+            }
+        }
+        Ok(Reference { run: self.run(step, room)?, step })
     }
 
     fn layout(&self, step: f64, room: f64) -> Layout {
