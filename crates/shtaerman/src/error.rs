@@ -151,6 +151,7 @@ impl Error {
                         | fredholm::Error::EigenvaluesNotFound { .. }
                         | fredholm::Error::Singular { .. }
                         | fredholm::Error::ZeroEigenvalue { .. }
+                        | fredholm::Error::InSpectrum { .. }
                 )
         )
     }

@@ -15,6 +15,8 @@ use crate::{Error, Interval, memory};
 const DECAYS: std::ops::RangeInclusive<f64> = 1e-50..=1e50;
 /// The profile is tabulated to where the kernel underflows, in decay lengths.
 const TABULATED: f64 = 1e3;
+/// Decay lengths on which solutions are compared and shown.
+const SHOWN: f64 = 12.0;
 /// Share of the free memory that a Gram matrix may take.
 const SHARE: f64 = 0.4;
 
@@ -109,6 +111,11 @@ impl MacdonaldHalfLine {
 impl Kernel for MacdonaldHalfLine {
     fn interval(&self) -> Interval {
         self.interval
+    }
+
+    /// Twelve decay lengths.
+    fn extent(&self) -> Interval {
+        Interval::new(0.0, SHOWN / self.decay()).unwrap_or(self.interval)
     }
 
     fn singularity(&self) -> Singularity {

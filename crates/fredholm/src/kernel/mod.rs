@@ -3,8 +3,8 @@
 //! To add a kernel, write one file here: implement [`Kernel`] (value and split of the singularity) and, where one is
 //! known, [`SpectralRelation`].
 
-mod half_sums;
 mod computed;
+mod half_sums;
 mod logarithm;
 mod logarithm_ratio;
 mod logarithm_ratio_limit;

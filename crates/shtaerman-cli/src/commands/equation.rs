@@ -28,7 +28,8 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
         return Err(Failure::Usage(format!("--cross-check: {}", shtaerman::Error::NoOtherMethod)));
     }
     let asked = arguments.at.as_deref().map(|text| parse_places(text, &file)).transpose()?;
-    let solved = file.equation().solve().map_err(|error| file.locate(error))?;
+    let reach = asked.iter().flatten().copied().fold(0.0, f64::max);
+    let solved = file.equation().solve_to(reach).map_err(|error| file.locate(error))?;
     let points = match asked {
         Some(points) => points,
         None => solved.places(arguments.points)?,

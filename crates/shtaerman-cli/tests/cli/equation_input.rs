@@ -53,7 +53,13 @@ fn keys_and_kinds() {
         (SECOND, "\na = 1.0", "", "e.toml:6: kernel.a", "kernel log takes a ("),
         (SECOND, "\na = 1.0", "\nA = 1.0", "e.toml:8: kernel.a", "A is written, did you mean a?"),
         (SECOND, "\na = 1.0", "\na = \"5 mm\"", "e.toml:8: kernel.a", "no dimensions"),
-        (SECOND, "\na = 1.0", "\na = 1.0\nweight = 3", "e.toml:9: kernel.weight", "not a known key"),
+        (
+            SECOND,
+            "\na = 1.0",
+            "\na = 1.0\nweight = 3",
+            "e.toml:9: kernel.weight",
+            "not a known key",
+        ),
         (
             SECOND,
             "\na = 1.0",
@@ -61,7 +67,13 @@ fn keys_and_kinds() {
             "e.toml:9: kernel.interval",
             "macdonald",
         ),
-        (SECOND, "\na = 1.0", "\na = 1.0\n[load]\nforce = 1", "e.toml:9: load", "is not a known key"),
+        (
+            SECOND,
+            "\na = 1.0",
+            "\na = 1.0\n[load]\nforce = 1",
+            "e.toml:9: load",
+            "is not a known key",
+        ),
         (
             SECOND,
             "\na = 1.0",

@@ -3,7 +3,7 @@
 use fredholm::Interval;
 use fredholm::kernel::{
     Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare, Macdonald,
-    Power, WeberSonine,
+    MacdonaldHalfLine, Power, WeberSonine,
 };
 
 use super::family::{Family, Operator, Parameter, Route};
@@ -20,7 +20,7 @@ const ORDER: Parameter = Parameter::real(
 const DECAY: Parameter = Parameter::real("kappa", "greater than 0, the decay");
 
 /// All kernels, in the order of the paper.
-pub(super) static FAMILIES: [Family; 8] = [
+pub(super) static FAMILIES: [Family; 9] = [
     Family {
         name: "log",
         is_half_line: false,
@@ -128,6 +128,21 @@ pub(super) static FAMILIES: [Family; 8] = [
         build: |values| {
             let kernel = Macdonald::new(values[0], values[1], values[2])?;
             Ok(Operator::prepared(kernel, |kernel, count| kernel.relation(count)))
+        },
+    },
+    Family {
+        name: "macdonald",
+        is_half_line: true,
+        formula: "K_mu(kappa |x - s|)/|x - s|^mu",
+        interval: "(0, inf)",
+        weight: "x^(mu - 1/2)",
+        measure: "ds",
+        integral_of: "phi",
+        parameters: &[ORDER, DECAY],
+        aliases: &[("order", "mu"), ("decay", "kappa")],
+        build: |values| {
+            let kernel = MacdonaldHalfLine::new(values[0], values[1])?;
+            Ok(Operator::closed(kernel.clone()).with_route(Route::HalfLine(kernel)))
         },
     },
     Family {

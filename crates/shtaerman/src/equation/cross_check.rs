@@ -33,7 +33,7 @@ impl SolvedEquation<'_> {
     /// # Errors
     /// [`Error::NoOtherMethod`] for the first kind, which has one method only; those of [`super::Equation::solve`] but for an explicit tolerance.
     pub fn cross_check(&self) -> Result<EquationCheck, Error> {
-        let other = self.equation().solve_otherwise(self.method())?.solution;
+        let other = self.equation().solve_otherwise(self.method(), self.reach())?.solution;
         let mut solution_sup = 0.0f64;
         for x in self.places(POINTS)? {
             let difference = self.evaluate(x)?.map(|value| (value - other.evaluate(x)).abs());

@@ -1,6 +1,6 @@
 //! Kernels by name: what a file or a command line says, turned into a kernel of [`fredholm`].
 
-use fredholm::kernel::{Kernel, Logarithm, SpectralRelation};
+use fredholm::kernel::{Kernel, Logarithm, MacdonaldHalfLine, SpectralRelation};
 use serde::Serialize;
 use serde::ser::{SerializeMap, Serializer};
 
@@ -291,6 +291,8 @@ pub(super) enum Route {
     General,
     /// Guaranteed bounds.
     Bounds(Logarithm),
+    /// A collocation of its own.
+    HalfLine(MacdonaldHalfLine),
 }
 
 impl Operator {

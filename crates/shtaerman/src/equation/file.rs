@@ -269,6 +269,7 @@ fn locate(document: &Document, error: Error) -> Error {
         Error::Equation(fredholm::Error::InvalidParameter { name: "parameter", .. }) => {
             "equation.lambda"
         }
+        Error::Equation(fredholm::Error::InvalidParameter { name: "x_max", .. }) => "equation",
         Error::Equation(_) => "kernel",
         _ => "",
     };

@@ -70,8 +70,8 @@ pub const MOST_DEGREE: usize = 20_000;
 const MOST_BREAKS: usize = 15;
 /// A place this far beyond an end, relative to the length, is the end.
 const END_SLACK: f64 = 1e-12;
-/// The half-line is shown up to so many decay lengths `1/kappa`.
-const SHOWN_DECAY_LENGTHS: f64 = 12.0;
+/// On a half-line a right-hand side must be finite up to so many times what is shown: the section that is solved, with room.
+const HALF_LINE_RANGE: f64 = 6.0;
 
 /// Which kind of equation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -164,12 +164,8 @@ impl Equation {
     /// The interval on which the solution is shown: that of the kernel, of a half-line the part to `12/kappa`.
     #[must_use]
     pub fn shown(&self) -> [f64; 2] {
-        let interval = self.kernel.kernel().interval();
-        if interval.is_finite() {
-            return [interval.left(), interval.right()];
-        }
-        let length = self.kernel.parameter("kappa").map(|kappa| SHOWN_DECAY_LENGTHS / kappa);
-        [interval.left(), interval.left() + length.unwrap_or(SHOWN_DECAY_LENGTHS)]
+        let extent = self.kernel.kernel().extent();
+        [extent.left(), extent.right()]
     }
 
     /// The place itself, or the end from which rounding took it.
@@ -198,7 +194,13 @@ impl Equation {
 
     /// The range on which the right-hand side must be finite.
     fn range(&self) -> Interval {
-        self.kernel.kernel().interval()
+        let kernel = self.kernel.kernel();
+        let (interval, extent) = (kernel.interval(), kernel.extent());
+        if interval.is_finite() {
+            return interval;
+        }
+        let end = interval.left() + 2.0 * HALF_LINE_RANGE * extent.half_length();
+        Interval::new(interval.left(), end).unwrap_or(extent)
     }
 
     /// Places strictly inside the interval where the right-hand side has a kink or a jump.

@@ -1,6 +1,8 @@
 //! Which method solves an equation.
 
-use fredholm::equation::{Solution, collocate, degenerate, degenerate_logarithm, first_kind};
+use fredholm::equation::{
+    Solution, collocate, collocate_half_line, degenerate, degenerate_logarithm, first_kind,
+};
 use fredholm::kernel::SpectralRelation;
 
 use super::family::Route;
@@ -44,23 +46,32 @@ impl Equation {
     /// vanishes, a system that does not fit into memory; [`Error::Overflow`] when the solution is not finite; [`Error::EquationTolerance`] when an explicit
     /// tolerance is out of reach.
     pub fn solve(&self) -> Result<SolvedEquation<'_>, Error> {
+        self.solve_to(self.shown()[1])
+    }
+
+    /// The same, on a half-line for places up to `reach` if that is beyond what is [shown](Self::shown).
+    ///
+    /// # Errors
+    /// Those of [`Equation::solve`].
+    pub fn solve_to(&self, reach: f64) -> Result<SolvedEquation<'_>, Error> {
+        let reach = reach.max(self.shown()[1]);
         let mut draft = match (self.kind(), self.solver().method) {
             (Kind::First, _) => self.first_kind()?,
             (Kind::Second { lambda }, MethodChoice::Spectral) => self.truncated(lambda)?,
-            (Kind::Second { lambda }, MethodChoice::Sinc) => self.collocated(lambda)?,
-            (Kind::Second { lambda }, MethodChoice::Auto) => self.chosen(lambda)?,
+            (Kind::Second { lambda }, MethodChoice::Sinc) => self.collocated(lambda, reach)?,
+            (Kind::Second { lambda }, MethodChoice::Auto) => self.chosen(lambda, reach)?,
         };
         self.judge(&mut draft)?;
         self.add_notes(&mut draft);
-        SolvedEquation::new(self, draft)
+        SolvedEquation::new(self, draft, reach)
     }
 
     /// By the method that did not solve it.
-    pub(super) fn solve_otherwise(&self, name: &str) -> Result<Draft<'_>, Error> {
+    pub(super) fn solve_otherwise(&self, name: &str, reach: f64) -> Result<Draft<'_>, Error> {
         match self.kind() {
             Kind::First => Err(Error::NoOtherMethod),
             Kind::Second { lambda } if name == "sinc" => self.truncated(lambda),
-            Kind::Second { lambda } => self.collocated(lambda),
+            Kind::Second { lambda } => self.collocated(lambda, reach),
         }
     }
 
@@ -125,13 +136,19 @@ impl Equation {
         Ok(draft(solution, reason))
     }
 
-    fn collocated(&self, lambda: f64) -> Result<Draft<'_>, Error> {
+    fn collocated(&self, lambda: f64, reach: f64) -> Result<Draft<'_>, Error> {
         let mut breaks = self.breakpoints();
         if breaks.len() > MOST_BREAKS {
             breaks.clear();
         }
-        let solution =
-            collocate(self.kernel().kernel(), lambda, self.function(), &breaks, self.aim())?;
+        let (kernel, f, aim) = (self.kernel().kernel(), self.function(), self.aim());
+        let solution = match &self.kernel().operator().route {
+            Route::HalfLine(kernel) => {
+                breaks.clear();
+                collocate_half_line(kernel, lambda, f, reach, aim)?
+            }
+            Route::General | Route::Bounds(_) => collocate(kernel, lambda, f, &breaks, aim)?,
+        };
         let reason = match (self.solver().method, breaks.len()) {
             (MethodChoice::Sinc, _) => "asked for".to_owned(),
             (_, 0) => "collocation converges exponentially on every kernel".to_owned(),
@@ -142,11 +159,12 @@ impl Equation {
         Ok(Draft { solution, reason, warnings: Vec::new(), is_truncated: false })
     }
 
-    fn chosen(&self, lambda: f64) -> Result<Draft<'_>, Error> {
-        if self.breakpoints().len() > MOST_BREAKS {
+    fn chosen(&self, lambda: f64, reach: f64) -> Result<Draft<'_>, Error> {
+        let is_half_line = matches!(self.kernel().operator().route, Route::HalfLine(_));
+        if !is_half_line && self.breakpoints().len() > MOST_BREAKS {
             self.truncated(lambda)
         } else {
-            self.collocated(lambda)
+            self.collocated(lambda, reach)
         }
     }
 

@@ -14,6 +14,7 @@ pub struct SolvedEquation<'a> {
     solution: Solution<'a>,
     reason: String,
     warnings: Vec<Warning>,
+    reach: f64,
 }
 
 /// `spectral` or `sinc`, as everywhere.
@@ -26,7 +27,7 @@ pub(super) fn name(method: Method) -> &'static str {
 
 impl<'a> SolvedEquation<'a> {
     /// The solution, unless it leaves the range of double precision.
-    pub(super) fn new(equation: &'a Equation, draft: Draft<'a>) -> Result<Self, Error> {
+    pub(super) fn new(equation: &'a Equation, draft: Draft<'a>, reach: f64) -> Result<Self, Error> {
         let Draft { solution, reason, warnings, .. } = draft;
         for (quantity, value) in
             [("solution", solution.largest), ("error of the solution", solution.error.solution)]
@@ -35,7 +36,7 @@ impl<'a> SolvedEquation<'a> {
                 return Err(Error::EquationOverflow { quantity, value });
             }
         }
-        Ok(Self { equation, solution, reason, warnings })
+        Ok(Self { equation, solution, reason, warnings, reach })
     }
 
     /// What was solved.
@@ -50,6 +51,10 @@ impl<'a> SolvedEquation<'a> {
     /// [`Error::BeyondInterval`] elsewhere; [`Error::EquationOverflow`] should the value not be a number.
     pub fn evaluate(&self, x: f64) -> Result<Option<f64>, Error> {
         let place = self.equation.place(x)?;
+        if place > self.reach {
+            let [left, _] = self.equation.shown();
+            return Err(Error::BeyondInterval { at: x, left, right: self.reach });
+        }
         let value = self.solution.evaluate(place);
         if value.is_finite() {
             return Ok(Some(value));
@@ -84,6 +89,12 @@ impl<'a> SolvedEquation<'a> {
         places[0] = left;
         places[count - 1] = right;
         Ok(places)
+    }
+
+    /// The largest place at which the solution is known.
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        self.reach
     }
 
     /// The integral of `phi`, for a kernel of a disk of `phi x^(mu+1)`; none where it does not exist.
