@@ -25,7 +25,7 @@ pub struct Verification {
     pub orthogonality: f64,
     /// Of `int phi_n^2 w dm / h_n - 1`.
     pub norms: f64,
-    /// Of the bilinear sum (1.5) off the diagonal, summed with a smooth cutoff, over the largest of the values compared. It takes several hundred terms to make it small.
+    /// Of the bilinear sum (1.5) off the diagonal, summed with a smooth cutoff, over the largest of the values compared and one near the diagonal. It takes several hundred terms to make it small.
     pub bilinear_sum: f64,
     /// Of the entries `R_km` of the Gram matrix, over `sqrt(R_kk R_mm)`.
     pub gram: f64,

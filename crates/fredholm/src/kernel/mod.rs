@@ -104,7 +104,8 @@ pub trait Kernel {
         false
     }
 
-    /// The density `m(s)` of the measure, positive inside the interval; 1 unless said otherwise. On a disk it is `s`.
+    /// The density `m(s)` of the measure, positive inside the interval; 1 unless said otherwise. On a disk it is `s`. It may be 0 so near an end that nothing there
+    /// matters: collocation leaves such nodes out.
     fn measure(&self, _s: f64) -> f64 {
         1.0
     }

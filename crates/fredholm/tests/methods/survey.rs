@@ -1,11 +1,11 @@
 //! Seeded random equations on every kernel, solved by collocation and by the degenerate kernel.
 
-use fredholm::Error;
 use fredholm::conformance::{Comparison, compare};
 use fredholm::kernel::{
-    Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare,
-    SpectralRelation,
+    Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare, Macdonald,
+    Power, SpectralRelation, WeberSonine,
 };
+use fredholm::{Error, Interval};
 
 /// A generator of reproducible numbers (G. L. Steele et al., OOPSLA 2014, p. 453).
 pub(crate) struct Random(u64);
@@ -54,6 +54,9 @@ pub(crate) const KERNELS: &[(&str, Draw)] = &[
     ("log-ratio-limit", logarithm_ratio_limit),
     ("log-square", logarithm_square),
     ("log-sine", logarithm_sine),
+    ("power", power),
+    ("macdonald", macdonald),
+    ("weber-sonine", weber_sonine),
 ];
 
 fn drawn(relation: impl SpectralRelation + 'static, parameters: String) -> Result<Drawn, Error> {
@@ -95,6 +98,27 @@ fn logarithm_sine(random: &mut Random, _: usize) -> Result<Drawn, Error> {
         std::f64::consts::PI - random.scale(0.04, 1.6)
     };
     drawn(LogarithmSine::new(alpha)?, format!("alpha = {alpha}"))
+}
+
+fn power(random: &mut Random, _: usize) -> Result<Drawn, Error> {
+    let a = random.scale(1e-2, 1e2);
+    let mu = random.between(1e-3, 0.9);
+    drawn(Power::new(Interval::symmetric(a)?, mu)?, format!("a = {a}, mu = {mu}"))
+}
+
+fn macdonald(random: &mut Random, count: usize) -> Result<Drawn, Error> {
+    let a = random.scale(1e-2, 1e2);
+    let mu = random.between(-0.45, 0.45);
+    let kappa = random.scale(1e-2, 40.0) / a;
+    let relation = Macdonald::new(a, mu, kappa)?.relation(count)?;
+    drawn(relation, format!("a = {a}, mu = {mu}, kappa = {kappa}"))
+}
+
+fn weber_sonine(random: &mut Random, _: usize) -> Result<Drawn, Error> {
+    let a = random.scale(1e-2, 1e2);
+    let mu = if random.below(2) == 0 { random.below(6) as f64 } else { random.between(0.3, 5.0) };
+    let gamma = if random.below(3) == 0 { 0.0 } else { random.between(-0.45, 0.45) };
+    drawn(WeberSonine::new(a, mu, gamma)?, format!("a = {a}, mu = {mu}, gamma = {gamma}"))
 }
 
 /// A random right-hand side: a polynomial, an exponential or a wave in the share of the interval, times the mass function.

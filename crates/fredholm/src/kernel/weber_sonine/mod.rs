@@ -54,8 +54,13 @@ pub struct WeberSonine {
     radius: f64,
     order: f64,
     exponent: f64,
+    /// Below this distance from the centre nothing matters.
+    centre: f64,
     tables: Arc<Tables>,
 }
+
+/// What `s^mu` has fallen to at the centre.
+const CENTRE: f64 = 1e-20;
 
 impl WeberSonine {
     /// The kernel with the order `mu` and the exponent `gamma` on `(0, radius)`. Builds tables of its one variable, in about a millisecond.
@@ -99,6 +104,7 @@ impl WeberSonine {
             radius,
             order,
             exponent,
+            centre: if order > 0.0 { radius * CENTRE.powf(1.0 / order.min(1.0)) } else { 0.0 },
             tables: Arc::new(Tables::new(order, exponent)),
         })
     }
@@ -147,8 +153,10 @@ impl Kernel for WeberSonine {
         self.tables.pair(x, s, distance, self.radius)
     }
 
+    /// `s`; for `mu > 0` 0 so near the centre that `s^mu` (`s` for `mu > 1`) has fallen below rounding: where the rim needs nodes deep in its corner, the grid would put
+    /// some there as well, too far from each other for the kernel to be resolved.
     fn measure(&self, s: f64) -> f64 {
-        s
+        if s > self.centre { s } else { 0.0 }
     }
 
     /// `1 - 2 gamma` at `a`; at 0 solutions are `x^mu` times a smooth function of `x^2`, if the right-hand side is, else there are terms with
