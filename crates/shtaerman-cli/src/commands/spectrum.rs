@@ -20,7 +20,13 @@ pub(super) fn run(arguments: &SpectrumArguments) -> Result<(), Failure> {
     let kernel = kernel(arguments)?;
     let spectrum = Spectrum::new(&kernel, arguments.count, arguments.verify).map_err(usage)?;
     let text = match arguments.output.format {
-        ReportFormat::Table => table(&spectrum),
+        ReportFormat::Table => {
+            let mut text = table(&spectrum);
+            if let Some(path) = &arguments.plot {
+                text.push_str(&format!("\nplot: {}\n", path.display()));
+            }
+            text
+        }
         ReportFormat::Json => report::json(&spectrum)?,
         ReportFormat::Csv => csv(&spectrum)?,
     };
