@@ -122,6 +122,20 @@ pub enum Error {
         n: usize,
     },
 
+    /// The method failed: the error of the solution is as large as the solution.
+    #[error(
+        "no digit of the solution is certain: the {method} method with n = {n} states a relative error of {reached:.1e}; \
+         the right-hand side is too rough, grows too fast, or is none that the first kind can have"
+    )]
+    EquationUnsolved {
+        /// The relative error.
+        reached: f64,
+        /// Method that reached it.
+        method: &'static str,
+        /// Its size.
+        n: usize,
+    },
+
     /// A second method was asked for where there is one only.
     #[error(
         "the first kind has one method, the spectral relation of its kernel: `shtaerman spectrum KERNEL --verify` checks that by independent quadrature"
@@ -145,6 +159,7 @@ impl Error {
             self,
             Self::ToleranceNotMet { .. }
                 | Self::EquationTolerance { .. }
+                | Self::EquationUnsolved { .. }
                 | Self::Equation(
                     fredholm::Error::NotPositiveDefinite { .. }
                         | fredholm::Error::NotConverged { .. }

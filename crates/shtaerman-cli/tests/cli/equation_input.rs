@@ -208,6 +208,13 @@ fn promises_that_cannot_be_kept_end_with_3() {
         solver("method = \"spectral\"\nn = 8\ntolerance = 1e-9"),
         "spectral method with n = 8",
     ));
+    let half_line = "name = \"macdonald\"\ninterval = \"half-line\"\nmu = 0.0\nkappa = 1.0";
+    // 1/G(0) = 1/pi.
+    cases.push((file(Some(-0.33), "exp(-x)", half_line), "continuous spectrum"));
+    // A constant is no potential of a density that decays, nor is a step one of a function.
+    cases.push((file(None, "1", half_line), "no digit of the solution is certain"));
+    cases.push((FIRST.replace("\"1\"", "\"step(x)\""), "no digit of the solution is certain"));
+    cases.push((file(Some(1.0), "exp(x)", half_line), "no digit of the solution is certain"));
     for (text, said) in &cases {
         let run = run(text);
         assert_eq!(run.code, Some(3), "{text}{run:?}");

@@ -44,7 +44,7 @@ impl Equation {
     /// # Errors
     /// [`Error::RightHandSide`] where the right-hand side is not finite; [`Error::Equation`] for a singular parameter `lambda = -1/nu`, an eigenvalue that
     /// vanishes, a system that does not fit into memory; [`Error::Overflow`] when the solution is not finite; [`Error::EquationTolerance`] when an explicit
-    /// tolerance is out of reach.
+    /// tolerance is out of reach; [`Error::EquationUnsolved`] when the error is as large as the solution.
     pub fn solve(&self) -> Result<SolvedEquation<'_>, Error> {
         self.solve_to(self.shown()[1])
     }
@@ -171,16 +171,15 @@ impl Equation {
     /// An explicit tolerance is met or the solve fails; the error that is aimed at otherwise is met or warned of.
     fn judge(&self, draft: &mut Draft<'_>) -> Result<(), Error> {
         let reached = draft.relative_error();
+        let (method, n) = (super::solved::name(draft.solution.method), draft.solution.count);
         if let Some(tolerance) = self.solver().tolerance {
             if reached <= tolerance {
                 return Ok(());
             }
-            return Err(Error::EquationTolerance {
-                tolerance,
-                reached,
-                method: super::solved::name(draft.solution.method),
-                n: draft.solution.count,
-            });
+            return Err(Error::EquationTolerance { tolerance, reached, method, n });
+        }
+        if !draft.is_truncated && reached >= 1.0 {
+            return Err(Error::EquationUnsolved { reached, method, n });
         }
         let fell_short =
             if draft.is_truncated { !draft.solution.converged } else { reached > self.aim() };
