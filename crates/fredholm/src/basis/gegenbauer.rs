@@ -186,7 +186,14 @@ mod tests {
                 let mut values = vec![0.0; 50];
                 polynomials(index, t, &mut values);
                 let exact: f64 = values.iter().zip(&coefficients).map(|(q, c)| q * c).sum();
-                assert!((sum(index, &coefficients, t) - exact).abs() < 1e-13);
+                let size: f64 = values.iter().zip(&coefficients).map(|(q, c)| (q * c).abs()).sum();
+                let error = (sum(index, &coefficients, t) - exact).abs();
+                assert!(error < 1e-14 * size, "mu = {index}, t = {t}: {error:e} of {size}");
+                let mut near = vec![0.0; 50];
+                polynomials_near_the_end(index, 1.0 - t, &mut near);
+                for (q, near) in values.iter().zip(&near) {
+                    assert!((q - near).abs() < 1e-12 * size, "mu = {index}, t = {t}");
+                }
             }
         }
         assert_eq!(sum(0.3, &[], 0.5), 0.0);

@@ -1,7 +1,7 @@
 //! Symmetric kernels, their singularities and their spectral relations (paper, section 1).
 //!
 //! To add a kernel, write one file here: implement [`Kernel`] (value and split of the singularity) and, where one is
-//! known, [`SpectralRelation`].
+//! known, [`SpectralRelation`]; where none is known, [`ComputedRelation`] computes the eigenpairs.
 
 mod computed;
 mod half_sums;
@@ -11,6 +11,7 @@ mod logarithm_ratio_limit;
 mod logarithm_sine;
 mod logarithm_square;
 mod macdonald;
+mod macdonald_half_line;
 mod potential;
 mod power;
 mod relation;
@@ -23,9 +24,9 @@ pub use logarithm_ratio::LogarithmRatio;
 pub use logarithm_ratio_limit::LogarithmRatioLimit;
 pub use logarithm_sine::LogarithmSine;
 pub use logarithm_square::LogarithmSquare;
-#[expect(unused_imports, reason = "for the half-line")]
 pub(crate) use macdonald::MacdonaldProfile;
 pub use macdonald::{Macdonald, MacdonaldRelation};
+pub use macdonald_half_line::MacdonaldHalfLine;
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
@@ -103,7 +104,8 @@ pub trait Kernel {
         false
     }
 
-    /// The density `m(s)` of the measure, positive inside the interval; 1 unless said otherwise. On a disk it is `s`.
+    /// The density `m(s)` of the measure, positive inside the interval; 1 unless said otherwise. On a disk it is `s`. It may be 0 so near an end that nothing there
+    /// matters: collocation leaves such nodes out.
     fn measure(&self, _s: f64) -> f64 {
         1.0
     }
@@ -121,6 +123,11 @@ pub trait Kernel {
         (1.0 - self.singularity().exponent()).min(1.0)
     }
 
+    /// Nodes on either side of the middle with which adaptive collocation should begin, where the kernel has features finer than the interval; 0 leaves it to the parameter.
+    fn first_half_count(&self) -> f64 {
+        0.0
+    }
+
     /// `K(x, s)`; infinite at `x = s` for a singular kernel.
     fn value(&self, x: f64, s: f64) -> f64 {
         if x == s {
@@ -134,6 +141,10 @@ pub trait Kernel {
 impl<K: Kernel + ?Sized> Kernel for &K {
     fn interval(&self) -> Interval {
         (**self).interval()
+    }
+
+    fn extent(&self) -> Interval {
+        (**self).extent()
     }
 
     fn singularity(&self) -> Singularity {
@@ -154,6 +165,10 @@ impl<K: Kernel + ?Sized> Kernel for &K {
 
     fn measure(&self, s: f64) -> f64 {
         (**self).measure(s)
+    }
+
+    fn mass_function(&self, x: f64) -> f64 {
+        (**self).mass_function(x)
     }
 
     fn end_exponent(&self) -> f64 {
