@@ -7,6 +7,8 @@ pub(crate) mod gegenbauer;
 pub(crate) mod harmonics;
 pub(crate) mod interval_moments;
 pub(crate) mod jacobi;
+pub(crate) mod laguerre;
+pub(crate) mod laguerre_moments;
 mod supremum;
 pub(crate) mod transform;
 

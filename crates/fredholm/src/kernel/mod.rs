@@ -11,6 +11,7 @@ mod logarithm_ratio_limit;
 mod logarithm_sine;
 mod logarithm_square;
 mod macdonald;
+mod macdonald_half_line;
 mod potential;
 mod power;
 mod relation;
@@ -23,9 +24,9 @@ pub use logarithm_ratio::LogarithmRatio;
 pub use logarithm_ratio_limit::LogarithmRatioLimit;
 pub use logarithm_sine::LogarithmSine;
 pub use logarithm_square::LogarithmSquare;
-#[expect(unused_imports, reason = "for the half-line")]
 pub(crate) use macdonald::MacdonaldProfile;
 pub use macdonald::{Macdonald, MacdonaldRelation};
+pub use macdonald_half_line::MacdonaldHalfLine;
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;

@@ -79,7 +79,8 @@ fn end_power(end: f64, x: f64, exponent: f64) -> f64 {
 
 /// `int_start^inf g dx` for `g` that decays exponentially: `x = start + scale e^(pi/2 sinh t)`, cut where exponentials have vanished.
 pub(crate) fn tail(start: f64, scale: f64, half_count: usize) -> impl Iterator<Item = (f64, f64)> {
-    let (first, last) = (-3.2f64, 2.4f64);
+    // What lies before the first node is 1e-18 of the scale.
+    let (first, last) = (-3.95f64, 2.4f64);
     let count = 3 * half_count;
     let step = (last - first) / count as f64;
     (0..=count).map(move |i| {

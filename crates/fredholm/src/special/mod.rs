@@ -3,14 +3,15 @@
 mod cosine_integral;
 pub(crate) mod elliptic;
 pub(crate) mod exponential_sum;
-mod macdonald;
+mod gamma_quotient;
 mod oscillatory_tail;
 
 pub use cosine_integral::cosine_integral_pi;
+pub(crate) use gamma_quotient::{gamma_quotient, mean_digamma};
+mod macdonald;
+
 pub use macdonald::macdonald;
 pub(crate) use macdonald::{
     LARGEST as LARGEST_MACDONALD, SmallArgument, macdonald_scaled, polynomial, sigma,
 };
-mod gamma_quotient;
-pub(crate) use gamma_quotient::{gamma_quotient, mean_digamma};
 pub(crate) use oscillatory_tail::oscillatory_tail;

@@ -1,0 +1,243 @@
+//! An equation on the half-line, solved on growing numbers of nodes and on sections of different lengths.
+
+use super::integral::over_half_line;
+use super::section::{Layout, Section};
+use super::solution::{HalfLineEstimate, HalfLineSolution};
+use crate::Error;
+use crate::collocation::estimate::extrapolate;
+use crate::kernel::{Kernel, MacdonaldHalfLine};
+
+/// Length of the section beyond `x_max` in units of the length of decay.
+const ROOM: f64 = 44.0;
+/// The same of the section it is compared with, as a share.
+const LESS_ROOM: f64 = 34.0 / 44.0;
+/// How often the room is doubled where a right-hand side grows.
+const ROOMS: u32 = 3;
+/// Growth of the number of nodes.
+const RATIO: f64 = std::f64::consts::SQRT_2;
+/// Most refinements.
+const REFINEMENTS: u32 = 6;
+/// Nodes in a decay length far from 0, for the third solution.
+const DENSITY: f64 = 3.3;
+/// Largest and smallest step of `t` of the third solution. Measured, as is the rest of [`step`].
+const STEPS: [f64; 2] = [0.004, 0.12];
+/// Rounding of `f - lambda K phi`, in units of the last place of its terms.
+const ROUNDING: f64 = 24.0 * f64::EPSILON;
+/// Differences that no longer fall and are below this share of the solution are rounding.
+const STAGNANT: f64 = 1e-9;
+/// Safety on the exponential law of the section.
+const SAFETY: f64 = 10.0;
+
+/// `phi + lambda int_0^inf K phi ds = f`, to be known up to an end.
+pub(super) struct Problem<'p> {
+    kernel: &'p MacdonaldHalfLine,
+    parameter: f64,
+    f: &'p dyn Fn(f64) -> f64,
+    /// `x_max` in decay lengths.
+    end: f64,
+    /// Length, in decay lengths, in which the influence of what is far falls by `e`.
+    fall: f64,
+    /// `phi/f` for constants, far from 0.
+    far: f64,
+    /// The step of `t` of the third solution.
+    step: f64,
+}
+
+/// One solution, and what is compared.
+struct Run {
+    solution: HalfLineSolution,
+    /// `int T phi ds` with the tail `T` of the kernel.
+    product: f64,
+    /// The largest values of `phi` up to the end and of `lambda K phi` on the section.
+    largest: [f64; 2],
+}
+
+/// Differences of two solutions.
+#[derive(Clone, Copy)]
+struct Difference {
+    solution: f64,
+    product: f64,
+}
+
+impl<'p> Problem<'p> {
+    pub(super) fn new(
+        kernel: &'p MacdonaldHalfLine,
+        parameter: f64,
+        f: &'p dyn Fn(f64) -> f64,
+        end: f64,
+    ) -> Result<Self, Error> {
+        let top = kernel.symbol_at_zero();
+        let strength = parameter * top;
+        if strength <= -1.0 {
+            return Err(Error::InSpectrum { parameter, top });
+        }
+        let delta = 0.5 - kernel.order();
+        let fall = if strength < 0.0 {
+            // 1 - p^2 = |strength|^(1/delta)
+            (-((-strength).ln() / delta).exp_m1()).sqrt().recip()
+        } else {
+            1.0
+        };
+        let step = step(strength.abs(), kernel.end_exponent());
+        Ok(Self { kernel, parameter, f, end, fall, far: 1.0 / (1.0 + strength), step })
+    }
+
+    /// The solution with its estimates.
+    pub(super) fn solve(&self, tolerance: f64) -> Result<HalfLineSolution, Error> {
+        let mut room = ROOM;
+        loop {
+            let (mut run, mut estimate, reference) = self.refined(room, tolerance)?;
+            let shorter = self.run(reference.step, LESS_ROOM * room)?;
+            estimate.section = section_error(&self.difference(&shorter, &reference.run), &run);
+            estimate.solution = estimate.nodes.max(estimate.section).max(run.rounding());
+            let converged = estimate.solution <= tolerance * run.largest[0];
+            let section_is_short = estimate.section > tolerance * run.largest[0];
+            if converged || !section_is_short || room > ROOM * f64::from(1 << (ROOMS - 1)) {
+                self.integrate(&mut run.solution, run.product, &mut estimate);
+                run.solution.estimate = estimate;
+                run.solution.converged = converged;
+                return Ok(run.solution);
+            }
+            room *= 2.0;
+        }
+    }
+
+    /// Solutions on growing numbers of nodes: the last, the estimate of its error and the one before it.
+    fn refined(
+        &self,
+        room: f64,
+        tolerance: f64,
+    ) -> Result<(Run, HalfLineEstimate, Reference), Error> {
+        let first = self.first(room)?;
+        let step = first.step / RATIO;
+        let mut previous = Reference { run: self.run(step, room)?, step };
+        let mut before = self.difference(&first.run, &previous.run);
+        let mut refinements = 0;
+        loop {
+            let step = previous.step / RATIO;
+            let run = self.run(step, room)?;
+            let difference = self.difference(&previous.run, &run);
+            let scale = run.largest[0];
+            let rounding = run.rounding();
+            let nodes = extrapolate(before.solution, difference.solution, scale, RATIO);
+            let product = extrapolate(before.product, difference.product, run.product.abs(), RATIO);
+            let stagnant = difference.solution > 0.5 * before.solution;
+            let out_of_reach = rounding > tolerance * scale;
+            let settled = difference.solution <= rounding
+                || (stagnant && (out_of_reach || difference.solution <= STAGNANT * scale));
+            refinements += 1;
+            let full = !self.layout(step / RATIO, room).fits();
+            if nodes <= tolerance * scale || settled || refinements > REFINEMENTS || full {
+                let estimate =
+                    HalfLineEstimate { solution: nodes, nodes, section: 0.0, integral: product };
+                return Ok((run, estimate, previous));
+            }
+            previous = Reference { run, step };
+            before = difference;
+        }
+    }
+
+    /// The coarsest solution: a strong equation is not positive definite on too few nodes.
+    fn first(&self, room: f64) -> Result<Reference, Error> {
+        let mut step = RATIO * RATIO * self.step;
+        for _ in 0..REFINEMENTS {
+            match self.run(step, room) {
+                Err(Error::NotPositiveDefinite { .. }) => step /= RATIO,
+                run => return Ok(Reference { run: run?, step }),
+            }
+        }
+        Ok(Reference { run: self.run(step, room)?, step })
+    }
+
+    fn layout(&self, step: f64, room: f64) -> Layout {
+        Layout { length: self.end + room * self.fall, step, stretch: DENSITY * self.step }
+    }
+
+    fn run(&self, step: f64, room: f64) -> Result<Run, Error> {
+        let layout = self.layout(step, room);
+        let section = Section::new(self.kernel, layout)?;
+        let sample = |&x: &f64| {
+            let value = (self.f)(x);
+            if value.is_finite() {
+                Ok(value)
+            } else {
+                Err(Error::NotFinite { what: "right-hand side", at: x, value })
+            }
+        };
+        let f: Vec<f64> = section.positions.iter().map(sample).collect::<Result<_, _>>()?;
+        let nodal = section.solve(&section.factor(self.parameter)?, &f);
+        let tails = section.tails(self.kernel)?;
+        let product = tails.iter().zip(&nodal.masses).map(|(t, m)| t * m).sum();
+        let ends = [self.end, layout.length];
+        let solution =
+            HalfLineSolution::new(&section, &nodal, self.parameter, self.kernel.decay(), ends);
+        let known = section.positions.iter().take_while(|x| **x <= solution.end()).count().max(1);
+        let values = f.iter().zip(&nodal.potential).map(|(f, u)| (f - self.parameter * u).abs());
+        let potential = nodal.potential.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
+        let largest = values.take(known).fold(0.0, f64::max);
+        Ok(Run { solution, product, largest: [largest, self.parameter.abs() * potential] })
+    }
+
+    /// Of the solutions at points between the nodes of either, and of the products.
+    fn difference(&self, coarse: &Run, fine: &Run) -> Difference {
+        let at = |x: f64| {
+            (fine.solution.evaluate_potential(x) - coarse.solution.evaluate_potential(x)).abs()
+        };
+        let ends = [0.0, fine.solution.end()].into_iter();
+        let points = ends.chain(fine.solution.midway()).chain(coarse.solution.midway());
+        Difference {
+            solution: self.parameter.abs() * points.map(at).fold(0.0, f64::max),
+            product: (fine.product - coarse.product).abs(),
+        }
+    }
+
+    /// `(1 + lambda G^(0)) int phi = int f + lambda int T phi`.
+    fn integrate(
+        &self,
+        solution: &mut HalfLineSolution,
+        product: f64,
+        estimate: &mut HalfLineEstimate,
+    ) {
+        let scale = self.fall / self.kernel.decay();
+        let Some([whole, error]) = over_half_line(self.f, scale) else {
+            estimate.integral = f64::INFINITY;
+            return;
+        };
+        let correction = self.parameter * product;
+        let rounding = ROUNDING * (whole.abs() + correction.abs());
+        solution.integral = Some(self.far * (whole + correction));
+        estimate.integral =
+            self.far * (error + self.parameter.abs() * estimate.integral + rounding);
+    }
+}
+
+/// A solution with its step.
+struct Reference {
+    run: Run,
+    step: f64,
+}
+
+impl Run {
+    fn rounding(&self) -> f64 {
+        ROUNDING * (self.largest[0] + self.largest[1])
+    }
+}
+
+/// The error of a section from the difference to a shorter one: both fall as `e^(-room)` or, for growing right-hand sides, some other exponential.
+fn section_error(difference: &Difference, run: &Run) -> f64 {
+    let scale = run.largest[0];
+    let share = difference.solution / scale;
+    if share > 0.0 {
+        (SAFETY * scale * share.powf(1.0 / LESS_ROOM)).min(difference.solution)
+    } else {
+        difference.solution
+    }
+}
+
+/// The step of `t` that gives about 13 digits for smooth right-hand sides: smaller where the layer at 0 is thin (strong equations), and where the end value is left
+/// slowly.
+fn step(strength: f64, end_exponent: f64) -> f64 {
+    let layers = 1.0 + 0.35 * (strength / 3.0).max(1.0).log10();
+    let slow = (2.0 * end_exponent).min(1.0).powf(1.6);
+    (STEPS[1] / layers * slow).max(STEPS[0])
+}
