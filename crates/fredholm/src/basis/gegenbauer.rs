@@ -27,6 +27,17 @@ pub(crate) fn polynomials(index: f64, t: f64, values: &mut [f64]) {
     }
 }
 
+/// Fills `values` with `Q_n(1 - u)`, to all digits also where `u` is small: the recurrence of the differences,
+/// `alpha_n (Q_{n+1} - Q_n) = beta_n (Q_n - Q_{n-1}) - u Q_n`.
+pub(crate) fn polynomials_near_the_end(index: f64, u: f64, values: &mut [f64]) {
+    let (mut difference, mut current) = (0.0, 1.0);
+    for (n, value) in values.iter_mut().enumerate() {
+        *value = current;
+        difference = (down(index, n) * difference - u * current) / up(index, n);
+        current += difference;
+    }
+}
+
 /// `sum_n coefficients[n] Q_n(t)`, by Clenshaw's recurrence.
 pub(crate) fn sum(index: f64, coefficients: &[f64], t: f64) -> f64 {
     // b_n = c_n + (t/alpha_n) b_{n+1} - (beta_{n+1}/alpha_{n+1}) b_{n+2}
@@ -175,7 +186,14 @@ mod tests {
                 let mut values = vec![0.0; 50];
                 polynomials(index, t, &mut values);
                 let exact: f64 = values.iter().zip(&coefficients).map(|(q, c)| q * c).sum();
-                assert!((sum(index, &coefficients, t) - exact).abs() < 1e-13);
+                let size: f64 = values.iter().zip(&coefficients).map(|(q, c)| (q * c).abs()).sum();
+                let error = (sum(index, &coefficients, t) - exact).abs();
+                assert!(error < 1e-14 * size, "mu = {index}, t = {t}: {error:e} of {size}");
+                let mut near = vec![0.0; 50];
+                polynomials_near_the_end(index, 1.0 - t, &mut near);
+                for (q, near) in values.iter().zip(&near) {
+                    assert!((q - near).abs() < 1e-12 * size, "mu = {index}, t = {t}");
+                }
             }
         }
         assert_eq!(sum(0.3, &[], 0.5), 0.0);

@@ -12,8 +12,8 @@ mod relation;
 mod singularity;
 
 pub use logarithm::Logarithm;
-pub use macdonald::Macdonald;
 pub(crate) use macdonald::MacdonaldProfile;
+pub use macdonald::{Macdonald, MacdonaldRelation};
 pub use macdonald_half_line::MacdonaldHalfLine;
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};

@@ -1,10 +1,13 @@
 //! Kernel 5 on a finite interval: the Macdonald function, `|x - s|^-mu K_mu(kappa |x - s|)` on `(-a, a)`.
 
 mod profile;
+mod relation;
+mod spheroidal;
 
 use std::sync::Arc;
 
 pub(crate) use profile::MacdonaldProfile;
+pub use relation::MacdonaldRelation;
 
 use super::{Kernel, Pair, Singularity, Split};
 use crate::{Error, Interval};
@@ -21,7 +24,7 @@ const LENGTHS: std::ops::RangeInclusive<f64> = 1e-20..=1e5;
 /// Singularity: `2^(mu-1) Gamma(mu) kappa^-mu |x - s|^-2mu` for `mu > 0`, `-ln|x - s|` for `mu = 0`; bounded for `mu < 0`, but with a bend
 /// `|x - s|^(2 |mu|)`. Fourier symbol: `sqrt(pi) (2 kappa)^-mu Gamma(1/2 - mu) (kappa^2 + omega^2)^(mu - 1/2)`.
 ///
-/// The kernel is tabulated when it is made, in 0.1 to 0.5 ms; a value then takes about 40 ns.
+/// The kernel is tabulated when it is made, in 0.1 to 0.5 ms; a value then takes some tens of ns.
 ///
 /// ```
 /// use fredholm::collocation::solve_adaptive;
