@@ -27,7 +27,7 @@ const USEFUL: f64 = 0.1;
 /// a few other points, where that is larger. For the logarithm [`degenerate_logarithm`](super::degenerate_logarithm) has guaranteed bounds.
 ///
 /// # Errors
-/// [`Error::InvalidParameter`] for a degree below 8 or an infinite interval; those of [`DegenerateSolver::new`] and of the moments.
+/// [`Error::InvalidParameter`] for a degree below 8; those of [`DegenerateSolver::new`] and of the moments.
 pub fn degenerate<'a>(
     relation: &'a (impl SpectralRelation + ?Sized),
     parameter: f64,
@@ -121,6 +121,59 @@ fn solution_error<K: SpectralRelation + ?Sized>(
     extrapolate(before, after, slowest_rate(relation))
 }
 
+/// The residual at single points.
+fn residual_of<K: SpectralRelation + ?Sized>(
+    relation: &K,
+    parameter: f64,
+    f: &dyn Fn(f64) -> f64,
+    solution: &DegenerateSolution<'_, K>,
+    degree: usize,
+) -> f64 {
+    let correction = solution.prepared_correction();
+    residual(relation, parameter, f, &|x| f(x) - correction(x), degree)
+}
+
+/// `int |u| dm`, roughly.
+    functional: f64,
+    /// Rounding of the solution, and what its moments may be off.
+    rounding: f64,
+}
+
+impl Sizes {
+    fn new<K: SpectralRelation + ?Sized>(
+        relation: &K,
+        f: &dyn Fn(f64) -> f64,
+        solution: &DegenerateSolution<'_, K>,
+        moment_error: f64,
+    ) -> Self {
+        let correction = solution.prepared_correction();
+        let values = checks(relation.extent(), CHECKS).map(|x| {
+            let given = f(x);
+            (given.abs(), (given - correction(x)).abs())
+        });
+        let (given, solution) =
+            values.fold((0.0f64, 0.0f64), |(f, phi), (g, psi)| (f.max(g), phi.max(psi)));
+        let rounding = ROUNDING * (given + solution) + AMPLIFICATION * moment_error * given;
+        Self { given, solution, functional: functional_size(relation), rounding }
+    }
+
+    fn rounding_of_integral(&self, integral: f64) -> f64 {
+        let values = (self.given + self.solution).max(f64::MIN_POSITIVE);
+        self.rounding * (integral.abs() / values + self.functional)
+    }
+}
+
+/// The difference of the last two levels over points from end to end, continued.
+fn solution_error<K: SpectralRelation + ?Sized>(
+    relation: &K,
+    [first, second, last]: &[DegenerateSolution<'_, K>; 3],
+) -> f64 {
+    let points: Vec<f64> = checks(relation.extent(), CHECKS).collect();
+    let before = difference(relation, first, second, &points);
+    let after = difference(relation, second, last, &points);
+    extrapolate(before, after, slowest_rate(relation))
+}
+
 /// The residual at single points; none on an infinite interval.
 fn residual_of<K: SpectralRelation + ?Sized>(
     relation: &K,
@@ -157,10 +210,10 @@ fn difference<K: SpectralRelation + ?Sized>(
     points.iter().map(|&x| gap(x).abs()).fold(0.0, f64::max)
 }
 
-/// By how much the error at the ends falls when the degree doubles, at least: `degree^{-2(1-q)}`.
+/// By how much the error at the ends falls when the degree doubles, at least: `degree^{-2(1-q)}`, on a half-line `degree^{-(1-q)}`.
 fn slowest_rate(relation: &(impl SpectralRelation + ?Sized)) -> f64 {
-    let exponent = relation.singularity().exponent();
-    0.5f64.powf(2.0 * (1.0 - exponent).min(2.0))
+    let power = if relation.interval().is_finite() { 2.0 } else { 1.0 };
+    0.5f64.powf(power * (1.0 - relation.singularity().exponent()).min(2.0))
 }
 
 /// What remains after two differences of degrees that double, when it falls no faster than by `rate`.
