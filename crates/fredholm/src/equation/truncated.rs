@@ -134,62 +134,6 @@ fn residual_of<K: SpectralRelation + ?Sized>(
 }
 
 /// `int |u| dm`, roughly.
-    functional: f64,
-    /// Rounding of the solution, and what its moments may be off.
-    rounding: f64,
-}
-
-impl Sizes {
-    fn new<K: SpectralRelation + ?Sized>(
-        relation: &K,
-        f: &dyn Fn(f64) -> f64,
-        solution: &DegenerateSolution<'_, K>,
-        moment_error: f64,
-    ) -> Self {
-        let correction = solution.prepared_correction();
-        let values = checks(relation.extent(), CHECKS).map(|x| {
-            let given = f(x);
-            (given.abs(), (given - correction(x)).abs())
-        });
-        let (given, solution) =
-            values.fold((0.0f64, 0.0f64), |(f, phi), (g, psi)| (f.max(g), phi.max(psi)));
-        let rounding = ROUNDING * (given + solution) + AMPLIFICATION * moment_error * given;
-        Self { given, solution, functional: functional_size(relation), rounding }
-    }
-
-    fn rounding_of_integral(&self, integral: f64) -> f64 {
-        let values = (self.given + self.solution).max(f64::MIN_POSITIVE);
-        self.rounding * (integral.abs() / values + self.functional)
-    }
-}
-
-/// The difference of the last two levels over points from end to end, continued.
-fn solution_error<K: SpectralRelation + ?Sized>(
-    relation: &K,
-    [first, second, last]: &[DegenerateSolution<'_, K>; 3],
-) -> f64 {
-    let points: Vec<f64> = checks(relation.extent(), CHECKS).collect();
-    let before = difference(relation, first, second, &points);
-    let after = difference(relation, second, last, &points);
-    extrapolate(before, after, slowest_rate(relation))
-}
-
-/// The residual at single points; none on an infinite interval.
-fn residual_of<K: SpectralRelation + ?Sized>(
-    relation: &K,
-    parameter: f64,
-    f: &dyn Fn(f64) -> f64,
-    solution: &DegenerateSolution<'_, K>,
-    degree: usize,
-) -> f64 {
-    if !relation.interval().is_finite() {
-        return 0.0;
-    }
-    let correction = solution.prepared_correction();
-    residual(relation, parameter, f, &|x| f(x) - correction(x), degree)
-}
-
-/// `int |u| dm`, roughly.
 fn functional_size(relation: &(impl SpectralRelation + ?Sized)) -> f64 {
     let extent = relation.extent();
     let densities =
