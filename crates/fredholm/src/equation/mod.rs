@@ -28,7 +28,7 @@ mod logarithm;
 mod residual;
 mod truncated;
 
-pub use collocated::{collocate, collocate_half_line};
+pub use collocated::collocate;
 pub use first_kind::first_kind;
 pub use half_line::collocate_half_line;
 pub use logarithm::degenerate_logarithm;

@@ -3,8 +3,8 @@
 use fredholm::conformance::{Comparison, compare};
 use fredholm::equation::{collocate_half_line, degenerate};
 use fredholm::kernel::{
-    Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare, Macdonald,
-    Power, SpectralRelation, WeberSonine,
+    Kernel, Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare,
+    Macdonald, MacdonaldHalfLine, Power, SpectralRelation, WeberSonine,
 };
 use fredholm::{Error, Interval};
 
