@@ -57,6 +57,10 @@ pub struct WeberSonine {
     tables: Arc<Tables>,
 }
 
+/// Share of the radius within which potentials of order 0 have their value at the centre: they leave it as `x^(2-2 gamma)` at least, where functions are
+/// smooth.
+const CENTRE: f64 = 1e-16;
+
 impl WeberSonine {
     /// The kernel with the order `mu` and the exponent `gamma` on `(0, radius)`. Builds tables of its one variable, in about a millisecond.
     ///
@@ -149,6 +153,11 @@ impl Kernel for WeberSonine {
 
     fn measure(&self, s: f64) -> f64 {
         s
+    }
+
+    /// For the order 0, else none: potentials of functions that are not `x^mu` times a smooth one leave 0 as `x^(1-2 gamma)`.
+    fn settled(&self) -> f64 {
+        if self.order == 0.0 { CENTRE * self.radius } else { 0.0 }
     }
 
     /// `1 - 2 gamma` at `a`; at 0 solutions are `x^mu` times a smooth function of `x^2`, if the right-hand side is, else there are terms with
