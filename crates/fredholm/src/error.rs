@@ -57,6 +57,17 @@ pub enum Error {
         smallest: f64,
     },
 
+    /// An eigenvalue of the kernel is zero, so that the equation of the first kind has no unique solution.
+    #[error(
+        "eigenvalue {index} of the kernel is {eigenvalue:e}: the equation of the first kind has no unique solution"
+    )]
+    ZeroEigenvalue {
+        /// Index of the eigenvalue.
+        index: usize,
+        /// Its value.
+        eigenvalue: f64,
+    },
+
     /// The parameter makes `-1/parameter` a point of the continuous spectrum of `K` on the half-line, or lies beyond it.
     #[error(
         "the parameter {parameter} must be greater than -1/{top} = {}: the operator on the half-line has the continuous spectrum [0, {top}], and the equation has no bounded inverse there", -1.0 / top

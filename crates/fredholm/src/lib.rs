@@ -33,7 +33,9 @@
 
 pub mod basis;
 pub mod collocation;
+pub mod conformance;
 pub mod degenerate;
+pub mod equation;
 mod error;
 mod interval;
 pub mod kernel;

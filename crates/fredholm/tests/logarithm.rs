@@ -4,7 +4,7 @@
 
 use std::f64::consts::PI;
 
-use fredholm::kernel::{Kernel, Logarithm, SpectralRelation};
+use fredholm::kernel::{Logarithm, SpectralRelation};
 use fredholm::{DegenerateSystem, SincOperator};
 
 /// Settlement, end and centre pressure of the parabola at `lambda0 = 100`, `nu = 0.25`, `P0 = 0.001`, symmetric part.
@@ -97,17 +97,56 @@ fn both_methods_satisfy_the_scaling_of_the_interval() {
 }
 
 #[test]
-fn long_intervals_are_refused_by_the_positive_form() {
-    let kernel = Logarithm::new(2.5).unwrap();
-    let error = DegenerateSystem::new(&kernel, 1.0, 20).unwrap_err();
-    assert!(matches!(error, fredholm::Error::NotPositive { index: 0, .. }), "{error}");
-    assert!(kernel.value(0.0, 0.5) > 0.0);
+fn systems_that_are_not_positive_agree_with_collocation() {
+    // A negative parameter; a negative eigenvalue; an eigenvalue that vanishes.
+    for (a, lambda) in [(1.0, -0.2), (1.0, -1.3), (2.5, 0.4), (10.0, -0.3), (2.0, 1.0), (2.0, -0.7)]
+    {
+        let kernel = Logarithm::new(a).unwrap();
+        let system = DegenerateSystem::new(&kernel, lambda, 500).unwrap();
+        assert!(!system.is_positive() || lambda > 0.0 || a == 1.0);
+        let f = |x: f64| 1.0 + (x / a).powi(3);
+        let spectral = system.solve(&kernel.moments(&f, 501).unwrap().values);
+        let operator = SincOperator::new(&kernel, 70).unwrap();
+        let sinc = &operator.solve(lambda, &[operator.sample(f).unwrap()]).unwrap()[0];
+        let scale = sinc.values().iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+        assert!((spectral.projections()[0] - sinc.integral(|_| 1.0)).abs() < 1e-8 * a * scale);
+        for x in [-a, -0.4 * a, 0.0, 0.9 * a, a] {
+            let (one, two) = (spectral.evaluate(x, f(x)), sinc.evaluate(x, f(x)));
+            assert!(
+                (one - two).abs() < 2e-4 * scale,
+                "a = {a}, lambda = {lambda}, x = {x}: {one} {two}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_parameter_in_the_spectrum_is_refused() {
+    let kernel = Logarithm::unit();
+    // The response to 1 goes through infinity and changes its sign where -1/lambda is an eigenvalue.
+    let response = |lambda: f64| {
+        let system = DegenerateSystem::new(&kernel, lambda, 40)?;
+        Ok(system.solve(&kernel.moments(&|_| 1.0, 41)?.values).projections()[0])
+    };
+    let (mut inside, mut outside) = (-0.1, -1.0);
+    for _ in 0..200 {
+        let middle = 0.5 * (inside + outside);
+        match response(middle) {
+            Ok(value) if value > 0.0 => inside = middle,
+            Ok(_) => outside = middle,
+            Err(error) => {
+                assert!(matches!(error, fredholm::Error::Singular { .. }), "{error}");
+                return;
+            }
+        }
+    }
+    panic!("never singular between {inside} and {outside}");
 }
 
 #[test]
 fn bad_parameters_and_huge_degrees_are_refused() {
     let kernel = Logarithm::unit();
-    for parameter in [f64::NAN, f64::INFINITY, -1.0] {
+    for parameter in [f64::NAN, f64::INFINITY] {
         assert!(DegenerateSystem::new(&kernel, parameter, 8).is_err());
     }
     for degree in [100_000_000, usize::MAX - 1] {

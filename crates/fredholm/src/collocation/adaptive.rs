@@ -83,7 +83,8 @@ pub fn solve_adaptive_with_breaks(
         operator.factor(parameter)?.solve(&operator.sample(&f)?)
     };
     let most = LARGEST_HALF_COUNT.min(LARGEST_TOTAL / (breaks.len() + 1));
-    let start = first_half_count(parameter * kernel.interval().half_length());
+    let start = first_half_count(parameter * kernel.interval().half_length())
+        .max(kernel.first_half_count());
     let mut sequence = half_counts(start).take_while(|half_count| *half_count <= most);
     let mut next = || sequence.next();
     let (Some(n1), Some(n2), Some(n3)) = (next(), next(), next()) else {
@@ -93,12 +94,13 @@ pub fn solve_adaptive_with_breaks(
             requirement: "few enough for 2 * half_count + 1 nodes on each panel",
         });
     };
+    let mass = |x: f64| kernel.mass_function(x);
     let (first, mut previous) = (solve(n1)?, solve(n2)?);
-    let mut before = Estimate::between(&first, &previous)?;
+    let mut before = Estimate::weighted(&first, &previous, &mass)?;
     let mut half_count = n3;
     loop {
         let solution = solve(half_count)?;
-        let difference = Estimate::between(&previous, &solution)?;
+        let difference = Estimate::weighted(&previous, &solution, &mass)?;
         let estimate = Estimate::extrapolated(&before, &difference, &solution, RATIO);
         let scale = largest(solution.values());
         let converged = estimate.solution <= tolerance * scale;

@@ -17,7 +17,7 @@ const SAFETY: f64 = 10.0;
 pub struct Estimate {
     /// Of the largest error of the solution on the closed interval.
     pub solution: f64,
-    /// Of the error of `int phi dx`.
+    /// Of the error of the integral `int phi dm`, with the [mass function](crate::kernel::Kernel::mass_function) of the kernel where it has one.
     pub integral: f64,
     /// Of the error of `int (x - c) phi dx` about the middle `c` of the interval.
     pub first_moment: f64,
@@ -34,6 +34,15 @@ impl Estimate {
     /// [`Error::InvalidParameter`] when the solutions have different parameters, [`Error::WrongLength`] when they have
     /// different panels.
     pub fn between(coarse: &SincSolution, fine: &SincSolution) -> Result<Self, Error> {
+        Self::weighted(coarse, fine, &|_| 1.0)
+    }
+
+    /// The same with the integral `int u phi dm`.
+    pub(super) fn weighted(
+        coarse: &SincSolution,
+        fine: &SincSolution,
+        mass_function: &dyn Fn(f64) -> f64,
+    ) -> Result<Self, Error> {
         if coarse.parameter().to_bits() != fine.parameter().to_bits() {
             return Err(Error::InvalidParameter {
                 name: "parameter of the coarser solution",
@@ -53,20 +62,21 @@ impl Estimate {
         let difference = |u: &dyn Fn(f64) -> f64| (fine.integral(u) - coarse.integral(u)).abs();
         Ok(Self {
             solution: fine.parameter().abs() * potential_difference(coarse, fine),
-            integral: difference(&|_| 1.0),
+            integral: difference(mass_function),
             first_moment: difference(&|x| x - centre),
         })
     }
 
     /// The error of the finest of three solutions on numbers of nodes that grow by one ratio, from their differences: the
-    /// larger of `d_23 rho/(1 - rho)`, `rho = d_23/d_12`, as for algebraic convergence, and `10 scale (d_23/scale)^ratio`,
-    /// as for geometric convergence; for `rho > 1/4` three times the larger difference; never less than rounding.
+    /// larger of `d_23 rho/(1 - rho)`, `rho = d_23/d_12`, as for algebraic convergence, and `10 scale (d_23/scale)^sqrt(ratio)`,
+    /// as for convergence like `exp(-c sqrt(n))`, which singular corners leave of the geometric; for `rho > 1/4` three times the larger difference; never less than rounding.
     pub(super) fn extrapolated(
         first: &Self,
         second: &Self,
         finest: &SincSolution,
         ratio: f64,
     ) -> Self {
+        let ratio = ratio.sqrt();
         let scale = largest(finest.values());
         let length =
             finest.mesh().boundaries().last().unwrap_or(&0.0) - finest.mesh().boundaries()[0];

@@ -24,6 +24,7 @@
 
 mod adaptive;
 mod assembly;
+mod eigenpairs;
 mod estimate;
 mod factor;
 mod grid;
@@ -41,6 +42,7 @@ mod weights;
 pub use adaptive::{
     AdaptiveSolution, first_half_count, solve_adaptive, solve_adaptive_with_breaks,
 };
+pub(crate) use eigenpairs::Eigenpairs;
 pub use estimate::{Estimate, extrapolate, rounding};
 pub use factor::SincFactor;
 pub use grid::SincGrid;

@@ -146,6 +146,11 @@ impl SincOperator {
         right_hand_sides.iter().map(|f| factor.solve(f)).collect()
     }
 
+    /// Weights of the nodes in the measure of the kernel.
+    pub(crate) fn node_masses(&self) -> &[f64] {
+        &self.masses
+    }
+
     pub(super) fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
     }
@@ -212,6 +217,9 @@ impl SincOperator {
     }
 }
 
+/// Masses below this share of the largest count as zero: so deep in a corner a kernel may overflow.
+const VANISHING: f64 = 1e-280;
+
 /// `h x'(t_j) m(x_j)`.
 fn masses(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Result<Vec<f64>, Error> {
     let mass = |(weight, place): (&f64, Place)| {
@@ -221,7 +229,11 @@ fn masses(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Result<Vec<f64>, Erro
         }
         Err(Error::NotFinite { what: "measure", at: place.position, value: density })
     };
-    mesh.weights().iter().zip(mesh.places()).map(mass).collect()
+    let mut masses: Vec<f64> =
+        mesh.weights().iter().zip(mesh.places()).map(mass).collect::<Result<_, _>>()?;
+    let largest = masses.iter().fold(0.0f64, |most, mass| most.max(*mass));
+    masses.iter_mut().filter(|mass| **mass < VANISHING * largest).for_each(|mass| *mass = 0.0);
+    Ok(masses)
 }
 
 pub(super) fn require_finite_parameter(parameter: f64) -> Result<(), Error> {

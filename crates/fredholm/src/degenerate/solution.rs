@@ -8,13 +8,13 @@ use crate::kernel::SpectralRelation;
 ///
 /// It is kept as its coefficients: the right-hand side `f` stays with the caller and is handed in again for values.
 #[derive(Debug, Clone)]
-pub struct DegenerateSolution<'k, K> {
+pub struct DegenerateSolution<'k, K: ?Sized> {
     kernel: &'k K,
     projections: Vec<f64>,
     correction: Vec<f64>,
 }
 
-impl<'k, K: SpectralRelation> DegenerateSolution<'k, K> {
+impl<'k, K: SpectralRelation + ?Sized> DegenerateSolution<'k, K> {
     pub(super) fn new(
         kernel: &'k K,
         parameter: f64,
@@ -35,6 +35,12 @@ impl<'k, K: SpectralRelation> DegenerateSolution<'k, K> {
     #[must_use]
     pub fn correction(&self) -> &[f64] {
         &self.correction
+    }
+
+    /// The function `f - phi` for many points.
+    #[must_use]
+    pub fn prepared_correction(&self) -> Box<dyn Fn(f64) -> f64 + 'k> {
+        self.kernel.combination(&self.correction)
     }
 
     /// `phi(x)`, given `f(x)`.

@@ -1,5 +1,6 @@
 //! The system (1.9) by the route that its size asks for.
 
+use super::split::positive_factors;
 use super::{DegenerateSolution, DegenerateSystem, StructuredSystem};
 use crate::Error;
 use crate::kernel::{Gram, SpectralRelation};
@@ -10,21 +11,23 @@ const LARGEST_DENSE_DEGREE: usize = 600;
 /// The degenerate system of a kernel at one parameter, ready for right-hand sides: dense Cholesky for few terms, preconditioned conjugate gradients
 /// with fast products for many, where the Gram matrix is Toeplitz plus Hankel.
 #[derive(Debug)]
-pub enum DegenerateSolver<'k, K> {
+pub enum DegenerateSolver<'k, K: ?Sized> {
     /// Cholesky.
     Dense(DegenerateSystem<'k, K>),
     /// Conjugate gradients.
     Structured(StructuredSystem<'k, K>),
 }
 
-impl<'k, K: SpectralRelation> DegenerateSolver<'k, K> {
+impl<'k, K: SpectralRelation + ?Sized> DegenerateSolver<'k, K> {
     /// The solver for `phi + parameter K phi = f` with the eigenfunctions `phi_0 .. phi_degree`.
     ///
     /// # Errors
     /// Those of [`DegenerateSystem::new`] and [`StructuredSystem::new`].
     pub fn new(kernel: &'k K, parameter: f64, degree: usize) -> Result<Self, Error> {
-        let structured =
-            degree > LARGEST_DENSE_DEGREE && matches!(kernel.gram(1)?, Gram::ToeplitzHankel { .. });
+        let structured = degree > LARGEST_DENSE_DEGREE
+            && parameter >= 0.0
+            && matches!(kernel.gram(1)?, Gram::ToeplitzHankel { .. })
+            && positive_factors(kernel, degree).is_ok();
         Ok(if structured {
             Self::Structured(StructuredSystem::new(kernel, parameter, degree)?)
         } else {

@@ -58,21 +58,39 @@ pub(super) fn check_parameter(parameter: f64) -> Result<(), Error> {
     })
 }
 
-/// `D_m = lambda_m / h_m`, `m = 0 .. degree`, all positive.
-pub(super) fn expansion_factors<K: SpectralRelation>(
+/// `D_m = lambda_m / h_m`, `m = 0 .. degree`.
+pub(super) fn expansion_factors<K: SpectralRelation + ?Sized>(
     kernel: &K,
     degree: usize,
 ) -> Result<Vec<f64>, Error> {
+    if degree >= kernel.available() {
+        return Err(Error::TooFew { needed: degree + 1, available: kernel.available() });
+    }
     (0..=degree)
         .map(|index| {
             let factor = kernel.expansion_factor(index);
-            if factor > 0.0 {
-                Ok(factor)
-            } else {
-                Err(Error::NotPositive { index, eigenvalue: kernel.eigenvalue(index) })
+            if factor.is_finite() {
+                return Ok(factor);
             }
+            Err(Error::NotFinite {
+                what: "factor of the bilinear expansion",
+                at: index as f64,
+                value: factor,
+            })
         })
         .collect()
+}
+
+/// The same where all must be positive.
+pub(super) fn positive_factors<K: SpectralRelation + ?Sized>(
+    kernel: &K,
+    degree: usize,
+) -> Result<Vec<f64>, Error> {
+    let factors = expansion_factors(kernel, degree)?;
+    match factors.iter().position(|factor| *factor <= 0.0) {
+        Some(index) => Err(Error::NotPositive { index, eigenvalue: kernel.eigenvalue(index) }),
+        None => Ok(factors),
+    }
 }
 
 /// Refuses a system that would not fit into memory, before anything is allocated. The bytes come in floating point: the

@@ -30,6 +30,8 @@ pub enum Gram {
         /// `entries[k * order + m]`.
         entries: Vec<f64>,
     },
+    /// `R_km = 1` for `k = m`, else 0: the eigenfunctions are orthonormal without a weight, and the degenerate system is diagonal.
+    Identity,
 }
 
 impl Gram {
@@ -42,6 +44,7 @@ impl Gram {
         match self {
             Self::ToeplitzHankel { toeplitz, hankel } => toeplitz[k.abs_diff(m)] + hankel[k + m],
             Self::Dense { order, entries } => entries[k * order + m],
+            Self::Identity => f64::from(u8::from(k == m)),
         }
     }
 }
@@ -102,6 +105,12 @@ pub trait SpectralRelation: Kernel {
     /// `sum_m coefficients[m] phi_m(x)`, by a stable recurrence.
     fn sum(&self, coefficients: &[f64], x: f64) -> f64;
 
+    /// The function `sum_m coefficients[m] phi_m` for many points. As [`sum`](Self::sum) unless a kernel has something to prepare.
+    fn combination<'s>(&'s self, coefficients: &[f64]) -> Box<dyn Fn(f64) -> f64 + 's> {
+        let coefficients = coefficients.to_vec();
+        Box::new(move |x| self.sum(&coefficients, x))
+    }
+
     /// The Gram matrix `R_km = int_L phi_k phi_m dm` of `phi_0 .. phi_{count-1}`, to machine precision.
     ///
     /// # Errors
@@ -126,12 +135,7 @@ pub trait SpectralRelation: Kernel {
         Ok(Moments { values: (0..count).map(moment).collect(), error, resolved })
     }
 
-    /// The function `u` with which a solution is integrated, `int_L u phi dm`: 1, and on a disk the power of the harmonic.
-    fn mass_function(&self, _x: f64) -> f64 {
-        1.0
-    }
-
-    /// `int_L u phi_n w dm` with the [`mass_function`](Self::mass_function) `u`: `h_0` for `n = 0` and 0 for the others where `u = phi_0`.
+    /// `int_L u phi_n w dm` with the [`mass_function`](Kernel::mass_function) `u`: `h_0` for `n = 0` and 0 for the others where `u = phi_0`.
     fn mass(&self, n: usize) -> f64 {
         if n == 0 { self.norm(0) } else { 0.0 }
     }

@@ -57,7 +57,8 @@ impl Factored {
         Some((Self::Small { order, factor }, pivot * pivot))
     }
 
-    fn indefinite(matrix: &[f64], order: usize, parameter: f64) -> Result<Self, Error> {
+    /// Factors `1 + parameter S` by elimination with pivots, for `S` by columns, symmetric or not.
+    pub(crate) fn indefinite(matrix: &[f64], order: usize, parameter: f64) -> Result<Self, Error> {
         let shifted =
             |i: usize, j: usize| f64::from(u8::from(i == j)) + parameter * matrix[j * order + i];
         let lu = faer::Mat::from_fn(order, order, shifted).partial_piv_lu();

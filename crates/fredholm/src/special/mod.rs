@@ -1,10 +1,15 @@
 //! Special functions for which no library of ours serves.
 
 mod cosine_integral;
-mod macdonald;
+pub(crate) mod elliptic;
+pub(crate) mod exponential_sum;
+mod gamma_quotient;
 mod oscillatory_tail;
 
 pub use cosine_integral::cosine_integral_pi;
+pub(crate) use gamma_quotient::{gamma_quotient, mean_digamma};
+mod macdonald;
+
 pub use macdonald::macdonald;
 pub(crate) use macdonald::{
     LARGEST as LARGEST_MACDONALD, SmallArgument, macdonald_scaled, polynomial, sigma,

@@ -8,7 +8,7 @@ use super::preconditioner::largest_leading_order;
 use super::product::{Product, Workspace};
 use super::system::StructuredSystem;
 use crate::Error;
-use crate::degenerate::split::{Indices, admit, check_parameter, expansion_factors};
+use crate::degenerate::split::{Indices, admit, check_parameter, positive_factors};
 use crate::kernel::{Gram, SpectralRelation};
 
 /// Memory a coefficient takes at the peak of a solve, in bytes: measured, rounded up.
@@ -21,7 +21,7 @@ pub const BYTES_A_DEGREE: f64 = 240.0;
 ///
 /// Cost: `O(degree log degree)`, about 150 bytes a degree.
 #[derive(Debug)]
-pub struct StructuredOperator<'k, K> {
+pub struct StructuredOperator<'k, K: ?Sized> {
     kernel: &'k K,
     shared: Arc<Shared>,
 }
@@ -44,13 +44,13 @@ pub(super) struct Part {
     hankel: Vec<f64>,
 }
 
-impl<K> Clone for StructuredOperator<'_, K> {
+impl<K: ?Sized> Clone for StructuredOperator<'_, K> {
     fn clone(&self) -> Self {
         Self { kernel: self.kernel, shared: Arc::clone(&self.shared) }
     }
 }
 
-impl<'k, K: SpectralRelation> StructuredOperator<'k, K> {
+impl<'k, K: SpectralRelation + ?Sized> StructuredOperator<'k, K> {
     /// The operator for the eigenfunctions `phi_0 .. phi_degree`.
     ///
     /// # Errors
@@ -58,7 +58,7 @@ impl<'k, K: SpectralRelation> StructuredOperator<'k, K> {
     /// [`Error::Unstructured`] when the Gram matrix is not Toeplitz plus Hankel; whatever the kernel's own route to it meets.
     pub fn new(kernel: &'k K, degree: usize) -> Result<Self, Error> {
         admit(degree, BYTES_A_DEGREE * degree as f64)?;
-        let factors = expansion_factors(kernel, degree)?;
+        let factors = positive_factors(kernel, degree)?;
         let Gram::ToeplitzHankel { toeplitz, hankel } = kernel.gram(degree + 1)? else {
             return Err(Error::Unstructured);
         };

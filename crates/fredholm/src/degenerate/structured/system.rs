@@ -40,14 +40,14 @@ const ROUNDING: f64 = 4.0;
 /// # Ok::<(), fredholm::Error>(())
 /// ```
 #[derive(Debug)]
-pub struct StructuredSystem<'k, K> {
+pub struct StructuredSystem<'k, K: ?Sized> {
     operator: StructuredOperator<'k, K>,
     parameter: f64,
     /// Made when a right-hand side first needs them: many are even or odd.
     preconditioners: Vec<OnceLock<Result<Preconditioner, Error>>>,
 }
 
-impl<'k, K: SpectralRelation> StructuredSystem<'k, K> {
+impl<'k, K: SpectralRelation + ?Sized> StructuredSystem<'k, K> {
     /// The relative residual to ask for where nothing speaks for another.
     pub const TOLERANCE: f64 = 1e-14;
 

@@ -98,6 +98,10 @@ impl Kernel for MacdonaldRelation {
     fn is_even(&self) -> bool {
         true
     }
+
+    fn first_half_count(&self) -> f64 {
+        self.kernel.first_half_count()
+    }
 }
 
 impl SpectralRelation for MacdonaldRelation {
@@ -132,6 +136,11 @@ impl SpectralRelation for MacdonaldRelation {
 
     fn sum(&self, coefficients: &[f64], x: f64) -> f64 {
         self.functions.sum(coefficients, self.local(x))
+    }
+
+    fn combination<'s>(&'s self, coefficients: &[f64]) -> Box<dyn Fn(f64) -> f64 + 's> {
+        let series = self.functions.series(coefficients);
+        Box::new(move |x| self.functions.evaluate(&series, self.local(x)))
     }
 
     fn gram(&self, count: usize) -> Result<Gram, Error> {

@@ -1,0 +1,38 @@
+//! The second kind by collocation.
+
+use super::{ErrorStatement, Method, Solution};
+use crate::Error;
+use crate::bounds::Kind;
+use crate::collocation::{AdaptiveSolution, solve_adaptive_with_breaks};
+use crate::kernel::Kernel;
+
+/// `phi + parameter K phi = f` to a tolerance relative to the largest value of the solution, by collocation on growing numbers of nodes; `breakpoints` are where `f` has kinks
+/// or jumps.
+///
+/// # Errors
+/// As [`solve_adaptive_with_breaks`]; [`Error::Singular`] where `-1/parameter` is an eigenvalue. A tolerance out of reach is no error: see [`Solution::converged`].
+pub fn collocate<'a>(
+    kernel: &(impl Kernel + ?Sized),
+    parameter: f64,
+    f: &'a dyn Fn(f64) -> f64,
+    breakpoints: &[f64],
+    tolerance: f64,
+) -> Result<Solution<'a>, Error> {
+    let AdaptiveSolution { solution, estimate, converged, half_count } =
+        solve_adaptive_with_breaks(kernel, breakpoints, parameter, f, tolerance)?;
+    let integral = solution.integral(|x| kernel.mass_function(x));
+    let largest = solution.values().iter().fold(0.0f64, |most, value| most.max(value.abs()));
+    Ok(Solution {
+        integral: Some(integral),
+        error: ErrorStatement {
+            kind: Kind::Estimate,
+            solution: estimate.solution,
+            integral: estimate.integral,
+        },
+        method: Method::Sinc,
+        count: (2 * half_count + 1) * (breakpoints.len() + 1),
+        converged,
+        largest,
+        value: Box::new(move |x| solution.evaluate(x, f(x))),
+    })
+}
