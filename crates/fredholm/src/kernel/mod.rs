@@ -8,6 +8,7 @@ mod potential;
 mod power;
 mod relation;
 mod singularity;
+mod yukawa;
 
 pub use logarithm::Logarithm;
 pub(crate) use potential::EndMoments;
@@ -15,6 +16,7 @@ pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
 pub use relation::{EndExponents, Expansion, Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Pair, Singularity, Split};
+pub use yukawa::Yukawa;
 
 use crate::Interval;
 
