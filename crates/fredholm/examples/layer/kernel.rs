@@ -15,12 +15,14 @@
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use fredholm::basis::Function;
-use fredholm::collocation::{AdaptiveSolution, solve_adaptive};
-use fredholm::kernel::{Kernel, Logarithm, Pair, Singularity, SpectralRelation, Split};
-use fredholm::{DegenerateSolution, DegenerateSystem, Error, Interval};
+use fredholm::equation::collocate;
+use fredholm::kernel::{Kernel, Logarithm, Pair, Singularity, Split};
+use fredholm::{Error, Interval};
 
 /// `lambda = 2a/(pi E* chi)` of the tables.
 pub const LAMBDA: f64 = 2.0;
+/// Tolerance of the collocation.
+pub const TOLERANCE: f64 = 1e-12;
 
 /// What lies below the layer.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,7 +30,10 @@ pub enum Base {
     /// A rigid base without friction.
     Sliding,
     /// A rigid base that holds a layer of this Poisson's ratio.
-    Bonded { poisson: f64 },
+    Bonded {
+        /// `nu`, from 0 to 1/2.
+        poisson: f64,
+    },
     /// A rigid base that holds a layer under antiplane shear.
     Antiplane,
 }
@@ -80,7 +85,6 @@ fn smooth_part(base: Base, far: f64) -> impl Fn(f64) -> f64 {
     }
 }
 
-// ANCHOR: kernel
 /// The kernel `k((x - s)/h)` on `(-1, 1)`, lengths in half-widths `a` of the punch.
 pub struct Layer {
     /// `h/a`.
@@ -155,34 +159,15 @@ impl Kernel for Layer {
         true
     }
 }
-// ANCHOR_END: kernel
-
-/// The flat punch on the layer: `phi = 1` where the roughness gives way alone.
-pub fn on_layer(layer: &Layer, lambda: f64) -> Result<AdaptiveSolution, Error> {
-    solve_adaptive(layer, lambda, |_| 1.0, 1e-12)
-}
 
 /// `int phi dx` on the half-plane that a thick layer becomes: the logarithm with the gauge `h exp(a_0)`.
-pub fn on_half_plane(layer: &Layer, lambda: f64) -> Result<f64, Error> {
+pub fn on_half_plane(layer: &Layer, lambda: f64) -> Result<Option<f64>, Error> {
     let gauge = layer.thickness() * layer.gauge_constant().exp();
     let kernel = Logarithm::with_gauge(1.0, gauge)?;
-    Ok(solve_adaptive(&kernel, lambda, |_| 1.0, 1e-12)?.solution.integral(|_| 1.0))
+    Ok(collocate(&kernel, lambda, &|_| 1.0, &[], TOLERANCE)?.integral)
 }
 
 /// `int phi dx` on the bed of springs that a thin layer becomes.
 pub fn on_springs(base: Base, thickness: f64, lambda: f64) -> f64 {
     2.0 / (1.0 + lambda * thickness * PI * base.slope())
-}
-
-/// `int phi dx` and `phi` by the degenerate kernel, with all eigenpairs of the relation.
-pub fn by_degenerate_kernel<R: SpectralRelation>(
-    relation: &R,
-    lambda: f64,
-) -> Result<(f64, DegenerateSolution<'_, R>), Error> {
-    let count = relation.available();
-    let moments = relation.moments(&|_| 1.0, count)?.values;
-    let phi = DegenerateSystem::new(relation, lambda, count - 1)?.solve(&moments);
-    // phi = 1 - sum c_n phi_n
-    let less: f64 = phi.correction().iter().zip(&moments).map(|(c, moment)| c * moment).sum();
-    Ok((2.0 - less, phi))
 }

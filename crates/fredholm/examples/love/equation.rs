@@ -6,9 +6,9 @@ use fredholm::collocation::solve_adaptive;
 use fredholm::kernel::{ComputedRelation, Kernel, Singularity, SpectralRelation, Split};
 use fredholm::{DegenerateSystem, Error, Interval};
 
-// ANCHOR: kernel
-/// Love's kernel; `separation` is `kappa`, the distance of the disks in radii.
+/// Love's kernel; `kappa` is the distance of the disks in radii.
 pub struct Love {
+    /// `kappa`.
     pub separation: f64,
 }
 
@@ -30,7 +30,6 @@ impl Kernel for Love {
         true
     }
 }
-// ANCHOR_END: kernel
 
 /// What the applications need of a solution.
 #[derive(Debug, Clone, Copy)]
@@ -47,7 +46,6 @@ pub struct Integrals {
     pub count: usize,
 }
 
-// ANCHOR: collocation
 /// By sinc collocation.
 pub fn by_collocation(separation: f64, sign: f64) -> Result<Integrals, Error> {
     let found = solve_adaptive(&Love { separation }, sign, |_| 1.0, 1e-12)?;
@@ -60,9 +58,7 @@ pub fn by_collocation(separation: f64, sign: f64) -> Result<Integrals, Error> {
         count: 2 * found.half_count + 1,
     })
 }
-// ANCHOR_END: collocation
 
-// ANCHOR: degenerate
 /// By the degenerate kernel, with computed eigenpairs: all that are not rounding, or `most`.
 pub fn by_degenerate_kernel(separation: f64, sign: f64, most: usize) -> Result<Integrals, Error> {
     let relation = ComputedRelation::up_to(Love { separation }, most)?;
@@ -82,7 +78,6 @@ pub fn by_degenerate_kernel(separation: f64, sign: f64, most: usize) -> Result<I
         count,
     })
 }
-// ANCHOR_END: degenerate
 
 /// Chebyshev coefficients `c_0, c_2, c_4, ...` of `phi` for `kappa = 1` as published. The sign 1: seven figures of the example of L. Fox and E. T. Goodwin (Phil. Trans. R. Soc. A 245 (1953)
 /// 501); the sign -1: P. Abbott, The Mathematica Journal 8 (4), a series that ends with `T_8`. Both as transcribed in R. W. Marejka's program `integral-eqn`.

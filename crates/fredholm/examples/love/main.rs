@@ -54,9 +54,12 @@ fn capacitors(sign: f64, hard: bool) -> Result<(), Error> {
         print!("{kappa:<6} {value:>17.12} {:>7}   {:.1e}", sinc.count, sinc.error);
         match by_degenerate_kernel(*kappa, sign, MOST) {
             Ok(found) => {
-                print!(" {:>19.12} {:>6}   {:.1e}", capacitance(&found), found.count, found.error)
+                print!(" {:>19.12} {:>6}   {:.1e}", capacitance(&found), found.count, found.error);
             }
-            Err(error) => print!(" {error}"),
+            Err(Error::NotConverged { .. }) => {
+                print!("{:>20} {:>6} {:>9}", "not resolved", "-", "-")
+            }
+            Err(error) => return Err(error),
         }
         if sign < 0.0 { println!("  {:>13.6}", close_disks(*kappa)) } else { println!() }
     }
@@ -72,9 +75,14 @@ fn gas(hard: bool) -> Result<(), Error> {
     for gamma in &couplings[..if hard { 6 } else { 5 }] {
         let sinc = energy(*gamma, |kappa| by_collocation(kappa, -1.0))?;
         let degenerate = energy(*gamma, |kappa| by_degenerate_kernel(kappa, -1.0, MOST))?;
-        let weak = if *gamma > 1.0 { f64::NAN } else { weak_coupling(*gamma) };
-        let strong = if *gamma < 10.0 { f64::NAN } else { strong_coupling(*gamma) };
-        println!("{gamma:<6} {sinc:>17.14} {degenerate:>19.14} {weak:>19.14} {strong:>19.14}");
+        let shown = |value: f64, valid: bool| {
+            if valid { format!("{value:.14}") } else { "-".to_owned() }
+        };
+        println!(
+            "{gamma:<6} {sinc:>17.14} {degenerate:>19.14} {:>19} {:>19}",
+            shown(weak_coupling(*gamma), *gamma <= 1.0),
+            shown(strong_coupling(*gamma), *gamma >= 10.0)
+        );
     }
     Ok(())
 }

@@ -68,21 +68,35 @@ impl Eigenpairs {
         scaled[block] = vector.map(|z| scale * z).collect();
         let zero = vec![0.0; operator.count()];
         let solution = operator.finish(-1.0 / eigenvalue, &zero, &scaled);
-        let boundaries = solution.boundaries().iter().map(|u| u / eigenvalue);
-        let sign = if boundaries.clone().next_back().unwrap_or(0.0) < 0.0 { -1.0 } else { 1.0 };
-        let boundaries: Vec<f64> = boundaries.map(|phi| sign * phi).collect();
+        // Rayleigh's quotient, which norms the function where rounding of a small eigenvalue would not.
+        let quotient = dot(solution.masses(), solution.potential());
+        let last = solution.boundaries().last().copied().unwrap_or(0.0);
+        let sign = if last / quotient < 0.0 { -1.0 } else { 1.0 };
+        let normed = |u: &[f64]| u.iter().map(|u| sign * u / quotient).collect::<Vec<f64>>();
+        let (mut bubble, mut boundaries) =
+            (normed(solution.bubble()), normed(solution.boundaries()));
+        self.clean(&normed(solution.potential()), &mut bubble, &mut boundaries);
         let turn = if self.count().is_multiple_of(2) { Part::Even } else { Part::Odd };
         self.alternating &= operator.blocks()[block].part == turn;
         self.eigenvalues.push(eigenvalue);
-        let share = (eigenvalue / self.eigenvalues[0]).abs();
-        let nodes = self.mesh.places().zip(operator.node_masses()).zip(solution.masses());
-        for (((place, mass), product), potential) in nodes.zip(solution.potential()) {
-            // The vector has an error of 1e-16 over the root of the mass, `K phi` over the eigenvalue one of 1e-16 over the share: the smaller serves.
-            let phi = if mass.sqrt() > share { product / mass } else { potential / eigenvalue };
-            self.bubbles.push(sign * phi - line(&boundaries, place));
-        }
-        self.masses.extend(solution.masses().iter().map(|mass| sign * mass));
+        self.bubbles.extend(bubble);
         self.boundaries.extend(boundaries);
+        self.masses.extend(solution.masses().iter().map(|mass| sign * mass));
+    }
+
+    /// Takes the share of the pairs found before out of a function: rounding of `K phi` divided by a small eigenvalue, which lies along the large ones and
+    /// which the vector, orthogonal to them to rounding, does not have.
+    fn clean(&self, values: &[f64], bubble: &mut [f64], boundaries: &mut [f64]) {
+        let before = self.masses.chunks_exact(self.nodes()).zip(
+            self.bubbles
+                .chunks_exact(self.nodes())
+                .zip(self.boundaries.chunks_exact(boundaries.len())),
+        );
+        for (masses, (other, other_boundaries)) in before {
+            let share = dot(masses, values);
+            bubble.iter_mut().zip(other).for_each(|(v, other)| *v -= share * other);
+            boundaries.iter_mut().zip(other_boundaries).for_each(|(u, other)| *u -= share * other);
+        }
     }
 
     pub(crate) fn count(&self) -> usize {
@@ -109,9 +123,10 @@ impl Eigenpairs {
         self.masses.chunks_exact(self.nodes()).map(|row| dot(row, f)).collect()
     }
 
-    /// `int phi_n dm`.
-    pub(crate) fn mass(&self, n: usize) -> f64 {
-        self.masses[n * self.nodes()..(n + 1) * self.nodes()].iter().sum()
+    /// `int u phi_n dm`; NaN where there is no such pair.
+    pub(crate) fn integral(&self, n: usize, u: impl Fn(f64) -> f64) -> f64 {
+        let Some(row) = self.masses.chunks_exact(self.nodes()).nth(n) else { return f64::NAN };
+        self.places().zip(row).map(|(place, mass)| u(place.position) * mass).sum()
     }
 
     /// The nodes.
@@ -156,34 +171,22 @@ impl Eigenpairs {
         rows
     }
 
-    /// How far the pairs, given at the nodes of a finer operator, are from being its eigenpairs, relative to the largest eigenvalue: the largest `||K phi_n - nu_n phi_n||`
-    /// and the largest `sqrt|nu_k nu_m| |<phi_k, phi_m> - delta_km|`.
+    /// The largest `||(K - K_N) phi_n||` over the largest eigenvalue on the nodes of a finer operator, `K_N = sum nu_m phi_m phi_m` the degenerate kernel, `rows` the `phi_n` there.
     pub(crate) fn defect(&self, rows: &[f64], finer: &SincOperator) -> f64 {
-        let scaled: Vec<Vec<Vec<f64>>> = (rows.chunks_exact(finer.count()))
-            .map(|row| finer.blocks().iter().map(|block| block.scaled(row)).collect())
-            .collect();
-        let product = |left: &[Vec<f64>], right: &[Vec<f64>]| -> f64 {
-            (finer.blocks().iter().zip(left.iter().zip(right)))
-                .map(|(block, (l, r))| block.multiplicity() * dot(l, r))
-                .sum()
-        };
-        let mut worst = 0.0f64;
-        for (n, (z, eigenvalue)) in scaled.iter().zip(&self.eigenvalues).enumerate() {
-            let residual: Vec<Vec<f64>> = (finer.blocks().iter().zip(z))
-                .map(|(block, z)| {
-                    let image = multiply_rows(&block.matrix, z);
-                    image.iter().zip(z).map(|(image, z)| image - eigenvalue * z).collect()
-                })
-                .collect();
-            worst = larger(worst, product(&residual, &residual).sqrt());
-            for (m, (other, other_eigenvalue)) in
-                scaled[..=n].iter().zip(&self.eigenvalues).enumerate()
-            {
-                let expected = f64::from(u8::from(m == n));
-                let weight = (eigenvalue * other_eigenvalue).abs().sqrt();
-                worst = larger(worst, weight * (product(z, other) - expected).abs());
+        let mut sums = vec![0.0; self.count()];
+        for block in finer.blocks() {
+            let functions: Vec<Vec<f64>> =
+                rows.chunks_exact(finer.count()).map(|row| block.scaled(row)).collect();
+            for (z, sum) in functions.iter().zip(&mut sums) {
+                let mut image = multiply_rows(&block.matrix, z);
+                for (other, eigenvalue) in functions.iter().zip(&self.eigenvalues) {
+                    let share = eigenvalue * block.multiplicity() * dot(z, other);
+                    image.iter_mut().zip(other).for_each(|(image, other)| *image -= share * other);
+                }
+                *sum += block.multiplicity() * dot(&image, &image);
             }
         }
+        let worst = sums.into_iter().fold(0.0, larger).sqrt();
         worst / self.eigenvalues.first().map_or(1.0, |largest| largest.abs())
     }
 }

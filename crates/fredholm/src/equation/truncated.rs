@@ -44,41 +44,91 @@ pub fn degenerate<'a>(
     let moments = relation.moments(f, degree + 1)?;
     let solve =
         |degree: usize| DegenerateSolver::new(relation, parameter, degree)?.solve(&moments.values);
-    let (first, second, solution) = (solve(degree / 4)?, solve(degree / 2)?, solve(degree)?);
-    let points: Vec<f64> = checks(relation.extent(), CHECKS).collect();
-    let before = difference(relation, &first, &second, &points);
-    let after = difference(relation, &second, &solution, &points);
-    let values = points.iter().map(|&x| (f(x).abs(), solution.evaluate(x, f(x)).abs()));
-    let (given, largest) =
-        values.fold((0.0f64, 0.0f64), |(f, phi), (g, psi)| (f.max(g), phi.max(psi)));
-    let rate = slowest_rate(relation);
-    let rounding = ROUNDING * (given + largest) + AMPLIFICATION * moments.error * given;
-    let unresolved = if relation.interval().is_finite() {
-        RESIDUAL * residual(relation, parameter, f, &|x| solution.evaluate(x, f(x)), degree)
-    } else {
-        0.0
-    };
-    let error = extrapolate(before, after, rate).max(unresolved) + rounding;
+    let levels = [solve(degree / 4)?, solve(degree / 2)?, solve(degree)?];
+    let sizes = Sizes::new(relation, f, &levels[2], moments.error);
+    let unresolved = RESIDUAL * residual_of(relation, parameter, f, &levels[2], degree);
+    let error = solution_error(relation, &levels).max(unresolved) + sizes.rounding;
     let functional = Integral::new(relation)?;
-    let integrals =
-        [&first, &second, &solution].map(|solution| functional.of(relation, f, solution));
+    let integrals = levels.each_ref().map(|solution| functional.of(relation, f, solution));
     let integral_error = match integrals {
         [Some(i1), Some(i2), Some(i3)] => {
-            let size = i3.abs() + (given + largest) * functional_size(relation);
-            extrapolate((i2 - i1).abs(), (i3 - i2).abs(), rate)
-                + rounding / (given + largest).max(f64::MIN_POSITIVE) * size
+            let extrapolated =
+                extrapolate((i2 - i1).abs(), (i3 - i2).abs(), slowest_rate(relation));
+            // A layer at an end is no wider than what the last term resolves there.
+            let layer = unresolved * sizes.functional / (degree as f64).powi(2);
+            extrapolated.max(layer) + sizes.rounding_of_integral(i3)
         }
         _ => f64::INFINITY,
     };
+    let [_, _, solution] = levels;
     Ok(Solution {
         integral: integrals[2],
         error: ErrorStatement { kind: Kind::Estimate, solution: error, integral: integral_error },
         method: Method::Spectral,
         count: degree,
-        converged: error <= USEFUL * largest,
-        largest,
+        converged: error <= USEFUL * sizes.solution,
+        largest: sizes.solution,
         value: Box::new(move |x| solution.evaluate(x, f(x))),
     })
+}
+
+/// Sizes against which errors are held.
+struct Sizes {
+    /// Largest `|f|` and `|phi|`.
+    given: f64,
+    solution: f64,
+    /// `int |u| dm`, roughly.
+    functional: f64,
+    /// Rounding of the solution, and what its moments may be off.
+    rounding: f64,
+}
+
+impl Sizes {
+    fn new<K: SpectralRelation + ?Sized>(
+        relation: &K,
+        f: &dyn Fn(f64) -> f64,
+        solution: &DegenerateSolution<'_, K>,
+        moment_error: f64,
+    ) -> Self {
+        let values = checks(relation.extent(), CHECKS).map(|x| {
+            let given = f(x);
+            (given.abs(), solution.evaluate(x, given).abs())
+        });
+        let (given, solution) =
+            values.fold((0.0f64, 0.0f64), |(f, phi), (g, psi)| (f.max(g), phi.max(psi)));
+        let rounding = ROUNDING * (given + solution) + AMPLIFICATION * moment_error * given;
+        Self { given, solution, functional: functional_size(relation), rounding }
+    }
+
+    fn rounding_of_integral(&self, integral: f64) -> f64 {
+        let values = (self.given + self.solution).max(f64::MIN_POSITIVE);
+        self.rounding * (integral.abs() / values + self.functional)
+    }
+}
+
+/// The difference of the last two levels over points from end to end, continued.
+fn solution_error<K: SpectralRelation + ?Sized>(
+    relation: &K,
+    [first, second, last]: &[DegenerateSolution<'_, K>; 3],
+) -> f64 {
+    let points: Vec<f64> = checks(relation.extent(), CHECKS).collect();
+    let before = difference(relation, first, second, &points);
+    let after = difference(relation, second, last, &points);
+    extrapolate(before, after, slowest_rate(relation))
+}
+
+/// The residual at single points; none on an infinite interval.
+fn residual_of<K: SpectralRelation + ?Sized>(
+    relation: &K,
+    parameter: f64,
+    f: &dyn Fn(f64) -> f64,
+    solution: &DegenerateSolution<'_, K>,
+    degree: usize,
+) -> f64 {
+    if !relation.interval().is_finite() {
+        return 0.0;
+    }
+    residual(relation, parameter, f, &|x| solution.evaluate(x, f(x)), degree)
 }
 
 /// `int |u| dm`, roughly.

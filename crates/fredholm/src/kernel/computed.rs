@@ -17,7 +17,7 @@ const MOST: usize = 1000;
 /// Growth of the number of nodes.
 const RATIO: f64 = std::f64::consts::SQRT_2;
 /// Most nodes on either side of the middle of the grid that checks the pairs.
-const LARGEST_HALF_COUNT: usize = 1500;
+const LARGEST_HALF_COUNT: usize = 1200;
 /// An expansion that is this close between the nodes, relative to the largest value, resolves the function.
 const RESOLVED: f64 = 1e-12;
 /// Points at which an expansion is compared with its function.
@@ -32,8 +32,8 @@ const CHECKS: usize = 257;
 /// not negative.
 ///
 /// Between the nodes `phi_n = (K phi_n)/nu_n` with the sinc interpolation of `K phi_n`, at any point of the closed interval. The pairs are checked on a grid of `sqrt 2` times as many nodes:
-/// [`defect`](Self::defect) is the larger of `||K phi_n - nu_n phi_n||` and `sqrt|nu_k nu_m| |<phi_k, phi_m> - delta_km|` there, over `|nu_0|`, and the number of nodes grows until it
-/// meets the tolerance. So the sum `sum nu_n phi_n(x) phi_n(s)` is as good as the defect says; `phi_n` alone has an error of about `2e-16 |nu_0/nu_n|`.
+/// [`defect`](Self::defect) is the largest `||(K - K_N) phi_n||` there over `|nu_0|`, with the degenerate kernel `K_N = sum nu_n phi_n(x) phi_n(s)`, and the number of nodes grows until it
+/// meets the tolerance. So `K_N` is as good as the defect says; `phi_n` alone has an error of about `2e-16 |nu_0/nu_n|` at a point.
 ///
 /// The kernel `2 + cos(x - s)` on `(-pi, pi)` has three eigenpairs:
 ///
@@ -90,7 +90,7 @@ impl<K: Kernel> ComputedRelation<K> {
     ///
     /// # Errors
     /// [`Error::TooFew`] when fewer than `count` eigenvalues exceed `2e-14` of the largest: those below are rounding;
-    /// [`Error::InvalidParameter`] unless `1 <= count <= 1000`, and on an infinite interval; [`Error::NotConverged`] when `3001` nodes do not resolve the pairs;
+    /// [`Error::InvalidParameter`] unless `1 <= count <= 1000`, and on an infinite interval; [`Error::NotConverged`] when 2401 nodes do not resolve the pairs;
     /// [`Error::NotFinite`], [`Error::TooLarge`] and [`Error::EigenvaluesNotFound`] as collocation.
     pub fn new(kernel: K, count: usize) -> Result<Self, Error> {
         Self::with_tolerance(kernel, count, TOLERANCE)
@@ -164,7 +164,7 @@ impl<K: Kernel> ComputedRelation<K> {
         &self.kernel
     }
 
-    /// How far the pairs are from being eigenpairs on a finer grid, relative to the largest eigenvalue: an estimate.
+    /// The largest `||(K - K_N) phi_n||` on a finer grid, relative to the largest eigenvalue: an estimate.
     #[must_use]
     pub fn defect(&self) -> f64 {
         self.defect
@@ -217,6 +217,10 @@ impl<K: Kernel> Kernel for ComputedRelation<K> {
         self.kernel.interval()
     }
 
+    fn extent(&self) -> Interval {
+        self.kernel.extent()
+    }
+
     fn singularity(&self) -> Singularity {
         self.kernel.singularity()
     }
@@ -235,6 +239,10 @@ impl<K: Kernel> Kernel for ComputedRelation<K> {
 
     fn measure(&self, s: f64) -> f64 {
         self.kernel.measure(s)
+    }
+
+    fn mass_function(&self, x: f64) -> f64 {
+        self.kernel.mass_function(x)
     }
 
     fn end_exponent(&self) -> f64 {
@@ -320,6 +328,6 @@ impl<K: Kernel> SpectralRelation for ComputedRelation<K> {
     }
 
     fn mass(&self, n: usize) -> f64 {
-        if n < self.available() { self.pairs.mass(n) } else { f64::NAN }
+        self.pairs.integral(n, |x| self.kernel.mass_function(x))
     }
 }

@@ -1,7 +1,7 @@
 //! Symmetric kernels, their singularities and their spectral relations (paper, section 1).
 //!
 //! To add a kernel, write one file here: implement [`Kernel`] (value and split of the singularity) and, where one is
-//! known, [`SpectralRelation`].
+//! known, [`SpectralRelation`]; where none is known, [`ComputedRelation`] computes the eigenpairs.
 
 mod computed;
 mod half_sums;
@@ -17,6 +17,7 @@ mod power;
 mod relation;
 mod singularity;
 mod weber_sonine;
+mod yukawa;
 
 pub use computed::ComputedRelation;
 pub use logarithm::Logarithm;
@@ -33,6 +34,7 @@ pub use power::Power;
 pub use relation::{EndExponents, Expansion, Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Pair, Singularity, Split};
 pub use weber_sonine::WeberSonine;
+pub use yukawa::Yukawa;
 
 use crate::Interval;
 
@@ -123,6 +125,11 @@ pub trait Kernel {
         (1.0 - self.singularity().exponent()).min(1.0)
     }
 
+    /// Nodes on either side of the middle with which adaptive collocation should begin, where the kernel has features finer than the interval; 0 leaves it to the parameter.
+    fn first_half_count(&self) -> f64 {
+        0.0
+    }
+
     /// `K(x, s)`; infinite at `x = s` for a singular kernel.
     fn value(&self, x: f64, s: f64) -> f64 {
         if x == s {
@@ -136,6 +143,10 @@ pub trait Kernel {
 impl<K: Kernel + ?Sized> Kernel for &K {
     fn interval(&self) -> Interval {
         (**self).interval()
+    }
+
+    fn extent(&self) -> Interval {
+        (**self).extent()
     }
 
     fn singularity(&self) -> Singularity {
@@ -156,6 +167,10 @@ impl<K: Kernel + ?Sized> Kernel for &K {
 
     fn measure(&self, s: f64) -> f64 {
         (**self).measure(s)
+    }
+
+    fn mass_function(&self, x: f64) -> f64 {
+        (**self).mass_function(x)
     }
 
     fn end_exponent(&self) -> f64 {

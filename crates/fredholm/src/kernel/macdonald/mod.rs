@@ -109,4 +109,9 @@ impl Kernel for Macdonald {
     fn is_even(&self) -> bool {
         true
     }
+
+    /// The faded factor has features of the decay length: about `7 kappa a` nodes resolve it.
+    fn first_half_count(&self) -> f64 {
+        7.0 * self.decay() * self.half_length()
+    }
 }

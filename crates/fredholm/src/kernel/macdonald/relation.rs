@@ -98,6 +98,10 @@ impl Kernel for MacdonaldRelation {
     fn is_even(&self) -> bool {
         true
     }
+
+    fn first_half_count(&self) -> f64 {
+        self.kernel.first_half_count()
+    }
 }
 
 impl SpectralRelation for MacdonaldRelation {
