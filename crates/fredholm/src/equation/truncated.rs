@@ -68,7 +68,10 @@ pub fn degenerate<'a>(
         count: degree,
         converged: error <= USEFUL * sizes.solution,
         largest: sizes.solution,
-        value: Box::new(move |x| solution.evaluate(x, f(x))),
+        value: {
+            let correction = solution.prepared_correction();
+            Box::new(move |x| f(x) - correction(x))
+        },
     })
 }
 
@@ -90,9 +93,10 @@ impl Sizes {
         solution: &DegenerateSolution<'_, K>,
         moment_error: f64,
     ) -> Self {
+        let correction = solution.prepared_correction();
         let values = checks(relation.extent(), CHECKS).map(|x| {
             let given = f(x);
-            (given.abs(), solution.evaluate(x, given).abs())
+            (given.abs(), (given - correction(x)).abs())
         });
         let (given, solution) =
             values.fold((0.0f64, 0.0f64), |(f, phi), (g, psi)| (f.max(g), phi.max(psi)));
@@ -128,7 +132,8 @@ fn residual_of<K: SpectralRelation + ?Sized>(
     if !relation.interval().is_finite() {
         return 0.0;
     }
-    residual(relation, parameter, f, &|x| solution.evaluate(x, f(x)), degree)
+    let correction = solution.prepared_correction();
+    residual(relation, parameter, f, &|x| f(x) - correction(x), degree)
 }
 
 /// `int |u| dm`, roughly.
@@ -148,7 +153,8 @@ fn difference<K: SpectralRelation + ?Sized>(
 ) -> f64 {
     let mut gap = fine.correction().to_vec();
     gap.iter_mut().zip(coarse.correction()).for_each(|(gap, c)| *gap -= c);
-    points.iter().map(|&x| relation.sum(&gap, x).abs()).fold(0.0, f64::max)
+    let gap = relation.combination(&gap);
+    points.iter().map(|&x| gap(x).abs()).fold(0.0, f64::max)
 }
 
 /// By how much the error at the ends falls when the degree doubles, at least: `degree^{-2(1-q)}`.
@@ -191,11 +197,12 @@ impl Integral {
             _ => {
                 let (centre, half) =
                     (relation.interval().centre(), relation.interval().half_length());
+                let correction = solution.prepared_correction();
                 let mass = |node: Node| {
                     let x = (centre + half * node.position)
                         .clamp(relation.interval().left(), relation.interval().right());
                     let density = relation.measure(x) * relation.mass_function(x);
-                    half * node.weight * density * solution.evaluate(x, f(x))
+                    half * node.weight * density * (f(x) - correction(x))
                 };
                 Some(double_exponential(4 * projections.len() + 40).map(mass).sum())
             }

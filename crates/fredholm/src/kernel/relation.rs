@@ -105,6 +105,12 @@ pub trait SpectralRelation: Kernel {
     /// `sum_m coefficients[m] phi_m(x)`, by a stable recurrence.
     fn sum(&self, coefficients: &[f64], x: f64) -> f64;
 
+    /// The function `sum_m coefficients[m] phi_m` for many points. As [`sum`](Self::sum) unless a kernel has something to prepare.
+    fn combination<'s>(&'s self, coefficients: &[f64]) -> Box<dyn Fn(f64) -> f64 + 's> {
+        let coefficients = coefficients.to_vec();
+        Box::new(move |x| self.sum(&coefficients, x))
+    }
+
     /// The Gram matrix `R_km = int_L phi_k phi_m dm` of `phi_0 .. phi_{count-1}`, to machine precision.
     ///
     /// # Errors

@@ -138,6 +138,11 @@ impl SpectralRelation for MacdonaldRelation {
         self.functions.sum(coefficients, self.local(x))
     }
 
+    fn combination<'s>(&'s self, coefficients: &[f64]) -> Box<dyn Fn(f64) -> f64 + 's> {
+        let series = self.functions.series(coefficients);
+        Box::new(move |x| self.functions.evaluate(&series, self.local(x)))
+    }
+
     fn gram(&self, count: usize) -> Result<Gram, Error> {
         if count > self.available() {
             return Err(Error::TooFew { needed: count, available: self.available() });

@@ -107,6 +107,22 @@ impl Spheroidal {
         }
     }
 
+    /// The coefficients in the polynomials of either parity of `sum c_n S_n`; NaN beyond the functions there are.
+    pub(super) fn series(&self, coefficients: &[f64]) -> [Vec<f64>; 2] {
+        let fill = if coefficients.len() > self.count() { f64::NAN } else { 0.0 };
+        let mut series = [vec![fill; self.half], vec![fill; self.half]];
+        for (n, c) in coefficients.iter().enumerate().take(self.count()) {
+            series[n % 2].iter_mut().zip(self.vector(n)).for_each(|(sum, v)| *sum += c * v);
+        }
+        series
+    }
+
+    /// A series of both parities at `t`.
+    pub(super) fn evaluate(&self, series: &[Vec<f64>; 2], t: f64) -> f64 {
+        let polynomials = self.polynomials(t);
+        dot(&series[0], &polynomials[0]) + dot(&series[1], &polynomials[1])
+    }
+
     /// `sum_n coefficients[n] phi_n(t)`; NaN for more coefficients than functions.
     pub(super) fn sum(&self, coefficients: &[f64], t: f64) -> f64 {
         if coefficients.len() > self.count() {
