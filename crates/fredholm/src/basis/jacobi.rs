@@ -1,5 +1,11 @@
 //! Jacobi polynomials `P_n^(alpha, beta)(t)` on `[-1, 1]`, `alpha, beta > -1` (DLMF 18).
 
+use crate::Error;
+use crate::quadrature::gauss_jacobi;
+
+/// Steps of Newton's method from nodes that are known to 1e-16 but not relative to their distance from an end.
+const STEPS: usize = 2;
+
 /// A point of `[-1, 1]` by its distances to both ends, which near an end hold more digits than the point does.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Argument {
@@ -39,20 +45,66 @@ impl Jacobi {
     pub(crate) fn sum(self, coefficients: &[f64], argument: Argument, scale: f64) -> f64 {
         coefficients.iter().zip(self.values(argument, scale)).map(|(c, value)| c * value).sum()
     }
+}
 
-    /// The coefficients of `t p_n = b_n p_{n+1} + a_n p_n + b_{n-1} p_{n-1}` for the orthonormal polynomials `p_n`: `(a_n, b_n)`.
-    pub(crate) fn recurrence(self, n: usize) -> (f64, f64) {
+/// A node of a Gauss rule and its weight.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct GaussNode {
+    pub(crate) argument: Argument,
+    pub(crate) weight: f64,
+}
+
+impl Jacobi {
+    /// The Gauss rule of `count` nodes for `int_0^1 g z^alpha (1 - z)^beta dz`, `z = (1 - t)/2`, from `t = -1` to 1, with nodes and weights accurate relative to their
+    /// own sizes: coefficients of expansions need it where weights differ much.
+    ///
+    /// # Errors
+    /// Those of [`gauss_jacobi`].
+    pub(crate) fn gauss(self, count: usize) -> Result<Vec<GaussNode>, Error> {
+        let rule = gauss_jacobi(count, self.alpha, self.beta)?;
+        let mut nodes: Vec<GaussNode> =
+            rule.nodes.iter().map(|t| self.refined(count, *t)).collect();
+        let total: f64 = nodes.iter().map(|node| node.weight).sum();
+        let gamma = libm::tgamma;
+        let exact =
+            gamma(self.alpha + 1.0) * gamma(self.beta + 1.0) / gamma(self.alpha + self.beta + 2.0);
+        nodes.iter_mut().for_each(|node| node.weight *= exact / total);
+        Ok(nodes)
+    }
+
+    /// The zero of `P_count` next to `t`, and `(1 - t^2)/P_(count-1)(t)^2`, to which the weight is proportional (DLMF 3.5.22, 18.9.17).
+    fn refined(self, count: usize, t: f64) -> GaussNode {
         let Self { alpha, beta } = self;
-        let (k, sum) = (n as f64, alpha + beta);
-        if n == 0 {
-            let off = 2.0 / (sum + 2.0) * ((alpha + 1.0) * (beta + 1.0) / (sum + 3.0)).sqrt();
-            return ((beta - alpha) / (sum + 2.0), off);
+        let n = count as f64;
+        let degree = 2.0 * n + alpha + beta;
+        let lead = 2.0 * (n + alpha) * (n + beta) / degree;
+        let near_one = t > 0.0;
+        let mut distance = 0.5 * (1.0 - t.abs());
+        let place = |distance: f64| {
+            let (near, far) = (distance, 1.0 - distance);
+            let (from_one, from_minus_one) = if near_one { (near, far) } else { (far, near) };
+            Argument { from_one, from_minus_one }
+        };
+        let mut before = 1.0;
+        for step in 0..=STEPS {
+            let argument = place(distance);
+            let mut values = self.values(argument, 1.0).skip(count - 1);
+            before = values.next().unwrap_or(1.0);
+            if step == STEPS {
+                break;
+            }
+            let value = values.next().unwrap_or(0.0);
+            // (1 - t^2) dP/dt
+            let t = argument.from_minus_one - argument.from_one;
+            let slope = n * ((alpha - beta) / degree - t) * value + lead * before;
+            let change = 2.0 * value / slope * (1.0 - distance) * distance;
+            let moved = if near_one { distance + change } else { distance - change };
+            if moved > 0.0 && moved < 1.0 {
+                distance = moved;
+            }
         }
-        let degree = 2.0 * k + sum;
-        let diagonal = (beta - alpha) / degree * (sum / (degree + 2.0));
-        let product = (k + 1.0) * (k + 1.0 + alpha) / (degree + 1.0)
-            * ((k + 1.0 + beta) * (k + 1.0 + sum) / (degree + 3.0));
-        (diagonal, 2.0 / (degree + 2.0) * product.sqrt())
+        let weight = distance * (1.0 - distance) / (before * before);
+        GaussNode { argument: place(distance), weight }
     }
 }
 
@@ -146,27 +198,27 @@ mod tests {
     }
 
     #[test]
-    fn the_orthonormal_recurrence_is_that_of_the_polynomials() {
-        // Without norms: a_n, and b_n^2 = (coefficient up) (coefficient down) of the recurrence of P_n.
-        for (alpha, beta) in [(0.0, -0.5), (2.5, -0.9), (0.5, 0.3), (-0.5, -0.5)] {
-            let jacobi = Jacobi::new(alpha, beta);
-            let (s, t) = (0.3, -0.8);
-            let [p, q]: [Vec<f64>; 2] =
-                [s, t].map(|t| jacobi.values(at(t), 1.0).take(12).collect());
-            let mut up_before = 0.0;
-            for n in 1..11 {
-                // t P_n = u P_{n+1} + a_n P_n + d P_{n-1}; u from the leading coefficients (DLMF 18.3.1)
-                let (k, sum) = (n as f64, alpha + beta);
-                let up = 2.0 * (k + 1.0) * (k + 1.0 + sum)
-                    / ((2.0 * k + sum + 1.0) * (2.0 * k + sum + 2.0));
-                let a = jacobi.recurrence(n).0;
-                let down = |t: f64, p: &[f64]| (t * p[n] - up * p[n + 1] - a * p[n]) / p[n - 1];
-                assert!((down(s, &p) - down(t, &q)).abs() < 1e-13, "{alpha} {beta} {n}");
-                let off = jacobi.recurrence(n - 1).1;
-                if n > 1 {
-                    assert!((off * off - up_before * down(s, &p)).abs() < 1e-13);
+    fn gauss_rules_have_exact_moments_relative_to_themselves() {
+        // int z^(alpha+k) (1-z)^(beta+l) dz = B(alpha+k+1, beta+l+1): high k and l weigh either end alone.
+        for (alpha, beta) in [(0.0, -0.5), (0.7, -0.99), (-0.5, 0.4), (0.0, 0.0), (0.5, -0.01)] {
+            for count in [1, 2, 7, 40, 200] {
+                let rule = Jacobi::new(alpha, beta).gauss(count).unwrap();
+                for (k, l) in [(0, 0), (1, 0), (0, 1), (count, 0), (0, count), (count, count - 1)] {
+                    let found: f64 = rule
+                        .iter()
+                        .map(|node| {
+                            let Argument { from_one, from_minus_one } = node.argument;
+                            node.weight * from_one.powi(k as i32) * from_minus_one.powi(l as i32)
+                        })
+                        .sum();
+                    let (p, q) = (alpha + k as f64 + 1.0, beta + l as f64 + 1.0);
+                    let exact = (libm::lgamma(p) + libm::lgamma(q) - libm::lgamma(p + q)).exp();
+                    let rounding = 1e-14 * (2.0 + (count as f64).ln() * count as f64);
+                    assert!(
+                        (found / exact - 1.0).abs() < rounding,
+                        "{alpha} {beta} {count} {k} {l}"
+                    );
                 }
-                up_before = up;
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::special::{gamma_quotient, mean_digamma};
+use crate::special::{half_gamma_quotient, mean_digamma};
 
 /// Terms of the series about the diagonal, which reach rounding for `delta <= 1/2`.
 pub(super) const NEAR_TERMS: usize = 16;
@@ -65,7 +65,7 @@ impl Coefficients {
     pub(super) fn far_strength(&self) -> f64 {
         let (mu, gamma) = (self.order, self.exponent);
         let inverse_gamma = (0.5 - gamma) / libm::tgamma(1.5 - gamma);
-        4f64.powf(gamma) * gamma_quotient(mu + (gamma + 0.5), mu + 1.0) * inverse_gamma
+        4f64.powf(gamma) * half_gamma_quotient(mu, gamma) * inverse_gamma
     }
 
     /// That `F` at `1 - z`; all terms are positive.

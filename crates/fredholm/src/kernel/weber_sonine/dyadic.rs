@@ -15,13 +15,11 @@ pub(super) struct Dyadic {
 }
 
 impl Dyadic {
-    /// The function down to `2^-pieces`; `value(j, w)` is asked for in piece `j`, piece after piece.
-    pub(super) fn new(pieces: usize, mut value: impl FnMut(usize, f64) -> f64) -> Self {
-        let points = chebyshev::points(TERMS - 1);
+    /// The function down to `2^-pieces`.
+    pub(super) fn new(pieces: usize, value: impl Fn(f64) -> f64) -> Self {
         let piece = |j: usize| {
             let scale = 0.5f64.powi(j as i32 + 2);
-            let values = points.iter().map(|u| value(j, scale * (u + 3.0))).collect();
-            powers(ChebyshevSeries::through(values).coefficients())
+            powers(|u| value(scale * (u + 3.0)))
         };
         Self { pieces: (0..pieces).map(piece).collect() }
     }
@@ -50,23 +48,28 @@ pub(super) fn polynomial<const ROWS: usize>(rows: &[[f64; LANES]; ROWS], u: f64)
     (sums[0] + sums[1] * u) + (sums[2] + sums[3] * u) * square
 }
 
-/// The coefficients of the powers of a sum of Chebyshev polynomials; it loses no more than `(1 + sqrt 2)^n` at the `n`-th.
-fn powers(coefficients: &[f64]) -> [[f64; LANES]; TERMS / LANES] {
-    let mut sum = [0.0; TERMS];
-    let (mut before, mut current) = ([0.0; TERMS], [0.0; TERMS]);
+/// The coefficients of the powers of `u` in the polynomial through the values of a function at Chebyshev points of `[-1, 1]`, row by row; it loses no more
+/// than `(1 + sqrt 2)^n` at the `n`-th.
+pub(super) fn powers<const ROWS: usize>(function: impl Fn(f64) -> f64) -> [[f64; LANES]; ROWS] {
+    let terms = ROWS * LANES;
+    let points = chebyshev::points(terms - 1);
+    let series = ChebyshevSeries::through(points.into_iter().map(function).collect());
+    let mut sum = vec![0.0; terms];
+    let (mut before, mut current) = (vec![0.0; terms], vec![0.0; terms]);
     before[0] = 1.0;
     current[1] = 1.0;
-    for c in coefficients {
-        for (sum, power) in sum.iter_mut().zip(before) {
+    for c in series.coefficients() {
+        for (sum, power) in sum.iter_mut().zip(&before) {
             *sum += c * power;
         }
-        let mut next = before.map(|power| -power);
-        for k in 1..TERMS {
-            next[k] += 2.0 * current[k - 1];
+        // T_(n+1) = 2 u T_n - T_(n-1)
+        for k in (0..terms).rev() {
+            let raised = if k == 0 { 0.0 } else { 2.0 * current[k - 1] };
+            before[k] = raised - before[k];
         }
-        (before, current) = (current, next);
+        std::mem::swap(&mut before, &mut current);
     }
-    let mut rows = [[0.0; LANES]; TERMS / LANES];
+    let mut rows = [[0.0; LANES]; ROWS];
     for (row, chunk) in rows.iter_mut().zip(sum.chunks_exact(LANES)) {
         row.copy_from_slice(chunk);
     }
@@ -80,7 +83,7 @@ mod tests {
     #[test]
     fn holds_functions_with_a_singularity_at_zero() {
         for power in [-0.7, 0.5, 3.3] {
-            let table = Dyadic::new(40, |_, w| w.powf(power));
+            let table = Dyadic::new(40, |w| w.powf(power));
             for i in 0..400 {
                 let w = 0.935f64.powi(i);
                 let (found, exact) = (table.evaluate(w), w.powf(power));

@@ -2,7 +2,8 @@
 
 use super::WeberSonine;
 use crate::kernel::{Gram, SpectralRelation};
-use crate::special::gamma_quotient;
+use crate::linear::dot;
+use crate::special::half_gamma_quotient;
 use crate::{Error, memory};
 
 /// Share of the memory that one matrix may take.
@@ -13,12 +14,16 @@ impl WeberSonine {
     ///
     /// `R_km = (-1)^(k+m+1) a^(2 mu+2) b_k b_m [4 (k^2+m^2) + (4 mu+2)(k+m) + 2 mu] / {[4 (k-m)^2 - 1] 4 (k+m+mu)(k+m+mu+1)}`, `b_k = (1/2)_k/k!`,
     ///
-    /// otherwise from the first row `R_0m = (-1)^m (beta)_m / (2 m! (m+mu+1))`, `beta = gamma - 1/2`, by the recurrence `J R = R J` with the Jacobi matrix of the
-    /// orthonormal polynomials, which is stable (4e-15 of the largest entry at order 1000).
+    /// otherwise, `R` without closed form, as the sum `R_km = sum_{l <= min} c_kl c_ml / (2 (2l+mu+1))` over the connection coefficients to `P_l^(mu,0)`
+    ///
+    /// `c_nl = (-1)^(n-l) (mu+2l+1)/(mu+n+l+1) (beta)_(n-l)/(n-l)! Gamma(n+l+mu+gamma+1/2) Gamma(n+mu+1) / [Gamma(n+l+mu+1) Gamma(n+mu+gamma+1/2)]`,
+    ///
+    /// `beta = gamma - 1/2` (G. Szego, Orthogonal polynomials, 9.4), in `count^3/6` multiplications. The recurrence `J R = R J` with the Jacobi matrix from the
+    /// first row would take `count^2`, but loses a factor `count^mu`.
     pub(super) fn gram_matrix(&self, count: usize) -> Result<Gram, Error> {
         admit(count)?;
         let mut entries =
-            if self.exponent == 0.0 { self.closed_form(count) } else { self.by_recurrence(count) };
+            if self.exponent == 0.0 { self.closed_form(count) } else { self.by_connection(count) };
         // Both are the compression of multiplication by (1 - x^2)^(1/2-gamma) for a = 1.
         let size = self.radius.powf(0.5 - self.exponent);
         let roots: Vec<f64> = (0..count).map(|n| self.norm(n).sqrt() * size).collect();
@@ -37,7 +42,7 @@ impl WeberSonine {
         let mu = self.order;
         let share = |k: usize| {
             let n = k as f64;
-            let b = gamma_quotient(n + 0.5, n + 1.0) / std::f64::consts::PI.sqrt();
+            let b = half_gamma_quotient(n, 0.0) / std::f64::consts::PI.sqrt();
             b * self.inverse_root_of_norm(k)
         };
         let shares: Vec<f64> = (0..count).map(share).collect();
@@ -58,53 +63,40 @@ impl WeberSonine {
         (0..count * count).map(entry).collect()
     }
 
-    /// Row `k + 1` at the columns from `k + 1` on follows from the rows `k` and `k - 1`; each row is two shorter than the one before.
-    fn by_recurrence(&self, count: usize) -> Vec<f64> {
-        let mut entries = vec![0.0; count * count];
-        if count == 0 {
-            return entries;
+    /// `R = C C^T` with the coefficients `C` of the eigenfunctions in the orthonormal polynomials without weight.
+    fn by_connection(&self, count: usize) -> Vec<f64> {
+        let mut connection = vec![0.0; count * count];
+        let quotients: Vec<f64> = (0..2 * count).map(|j| self.second_quotient(j as f64)).collect();
+        let steps: Vec<f64> = (0..count).map(|j| self.step(j)).collect();
+        for (n, row) in connection.chunks_exact_mut(count.max(1)).enumerate() {
+            let scale = self.inverse_root_of_norm(n) / quotients[n];
+            for (l, entry) in row[..=n].iter_mut().enumerate() {
+                let degree = (2 * l + 1) as f64 + self.order;
+                let quotient = quotients[n + l] / ((n + l + 1) as f64 + self.order);
+                *entry = (0.5 * degree).sqrt() * quotient * steps[n - l] * scale;
+            }
         }
-        let length = 2 * count;
-        let polynomials = self.polynomials();
-        let (diagonal, off): (Vec<f64>, Vec<f64>) =
-            (0..length).map(|n| polynomials.recurrence(n)).unzip();
-        let mut row = self.first_row(length);
-        let mut before = vec![0.0; length];
+        let row = |n: usize, length: usize| &connection[n * count..n * count + length];
+        let mut entries = vec![0.0; count * count];
         for k in 0..count {
-            for m in k..count {
-                entries[k * count + m] = row[m];
-                entries[m * count + k] = row[m];
+            for m in 0..=k {
+                let entry = dot(row(k, m + 1), row(m, m + 1));
+                entries[k * count + m] = entry;
+                entries[m * count + k] = entry;
             }
-            let mut next = vec![0.0; length];
-            let above = if k == 0 { 0.0 } else { off[k - 1] };
-            for m in k + 1..length - k - 1 {
-                let product = off[m] * row[m + 1]
-                    + (diagonal[m] - diagonal[k]) * row[m]
-                    + off[m - 1] * row[m - 1]
-                    - above * before[m];
-                next[m] = product / off[k];
-            }
-            before = std::mem::replace(&mut row, next);
         }
         entries
     }
 
-    fn first_row(&self, length: usize) -> Vec<f64> {
-        let (mu, beta) = (self.order, self.exponent - 0.5);
-        let root = self.inverse_root_of_norm(0);
-        // (beta)_m / m! = beta/m Gamma(m+beta) / (Gamma(1+beta) Gamma(m))
-        let strength = beta / libm::tgamma(self.exponent + 0.5);
-        let entry = |m: usize| {
-            let n = m as f64;
-            let quotient = if m == 0 {
-                1.0
-            } else {
-                strength / n * gamma_quotient(n - 0.5 + self.exponent, n)
-            };
-            let sign = if m.is_multiple_of(2) { 1.0 } else { -1.0 };
-            sign * quotient / (2.0 * (n + mu + 1.0)) * (root * self.inverse_root_of_norm(m))
-        };
-        (0..length).map(entry).collect()
+    /// `(-1)^j (beta)_j / j!`, `beta = gamma - 1/2`.
+    fn step(&self, j: usize) -> f64 {
+        if j == 0 {
+            return 1.0;
+        }
+        // (beta)_j / j! = beta/j Gamma(j+beta) / (Gamma(1+beta) Gamma(j))
+        let strength = (self.exponent - 0.5) / libm::tgamma(self.exponent + 0.5);
+        let sign = if j.is_multiple_of(2) { 1.0 } else { -1.0 };
+        sign * strength / j as f64 * half_gamma_quotient((j - 1) as f64, self.exponent)
     }
 }
 

@@ -105,7 +105,7 @@ impl WeberSonine {
             order,
             exponent,
             centre: if order > 0.0 { radius * CENTRE.powf(1.0 / order.min(1.0)) } else { 0.0 },
-            tables: Arc::new(Tables::new(order, exponent)),
+            tables: Arc::new(Tables::new(radius, order, exponent)),
         })
     }
 
@@ -150,7 +150,7 @@ impl Kernel for WeberSonine {
     }
 
     fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
-        self.tables.pair(x, s, distance, self.radius)
+        self.tables.pair(x, s, distance)
     }
 
     /// `s`; for `mu > 0` 0 so near the centre that `s^mu` (`s` for `mu > 1`) has fallen below rounding: where the rim needs nodes deep in its corner, the grid would put

@@ -2,21 +2,20 @@
 
 use super::WeberSonine;
 use crate::Error;
-use crate::basis::expansion::{Rule, expand_by_rule};
-use crate::basis::jacobi::Argument;
+use crate::basis::expansion::{Rule, expand_at_nodes};
+use crate::basis::jacobi::{Argument, GaussNode, Jacobi};
 use crate::kernel::{EndExponents, Expansion, Gram, Kernel, Parity, SpectralRelation};
-use crate::quadrature::gauss_jacobi;
-use crate::special::gamma_quotient;
+use crate::special::half_gamma_quotient;
 
 impl WeberSonine {
     /// `Gamma(n+gamma+1/2) / n!`.
     fn first_quotient(&self, n: f64) -> f64 {
-        gamma_quotient(n + (self.exponent + 0.5), n + 1.0)
+        half_gamma_quotient(n, self.exponent)
     }
 
     /// `Gamma(n+mu+gamma+1/2) / Gamma(n+mu+1)`.
-    fn second_quotient(&self, n: f64) -> f64 {
-        gamma_quotient(n + self.order + (self.exponent + 0.5), n + self.order + 1.0)
+    pub(super) fn second_quotient(&self, n: f64) -> f64 {
+        half_gamma_quotient(n + self.order, self.exponent)
     }
 
     /// `2n + mu + gamma + 1/2`.
@@ -42,22 +41,18 @@ impl WeberSonine {
 
     /// A rule for `int_0^a g w s ds`, `g` being a product of two of `phi_0 .. phi_{count-1}`.
     ///
-    /// In `z = s^2/a^2` it is `z^mu (1-z)^(gamma-1/2)` times a polynomial. The rule has the weight `z^e (1-z)^(gamma-1/2)` with `e` in `[-1/2, 1/2]`, `mu - e` an
-    /// integer: weights beside `z^mu` are tiny near 0, where only their absolute error is small.
-    fn rule(&self, count: usize) -> Result<Rule, Error> {
-        let whole = self.order.round();
-        let part = self.order - whole;
-        let nodes = count + (0.5 * whole) as usize + 1;
-        let rule = gauss_jacobi(nodes, self.exponent - 0.5, part)?;
-        // s ds = a^2 dz/2, w = a^(2 gamma-1) (1-z)^(gamma-1/2), z = (1+t)/2
-        let scale = 0.5
-            * self.radius.powf(2.0 * self.exponent + 1.0)
-            * 0.5f64.powf(self.exponent + 0.5 + part);
-        let squares: Vec<f64> = rule.nodes.iter().map(|t| 0.5 + 0.5 * t).collect();
-        let weight = |(z, w): (&f64, &f64)| w * scale * z.powf(-part);
+    /// In `z = s^2/a^2` it is `z^mu (1-z)^(gamma-1/2)` times a polynomial. The rule has the weight `z^e (1-z)^(gamma-1/2)` with the broken part `e` of `mu`, so
+    /// that it can be divided by its power.
+    fn rule(&self, count: usize) -> Result<Rule<Argument>, Error> {
+        let part = self.order.fract();
+        let nodes = count + (0.5 * self.order) as usize + 1;
+        let rule = Jacobi::new(part, self.exponent - 0.5).gauss(nodes)?;
+        // s ds = a^2 dz/2, w = a^(2 gamma-1) (1-z)^(gamma-1/2)
+        let scale = 0.5 * self.radius.powf(2.0 * self.exponent + 1.0);
+        let weight = |node: &GaussNode| node.weight * scale * node.argument.from_one.powf(-part);
         Ok(Rule {
-            weights: squares.iter().zip(&rule.weights).map(weight).collect(),
-            nodes: squares.iter().map(|z| self.radius * z.sqrt()).collect(),
+            weights: rule.iter().map(weight).collect(),
+            nodes: rule.iter().map(|node| node.argument).collect(),
         })
     }
 }
@@ -108,6 +103,11 @@ impl SpectralRelation for WeberSonine {
     }
 
     fn expand(&self, f: &dyn Fn(f64) -> f64) -> Result<Expansion, Error> {
-        expand_by_rule(self, f, |count| self.rule(count))
+        let place = |node: &Argument| self.radius * node.from_one.sqrt();
+        let functions = |node: &Argument, values: &mut [f64]| {
+            let functions = self.polynomials().values(*node, self.mass_function(place(node)));
+            values.iter_mut().zip(functions).for_each(|(value, function)| *value = function);
+        };
+        expand_at_nodes(self, f, |count| self.rule(count), place, functions)
     }
 }

@@ -27,9 +27,11 @@ pub(super) struct Tables {
     far_strength: f64,
     /// The hypergeometric function of `s^2/x^2` by `1 - s^2/x^2`.
     far: Dyadic,
-    /// `F_1` by `1/(1 + delta^2/4)`.
+    /// `e^((1/2-mu) r) F_1` by `r` over the reach of the cutoff.
     factor: Dyadic,
     cutoff: Cutoff,
+    /// `ln a`.
+    radius: f64,
 }
 
 /// Two points by their logarithms.
@@ -43,7 +45,7 @@ struct Logarithms {
 }
 
 impl Tables {
-    pub(super) fn new(order: f64, exponent: f64) -> Self {
+    pub(super) fn new(radius: f64, order: f64, exponent: f64) -> Self {
         let coefficients = Coefficients::new(order, exponent);
         let delta = NEAR.min(NEAR_OF_ORDER / order);
         let terms = coefficients.near();
@@ -52,43 +54,41 @@ impl Tables {
         };
         let rest_of_square = -(-4.0 * (0.5 * delta).asinh()).exp_m1();
         let far_pieces = 1 + (-rest_of_square.log2()) as usize;
-        let cutoff = Cutoff::new(order);
-        // w = 1/cosh^2(r/2) > e^-r
-        let factor_pieces = 1 + (cutoff.reach() / std::f64::consts::LN_2) as usize;
+        let cutoff = Cutoff::new(order, exponent);
+        let nearest = 2.0 * (0.5 * delta).asinh();
         Self {
             near_limit: 0.25 * delta * delta,
             near: rows(0),
             difference: rows(1),
             near_strength: coefficients.strength * (2.0 * exponent * coefficients.shift).exp(),
             far_strength: coefficients.far_strength(),
-            far: Dyadic::new(far_pieces, |_, rest| coefficients.far(rest)),
-            factor: factor::table(&coefficients, factor_pieces),
+            far: Dyadic::new(far_pieces, |rest| coefficients.far(rest)),
+            factor: factor::table(&coefficients, cutoff.reach(), nearest),
             cutoff,
+            radius: radius.ln(),
             coefficients,
         }
     }
 
     /// `W` and its factor at two different points of `(0, radius)`; NaN only for points that are NaN or negative.
-    pub(super) fn pair(&self, x: f64, s: f64, distance: f64, radius: f64) -> Pair {
+    pub(super) fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
         let (larger, smaller) = if x > s { (x, s) } else { (s, x) };
         if smaller == 0.0 {
             let value = if self.coefficients.order == 0.0 { self.at_centre(larger) } else { 0.0 };
             return Pair { value, factor: 0.0 };
         }
-        let (of_larger, of_smaller) = (larger.ln(), smaller.ln());
-        let logarithms = Logarithms {
-            product: of_larger + of_smaller,
-            ratio: of_larger - of_smaller,
-            larger: of_larger,
-        };
+        // Deep in the corner the difference of their logarithms would not hold the ratio.
+        let quotient = smaller / larger;
+        let (of_larger, ratio) = (larger.ln(), -quotient.ln());
+        let logarithms = Logarithms { product: 2.0 * of_larger - ratio, ratio, larger: of_larger };
         let share = distance / larger;
         let quarter = 0.25 * share * (distance / smaller);
         let value = if quarter <= self.near_limit {
             self.near_value(quarter, distance, &logarithms)
         } else {
-            self.far_value(share * (1.0 + smaller / larger), &logarithms)
+            self.far_value(share * (1.0 + quotient), &logarithms)
         };
-        let depth = radius.ln() - 0.5 * logarithms.product;
+        let depth = self.radius - 0.5 * logarithms.product;
         Pair { value: value.min(f64::MAX), factor: self.factor(quarter, &logarithms, depth) }
     }
 
@@ -122,12 +122,14 @@ impl Tables {
         if cutoff == 0.0 {
             return 0.0;
         }
-        let function = if quarter <= self.near_limit {
-            polynomial(&self.near, quarter)
+        let Logarithms { product, ratio, .. } = *logarithms;
+        let (function, growth) = if quarter <= self.near_limit {
+            (polynomial(&self.near, quarter), 0.0)
         } else {
-            self.factor.evaluate(1.0 / (1.0 + quarter))
+            let share = ratio / self.cutoff.reach();
+            (self.factor.evaluate(share), (self.coefficients.order - 0.5) * ratio)
         };
-        let scale = (-0.5 * logarithms.product).exp();
+        let scale = (growth - 0.5 * product).exp();
         (self.coefficients.strength * cutoff * function * scale).clamp(-f64::MAX, f64::MAX)
     }
 
