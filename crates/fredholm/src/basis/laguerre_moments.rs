@@ -10,13 +10,15 @@ const NODES: usize = 24;
 /// Phase of the fastest function over half a panel: its Legendre coefficients are rounding from degree 30 on.
 const HALF_PHASE: f64 = 8.0;
 /// The Legendre coefficients of `f` on a panel are small from here on if the rule, exact to degree 47, resolves the product.
-const RESOLVED_FROM: usize = 14;
+const RESOLVED_FROM: usize = 17;
 /// Coefficients below this, relative to the largest value, count as rounding.
 const ROUNDING: f64 = 2e-15;
+/// Coefficients below this that do not fall as a panel is halved are rounding of `f` itself.
+const PLATEAU: f64 = 1e-9;
 /// How often a panel is halved.
 const DEPTH: u32 = 40;
 /// Most panels.
-const MOST_PANELS: usize = 4000;
+const MOST_PANELS: usize = 20_000;
 /// Beyond the turning point `u = 2 sqrt(k + 1)` the functions die out within this distance.
 const MARGIN: f64 = 9.0;
 /// Widest panel.
@@ -182,9 +184,10 @@ impl Panels {
         let width = end / pieces;
         let mut sampled = Sampled { panels: Vec::new(), largest: 0.0, unresolved: 0.0 };
         // From right to left, so that the stack gives them from left to right.
-        let mut waiting: Vec<(f64, f64, u32)> =
-            (0..pieces as usize).rev().map(|k| (k as f64 * width, width, 0)).collect();
-        while let Some((left, width, depth)) = waiting.pop() {
+        let first = |k| (k as f64 * width, width, 0, f64::INFINITY);
+        let mut waiting: Vec<(f64, f64, u32, f64)> =
+            (0..pieces as usize).rev().map(first).collect();
+        while let Some((left, width, depth, before)) = waiting.pop() {
             let mut panel = Panel { left, width, values: Vec::with_capacity(NODES) };
             for t in &rule.nodes {
                 let value = self.value(f, panel.at(*t))?;
@@ -192,11 +195,15 @@ impl Panels {
                 panel.values.push(value);
             }
             let tail = rule.tail(&panel.values);
+            let plateau = tail > 0.25 * before && tail <= PLATEAU * sampled.largest;
             if tail <= ROUNDING * sampled.largest {
                 sampled.panels.push(panel);
-            } else if depth < DEPTH && sampled.panels.len() + waiting.len() < MOST_PANELS {
-                waiting.push((left + 0.5 * width, 0.5 * width, depth + 1));
-                waiting.push((left, 0.5 * width, depth + 1));
+            } else if !plateau
+                && depth < DEPTH
+                && sampled.panels.len() + waiting.len() < MOST_PANELS
+            {
+                waiting.push((left + 0.5 * width, 0.5 * width, depth + 1, tail));
+                waiting.push((left, 0.5 * width, depth + 1, tail));
             } else {
                 // What a panel adds to an integral goes with its width.
                 sampled.unresolved = sampled.unresolved.max(tail * width / sampled.largest);

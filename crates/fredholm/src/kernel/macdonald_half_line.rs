@@ -49,6 +49,8 @@ const SHARE: f64 = 0.4;
 pub struct MacdonaldHalfLine {
     interval: Interval,
     profile: Arc<MacdonaldProfile>,
+    /// The same with `kappa = 1`: collocation works in decay lengths.
+    unit_profile: Arc<MacdonaldProfile>,
 }
 
 impl MacdonaldHalfLine {
@@ -64,8 +66,13 @@ impl MacdonaldHalfLine {
                 requirement: "between 1e-50 and 1e50: the kernel decays as exp(-decay |x - s|), and its powers overflow beyond",
             });
         }
-        let profile = MacdonaldProfile::new(order, decay, TABULATED)?;
-        Ok(Self { interval: Interval::half_line(0.0)?, profile: Arc::new(profile) })
+        let unit_profile = Arc::new(MacdonaldProfile::new(order, 1.0, TABULATED)?);
+        let profile = if decay == 1.0 {
+            Arc::clone(&unit_profile)
+        } else {
+            Arc::new(MacdonaldProfile::new(order, decay, TABULATED)?)
+        };
+        Ok(Self { interval: Interval::half_line(0.0)?, profile, unit_profile })
     }
 
     /// `mu`.
@@ -88,9 +95,14 @@ impl MacdonaldHalfLine {
         PI.sqrt() * 2f64.powf(-mu) * libm::tgamma(0.5 - mu) * self.decay().powf(mu - 1.0)
     }
 
-    /// The kernel and its singular factor at a distance.
-    pub(crate) fn profile_pair(&self, distance: f64) -> Pair {
-        self.profile.pair(distance)
+    /// The kernel with `kappa = 1` as a function of the distance: with `xi = kappa x` the operator is that kernel's times [`unit_scale`](Self::unit_scale).
+    pub(crate) fn unit_profile(&self) -> &MacdonaldProfile {
+        &self.unit_profile
+    }
+
+    /// `kappa^(mu - 1)`.
+    pub(crate) fn unit_scale(&self) -> f64 {
+        self.decay().powf(self.order() - 1.0)
     }
 
     /// `mu - 1/2`.

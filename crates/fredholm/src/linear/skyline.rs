@@ -3,6 +3,9 @@
 use super::dot;
 use crate::Error;
 
+/// A pivot below this counts as zero.
+const VANISHING: f64 = 1e-13;
+
 /// The lower triangle of a symmetric matrix, each row from its first entry that is not zero to the diagonal. The first
 /// columns must not decrease from row to row.
 #[derive(Debug, Clone)]
@@ -55,40 +58,46 @@ impl Skyline {
         product
     }
 
-    /// The Cholesky factor of `1 + parameter` times the matrix: it has the same zeros.
+    /// `1 + parameter` times the matrix as `L D L^T`, which has the same zeros. Meant for matrices that are positive definite, or would be but for a
+    /// few eigenvalues that an approximation made slightly negative: there are no exchanges of rows.
     ///
     /// # Errors
-    /// [`Error::NotPositiveDefinite`] with the first pivot that is not positive.
+    /// [`Error::Singular`] when a pivot vanishes.
     pub(crate) fn factor_shifted(&self, parameter: f64) -> Result<SkylineFactor, Error> {
         let mut factor = self.clone();
+        let mut pivots = Vec::with_capacity(self.order());
         factor.entries.iter_mut().for_each(|entry| *entry *= parameter);
         for i in 0..self.order() {
             let (done, rest) = factor.entries.split_at_mut(factor.starts[i]);
             let first = factor.firsts[i];
-            let row = &mut rest[..=i - first];
+            let (row, diagonal) = rest[..=i - first].split_at_mut(i - first);
+            // L_ij D_j, from left to right.
             for j in first..i {
-                let (start, first_j) = (factor.starts[j], factor.firsts[j]);
-                let row_j = &done[start..factor.starts[j + 1]];
                 // Firsts do not decrease, so that row j begins no later than row i.
-                let shared = &row_j[first - first_j..j - first_j];
-                row[j - first] =
-                    (row[j - first] - dot(&row[..j - first], shared)) / row_j[j - first_j];
+                let row_j = &done[factor.starts[j]..factor.starts[j + 1]];
+                let shared = &row_j[first - factor.firsts[j]..j - factor.firsts[j]];
+                row[j - first] -= dot(&row[..j - first], shared);
             }
-            let (below, diagonal) = row.split_at_mut(i - first);
-            let pivot = 1.0 + diagonal[0] - dot(below, below);
-            if !(pivot > 0.0 && pivot.is_finite()) {
-                return Err(Error::NotPositiveDefinite { order: self.order(), pivot: i });
+            let mut pivot = 1.0 + diagonal[0];
+            for (entry, other) in row.iter_mut().zip(&pivots[first..]) {
+                let scaled = *entry / other;
+                pivot -= scaled * *entry;
+                *entry = scaled;
             }
-            diagonal[0] = pivot.sqrt();
+            if !(pivot.abs() > VANISHING && pivot.is_finite()) {
+                return Err(Error::Singular { parameter, smallest: pivot });
+            }
+            pivots.push(pivot);
         }
-        Ok(SkylineFactor { factor })
+        Ok(SkylineFactor { factor, pivots })
     }
 }
 
-/// `L` in `1 + parameter A = L L^T`.
+/// `1 + parameter A = L D L^T`.
 #[derive(Debug, Clone)]
 pub(crate) struct SkylineFactor {
     factor: Skyline,
+    pivots: Vec<f64>,
 }
 
 impl SkylineFactor {
@@ -96,15 +105,13 @@ impl SkylineFactor {
     pub(crate) fn solve(&self, right: &mut [f64]) {
         for i in 0..self.factor.order() {
             let (first, entries) = self.factor.row(i);
-            let (below, diagonal) = entries.split_at(i - first);
-            right[i] = (right[i] - dot(below, &right[first..i])) / diagonal[0];
+            right[i] -= dot(&entries[..i - first], &right[first..i]);
         }
+        right.iter_mut().zip(&self.pivots).for_each(|(value, pivot)| *value /= pivot);
         for i in (0..self.factor.order()).rev() {
             let (first, entries) = self.factor.row(i);
-            let (below, diagonal) = entries.split_at(i - first);
-            let value = right[i] / diagonal[0];
-            right[i] = value;
-            for (target, entry) in right[first..i].iter_mut().zip(below) {
+            let value = right[i];
+            for (target, entry) in right[first..i].iter_mut().zip(&entries[..i - first]) {
                 *target -= entry * value;
             }
         }
@@ -142,7 +149,13 @@ mod tests {
         for (found, exact) in right.iter().zip(&exact) {
             assert!((found - exact).abs() < 1e-14, "{found} {exact}");
         }
-        let error = matrix.factor_shifted(-0.4).unwrap_err();
-        assert!(matches!(error, Error::NotPositiveDefinite { order: 40, pivot: 0 }));
+        // Indefinite, and singular in the first row.
+        let mut right: Vec<f64> = exact.iter().zip(&product).map(|(x, y)| x - 0.4 * y).collect();
+        matrix.factor_shifted(-0.4).unwrap().solve(&mut right);
+        for (found, exact) in right.iter().zip(&exact) {
+            assert!((found - exact).abs() < 1e-12, "{found} {exact}");
+        }
+        let error = matrix.factor_shifted(-1.0 / 3.0).unwrap_err();
+        assert!(matches!(error, Error::Singular { .. }));
     }
 }

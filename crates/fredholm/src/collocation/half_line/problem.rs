@@ -8,11 +8,9 @@ use crate::collocation::estimate::extrapolate;
 use crate::kernel::{Kernel, MacdonaldHalfLine};
 
 /// Length of the section beyond `x_max` in units of the length of decay.
-const ROOM: f64 = 44.0;
+const ROOM: f64 = 46.0;
 /// The same of the section it is compared with, as a share.
-const LESS_ROOM: f64 = 34.0 / 44.0;
-/// How often the room is doubled where a right-hand side grows.
-const ROOMS: u32 = 3;
+const LESS_ROOM: f64 = 36.0 / 46.0;
 /// Growth of the number of nodes.
 const RATIO: f64 = std::f64::consts::SQRT_2;
 /// Most refinements.
@@ -21,6 +19,8 @@ const REFINEMENTS: u32 = 6;
 const DENSITY: f64 = 3.3;
 /// Largest and smallest step of `t` of the third solution. Measured, as is the rest of [`step`].
 const STEPS: [f64; 2] = [0.004, 0.12];
+/// Slowest power with which the end value is left.
+const SLOWEST: f64 = 0.04;
 /// Rounding of `f - lambda K phi`, in units of the last place of its terms.
 const ROUNDING: f64 = 24.0 * f64::EPSILON;
 /// Differences that no longer fall and are below this share of the solution are rounding.
@@ -32,6 +32,8 @@ const SAFETY: f64 = 10.0;
 pub(super) struct Problem<'p> {
     kernel: &'p MacdonaldHalfLine,
     parameter: f64,
+    /// The parameter of the equation in decay lengths, with `kappa = 1`.
+    unit_parameter: f64,
     f: &'p dyn Fn(f64) -> f64,
     /// `x_max` in decay lengths.
     end: f64,
@@ -46,7 +48,7 @@ pub(super) struct Problem<'p> {
 /// One solution, and what is compared.
 struct Run {
     solution: HalfLineSolution,
-    /// `int T phi ds` with the tail `T` of the kernel.
+    /// `int T phi ds` with the tail `T` of the kernel, in decay lengths.
     product: f64,
     /// The largest values of `phi` up to the end and of `lambda K phi` on the section.
     largest: [f64; 2],
@@ -68,6 +70,15 @@ impl<'p> Problem<'p> {
     ) -> Result<Self, Error> {
         let top = kernel.symbol_at_zero();
         let strength = parameter * top;
+        let end_exponent = kernel.end_exponent();
+        if end_exponent < SLOWEST {
+            return Err(Error::InvalidParameter {
+                name: "order",
+                value: kernel.order(),
+                requirement: "at most 0.48 for collocation: the end value is left as the power 1 - 2 order of the distance, which is still large at \
+                              the smallest numbers",
+            });
+        }
         if strength <= -1.0 {
             return Err(Error::InSpectrum { parameter, top });
         }
@@ -78,44 +89,34 @@ impl<'p> Problem<'p> {
         } else {
             1.0
         };
-        let step = step(strength.abs(), kernel.end_exponent());
-        Ok(Self { kernel, parameter, f, end, fall, far: 1.0 / (1.0 + strength), step })
+        let step = step(strength.abs(), end_exponent);
+        let unit_parameter = parameter * kernel.unit_scale();
+        let far = 1.0 / (1.0 + strength);
+        Ok(Self { kernel, parameter, unit_parameter, f, end, fall, far, step })
     }
 
     /// The solution with its estimates.
     pub(super) fn solve(&self, tolerance: f64) -> Result<HalfLineSolution, Error> {
-        let mut room = ROOM;
-        loop {
-            let (mut run, mut estimate, reference) = self.refined(room, tolerance)?;
-            let shorter = self.run(reference.step, LESS_ROOM * room)?;
-            estimate.section = section_error(&self.difference(&shorter, &reference.run), &run);
-            estimate.solution = estimate.nodes.max(estimate.section).max(run.rounding());
-            let converged = estimate.solution <= tolerance * run.largest[0];
-            let section_is_short = estimate.section > tolerance * run.largest[0];
-            if converged || !section_is_short || room > ROOM * f64::from(1 << (ROOMS - 1)) {
-                self.integrate(&mut run.solution, run.product, &mut estimate);
-                run.solution.estimate = estimate;
-                run.solution.converged = converged;
-                return Ok(run.solution);
-            }
-            room *= 2.0;
-        }
+        let (mut run, mut estimate, reference) = self.refined(tolerance)?;
+        let shorter = self.run(reference.step, LESS_ROOM * ROOM)?;
+        estimate.section = section_error(&self.difference(&shorter, &reference.run), &run);
+        estimate.solution = estimate.nodes.max(estimate.section).max(run.rounding());
+        self.integrate(&mut run.solution, run.product, &mut estimate);
+        run.solution.estimate = estimate;
+        run.solution.converged = estimate.solution <= tolerance * run.largest[0];
+        Ok(run.solution)
     }
 
     /// Solutions on growing numbers of nodes: the last, the estimate of its error and the one before it.
-    fn refined(
-        &self,
-        room: f64,
-        tolerance: f64,
-    ) -> Result<(Run, HalfLineEstimate, Reference), Error> {
-        let first = self.first(room)?;
-        let step = first.step / RATIO;
-        let mut previous = Reference { run: self.run(step, room)?, step };
-        let mut before = self.difference(&first.run, &previous.run);
+    fn refined(&self, tolerance: f64) -> Result<(Run, HalfLineEstimate, Reference), Error> {
+        let first = self.run(RATIO * RATIO * self.step, ROOM)?;
+        let step = RATIO * self.step;
+        let mut previous = Reference { run: self.run(step, ROOM)?, step };
+        let mut before = self.difference(&first, &previous.run);
         let mut refinements = 0;
         loop {
             let step = previous.step / RATIO;
-            let run = self.run(step, room)?;
+            let run = self.run(step, ROOM)?;
             let difference = self.difference(&previous.run, &run);
             let scale = run.largest[0];
             let rounding = run.rounding();
@@ -126,7 +127,7 @@ impl<'p> Problem<'p> {
             let settled = difference.solution <= rounding
                 || (stagnant && (out_of_reach || difference.solution <= STAGNANT * scale));
             refinements += 1;
-            let full = !self.layout(step / RATIO, room).fits();
+            let full = !self.layout(step / RATIO, ROOM).fits();
             if nodes <= tolerance * scale || settled || refinements > REFINEMENTS || full {
                 let estimate =
                     HalfLineEstimate { solution: nodes, nodes, section: 0.0, integral: product };
@@ -137,26 +138,16 @@ impl<'p> Problem<'p> {
         }
     }
 
-    /// The coarsest solution: a strong equation is not positive definite on too few nodes.
-    fn first(&self, room: f64) -> Result<Reference, Error> {
-        let mut step = RATIO * RATIO * self.step;
-        for _ in 0..REFINEMENTS {
-            match self.run(step, room) {
-                Err(Error::NotPositiveDefinite { .. }) => step /= RATIO,
-                run => return Ok(Reference { run: run?, step }),
-            }
-        }
-        Ok(Reference { run: self.run(step, room)?, step })
-    }
-
     fn layout(&self, step: f64, room: f64) -> Layout {
         Layout { length: self.end + room * self.fall, step, stretch: DENSITY * self.step }
     }
 
     fn run(&self, step: f64, room: f64) -> Result<Run, Error> {
         let layout = self.layout(step, room);
-        let section = Section::new(self.kernel, layout)?;
-        let sample = |&x: &f64| {
+        let (profile, parameter) = (self.kernel.unit_profile(), self.unit_parameter);
+        let section = Section::new(profile, self.kernel.end_exponent(), layout)?;
+        let sample = |xi: &f64| {
+            let x = xi / self.kernel.decay();
             let value = (self.f)(x);
             if value.is_finite() {
                 Ok(value)
@@ -165,17 +156,16 @@ impl<'p> Problem<'p> {
             }
         };
         let f: Vec<f64> = section.positions.iter().map(sample).collect::<Result<_, _>>()?;
-        let nodal = section.solve(&section.factor(self.parameter)?, &f);
-        let tails = section.tails(self.kernel)?;
+        let nodal = section.solve(&section.factor(parameter)?, &f);
+        let tails = section.tails(profile)?;
         let product = tails.iter().zip(&nodal.masses).map(|(t, m)| t * m).sum();
         let ends = [self.end, layout.length];
-        let solution =
-            HalfLineSolution::new(&section, &nodal, self.parameter, self.kernel.decay(), ends);
-        let known = section.positions.iter().take_while(|x| **x <= solution.end()).count().max(1);
-        let values = f.iter().zip(&nodal.potential).map(|(f, u)| (f - self.parameter * u).abs());
+        let solution = HalfLineSolution::new(&section, &nodal, self.kernel, self.parameter, ends);
+        let known = section.positions.iter().take_while(|x| **x <= self.end).count().max(1);
+        let values = f.iter().zip(&nodal.potential).map(|(f, u)| (f - parameter * u).abs());
         let potential = nodal.potential.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
         let largest = values.take(known).fold(0.0, f64::max);
-        Ok(Run { solution, product, largest: [largest, self.parameter.abs() * potential] })
+        Ok(Run { solution, product, largest: [largest, parameter.abs() * potential] })
     }
 
     /// Of the solutions at points between the nodes of either, and of the products.
@@ -203,11 +193,12 @@ impl<'p> Problem<'p> {
             estimate.integral = f64::INFINITY;
             return;
         };
-        let correction = self.parameter * product;
+        // Both in decay lengths but for the integral of f.
+        let unit = self.unit_parameter / self.kernel.decay();
+        let correction = unit * product;
         let rounding = ROUNDING * (whole.abs() + correction.abs());
         solution.integral = Some(self.far * (whole + correction));
-        estimate.integral =
-            self.far * (error + self.parameter.abs() * estimate.integral + rounding);
+        estimate.integral = self.far * (error + unit.abs() * estimate.integral + rounding);
     }
 }
 
@@ -238,6 +229,6 @@ fn section_error(difference: &Difference, run: &Run) -> f64 {
 /// slowly.
 fn step(strength: f64, end_exponent: f64) -> f64 {
     let layers = 1.0 + 0.35 * (strength / 3.0).max(1.0).log10();
-    let slow = (2.0 * end_exponent).min(1.0).powf(1.6);
+    let slow = (2.0 * end_exponent).min(1.0).powf(1.3);
     (STEPS[1] / layers * slow).max(STEPS[0])
 }

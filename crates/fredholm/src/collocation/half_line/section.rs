@@ -2,7 +2,7 @@
 
 use super::map::Map;
 use crate::collocation::weights::SincWeights;
-use crate::kernel::{Kernel, MacdonaldHalfLine, Pair};
+use crate::kernel::{MacdonaldProfile, Pair};
 use crate::linear::{Skyline, SkylineFactor};
 use crate::quadrature::gauss_jacobi;
 use crate::{Error, memory};
@@ -12,9 +12,9 @@ const REACH: f64 = 44.0;
 /// The factor of the singular function fades around this distance, in decay lengths, with this sharpness; measured.
 const FADE: [f64; 2] = [8.0, 6.0];
 /// Length over which the section ends, in decay lengths: a sharp end would ring far into the section.
-const TAPER: f64 = 16.0;
-/// Sharpness of the taper: `erfc` of it is rounding.
-const SHARPNESS: f64 = 6.0;
+const TAPER: f64 = 18.0;
+/// Sharpness of the taper.
+const SHARPNESS: f64 = 5.0;
 /// `e^-700` is the smallest distance to 0 in use, and this is `ln 700`.
 const FARTHEST: f64 = 6.55;
 /// What the corner below the first node may leave out: `ln 1e18`.
@@ -49,7 +49,7 @@ impl Layout {
     }
 }
 
-/// `phi + lambda int_0^inf K phi chi ds = f` at the nodes, with a taper `chi` that is 1 up to 16 decay lengths before the end of the section
+/// `phi + lambda int_0^inf K phi chi ds = f` at the nodes, with a taper `chi` that is 1 up to 18 decay lengths before the end of the section
 /// and 0 beyond it.
 #[derive(Debug)]
 pub(super) struct Section {
@@ -57,7 +57,7 @@ pub(super) struct Section {
     pub(super) step: f64,
     /// Nodes left of `t = 0`.
     pub(super) left: usize,
-    /// `x_j`, in the unit of the kernel.
+    /// `x_j`.
     pub(super) positions: Vec<f64>,
     /// Square roots of `h x'(t_j) chi(x_j)`.
     roots: Vec<f64>,
@@ -78,29 +78,31 @@ pub(super) struct Nodal {
 }
 
 impl Section {
-    pub(super) fn new(kernel: &MacdonaldHalfLine, layout: Layout) -> Result<Self, Error> {
+    pub(super) fn new(
+        kernel: &MacdonaldProfile,
+        end_exponent: f64,
+        layout: Layout,
+    ) -> Result<Self, Error> {
         let Layout { length, step, stretch } = layout;
         let map = Map::new(stretch);
-        let left = (first(kernel) / step).ceil();
+        let left = (first(end_exponent) / step).ceil();
         let right = layout.right();
         if !layout.fits() {
-            return Err(too_long(length / kernel.decay()));
+            return Err(too_long(length));
         }
         let (left, count) = (left as usize, (left + right) as usize + 1);
         admit(count, REACH * stretch / step + left as f64)?;
-        let unit = 1.0 / kernel.decay();
         let images = (0..count).map(|j| map.at((j as f64 - left as f64) * step));
         let (mut positions, mut weights) = (Vec::with_capacity(count), Vec::with_capacity(count));
         let mut roots = Vec::with_capacity(count);
         for image in images {
-            positions.push(unit * image.position);
-            let weight = step * unit * image.derivative;
+            positions.push(image.position);
+            let weight = step * image.derivative;
             weights.push(weight);
             roots.push((weight * taper(image.position, length)).sqrt());
         }
         let matrix = assemble(kernel, &positions, &weights, &roots);
-        let origin =
-            positions.iter().zip(&roots).map(|(&x, root)| root * kernel.profile_pair(x).value);
+        let origin = positions.iter().zip(&roots).map(|(&x, root)| root * kernel.pair(x).value);
         let origin = origin.collect();
         Ok(Self { map, step, left, positions, roots, matrix, origin })
     }
@@ -121,27 +123,26 @@ impl Section {
     }
 
     /// `int_x^inf K(u) du` of the kernel as a function of the distance, at the nodes.
-    pub(super) fn tails(&self, kernel: &MacdonaldHalfLine) -> Result<Vec<f64>, Error> {
+    pub(super) fn tails(&self, kernel: &MacdonaldProfile) -> Result<Vec<f64>, Error> {
         let rule = gauss_jacobi(BETWEEN, 0.0, 0.0)?;
-        let unit = 1.0 / kernel.decay();
         let mut tails = vec![0.0; self.positions.len()];
         for j in (1..tails.len()).rev() {
             let middle = (j as f64 - 0.5 - self.left as f64) * self.step;
             let cell: f64 = (rule.nodes.iter().zip(&rule.weights))
                 .map(|(node, weight)| {
                     let image = self.map.at(middle + 0.5 * self.step * node);
-                    weight * image.derivative * kernel.profile_pair(unit * image.position).value
+                    weight * image.derivative * kernel.pair(image.position).value
                 })
                 .sum();
-            tails[j - 1] = tails[j] + 0.5 * self.step * unit * cell;
+            tails[j - 1] = tails[j] + 0.5 * self.step * cell;
         }
         Ok(tails)
     }
 }
 
 /// `-t` of the first node: so close to 0 that a solution has its end value there.
-fn first(kernel: &MacdonaldHalfLine) -> f64 {
-    (DECADES / kernel.end_exponent()).ln().min(FARTHEST)
+fn first(end_exponent: f64) -> f64 {
+    (DECADES / end_exponent).ln().min(FARTHEST)
 }
 
 /// The smooth end of a section, 1 to rounding until `TAPER` before it.
@@ -150,15 +151,14 @@ fn taper(x: f64, length: f64) -> f64 {
 }
 
 fn assemble(
-    kernel: &MacdonaldHalfLine,
+    kernel: &MacdonaldProfile,
     positions: &[f64],
     weights: &[f64],
     roots: &[f64],
 ) -> Skyline {
-    let reach = REACH / kernel.decay();
     let mut first = 0;
     let firsts = positions.iter().map(|x| {
-        while x - positions[first] > reach {
+        while x - positions[first] > REACH {
             first += 1;
         }
         first
@@ -171,8 +171,8 @@ fn assemble(
         let (below, diagonal) = row.split_at_mut(i - first);
         for (j, entry) in (first..i).zip(below) {
             let distance = x - positions[j];
-            let Pair { value, factor } = kernel.profile_pair(distance);
-            let fade = fade(kernel.decay() * distance);
+            let Pair { value, factor } = kernel.pair(distance);
+            let fade = fade(distance);
             let entire = if fade > 0.0 {
                 sinc.apart(Pair { value, factor: fade * factor }, distance, i - j)
             } else {
@@ -180,7 +180,7 @@ fn assemble(
             };
             *entry = (roots[i] * entire) * roots[j];
         }
-        diagonal[0] = sinc.at_node(kernel.split(x, x, 0.0), weights[i]) * roots[i] * roots[i];
+        diagonal[0] = sinc.at_node(kernel.split(0.0), weights[i]) * roots[i] * roots[i];
     }
     matrix
 }
@@ -210,7 +210,7 @@ fn admit(count: usize, band: f64) -> Result<(), Error> {
 
 fn too_long(length: f64) -> Error {
     Error::InvalidParameter {
-        name: "length of the section",
+        name: "length of the section in decay lengths",
         value: length,
         requirement: "such that 30000 nodes suffice: less far, a coarser tolerance, or a parameter farther from the spectrum",
     }

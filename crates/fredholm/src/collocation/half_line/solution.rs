@@ -3,6 +3,7 @@
 use super::map::Map;
 use super::section::{Nodal, Section};
 use crate::collocation::solution::sine_of_turns;
+use crate::kernel::MacdonaldHalfLine;
 
 /// A point this close to a node, in steps, is that node.
 const AT_NODE: f64 = 1e-13;
@@ -23,6 +24,8 @@ pub struct HalfLineSolution {
     decay: f64,
     end: f64,
     parameter: f64,
+    /// `K phi` over the potential of the kernel with `kappa = 1`.
+    scale: f64,
     origin: f64,
     /// `(-1)^j v_j`.
     bubble: Vec<f64>,
@@ -50,15 +53,15 @@ impl HalfLineSolution {
     pub(super) fn new(
         section: &Section,
         nodal: &Nodal,
+        kernel: &MacdonaldHalfLine,
         parameter: f64,
-        decay: f64,
-        ends: [f64; 2],
+        [end, length]: [f64; 2],
     ) -> Self {
-        let [end, length] = ends;
+        let decay = kernel.decay();
         let (middle, half) = (0.5 * (length + end), 0.5 * (length - end));
         let mut sign = if section.left.is_multiple_of(2) { 1.0 } else { -1.0 };
         let bubble = section.positions.iter().zip(&nodal.potential).map(|(x, u)| {
-            let fade = 0.5 * libm::erfc(SHARPNESS * (decay * x - middle) / half);
+            let fade = 0.5 * libm::erfc(SHARPNESS * (x - middle) / half);
             let value = sign * (u - nodal.at_origin) * fade;
             sign = -sign;
             value
@@ -70,6 +73,7 @@ impl HalfLineSolution {
             decay,
             end: end / decay,
             parameter,
+            scale: kernel.unit_scale(),
             origin: nodal.at_origin,
             bubble: bubble.collect(),
             integral: None,
@@ -111,9 +115,9 @@ impl HalfLineSolution {
         }
         let x = self.decay * x;
         if x < f64::MIN_POSITIVE {
-            return self.origin;
+            return self.scale * self.origin;
         }
-        self.origin + self.interpolate(self.map.inverse(x))
+        self.scale * (self.origin + self.interpolate(self.map.inverse(x)))
     }
 
     /// `int_0^inf phi dx`; `None` where the integral of `f` does not converge, or so slowly that no quadrature shows it.
@@ -140,7 +144,7 @@ impl HalfLineSolution {
         self.count
     }
 
-    /// Length of the section of the half-line that was solved, beyond `x_max` by 44 decay lengths or more.
+    /// Length of the section of the half-line that was solved, beyond `x_max` by 46 decay lengths or more.
     #[must_use]
     pub fn section(&self) -> f64 {
         self.section
@@ -157,13 +161,14 @@ impl HalfLineSolution {
     fn interpolate(&self, t: f64) -> f64 {
         let tau = t / self.step;
         let nearest = tau.round();
-        let left = self.left as f64;
-        if (tau - nearest).abs() < AT_NODE {
+        // Whole numbers apart from the small offset: next to a node the quotient must be as accurate as the sine.
+        let (offset, place) = (tau - nearest, nearest + self.left as f64);
+        if offset.abs() < AT_NODE {
             let sign = if nearest % 2.0 == 0.0 { 1.0 } else { -1.0 };
-            return self.bubble.get((nearest + left) as usize).map_or(0.0, |v| sign * v);
+            return self.bubble.get(place as usize).map_or(0.0, |v| sign * v);
         }
         let sum: f64 = (self.bubble.iter().enumerate())
-            .map(|(index, value)| value / (tau + left - index as f64))
+            .map(|(index, value)| value / (offset + (place - index as f64)))
             .sum();
         sum * sine_of_turns(tau, nearest)
     }
