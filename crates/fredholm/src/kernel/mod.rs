@@ -17,6 +17,7 @@ mod power;
 mod relation;
 mod singularity;
 mod weber_sonine;
+mod yukawa;
 
 pub use computed::ComputedRelation;
 pub use logarithm::Logarithm;
@@ -33,6 +34,7 @@ pub use power::Power;
 pub use relation::{EndExponents, Expansion, Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Pair, Singularity, Split};
 pub use weber_sonine::WeberSonine;
+pub use yukawa::Yukawa;
 
 use crate::Interval;
 

@@ -201,7 +201,7 @@ fn closed_forms() -> Vec<Closed> {
             "1",
             Box::new(move |x| (0.5 * PI * mu).cos() / PI * (a * a - x * x).powf(0.5 * (mu - 1.0))),
             // cos(pi mu/2)/pi a^mu B(1/2, (1 + mu)/2), with B(1/2, 0.65) by mpmath.
-            (0.5 * PI * mu).cos() / PI * a.powf(mu) * 2.630_629_942_877_865_2,
+            (0.5 * PI * mu).cos() / PI * a.powf(mu) * 2.630_629_942_877_865,
         ),
         (
             // K_0(z) = ln(2/z) - gamma + O(z^2 ln z).

@@ -185,7 +185,7 @@ fn parameters_out_of_range() {
     }
 }
 
-/// Eigenvalues of the plain logarithm on (-1, 1), by collocation with NumPy: 16 digits.
+/// Eigenvalues of the plain logarithm on (-1, 1), by collocation with `NumPy`: 16 digits.
 const EIGENVALUES: [f64; 2] = [1.764_238_546_025_337_4, 1.566_005_108_374_583_6];
 
 #[test]

@@ -127,7 +127,7 @@ pub(super) static FAMILIES: [Family; 9] = [
         ],
         build: |values| {
             let kernel = Macdonald::new(values[0], values[1], values[2])?;
-            Ok(Operator::prepared(kernel, |kernel, count| kernel.relation(count)))
+            Ok(Operator::prepared(kernel, Macdonald::relation))
         },
     },
     Family {

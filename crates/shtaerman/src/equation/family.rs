@@ -330,3 +330,58 @@ impl Operator {
         self
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Values that suit every kernel.
+    fn value(parameter: &str) -> f64 {
+        match parameter {
+            "b" | "mu" => 0.25,
+            "gamma" => 0.1,
+            _ => 1.0,
+        }
+    }
+
+    #[test]
+    fn every_family_builds_and_names_what_it_refuses() {
+        for family in Family::all() {
+            let values: Vec<f64> = family.parameters.iter().map(|p| value(p.name)).collect();
+            let kernel = NamedKernel::new(family, &values).unwrap();
+            assert!(kernel.relation(8).unwrap().eigenvalue(7) > 0.0, "{family:?}");
+            assert_eq!(kernel.kernel().interval().is_finite(), !family.is_half_line);
+            // The measure that is told is the measure that is used.
+            let weighted = kernel.kernel().measure(0.5) != 1.0;
+            assert_eq!(weighted, family.measure == "s ds", "{family:?}");
+            for (index, parameter) in family.parameters.iter().enumerate() {
+                for bad in [f64::NAN, f64::INFINITY, -1e300, 1e300] {
+                    let mut values = values.clone();
+                    values[index] = bad;
+                    match NamedKernel::new(family, &values) {
+                        Err(KernelError::Refused { parameter: named, requirement, .. }) => {
+                            let known = family.parameters.iter().any(|p| p.name == named);
+                            assert!(known || named.contains(' '), "{family:?}: {named}");
+                            assert!(!requirement.is_empty());
+                        }
+                        Err(other) => panic!("{family:?}, {}: {other}", parameter.name),
+                        // The plain logarithm knows no largest length.
+                        Ok(_) => assert!(bad == 1e300 || parameter.is_whole, "{family:?}: {bad}"),
+                    }
+                }
+            }
+            let count = NamedKernel::new(family, &[]);
+            assert!(matches!(count, Err(KernelError::Count { found: 0, .. })));
+        }
+    }
+
+    #[test]
+    fn names_are_found_once() {
+        for family in Family::all() {
+            let found = Family::find(family.name, family.is_half_line).unwrap();
+            assert!(std::ptr::eq(found, family));
+        }
+        assert!(Family::find("power", true).is_none());
+        assert!(Family::all_parameters().contains(&"kappa"));
+    }
+}
