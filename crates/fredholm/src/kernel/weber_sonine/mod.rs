@@ -103,10 +103,6 @@ impl WeberSonine {
             radius,
             order,
             exponent,
-<<<<<<< HEAD
-            centre: if order > 0.0 { radius * CENTRE.powf(1.0 / order.min(1.0)) } else { 0.0 },
-=======
->>>>>>> main
             tables: Arc::new(Tables::new(radius, order, exponent)),
         })
     }
