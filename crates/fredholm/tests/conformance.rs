@@ -3,8 +3,8 @@
 use fredholm::conformance;
 use fredholm::kernel::{
     EndExponents, Expansion, Gram, Kernel, Logarithm, LogarithmRatio, LogarithmRatioLimit,
-    LogarithmSine, LogarithmSquare, Macdonald, Parity, Power, Singularity, SpectralRelation, Split,
-    WeberSonine,
+    LogarithmSine, LogarithmSquare, Macdonald, MacdonaldHalfLine, Parity, Power, Singularity,
+    SpectralRelation, Split, WeberSonine,
 };
 use fredholm::{Error, Interval};
 
@@ -99,6 +99,18 @@ fn kernel_5_macdonald() {
             let relation = kernel.relation(TERMS).unwrap();
             let name = format!("mu = {mu}, kappa = {kappa}, a = {a}");
             require(&name, &kernel, &relation, count);
+        }
+    }
+}
+
+#[test]
+fn kernel_5_half_line() {
+    for (mu, kappa) in
+        [(0.3, 1.0), (0.0, 1.0), (1e-9, 1.0), (-0.4, 2.0), (0.45, 0.5), (-0.45, 30.0)]
+    {
+        let kernel = MacdonaldHalfLine::new(mu, kappa).unwrap();
+        for count in [20, 100] {
+            require(&format!("mu = {mu}, kappa = {kappa}"), &kernel, &kernel, count);
         }
     }
 }

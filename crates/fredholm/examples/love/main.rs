@@ -57,7 +57,7 @@ fn capacitors(sign: f64, hard: bool) -> Result<(), Error> {
                 print!(" {:>19.12} {:>6}   {:.1e}", capacitance(&found), found.count, found.error);
             }
             Err(Error::NotConverged { .. }) => {
-                print!("{:>20} {:>6} {:>9}", "not resolved", "-", "-")
+                print!("{:>20} {:>6} {:>9}", "not resolved", "-", "-");
             }
             Err(error) => return Err(error),
         }

@@ -66,8 +66,10 @@ impl Iterator for Functions {
     #[inline]
     fn next(&mut self) -> Option<f64> {
         let result = self.value * self.factor;
+        // Apart from the chain of the recurrence, which then does not wait for the division.
         let next = self.k + 1.0;
-        self.difference = ((self.k + self.alpha) * self.difference - self.y * self.value) / next;
+        let inverse = 1.0 / next;
+        self.difference = ((self.k + self.alpha) * self.difference - self.y * self.value) * inverse;
         if self.k == 0.0 {
             // L_1 - L_0 = alpha - y: the recurrence has no L_{-1} to start from.
             self.difference = self.alpha - self.y;

@@ -31,6 +31,8 @@ pub struct SincOperator {
     /// Weights of the nodes in the measure of the kernel.
     masses: Vec<f64>,
     blocks: Vec<Block>,
+    /// Within this distance from the left end potentials have its value.
+    settled: f64,
 }
 
 impl SincOperator {
@@ -70,7 +72,7 @@ impl SincOperator {
         let mesh = Mesh::new(grid, interval, breaks)?;
         let masses = masses(kernel, &mesh)?;
         let blocks = blocks(kernel, &mesh, &masses)?;
-        Ok(Self { interval, mesh: Arc::new(mesh), masses, blocks })
+        Ok(Self { interval, mesh: Arc::new(mesh), masses, blocks, settled: kernel.settled() })
     }
 
     /// The interval of the kernel.
@@ -207,10 +209,15 @@ impl SincOperator {
         masses
     }
 
-    /// Nodes so deep in a corner that their mass vanishes have the potential of that end of their panel.
+    /// Nodes so deep in a corner that their mass vanishes, or that nothing changes any more, have the potential of that end of their panel.
     fn fill_corners(&self, potential: &mut [f64], boundaries: &[f64]) {
+        let is_corner = |mass: f64, place: Place| {
+            mass == 0.0 || (place.panel == 0 && place.from_left < self.settled)
+        };
         let corners = potential.iter_mut().zip(&self.masses).zip(self.mesh.places());
-        for ((potential, _), place) in corners.filter(|((_, mass), _)| **mass == 0.0) {
+        for ((potential, _), place) in
+            corners.filter(|((_, mass), place)| is_corner(**mass, *place))
+        {
             let at_left = place.from_left < place.from_right;
             *potential = boundaries[place.panel + usize::from(!at_left)];
         }

@@ -9,7 +9,7 @@ const NODES: usize = 60;
 const PLAIN: EndExponents = EndExponents { left: 0.0, right: 0.0 };
 
 /// The largest `|f - phi - lambda K phi|` over a few points, the ends among them: there a truncated expansion is worst, and a layer at an end that is thinner than its last term can
-/// resolve shows in no difference of two truncations. By double-exponential quadrature; the solution has `degree` oscillations at most. The interval is finite.
+/// resolve shows in no difference of two truncations. By double-exponential quadrature; the solution has `degree` oscillations at most.
 pub(super) fn residual<K: Kernel + ?Sized>(
     kernel: &K,
     parameter: f64,
@@ -17,10 +17,10 @@ pub(super) fn residual<K: Kernel + ?Sized>(
     phi: &dyn Fn(f64) -> f64,
     degree: usize,
 ) -> f64 {
-    let interval = kernel.interval();
-    let (centre, half) = (interval.centre(), interval.half_length());
+    let extent = kernel.extent();
+    let (centre, half) = (extent.centre(), extent.half_length());
     let inside = [-0.97, -0.2, 0.61].map(|share| centre + share * half);
-    let points = [interval.left(), interval.right()].into_iter().chain(inside);
+    let points = [extent.left(), extent.right()].into_iter().chain(inside);
     points
         .map(|x| {
             let potential: f64 = kernel_rule(kernel, PLAIN, x, NODES + 2 * degree)

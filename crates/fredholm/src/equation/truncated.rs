@@ -27,7 +27,7 @@ const USEFUL: f64 = 0.1;
 /// a few other points, where that is larger. For the logarithm [`degenerate_logarithm`](super::degenerate_logarithm) has guaranteed bounds.
 ///
 /// # Errors
-/// [`Error::InvalidParameter`] for a degree below 8 or an infinite interval; those of [`DegenerateSolver::new`] and of the moments.
+/// [`Error::InvalidParameter`] for a degree below 8; those of [`DegenerateSolver::new`] and of the moments.
 pub fn degenerate<'a>(
     relation: &'a (impl SpectralRelation + ?Sized),
     parameter: f64,
@@ -121,7 +121,7 @@ fn solution_error<K: SpectralRelation + ?Sized>(
     extrapolate(before, after, slowest_rate(relation))
 }
 
-/// The residual at single points; none on an infinite interval.
+/// The residual at single points.
 fn residual_of<K: SpectralRelation + ?Sized>(
     relation: &K,
     parameter: f64,
@@ -129,9 +129,6 @@ fn residual_of<K: SpectralRelation + ?Sized>(
     solution: &DegenerateSolution<'_, K>,
     degree: usize,
 ) -> f64 {
-    if !relation.interval().is_finite() {
-        return 0.0;
-    }
     let correction = solution.prepared_correction();
     residual(relation, parameter, f, &|x| f(x) - correction(x), degree)
 }
@@ -157,10 +154,10 @@ fn difference<K: SpectralRelation + ?Sized>(
     points.iter().map(|&x| gap(x).abs()).fold(0.0, f64::max)
 }
 
-/// By how much the error at the ends falls when the degree doubles, at least: `degree^{-2(1-q)}`.
+/// By how much the error at the ends falls when the degree doubles, at least: `degree^{-2(1-q)}`, on a half-line `degree^{-(1-q)}`.
 fn slowest_rate(relation: &(impl SpectralRelation + ?Sized)) -> f64 {
-    let exponent = relation.singularity().exponent();
-    0.5f64.powf(2.0 * (1.0 - exponent).min(2.0))
+    let power = if relation.interval().is_finite() { 2.0 } else { 1.0 };
+    0.5f64.powf(power * (1.0 - relation.singularity().exponent()).min(2.0))
 }
 
 /// What remains after two differences of degrees that double, when it falls no faster than by `rate`.

@@ -17,6 +17,9 @@ const DECAYS: std::ops::RangeInclusive<f64> = 1e-50..=1e50;
 const TABULATED: f64 = 1e3;
 /// Decay lengths on which solutions are compared and shown.
 const SHOWN: f64 = 12.0;
+/// The factor of the singular function fades around this distance, in decay lengths, with this sharpness. Measured: nearer it would have to be resolved by more
+/// nodes, farther off a truncated section would ring.
+const CUTOFF: [f64; 2] = [8.0, 6.0];
 /// Share of the free memory that a Gram matrix may take.
 const SHARE: f64 = 0.4;
 
@@ -49,7 +52,7 @@ const SHARE: f64 = 0.4;
 pub struct MacdonaldHalfLine {
     interval: Interval,
     profile: Arc<MacdonaldProfile>,
-    /// The same with `kappa = 1`: collocation works in decay lengths.
+    /// The same with `kappa = 1` and a cutoff of its own: collocation works in decay lengths.
     unit_profile: Arc<MacdonaldProfile>,
 }
 
@@ -66,12 +69,9 @@ impl MacdonaldHalfLine {
                 requirement: "between 1e-50 and 1e50: the kernel decays as exp(-decay |x - s|), and its powers overflow beyond",
             });
         }
-        let unit_profile = Arc::new(MacdonaldProfile::new(order, 1.0, TABULATED)?);
-        let profile = if decay == 1.0 {
-            Arc::clone(&unit_profile)
-        } else {
-            Arc::new(MacdonaldProfile::new(order, decay, TABULATED)?)
-        };
+        let profile = Arc::new(MacdonaldProfile::new(order, decay, TABULATED)?);
+        let unit_profile = MacdonaldProfile::new(order, 1.0, TABULATED)?;
+        let unit_profile = Arc::new(unit_profile.with_cutoff(CUTOFF[0], CUTOFF[1]));
         Ok(Self { interval: Interval::half_line(0.0)?, profile, unit_profile })
     }
 

@@ -125,6 +125,12 @@ pub trait Kernel {
         (1.0 - self.singularity().exponent()).min(1.0)
     }
 
+    /// The distance from the left end within which potentials `K phi` have their end value to rounding; 0 leaves it open. Collocation takes that value there: at the
+    /// centre of a disk, where the rim asks for a deeper corner, the grid has nodes too far from each other to resolve the kernel.
+    fn settled(&self) -> f64 {
+        0.0
+    }
+
     /// Nodes on either side of the middle with which adaptive collocation should begin, where the kernel has features finer than the interval; 0 leaves it to the parameter.
     fn first_half_count(&self) -> f64 {
         0.0

@@ -136,13 +136,13 @@ mod tests {
         let exact: Vec<f64> = (0..40).map(|i| (0.7 * f64::from(i)).cos()).collect();
         let product = matrix.multiply(&exact);
         // The product entry by entry.
-        for i in 0..40 {
+        for (i, found) in product.iter().enumerate() {
             let entry = |a: usize, b: usize| {
                 let (first, row) = matrix.row(a.max(b));
                 if a.min(b) < first { 0.0 } else { row[a.min(b) - first] }
             };
             let sum: f64 = (0..40).map(|j| entry(i, j) * exact[j]).sum();
-            assert!((sum - product[i]).abs() < 1e-13);
+            assert!((sum - found).abs() < 1e-13);
         }
         let mut right: Vec<f64> = exact.iter().zip(&product).map(|(x, y)| x + 0.5 * y).collect();
         matrix.factor_shifted(0.5).unwrap().solve(&mut right);

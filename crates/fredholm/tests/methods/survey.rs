@@ -1,9 +1,10 @@
 //! Seeded random equations on every kernel, solved by collocation and by the degenerate kernel.
 
 use fredholm::conformance::{Comparison, compare};
+use fredholm::equation::{collocate_half_line, degenerate};
 use fredholm::kernel::{
-    Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare, Macdonald,
-    Power, SpectralRelation, WeberSonine,
+    Kernel, Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare,
+    Macdonald, MacdonaldHalfLine, Power, SpectralRelation, WeberSonine,
 };
 use fredholm::{Error, Interval};
 
@@ -41,6 +42,8 @@ impl Random {
 /// A kernel with random parameters, and those in words.
 pub(crate) struct Drawn {
     pub(crate) relation: Box<dyn SpectralRelation>,
+    /// The same kernel where it lives on the half-line: collocation has a route of its own there.
+    pub(crate) half_line: Option<MacdonaldHalfLine>,
     pub(crate) parameters: String,
 }
 
@@ -57,10 +60,11 @@ pub(crate) const KERNELS: &[(&str, Draw)] = &[
     ("power", power),
     ("macdonald", macdonald),
     ("weber-sonine", weber_sonine),
+    ("macdonald half-line", macdonald_half_line),
 ];
 
 fn drawn(relation: impl SpectralRelation + 'static, parameters: String) -> Result<Drawn, Error> {
-    Ok(Drawn { relation: Box::new(relation), parameters })
+    Ok(Drawn { relation: Box::new(relation), half_line: None, parameters })
 }
 
 fn logarithm(random: &mut Random, _: usize) -> Result<Drawn, Error> {
@@ -121,6 +125,15 @@ fn weber_sonine(random: &mut Random, _: usize) -> Result<Drawn, Error> {
     drawn(WeberSonine::new(a, mu, gamma)?, format!("a = {a}, mu = {mu}, gamma = {gamma}"))
 }
 
+fn macdonald_half_line(random: &mut Random, _: usize) -> Result<Drawn, Error> {
+    let mu = random.between(-0.45, 0.3);
+    let kappa = random.scale(1e-2, 1e2);
+    let kernel = MacdonaldHalfLine::new(mu, kappa)?;
+    let half_line = Some(kernel.clone());
+    let parameters = format!("mu = {mu}, kappa = {kappa}");
+    Ok(Drawn { relation: Box::new(kernel), half_line, parameters })
+}
+
 /// A random right-hand side: a polynomial, an exponential or a wave in the share of the interval, times the mass function.
 fn right_hand_side(random: &mut Random) -> (Box<dyn Fn(f64) -> f64>, String) {
     match random.below(3) {
@@ -152,7 +165,7 @@ pub(crate) fn solve(index: usize, seed: u64, number: u64) -> Result<Outcome, (St
     let mut random = Random::new(seed.wrapping_add(number.wrapping_mul(0x2545_f491_4f6c_dd1d)));
     random.next();
     let degree = 64 + random.below(97) as usize;
-    let Drawn { relation, parameters } =
+    let Drawn { relation, half_line, parameters } =
         draw(&mut random, degree + 1).map_err(|error| (name.to_owned(), error))?;
     let extent = relation.extent();
     let (left, length) = (extent.left(), 2.0 * extent.half_length());
@@ -161,7 +174,9 @@ pub(crate) fn solve(index: usize, seed: u64, number: u64) -> Result<Outcome, (St
     let on_disk = relation.measure(0.5 * left + 0.5 * extent.right()) != 1.0;
     let f = |x: f64| {
         let t = (x - left) / length;
-        relation.mass_function(x) * shape(if on_disk { t * t } else { t })
+        // On the half-line right-hand sides must decay.
+        let decay = if half_line.is_some() { (-4.0 * t).exp() } else { 1.0 };
+        decay * relation.mass_function(x) * shape(if on_disk { t * t } else { t })
     };
     let strength = random.scale(1e-2, 1e3);
     let strength = if random.below(10) == 0 { -strength.min(0.5) } else { strength };
@@ -169,9 +184,23 @@ pub(crate) fn solve(index: usize, seed: u64, number: u64) -> Result<Outcome, (St
     let description = format!(
         "{name}, number {number}: {parameters}; lambda = {parameter}; f = {text}; degree {degree}"
     );
-    let comparison = compare(&*relation, &*relation, parameter, &f, degree)
-        .map_err(|error| (description.clone(), error))?;
+    let comparison = match &half_line {
+        None => compare(&*relation, &*relation, parameter, &f, degree),
+        Some(kernel) => on_half_line(kernel, parameter, &f, degree),
+    }
+    .map_err(|error| (description.clone(), error))?;
     Ok(Outcome { description, comparison })
+}
+
+fn on_half_line(
+    kernel: &MacdonaldHalfLine,
+    parameter: f64,
+    f: &dyn Fn(f64) -> f64,
+    degree: usize,
+) -> Result<Comparison, Error> {
+    let sinc = collocate_half_line(kernel, parameter, f, kernel.extent().right(), 1e-10)?;
+    let spectral = degenerate(kernel, parameter, f, degree)?;
+    Ok(Comparison::between(kernel, &sinc, &spectral))
 }
 
 /// A bound of the norm of the operator, roughly: the largest of `int |K(x, s)| dm(s)` for a few `x`.

@@ -157,6 +157,7 @@ fn powers_are_the_solutions_of_equations_made_for_them() {
         (0.0, 0.2, 110),
         (0.0, -0.3, 60),
         (0.0, 0.35, 220),
+        (0.0, 0.45, 600),
         (0.5, 0.2, 130),
         (0.5, -0.3, 90),
         (1.0, -0.2, 90),
@@ -235,8 +236,8 @@ fn the_first_kind_has_closed_forms() {
                 let over_weight = found.evaluate(x) / kernel.weight(n, x);
                 let error = (over_weight - f(x) / kernel.eigenvalue(n)).abs();
                 assert!(error <= found.error.solution, "{} {n}: {error:e} {found:?}", name(case));
-                // Close to -1/2 eigenvalues differ by 1e6 within twenty, and so do the errors of coefficients.
-                if kernel.exponent() > -0.45 {
+                // Towards -1/2 eigenvalues differ by 1e6 within twenty, and so do the errors of coefficients.
+                if kernel.exponent() > -0.3 {
                     let error = error * kernel.eigenvalue(n) / largest;
                     worst.add(error, || format!("{} {n}", name(case)));
                 }

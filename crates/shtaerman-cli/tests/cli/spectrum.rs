@@ -53,6 +53,21 @@ fn every_kernel_is_verified() {
     }
 }
 
+/// Many eigenfunctions, and parameters near the ends of their ranges.
+#[test]
+fn hard_parameters_are_verified() {
+    for kernel in [
+        ["weber-sonine", "--a", "1", "--mu", "20", "--gamma", "-0.4", "--count", "60"].as_slice(),
+        &["macdonald", "--a", "1", "--mu", "0.49", "--kappa", "50", "--count", "40"],
+        &["macdonald", "--interval", "half-line", "--mu", "0.45", "--kappa", "3", "--count", "300"],
+        &["log-ratio", "--a", "1", "--b", "1e-6", "--count", "50"],
+        &["log-sine", "--alpha", "3.1", "--count", "100"],
+        &["power", "--a", "3", "--mu", "0.95", "--count", "200"],
+    ] {
+        assert_eq!(spectrum(kernel, &["--verify"])["verify"]["passes"], true, "{kernel:?}");
+    }
+}
+
 /// Closed forms of the first eigenvalues, and for kernels without them values by mpmath (22 digits and more).
 #[test]
 fn eigenvalues_are_those_of_the_theory() {

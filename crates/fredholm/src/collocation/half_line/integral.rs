@@ -55,7 +55,9 @@ fn level(f: &dyn Fn(f64) -> f64, scale: f64, count: usize) -> Option<[f64; 2]> {
             sums[1] += value.abs();
             last = value;
         }
-        if !(f64::abs(last) <= NEGLIGIBLE * sums[1]) {
+        // Also for NaN.
+        let dies_out = f64::abs(last) <= NEGLIGIBLE * sums[1];
+        if !dies_out {
             return None;
         }
     }
@@ -72,7 +74,7 @@ mod tests {
             (&(|x: f64| (-x).exp()) as &dyn Fn(f64) -> f64, 1.0),
             (&|x| (-0.001 * x).exp(), 1000.0),
             (&|x| x * x * (-x).exp(), 2.0),
-            (&|x| (x.exp() * (1.0 + x) / (2.0 * x).exp()), 2.0),
+            (&|x| x.exp() * (1.0 + x) / (2.0 * x).exp(), 2.0),
             (&|x| 1.0 / (1.0 + x * x), FRAC_PI_2),
             (&|x| x.sqrt().recip() / (1.0 + x), std::f64::consts::PI),
             (&|x| (-0.3 * x).exp() * (2.0 * x).cos(), 0.3 / 4.09),

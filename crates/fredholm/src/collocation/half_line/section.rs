@@ -2,15 +2,13 @@
 
 use super::map::Map;
 use crate::collocation::weights::SincWeights;
-use crate::kernel::{MacdonaldProfile, Pair};
+use crate::kernel::MacdonaldProfile;
 use crate::linear::{Skyline, SkylineFactor};
 use crate::quadrature::gauss_jacobi;
 use crate::{Error, memory};
 
 /// Distance, in decay lengths, from which on the kernel counts as zero: it is below 1e-19 of its size there.
 const REACH: f64 = 44.0;
-/// The factor of the singular function fades around this distance, in decay lengths, with this sharpness; measured.
-const FADE: [f64; 2] = [8.0, 6.0];
 /// Length over which the section ends, in decay lengths: a sharp end would ring far into the section.
 const TAPER: f64 = 18.0;
 /// Sharpness of the taper.
@@ -171,28 +169,14 @@ fn assemble(
         let (below, diagonal) = row.split_at_mut(i - first);
         for (j, entry) in (first..i).zip(below) {
             let distance = x - positions[j];
-            let Pair { value, factor } = kernel.pair(distance);
-            let fade = fade(distance);
-            let entire = if fade > 0.0 {
-                sinc.apart(Pair { value, factor: fade * factor }, distance, i - j)
-            } else {
-                value
-            };
+            let pair = kernel.pair(distance);
+            let entire =
+                if pair.factor == 0.0 { pair.value } else { sinc.apart(pair, distance, i - j) };
             *entry = (roots[i] * entire) * roots[j];
         }
         diagonal[0] = sinc.at_node(kernel.split(0.0), weights[i]) * roots[i] * roots[i];
     }
     matrix
-}
-
-/// The cutoff of the singular part at a distance in decay lengths: 1 to rounding near 0, then 0.
-fn fade(distance: f64) -> f64 {
-    let [place, sharpness] = FADE;
-    if distance > 2.0 * place {
-        0.0
-    } else {
-        0.5 * libm::erfc(sharpness * (distance / place - 1.0))
-    }
 }
 
 fn admit(count: usize, band: f64) -> Result<(), Error> {

@@ -150,6 +150,11 @@ impl HalfLineSolution {
         self.section
     }
 
+    /// Step of `t`.
+    pub(super) fn step(&self) -> f64 {
+        self.step
+    }
+
     /// Points midway between the nodes, up to `x_max`.
     pub(super) fn midway(&self) -> impl Iterator<Item = f64> + '_ {
         (0..self.count)

@@ -18,6 +18,8 @@ const SHARPNESS: f64 = 5.2;
 const CUTOFF: f64 = 15.0;
 /// Up to this length of the interval, in decay lengths, the factor needs no cutoff.
 const SHORT: f64 = 12.0;
+/// End of the factor with a cutoff over its place.
+const ENDS: f64 = 2.8;
 /// End of the factor with a cutoff: there it is 1e-17.
 const END: f64 = 42.0;
 
@@ -74,6 +76,16 @@ impl MacdonaldProfile {
             (0..pieces).map(|k| fit([f64::from(k), f64::from(k) + 1.0], factor)).collect();
         let (value_scale, factor_scale) = (decay.powf(order), decay.powf(-order));
         Ok(Self { order, decay, value_scale, factor_scale, series, far, factors })
+    }
+
+    /// The same with the factor multiplied by `erfc(sharpness (z/place - 1))/2` instead, for nodes that are closer.
+    pub(crate) fn with_cutoff(self, place: f64, sharpness: f64) -> Self {
+        let cutoff = |z: f64| 0.5 * libm::erfc(sharpness * (z / place - 1.0));
+        let factor = |z: f64| self.series.factor_anywhere(z) * cutoff(z);
+        let pieces = (ENDS * place).ceil() as u32;
+        let factors =
+            (0..pieces).map(|k| fit([f64::from(k), f64::from(k) + 1.0], factor)).collect();
+        Self { factors, ..self }
     }
 
     pub(crate) fn order(&self) -> f64 {

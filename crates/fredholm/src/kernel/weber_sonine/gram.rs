@@ -18,7 +18,7 @@ impl WeberSonine {
     ///
     /// `c_nl = (-1)^(n-l) (mu+2l+1)/(mu+n+l+1) (beta)_(n-l)/(n-l)! Gamma(n+l+mu+gamma+1/2) Gamma(n+mu+1) / [Gamma(n+l+mu+1) Gamma(n+mu+gamma+1/2)]`,
     ///
-    /// `beta = gamma - 1/2` (G. Szego, Orthogonal polynomials, 9.4), in `count^3/6` multiplications. The recurrence `J R = R J` with the Jacobi matrix from the
+    /// `beta = gamma - 1/2` (DLMF 18.18.14), in `count^3/6` multiplications. The recurrence `J R = R J` with the Jacobi matrix from the
     /// first row would take `count^2`, but loses a factor `count^mu`.
     pub(super) fn gram_matrix(&self, count: usize) -> Result<Gram, Error> {
         admit(count)?;

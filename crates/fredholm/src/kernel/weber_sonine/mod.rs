@@ -54,13 +54,12 @@ pub struct WeberSonine {
     radius: f64,
     order: f64,
     exponent: f64,
-    /// Below this distance from the centre nothing matters.
-    centre: f64,
     tables: Arc<Tables>,
 }
 
-/// What `s^mu` has fallen to at the centre.
-const CENTRE: f64 = 1e-20;
+/// Share of the radius within which potentials of order 0 have their value at the centre: they leave it as `x^(2-2 gamma)` at least, where functions are
+/// smooth.
+const CENTRE: f64 = 1e-16;
 
 impl WeberSonine {
     /// The kernel with the order `mu` and the exponent `gamma` on `(0, radius)`. Builds tables of its one variable, in about a millisecond.
@@ -104,7 +103,6 @@ impl WeberSonine {
             radius,
             order,
             exponent,
-            centre: if order > 0.0 { radius * CENTRE.powf(1.0 / order.min(1.0)) } else { 0.0 },
             tables: Arc::new(Tables::new(radius, order, exponent)),
         })
     }
@@ -153,10 +151,13 @@ impl Kernel for WeberSonine {
         self.tables.pair(x, s, distance)
     }
 
-    /// `s`; for `mu > 0` 0 so near the centre that `s^mu` (`s` for `mu > 1`) has fallen below rounding: where the rim needs nodes deep in its corner, the grid would put
-    /// some there as well, too far from each other for the kernel to be resolved.
     fn measure(&self, s: f64) -> f64 {
-        if s > self.centre { s } else { 0.0 }
+        s
+    }
+
+    /// For the order 0, else none: potentials of functions that are not `x^mu` times a smooth one leave 0 as `x^(1-2 gamma)`.
+    fn settled(&self) -> f64 {
+        if self.order == 0.0 { CENTRE * self.radius } else { 0.0 }
     }
 
     /// `1 - 2 gamma` at `a`; at 0 solutions are `x^mu` times a smooth function of `x^2`, if the right-hand side is, else there are terms with

@@ -34,14 +34,16 @@ pub(super) struct Tables {
     radius: f64,
 }
 
-/// Two points by their logarithms.
-struct Logarithms {
-    /// `ln(x s)`.
-    product: f64,
+/// Two different points.
+struct Points {
+    /// The larger one.
+    larger: f64,
+    /// Its logarithm.
+    logarithm: f64,
+    /// The smaller one as a share of it.
+    share: f64,
     /// `|ln(x/s)|`.
     ratio: f64,
-    /// `ln max(x, s)`.
-    larger: f64,
 }
 
 impl Tables {
@@ -78,18 +80,16 @@ impl Tables {
             return Pair { value, factor: 0.0 };
         }
         // Deep in the corner the difference of their logarithms would not hold the ratio.
-        let quotient = smaller / larger;
-        let (of_larger, ratio) = (larger.ln(), -quotient.ln());
-        let logarithms = Logarithms { product: 2.0 * of_larger - ratio, ratio, larger: of_larger };
-        let share = distance / larger;
-        let quarter = 0.25 * share * (distance / smaller);
+        let share = smaller / larger;
+        let points = Points { larger, logarithm: larger.ln(), share, ratio: -share.ln() };
+        let apart = distance / larger;
+        let quarter = 0.25 * apart * (distance / smaller);
         let value = if quarter <= self.near_limit {
-            self.near_value(quarter, distance, &logarithms)
+            self.near_value(quarter, distance, &points)
         } else {
-            self.far_value(share * (1.0 + quotient), &logarithms)
+            self.far_value(apart * (1.0 + share), &points)
         };
-        let depth = self.radius - 0.5 * logarithms.product;
-        Pair { value: value.min(f64::MAX), factor: self.factor(quarter, &logarithms, depth) }
+        Pair { value: value.min(f64::MAX), factor: self.factor(quarter, &points) }
     }
 
     /// `W(x, 0) = C x^(-1-2 gamma)` for the order 0.
@@ -98,39 +98,43 @@ impl Tables {
         (self.far_strength * x.powf(power)).min(f64::MAX)
     }
 
-    fn near_value(&self, quarter: f64, distance: f64, logarithms: &Logarithms) -> f64 {
+    fn near_value(&self, quarter: f64, distance: f64, points: &Points) -> f64 {
         let gamma = self.coefficients.exponent;
-        let logarithm = distance.ln() - 0.5 * logarithms.product + self.coefficients.shift;
-        let sigma = if gamma == 0.0 {
-            -logarithm
+        let middle = points.logarithm - 0.5 * points.ratio;
+        let logarithm = distance.ln() - middle + self.coefficients.shift;
+        let (sigma, power) = if gamma == 0.0 {
+            (-logarithm, 1.0)
         } else {
-            (-2.0 * gamma * logarithm).exp_m1() / (2.0 * gamma)
+            let q = 2.0 * gamma;
+            ((-q * logarithm).exp_m1() / q, (-q * middle).exp())
         };
         let sum = polynomial(&self.near, quarter) * sigma + polynomial(&self.difference, quarter);
-        self.near_strength * (-(0.5 + gamma) * logarithms.product).exp() * sum
+        self.near_strength * power * sum / (points.larger * points.share.sqrt())
     }
 
-    fn far_value(&self, rest_of_square: f64, logarithms: &Logarithms) -> f64 {
+    fn far_value(&self, rest_of_square: f64, points: &Points) -> f64 {
         let Coefficients { order, exponent, .. } = self.coefficients;
-        let power = -(1.0 + 2.0 * exponent) * logarithms.larger - order * logarithms.ratio;
-        self.far_strength * power.exp() * self.far.evaluate(rest_of_square)
+        let power = -2.0 * exponent * points.logarithm - order * points.ratio;
+        let scale = if power == 0.0 { 1.0 } else { power.exp() };
+        self.far_strength * self.far.evaluate(rest_of_square) * scale / points.larger
     }
 
     /// `A = kappa F_1 / sqrt(x s)` with the cutoff.
-    fn factor(&self, quarter: f64, logarithms: &Logarithms, depth: f64) -> f64 {
-        let cutoff = self.cutoff.value(logarithms.ratio, depth);
+    fn factor(&self, quarter: f64, points: &Points) -> f64 {
+        let depth = self.radius - points.logarithm + 0.5 * points.ratio;
+        let cutoff = self.cutoff.value(points.ratio, depth);
         if cutoff == 0.0 {
             return 0.0;
         }
-        let Logarithms { product, ratio, .. } = *logarithms;
-        let (function, growth) = if quarter <= self.near_limit {
-            (polynomial(&self.near, quarter), 0.0)
+        let order = self.coefficients.order;
+        let function = if quarter <= self.near_limit {
+            polynomial(&self.near, quarter) / points.share.sqrt()
         } else {
-            let share = ratio / self.cutoff.reach();
-            (self.factor.evaluate(share), (self.coefficients.order - 0.5) * ratio)
+            let growth = if order == 0.0 { 1.0 } else { (order * points.ratio).exp() };
+            self.factor.evaluate(points.ratio / self.cutoff.reach()) * growth
         };
-        let scale = (growth - 0.5 * product).exp();
-        (self.coefficients.strength * cutoff * function * scale).clamp(-f64::MAX, f64::MAX)
+        let factor = self.coefficients.strength * cutoff * function / points.larger;
+        factor.clamp(-f64::MAX, f64::MAX)
     }
 
     /// The split at `x = s`: `A = kappa/x`, `B = (kappa/x) [1 - (e^l/x)^q]/q`, which is `-A sigma(x e^-l)`.
