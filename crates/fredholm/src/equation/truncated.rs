@@ -3,7 +3,7 @@
 use super::residual::residual;
 use super::{ErrorStatement, Method, Solution, checks};
 use crate::bounds::Kind;
-use crate::kernel::{Expansion, SpectralRelation};
+use crate::kernel::SpectralRelation;
 use crate::quadrature::{Node, double_exponential};
 use crate::{DegenerateSolution, DegenerateSolver, Error};
 
@@ -13,6 +13,8 @@ const CHECKS: usize = 257;
 const SAFETY: f64 = 4.0;
 /// What an error of the moments counts for in the solution.
 const AMPLIFICATION: f64 = 4.0;
+/// Last coefficients of an expansion that must have fallen to rounding.
+const TAIL: usize = 4;
 /// Safety on the residual.
 const RESIDUAL: f64 = 2.0;
 /// Rounding, in units of the last place of the terms.
@@ -48,7 +50,7 @@ pub fn degenerate<'a>(
     let sizes = Sizes::new(relation, f, &levels[2], moments.error);
     let unresolved = RESIDUAL * residual_of(relation, parameter, f, &levels[2], degree);
     let error = solution_error(relation, &levels).max(unresolved) + sizes.rounding;
-    let functional = Integral::new(relation)?;
+    let functional = Integral::new(relation, degree);
     let integrals = levels.each_ref().map(|solution| functional.of(relation, f, solution));
     let integral_error = match integrals {
         [Some(i1), Some(i2), Some(i3)] => {
@@ -173,10 +175,13 @@ struct Integral {
 }
 
 impl Integral {
-    fn new(relation: &(impl SpectralRelation + ?Sized)) -> Result<Self, Error> {
-        let Expansion { coefficients, resolved, .. } =
-            relation.expand(&|x| relation.mass_function(x))?;
-        Ok(Self { coefficients: resolved.then_some(coefficients) })
+    /// `c_n = h_n^-1 int u phi_n w dm`, where they have fallen to rounding within the degree.
+    fn new(relation: &(impl SpectralRelation + ?Sized), degree: usize) -> Self {
+        let coefficients: Vec<f64> =
+            (0..=degree).map(|n| relation.mass(n) / relation.norm(n)).collect();
+        let largest = coefficients.iter().fold(0.0f64, |most, c| most.max(c.abs()));
+        let tail = coefficients.iter().rev().take(TAIL).fold(0.0f64, |most, c| most.max(c.abs()));
+        Self { coefficients: (tail <= f64::EPSILON * largest).then_some(coefficients) }
     }
 
     fn of<K: SpectralRelation + ?Sized>(
@@ -187,7 +192,7 @@ impl Integral {
     ) -> Option<f64> {
         let projections = solution.projections();
         match &self.coefficients {
-            Some(coefficients) if coefficients.len() <= projections.len() => {
+            Some(coefficients) => {
                 Some(coefficients.iter().zip(projections).map(|(c, x)| c * x).sum())
             }
             _ if !relation.interval().is_finite() => None,

@@ -14,7 +14,8 @@ fn resolve(kernel: &WeberSonine, epsilon: f64, f: fn(f64) -> f64) -> AdaptiveSol
 fn settlement_and_pressure_agree_with_product_integration() {
     let flat = WeberSonine::new(1.0, 0.0, 0.0).unwrap();
     let tilted = WeberSonine::new(1.0, 1.0, 0.0).unwrap();
-    let mut worst = Worst::new("circular punch, relative");
+    let mut worst = Worst::new("circular punch, of the largest value");
+    let mut smooth = Worst::new("almost smooth circular punch, of the largest value");
     for case in list(&solutions()["punch"]) {
         let epsilon = number(&case["epsilon"]);
         let start = std::time::Instant::now();
@@ -33,7 +34,8 @@ fn settlement_and_pressure_agree_with_product_integration() {
             (one.solution.integral(|_| 1.0) / epsilon, square.solution.integral(|_| 1.0) / epsilon);
         let mut check = |key: &str, found: f64, size: f64| {
             let error = (found - number(&case[key])).abs() / size;
-            worst.add(error, || format!("epsilon = {epsilon}, {key}"));
+            let table = if epsilon < 1e-3 { &mut smooth } else { &mut worst };
+            table.add(error, || format!("epsilon = {epsilon}, {key}"));
         };
         let mut pressure = |name: &str, d: f64, a: f64, points: &[(&str, f64)]| {
             check(&format!("{name}.d"), d, d);
@@ -58,7 +60,9 @@ fn settlement_and_pressure_agree_with_product_integration() {
         check("tilt.q1(0.5)", alpha * w(0.5), largest);
         check("tilt.q1(1)", largest, largest);
     }
-    worst.require(1e-11);
+    worst.require(1e-12);
+    // The reference itself agrees to 8e-12 only.
+    smooth.require(1.2e-11);
 }
 
 /// Differentiating the equation of the parabola with a free edge gives that of the tilt: `q_1 = -dq/dxi`, `alpha = 2 A`.

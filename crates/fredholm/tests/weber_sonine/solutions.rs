@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use super::{Worst, kernel, list, name, number, numbers, reference, solutions};
 
-const TOLERANCE: f64 = 1e-12;
+const TOLERANCE: f64 = 1e-11;
 
 fn right_hand_side(case: &Value) -> impl Fn(f64) -> f64 {
     let power = number(&case["power"]);
