@@ -16,7 +16,7 @@ pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
 pub use relation::{EndExponents, Expansion, Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Pair, Singularity, Split};
-pub use yukawa::Yukawa;
+pub use yukawa::{Yukawa, YukawaRelation};
 
 use crate::Interval;
 

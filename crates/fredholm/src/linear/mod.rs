@@ -5,9 +5,11 @@ mod dense;
 mod small_cholesky;
 mod symmetric;
 mod tridiagonal;
+mod tridiagonal_spectrum;
 pub(crate) mod vector;
 
 pub(crate) use cholesky::Cholesky;
 pub(crate) use dense::{dot, multiply_rows};
 pub(crate) use symmetric::{Eigensystem, Factored};
 pub(crate) use tridiagonal::Tridiagonal;
+pub(crate) use tridiagonal_spectrum::SymmetricTridiagonal;
