@@ -9,6 +9,8 @@ pub(crate) mod interval_moments;
 pub(crate) mod jacobi;
 pub(crate) mod laguerre;
 pub(crate) mod laguerre_moments;
+pub(crate) mod legendre;
+pub(crate) mod spheroidal;
 mod supremum;
 pub(crate) mod transform;
 

@@ -34,7 +34,7 @@ pub use power::Power;
 pub use relation::{EndExponents, Expansion, Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Pair, Singularity, Split};
 pub use weber_sonine::WeberSonine;
-pub use yukawa::Yukawa;
+pub use yukawa::{Yukawa, YukawaRelation};
 
 use crate::Interval;
 

@@ -7,6 +7,7 @@ mod skyline;
 mod small_cholesky;
 mod symmetric;
 mod tridiagonal;
+mod tridiagonal_spectrum;
 pub(crate) mod vector;
 
 pub(crate) use cholesky::Cholesky;
@@ -15,3 +16,4 @@ pub(crate) use lowest::{Lowest, lowest};
 pub(crate) use skyline::{Skyline, SkylineFactor};
 pub(crate) use symmetric::{Eigensystem, Factored};
 pub(crate) use tridiagonal::Tridiagonal;
+pub(crate) use tridiagonal_spectrum::SymmetricTridiagonal;

@@ -54,6 +54,19 @@ pub(crate) fn gauss_jacobi(count: usize, right: f64, left: f64) -> Result<Rule, 
     Ok(Rule { nodes: rule.nodes().to_vec(), weights: rule.weights().to_vec() })
 }
 
+/// The Gauss rule of `count` nodes for `int_{-1}^{1} g(t) dt`, nodes ascending, in time proportional to `count` (I. Bogaert, SIAM J. Sci. Comput. 36 (2014) A1008).
+///
+/// # Errors
+/// [`Error::InvalidParameter`] for no nodes.
+pub(crate) fn gauss_legendre(count: usize) -> Result<Rule, Error> {
+    let rule = bilby::GaussLegendre::new(count).map_err(|_| Error::InvalidParameter {
+        name: "number of nodes",
+        value: count as f64,
+        requirement: "at least 1",
+    })?;
+    Ok(Rule { nodes: rule.nodes().to_vec(), weights: rule.weights().to_vec() })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

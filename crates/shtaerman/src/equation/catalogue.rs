@@ -3,7 +3,7 @@
 use fredholm::Interval;
 use fredholm::kernel::{
     Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare, Macdonald,
-    MacdonaldHalfLine, Power, WeberSonine,
+    MacdonaldHalfLine, Power, WeberSonine, Yukawa,
 };
 
 use super::family::{Family, Operator, Parameter, Route};
@@ -20,7 +20,7 @@ const ORDER: Parameter = Parameter::real(
 const DECAY: Parameter = Parameter::real("kappa", "greater than 0, the decay");
 
 /// All kernels, in the order of the paper.
-pub(super) static FAMILIES: [Family; 9] = [
+pub(super) static FAMILIES: [Family; 10] = [
     Family {
         name: "log",
         is_half_line: false,
@@ -160,5 +160,29 @@ pub(super) static FAMILIES: [Family; 9] = [
         ],
         aliases: &[("radius", "a"), ("order", "mu"), ("exponent", "gamma")],
         build: |values| Ok(Operator::closed(WeberSonine::new(values[0], values[1], values[2])?)),
+    },
+    Family {
+        name: "yukawa",
+        is_half_line: false,
+        formula: "2 int_0^pi exp(-chi0 R)/R cos(m u) du, R^2 = x^2 + s^2 - 2 x s cos u",
+        interval: "(0, a)",
+        weight: "1/sqrt(a^2 - x^2)",
+        measure: "s ds",
+        integral_of: "phi x^(m+1)",
+        parameters: &[
+            RADIUS,
+            Parameter::real("chi0", "0 or more, so that the potential decays"),
+            Parameter::whole("m", "0, 1, 2, ..., the harmonic"),
+        ],
+        aliases: &[
+            ("radius", "a"),
+            ("screening", "chi0"),
+            ("harmonic", "m"),
+            ("screening * radius", "chi0 a"),
+        ],
+        build: |values| {
+            let kernel = Yukawa::new(values[0], values[1], values[2] as u32)?;
+            Ok(Operator::prepared(kernel, Yukawa::relation))
+        },
     },
 ];

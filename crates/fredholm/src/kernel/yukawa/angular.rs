@@ -11,11 +11,14 @@ const CANCELLED: f64 = 4.0;
 /// Terms below `exp(-FADED)` of the first are left out.
 const FADED: f64 = 40.0;
 /// Decay lengths, and values of `v` and `m v`, where the factor of the logarithm is cut off: as late as its growth allows, so that the cutoff is smooth on the scale of the nodes.
-const LENGTHS: f64 = 18.0;
+const LENGTHS: f64 = 13.0;
 const FOLD: f64 = 8.0;
 const FOLD_OF_HARMONIC: f64 = 10.0;
-/// The factor is left out where the cutoff is below 1e-17.
+/// Where the cutoff differs from 1 by less than 1e-16, and where it is below 1e-17.
+const NOT_CUT: f64 = 0.02;
 const CUT: f64 = 2.0;
+/// Recurrences longer than this take longer than the functions.
+const LONG: u32 = 12;
 /// Lines `Im eta = beta` in the plane of the factor, with `cosh beta - 1`.
 const LINES: [(f64, f64); 5] =
     [(0.5, 0.1277), (1.0, 0.5431), (1.5, 1.3525), (2.0, 2.7622), (3.0, 9.0677)];
@@ -98,14 +101,19 @@ impl Harmonic {
         4.0 * circle.along / (intervals * points.sum()) * sum
     }
 
-    /// `erfc(6 (y - 1))/2` with `y` the distance in decay lengths and in the logarithm of the ratio.
+    /// `erfc(6 (y - 1))/2` with `y` the distance in decay lengths and in the logarithm `v` of the ratio.
     pub(super) fn cutoff(&self, screening: f64, points: Points) -> f64 {
         let m = f64::from(self.order);
-        // v, to rounding where the distance is smaller than rounding of the ratio.
-        let logarithm = 2.0 * points.half_sine().asinh();
+        let logarithm = -points.ratio.ln();
         let y = screening * points.distance / LENGTHS
             + logarithm * (1.0 / FOLD).max(m / FOLD_OF_HARMONIC);
-        if y < CUT { 0.5 * libm::erfc(6.0 * (y - 1.0)) } else { 0.0 }
+        if y < NOT_CUT {
+            1.0
+        } else if y < CUT {
+            0.5 * libm::erfc(6.0 * (y - 1.0))
+        } else {
+            0.0
+        }
     }
 
     /// The factor `A` of `ln d`: `-(8/pi)/(x + s) int_0^K' cosh(chi R) cosh(m v) d eta` along `w = i eta`, where `u = i v` and `R` goes from `d` to 0.
@@ -117,10 +125,12 @@ impl Harmonic {
         let squared = half_sine * half_sine;
         // Constants are integrated exactly.
         let spared = if self.order == 0 { (2.0 * decay.ln()).clamp(-DIGITS, 0.0) } else { 0.0 };
+        // Off the axis both hyperbolic cosines grow by the factor cosh(beta) in their arguments.
+        let argument = decay + 2.0 * f64::from(self.order) * half_sine.asinh();
         let per_length = LINES
             .iter()
             .filter(|(beta, _)| *beta < circle.along)
-            .map(|(beta, growth)| (DIGITS + spared + decay * growth) / beta)
+            .map(|(beta, growth)| (DIGITS + spared + argument * growth) / beta)
             .fold(f64::INFINITY, f64::min);
         let intervals = (circle.across * per_length / TAU).ceil().max(2.0);
         let term = |stretch: f64| {
@@ -142,25 +152,30 @@ impl Harmonic {
 fn cosine(m: u32, half_sine_squared: f64) -> f64 {
     let from_end = half_sine_squared > 0.5;
     let square = if from_end { 1.0 - half_sine_squared } else { half_sine_squared };
-    let mut difference = -2.0 * square;
-    let mut value = 1.0 + difference;
-    for _ in 1..m {
-        difference -= 4.0 * square * value;
-        value += difference;
-    }
+    let value = if m > LONG {
+        (2.0 * f64::from(m) * square.max(0.0).sqrt().asin()).cos()
+    } else {
+        multiple(m, -square)
+    };
     if from_end && !m.is_multiple_of(2) { -value } else { value }
 }
 
 /// `cosh(m v)` from `sinh^2(v/2)`.
 fn hyperbolic(m: u32, half_sine_squared: f64) -> f64 {
-    if m == 0 {
-        return 1.0;
+    if m > LONG {
+        (2.0 * f64::from(m) * half_sine_squared.max(0.0).sqrt().asinh()).cosh()
+    } else {
+        multiple(m, half_sine_squared)
     }
+}
+
+/// `cosh(m v)` from `sinh^2(v/2)` of either sign.
+fn multiple(m: u32, half_sine_squared: f64) -> f64 {
     let mut difference = 2.0 * half_sine_squared;
     let mut value = 1.0 + difference;
     for _ in 1..m {
         difference += 4.0 * half_sine_squared * value;
         value += difference;
     }
-    value
+    if m == 0 { 1.0 } else { value }
 }

@@ -4,6 +4,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The complementary modulus up to which the series in its own nome are taken: either nome stays below 0.1.
 const TURNING: f64 = 0.9;
+/// Coefficients below this do not count; the cosine they multiply is at most 1.
+const NEGLIGIBLE: f64 = 1e-30;
 /// Coefficients kept of the theta series as polynomials in the cosine: the first one left out is `nome^20`.
 type Polynomial = [f64; 5];
 
@@ -44,6 +46,8 @@ impl Points {
 pub(super) struct Circle {
     close: bool,
     nome: f64,
+    /// `ln(1/nome)`.
+    logarithm: f64,
     /// `K` along the real axis.
     pub(super) along: f64,
     /// `K'` along the imaginary axis.
@@ -73,10 +77,13 @@ impl Circle {
             p4 * p4 * p,
             p4 * p6 * p6,
         ];
-        let (period, other) = periods(p);
+        let logarithm = -p.ln();
+        let period = period(p);
+        let other = period * logarithm / PI;
         Self {
             close: true,
             nome: p,
+            logarithm,
             along: other,
             across: period,
             numerator,
@@ -88,16 +95,30 @@ impl Circle {
     fn apart(q: f64) -> Self {
         let denominator = theta3(q);
         let [c0, c1, c2, c3, c4] = denominator;
-        let (period, other) = periods(q);
+        let logarithm = -q.ln();
+        let period = period(q);
+        let other = period * logarithm / PI;
         // theta_4(b) = theta_3(b + pi/2)
         let numerator = [c0, -c1, c2, -c3, c4];
-        Self { close: false, nome: q, along: period, across: other, numerator, denominator }
-            .normalised()
+        Self {
+            close: false,
+            nome: q,
+            logarithm,
+            along: period,
+            across: other,
+            numerator,
+            denominator,
+        }
+        .normalised()
     }
 
     fn normalised(mut self) -> Self {
         let scale = 1.0 / self.stretch(2.0);
         self.numerator.iter_mut().for_each(|coefficient| *coefficient *= scale);
+        // Beside the leading 1 they do nothing but underflow, which is slow.
+        for coefficient in self.numerator.iter_mut().chain(&mut self.denominator) {
+            *coefficient = if coefficient.abs() < NEGLIGIBLE { 0.0 } else { *coefficient };
+        }
         self
     }
 
@@ -112,12 +133,12 @@ impl Circle {
 
     /// `R/d` at `w = K j/count`, `j = 1 .. count`: from 1 to `1/k'`.
     pub(super) fn along(&self, count: u32) -> impl Iterator<Item = f64> + '_ {
-        Walk::new(self.close, self.nome, count).map(|cosine| self.stretch(cosine))
+        Walk::new(self.close, self.logarithm, count).map(|cosine| self.stretch(cosine))
     }
 
     /// `R/d` at `w = i K' j/count`, `j = 1 .. count`: from 1 to 0.
     pub(super) fn across(&self, count: u32) -> impl Iterator<Item = f64> + '_ {
-        Walk::new(!self.close, self.nome, count).map(|cosine| self.stretch(cosine))
+        Walk::new(!self.close, self.logarithm, count).map(|cosine| self.stretch(cosine))
     }
 }
 
@@ -129,11 +150,11 @@ fn nome(difference: f64, complement: f64) -> f64 {
     l * (1.0 + l4 * (2.0 + l4 * (15.0 + l4 * (150.0 + l4 * (1707.0 + l4 * 20910.0)))))
 }
 
-/// The quarter period of the nome and the other one.
-fn periods(nome: f64) -> (f64, f64) {
-    let theta = 1.0 + 2.0 * (nome + nome.powi(4) + nome.powi(9) + nome.powi(16));
-    let period = FRAC_PI_2 * theta * theta;
-    (period, -period * nome.ln() / PI)
+/// The quarter period of the nome.
+fn period(nome: f64) -> f64 {
+    let p4 = nome.powi(4);
+    let theta = 1.0 + 2.0 * (nome + p4 + p4 * p4 * nome + p4 * p4 * p4 * p4);
+    FRAC_PI_2 * theta * theta
 }
 
 /// `theta_3` as a polynomial in `c`.
@@ -153,8 +174,8 @@ struct Walk {
 }
 
 impl Walk {
-    fn new(hyperbolic: bool, nome: f64, count: u32) -> Self {
-        let step = if hyperbolic { nome.powf(-0.5 / f64::from(count)) } else { 1.0 };
+    fn new(hyperbolic: bool, logarithm: f64, count: u32) -> Self {
+        let step = if hyperbolic { (0.5 * logarithm / f64::from(count)).exp() } else { 1.0 };
         Self { hyperbolic, left: count, count, factors: [step, 1.0 / step], powers: [1.0; 2] }
     }
 }

@@ -2,8 +2,12 @@
 
 mod angular;
 mod diagonal;
+mod eigenvalues;
 mod elliptic;
+mod relation;
 mod waves;
+
+pub use relation::YukawaRelation;
 
 use angular::Harmonic;
 use diagonal::Diagonal;
@@ -158,6 +162,10 @@ impl Kernel for Yukawa {
 
     fn measure(&self, s: f64) -> f64 {
         s
+    }
+
+    fn mass_function(&self, x: f64) -> f64 {
+        x.powi(self.harmonic() as i32)
     }
 
     fn value(&self, x: f64, s: f64) -> f64 {

@@ -63,7 +63,7 @@ fn mean_decay(z: f64) -> f64 {
 }
 
 /// `i_{l+1}(z)/(z i_l(z))`, downwards from an estimate beyond the last, where the continued fraction forgets its start.
-fn inner_quotients(square: f64, quotients: &mut [f64]) {
+pub(super) fn inner_quotients(square: f64, quotients: &mut [f64]) {
     let beyond = quotients.len() as f64 + 0.5;
     let mut quotient = 1.0 / (beyond + beyond.hypot(square.sqrt()));
     for (l, place) in quotients.iter_mut().enumerate().rev() {
