@@ -68,6 +68,17 @@ pub enum Error {
         eigenvalue: f64,
     },
 
+    /// The parameter makes `-1/parameter` a point of the continuous spectrum of `K` on the half-line, or lies beyond it.
+    #[error(
+        "the parameter {parameter} must be greater than -1/{top} = {}: the operator on the half-line has the continuous spectrum [0, {top}], and the equation has no bounded inverse there", -1.0 / top
+    )]
+    InSpectrum {
+        /// The parameter.
+        parameter: f64,
+        /// Upper end of the spectrum.
+        top: f64,
+    },
+
     /// A list of values has the wrong length.
     #[error("the {what} has {found} values where {expected} are needed")]
     WrongLength {

@@ -35,6 +35,10 @@ pub enum Command {
     Regularity(RegularityArguments),
     /// Follow the answer as the degree of the degenerate kernel grows.
     Convergence(ConvergenceArguments),
+    /// Solve an equation of the second or first kind on any of the paper's kernels.
+    Equation(EquationArguments),
+    /// List eigenvalues and norms of a kernel, and verify them.
+    Spectrum(SpectrumArguments),
 }
 
 /// How results are written.
@@ -104,12 +108,15 @@ pub struct ValidateArguments {
 /// `shtaerman init`.
 #[derive(Debug, Args)]
 pub struct InitArguments {
-    /// File to write; `-` for the terminal.
-    #[arg(value_name = "FILE.toml", default_value = "punch.toml")]
-    pub file: PathBuf,
+    /// File to write; `-` for the terminal [default: punch.toml, equation.toml with --equation].
+    #[arg(value_name = "FILE.toml")]
+    pub file: Option<PathBuf>,
     /// Write the dimensionless form.
-    #[arg(long)]
+    #[arg(long, conflicts_with = "equation")]
     pub dimensionless: bool,
+    /// Write an equation file, for `shtaerman equation`.
+    #[arg(long)]
+    pub equation: bool,
     /// Overwrite an existing file.
     #[arg(long)]
     pub force: bool,
@@ -158,4 +165,86 @@ pub struct ConvergenceArguments {
     /// Draw the differences over n (.svg or .png).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+}
+
+/// `shtaerman equation`.
+#[derive(Debug, Args)]
+pub struct EquationArguments {
+    /// Equation file (TOML); `-` reads standard input.
+    #[arg(value_name = "FILE.toml")]
+    pub file: PathBuf,
+    /// Override a key of the file, such as kernel.mu=0.3; may be given again.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub overrides: Vec<String>,
+    #[command(flatten)]
+    /// The result.
+    pub output: OutputArguments,
+    /// Draw the solution to this file (.svg or .png).
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// Solve by the other method as well; exit code 1 if they differ by more than both errors.
+    #[arg(long)]
+    pub cross_check: bool,
+    /// Places for the solution, separated by commas.
+    #[arg(long, value_name = "X1,X2,...", allow_hyphen_values = true)]
+    pub at: Option<String>,
+    /// Number of points of the curve, from end to end and denser at the ends; a half-line is shown to 12/kappa.
+    #[arg(long, value_name = "COUNT", default_value_t = 201, conflicts_with = "at")]
+    pub points: usize,
+}
+
+/// `shtaerman spectrum`.
+#[derive(Debug, Args)]
+pub struct SpectrumArguments {
+    /// log, log-ratio, log-ratio-limit, log-sine, log-square, power, macdonald, weber-sonine or yukawa.
+    #[arg(value_name = "KERNEL")]
+    pub kernel: String,
+    #[command(flatten)]
+    /// The parameters of the kernel.
+    pub parameters: KernelArguments,
+    /// Number of eigenvalues.
+    #[arg(long, value_name = "N", default_value_t = 10)]
+    pub count: usize,
+    /// Check the spectral relation, orthogonality, norms, Gram matrix and bilinear sum by independent quadrature; exit code 1 if a check fails.
+    #[arg(long)]
+    pub verify: bool,
+    #[command(flatten)]
+    /// The result.
+    pub output: OutputArguments,
+    /// Draw the first eigenfunctions to this file (.svg or .png).
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+}
+
+/// The parameters of a kernel; which of them it takes depends on the kernel.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Parameters of the kernel")]
+pub struct KernelArguments {
+    /// Half-length of the interval, or its outer end.
+    #[arg(long, value_name = "A", allow_hyphen_values = true)]
+    pub a: Option<String>,
+    /// Inner end (log-ratio, log-square).
+    #[arg(long, value_name = "B", allow_hyphen_values = true)]
+    pub b: Option<String>,
+    /// Half-angle (log-sine), in radians or as "150 deg".
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pub alpha: Option<String>,
+    /// Exponent (power), order (macdonald, weber-sonine).
+    #[arg(long, value_name = "MU", allow_hyphen_values = true)]
+    pub mu: Option<String>,
+    /// Decay (macdonald).
+    #[arg(long, value_name = "KAPPA", allow_hyphen_values = true)]
+    pub kappa: Option<String>,
+    /// Half the exponent of the power t^(2 gamma) (weber-sonine).
+    #[arg(long, value_name = "GAMMA", allow_hyphen_values = true)]
+    pub gamma: Option<String>,
+    /// Decay (yukawa).
+    #[arg(long, value_name = "CHI0", allow_hyphen_values = true)]
+    pub chi0: Option<String>,
+    /// Harmonic, a whole number (yukawa).
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    pub m: Option<String>,
+    /// "half-line" instead of a finite interval (macdonald).
+    #[arg(long, value_name = "INTERVAL")]
+    pub interval: Option<String>,
 }

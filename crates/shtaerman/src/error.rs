@@ -75,6 +75,73 @@ pub enum Error {
         tilt0: f64,
     },
 
+    /// The right-hand side of an equation is not finite somewhere on the interval.
+    #[error("the right-hand side {defect} at x = {at}: it must be finite on the whole interval")]
+    RightHandSide {
+        /// Where.
+        at: f64,
+        /// How it fails to be finite.
+        defect: Defect,
+    },
+
+    /// A point for evaluation lies beyond the interval of an equation.
+    #[error("x = {at} is beyond the interval, which reaches from {left} to {right}")]
+    BeyondInterval {
+        /// Where.
+        at: f64,
+        /// Left end.
+        left: f64,
+        /// Right end, perhaps infinite.
+        right: f64,
+    },
+
+    /// The solution of an equation leaves the range of double precision.
+    #[error(
+        "the {quantity} comes out as {value}: kernel, lambda and right-hand side together leave the range of double precision"
+    )]
+    EquationOverflow {
+        /// Which part of the answer.
+        quantity: &'static str,
+        /// What it came out as.
+        value: f64,
+    },
+
+    /// An explicit tolerance of an equation was not met.
+    #[error(
+        "the tolerance {tolerance:e} was not met: the {method} method with n = {n} reached a relative error of {reached:.1e}; \
+         double precision allows about 1e-12 to 1e-14, and less near a singular lambda"
+    )]
+    EquationTolerance {
+        /// What was asked for.
+        tolerance: f64,
+        /// The relative error reached.
+        reached: f64,
+        /// Method that reached it.
+        method: &'static str,
+        /// Its size.
+        n: usize,
+    },
+
+    /// The method failed: the error of the solution is as large as the solution.
+    #[error(
+        "no digit of the solution is certain: the {method} method with n = {n} states a relative error of {reached:.1e}; \
+         the right-hand side is too rough, grows too fast, or is none that the first kind can have"
+    )]
+    EquationUnsolved {
+        /// The relative error.
+        reached: f64,
+        /// Method that reached it.
+        method: &'static str,
+        /// Its size.
+        n: usize,
+    },
+
+    /// A second method was asked for where there is one only.
+    #[error(
+        "the first kind has one method, the spectral relation of its kernel: `shtaerman spectrum KERNEL --verify` checks that by independent quadrature"
+    )]
+    NoOtherMethod,
+
     /// The problem file cannot be read as a problem.
     #[error(transparent)]
     File(#[from] FileError),
@@ -91,11 +158,15 @@ impl Error {
         matches!(
             self,
             Self::ToleranceNotMet { .. }
+                | Self::EquationTolerance { .. }
+                | Self::EquationUnsolved { .. }
                 | Self::Equation(
                     fredholm::Error::NotPositiveDefinite { .. }
                         | fredholm::Error::NotConverged { .. }
                         | fredholm::Error::EigenvaluesNotFound { .. }
                         | fredholm::Error::Singular { .. }
+                        | fredholm::Error::ZeroEigenvalue { .. }
+                        | fredholm::Error::InSpectrum { .. }
                 )
         )
     }

@@ -30,6 +30,7 @@ mod answer;
 mod contact;
 pub mod convergence;
 pub mod document;
+pub mod equation;
 mod error;
 pub mod expression;
 pub mod file;

@@ -10,10 +10,10 @@ const ROUNDING: f64 = 4e-16;
 /// An expansion that is this close between the nodes, relative to the largest value, resolves the function.
 const RESOLVED: f64 = 1e-12;
 
-/// A quadrature rule `int_L g w dm = sum_j weights[j] g(nodes[j])`.
+/// A quadrature rule `int_L g w dm = sum_j weights[j] g(nodes[j])`; its nodes are places, or know more than their place.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Rule {
-    pub(crate) nodes: Vec<f64>,
+pub(crate) struct Rule<Node = f64> {
+    pub(crate) nodes: Vec<Node>,
     pub(crate) weights: Vec<f64>,
 }
 
@@ -27,20 +27,35 @@ pub(crate) fn expand_by_rule(
     f: &dyn Fn(f64) -> f64,
     rule: impl Fn(usize) -> Result<Rule, Error>,
 ) -> Result<Expansion, Error> {
+    expand_at_nodes(relation, f, rule, |x| *x, |x, values| relation.eigenfunctions(*x, values))
+}
+
+/// The same for nodes that hold their place in more digits than a number has: `place` rounds them for `f`, `functions` gives the eigenfunctions there. With a
+/// weight that is large where eigenfunctions are steep, rounding of places would spoil the products of eigenfunctions, not those of smooth functions.
+///
+/// # Errors
+/// As [`expand_by_rule`].
+pub(crate) fn expand_at_nodes<Node>(
+    relation: &(impl SpectralRelation + ?Sized),
+    f: &dyn Fn(f64) -> f64,
+    rule: impl Fn(usize) -> Result<Rule<Node>, Error>,
+    place: impl Fn(&Node) -> f64,
+    functions: impl Fn(&Node, &mut [f64]),
+) -> Result<Expansion, Error> {
     let most = COUNTS[1].min(relation.available());
     let mut count = COUNTS[0].min(most);
     let mut current = rule(count)?;
-    let mut values = sample(f, &current.nodes)?;
+    let mut values = sample(f, current.nodes.iter().map(&place))?;
     loop {
         let next = rule((2 * count).min(2 * COUNTS[1]))?;
-        let checks = sample(f, &next.nodes)?;
+        let checks = sample(f, next.nodes.iter().map(&place))?;
         let largest = values.iter().chain(&checks).fold(0.0, |most: f64, v| most.max(v.abs()));
-        let coefficients = project(relation, &current, &values, count, largest);
+        let coefficients = project(relation, &current, &functions, &values, (count, largest));
         let error = next
             .nodes
             .iter()
             .zip(&checks)
-            .map(|(&x, value)| (relation.sum(&coefficients, x) - value).abs())
+            .map(|(node, value)| (relation.sum(&coefficients, place(node)) - value).abs())
             .fold(0.0, f64::max);
         let error = if largest > 0.0 { error / largest } else { 0.0 };
         let resolved = error <= RESOLVED;
@@ -52,19 +67,19 @@ pub(crate) fn expand_by_rule(
     }
 }
 
-/// The coefficients, without the trailing ones that are rounding.
-fn project(
+/// The coefficients, without the trailing ones that are rounding of a function with this largest value.
+fn project<Node>(
     relation: &(impl SpectralRelation + ?Sized),
-    rule: &Rule,
+    rule: &Rule<Node>,
+    eigenfunctions: &impl Fn(&Node, &mut [f64]),
     values: &[f64],
-    count: usize,
-    largest: f64,
+    (count, largest): (usize, f64),
 ) -> Vec<f64> {
     let mut coefficients = vec![0.0; count];
     let mut sizes = vec![0.0f64; count];
     let mut functions = vec![0.0; count];
-    for ((&x, weight), value) in rule.nodes.iter().zip(&rule.weights).zip(values) {
-        relation.eigenfunctions(x, &mut functions);
+    for ((node, weight), value) in rule.nodes.iter().zip(&rule.weights).zip(values) {
+        eigenfunctions(node, &mut functions);
         for ((c, size), phi) in coefficients.iter_mut().zip(&mut sizes).zip(&functions) {
             *c += weight * value * phi;
             *size = size.max(phi.abs());
@@ -77,8 +92,8 @@ fn project(
     coefficients
 }
 
-fn sample(f: &dyn Fn(f64) -> f64, nodes: &[f64]) -> Result<Vec<f64>, Error> {
-    let value = |&x: &f64| {
+fn sample(f: &dyn Fn(f64) -> f64, places: impl Iterator<Item = f64>) -> Result<Vec<f64>, Error> {
+    let value = |x: f64| {
         let value = f(x);
         if value.is_finite() {
             Ok(value)
@@ -86,5 +101,5 @@ fn sample(f: &dyn Fn(f64) -> f64, nodes: &[f64]) -> Result<Vec<f64>, Error> {
             Err(Error::NotFinite { what: "function", at: x, value })
         }
     };
-    nodes.iter().map(value).collect()
+    places.map(value).collect()
 }

@@ -83,7 +83,8 @@ pub fn solve_adaptive_with_breaks(
         operator.factor(parameter)?.solve(&operator.sample(&f)?)
     };
     let most = LARGEST_HALF_COUNT.min(LARGEST_TOTAL / (breaks.len() + 1));
-    let start = first_half_count(parameter * kernel.interval().half_length());
+    let start = first_half_count(parameter * kernel.interval().half_length())
+        .max(kernel.first_half_count());
     let mut sequence = half_counts(start).take_while(|half_count| *half_count <= most);
     let mut next = || sequence.next();
     let (Some(n1), Some(n2), Some(n3)) = (next(), next(), next()) else {

@@ -122,7 +122,7 @@ impl Block {
     }
 }
 
-/// The blocks of a kernel on a mesh; `masses` are the weights of the nodes times the density of the measure.
+/// The blocks of a kernel on a mesh; `masses` are the weights of the nodes times the density of the measure. Nodes without mass have empty rows and columns: there the kernel may overflow.
 pub(super) fn blocks(
     kernel: &(impl Kernel + ?Sized),
     mesh: &Mesh,
@@ -192,12 +192,19 @@ struct Entries<'k, K: ?Sized> {
 impl<K: Kernel + ?Sized> Entries<'_, K> {
     /// The entry of the unscaled matrix on the diagonal, less the weight.
     fn diagonal(&self, i: usize) -> f64 {
+        if self.masses[i] == 0.0 {
+            return 0.0;
+        }
         let x = self.mesh.node(i).position;
         self.weights.at_node(self.kernel.split(x, x, 0.0), self.mesh.weights()[i])
     }
 
     /// The entries `(i, j)` of the unscaled matrix, less the weight, for the nodes `j` of a range that ends before `i`.
     fn row(&self, i: usize, range: Range<usize>, row: &mut [f64]) {
+        if self.masses[i] == 0.0 {
+            row[..range.len()].fill(0.0);
+            return;
+        }
         let x = self.mesh.node(i).position;
         let first = range.start;
         let mut distances = vec![0.0; range.len()];
@@ -209,6 +216,10 @@ impl<K: Kernel + ?Sized> Entries<'_, K> {
             let entries = segment.zip(distances.iter()).zip(&mut row[local]);
             if same_panel {
                 entries.for_each(|((j, &distance), entry)| {
+                    if self.masses[j] == 0.0 {
+                        *entry = 0.0;
+                        return;
+                    }
                     let pair = self.kernel.pair(x, self.mesh.node(j).position, distance);
                     *entry = self.weights.apart(pair, distance, i - j);
                 });
@@ -309,7 +320,10 @@ fn boundary_rows(kernel: &(impl Kernel + ?Sized), mesh: &Mesh, masses: &[f64]) -
         let x = mesh.boundaries()[boundary];
         (0..mesh.count()).map(move |j| {
             let distance = mesh.distance_to_boundary(boundary, j);
-            masses[j] * kernel.pair(x, mesh.node(j).position, distance).value
+            match masses[j] {
+                0.0 => 0.0,
+                mass => mass * kernel.pair(x, mesh.node(j).position, distance).value,
+            }
         })
     };
     let boundaries = mesh.boundaries().len();

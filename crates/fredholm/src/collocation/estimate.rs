@@ -68,14 +68,15 @@ impl Estimate {
     }
 
     /// The error of the finest of three solutions on numbers of nodes that grow by one ratio, from their differences: the
-    /// larger of `d_23 rho/(1 - rho)`, `rho = d_23/d_12`, as for algebraic convergence, and `10 scale (d_23/scale)^ratio`,
-    /// as for geometric convergence; for `rho > 1/4` three times the larger difference; never less than rounding.
+    /// larger of `d_23 rho/(1 - rho)`, `rho = d_23/d_12`, as for algebraic convergence, and `10 scale (d_23/scale)^sqrt(ratio)`,
+    /// as for convergence like `exp(-c sqrt(n))`, which singular corners leave of the geometric; for `rho > 1/4` three times the larger difference; never less than rounding.
     pub(super) fn extrapolated(
         first: &Self,
         second: &Self,
         finest: &SincSolution,
         ratio: f64,
     ) -> Self {
+        let ratio = ratio.sqrt();
         let scale = largest(finest.values());
         let length =
             finest.mesh().boundaries().last().unwrap_or(&0.0) - finest.mesh().boundaries()[0];

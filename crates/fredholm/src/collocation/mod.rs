@@ -24,9 +24,11 @@
 
 mod adaptive;
 mod assembly;
+mod eigenpairs;
 mod estimate;
 mod factor;
 mod grid;
+mod half_line;
 pub(crate) mod map;
 mod mesh;
 mod modes;
@@ -40,9 +42,11 @@ mod weights;
 pub use adaptive::{
     AdaptiveSolution, first_half_count, solve_adaptive, solve_adaptive_with_breaks,
 };
+pub(crate) use eigenpairs::Eigenpairs;
 pub use estimate::{Estimate, extrapolate, rounding};
 pub use factor::SincFactor;
 pub use grid::SincGrid;
+pub use half_line::{HalfLineEstimate, HalfLineSolution, solve_half_line};
 pub use mesh::Place;
 pub use operator::SincOperator;
 pub use points::PointSet;

@@ -31,6 +31,8 @@ pub struct SincOperator {
     /// Weights of the nodes in the measure of the kernel.
     masses: Vec<f64>,
     blocks: Vec<Block>,
+    /// Within this distance from the left end potentials have its value.
+    settled: f64,
 }
 
 impl SincOperator {
@@ -70,7 +72,7 @@ impl SincOperator {
         let mesh = Mesh::new(grid, interval, breaks)?;
         let masses = masses(kernel, &mesh)?;
         let blocks = blocks(kernel, &mesh, &masses)?;
-        Ok(Self { interval, mesh: Arc::new(mesh), masses, blocks })
+        Ok(Self { interval, mesh: Arc::new(mesh), masses, blocks, settled: kernel.settled() })
     }
 
     /// The interval of the kernel.
@@ -146,6 +148,11 @@ impl SincOperator {
         right_hand_sides.iter().map(|f| factor.solve(f)).collect()
     }
 
+    /// Weights of the nodes in the measure of the kernel.
+    pub(crate) fn node_masses(&self) -> &[f64] {
+        &self.masses
+    }
+
     pub(super) fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
     }
@@ -202,15 +209,23 @@ impl SincOperator {
         masses
     }
 
-    /// Nodes so deep in a corner that their mass vanishes have the potential of that end of their panel.
+    /// Nodes so deep in a corner that their mass vanishes, or that nothing changes any more, have the potential of that end of their panel.
     fn fill_corners(&self, potential: &mut [f64], boundaries: &[f64]) {
+        let is_corner = |mass: f64, place: Place| {
+            mass == 0.0 || (place.panel == 0 && place.from_left < self.settled)
+        };
         let corners = potential.iter_mut().zip(&self.masses).zip(self.mesh.places());
-        for ((potential, _), place) in corners.filter(|((_, mass), _)| **mass == 0.0) {
+        for ((potential, _), place) in
+            corners.filter(|((_, mass), place)| is_corner(**mass, *place))
+        {
             let at_left = place.from_left < place.from_right;
             *potential = boundaries[place.panel + usize::from(!at_left)];
         }
     }
 }
+
+/// Masses below this share of the largest count as zero: so deep in a corner a kernel may overflow.
+const VANISHING: f64 = 1e-280;
 
 /// `h x'(t_j) m(x_j)`.
 fn masses(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Result<Vec<f64>, Error> {
@@ -221,7 +236,11 @@ fn masses(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Result<Vec<f64>, Erro
         }
         Err(Error::NotFinite { what: "measure", at: place.position, value: density })
     };
-    mesh.weights().iter().zip(mesh.places()).map(mass).collect()
+    let mut masses: Vec<f64> =
+        mesh.weights().iter().zip(mesh.places()).map(mass).collect::<Result<_, _>>()?;
+    let largest = masses.iter().fold(0.0f64, |most, mass| most.max(*mass));
+    masses.iter_mut().filter(|mass| **mass < VANISHING * largest).for_each(|mass| *mass = 0.0);
+    Ok(masses)
 }
 
 pub(super) fn require_finite_parameter(parameter: f64) -> Result<(), Error> {

@@ -77,7 +77,7 @@ fn require(found: usize, what: &'static str, expected: usize) -> Result<(), Erro
 }
 
 /// `sinc(t/h - j)` for the nodes of one panel; zero at the ends of the panel.
-fn sinc_row(mesh: &Mesh, place: Place) -> impl Iterator<Item = f64> + use<> {
+pub(super) fn sinc_row(mesh: &Mesh, place: Place) -> impl Iterator<Item = f64> + use<> {
     let half_count = mesh.grid().half_count() as f64;
     let at_end = place.from_left <= 0.0 || place.from_right <= 0.0;
     let tau = inverse(place.from_left, place.from_right) / mesh.grid().step();

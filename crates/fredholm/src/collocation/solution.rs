@@ -144,6 +144,11 @@ impl SincSolution {
     pub(super) fn bubble(&self) -> &[f64] {
         &self.bubble
     }
+
+    /// `m_j phi_j` at the nodes.
+    pub(super) fn masses(&self) -> &[f64] {
+        &self.masses
+    }
 }
 
 /// `sin(pi tau)/pi`, reduced by hand: `tau` itself may be large. `nearest` is the integer nearest to `tau`.

@@ -37,6 +37,12 @@ impl<'k, K: SpectralRelation + ?Sized> DegenerateSolution<'k, K> {
         &self.correction
     }
 
+    /// The function `f - phi` for many points.
+    #[must_use]
+    pub fn prepared_correction(&self) -> Box<dyn Fn(f64) -> f64 + 'k> {
+        self.kernel.combination(&self.correction)
+    }
+
     /// `phi(x)`, given `f(x)`.
     #[must_use]
     pub fn evaluate(&self, x: f64, right_hand_side: f64) -> f64 {

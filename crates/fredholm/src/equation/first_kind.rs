@@ -41,7 +41,7 @@ pub fn first_kind<'a>(
         checks(relation.extent(), CHECKS).map(|x| f(x).abs()).fold(0.0, |most: f64, v| most.max(v));
     let density = densities(relation, &coefficients)?;
     let points: Vec<f64> = checks(relation.extent(), CHECKS).collect();
-    let largest = points.iter().map(|&x| relation.sum(&density, x).abs()).fold(0.0, f64::max);
+    let largest = largest_of(relation, &density, &points);
     let noise = noise(relation, density.len(), &points);
     let rounding =
         (ROUNDING + error) * largest_value * noise.solution + 4.0 * f64::EPSILON * largest;
@@ -57,7 +57,7 @@ pub fn first_kind<'a>(
             .enumerate()
             .map(|(n, c)| if n < half.len() { 0.0 } else { *c })
             .collect();
-        let gap = points.iter().map(|&x| relation.sum(&rest, x).abs()).fold(0.0, f64::max);
+        let gap = largest_of(relation, &rest, &points);
         solution_error += SAFETY * gap;
         integral_error +=
             SAFETY * rest.iter().enumerate().map(|(n, c)| c * relation.mass(n)).sum::<f64>().abs();
@@ -73,8 +73,14 @@ pub fn first_kind<'a>(
         count: density.len() - 1,
         converged: complete,
         largest,
-        value: Box::new(move |x| weighted_sum(relation, &density, x)),
+        value: weighted(relation, &density),
     })
+}
+
+/// The largest `|sum c_n phi_n|` over points.
+fn largest_of<K: SpectralRelation + ?Sized>(relation: &K, density: &[f64], points: &[f64]) -> f64 {
+    let sum = relation.combination(density);
+    points.iter().map(|&x| sum(x).abs()).fold(0.0, f64::max)
 }
 
 /// `c_n / lambda_n`.
@@ -125,20 +131,24 @@ fn noise(relation: &(impl SpectralRelation + ?Sized), count: usize, points: &[f6
 }
 
 /// `sum c_n w phi_n`, by parity where the weights differ.
-fn weighted_sum(relation: &(impl SpectralRelation + ?Sized), density: &[f64], x: f64) -> f64 {
+fn weighted<'a, K: SpectralRelation + ?Sized>(
+    relation: &'a K,
+    density: &[f64],
+) -> Box<dyn Fn(f64) -> f64 + 'a> {
     if relation.parity() == Parity::None {
-        return relation.weight(0, x) * relation.sum(density, x);
+        let sum = relation.combination(density);
+        return Box::new(move |x| relation.weight(0, x) * sum(x));
     }
-    let part = |parity: usize| {
-        let chosen: Vec<f64> = density
-            .iter()
-            .enumerate()
-            .map(|(n, c)| if n % 2 == parity { *c } else { 0.0 })
-            .collect();
-        if chosen.iter().all(|c| *c == 0.0) {
-            return 0.0;
-        }
-        relation.weight(parity, x) * relation.sum(&chosen, x)
-    };
-    part(0) + part(1)
+    let parts = [0, 1].map(|parity| {
+        let keep = |(n, c): (usize, &f64)| if n % 2 == parity { *c } else { 0.0 };
+        let chosen: Vec<f64> = density.iter().enumerate().map(keep).collect();
+        let exists = chosen.iter().any(|c| *c != 0.0);
+        exists.then(|| relation.combination(&chosen))
+    });
+    Box::new(move |x| {
+        let part = |parity: usize| {
+            parts[parity].as_ref().map_or(0.0, |sum| relation.weight(parity, x) * sum(x))
+        };
+        part(0) + part(1)
+    })
 }

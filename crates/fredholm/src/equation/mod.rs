@@ -23,11 +23,14 @@
 
 mod collocated;
 mod first_kind;
+mod half_line;
 mod logarithm;
+mod residual;
 mod truncated;
 
 pub use collocated::collocate;
 pub use first_kind::first_kind;
+pub use half_line::collocate_half_line;
 pub use logarithm::degenerate_logarithm;
 pub use truncated::degenerate;
 

@@ -1,8 +1,9 @@
 //! The second kind by the degenerate kernel.
 
+use super::residual::residual;
 use super::{ErrorStatement, Method, Solution, checks};
 use crate::bounds::Kind;
-use crate::kernel::{Expansion, SpectralRelation};
+use crate::kernel::SpectralRelation;
 use crate::quadrature::{Node, double_exponential};
 use crate::{DegenerateSolution, DegenerateSolver, Error};
 
@@ -12,6 +13,10 @@ const CHECKS: usize = 257;
 const SAFETY: f64 = 4.0;
 /// What an error of the moments counts for in the solution.
 const AMPLIFICATION: f64 = 4.0;
+/// Last coefficients of an expansion that must have fallen to rounding.
+const TAIL: usize = 4;
+/// Safety on the residual.
+const RESIDUAL: f64 = 2.0;
 /// Rounding, in units of the last place of the terms.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// An error below this share of the solution is an answer.
@@ -20,10 +25,11 @@ const USEFUL: f64 = 0.1;
 /// `phi + parameter K phi = f` by the degenerate kernel with the eigenfunctions `phi_0 .. phi_degree`.
 ///
 /// The error is estimated from the degrees `degree`, `degree/2` and `degree/4`: the last difference, continued as it falls or as the singularity of the
-/// kernel makes it fall at the ends, `degree^{-2(1-q)}`, whichever is slower, times 4. For the logarithm [`degenerate_logarithm`](super::degenerate_logarithm) has guaranteed bounds.
+/// kernel makes it fall at the ends, `degree^{-2(1-q)}`, whichever is slower, times 4; or twice the residual at the ends and
+/// a few other points, where that is larger. For the logarithm [`degenerate_logarithm`](super::degenerate_logarithm) has guaranteed bounds.
 ///
 /// # Errors
-/// [`Error::InvalidParameter`] for a degree below 8 or an infinite interval; those of [`DegenerateSolver::new`] and of the moments.
+/// [`Error::InvalidParameter`] for a degree below 8; those of [`DegenerateSolver::new`] and of the moments.
 pub fn degenerate<'a>(
     relation: &'a (impl SpectralRelation + ?Sized),
     parameter: f64,
@@ -40,36 +46,93 @@ pub fn degenerate<'a>(
     let moments = relation.moments(f, degree + 1)?;
     let solve =
         |degree: usize| DegenerateSolver::new(relation, parameter, degree)?.solve(&moments.values);
-    let (first, second, solution) = (solve(degree / 4)?, solve(degree / 2)?, solve(degree)?);
-    let points: Vec<f64> = checks(relation.extent(), CHECKS).collect();
-    let before = difference(relation, &first, &second, &points);
-    let after = difference(relation, &second, &solution, &points);
-    let values = points.iter().map(|&x| (f(x).abs(), solution.evaluate(x, f(x)).abs()));
-    let (given, largest) =
-        values.fold((0.0f64, 0.0f64), |(f, phi), (g, psi)| (f.max(g), phi.max(psi)));
-    let rate = slowest_rate(relation);
-    let rounding = ROUNDING * (given + largest) + AMPLIFICATION * moments.error * given;
-    let error = extrapolate(before, after, rate) + rounding;
-    let functional = Integral::new(relation)?;
-    let integrals =
-        [&first, &second, &solution].map(|solution| functional.of(relation, f, solution));
+    let levels = [solve(degree / 4)?, solve(degree / 2)?, solve(degree)?];
+    let sizes = Sizes::new(relation, f, &levels[2], moments.error);
+    let unresolved = RESIDUAL * residual_of(relation, parameter, f, &levels[2], degree);
+    let error = solution_error(relation, &levels).max(unresolved) + sizes.rounding;
+    let functional = Integral::new(relation, degree);
+    let integrals = levels.each_ref().map(|solution| functional.of(relation, f, solution));
     let integral_error = match integrals {
         [Some(i1), Some(i2), Some(i3)] => {
-            let size = i3.abs() + (given + largest) * functional_size(relation);
-            extrapolate((i2 - i1).abs(), (i3 - i2).abs(), rate)
-                + rounding / (given + largest).max(f64::MIN_POSITIVE) * size
+            let extrapolated =
+                extrapolate((i2 - i1).abs(), (i3 - i2).abs(), slowest_rate(relation));
+            // A layer at an end is no wider than what the last term resolves there.
+            let layer = unresolved * sizes.functional / (degree as f64).powi(2);
+            extrapolated.max(layer) + sizes.rounding_of_integral(i3)
         }
         _ => f64::INFINITY,
     };
+    let [_, _, solution] = levels;
     Ok(Solution {
         integral: integrals[2],
         error: ErrorStatement { kind: Kind::Estimate, solution: error, integral: integral_error },
         method: Method::Spectral,
         count: degree,
-        converged: error <= USEFUL * largest,
-        largest,
-        value: Box::new(move |x| solution.evaluate(x, f(x))),
+        converged: error <= USEFUL * sizes.solution,
+        largest: sizes.solution,
+        value: {
+            let correction = solution.prepared_correction();
+            Box::new(move |x| f(x) - correction(x))
+        },
     })
+}
+
+/// Sizes against which errors are held.
+struct Sizes {
+    /// Largest `|f|` and `|phi|`.
+    given: f64,
+    solution: f64,
+    /// `int |u| dm`, roughly.
+    functional: f64,
+    /// Rounding of the solution, and what its moments may be off.
+    rounding: f64,
+}
+
+impl Sizes {
+    fn new<K: SpectralRelation + ?Sized>(
+        relation: &K,
+        f: &dyn Fn(f64) -> f64,
+        solution: &DegenerateSolution<'_, K>,
+        moment_error: f64,
+    ) -> Self {
+        let correction = solution.prepared_correction();
+        let values = checks(relation.extent(), CHECKS).map(|x| {
+            let given = f(x);
+            (given.abs(), (given - correction(x)).abs())
+        });
+        let (given, solution) =
+            values.fold((0.0f64, 0.0f64), |(f, phi), (g, psi)| (f.max(g), phi.max(psi)));
+        let rounding = ROUNDING * (given + solution) + AMPLIFICATION * moment_error * given;
+        Self { given, solution, functional: functional_size(relation), rounding }
+    }
+
+    fn rounding_of_integral(&self, integral: f64) -> f64 {
+        let values = (self.given + self.solution).max(f64::MIN_POSITIVE);
+        self.rounding * (integral.abs() / values + self.functional)
+    }
+}
+
+/// The difference of the last two levels over points from end to end, continued.
+fn solution_error<K: SpectralRelation + ?Sized>(
+    relation: &K,
+    [first, second, last]: &[DegenerateSolution<'_, K>; 3],
+) -> f64 {
+    let points: Vec<f64> = checks(relation.extent(), CHECKS).collect();
+    let before = difference(relation, first, second, &points);
+    let after = difference(relation, second, last, &points);
+    extrapolate(before, after, slowest_rate(relation))
+}
+
+/// The residual at single points.
+fn residual_of<K: SpectralRelation + ?Sized>(
+    relation: &K,
+    parameter: f64,
+    f: &dyn Fn(f64) -> f64,
+    solution: &DegenerateSolution<'_, K>,
+    degree: usize,
+) -> f64 {
+    let correction = solution.prepared_correction();
+    residual(relation, parameter, f, &|x| f(x) - correction(x), degree)
 }
 
 /// `int |u| dm`, roughly.
@@ -89,13 +152,14 @@ fn difference<K: SpectralRelation + ?Sized>(
 ) -> f64 {
     let mut gap = fine.correction().to_vec();
     gap.iter_mut().zip(coarse.correction()).for_each(|(gap, c)| *gap -= c);
-    points.iter().map(|&x| relation.sum(&gap, x).abs()).fold(0.0, f64::max)
+    let gap = relation.combination(&gap);
+    points.iter().map(|&x| gap(x).abs()).fold(0.0, f64::max)
 }
 
-/// By how much the error at the ends falls when the degree doubles, at least: `degree^{-2(1-q)}`.
+/// By how much the error at the ends falls when the degree doubles, at least: `degree^{-2(1-q)}`, on a half-line `degree^{-(1-q)}`.
 fn slowest_rate(relation: &(impl SpectralRelation + ?Sized)) -> f64 {
-    let exponent = relation.singularity().exponent();
-    0.5f64.powf(2.0 * (1.0 - exponent).min(2.0))
+    let power = if relation.interval().is_finite() { 2.0 } else { 1.0 };
+    0.5f64.powf(power * (1.0 - relation.singularity().exponent()).min(2.0))
 }
 
 /// What remains after two differences of degrees that double, when it falls no faster than by `rate`.
@@ -111,10 +175,13 @@ struct Integral {
 }
 
 impl Integral {
-    fn new(relation: &(impl SpectralRelation + ?Sized)) -> Result<Self, Error> {
-        let Expansion { coefficients, resolved, .. } =
-            relation.expand(&|x| relation.mass_function(x))?;
-        Ok(Self { coefficients: resolved.then_some(coefficients) })
+    /// `c_n = h_n^-1 int u phi_n w dm`, where they have fallen to rounding within the degree.
+    fn new(relation: &(impl SpectralRelation + ?Sized), degree: usize) -> Self {
+        let coefficients: Vec<f64> =
+            (0..=degree).map(|n| relation.mass(n) / relation.norm(n)).collect();
+        let largest = coefficients.iter().fold(0.0f64, |most, c| most.max(c.abs()));
+        let tail = coefficients.iter().rev().take(TAIL).fold(0.0f64, |most, c| most.max(c.abs()));
+        Self { coefficients: (tail <= f64::EPSILON * largest).then_some(coefficients) }
     }
 
     fn of<K: SpectralRelation + ?Sized>(
@@ -125,18 +192,19 @@ impl Integral {
     ) -> Option<f64> {
         let projections = solution.projections();
         match &self.coefficients {
-            Some(coefficients) if coefficients.len() <= projections.len() => {
+            Some(coefficients) => {
                 Some(coefficients.iter().zip(projections).map(|(c, x)| c * x).sum())
             }
             _ if !relation.interval().is_finite() => None,
             _ => {
                 let (centre, half) =
                     (relation.interval().centre(), relation.interval().half_length());
+                let correction = solution.prepared_correction();
                 let mass = |node: Node| {
                     let x = (centre + half * node.position)
                         .clamp(relation.interval().left(), relation.interval().right());
                     let density = relation.measure(x) * relation.mass_function(x);
-                    half * node.weight * density * solution.evaluate(x, f(x))
+                    half * node.weight * density * (f(x) - correction(x))
                 };
                 Some(double_exponential(4 * projections.len() + 40).map(mass).sum())
             }

@@ -1,21 +1,39 @@
 //! Symmetric kernels, their singularities and their spectral relations (paper, section 1).
 //!
 //! To add a kernel, write one file here: implement [`Kernel`] (value and split of the singularity) and, where one is
-//! known, [`SpectralRelation`].
+//! known, [`SpectralRelation`]; where none is known, [`ComputedRelation`] computes the eigenpairs.
 
+mod computed;
+mod half_sums;
 mod logarithm;
+mod logarithm_ratio;
+mod logarithm_ratio_limit;
+mod logarithm_sine;
+mod logarithm_square;
+mod macdonald;
+mod macdonald_half_line;
 mod potential;
 mod power;
 mod relation;
 mod singularity;
+mod weber_sonine;
 mod yukawa;
 
+pub use computed::ComputedRelation;
 pub use logarithm::Logarithm;
+pub use logarithm_ratio::LogarithmRatio;
+pub use logarithm_ratio_limit::LogarithmRatioLimit;
+pub use logarithm_sine::LogarithmSine;
+pub use logarithm_square::LogarithmSquare;
+pub(crate) use macdonald::MacdonaldProfile;
+pub use macdonald::{Macdonald, MacdonaldRelation};
+pub use macdonald_half_line::MacdonaldHalfLine;
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
 pub use relation::{EndExponents, Expansion, Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Pair, Singularity, Split};
+pub use weber_sonine::WeberSonine;
 pub use yukawa::{Yukawa, YukawaRelation};
 
 use crate::Interval;
@@ -88,7 +106,8 @@ pub trait Kernel {
         false
     }
 
-    /// The density `m(s)` of the measure, positive inside the interval; 1 unless said otherwise. On a disk it is `s`.
+    /// The density `m(s)` of the measure, positive inside the interval; 1 unless said otherwise. On a disk it is `s`. It may be 0 so near an end that nothing there
+    /// matters: collocation leaves such nodes out.
     fn measure(&self, _s: f64) -> f64 {
         1.0
     }
@@ -106,11 +125,65 @@ pub trait Kernel {
         (1.0 - self.singularity().exponent()).min(1.0)
     }
 
+    /// The distance from the left end within which potentials `K phi` have their end value to rounding; 0 leaves it open. Collocation takes that value there: at the
+    /// centre of a disk, where the rim asks for a deeper corner, the grid has nodes too far from each other to resolve the kernel.
+    fn settled(&self) -> f64 {
+        0.0
+    }
+
+    /// Nodes on either side of the middle with which adaptive collocation should begin, where the kernel has features finer than the interval; 0 leaves it to the parameter.
+    fn first_half_count(&self) -> f64 {
+        0.0
+    }
+
     /// `K(x, s)`; infinite at `x = s` for a singular kernel.
     fn value(&self, x: f64, s: f64) -> f64 {
         if x == s {
             return self.split(x, s, 0.0).value(self.singularity(), 0.0);
         }
         self.pair(x, s, (x - s).abs()).value
+    }
+}
+
+/// A kernel behind a reference is that kernel.
+impl<K: Kernel + ?Sized> Kernel for &K {
+    fn interval(&self) -> Interval {
+        (**self).interval()
+    }
+
+    fn extent(&self) -> Interval {
+        (**self).extent()
+    }
+
+    fn singularity(&self) -> Singularity {
+        (**self).singularity()
+    }
+
+    fn split(&self, x: f64, s: f64, distance: f64) -> Split {
+        (**self).split(x, s, distance)
+    }
+
+    fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
+        (**self).pair(x, s, distance)
+    }
+
+    fn is_even(&self) -> bool {
+        (**self).is_even()
+    }
+
+    fn measure(&self, s: f64) -> f64 {
+        (**self).measure(s)
+    }
+
+    fn mass_function(&self, x: f64) -> f64 {
+        (**self).mass_function(x)
+    }
+
+    fn end_exponent(&self) -> f64 {
+        (**self).end_exponent()
+    }
+
+    fn value(&self, x: f64, s: f64) -> f64 {
+        (**self).value(x, s)
     }
 }

@@ -30,6 +30,8 @@ pub enum Gram {
         /// `entries[k * order + m]`.
         entries: Vec<f64>,
     },
+    /// `R_km = 1` for `k = m`, else 0: the eigenfunctions are orthonormal without a weight, and the degenerate system is diagonal.
+    Identity,
 }
 
 impl Gram {
@@ -42,6 +44,7 @@ impl Gram {
         match self {
             Self::ToeplitzHankel { toeplitz, hankel } => toeplitz[k.abs_diff(m)] + hankel[k + m],
             Self::Dense { order, entries } => entries[k * order + m],
+            Self::Identity => f64::from(u8::from(k == m)),
         }
     }
 }
@@ -101,6 +104,12 @@ pub trait SpectralRelation: Kernel {
 
     /// `sum_m coefficients[m] phi_m(x)`, by a stable recurrence.
     fn sum(&self, coefficients: &[f64], x: f64) -> f64;
+
+    /// The function `sum_m coefficients[m] phi_m` for many points. As [`sum`](Self::sum) unless a kernel has something to prepare.
+    fn combination<'s>(&'s self, coefficients: &[f64]) -> Box<dyn Fn(f64) -> f64 + 's> {
+        let coefficients = coefficients.to_vec();
+        Box::new(move |x| self.sum(&coefficients, x))
+    }
 
     /// The Gram matrix `R_km = int_L phi_k phi_m dm` of `phi_0 .. phi_{count-1}`, to machine precision.
     ///

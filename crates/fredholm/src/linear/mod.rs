@@ -2,6 +2,8 @@
 
 mod cholesky;
 mod dense;
+mod lowest;
+mod skyline;
 mod small_cholesky;
 mod symmetric;
 mod tridiagonal;
@@ -10,6 +12,8 @@ pub(crate) mod vector;
 
 pub(crate) use cholesky::Cholesky;
 pub(crate) use dense::{dot, multiply_rows};
+pub(crate) use lowest::{Lowest, lowest};
+pub(crate) use skyline::{Skyline, SkylineFactor};
 pub(crate) use symmetric::{Eigensystem, Factored};
 pub(crate) use tridiagonal::Tridiagonal;
 pub(crate) use tridiagonal_spectrum::SymmetricTridiagonal;

@@ -1,7 +1,16 @@
 //! Special functions for which no library of ours serves.
 
 mod cosine_integral;
+pub(crate) mod elliptic;
+pub(crate) mod exponential_sum;
+mod gamma_quotient;
+mod macdonald;
 mod oscillatory_tail;
 
 pub use cosine_integral::cosine_integral_pi;
+pub(crate) use gamma_quotient::{half_gamma_quotient, mean_digamma};
+pub use macdonald::macdonald;
+pub(crate) use macdonald::{
+    LARGEST as LARGEST_MACDONALD, SmallArgument, macdonald_scaled, polynomial, sigma,
+};
 pub(crate) use oscillatory_tail::oscillatory_tail;

@@ -8,11 +8,16 @@ use crate::output::Outputs;
 
 const EXAMPLE: &str = include_str!("../../data/example.toml");
 const DIMENSIONLESS: &str = include_str!("../../data/example_dimensionless.toml");
+const EQUATION: &str = include_str!("../../data/example_equation.toml");
 
 pub(super) fn run(arguments: &InitArguments) -> Result<(), Failure> {
-    let text = if arguments.dimensionless { DIMENSIONLESS } else { EXAMPLE };
+    let (text, usual, command) = match (arguments.equation, arguments.dimensionless) {
+        (true, _) => (EQUATION, "equation.toml", "equation"),
+        (false, true) => (DIMENSIONLESS, "punch.toml", "solve"),
+        (false, false) => (EXAMPLE, "punch.toml", "solve"),
+    };
     let mut outputs = Outputs::default();
-    let path = arguments.file.as_path();
+    let path = arguments.file.as_deref().unwrap_or(Path::new(usual));
     if path == Path::new("-") {
         outputs.result(None, text);
         return outputs.write();
@@ -24,7 +29,7 @@ pub(super) fn run(arguments: &InitArguments) -> Result<(), Failure> {
         )));
     }
     outputs.file(path, text);
-    outputs
-        .result(None, format!("wrote {0}\nsolve it with: shtaerman solve {0}\n", path.display()));
+    let name = path.display();
+    outputs.result(None, format!("wrote {name}\nsolve it with: shtaerman {command} {name}\n"));
     outputs.write()
 }

@@ -1,11 +1,14 @@
 //! One file a command.
 
 mod convergence;
+mod equation;
 mod init;
+mod places;
 mod problem_file;
 mod regularity;
 mod reproduce;
 mod solve;
+mod spectrum;
 mod validate;
 
 use crate::Failure;
@@ -20,5 +23,7 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Reproduce(arguments) => reproduce::run(arguments),
         Command::Regularity(arguments) => regularity::run(arguments),
         Command::Convergence(arguments) => convergence::run(arguments),
+        Command::Equation(arguments) => equation::run(arguments),
+        Command::Spectrum(arguments) => spectrum::run(arguments),
     }
 }

@@ -1,10 +1,11 @@
-//! The problem file of a command.
+//! The problem or equation file of a command.
 
 use std::io::Read;
 use std::path::Path;
 
 use shtaerman::document::MAXIMUM_BYTES;
-use shtaerman::file::ProblemFile;
+use shtaerman::equation::EquationFile;
+use shtaerman::file::{AnyFile, ProblemFile};
 
 use crate::Failure;
 use crate::arguments::ProblemArguments;
@@ -14,18 +15,43 @@ pub(super) fn read(arguments: &ProblemArguments) -> Result<ProblemFile, Failure>
     if arguments.file != Path::new("-") {
         return Ok(ProblemFile::open(&arguments.file, &arguments.overrides)?);
     }
+    Ok(ProblemFile::from_bytes(
+        &standard_input()?,
+        &name(&arguments.file),
+        Path::new(""),
+        &arguments.overrides,
+    )?)
+}
+
+/// Reads the equation, with its overrides; `-` is standard input.
+pub(super) fn read_equation(file: &Path, overrides: &[String]) -> Result<EquationFile, Failure> {
+    if file != Path::new("-") {
+        return Ok(EquationFile::open(file, overrides)?);
+    }
+    Ok(EquationFile::from_bytes(&standard_input()?, &name(file), overrides)?)
+}
+
+/// Reads a file of either kind.
+pub(super) fn read_any(arguments: &ProblemArguments) -> Result<AnyFile, Failure> {
+    if arguments.file != Path::new("-") {
+        return Ok(AnyFile::open(&arguments.file, &arguments.overrides)?);
+    }
+    Ok(AnyFile::from_bytes(
+        &standard_input()?,
+        &name(&arguments.file),
+        Path::new(""),
+        &arguments.overrides,
+    )?)
+}
+
+fn standard_input() -> Result<Vec<u8>, Failure> {
     let mut bytes = Vec::new();
     std::io::stdin()
         .lock()
         .take(MAXIMUM_BYTES as u64 + 1)
         .read_to_end(&mut bytes)
         .map_err(|error| Failure::Usage(format!("standard input cannot be read: {error}")))?;
-    Ok(ProblemFile::from_bytes(
-        &bytes,
-        &name(&arguments.file),
-        Path::new(""),
-        &arguments.overrides,
-    )?)
+    Ok(bytes)
 }
 
 /// What to call the file in messages.

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use shtaerman::quantity::{Dimension, axis_unit, engineering};
 use shtaerman::{Answer, Contact, PressureCurve, Problem};
 
-use super::problem_file;
+use super::{places, problem_file};
 use crate::Failure;
 use crate::arguments::{ReportFormat, SolveArguments};
 use crate::failure::say;
@@ -15,8 +15,6 @@ use crate::report;
 
 /// Points of the plotted curves.
 const PLOT_POINTS: usize = 401;
-/// Most places one `--at` may name.
-const MOST_PLACES: usize = 1_000_000;
 /// A place this far beyond an edge, in half-widths, is the edge: units round (200 mil and 5.08 mm).
 const EDGE_SLACK: f64 = 1e-12;
 /// How far beside the punch the surface is drawn, in half-widths.
@@ -28,12 +26,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         &[arguments.output.output.as_deref(), arguments.plot.as_deref()],
         Some(&arguments.problem.file),
     )?;
-    if !(2..=MOST_PLACES).contains(&arguments.points) {
-        return Err(Failure::Usage(format!(
-            "--points {}: must be from 2 to {MOST_PLACES}",
-            arguments.points
-        )));
-    }
+    places::check_points(arguments.points)?;
     let file = problem_file::read(&arguments.problem)?;
     let places =
         arguments.at.as_deref().map(|text| parse_places(text, file.problem())).transpose()?;
@@ -78,33 +71,19 @@ fn parse_places(text: &str, problem: &Problem) -> Result<Vec<f64>, Failure> {
     let dimension =
         if problem.frame().scaling().is_some() { Dimension::LENGTH } else { Dimension::NONE };
     let half_width = problem.frame().half_width();
-    let parts: Vec<&str> = text.split(',').collect();
-    if parts.len() > MOST_PLACES {
-        return Err(Failure::Usage(format!(
-            "--at names {} places: at most {MOST_PLACES}",
-            parts.len()
-        )));
-    }
-    parts
-        .into_iter()
-        .map(|part| {
-            let part = part.trim();
-            let place = shtaerman::quantity::parse(part)
-                .and_then(|quantity| quantity.of(dimension, part))
-                .map_err(|error| Failure::Usage(format!("--at `{part}`: {error}")))?;
-            if place.abs() <= half_width {
-                return Ok(place);
-            }
-            if place.abs() <= half_width * (1.0 + EDGE_SLACK) {
-                return Ok(half_width.copysign(place));
-            }
-            Err(Failure::Usage(format!(
-                "--at `{part}`: is beyond the punch, which reaches from {} to {}",
-                engineering(-half_width, dimension),
-                engineering(half_width, dimension)
-            )))
-        })
-        .collect()
+    places::parse(text, dimension, &|place| {
+        if place.abs() <= half_width {
+            return Ok(place);
+        }
+        if place.abs() <= half_width * (1.0 + EDGE_SLACK) {
+            return Ok(half_width.copysign(place));
+        }
+        Err(format!(
+            "is beyond the punch, which reaches from {} to {}",
+            engineering(-half_width, dimension),
+            engineering(half_width, dimension)
+        ))
+    })
 }
 
 fn plot(contact: &Contact) -> Result<ContactPlot, Failure> {

@@ -1,5 +1,9 @@
 //! `shtaerman validate`.
 
+use shtaerman::Problem;
+use shtaerman::equation::{Equation, Kind};
+use shtaerman::file::AnyFile;
+
 use super::problem_file;
 use crate::Failure;
 use crate::arguments::ValidateArguments;
@@ -7,18 +11,26 @@ use crate::output::Outputs;
 use crate::report::significant;
 
 pub(super) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
-    let file = problem_file::read(&arguments.problem)?;
-    let problem = file.problem();
+    let said = match problem_file::read_any(&arguments.problem)? {
+        AnyFile::Problem(file) => problem(file.problem()),
+        AnyFile::Equation(file) => equation(file.equation()),
+    };
+    let mut outputs = Outputs::default();
+    let name = problem_file::name(&arguments.problem.file);
+    outputs.result(None, format!("{name}: valid; {said}\n"));
+    outputs.write()
+}
+
+fn problem(problem: &Problem) -> String {
     let kind = if problem.frame().scaling().is_some() { "physical" } else { "dimensionless" };
     let degree = problem.solver().degree.map_or(String::new(), |n| format!(", n = {n}"));
-    let mut outputs = Outputs::default();
-    outputs.result(
-        None,
-        format!(
-            "{}: valid; {kind} problem, theta0 = {}{degree}\n",
-            problem_file::name(&arguments.problem.file),
-            significant(problem.frame().theta0(), 8)
-        ),
-    );
-    outputs.write()
+    format!("{kind} problem, theta0 = {}{degree}", significant(problem.frame().theta0(), 8))
+}
+
+fn equation(equation: &Equation) -> String {
+    let kind = match equation.kind() {
+        Kind::Second { lambda } => format!("the second kind, lambda = {lambda}"),
+        Kind::First => "the first kind".to_owned(),
+    };
+    format!("equation of {kind}; {}", equation.kernel().title())
 }

@@ -22,6 +22,7 @@ mod layout;
 mod legend;
 mod raster;
 mod shape;
+mod solution;
 mod text;
 mod ticks;
 
@@ -35,6 +36,7 @@ pub use figure::{
     Area, Arrangement, Band, Base, Dash, Figure, Layer, LegendPlace, Line, Mark, Panel,
 };
 pub use format::{Format, PNG_PIXELS_PER_UNIT, Size};
+pub use solution::SolutionPlot;
 
 use kuva::backend::svg::SvgBackend;
 

@@ -1,10 +1,12 @@
 //! Results as text: tables for people, JSON and CSV for programs.
 
 mod answer;
+mod equation;
 mod number;
 mod table;
 
 pub(crate) use answer::{answer_csv, answer_table};
+pub(crate) use equation::{equation_csv, equation_table};
 pub(crate) use number::significant;
 pub(crate) use table::Table;
 

@@ -8,7 +8,17 @@ fn help_and_version_are_answers() {
     let version = folder.run(&["--version"]).answer();
     assert_eq!(version.trim_end(), concat!("shtaerman ", env!("CARGO_PKG_VERSION")));
     let help = folder.run(&["--help"]).answer();
-    for command in ["solve", "validate", "init", "reproduce", "regularity", "convergence"] {
+    let commands = [
+        "solve",
+        "validate",
+        "init",
+        "reproduce",
+        "regularity",
+        "convergence",
+        "equation",
+        "spectrum",
+    ];
+    for command in commands {
         assert!(help.contains(command), "{help}");
         let help = folder.run(&[command, "--help"]).answer();
         assert!(help.contains("Usage: shtaerman"), "{help}");

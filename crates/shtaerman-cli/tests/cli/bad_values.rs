@@ -54,7 +54,7 @@ fn values_out_of_range() {
             "\"1.2e-14 m/Pa\"",
             "0",
             "punch.toml:4: foundation.roughness",
-            "the smooth limit",
+            "`shtaerman equation` solves it, with kind = \"first\"",
         ),
         (
             PHYSICAL,

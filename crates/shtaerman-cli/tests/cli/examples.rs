@@ -6,6 +6,15 @@ use crate::support::{
 
 /// The problem files of `examples/`.
 fn examples() -> Vec<String> {
+    all_examples().into_iter().filter(|name| !name.starts_with("equation_")).collect()
+}
+
+/// The equation files of `examples/`.
+fn equations() -> Vec<String> {
+    all_examples().into_iter().filter(|name| name.starts_with("equation_")).collect()
+}
+
+fn all_examples() -> Vec<String> {
     let mut names: Vec<String> = std::fs::read_dir(repository().join("examples"))
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
@@ -32,6 +41,28 @@ fn there_is_an_example_of_each_kind() {
     for name in ["flat_punch", "crowned_punch", "eccentric_load", "measured_profile"] {
         assert!(names.contains(&format!("{name}.toml")), "{names:?}");
     }
+}
+
+#[test]
+fn equations_solve_and_their_answers_match_the_schema() {
+    let schema = schema("equation");
+    let folder = copy();
+    let names = equations();
+    assert!(names.len() >= 4, "{names:?}");
+    for name in names {
+        let path = format!("examples/{name}");
+        let said = folder.run(&["validate", &path]).answer();
+        assert!(said.contains("valid; equation of the"), "{said}");
+        let json = folder.run(&["equation", &path, "--format", "json"]).json();
+        assert_valid(&schema, &json, &name);
+        assert_eq!(json["warnings"], serde_json::json!([]), "{name}");
+    }
+    // The settlement that the heading of the disk names makes the load 1/2.
+    let path = "examples/equation_rough_disk.toml";
+    let json = folder.run(&["equation", path, "--format", "json", "--at", "0,1"]).json();
+    assert!((number(&json, "/integral") - 0.5).abs() < 1e-9);
+    assert!((number(&json, "/solution/phi/0") - 0.808_772_459_8).abs() < 1e-9);
+    assert!((number(&json, "/solution/phi/1") - 1.358_299_533).abs() < 1e-9);
 }
 
 #[test]
@@ -62,7 +93,7 @@ fn examples_solve_and_match_their_schemas() {
 
 #[test]
 fn the_command_of_each_heading_runs() {
-    for name in examples() {
+    for name in all_examples() {
         let folder = copy();
         let text = folder.read(&format!("examples/{name}"));
         let commands: Vec<&str> =
@@ -74,7 +105,12 @@ fn the_command_of_each_heading_runs() {
                 command.split(' ').map(|argument| argument.replace('"', "")).collect();
             let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
             let table = folder.run(&arguments).answer();
-            assert!(table.contains("settlement") && table.contains("tilt"), "{command}: {table}");
+            let words = match arguments[0] {
+                "solve" => ["settlement", "tilt"],
+                "equation" => ["int phi", "phi("],
+                _ => ["eigenvalue", "bilinear sum"],
+            };
+            assert!(words.iter().all(|word| table.contains(word)), "{command}: {table}");
             if let Some(at) = arguments.iter().position(|argument| *argument == "--plot") {
                 let plot = arguments[at + 1];
                 assert!(table.contains(&format!("plot: {plot}")), "{command}: {table}");
@@ -116,6 +152,11 @@ fn the_readme_shows_what_its_command_prints() {
 
     let problem = schema("problem");
     for block in readme_blocks("toml") {
+        if block.contains("[equation]") {
+            folder.write("equation.toml", &block);
+            folder.run(&["equation", "equation.toml"]).answer();
+            continue;
+        }
         assert_valid(&problem, &toml_as_json(&block), "README");
         folder.write("punch.toml", &block);
         folder.run(&["solve", "punch.toml"]).answer();

@@ -18,6 +18,10 @@ pub enum WarningCode {
     LowDegree,
     /// The error that is aimed at was not reached.
     ToleranceNotMet,
+    /// The kernel of an equation is not square-summable.
+    NotSquareSummable,
+    /// The integral of the solution of an equation does not exist.
+    NoIntegral,
 }
 
 /// A warning with its text.
@@ -88,7 +92,7 @@ impl Warning {
     }
 
     /// The relative error aimed at, and the one reached.
-    pub(super) fn tolerance_not_met(tolerance: f64, reached: f64) -> Self {
+    pub(crate) fn tolerance_not_met(tolerance: f64, reached: f64) -> Self {
         let message = format!(
             "the relative error reached is {reached:.1e}, more than the {tolerance:.0e} aimed at"
         );

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{load_bytes, read};
+use super::{load_bytes, overridden, read};
 use crate::document::{Document, FileError};
 use crate::{Contact, Error, Problem};
 
@@ -16,6 +16,9 @@ const ALTERNATIVES: [&[&str]; 7] = [
     &["dimensionless.moment", "dimensionless.eccentricity", "dimensionless.tilt"],
     &["dimensionless.theta0", "dimensionless.poisson_ratio"],
 ];
+
+/// An override, for messages.
+pub(super) const OVERRIDE: &str = "load.force=\"1 MN/m\"";
 
 /// A problem with the document it was read from, so that a fault found while solving still names file, line and field.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,14 +50,11 @@ impl ProblemFile {
         folder: &Path,
         overrides: &[String],
     ) -> Result<Self, Error> {
-        let mut document = Document::from_bytes(bytes, name)?;
-        for text in overrides {
-            let (key, value) = text.split_once('=').ok_or_else(|| {
-                FileError::new(format!("--set {text}: has no `=`"))
-                    .with_help("write --set load.force=\"1 MN/m\"")
-            })?;
-            document.set(key.trim(), value.trim())?;
-        }
+        Self::from_document(overridden(bytes, name, overrides, OVERRIDE)?, folder)
+    }
+
+    /// Reads a problem from a document with its overrides.
+    pub(super) fn from_document(mut document: Document, folder: &Path) -> Result<Self, Error> {
         for group in ALTERNATIVES {
             document.prefer_overrides(group);
         }

@@ -25,6 +25,7 @@
 //! # Ok::<(), shtaerman::Error>(())
 //! ```
 
+mod any;
 mod load;
 mod located;
 mod physical;
@@ -34,9 +35,11 @@ mod solver;
 use std::path::Path;
 
 use crate::document::{Document, Field, FileError, MAXIMUM_BYTES, TableReader};
+use crate::equation::is_equation;
 use crate::quantity::{Dimension, engineering};
 use crate::{Error, Frame, Problem};
 
+pub use any::AnyFile;
 pub use located::ProblemFile;
 
 /// Reads a problem from text; a measured profile is looked for in the current folder. `name` is for messages.
@@ -69,7 +72,7 @@ pub fn open(path: &Path, overrides: &[String]) -> Result<Problem, Error> {
 }
 
 /// The bytes of a file of at most [`MAXIMUM_BYTES`], or what is wrong with it.
-fn load_bytes(path: &Path) -> Result<Vec<u8>, String> {
+pub(crate) fn load_bytes(path: &Path) -> Result<Vec<u8>, String> {
     let readable = |error: std::io::Error| format!("cannot be read: {error}");
     let metadata = std::fs::metadata(path).map_err(readable)?;
     if metadata.is_dir() {
@@ -84,7 +87,30 @@ fn load_bytes(path: &Path) -> Result<Vec<u8>, String> {
     std::fs::read(path).map_err(readable)
 }
 
+/// The document in the bytes of a file, with overrides `KEY=VALUE`, of which `example` is one.
+pub(crate) fn overridden(
+    bytes: &[u8],
+    name: &str,
+    overrides: &[String],
+    example: &str,
+) -> Result<Document, FileError> {
+    let mut document = Document::from_bytes(bytes, name)?;
+    for text in overrides {
+        let (key, value) = text.split_once('=').ok_or_else(|| {
+            FileError::new(format!("--set {text}: has no `=`"))
+                .with_help(format!("write --set {example}"))
+        })?;
+        document.set(key.trim(), value.trim())?;
+    }
+    Ok(document)
+}
+
 fn read(document: &Document, folder: &Path) -> Result<Problem, Error> {
+    if is_equation(document) {
+        let fault = FileError::new("is an equation, not a contact problem");
+        let help = "use `shtaerman equation`";
+        return Err(fault.in_file(document.file_name()).with_help(help).into());
+    }
     let reader = document.reader();
     let solver = solver::read(&reader)?;
     let problem = if let Some(table) = reader.table("dimensionless")? {

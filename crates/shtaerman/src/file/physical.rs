@@ -42,11 +42,10 @@ fn roughness(table: &TableReader<'_>) -> Result<f64, FileError> {
     }
     let compliance = field.quantity(Dimension::COMPLIANCE)?;
     if compliance == 0.0 {
-        let message =
-            "is 0: the smooth limit is an equation of the first kind, which is not solved yet";
-        return Err(field
-            .error(message)
-            .with_help("give a roughness compliance greater than zero"));
+        let message = "is 0: the smooth limit is an equation of the first kind, not this one";
+        return Err(field.error(message).with_help(
+            "`shtaerman equation` solves it, with kind = \"first\" and the log kernel; or give a compliance greater than zero",
+        ));
     }
     if compliance < 0.0 {
         let value = shown("roughness", compliance);

@@ -1,25 +1,25 @@
 //! Quadrature with powers at the ends of its panels, which knows nothing of any spectral relation.
 
-use crate::kernel::{EndExponents, SpectralRelation};
-use crate::quadrature::double_exponential;
+use super::double_exponential;
+use crate::kernel::{EndExponents, Kernel, SpectralRelation};
 
 /// Below this distance a kernel is taken from the split of its diagonal.
 const CLOSE: f64 = 1e-200;
 
 /// A node of a panel `(start, start + length)`, or the mirror image, with a power at its start.
-pub(super) struct Node {
+pub(crate) struct Node {
     /// `x`.
-    pub(super) position: f64,
+    pub(crate) position: f64,
     /// Distance to the start.
-    pub(super) distance: f64,
+    pub(crate) distance: f64,
     /// The distance to the power `1 + beta` of the start, which does not underflow.
-    pub(super) raised: f64,
+    pub(crate) raised: f64,
     /// Weight, that of the power `distance^beta` included.
-    pub(super) weight: f64,
+    pub(crate) weight: f64,
 }
 
 /// The rule for `int |x - start|^beta g(x) dx` from `start` to `end`: with `u = (distance/length)^(1+beta)` nothing of the power remains, however near `beta` is to -1.
-pub(super) fn panel(
+pub(crate) fn panel(
     start: f64,
     end: f64,
     beta: f64,
@@ -49,7 +49,7 @@ pub(super) fn panel(
 }
 
 /// The panels that make `int_L g w dm`, `w` without its smooth part: from both ends to the middle, or from the left end outwards on a half-line.
-pub(super) fn weighted(relation: &dyn SpectralRelation, half_count: usize) -> Vec<(f64, f64)> {
+pub(crate) fn weighted(relation: &dyn SpectralRelation, half_count: usize) -> Vec<(f64, f64)> {
     let interval = relation.interval();
     let EndExponents { left, right } = relation.weight_exponents();
     let extent = relation.extent();
@@ -61,13 +61,13 @@ pub(super) fn weighted(relation: &dyn SpectralRelation, half_count: usize) -> Ve
     let mut nodes: Vec<(f64, f64)> = near.collect();
     if interval.is_finite() {
         nodes.extend(panel(interval.right(), middle, right, half_count).map(|node| {
-            (node.position, node.weight * (node.position - interval.left()).powf(left))
+            (node.position, node.weight * power(node.position - interval.left(), left))
         }));
     } else {
         let scale = extent.half_length();
         nodes.extend(
             tail(middle, scale, half_count)
-                .map(|(x, weight)| (x, weight * (x - interval.left()).powf(left))),
+                .map(|(x, weight)| (x, weight * power(x - interval.left(), left))),
         );
     }
     nodes
@@ -78,8 +78,9 @@ fn end_power(end: f64, x: f64, exponent: f64) -> f64 {
 }
 
 /// `int_start^inf g dx` for `g` that decays exponentially: `x = start + scale e^(pi/2 sinh t)`, cut where exponentials have vanished.
-pub(super) fn tail(start: f64, scale: f64, half_count: usize) -> impl Iterator<Item = (f64, f64)> {
-    let (first, last) = (-3.2f64, 2.4f64);
+pub(crate) fn tail(start: f64, scale: f64, half_count: usize) -> impl Iterator<Item = (f64, f64)> {
+    // What lies before the first node is 1e-18 of the scale.
+    let (first, last) = (-3.95f64, 2.4f64);
     let count = 3 * half_count;
     let step = (last - first) / count as f64;
     (0..=count).map(move |i| {
@@ -89,58 +90,62 @@ pub(super) fn tail(start: f64, scale: f64, half_count: usize) -> impl Iterator<I
     })
 }
 
-/// The panels that make `int_L K(x, s) g(s) w(s) dm(s)` for one `x` inside, `w` without its smooth part: `(s, weight times kernel times measure)`.
-pub(super) fn kernel_rule(
-    relation: &dyn SpectralRelation,
+/// The panels that make `int_L K(x, s) g(s) w(s) dm(s)` for one `x` of the closed interval, `w` the powers of the distances to the ends: `(s, weight times kernel
+/// times measure)`.
+pub(crate) fn kernel_rule<K: Kernel + ?Sized>(
+    kernel: &K,
+    exponents: EndExponents,
     x: f64,
     half_count: usize,
 ) -> Vec<(f64, f64)> {
-    let interval = relation.interval();
-    let EndExponents { left, right } = relation.weight_exponents();
-    let singularity = relation.singularity();
-    let q = singularity.exponent().max(0.0);
-    let powers = |s: f64| end_power(interval.right(), s, right) * (s - interval.left()).powf(left);
+    let interval = kernel.interval();
+    let EndExponents { left, right } = exponents;
+    let powers = |s: f64| end_power(interval.right(), s, right) * power(s - interval.left(), left);
     let mut nodes = Vec::new();
-    let mut outer = |end: f64, beta: f64| {
+    let mut sides = vec![(interval.left(), left)];
+    if interval.is_finite() {
+        sides.push((interval.right(), right));
+    }
+    for (end, beta) in sides.into_iter().filter(|(end, _)| *end != x) {
         let middle = 0.5 * (x + end);
         for node in panel(end, middle, beta, half_count) {
             let s = node.position;
-            let distance = (x - end).abs() - node.distance;
             let opposite = if end == interval.left() {
                 end_power(interval.right(), s, right)
             } else {
-                (s - interval.left()).powf(left)
+                power(s - interval.left(), left)
             };
-            let value = relation.pair(x, s, distance).value;
-            nodes.push((s, node.weight * opposite * value * relation.measure(s)));
+            let value = kernel.pair(x, s, (x - end).abs() - node.distance).value;
+            nodes.push((s, node.weight * opposite * value * kernel.measure(s)));
         }
-        inner(relation, x, middle, q, half_count, &powers, &mut nodes);
-    };
-    outer(interval.left(), left);
-    if interval.is_finite() {
-        outer(interval.right(), right);
-        return nodes;
+        inner(kernel, x, middle, half_count, &powers, &mut nodes);
     }
-    let middle = x + relation.extent().half_length();
-    inner(relation, x, middle, q, half_count, &powers, &mut nodes);
-    let beyond = tail(middle, relation.extent().half_length(), half_count).map(|(s, weight)| {
-        (s, weight * powers(s) * relation.measure(s) * relation.pair(x, s, s - x).value)
-    });
-    nodes.extend(beyond);
+    if !interval.is_finite() {
+        let middle = x + kernel.extent().half_length();
+        inner(kernel, x, middle, half_count, &powers, &mut nodes);
+        let beyond = tail(middle, kernel.extent().half_length(), half_count).map(|(s, weight)| {
+            (s, weight * powers(s) * kernel.measure(s) * kernel.pair(x, s, s - x).value)
+        });
+        nodes.extend(beyond);
+    }
     nodes
 }
 
+fn power(distance: f64, exponent: f64) -> f64 {
+    if exponent == 0.0 { 1.0 } else { distance.powf(exponent) }
+}
+
 /// The panel that begins at the diagonal.
-fn inner(
-    relation: &dyn SpectralRelation,
+fn inner<K: Kernel + ?Sized>(
+    kernel: &K,
     x: f64,
     end: f64,
-    q: f64,
     half_count: usize,
     powers: &dyn Fn(f64) -> f64,
     nodes: &mut Vec<(f64, f64)>,
 ) {
-    let at = relation.split(x, x, 0.0);
+    let q = kernel.singularity().exponent().max(0.0);
+    let at = kernel.split(x, x, 0.0);
     for node in panel(x, end, -q, half_count) {
         let s = node.position;
         // K d^q
@@ -149,8 +154,8 @@ fn inner(
             let power = node.distance / node.raised;
             at.factor * (1.0 - power) / q + at.rest * power
         } else {
-            relation.pair(x, s, node.distance).value * node.distance.powf(q)
+            kernel.pair(x, s, node.distance).value * power(node.distance, q)
         };
-        nodes.push((s, node.weight * value * powers(s) * relation.measure(s)));
+        nodes.push((s, node.weight * value * powers(s) * kernel.measure(s)));
     }
 }

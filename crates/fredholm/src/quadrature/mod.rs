@@ -1,5 +1,7 @@
 //! Quadrature that does not mind what happens at the ends.
 
+pub(crate) mod panels;
+
 use crate::basis::expansion::Rule;
 use crate::collocation::map::{Node as Image, RANGE};
 use crate::{Error, Interval};

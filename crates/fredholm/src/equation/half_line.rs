@@ -1,0 +1,46 @@
+//! The second kind on the half-line.
+
+use super::{ErrorStatement, Method, Solution, checks};
+use crate::bounds::Kind;
+use crate::collocation::solve_half_line;
+use crate::kernel::MacdonaldHalfLine;
+use crate::{Error, Interval};
+
+/// Intervals between the points at which the largest value is looked for.
+const CHECKS: usize = 257;
+
+/// `phi + parameter K phi = f` on the half-line, for `0 <= x <= reach`, by collocation on a finite section; the solution is NaN beyond `reach`, where nothing is known.
+/// The integral is that over the whole half-line, where it exists.
+///
+/// # Errors
+/// As [`solve_half_line`].
+pub fn collocate_half_line<'a>(
+    kernel: &MacdonaldHalfLine,
+    parameter: f64,
+    f: &'a dyn Fn(f64) -> f64,
+    reach: f64,
+    tolerance: f64,
+) -> Result<Solution<'a>, Error> {
+    let solution = solve_half_line(kernel, parameter, f, reach, tolerance)?;
+    let estimate = *solution.estimate();
+    let largest = if reach > 0.0 {
+        checks(Interval::new(0.0, reach)?, CHECKS)
+            .map(|x| solution.evaluate(x, f(x)).abs())
+            .fold(0.0, f64::max)
+    } else {
+        solution.evaluate(0.0, f(0.0)).abs()
+    };
+    Ok(Solution {
+        integral: solution.integral(),
+        error: ErrorStatement {
+            kind: Kind::Estimate,
+            solution: estimate.solution,
+            integral: estimate.integral,
+        },
+        method: Method::Sinc,
+        count: solution.node_count(),
+        converged: solution.converged(),
+        largest,
+        value: Box::new(move |x| solution.evaluate(x, f(x))),
+    })
+}

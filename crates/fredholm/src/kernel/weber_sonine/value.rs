@@ -1,0 +1,161 @@
+//! The kernel of Weber and Sonine by tables of one variable.
+
+use super::coefficients::{Coefficients, NEAR_TERMS};
+use super::cutoff::Cutoff;
+use super::dyadic::{Dyadic, polynomial};
+use super::factor;
+use crate::kernel::{Pair, Split};
+
+/// Largest `delta` of the series about the diagonal, and largest `mu delta`: there their two parts begin to cancel.
+const NEAR: f64 = 0.5;
+const NEAR_OF_ORDER: f64 = 1.2;
+
+type Near = [[f64; 4]; NEAR_TERMS / 4];
+
+/// The kernel is homogeneous, `W = (x s)^(-1/2-gamma) g(|ln(x/s)|)`: next to the diagonal by its series, elsewhere by tables.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Tables {
+    coefficients: Coefficients,
+    /// Largest `delta^2/4` of the series.
+    near_limit: f64,
+    /// `F_1` by powers of `delta^2/4`.
+    near: Near,
+    /// `(F_1 - F_2)/q` likewise.
+    difference: Near,
+    /// `kappa e^(q l)`.
+    near_strength: f64,
+    far_strength: f64,
+    /// The hypergeometric function of `s^2/x^2` by `1 - s^2/x^2`.
+    far: Dyadic,
+    /// `e^((1/2-mu) r) F_1` by `r` over the reach of the cutoff.
+    factor: Dyadic,
+    cutoff: Cutoff,
+    /// `ln a`.
+    radius: f64,
+}
+
+/// Two different points.
+struct Points {
+    /// The larger one.
+    larger: f64,
+    /// Its logarithm.
+    logarithm: f64,
+    /// The smaller one as a share of it.
+    share: f64,
+    /// `|ln(x/s)|`.
+    ratio: f64,
+}
+
+impl Tables {
+    pub(super) fn new(radius: f64, order: f64, exponent: f64) -> Self {
+        let coefficients = Coefficients::new(order, exponent);
+        let delta = NEAR.min(NEAR_OF_ORDER / order);
+        let terms = coefficients.near();
+        let rows = |part: usize| -> Near {
+            std::array::from_fn(|row| std::array::from_fn(|lane| terms[4 * row + lane][part]))
+        };
+        let rest_of_square = -(-4.0 * (0.5 * delta).asinh()).exp_m1();
+        let far_pieces = 1 + (-rest_of_square.log2()) as usize;
+        let cutoff = Cutoff::new(order, exponent);
+        let nearest = 2.0 * (0.5 * delta).asinh();
+        Self {
+            near_limit: 0.25 * delta * delta,
+            near: rows(0),
+            difference: rows(1),
+            near_strength: coefficients.strength * (2.0 * exponent * coefficients.shift).exp(),
+            far_strength: coefficients.far_strength(),
+            far: Dyadic::new(far_pieces, |rest| coefficients.far(rest)),
+            factor: factor::table(&coefficients, cutoff.reach(), nearest),
+            cutoff,
+            radius: radius.ln(),
+            coefficients,
+        }
+    }
+
+    /// `W` and its factor at two different points of `(0, radius)`; NaN only for points that are NaN or negative.
+    pub(super) fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
+        let (larger, smaller) = if x > s { (x, s) } else { (s, x) };
+        if smaller == 0.0 {
+            let value = if self.coefficients.order == 0.0 { self.at_centre(larger) } else { 0.0 };
+            return Pair { value, factor: 0.0 };
+        }
+        // Deep in the corner the difference of their logarithms would not hold the ratio.
+        let share = smaller / larger;
+        let points = Points { larger, logarithm: larger.ln(), share, ratio: -share.ln() };
+        let apart = distance / larger;
+        let quarter = 0.25 * apart * (distance / smaller);
+        let value = if quarter <= self.near_limit {
+            self.near_value(quarter, distance, &points)
+        } else {
+            self.far_value(apart * (1.0 + share), &points)
+        };
+        Pair { value: value.min(f64::MAX), factor: self.factor(quarter, &points) }
+    }
+
+    /// `W(x, 0) = C x^(-1-2 gamma)` for the order 0.
+    fn at_centre(&self, x: f64) -> f64 {
+        let power = -1.0 - 2.0 * self.coefficients.exponent;
+        (self.far_strength * x.powf(power)).min(f64::MAX)
+    }
+
+    fn near_value(&self, quarter: f64, distance: f64, points: &Points) -> f64 {
+        let gamma = self.coefficients.exponent;
+        let middle = points.logarithm - 0.5 * points.ratio;
+        let logarithm = distance.ln() - middle + self.coefficients.shift;
+        let (sigma, power) = if gamma == 0.0 {
+            (-logarithm, 1.0)
+        } else {
+            let q = 2.0 * gamma;
+            ((-q * logarithm).exp_m1() / q, (-q * middle).exp())
+        };
+        let sum = polynomial(&self.near, quarter) * sigma + polynomial(&self.difference, quarter);
+        self.near_strength * power * sum / (points.larger * points.share.sqrt())
+    }
+
+    fn far_value(&self, rest_of_square: f64, points: &Points) -> f64 {
+        let Coefficients { order, exponent, .. } = self.coefficients;
+        let power = -2.0 * exponent * points.logarithm - order * points.ratio;
+        let scale = if power == 0.0 { 1.0 } else { power.exp() };
+        self.far_strength * self.far.evaluate(rest_of_square) * scale / points.larger
+    }
+
+    /// `A = kappa F_1 / sqrt(x s)` with the cutoff.
+    fn factor(&self, quarter: f64, points: &Points) -> f64 {
+        let depth = self.radius - points.logarithm + 0.5 * points.ratio;
+        let cutoff = self.cutoff.value(points.ratio, depth);
+        if cutoff == 0.0 {
+            return 0.0;
+        }
+        let order = self.coefficients.order;
+        let function = if quarter <= self.near_limit {
+            polynomial(&self.near, quarter) / points.share.sqrt()
+        } else {
+            let growth = if order == 0.0 { 1.0 } else { (order * points.ratio).exp() };
+            self.factor.evaluate(points.ratio / self.cutoff.reach()) * growth
+        };
+        let factor = self.coefficients.strength * cutoff * function / points.larger;
+        factor.clamp(-f64::MAX, f64::MAX)
+    }
+
+    /// The split at `x = s`: `A = kappa/x`, `B = (kappa/x) [1 - (e^l/x)^q]/q`, which is `-A sigma(x e^-l)`.
+    pub(super) fn on_diagonal(&self, x: f64) -> Split {
+        let factor = self.coefficients.strength / x;
+        let exponent = 2.0 * self.coefficients.exponent;
+        let logarithm = self.coefficients.shift - x.ln();
+        let rest = if exponent == 0.0 {
+            -factor * logarithm
+        } else {
+            -factor * (exponent * logarithm).exp_m1() / exponent
+        };
+        Split { factor: factor.min(f64::MAX), rest: rest.clamp(-f64::MAX, f64::MAX) }
+    }
+
+    /// `W(x, x)`: infinite for `gamma >= 0`.
+    pub(super) fn at(&self, x: f64) -> f64 {
+        let gamma = self.coefficients.exponent;
+        if gamma >= 0.0 || x == 0.0 {
+            return f64::INFINITY;
+        }
+        self.near_strength / (-2.0 * gamma) * x.powf(-1.0 - 2.0 * gamma)
+    }
+}

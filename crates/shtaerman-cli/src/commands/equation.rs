@@ -1,0 +1,121 @@
+//! `shtaerman equation`.
+
+use std::fmt::Write;
+
+use shtaerman::equation::{EquationAnswer, Kind, SolvedEquation};
+use shtaerman::quantity::Dimension;
+
+use super::{places, problem_file};
+use crate::Failure;
+use crate::arguments::{EquationArguments, ReportFormat};
+use crate::failure::say;
+use crate::output::{Outputs, check_writable};
+use crate::plot::{Format, Size, SolutionPlot, render};
+use crate::report;
+
+/// Points of the plotted curve.
+const PLOT_POINTS: usize = 401;
+
+pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
+    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    check_writable(
+        &[arguments.output.output.as_deref(), arguments.plot.as_deref()],
+        Some(&arguments.file),
+    )?;
+    places::check_points(arguments.points)?;
+    let file = problem_file::read_equation(&arguments.file, &arguments.overrides)?;
+    if arguments.cross_check && file.equation().kind() == Kind::First {
+        return Err(Failure::Usage(format!("--cross-check: {}", shtaerman::Error::NoOtherMethod)));
+    }
+    let asked = arguments.at.as_deref().map(|text| parse_places(text, &file)).transpose()?;
+    let reach = asked.iter().flatten().copied().fold(0.0, f64::max);
+    let solved = file.equation().solve_to(reach).map_err(|error| file.locate(error))?;
+    let points = match asked {
+        Some(points) => points,
+        None => solved.places(arguments.points)?,
+    };
+    let mut answer = solved.answer(points).map_err(|error| file.locate(error))?;
+    if arguments.cross_check {
+        answer.cross_check = Some(solved.cross_check().map_err(|error| file.locate(error))?);
+    }
+    let mut outputs = Outputs::default();
+    outputs.result(arguments.output.output.as_deref(), text(arguments, &solved, &answer)?);
+    if let (Some(path), Some(format)) = (&arguments.plot, format) {
+        let plot = plot(&solved).map_err(|error| file.locate(error))?;
+        outputs.file(path, render(&plot, format, Size::default())?);
+    }
+    outputs.write()?;
+    if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {
+        for warning in solved.warnings() {
+            say(&format!("warning: {}\n", warning.message));
+        }
+    }
+    verdict(&answer)
+}
+
+fn text(
+    arguments: &EquationArguments,
+    solved: &SolvedEquation<'_>,
+    answer: &EquationAnswer<'_>,
+) -> Result<String, Failure> {
+    Ok(match arguments.output.format {
+        ReportFormat::Table => {
+            let name = problem_file::name(&arguments.file);
+            let mut text = report::equation_table(&name, solved, answer, arguments.at.is_some())?;
+            if let Some(path) = &arguments.plot {
+                let _ = writeln!(text, "plot: {}", path.display());
+            }
+            text
+        }
+        ReportFormat::Json => report::json(answer)?,
+        ReportFormat::Csv => report::equation_csv(answer)?,
+    })
+}
+
+/// The failure of a cross-check that found more than both errors allow.
+fn verdict(answer: &EquationAnswer<'_>) -> Result<(), Failure> {
+    match &answer.cross_check {
+        Some(check) if !check.agrees => Err(Failure::Check(format!(
+            "the methods differ by more than the errors they state: solution {:.1e}, allowed {:.1e}; integral {:.1e}, allowed {:.1e}",
+            check.solution_sup,
+            check.solution_allowed,
+            check.integral.unwrap_or(0.0),
+            check.integral_allowed.unwrap_or(0.0)
+        ))),
+        _ => Ok(()),
+    }
+}
+
+fn parse_places(text: &str, file: &shtaerman::equation::EquationFile) -> Result<Vec<f64>, Failure> {
+    places::parse(text, Dimension::NONE, &|x| {
+        file.equation().place(x).map_err(|error| {
+            let words = error.to_string();
+            words.split_once(" is ").map_or(words.clone(), |(_, rest)| format!("is {rest}"))
+        })
+    })
+}
+
+fn plot(solved: &SolvedEquation<'_>) -> Result<SolutionPlot, shtaerman::Error> {
+    let equation = solved.equation();
+    let places = solved.places(PLOT_POINTS)?;
+    let values = places
+        .iter()
+        .map(|&x| Ok(solved.evaluate(x)?.unwrap_or(f64::INFINITY)))
+        .collect::<Result<Vec<_>, shtaerman::Error>>()?;
+    let kind = match equation.kind() {
+        Kind::Second { lambda } => {
+            format!("φ + λ ∫ K φ = f, λ = {}", report::significant(lambda, 6))
+        }
+        Kind::First => "∫ K φ = f".to_owned(),
+    };
+    Ok(SolutionPlot {
+        title: format!("{kind}, f = {}", equation.right_hand_side()),
+        notes: vec![
+            format!("{}: K = {}", equation.kernel().title(), equation.kernel().family().formula),
+            format!("{} method with n = {}", solved.method(), solved.size()),
+        ],
+        points: places.into_iter().zip(values).collect(),
+        horizontal_label: "x".to_owned(),
+        vertical_label: "φ".to_owned(),
+    })
+}

@@ -1,0 +1,40 @@
+//! Places and numbers of points asked for on the command line.
+
+use shtaerman::quantity::Dimension;
+
+use crate::Failure;
+
+/// Most places one `--at` may name, and most points of a curve.
+const MOST_PLACES: usize = 1_000_000;
+
+/// Refuses numbers of points that make no curve.
+pub(super) fn check_points(points: usize) -> Result<(), Failure> {
+    if (2..=MOST_PLACES).contains(&points) {
+        return Ok(());
+    }
+    Err(Failure::Usage(format!("--points {points}: must be from 2 to {MOST_PLACES}")))
+}
+
+/// The places of `--at`, each accepted by `place` or refused with its words.
+pub(super) fn parse(
+    text: &str,
+    dimension: Dimension,
+    place: &dyn Fn(f64) -> Result<f64, String>,
+) -> Result<Vec<f64>, Failure> {
+    let parts: Vec<&str> = text.split(',').collect();
+    if parts.len() > MOST_PLACES {
+        return Err(Failure::Usage(format!(
+            "--at names {} places: at most {MOST_PLACES}",
+            parts.len()
+        )));
+    }
+    let parsed = |part: &str| {
+        let part = part.trim();
+        let refused = |words: String| Failure::Usage(format!("--at `{part}`: {words}"));
+        let value = shtaerman::quantity::parse(part)
+            .and_then(|quantity| quantity.of(dimension, part))
+            .map_err(|error| refused(error.to_string()))?;
+        place(value).map_err(refused)
+    };
+    parts.into_iter().map(parsed).collect()
+}

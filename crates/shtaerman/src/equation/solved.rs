@@ -1,0 +1,135 @@
+//! A solved equation.
+
+use fredholm::equation::{ErrorStatement, Method, Solution};
+
+use super::plan::Draft;
+use super::{Equation, Kind};
+use crate::error::require;
+use crate::{Error, Warning};
+
+/// A solution with its equation: a function with an integral, an error and warnings.
+#[derive(Debug)]
+pub struct SolvedEquation<'a> {
+    equation: &'a Equation,
+    solution: Solution<'a>,
+    reason: String,
+    warnings: Vec<Warning>,
+    reach: f64,
+}
+
+/// `spectral` or `sinc`, as everywhere.
+pub(super) fn name(method: Method) -> &'static str {
+    match method {
+        Method::Spectral => "spectral",
+        Method::Sinc => "sinc",
+    }
+}
+
+impl<'a> SolvedEquation<'a> {
+    /// The solution, unless it leaves the range of double precision.
+    pub(super) fn new(equation: &'a Equation, draft: Draft<'a>, reach: f64) -> Result<Self, Error> {
+        let Draft { solution, reason, warnings, .. } = draft;
+        for (quantity, value) in
+            [("solution", solution.largest), ("error of the solution", solution.error.solution)]
+        {
+            if !value.is_finite() {
+                return Err(Error::EquationOverflow { quantity, value });
+            }
+        }
+        Ok(Self { equation, solution, reason, warnings, reach })
+    }
+
+    /// What was solved.
+    #[must_use]
+    pub fn equation(&self) -> &'a Equation {
+        self.equation
+    }
+
+    /// `phi(x)` at a place of the closed interval; none where a solution of the first kind is infinite.
+    ///
+    /// # Errors
+    /// [`Error::BeyondInterval`] elsewhere; [`Error::EquationOverflow`] should the value not be a number.
+    pub fn evaluate(&self, x: f64) -> Result<Option<f64>, Error> {
+        let place = self.equation.place(x)?;
+        if place > self.reach {
+            let [left, _] = self.equation.shown();
+            return Err(Error::BeyondInterval { at: x, left, right: self.reach });
+        }
+        let value = self.solution.evaluate(place);
+        if value.is_finite() {
+            return Ok(Some(value));
+        }
+        let interval = self.equation.kernel().kernel().interval();
+        let at_end = place == interval.left() || place == interval.right();
+        // Where parts of both signs meet at an end, the sum of their infinities is NaN.
+        if self.equation.kind() == Kind::First && at_end {
+            return Ok(None);
+        }
+        Err(Error::EquationOverflow { quantity: "solution", value })
+    }
+
+    /// `count` places from end to end, denser at the ends; on a half-line to `12/kappa`, denser at its beginning.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for fewer than two.
+    pub fn places(&self, count: usize) -> Result<Vec<f64>, Error> {
+        require(count >= 2, "points", count as f64, "at least 2")?;
+        let [left, right] = self.equation.shown();
+        let steps = (count - 1) as f64;
+        if !self.equation.kernel().kernel().interval().is_finite() {
+            let share = |i: usize| (i as f64 / steps).powi(2);
+            return Ok((0..count).map(|i| left + share(i) * (right - left)).collect());
+        }
+        let (centre, half) = (left.midpoint(right), 0.5 * right - 0.5 * left);
+        let mut places: Vec<f64> = fredholm::basis::chebyshev::points(count - 1)
+            .into_iter()
+            .rev()
+            .map(|xi| (centre + half * xi).clamp(left, right))
+            .collect();
+        places[0] = left;
+        places[count - 1] = right;
+        Ok(places)
+    }
+
+    /// The largest place at which the solution is known.
+    #[must_use]
+    pub fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    /// The integral of `phi`, for a kernel of a disk of `phi x^(mu+1)`; none where it does not exist.
+    #[must_use]
+    pub fn integral(&self) -> Option<f64> {
+        self.solution.integral.filter(|integral| integral.is_finite())
+    }
+
+    /// How far the solution may be off; for the first kind, `phi` over its weight.
+    #[must_use]
+    pub fn error(&self) -> &ErrorStatement {
+        &self.solution.error
+    }
+
+    /// Name of the method: `spectral` or `sinc`.
+    #[must_use]
+    pub fn method(&self) -> &'static str {
+        name(self.solution.method)
+    }
+
+    /// Highest index of the eigenfunctions kept, or number of nodes.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.solution.count
+    }
+
+    /// Why this method.
+    #[must_use]
+    pub fn reason(&self) -> &str {
+        &self.reason
+    }
+
+    /// What a user should know.
+    #[must_use]
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+}
