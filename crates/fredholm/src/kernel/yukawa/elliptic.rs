@@ -4,6 +4,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 /// The complementary modulus up to which the series in its own nome are taken: either nome stays below 0.1.
 const TURNING: f64 = 0.9;
+/// Points still nearer to the centre, where the kernel overflows, are moved here.
+const LEAST: f64 = 1e-300;
 /// Coefficients below this do not count; the cosine they multiply is at most 1.
 const NEGLIGIBLE: f64 = 1e-30;
 /// Coefficients kept of the theta series as polynomials in the cosine: the first one left out is `nome^20`.
@@ -23,7 +25,11 @@ pub(super) struct Points {
 impl Points {
     pub(super) fn new(x: f64, s: f64, distance: f64) -> Self {
         let (smaller, larger) = if x < s { (x, s) } else { (s, x) };
-        Self { larger, ratio: smaller / larger, distance }
+        let ratio = if smaller > 0.0 { smaller / larger } else { 0.0 };
+        if larger < LEAST {
+            return Self { larger: LEAST, ratio, distance: LEAST * (1.0 - ratio) };
+        }
+        Self { larger, ratio, distance }
     }
 
     pub(super) fn sum(&self) -> f64 {
