@@ -70,9 +70,7 @@ impl SymmetricTridiagonal {
                 }
             }
             // Idle lanes must not keep the others waiting.
-            for lane in indices.len()..LANES {
-                low[lane] = high[lane];
-            }
+            low[indices.len()..].copy_from_slice(&high[indices.len()..]);
         }
         indices.iter().zip(high).map(|(_, value)| value).collect()
     }
