@@ -1,5 +1,7 @@
 //! Collocation on a union of panels with gaps.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 use std::sync::Arc;
 
 use fredholm::collocation::SincGrid;
