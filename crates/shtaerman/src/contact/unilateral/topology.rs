@@ -160,8 +160,8 @@ impl Cells {
             return false;
         }
         let (mut boundaries, mut carrying) = (vec![self.boundaries[0]], Vec::new());
-        for i in 0..self.count() {
-            let parts = if split[i] { PARTS } else { 1 };
+        for (i, is_split) in split.into_iter().enumerate() {
+            let parts = if is_split { PARTS } else { 1 };
             for part in 1..parts {
                 boundaries.push(self.boundaries[i] + self.width(i) * part as f64 / parts as f64);
             }
