@@ -70,9 +70,7 @@ impl SymmetricTridiagonal {
                 }
             }
             // Idle lanes must not keep the others waiting.
-            for lane in indices.len()..LANES {
-                low[lane] = high[lane];
-            }
+            low[indices.len()..].copy_from_slice(&high[indices.len()..]);
         }
         indices.iter().zip(high).map(|(_, value)| value).collect()
     }
@@ -178,7 +176,9 @@ mod tests {
         assert!((vector[1] / vector[0] / -1e-18 - 1.0).abs() < 1e-14);
         // Nothing beside the diagonal.
         let matrix = SymmetricTridiagonal::new(vec![0.0, 3.0, 7.0], vec![0.0; 2]);
-        assert_eq!(matrix.eigenvalues(0..3), [0.0, 3.0, 7.0].map(|value: f64| value));
+        for (value, exact) in matrix.eigenvalues(0..3).iter().zip([0.0, 3.0, 7.0]) {
+            assert!((value - exact).abs() <= 2e-16 * exact + 1e-300, "{value} {exact}");
+        }
         assert_eq!(matrix.eigenvector(3.0), [0.0, 1.0, 0.0]);
     }
 }

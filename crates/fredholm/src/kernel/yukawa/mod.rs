@@ -147,7 +147,7 @@ impl Kernel for Yukawa {
     }
 
     fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
-        if !(distance > 0.0) {
+        if distance.is_nan() || distance <= 0.0 {
             return Pair { value: f64::INFINITY, factor: -2.0 / self.kept_away(x) };
         }
         let points = Points::new(x, s, distance);

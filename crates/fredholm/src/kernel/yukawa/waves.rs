@@ -6,6 +6,8 @@ use super::elliptic::Points;
 
 /// `-ln` of the relative size of the terms left out.
 const DIGITS: f64 = 38.0;
+/// Orders beyond this do not occur unless the distance contradicts the points.
+const HIGHEST: f64 = 1e5;
 /// Quotients kept without allocation.
 const KEPT: usize = 96;
 
@@ -78,5 +80,5 @@ fn last_order(harmonic: u32, outer: f64, logarithm: f64) -> usize {
     let reach = DIGITS / logarithm;
     // sqrt((start + reach)^2 - outer^2) without its cancellation.
     let m = f64::from(harmonic);
-    (reach * (reach + 2.0 * start) + m * m).sqrt() as usize + 4
+    (reach * (reach + 2.0 * start) + m * m).sqrt().max(m).min(HIGHEST) as usize + 4
 }
