@@ -33,6 +33,7 @@
 
 pub mod basis;
 pub mod collocation;
+pub mod complementarity;
 pub mod conformance;
 pub mod degenerate;
 pub mod equation;

@@ -1,10 +1,12 @@
 //! Every kernel passes the suite, with the parameters that hurt.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
+
 use fredholm::conformance;
 use fredholm::kernel::{
     EndExponents, Expansion, Gram, Kernel, Logarithm, LogarithmRatio, LogarithmRatioLimit,
     LogarithmSine, LogarithmSquare, Macdonald, MacdonaldHalfLine, Parity, Power, Singularity,
-    SpectralRelation, Split, WeberSonine,
+    SpectralRelation, Split, WeberSonine, Yukawa,
 };
 use fredholm::{Error, Interval};
 
@@ -134,6 +136,24 @@ fn kernel_6_weber_sonine() {
         for count in [20, 200] {
             let name = format!("mu = {mu}, gamma = {gamma}, a = {a}");
             require(&name, &kernel, &kernel, count);
+        }
+    }
+}
+
+#[test]
+fn kernel_7_yukawa() {
+    for (chi0, m, a) in [
+        (1.0, 0, 1.0),
+        (1e-3, 0, 1.0),
+        (10.0, 0, 1.0),
+        (1.0, 1, 1.0),
+        (2.5, 5, 2.0),
+        (40.0, 2, 1.0),
+    ] {
+        let kernel = Yukawa::new(a, chi0, m).unwrap();
+        let relation = kernel.relation(TERMS).unwrap();
+        for count in [20, 200] {
+            require(&format!("chi0 = {chi0}, m = {m}, a = {a}"), &kernel, &relation, count);
         }
     }
 }

@@ -75,6 +75,39 @@ pub enum Error {
         tilt0: f64,
     },
 
+    /// The force of a unilateral contact acts beyond the base.
+    #[error(
+        "{field} = {value}: tips the punch over: its magnitude must be less than {name} = {limit}, or no pressure on the base balances it"
+    )]
+    TipsOver {
+        /// `moment` or `eccentricity`.
+        field: &'static str,
+        /// The value given, SI.
+        value: f64,
+        /// What its magnitude must stay below.
+        limit: f64,
+        /// The limit as a formula.
+        name: &'static str,
+    },
+
+    /// The prescribed displacements of a unilateral contact leave the base clear of the body.
+    #[error(
+        "the punch touches nowhere: under the prescribed settlement and tilt no point of the base lies below the surface; \
+         the settlement must be larger than the lowest height of the base"
+    )]
+    NoContact,
+
+    /// No zones of contact were found on which pressure and gap have their signs.
+    #[error(
+        "the zones of contact were not found: the best attempt has a tension of {tension:.1e} and a penetration of {penetration:.1e} of their scales"
+    )]
+    NotComplementary {
+        /// Largest tension over the largest pressure.
+        tension: f64,
+        /// Largest penetration over the size of the displacements.
+        penetration: f64,
+    },
+
     /// The right-hand side of an equation is not finite somewhere on the interval.
     #[error("the right-hand side {defect} at x = {at}: it must be finite on the whole interval")]
     RightHandSide {
@@ -158,6 +191,7 @@ impl Error {
         matches!(
             self,
             Self::ToleranceNotMet { .. }
+                | Self::NotComplementary { .. }
                 | Self::EquationTolerance { .. }
                 | Self::EquationUnsolved { .. }
                 | Self::Equation(

@@ -48,7 +48,8 @@ pub use answer::{
     SCHEMA,
 };
 pub use contact::{
-    AIM, Accuracy, Contact, CrossCheck, ErrorKind, Method, Stiffness, Warning, WarningCode,
+    AIM, Accuracy, Complementarity, Contact, CrossCheck, ErrorKind, Method, Stiffness,
+    UnilateralContact, Warning, WarningCode,
 };
 pub use convergence::Convergence;
 pub use error::Error;

@@ -153,7 +153,8 @@ impl Eigenpairs {
         let bubbles = self.bubbles.chunks_exact(self.nodes());
         let boundaries = self.boundaries.chunks_exact(self.mesh.boundaries().len());
         for ((value, bubble), boundaries) in values.iter_mut().zip(bubbles).zip(boundaries) {
-            *value = line(boundaries, place) + dot(&row, &bubble[first..first + count]);
+            *value = line(boundaries, self.mesh.left_end(place.panel), place)
+                + dot(&row, &bubble[first..first + count]);
         }
     }
 

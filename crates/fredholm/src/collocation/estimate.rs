@@ -51,11 +51,13 @@ impl Estimate {
             });
         }
         let boundaries = fine.mesh().boundaries();
-        if coarse.mesh().boundaries() != boundaries {
+        if coarse.mesh().boundaries() != boundaries
+            || coarse.mesh().panels() != fine.mesh().panels()
+        {
             return Err(Error::WrongLength {
                 what: "list of panels of the coarser solution",
-                found: coarse.mesh().boundaries().len() - 1,
-                expected: boundaries.len() - 1,
+                found: coarse.mesh().panels(),
+                expected: fine.mesh().panels(),
             });
         }
         let centre = 0.5 * boundaries[0] + 0.5 * boundaries[boundaries.len() - 1];
@@ -132,7 +134,7 @@ fn potential_difference(coarse: &SincSolution, fine: &SincSolution) -> f64 {
     let ends = fine.boundaries().iter().zip(coarse.boundaries());
     let lines = ends.fold(0.0, |largest: f64, (fine, coarse)| largest.max((fine - coarse).abs()));
     let mut bubbles = 0.0f64;
-    for panel in 0..fine.boundaries().len() - 1 {
+    for panel in 0..fine.mesh().panels() {
         let midway = points(fine, 0.5);
         for t in midway.chain(points(coarse, 0.0)) {
             bubbles =

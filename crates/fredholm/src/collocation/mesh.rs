@@ -1,4 +1,4 @@
-//! The nodes on an interval cut into panels.
+//! The nodes on an interval cut into panels, or on panels with gaps between them.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -26,11 +26,13 @@ pub struct Place {
     pub panel: usize,
 }
 
-/// One grid on each of the panels between consecutive boundaries.
+/// One grid on each of the panels: between consecutive boundaries, unless there is a gap.
 #[derive(Debug, Clone)]
 pub(super) struct Mesh {
     grid: Arc<SincGrid>,
     boundaries: Vec<f64>,
+    /// For each panel the index of its left end in `boundaries`; its right end is the next one.
+    left_ends: Vec<usize>,
     nodes: Vec<(usize, Node)>,
     weights: Vec<f64>,
 }
@@ -42,7 +44,26 @@ impl Mesh {
         breaks: &[f64],
     ) -> Result<Self, Error> {
         let boundaries = boundaries(interval, breaks)?;
-        let panels = boundaries.len() - 1;
+        let left_ends = (0..boundaries.len() - 1).collect();
+        Self::on_boundaries(grid, boundaries, left_ends)
+    }
+
+    /// The grid on each of the panels, which may have gaps between them.
+    pub(super) fn on_panels(
+        grid: Arc<SincGrid>,
+        interval: Interval,
+        panels: &[(f64, f64)],
+    ) -> Result<Self, Error> {
+        let (boundaries, left_ends) = disjoint(interval, panels)?;
+        Self::on_boundaries(grid, boundaries, left_ends)
+    }
+
+    fn on_boundaries(
+        grid: Arc<SincGrid>,
+        boundaries: Vec<f64>,
+        left_ends: Vec<usize>,
+    ) -> Result<Self, Error> {
+        let panels = left_ends.len();
         if panels.saturating_mul(grid.count()) > MOST_NODES {
             return Err(Error::InvalidParameter {
                 name: "number of nodes",
@@ -50,15 +71,16 @@ impl Mesh {
                 requirement: "at most 8001 over all panels",
             });
         }
-        let nodes: Vec<(usize, Node)> = boundaries
-            .windows(2)
+        let nodes: Vec<(usize, Node)> = left_ends
+            .iter()
             .enumerate()
-            .flat_map(|(panel, ends)| {
-                grid.nodes().iter().map(move |node| (panel, node.carried(ends[0], ends[1])))
+            .flat_map(|(panel, &end)| {
+                let (left, right) = (boundaries[end], boundaries[end + 1]);
+                grid.nodes().iter().map(move |node| (panel, node.carried(left, right)))
             })
             .collect();
         let weights = nodes.iter().map(|(_, node)| grid.step() * node.derivative).collect();
-        Ok(Self { grid, boundaries, nodes, weights })
+        Ok(Self { grid, boundaries, left_ends, nodes, weights })
     }
 
     pub(super) fn count(&self) -> usize {
@@ -76,6 +98,16 @@ impl Mesh {
 
     pub(super) fn boundaries(&self) -> &[f64] {
         &self.boundaries
+    }
+
+    /// Number of panels.
+    pub(super) fn panels(&self) -> usize {
+        self.left_ends.len()
+    }
+
+    /// Index of the left end of a panel among the boundaries; its right end is the next one.
+    pub(super) fn left_end(&self, panel: usize) -> usize {
+        self.left_ends[panel]
     }
 
     /// `h dx/dt` of every node.
@@ -100,7 +132,9 @@ impl Mesh {
     pub(super) fn is_symmetric(&self) -> bool {
         let count = self.boundaries.len();
         let twice_centre = self.boundaries[0] + self.boundaries[count - 1];
+        let panels = self.panels();
         (0..count).all(|k| self.boundaries[k] + self.boundaries[count - 1 - k] == twice_centre)
+            && (0..panels).all(|k| self.left_ends[k] + self.left_ends[panels - 1 - k] == count - 2)
     }
 
     /// Whether two nodes lie in one panel.
@@ -118,7 +152,7 @@ impl Mesh {
             .map(move |panel| range.start.max(panel * count)..range.end.min((panel + 1) * count))
     }
 
-    /// `|x_i - x_j|` for nodes `j` of one panel that lie left of `x_i`; across a breakpoint from the distances to it.
+    /// `|x_i - x_j|` for nodes `j` of one panel that lie left of `x_i`; across a breakpoint or a gap from the distances to it.
     pub(super) fn distances(&self, i: usize, segment: Range<usize>, distances: &mut [f64]) {
         let (panel, x) = &self.nodes[i];
         let nodes = &self.nodes[segment];
@@ -128,7 +162,8 @@ impl Mesh {
                 *distance = x.distance(s);
             }
         } else {
-            let gap = self.boundaries[*panel] - self.boundaries[left_panel + 1];
+            let gap = self.boundaries[self.left_ends[*panel]]
+                - self.boundaries[self.left_ends[*left_panel] + 1];
             for (distance, (_, s)) in distances.iter_mut().zip(nodes) {
                 *distance = s.from_right + gap + x.from_left;
             }
@@ -138,21 +173,60 @@ impl Mesh {
     /// Distance of a node to a boundary.
     pub(super) fn distance_to_boundary(&self, boundary: usize, j: usize) -> f64 {
         let (panel, node) = &self.nodes[j];
-        if boundary <= *panel {
-            self.boundaries[*panel] - self.boundaries[boundary] + node.from_left
+        let end = self.left_ends[*panel];
+        if boundary <= end {
+            self.boundaries[end] - self.boundaries[boundary] + node.from_left
         } else {
-            self.boundaries[boundary] - self.boundaries[*panel + 1] + node.from_right
+            self.boundaries[boundary] - self.boundaries[end + 1] + node.from_right
         }
     }
 
-    /// The place of a point of the closed interval; points outside go to the nearer end, NaN stays.
+    /// The place of a point of the closed panels; points outside go to the nearer end, NaN stays.
     pub(super) fn locate(&self, x: f64) -> Place {
-        let last = self.boundaries.len() - 2;
-        let panel = self.boundaries[1..=last].partition_point(|&boundary| boundary < x);
-        let (left, right) = (self.boundaries[panel], self.boundaries[panel + 1]);
+        let last = self.panels() - 1;
+        let right_end = |panel: usize| self.boundaries[self.left_ends[panel] + 1];
+        let mut panel = self.left_ends[..last].partition_point(|&end| self.boundaries[end + 1] < x);
+        // In a gap the nearer of the two ends counts.
+        if panel > 0 && x - right_end(panel - 1) < self.boundaries[self.left_ends[panel]] - x {
+            panel -= 1;
+        }
+        let (left, right) = (self.boundaries[self.left_ends[panel]], right_end(panel));
         let position = if x.is_nan() { x } else { x.clamp(left, right) };
         Place { position, from_left: position - left, from_right: right - position, panel }
     }
+}
+
+/// The ends of the panels from left to right, those that two panels share once, and where each panel begins among them.
+fn disjoint(interval: Interval, panels: &[(f64, f64)]) -> Result<(Vec<f64>, Vec<usize>), Error> {
+    let refused = |value: f64, requirement: &'static str| Error::InvalidParameter {
+        name: "panel",
+        value,
+        requirement,
+    };
+    if panels.is_empty() {
+        return Err(Error::WrongLength { what: "list of panels", found: 0, expected: 1 });
+    }
+    let (mut boundaries, mut left_ends) = (Vec::<f64>::new(), Vec::new());
+    for &(left, right) in panels {
+        if !(interval.contains(left) && interval.contains(right)) {
+            let outside = if interval.contains(left) { right } else { left };
+            return Err(refused(outside, "inside the interval of the kernel"));
+        }
+        // Panels shorter than rounding of their ends have no inside.
+        if right - left <= 8.0 * f64::EPSILON * left.abs().max(right.abs()) {
+            return Err(refused(right, "ended right of where it began, beyond rounding"));
+        }
+        match boundaries.last() {
+            Some(&previous) if left < previous => {
+                return Err(refused(left, "begun where the one before it ends, or right of that"));
+            }
+            Some(&previous) if left == previous => {}
+            _ => boundaries.push(left),
+        }
+        left_ends.push(boundaries.len() - 1);
+        boundaries.push(right);
+    }
+    Ok((boundaries, left_ends))
 }
 
 fn boundaries(interval: Interval, breaks: &[f64]) -> Result<Vec<f64>, Error> {

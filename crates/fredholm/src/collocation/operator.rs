@@ -68,11 +68,68 @@ impl SincOperator {
         grid: Arc<SincGrid>,
         breaks: &[f64],
     ) -> Result<Self, Error> {
-        let interval = kernel.interval();
-        let mesh = Mesh::new(grid, interval, breaks)?;
+        let mesh = Mesh::new(grid, kernel.interval(), breaks)?;
+        Self::on_mesh(kernel, mesh)
+    }
+
+    /// The operator on a union of panels `(left, right)` inside the interval of the kernel, from left to right, with or without
+    /// gaps between them: `K phi = sum_k int_(l_k)^(r_k) K(x, s) phi(s) dm(s)`. Each panel has the nodes of the shared grid.
+    ///
+    /// ```
+    /// use std::sync::Arc;
+    /// use fredholm::collocation::SincGrid;
+    /// use fredholm::kernel::Logarithm;
+    /// use fredholm::SincOperator;
+    ///
+    /// let kernel = Logarithm::unit();
+    /// let grid = Arc::new(SincGrid::new(&kernel, 40)?);
+    /// let operator = SincOperator::on_panels(&kernel, grid, &[(-1.0, -0.5), (0.25, 1.0)])?;
+    /// let length = operator.solve(0.0, &[operator.sample(|_| 1.0)?])?[0].integral(|_| 1.0);
+    /// assert!((length - 1.25).abs() < 1e-14);
+    /// # Ok::<(), fredholm::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`SincOperator::with_breaks`]; [`Error::InvalidParameter`] for panels that overlap, are empty, are not in order or leave the
+    /// interval, [`Error::WrongLength`] for no panel.
+    pub fn on_panels(
+        kernel: &(impl Kernel + ?Sized),
+        grid: Arc<SincGrid>,
+        panels: &[(f64, f64)],
+    ) -> Result<Self, Error> {
+        let mesh = Mesh::on_panels(grid, kernel.interval(), panels)?;
+        Self::on_mesh(kernel, mesh)
+    }
+
+    fn on_mesh(kernel: &(impl Kernel + ?Sized), mesh: Mesh) -> Result<Self, Error> {
         let masses = masses(kernel, &mesh)?;
         let blocks = blocks(kernel, &mesh, &masses)?;
-        Ok(Self { interval, mesh: Arc::new(mesh), masses, blocks, settled: kernel.settled() })
+        Ok(Self {
+            interval: kernel.interval(),
+            mesh: Arc::new(mesh),
+            masses,
+            blocks,
+            settled: kernel.settled(),
+        })
+    }
+
+    /// `K phi` at the nodes for a density `phi` given at the nodes; zero on a panel leaves that panel out of the integral.
+    ///
+    /// Less accurate next to the ends of the panels than [`SincSolution::potential`], by `eps phi/sqrt(w)` with the weights `w` of the nodes.
+    ///
+    /// # Errors
+    /// [`Error::WrongLength`] unless there is one value for each node, [`Error::NotFinite`] for NaN or an infinity.
+    pub fn apply(&self, density: &[f64]) -> Result<Vec<f64>, Error> {
+        self.require_values(density)?;
+        let mut potential = vec![0.0; self.count()];
+        let mut boundaries = vec![0.0; self.mesh.boundaries().len()];
+        for block in &self.blocks {
+            let z = block.scaled(density);
+            block.extend(&block.potential(&z), &mut potential);
+            block.add_boundary_potential(&z, &mut boundaries);
+        }
+        self.fill_corners(&mut potential, &boundaries);
+        Ok(potential)
     }
 
     /// The interval of the kernel.
@@ -219,7 +276,7 @@ impl SincOperator {
             corners.filter(|((_, mass), place)| is_corner(**mass, *place))
         {
             let at_left = place.from_left < place.from_right;
-            *potential = boundaries[place.panel + usize::from(!at_left)];
+            *potential = boundaries[self.mesh.left_end(place.panel) + usize::from(!at_left)];
         }
     }
 }

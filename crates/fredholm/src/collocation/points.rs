@@ -64,7 +64,7 @@ impl PointSet {
         let count = self.mesh.panel_count();
         for (k, place) in self.places.iter().enumerate() {
             let bubble = &solution.bubble()[place.panel * count..(place.panel + 1) * count];
-            let potential = line(solution.boundaries(), *place)
+            let potential = line(solution.boundaries(), self.mesh.left_end(place.panel), *place)
                 + dot(&self.rows[k * count..(k + 1) * count], bubble);
             values[k] = right_hand_side[k] - solution.parameter() * potential;
         }

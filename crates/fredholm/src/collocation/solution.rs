@@ -50,7 +50,7 @@ impl SincSolution {
         boundaries: Vec<f64>,
     ) -> Self {
         let bubble: Vec<f64> = (mesh.places().zip(&potential))
-            .map(|(place, u)| u - line(&boundaries, place))
+            .map(|(place, u)| u - line(&boundaries, mesh.left_end(place.panel), place))
             .collect();
         let panels = bubble.chunks_exact(mesh.panel_count()).map(Pairs::new).collect();
         Self { mesh, parameter, values, masses, potential, boundaries, bubble, panels }
@@ -74,13 +74,19 @@ impl SincSolution {
         &self.potential
     }
 
+    /// `w_j m_j phi_j` at the nodes: what the integral adds up.
+    #[must_use]
+    pub fn node_masses(&self) -> &[f64] {
+        &self.masses
+    }
+
     /// `int_L u phi dm` with the measure of the kernel.
     #[must_use]
     pub fn integral(&self, u: impl Fn(f64) -> f64) -> f64 {
         (self.mesh.places().zip(&self.masses)).map(|(place, mass)| u(place.position) * mass).sum()
     }
 
-    /// `phi(x)` for `x` in the closed interval, given `f(x)`; points outside count as the nearer end.
+    /// `phi(x)` for `x` in the closed interval, given `f(x)`; points outside, and those in a gap between panels, count as the nearer end.
     ///
     /// At a breakpoint `f(x)` decides which one-sided value it is: `K phi` is continuous.
     #[must_use]
@@ -111,14 +117,15 @@ impl SincSolution {
 
     /// `(K phi)` at a place.
     pub(super) fn potential_at(&self, place: Place) -> f64 {
+        let end = self.mesh.left_end(place.panel);
         if place.from_left <= 0.0 {
-            return self.boundaries[place.panel];
+            return self.boundaries[end];
         }
         if place.from_right <= 0.0 {
-            return self.boundaries[place.panel + 1];
+            return self.boundaries[end + 1];
         }
         let t = inverse(place.from_left, place.from_right);
-        line(&self.boundaries, place) + self.interpolate(place.panel, t)
+        line(&self.boundaries, end, place) + self.interpolate(place.panel, t)
     }
 
     /// The interpolated part of `K phi` at `t` in a panel, beside the straight line.
@@ -157,10 +164,10 @@ pub(super) fn sine_of_turns(tau: f64, nearest: f64) -> f64 {
     sign * (PI * (tau - nearest)).sin() / PI
 }
 
-/// The straight line through the values at the ends of the panel.
-pub(super) fn line(boundaries: &[f64], place: Place) -> f64 {
-    let Place { from_left, from_right, panel, .. } = place;
-    (boundaries[panel] * from_right + boundaries[panel + 1] * from_left) / (from_left + from_right)
+/// The straight line through the values at the ends of the panel, the left of which is the boundary `end`.
+pub(super) fn line(boundaries: &[f64], end: usize, place: Place) -> f64 {
+    let Place { from_left, from_right, .. } = place;
+    (boundaries[end] * from_right + boundaries[end + 1] * from_left) / (from_left + from_right)
 }
 
 impl Pairs {

@@ -4,7 +4,7 @@ use fredholm::conformance::{Comparison, compare};
 use fredholm::equation::{collocate_half_line, degenerate};
 use fredholm::kernel::{
     Kernel, Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare,
-    Macdonald, MacdonaldHalfLine, Power, SpectralRelation, WeberSonine,
+    Macdonald, MacdonaldHalfLine, Power, SpectralRelation, WeberSonine, Yukawa,
 };
 use fredholm::{Error, Interval};
 
@@ -61,6 +61,7 @@ pub(crate) const KERNELS: &[(&str, Draw)] = &[
     ("macdonald", macdonald),
     ("weber-sonine", weber_sonine),
     ("macdonald half-line", macdonald_half_line),
+    ("yukawa", yukawa),
 ];
 
 fn drawn(relation: impl SpectralRelation + 'static, parameters: String) -> Result<Drawn, Error> {
@@ -132,6 +133,14 @@ fn macdonald_half_line(random: &mut Random, _: usize) -> Result<Drawn, Error> {
     let half_line = Some(kernel.clone());
     let parameters = format!("mu = {mu}, kappa = {kappa}");
     Ok(Drawn { relation: Box::new(kernel), half_line, parameters })
+}
+
+fn yukawa(random: &mut Random, count: usize) -> Result<Drawn, Error> {
+    let a = random.scale(1e-2, 1e2);
+    let screening = random.scale(1e-2, 10.0) / a;
+    let harmonic = random.below(4) as u32;
+    let relation = Yukawa::new(a, screening, harmonic)?.relation(count)?;
+    drawn(relation, format!("a = {a}, chi0 = {screening}, m = {harmonic}"))
 }
 
 /// A random right-hand side: a polynomial, an exponential or a wave in the share of the interval, times the mass function.

@@ -13,12 +13,14 @@ mod potential;
 mod solved;
 mod spectral;
 mod surface;
+mod unilateral;
 mod warning;
 
 pub use accuracy::{Accuracy, ErrorKind};
 pub use cross_check::CrossCheck;
 pub use plan::AIM;
 pub use solved::{Contact, Method, Stiffness};
+pub use unilateral::{Complementarity, UnilateralContact};
 pub use warning::{Warning, WarningCode};
 
 use draft::Draft;

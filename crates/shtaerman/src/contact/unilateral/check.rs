@@ -1,0 +1,109 @@
+//! Complementarity between the nodes: where the answer pulls and where the base penetrates.
+
+use super::base::Base;
+use super::system::Solved;
+use crate::contact::potential::between_nodes;
+
+/// Points of a panel and of an interval outside the zones, at least.
+const POINTS: usize = 48;
+/// The outermost points, as a share of the interval: at a step of the base the height is that of this side.
+const INSIDE: f64 = 1e-12;
+
+/// What is left of tension and penetration.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Check {
+    /// Largest tension over the largest pressure.
+    pub(super) tension: f64,
+    /// Largest penetration over the largest elastic displacement or depth.
+    pub(super) penetration: f64,
+    /// Intervals of each that are too large to be rounding.
+    pub(super) pulling: Vec<[f64; 2]>,
+    pub(super) penetrating: Vec<[f64; 2]>,
+}
+
+/// Tension and penetration beyond `allowed`, relative to their scales, and beyond rounding are listed for correction.
+pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
+    let largest = solved.largest().max(f64::MIN_POSITIVE);
+    let floor = 4.0 * solved.rounding();
+    let mut check =
+        Check { tension: 0.0, penetration: 0.0, pulling: Vec::new(), penetrating: Vec::new() };
+    for panel in &solved.panels {
+        let points = points(base, panel.left, panel.right);
+        let values: Vec<f64> = points.iter().map(|&xi| -solved.pressure(base, xi)).collect();
+        check.tension = values.iter().fold(check.tension, |most, t| most.max(t / largest));
+        check.pulling.extend(above(&points, &values, allowed * largest + floor));
+    }
+    let depth = |xi: f64| solved.state.settlement - solved.state.tilt * xi - base.height(xi);
+    // What is compared outside is of the size of its terms.
+    let scale = largest
+        + solved.state.settlement.abs()
+        + solved.state.tilt.abs()
+        + solved.solution.parameter()
+            * solved.solution.potential().iter().fold(0.0f64, |most, u| most.max(u.abs()));
+    for [left, right] in outside(solved) {
+        let points = points(base, left, right);
+        let values: Vec<f64> =
+            points.iter().map(|&xi| depth(xi) - solved.displacement_outside(xi)).collect();
+        check.penetration = values.iter().fold(check.penetration, |most, g| most.max(g / scale));
+        check.penetrating.extend(above(&points, &values, allowed * scale + floor));
+    }
+    check
+}
+
+/// The intervals of the base beside the zones.
+pub(super) fn outside(solved: &Solved) -> Vec<[f64; 2]> {
+    let mut intervals = Vec::new();
+    let mut left = -1.0;
+    for zone in &solved.zones {
+        if zone.left() > left {
+            intervals.push([left, zone.left()]);
+        }
+        left = zone.right();
+    }
+    if left < 1.0 {
+        intervals.push([left, 1.0]);
+    }
+    intervals
+}
+
+/// Both ends and points between, closer near the ends, dense enough for the samples of the profile.
+fn points(base: &Base<'_>, left: f64, right: f64) -> Vec<f64> {
+    let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+    let samples = (half * base.samples.len() as f64 / 4.0) as usize;
+    let reach = half * (1.0 - INSIDE);
+    let mut points: Vec<f64> = between_nodes(POINTS.max(samples))
+        .map(|y| (middle + reach * y).clamp(left, right))
+        .collect();
+    points.sort_by(f64::total_cmp);
+    points
+}
+
+/// The intervals around points where the values exceed a threshold, to the nearest points where they do not.
+fn above(points: &[f64], values: &[f64], threshold: f64) -> Vec<[f64; 2]> {
+    let mut intervals: Vec<[f64; 2]> = Vec::new();
+    let mut inside = false;
+    for i in 0..points.len() {
+        let exceeds = values[i] > threshold;
+        if exceeds && !inside {
+            let left = if i == 0 { points[0] } else { 0.5 * (points[i - 1] + points[i]) };
+            intervals.push([left, points[i]]);
+        }
+        if exceeds && let Some(last) = intervals.last_mut() {
+            last[1] = points.get(i + 1).map_or(points[i], |next| 0.5 * (points[i] + next));
+        }
+        inside = exceeds;
+    }
+    intervals
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn intervals_surround_what_exceeds() {
+        let points = [0.0, 1.0, 2.0, 3.0, 4.0];
+        assert_eq!(above(&points, &[1.0, 0.0, 0.0, 2.0, 3.0], 0.5), [[0.0, 0.5], [2.5, 4.0]]);
+        assert!(above(&points, &[0.0; 5], 0.5).is_empty());
+    }
+}

@@ -1,0 +1,125 @@
+//! The conditions of unilateral contact, and what follows from them.
+
+use crate::support::{force_and_moment, integral, load, over_zones, problem, solve};
+use shtaerman::{Rotational, UnilateralContact, Vertical};
+
+/// The equation, the signs and the balance, by a quadrature of its own.
+fn holds(contact: &UnilateralContact, kink: f64, tolerance: f64) {
+    let theta0 = contact.theta0();
+    let zones = contact.edges0();
+    let potential = |xi: f64| -> f64 {
+        let kernel = |eta: f64| {
+            let distance = (xi - eta).abs();
+            if distance == 0.0 { 0.0 } else { -distance.ln() * contact.pressure0(eta) }
+        };
+        zones
+            .iter()
+            .map(|&[left, right]| {
+                let mut cuts = vec![left];
+                cuts.extend([xi.min(kink), xi.max(kink)]);
+                cuts.retain(|cut| *cut >= left && *cut < right);
+                cuts.push(right);
+                cuts.windows(2).map(|pair| integral(pair[0], pair[1], kernel)).sum::<f64>()
+            })
+            .sum()
+    };
+    let scale = 1.0 + theta0 * contact.force0();
+    for i in 0..=60 {
+        let xi = f64::from(i) / 30.0 - 1.0;
+        let depth = contact.settlement0()
+            - contact.tilt0() * xi
+            - contact.problem().dimensionless_profile(xi);
+        let pressure = contact.pressure0(xi);
+        let gap = pressure + theta0 * potential(xi) - depth;
+        assert!(pressure > -tolerance * scale, "{xi}: {pressure}");
+        assert!((gap - contact.gap0(xi)).abs() < tolerance * scale, "{xi}: {gap}");
+        assert!(gap > -tolerance * scale && (gap * pressure).abs() < tolerance * scale * scale);
+    }
+    let force = over_zones(contact, kink, |xi| contact.pressure0(xi));
+    let moment = over_zones(contact, kink, |xi| xi * contact.pressure0(xi));
+    assert!((force - contact.force0()).abs() < 1e-11 * scale, "{force} {}", contact.force0());
+    assert!((moment - contact.moment0()).abs() < 1e-11 * scale);
+    let left = contact.complementarity();
+    assert!(left.tension < 1e-9 && left.penetration < 1e-9, "{left:?}");
+}
+
+#[test]
+fn one_zone() {
+    for theta0 in [1e-3, 1.0, 30.0, 1e3] {
+        for (profile, moment) in
+            [("6*xi^2", 0.1), ("0", 0.7), ("exp(3*xi)", 0.0), ("2*abs(xi - 0.2)", -0.1)]
+        {
+            holds(&solve(theta0, profile, force_and_moment(1.0, moment)), 0.2, 1e-10);
+        }
+    }
+}
+
+#[test]
+fn several_zones() {
+    for theta0 in [1e-3, 1.0, 30.0] {
+        for (waves, count) in [(6.2, 2), (12.0, 4)] {
+            let profile = format!("{}*(1 - cos({waves}*xi + 0.3))", 5.0 * (1.0 + theta0));
+            let contact = solve(theta0, &profile, force_and_moment(1.0, 0.05));
+            assert!(contact.edges0().len() >= count, "{theta0} {:?}", contact.edges0());
+            holds(&contact, 0.0, 1e-10);
+        }
+    }
+}
+
+#[test]
+fn a_step_of_the_base_is_an_edge_under_pressure() {
+    let contact = solve(1.0, "where(xi > 0.25, 9, 0)", force_and_moment(1.0, -0.3));
+    assert_eq!(contact.edges0()[0][1], 0.25);
+    assert!(contact.pressure0(0.25) > 0.1);
+    holds(&contact, 0.0, 1e-10);
+}
+
+#[test]
+fn reflection_reflects() {
+    let right = solve(7.0, "9*xi^2 - 2*xi + sin(9*xi)", force_and_moment(1.0, 0.2));
+    let left = solve(7.0, "9*xi^2 + 2*xi - sin(9*xi)", force_and_moment(1.0, -0.2));
+    assert_eq!(right.edges0().len(), left.edges0().len());
+    for (one, other) in right.edges0().iter().zip(left.edges0().iter().rev()) {
+        assert!((one[0] + other[1]).abs() < 1e-12 && (one[1] + other[0]).abs() < 1e-12);
+    }
+    assert!((right.settlement0() - left.settlement0()).abs() < 1e-11);
+    assert!((right.tilt0() + left.tilt0()).abs() < 1e-11);
+}
+
+#[test]
+fn a_bilateral_contact_without_tension_is_unilateral() {
+    for (theta0, profile, moment) in [(0.5, "0.2*xi^2", 0.1), (20.0, "0", 0.3), (1e3, "xi^2", -0.1)]
+    {
+        let problem = problem(theta0, profile, force_and_moment(1.0, moment));
+        let (bilateral, unilateral) =
+            (problem.solve().unwrap(), problem.solve_unilateral().unwrap());
+        assert!(bilateral.tension().is_empty());
+        assert_eq!(unilateral.edges0(), [[-1.0, 1.0]]);
+        let size = 1e-12 * (1.0 + theta0);
+        assert!((bilateral.settlement0() - unilateral.settlement0()).abs() < size);
+        assert!((bilateral.tilt0() - unilateral.tilt0()).abs() < size);
+        for i in -20..=20 {
+            let xi = f64::from(i) * 0.05;
+            assert!((bilateral.pressure0(xi) - unilateral.pressure0(xi)).abs() < size);
+        }
+        let (one, other) = (bilateral.stiffness0(), unilateral.stiffness0());
+        assert!((one.force_settlement - other.force_settlement).abs() < 1e-12);
+        assert!((one.moment_tilt - other.moment_tilt).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn the_stiffness_is_the_derivative() {
+    let profile = "8*xi^2 + xi^3";
+    let at = |delta: f64, alpha: f64| {
+        solve(5.0, profile, load(Vertical::Settlement(delta), Rotational::Tilt(alpha)))
+    };
+    let stiffness = at(2.0, 0.5).stiffness0();
+    let h = 1e-4;
+    let force = (at(2.0 + h, 0.5).force0() - at(2.0 - h, 0.5).force0()) / (2.0 * h);
+    let coupling = (at(2.0 + h, 0.5).moment0() - at(2.0 - h, 0.5).moment0()) / (2.0 * h);
+    let turn = (at(2.0, 0.5 - h).moment0() - at(2.0, 0.5 + h).moment0()) / (2.0 * h);
+    assert!((stiffness.force_settlement - force).abs() < 1e-7, "{stiffness:?} {force}");
+    assert!((stiffness.coupling - coupling).abs() < 1e-7, "{stiffness:?} {coupling}");
+    assert!((stiffness.moment_tilt - turn).abs() < 1e-7, "{stiffness:?} {turn}");
+}

@@ -1,0 +1,10 @@
+//! Unilateral contact against closed forms, golden numbers, invariants and its own conditions.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+mod closed_forms;
+mod conditions;
+mod random;
+mod refusals;
+mod support;
+mod survey;

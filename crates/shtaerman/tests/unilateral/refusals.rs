@@ -1,0 +1,44 @@
+//! What no contact can balance.
+
+use crate::support::{attempt, force_and_moment, load};
+use shtaerman::{Elastic, Error, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+
+#[test]
+fn a_pull_lifts() {
+    for force in [0.0, -1.0] {
+        let error = attempt(1.0, "xi^2", force_and_moment(force, 0.0)).unwrap_err();
+        assert!(
+            error.to_string().contains("must be greater than zero in unilateral contact"),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn a_moment_tips_over() {
+    let body = Elastic::new(200e9, 0.3).unwrap();
+    let frame = Frame::physical(body, 1e-13, 5e-3, None).unwrap();
+    let solve = |rotational| {
+        let load = Load::new(Vertical::Force(1e6), rotational).unwrap();
+        Problem::new(frame.clone(), Profile::flat(), load, Solver::default())
+            .unwrap()
+            .solve_unilateral()
+    };
+    let error = solve(Rotational::Moment(-5001.0)).unwrap_err();
+    assert!(error.to_string().contains("must be less than P a = 5000"), "{error}");
+    let error = solve(Rotational::Eccentricity(6e-3)).unwrap_err();
+    assert!(error.to_string().contains("must be less than a = 0.005"), "{error}");
+    assert!(solve(Rotational::Moment(4999.0)).is_ok());
+}
+
+#[test]
+fn a_base_that_is_clear_touches_nowhere() {
+    for rotational in
+        [Rotational::Tilt(0.1), Rotational::Moment(0.0), Rotational::Eccentricity(0.3)]
+    {
+        let load = load(Vertical::Settlement(-1.0), rotational);
+        assert_eq!(attempt(1.0, "xi^2", load).unwrap_err(), Error::NoContact);
+    }
+    let load = load(Vertical::Settlement(0.01), Rotational::Tilt(0.0));
+    assert!(attempt(1.0, "xi^2", load).is_ok());
+}

@@ -1,0 +1,56 @@
+//! Problems in one line.
+
+use std::f64::consts::FRAC_PI_2;
+
+use shtaerman::{
+    Error, Frame, Load, Problem, Profile, Rotational, Solver, UnilateralContact, Vertical,
+};
+
+pub(crate) fn load(vertical: Vertical, rotational: Rotational) -> Load {
+    Load::new(vertical, rotational).unwrap()
+}
+
+pub(crate) fn force_and_moment(force: f64, moment: f64) -> Load {
+    load(Vertical::Force(force), Rotational::Moment(moment))
+}
+
+pub(crate) fn problem(theta0: f64, profile: &str, load: Load) -> Problem {
+    let frame = Frame::dimensionless(theta0).unwrap();
+    Problem::new(frame, Profile::expression(profile).unwrap(), load, Solver::default()).unwrap()
+}
+
+pub(crate) fn attempt(theta0: f64, profile: &str, load: Load) -> Result<UnilateralContact, Error> {
+    problem(theta0, profile, load).solve_unilateral()
+}
+
+#[track_caller]
+pub(crate) fn solve(theta0: f64, profile: &str, load: Load) -> UnilateralContact {
+    attempt(theta0, profile, load).unwrap()
+}
+
+/// `int_left^right f(d) dxi` by the double-exponential rule, exact for logarithms at both ends.
+pub(crate) fn integral(left: f64, right: f64, f: impl Fn(f64) -> f64) -> f64 {
+    const HALF_COUNT: i32 = 250;
+    const RANGE: f64 = 3.2;
+    let step = RANGE / f64::from(HALF_COUNT);
+    let length = right - left;
+    (-HALF_COUNT..=HALF_COUNT)
+        .map(|j| {
+            let t = step * f64::from(j);
+            let s = FRAC_PI_2 * t.sinh();
+            let share = 1.0 / (1.0 + (-2.0 * s).exp());
+            let derivative = FRAC_PI_2 * t.cosh() * 0.5 / s.cosh().powi(2);
+            step * length * derivative * f((left + length * share).clamp(left, right))
+        })
+        .sum()
+}
+
+/// `int f dxi` over the zones, cut at a kink.
+pub(crate) fn over_zones(contact: &UnilateralContact, kink: f64, f: impl Fn(f64) -> f64) -> f64 {
+    (contact.edges0().iter())
+        .map(|&[left, right]| {
+            let cut = kink.clamp(left, right);
+            integral(left, cut, &f) + integral(cut, right, &f)
+        })
+        .sum()
+}
