@@ -7,7 +7,7 @@ use super::elliptic::{Circle, Points};
 /// `-ln` of the relative error aimed at.
 const DIGITS: f64 = 37.0;
 /// The cosine of the harmonic cancels by `exp(m v)`, `v = ln(larger/smaller)`, at most to this.
-const CANCELLED: f64 = 4.0;
+const CANCELLED: f64 = 2.0;
 /// Terms below `exp(-FADED)` of the first are left out.
 const FADED: f64 = 40.0;
 /// Decay lengths, and values of `v` and `m v`, where the factor of the logarithm is cut off: as late as its growth allows, so that the cutoff is smooth on the scale of the nodes.
