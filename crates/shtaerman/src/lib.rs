@@ -34,6 +34,9 @@ pub mod equation;
 mod error;
 pub mod expression;
 pub mod file;
+mod frame;
+mod geometry;
+mod grading;
 mod load;
 mod material;
 mod nearest;
@@ -41,6 +44,7 @@ pub mod paper;
 mod problem;
 pub mod profile;
 pub mod quantity;
+mod roughness;
 mod scaling;
 
 pub use answer::{
@@ -53,8 +57,12 @@ pub use contact::{
 };
 pub use convergence::Convergence;
 pub use error::Error;
+pub use frame::Frame;
+pub use geometry::Geometry;
+pub use grading::Grading;
 pub use load::{Load, Rotational, Vertical};
 pub use material::Elastic;
-pub use problem::{Frame, MethodChoice, Problem, Solver};
+pub use problem::{ContactKind, MethodChoice, Problem, Solver};
 pub use profile::Profile;
+pub use roughness::{Law, Roughness};
 pub use scaling::Scaling;

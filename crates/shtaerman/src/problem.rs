@@ -4,84 +4,10 @@ use fredholm::basis::Function;
 
 use crate::error::{finite, require};
 use crate::expression::Defect;
-use crate::{Elastic, Error, Load, Profile, Scaling};
+use crate::{Error, Frame, Load, Profile};
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
 const POINTS_PER_SAMPLE: usize = 4;
-
-/// In which units a problem is stated.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Frame {
-    /// SI units, (2.3).
-    Physical {
-        /// Material of the foundation.
-        foundation: Elastic,
-        /// Material of an elastic punch; `None` for a rigid one.
-        body: Option<Elastic>,
-        /// Scales that follow.
-        scaling: Scaling,
-    },
-    /// Numbers without dimension, (2.5); `theta0 = 0` is the pure layer.
-    Dimensionless {
-        /// `theta0 = 2 a/(pi E* chi)`.
-        theta0: f64,
-    },
-}
-
-impl Frame {
-    /// A foundation with roughness compliance `chi` (m/Pa) under a punch of half-width `a` (m), rigid or elastic.
-    ///
-    /// # Errors
-    /// Those of [`Scaling::new`].
-    pub fn physical(
-        foundation: Elastic,
-        roughness: f64,
-        half_width: f64,
-        body: Option<Elastic>,
-    ) -> Result<Self, Error> {
-        let scaling = Scaling::new(&foundation, roughness, half_width, body.as_ref())?;
-        Ok(Self::Physical { foundation, body, scaling })
-    }
-
-    /// The dimensionless problem at `theta0`.
-    ///
-    /// # Errors
-    /// [`Error::InvalidValue`] unless `theta0` is finite and not negative.
-    pub fn dimensionless(theta0: f64) -> Result<Self, Error> {
-        require(theta0.is_finite() && theta0 >= 0.0, "theta0", theta0, "finite and not negative")?;
-        Ok(Self::Dimensionless { theta0 })
-    }
-
-    /// `theta0`.
-    #[must_use]
-    pub fn theta0(&self) -> f64 {
-        match self {
-            Self::Physical { scaling, .. } => scaling.theta0(),
-            Self::Dimensionless { theta0 } => *theta0,
-        }
-    }
-
-    /// The scales of a physical problem.
-    #[must_use]
-    pub fn scaling(&self) -> Option<&Scaling> {
-        match self {
-            Self::Physical { scaling, .. } => Some(scaling),
-            Self::Dimensionless { .. } => None,
-        }
-    }
-
-    /// Half-width in the units of the problem: metres, or 1.
-    #[must_use]
-    pub fn half_width(&self) -> f64 {
-        self.scaling().map_or(1.0, Scaling::half_width)
-    }
-
-    /// Name of the coordinate in the units of the problem: `x` or `xi`.
-    #[must_use]
-    pub fn coordinate(&self) -> &'static str {
-        if self.scaling().is_some() { "x" } else { "xi" }
-    }
-}
 
 /// The method that solves the equation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -95,9 +21,21 @@ pub enum MethodChoice {
     Sinc,
 }
 
+/// Whether the punch may lift off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ContactKind {
+    /// The pressure never pulls: the zones of contact are part of the answer.
+    #[default]
+    Unilateral,
+    /// The full base stays in contact and the pressure may pull.
+    Bilateral,
+}
+
 /// How the equation is to be solved.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Solver {
+    /// Whether the punch may lift off.
+    pub contact: ContactKind,
     /// The method.
     pub method: MethodChoice,
     /// Highest Chebyshev degree kept in the degenerate kernel, the paper's `n`; fixes the truncation. Not for [`MethodChoice::Sinc`].
@@ -107,10 +45,16 @@ pub struct Solver {
 }
 
 impl Solver {
-    /// The degenerate kernel with a fixed degree.
+    /// The degenerate kernel with a fixed degree, on the full base.
     #[must_use]
     pub fn spectral(degree: usize) -> Self {
-        Self { method: MethodChoice::Spectral, degree: Some(degree), tolerance: None }
+        Self { method: MethodChoice::Spectral, degree: Some(degree), ..Self::bilateral() }
+    }
+
+    /// The full base stays in contact.
+    #[must_use]
+    pub fn bilateral() -> Self {
+        Self { contact: ContactKind::Bilateral, ..Self::default() }
     }
 
     fn check(&self) -> Result<(), Error> {
@@ -127,7 +71,7 @@ impl Solver {
     }
 }
 
-/// A punch, what it stands on and what is prescribed. The contact is bilateral: the full base stays in contact.
+/// A punch, what it stands on and what is prescribed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
     frame: Frame,

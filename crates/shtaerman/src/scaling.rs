@@ -3,38 +3,75 @@
 use std::f64::consts::PI;
 
 use crate::error::{positive, require};
-use crate::{Elastic, Error, Load, Rotational, Vertical};
+use crate::{Elastic, Error, Geometry, Load, Rotational, Roughness, Vertical};
 
-/// The units in which a problem becomes dimensionless: `a` for lengths along the base, `E` for pressures, `chi E` for displacements.
+/// The units in which a problem becomes dimensionless: `a` for lengths along the base, `E` for pressures, `chi E` for displacements (`B E^kappa`
+/// with the law `B p^kappa` of the layer; for a smooth surface, which has no such scale, that which makes `theta0 = 1`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scaling {
     half_width: f64,
     young_modulus: f64,
-    roughness: f64,
+    displacement: f64,
+    theta0: f64,
     contact_modulus: f64,
+    roughness: Roughness,
+    is_circular: bool,
 }
 
 impl Scaling {
-    /// Scales of a foundation with roughness compliance `chi` (m/Pa) under a punch of half-width `a` (m), rigid or
+    /// Scales of a foundation with roughness compliance `chi` (m/Pa) or another law under a plane punch of half-width `a` (m), rigid or
     /// (`body`) elastic.
     ///
     /// # Errors
     /// [`Error::InvalidValue`] unless half-width and roughness are finite and positive and `theta0` is finite.
     pub fn new(
         foundation: &Elastic,
-        roughness: f64,
+        roughness: impl Into<Roughness>,
         half_width: f64,
         body: Option<&Elastic>,
     ) -> Result<Self, Error> {
-        positive("half_width", half_width)?;
-        positive("roughness", roughness)?;
+        Self::in_geometry(foundation, roughness.into(), half_width, body, Geometry::Plane)
+    }
+
+    pub(crate) fn in_geometry(
+        foundation: &Elastic,
+        roughness: Roughness,
+        half_width: f64,
+        body: Option<&Elastic>,
+        geometry: Geometry,
+    ) -> Result<Self, Error> {
         let contact_modulus = body
             .map_or(foundation.plane_strain_modulus(), |body| foundation.composite_modulus(body));
+        let response = 2.0 / (PI * contact_modulus);
+        let modulus = foundation.young_modulus();
+        Self::with_response(response, [modulus, contact_modulus], roughness, half_width, geometry)
+    }
+
+    /// Scales of a foundation that gives by `response a int K p0 dxi` under the pressure `p0` (Pa), `xi` in half-widths, `response` in 1/Pa; moduli
+    /// are that which scales pressures, and `E*`.
+    pub(crate) fn with_response(
+        response: f64,
+        [young_modulus, contact_modulus]: [f64; 2],
+        roughness: Roughness,
+        half_width: f64,
+        geometry: Geometry,
+    ) -> Result<Self, Error> {
+        positive("half_width", half_width)?;
+        roughness.check()?;
+        geometry.check(half_width)?;
+        let elastic = response * half_width * young_modulus;
+        let displacement = match roughness {
+            Roughness::Smooth => elastic,
+            layer => layer.displacement(young_modulus),
+        };
         let scaling = Self {
             half_width,
-            young_modulus: foundation.young_modulus(),
-            roughness,
+            young_modulus,
+            displacement,
+            theta0: elastic / displacement,
             contact_modulus,
+            roughness,
+            is_circular: geometry == Geometry::Circular,
         };
         let scales = [
             scaling.theta0(),
@@ -56,7 +93,7 @@ impl Scaling {
     /// `theta0 = 2 a/(pi E* chi)`, with `E* = E/(1-nu^2)` for a rigid punch the paper's `a theta/chi`.
     #[must_use]
     pub fn theta0(&self) -> f64 {
-        2.0 / PI * self.half_width / (self.contact_modulus * self.roughness)
+        self.theta0
     }
 
     /// `E*` (Pa).
@@ -77,16 +114,16 @@ impl Scaling {
         self.young_modulus
     }
 
-    /// `chi` (m/Pa).
+    /// What the rough layer gives.
     #[must_use]
-    pub fn roughness(&self) -> f64 {
+    pub fn roughness(&self) -> Roughness {
         self.roughness
     }
 
-    /// `chi E` (m): `delta = chi E delta0`, `f = chi E f0`.
+    /// `chi E` or `B E^kappa` (m): `delta = chi E delta0`, `f = chi E f0`.
     #[must_use]
     pub fn displacement(&self) -> f64 {
-        self.roughness * self.young_modulus
+        self.displacement
     }
 
     /// `chi E/a` (rad): `alpha = (chi E/a) alpha0`.
@@ -95,16 +132,17 @@ impl Scaling {
         self.displacement() / self.half_width
     }
 
-    /// `a E` [N/m]: `P = a E P0`.
+    /// `a E` [N/m]: `P = a E P0`; `a^2 E` [N] for a circular punch.
     #[must_use]
     pub fn force(&self) -> f64 {
-        self.half_width * self.young_modulus
+        let width = if self.is_circular { self.half_width } else { 1.0 };
+        width * self.half_width * self.young_modulus
     }
 
-    /// `a^2 E` [N m/m]: `M = a^2 E M0`.
+    /// `a^2 E` [N m/m]: `M = a^2 E M0`; `a^3 E` [N m] for a circular punch.
     #[must_use]
     pub fn moment(&self) -> f64 {
-        self.half_width * self.half_width * self.young_modulus
+        self.half_width * self.force()
     }
 
     /// The load without dimensions.

@@ -251,7 +251,7 @@ fn solver(table: &TableReader<'_>, kind: Kind) -> Result<Solver, FileError> {
         }
         None => None,
     };
-    Ok(Solver { method, degree, tolerance })
+    Ok(Solver { method, degree, tolerance, ..Solver::default() })
 }
 
 fn locate(document: &Document, error: Error) -> Error {

@@ -26,6 +26,7 @@
 //! ```
 
 mod any;
+mod geometry;
 mod load;
 mod located;
 mod physical;
@@ -148,22 +149,33 @@ fn dimensionless_frame(table: &TableReader<'_>) -> Result<Frame, FileError> {
     let field = table.exactly_one(&["theta0", "lambda0"])?;
     let poisson_ratio = table.optional("poisson_ratio");
     let value = field.number()?;
-    if field.name().ends_with("theta0") {
+    let by_theta0 = field.name().ends_with("theta0");
+    let theta0 = if by_theta0 {
         if let Some(ratio) = poisson_ratio {
             return Err(ratio.error("goes with lambda0; theta0 alone is enough"));
         }
-        return Frame::dimensionless(value).map_err(|error| refused(&field, &error));
-    }
-    let ratio_field = table.required("poisson_ratio")?;
-    let ratio = ratio_field.number()?;
-    if !(ratio > -1.0 && ratio <= 0.5) {
-        return Err(
-            ratio_field.error(format!("is {ratio}: must be greater than -1 and at most 0.5"))
-        );
-    }
-    // theta0 = 2 (1 - nu^2)/pi lambda0
-    Frame::dimensionless(2.0 * (1.0 - ratio * ratio) / std::f64::consts::PI * value)
-        .map_err(|_| field.error(format!("is {value}: must be finite and not negative")))
+        value
+    } else {
+        let ratio_field = table.required("poisson_ratio")?;
+        let ratio = ratio_field.number()?;
+        if !(ratio > -1.0 && ratio <= 0.5) {
+            return Err(
+                ratio_field.error(format!("is {ratio}: must be greater than -1 and at most 0.5"))
+            );
+        }
+        // theta0 = 2 (1 - nu^2)/pi lambda0
+        2.0 * (1.0 - ratio * ratio) / std::f64::consts::PI * value
+    };
+    let geometry = geometry::read_dimensionless(table)?;
+    let exponent_field = table.optional("exponent");
+    let exponent = exponent_field.as_ref().map_or(Ok(1.0), Field::number)?;
+    Frame::dimensionless_in(geometry, theta0, exponent).map_err(|error| match &error {
+        Error::InvalidValue { field: "theta0", .. } if by_theta0 => refused(&field, &error),
+        Error::InvalidValue { field: "theta0", .. } => {
+            field.error(format!("is {value}: must be finite and not negative"))
+        }
+        _ => refused(exponent_field.as_ref().unwrap_or(&field), &error),
+    })
 }
 
 /// The fault of a field whose value a constructor refused.

@@ -1,18 +1,20 @@
-//! `[foundation]`, `[body]` and the half-width of `[punch]`.
+//! `[foundation]`, `[body]`, and the geometry of `[punch]`.
 
+use super::geometry;
 use super::{refused, shown};
 use crate::document::{FileError, TableReader};
 use crate::quantity::Dimension;
-use crate::{Elastic, Error, Frame};
+use crate::{Elastic, Error, Frame, Roughness};
 
 pub(super) fn read(reader: &TableReader<'_>) -> Result<Frame, FileError> {
     let foundation = reader.required("foundation")?.table()?;
     let material = elastic(&foundation)?;
     let roughness = roughness(&foundation)?;
     let body = reader.table("body")?.map(|table| elastic(&table)).transpose()?;
-    let field = reader.required("punch")?.table()?.required("half_width")?;
-    let half_width = field.quantity(Dimension::LENGTH)?;
-    Frame::physical(material, roughness, half_width, body).map_err(|error| refused(&field, &error))
+    let punch = reader.required("punch")?.table()?;
+    let (geometry, half_width, field) = geometry::read_physical(&punch)?;
+    Frame::physical_in(geometry, material, roughness, half_width, body)
+        .map_err(|error| refused(&field, &error))
 }
 
 fn elastic(table: &TableReader<'_>) -> Result<Elastic, FileError> {
@@ -26,30 +28,50 @@ fn elastic(table: &TableReader<'_>) -> Result<Elastic, FileError> {
     )
 }
 
-/// `chi` (m/Pa), written as such or as its inverse.
-fn roughness(table: &TableReader<'_>) -> Result<f64, FileError> {
+/// The law of the rough layer: `chi` (m/Pa), its inverse, or a table with a coefficient and an exponent.
+fn roughness(table: &TableReader<'_>) -> Result<Roughness, FileError> {
     let field = table.exactly_one(&["roughness", "subgrade_modulus"])?;
     if field.name().ends_with("subgrade_modulus") {
         let modulus = field.quantity(Dimension::SUBGRADE_MODULUS)?;
         let compliance = 1.0 / modulus;
         if modulus > 0.0 && compliance.is_finite() {
-            return Ok(compliance);
+            return Ok(Roughness::Linear { compliance });
         }
         return Err(field.error(format!(
             "is {}: must be greater than zero (its inverse is chi)",
             shown("subgrade_modulus", modulus)
         )));
     }
-    let compliance = field.quantity(Dimension::COMPLIANCE)?;
-    if compliance == 0.0 {
-        let message = "is 0: the smooth limit is an equation of the first kind, not this one";
-        return Err(field.error(message).with_help(
-            "`shtaerman equation` solves it, with kind = \"first\" and the log kernel; or give a compliance greater than zero",
-        ));
+    if field.is_table() {
+        return power_law(&field.table()?);
     }
+    let compliance = field.quantity(Dimension::COMPLIANCE)?;
     if compliance < 0.0 {
         let value = shown("roughness", compliance);
-        return Err(field.error(format!("is {value}: must be greater than zero")));
+        return Err(field.error(format!("is {value}: must be zero (a smooth surface) or greater")));
     }
-    Ok(compliance)
+    Ok(Roughness::from(compliance))
+}
+
+/// `B p^kappa`: `coefficient` in m/Pa^kappa, or a `displacement` under a `pressure`.
+fn power_law(table: &TableReader<'_>) -> Result<Roughness, FileError> {
+    let exponent_field = table.required("exponent")?;
+    let exponent = exponent_field.number()?;
+    let field = table.exactly_one(&["coefficient", "displacement"])?;
+    let coefficient = if field.name().ends_with("coefficient") {
+        field.number()?
+    } else {
+        let pressure = table.required("pressure")?;
+        let value = pressure.quantity(Dimension::PRESSURE)?;
+        if !(value.is_finite() && value > 0.0) {
+            return Err(pressure.error(format!("is {value}: must be greater than zero")));
+        }
+        field.quantity(Dimension::LENGTH)? / value.powf(exponent)
+    };
+    Roughness::power(coefficient, exponent).map_err(|error| match &error {
+        Error::InvalidValue { field: "exponent", .. } => refused(&exponent_field, &error),
+        _ => field.error(format!(
+            "makes the coefficient {coefficient}: must be finite and greater than zero"
+        )),
+    })
 }

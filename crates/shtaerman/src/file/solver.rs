@@ -3,25 +3,28 @@
 use fredholm::degenerate::BYTES_A_DEGREE;
 
 use crate::document::{Field, FileError, TableReader};
-use crate::{MethodChoice, Solver};
+use crate::{ContactKind, MethodChoice, Solver};
 
 /// Share of the free memory that a solve may take.
 const MEMORY_SHARE: f64 = 0.9;
 
-const CONTACT_HELP: &str = "write contact = \"bilateral\" in [solver]: the full base stays in contact and the pressure may pull";
+const UNILATERAL_METHOD: &str = "is \"spectral\", which solves on the full base only: the zones of a unilateral contact are solved by collocation";
+const BILATERAL_HELP: &str = "write contact = \"bilateral\" in [solver] to keep the full base in contact, where the pressure may pull; or leave this key out";
 
+/// Without `[solver]` the defaults hold.
 pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
-    let table = reader.required("solver").map_err(with_contact_help)?.table()?;
-    let contact = table.required("contact").map_err(with_contact_help)?;
-    if contact.string()? == "unilateral" {
-        let message = "is \"unilateral\", which is not solved yet: must be \"bilateral\"";
-        return Err(contact
-            .error(message)
-            .with_help("a warning tells where the bilateral pressure pulls"));
-    }
-    contact.one_of(&["bilateral"])?;
+    let Some(table) = reader.table("solver")? else { return Ok(Solver::default()) };
+    let contact = match table.optional("contact") {
+        Some(field) if field.one_of(&["unilateral", "bilateral"])? == "bilateral" => {
+            ContactKind::Bilateral
+        }
+        _ => ContactKind::Unilateral,
+    };
     let method = match table.optional("method") {
         Some(field) => match field.one_of(&["auto", "spectral", "sinc"])? {
+            "spectral" if contact == ContactKind::Unilateral => {
+                return Err(field.error(UNILATERAL_METHOD).with_help(BILATERAL_HELP));
+            }
             "spectral" => MethodChoice::Spectral,
             "sinc" => MethodChoice::Sinc,
             _ => MethodChoice::Auto,
@@ -33,6 +36,11 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
             return Err(field.error(
                 "belongs to method = \"spectral\"; collocation chooses its nodes by the error",
             ));
+        }
+        Some(field) if contact == ContactKind::Unilateral => {
+            return Err(field
+                .error("belongs to contact = \"bilateral\": the zones of a unilateral contact are solved by collocation, which chooses its nodes by the error")
+                .with_help(BILATERAL_HELP));
         }
         Some(field) => Some(degree_of(&field)?),
         None => None,
@@ -49,7 +57,7 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
         }
         None => None,
     };
-    Ok(Solver { method, degree, tolerance })
+    Ok(Solver { contact, method, degree, tolerance })
 }
 
 /// A degree whose solve fits into memory.
@@ -65,9 +73,4 @@ fn degree_of(field: &Field<'_>) -> Result<usize, FileError> {
         )));
     }
     Ok(degree)
-}
-
-/// What to write, unless the help names a misspelt key already.
-fn with_contact_help(error: FileError) -> FileError {
-    if error.help().is_some() { error } else { error.with_help(CONTACT_HELP) }
 }
