@@ -97,6 +97,18 @@ pub enum Error {
     )]
     NoContact,
 
+    /// A layer with a power law would pull.
+    #[error(
+        "the pressure would pull at {variable} = {at}, and the power law of the layer is known for compression only: \
+         let the punch lift off (contact = \"unilateral\"), or press harder"
+    )]
+    Pulls {
+        /// `x` (metres) or `xi`.
+        variable: &'static str,
+        /// Where.
+        at: f64,
+    },
+
     /// No zones of contact were found on which pressure and gap have their signs.
     #[error(
         "the zones of contact were not found: the best attempt has a tension of {tension:.1e} and a penetration of {penetration:.1e} of their scales"

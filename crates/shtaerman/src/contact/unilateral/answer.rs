@@ -2,7 +2,7 @@
 
 use super::base::Base;
 use super::check::Check;
-use super::system::Solved;
+use super::solved::Solved;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::solved::Stiffness;
 use crate::{Error, Problem, Scaling};
@@ -149,7 +149,7 @@ impl UnilateralContact {
         if self.solved.zones.iter().any(|zone| touches(zone.left(), zone.right())) {
             // Of the equation itself: the pressure without the profile, with the sign turned.
             let depth = self.settlement0() - self.tilt0() * xi;
-            return depth - self.solved.pressure_at(xi, 0.0);
+            return depth - self.solved.layer_at(xi, 0.0);
         }
         self.solved.displacement_outside(xi)
     }

@@ -6,8 +6,14 @@
 mod answer;
 mod base;
 mod check;
+mod coarse;
 mod edges;
 mod elimination;
+mod layer;
+mod medium;
+mod motion;
+mod power;
+mod solved;
 mod system;
 mod topology;
 mod zones;
@@ -19,10 +25,11 @@ use fredholm::collocation::{extrapolate, first_half_count};
 use super::accuracy::{Accuracy, ErrorKind};
 use super::plan::AIM;
 use super::potential::between_nodes;
-use crate::{Error, Load, Problem, Rotational, Vertical};
+use crate::{ContactKind, Error, Load, Problem, Rotational, Vertical};
 use base::Base;
 use check::{Check, check};
-use system::{Resolution, Solved};
+use solved::Solved;
+use system::Resolution;
 use zones::{Zone, corrected};
 
 /// Tension and penetration, relative to their scales, that are corrected on the first nodes, and in the answer.
@@ -72,8 +79,22 @@ impl Problem {
     /// [`Error::Equation`] where a settlement and an eccentricity are prescribed together and no set of cells was found: that pair has no least energy, and perhaps no
     /// solution; [`Error::ProfileNotFinite`]; [`Error::ToleranceNotMet`] when an explicit tolerance is out of reach.
     pub fn solve_unilateral(&self) -> Result<UnilateralContact, Error> {
-        let base = Base::new(self)?;
-        let contact = complementary(&base)?;
+        let base = Base::new(self, ContactKind::Unilateral)?;
+        self.within_tolerance(complementary(&base)?)
+    }
+
+    /// Solves the problem with the whole base in contact, where the pressure may pull; by the same equations as
+    /// [`solve_unilateral`](Self::solve_unilateral), in every geometry.
+    ///
+    /// # Errors
+    /// [`Error::Pulls`] where a layer that bends would pull: its law is known for compression only; else those of
+    /// [`solve_unilateral`](Self::solve_unilateral).
+    pub fn solve_full_contact(&self) -> Result<UnilateralContact, Error> {
+        let base = Base::new(self, ContactKind::Bilateral)?;
+        self.within_tolerance(full(&base)?)
+    }
+
+    fn within_tolerance(&self, contact: UnilateralContact) -> Result<UnilateralContact, Error> {
         match self.solver().tolerance {
             Some(tolerance) if contact.relative_error() > tolerance => {
                 Err(Error::ToleranceNotMet {
@@ -88,6 +109,20 @@ impl Problem {
             _ => Ok(contact),
         }
     }
+}
+
+/// The answer on the whole base.
+fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
+    let zones = base.whole();
+    let (solved, accuracy, edge) = refined(base, &zones, strength(base, &zones))?;
+    let left = check(base, &solved, ALLOWED);
+    if !base.layer.is_linear() && !left.pulling.is_empty() {
+        let at = left.pulling[0].iter().sum::<f64>() * 0.5;
+        let half_width = base.problem.frame().half_width();
+        let variable = base.problem.frame().coordinate();
+        return Err(Error::Pulls { variable, at: at * half_width });
+    }
+    UnilateralContact::new(base, solved, accuracy, edge, &left)
 }
 
 /// The answer, with its zones corrected where the finest nodes show what the first did not.
@@ -114,9 +149,9 @@ fn find_zones(base: &Base<'_>) -> Result<(Vec<Zone>, f64), Error> {
     let mut last = None;
     for power in 0..TOPOLOGIES {
         let cells = base.cells() * 4usize.pow(power as u32);
-        let mut zones = topology::find(base, cells)?;
+        let mut zones = base.first_zones(cells)?;
         let mut start = strength(base, &zones);
-        let mut resolution = Resolution::new(half_count(start, -1))?;
+        let mut resolution = Resolution::new(&base.medium, half_count(start, -1))?;
         let mut before = f64::INFINITY;
         for _ in 0..CORRECTIONS {
             if zones.is_empty() {
@@ -125,7 +160,7 @@ fn find_zones(base: &Base<'_>) -> Result<(Vec<Zone>, f64), Error> {
             let wanted = strength(base, &zones);
             if wanted > start {
                 start = wanted;
-                resolution = Resolution::new(half_count(start, -1))?;
+                resolution = Resolution::new(&base.medium, half_count(start, -1))?;
             }
             let (solved, _) = edges::settle(base, &resolution, &zones)?;
             let Check { pulling, penetrating, tension, penetration } =
@@ -140,7 +175,7 @@ fn find_zones(base: &Base<'_>) -> Result<(Vec<Zone>, f64), Error> {
             // Too few nodes show tension where there is none: more of them tell.
             if worst < DOUBTFUL && worst < 0.3 * before && finer > start {
                 (start, before) = (finer, worst);
-                resolution = Resolution::new(half_count(start, -1))?;
+                resolution = Resolution::new(&base.medium, half_count(start, -1))?;
                 zones = solved.zones;
             } else {
                 before = f64::INFINITY;
@@ -158,7 +193,7 @@ fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
         .iter()
         .flat_map(|zone| zone.panels(&base.breaks))
         .fold(0.0f64, |most, (left, right)| most.max(right - left));
-    first_half_count(0.5 * base.theta * longest)
+    first_half_count(0.5 * base.steepness() * longest)
 }
 
 fn half_count(start: f64, power: i32) -> usize {
@@ -169,7 +204,7 @@ fn half_count(start: f64, power: i32) -> usize {
 fn refined(base: &Base<'_>, zones: &[Zone], start: f64) -> Result<(Solved, Accuracy, f64), Error> {
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
     let level = |zones: &[Zone], power: i32| {
-        let resolution = Resolution::new(half_count(start, power))?;
+        let resolution = Resolution::new(&base.medium, half_count(start, power))?;
         edges::settle(base, &resolution, zones).map(|(solved, _)| solved)
     };
     let coarse = level(zones, -2)?;
@@ -182,7 +217,7 @@ fn refined(base: &Base<'_>, zones: &[Zone], start: f64) -> Result<(Solved, Accur
         let (accuracy, edge) = estimate(base, &finer, &before, &change);
         let sizes = finer.state.sizes(finer.largest());
         let met = accuracy.relative(&sizes) <= tolerance;
-        let settled = change.pressure <= 2.0 * finer.rounding()
+        let settled = change.pressure <= 2.0 * finer.pressure_rounding()
             || (change.pressure > 0.5 * before.pressure
                 && change.pressure <= STAGNANT * finer.largest());
         let next = half_count(start, power + 1) * 2 * finer.panels.len();
@@ -256,7 +291,7 @@ fn estimate(base: &Base<'_>, fine: &Solved, before: &Change, change: &Change) ->
     let pressure = extrapolate(before.pressure, change.pressure, largest, RATIO);
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
-        pressure: pressure.max(fine.rounding()),
+        pressure: pressure.max(fine.pressure_rounding()),
         settlement: of(by_force, |c| c.settlement, displacement),
         tilt: of(!by_tilt, |c| c.tilt, displacement),
         force: of(!by_force, |c| c.force, force),
