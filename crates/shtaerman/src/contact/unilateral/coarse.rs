@@ -23,7 +23,7 @@ const FAINT: f64 = 1e-3;
 /// Pressures above this share of the largest are linearised by the tangent, others by the secant.
 const TANGENT: f64 = 0.05;
 
-/// The zones of contact to about a cell; a wave without gaps is cut where it does not touch, which shifts the base.
+/// The zones of contact to about a cell.
 pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<Zone>, Error> {
     let mut cells = Cells::new(base, count);
     for _ in 0..ROUNDS {
@@ -37,6 +37,18 @@ pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<Zone>, Error> {
         .runs()
         .map(|[first, last]| Zone::new(cells.cells[first][0], cells.cells[last][1]))
         .collect())
+}
+
+/// The middle of the longest gap of a wave that is one with its images; none where all cells touch.
+pub(super) fn gap(base: &Base<'_>, count: usize) -> Result<Option<f64>, Error> {
+    let zones = find(base, count)?;
+    let (Some(first), Some(last)) = (zones.first(), zones.last()) else { return Ok(None) };
+    let mut gaps: Vec<[f64; 2]> =
+        zones.windows(2).map(|pair| [pair[0].right(), pair[1].left()]).collect();
+    gaps.push([last.right(), first.left() + 2.0]);
+    let longest =
+        gaps.into_iter().max_by(|one, two| (one[1] - one[0]).total_cmp(&(two[1] - two[0])));
+    Ok(longest.filter(|gap| gap[1] - gap[0] > SHORTEST).map(|gap| 0.5 * (gap[0] + gap[1])))
 }
 
 /// The mean pressure and the length of the whole base.

@@ -9,10 +9,13 @@ mod check;
 mod coarse;
 mod edges;
 mod elimination;
+mod field;
+mod harmonic;
 mod layer;
 mod medium;
 mod motion;
 mod power;
+mod ring;
 mod solved;
 mod system;
 mod topology;
@@ -49,6 +52,8 @@ const RATIO: f64 = std::f64::consts::SQRT_2;
 const MOST_NODES: usize = 2400;
 /// Differences that no longer fall and are below this share of the solution are rounding.
 const STAGNANT: f64 = 1e-9;
+/// A change of force and displacements, relative to their size, that is rounding.
+const RESOLVED: f64 = 1e-13;
 /// Points at which two resolutions are compared.
 const COMPARED: usize = 200;
 /// Rounding of settlement, tilt, force and moment relative to their size.
@@ -80,7 +85,7 @@ impl Problem {
     /// solution; [`Error::ProfileNotFinite`]; [`Error::ToleranceNotMet`] when an explicit tolerance is out of reach.
     pub fn solve_unilateral(&self) -> Result<UnilateralContact, Error> {
         let base = Base::new(self, ContactKind::Unilateral)?;
-        self.within_tolerance(complementary(&base)?)
+        self.within_tolerance(lifting(base)?)
     }
 
     /// Solves the problem with the whole base in contact, where the pressure may pull; by the same equations as
@@ -113,8 +118,13 @@ impl Problem {
 
 /// The answer on the whole base.
 fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
-    let zones = base.whole();
-    let (solved, accuracy, edge) = refined(base, &zones, strength(base, &zones))?;
+    let (solved, accuracy, edge) = if base.medium.is_closed() {
+        let (solved, accuracy) = ring::solve(base)?;
+        (solved, accuracy, 0.0)
+    } else {
+        let zones = base.whole();
+        refined(base, &zones, strength(base, &zones))?
+    };
     let left = check(base, &solved, ALLOWED);
     if !base.layer.is_linear() && !left.pulling.is_empty() {
         let at = left.pulling[0].iter().sum::<f64>() * 0.5;
@@ -122,7 +132,27 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
         let variable = base.problem.frame().coordinate();
         return Err(Error::Pulls { variable, at: at * half_width });
     }
-    UnilateralContact::new(base, solved, accuracy, edge, &left)
+    harmonic::answer(base, solved, accuracy, edge, &left)
+}
+
+/// The answer where the base may lift off.
+fn lifting(base: Base<'_>) -> Result<UnilateralContact, Error> {
+    if !base.medium.is_closed() {
+        return complementary(&base);
+    }
+    let (solved, accuracy) = ring::solve(&base)?;
+    let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
+    let left = check(&base, &solved, ALLOWED.max(2.0 * noise));
+    if left.pulling.is_empty() {
+        return harmonic::answer(&base, solved, accuracy, 0.0, &left);
+    }
+    // Seen from the middle of a gap the wave is one more base with ends.
+    let cells = base.cells();
+    let cut = match coarse::gap(&base, cells)? {
+        Some(middle) => middle,
+        None => 0.5 * (left.pulling[0][0] + left.pulling[0][1]),
+    };
+    complementary(&base.shifted(cut))
 }
 
 /// The answer, with its zones corrected where the finest nodes show what the first did not.
@@ -133,7 +163,7 @@ fn complementary(base: &Base<'_>) -> Result<UnilateralContact, Error> {
         let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
         let left = check(base, &solved, ALLOWED.max(2.0 * noise));
         if left.pulling.is_empty() && left.penetrating.is_empty() {
-            return UnilateralContact::new(base, solved, accuracy, edge, &left);
+            return harmonic::answer(base, solved, accuracy, edge, &left);
         }
         zones = corrected(&solved.zones, &left.pulling, &left.penetrating);
         start = strength(base, &zones);
@@ -218,6 +248,7 @@ fn refined(base: &Base<'_>, zones: &[Zone], start: f64) -> Result<(Solved, Accur
         let sizes = finer.state.sizes(finer.largest());
         let met = accuracy.relative(&sizes) <= tolerance;
         let settled = change.pressure <= 2.0 * finer.pressure_rounding()
+            && resolved(&finer, &change)
             || (change.pressure > 0.5 * before.pressure
                 && change.pressure <= STAGNANT * finer.largest());
         let next = half_count(start, power + 1) * 2 * finer.panels.len();
@@ -232,6 +263,18 @@ fn refined(base: &Base<'_>, zones: &[Zone], start: f64) -> Result<(Solved, Accur
         before = change;
     }
     Ok(best.unwrap_or_else(|| unreachable!("the first round sets it")))
+}
+
+/// Whether the integrals have settled with the pressure: where the body gives nothing, the pressure of a layer that bends is exact on any nodes, its force is not.
+fn resolved(solved: &Solved, change: &Change) -> bool {
+    let state = &solved.state;
+    let small = |change: f64, size: f64| change <= RESOLVED * size;
+    solved.layer.is_linear()
+        || (small(change.force.max(change.moment), state.force.abs().max(state.moment.abs()))
+            && small(
+                change.settlement.max(change.tilt),
+                state.settlement.abs().max(state.tilt.abs()),
+            ))
 }
 
 /// Differences between two resolutions.

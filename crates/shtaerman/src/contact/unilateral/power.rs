@@ -20,6 +20,8 @@ const CUTS: i32 = 12;
 const STAGES: [i32; 3] = [1, 6, 24];
 /// A change of the layer this small beside its size and that of the displacements is rounding.
 const STILL: f64 = 4.0 * f64::EPSILON;
+/// A residual this small beside its terms is rounding.
+const EXACT: f64 = 2.0 * f64::EPSILON;
 /// A residual below this share of its scale, which does not fall any more, is rounding.
 const SMALL: f64 = 1e-20;
 
@@ -171,7 +173,8 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
             let largest = |values: &[f64]| values.iter().fold(0.0f64, |most, v| most.max(v.abs()));
             let size = largest(&trial.guess.layer)
                 + self.system.parameter() * largest(trial.solution.potential());
-            let is_still = largest(&step) <= STILL * size;
+            let is_still =
+                largest(&step) <= STILL * size || trial.merit.sqrt() * scales[2] <= EXACT * size;
             let next = self.shortened(&trial, &step, local, &scales)?;
             let found = |trial: Trial, factor, frame| Found {
                 local: trial.guess.local,

@@ -1,9 +1,9 @@
 //! The pressure on given zones, to be looked at anywhere.
 
-use fredholm::SincSolution;
-use fredholm::collocation::{Place, rounding};
+use fredholm::collocation::Place;
 
 use super::base::Base;
+use super::field::Field;
 use super::layer::Layer;
 use super::medium::{Hull, Medium};
 use super::zones::Zone;
@@ -35,7 +35,7 @@ pub(super) struct Solved {
     /// `xi` of the nodes.
     pub(super) positions: Vec<f64>,
     /// The displacement `v` of the layer; its integrals are those of the pressure.
-    pub(super) solution: SincSolution,
+    pub(super) solution: Field,
     /// `D` and `beta`.
     pub(super) local: [f64; 2],
     pub(super) state: State,
@@ -50,7 +50,7 @@ impl Solved {
 
     /// Rounding of the displacement of the layer.
     pub(super) fn rounding(&self) -> f64 {
-        rounding(&self.solution)
+        self.solution.rounding()
     }
 
     /// Rounding of the pressure.
@@ -109,7 +109,7 @@ impl Solved {
             panel,
         };
         let right_hand_side = self.local[0] - self.local[1] * y - height;
-        self.solution.evaluate_place(place, right_hand_side)
+        self.solution.at(place, right_hand_side)
     }
 
     /// `theta0 k int K(xi, eta) p0 dm` for `xi` outside the zones.

@@ -14,6 +14,7 @@ use fredholm::{SincOperator, SincSolution};
 
 use super::base::Base;
 use super::elimination;
+use super::field::Field;
 use super::medium::{Hull, Medium};
 use super::motion::Tangent;
 use super::power::{self, Extent};
@@ -278,7 +279,7 @@ impl<'b, 'p> System<'b, 'p> {
             layer,
             hull,
             positions,
-            solution,
+            solution: Field::Panels(solution),
             local,
             state,
             stiffness,
