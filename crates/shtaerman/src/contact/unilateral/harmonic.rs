@@ -31,7 +31,7 @@ pub(super) fn answer(
     check: &Check,
 ) -> Result<UnilateralContact, Error> {
     if !base.medium.is_disk() {
-        return UnilateralContact::new(base, solved, accuracy, edge, check, None);
+        return Ok(UnilateralContact::new(base, solved, accuracy, edge, check));
     }
     let wanted = base.problem.dimensionless_load().rotational;
     let given = match base.problem.load().rotational {
@@ -41,7 +41,7 @@ pub(super) fn answer(
     };
     if given.1 == 0.0 {
         solved.stiffness.moment_tilt = base.turning(&solved)?;
-        return UnilateralContact::new(base, solved, accuracy, edge, check, None);
+        return Ok(UnilateralContact::new(base, solved, accuracy, edge, check));
     }
     crate::error::require(
         base.layer.is_linear(),
@@ -84,7 +84,7 @@ pub(super) fn answer(
             return Err(Error::LiftsOff { field, value, limit: limit * value.abs() });
         }
     }
-    UnilateralContact::new(base, solved, accuracy, edge, check, Some(tilted))
+    Ok(UnilateralContact::new(base, solved, accuracy, edge, check).with_tilt(tilted))
 }
 
 fn largest(solution: &SincSolution) -> f64 {
