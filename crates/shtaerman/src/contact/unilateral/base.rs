@@ -15,6 +15,8 @@ const MOST_SAMPLES: usize = 8192;
 /// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a jump.
 const BESIDE: f64 = 1e-9;
 const JUMP: f64 = 1e-6;
+/// Width of the slit at which a wave without gaps is cut.
+const SEAM: f64 = 1e-9;
 /// Difference of the two halves of a circular punch, relative to the heights, that makes its base no body of revolution.
 const UNEVEN: f64 = 1e-9;
 
@@ -101,7 +103,8 @@ impl<'p> Base<'p> {
 
     /// The wave seen between `cut` and `cut + 2`.
     pub(super) fn shifted(mut self, cut: f64) -> Self {
-        let window = [cut, cut + 2.0];
+        // The ends of a zone do not meet: there the kernel is infinite.
+        let window = [cut + SEAM, cut + 2.0 - SEAM];
         let images = |at: f64| [at - 2.0, at, at + 2.0].into_iter();
         let inside = |at: &f64| *at > window[0] && *at < window[1];
         let mut breaks: Vec<f64> =

@@ -109,14 +109,14 @@ fn lifting(base: Base<'_>) -> Result<UnilateralContact, Error> {
     let (solved, accuracy) = ring::solve(&base)?;
     let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
     let left = check(&base, &solved, ALLOWED.max(2.0 * noise));
-    if left.pulling.is_empty() {
+    if left.pulling.is_empty() && !ring::lifts(&base, &solved) {
         return harmonic::answer(&base, solved, accuracy, 0.0, &left);
     }
     // Seen from the middle of a gap the wave is one more base with ends.
     let cells = base.cells();
     let cut = match coarse::gap(&base, cells)? {
         Some(middle) => middle,
-        None => 0.5 * (left.pulling[0][0] + left.pulling[0][1]),
+        None => ring::least(&solved),
     };
     complementary(&base.shifted(cut))
 }

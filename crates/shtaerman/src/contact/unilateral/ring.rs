@@ -25,6 +25,8 @@ const MOST: usize = 4096;
 const MOST_BENDING: usize = 512;
 /// Change from one number of nodes to the next, relative to the size of what is added up, that is rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Tension relative to the largest pressure that is no error of a few nodes.
+const PULLING: f64 = 0.02;
 /// Points at which two numbers of nodes are compared.
 const COMPARED: usize = 200;
 /// Newton steps for a layer that bends, and how often one is halved.
@@ -40,13 +42,26 @@ pub(super) struct Ring {
     masses: Vec<f64>,
     /// Coefficients of `cos m y` and `sin m y` in `K p`.
     series: Vec<[f64; 2]>,
+    noise: f64,
 }
 
 impl Ring {
     /// From the right-hand side and the pressures at the nodes.
     fn new(parameter: f64, right: &[f64], pressures: &[f64]) -> Self {
+        let size = pressures.iter().fold(0.0f64, |most, p| most.max(p.abs()));
+        // Rounding of the pressures comes through the kernel.
+        let noise = 4.0 * f64::EPSILON * parameter * size;
+        Self { noise, ..Self::of_waves(parameter, right, pressures, coefficients(pressures)) }
+    }
+
+    /// The same with the series of the pressures, which may hold small waves to more digits than their values do.
+    fn of_waves(
+        parameter: f64,
+        right: &[f64],
+        pressures: &[f64],
+        mut series: Vec<[f64; 2]>,
+    ) -> Self {
         let count = pressures.len();
-        let mut series = coefficients(pressures);
         series[0] = [0.0; 2];
         for (m, pair) in series.iter_mut().enumerate().skip(1) {
             *pair = pair.map(|part| part * PI / m as f64);
@@ -54,7 +69,7 @@ impl Ring {
         let potential: Vec<f64> = summed(&series, count);
         let values = right.iter().zip(&potential).map(|(g, u)| g - parameter * u).collect();
         let masses = pressures.iter().map(|p| p * TAU / count as f64).collect();
-        Self { parameter, values, potential, masses, series }
+        Self { parameter, values, potential, masses, series, noise: 0.0 }
     }
 
     pub(super) fn parameter(&self) -> f64 {
@@ -94,7 +109,8 @@ impl Ring {
 
     pub(super) fn rounding(&self) -> f64 {
         let largest = |values: &[f64]| values.iter().fold(0.0f64, |most, v| most.max(v.abs()));
-        24.0 * f64::EPSILON * (largest(&self.values) + self.parameter * largest(&self.potential))
+        let terms = largest(&self.values) + self.parameter * largest(&self.potential);
+        24.0 * f64::EPSILON * terms + self.noise
     }
 }
 
@@ -112,8 +128,10 @@ pub(super) fn solve(base: &Base<'_>) -> Result<(Solved, Accuracy), Error> {
             .fold(0.0, f64::max);
         let settlement = (next.state.settlement - known.state.settlement).abs();
         let force = (next.state.force - known.state.force).abs();
-        let size = next.largest() + next.layer.slope(next.deepest()) * next.state.settlement.abs();
-        if change <= ROUNDING * size || 2 * count > most {
+        let size =
+            next.layer.slope(next.deepest()) * (next.deepest() + next.state.settlement.abs());
+        let rounding = (ROUNDING * size).max(2.0 * next.pressure_rounding());
+        if change <= rounding || 2 * count > most || lifts(base, &next) {
             let by_force = matches!(base.load.vertical, Vertical::Force(_));
             let accuracy = Accuracy {
                 kind: ErrorKind::Estimate,
@@ -127,6 +145,18 @@ pub(super) fn solve(base: &Base<'_>) -> Result<(Solved, Accuracy), Error> {
         }
         known = next;
     }
+}
+
+/// Whether full contact would pull so much that it need not be known better.
+pub(super) fn lifts(base: &Base<'_>, solved: &Solved) -> bool {
+    let least = solved.solution.values().iter().fold(f64::INFINITY, |least, v| least.min(*v));
+    !base.is_bilateral && least < -PULLING * solved.deepest()
+}
+
+/// Where the layer pulls most.
+pub(super) fn least(solved: &Solved) -> f64 {
+    let values = solved.solution.values().iter().zip(&solved.positions);
+    values.min_by(|one, two| one.0.total_cmp(two.0)).map_or(0.0, |(_, at)| *at)
 }
 
 /// Full contact with so many nodes.
@@ -191,7 +221,10 @@ impl Equations {
             Vertical::Force(_) => pressure + mean,
             Vertical::Settlement(settlement) => settlement,
         };
-        (settlement, self.ring(settlement, &summed(&series, count)), vec![1.0; count])
+        let right: Vec<f64> = self.heights.iter().map(|height| settlement - height).collect();
+        let pressures = summed(&series, count);
+        let ring = Ring::of_waves(self.parameter, &right, &pressures, series);
+        (settlement, ring, vec![1.0; count])
     }
 
     /// Newton's method for `v` and the settlement, cut until the residual falls.

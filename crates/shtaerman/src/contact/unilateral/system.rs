@@ -297,7 +297,8 @@ impl<'b, 'p> System<'b, 'p> {
         let Hull { centre, half } = self.hull;
         let force =
             self.medium.area() * self.medium.measure(&self.hull) * solution.integral(|_| 1.0);
-        if self.medium.is_disk() {
+        // Rings have no moment, nor has a wave that goes on.
+        if self.medium.is_disk() || self.medium.is_closed() {
             return [force, 0.0];
         }
         [force, centre * force + half * half * solution.integral(|y| y)]
