@@ -96,6 +96,13 @@ impl<'p> Base<'p> {
         self.pieces.iter().any(|piece| piece[side] == at)
     }
 
+    /// The wall for a left (0) or right (1) edge this close outwards of a place.
+    pub(super) fn wall_near(&self, side: usize, at: f64, distance: f64) -> Option<f64> {
+        let outwards = |wall: f64| if side == 0 { at - wall } else { wall - at };
+        let near = |wall: &f64| (0.0..=distance).contains(&outwards(*wall));
+        self.walls[side].iter().copied().find(near)
+    }
+
     /// Whether this is the axis of a circular punch.
     pub(super) fn is_axis(&self, at: f64) -> bool {
         self.medium.is_disk() && at == 0.0

@@ -14,6 +14,8 @@ const SMALL: f64 = 1e-9;
 const STRIDE: f64 = 0.4;
 /// Zones shorter than this share of the longest are none.
 const VANISHING: f64 = 1e-9;
+/// Ends this close to a wall, and inside of it, are there.
+const BESIDE: f64 = 1e-11;
 /// Zones closer than this share of the shorter one are one.
 const CLOSE: f64 = 1e-7;
 
@@ -81,7 +83,12 @@ pub(super) fn settle(
 fn rest(base: &Base<'_>, zones: &mut [Zone]) {
     for zone in zones {
         for (side, end) in zone.ends.iter_mut().enumerate() {
-            end.is_free = !base.is_end(side, end.at) && (end.is_free || end.at.abs() >= 1.0);
+            // The check looks just inside a wall.
+            if let Some(wall) = base.wall_near(side, end.at, BESIDE) {
+                *end = End { at: wall, is_free: !base.is_end(side, wall) };
+            } else {
+                end.is_free |= end.at.abs() >= 1.0;
+            }
         }
     }
 }

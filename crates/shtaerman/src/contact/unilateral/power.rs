@@ -171,8 +171,13 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
             let frame = self.system.frame(&factor)?;
             let (step, local) = self.step(&trial, &factor, &frame)?;
             let largest = |values: &[f64]| values.iter().fold(0.0f64, |most, v| most.max(v.abs()));
+            // Rounding of all that is added up.
+            let [constant, slope] = trial.guess.local;
             let size = largest(&trial.guess.layer)
-                + self.system.parameter() * largest(trial.solution.potential());
+                + self.system.parameter() * largest(trial.solution.potential())
+                + largest(&self.system.heights)
+                + constant.abs()
+                + slope.abs();
             let is_still =
                 largest(&step) <= STILL * size || trial.merit.sqrt() * scales[2] <= EXACT * size;
             let next = self.shortened(&trial, &step, local, &scales)?;
