@@ -46,6 +46,7 @@ pub mod profile;
 pub mod quantity;
 mod roughness;
 mod scaling;
+mod stress;
 
 pub use answer::{
     Answer, Dimensionless, ErrorReport, Errors, GAUGE, MethodReport, Physical, PressureCurve,
@@ -66,3 +67,4 @@ pub use problem::{ContactKind, MethodChoice, Problem, Solver};
 pub use profile::Profile;
 pub use roughness::{Law, Roughness};
 pub use scaling::Scaling;
+pub use stress::{Criterion, FirstYield, Peak, Stress, StressField};
