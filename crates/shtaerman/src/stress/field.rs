@@ -66,8 +66,7 @@ impl StressField {
             "greater than -1 and at most 0.5",
         )?;
         check(panels, period)?;
-        let wave = period.map(|period| PI / period);
-        let (panels, error) = sampling::resolved(panels, wave, &pressure)?;
+        let (panels, error) = sampling::resolved(panels, period, &pressure)?;
         let shortest = panels.iter().map(Panel::length).fold(f64::INFINITY, f64::min);
         Ok(Self { panels, period, poisson_ratio, units: [1.0; 2], shortest, error })
     }

@@ -1,5 +1,7 @@
 //! Nodes of a panel and the sums over them.
 
+use std::f64::consts::PI;
+
 use super::complex::Complex;
 
 /// Nodes that are worked on side by side.
@@ -41,22 +43,25 @@ impl Nodes {
         }
     }
 
-    /// Fills the last lanes with nodes of no strength, and prepares a period with wave number `k = pi/L`.
-    pub(super) fn finish(&mut self, wave: Option<f64>) {
+    /// Fills the last lanes with nodes of no strength, and prepares a period `L`, `k = pi/L`.
+    pub(super) fn finish(&mut self, period: Option<f64>) {
         while !self.offsets.len().is_multiple_of(LANES) {
             let last = self.offsets[self.offsets.len() - 1];
             self.push(last, 0.0);
         }
-        self.turned = wave.map(|wave| {
+        self.turned = period.map(|period| {
+            let wave = PI / period;
             [f64::cos, f64::sin].map(|f| self.offsets.iter().map(|s| f(wave * s)).collect())
         });
     }
 
     /// The sums for `z - end = x + i y`; the third only where `CUBES`.
-    pub(super) fn sums<const CUBES: bool>(&self, x: f64, y: f64, wave: Option<f64>) -> Sums {
-        match (&self.turned, wave) {
-            (Some([cosines, sines]), Some(wave)) => {
-                self.periodic_sums::<CUBES>(cosines, sines, [x, y], wave)
+    pub(super) fn sums<const CUBES: bool>(&self, x: f64, y: f64, period: Option<f64>) -> Sums {
+        match (&self.turned, period) {
+            (Some([cosines, sines]), Some(period)) => {
+                // The nearest repetition: a sine keeps its digits at 0 and not at pi.
+                let x = x - period * (x / period).round();
+                self.periodic_sums::<CUBES>(cosines, sines, [x, y], PI / period)
             }
             _ => self.plain_sums::<CUBES>(x, y),
         }
@@ -104,8 +109,9 @@ impl Nodes {
         for ((&strength, &cosine), &sine) in self.strengths.iter().zip(cosines).zip(sines) {
             let below = sine_z.scaled(cosine) - cosine_z.scaled(sine);
             let above = cosine_z.scaled(cosine) + sine_z.scaled(sine);
-            let cotangent = (above * below.inverse()).scaled(wave);
-            let square = cotangent * cotangent + Complex::new(wave * wave, 0.0);
+            let inverse = below.inverse();
+            let cotangent = (above * inverse).scaled(wave);
+            let square = (inverse * inverse).scaled(4.0 * decay * wave * wave);
             sums[0] = sums[0] + cotangent.scaled(strength);
             sums[1] = sums[1] + square.scaled(strength);
             if CUBES {

@@ -49,8 +49,8 @@ pub(super) struct Panel {
     pub(super) ends: [f64; 2],
     step: f64,
     grids: [Grid; 2],
-    /// `pi/L` of a pressure repeated with the period `L`.
-    wave: Option<f64>,
+    /// The period of a pressure that is repeated.
+    period: Option<f64>,
 }
 
 impl Panel {
@@ -58,7 +58,7 @@ impl Panel {
     pub(super) fn new(
         [left, right]: [f64; 2],
         step: f64,
-        wave: Option<f64>,
+        period: Option<f64>,
         pressure: &dyn Fn(f64, f64) -> f64,
     ) -> Result<Self, Error> {
         let length = right - left;
@@ -66,9 +66,9 @@ impl Panel {
         if let Some(value) = ends.into_iter().find(|value| value.is_nan()) {
             return Err(Error::Overflow { quantity: "pressure", value });
         }
-        let mut panel = Self { left, right, ends, step, grids: Default::default(), wave };
+        let mut panel = Self { left, right, ends, step, grids: Default::default(), period };
         for (grid, shift) in [(0, 0.0), (1, 0.5)] {
-            panel.grids[grid] = sampled(length, step, shift, wave, pressure)?;
+            panel.grids[grid] = sampled(length, step, shift, period, pressure)?;
         }
         Ok(panel)
     }
@@ -103,11 +103,8 @@ impl Panel {
 
     /// How the panel, or that of its repetitions which is nearest, sees a place.
     pub(super) fn seen(&self, x: f64, depth: f64) -> Seen {
-        let x = match self.wave {
-            Some(wave) => {
-                let period = PI / wave;
-                x - period * ((x - 0.5 * (self.left + self.right)) / period).round()
-            }
+        let x = match self.period {
+            Some(period) => x - period * ((x - 0.5 * (self.left + self.right)) / period).round(),
             None => x,
         };
         Seen { from_left: x - self.left, to_right: self.right - x, depth }
@@ -156,7 +153,7 @@ impl Panel {
         let Seen { from_left, to_right, depth } = seen;
         let [even, odd] = [0, 1].map(|parity| {
             let [left, right]: [Sums; 2] = [(0, from_left), (1, -to_right)].map(|(end, x)| {
-                self.grids[grid].nodes[end][parity].sums::<CUBES>(x, depth, self.wave)
+                self.grids[grid].nodes[end][parity].sums::<CUBES>(x, depth, self.period)
             });
             [0, 1, 2].map(|i| left[i] + right[i])
         });
@@ -199,7 +196,7 @@ fn sampled(
     length: f64,
     step: f64,
     shift: f64,
-    wave: Option<f64>,
+    period: Option<f64>,
     pressure: &dyn Fn(f64, f64) -> f64,
 ) -> Result<Grid, Error> {
     let mut grid = Grid::default();
@@ -229,7 +226,7 @@ fn sampled(
     }
     grid.nodes.as_flattened_mut().iter_mut().for_each(|nodes| {
         nodes.close();
-        nodes.finish(wave);
+        nodes.finish(period);
     });
     Ok(grid)
 }

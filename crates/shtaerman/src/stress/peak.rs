@@ -24,6 +24,8 @@ const WORTHWHILE: f64 = 0.9;
 const MOST_REFINED: usize = 24;
 /// A value that exceeds another by less than this share is equal to it.
 const EQUAL: f64 = 1e-12;
+/// A maximum as close to a corner, relative to the longest panel, and as little above its limit, is that limit.
+const CLOSE: f64 = 1e-6;
 /// Steps of each refinement.
 const COMPASS_STEPS: usize = 60;
 const NEWTON_STEPS: usize = 40;
@@ -48,15 +50,24 @@ impl StressField {
     /// The largest equivalent stress in the body and its place; of equal ones that inside the body, of those the leftmost.
     #[must_use]
     pub fn peak(&self, criterion: Criterion) -> Peak {
+        let corners = self.corner_peaks(criterion);
         let mut peaks = self.inner_peaks(criterion);
+        // What climbs into a corner is its limit.
+        peaks.retain(|peak| !corners.iter().any(|corner| self.is_limit(peak, corner)));
         peaks.extend(self.surface_peaks(criterion));
-        peaks.extend(self.corner_peaks(criterion));
+        peaks.extend(corners);
         let zero = Peak { value: 0.0, x: 0.0, depth: 0.0, is_corner: false };
         let best = peaks.into_iter().fold(zero, |best, peak| {
             if peak.value > best.value * (1.0 + EQUAL) { peak } else { best }
         });
         let [length, stress] = self.units;
         Peak { value: best.value * stress, x: best.x * length, depth: best.depth * length, ..best }
+    }
+
+    fn is_limit(&self, peak: &Peak, corner: &Peak) -> bool {
+        let longest = self.inner().iter().map(Panel::length).fold(0.0, f64::max);
+        let close = (peak.x - corner.x).hypot(peak.depth) <= CLOSE * longest;
+        corner.is_corner && close && peak.value <= corner.value * (1.0 + CLOSE)
     }
 
     fn inner_peaks(&self, criterion: Criterion) -> Vec<Peak> {

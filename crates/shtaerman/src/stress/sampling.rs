@@ -23,11 +23,11 @@ type Pressure<'f> = &'f dyn Fn(usize, f64, f64) -> f64;
 /// The panels, sampled, and the estimated error of their stresses.
 pub(super) fn resolved(
     panels: &[[f64; 2]],
-    wave: Option<f64>,
+    period: Option<f64>,
     pressure: Pressure<'_>,
 ) -> Result<(Vec<Panel>, f64), Error> {
     let sample = |index: usize, step: f64| {
-        Panel::new(panels[index], step, wave, &|left, right| pressure(index, left, right))
+        Panel::new(panels[index], step, period, &|left, right| pressure(index, left, right))
     };
     let mut sampled =
         (0..panels.len()).map(|index| sample(index, FIRST_STEP)).collect::<Result<Vec<_>, _>>()?;

@@ -31,12 +31,13 @@ fn stresses_are_in_equilibrium_and_compatible() {
     let field = field();
     let at = |x: f64, y: f64| field.stress(x, y).unwrap();
     for (x, y) in [(0.1, 0.5), (-1.0, 0.2), (0.9, 0.3), (3.0, 1.0), (-0.7, 0.05), (0.98, 0.02)] {
-        let step = 2e-2 * y;
+        let step = 5e-3 * y;
         let along = |part: fn(&Stress) -> f64| slope(|d| part(&at(x + d, y)), step);
         let down = |part: fn(&Stress) -> f64| slope(|d| part(&at(x, y + d)), step);
         let scale = at(x, y).max_shear() / y;
-        assert!((along(|s| s.sigma_x) + down(|s| s.tau_xy)).abs() < 1e-9 * scale);
-        assert!((along(|s| s.tau_xy) + down(|s| s.sigma_y)).abs() < 1e-9 * scale);
+        let sums =
+            [along(|s| s.sigma_x) + down(|s| s.tau_xy), along(|s| s.tau_xy) + down(|s| s.sigma_y)];
+        assert!(sums.iter().all(|sum| sum.abs() < 1e-9 * scale), "{x} {y}: {sums:?}, {scale}");
         // The sum is harmonic: its mean over a circle is its value in the centre.
         let circle = (0..64).map(|i| 2.0 * PI * f64::from(i) / 64.0).map(|angle| {
             let stress = at(x + 0.3 * y * angle.cos(), y + 0.3 * y * angle.sin());
@@ -121,10 +122,7 @@ fn an_unsymmetric_pressure_agrees_with_high_precision() {
 
 #[expect(clippy::type_complexity, reason = "a table")]
 const REFERENCES: [([f64; 2], [f64; 3]); 7] = [
-    (
-        [0.3, 0.001],
-        [-1.609_246_193_271_752_7, -1.612_682_672_986_520_6, 0.001_109_782_515_758_25],
-    ),
+    ([0.3, 0.001], [-1.609_246_193_271_752_7, -1.612_682_672_986_520_6, 0.001_109_782_515_758_25]),
     (
         [-0.9, 1e-6],
         [-0.202_220_114_220_146_59, -0.202_219_606_030_372_34, 1.266_679_656_350_885_7e-6],
