@@ -24,8 +24,8 @@ const WORTHWHILE: f64 = 0.9;
 const MOST_REFINED: usize = 24;
 /// A value that exceeds another by less than this share is equal to it.
 const EQUAL: f64 = 1e-12;
-/// A maximum as close to a corner, relative to the longest panel, and as little above its limit, is that limit.
-const CLOSE: f64 = 1e-6;
+/// A maximum as close to a corner, relative to the longest panel, and not above its limit, climbs towards that.
+const CLOSE: f64 = 1e-2;
 /// Steps of each refinement.
 const COMPASS_STEPS: usize = 60;
 const NEWTON_STEPS: usize = 40;
@@ -67,7 +67,7 @@ impl StressField {
     fn is_limit(&self, peak: &Peak, corner: &Peak) -> bool {
         let longest = self.inner().iter().map(Panel::length).fold(0.0, f64::max);
         let close = (peak.x - corner.x).hypot(peak.depth) <= CLOSE * longest;
-        corner.is_corner && close && peak.value <= corner.value * (1.0 + CLOSE)
+        corner.is_corner && close && peak.value <= corner.value * (1.0 + EQUAL)
     }
 
     fn inner_peaks(&self, criterion: Criterion) -> Vec<Peak> {

@@ -4,8 +4,8 @@ use super::complex::Complex;
 use super::panel::Panel;
 use crate::Error;
 
-/// The first step: `e^(-pi^2/h) = 5e-15` is its error where the pressure is analytic off the line of the panel.
-const FIRST_STEP: f64 = 0.3;
+/// The first step: `e^(-pi^2/h) = 5e-16` is its error where the pressure is analytic off the line of the panel.
+const FIRST_STEP: f64 = 0.28;
 /// Difference of both sets of nodes, relative to the mean pressure, that is small enough, and below which it may be rounding.
 const AIM: f64 = 2e-14;
 const STAGNANT: f64 = 1e-8;
