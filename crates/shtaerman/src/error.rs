@@ -197,6 +197,12 @@ pub enum Error {
     )]
     NoOtherMethod,
 
+    /// A cross-check was asked for where there is one method only.
+    #[error(
+        "a unilateral contact has one method, collocation on its zones; contact = \"bilateral\" has two that can check each other"
+    )]
+    NoOtherMethodForZones,
+
     /// The problem file cannot be read as a problem.
     #[error(transparent)]
     File(#[from] FileError),

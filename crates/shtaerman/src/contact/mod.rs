@@ -10,6 +10,7 @@ mod draft;
 mod extremes;
 mod plan;
 mod potential;
+mod solution;
 mod solved;
 mod spectral;
 mod surface;
@@ -20,7 +21,7 @@ pub use accuracy::{Accuracy, ErrorKind};
 pub use cross_check::CrossCheck;
 pub use plan::AIM;
 pub use solved::{Contact, Method, Stiffness};
-pub use unilateral::{Complementarity, UnilateralContact};
+pub use unilateral::Complementarity;
 pub use warning::{Warning, WarningCode};
 
 use draft::Draft;
