@@ -115,15 +115,6 @@ impl Canvas {
         self.add_path(commands(points, "Z"), Some(ink(colour)), Color::None, 0.0, opacity);
     }
 
-    /// Regions with holes, filled as one: no seams between them.
-    pub(super) fn fill_regions(&mut self, regions: &[Vec<Point>], colour: Colour) {
-        let d: String =
-            regions.iter().map(|points| commands(&shape::thinned(points), "Z")).collect();
-        if !d.is_empty() {
-            self.add_path(d, Some(ink(colour)), Color::None, 0.0, 1.0);
-        }
-    }
-
     fn add_path(
         &mut self,
         d: String,

@@ -3,15 +3,51 @@
 use super::axis::{Range, Scale};
 use super::canvas::{Anchor, Canvas, Point, Style};
 use super::colour::Colour;
-use super::contours::Field;
+use super::contours::{Field, Vertex};
 use super::draw::{Mapping, style};
 use super::figure::{ColourBar, Contours, Cross, Dash};
 use super::layout::{BAR_GAP, BAR_LABEL_GAP, BAR_WIDTH, LABEL, TICK, line_height};
+use super::shape;
 use super::text;
 use super::ticks::Ticks;
 
 /// Half the length of a stroke of a cross.
 const ARM: f64 = 7.0;
+
+/// A closed contour with the band that begins inside it.
+struct Loop {
+    vertices: Vec<Vertex>,
+    /// Area as a share of the map, in billionths: larger loops surround smaller ones.
+    area: i64,
+    /// Loops that coincide are painted in this order.
+    order: i64,
+    band: usize,
+}
+
+/// The contours of all levels. One of the encoders fills holes, so the inside of a hole is painted over with the band below.
+fn loops(field: &Field<'_>, levels: &[f64]) -> Vec<Loop> {
+    let whole = field.regions(f64::MIN);
+    let total: f64 = whole.iter().map(|vertices| area(vertices)).sum();
+    let base =
+        whole.into_iter().map(|vertices| Loop { vertices, area: i64::MAX, order: 0, band: 0 });
+    let mut loops: Vec<Loop> = base.collect();
+    for (index, &level) in levels.iter().enumerate() {
+        for vertices in field.regions(level) {
+            let share = area(&vertices) / total;
+            let (order, band) =
+                if share < 0.0 { (-(index as i64), index) } else { (index as i64, index + 1) };
+            loops.push(Loop { vertices, area: (1e9 * share.abs()) as i64, order, band });
+        }
+    }
+    loops.sort_by_key(|contour| (std::cmp::Reverse(contour.area), contour.order));
+    loops
+}
+
+/// Positive for loops around high values in one sense of the axes, negative in the other; of holes the opposite.
+fn area(vertices: &[Vertex]) -> f64 {
+    let next = vertices.iter().cycle().skip(1);
+    vertices.iter().zip(next).map(|(a, b)| 0.5 * (a.x * b.y - b.x * a.y)).sum()
+}
 
 pub(super) fn draw_contours(
     canvas: &mut Canvas,
@@ -19,37 +55,28 @@ pub(super) fn draw_contours(
     contours: &Contours,
 ) -> bool {
     let bands = contours.levels.len() + 1;
-    let (low, high) = (f64::MIN, f64::MAX);
-    let values: Vec<f64> = contours.values.iter().map(|value| value.clamp(low, high)).collect();
+    let values: Vec<f64> =
+        contours.values.iter().map(|value| value.clamp(f64::MIN, f64::MAX)).collect();
     let field = Field { x: &contours.x, y: &contours.y, values: &values };
-    let levels = std::iter::once(f64::MIN).chain(contours.levels.iter().copied());
-    let mut drawn = false;
-    for (band, level) in levels.enumerate() {
-        let regions = field.regions(level);
-        let place = |x: f64, y: f64| mapping.x(x).zip(mapping.y(y));
-        let filled: Vec<Vec<Point>> = regions
-            .iter()
-            .map(|vertices| vertices.iter().filter_map(|v| place(v.x, v.y)).collect())
-            .collect();
-        drawn |= !filled.is_empty();
-        canvas.fill_regions(&filled, contours.palette.colour(band, bands));
-        if band == 0 {
-            continue;
-        }
-        let colour = contours.palette.colour(band, bands).darker();
-        for vertices in &regions {
-            // A loop begins anywhere: what crosses its beginning is one line.
-            let start = vertices.iter().position(|vertex| vertex.on_border).unwrap_or(0);
-            let turned = vertices.iter().cycle().skip(start).take(vertices.len() + 1);
-            let points = turned.map(|v| if v.on_border { None } else { place(v.x, v.y) });
-            for run in super::shape::runs(points) {
-                if run.len() > 1 {
-                    canvas.path(&run, colour, 0.7, Dash::Solid);
-                }
-            }
+    let loops = loops(&field, &contours.levels);
+    let place = |vertex: &Vertex| mapping.x(vertex.x).zip(mapping.y(vertex.y));
+    for contour in &loops {
+        let points: Vec<Point> = contour.vertices.iter().filter_map(place).collect();
+        let points = shape::thinned(&points);
+        canvas.fill(&points, contours.palette.colour(contour.band, bands), 1.0);
+    }
+    for contour in loops.iter().skip(1) {
+        let colour = contours.palette.colour(contour.band, bands).darker();
+        let vertices = &contour.vertices;
+        // A loop begins anywhere: what crosses its beginning is one line.
+        let start = vertices.iter().position(|vertex| vertex.on_border).unwrap_or(0);
+        let turned = vertices.iter().cycle().skip(start).take(vertices.len() + 1);
+        let points = turned.map(|vertex| if vertex.on_border { None } else { place(vertex) });
+        for run in shape::runs(points).iter().filter(|run| run.len() > 1) {
+            canvas.path(run, colour, 0.7, Dash::Solid);
         }
     }
-    drawn
+    !loops.is_empty()
 }
 
 pub(super) fn draw_cross(canvas: &mut Canvas, mapping: &Mapping<'_>, cross: &Cross) {
