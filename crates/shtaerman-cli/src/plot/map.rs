@@ -69,24 +69,24 @@ impl MapPlot {
         if !(low < high) {
             return (Vec::new(), Palette::Sequential);
         }
-        let range = Range { low, high };
-        let ticks = Ticks::new(Scale::Linear, range, BANDS);
+        // A small part of the other sign, such as that of rounding, is no reason for two colours.
+        let both = low < -0.1 * high.abs() && high > 0.1 * low.abs();
+        let reach = high.max(-low);
+        // White is zero: as many bands on either side.
+        let (low, high) = if both { (-reach, reach) } else { (low, high) };
+        let ticks = Ticks::new(Scale::Linear, Range { low, high }, BANDS);
         // A level at an end of the range parts nothing.
         let apart = 1e-9 * (high - low);
         let places = ticks.labelled.into_iter().map(|tick| tick.place);
         let levels = places.filter(|place| *place > low + apart && *place < high - apart).collect();
-        // A small part of the other sign, such as that of rounding, is no reason for two colours.
-        let both = low < -0.1 * high.abs() && high > 0.1 * low.abs();
-        (
-            levels,
-            if both {
-                Palette::Diverging
-            } else if high <= 0.1 * -low {
-                Palette::Reversed
-            } else {
-                Palette::Sequential
-            },
-        )
+        let palette = if both {
+            Palette::Diverging
+        } else if high <= -0.1 * low {
+            Palette::Reversed
+        } else {
+            Palette::Sequential
+        };
+        (levels, palette)
     }
 }
 

@@ -194,6 +194,11 @@ impl StressReport {
         }
     }
 
+    /// Adds what a user should know about the contact.
+    pub(crate) fn add_warnings(&mut self, warnings: &[shtaerman::Warning]) {
+        self.warnings.extend(warnings.iter().map(|warning| warning.message.clone()));
+    }
+
     /// Adds stresses.
     pub(crate) fn set_stresses(&mut self, stresses: &Stresses) {
         let object = Some(stresses.json());

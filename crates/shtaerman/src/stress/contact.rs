@@ -1,7 +1,7 @@
 //! Stress fields of solved contacts.
 
 use super::StressField;
-use crate::{Contact, ContactKind, Error, Frame, Geometry, Problem, Scaling, UnilateralContact};
+use crate::{Contact, Error, Frame, Geometry, Problem, Scaling};
 
 /// Most breakpoints of the profile that get panels of their own.
 const MOST_BREAKS: usize = 256;
@@ -30,49 +30,11 @@ impl StressField {
     /// The stresses under a contact, in its units; `poisson_ratio` is that of the foundation where left out, a dimensionless problem needs it.
     ///
     /// # Errors
-    /// [`Error::NoStresses`] for a circular punch and a graded foundation, [`Error::InvalidValue`] for a ratio that is missing or beyond `(-1, 0.5]`.
+    /// [`Error::NoStresses`] for a circular punch and a graded foundation, [`Error::NoPoissonRatio`], [`Error::InvalidValue`] for a ratio beyond `(-1, 0.5]`.
     pub fn new(contact: &Contact, poisson_ratio: Option<f64>) -> Result<Self, Error> {
         let error = contact.accuracy().map_or(0.0, |accuracy| accuracy.pressure);
-        let zones = contact.problem().frame().pieces();
-        under(contact.problem(), &zones, poisson_ratio, error, &|xi| contact.pressure0(xi))
-    }
-
-    /// The stresses under a unilateral contact.
-    ///
-    /// # Errors
-    /// As [`StressField::new`].
-    pub fn unilateral(
-        contact: &UnilateralContact,
-        poisson_ratio: Option<f64>,
-    ) -> Result<Self, Error> {
-        let (zones, error) = (contact.edges0(), contact.accuracy().pressure);
-        under(contact.problem(), &zones, poisson_ratio, error, &|xi| contact.pressure0(xi))
-    }
-
-    /// Solves a problem, bilateral or unilateral as its solver says, and gives the stresses, the force and the moment.
-    ///
-    /// # Errors
-    /// Those of the solution and of [`StressField::new`].
-    pub fn of_problem(
-        problem: &Problem,
-        poisson_ratio: Option<f64>,
-    ) -> Result<(Self, [f64; 2]), Error> {
-        let scale = |unit: fn(&Scaling) -> f64| problem.frame().scaling().map_or(1.0, unit);
-        problem.frame().check_stresses()?;
-        match problem.solver().contact {
-            ContactKind::Bilateral => {
-                let contact = problem.solve()?;
-                Ok((Self::new(&contact, poisson_ratio)?, [contact.force(), contact.moment()]))
-            }
-            ContactKind::Unilateral => {
-                let contact = problem.solve_unilateral()?;
-                let load = [
-                    contact.force0() * scale(Scaling::force),
-                    contact.moment0() * scale(Scaling::moment),
-                ];
-                Ok((Self::unilateral(&contact, poisson_ratio)?, load))
-            }
-        }
+        let pressure0 = |xi| contact.pressure0(xi);
+        under(contact.problem(), &contact.edges0(), poisson_ratio, error, &pressure0)
     }
 }
 

@@ -33,7 +33,7 @@ impl Problem {
     /// that belongs to it is scaled.
     ///
     /// # Errors
-    /// [`Error::InvalidValue`] unless `yield_stress` is positive; [`Error::NoYield`] when no load has that largest stress; those of [`StressField::of_problem`].
+    /// [`Error::InvalidValue`] unless `yield_stress` is positive; [`Error::NoYield`] when no load has that largest stress; those of [`Problem::solve`] and [`StressField::new`].
     pub fn first_yield(
         &self,
         criterion: Criterion,
@@ -41,7 +41,10 @@ impl Problem {
         poisson_ratio: Option<f64>,
     ) -> Result<FirstYield, Error> {
         positive("yield_stress", yield_stress)?;
-        let (field, [force, moment]) = StressField::of_problem(self, poisson_ratio)?;
+        self.frame().check_stresses()?;
+        let contact = self.solve()?;
+        let field = StressField::new(&contact, poisson_ratio)?;
+        let (force, moment) = (contact.force(), contact.moment());
         let search =
             Search { problem: self, criterion, yield_stress, poisson_ratio, force, moment };
         search.run(field.peak(criterion))
@@ -124,8 +127,9 @@ impl Search<'_> {
             kept => kept,
         };
         let load = Load::new(Vertical::Force(factor * self.force), rotational)?;
-        let (field, load) =
-            StressField::of_problem(&self.problem.with_load(load)?, self.poisson_ratio)?;
+        let contact = self.problem.with_load(load)?.solve()?;
+        let field = StressField::new(&contact, self.poisson_ratio)?;
+        let load = [contact.force(), contact.moment()];
         Ok(Trial { factor, peak: field.peak(self.criterion), load })
     }
 

@@ -53,7 +53,7 @@ fn stresses_are_in_equilibrium_and_compatible() {
 #[test]
 fn every_level_carries_the_force() {
     let field = field();
-    for depth in [1e-3f64, 0.1, 2.0] {
+    for depth in [1e-2f64, 0.1, 2.0] {
         let step = depth.min(0.1) / 25.0;
         let range = (30.0 / step) as i64;
         let mut sums = [0.0; 2];

@@ -1,7 +1,8 @@
 //! Bad input is refused with its value.
 
 use shtaerman::{
-    Error, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, StressField, Vertical,
+    Criterion, Error, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, StressField,
+    Vertical,
 };
 
 fn refused(panels: &[[f64; 2]], period: Option<f64>, ratio: f64) -> &'static str {
@@ -56,7 +57,7 @@ fn places_are_checked() {
 fn nothing_presses() {
     let field = StressField::from_pressure(&[[-1.0, 1.0]], None, 0.3, |_, _, _| 0.0).unwrap();
     assert_eq!(field.stress(0.3, 0.2).unwrap().von_mises(), 0.0);
-    assert_eq!(field.peak(shtaerman::Criterion::VonMises).value, 0.0);
+    assert_eq!(field.peak(Criterion::VonMises).value, 0.0);
 }
 
 #[test]
@@ -64,5 +65,7 @@ fn geometries_without_a_known_field_are_refused() {
     let frame = Frame::dimensionless_in(Geometry::Circular, 1.0, 1.0).unwrap();
     let load = Load::new(Vertical::Force(1.0), Rotational::Moment(0.0)).unwrap();
     let problem = Problem::new(frame, Profile::flat(), load, Solver::bilateral()).unwrap();
-    assert_eq!(StressField::of_problem(&problem, Some(0.3)).err(), Some(Error::NoStresses));
+    let refused = problem.first_yield(Criterion::VonMises, 1.0, Some(0.3));
+    assert_eq!(refused.err(), Some(Error::NoStresses));
+    assert_eq!(problem.frame().check_stresses(), Err(Error::NoStresses));
 }

@@ -33,19 +33,20 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let units = Units::of(frame);
     let ratio = poisson_ratio(arguments, &file)?;
     let section = Section::parse(arguments, units)?;
+    let places =
+        arguments.at.as_deref().map(|text| section::parse_places(text, units)).transpose()?;
     let limit = yield_stress(arguments, &file)?;
 
-    let (field, load) =
-        StressField::of_problem(file.problem(), Some(ratio)).map_err(|error| file.locate(error))?;
+    let contact = file.solve()?;
+    let field = StressField::new(&contact, Some(ratio)).map_err(|error| file.locate(error))?;
+    let load = [contact.force(), contact.moment()];
     let peaks = [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];
     let mut report = StressReport::new(&field, load, frame.scaling().is_some(), &peaks);
+    report.add_warnings(contact.warnings());
     if let Some((stress, is_asked)) = limit {
         report.set_yield(stress, loads_at_yield(&file, stress, ratio, is_asked)?);
     }
-    let places = match arguments.at.as_deref() {
-        Some(text) => Some(stresses_at(&field, section::parse_places(text, units)?)?),
-        None => None,
-    };
+    let places = places.map(|places| stresses_at(&field, places)).transpose()?;
     let wants_grid = arguments.grid.is_some() || arguments.format != StressFormat::Json;
     let needs_grid = places.is_none() && arguments.format != StressFormat::Table && wants_grid;
     let grid =
