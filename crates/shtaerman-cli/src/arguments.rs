@@ -167,7 +167,7 @@ pub struct StressArguments {
     /// What the map shows.
     #[arg(long, value_enum, default_value = "von-mises", value_name = "COMPONENT")]
     pub component: StressComponent,
-    /// Find the load at first yield for this yield stress, such as "350 MPa" [default: yield_stress of the foundation].
+    /// Find the load at first yield for this yield stress, such as "350 MPa" [default: that of the foundation in the file].
     #[arg(long, value_name = "STRESS", allow_hyphen_values = true)]
     pub yield_stress: Option<String>,
     /// Poisson's ratio, for a dimensionless file.

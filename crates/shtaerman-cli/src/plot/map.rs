@@ -66,7 +66,7 @@ impl MapPlot {
         let low = finite().fold(f64::INFINITY, f64::min);
         let high = finite().fold(f64::NEG_INFINITY, f64::max);
         let (low, high) = self.limits.unwrap_or((low, high));
-        if !(low < high) {
+        if low.is_nan() || low >= high || high.is_nan() {
             return (Vec::new(), Palette::Sequential);
         }
         // A small part of the other sign, such as that of rounding, is no reason for two colours.

@@ -1,10 +1,16 @@
 //! Stress fields of solved contacts.
 
 use super::StressField;
+use super::sampling::Effort;
 use crate::{Contact, Error, Frame, Geometry, Problem, Scaling};
 
 /// Most breakpoints of the profile that get panels of their own.
-const MOST_BREAKS: usize = 256;
+const MOST_BREAKS: usize = 15;
+/// Error of the stresses aimed at, in errors of the pressure.
+const SHARE: f64 = 0.1;
+/// A pressure of more terms than these is costly (milliseconds each), and gets no more nodes than those.
+const COSTLY: usize = 8192;
+const MOST_COSTLY: usize = 1500;
 
 impl Frame {
     /// Poisson's ratio of the foundation; a dimensionless problem has none.
@@ -34,7 +40,13 @@ impl StressField {
     pub fn new(contact: &Contact, poisson_ratio: Option<f64>) -> Result<Self, Error> {
         let error = contact.accuracy().map_or(0.0, |accuracy| accuracy.pressure);
         let pressure0 = |xi| contact.pressure0(xi);
-        under(contact.problem(), &contact.edges0(), poisson_ratio, error, &pressure0)
+        let costly = contact.method().n > COSTLY;
+        let most = if costly { MOST_COSTLY } else { Effort::FULL.most };
+        let effort = Effort { enough: SHARE * error, most };
+        let field = under(contact.problem(), &contact.edges0(), poisson_ratio, effort, &pressure0)?;
+        let frame = contact.problem().frame();
+        let stress = frame.scaling().map_or(1.0, Scaling::pressure);
+        Ok(field.with_pressure_error(error).in_units(frame.half_width(), stress))
     }
 }
 
@@ -43,7 +55,7 @@ fn under(
     problem: &Problem,
     zones: &[[f64; 2]],
     poisson_ratio: Option<f64>,
-    error: f64,
+    effort: Effort,
     pressure0: &dyn Fn(f64) -> f64,
 ) -> Result<StressField, Error> {
     let frame = problem.frame();
@@ -59,12 +71,10 @@ fn under(
         let [left, right] = panels[panel];
         pressure0(if from_left < to_right { left + from_left } else { right - to_right })
     };
-    let field = StressField::from_pressure(&panels, period, given, pressure)?;
-    let stress = frame.scaling().map_or(1.0, Scaling::pressure);
-    Ok(field.with_pressure_error(error).in_units(frame.half_width(), stress))
+    StressField::within(&panels, period, given, effort, &pressure)
 }
 
-/// Breakpoints of the profile, as `xi`, unless there are more than can have panels: the error then tells what that costs.
+/// Breakpoints of the profile, as `xi`, unless there are more than the solver gives panels: then none, and the error tells what that costs.
 fn breaks(problem: &Problem) -> Vec<f64> {
     let mut breaks = problem.profile().breakpoints(problem.frame().half_width());
     if breaks.len() > MOST_BREAKS {

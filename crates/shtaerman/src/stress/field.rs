@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::complex::Complex;
 use super::panel::{Panel, Potential, Seen};
+use super::sampling::Effort;
 use super::{Stress, sampling};
 use crate::Error;
 use crate::error::{finite, require};
@@ -59,6 +60,17 @@ impl StressField {
         poisson_ratio: f64,
         pressure: impl Fn(usize, f64, f64) -> f64,
     ) -> Result<Self, Error> {
+        Self::within(panels, period, poisson_ratio, Effort::FULL, &pressure)
+    }
+
+    /// The same with a given effort.
+    pub(super) fn within(
+        panels: &[[f64; 2]],
+        period: Option<f64>,
+        poisson_ratio: f64,
+        effort: Effort,
+        pressure: &dyn Fn(usize, f64, f64) -> f64,
+    ) -> Result<Self, Error> {
         require(
             poisson_ratio > -1.0 && poisson_ratio <= 0.5,
             "poisson_ratio",
@@ -66,7 +78,7 @@ impl StressField {
             "greater than -1 and at most 0.5",
         )?;
         check(panels, period)?;
-        let (panels, error) = sampling::resolved(panels, period, &pressure)?;
+        let (panels, error) = sampling::resolved(panels, period, effort, pressure)?;
         let shortest = panels.iter().map(Panel::length).fold(f64::INFINITY, f64::min);
         Ok(Self { panels, period, poisson_ratio, units: [1.0; 2], shortest, error })
     }
@@ -156,15 +168,15 @@ impl StressField {
     pub(super) fn stress0(&self, x: f64, depth: f64) -> Stress {
         if depth == 0.0 {
             let pressure = self.surface(x);
-            return self.from_parts([-2.0 * pressure, 0.0, 0.0]);
+            return self.assembled([-2.0 * pressure, 0.0, 0.0]);
         }
         let depth = depth.max(LEAST_DEPTH * self.shortest);
         let potential = self.potential::<false>(x, depth);
-        self.from_parts(parts(&potential, depth))
+        self.assembled(parts(&potential, depth))
     }
 
     /// From `sigma_x + sigma_y`, `sigma_x - sigma_y` and `tau_xy`.
-    fn from_parts(&self, [sum, difference, shear]: [f64; 3]) -> Stress {
+    fn assembled(&self, [sum, difference, shear]: [f64; 3]) -> Stress {
         Stress {
             sigma_x: 0.5 * (sum + difference),
             sigma_y: 0.5 * (sum - difference),

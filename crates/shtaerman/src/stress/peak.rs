@@ -19,6 +19,10 @@ const STRIDE: f64 = 1.0;
 const ANGLES: usize = 14;
 /// Steps of the pressure that are one step of the grid.
 const STEPS: f64 = 3.4;
+const LEAST_STRIDE: f64 = 0.2;
+/// More panels than these are searched zone by zone, and more zones coarsely.
+const FEW: usize = 8;
+const COARSE: f64 = 2.0;
 /// Local maxima below this share of the best are not refined, nor more than this many.
 const WORTHWHILE: f64 = 0.9;
 const MOST_REFINED: usize = 24;
@@ -72,9 +76,8 @@ impl StressField {
 
     fn inner_peaks(&self, criterion: Criterion) -> Vec<Peak> {
         let mut found: Vec<([f64; 2], f64)> = Vec::new();
-        for panel in self.inner() {
-            let stride = (STEPS * panel.step()).min(STRIDE);
-            found.extend(self.grid_maxima(criterion, [panel.left, panel.right], stride));
+        for (interval, stride) in self.searched() {
+            found.extend(self.grid_maxima(criterion, interval, stride));
         }
         if let [first, .., last] = self.inner() {
             found.extend(self.grid_maxima(criterion, [first.left, last.right], 0.5 * STRIDE));
@@ -91,6 +94,24 @@ impl StressField {
             found.into_iter().map(|(place, value)| self.refined(criterion, place, value)).collect();
         peaks.sort_by(|one, two| one.x.total_cmp(&two.x));
         peaks
+    }
+
+    /// The intervals over which maxima are looked for, with the step of each grid.
+    fn searched(&self) -> Vec<([f64; 2], f64)> {
+        let panels = self.inner();
+        if panels.len() <= FEW {
+            let of_panel = |panel: &Panel| ([panel.left, panel.right], stride(panel));
+            return panels.iter().map(of_panel).collect();
+        }
+        let mut zones: Vec<[f64; 2]> = Vec::new();
+        for panel in panels {
+            match zones.last_mut() {
+                Some(last) if last[1] == panel.left => last[1] = panel.right,
+                _ => zones.push([panel.left, panel.right]),
+            }
+        }
+        let stride = if zones.len() <= FEW { LEAST_STRIDE } else { COARSE };
+        zones.into_iter().map(|zone| (zone, stride)).collect()
     }
 
     /// The points of a grid over an interval that exceed their neighbours.
@@ -191,7 +212,7 @@ impl StressField {
             ];
             let mut step = ascent(hessian, gradient);
             let size = step[0].hypot(step[1]);
-            if !(size > SETTLED * reach) {
+            if size.is_nan() || size <= SETTLED * reach {
                 break;
             }
             let most = 0.3 * reach.min(place[1]);
@@ -223,7 +244,7 @@ impl StressField {
         let factor = criterion.of_parts(2.0, 0.0, self.poisson_ratio());
         let mut peaks = Vec::new();
         for panel in self.inner() {
-            let stride = (STEPS * panel.step()).min(STRIDE);
+            let stride = stride(panel);
             let count = (OUTERMOST / stride) as i64;
             let place = |index: i64| {
                 bipolar(panel.left, panel.right, Complex::new(index as f64 * stride, 0.0))[0]
@@ -245,7 +266,7 @@ impl StressField {
     fn level(&self, panel: &Panel, mut left: f64, mut right: f64) -> Option<f64> {
         let slope = |x: f64| panel.potential::<false>(panel.seen(x, 0.0))[1].im;
         let at_left = slope(left);
-        if !(at_left * slope(right) < 0.0) {
+        if at_left * slope(right) >= 0.0 {
             return None;
         }
         for _ in 0..80 {
@@ -286,6 +307,11 @@ impl StressField {
             last.1[1] = first.1[1];
         }
     }
+}
+
+/// Step of a grid that shows what the pressure of a panel does.
+fn stride(panel: &Panel) -> f64 {
+    (STEPS * panel.step()).clamp(LEAST_STRIDE, STRIDE)
 }
 
 /// The largest limit over all directions.

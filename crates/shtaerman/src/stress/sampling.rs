@@ -11,8 +11,20 @@ const AIM: f64 = 2e-14;
 const STAGNANT: f64 = 1e-8;
 /// A difference that does not fall to this share has stopped to fall.
 const FALL: f64 = 0.5;
-/// Most nodes of a panel.
-const MOST_NODES: usize = 16_384;
+/// How far sampling goes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Effort {
+    /// An error that is small enough.
+    pub(super) enough: f64,
+    /// Most nodes of one panel, and most of all together unless each has its first.
+    pub(super) most: usize,
+}
+
+impl Effort {
+    /// As far as it leads.
+    pub(super) const FULL: Self = Self { enough: 0.0, most: 16_384 };
+}
+
 /// Test points: as far out, and how many along and up.
 const OUTERMOST: f64 = 30.0;
 const ALONG: usize = 24;
@@ -24,6 +36,7 @@ type Pressure<'f> = &'f dyn Fn(usize, f64, f64) -> f64;
 pub(super) fn resolved(
     panels: &[[f64; 2]],
     period: Option<f64>,
+    effort: Effort,
     pressure: Pressure<'_>,
 ) -> Result<(Vec<Panel>, f64), Error> {
     let sample = |index: usize, step: f64| {
@@ -38,8 +51,10 @@ pub(super) fn resolved(
     }
     let mut error = 0.0;
     if mean > 0.0 {
+        let most = effort.most / panels.len();
+        let aim = AIM.max(effort.enough / (mean * panels.len() as f64));
         for (index, panel) in sampled.iter_mut().enumerate() {
-            error += refine(panel, mean, |step| sample(index, step))?;
+            error += refine(panel, [mean, aim], most, |step| sample(index, step))?;
         }
     }
     Ok((sampled, error * mean))
@@ -48,11 +63,12 @@ pub(super) fn resolved(
 /// Halves the step until two sets of nodes agree; the difference that is left.
 fn refine(
     panel: &mut Panel,
-    scale: f64,
+    [scale, aim]: [f64; 2],
+    most: usize,
     sample: impl Fn(f64) -> Result<Panel, Error>,
 ) -> Result<f64, Error> {
     let mut error = difference(panel, scale);
-    while error > AIM && 2 * panel.nodes() <= MOST_NODES {
+    while error > aim && 2 * panel.nodes() <= most {
         let finer = sample(0.5 * panel.step())?;
         let left = difference(&finer, scale);
         let stopped = left > FALL * error && error < STAGNANT;

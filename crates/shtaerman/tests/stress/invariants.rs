@@ -120,7 +120,7 @@ fn an_unsymmetric_pressure_agrees_with_high_precision() {
     }
 }
 
-#[expect(clippy::type_complexity, reason = "a table")]
+#[expect(clippy::excessive_precision, reason = "as mpmath prints them")]
 const REFERENCES: [([f64; 2], [f64; 3]); 7] = [
     ([0.3, 0.001], [-1.609_246_193_271_752_7, -1.612_682_672_986_520_6, 0.001_109_782_515_758_25]),
     (
