@@ -68,8 +68,12 @@ fn refine(
     sample: impl Fn(f64) -> Result<Panel, Error>,
 ) -> Result<f64, Error> {
     let mut error = difference(panel, scale);
-    while error > aim && 2 * panel.nodes() <= most {
-        let finer = sample(0.5 * panel.step())?;
+    let (mut step, mut nodes) = (panel.step(), panel.nodes());
+    while error > aim && 2 * nodes <= most {
+        // The step falls also where the finer nodes were no better: waves may be missed by several.
+        step *= 0.5;
+        let finer = sample(step)?;
+        nodes = finer.nodes();
         let left = difference(&finer, scale);
         let stopped = left > FALL * error && error < STAGNANT;
         if left < error {
