@@ -134,6 +134,28 @@ pub enum Error {
         penetration: f64,
     },
 
+    /// Stresses below the surface of a body whose stress field is not known.
+    #[error("stresses below the surface are known for the plane, homogeneous half-space only")]
+    NoStresses,
+
+    /// Stresses out of the plane need Poisson's ratio.
+    #[error(
+        "Poisson's ratio is missing: a dimensionless problem has none, and the stress out of the plane needs it"
+    )]
+    NoPoissonRatio,
+
+    /// No load has the yield stress as its largest equivalent stress.
+    #[error(
+        "no load brings the largest equivalent stress to the yield stress {yield_stress}: the nearest is {nearest}; a corner with infinite pressure yields at once, \
+         a profile that is forced into contact may yield without any force"
+    )]
+    NoYield {
+        /// The yield stress.
+        yield_stress: f64,
+        /// The nearest largest stress.
+        nearest: f64,
+    },
+
     /// The right-hand side of an equation is not finite somewhere on the interval.
     #[error("the right-hand side {defect} at x = {at}: it must be finite on the whole interval")]
     RightHandSide {

@@ -47,6 +47,7 @@ pub mod profile;
 pub mod quantity;
 mod roughness;
 mod scaling;
+mod stress;
 
 pub use answer::{
     Answer, Dimensionless, ErrorReport, Errors, MethodReport, Physical, PressureCurve, SCHEMA,
@@ -66,3 +67,4 @@ pub use problem::{ContactKind, MethodChoice, Problem, Solver};
 pub use profile::Profile;
 pub use roughness::{Law, Roughness};
 pub use scaling::Scaling;
+pub use stress::{Criterion, FirstYield, Peak, Stress, StressField};
