@@ -306,5 +306,5 @@ fn estimate(base: &Base<'_>, fine: &Solved, before: &Change, change: &Change) ->
         force: of(!by_force, |c| c.force, force),
         moment: of(!by_moment, |c| c.moment, force),
     };
-    (accuracy, of(true, |c| c.edge, 1.0))
+    (accuracy, of(true, |c| c.edge, 1.0).max(fine.edge_rounding()))
 }
