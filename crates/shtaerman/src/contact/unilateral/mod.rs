@@ -32,6 +32,11 @@ const ALLOWED: f64 = 1e-10;
 const DOUBTFUL: f64 = 1e-2;
 /// Most nodes on either side of the middle of a panel while zones are looked for.
 const MOST_HALF_COUNT: f64 = 300.0;
+/// A violation that changes by less than this share is the same again.
+const SAME: f64 = 1e-2;
+/// How zones that vanished are narrowed for the next attempt, and how often: then more cells are tried.
+const NARROWER: f64 = 0.2;
+const NARROWEST: f64 = 1e-4;
 /// Corrections of the topology by the check, for each number of cells.
 const CORRECTIONS: usize = 16;
 /// Numbers of cells, each four times the one before.
@@ -92,64 +97,118 @@ impl Problem {
 
 /// The answer, with its zones corrected where the finest nodes show what the first did not.
 fn complementary(base: &Base<'_>) -> Result<UnilateralContact, Error> {
-    let (mut zones, mut start) = find_zones(base)?;
+    let (mut coarse, mut start) = find_zones(base)?;
     for _ in 0..CORRECTIONS {
-        let (solved, accuracy, edge) = refined(base, &zones, start)?;
+        let (solved, accuracy, edge) = refined(base, coarse, start)?;
         let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
         let left = check(base, &solved, ALLOWED.max(2.0 * noise));
-        if left.pulling.is_empty() && left.penetrating.is_empty() {
+        if left.is_clean() {
             return UnilateralContact::new(base, solved, accuracy, edge, &left);
         }
-        zones = corrected(&solved.zones, &left.pulling, &left.penetrating);
-        start = strength(base, &zones);
+        let zones = corrected(&solved.zones, &left.pulling, &left.penetrating(1.0));
         if zones.is_empty() {
             break;
         }
+        start = strength(base, &zones);
+        (coarse, _) = edges::settle(base, &Resolution::new(half_count(start, -1))?, &zones)?;
     }
     Err(Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN })
 }
 
-/// The zones at a first number of nodes on either side of the middle of a panel, and that number.
-fn find_zones(base: &Base<'_>) -> Result<(Vec<Zone>, f64), Error> {
+/// The answer on few nodes, and the number on either side of the middle of a panel to go on with.
+fn find_zones(base: &Base<'_>) -> Result<(Solved, f64), Error> {
     let mut last = None;
     for power in 0..TOPOLOGIES {
-        let cells = base.cells() * 4usize.pow(power as u32);
-        let mut zones = topology::find(base, cells)?;
-        let mut start = strength(base, &zones);
-        let mut resolution = Resolution::new(half_count(start, -1))?;
-        let mut before = f64::INFINITY;
-        for _ in 0..CORRECTIONS {
-            if zones.is_empty() {
-                break;
-            }
-            let wanted = strength(base, &zones);
-            if wanted > start {
-                start = wanted;
-                resolution = Resolution::new(half_count(start, -1))?;
-            }
-            let (solved, _) = edges::settle(base, &resolution, &zones)?;
-            let Check { pulling, penetrating, tension, penetration } =
-                check(base, &solved, COARSELY_ALLOWED);
-            if pulling.is_empty() && penetrating.is_empty() {
-                return Ok((solved.zones, start));
-            }
-            last = Some([tension, penetration]);
-            let worst = tension.max(penetration);
-            let room = MOST_NODES as f64 / (2.0 * solved.panels.len() as f64);
-            let finer = (start * RATIO).min(MOST_HALF_COUNT).min(room);
-            // Too few nodes show tension where there is none: more of them tell.
-            if worst < DOUBTFUL && worst < 0.3 * before && finer > start {
-                (start, before) = (finer, worst);
-                resolution = Resolution::new(half_count(start, -1))?;
-                zones = solved.zones;
-            } else {
-                before = f64::INFINITY;
-                zones = corrected(&solved.zones, &pulling, &penetrating);
-            }
+        let zones = topology::find(base, base.cells() * 4usize.pow(power as u32))?;
+        match corrected_zones(base, zones)? {
+            Attempt::Found(solved, start) => return Ok((*solved, start)),
+            Attempt::Left(violation) => last = violation.or(last),
         }
     }
     let [tension, penetration] = last.unwrap_or([f64::NAN; 2]);
     Err(Error::NotComplementary { tension, penetration })
+}
+
+/// What becomes of zones that the check between the nodes corrects.
+enum Attempt {
+    Found(Box<Solved>, f64),
+    /// Tension and penetration that are left.
+    Left(Option<[f64; 2]>),
+}
+
+fn corrected_zones(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Attempt, Error> {
+    let mut start = strength(base, &zones);
+    let mut resolution = Resolution::new(half_count(start, -1))?;
+    let mut progress = Progress::new();
+    let mut left = None;
+    for _ in 0..CORRECTIONS {
+        if zones.is_empty() {
+            break;
+        }
+        let wanted = strength(base, &zones);
+        if wanted > start {
+            start = wanted;
+            resolution = Resolution::new(half_count(start, -1))?;
+        }
+        let (solved, _) = edges::settle(base, &resolution, &zones)?;
+        let check = check(base, &solved, COARSELY_ALLOWED);
+        if check.is_clean() {
+            return Ok(Attempt::Found(Box::new(solved), start));
+        }
+        left = Some([check.tension, check.penetration]);
+        let room = MOST_NODES as f64 / (2.0 * solved.panels.len() as f64);
+        let finer = (start * RATIO).min(MOST_HALF_COUNT).min(room);
+        match progress.next(&check, finer > start) {
+            Step::Finer => {
+                start = finer;
+                resolution = Resolution::new(half_count(start, -1))?;
+                zones = solved.zones;
+            }
+            Step::Correct(width) => {
+                zones = corrected(&solved.zones, &check.pulling, &check.penetrating(width));
+            }
+            Step::GiveUp => break,
+        }
+    }
+    Ok(Attempt::Left(left))
+}
+
+/// How corrections get on.
+struct Progress {
+    /// The violation on fewer nodes, infinite after a correction.
+    before: f64,
+    /// The violation that was corrected last.
+    corrected: f64,
+    /// Width of the zones that are put where the base penetrates, as a share of the interval where it does.
+    width: f64,
+}
+
+enum Step {
+    Finer,
+    Correct(f64),
+    GiveUp,
+}
+
+impl Progress {
+    fn new() -> Self {
+        Self { before: f64::INFINITY, corrected: f64::INFINITY, width: 1.0 }
+    }
+
+    /// Too few nodes show tension where there is none, and more of them tell; a zone that came in too wide pulled and vanished again.
+    fn next(&mut self, check: &Check, can_be_finer: bool) -> Step {
+        let worst = check.tension.max(check.penetration);
+        let is_same = (worst - self.corrected).abs() <= SAME * self.corrected;
+        let vanished = is_same && !check.penetrating(1.0).is_empty();
+        let doubtful = worst < DOUBTFUL && (is_same || worst < 0.3 * self.before);
+        if doubtful && !vanished && can_be_finer {
+            self.before = worst;
+            return Step::Finer;
+        }
+        self.width = if vanished { NARROWER * self.width } else { 1.0 };
+        self.before = f64::INFINITY;
+        self.corrected = worst;
+        if self.width < NARROWEST { Step::GiveUp } else { Step::Correct(self.width) }
+    }
 }
 
 /// Nodes on either side of the middle of a panel that are about right for the longest panel.
@@ -165,18 +224,17 @@ fn half_count(start: f64, power: i32) -> usize {
     ((start * RATIO.powi(power)).round() as usize).max(8)
 }
 
-/// The answer on growing numbers of nodes.
-fn refined(base: &Base<'_>, zones: &[Zone], start: f64) -> Result<(Solved, Accuracy, f64), Error> {
+/// The answer on growing numbers of nodes, from the one on the first.
+fn refined(base: &Base<'_>, coarse: Solved, start: f64) -> Result<(Solved, Accuracy, f64), Error> {
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
     let level = |zones: &[Zone], power: i32| {
         let resolution = Resolution::new(half_count(start, power))?;
         edges::settle(base, &resolution, zones).map(|(solved, _)| solved)
     };
-    let coarse = level(zones, -2)?;
-    let mut fine = level(&coarse.zones, -1)?;
+    let mut fine = level(&coarse.zones, 0)?;
     let mut before = difference(base, &fine, &coarse);
     let mut best: Option<(Solved, Accuracy, f64)> = None;
-    for power in 0.. {
+    for power in 1.. {
         let finer = level(&fine.zones, power)?;
         let change = difference(base, &finer, &fine);
         let (accuracy, edge) = estimate(base, &finer, &before, &change);
