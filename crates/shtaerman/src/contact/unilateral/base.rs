@@ -109,6 +109,8 @@ impl<'p> Base<'p> {
             (Rotational::Eccentricity(e), Rotational::Eccentricity(value)) if e.abs() >= 1.0 => {
                 Err(Error::TipsOver { field: "eccentricity", value, limit: half_width, name: "a" })
             }
+            // A force may act there under a tilt that does not keep clear.
+            (Rotational::Eccentricity(e), _) if e != 0.0 => Ok(()),
             _ if self.touches_nowhere() => Err(Error::NoContact),
             _ => Ok(()),
         }
@@ -122,7 +124,7 @@ impl<'p> Base<'p> {
     }
 
     /// Whether the prescribed displacements leave the base clear of the body.
-    fn touches_nowhere(&self) -> bool {
+    pub(super) fn touches_nowhere(&self) -> bool {
         let Vertical::Settlement(settlement) = self.load.vertical else { return false };
         match self.load.rotational {
             Rotational::Tilt(tilt) => {

@@ -5,7 +5,9 @@
 
 mod answer;
 mod base;
+mod cells;
 mod check;
+mod eccentric;
 mod edges;
 mod elimination;
 mod system;
@@ -74,8 +76,8 @@ impl Problem {
     /// # Errors
     /// [`Error::InvalidValue`] for a force that is not positive, [`Error::TipsOver`] for a moment or an eccentricity that no pressure on the base can balance,
     /// [`Error::NoContact`] for displacements that leave the base clear of the body; [`Error::NotComplementary`] when no zones were found;
-    /// [`Error::Equation`] where a settlement and an eccentricity are prescribed together and no set of cells was found: that pair has no least energy, and perhaps no
-    /// solution; [`Error::ProfileNotFinite`]; [`Error::ToleranceNotMet`] when an explicit tolerance is out of reach.
+    /// [`Error::SettlementOutOfReach`] for a settlement that no force at the prescribed eccentricity leads to (where several do, the contact under the least is the
+    /// answer); [`Error::ProfileNotFinite`]; [`Error::ToleranceNotMet`] when an explicit tolerance is out of reach.
     pub fn solve_unilateral(&self) -> Result<UnilateralContact, Error> {
         let base = Base::new(self)?;
         let contact = complementary(&base)?;
