@@ -2,8 +2,8 @@
 
 use crate::Error;
 
-/// Beyond this many widths of the larger cell the midpoints of two cells stand for them.
-const FAR: f64 = 12.0;
+/// Beyond this many widths of the larger cell the midpoints of two cells stand for them. Not a whole number: rounding must not decide for equal cells.
+const FAR: f64 = 12.5;
 
 /// The Galerkin matrix of `ln 1/|x - s|` for functions that are constant on cells, all entries:
 /// `S_ij = (h_i h_j)^(-1/2) int_i int_j ln 1/|x - s| ds dx`.
@@ -43,7 +43,7 @@ pub fn logarithm_cells(boundaries: &[f64]) -> Result<Vec<f64>, Error> {
 }
 
 /// The mean of `ln 1/|x - s|` over `x` in one cell and `s` in another that is the same or lies left of it.
-fn mean_logarithm(left: [f64; 2], right: [f64; 2]) -> f64 {
+pub(super) fn mean_logarithm(left: [f64; 2], right: [f64; 2]) -> f64 {
     let (h, k) = (left[1] - left[0], right[1] - right[0]);
     if left == right {
         return 1.5 - h.ln();
