@@ -1,9 +1,11 @@
 //! The unilateral answer.
 
 use super::base::Base;
-use super::check::Check;
+use super::fine::Fine;
 use super::system::Solved;
+use super::zones::Zone;
 use crate::contact::accuracy::Accuracy;
+use crate::contact::balance::State;
 use crate::contact::solved::Stiffness;
 use crate::{Error, Problem, Scaling};
 
@@ -22,22 +24,78 @@ pub struct Complementarity {
 #[derive(Debug, Clone)]
 pub struct UnilateralContact {
     problem: Problem,
-    solved: Solved,
+    solved: Surface,
     accuracy: Accuracy,
     edge_error: f64,
     complementarity: Complementarity,
 }
 
+/// The solution on zones or on cells.
+#[derive(Debug, Clone)]
+pub(super) enum Surface {
+    Collocated(Box<Solved>),
+    Cells(Box<Fine>),
+}
+
+impl Surface {
+    fn zones(&self) -> &[Zone] {
+        match self {
+            Self::Collocated(solved) => &solved.zones,
+            Self::Cells(fine) => &fine.zones,
+        }
+    }
+
+    fn state(&self) -> &State {
+        match self {
+            Self::Collocated(solved) => &solved.state,
+            Self::Cells(fine) => &fine.state,
+        }
+    }
+
+    fn stiffness(&self) -> Stiffness {
+        match self {
+            Self::Collocated(solved) => solved.stiffness,
+            Self::Cells(fine) => fine.stiffness,
+        }
+    }
+
+    fn largest(&self) -> f64 {
+        match self {
+            Self::Collocated(solved) => solved.largest(),
+            Self::Cells(fine) => fine.largest(),
+        }
+    }
+
+    fn nodes(&self) -> usize {
+        match self {
+            Self::Collocated(solved) => solved.positions.len(),
+            Self::Cells(fine) => fine.count(),
+        }
+    }
+
+    fn pressure_at(&self, xi: f64, height: f64) -> f64 {
+        match self {
+            Self::Collocated(solved) => solved.pressure_at(xi, height),
+            Self::Cells(fine) => fine.pressure_at(xi, height),
+        }
+    }
+
+    fn displacement_outside(&self, xi: f64) -> f64 {
+        match self {
+            Self::Collocated(solved) => solved.displacement_outside(xi),
+            Self::Cells(fine) => fine.displacement(xi),
+        }
+    }
+}
+
 impl UnilateralContact {
     pub(super) fn new(
         base: &Base<'_>,
-        solved: Solved,
+        solved: Surface,
         accuracy: Accuracy,
         edge_error: f64,
-        check: &Check,
+        complementarity: Complementarity,
     ) -> Result<Self, Error> {
-        let complementarity =
-            Complementarity { tension: check.tension, penetration: check.penetration };
         let problem = base.problem.clone();
         let contact = Self { problem, solved, accuracy, edge_error, complementarity };
         for (quantity, value) in [
@@ -70,31 +128,31 @@ impl UnilateralContact {
     /// `P0 = P/(a E)`; where it is prescribed, as given.
     #[must_use]
     pub fn force0(&self) -> f64 {
-        self.solved.state.force
+        self.solved.state().force
     }
 
     /// `M0 = M/(a^2 E)`; where it is prescribed, as given.
     #[must_use]
     pub fn moment0(&self) -> f64 {
-        self.solved.state.moment
+        self.solved.state().moment
     }
 
     /// `delta0 = delta/(chi E)` in the gauge `ln(a/|x-s|)` with the half-width `a` of the punch, also where the zones are smaller.
     #[must_use]
     pub fn settlement0(&self) -> f64 {
-        self.solved.state.settlement
+        self.solved.state().settlement
     }
 
     /// `alpha0 = a alpha/(chi E)`.
     #[must_use]
     pub fn tilt0(&self) -> f64 {
-        self.solved.state.tilt
+        self.solved.state().tilt
     }
 
     /// The zones of contact from left to right, `[left, right]` in `xi`.
     #[must_use]
     pub fn edges0(&self) -> Vec<[f64; 2]> {
-        self.solved.zones.iter().map(|zone| [zone.left(), zone.right()]).collect()
+        self.solved.zones().iter().map(|zone| [zone.left(), zone.right()]).collect()
     }
 
     /// The zones of contact in the units of the problem.
@@ -109,7 +167,7 @@ impl UnilateralContact {
     pub fn pressure0(&self, xi: f64) -> f64 {
         let xi = xi.clamp(-1.0, 1.0);
         let inside = |left: f64, right: f64| left <= xi && xi <= right;
-        let Some(zone) = self.solved.zones.iter().find(|zone| inside(zone.left(), zone.right()))
+        let Some(zone) = self.solved.zones().iter().find(|zone| inside(zone.left(), zone.right()))
         else {
             return if xi.is_nan() { xi } else { 0.0 };
         };
@@ -146,7 +204,7 @@ impl UnilateralContact {
     #[must_use]
     pub fn elastic_displacement0(&self, xi: f64) -> f64 {
         let touches = |left: f64, right: f64| left <= xi && xi <= right;
-        if self.solved.zones.iter().any(|zone| touches(zone.left(), zone.right())) {
+        if self.solved.zones().iter().any(|zone| touches(zone.left(), zone.right())) {
             // Of the equation itself: the pressure without the profile, with the sign turned.
             let depth = self.settlement0() - self.tilt0() * xi;
             return depth - self.solved.pressure_at(xi, 0.0);
@@ -160,7 +218,7 @@ impl UnilateralContact {
     pub fn gap0(&self, xi: f64) -> f64 {
         let xi = xi.clamp(-1.0, 1.0);
         let touches = |left: f64, right: f64| left <= xi && xi <= right;
-        if self.solved.zones.iter().any(|zone| touches(zone.left(), zone.right())) {
+        if self.solved.zones().iter().any(|zone| touches(zone.left(), zone.right())) {
             return 0.0;
         }
         let depth = self.settlement0() - self.tilt0() * xi - self.problem.dimensionless_profile(xi);
@@ -170,7 +228,7 @@ impl UnilateralContact {
     /// The tangent stiffness without dimensions. Edges that move add nothing of first order, as the pressure vanishes there.
     #[must_use]
     pub fn stiffness0(&self) -> Stiffness {
-        self.solved.stiffness
+        self.solved.stiffness()
     }
 
     /// What is left of tension and penetration.
@@ -191,16 +249,25 @@ impl UnilateralContact {
         self.edge_error
     }
 
-    /// Number of nodes in all zones.
+    /// `sinc`, or `cells` for profiles of thousands of points and contacts in very many zones.
+    #[must_use]
+    pub fn method(&self) -> &'static str {
+        match self.solved {
+            Surface::Collocated(_) => "sinc",
+            Surface::Cells(_) => "cells",
+        }
+    }
+
+    /// Number of nodes in all zones, or of cells of the base.
     #[must_use]
     pub fn nodes(&self) -> usize {
-        self.solved.positions.len()
+        self.solved.nodes()
     }
 
     /// The largest estimated error relative to its size.
     #[must_use]
     pub fn relative_error(&self) -> f64 {
-        self.accuracy.relative(&self.solved.state.sizes(self.solved.largest()))
+        self.accuracy.relative(&self.solved.state().sizes(self.solved.largest()))
     }
 
     fn scale(&self, unit: impl Fn(&Scaling) -> f64) -> f64 {

@@ -51,6 +51,13 @@ impl<'p> Base<'p> {
         self.problem.dimensionless_profile(xi)
     }
 
+    /// Simpson's mean of the profile over a cell, from inside it.
+    pub(super) fn mean_height(&self, centre: f64, half: f64) -> f64 {
+        let inside = half * (1.0 - 1e-6);
+        let at = |side: f64| self.height(centre + side * inside);
+        (at(-1.0) + 4.0 * at(0.0) + at(1.0)) / 6.0
+    }
+
     /// The next wall for a left (0) or right (1) edge outwards of a place inside the contact.
     pub(super) fn wall(&self, side: usize, inside: f64) -> f64 {
         let walls = self.walls[side].iter().copied();

@@ -65,8 +65,9 @@ impl Cells {
         let ones = weighted(&|_| 1.0);
         let lever = weighted(&|x| x);
         let negative = weighted(&|x| -x);
-        let mut right: Vec<f64> =
-            (0..self.count()).map(|i| -roots[i] * self.mean_height(base, i)).collect();
+        let mut right: Vec<f64> = (0..self.count())
+            .map(|i| -roots[i] * base.mean_height(centres[i], 0.5 * self.width(i)))
+            .collect();
         let mut add = |column: &[f64], by: f64| {
             right.iter_mut().zip(column).for_each(|(value, c)| *value += by * c);
         };
@@ -99,13 +100,6 @@ impl Cells {
         let solution = matrix.solve(&right, &conditions, &self.carrying, &feasible)?;
         self.carrying = solution.values.iter().map(|z| *z > 0.0).collect();
         Ok(solution)
-    }
-
-    /// Simpson's mean of the profile over a cell, from inside it.
-    fn mean_height(&self, base: &Base<'_>, i: usize) -> f64 {
-        let inside = 0.5 * self.width(i) * (1.0 - 1e-6);
-        let at = |side: f64| base.height(self.centre(i) + side * inside);
-        (at(-1.0) + 4.0 * at(0.0) + at(1.0)) / 6.0
     }
 
     /// A pressure that is not negative and meets the conditions, times the roots of the widths.

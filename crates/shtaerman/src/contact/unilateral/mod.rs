@@ -10,6 +10,7 @@ mod check;
 mod eccentric;
 mod edges;
 mod elimination;
+mod fine;
 mod system;
 mod topology;
 mod zones;
@@ -22,6 +23,7 @@ use super::accuracy::{Accuracy, ErrorKind};
 use super::plan::AIM;
 use super::potential::between_nodes;
 use crate::{Error, Load, Problem, Rotational, Vertical};
+use answer::Surface;
 use base::Base;
 use check::{Check, check};
 use system::{Resolution, Solved};
@@ -80,13 +82,13 @@ impl Problem {
     /// answer); [`Error::ProfileNotFinite`]; [`Error::ToleranceNotMet`] when an explicit tolerance is out of reach.
     pub fn solve_unilateral(&self) -> Result<UnilateralContact, Error> {
         let base = Base::new(self)?;
-        let contact = complementary(&base)?;
+        let contact = contact(&base)?;
         match self.solver().tolerance {
             Some(tolerance) if contact.relative_error() > tolerance => {
                 Err(Error::ToleranceNotMet {
                     tolerance,
                     reached: contact.relative_error(),
-                    method: "sinc",
+                    method: contact.method(),
                     n: contact.nodes(),
                     settlement0: contact.settlement0(),
                     tilt0: contact.tilt0(),
@@ -94,6 +96,21 @@ impl Problem {
             }
             _ => Ok(contact),
         }
+    }
+}
+
+/// The answer by the method that suits the profile, or by the other.
+fn contact(base: &Base<'_>) -> Result<UnilateralContact, Error> {
+    if fine::suits(base)
+        && let Some(contact) = fine::solve(base)?
+    {
+        return Ok(contact);
+    }
+    match complementary(base) {
+        Err(error @ (Error::NotComplementary { .. } | Error::Equation(_))) => {
+            fine::solve(base)?.ok_or(error)
+        }
+        ending => ending,
     }
 }
 
@@ -105,7 +122,10 @@ fn complementary(base: &Base<'_>) -> Result<UnilateralContact, Error> {
         let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
         let left = check(base, &solved, ALLOWED.max(2.0 * noise));
         if left.is_clean() {
-            return UnilateralContact::new(base, solved, accuracy, edge, &left);
+            let complementarity =
+                Complementarity { tension: left.tension, penetration: left.penetration };
+            let surface = Surface::Collocated(Box::new(solved));
+            return UnilateralContact::new(base, surface, accuracy, edge, complementarity);
         }
         let zones = corrected(&solved.zones, &left.pulling, &left.penetrating(1.0));
         if zones.is_empty() {
