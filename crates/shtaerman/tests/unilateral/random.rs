@@ -110,8 +110,8 @@ fn out_of_reach(problem: &Problem, load: &Load) -> bool {
     };
     let unit = (settlement.abs() + problem.dimensionless_profile(1.0).abs())
         / (1.0 + problem.frame().theta0());
-    (-24..=16).all(|power| {
-        let load = Load::new(Vertical::Force(unit * 2f64.powi(power)), rotational);
+    (-12..=8).all(|power| {
+        let load = Load::new(Vertical::Force(unit * 4f64.powi(power)), rotational);
         let (frame, profile) = (problem.frame().clone(), problem.profile().clone());
         load.and_then(|load| Problem::new(frame, profile, load, Solver::default()))
             .and_then(|problem| problem.solve_unilateral())

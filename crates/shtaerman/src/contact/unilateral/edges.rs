@@ -1,6 +1,7 @@
 //! The edges of the contact to full precision.
 
 use super::base::Base;
+use super::damping::Damping;
 use super::system::{Resolution, Solved};
 use super::zones::{End, Zone};
 use crate::Error;
@@ -9,8 +10,10 @@ use crate::Error;
 const STEPS: usize = 40;
 /// A pressure at a free edge below this share of the largest is as good as none, if it does not fall any more.
 const SMALL: f64 = 1e-9;
-/// Share of a zone, or of a gap, that an edge may cross in one step.
+/// Share of a zone that an edge may cross in one step.
 const STRIDE: f64 = 0.4;
+/// Share of a gap that each of its edges may cross: a step too far must leave something to come back to.
+const APPROACH: f64 = 0.45;
 /// Zones shorter than this share of the longest are none.
 const VANISHING: f64 = 1e-9;
 /// Zones closer than this share of the shorter one are one.
@@ -25,6 +28,7 @@ pub(super) fn settle(
 ) -> Result<(Solved, usize), Error> {
     let mut zones = start.to_vec();
     let mut best: Option<(f64, Solved)> = None;
+    let mut damping = Damping::default();
     for iterations in 1..=STEPS {
         let (mut solved, mut steps) = Solved::new(base, resolution, &zones, true)?;
         let vanished: Vec<bool> = (0..zones.len())
@@ -60,7 +64,7 @@ pub(super) fn settle(
         if still {
             return Ok((solved, iterations));
         }
-        zones = moved(base, &zones, &steps);
+        zones = moved(base, &zones, &damping.damped(steps));
         best = small.then_some((worst, solved));
     }
     let (solved, _) = Solved::new(base, resolution, &zones, false)?;
@@ -105,7 +109,7 @@ fn moved(base: &Base<'_>, zones: &[Zone], steps: &[f64]) -> Vec<Zone> {
                 0 => k.checked_sub(1).map(|before| at - zones[before].right()),
                 _ => zones.get(k + 1).map(|next| next.left() - at),
             };
-            let room = neighbour.map_or(f64::INFINITY, |gap| 0.5 * gap);
+            let room = neighbour.map_or(f64::INFINITY, |gap| APPROACH * gap);
             let outward = if side == 0 { -steps[2 * k] } else { steps[2 * k + 1] };
             let outward = outward.clamp(-STRIDE * length, room.min(length.max(1e-3)));
             let to = if side == 0 { at - outward } else { at + outward };

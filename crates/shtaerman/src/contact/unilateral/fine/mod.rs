@@ -13,6 +13,7 @@ use fredholm::complementarity::{CellCondition, CellSolution, EqualCells};
 
 use super::answer::{Complementarity, Surface, UnilateralContact};
 use super::base::Base;
+use super::zones::Zone;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::solved::Stiffness;
@@ -25,7 +26,8 @@ const FEWEST: usize = 16384;
 const MOST: usize = 65536;
 /// Numbers of cells on the way, as divisors of the last.
 const LADDER: [usize; 5] = [64, 16, 4, 2, 1];
-/// Largest `theta0 h`: beyond it a cell is wider than the layer in which the pressure changes at a corner.
+/// Largest `theta0 h`, as wanted and at most: beyond it a cell is wider than the layer in which the pressure changes at a corner.
+const STIFF: f64 = 0.25;
 const STIFFEST: f64 = 1.0;
 /// Answers with larger relative errors are none.
 const ROUGHEST: f64 = 0.05;
@@ -37,8 +39,24 @@ pub(super) fn suits(base: &Base<'_>) -> bool {
 
 /// The answer on cells; `None` where cells do not serve: for a settlement with an eccentricity, a layer too thin for them, an error too large.
 pub(super) fn solve(base: &Base<'_>) -> Result<Option<UnilateralContact>, Error> {
+    let Some([coarse, fine]) = levels(base)? else { return Ok(None) };
+    let (accuracy, edge) = estimate(base, &fine, &coarse);
+    let complementarity = checked(base, &fine);
+    let surface = Surface::Cells(Box::new(fine));
+    let contact = UnilateralContact::new(base, surface, accuracy, edge, complementarity)?;
+    Ok((contact.relative_error() <= ROUGHEST).then_some(contact))
+}
+
+/// The zones alone, where cells serve.
+pub(super) fn zones(base: &Base<'_>) -> Result<Option<Vec<Zone>>, Error> {
+    Ok(levels(base)?.map(|[_, fine]| fine.zones))
+}
+
+/// The contact on half the cells and on all.
+fn levels(base: &Base<'_>) -> Result<Option<[Fine; 2]>, Error> {
     let points = base.problem.profile().measured_points().unwrap_or(0);
-    let count = (4 * points).next_power_of_two().clamp(FEWEST, MOST);
+    let stiff = (2.0 * base.theta / STIFF) as usize;
+    let count = (4 * points).max(stiff.min(MOST)).next_power_of_two().clamp(FEWEST, MOST);
     if is_eccentric(base) || base.theta * 2.0 / count as f64 > STIFFEST {
         return Ok(None);
     }
@@ -46,21 +64,15 @@ pub(super) fn solve(base: &Base<'_>) -> Result<Option<UnilateralContact>, Error>
     let mut known: Option<CellSolution> = None;
     for divisor in LADDER {
         let level = Level::new(base, count / divisor)?;
+        // Exchanges that do not end leave the problem to collocation.
         let Ok(solution) = level.solve(known.as_ref()) else { return Ok(None) };
         if divisor <= 2 {
             levels.push(level.surface(&solution)?);
         }
         known = Some(solution);
     }
-    let (Some(fine), Some(coarse)) = (levels.pop(), levels.pop()) else { return Ok(None) };
-    if fine.zones.is_empty() {
-        return Ok(None);
-    }
-    let (accuracy, edge) = estimate(base, &fine, &coarse);
-    let complementarity = checked(base, &fine);
-    let surface = Surface::Cells(Box::new(fine));
-    let contact = UnilateralContact::new(base, surface, accuracy, edge, complementarity)?;
-    Ok((contact.relative_error() <= ROUGHEST).then_some(contact))
+    let touching = levels.iter().all(|level| !level.zones.is_empty());
+    Ok(<[Fine; 2]>::try_from(levels).ok().filter(|_| touching))
 }
 
 /// A settlement with a force off the middle: no problem of least energy.
@@ -166,10 +178,7 @@ impl<'b, 'p> Level<'b, 'p> {
             coupling: total(&|x| x, &level),
             moment_tilt: total(&|x| x, &tilted),
         };
-        let mut potential = self.cells.potential(&solution.values);
-        potential.iter_mut().for_each(|u| *u *= self.base.theta);
-        let mut fine =
-            Fine::new(self.base.theta, solution.values.clone(), potential, state, stiffness);
+        let mut fine = Fine::new(&self.cells, solution.values.clone(), state, stiffness);
         fine.zones = edges::zones(self.base, &fine);
         Ok(fine)
     }
