@@ -56,7 +56,7 @@ pub(super) fn zones(base: &Base<'_>) -> Result<Option<Vec<Zone>>, Error> {
 fn levels(base: &Base<'_>) -> Result<Option<[Fine; 2]>, Error> {
     let points = base.problem.profile().measured_points().unwrap_or(0);
     let stiff = (2.0 * base.theta / STIFF) as usize;
-    let count = (4 * points).max(stiff.min(MOST)).next_power_of_two().clamp(FEWEST, MOST);
+    let count = (2 * points).max(stiff.min(MOST)).next_power_of_two().clamp(FEWEST, MOST);
     if is_eccentric(base) || base.theta * 2.0 / count as f64 > STIFFEST {
         return Ok(None);
     }
