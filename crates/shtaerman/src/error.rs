@@ -90,6 +90,20 @@ pub enum Error {
         name: &'static str,
     },
 
+    /// No force at the prescribed eccentricity leads to the settlement prescribed.
+    #[error(
+        "settlement = {value}: is out of reach of a force at the eccentricity {eccentricity}: whatever the force, the middle of the punch settles no deeper \
+         than {limit}, as the punch turns; prescribe the force, the tilt or the moment instead, or a smaller eccentricity"
+    )]
+    SettlementOutOfReach {
+        /// The settlement given, SI.
+        value: f64,
+        /// The eccentricity given, SI.
+        eccentricity: f64,
+        /// The largest settlement found, to the accuracy of cells, SI.
+        limit: f64,
+    },
+
     /// The prescribed displacements of a unilateral contact leave the base clear of the body.
     #[error(
         "the punch touches nowhere: under the prescribed settlement and tilt no point of the base lies below the surface; \
