@@ -1,6 +1,7 @@
 //! The edges of the contact to full precision.
 
 use super::base::Base;
+use super::damping::Damping;
 use super::solved::Solved;
 use super::system::Resolution;
 use super::zones::{End, Zone};
@@ -38,6 +39,7 @@ pub(super) fn settle(
     let mut best: Option<(f64, Solved)> = None;
     let mut latest: Option<Solved> = None;
     let mut step: Option<Step> = None;
+    let mut damping = Damping::default();
     for iterations in 1..=STEPS {
         let (mut solved, mut steps) = Solved::new(base, resolution, &zones, true, latest.as_ref())?;
         let vanished: Vec<bool> = (0..zones.len())
@@ -84,6 +86,7 @@ pub(super) fn settle(
         if still {
             return Ok((solved, iterations));
         }
+        let steps = damping.damped(steps);
         let from = std::mem::take(&mut zones);
         zones = moved(base, &from, &steps);
         step = Some(Step { from, steps, before: excess, cuts: 0 });
