@@ -52,8 +52,9 @@ pub use answer::{
     SCHEMA,
 };
 pub use contact::{
-    AIM, Accuracy, Complementarity, Contact, CrossCheck, ErrorKind, Method, Stiffness,
-    UnilateralContact, Warning, WarningCode,
+    AIM, Accuracy, Complementarity, Contact, CrossCheck, Curve, ErrorKind, Method, SmoothContact,
+    SmoothKernel, SmoothProblem, SmoothProfile, SmoothZone, Stiffness, UnilateralContact, Warning,
+    WarningCode,
 };
 pub use convergence::Convergence;
 pub use error::Error;

@@ -1,0 +1,11 @@
+//! Smooth contact against closed forms, an independent quadrature of its equation, and invariants.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+mod conditions;
+mod one_punch;
+mod pair;
+mod periodic;
+mod refusals;
+mod support;
+mod survey;
