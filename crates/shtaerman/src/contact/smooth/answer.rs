@@ -143,6 +143,16 @@ impl SmoothContact {
         self
     }
 
+    /// The same as answer to this settlement.
+    pub(super) fn settled(mut self, settlement: f64) -> Self {
+        let rounding = ROUNDING * self.state.force;
+        let stiffness = self.stiffness0().force_settlement;
+        self.accuracy.force = stiffness * self.accuracy.settlement + rounding;
+        self.accuracy.settlement = 0.0;
+        self.state.settlement = settlement;
+        self
+    }
+
     /// Force on what the turn took below `-1`.
     fn force_before_seam(&self) -> f64 {
         let Solution::Zones(solved) = &self.solution else { return 0.0 };

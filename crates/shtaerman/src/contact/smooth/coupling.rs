@@ -66,7 +66,7 @@ pub(super) fn couple(
     kernel: SmoothKernel,
     zones: &[Zone],
     counts: &[usize],
-    heights: &[&[f64]],
+    heights: &[Vec<f64>],
 ) -> Result<Coupled, Error> {
     let mut offsets = vec![0];
     for count in counts {

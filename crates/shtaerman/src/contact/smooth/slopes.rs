@@ -20,6 +20,8 @@ const RESOLVED: f64 = 3e-16;
 const NOISE: f64 = 1e-11;
 /// A pole so many half-lengths from the middle of a panel is far.
 const FAR: f64 = 4.0;
+/// Panels whose ends differ by less than this share of the largest slope are made to meet: a jump of rounding would be a pole.
+const JOINED: f64 = 1e-9;
 /// Below this the difference of the cotangent and its pole is summed as a series.
 const SERIES: f64 = 0.3;
 
@@ -56,6 +58,13 @@ impl Panel {
             *mass *= half * RULE.weights[i] * values[i];
         }
         Self { start, end, values, coefficients, is_first, masses, squares }
+    }
+
+    /// `g` at both ends.
+    fn ends(&self) -> [f64; 2] {
+        let even: f64 = self.coefficients.iter().step_by(2).sum();
+        let odd: f64 = self.coefficients.iter().skip(1).step_by(2).sum();
+        [even - odd, even + odd]
     }
 
     fn middle(&self) -> f64 {
@@ -163,7 +172,8 @@ impl Slopes {
         for pair in cuts.windows(2) {
             builder.add(pair[0], pair[1], 0, f64::INFINITY);
         }
-        let Builder { panels, sum, worst, .. } = builder;
+        let Builder { mut panels, sum, worst, scale, .. } = builder;
+        join(&mut panels, is_odd, JOINED * scale[1]);
         let largest =
             panels.iter().flat_map(|p| p.values).fold(0.0f64, |most, v| most.max(v.abs()));
         Self { panels, is_odd, mean: sum / (PI - start), error: worst, largest }
@@ -249,6 +259,29 @@ impl Slopes {
             }
         }
         -2.0 / PI * sum
+    }
+}
+
+/// Makes neighbours meet where they nearly do; an odd slope vanishes at both ends.
+fn join(panels: &mut [Panel], is_odd: bool, threshold: f64) {
+    let count = panels.len();
+    let mut changes = vec![[0.0; 2]; count];
+    for i in 0..count {
+        let next = (i + 1) % count;
+        let [last, first] = [panels[i].ends()[1], panels[next].ends()[0]];
+        let is_seam = next == 0;
+        let [to_last, to_first] =
+            if is_seam && is_odd { [0.0; 2] } else { [0.5 * (last + first); 2] };
+        if (last - to_last).abs() <= threshold && (first - to_first).abs() <= threshold {
+            changes[i][1] = to_last - last;
+            changes[next][0] = to_first - first;
+        }
+    }
+    for (panel, [left, right]) in panels.iter_mut().zip(changes) {
+        let mut coefficients = panel.coefficients;
+        coefficients[0] += 0.5 * (left + right);
+        coefficients[1] += 0.5 * (right - left);
+        *panel = Panel::new(panel.start, panel.end, coefficients);
     }
 }
 

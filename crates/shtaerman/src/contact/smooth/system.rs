@@ -17,7 +17,7 @@ use super::slopes::{Angular, Slopes};
 use super::zones::Zone;
 use crate::contact::balance::{Balance, State};
 use crate::contact::solved::Stiffness;
-use crate::{Error, Load, Vertical};
+use crate::{Error, Load, Rotational, Vertical};
 
 /// A place by its distances from the ends of a zone.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -126,9 +126,20 @@ fn cosines(coefficients: &[f64], angle: f64) -> f64 {
 struct OnZone<'b, 'p> {
     base: &'b Base<'p>,
     zone: Zone,
+    /// A slope that is taken away, as it is large where the punch rolls onto a flank.
+    mean: f64,
 }
 
 impl OnZone<'_, '_> {
+    fn mean_slope(&self) -> f64 {
+        let at = |angle: f64| self.position(angle);
+        let mean = match &self.base.problem.profile.slope {
+            Some(slope) => slope(at(FRAC_PI_2)),
+            None => (self.base.height(at(0.0)) - self.base.height(at(PI))) / self.zone.length(),
+        };
+        if mean.is_finite() { mean } else { 0.0 }
+    }
+
     fn position(&self, angle: f64) -> f64 {
         let (sine, cosine) = (0.5 * angle).sin_cos();
         let xi = if angle < FRAC_PI_2 {
@@ -143,12 +154,13 @@ impl OnZone<'_, '_> {
 
 impl Angular for OnZone<'_, '_> {
     fn height(&self, angle: f64) -> f64 {
-        self.base.height(self.position(angle))
+        let level = self.mean * 0.5 * self.zone.length() * angle.cos();
+        self.base.height(self.position(angle)) - level
     }
 
     fn slope(&self, angle: f64) -> Option<f64> {
         let slope = self.base.problem.profile.slope.as_ref()?;
-        Some(-slope(self.position(angle)) * 0.5 * self.zone.length() * angle.sin())
+        Some((self.mean - slope(self.position(angle))) * 0.5 * self.zone.length() * angle.sin())
     }
 }
 
@@ -165,22 +177,26 @@ pub(super) struct Solved {
 impl Solved {
     /// Solves on zones from left to right, with modes for so many `digits`.
     pub(super) fn new(base: &Base<'_>, zones: &[Zone], digits: f64) -> Result<Self, Error> {
-        if zones.iter().any(|zone| zone.length().is_nan() || zone.length() <= 0.0) {
+        if zones.is_empty()
+            || zones.iter().any(|zone| zone.length().is_nan() || zone.length() <= 0.0)
+        {
             return Err(Error::NoContact);
         }
         let kernel = base.problem.kernel;
         let counts = modes(kernel, zones, digits)?;
-        let mut profiles: Vec<(Arc<Slopes>, Vec<f64>)> = (zones.iter().zip(&counts))
-            .map(|(zone, count)| {
-                let slopes = resolved(base, *zone);
-                let coefficients = slopes.coefficients(count - 1);
-                (Arc::new(slopes), coefficients)
-            })
+        let resolved: Vec<(Slopes, f64)> = zones.iter().map(|zone| resolved(base, *zone)).collect();
+        let slopes: Vec<Vec<f64>> = (resolved.iter().zip(&counts))
+            .map(|((slopes, _), count)| slopes.coefficients(count - 1))
             .collect();
-        // Heights about one of them: what is common to all shifts the settlement only.
-        let reference = profiles.first().map_or(0.0, |profile| profile.1[0]);
-        profiles.iter_mut().for_each(|profile| profile.1[0] -= reference);
-        let heights: Vec<&[f64]> = profiles.iter().map(|profile| &profile.1[..]).collect();
+        // About the line of one of them: what is common to all changes settlement and tilt only.
+        let centre = |zone: &Zone| 0.5 * (zone.left() + zone.right());
+        let lean = resolved[0].1;
+        let reference = slopes[0][0] - lean * centre(&zones[0]);
+        let mut heights = slopes.clone();
+        for ((heights, zone), (_, mean)) in heights.iter_mut().zip(zones).zip(&resolved) {
+            heights[0] -= reference + lean * centre(zone);
+            heights[1] += (mean - lean) * 0.5 * zone.length();
+        }
         let Coupled { level, tilted, profile } = couple(kernel, zones, &counts, &heights)?;
         let theta0 = base.problem.theta0;
         let carried = |modes: &[Vec<f64>]| carried(zones, modes).map(|part| part / theta0);
@@ -188,28 +204,27 @@ impl Solved {
         let [_, turn] = carried(&tilted);
         let stiffness = Stiffness { force_settlement: force, coupling, moment_tilt: turn };
         let balance = Balance { stiffness, free: carried(&profile) };
-        let Load { vertical, rotational } = base.problem.load;
-        let vertical = match vertical {
-            Vertical::Settlement(settlement) => Vertical::Settlement(settlement - reference),
-            force @ Vertical::Force(_) => force,
-        };
-        let mut state = balance.state(&Load { vertical, rotational });
+        let mut state = balance.state(&beside_line(base.problem.load, reference, lean));
         if !(state.settlement.is_finite() && state.tilt.is_finite()) {
             let (parameter, smallest) = (theta0, 0.0);
             return Err(Error::Equation(fredholm::Error::Singular { parameter, smallest }));
         }
-        let parts = (0..zones.len())
-            .map(|j| {
+        let parts = (resolved.into_iter().enumerate())
+            .map(|(j, (resolved, _))| {
                 let own = |k: usize| state.settlement * level[j][k] - state.tilt * tilted[j][k];
-                let bent = |k: usize| k as f64 * heights[j][k] / PI;
+                let bent = |k: usize| k as f64 * slopes[j][k] / PI;
                 let modes = (0..counts[j]).map(|k| own(k) - profile[j][k]).collect();
                 let smooth = (0..counts[j]).map(|k| own(k) - (profile[j][k] - bent(k))).collect();
-                Part { zone: zones[j], slopes: Arc::clone(&profiles[j].0), smooth, modes }
+                Part { zone: zones[j], slopes: Arc::new(resolved), smooth, modes }
             })
             .collect();
         state.settlement = match base.problem.load.vertical {
             Vertical::Settlement(settlement) => settlement,
             Vertical::Force(_) => state.settlement + reference,
+        };
+        state.tilt = match base.problem.load.rotational {
+            Rotational::Tilt(tilt) => tilt,
+            Rotational::Moment(_) | Rotational::Eccentricity(_) => state.tilt - lean,
         };
         Ok(Self { parts, kernel, theta0, state, stiffness })
     }
@@ -267,13 +282,30 @@ impl Solved {
     }
 }
 
-fn resolved(base: &Base<'_>, zone: Zone) -> Slopes {
+/// The load of a profile less the line `reference + lean xi`.
+fn beside_line(load: Load, reference: f64, lean: f64) -> Load {
+    let Load { vertical, rotational } = load;
+    let vertical = match vertical {
+        Vertical::Settlement(settlement) => Vertical::Settlement(settlement - reference),
+        force @ Vertical::Force(_) => force,
+    };
+    let rotational = match rotational {
+        Rotational::Tilt(tilt) => Rotational::Tilt(tilt + lean),
+        other @ (Rotational::Moment(_) | Rotational::Eccentricity(_)) => other,
+    };
+    Load { vertical, rotational }
+}
+
+/// The slope of the profile on a zone about its mean, which is returned too.
+fn resolved(base: &Base<'_>, zone: Zone) -> (Slopes, f64) {
     let profile = &base.problem.profile;
     let inside = |at: &&f64| zone.left() < **at && **at < zone.right();
     let angle =
         |at: &f64| Place { from_left: at - zone.left(), from_right: zone.right() - at }.angle();
     let bends: Vec<f64> = profile.breaks.iter().filter(inside).map(angle).collect();
-    Slopes::resolve(&OnZone { base, zone }, &bends, true, profile.tolerance)
+    let mut on_zone = OnZone { base, zone, mean: 0.0 };
+    on_zone.mean = on_zone.mean_slope();
+    (Slopes::resolve(&on_zone, &bends, true, profile.tolerance), on_zone.mean)
 }
 
 /// `theta0` times force and moment.

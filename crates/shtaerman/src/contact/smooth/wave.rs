@@ -13,6 +13,10 @@ use crate::{Error, Load, Rotational, Vertical};
 const SEAM: f64 = 1e-9;
 /// Points at which the pressure of full contact is looked at.
 const POINTS: usize = 4096;
+/// Newton steps for a settlement.
+const SETTLEMENTS: usize = 60;
+/// Rounding of pressures and forces.
+const ROUNDING: f64 = 1e-14;
 /// Panels of the integral for the moment.
 const PANELS: usize = 128;
 
@@ -102,14 +106,45 @@ pub(super) fn solve(base: &Base<'_>) -> Result<SmoothContact, Error> {
     };
     let full = FullWave::new(base, force);
     let (place, least, size) = full.least();
+    let pulls = |p: f64| problem.is_unilateral && p < -ROUNDING * size;
     if let Vertical::Settlement(settlement) = vertical {
         let requirement = "less than the mean height of the profile: in full contact it is that mean, whatever the force";
         let partial = problem.is_unilateral && settlement < full.settlement();
         require(partial, "settlement", settlement, requirement)?;
-    } else if !problem.is_unilateral || least >= -1e-14 * size {
+        // Without force the least pressure is minus that which closes all gaps.
+        return sunk(&moved(problem, place), settlement, -2.0 * least)
+            .map(|contact| contact.turned(problem, place));
+    }
+    if !pulls(least) {
         return Ok(SmoothContact::full(base, full));
     }
     super::solve_zones(&moved(problem, place)).map(|contact| contact.turned(problem, place))
+}
+
+/// The force for a settlement, by Newton's method between bounds: a constant pressure moves nothing, so the equation for a given settlement is badly posed
+/// near full contact.
+fn sunk(problem: &SmoothProblem, settlement: f64, limit: f64) -> Result<SmoothContact, Error> {
+    let (mut low, mut high) = (0.0, limit);
+    let mut force = 0.3 * limit;
+    let mut last = None;
+    for _ in 0..SETTLEMENTS {
+        let load = Load { vertical: Vertical::Force(force), ..problem.load };
+        let contact = super::solve_zones(&SmoothProblem { load, ..problem.clone() })?;
+        let excess = contact.settlement0() - settlement;
+        if excess > 0.0 {
+            high = force
+        } else {
+            low = force
+        }
+        let newton = force - excess * contact.stiffness0().force_settlement;
+        last = Some(contact.settled(settlement));
+        let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
+        if (next - force).abs() <= ROUNDING * force {
+            break;
+        }
+        force = next;
+    }
+    last.ok_or(Error::NoContact)
 }
 
 /// The problem with its seam where the base pulls most.
