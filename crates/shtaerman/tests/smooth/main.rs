@@ -9,3 +9,4 @@ mod periodic;
 mod refusals;
 mod support;
 mod survey;
+mod timing;

@@ -122,7 +122,8 @@ pub(crate) fn over_zones(
                 let p = contact.pressure_beside0(j, beside[0], beside[1]);
                 let near = from_left < from_right;
                 let xi = if near { pair[0] + from_left } else { pair[1] - from_right };
-                g(xi, p)
+                // A node that rounds onto a kink.
+                g(xi, if p.is_finite() { p } else { 0.0 })
             });
         }
     }

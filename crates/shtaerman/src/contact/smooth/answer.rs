@@ -96,7 +96,7 @@ impl SmoothContact {
             settlement: full.settlement(),
             tilt: 0.0,
             force: full.force,
-            moment: full.moment,
+            moment: full.moment(&base.problem.profile.breaks),
         };
         let points: Vec<(f64, f64)> = (0..=1024)
             .map(|i| f64::from(i) / 512.0 - 1.0)

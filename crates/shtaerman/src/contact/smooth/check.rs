@@ -8,8 +8,6 @@ use super::system::{Place, Solved};
 /// Points of a zone and of an interval outside the zones, at least and at most.
 const POINTS: usize = 48;
 const MOST_POINTS: usize = 1500;
-/// Points for each sample of the profile.
-const A_SAMPLE: f64 = 0.5;
 
 /// What is left of tension and penetration.
 #[derive(Debug, Clone, PartialEq)]
@@ -104,11 +102,10 @@ pub(super) fn outside(base: &Base<'_>, solved: &Solved) -> Vec<[f64; 2]> {
     intervals
 }
 
-/// Both ends and points between, closer near the ends, dense enough for the samples of the profile.
+/// Both ends and points between, closer near the ends, dense enough for the valleys of the profile.
 fn points(base: &Base<'_>, left: f64, right: f64) -> Vec<f64> {
-    let all: usize = base.samples.iter().map(Vec::len).sum();
-    let wanted = (0.5 * (right - left) * all as f64 * A_SAMPLE) as usize;
-    let count = wanted.clamp(POINTS, MOST_POINTS);
+    let wanted = (right - left) * base.cells() as f64;
+    let count = (wanted as usize).clamp(POINTS, MOST_POINTS);
     (0..=count)
         .map(|i| {
             let half = (0.5 * PI * i as f64 / count as f64).sin();

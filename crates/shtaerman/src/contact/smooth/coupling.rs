@@ -11,7 +11,7 @@ use crate::Error;
 const MOST_OF_A_ZONE: f64 = 800.0;
 const MOST_MODES: usize = 4000;
 
-/// The coefficients `theta0 gamma_k` of three densities, zone by zone: their displacements are `1`, `xi` and `f0`.
+/// The coefficients `theta0 gamma_k` of three densities, zone by zone: their displacements are `1`, `xi - middle` and `f0`.
 pub(super) struct Coupled {
     pub(super) level: Vec<Vec<f64>>,
     pub(super) tilted: Vec<Vec<f64>>,
@@ -61,11 +61,12 @@ fn unresolved(gap: f64) -> Error {
     Error::Equation(fredholm::Error::NotConverged { iterations, residual: gap, tolerance: 0.0 })
 }
 
-/// Solves for the three densities; `heights` are the coefficients `f_k` of each zone.
+/// Solves for the three densities, about a middle; `heights` are the coefficients `f_k` of each zone.
 pub(super) fn couple(
     kernel: SmoothKernel,
     zones: &[Zone],
     counts: &[usize],
+    middle: f64,
     heights: &[Vec<f64>],
 ) -> Result<Coupled, Error> {
     let mut offsets = vec![0];
@@ -98,7 +99,7 @@ pub(super) fn couple(
     for j in 0..zones.len() {
         let row = offsets[j];
         rights[0][row] = scale(0) * PI;
-        rights[1][row] = scale(0) * PI * nodes[j].centre;
+        rights[1][row] = scale(0) * PI * (nodes[j].centre - middle);
         rights[1][row + 1] = scale(1) * FRAC_PI_2 * nodes[j].half;
         for (k, f) in heights[j].iter().enumerate() {
             rights[2][row + k] = scale(k) * norm(k) * f;

@@ -8,6 +8,7 @@
 //! [answer](wave) in full contact.
 
 mod answer;
+mod balance;
 mod check;
 mod coupling;
 mod edges;

@@ -141,6 +141,8 @@ fn without_pole(z: f64) -> f64 {
 pub(super) struct Slopes {
     panels: Vec<Panel>,
     is_odd: bool,
+    /// Where `g` jumps, and how it does: there `F` is infinite.
+    jumps: Vec<(f64, f64)>,
     /// Mean of `f` over the angle.
     mean: f64,
     /// Estimated error of `F`.
@@ -173,10 +175,10 @@ impl Slopes {
             builder.add(pair[0], pair[1], 0, f64::INFINITY);
         }
         let Builder { mut panels, sum, worst, scale, .. } = builder;
-        join(&mut panels, is_odd, JOINED * scale[1]);
+        let jumps = join(&mut panels, is_odd, JOINED * scale[1]);
         let largest =
             panels.iter().flat_map(|p| p.values).fold(0.0f64, |most, v| most.max(v.abs()));
-        Self { panels, is_odd, mean: sum / (PI - start), error: worst, largest }
+        Self { panels, is_odd, jumps, mean: sum / (PI - start), error: worst, largest }
     }
 
     pub(super) fn mean(&self) -> f64 {
@@ -189,6 +191,9 @@ impl Slopes {
 
     /// `F(phi)`.
     pub(super) fn conjugate(&self, angle: f64) -> f64 {
+        if let Some((_, jump)) = self.jumps.iter().find(|(at, _)| *at == angle) {
+            return -jump * f64::INFINITY;
+        }
         let sum: f64 = if self.is_odd {
             // g(-t) cot((-t - phi)/2) = g(t) cot((t + phi)/2)
             self.panels.iter().map(|panel| panel.both_cotangents(angle)).sum()
@@ -262,8 +267,9 @@ impl Slopes {
     }
 }
 
-/// Makes neighbours meet where they nearly do; an odd slope vanishes at both ends.
-fn join(panels: &mut [Panel], is_odd: bool, threshold: f64) {
+/// Makes neighbours meet where they nearly do, and tells where they do not; an odd slope vanishes at both ends.
+fn join(panels: &mut [Panel], is_odd: bool, threshold: f64) -> Vec<(f64, f64)> {
+    let mut jumps = Vec::new();
     let count = panels.len();
     let mut changes = vec![[0.0; 2]; count];
     for i in 0..count {
@@ -275,6 +281,8 @@ fn join(panels: &mut [Panel], is_odd: bool, threshold: f64) {
         if (last - to_last).abs() <= threshold && (first - to_first).abs() <= threshold {
             changes[i][1] = to_last - last;
             changes[next][0] = to_first - first;
+        } else if !is_seam || !is_odd {
+            jumps.push((panels[i].end, first - last));
         }
     }
     for (panel, [left, right]) in panels.iter_mut().zip(changes) {
@@ -283,6 +291,7 @@ fn join(panels: &mut [Panel], is_odd: bool, threshold: f64) {
         coefficients[1] += 0.5 * (right - left);
         *panel = Panel::new(panel.start, panel.end, coefficients);
     }
+    jumps
 }
 
 struct Builder<'p> {
@@ -328,8 +337,13 @@ impl Builder<'_> {
         } else {
             // About its middle value: small panels have small rounding.
             let reference = heights[ORDER / 2];
-            let series = RULE.coefficients(&heights.map(|h| h - reference));
-            (derivative(&series).map(|c| c / half), largest(&series[ORDER - 2..]))
+            let mut series = RULE.coefficients(&heights.map(|h| h - reference));
+            let tail = largest(&series[ORDER - 2..]);
+            // Coefficients of rounding would be blown up by the derivative.
+            let floor = 2.0 * f64::EPSILON * largest(&heights);
+            let last = series.iter().rposition(|c| c.abs() > floor).unwrap_or(0);
+            series[last + 1..].fill(0.0);
+            (derivative(&series).map(|c| c / half), tail)
         };
         let sizes = [largest(&heights), largest(&coefficients)];
         Sampled { coefficients, integral, sizes, tail, is_slope }

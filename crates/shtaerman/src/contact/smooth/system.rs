@@ -10,12 +10,13 @@
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use std::sync::Arc;
 
+use super::balance::Centred;
 use super::coupling::{Coupled, couple, modes};
 use super::kernel::SmoothKernel;
 use super::problem::Base;
 use super::slopes::{Angular, Slopes};
 use super::zones::Zone;
-use crate::contact::balance::{Balance, State};
+use crate::contact::balance::State;
 use crate::contact::solved::Stiffness;
 use crate::{Error, Load, Rotational, Vertical};
 
@@ -191,41 +192,40 @@ impl Solved {
         // About the line of one of them: what is common to all changes settlement and tilt only.
         let centre = |zone: &Zone| 0.5 * (zone.left() + zone.right());
         let lean = resolved[0].1;
-        let reference = slopes[0][0] - lean * centre(&zones[0]);
+        let reference = slopes[0][0];
+        let middle = 0.5 * (zones[0].left() + zones[zones.len() - 1].right());
         let mut heights = slopes.clone();
         for ((heights, zone), (_, mean)) in heights.iter_mut().zip(zones).zip(&resolved) {
-            heights[0] -= reference + lean * centre(zone);
+            heights[0] -= reference + lean * (centre(zone) - centre(&zones[0]));
             heights[1] += (mean - lean) * 0.5 * zone.length();
         }
-        let Coupled { level, tilted, profile } = couple(kernel, zones, &counts, &heights)?;
+        let Coupled { level, tilted, profile } = couple(kernel, zones, &counts, middle, &heights)?;
         let theta0 = base.problem.theta0;
-        let carried = |modes: &[Vec<f64>]| carried(zones, modes).map(|part| part / theta0);
+        let carried = |modes: &[Vec<f64>]| carried(zones, middle, modes).map(|part| part / theta0);
         let [force, coupling] = carried(&level);
         let [_, turn] = carried(&tilted);
         let stiffness = Stiffness { force_settlement: force, coupling, moment_tilt: turn };
-        let balance = Balance { stiffness, free: carried(&profile) };
-        let mut state = balance.state(&beside_line(base.problem.load, reference, lean));
-        if !(state.settlement.is_finite() && state.tilt.is_finite()) {
+        let balance = Centred { centre: middle, stiffness, free: carried(&profile) };
+        // The line of the reference, reference + lean (xi - c).
+        let load = base.problem.load;
+        let start = reference - lean * centre(&zones[0]);
+        let [depth, tilt] = balance.depth_and_tilt(&beside_line(load, start, lean));
+        let lifted = start + lean * middle;
+        let state = balance.state_of(&load, [depth, tilt], [lifted, lean]);
+        if !(depth.is_finite() && tilt.is_finite()) {
             let (parameter, smallest) = (theta0, 0.0);
             return Err(Error::Equation(fredholm::Error::Singular { parameter, smallest }));
         }
         let parts = (resolved.into_iter().enumerate())
             .map(|(j, (resolved, _))| {
-                let own = |k: usize| state.settlement * level[j][k] - state.tilt * tilted[j][k];
+                let own = |k: usize| depth * level[j][k] - tilt * tilted[j][k];
                 let bent = |k: usize| k as f64 * slopes[j][k] / PI;
                 let modes = (0..counts[j]).map(|k| own(k) - profile[j][k]).collect();
                 let smooth = (0..counts[j]).map(|k| own(k) - (profile[j][k] - bent(k))).collect();
                 Part { zone: zones[j], slopes: Arc::new(resolved), smooth, modes }
             })
             .collect();
-        state.settlement = match base.problem.load.vertical {
-            Vertical::Settlement(settlement) => settlement,
-            Vertical::Force(_) => state.settlement + reference,
-        };
-        state.tilt = match base.problem.load.rotational {
-            Rotational::Tilt(tilt) => tilt,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => state.tilt - lean,
-        };
+        let stiffness = balance.about_base();
         Ok(Self { parts, kernel, theta0, state, stiffness })
     }
 
@@ -308,11 +308,11 @@ fn resolved(base: &Base<'_>, zone: Zone) -> (Slopes, f64) {
     (Slopes::resolve(&on_zone, &bends, true, profile.tolerance), on_zone.mean)
 }
 
-/// `theta0` times force and moment.
-fn carried(zones: &[Zone], modes: &[Vec<f64>]) -> [f64; 2] {
+/// `theta0` times force and moment about a middle.
+fn carried(zones: &[Zone], middle: f64, modes: &[Vec<f64>]) -> [f64; 2] {
     let mut sums = [0.0; 2];
     for (zone, modes) in zones.iter().zip(modes) {
-        let centre = 0.5 * (zone.left() + zone.right());
+        let centre = 0.5 * (zone.left() + zone.right()) - middle;
         sums[0] += PI * modes[0];
         sums[1] += PI * centre * modes[0] + 0.25 * PI * zone.length() * modes[1];
     }

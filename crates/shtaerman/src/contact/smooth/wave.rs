@@ -11,14 +11,14 @@ use crate::{Error, Load, Rotational, Vertical};
 
 /// Where both sides of the seam are compared, and the share of the profile's range that makes a jump.
 const SEAM: f64 = 1e-9;
-/// Points at which the pressure of full contact is looked at.
-const POINTS: usize = 4096;
+/// Points at which the pressure of full contact is looked at, at least.
+const POINTS: usize = 256;
 /// Newton steps for a settlement.
 const SETTLEMENTS: usize = 60;
 /// Rounding of pressures and forces.
 const ROUNDING: f64 = 1e-14;
 /// Panels of the integral for the moment.
-const PANELS: usize = 128;
+const PANELS: usize = 32;
 
 /// Full contact of a wave: `p0 = P0/2 - F/theta0` with `F = sum k f_k cos(k pi xi + ..)`, as `int K cos(k pi eta) deta = cos(k pi xi)/k` for `L = 2`.
 #[derive(Debug, Clone)]
@@ -26,7 +26,6 @@ pub(super) struct FullWave {
     pub(super) slopes: Arc<Slopes>,
     pub(super) theta0: f64,
     pub(super) force: f64,
-    pub(super) moment: f64,
 }
 
 struct Turn<'p>(&'p SmoothProfile);
@@ -46,9 +45,7 @@ impl FullWave {
         let SmoothProblem { profile, theta0, .. } = base.problem;
         let bends: Vec<f64> = profile.breaks.iter().map(|at| at * PI).collect();
         let slopes = Arc::new(Slopes::resolve(&Turn(profile), &bends, false, profile.tolerance));
-        let mut wave = Self { slopes, theta0: *theta0, force, moment: 0.0 };
-        wave.moment = wave.first_moment(&profile.breaks);
-        wave
+        Self { slopes, theta0: *theta0, force }
     }
 
     /// `p0(xi)`.
@@ -62,7 +59,7 @@ impl FullWave {
     }
 
     /// `int xi p0 dxi` over `-1 .. 1`.
-    fn first_moment(&self, breaks: &[f64]) -> f64 {
+    pub(super) fn moment(&self, breaks: &[f64]) -> f64 {
         let mut cuts: Vec<f64> =
             (0..=PANELS).map(|i| 2.0 * i as f64 / PANELS as f64 - 1.0).collect();
         cuts.extend(breaks);
@@ -73,9 +70,9 @@ impl FullWave {
     }
 
     /// Where the pressure is least, and how small it is there over its mean deviation.
-    fn least(&self) -> (f64, f64, f64) {
+    fn least(&self, points: usize) -> (f64, f64, f64) {
         // An irrational share of the step keeps clear of symmetric places, where a kink may be.
-        let points = (0..POINTS).map(|i| 2.0 * (i as f64 + 0.5 / SQRT_2) / POINTS as f64 - 1.0);
+        let points = (0..points).map(|i| 2.0 * (i as f64 + 0.5 / SQRT_2) / points as f64 - 1.0);
         points.fold((0.0, f64::INFINITY, 0.0), |(at, least, size): (f64, f64, f64), xi| {
             let p = self.pressure(xi);
             let size = size.max(p.abs());
@@ -105,7 +102,7 @@ pub(super) fn solve(base: &Base<'_>) -> Result<SmoothContact, Error> {
         Vertical::Settlement(_) => 0.0,
     };
     let full = FullWave::new(base, force);
-    let (place, least, size) = full.least();
+    let (place, least, size) = full.least(POINTS.max(4 * base.cells()));
     let pulls = |p: f64| problem.is_unilateral && p < -ROUNDING * size;
     if let Vertical::Settlement(settlement) = vertical {
         let requirement = "less than the mean height of the profile: in full contact it is that mean, whatever the force";
