@@ -33,7 +33,7 @@ fn flat_punch() -> ContactPlot {
         pressure_band: None,
         punch_base: vec![12.0; xi.len()],
         body_surface: (-160..=160).map(surface).collect(),
-        contact_zone: None,
+        contact_zones: Vec::new(),
         position_label: "x [mm]".to_owned(),
         pressure_label: "p [MPa]".to_owned(),
         displacement_label: "displacement [µm]".to_owned(),
@@ -61,7 +61,7 @@ fn parabola() -> ContactPlot {
         pressure,
         punch_base: xi.iter().map(|xi| 6.5 - 3.5 * xi * xi).collect(),
         body_surface: (-150..=150).map(surface).collect(),
-        contact_zone: Some((-1.664, 1.664)),
+        contact_zones: vec![[-1.664, 1.664]],
         position_label: "x [mm]".to_owned(),
         pressure_label: "p [MPa]".to_owned(),
         displacement_label: "displacement [µm]".to_owned(),
@@ -238,7 +238,12 @@ fn nasty_numbers_never_fail() {
                 pressure_band: Some((x.clone(), y.clone())),
                 punch_base: y.clone(),
                 body_surface: points.clone(),
-                contact_zone: x.first().copied().zip(y.first().copied()),
+                contact_zones: x
+                    .first()
+                    .zip(y.first())
+                    .map(|(x, y)| [*x, *y])
+                    .into_iter()
+                    .collect(),
                 ..flat_punch()
             };
             let series =
@@ -342,7 +347,7 @@ fn the_common_power_of_ten_of_tiny_and_huge_numbers_is_written_at_the_axis() {
     plot.pressure_band = None;
     plot.position.iter_mut().for_each(|x| *x *= 1e20);
     plot.body_surface.iter_mut().for_each(|point| point.0 *= 1e20);
-    plot.contact_zone = None;
+    plot.contact_zones = Vec::new();
     let texts = texts(&svg("factors", &plot));
     picture("factors", &plot, Format::Png, Size::default());
     // 180e-12 = 180 x 10^-12 and 3e20 = 300 x 10^18

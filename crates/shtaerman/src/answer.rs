@@ -2,7 +2,10 @@
 
 use serde::Serialize;
 
-use crate::{Contact, CrossCheck, Error, ErrorKind, Rotational, Scaling, Vertical, Warning};
+use crate::{
+    Complementarity, Contact, CrossCheck, Error, ErrorKind, Law, Rotational, Scaling, Vertical,
+    Warning,
+};
 
 /// Version of the answer's layout; the JSON Schema `schema/answer.schema.json` describes it.
 pub const SCHEMA: &str = "shtaerman-answer/1";
@@ -14,8 +17,10 @@ pub const GAUGE: &str = "ln(a/|x-s|), a = half_width";
 pub struct Answer {
     /// [`SCHEMA`].
     pub schema: &'static str,
-    /// Quantities without dimension, (2.5).
-    pub dimensionless: Dimensionless,
+    /// `unilateral` or `bilateral`.
+    pub contact: &'static str,
+    /// Quantities without dimension, (2.5); `null` for a smooth surface, where their scale `chi` is undefined.
+    pub dimensionless: Option<Dimensionless>,
     /// Quantities in SI units; `null` for a dimensionless problem.
     pub physical: Option<Physical>,
     /// The pressure at points.
@@ -24,6 +29,9 @@ pub struct Answer {
     pub method: MethodReport,
     /// How sure the answer is.
     pub error: Option<ErrorReport>,
+    /// What a unilateral answer leaves of tension and penetration, relative to their scales.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub complementarity: Option<Complementarity>,
     /// Differences from the other method, where asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cross_check: Option<CrossCheck>,
@@ -71,6 +79,9 @@ pub struct Errors {
     /// Error of the moment.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub moment: Option<f64>,
+    /// Error of the edges of the zones.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub edges: Option<f64>,
 }
 
 /// Quantities without dimension.
@@ -87,13 +98,13 @@ pub struct Dimensionless {
     pub delta0: f64,
     /// `a alpha/(chi E)`.
     pub alpha0: f64,
-    /// `p/E` at the left edge.
+    /// `p/E` at the left edge of the punch; 0 where it lifted.
     pub p0_left: f64,
     /// `p/E` in the middle.
     pub p0_mid: f64,
-    /// `p/E` at the right edge.
+    /// `p/E` at the right edge of the punch; 0 where it lifted.
     pub p0_right: f64,
-    /// Mean of `p/E`.
+    /// Mean of `p/E` over the base.
     pub p0_mean: f64,
     /// The largest `p/E`.
     pub p0_max: f64,
@@ -122,7 +133,7 @@ pub struct Physical {
     pub pressure_mid: f64,
     /// `p` at the right edge of the punch (Pa).
     pub pressure_right: f64,
-    /// `P/(2a)` (Pa).
+    /// `P/(2a)` (Pa), the mean over the base.
     pub pressure_mean: f64,
     /// The largest pressure (Pa).
     pub pressure_max: f64,
@@ -132,6 +143,8 @@ pub struct Physical {
     pub stiffness: [[f64; 2]; 2],
     /// Zones of contact (m).
     pub edges: Vec<[f64; 2]>,
+    /// Width of all zones together (m).
+    pub contact_width: f64,
     /// `E*` (Pa), composite where the punch is elastic.
     pub contact_modulus: f64,
     /// What the settlement is measured against.
@@ -211,7 +224,9 @@ impl Answer {
             contact.problem().frame().scaling().is_some().then(|| Physical::new(contact));
         Self {
             schema: SCHEMA,
-            dimensionless: Dimensionless::new(contact),
+            contact: contact.problem().solver().contact.name(),
+            dimensionless: (contact.problem().frame().law() != Law::Smooth)
+                .then(|| Dimensionless::new(contact)),
             physical,
             pressure,
             method: MethodReport {
@@ -220,6 +235,7 @@ impl Answer {
                 reason: contact.reason().to_owned(),
             },
             error: ErrorReport::new(contact),
+            complementarity: contact.complementarity(),
             cross_check: None,
             warnings: contact.warnings().to_vec(),
         }
@@ -239,6 +255,7 @@ impl ErrorReport {
             tilt: (!by_tilt).then_some(accuracy.tilt),
             force: (!by_force).then_some(accuracy.force),
             moment: (!by_moment).then_some(accuracy.moment),
+            edges: contact.edge_error0(),
         };
         let physical =
             contact.problem().frame().scaling().map(|scaling| dimensionless.scaled(scaling));
@@ -254,6 +271,7 @@ impl Errors {
             tilt: self.tilt.map(|error| error * scaling.angle()),
             force: self.force.map(|error| error * scaling.force()),
             moment: self.moment.map(|error| error * scaling.moment()),
+            edges: self.edges.map(|error| error * scaling.half_width()),
         }
     }
 }
@@ -274,7 +292,7 @@ impl Dimensionless {
             p0_max,
             p0_max_at,
             stiffness: contact.stiffness0().matrix(),
-            edges: vec![[-1.0, 1.0]],
+            edges: contact.edges0(),
         }
     }
 }
@@ -295,6 +313,7 @@ impl Physical {
             pressure_max_at,
             stiffness: contact.stiffness().matrix(),
             edges: contact.edges(),
+            contact_width: contact.contact_width(),
             contact_modulus: contact
                 .problem()
                 .frame()

@@ -144,9 +144,13 @@ mod tests {
         for vertical in [Vertical::Force(0.001), Vertical::Settlement(5.0)] {
             let load = Load::new(vertical, Rotational::Moment(1e-4)).unwrap();
             let profile = Profile::expression("10*xi^2").unwrap();
-            let problem =
-                Problem::new(Frame::dimensionless(6.0).unwrap(), profile, load, Solver::default())
-                    .unwrap();
+            let problem = Problem::new(
+                Frame::dimensionless(6.0).unwrap(),
+                profile,
+                load,
+                Solver::bilateral(),
+            )
+            .unwrap();
             let study = Convergence::study(&problem, 1024).unwrap();
             assert_eq!(
                 study.rows.iter().map(|row| row.n).collect::<Vec<_>>(),

@@ -4,10 +4,12 @@ use fredholm::basis::Function;
 
 use crate::error::{finite, require};
 use crate::expression::Defect;
-use crate::{Error, Frame, Load, Profile};
+use crate::{Error, Frame, Load, Profile, Rotational, Vertical};
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
 const POINTS_PER_SAMPLE: usize = 4;
+/// Points at which a profile is compared with its mirror image: an odd degree, so that none is its own.
+const SYMMETRY_POINTS: usize = 129;
 
 /// The method that solves the equation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -29,6 +31,17 @@ pub enum ContactKind {
     Unilateral,
     /// The full base stays in contact and the pressure may pull.
     Bilateral,
+}
+
+impl ContactKind {
+    /// Name as in problem files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Unilateral => "unilateral",
+            Self::Bilateral => "bilateral",
+        }
+    }
 }
 
 /// How the equation is to be solved.
@@ -145,6 +158,18 @@ impl Problem {
         self.frame.scaling().map_or(height, |scaling| height / scaling.displacement())
     }
 
+    /// Whether base and load are their own mirror images.
+    pub(crate) fn is_symmetric(&self) -> bool {
+        let level = match self.load.rotational {
+            Rotational::Moment(value)
+            | Rotational::Eccentricity(value)
+            | Rotational::Tilt(value) => value == 0.0,
+        };
+        let height = |xi| self.dimensionless_profile(xi);
+        let points = fredholm::basis::chebyshev::points(SYMMETRY_POINTS);
+        level && points.into_iter().all(|xi| height(xi) == height(-xi))
+    }
+
     /// The profile resolved by a Chebyshev series in `xi`.
     pub(crate) fn resolved_profile(&self) -> Result<Function, Error> {
         let degree = POINTS_PER_SAMPLE * self.profile.measured_points().unwrap_or(0);
@@ -164,6 +189,30 @@ impl Problem {
     /// `f0(xi)`, which must be finite.
     pub(crate) fn finite_profile(&self, xi: f64) -> Result<f64, Error> {
         self.checked(xi, self.dimensionless_profile(xi))
+    }
+
+    /// Refuses a force that lifts the punch off and one that tips it over.
+    pub(crate) fn check_balance(&self) -> Result<(), Error> {
+        if self.solver.contact == ContactKind::Bilateral {
+            return Ok(());
+        }
+        let limit = self.frame.half_width();
+        if let Vertical::Force(force) = self.load.vertical {
+            let requirement = "greater than zero in unilateral contact: a pull lifts the punch off";
+            require(force > 0.0, "force", force, requirement)?;
+            if let Rotational::Moment(value) = self.load.rotational
+                && value.abs() >= force * limit
+            {
+                let limit = force * limit;
+                return Err(Error::TipsOver { field: "moment", value, limit, name: "P a" });
+            }
+        }
+        match self.load.rotational {
+            Rotational::Eccentricity(value) if value.abs() >= limit => {
+                Err(Error::TipsOver { field: "eccentricity", value, limit, name: "a" })
+            }
+            _ => Ok(()),
+        }
     }
 
     fn check_profile(&self) -> Result<(), Error> {

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use shtaerman::quantity::{Dimension, axis_unit, engineering};
-use shtaerman::{Answer, Contact, PressureCurve, Problem};
+use shtaerman::{Answer, Contact, Law, PressureCurve, Problem};
 
 use super::{places, problem_file};
 use crate::Failure;
@@ -129,7 +129,7 @@ fn plot(contact: &Contact) -> Result<ContactPlot, Failure> {
         pressure_band: band(contact, &curve, stress),
         punch_base: base.iter().map(|u| u * depth).collect(),
         body_surface: surface.iter().map(|(x, u)| (x * length, u * depth)).collect(),
-        contact_zone: None,
+        contact_zones: lifted(contact).iter().map(|zone| zone.map(|x| x * length)).collect(),
         position_label,
         pressure_label,
         displacement_label,
@@ -148,12 +148,25 @@ fn band(contact: &Contact, curve: &PressureCurve, factor: f64) -> Option<(Vec<f6
     (error > VISIBLE * largest).then(|| (shifted(-error), shifted(error)))
 }
 
+/// The zones of contact, where they are not the full base.
+fn lifted(contact: &Contact) -> Vec<[f64; 2]> {
+    let pieces = contact.problem().frame().pieces();
+    if contact.edges0() == pieces { Vec::new() } else { contact.edges() }
+}
+
 fn notes(contact: &Contact) -> Vec<String> {
+    let frame = contact.problem().frame();
+    let surface = match frame.law() {
+        Law::Smooth => "smooth surface".to_owned(),
+        Law::Linear | Law::Power(_) => {
+            format!("θ₀ = {}", report::significant(contact.theta0(), 5))
+        }
+    };
     let mut notes = vec![format!(
-        "θ₀ = {}, {} method with n = {}; bilateral",
-        report::significant(contact.theta0(), 5),
+        "{surface}, {} method with n = {}; {}",
         contact.method().name,
-        contact.method().n
+        contact.method().n,
+        contact.problem().solver().contact.name()
     )];
     if !contact.tension().is_empty() {
         notes.push(

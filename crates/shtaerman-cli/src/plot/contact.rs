@@ -7,6 +7,9 @@ use super::figure::{
     Area, Arrangement, Band, Base, Dash, Figure, Layer, LegendPlace, Line, Mark, Panel,
 };
 
+/// Most zones whose ends are marked: of more, the marks would hide the curve.
+const MOST_MARKED: usize = 16;
+
 /// A contact: pressure over the position and, below it, the surfaces pressed into each other.
 ///
 /// Depths and displacements count downward, into the body. All numbers are drawn as they are given;
@@ -27,8 +30,8 @@ pub struct ContactPlot {
     pub punch_base: Vec<f64>,
     /// Surface of the body, below the punch and outside: position and displacement into the body.
     pub body_surface: Vec<(f64, f64)>,
-    /// Ends of the contact zone, where they are not the edges of the punch.
-    pub contact_zone: Option<(f64, f64)>,
+    /// Zones of contact, where they are not the full base.
+    pub contact_zones: Vec<[f64; 2]>,
     /// Label of the position, such as `x [mm]`.
     pub position_label: String,
     /// Label of the pressure, such as `p [MPa]`.
@@ -120,8 +123,10 @@ impl ContactPlot {
         let finite = || self.position.iter().copied().filter(|x| x.is_finite());
         let ends = finite().reduce(f64::min).zip(finite().reduce(f64::max));
         let mut layers = marks(if named { "edges of the punch" } else { "" }, ends, Dash::Dashed);
-        let name = if named { "ends of the contact" } else { "" };
-        layers.extend(marks(name, self.contact_zone, Dash::Dotted));
+        for (index, &[left, right]) in self.contact_zones.iter().take(MOST_MARKED).enumerate() {
+            let name = if named && index == 0 { "ends of the contact" } else { "" };
+            layers.extend(marks(name, Some((left, right)), Dash::Dotted));
+        }
         layers
     }
 }

@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
 use shtaerman::{
-    Answer, Contact, CrossCheck, ErrorKind, ErrorReport, GAUGE, Physical, PressureCurve,
+    Answer, Contact, CrossCheck, Dimensionless, ErrorKind, ErrorReport, GAUGE, Physical,
+    PressureCurve,
 };
 
 use super::{Table, significant};
@@ -21,20 +22,31 @@ pub(crate) fn answer_table(
     answer: &Answer,
     with_places: bool,
 ) -> String {
+    let surface = match &answer.dimensionless {
+        Some(dimensionless) => format!("theta0 = {}", significant(dimensionless.theta0, DIGITS)),
+        None => "smooth surface".to_owned(),
+    };
     let mut text = format!(
-        "{name}: bilateral contact, theta0 = {}, {} method with n = {}\n\n",
-        significant(answer.dimensionless.theta0, DIGITS),
-        answer.method.name,
-        answer.method.n
+        "{name}: {} contact, {surface}, {} method with n = {}\n\n",
+        answer.contact, answer.method.name, answer.method.n
     );
-    let table = match &answer.physical {
-        Some(physical) => physical_table(contact, physical),
-        None => dimensionless_table(answer),
+    let table = match (&answer.physical, &answer.dimensionless) {
+        (Some(physical), _) => physical_table(contact, physical),
+        (None, Some(dimensionless)) => dimensionless_table(contact, dimensionless),
+        (None, None) => Table::new(&[""; 3]),
     };
     text.push_str(&table.to_string());
     let _ = writeln!(text, "\nmethod: {}", answer.method.reason);
     if let Some(error) = &answer.error {
         text.push_str(&error_line(error));
+    }
+    if let Some(left) = &answer.complementarity {
+        let _ = writeln!(
+            text,
+            "complementarity: tension {}, penetration {} of their scales",
+            significant(left.tension, 2),
+            significant(left.penetration, 2)
+        );
     }
     if let Some(check) = &answer.cross_check {
         text.push_str(&cross_check_line(check));
@@ -65,11 +77,12 @@ fn error_line(error: &ErrorReport) -> String {
     };
     let mut parts =
         vec![format!("pressure {}", shown(errors.pressure_sup, Dimension::PRESSURE.into()))];
-    let unknowns: [(&str, Option<f64>, DisplayUnit); 4] = [
+    let unknowns: [(&str, Option<f64>, DisplayUnit); 5] = [
         ("settlement", errors.settlement, Dimension::LENGTH.into()),
         ("tilt", errors.tilt, DisplayUnit::angle()),
         ("force", errors.force, Dimension::FORCE_PER_LENGTH.into()),
         ("moment", errors.moment, DisplayUnit::prefixed("N")),
+        ("edges", errors.edges, Dimension::LENGTH.into()),
     ];
     for (name, value, unit) in unknowns {
         parts.extend(value.map(|value| format!("{name} {}", shown(value, unit))));
@@ -114,17 +127,15 @@ fn physical_table(contact: &Contact, physical: &Physical) -> Table {
     row("pressure, left edge", pressure(physical.pressure_left), "");
     row("pressure, centre", pressure(physical.pressure_mid), "");
     row("pressure, right edge", pressure(physical.pressure_right), "");
-    row("pressure, mean", pressure(physical.pressure_mean), "");
+    row("pressure, mean", pressure(physical.pressure_mean), "over the base");
     row(
         "pressure, largest",
         pressure(physical.pressure_max),
         &format!("at x = {}", length(physical.pressure_max_at)),
     );
-    row(
-        "contact",
-        format!("{} to {}", length(physical.edges[0][0]), length(physical.edges[0][1])),
-        "the full base",
-    );
+    for (name, value, note) in zones(&physical.edges, contact, &length) {
+        row(&name, value, &note);
+    }
     row("stiffness dP/d(settlement)", engineering(k11, Dimension::PRESSURE), "per unit length");
     row("stiffness dM/d(-tilt)", engineering(k22, DisplayUnit::prefixed("N")), "N m per m and rad");
     row("stiffness dM/d(settlement)", engineering(k12, Dimension::FORCE_PER_LENGTH), "");
@@ -132,25 +143,63 @@ fn physical_table(contact: &Contact, physical: &Physical) -> Table {
     table
 }
 
-fn dimensionless_table(answer: &Answer) -> Table {
-    let d = &answer.dimensionless;
+/// Most zones that the table names one by one.
+const MOST_ZONES: usize = 12;
+
+/// The zones of contact, as rows of a table.
+fn zones(
+    edges: &[[f64; 2]],
+    contact: &Contact,
+    shown: &dyn Fn(f64) -> String,
+) -> Vec<(String, String, String)> {
+    let half_width = contact.problem().frame().half_width();
+    let beside = |[left, right]: [f64; 2]| match (left > -half_width, right < half_width) {
+        (false, false) => "the full base",
+        (true, false) => "lifted on the left",
+        (false, true) => "lifted on the right",
+        (true, true) => "lifted on both sides",
+    };
+    if let [zone] = edges {
+        let note = format!("{}, width {}", beside(*zone), shown(contact.contact_width()));
+        let value = format!("{} to {}", shown(zone[0]), shown(zone[1]));
+        return vec![("contact".to_owned(), value, note)];
+    }
+    let total = format!("{} zones, width {}", edges.len(), shown(contact.contact_width()));
+    let mut rows = vec![("contact".to_owned(), total, String::new())];
+    for (number, [left, right]) in edges.iter().take(MOST_ZONES).enumerate() {
+        let value = format!("{} to {}", shown(*left), shown(*right));
+        rows.push((format!("zone {}", number + 1), value, String::new()));
+    }
+    if edges.len() > MOST_ZONES {
+        let more = format!("{} more", edges.len() - MOST_ZONES);
+        rows.push((String::new(), more, "all of them with --format json".to_owned()));
+    }
+    rows
+}
+
+fn dimensionless_table(contact: &Contact, d: &Dimensionless) -> Table {
     let [[k11, k12], [_, k22]] = d.stiffness;
     let mut table = Table::new(&["", "", ""]);
-    let mut row = |name: &str, value: f64, note: &str| {
-        table.row(vec![name.to_owned(), significant(value, 10), note.to_owned()]);
+    let mut row = |name: &str, value: String, note: &str| {
+        table.row(vec![name.to_owned(), value, note.to_owned()]);
     };
-    row("settlement delta0", d.delta0, "delta/(chi E), gauge ln(a/|x-s|)");
-    row("tilt alpha0", d.alpha0, "a alpha/(chi E); a positive moment gives a negative tilt");
-    row("force P0", d.P0, "P/(a E)");
-    row("moment M0", d.M0, "M/(a^2 E)");
-    row("pressure, left edge", d.p0_left, "p/E");
-    row("pressure, centre", d.p0_mid, "");
-    row("pressure, right edge", d.p0_right, "");
-    row("pressure, mean", d.p0_mean, "");
-    row("pressure, largest", d.p0_max, &format!("at xi = {}", significant(d.p0_max_at, DIGITS)));
-    row("stiffness dP0/d(delta0)", k11, "");
-    row("stiffness dM0/d(-alpha0)", k22, "");
-    row("stiffness dM0/d(delta0)", k12, "");
+    let shown = |value: f64| significant(value, 10);
+    row("settlement delta0", shown(d.delta0), "delta/(chi E), gauge ln(a/|x-s|)");
+    row("tilt alpha0", shown(d.alpha0), "a alpha/(chi E); a positive moment gives a negative tilt");
+    row("force P0", shown(d.P0), "P/(a E)");
+    row("moment M0", shown(d.M0), "M/(a^2 E)");
+    row("pressure, left edge", shown(d.p0_left), "p/E");
+    row("pressure, centre", shown(d.p0_mid), "");
+    row("pressure, right edge", shown(d.p0_right), "");
+    row("pressure, mean", shown(d.p0_mean), "over the base");
+    let place = format!("at xi = {}", significant(d.p0_max_at, DIGITS));
+    row("pressure, largest", shown(d.p0_max), &place);
+    for (name, value, note) in zones(&d.edges, contact, &shown) {
+        row(&name, value, &note);
+    }
+    row("stiffness dP0/d(delta0)", shown(k11), "");
+    row("stiffness dM0/d(-alpha0)", shown(k22), "");
+    row("stiffness dM0/d(delta0)", shown(k12), "");
     table
 }
 

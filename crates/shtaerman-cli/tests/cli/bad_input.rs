@@ -80,7 +80,7 @@ fn keys() {
             "punch.toml:17: solver.mehtod",
             "did you mean method?",
         ),
-        (PHYSICAL, "[solver]", "[solvr]", "punch.toml:14: solver", "did you mean solver?"),
+        (PHYSICAL, "[solver]", "[solvr]", "punch.toml:14: solvr", "did you mean solver?"),
         (PHYSICAL, "[solver]", "[notes]\n[solver]", "punch.toml:14: notes", "not a known key"),
         (
             DIMENSIONLESS,

@@ -1,7 +1,7 @@
 //! Problem files with a value out of range, of the wrong dimension or not finite.
 
 use crate::bad_input::{check, refusal};
-use crate::support::{DIMENSIONLESS, Folder, PHYSICAL};
+use crate::support::{DIMENSIONLESS, Folder, PHYSICAL, UNILATERAL};
 
 #[test]
 fn values_out_of_range() {
@@ -47,21 +47,28 @@ fn values_out_of_range() {
             "\"1.2e-14 m/Pa\"",
             "\"-1 um/MPa\"",
             "punch.toml:4: foundation.roughness",
-            "is -1 µm/MPa: must be greater",
+            "is -1 µm/MPa: must be zero (a smooth surface) or greater",
         ),
         (
             PHYSICAL,
             "\"1.2e-14 m/Pa\"",
-            "0",
-            "punch.toml:4: foundation.roughness",
-            "`shtaerman equation` solves it, with kind = \"first\"",
+            "{ coefficient = 1e-9, exponent = 1.5 }",
+            "punch.toml:4: foundation.roughness.exponent",
+            "greater than 0 and at most 1",
         ),
         (
             PHYSICAL,
             "\"1.2e-14 m/Pa\"",
-            "\"0 m/Pa\"",
-            "punch.toml:4: foundation.roughness",
-            "the smooth limit",
+            "{ coefficient = 0, exponent = 0.5 }",
+            "punch.toml:4: foundation.roughness.coefficient",
+            "must be finite and greater than zero",
+        ),
+        (
+            PHYSICAL,
+            "\"1.2e-14 m/Pa\"",
+            "{ displacement = \"1 um\", pressure = 0, exponent = 0.5 }",
+            "punch.toml:4: foundation.roughness.pressure",
+            "must be greater than zero",
         ),
         (
             PHYSICAL,
@@ -125,17 +132,52 @@ fn values_out_of_range() {
         ),
         (
             PHYSICAL,
-            "contact = \"bilateral\"\n",
-            "",
-            "punch.toml:14: solver.contact",
-            "write contact = \"bilateral\" in [solver]",
+            "\"bilateral\"",
+            "\"unilateral\"",
+            "punch.toml:16: solver.n",
+            "belongs to contact = \"bilateral\"",
+        ),
+        (
+            UNILATERAL,
+            "\"0.8 MN/m\"",
+            "0",
+            "punch.toml:11: load.force",
+            "greater than zero in unilateral contact",
+        ),
+        (
+            UNILATERAL,
+            "\"100 N\"",
+            "\"4 kN\"",
+            "punch.toml:12: load.moment",
+            "tips the punch over: its magnitude must be less than P a = 4000",
+        ),
+        (
+            UNILATERAL,
+            "moment = \"100 N\"",
+            "eccentricity = \"-5 mm\"",
+            "punch.toml:12: load.eccentricity",
+            "must be less than a = 0.005",
         ),
         (
             PHYSICAL,
-            "\"bilateral\"",
-            "\"unilateral\"",
-            "punch.toml:15: solver.contact",
-            "is not solved yet: must be \"bilateral\"",
+            "half_width = \"5 mm\"",
+            "geometry = \"pair\"\nouter_half_width = \"5 mm\"\ninner_half_gap = \"5 mm\"",
+            "punch.toml:9: punch.inner_half_gap",
+            "less than outer_half_width",
+        ),
+        (
+            PHYSICAL,
+            "half_width = \"5 mm\"",
+            "geometry = \"periodic\"\nhalf_width = \"5 mm\"\nperiod = \"9 mm\"",
+            "punch.toml:9: punch.period",
+            "at least twice half_width",
+        ),
+        (
+            PHYSICAL,
+            "half_width = \"5 mm\"",
+            "geometry = \"disk\"\nradius = 1",
+            "punch.toml:7: punch.geometry",
+            "one of \"plane\", \"pair\", \"periodic\", \"circular\"",
         ),
         (
             PHYSICAL,

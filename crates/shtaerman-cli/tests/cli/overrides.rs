@@ -122,7 +122,7 @@ fn bad_overrides_are_refused() {
         ("punch.profile=1/xi", "is infinite at x = 0"),
         ("punch.profile={csv=\"nowhere.csv\"}", "nowhere.csv cannot be read"),
         ("solver.n=1000000000000", "solver.n: is 1000000000000: that needs"),
-        ("solver.contact=unilateral", "not solved yet"),
+        ("solver.contact=full", "one of \"unilateral\", \"bilateral\""),
     ] {
         let folder = Folder::with(PHYSICAL);
         for command in ["solve", "validate", "convergence"] {

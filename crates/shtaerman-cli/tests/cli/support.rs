@@ -28,6 +28,21 @@ contact = "bilateral"
 n = 40
 "#;
 
+/// The same where the punch may lift off.
+pub(crate) const UNILATERAL: &str = r#"[foundation]
+young_modulus = "200 GPa"
+poisson_ratio = 0.3
+roughness = "1.2e-14 m/Pa"
+
+[punch]
+half_width = "5 mm"
+profile = "x^2 / (2*20)"
+
+[load]
+force = "0.8 MN/m"
+moment = "100 N"
+"#;
+
 /// A valid dimensionless problem.
 pub(crate) const DIMENSIONLESS: &str = r#"[dimensionless]
 theta0 = 13.0

@@ -150,6 +150,7 @@ impl Level {
 
     fn draft(self, accuracy: Accuracy) -> Draft {
         Draft {
+            theta0: self.solution.parameter(),
             balance: self.balance,
             state: self.state,
             potential: Potential::collocated(self.solution),

@@ -30,13 +30,14 @@ impl Problem {
     /// # Errors
     /// Those of [`Problem::solve`] but for an explicit tolerance, which the other method need not meet.
     pub fn cross_check(&self, contact: &Contact) -> Result<CrossCheck, Error> {
+        let Some(draft) = contact.draft() else { return Err(Error::NoOtherMethodForZones) };
         let target = Target { tolerance: plan::AIM, is_explicit: false };
         let other = if contact.method().name == "sinc" {
             spectral::solve_adaptively(self, &self.resolved_profile()?, target)?
         } else {
             collocated::solve(self, &self.breaks(), target)?
         };
-        let difference = contact.draft().difference(&other);
+        let difference = draft.difference(&other);
         Ok(CrossCheck {
             method: other.method.name,
             n: other.method.n,

@@ -16,6 +16,7 @@ const SAMPLES_PER_DEGREE: usize = 4;
 /// A solution by one method.
 #[derive(Debug, Clone)]
 pub(super) struct Draft {
+    pub(super) theta0: f64,
     pub(super) balance: Balance,
     pub(super) state: State,
     pub(super) potential: Potential,

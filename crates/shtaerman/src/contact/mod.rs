@@ -11,6 +11,7 @@ mod extremes;
 mod plan;
 mod potential;
 mod smooth;
+mod solution;
 mod solved;
 mod spectral;
 mod surface;
@@ -22,7 +23,7 @@ pub use cross_check::CrossCheck;
 pub use plan::AIM;
 pub use smooth::{Curve, SmoothContact, SmoothKernel, SmoothProblem, SmoothProfile, SmoothZone};
 pub use solved::{Contact, Method, Stiffness};
-pub use unilateral::{Complementarity, UnilateralContact};
+pub use unilateral::Complementarity;
 pub use warning::{Warning, WarningCode};
 
 use draft::Draft;

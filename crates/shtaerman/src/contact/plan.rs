@@ -1,10 +1,15 @@
 //! Which method solves a problem, and how far it goes.
 
+use std::sync::Arc;
+
 use fredholm::basis::Function;
 
+use super::solution::{FullBase, Solution};
+use super::unilateral::UnilateralContact;
 use super::warning::Warning;
 use super::{Contact, Draft, collocated, spectral};
-use crate::{Error, MethodChoice, Problem};
+use crate::roughness::Law;
+use crate::{ContactKind, Error, Geometry, MethodChoice, Problem};
 
 /// Relative error that is aimed at where no tolerance is given.
 pub const AIM: f64 = 1e-12;
@@ -52,12 +57,45 @@ impl Route {
 const SPECTRAL_REASON: &str = "asked for; n doubled until the bound was met or the last n reached, edge pressures by the iterated solution";
 
 impl Problem {
-    /// Solves the problem by the method of its [`Solver`](crate::Solver), or by the one that suits it.
+    /// Solves the problem: zones of contact and pressure of a unilateral one, or the pressure on the full base by the method of the
+    /// [`Solver`](crate::Solver), or by the one that suits it.
     ///
     /// # Errors
     /// [`Error::ProfileNotFinite`] where the profile is not finite; [`Error::Equation`] when a system does not fit into memory;
     /// [`Error::Overflow`] when the answer is not finite; [`Error::ToleranceNotMet`] when an explicit tolerance is out of reach.
+    ///
+    /// Of unilateral contact: [`Error::InvalidValue`] for a force that is not positive, [`Error::TipsOver`] for a moment or an eccentricity that no
+    /// pressure on the base can balance, [`Error::NoContact`] for displacements that leave the base clear of the body;
+    /// [`Error::NotComplementary`] when no zones were found.
     pub fn solve(&self) -> Result<Contact, Error> {
+        match self.solver().contact {
+            ContactKind::Unilateral => self.solve_zones(self.solve_unilateral()?),
+            ContactKind::Bilateral if self.is_plain() => self.solve_full_base(),
+            ContactKind::Bilateral => self.solve_zones(self.solve_full_contact()?),
+        }
+    }
+
+    /// Whether this is one punch on a half-plane with a linear layer, for which the spectral relation serves.
+    fn is_plain(&self) -> bool {
+        let frame = self.frame();
+        frame.geometry() == Geometry::Plane && frame.law() == Law::Linear
+    }
+
+    fn solve_zones(&self, solved: UnilateralContact) -> Result<Contact, Error> {
+        let reached = solved.relative_error();
+        let reason = match solved.zones().len() {
+            1 => "one zone with exact edges: collocation converges exponentially".to_owned(),
+            count => format!("{count} zones with exact edges: collocation converges exponentially"),
+        };
+        let mut contact = Contact::new(self, Arc::new(solved), reason)?;
+        contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
+        if self.solver().tolerance.is_none() && reached > AIM {
+            contact.warn(Some(Warning::tolerance_not_met(AIM, reached)));
+        }
+        Ok(contact)
+    }
+
+    fn solve_full_base(&self) -> Result<Contact, Error> {
         let solver = self.solver();
         let target = Target {
             tolerance: solver.tolerance.unwrap_or(AIM),
@@ -97,7 +135,7 @@ impl Problem {
             });
         }
         let fixed = solver.degree.is_some();
-        let mut contact = Contact::new(self, draft, reason, profile_degree)?;
+        let mut contact = Contact::new(self, Arc::new(FullBase { draft, profile_degree }), reason)?;
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
         if let Some(reached) = fell_short.filter(|_| !fixed) {
             contact.warn(Some(Warning::tolerance_not_met(target.tolerance, reached)));
@@ -109,18 +147,14 @@ impl Problem {
         Ok(contact)
     }
 
-    /// The plain degenerate kernel of a given degree, without an estimate of its error.
-    pub(crate) fn solve_truncated(&self, degree: usize) -> Result<Contact, Error> {
+    /// The plain degenerate kernel of a given degree, without an estimate of its error, and its iterated pressure at the right edge, in the units of the problem.
+    pub(crate) fn solve_iterated(&self, degree: usize) -> Result<(Contact, f64), Error> {
         let function = self.resolved_profile()?;
         let draft = spectral::solve(self, &function, degree)?;
-        Contact::new(self, draft, "a given degree".to_owned(), function.series().degree())
-    }
-
-    /// The same with the iterated pressure at the right edge, in the units of the problem.
-    pub(crate) fn solve_iterated(&self, degree: usize) -> Result<(Contact, f64), Error> {
-        let contact = self.solve_truncated(degree)?;
-        let function = self.resolved_profile()?;
-        let [_, edge] = spectral::iterated_edges(self, &function, contact.draft());
+        let [_, edge] = spectral::iterated_edges(self, &function, &draft);
+        let profile_degree = function.series().degree();
+        let solution = Arc::new(FullBase { draft, profile_degree });
+        let contact = Contact::new(self, solution, "a given degree".to_owned())?;
         let scale = self.frame().scaling().map_or(1.0, crate::Scaling::pressure);
         Ok((contact, edge * scale))
     }

@@ -1,10 +1,14 @@
 //! The solved contact.
 
+use std::sync::Arc;
+
 use super::accuracy::Accuracy;
 use super::draft::Draft;
 use super::extremes::Sampled;
+use super::solution::Solution;
+use super::unilateral::Complementarity;
 use super::warning::Warning;
-use crate::{Error, Problem, Rotational, Scaling, Vertical};
+use crate::{ContactKind, Error, Problem, Rotational, Scaling, Vertical};
 
 /// Method and size of a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -34,14 +38,14 @@ impl Stiffness {
     }
 }
 
-/// Settlement, tilt, force, moment and pressure of a bilateral contact.
+/// Settlement, tilt, force, moment, zones and pressure of a contact.
 ///
 /// Quantities are kept without dimensions; those without a `0` in their name are in the units of the problem (SI, or none for a
 /// dimensionless problem).
 #[derive(Debug, Clone)]
 pub struct Contact {
     problem: Problem,
-    draft: Draft,
+    solution: Arc<dyn Solution>,
     reason: String,
     peak: (f64, f64),
     tension: Vec<[f64; 2]>,
@@ -49,16 +53,15 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// The answer that a draft amounts to.
+    /// The answer that a solution amounts to.
     pub(super) fn new(
         problem: &Problem,
-        draft: Draft,
+        solution: Arc<dyn Solution>,
         reason: String,
-        profile_degree: usize,
     ) -> Result<Self, Error> {
         let mut contact = Self {
             problem: problem.clone(),
-            draft,
+            solution,
             reason,
             peak: (0.0, 0.0),
             tension: Vec::new(),
@@ -66,12 +69,14 @@ impl Contact {
         };
         contact.require_finite()?;
         let (peak, tension) = {
-            let (places, pressures) = contact.draft.sample(problem, profile_degree);
+            let (places, pressures) = contact.solution.sample(problem);
             let sampled = Sampled::new(|xi| contact.pressure0(xi), places, pressures);
             (sampled.maximum(), sampled.negative())
         };
         contact.peak = (peak.value, peak.place);
-        contact.tension = tension;
+        if problem.solver().contact == ContactKind::Bilateral {
+            contact.tension = tension;
+        }
         Ok(contact)
     }
 
@@ -90,31 +95,32 @@ impl Contact {
     /// `P0 = P/(a E)`.
     #[must_use]
     pub fn force0(&self) -> f64 {
-        self.draft.state.force
+        self.solution.state().force
     }
 
     /// `M0 = M/(a^2 E)`.
     #[must_use]
     pub fn moment0(&self) -> f64 {
-        self.draft.state.moment
+        self.solution.state().moment
     }
 
     /// `delta0 = delta/(chi E)`.
     #[must_use]
     pub fn settlement0(&self) -> f64 {
-        self.draft.state.settlement
+        self.solution.state().settlement
     }
 
     /// `alpha0 = a alpha/(chi E)`.
     #[must_use]
     pub fn tilt0(&self) -> f64 {
-        self.draft.state.tilt
+        self.solution.state().tilt
     }
 
-    /// `p0(xi) = delta0 - alpha0 xi - f0(xi) - theta0 sum a_m X_m T_m(xi)`, (3.1), for `xi` in `[-1, 1]`.
+    /// `p0(xi)` for `xi` in `[-1, 1]`, on the full base (3.1); 0 outside the zones of a unilateral contact and at their free edges.
+    /// Points beyond the punch count as the nearer edge, NaN stays.
     #[must_use]
     pub fn pressure0(&self, xi: f64) -> f64 {
-        self.draft.pressure(&self.problem, xi)
+        self.solution.pressure(&self.problem, xi.clamp(-1.0, 1.0))
     }
 
     /// Force per unit length `P` (N/m); where it is prescribed, as given.
@@ -161,10 +167,14 @@ impl Contact {
     /// # Errors
     /// [`Error::BeyondPunch`] outside the closed base, also for NaN.
     pub fn pressure(&self, x: f64) -> Result<f64, Error> {
+        Ok(self.pressure0(self.on_base(x)?) * self.scale(Scaling::pressure))
+    }
+
+    /// The `xi` of a point on the closed base.
+    pub(super) fn on_base(&self, x: f64) -> Result<f64, Error> {
         let half_width = self.problem.frame().half_width();
         if x.abs() <= half_width {
-            let xi = (x / half_width).clamp(-1.0, 1.0);
-            return Ok(self.pressure0(xi) * self.scale(Scaling::pressure));
+            return Ok((x / half_width).clamp(-1.0, 1.0));
         }
         let variable = self.problem.frame().coordinate();
         Err(Error::BeyondPunch { variable, at: x, left: -half_width, right: half_width })
@@ -214,11 +224,35 @@ impl Contact {
         self.tension.iter().map(|interval| interval.map(|xi| xi * half_width)).collect()
     }
 
-    /// Edges of the contact, one pair a zone: the full base, as contact is bilateral.
+    /// The zones of contact from left to right, `[left, right]`, in the units of the problem; the full base of a bilateral contact.
     #[must_use]
     pub fn edges(&self) -> Vec<[f64; 2]> {
         let half_width = self.problem.frame().half_width();
-        vec![[-half_width, half_width]]
+        self.edges0().into_iter().map(|zone| zone.map(|xi| xi * half_width)).collect()
+    }
+
+    /// The zones of contact from left to right, `[left, right]` in `xi`.
+    #[must_use]
+    pub fn edges0(&self) -> Vec<[f64; 2]> {
+        self.solution.zones()
+    }
+
+    /// Width of all zones together, in the units of the problem.
+    #[must_use]
+    pub fn contact_width(&self) -> f64 {
+        self.edges().iter().map(|[left, right]| right - left).sum()
+    }
+
+    /// The estimated error of the edges, in `xi`; none where they are known.
+    #[must_use]
+    pub fn edge_error0(&self) -> Option<f64> {
+        self.solution.edge_error()
+    }
+
+    /// What a unilateral answer leaves of tension and penetration; none for a bilateral one.
+    #[must_use]
+    pub fn complementarity(&self) -> Option<Complementarity> {
+        self.solution.complementarity()
     }
 
     /// The tangent stiffness in the units of the problem.
@@ -238,13 +272,13 @@ impl Contact {
     /// The tangent stiffness without dimensions.
     #[must_use]
     pub fn stiffness0(&self) -> Stiffness {
-        self.draft.balance.stiffness
+        self.solution.stiffness()
     }
 
     /// How it was solved.
     #[must_use]
     pub fn method(&self) -> Method {
-        self.draft.method
+        self.solution.method()
     }
 
     /// Why this method was taken.
@@ -256,7 +290,7 @@ impl Contact {
     /// The error of the answer without dimensions, where the method tells one.
     #[must_use]
     pub fn accuracy(&self) -> Option<&Accuracy> {
-        self.draft.accuracy.as_ref()
+        self.solution.accuracy()
     }
 
     /// What a user should know.
@@ -291,15 +325,26 @@ impl Contact {
         }
     }
 
-    /// A bound of `|p + E f0|` on the base (Pa).
-    fn pressure_bound(&self) -> f64 {
-        let state = &self.draft.state;
-        (state.settlement.abs() + state.tilt.abs() + self.draft.potential.size())
-            * self.scale(Scaling::pressure)
+    /// The largest error relative to its size; infinite where the method tells none.
+    #[must_use]
+    pub fn relative_error(&self) -> f64 {
+        let (_, pressures) = self.solution.sample(&self.problem);
+        let largest = pressures.into_iter().fold(0.0f64, |most, p| most.max(p.abs()));
+        let sizes = self.solution.state().sizes(largest);
+        self.accuracy().map_or(f64::INFINITY, |accuracy| accuracy.relative(&sizes))
     }
 
-    pub(super) fn draft(&self) -> &Draft {
-        &self.draft
+    /// A bound of `|p + E f0|` on the base (Pa).
+    fn pressure_bound(&self) -> f64 {
+        self.solution.size() * self.scale(Scaling::pressure)
+    }
+
+    pub(super) fn solution(&self) -> &dyn Solution {
+        self.solution.as_ref()
+    }
+
+    pub(super) fn draft(&self) -> Option<&Draft> {
+        self.solution.full_base()
     }
 
     pub(super) fn tension0(&self) -> &[[f64; 2]] {
@@ -310,7 +355,7 @@ impl Contact {
         self.warnings.extend(warning);
     }
 
-    fn scale(&self, unit: impl Fn(&Scaling) -> f64) -> f64 {
+    pub(super) fn scale(&self, unit: impl Fn(&Scaling) -> f64) -> f64 {
         self.problem.frame().scaling().map_or(1.0, unit)
     }
 }

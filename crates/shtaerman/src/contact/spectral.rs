@@ -124,6 +124,7 @@ impl<'k> Truncated<'k> {
             })
             .collect();
         Draft {
+            theta0: problem.frame().theta0(),
             balance,
             state,
             potential: Potential::Series(ChebyshevSeries::new(potential)),

@@ -92,7 +92,7 @@ fn locate(document: &Document, error: Error) -> Error {
         Error::File(_) => return error,
         numerical if numerical.is_numerical() => return error,
         Error::Equation(fredholm::Error::TooLarge { .. }) => &["solver.n"],
-        Error::InvalidValue { field, .. } => match *field {
+        Error::InvalidValue { field, .. } | Error::TipsOver { field, .. } => match *field {
             "force" => &["load.force", "dimensionless.force"],
             "settlement" => &["load.settlement", "dimensionless.settlement"],
             "moment" => &["load.moment", "dimensionless.moment"],
@@ -100,6 +100,7 @@ fn locate(document: &Document, error: Error) -> Error {
             "tilt" => &["load.tilt", "dimensionless.tilt"],
             _ => &[],
         },
+        Error::NoContact => &["load.settlement", "dimensionless.settlement"],
         _ => &[],
     };
     let written = keys.iter().find_map(|key| Some((key, document.get(key)?)));

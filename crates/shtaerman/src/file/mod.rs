@@ -142,6 +142,7 @@ fn read(document: &Document, folder: &Path) -> Result<Problem, Error> {
         reader.finish()?;
         profile.problem(frame, load, solver)?
     };
+    problem.check_balance()?;
     Ok(problem)
 }
 

@@ -78,7 +78,7 @@ fn the_surface_has_units() {
     let steel = Elastic::new(modulus, ratio).unwrap();
     let frame = Frame::physical(steel, 1.2e-14, half_width, None).unwrap();
     let problem =
-        Problem::new(frame, Profile::flat(), force_and_moment(force, 0.0), Solver::default())
+        Problem::new(frame, Profile::flat(), force_and_moment(force, 0.0), Solver::bilateral())
             .unwrap();
     let contact = problem.solve().unwrap();
     let theta = 2.0 * (1.0 - ratio * ratio) / (std::f64::consts::PI * modulus);

@@ -22,7 +22,7 @@ fn the_rough_parabola() {
             let load = Load::new(Vertical::Force(force), Rotational::Moment(0.0)).unwrap();
             let profile = Profile::expression("x^2/2").unwrap();
             let problem = Problem::new(frame, profile, load, Solver::default()).unwrap();
-            let contact = problem.solve_unilateral().unwrap();
+            let contact = problem.solve().unwrap();
             let edges = contact.edges();
             assert_eq!(edges.len(), 1);
             let [left, right] = edges[0];

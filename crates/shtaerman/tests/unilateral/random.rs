@@ -84,9 +84,9 @@ pub(crate) fn judge(problem: &Problem) -> Ending {
         (_, Rotational::Eccentricity(e)) => e.abs() >= 1.0,
         _ => false,
     };
-    match problem.solve_unilateral() {
+    match problem.solve() {
         Ok(contact) => {
-            let left = contact.complementarity();
+            let left = contact.complementarity().expect("unilateral");
             Ending::Solved {
                 residual: left.tension.max(left.penetration),
                 error: contact.relative_error(),

@@ -20,9 +20,7 @@ fn a_moment_tips_over() {
     let frame = Frame::physical(body, 1e-13, 5e-3, None).unwrap();
     let solve = |rotational| {
         let load = Load::new(Vertical::Force(1e6), rotational).unwrap();
-        Problem::new(frame.clone(), Profile::flat(), load, Solver::default())
-            .unwrap()
-            .solve_unilateral()
+        Problem::new(frame.clone(), Profile::flat(), load, Solver::default()).unwrap().solve()
     };
     let error = solve(Rotational::Moment(-5001.0)).unwrap_err();
     assert!(error.to_string().contains("must be less than P a = 5000"), "{error}");

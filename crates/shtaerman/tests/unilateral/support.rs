@@ -2,9 +2,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use shtaerman::{
-    Error, Frame, Load, Problem, Profile, Rotational, Solver, UnilateralContact, Vertical,
-};
+use shtaerman::{Contact, Error, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
 
 pub(crate) fn load(vertical: Vertical, rotational: Rotational) -> Load {
     Load::new(vertical, rotational).unwrap()
@@ -19,12 +17,12 @@ pub(crate) fn problem(theta0: f64, profile: &str, load: Load) -> Problem {
     Problem::new(frame, Profile::expression(profile).unwrap(), load, Solver::default()).unwrap()
 }
 
-pub(crate) fn attempt(theta0: f64, profile: &str, load: Load) -> Result<UnilateralContact, Error> {
-    problem(theta0, profile, load).solve_unilateral()
+pub(crate) fn attempt(theta0: f64, profile: &str, load: Load) -> Result<Contact, Error> {
+    problem(theta0, profile, load).solve()
 }
 
 #[track_caller]
-pub(crate) fn solve(theta0: f64, profile: &str, load: Load) -> UnilateralContact {
+pub(crate) fn solve(theta0: f64, profile: &str, load: Load) -> Contact {
     attempt(theta0, profile, load).unwrap()
 }
 
@@ -46,7 +44,7 @@ pub(crate) fn integral(left: f64, right: f64, f: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// `int f dxi` over the zones, cut at a kink.
-pub(crate) fn over_zones(contact: &UnilateralContact, kink: f64, f: impl Fn(f64) -> f64) -> f64 {
+pub(crate) fn over_zones(contact: &Contact, kink: f64, f: impl Fn(f64) -> f64) -> f64 {
     (contact.edges0().iter())
         .map(|&[left, right]| {
             let cut = kink.clamp(left, right);

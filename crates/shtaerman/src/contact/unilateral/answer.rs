@@ -1,14 +1,26 @@
 //! The unilateral answer.
 
+use fredholm::SincSolution;
+use fredholm::kernel::{Kernel, WeberSonine};
+use serde::Serialize;
+
 use super::base::Base;
-use super::check::Check;
-use super::system::Solved;
+use super::check::{Check, outside};
+use super::medium::Medium;
+use super::solved::Solved;
+use super::zones::Zone;
 use crate::contact::accuracy::Accuracy;
-use crate::contact::solved::Stiffness;
-use crate::{Error, Problem, Scaling};
+use crate::contact::balance::State;
+use crate::contact::potential::between_nodes;
+use crate::contact::solution::Solution;
+use crate::contact::solved::{Method, Stiffness};
+use crate::{Error, Problem};
+
+/// Samples of a panel, for the peak of the pressure.
+const SAMPLES: usize = 256;
 
 /// What the answer leaves of tension and penetration, checked between its nodes.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Complementarity {
     /// Largest tension in the zones over the largest pressure.
     pub tension: f64,
@@ -16,16 +28,45 @@ pub struct Complementarity {
     pub penetration: f64,
 }
 
-/// Zones, pressure, settlement, tilt, force and moment of a unilateral contact.
-///
-/// Quantities with a `0` in their name are without dimensions, the others in the units of the problem.
+/// Zones, pressure, settlement, tilt, force and moment of a unilateral contact, without dimensions.
 #[derive(Debug, Clone)]
-pub struct UnilateralContact {
-    problem: Problem,
+pub(crate) struct UnilateralContact {
     solved: Solved,
     accuracy: Accuracy,
     edge_error: f64,
-    complementarity: Complementarity,
+    /// None where the whole base was kept in contact.
+    complementarity: Option<Complementarity>,
+    /// The tilt of a circular punch.
+    tilted: Option<Tilted>,
+    /// Places where the contact does not touch, one for each interval.
+    beside: Vec<f64>,
+}
+
+/// The pressure `p1(r) cos(phi)` of a tilted circular punch.
+#[derive(Debug, Clone)]
+pub(super) struct Tilted {
+    /// For `-alpha0 = 1`.
+    pub(super) unit: SincSolution,
+    /// `alpha0`.
+    pub(super) tilt: f64,
+    pub(super) kernel: WeberSonine,
+}
+
+impl Tilted {
+    /// `p1(r)`.
+    pub(super) fn pressure(&self, r: f64) -> f64 {
+        -self.tilt * self.unit.evaluate(r, r)
+    }
+
+    /// The elastic displacement at `r` for `cos(phi) = 1`.
+    fn displacement(&self, r: f64) -> f64 {
+        let potential = if r <= 1.0 {
+            self.unit.evaluate_potential(r)
+        } else {
+            self.unit.integral(|s| self.kernel.value(r, s))
+        };
+        -self.tilt * self.unit.parameter() * potential
+    }
 }
 
 impl UnilateralContact {
@@ -35,90 +76,119 @@ impl UnilateralContact {
         accuracy: Accuracy,
         edge_error: f64,
         check: &Check,
-    ) -> Result<Self, Error> {
+    ) -> Self {
         let complementarity =
             Complementarity { tension: check.tension, penetration: check.penetration };
-        let problem = base.problem.clone();
-        let contact = Self { problem, solved, accuracy, edge_error, complementarity };
-        for (quantity, value) in [
-            ("force", contact.force0() * contact.scale(Scaling::force)),
-            ("moment", contact.moment0() * contact.scale(Scaling::moment)),
-            ("settlement", contact.settlement0() * contact.scale(Scaling::displacement)),
-            ("tilt", contact.tilt0() * contact.scale(Scaling::angle)),
-            ("pressure", contact.solved.largest() * contact.scale(Scaling::pressure)),
-            ("error of the pressure", contact.accuracy.pressure),
-        ] {
-            if !value.is_finite() {
-                return Err(Error::Overflow { quantity, value });
+        let complementarity = (!base.is_bilateral).then_some(complementarity);
+        let beside =
+            outside(base, &solved).iter().map(|[left, right]| 0.5 * (left + right)).collect();
+        Self { solved, accuracy, edge_error, complementarity, tilted: None, beside }
+    }
+
+    pub(super) fn with_tilt(self, tilted: Tilted) -> Self {
+        Self { tilted: Some(tilted), ..self }
+    }
+
+    /// Where a point of the base lies in the coordinates of the solution: on a disk the distance from the axis, on a wave without gaps the image between the ends
+    /// of its zones.
+    fn locate(&self, xi: f64) -> f64 {
+        match self.solved.medium {
+            Medium::Disk { .. } => xi.abs(),
+            Medium::Row { .. } if self.solved.medium.is_closed() => {
+                let origin = self.solved.hull.centre;
+                xi + 2.0 * (0.5 * (origin - xi)).round()
+            }
+            Medium::Row { .. } | Medium::Line => xi,
+        }
+    }
+
+    /// The zone of a place in the coordinates of the solution.
+    fn zone(&self, place: f64) -> Option<&Zone> {
+        self.solved.zones.iter().find(|zone| zone.left() <= place && place <= zone.right())
+    }
+
+    /// Both places of the base, or the one, that a place in the coordinates of the solution stands for.
+    fn images(&self, place: f64) -> [f64; 2] {
+        if self.solved.medium.is_disk() {
+            return [-place, place];
+        }
+        let is_image = self.solved.medium.is_closed() && place.abs() > 1.0;
+        let place = if is_image { place - 2.0 * (0.5 * place).round() } else { place };
+        [place; 2]
+    }
+
+    /// The answer of a problem that is its own mirror image: what is zero by symmetry is zero.
+    pub(super) fn without_skew(mut self) -> Self {
+        self.solved.state.tilt = 0.0;
+        self.solved.state.moment = 0.0;
+        self.solved.stiffness.coupling = 0.0;
+        self
+    }
+
+    /// The largest estimated error relative to its size.
+    pub(crate) fn relative_error(&self) -> f64 {
+        self.accuracy.relative(&self.solved.state.sizes(self.solved.largest()))
+    }
+
+    /// Refuses an answer short of an explicit tolerance.
+    pub(super) fn within(self, tolerance: Option<f64>) -> Result<Self, Error> {
+        match tolerance {
+            Some(tolerance) if self.relative_error() > tolerance => Err(Error::ToleranceNotMet {
+                tolerance,
+                reached: self.relative_error(),
+                method: self.method().name,
+                n: self.method().n,
+                settlement0: self.solved.state.settlement,
+                tilt0: self.solved.state.tilt,
+            }),
+            _ => Ok(self),
+        }
+    }
+}
+
+impl Solution for UnilateralContact {
+    fn state(&self) -> State {
+        self.solved.state
+    }
+
+    /// Edges that move add nothing of first order, as the pressure vanishes there.
+    fn stiffness(&self) -> Stiffness {
+        self.solved.stiffness
+    }
+
+    /// Of a disk along its diameter; of a wave without gaps a zone may reach beyond the base, on its image.
+    fn zones(&self) -> Vec<[f64; 2]> {
+        let zones = self.solved.zones.iter().map(|zone| [zone.left(), zone.right()]);
+        if !self.solved.medium.is_disk() {
+            return zones.collect();
+        }
+        let mut along: Vec<[f64; 2]> = Vec::new();
+        for [left, right] in zones {
+            if left == 0.0 {
+                along.push([-right, right]);
+            } else {
+                along.extend([[-right, -left], [left, right]]);
             }
         }
-        Ok(contact)
+        along.sort_by(|one, two| one[0].total_cmp(&two[0]));
+        along
     }
 
-    /// The problem solved.
-    #[must_use]
-    pub fn problem(&self) -> &Problem {
-        &self.problem
+    fn touches(&self, xi: f64) -> bool {
+        self.zone(self.locate(xi)).is_some()
     }
 
-    /// `theta0`.
-    #[must_use]
-    pub fn theta0(&self) -> f64 {
-        self.problem.frame().theta0()
-    }
-
-    /// `P0 = P/(a E)`; where it is prescribed, as given.
-    #[must_use]
-    pub fn force0(&self) -> f64 {
-        self.solved.state.force
-    }
-
-    /// `M0 = M/(a^2 E)`; where it is prescribed, as given.
-    #[must_use]
-    pub fn moment0(&self) -> f64 {
-        self.solved.state.moment
-    }
-
-    /// `delta0 = delta/(chi E)` in the gauge `ln(a/|x-s|)` with the half-width `a` of the punch, also where the zones are smaller.
-    #[must_use]
-    pub fn settlement0(&self) -> f64 {
-        self.solved.state.settlement
-    }
-
-    /// `alpha0 = a alpha/(chi E)`.
-    #[must_use]
-    pub fn tilt0(&self) -> f64 {
-        self.solved.state.tilt
-    }
-
-    /// The zones of contact from left to right, `[left, right]` in `xi`.
-    #[must_use]
-    pub fn edges0(&self) -> Vec<[f64; 2]> {
-        self.solved.zones.iter().map(|zone| [zone.left(), zone.right()]).collect()
-    }
-
-    /// The zones of contact in the units of the problem.
-    #[must_use]
-    pub fn edges(&self) -> Vec<[f64; 2]> {
-        let half_width = self.problem.frame().half_width();
-        self.edges0().into_iter().map(|zone| zone.map(|xi| xi * half_width)).collect()
-    }
-
-    /// `p0(xi)` on the base, 0 outside the zones and at their free edges; points beyond the punch count as the nearer edge, NaN stays.
-    #[must_use]
-    pub fn pressure0(&self, xi: f64) -> f64 {
-        let xi = xi.clamp(-1.0, 1.0);
-        let inside = |left: f64, right: f64| left <= xi && xi <= right;
-        let Some(zone) = self.solved.zones.iter().find(|zone| inside(zone.left(), zone.right()))
-        else {
+    fn pressure(&self, problem: &Problem, xi: f64) -> f64 {
+        let place = self.locate(xi);
+        let Some(zone) = self.zone(place) else {
             return if xi.is_nan() { xi } else { 0.0 };
         };
-        if zone.ends.iter().any(|end| end.is_free && end.at == xi) {
+        if zone.ends.iter().any(|end| end.is_free && end.at == place) {
             return 0.0;
         }
         // At a step of the base the height is that under pressure.
         let inside = 1e-12 * zone.length();
-        let at_step = |side: usize| zone.ends[side].at == xi && xi.abs() < 1.0;
+        let at_step = |side: usize| zone.ends[side].at == place && xi.abs() < 1.0;
         let shift = if at_step(0) {
             inside
         } else if at_step(1) {
@@ -126,84 +196,61 @@ impl UnilateralContact {
         } else {
             0.0
         };
-        self.solved.pressure_at(xi, self.problem.dimensionless_profile(xi + shift))
+        let [_, image] = self.images(place);
+        let pressure = self.solved.pressure_at(place, problem.dimensionless_profile(image + shift));
+        let sign = if xi < 0.0 { -1.0 } else { 1.0 };
+        pressure + self.tilted.as_ref().map_or(0.0, |tilted| sign * tilted.pressure(place))
     }
 
-    /// `p(x)` in the units of the problem.
-    ///
-    /// # Errors
-    /// [`Error::BeyondPunch`] outside the closed base, also for NaN.
-    pub fn pressure(&self, x: f64) -> Result<f64, Error> {
-        let half_width = self.problem.frame().half_width();
-        if x.abs() <= half_width {
-            return Ok(self.pressure0(x / half_width) * self.scale(Scaling::pressure));
+    fn displacement(&self, xi: f64) -> f64 {
+        let place = self.locate(xi);
+        let sign = if xi < 0.0 { -1.0 } else { 1.0 };
+        let turned = self.tilted.as_ref().map_or(0.0, |tilted| sign * tilted.displacement(place));
+        if self.zone(place).is_some() {
+            // Of the equation itself: the layer without the profile, with the sign turned.
+            let State { settlement, tilt, .. } = self.solved.state;
+            let tilt = if self.solved.medium.is_disk() { 0.0 } else { tilt };
+            return settlement - tilt * place - self.solved.layer_at(place, 0.0) + turned;
         }
-        let variable = self.problem.frame().coordinate();
-        Err(Error::BeyondPunch { variable, at: x, left: -half_width, right: half_width })
+        self.solved.displacement_outside(place) + turned
     }
 
-    /// `theta0 int ln(1/|xi - eta|) p0(eta) deta`, the elastic displacement without the layer, at any `xi`.
-    #[must_use]
-    pub fn elastic_displacement0(&self, xi: f64) -> f64 {
-        let touches = |left: f64, right: f64| left <= xi && xi <= right;
-        if self.solved.zones.iter().any(|zone| touches(zone.left(), zone.right())) {
-            // Of the equation itself: the pressure without the profile, with the sign turned.
-            let depth = self.settlement0() - self.tilt0() * xi;
-            return depth - self.solved.pressure_at(xi, 0.0);
+    fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
+        let mut places: Vec<f64> = vec![-1.0, 1.0];
+        for panel in &self.solved.panels {
+            let (middle, half) =
+                (0.5 * (panel.left + panel.right), 0.5 * (panel.right - panel.left));
+            let inside =
+                between_nodes(SAMPLES).map(|y| (middle + half * y).clamp(panel.left, panel.right));
+            places.extend(inside.flat_map(|place| self.images(place)));
         }
-        self.solved.displacement_outside(xi)
+        places.extend(self.beside.iter().flat_map(|place| self.images(*place)));
+        // A zero has one sign.
+        places.iter_mut().for_each(|place| *place += 0.0);
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let pressures = places.iter().map(|&xi| self.pressure(problem, xi)).collect();
+        (places, pressures)
     }
 
-    /// The gap `f0 + alpha0 xi - delta0 + theta0 int ln(1/|xi - eta|) p0(eta) deta` between base and body outside the zones; 0 in them.
-    /// Points beyond the punch count as the nearer edge.
-    #[must_use]
-    pub fn gap0(&self, xi: f64) -> f64 {
-        let xi = xi.clamp(-1.0, 1.0);
-        let touches = |left: f64, right: f64| left <= xi && xi <= right;
-        if self.solved.zones.iter().any(|zone| touches(zone.left(), zone.right())) {
-            return 0.0;
-        }
-        let depth = self.settlement0() - self.tilt0() * xi - self.problem.dimensionless_profile(xi);
-        self.solved.displacement_outside(xi) - depth
+    fn method(&self) -> Method {
+        Method { name: "sinc", n: self.solved.positions.len() }
     }
 
-    /// The tangent stiffness without dimensions. Edges that move add nothing of first order, as the pressure vanishes there.
-    #[must_use]
-    pub fn stiffness0(&self) -> Stiffness {
-        self.solved.stiffness
+    fn accuracy(&self) -> Option<&Accuracy> {
+        Some(&self.accuracy)
     }
 
-    /// What is left of tension and penetration.
-    #[must_use]
-    pub fn complementarity(&self) -> Complementarity {
+    fn edge_error(&self) -> Option<f64> {
+        let is_free = |zone: &Zone| zone.ends.iter().any(|end| end.is_free);
+        self.solved.zones.iter().any(is_free).then_some(self.edge_error)
+    }
+
+    fn complementarity(&self) -> Option<Complementarity> {
         self.complementarity
     }
 
-    /// The estimated error, without dimensions.
-    #[must_use]
-    pub fn accuracy(&self) -> &Accuracy {
-        &self.accuracy
-    }
-
-    /// The estimated error of the edges, in `xi`.
-    #[must_use]
-    pub fn edge_error0(&self) -> f64 {
-        self.edge_error
-    }
-
-    /// Number of nodes in all zones.
-    #[must_use]
-    pub fn nodes(&self) -> usize {
-        self.solved.positions.len()
-    }
-
-    /// The largest estimated error relative to its size.
-    #[must_use]
-    pub fn relative_error(&self) -> f64 {
-        self.accuracy.relative(&self.solved.state.sizes(self.solved.largest()))
-    }
-
-    fn scale(&self, unit: impl Fn(&Scaling) -> f64) -> f64 {
-        self.problem.frame().scaling().map_or(1.0, unit)
+    fn size(&self) -> f64 {
+        self.solved.largest()
     }
 }

@@ -1,0 +1,110 @@
+//! What a way of solving hands over before the answer is drawn up.
+
+use std::fmt::Debug;
+
+use super::accuracy::Accuracy;
+use super::balance::State;
+use super::draft::Draft;
+use super::solved::{Method, Stiffness};
+use super::unilateral::Complementarity;
+use crate::Problem;
+
+/// A solution without dimensions, by whatever way.
+pub(super) trait Solution: Debug + Send + Sync {
+    /// Settlement, tilt, force and moment.
+    fn state(&self) -> State;
+
+    /// `d(P0, M0)/d(delta0, -alpha0)`.
+    fn stiffness(&self) -> Stiffness;
+
+    /// The zones of contact from left to right, as `xi`.
+    fn zones(&self) -> Vec<[f64; 2]>;
+
+    /// Whether the base touches at `xi`.
+    fn touches(&self, xi: f64) -> bool {
+        self.zones().iter().any(|[left, right]| *left <= xi && xi <= *right)
+    }
+
+    /// `p0(xi)` on the base, 0 outside the zones; infinite at a singular corner.
+    fn pressure(&self, problem: &Problem, xi: f64) -> f64;
+
+    /// `theta0 int K(xi, eta) p0(eta) deta` at any `xi`.
+    fn displacement(&self, xi: f64) -> f64;
+
+    /// Places from left to right with the pressures there, dense enough to show extremes; all finite.
+    fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>);
+
+    /// Method and size.
+    fn method(&self) -> Method;
+
+    /// The error, where the method tells one.
+    fn accuracy(&self) -> Option<&Accuracy>;
+
+    /// The estimated error of the edges, in `xi`, where they are unknown.
+    fn edge_error(&self) -> Option<f64> {
+        None
+    }
+
+    /// What is left of tension and penetration, where they were looked for.
+    fn complementarity(&self) -> Option<Complementarity> {
+        None
+    }
+
+    /// A bound of the size of `p0 + f0`, for the check that an answer is finite.
+    fn size(&self) -> f64;
+
+    /// The solution of one of the two methods for the full base.
+    fn full_base(&self) -> Option<&Draft> {
+        None
+    }
+}
+
+/// The draft with the Chebyshev degree that shows the features of the profile.
+#[derive(Debug, Clone)]
+pub(super) struct FullBase {
+    pub(super) draft: Draft,
+    pub(super) profile_degree: usize,
+}
+
+impl Solution for FullBase {
+    fn state(&self) -> State {
+        self.draft.state
+    }
+
+    fn stiffness(&self) -> Stiffness {
+        self.draft.balance.stiffness
+    }
+
+    fn zones(&self) -> Vec<[f64; 2]> {
+        vec![[-1.0, 1.0]]
+    }
+
+    fn pressure(&self, problem: &Problem, xi: f64) -> f64 {
+        self.draft.pressure(problem, xi)
+    }
+
+    fn displacement(&self, xi: f64) -> f64 {
+        if xi.abs() <= 1.0 { self.draft.potential.at(xi) } else { self.draft.beside(xi) }
+    }
+
+    fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
+        self.draft.sample(problem, self.profile_degree)
+    }
+
+    fn method(&self) -> Method {
+        self.draft.method
+    }
+
+    fn accuracy(&self) -> Option<&Accuracy> {
+        self.draft.accuracy.as_ref()
+    }
+
+    fn size(&self) -> f64 {
+        let state = &self.draft.state;
+        state.settlement.abs() + state.tilt.abs() + self.draft.potential.size()
+    }
+
+    fn full_base(&self) -> Option<&Draft> {
+        Some(&self.draft)
+    }
+}
