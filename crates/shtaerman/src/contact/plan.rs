@@ -68,6 +68,12 @@ impl Problem {
     /// pressure on the base can balance, [`Error::NoContact`] for displacements that leave the base clear of the body;
     /// [`Error::NotComplementary`] when no zones were found.
     pub fn solve(&self) -> Result<Contact, Error> {
+        if self.frame().law() == Law::Smooth && self.frame().geometry() != Geometry::Circular {
+            let reason = "a smooth surface: the spectral relation of the first kind on each zone";
+            let solved = self.solve_smooth()?;
+            let reached = solved.relative_error();
+            return self.answered(Arc::new(solved), reached, reason.to_owned());
+        }
         match self.solver().contact {
             ContactKind::Unilateral => self.solve_zones(self.solve_unilateral()?),
             ContactKind::Bilateral if self.is_plain() => self.solve_full_base(),
@@ -87,7 +93,16 @@ impl Problem {
             1 => "one zone with exact edges: collocation converges exponentially".to_owned(),
             count => format!("{count} zones with exact edges: collocation converges exponentially"),
         };
-        let mut contact = Contact::new(self, Arc::new(solved), reason)?;
+        self.answered(Arc::new(solved), reached, reason)
+    }
+
+    fn answered(
+        &self,
+        solution: Arc<dyn Solution>,
+        reached: f64,
+        reason: String,
+    ) -> Result<Contact, Error> {
+        let mut contact = Contact::new(self, solution, reason)?;
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
         if self.solver().tolerance.is_none() && reached > AIM {
             contact.warn(Some(Warning::tolerance_not_met(AIM, reached)));

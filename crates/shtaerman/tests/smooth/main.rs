@@ -7,6 +7,7 @@ mod one_punch;
 mod pair;
 mod periodic;
 mod refusals;
+mod stated;
 mod support;
 mod survey;
 mod timing;

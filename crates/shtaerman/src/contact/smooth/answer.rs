@@ -320,6 +320,24 @@ impl SmoothContact {
         }
     }
 
+    /// The largest `|p0|` seen between the singular places.
+    #[must_use]
+    pub fn largest_inside0(&self) -> f64 {
+        self.largest
+    }
+
+    /// Whether the base touches at `xi`.
+    #[must_use]
+    pub fn is_contact(&self, xi: f64) -> bool {
+        match &self.solution {
+            Solution::Full(_) => true,
+            Solution::Zones(solved) => {
+                let place = self.local(solved, xi);
+                solved.parts.iter().any(|part| part.zone.contains(place))
+            }
+        }
+    }
+
     /// Intervals of tension in bilateral contact.
     #[must_use]
     pub fn tension(&self) -> &[[f64; 2]] {

@@ -29,7 +29,7 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
         (0..solved.parts.len()).map(|j| along(base, solved, j)).collect();
     let largest = zones
         .iter()
-        .flat_map(|(_, pressures, _)| pressures.iter())
+        .flat_map(|(_, pressures, _)| pressures.iter().filter(|p| p.is_finite()))
         .fold(f64::MIN_POSITIVE, |most, p| most.max(p.abs()));
     let mut tension = 0.0f64;
     let mut pulling = Vec::new();

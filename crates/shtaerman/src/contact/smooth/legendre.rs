@@ -78,14 +78,10 @@ pub(super) fn derivative(coefficients: &[f64; ORDER]) -> [f64; ORDER] {
     slopes
 }
 
-/// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding.
-const CLOSEST: f64 = 1e-30;
-
-/// `p.v. int_{-1}^{1} P_n(u)/(u - x) du = -2 Q_n(x)` summed with coefficients; `x` by its distances `x + 1` and `x - 1`.
+/// `p.v. int_{-1}^{1} P_n(u)/(u - x) du = -2 Q_n(x)` summed with coefficients; `x` by its distances `x + 1` and `x - 1`, which are not zero.
 pub(super) fn cauchy(coefficients: &[f64; ORDER], from_left: f64, from_right: f64) -> f64 {
     let x = 0.5 * (from_left + from_right);
-    let guarded = |distance: f64| distance.abs().max(CLOSEST).ln();
-    let first = 0.5 * (guarded(from_left) - guarded(from_right));
+    let first = 0.5 * (from_left / from_right).abs().ln();
     if x.abs() <= UPWARD {
         let (mut below, mut value) = (first, x * first - 1.0);
         let mut sum = coefficients[0] * below + coefficients[1] * value;

@@ -17,6 +17,7 @@ mod legendre;
 mod linear;
 mod problem;
 mod slopes;
+mod stated;
 mod system;
 mod topology;
 mod wave;
