@@ -10,4 +10,3 @@ mod refusals;
 mod stated;
 mod support;
 mod survey;
-mod timing;

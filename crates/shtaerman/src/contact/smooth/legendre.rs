@@ -70,12 +70,10 @@ pub(super) fn polynomials(x: f64) -> [f64; ORDER] {
 /// The coefficients of the derivative.
 pub(super) fn derivative(coefficients: &[f64; ORDER]) -> [f64; ORDER] {
     // P_n' = sum of (2k + 1) P_k over k = n-1, n-3, ..
-    let mut slopes = [0.0; ORDER];
-    for k in 0..ORDER {
-        let above = (k + 1..ORDER).step_by(2).map(|n| coefficients[n]);
-        slopes[k] = (2.0 * k as f64 + 1.0) * above.sum::<f64>();
-    }
-    slopes
+    std::array::from_fn(|k| {
+        let above = coefficients.iter().skip(k + 1).step_by(2);
+        (2.0 * k as f64 + 1.0) * above.sum::<f64>()
+    })
 }
 
 /// `p.v. int_{-1}^{1} P_n(u)/(u - x) du = -2 Q_n(x)` summed with coefficients; `x` by its distances `x + 1` and `x - 1`, which are not zero.
@@ -85,10 +83,10 @@ pub(super) fn cauchy(coefficients: &[f64; ORDER], from_left: f64, from_right: f6
     if x.abs() <= UPWARD {
         let (mut below, mut value) = (first, x * first - 1.0);
         let mut sum = coefficients[0] * below + coefficients[1] * value;
-        for n in 2..ORDER {
+        for (n, coefficient) in coefficients.iter().enumerate().skip(2) {
             let k = n as f64;
             (below, value) = (value, ((2.0 * k - 1.0) * x * value - (k - 1.0) * below) / k);
-            sum += coefficients[n] * value;
+            sum += coefficient * value;
         }
         return -2.0 * sum;
     }

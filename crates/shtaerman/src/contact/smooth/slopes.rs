@@ -19,7 +19,7 @@ const RESOLVED: f64 = 3e-16;
 /// Coefficients this small that do not fall when a panel is halved are noise.
 const NOISE: f64 = 1e-11;
 /// A pole so many half-lengths from the middle of a panel is far.
-const FAR: f64 = 4.0;
+const FAR: f64 = 2.5;
 /// Panels whose ends differ by less than this share of the largest slope are made to meet: a jump of rounding would be a pole.
 const JOINED: f64 = 1e-9;
 /// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding.

@@ -129,9 +129,9 @@ fn sunk(problem: &SmoothProblem, settlement: f64, limit: f64) -> Result<SmoothCo
         let contact = super::solve_zones(&SmoothProblem { load, ..problem.clone() })?;
         let excess = contact.settlement0() - settlement;
         if excess > 0.0 {
-            high = force
+            high = force;
         } else {
-            low = force
+            low = force;
         }
         let newton = force - excess * contact.stiffness0().force_settlement;
         last = Some(contact.settled(settlement));
