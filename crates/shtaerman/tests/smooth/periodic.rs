@@ -41,7 +41,10 @@ fn a_row_under_moments() {
 /// `f = -h cos(pi (x - at))`, contact at the crests, wherever the seam is.
 fn wave(mean: f64, at: f64) -> shtaerman::SmoothContact {
     let h = 0.3;
-    punch(1.0, move |x| -h * (PI * (x - at)).cos(), level(2.0 * mean)).period(2.0).solved()
+    punch(1.0, move |x| -h * (PI * (x - at)).cos(), level(2.0 * mean))
+        .slope(move |x| h * PI * (PI * (x - at)).sin())
+        .period(2.0)
+        .solved()
 }
 
 /// The pressure of full contact `p* = pi E* h/L`, `L = 2`, `E* = 2/pi`.
