@@ -47,10 +47,10 @@ pub mod profile;
 pub mod quantity;
 mod roughness;
 mod scaling;
+mod stress;
 
 pub use answer::{
-    Answer, Dimensionless, ErrorReport, Errors, GAUGE, MethodReport, Physical, PressureCurve,
-    SCHEMA,
+    Answer, Dimensionless, ErrorReport, Errors, MethodReport, Physical, PressureCurve, SCHEMA,
 };
 pub use contact::{
     AIM, Accuracy, Complementarity, Contact, CrossCheck, Curve, ErrorKind, Method, SmoothContact,
@@ -67,3 +67,4 @@ pub use problem::{ContactKind, MethodChoice, Problem, Solver};
 pub use profile::Profile;
 pub use roughness::{Law, Roughness};
 pub use scaling::Scaling;
+pub use stress::{Criterion, FirstYield, Peak, Stress, StressField};

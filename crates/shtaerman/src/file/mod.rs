@@ -124,7 +124,7 @@ fn read(document: &Document, folder: &Path) -> Result<Problem, Error> {
         }
         let frame = dimensionless_frame(&table)?;
         let profile = profile::read(&table, &frame, folder)?;
-        let load = load::read(&table, false)?;
+        let load = load::read(&table, &frame)?;
         reader.finish()?;
         profile.problem(frame, load, solver)?
     } else {
@@ -138,7 +138,7 @@ fn read(document: &Document, folder: &Path) -> Result<Problem, Error> {
         }
         let frame = physical::read(&reader)?;
         let profile = profile::read(&reader.required("punch")?.table()?, &frame, folder)?;
-        let load = load::read(&reader.required("load")?.table()?, true)?;
+        let load = load::read(&reader.required("load")?.table()?, &frame)?;
         reader.finish()?;
         profile.problem(frame, load, solver)?
     };
@@ -192,7 +192,7 @@ fn refused(field: &Field<'_>, error: &Error) -> FileError {
 /// A value as people write it, in the unit of the key.
 fn shown(key: &str, value: f64) -> String {
     match key {
-        "young_modulus" => engineering(value, Dimension::PRESSURE),
+        "young_modulus" | "yield_stress" => engineering(value, Dimension::PRESSURE),
         "half_width" => engineering(value, Dimension::LENGTH),
         "roughness" => engineering(value, Dimension::COMPLIANCE),
         "subgrade_modulus" => engineering(value, Dimension::SUBGRADE_MODULUS),

@@ -21,22 +21,9 @@ impl Problem {
     /// Solves the equation of the first kind of a smooth surface, plane, under a pair or periodic.
     ///
     /// # Errors
-    /// Those of [`SmoothProblem::solve`], with values in the units of the problem; [`Error::ToleranceNotMet`].
+    /// Those of [`SmoothProblem::solve`], with values in the units of the problem.
     pub(crate) fn solve_smooth(&self) -> Result<SmoothContact, Error> {
-        let contact = self.smooth().solve().map_err(|error| self.in_units(error))?;
-        match self.solver().tolerance {
-            Some(tolerance) if contact.relative_error() > tolerance => {
-                Err(Error::ToleranceNotMet {
-                    tolerance,
-                    reached: contact.relative_error(),
-                    method: "first_kind",
-                    n: contact.modes(),
-                    settlement0: contact.settlement0(),
-                    tilt0: contact.tilt0(),
-                })
-            }
-            _ => Ok(contact),
-        }
+        self.smooth().solve().map_err(|error| self.in_units(error))
     }
 
     /// The problem without dimensions.
@@ -167,6 +154,10 @@ impl Solution for SmoothContact {
 
     fn complementarity(&self) -> Option<Complementarity> {
         self.problem().is_unilateral.then(|| SmoothContact::complementarity(self))
+    }
+
+    fn relative_error(&self) -> f64 {
+        SmoothContact::relative_error(self)
     }
 
     fn size(&self) -> f64 {
