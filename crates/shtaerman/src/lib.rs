@@ -53,8 +53,8 @@ pub use answer::{
     Answer, Dimensionless, ErrorReport, Errors, MethodReport, Physical, PressureCurve, SCHEMA,
 };
 pub use contact::{
-    AIM, Accuracy, Complementarity, Contact, CrossCheck, ErrorKind, Method, Stiffness, Warning,
-    WarningCode,
+    AIM, Accuracy, Complementarity, Contact, CrossCheck, Curve, ErrorKind, Method, SmoothContact,
+    SmoothKernel, SmoothProblem, SmoothProfile, SmoothZone, Stiffness, Warning, WarningCode,
 };
 pub use convergence::Convergence;
 pub use error::Error;

@@ -69,11 +69,21 @@ impl Problem {
     /// pressure on the base can balance, [`Error::NoContact`] for displacements that leave the base clear of the body;
     /// [`Error::NotComplementary`] when no zones were found.
     pub fn solve(&self) -> Result<Contact, Error> {
+        if self.is_smooth_plane() {
+            return self.draw_up(Arc::new(self.solve_smooth()?));
+        }
         match self.solver().contact {
             ContactKind::Unilateral => self.draw_up(self.solve_unilateral()?),
             ContactKind::Bilateral if self.is_plain() => self.solve_full_base(),
             ContactKind::Bilateral => self.draw_up(self.solve_full_contact()?),
         }
+    }
+
+    /// Whether the surface is smooth and the kernel a plane logarithm.
+    fn is_smooth_plane(&self) -> bool {
+        let frame = self.frame();
+        let is_plane = frame.geometry() != Geometry::Circular && frame.grading().is_none();
+        is_plane && frame.law() == Law::Smooth
     }
 
     /// Whether this is one punch on a half-plane with a linear layer, for which the spectral relation serves.
@@ -102,12 +112,14 @@ impl Problem {
             1 => "one zone".to_owned(),
             count => format!("{count} zones"),
         };
-        let reason = if name == "cells" {
-            format!(
+        let reason = match name {
+            "cells" => format!(
                 "{zones} on equal cells, as the base bends too often for collocation, or its zones were not found by it"
-            )
-        } else {
-            format!("{zones} with exact edges: collocation converges exponentially")
+            ),
+            "first_kind" => {
+                format!("{zones} on a smooth surface: the spectral relation of the first kind")
+            }
+            _ => format!("{zones} with exact edges: collocation converges exponentially"),
         };
         let mut contact = Contact::new(self, solution, reason)?;
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
