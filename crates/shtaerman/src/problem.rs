@@ -178,6 +178,11 @@ impl Problem {
         level && points.into_iter().all(|xi| height(xi) == height(-xi))
     }
 
+    /// Whether the base fills the whole period of a row.
+    pub(crate) fn is_wave(&self) -> bool {
+        self.frame.geometry().is_wave(self.frame.half_width())
+    }
+
     /// The profile resolved by a Chebyshev series in `xi`.
     pub(crate) fn resolved_profile(&self) -> Result<Function, Error> {
         let degree = POINTS_PER_SAMPLE * self.profile.measured_points().unwrap_or(0);
