@@ -30,6 +30,7 @@
 mod answer;
 mod contact;
 pub mod convergence;
+mod datum;
 pub mod document;
 pub mod equation;
 mod error;
@@ -38,6 +39,7 @@ pub mod file;
 mod frame;
 mod geometry;
 mod grading;
+pub mod inverse;
 mod load;
 mod material;
 mod nearest;
@@ -47,6 +49,9 @@ pub mod profile;
 pub mod quantity;
 mod roughness;
 mod scaling;
+mod sensitivity;
+mod surface_curve;
+mod variation;
 
 pub use answer::{
     Answer, Dimensionless, ErrorReport, Errors, GAUGE, MethodReport, Physical, PressureCurve,
@@ -57,6 +62,7 @@ pub use contact::{
     WarningCode,
 };
 pub use convergence::Convergence;
+pub use datum::{Datum, RelativeSettlement};
 pub use error::Error;
 pub use frame::Frame;
 pub use geometry::Geometry;
@@ -67,3 +73,5 @@ pub use problem::{ContactKind, MethodChoice, Problem, Solver};
 pub use profile::Profile;
 pub use roughness::{Law, Roughness};
 pub use scaling::Scaling;
+pub use sensitivity::{Derivatives, Sensitivities};
+pub use surface_curve::SurfaceCurve;
