@@ -2,11 +2,15 @@
 
 mod answer;
 mod equation;
+mod extras;
+mod find;
 mod number;
 mod table;
 
 pub(crate) use answer::{answer_csv, answer_table};
 pub(crate) use equation::{equation_csv, equation_table};
+pub(crate) use extras::{extras, surface_csv};
+pub(crate) use find::{CrownReport, FoundReport, ShapedReport};
 pub(crate) use number::significant;
 pub(crate) use table::Table;
 

@@ -27,14 +27,17 @@ impl Bracket {
     /// The bracket narrowed until a value other than zero is within `small`, or until its places are next to each other.
     ///
     /// Regula falsi in the Illinois form; it bisects where a value is infinite, where three steps did not shorten the bracket to an eighth,
-    /// and where a value is exactly zero: of a plateau at the wanted value (the full base in contact) its edge is what is looked for.
+    /// and on a plateau at the wanted value (the full base in contact), whose edge is what is looked for.
     pub(super) fn narrowed(
         mut self,
         small: f64,
         f: &mut dyn FnMut(f64) -> Result<f64, Error>,
     ) -> Result<Self, Error> {
-        let mut weights = self.values;
+        // A zero counts as just above: the place next to it tells it from a plateau.
+        let weight = |value: f64| if value == 0.0 { small } else { value };
+        let mut weights = self.values.map(weight);
         let mut last = None;
+        let mut zeros = 0;
         let mut widths = [f64::INFINITY; 3];
         for step in 0..MOST {
             let close = |value: f64| value != 0.0 && value.abs() <= small;
@@ -47,18 +50,18 @@ impl Bracket {
             let [left, right] = self.at;
             let secant = left - weights[0] * (right - left) / (weights[1] - weights[0]);
             let inside = secant > left.min(right) && secant < left.max(right);
-            let flat = self.values.contains(&0.0);
-            let bisects = slow || flat || !inside;
+            let bisects = slow || zeros > 1 || !inside;
             let place = if bisects { left.midpoint(right) } else { secant };
             let value = f(place)?;
             let side = usize::from((value >= 0.0) == (self.values[1] >= 0.0));
-            (self.at[side], self.values[side], weights[side]) = (place, value, value);
+            (self.at[side], self.values[side], weights[side]) = (place, value, weight(value));
+            zeros = if value == 0.0 { zeros + 1 } else { 0 };
             // An end that stays twice gets half its weight, so that the bracket shrinks from both sides.
             if last == Some(side) && !bisects {
                 weights[1 - side] *= 0.5;
             }
             if bisects {
-                weights = self.values;
+                weights = self.values.map(weight);
             }
             last = Some(side);
         }

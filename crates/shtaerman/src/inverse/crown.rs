@@ -199,7 +199,7 @@ impl Trials<'_> {
         }
     }
 
-    /// The crown at the limit, on its right side.
+    /// The crown at the limit.
     fn narrowed(&self, at: [f64; 2], values: [f64; 2], limit: f64) -> Result<Crowned, Error> {
         // Signs are turned, so that a peak at the limit counts as within it.
         let Some(bracket) = Bracket::new(at, values.map(|value| -value)) else {
@@ -207,7 +207,8 @@ impl Trials<'_> {
         };
         let narrowed =
             bracket.narrowed(ROUNDING * limit, &mut |t| Ok(limit - self.at(t)?.peak()))?;
-        let within = usize::from(narrowed.values[0] < 0.0);
-        self.at(narrowed.at[within])
+        // Beyond the limit by no more than rounding.
+        let nearer = usize::from(narrowed.values[1].abs() < narrowed.values[0].abs());
+        self.at(narrowed.at[nearer])
     }
 }
