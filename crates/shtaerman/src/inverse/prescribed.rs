@@ -22,6 +22,7 @@ const COMPARED: usize = 512;
 /// A pull below this share of the largest pressure, and a moment off by this share of `P a`, count as none.
 const PULL: f64 = 1e-12;
 const OFF: f64 = 1e-9;
+const NO_MOMENT: f64 = 1e-15;
 /// Offset at which both sides of a breakpoint are compared, and the share of the largest pressure that makes a jump.
 const BESIDE: f64 = 1e-9;
 const JUMP: f64 = 1e-6;
@@ -200,6 +201,8 @@ impl<'p> Prescription<'p> {
         let factor = self.factor(solution)?;
         self.refuse_pull(factor)?;
         let moment = factor * solution.integral(|xi| xi);
+        // Rounding of a symmetric pressure is no moment.
+        let moment = if moment.abs() <= NO_MOMENT * self.force.abs() { 0.0 } else { moment };
         let tilt = self.balanced_tilt(moment)?;
         let frame = self.problem.frame();
         let theta0 = frame.theta0();
