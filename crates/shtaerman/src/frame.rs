@@ -128,6 +128,18 @@ impl Frame {
         }
     }
 
+    /// What the settlement is measured against.
+    #[must_use]
+    pub fn gauge(&self) -> &'static str {
+        if self.grading().is_some() { "zero at infinity" } else { self.geometry().gauge() }
+    }
+
+    /// Whether force and moment are those of a disk (N, N m), not per unit length.
+    #[must_use]
+    pub fn is_circular(&self) -> bool {
+        self.geometry() == Geometry::Circular
+    }
+
     /// The pieces of the base as `xi`.
     #[must_use]
     pub fn pieces(&self) -> Vec<[f64; 2]> {

@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::Value;
 use shtaerman::inverse::{Crown, Crowned, Found, Goal, Shaped};
 use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
-use shtaerman::{Contact, Geometry, Problem, Rotational, Roughness};
+use shtaerman::{Contact, Problem, Rotational, Roughness};
 
 use super::{Table, significant};
 use crate::Failure;
@@ -28,7 +28,7 @@ impl Shown {
     fn of(problem: &Problem) -> Self {
         Self {
             is_physical: problem.frame().scaling().is_some(),
-            is_circular: problem.frame().geometry() == Geometry::Circular,
+            is_circular: problem.frame().is_circular(),
         }
     }
 
@@ -48,7 +48,7 @@ impl Shown {
     }
 
     fn moment(self) -> DisplayUnit {
-        DisplayUnit::prefixed(if self.is_circular { "N m" } else { "N" })
+        if self.is_circular { Dimension::MOMENT.into() } else { DisplayUnit::prefixed("N") }
     }
 }
 
@@ -90,12 +90,12 @@ impl Summary {
         }
     }
 
-    fn rows(&self, shown: Shown, table: &mut Table) {
+    fn rows(&self, shown: Shown, gauge: &str, table: &mut Table) {
         let length = |value| shown.value(value, Dimension::LENGTH);
         let mut row = |name: &str, value: String, note: String| {
             table.row(vec![name.to_owned(), value, note]);
         };
-        row("settlement", length(self.settlement), "gauge ln(a/|x-s|)".to_owned());
+        row("settlement", length(self.settlement), format!("gauge: {gauge}"));
         row("tilt", shown.value(self.tilt, DisplayUnit::angle()), String::new());
         row("force", shown.value(self.force, shown.force()), String::new());
         row("moment", shown.value(self.moment, shown.moment()), String::new());
@@ -230,7 +230,7 @@ impl FoundReport {
             };
             table.row(vec!["roughness".to_owned(), value, note]);
         }
-        self.contact.rows(shown, &mut table);
+        self.contact.rows(shown, problem.frame().gauge(), &mut table);
         text.push_str(&table.to_string());
         let _ = writeln!(
             text,
@@ -417,7 +417,7 @@ impl ShapedReport {
         let mut row = |name: &str, value: String, note: &str| {
             table.row(vec![name.to_owned(), value, note.to_owned()]);
         };
-        row("settlement", length(self.settlement), "gauge ln(a/|x-s|), with this profile");
+        row("settlement", length(self.settlement), "gauge: ln(a/|x-s|), with this profile");
         row("tilt", shown.value(self.tilt, DisplayUnit::angle()), "");
         row("force", shown.value(self.force, shown.force()), "to which the pressure is scaled");
         row("moment", shown.value(self.moment, shown.moment()), "");

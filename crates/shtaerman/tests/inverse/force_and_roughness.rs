@@ -26,9 +26,9 @@ fn a_layer_alone_has_closed_forms() {
             let found = force(&problem, Goal::ContactWidth(width)).unwrap();
             close(found.value, 4.0 / 3.0 * c * (0.5 * width).powi(3), 1e-11);
         }
-        // The least force that makes the full base touch.
+        // The least force that makes the full base touch; an edge this close to a corner rests on it.
         let found = force(&problem, Goal::ContactWidth(2.0)).unwrap();
-        close(found.value, 4.0 / 3.0 * c, 1e-11);
+        close(found.value, 4.0 / 3.0 * c, 1e-9);
         assert!((found.reached - 2.0).abs() < 1e-12);
     }
 }
