@@ -55,10 +55,19 @@ impl Contact {
             Datum::Distance(x) => {
                 let given = x.is_finite() && x != 0.0;
                 crate::error::require(given, "datum distance", x, "finite and other than zero")?;
+                // Beyond one period a row repeats itself.
+                let x = match frame.geometry() {
+                    Geometry::Periodic { period } => x - period * (x / period).round(),
+                    _ => x,
+                };
                 self.elastic_displacement(x)
             }
             Datum::Depth(depth) => self.displacement_at_depth(depth)?,
         };
+        if !displacement.is_finite() {
+            let quantity = "displacement of the datum";
+            return Err(Error::Overflow { quantity, value: displacement });
+        }
         let settlement = self.settlement() - displacement;
         Ok(RelativeSettlement { datum, displacement, settlement })
     }

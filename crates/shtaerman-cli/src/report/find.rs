@@ -7,7 +7,7 @@ use serde::Serialize;
 use serde_json::Value;
 use shtaerman::inverse::{Crown, Crowned, Found, Goal, Shaped};
 use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
-use shtaerman::{Contact, Problem, Rotational, Roughness};
+use shtaerman::{Contact, Problem, Rotational, Roughness, Scaling};
 
 use super::{Table, significant};
 use crate::Failure;
@@ -169,7 +169,7 @@ impl FoundReport {
     /// Of the roughness.
     pub(crate) fn roughness(problem: &Problem, found: &Found) -> Self {
         let shown = Shown::of(problem);
-        let value = match found.contact.problem().frame().scaling().map(|s| s.roughness()) {
+        let value = match found.contact.problem().frame().scaling().map(Scaling::roughness) {
             Some(Roughness::Power { coefficient, exponent }) => {
                 serde_json::json!({ "coefficient": coefficient, "exponent": exponent })
             }
@@ -221,7 +221,7 @@ impl FoundReport {
         );
         let mut table = Table::new(&["", "", ""]);
         if self.unknown == "roughness" {
-            let (value, note) = match problem.frame().scaling().map(|s| s.roughness()) {
+            let (value, note) = match problem.frame().scaling().map(Scaling::roughness) {
                 Some(Roughness::Power { exponent, .. }) => (
                     significant(self.value, DIGITS),
                     format!("coefficient B of B p^{exponent}, m/Pa^{exponent}"),

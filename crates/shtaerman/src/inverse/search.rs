@@ -7,6 +7,8 @@ use crate::{Contact, Error};
 /// Relative distance from the wanted value that counts as reached, and that which is rounding.
 const REACHED: f64 = 1e-7;
 const ROUNDING: f64 = 1e-13;
+/// Share of the values at the ends of the first bracket that counts as their size.
+const NEARBY: f64 = 1e-3;
 
 /// The value found, with the contact that it gives.
 #[derive(Debug, Clone)]
@@ -77,7 +79,7 @@ impl Search<'_> {
                 let Ok(trial) = self.trial(next) else { continue };
                 trials.push(trial.clone());
                 if let Some(bracket) = self.bracket(&before, &trial) {
-                    return self.narrow(bracket, [before, trial], trials.len());
+                    return self.narrow(bracket, &[before, trial], trials.len());
                 }
                 frontiers[side] = Some(trial);
             }
@@ -98,11 +100,14 @@ impl Search<'_> {
     fn narrow(
         &self,
         bracket: Bracket,
-        ends: [Trial; 2],
+        ends: &[Trial; 2],
         evaluations: usize,
     ) -> Result<Found, Error> {
         let wanted = self.goal.wanted();
-        let small = ROUNDING * wanted.abs();
+        let ends_size = ends.iter().fold(0.0, |most: f64, end| most.max(end.value.abs()));
+        // A wish of zero is as close as what is nearby allows.
+        let size = wanted.abs().max(NEARBY * ends_size);
+        let small = ROUNDING * size;
         let mut trials = ends.to_vec();
         let narrowed = bracket.narrowed(small, &mut |at| {
             let trial = self.trial(at)?;
@@ -120,8 +125,7 @@ impl Search<'_> {
         } else {
             one
         };
-        let size = wanted.abs().max(ends.iter().fold(0.0, |most, end| end.value.abs().max(most)));
-        if distance(best, wanted) > REACHED * size.min(wanted.abs().max(f64::MIN_POSITIVE)) {
+        if distance(best, wanted) > REACHED * size {
             let dimension = self.goal.dimension_in(best.contact.problem());
             return Err(InverseError::Jump {
                 unknown: self.unknown,

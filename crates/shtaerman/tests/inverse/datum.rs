@@ -1,7 +1,7 @@
 //! Settlements relative to a datum, and the surface.
 
 use crate::support::{load, physical, unilateral};
-use shtaerman::{Datum, Elastic, Frame, Problem, Profile, Solver, SurfaceCurve};
+use shtaerman::{Datum, Elastic, Frame, Geometry, Problem, Profile, Solver, SurfaceCurve};
 
 #[test]
 fn far_away_the_punch_is_a_line_load() {
@@ -79,6 +79,28 @@ fn a_gauge_does_not_matter() {
         let (one, two) = (relative(5e-3, datum), relative(12e-3, datum));
         assert!((one / two - 1.0).abs() < 1e-10, "{datum:?}: {one} {two}");
     }
+}
+
+#[test]
+fn a_row_repeats_itself() {
+    let foundation = Elastic::new(200e9, 0.3).unwrap();
+    let row = Geometry::Periodic { period: 12e-3 };
+    let frame = Frame::physical_in(row, foundation, 1.2e-14, 5e-3, None).unwrap();
+    let profile = Profile::expression("x^2/2").unwrap();
+    let problem = Problem::new(frame, profile, load(8e5, 0.0), Solver::default()).unwrap();
+    let contact = problem.solve().unwrap();
+    let at = |x| contact.relative_settlement(Datum::Distance(x)).unwrap().settlement;
+    for (one, two) in [(6e-3, 0.498), (4e-3, 1.0), (2e-3, -2e-3)] {
+        assert!((at(one) / at(two) - 1.0).abs() < 1e-9, "{one} {two}");
+    }
+    // Half-way between two punches the surface is highest.
+    assert!(at(6e-3) > at(5e-3) && at(5e-3) > at(3e-3));
+    // Flamant's point in the depth is that of one punch.
+    assert!(contact.relative_settlement(Datum::Depth(1.0)).is_err());
+    let SurfaceCurve::Physical { x, gap, .. } = SurfaceCurve::new(&contact, 13).unwrap() else {
+        unreachable!()
+    };
+    assert_eq!((x[0], gap[0], gap[6]), (-6e-3, None, Some(0.0)));
 }
 
 #[test]

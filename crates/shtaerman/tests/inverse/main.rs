@@ -5,6 +5,8 @@
 mod crown;
 mod datum;
 mod force_and_roughness;
+mod geometries;
+mod hostile;
 mod prescribed;
 mod sensitivities;
 mod support;

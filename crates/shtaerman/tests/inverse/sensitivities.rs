@@ -16,7 +16,7 @@ fn problems() -> Vec<Problem> {
     let full = physical(200e9, 1.2e-14, 5e-3, "x^2/(2*80)", load(8e5, 0.0));
     problems.push(full);
     // Power laws join once their solver does.
-    problems.extend(start.with_roughness(power).ok().filter(|problem| is_solved(problem)));
+    problems.extend(start.with_roughness(power).ok().filter(is_solved));
     problems
 }
 
