@@ -2,10 +2,12 @@
 
 use super::search::{Range, Search};
 use super::{Found, Goal, InverseError};
-use crate::{Error, Load, Problem, Rotational, Vertical};
+use crate::{Error, Load, Problem, Rotational, Scaling, Vertical};
 
 /// How far from where it begins the search goes, as a factor.
 const REACH: f64 = 1e15;
+/// Least force that is tried, without dimensions: zones become too small for a solver.
+const LEAST: f64 = 1e-12;
 
 /// The force under which the contact has the peak pressure or the width wanted, keeping the tilt where the load prescribes it and the
 /// eccentricity `M/P` otherwise; where the load prescribes a settlement with a moment, that of its answer.
@@ -26,8 +28,10 @@ pub fn force(problem: &Problem, goal: Goal) -> Result<Found, Error> {
     let (start, rotational) = standing(problem)?;
     let solve =
         |force: f64| problem.with_load(Load::new(Vertical::Force(force), rotational)?)?.solve();
+    let unit = problem.frame().scaling().map_or(1.0, Scaling::force);
+    let least = (start / REACH).max((LEAST * unit).min(start));
     Search { unknown: "force", goal, solve: &solve }
-        .run(Range { start, ends: [start / REACH, start * REACH] })
+        .run(Range { start, ends: [least, start * REACH] })
 }
 
 /// A force to begin with, and what goes with every force.

@@ -5,12 +5,12 @@ use super::{Found, Goal, InverseError};
 use crate::{Error, Problem, Roughness, Vertical};
 
 /// The values of `chi E*/a` within which it is looked for.
-const RANGE: [f64; 2] = [1e-8, 1e8];
+const RANGE: [f64; 2] = [1e-8, 1e12];
 
 /// The compliance `chi` (m/Pa), or the coefficient `B` (m/Pa^kappa) of a power law, with which the contact has the settlement, the width or the peak
 /// pressure wanted under the load of the problem.
 ///
-/// Looked for where the layer under the mean pressure gives `1e-8` to `1e8` of what it would at `chi = a/E*`; of a smooth surface the linear law is meant.
+/// Looked for where the layer under the mean pressure gives `1e-8` to `1e12` of what it would at `chi = a/E*`; of a smooth surface the linear law is meant.
 /// Where several values fit, it is the one nearest to that of the problem.
 ///
 /// # Errors
