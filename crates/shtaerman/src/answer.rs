@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::{
-    Complementarity, Contact, CrossCheck, Error, ErrorKind, Law, Rotational, Scaling, Vertical,
-    Warning,
+    Complementarity, Contact, CrossCheck, Error, ErrorKind, Law, RelativeSettlement, Rotational,
+    Scaling, Sensitivities, SurfaceCurve, Vertical, Warning,
 };
 
 /// Version of the answer's layout; the JSON Schema `schema/answer.schema.json` describes it.
@@ -23,6 +23,9 @@ pub struct Answer {
     pub physical: Option<Physical>,
     /// The pressure at points.
     pub pressure: PressureCurve,
+    /// The surface under and beside the punch, where asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub surface: Option<SurfaceCurve>,
     /// How it was solved.
     pub method: MethodReport,
     /// How sure the answer is.
@@ -112,6 +115,12 @@ pub struct Dimensionless {
     pub stiffness: [[f64; 2]; 2],
     /// Zones of contact, as `xi`.
     pub edges: Vec<[f64; 2]>,
+    /// The settlement relative to the data asked for, of a dimensionless problem.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub relative_settlement: Vec<RelativeSettlement>,
+    /// How the answer changes with `theta0` and load, where asked for of a dimensionless problem.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sensitivities: Option<Sensitivities>,
 }
 
 /// Quantities in SI units.
@@ -147,6 +156,12 @@ pub struct Physical {
     pub contact_modulus: f64,
     /// What the settlement is measured against.
     pub gauge: &'static str,
+    /// The settlement relative to the data asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub relative_settlement: Vec<RelativeSettlement>,
+    /// How the answer changes with roughness, modulus and load, where asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sensitivities: Option<Sensitivities>,
 }
 
 /// The pressure at points.
@@ -227,6 +242,7 @@ impl Answer {
                 .then(|| Dimensionless::new(contact)),
             physical,
             pressure,
+            surface: None,
             method: MethodReport {
                 name: contact.method().name,
                 n: contact.method().n,
@@ -237,6 +253,28 @@ impl Answer {
             cross_check: None,
             warnings: contact.warnings().to_vec(),
         }
+    }
+
+    /// The answer with settlements relative to these data.
+    #[must_use]
+    pub fn with_relative_settlement(mut self, relative: Vec<RelativeSettlement>) -> Self {
+        match (&mut self.physical, &mut self.dimensionless) {
+            (Some(physical), _) => physical.relative_settlement = relative,
+            (None, Some(dimensionless)) => dimensionless.relative_settlement = relative,
+            (None, None) => {}
+        }
+        self
+    }
+
+    /// The answer with its sensitivities.
+    #[must_use]
+    pub fn with_sensitivities(mut self, sensitivities: Sensitivities) -> Self {
+        match (&mut self.physical, &mut self.dimensionless) {
+            (Some(physical), _) => physical.sensitivities = Some(sensitivities),
+            (None, Some(dimensionless)) => dimensionless.sensitivities = Some(sensitivities),
+            (None, None) => {}
+        }
+        self
     }
 }
 
@@ -291,6 +329,8 @@ impl Dimensionless {
             p0_max_at,
             stiffness: contact.stiffness0().matrix(),
             edges: contact.edges0(),
+            relative_settlement: Vec::new(),
+            sensitivities: None,
         }
     }
 }
@@ -318,6 +358,8 @@ impl Physical {
                 .scaling()
                 .map_or(0.0, Scaling::contact_modulus),
             gauge: contact.problem().frame().gauge(),
+            relative_settlement: Vec::new(),
+            sensitivities: None,
         }
     }
 }

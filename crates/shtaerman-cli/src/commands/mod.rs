@@ -2,6 +2,7 @@
 
 mod convergence;
 mod equation;
+mod find;
 mod init;
 mod places;
 mod problem_file;
@@ -19,6 +20,7 @@ use crate::arguments::Command;
 pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Find(arguments) => find::run(arguments),
         Command::Validate(arguments) => validate::run(arguments),
         Command::Init(arguments) => init::run(arguments),
         Command::Reproduce(arguments) => reproduce::run(arguments),

@@ -8,6 +8,8 @@ mod commands;
 mod equation;
 mod equation_input;
 mod examples;
+mod extras;
+mod find;
 mod hostile;
 mod outputs;
 mod overrides;
