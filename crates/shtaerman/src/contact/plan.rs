@@ -7,6 +7,7 @@ use fredholm::basis::Function;
 use super::solution::{FullBase, Solution};
 use super::warning::Warning;
 use super::{Contact, Draft, collocated, spectral};
+use crate::error::require;
 use crate::{ContactKind, Error, MethodChoice, Problem};
 
 /// Relative error that is aimed at where no tolerance is given.
@@ -66,10 +67,17 @@ impl Problem {
     /// pressure on the base can balance, [`Error::NoContact`] for displacements that leave the base clear of the body;
     /// [`Error::NotComplementary`] when no zones were found.
     pub fn solve(&self) -> Result<Contact, Error> {
+        self.require_homogeneous()?;
         match self.solver().contact {
             ContactKind::Unilateral => self.solve_zones(),
             ContactKind::Bilateral => self.solve_full_base(),
         }
+    }
+
+    fn require_homogeneous(&self) -> Result<(), Error> {
+        let exponent = self.frame().grading().map_or(0.0, |grading| grading.exponent());
+        let requirement = "0: graded foundations are read and scaled, but not solved yet";
+        require(exponent == 0.0, "grading_exponent", exponent, requirement).map(|_| ())
     }
 
     fn solve_zones(&self) -> Result<Contact, Error> {
