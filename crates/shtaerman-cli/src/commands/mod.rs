@@ -7,6 +7,7 @@ mod places;
 mod problem_file;
 mod regularity;
 mod reproduce;
+mod roughness;
 mod solve;
 mod spectrum;
 mod validate;
@@ -25,5 +26,6 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Convergence(arguments) => convergence::run(arguments),
         Command::Equation(arguments) => equation::run(arguments),
         Command::Spectrum(arguments) => spectrum::run(arguments),
+        Command::Roughness(arguments) => roughness::run(arguments),
     }
 }

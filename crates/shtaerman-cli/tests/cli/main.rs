@@ -13,5 +13,6 @@ mod outputs;
 mod overrides;
 mod places;
 mod references;
+mod roughness;
 mod spectrum;
 mod support;

@@ -148,6 +148,7 @@ impl Problem {
 
     /// The plain degenerate kernel of a given degree, without an estimate of its error, and its iterated pressure at the right edge, in the units of the problem.
     pub(crate) fn solve_iterated(&self, degree: usize) -> Result<(Contact, f64), Error> {
+        self.require_homogeneous()?;
         let function = self.resolved_profile()?;
         let draft = spectral::solve(self, &function, degree)?;
         let [_, edge] = spectral::iterated_edges(self, &function, &draft);
