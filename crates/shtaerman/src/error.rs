@@ -97,6 +97,32 @@ pub enum Error {
     )]
     NoContact,
 
+    /// A circular punch lifts off on one side.
+    #[error(
+        "{field} = {value}: the circular punch lifts off on one side, and its contact is no disk any more: full contact holds up to a magnitude of {limit}; \
+         contact = \"bilateral\" lets the pressure pull instead"
+    )]
+    LiftsOff {
+        /// `moment`, `eccentricity` or `tilt`.
+        field: &'static str,
+        /// The value given, SI.
+        value: f64,
+        /// The largest magnitude with full contact, SI; 0 where the base does not touch as a whole without a moment.
+        limit: f64,
+    },
+
+    /// A layer with a power law would pull.
+    #[error(
+        "the pressure would pull at {variable} = {at}, and the power law of the layer is known for compression only: \
+         let the punch lift off (contact = \"unilateral\"), or press harder"
+    )]
+    Pulls {
+        /// `x` (metres) or `xi`.
+        variable: &'static str,
+        /// Where.
+        at: f64,
+    },
+
     /// No zones of contact were found on which pressure and gap have their signs.
     #[error(
         "the zones of contact were not found: the best attempt has a tension of {tension:.1e} and a penetration of {penetration:.1e} of their scales"

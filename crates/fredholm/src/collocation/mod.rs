@@ -37,6 +37,7 @@ mod points;
 mod solution;
 mod spectrum;
 mod sweep;
+mod weighted;
 mod weights;
 
 pub use adaptive::{
@@ -53,3 +54,4 @@ pub use points::PointSet;
 pub use solution::SincSolution;
 pub use spectrum::SincSpectrum;
 pub use sweep::{Prescribed, Sweep, SweepValue};
+pub use weighted::WeightedFactor;

@@ -5,10 +5,14 @@ use std::sync::Arc;
 use fredholm::basis::Function;
 
 use super::solution::{FullBase, Solution};
+use super::unilateral::UnilateralContact;
 use super::warning::Warning;
 use super::{Contact, Draft, collocated, spectral};
 use crate::error::require;
 use crate::{ContactKind, Error, MethodChoice, Problem};
+=======
+use crate::roughness::Law;
+use crate::{ContactKind, Error, Geometry, MethodChoice, Problem};
 
 /// Relative error that is aimed at where no tolerance is given.
 pub const AIM: f64 = 1e-12;
@@ -69,8 +73,9 @@ impl Problem {
     pub fn solve(&self) -> Result<Contact, Error> {
         self.require_homogeneous()?;
         match self.solver().contact {
-            ContactKind::Unilateral => self.solve_zones(),
-            ContactKind::Bilateral => self.solve_full_base(),
+            ContactKind::Unilateral => self.solve_zones(self.solve_unilateral()?),
+            ContactKind::Bilateral if self.is_plain() => self.solve_full_base(),
+            ContactKind::Bilateral => self.solve_zones(self.solve_full_contact()?),
         }
     }
 
@@ -80,14 +85,20 @@ impl Problem {
         require(exponent == 0.0, "grading_exponent", exponent, requirement).map(|_| ())
     }
 
-    fn solve_zones(&self) -> Result<Contact, Error> {
-        let solved = self.solve_unilateral()?;
+    /// Whether this is one punch on a half-plane with a linear layer, for which the spectral relation serves.
+    fn is_plain(&self) -> bool {
+        let frame = self.frame();
+        frame.geometry() == Geometry::Plane && frame.law() == Law::Linear
+    }
+
+    fn solve_zones(&self, solved: UnilateralContact) -> Result<Contact, Error> {
         let reached = solved.relative_error();
         let reason = match solved.zones().len() {
             1 => "one zone with exact edges: collocation converges exponentially".to_owned(),
             count => format!("{count} zones with exact edges: collocation converges exponentially"),
         };
         let mut contact = Contact::new(self, Arc::new(solved), reason)?;
+        contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
         if self.solver().tolerance.is_none() && reached > AIM {
             contact.warn(Some(Warning::tolerance_not_met(AIM, reached)));
         }

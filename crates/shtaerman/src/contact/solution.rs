@@ -20,6 +20,11 @@ pub(super) trait Solution: Debug + Send + Sync {
     /// The zones of contact from left to right, as `xi`.
     fn zones(&self) -> Vec<[f64; 2]>;
 
+    /// Whether the base touches at `xi`.
+    fn touches(&self, xi: f64) -> bool {
+        self.zones().iter().any(|[left, right]| *left <= xi && xi <= *right)
+    }
+
     /// `p0(xi)` on the base, 0 outside the zones; infinite at a singular corner.
     fn pressure(&self, problem: &Problem, xi: f64) -> f64;
 

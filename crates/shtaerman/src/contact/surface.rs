@@ -37,8 +37,7 @@ impl Contact {
     #[must_use]
     pub fn gap0(&self, xi: f64) -> f64 {
         let xi = xi.clamp(-1.0, 1.0);
-        let touches = |[left, right]: &[f64; 2]| *left <= xi && xi <= *right;
-        if self.edges0().iter().any(touches) {
+        if self.solution().touches(xi) {
             return 0.0;
         }
         self.elastic_displacement0(xi) - self.base_depth0(xi)

@@ -1,9 +1,13 @@
 //! The unilateral answer.
 
+use fredholm::SincSolution;
+use fredholm::kernel::{Kernel, WeberSonine};
 use serde::Serialize;
 
+use super::base::Base;
 use super::check::{Check, outside};
-use super::system::Solved;
+use super::medium::Medium;
+use super::solved::Solved;
 use super::zones::Zone;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
@@ -30,14 +34,87 @@ pub(crate) struct UnilateralContact {
     solved: Solved,
     accuracy: Accuracy,
     edge_error: f64,
-    complementarity: Complementarity,
+    /// None where the whole base was kept in contact.
+    complementarity: Option<Complementarity>,
+    /// The tilt of a circular punch.
+    tilted: Option<Tilted>,
+    /// Places where the contact does not touch, one for each interval.
+    beside: Vec<f64>,
+}
+
+/// The pressure `p1(r) cos(phi)` of a tilted circular punch.
+#[derive(Debug, Clone)]
+pub(super) struct Tilted {
+    /// For `-alpha0 = 1`.
+    pub(super) unit: SincSolution,
+    /// `alpha0`.
+    pub(super) tilt: f64,
+    pub(super) kernel: WeberSonine,
+}
+
+impl Tilted {
+    /// `p1(r)`.
+    pub(super) fn pressure(&self, r: f64) -> f64 {
+        -self.tilt * self.unit.evaluate(r, r)
+    }
+
+    /// The elastic displacement at `r` for `cos(phi) = 1`.
+    fn displacement(&self, r: f64) -> f64 {
+        let potential = if r <= 1.0 {
+            self.unit.evaluate_potential(r)
+        } else {
+            self.unit.integral(|s| self.kernel.value(r, s))
+        };
+        -self.tilt * self.unit.parameter() * potential
+    }
 }
 
 impl UnilateralContact {
-    pub(super) fn new(solved: Solved, accuracy: Accuracy, edge_error: f64, check: &Check) -> Self {
+    pub(super) fn new(
+        base: &Base<'_>,
+        solved: Solved,
+        accuracy: Accuracy,
+        edge_error: f64,
+        check: &Check,
+    ) -> Self {
         let complementarity =
             Complementarity { tension: check.tension, penetration: check.penetration };
-        Self { solved, accuracy, edge_error, complementarity }
+        let complementarity = (!base.is_bilateral).then_some(complementarity);
+        let beside =
+            outside(base, &solved).iter().map(|[left, right]| 0.5 * (left + right)).collect();
+        Self { solved, accuracy, edge_error, complementarity, tilted: None, beside }
+    }
+
+    pub(super) fn with_tilt(self, tilted: Tilted) -> Self {
+        Self { tilted: Some(tilted), ..self }
+    }
+
+    /// Where a point of the base lies in the coordinates of the solution: on a disk the distance from the axis, on a wave without gaps the image between the ends
+    /// of its zones.
+    fn locate(&self, xi: f64) -> f64 {
+        match self.solved.medium {
+            Medium::Disk { .. } => xi.abs(),
+            Medium::Row { .. } if self.solved.medium.is_closed() => {
+                let origin = self.solved.hull.centre;
+                xi + 2.0 * (0.5 * (origin - xi)).round()
+            }
+            Medium::Row { .. } | Medium::Line => xi,
+        }
+    }
+
+    /// The zone of a place in the coordinates of the solution.
+    fn zone(&self, place: f64) -> Option<&Zone> {
+        self.solved.zones.iter().find(|zone| zone.left() <= place && place <= zone.right())
+    }
+
+    /// Both places of the base, or the one, that a place in the coordinates of the solution stands for.
+    fn images(&self, place: f64) -> [f64; 2] {
+        if self.solved.medium.is_disk() {
+            return [-place, place];
+        }
+        let is_image = self.solved.medium.is_closed() && place.abs() > 1.0;
+        let place = if is_image { place - 2.0 * (0.5 * place).round() } else { place };
+        [place; 2]
     }
 
     /// The answer of a problem that is its own mirror image: what is zero by symmetry is zero.
@@ -79,22 +156,39 @@ impl Solution for UnilateralContact {
         self.solved.stiffness
     }
 
+    /// Of a disk along its diameter; of a wave without gaps a zone may reach beyond the base, on its image.
     fn zones(&self) -> Vec<[f64; 2]> {
-        self.solved.zones.iter().map(|zone| [zone.left(), zone.right()]).collect()
+        let zones = self.solved.zones.iter().map(|zone| [zone.left(), zone.right()]);
+        if !self.solved.medium.is_disk() {
+            return zones.collect();
+        }
+        let mut along: Vec<[f64; 2]> = Vec::new();
+        for [left, right] in zones {
+            if left == 0.0 {
+                along.push([-right, right]);
+            } else {
+                along.extend([[-right, -left], [left, right]]);
+            }
+        }
+        along.sort_by(|one, two| one[0].total_cmp(&two[0]));
+        along
+    }
+
+    fn touches(&self, xi: f64) -> bool {
+        self.zone(self.locate(xi)).is_some()
     }
 
     fn pressure(&self, problem: &Problem, xi: f64) -> f64 {
-        let inside = |left: f64, right: f64| left <= xi && xi <= right;
-        let Some(zone) = self.solved.zones.iter().find(|zone| inside(zone.left(), zone.right()))
-        else {
+        let place = self.locate(xi);
+        let Some(zone) = self.zone(place) else {
             return if xi.is_nan() { xi } else { 0.0 };
         };
-        if zone.ends.iter().any(|end| end.is_free && end.at == xi) {
+        if zone.ends.iter().any(|end| end.is_free && end.at == place) {
             return 0.0;
         }
         // At a step of the base the height is that under pressure.
         let inside = 1e-12 * zone.length();
-        let at_step = |side: usize| zone.ends[side].at == xi && xi.abs() < 1.0;
+        let at_step = |side: usize| zone.ends[side].at == place && xi.abs() < 1.0;
         let shift = if at_step(0) {
             inside
         } else if at_step(1) {
@@ -102,17 +196,23 @@ impl Solution for UnilateralContact {
         } else {
             0.0
         };
-        self.solved.pressure_at(xi, problem.dimensionless_profile(xi + shift))
+        let [_, image] = self.images(place);
+        let pressure = self.solved.pressure_at(place, problem.dimensionless_profile(image + shift));
+        let sign = if xi < 0.0 { -1.0 } else { 1.0 };
+        pressure + self.tilted.as_ref().map_or(0.0, |tilted| sign * tilted.pressure(place))
     }
 
     fn displacement(&self, xi: f64) -> f64 {
-        let touches = |[left, right]: &[f64; 2]| *left <= xi && xi <= *right;
-        if self.zones().iter().any(touches) {
-            // Of the equation itself: the pressure without the profile, with the sign turned.
+        let place = self.locate(xi);
+        let sign = if xi < 0.0 { -1.0 } else { 1.0 };
+        let turned = self.tilted.as_ref().map_or(0.0, |tilted| sign * tilted.displacement(place));
+        if self.zone(place).is_some() {
+            // Of the equation itself: the layer without the profile, with the sign turned.
             let State { settlement, tilt, .. } = self.solved.state;
-            return settlement - tilt * xi - self.solved.pressure_at(xi, 0.0);
+            let tilt = if self.solved.medium.is_disk() { 0.0 } else { tilt };
+            return settlement - tilt * place - self.solved.layer_at(place, 0.0) + turned;
         }
-        self.solved.displacement_outside(xi)
+        self.solved.displacement_outside(place) + turned
     }
 
     fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
@@ -122,11 +222,11 @@ impl Solution for UnilateralContact {
                 (0.5 * (panel.left + panel.right), 0.5 * (panel.right - panel.left));
             let inside =
                 between_nodes(SAMPLES).map(|y| (middle + half * y).clamp(panel.left, panel.right));
-            places.extend(inside);
+            places.extend(inside.flat_map(|place| self.images(place)));
         }
-        for [left, right] in outside(&self.solved) {
-            places.push(0.5 * (left + right));
-        }
+        places.extend(self.beside.iter().flat_map(|place| self.images(*place)));
+        // A zero has one sign.
+        places.iter_mut().for_each(|place| *place += 0.0);
         places.sort_by(f64::total_cmp);
         places.dedup();
         let pressures = places.iter().map(|&xi| self.pressure(problem, xi)).collect();
@@ -147,7 +247,7 @@ impl Solution for UnilateralContact {
     }
 
     fn complementarity(&self) -> Option<Complementarity> {
-        Some(self.complementarity)
+        self.complementarity
     }
 
     fn size(&self) -> f64 {

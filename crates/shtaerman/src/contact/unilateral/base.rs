@@ -1,6 +1,13 @@
 //! The base of the punch as unilateral contact sees it: where it bends and where an edge of the contact can rest.
 
-use crate::{Error, Load, Problem, Rotational, Vertical};
+use super::coarse;
+use super::layer::Layer;
+use super::medium::Medium;
+use super::power::reference_pressure;
+use super::topology;
+use super::zones::Zone;
+use crate::error::require;
+use crate::{ContactKind, Error, Load, Problem, Rotational, Vertical};
 
 /// Samples that show the ups and downs of a profile, at least and at most.
 const SAMPLES: usize = 512;
@@ -8,12 +15,25 @@ const MOST_SAMPLES: usize = 8192;
 /// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a jump.
 const BESIDE: f64 = 1e-9;
 const JUMP: f64 = 1e-6;
+/// Width of the slit at which a wave without gaps is cut.
+const SEAM: f64 = 1e-9;
+/// Difference of the two halves of a circular punch, relative to the heights, that makes its base no body of revolution.
+const UNEVEN: f64 = 1e-9;
 
 /// A dimensionless problem with what is worth knowing about its profile.
 pub(super) struct Base<'p> {
     pub(super) problem: &'p Problem,
     pub(super) load: Load,
     pub(super) theta: f64,
+    /// What the punch stands on.
+    pub(super) medium: Medium,
+    pub(super) layer: Layer,
+    /// Whether the whole base stays in contact.
+    pub(super) is_bilateral: bool,
+    /// The pieces of the base, from left to right; of a circular one the radius.
+    pub(super) pieces: Vec<[f64; 2]>,
+    /// The middle of the base: where it has no gaps, of the part of the wave that is looked at.
+    pub(super) origin: f64,
     /// Breakpoints of the profile.
     pub(super) breaks: Vec<f64>,
     /// Where a left or a right edge of the contact can rest under pressure: the edges of the punch, and steps of the profile.
@@ -23,41 +43,136 @@ pub(super) struct Base<'p> {
 }
 
 impl<'p> Base<'p> {
-    pub(super) fn new(problem: &'p Problem) -> Result<Self, Error> {
+    pub(super) fn new(problem: &'p Problem, kind: ContactKind) -> Result<Self, Error> {
         let wanted = 4 * problem.profile().measured_points().unwrap_or(0);
         let count = wanted.clamp(SAMPLES, MOST_SAMPLES);
-        let samples: Vec<(f64, f64)> = (0..=count)
-            .map(|i| {
-                let xi = 2.0 * i as f64 / count as f64 - 1.0;
-                problem.finite_profile(xi).map(|height| (xi, height))
-            })
-            .collect::<Result<_, _>>()?;
-        let breaks = problem.breaks();
+        let medium = Medium::new(problem)?;
+        let pieces = if medium.is_disk() { vec![[0.0, 1.0]] } else { problem.frame().pieces() };
+        let length: f64 = pieces.iter().map(|[left, right]| right - left).sum();
+        let mut samples = Vec::with_capacity(count + pieces.len());
+        for [left, right] in &pieces {
+            let steps = ((count as f64 * (right - left) / length).ceil() as usize).max(2);
+            for i in 0..=steps {
+                let xi = left + (right - left) * i as f64 / steps as f64;
+                samples.push((xi, problem.finite_profile(xi)?));
+            }
+        }
         let mut base = Self {
             problem,
             load: problem.dimensionless_load(),
             theta: problem.frame().theta0(),
-            breaks,
-            walls: [vec![-1.0], vec![1.0]],
+            layer: Layer::new(problem)?,
+            is_bilateral: kind == ContactKind::Bilateral,
+            origin: 0.0,
+            breaks: problem.breaks(),
+            walls: [0, 1].map(|side| pieces.iter().map(|piece| piece[side]).collect()),
+            medium,
+            pieces,
             samples,
         };
         base.find_steps();
+        base.require_geometry()?;
         base.require_load()?;
         Ok(base)
     }
 
     /// `f0(xi)`.
     pub(super) fn height(&self, xi: f64) -> f64 {
-        self.problem.dimensionless_profile(xi)
+        self.problem.dimensionless_profile(self.on_base(xi))
+    }
+
+    /// `f0(xi)`, which must be finite.
+    pub(super) fn finite_height(&self, xi: f64) -> Result<f64, Error> {
+        self.problem.finite_profile(self.on_base(xi))
+    }
+
+    /// The place on the base: a wave without gaps goes on beyond its period.
+    pub(super) fn on_base(&self, xi: f64) -> f64 {
+        if self.medium.is_closed() && xi.abs() > 1.0 { xi - 2.0 * (0.5 * xi).round() } else { xi }
+    }
+
+    /// Whether an end of the base lies here, which the contact cannot pass.
+    pub(super) fn is_end(&self, side: usize, at: f64) -> bool {
+        self.pieces.iter().any(|piece| piece[side] == at)
+    }
+
+    /// The wall for a left (0) or right (1) edge this close outwards of a place.
+    pub(super) fn wall_near(&self, side: usize, at: f64, distance: f64) -> Option<f64> {
+        let outwards = |wall: f64| if side == 0 { at - wall } else { wall - at };
+        let near = |wall: &f64| (0.0..=distance).contains(&outwards(*wall));
+        self.walls[side].iter().copied().find(near)
+    }
+
+    /// Whether this is the axis of a circular punch.
+    pub(super) fn is_axis(&self, at: f64) -> bool {
+        self.medium.is_disk() && at == 0.0
+    }
+
+    /// The wave seen between `cut` and `cut + 2`.
+    pub(super) fn shifted(mut self, cut: f64) -> Self {
+        // The ends of a zone do not meet: there the kernel is infinite.
+        let window = [cut + SEAM, cut + 2.0 - SEAM];
+        let images = |at: f64| [at - 2.0, at, at + 2.0].into_iter();
+        let inside = |at: &f64| *at > window[0] && *at < window[1];
+        let mut breaks: Vec<f64> =
+            self.breaks.iter().flat_map(|at| images(*at)).filter(inside).collect();
+        // Where the period is joined the profile may bend.
+        breaks.extend([-1.0, 1.0].into_iter().filter(inside));
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        let mut samples: Vec<(f64, f64)> = (self.samples.iter())
+            .flat_map(|&(at, height)| images(at).map(move |at| (at, height)))
+            .filter(|(at, _)| inside(at))
+            .collect();
+        samples.sort_by(|one, two| one.0.total_cmp(&two.0));
+        self.walls = [vec![window[0]], vec![window[1]]];
+        (self.breaks, self.samples, self.pieces, self.origin) =
+            (breaks, samples, vec![window], cut + 1.0);
+        self.find_steps();
+        self
     }
 
     /// The next wall for a left (0) or right (1) edge outwards of a place inside the contact.
     pub(super) fn wall(&self, side: usize, inside: f64) -> f64 {
         let walls = self.walls[side].iter().copied();
         if side == 0 {
-            walls.filter(|wall| *wall <= inside).fold(-1.0, f64::max)
+            walls.filter(|wall| *wall <= inside).fold(self.pieces[0][0], f64::max)
         } else {
-            walls.filter(|wall| *wall >= inside).fold(1.0, f64::min)
+            let last = self.pieces[self.pieces.len() - 1];
+            walls.filter(|wall| *wall >= inside).fold(last[1], f64::min)
+        }
+    }
+
+    /// Zones to begin with, found on about this many cells.
+    pub(super) fn first_zones(&self, cells: usize) -> Result<Vec<Zone>, Error> {
+        let is_plain = matches!(self.medium, Medium::Line) && self.pieces.len() == 1;
+        if is_plain && self.layer.is_linear() {
+            topology::find(self, cells)
+        } else {
+            coarse::find(self, cells)
+        }
+    }
+
+    /// The pieces of the base as zones.
+    pub(super) fn whole(&self) -> Vec<Zone> {
+        self.pieces.iter().map(|[left, right]| Zone::new(*left, *right)).collect()
+    }
+
+    /// `k theta0 dp0/dv`, about: how strong the body is against the layer.
+    pub(super) fn steepness(&self) -> f64 {
+        let strength = self.medium.strength() * self.theta;
+        if self.layer.is_linear() {
+            return strength;
+        }
+        let pressure = reference_pressure(self, &coarse::extent(self));
+        strength * self.layer.slope(self.layer.displacement(pressure))
+    }
+
+    /// The prescribed tilt, or none.
+    pub(super) fn tilt(&self) -> f64 {
+        match self.load.rotational {
+            Rotational::Tilt(tilt) => tilt,
+            Rotational::Moment(_) | Rotational::Eccentricity(_) => 0.0,
         }
     }
 
@@ -88,15 +203,53 @@ impl<'p> Base<'p> {
         }
     }
 
+    /// Refuses what a geometry does not know, and leaves out of the load what it answers elsewhere.
+    fn require_geometry(&mut self) -> Result<(), Error> {
+        if self.medium.is_disk() {
+            let (mut difference, mut largest) = (0.0f64, 0.0f64);
+            for &(xi, height) in &self.samples {
+                let other = self.problem.finite_profile(-xi)?;
+                difference = difference.max((other - height).abs());
+                largest = largest.max(height.abs());
+            }
+            require(
+                difference <= UNEVEN * largest,
+                "profile",
+                difference,
+                "even in x, f(-x) = f(x), for a circular punch: its base is a body of revolution, x the distance from the axis",
+            )?;
+            // Tilt and moment belong to another harmonic.
+            self.load.rotational = Rotational::Tilt(0.0);
+        }
+        if self.medium.is_closed() {
+            let (field, value) = match self.problem.load().rotational {
+                Rotational::Moment(value) => ("moment", value),
+                Rotational::Eccentricity(value) => ("eccentricity", value),
+                Rotational::Tilt(value) => ("tilt", value),
+            };
+            require(
+                value == 0.0,
+                field,
+                value,
+                "zero where the base fills the period: a wave cannot tilt",
+            )?;
+            self.load.rotational = Rotational::Tilt(0.0);
+        }
+        Ok(())
+    }
+
     /// Refuses what no contact can balance.
     fn require_load(&self) -> Result<(), Error> {
+        if self.is_bilateral {
+            return Ok(());
+        }
         let half_width = self.problem.frame().half_width();
         let given = self.problem.load();
         if let (Vertical::Force(force), Vertical::Force(value)) =
             (self.load.vertical, given.vertical)
         {
             let requirement = "greater than zero in unilateral contact: a pull lifts the punch off";
-            crate::error::require(force > 0.0, "force", value, requirement)?;
+            require(force > 0.0, "force", value, requirement)?;
             if let (Rotational::Moment(moment), Rotational::Moment(value)) =
                 (self.load.rotational, given.rotational)
                 && moment.abs() >= force

@@ -1,7 +1,7 @@
 //! Complementarity between the nodes: where the answer pulls and where the base penetrates.
 
 use super::base::Base;
-use super::system::Solved;
+use super::solved::Solved;
 use crate::contact::potential::between_nodes;
 
 /// Points of a panel and of an interval outside the zones, at least.
@@ -23,13 +23,14 @@ pub(super) struct Check {
 
 /// Tension and penetration beyond `allowed`, relative to their scales, and beyond rounding are listed for correction.
 pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
-    let largest = solved.largest().max(f64::MIN_POSITIVE);
+    // Of the layer, which shows how far it is from touching also where pressures are small.
+    let largest = solved.deepest().max(f64::MIN_POSITIVE);
     let floor = 4.0 * solved.rounding();
     let mut check =
         Check { tension: 0.0, penetration: 0.0, pulling: Vec::new(), penetrating: Vec::new() };
     for panel in &solved.panels {
         let points = points(base, panel.left, panel.right);
-        let values: Vec<f64> = points.iter().map(|&xi| -solved.pressure(base, xi)).collect();
+        let values: Vec<f64> = points.iter().map(|&xi| -solved.layer(base, xi)).collect();
         check.tension = values.iter().fold(check.tension, |most, t| most.max(t / largest));
         check.pulling.extend(above(&points, &values, allowed * largest + floor));
     }
@@ -40,7 +41,7 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
         + solved.state.tilt.abs()
         + solved.solution.parameter()
             * solved.solution.potential().iter().fold(0.0f64, |most, u| most.max(u.abs()));
-    for [left, right] in outside(solved) {
+    for [left, right] in outside(base, solved) {
         let points = points(base, left, right);
         let values: Vec<f64> =
             points.iter().map(|&xi| depth(xi) - solved.displacement_outside(xi)).collect();
@@ -51,17 +52,19 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
 }
 
 /// The intervals of the base beside the zones.
-pub(super) fn outside(solved: &Solved) -> Vec<[f64; 2]> {
+pub(super) fn outside(base: &Base<'_>, solved: &Solved) -> Vec<[f64; 2]> {
     let mut intervals = Vec::new();
-    let mut left = -1.0;
-    for zone in &solved.zones {
-        if zone.left() > left {
-            intervals.push([left, zone.left()]);
+    for &[from, to] in &base.pieces {
+        let mut left = from;
+        for zone in solved.zones.iter().filter(|zone| zone.left() >= from && zone.right() <= to) {
+            if zone.left() > left {
+                intervals.push([left, zone.left()]);
+            }
+            left = zone.right();
         }
-        left = zone.right();
-    }
-    if left < 1.0 {
-        intervals.push([left, 1.0]);
+        if left < to {
+            intervals.push([left, to]);
+        }
     }
     intervals
 }

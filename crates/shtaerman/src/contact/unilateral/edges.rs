@@ -1,7 +1,8 @@
 //! The edges of the contact to full precision.
 
 use super::base::Base;
-use super::system::{Resolution, Solved};
+use super::solved::Solved;
+use super::system::Resolution;
 use super::zones::{End, Zone};
 use crate::Error;
 
@@ -13,6 +14,8 @@ const SMALL: f64 = 1e-9;
 const STRIDE: f64 = 0.4;
 /// Zones shorter than this share of the longest are none.
 const VANISHING: f64 = 1e-9;
+/// Ends this close to a wall, and inside of it, are there.
+const BESIDE: f64 = 1e-11;
 /// Zones closer than this share of the shorter one are one.
 const CLOSE: f64 = 1e-7;
 
@@ -24,9 +27,15 @@ pub(super) fn settle(
     start: &[Zone],
 ) -> Result<(Solved, usize), Error> {
     let mut zones = start.to_vec();
+    rest(base, &mut zones);
+    if base.is_bilateral {
+        let (solved, _) = Solved::new(base, resolution, &zones, false, None)?;
+        return Ok((solved, 1));
+    }
     let mut best: Option<(f64, Solved)> = None;
+    let mut latest: Option<Solved> = None;
     for iterations in 1..=STEPS {
-        let (mut solved, mut steps) = Solved::new(base, resolution, &zones, true)?;
+        let (mut solved, mut steps) = Solved::new(base, resolution, &zones, true, latest.as_ref())?;
         let vanished: Vec<bool> = (0..zones.len())
             .map(|zone| zones.len() > 1 && solved.zone_force(zone) <= 0.0)
             .collect();
@@ -37,12 +46,12 @@ pub(super) fn settle(
             continue;
         }
         let floor = solved.rounding();
-        let released = release(&mut zones, &solved, floor);
-        let worst = worst_pressure(&zones, &solved);
+        let released = release(base, &mut zones, &solved, floor);
+        let worst = worst_layer(&zones, &solved);
         if worst <= 0.5 * floor && !released {
             return Ok((solved, iterations));
         }
-        let small = worst <= SMALL * solved.largest() + floor;
+        let small = worst <= SMALL * solved.deepest() + floor;
         if let Some((before, known)) = best.take()
             && small
             && !released
@@ -51,7 +60,7 @@ pub(super) fn settle(
             return Ok((if before <= worst { known } else { solved }, iterations));
         }
         if released {
-            (solved, steps) = Solved::new(base, resolution, &zones, true)?;
+            (solved, steps) = Solved::new(base, resolution, &zones, true, Some(&solved))?;
         }
         let still = steps
             .iter()
@@ -61,18 +70,35 @@ pub(super) fn settle(
             return Ok((solved, iterations));
         }
         zones = moved(base, &zones, &steps);
+        if !base.layer.is_linear() {
+            latest = Some(solved.clone());
+        }
         best = small.then_some((worst, solved));
     }
-    let (solved, _) = Solved::new(base, resolution, &zones, false)?;
+    let (solved, _) = Solved::new(base, resolution, &zones, false, latest.as_ref())?;
     Ok((solved, STEPS))
 }
 
+/// Ends of the base hold the contact until they pull, and the axis of a circular punch always does.
+fn rest(base: &Base<'_>, zones: &mut [Zone]) {
+    for zone in zones {
+        for (side, end) in zone.ends.iter_mut().enumerate() {
+            // The check looks just inside a wall.
+            if let Some(wall) = base.wall_near(side, end.at, BESIDE) {
+                *end = End { at: wall, is_free: !base.is_end(side, wall) };
+            } else {
+                end.is_free |= end.at.abs() >= 1.0;
+            }
+        }
+    }
+}
+
 /// Ends at walls that pull become free; whether there were any.
-fn release(zones: &mut [Zone], solved: &Solved, floor: f64) -> bool {
+fn release(base: &Base<'_>, zones: &mut [Zone], solved: &Solved, floor: f64) -> bool {
     let mut released = false;
     for (zone, place) in zones.iter_mut().enumerate() {
         for (side, end) in place.ends.iter_mut().enumerate() {
-            if !end.is_free && solved.end_pressure(zone, side) < -floor {
+            if !end.is_free && !base.is_axis(end.at) && solved.end_layer(zone, side) < -floor {
                 end.is_free = true;
                 released = true;
             }
@@ -81,12 +107,12 @@ fn release(zones: &mut [Zone], solved: &Solved, floor: f64) -> bool {
     released
 }
 
-/// Largest `|p0|` at a free edge.
-fn worst_pressure(zones: &[Zone], solved: &Solved) -> f64 {
+/// Largest displacement of the layer at a free edge, of either sign.
+fn worst_layer(zones: &[Zone], solved: &Solved) -> f64 {
     (zones.iter().enumerate())
         .flat_map(|(zone, place)| [(zone, 0, place.ends[0]), (zone, 1, place.ends[1])])
         .filter(|(_, _, end)| end.is_free)
-        .fold(0.0, |most, (zone, side, _)| most.max(solved.end_pressure(zone, side).abs()))
+        .fold(0.0, |most, (zone, side, _)| most.max(solved.end_layer(zone, side).abs()))
 }
 
 /// The zones after steps that neither empty a zone nor jump over a gap.
@@ -122,7 +148,8 @@ fn moved(base: &Base<'_>, zones: &[Zone], steps: &[f64]) -> Vec<Zone> {
         let zone = Zone { ends: [pair[0], pair[1]] };
         match moved.last_mut() {
             Some(last)
-                if zone.left() - last.right() <= CLOSE * zone.length().min(last.length()) =>
+                if (zone.ends[0].is_free || last.ends[1].is_free)
+                    && zone.left() - last.right() <= CLOSE * zone.length().min(last.length()) =>
             {
                 last.ends[1] = zone.ends[1];
             }

@@ -6,8 +6,17 @@
 mod answer;
 mod base;
 mod check;
+mod coarse;
 mod edges;
 mod elimination;
+mod field;
+mod harmonic;
+mod layer;
+mod medium;
+mod motion;
+mod power;
+mod ring;
+mod solved;
 mod system;
 mod topology;
 mod zones;
@@ -20,10 +29,11 @@ use fredholm::collocation::{extrapolate, first_half_count};
 use super::accuracy::{Accuracy, ErrorKind};
 use super::plan::AIM;
 use super::potential::between_nodes;
-use crate::{Error, Load, Problem, Rotational, Vertical};
+use crate::{ContactKind, Error, Load, Problem, Rotational, Vertical};
 use base::Base;
 use check::{Check, check};
-use system::{Resolution, Solved};
+use solved::Solved;
+use system::Resolution;
 use zones::{Zone, corrected};
 
 /// Tension and penetration, relative to their scales, that are corrected on the first nodes, and in the answer.
@@ -43,6 +53,8 @@ const RATIO: f64 = std::f64::consts::SQRT_2;
 const MOST_NODES: usize = 2400;
 /// Differences that no longer fall and are below this share of the solution are rounding.
 const STAGNANT: f64 = 1e-9;
+/// A change of force and displacements, relative to their size, that is rounding.
+const RESOLVED: f64 = 1e-13;
 /// Points at which two resolutions are compared.
 const COMPARED: usize = 200;
 /// Rounding of settlement, tilt, force and moment relative to their size.
@@ -54,10 +66,59 @@ impl Problem {
     /// `p0 + theta0 int ln(1/|xi - eta|) p0 deta = delta0 - alpha0 xi - f0(xi)` and `p0 >= 0` on the zones, `p0 = 0` at their free edges, and outside
     /// them on the base a gap that is not negative.
     pub(crate) fn solve_unilateral(&self) -> Result<UnilateralContact, Error> {
-        let base = Base::new(self)?;
-        let contact = complementary(&base)?.within(self.solver().tolerance)?;
+        let base = Base::new(self, ContactKind::Unilateral)?;
+        self.drawn_up(lifting(base)?)
+    }
+
+    /// The same with the whole base in contact, where the pressure may pull: by the equations of the zones, in every geometry and for every layer but a smooth one.
+    pub(crate) fn solve_full_contact(&self) -> Result<UnilateralContact, Error> {
+        let base = Base::new(self, ContactKind::Bilateral)?;
+        self.drawn_up(full(&base)?)
+    }
+
+    fn drawn_up(&self, contact: UnilateralContact) -> Result<UnilateralContact, Error> {
+        let contact = contact.within(self.solver().tolerance)?;
         Ok(if self.is_symmetric() { contact.without_skew() } else { contact })
     }
+}
+
+/// The answer on the whole base.
+fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
+    let (solved, accuracy, edge) = if base.medium.is_closed() {
+        let (solved, accuracy) = ring::solve(base)?;
+        (solved, accuracy, 0.0)
+    } else {
+        let zones = base.whole();
+        refined(base, &zones, strength(base, &zones))?
+    };
+    let left = check(base, &solved, ALLOWED);
+    if !base.layer.is_linear() && !left.pulling.is_empty() {
+        let at = left.pulling[0].iter().sum::<f64>() * 0.5;
+        let half_width = base.problem.frame().half_width();
+        let variable = base.problem.frame().coordinate();
+        return Err(Error::Pulls { variable, at: at * half_width });
+    }
+    harmonic::answer(base, solved, accuracy, edge, &left)
+}
+
+/// The answer where the base may lift off.
+fn lifting(base: Base<'_>) -> Result<UnilateralContact, Error> {
+    if !base.medium.is_closed() {
+        return complementary(&base);
+    }
+    let (solved, accuracy) = ring::solve(&base)?;
+    let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
+    let left = check(&base, &solved, ALLOWED.max(2.0 * noise));
+    if left.pulling.is_empty() && !ring::lifts(&base, &solved) {
+        return harmonic::answer(&base, solved, accuracy, 0.0, &left);
+    }
+    // Seen from the middle of a gap the wave is one more base with ends.
+    let cells = base.cells();
+    let cut = match coarse::gap(&base, cells)? {
+        Some(middle) => middle,
+        None => ring::least(&solved),
+    };
+    complementary(&base.shifted(cut))
 }
 
 /// The answer, with its zones corrected where the finest nodes show what the first did not.
@@ -68,7 +129,7 @@ fn complementary(base: &Base<'_>) -> Result<UnilateralContact, Error> {
         let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
         let left = check(base, &solved, ALLOWED.max(2.0 * noise));
         if left.pulling.is_empty() && left.penetrating.is_empty() {
-            return Ok(UnilateralContact::new(solved, accuracy, edge, &left));
+            return harmonic::answer(base, solved, accuracy, edge, &left);
         }
         zones = corrected(&solved.zones, &left.pulling, &left.penetrating);
         start = strength(base, &zones);
@@ -84,9 +145,9 @@ fn find_zones(base: &Base<'_>) -> Result<(Vec<Zone>, f64), Error> {
     let mut last = None;
     for power in 0..TOPOLOGIES {
         let cells = base.cells() * 4usize.pow(power as u32);
-        let mut zones = topology::find(base, cells)?;
+        let mut zones = base.first_zones(cells)?;
         let mut start = strength(base, &zones);
-        let mut resolution = Resolution::new(half_count(start, -1))?;
+        let mut resolution = Resolution::new(&base.medium, half_count(start, -1))?;
         let mut before = f64::INFINITY;
         for _ in 0..CORRECTIONS {
             if zones.is_empty() {
@@ -95,7 +156,7 @@ fn find_zones(base: &Base<'_>) -> Result<(Vec<Zone>, f64), Error> {
             let wanted = strength(base, &zones);
             if wanted > start {
                 start = wanted;
-                resolution = Resolution::new(half_count(start, -1))?;
+                resolution = Resolution::new(&base.medium, half_count(start, -1))?;
             }
             let (solved, _) = edges::settle(base, &resolution, &zones)?;
             let Check { pulling, penetrating, tension, penetration } =
@@ -110,7 +171,7 @@ fn find_zones(base: &Base<'_>) -> Result<(Vec<Zone>, f64), Error> {
             // Too few nodes show tension where there is none: more of them tell.
             if worst < DOUBTFUL && worst < 0.3 * before && finer > start {
                 (start, before) = (finer, worst);
-                resolution = Resolution::new(half_count(start, -1))?;
+                resolution = Resolution::new(&base.medium, half_count(start, -1))?;
                 zones = solved.zones;
             } else {
                 before = f64::INFINITY;
@@ -128,7 +189,7 @@ fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
         .iter()
         .flat_map(|zone| zone.panels(&base.breaks))
         .fold(0.0f64, |most, (left, right)| most.max(right - left));
-    first_half_count(0.5 * base.theta * longest)
+    first_half_count(0.5 * base.steepness() * longest)
 }
 
 fn half_count(start: f64, power: i32) -> usize {
@@ -139,7 +200,7 @@ fn half_count(start: f64, power: i32) -> usize {
 fn refined(base: &Base<'_>, zones: &[Zone], start: f64) -> Result<(Solved, Accuracy, f64), Error> {
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
     let level = |zones: &[Zone], power: i32| {
-        let resolution = Resolution::new(half_count(start, power))?;
+        let resolution = Resolution::new(&base.medium, half_count(start, power))?;
         edges::settle(base, &resolution, zones).map(|(solved, _)| solved)
     };
     let coarse = level(zones, -2)?;
@@ -152,7 +213,8 @@ fn refined(base: &Base<'_>, zones: &[Zone], start: f64) -> Result<(Solved, Accur
         let (accuracy, edge) = estimate(base, &finer, &before, &change);
         let sizes = finer.state.sizes(finer.largest());
         let met = accuracy.relative(&sizes) <= tolerance;
-        let settled = change.pressure <= 2.0 * finer.rounding()
+        let settled = change.pressure <= 2.0 * finer.pressure_rounding()
+            && resolved(&finer, &change)
             || (change.pressure > 0.5 * before.pressure
                 && change.pressure <= STAGNANT * finer.largest());
         let next = half_count(start, power + 1) * 2 * finer.panels.len();
@@ -167,6 +229,18 @@ fn refined(base: &Base<'_>, zones: &[Zone], start: f64) -> Result<(Solved, Accur
         before = change;
     }
     Ok(best.unwrap_or_else(|| unreachable!("the first round sets it")))
+}
+
+/// Whether the integrals have settled with the pressure: where the body gives nothing, the pressure of a layer that bends is exact on any nodes, its force is not.
+fn resolved(solved: &Solved, change: &Change) -> bool {
+    let state = &solved.state;
+    let small = |change: f64, size: f64| change <= RESOLVED * size;
+    solved.layer.is_linear()
+        || (small(change.force.max(change.moment), state.force.abs().max(state.moment.abs()))
+            && small(
+                change.settlement.max(change.tilt),
+                state.settlement.abs().max(state.tilt.abs()),
+            ))
 }
 
 /// Differences between two resolutions.
@@ -226,7 +300,7 @@ fn estimate(base: &Base<'_>, fine: &Solved, before: &Change, change: &Change) ->
     let pressure = extrapolate(before.pressure, change.pressure, largest, RATIO);
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
-        pressure: pressure.max(fine.rounding()),
+        pressure: pressure.max(fine.pressure_rounding()),
         settlement: of(by_force, |c| c.settlement, displacement),
         tilt: of(!by_tilt, |c| c.tilt, displacement),
         force: of(!by_force, |c| c.force, force),

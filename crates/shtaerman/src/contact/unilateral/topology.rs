@@ -201,7 +201,7 @@ fn graded(base: &Base<'_>, width: f64) -> Vec<f64> {
 }
 
 /// `exp(b x)` with its centre at `arm`: positive whatever the arm.
-fn balanced(centres: &[f64], roots: &[f64], arm: f64) -> Vec<f64> {
+pub(super) fn balanced(centres: &[f64], roots: &[f64], arm: f64) -> Vec<f64> {
     let density = |slope: f64| -> Vec<f64> {
         centres.iter().map(|x| (slope * (x - 1f64.copysign(slope))).exp()).collect()
     };

@@ -1,0 +1,222 @@
+//! The equation with a weight on the density, as Newton's method for a nonlinear equation meets it.
+
+use super::assembly::Part;
+use super::{SincOperator, SincSolution};
+use crate::Error;
+use crate::linear::Factored;
+
+/// `1 + lambda K w` for weights `w >= 0` at the nodes, factored.
+///
+/// With the scaled matrix `S` it is `1 + lambda sqrt(w) S sqrt(w)`: symmetric, and positive where the operator is. Weights need not be even, so the parity of a
+/// kernel saves nothing here: `N^3/3` multiplications.
+#[derive(Debug, Clone)]
+pub struct WeightedFactor<'o> {
+    operator: &'o SincOperator,
+    parameter: f64,
+    /// Square roots of the weights.
+    roots: Vec<f64>,
+    /// Square roots of the masses of all nodes.
+    masses: Vec<f64>,
+    factored: Factored,
+}
+
+impl<'o> WeightedFactor<'o> {
+    pub(super) fn new(
+        operator: &'o SincOperator,
+        parameter: f64,
+        weights: &[f64],
+    ) -> Result<Self, Error> {
+        if let Some(&value) = weights.iter().find(|weight| !(**weight >= 0.0)) {
+            let requirement = "not negative";
+            return Err(Error::InvalidParameter { name: "weight", value, requirement });
+        }
+        let roots: Vec<f64> = weights.iter().map(|weight| weight.sqrt()).collect();
+        let mut matrix = operator.whole_matrix();
+        for (row, root) in matrix.chunks_exact_mut(roots.len()).zip(&roots) {
+            row.iter_mut().zip(&roots).for_each(|(entry, column)| *entry *= root * column);
+        }
+        let factored = Factored::shifted(&matrix, roots.len(), parameter)?;
+        let masses = operator.node_masses().iter().map(|mass| mass.sqrt()).collect();
+        Ok(Self { operator, parameter, roots, masses, factored })
+    }
+
+    /// Solves `phi + lambda K(w phi) = f` for a right-hand side given by its values at the nodes. The solution is `phi`; its integrals are those of the density
+    /// `w phi`, and its potential is `K(w phi)`.
+    ///
+    /// # Errors
+    /// [`Error::WrongLength`] unless there is one value for each node, [`Error::NotFinite`] for NaN or an infinity.
+    pub fn solve(&self, right_hand_side: &[f64]) -> Result<SincSolution, Error> {
+        self.operator.require_values(right_hand_side)?;
+        let scales = || self.roots.iter().zip(&self.masses);
+        let mut z: Vec<f64> =
+            right_hand_side.iter().zip(scales()).map(|(f, (root, mass))| root * mass * f).collect();
+        self.factored.solve(&mut z);
+        // The density, scaled by the roots of the masses alone.
+        z.iter_mut().zip(&self.roots).for_each(|(z, root)| *z *= root);
+        Ok(self.operator.respond(self.parameter, right_hand_side, &z))
+    }
+}
+
+impl SincOperator {
+    /// The factored equation `phi + parameter K(w phi) = f` with the weights `w >= 0` at the nodes: a step of Newton's method for `phi + parameter K P(phi) = f`
+    /// has `w = P'(phi)`.
+    ///
+    /// ```
+    /// use fredholm::SincOperator;
+    /// use fredholm::kernel::Logarithm;
+    ///
+    /// // Half the weight is half the parameter.
+    /// let operator = SincOperator::new(&Logarithm::unit(), 30)?;
+    /// let f = operator.sample(f64::exp)?;
+    /// let one = operator.factor_weighted(3.0, &vec![0.5; operator.count()])?.solve(&f)?;
+    /// let other = &operator.solve(1.5, &[f])?[0];
+    /// assert!((one.evaluate(0.3, 0.3f64.exp()) - other.evaluate(0.3, 0.3f64.exp())).abs() < 1e-13);
+    /// # Ok::<(), fredholm::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`Error::WrongLength`] unless there is one weight for each node, [`Error::NotFinite`] or [`Error::InvalidParameter`] for one that is not finite or
+    /// negative; as [`SincOperator::factor`].
+    pub fn factor_weighted(
+        &self,
+        parameter: f64,
+        weights: &[f64],
+    ) -> Result<WeightedFactor<'_>, Error> {
+        super::operator::require_finite_parameter(parameter)?;
+        self.require_values(weights)?;
+        WeightedFactor::new(self, parameter, weights)
+    }
+
+    /// `f - parameter K p` for a density `p` and a function `f` given at the nodes, to be evaluated anywhere; its integrals are those of `p`.
+    ///
+    /// # Errors
+    /// [`Error::WrongLength`] unless there is one value for each node, [`Error::NotFinite`] for NaN or an infinity.
+    pub fn response(
+        &self,
+        parameter: f64,
+        right_hand_side: &[f64],
+        density: &[f64],
+    ) -> Result<SincSolution, Error> {
+        self.require_values(right_hand_side)?;
+        self.require_values(density)?;
+        let scaled = density.iter().zip(self.node_masses()).map(|(p, mass)| p * mass.sqrt());
+        Ok(self.respond(parameter, right_hand_side, &scaled.collect::<Vec<_>>()))
+    }
+
+    /// `f - parameter K p` for the density `p` scaled by the roots of the masses.
+    fn respond(&self, parameter: f64, right_hand_side: &[f64], scaled: &[f64]) -> SincSolution {
+        let parts: Vec<Vec<f64>> = (self.blocks().iter())
+            .map(|block| {
+                let mut part = block.restrict(scaled);
+                if block.part == Part::Even && scaled.len() % 2 == 1 {
+                    part[0] *= std::f64::consts::FRAC_1_SQRT_2;
+                }
+                part
+            })
+            .collect();
+        self.finish(parameter, right_hand_side, &parts)
+    }
+
+    /// `S` for all nodes, from its parts.
+    fn whole_matrix(&self) -> Vec<f64> {
+        let [even, odd] = match self.blocks() {
+            [even, odd] => [even, odd],
+            blocks => return blocks.first().map_or_else(Vec::new, |whole| whole.matrix.clone()),
+        };
+        let count = self.count();
+        let (middle, skipped) = (count / 2, even.order() - odd.order());
+        let mut matrix = vec![0.0; count * count];
+        let mut set = |i: usize, j: usize, value: f64| {
+            matrix[i * count + j] = value;
+            matrix[(count - 1 - i) * count + (count - 1 - j)] = value;
+        };
+        for a in 0..even.order() {
+            for b in 0..even.order() {
+                let sum = even.matrix[a * even.order() + b];
+                let (i, j) = (middle + a, middle + b);
+                if a < skipped || b < skipped {
+                    // The middle node is its own image.
+                    let both = a < skipped && b < skipped;
+                    let value = if both { sum } else { sum * std::f64::consts::FRAC_1_SQRT_2 };
+                    set(i, j, value);
+                    set(i, count - 1 - j, value);
+                } else {
+                    let difference = odd.matrix[(a - skipped) * odd.order() + b - skipped];
+                    set(i, j, 0.5 * (sum + difference));
+                    set(i, count - 1 - j, 0.5 * (sum - difference));
+                }
+            }
+        }
+        matrix
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::Interval;
+    use crate::collocation::SincGrid;
+    use crate::kernel::{Kernel, Logarithm, Singularity, Split, WeberSonine};
+
+    /// The logarithm without its parity.
+    struct Plain(Logarithm);
+
+    impl Kernel for Plain {
+        fn interval(&self) -> Interval {
+            self.0.interval()
+        }
+        fn singularity(&self) -> Singularity {
+            self.0.singularity()
+        }
+        fn split(&self, x: f64, s: f64, distance: f64) -> Split {
+            self.0.split(x, s, distance)
+        }
+    }
+
+    #[test]
+    fn the_matrix_is_put_together_from_its_parts() {
+        let kernel = Logarithm::unit();
+        let grid = Arc::new(SincGrid::new(&kernel, 20).unwrap());
+        for panels in [&[(-1.0, 1.0)][..], &[(-1.0, 0.0), (0.0, 1.0)], &[(-1.0, -0.2), (0.2, 1.0)]]
+        {
+            let by_parity = SincOperator::on_panels(&kernel, Arc::clone(&grid), panels).unwrap();
+            let whole = SincOperator::on_panels(&Plain(kernel), Arc::clone(&grid), panels).unwrap();
+            assert!(by_parity.blocks().len() == 2 && whole.blocks().len() == 1);
+            for (one, two) in by_parity.whole_matrix().iter().zip(whole.whole_matrix()) {
+                assert!((one - two).abs() < 1e-14, "{one} {two}");
+            }
+        }
+    }
+
+    #[test]
+    fn solutions_satisfy_their_equation() {
+        let disk = WeberSonine::new(1.0, 0.0, 0.0).unwrap();
+        let operators = [
+            SincOperator::new(&Logarithm::unit(), 40).unwrap(),
+            SincOperator::new(&disk, 40).unwrap(),
+        ];
+        for operator in operators {
+            let f = operator.sample(|x| 1.0 + x).unwrap();
+            let weights = operator.sample(|x| 0.2 + (x - 0.3).powi(2)).unwrap();
+            let solution = operator.factor_weighted(20.0, &weights).unwrap().solve(&f).unwrap();
+            let density: Vec<f64> =
+                solution.values().iter().zip(&weights).map(|(phi, w)| w * phi).collect();
+            let again = operator.response(20.0, &f, &density).unwrap();
+            for (one, two) in solution.values().iter().zip(again.values()) {
+                assert!((one - two).abs() < 1e-13, "{one} {two}");
+            }
+            assert!((solution.integral(|_| 1.0) - again.integral(|_| 1.0)).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn refuses_weights_below_zero() {
+        let operator = SincOperator::new(&Logarithm::unit(), 8).unwrap();
+        assert!(operator.factor_weighted(1.0, &[-1.0; 17]).is_err());
+        assert!(operator.factor_weighted(1.0, &[f64::NAN; 17]).is_err());
+        assert!(operator.factor_weighted(1.0, &[1.0; 16]).is_err());
+        assert!(operator.response(1.0, &[1.0; 17], &[1.0; 16]).is_err());
+    }
+}

@@ -1,0 +1,140 @@
+//! The tilt of a circular punch: the pressure `p1(r) cos(phi)` beside that without angle.
+//!
+//! `p1 + pi theta0 int W_1(r, s) p1 s ds = -alpha0 r`, `W_1 = int_0^inf J_1(r t) J_1(s t) dt`, `M0 = pi int p1 r^2 dr`.
+
+use std::f64::consts::PI;
+
+use fredholm::SincSolution;
+use fredholm::collocation::solve_adaptive;
+use fredholm::kernel::WeberSonine;
+
+use super::answer::{Tilted, UnilateralContact};
+use super::base::Base;
+use super::check::Check;
+use super::solved::Solved;
+use crate::contact::accuracy::Accuracy;
+use crate::contact::plan::AIM;
+use crate::contact::potential::between_nodes;
+use crate::{Error, Rotational};
+
+/// Points at which the pressure is looked at for tension.
+const POINTS: usize = 400;
+/// Tension relative to the largest pressure that is rounding.
+const ALLOWED: f64 = 1e-10;
+
+/// The answer, with the tilt of a circular punch.
+pub(super) fn answer(
+    base: &Base<'_>,
+    mut solved: Solved,
+    mut accuracy: Accuracy,
+    edge: f64,
+    check: &Check,
+) -> Result<UnilateralContact, Error> {
+    if !base.medium.is_disk() {
+        return Ok(UnilateralContact::new(base, solved, accuracy, edge, check));
+    }
+    let wanted = base.problem.dimensionless_load().rotational;
+    let given = match base.problem.load().rotational {
+        Rotational::Moment(value) => ("moment", value),
+        Rotational::Eccentricity(value) => ("eccentricity", value),
+        Rotational::Tilt(value) => ("tilt", value),
+    };
+    if given.1 == 0.0 {
+        solved.stiffness.moment_tilt = base.turning(&solved)?;
+        return Ok(UnilateralContact::new(base, solved, accuracy, edge, check));
+    }
+    crate::error::require(
+        base.layer.is_linear(),
+        given.0,
+        given.1,
+        "zero for a circular punch on a layer with a power law, which mixes the harmonics of the pressure",
+    )?;
+    let kernel = WeberSonine::new(1.0, 1.0, 0.0)?;
+    let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
+    let found = solve_adaptive(&kernel, PI * base.theta, |r| r, tolerance)?;
+    let unit = found.solution;
+    // M0 per -alpha0
+    let turning = PI * unit.integral(|r| r);
+    let state = &mut solved.state;
+    let (tilt, moment) = match wanted {
+        Rotational::Tilt(tilt) => (tilt, -tilt * turning),
+        Rotational::Moment(moment) => (-moment / turning, moment),
+        Rotational::Eccentricity(e) => (-e * state.force / turning, e * state.force),
+    };
+    (state.tilt, state.moment) = (tilt, moment);
+    solved.stiffness.moment_tilt = turning;
+    let unit_error = found.estimate.solution;
+    let share = PI * found.estimate.integral / turning;
+    accuracy.pressure += tilt.abs() * unit_error + share * tilt.abs() * largest(&unit);
+    match wanted {
+        Rotational::Tilt(_) => accuracy.moment = moment.abs() * share,
+        Rotational::Moment(_) => accuracy.tilt = tilt.abs() * share,
+        Rotational::Eccentricity(_) => {
+            let arm = moment / solved.state.force;
+            accuracy.moment = arm.abs() * accuracy.force;
+            accuracy.tilt = tilt.abs() * share + accuracy.moment / turning;
+        }
+    }
+    let tilted = Tilted { unit, tilt, kernel };
+    if !base.is_bilateral {
+        let limit = base.largest_share(&solved, &tilted);
+        let rounding = solved.rounding() + ALLOWED * solved.largest();
+        if limit < 1.0 && base.worst_tension(&solved, &tilted) > rounding {
+            let (field, value) = given;
+            return Err(Error::LiftsOff { field, value, limit: limit * value.abs() });
+        }
+    }
+    Ok(UnilateralContact::new(base, solved, accuracy, edge, check).with_tilt(tilted))
+}
+
+fn largest(solution: &SincSolution) -> f64 {
+    solution.values().iter().fold(0.0, |most, p| most.max(p.abs()))
+}
+
+fn points() -> impl Iterator<Item = f64> {
+    between_nodes(POINTS).map(|y| 0.5 * (1.0 + y))
+}
+
+impl Base<'_> {
+    fn covers(&self, solved: &Solved) -> bool {
+        matches!(&solved.zones[..], [zone] if zone.left() == 0.0 && zone.right() == 1.0)
+    }
+
+    /// How much of the tilt keeps the whole base in contact.
+    fn largest_share(&self, solved: &Solved, tilted: &Tilted) -> f64 {
+        if !self.covers(solved) {
+            return 0.0;
+        }
+        points()
+            .filter(|r| *r > 0.0)
+            .map(|r| solved.pressure_at(r, self.height(r)).max(0.0) / tilted.pressure(r).abs())
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    fn worst_tension(&self, solved: &Solved, tilted: &Tilted) -> f64 {
+        if !self.covers(solved) {
+            return f64::INFINITY;
+        }
+        points()
+            .map(|r| tilted.pressure(r).abs() - solved.pressure_at(r, self.height(r)))
+            .fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// `dM0/d(-alpha0)` on the zones as they are.
+    fn turning(&self, solved: &Solved) -> Result<f64, Error> {
+        let kernel = WeberSonine::new(1.0, 1.0, 0.0)?;
+        let half = solved.hull.half;
+        let panels: Vec<(f64, f64)> = (solved.panels.iter())
+            .map(|panel| (panel.left / half, (panel.right / half).min(1.0)))
+            .collect();
+        let grid = self.medium.grid(solved.panel_count() / 2)?;
+        let operator = fredholm::SincOperator::on_panels(&kernel, grid, &panels)?;
+        let weights: Vec<f64> =
+            solved.solution.values().iter().map(|v| self.layer.slope(*v)).collect();
+        let right = operator.sample(|y| y)?;
+        let parameter = solved.solution.parameter();
+        let unit = operator.factor_weighted(parameter, &weights)?.solve(&right)?;
+        // r = half y in the lever, in the moment and twice in the area
+        Ok(PI * half.powi(4) * unit.integral(|y| y))
+    }
+}

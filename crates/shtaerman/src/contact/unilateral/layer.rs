@@ -1,0 +1,83 @@
+//! What the rough layer gives under pressure, without dimensions: `v = p0` or `v = p0^kappa`.
+
+use crate::error::require;
+use crate::roughness::Law;
+use crate::{Error, Problem};
+
+/// The law `v = p0^kappa`; where `v < 0` a layer that bends has no pressure, one that is linear pulls.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Layer {
+    /// `kappa`.
+    exponent: f64,
+}
+
+impl Layer {
+    pub(super) fn new(problem: &Problem) -> Result<Self, Error> {
+        let exponent = match problem.frame().law() {
+            Law::Linear => 1.0,
+            Law::Power(exponent) => exponent,
+            Law::Smooth => 0.0,
+        };
+        require(
+            exponent > 0.0,
+            "roughness",
+            exponent,
+            "greater than zero: a smooth surface has equations of the first kind",
+        )?;
+        Ok(Self { exponent })
+    }
+
+    pub(super) fn is_linear(&self) -> bool {
+        self.exponent == 1.0
+    }
+
+    /// `kappa`.
+    pub(super) fn exponent(&self) -> f64 {
+        self.exponent
+    }
+
+    /// The law with another exponent.
+    pub(super) fn with_exponent(self, exponent: f64) -> Self {
+        Self { exponent }
+    }
+
+    /// `p0(v)`.
+    pub(super) fn pressure(&self, v: f64) -> f64 {
+        if self.is_linear() { v } else { v.max(0.0).powf(1.0 / self.exponent) }
+    }
+
+    /// `dp0/dv`.
+    pub(super) fn slope(&self, v: f64) -> f64 {
+        if self.is_linear() {
+            return 1.0;
+        }
+        let power = 1.0 / self.exponent;
+        power * v.max(0.0).powf(power - 1.0)
+    }
+
+    /// `v(p0)` for `p0 >= 0`.
+    pub(super) fn displacement(&self, pressure: f64) -> f64 {
+        if self.is_linear() { pressure } else { pressure.powf(self.exponent) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn slopes_are_those_of_the_law() {
+        for exponent in [0.2, 0.5, 0.9, 1.0] {
+            let layer = Layer { exponent };
+            for p in [1e-3, 0.4, 2.0] {
+                let v = layer.displacement(p);
+                assert!((layer.pressure(v) / p - 1.0).abs() < 1e-14);
+                let step = 1e-5 * v;
+                let slope = (layer.pressure(v + step) - layer.pressure(v - step)) / (2.0 * step);
+                assert!((slope / layer.slope(v) - 1.0).abs() < 1e-8, "{exponent} {p}");
+            }
+        }
+        assert_eq!(Layer { exponent: 0.5 }.pressure(-1.0), 0.0);
+        assert_eq!(Layer { exponent: 1.0 }.pressure(-1.0), -1.0);
+    }
+}

@@ -1,0 +1,167 @@
+//! Edges that move: how the pressure changes, and Newton's step to where it vanishes.
+//!
+//! An edge that moves with the velocity `V`, straight on its panel and zero elsewhere, changes the displacement `v` of the layer at points that move along by `v'`
+//! with
+//!
+//! `v' + theta0 k K(p'(v) v') = -(alpha0 + f0') V - theta0 k int [V'(s) K + lever dK/dx] p(s) dm(s)`, `lever = V(x) - V(s)`, on a disk `V(x) - V(s) x/s`.
+
+use fredholm::SincSolution;
+
+use super::elimination;
+use super::medium::Medium;
+use super::solved::{Panel, end_node};
+use super::system::{Direction, Factor, System};
+use crate::Error;
+use crate::contact::balance::State;
+
+/// Steps of the difference quotient of the profile, as a share of the panel: it serves Newton steps, not answers.
+const DIFFERENCE: f64 = 1e-5;
+
+/// A solution on the zones, with what its change needs.
+pub(super) struct Tangent<'t> {
+    pub(super) factor: &'t Factor<'t>,
+    pub(super) solution: &'t SincSolution,
+    pub(super) state: State,
+}
+
+impl System<'_, '_> {
+    /// The Newton step of each end, left to right; 0 for those that are not free. `directions` are those of the level and of the slope.
+    pub(super) fn steps(
+        &self,
+        tangent: &Tangent<'_>,
+        mut directions: Vec<Direction>,
+    ) -> Result<Vec<f64>, Error> {
+        let free: Vec<(usize, usize)> = (0..self.zones.len())
+            .flat_map(|zone| [(zone, 0), (zone, 1)])
+            .filter(|&(zone, side)| self.zones[zone].ends[side].is_free)
+            .collect();
+        let mut steps = vec![0.0; 2 * self.zones.len()];
+        if free.is_empty() {
+            return Ok(steps);
+        }
+        let nodes: Vec<usize> = (free.iter())
+            .map(|&(zone, side)| end_node(&self.panels, self.panel_count(), zone, side))
+            .collect();
+        let slopes = self.profile_slopes();
+        for &node in &nodes {
+            directions.push(self.moved(tangent, &slopes, node)?);
+        }
+        let mut rows: Vec<Vec<f64>> = (0..2)
+            .map(|k| {
+                let mut row: Vec<f64> = directions.iter().map(|d| self.conditions(d)[k]).collect();
+                row.push(0.0);
+                row
+            })
+            .collect();
+        for &node in &nodes {
+            let mut row: Vec<f64> = directions.iter().map(|d| d.values[node]).collect();
+            row.push(-tangent.solution.values()[node]);
+            rows.push(row);
+        }
+        let found = elimination::solve(rows).ok_or_else(|| self.singular())?;
+        for (&(zone, side), step) in free.iter().zip(&found[2..]) {
+            steps[2 * zone + side] = *step;
+        }
+        Ok(steps)
+    }
+
+    /// The change of the layer when the end at this node moves to the right.
+    fn moved(
+        &self,
+        tangent: &Tangent<'_>,
+        slopes: &[f64],
+        node: usize,
+    ) -> Result<Direction, Error> {
+        let Tangent { factor, solution, state } = tangent;
+        let count = self.panel_count();
+        let range = node / count * count..(node / count + 1) * count;
+        let panel = self.panels[node / count];
+        let stretch = if node == range.start { -1.0 } else { 1.0 } / panel.length();
+        let fixed = if node == range.start { panel.right } else { panel.left };
+        let velocity = |xi: f64| (xi - fixed) * stretch;
+        let (half, measure) = (self.hull.half, self.medium.measure(&self.hull));
+        let masses: Vec<f64> = solution.node_masses().iter().map(|mass| measure * mass).collect();
+        let weighed = |f: &dyn Fn(f64) -> f64| -> f64 {
+            range.clone().map(|j| masses[j] * f(self.positions[j])).sum()
+        };
+        let carried = weighed(&|_| 1.0);
+        let theta = self.strength();
+        let gauge = self.gauge();
+        let local = self.panel_potential(solution, &range)?;
+        let mut right: Vec<f64> =
+            local.iter().map(|u| -theta * stretch * (half * u - gauge * carried)).collect();
+        for (i, value) in right.iter_mut().enumerate() {
+            let xi = self.positions[i];
+            if range.contains(&i) {
+                let v = velocity(xi);
+                // Of a straight V both parts of the lever are multiples of x - s.
+                let inner = match self.medium {
+                    Medium::Line => -carried,
+                    Medium::Row { .. } => weighed(&|s| self.medium.reduced_slope(xi, s)),
+                    // The kernel is homogeneous: a disk without a hole keeps it.
+                    Medium::Disk { .. } if fixed == 0.0 => 0.0,
+                    Medium::Disk { .. } => {
+                        weighed(&|s| fixed / s * self.medium.reduced_slope(xi, s))
+                    }
+                };
+                let beyond: f64 = (0..masses.len())
+                    .filter(|j| !range.contains(j))
+                    .map(|j| masses[j] * self.slope(v, 0.0, xi, self.positions[j]))
+                    .sum();
+                *value -= theta * (stretch * inner + beyond) + (state.tilt + slopes[i]) * v;
+            } else {
+                *value -= theta * weighed(&|s| self.slope(0.0, velocity(s), xi, s));
+            }
+        }
+        let changed = factor.solve(&right)?;
+        let mut direction = self.direction(&changed, 1.0, [0.0, 0.0]);
+        let spread = if self.medium.is_disk() { weighed(&|s| velocity(s) / s) } else { 0.0 };
+        direction.force += self.medium.area() * (stretch * carried + spread);
+        if !self.medium.is_disk() {
+            direction.moment += weighed(&|s| velocity(s) + stretch * s);
+        }
+        Ok(direction)
+    }
+
+    /// `lever dK/dx` for points of different panels; where two panels meet it counts for nothing.
+    fn slope(&self, at: f64, from: f64, x: f64, s: f64) -> f64 {
+        let difference = x - s;
+        if difference == 0.0 {
+            return 0.0;
+        }
+        let lever = self.medium.lever([at, from], [x, s]);
+        lever * self.medium.reduced_slope(x, s) / difference
+    }
+
+    /// `K p` for the pressure of one panel alone, in local coordinates.
+    fn panel_potential(
+        &self,
+        solution: &SincSolution,
+        range: &std::ops::Range<usize>,
+    ) -> Result<Vec<f64>, Error> {
+        if self.panels.len() == 1 {
+            return Ok(solution.potential().to_vec());
+        }
+        let mut density = vec![0.0; self.positions.len()];
+        for j in range.clone() {
+            density[j] = self.base.layer.pressure(solution.values()[j]);
+        }
+        Ok(self.operator.apply(&density)?)
+    }
+
+    /// `f0'` at the nodes, by differences within their panels.
+    fn profile_slopes(&self) -> Vec<f64> {
+        let count = self.panel_count();
+        let slope = |(i, &xi): (usize, &f64)| {
+            let Panel { left, right, .. } = self.panels[i / count];
+            let step = DIFFERENCE * (right - left);
+            let (from, to) = ((xi - step).max(left.next_up()), (xi + step).min(right.next_down()));
+            if to > from {
+                (self.base.height(to) - self.base.height(from)) / (to - from)
+            } else {
+                0.0
+            }
+        };
+        self.positions.iter().enumerate().map(slope).collect()
+    }
+}

@@ -1,0 +1,132 @@
+//! The pressure on given zones, to be looked at anywhere.
+
+use fredholm::collocation::Place;
+
+use super::base::Base;
+use super::field::Field;
+use super::layer::Layer;
+use super::medium::{Hull, Medium};
+use super::zones::Zone;
+use crate::contact::balance::State;
+use crate::contact::solved::Stiffness;
+
+/// A panel in `xi`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Panel {
+    pub(super) left: f64,
+    pub(super) right: f64,
+    pub(super) zone: usize,
+}
+
+impl Panel {
+    pub(super) fn length(&self) -> f64 {
+        self.right - self.left
+    }
+}
+
+/// The pressure on given zones under the load; at free edges it need not vanish yet.
+#[derive(Debug, Clone)]
+pub(super) struct Solved {
+    pub(super) zones: Vec<Zone>,
+    pub(super) panels: Vec<Panel>,
+    pub(super) medium: Medium,
+    pub(super) layer: Layer,
+    pub(super) hull: Hull,
+    /// `xi` of the nodes.
+    pub(super) positions: Vec<f64>,
+    /// The displacement `v` of the layer; its integrals are those of the pressure.
+    pub(super) solution: Field,
+    /// `D` and `beta`.
+    pub(super) local: [f64; 2],
+    pub(super) state: State,
+    pub(super) stiffness: Stiffness,
+}
+
+impl Solved {
+    /// Nodes of one panel.
+    pub(super) fn panel_count(&self) -> usize {
+        self.positions.len() / self.panels.len()
+    }
+
+    /// Rounding of the displacement of the layer.
+    pub(super) fn rounding(&self) -> f64 {
+        self.solution.rounding()
+    }
+
+    /// Rounding of the pressure.
+    pub(super) fn pressure_rounding(&self) -> f64 {
+        self.layer.slope(self.deepest()) * self.rounding()
+    }
+
+    /// Largest displacement of the layer at the nodes, of either sign.
+    pub(super) fn deepest(&self) -> f64 {
+        self.solution.values().iter().fold(0.0, |most, v| most.max(v.abs()))
+    }
+
+    /// Largest `|p0|` at the nodes.
+    pub(super) fn largest(&self) -> f64 {
+        let pressure = |v: &f64| self.layer.pressure(*v).abs();
+        self.solution.values().iter().map(pressure).fold(0.0, f64::max)
+    }
+
+    /// Displacement of the layer at the left (0) or right (1) end of a zone.
+    pub(super) fn end_layer(&self, zone: usize, side: usize) -> f64 {
+        self.solution.values()[end_node(&self.panels, self.panel_count(), zone, side)]
+    }
+
+    /// Force on a zone, but for a factor.
+    pub(super) fn zone_force(&self, zone: usize) -> f64 {
+        let count = self.panel_count();
+        let masses = self.solution.node_masses().chunks_exact(count);
+        (self.panels.iter().zip(masses))
+            .filter(|(panel, _)| panel.zone == zone)
+            .map(|(_, masses)| masses.iter().sum::<f64>())
+            .sum()
+    }
+
+    /// `p0(xi)` for `xi` in a zone, with the height of the base there.
+    pub(super) fn pressure_at(&self, xi: f64, height: f64) -> f64 {
+        self.layer.pressure(self.layer_at(xi, height))
+    }
+
+    /// The displacement of the layer for `xi` in a zone, below zero where it pulls.
+    pub(super) fn layer(&self, base: &Base<'_>, xi: f64) -> f64 {
+        self.layer_at(xi, base.height(xi))
+    }
+
+    /// The same with the height of the base there.
+    pub(super) fn layer_at(&self, xi: f64, height: f64) -> f64 {
+        let Hull { centre, half } = self.hull;
+        let panel =
+            self.panels.partition_point(|panel| panel.right < xi).min(self.panels.len() - 1);
+        let Panel { left, right, .. } = self.panels[panel];
+        let xi = xi.clamp(left, right);
+        let y = (xi - centre) / half;
+        let place = Place {
+            position: y,
+            from_left: ((xi - left) / half).max(0.0),
+            from_right: ((right - xi) / half).max(0.0),
+            panel,
+        };
+        let right_hand_side = self.local[0] - self.local[1] * y - height;
+        self.solution.at(place, right_hand_side)
+    }
+
+    /// `theta0 k int K(xi, eta) p0 dm` for `xi` outside the zones.
+    pub(super) fn displacement_outside(&self, xi: f64) -> f64 {
+        let Hull { centre, half } = self.hull;
+        let y = (xi - centre) / half;
+        let local = self.solution.integral(|t| self.medium.value(y, t));
+        let gauge = self.medium.gauge(&self.hull);
+        self.solution.parameter() * (local - self.solution.integral(|_| 1.0) * gauge)
+    }
+}
+
+/// Index of the node next to an end of a zone.
+pub(super) fn end_node(panels: &[Panel], count: usize, zone: usize, side: usize) -> usize {
+    if side == 0 {
+        count * panels.partition_point(|panel| panel.zone < zone)
+    } else {
+        (count * panels.partition_point(|panel| panel.zone <= zone)).saturating_sub(1)
+    }
+}

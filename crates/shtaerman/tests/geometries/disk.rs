@@ -1,0 +1,147 @@
+//! Circular punches.
+
+use std::f64::consts::PI;
+
+use shtaerman::{Error, Geometry, Rotational, Solver, Vertical};
+
+use crate::support::{assert_near, assert_stiffness, attempt, pressed, solve, solve_bilateral};
+
+const DISK: Geometry = Geometry::Circular;
+
+#[test]
+fn the_flat_punch_agrees_with_another_method() {
+    // p + int W p s ds = 1: p(0) by two Nystrom methods
+    let load = (Vertical::Settlement(1.0), Rotational::Moment(0.0));
+    let contact = solve((DISK, 1.0 / PI, 1.0), "0", load);
+    assert_near(contact.pressure0(0.0), 0.479_479_198_852_840, 1e-13);
+    assert_eq!(contact.edges0(), [[-1.0, 1.0]]);
+}
+
+#[test]
+fn a_layer_alone_is_statics() {
+    let contact = solve((DISK, 0.0, 1.0), "50*xi^2", pressed(0.5));
+    // P = pi delta^2/(2 c)
+    let settlement = (2.0 * 50.0 * 0.5 / PI).sqrt();
+    assert_near(contact.settlement0(), settlement, 1e-12);
+    let [left, right] = contact.edges0()[0];
+    assert_near(right, (settlement / 50.0).sqrt(), 1e-13);
+    assert!(left == -right);
+    assert_near(contact.pressure0(-0.1), settlement - 0.5, 1e-12);
+    // A ring: P = 2 pi int (delta - c (r - 1/2)^2) r dr = (4 pi/3) (1/2) delta sqrt(delta/c)
+    let ring = solve((DISK, 0.0, 1.0), "100*(abs(xi) - 0.5)^2", pressed(0.5));
+    let settlement = (0.5 * 3.0 / (4.0 * PI) * 10.0f64).powf(2.0 / 3.0);
+    assert_near(ring.settlement0(), settlement, 1e-12);
+    let half = (settlement / 100.0).sqrt();
+    for (found, exact) in
+        ring.edges0().concat().iter().zip([-0.5 - half, -0.5 + half, 0.5 - half, 0.5 + half])
+    {
+        assert_near(*found, exact, 1e-13);
+    }
+    assert!(ring.pressure0(0.0) == 0.0);
+    assert_near(ring.gap0(0.0), 25.0 - settlement, 1e-12);
+}
+
+#[test]
+fn the_smooth_limit_is_boussinesqs() {
+    // p = P/(2 pi sqrt(1 - r^2)), delta0 = pi theta0 P0/4, M0 = (8/(3 pi theta0)) alpha0
+    for theta in [1e3, 1e5, 1e7] {
+        let contact = solve((DISK, theta, 1.0), "0", pressed(1.0));
+        assert_near(contact.settlement0() / (0.25 * PI * theta), 1.0, 10.0 / theta);
+        let exact = 1.0 / (2.0 * PI * (1.0f64 - 0.36).sqrt());
+        assert_near(contact.pressure0(0.6) / exact, 1.0, 10.0 / theta);
+        let turning = contact.stiffness0().moment_tilt;
+        assert_near(turning * theta, 8.0 / (3.0 * PI), 30.0 / theta);
+        let tilted =
+            solve((DISK, theta, 1.0), "0", (Vertical::Force(1.0), Rotational::Eccentricity(0.1)));
+        assert_near(tilted.tilt0() * turning, -0.1, 1e-12);
+        // p = (P + 3 M x/a^2)/(2 pi a sqrt(a^2 - r^2))
+        assert_near(tilted.pressure0(0.6) / exact, 1.0 + 0.3 * 0.6, 20.0 / theta);
+        assert_near(tilted.pressure0(-0.6) / exact, 1.0 - 0.3 * 0.6, 20.0 / theta);
+    }
+}
+
+#[test]
+fn the_smooth_sphere_is_hertzs() {
+    // f = c r^2, E* = 2/(pi theta): a^3 = 3 pi theta P/(16 c), p = (3 P/(2 pi a^2)) sqrt(1 - r^2/a^2), delta = 2 c a^2
+    let mut before = [f64::INFINITY; 3];
+    for theta in [1e2, 1e4, 1e6] {
+        let profile = format!("{theta}*xi^2");
+        let contact = solve((DISK, theta, 1.0), &profile, pressed(0.2));
+        let radius = (3.0 * PI * 0.2 / 16.0f64).cbrt();
+        let errors = [
+            contact.edges0()[0][1] / radius - 1.0,
+            contact.pressure0(0.0) / (0.3 / (PI * radius * radius)) - 1.0,
+            contact.settlement0() / (2.0 * theta * radius * radius) - 1.0,
+        ];
+        // Of the order of chi, and ln chi times that at the edge.
+        for (error, before) in errors.iter().zip(before) {
+            assert!(error.abs() < 0.03 * before && error.abs() < 30.0 / theta, "{errors:?}");
+        }
+        before = errors.map(f64::abs);
+    }
+}
+
+#[test]
+fn a_moment_lifts_beyond_the_known_limit() {
+    // P a/4 on the layer alone, P a/3 on the body alone
+    for (theta, limit, tolerance) in [(0.0, 0.25, 1e-12), (1e7, 1.0 / 3.0, 1e-4)] {
+        let with = |moment: f64| {
+            let load = (Vertical::Force(1.0), Rotational::Moment(moment));
+            attempt((DISK, theta, 1.0), "0", load, Solver::default())
+        };
+        let Err(Error::LiftsOff { limit: found, value, .. }) = with(0.4) else {
+            panic!("{theta}");
+        };
+        assert!(value == 0.4);
+        assert_near(found, limit, tolerance);
+        assert!(with(found * (1.0 - 1e-6)).is_ok() && with(-found * (1.0 + 1e-6)).is_err());
+    }
+    // Where the base does not touch as a whole there is no such moment.
+    let load = (Vertical::Force(0.1), Rotational::Tilt(1e-3));
+    let refused = attempt((DISK, 1.0, 1.0), "50*xi^2", load, Solver::default());
+    assert!(matches!(refused, Err(Error::LiftsOff { limit: 0.0, field: "tilt", .. })));
+    // Full contact may pull.
+    let load = (Vertical::Settlement(1.0), Rotational::Tilt(2.0));
+    let contact = solve_bilateral((DISK, 0.0, 1.0), "0", load);
+    assert_near(contact.pressure0(0.8), 1.0 - 1.6, 1e-14);
+    assert_near(contact.pressure0(-0.8), 1.0 + 1.6, 1e-14);
+    assert_near(contact.moment0(), -2.0 * PI / 4.0, 1e-13);
+}
+
+#[test]
+fn displacements_and_pressures_satisfy_the_equation() {
+    let contact =
+        solve((DISK, 3.0, 1.0), "0.2*xi^2", (Vertical::Force(1.0), Rotational::Moment(0.1)));
+    for xi in [-0.9, -0.2, 0.3, 1.0] {
+        let depth = contact.settlement0() - contact.tilt0() * xi - 0.2 * xi * xi;
+        assert_near(contact.pressure0(xi) + contact.elastic_displacement0(xi), depth, 1e-13);
+    }
+    // Far away a force and a couple: theta0 (pi/2) [P/(pi r) + M x/(2 pi ...)], the even part alone of order 1/r.
+    let r = 200.0;
+    let even = 0.5 * (contact.elastic_displacement0(r) + contact.elastic_displacement0(-r));
+    assert_near(even * r / (3.0 * 0.5), 1.0, 1e-4);
+    let odd = 0.5 * (contact.elastic_displacement0(r) - contact.elastic_displacement0(-r));
+    assert_near(odd * r * r / (3.0 * 0.5 * 0.1), 1.0, 1e-4);
+}
+
+#[test]
+fn several_rings_answer_their_stiffness() {
+    let body = (DISK, 3.0, 1.0);
+    let profile = "10*(1 - cos(12*xi))";
+    let contact = solve(body, profile, pressed(1.5));
+    assert!(contact.edges0().len() == 5, "{:?}", contact.edges0());
+    assert!(contact.complementarity().unwrap().tension < 1e-10);
+    assert!(contact.complementarity().unwrap().penetration < 1e-10);
+    assert_stiffness(body, profile, &contact, 1e-5);
+    let settlement = (Vertical::Settlement(contact.settlement0()), Rotational::Tilt(0.0));
+    assert_near(solve(body, profile, settlement).force0(), 1.5, 1e-11);
+}
+
+#[test]
+fn bases_that_are_no_bodies_of_revolution_are_refused() {
+    for profile in ["xi", "xi^2 + 0.01*xi^3", "abs(xi - 0.1)"] {
+        let error =
+            attempt((DISK, 1.0, 1.0), profile, pressed(1.0), Solver::default()).unwrap_err();
+        assert!(error.to_string().contains("even in x"), "{error}");
+    }
+}

@@ -1,0 +1,9 @@
+//! Pairs, rows and disks, and layers that bend, against closed forms, other methods and invariants.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+mod disk;
+mod pair;
+mod power;
+mod row;
+mod support;
