@@ -319,7 +319,7 @@ impl Physical {
                 .frame()
                 .scaling()
                 .map_or(0.0, Scaling::contact_modulus),
-            gauge: GAUGE,
+            gauge: contact.problem().frame().gauge(),
         }
     }
 }

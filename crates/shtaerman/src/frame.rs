@@ -2,7 +2,7 @@
 
 use crate::error::{positive, require};
 use crate::roughness::Law;
-use crate::{Elastic, Error, Geometry, Grading, Roughness, Scaling};
+use crate::{Elastic, Error, GAUGE, Geometry, Grading, Roughness, Scaling};
 
 /// In which units a problem is stated.
 #[derive(Debug, Clone, PartialEq)]
@@ -151,6 +151,17 @@ impl Frame {
         match self {
             Self::Physical { grading, .. } => *grading,
             Self::Dimensionless { .. } => None,
+        }
+    }
+
+    /// What the settlement is measured against.
+    #[must_use]
+    pub fn gauge(&self) -> &'static str {
+        match (self.grading(), self.geometry()) {
+            (Some(_), _) | (None, Geometry::Circular) => "zero at infinity",
+            (None, Geometry::Periodic { .. }) => "ln 1/(2 sin(pi |x-s|/L)), L = period",
+            (None, Geometry::Pair { .. }) => "ln(a/|x-s|), a = outer_half_width",
+            (None, Geometry::Plane) => GAUGE,
         }
     }
 

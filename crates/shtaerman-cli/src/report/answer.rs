@@ -4,8 +4,7 @@ use std::fmt::Write;
 
 use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
 use shtaerman::{
-    Answer, Contact, CrossCheck, Dimensionless, ErrorKind, ErrorReport, GAUGE, Physical,
-    PressureCurve,
+    Answer, Contact, CrossCheck, Dimensionless, ErrorKind, ErrorReport, Physical, PressureCurve,
 };
 
 use super::{Table, significant};
@@ -116,7 +115,7 @@ fn physical_table(contact: &Contact, physical: &Physical) -> Table {
     let mut row = |name: &str, value: String, note: &str| {
         table.row(vec![name.to_owned(), value, note.to_owned()]);
     };
-    row("settlement", length(physical.settlement), &format!("gauge {GAUGE}"));
+    row("settlement", length(physical.settlement), &format!("gauge {}", physical.gauge));
     row(
         "tilt",
         engineering(physical.tilt, DisplayUnit::angle()),

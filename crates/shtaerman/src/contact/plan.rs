@@ -8,9 +8,6 @@ use super::solution::{FullBase, Solution};
 use super::unilateral::UnilateralContact;
 use super::warning::Warning;
 use super::{Contact, Draft, collocated, spectral};
-use crate::error::require;
-use crate::{ContactKind, Error, MethodChoice, Problem};
-=======
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Geometry, MethodChoice, Problem};
 
@@ -71,7 +68,6 @@ impl Problem {
     /// pressure on the base can balance, [`Error::NoContact`] for displacements that leave the base clear of the body;
     /// [`Error::NotComplementary`] when no zones were found.
     pub fn solve(&self) -> Result<Contact, Error> {
-        self.require_homogeneous()?;
         match self.solver().contact {
             ContactKind::Unilateral => self.solve_zones(self.solve_unilateral()?),
             ContactKind::Bilateral if self.is_plain() => self.solve_full_base(),
@@ -79,16 +75,11 @@ impl Problem {
         }
     }
 
-    fn require_homogeneous(&self) -> Result<(), Error> {
-        let exponent = self.frame().grading().map_or(0.0, |grading| grading.exponent());
-        let requirement = "0: graded foundations are read and scaled, but not solved yet";
-        require(exponent == 0.0, "grading_exponent", exponent, requirement).map(|_| ())
-    }
-
-    /// Whether this is one punch on a half-plane with a linear layer, for which the spectral relation serves.
+    /// Whether this is one punch on a homogeneous half-plane with a linear layer, for which the spectral relation serves.
     fn is_plain(&self) -> bool {
         let frame = self.frame();
-        frame.geometry() == Geometry::Plane && frame.law() == Law::Linear
+        let is_homogeneous = frame.grading().is_none();
+        frame.geometry() == Geometry::Plane && frame.law() == Law::Linear && is_homogeneous
     }
 
     fn solve_zones(&self, solved: UnilateralContact) -> Result<Contact, Error> {
@@ -159,7 +150,6 @@ impl Problem {
 
     /// The plain degenerate kernel of a given degree, without an estimate of its error, and its iterated pressure at the right edge, in the units of the problem.
     pub(crate) fn solve_iterated(&self, degree: usize) -> Result<(Contact, f64), Error> {
-        self.require_homogeneous()?;
         let function = self.resolved_profile()?;
         let draft = spectral::solve(self, &function, degree)?;
         let [_, edge] = spectral::iterated_edges(self, &function, &draft);
