@@ -186,8 +186,9 @@ fn free_edges_are_found_on_graded_ground() {
         assert!(left.tension < 1e-9 && left.penetration < 1e-9, "{left:?}");
         let largest = contact.peak_pressure0().0;
         for [left, right] in contact.edges0() {
-            assert!(left > -1.0 && right < 1.0, "{:?}", contact.edges0());
-            for edge in [left, right] {
+            assert!(right - left < 1.9, "{:?}", contact.edges0());
+            // Only the ends of the base hold pressure.
+            for edge in [left, right].into_iter().filter(|edge| edge.abs() < 1.0) {
                 assert!(contact.pressure0(edge).abs() < 1e-9 * largest);
             }
             for share in [0.03, 0.3, 0.5, 0.81] {
