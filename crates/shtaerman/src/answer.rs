@@ -9,8 +9,6 @@ use crate::{
 
 /// Version of the answer's layout; the JSON Schema `schema/answer.schema.json` describes it.
 pub const SCHEMA: &str = "shtaerman-answer/1";
-/// What the settlement is measured against.
-pub const GAUGE: &str = "ln(a/|x-s|), a = half_width";
 
 /// A solved contact with its pressure at chosen points.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -123,9 +121,9 @@ pub struct Physical {
     pub settlement: f64,
     /// `alpha` (rad).
     pub tilt: f64,
-    /// `P` (N/m).
+    /// `P` (N/m; N under a circular punch).
     pub force: f64,
-    /// `M` (N m/m).
+    /// `M` (N m/m; N m under a circular punch).
     pub moment: f64,
     /// `p` at the left edge of the punch (Pa).
     pub pressure_left: f64,
@@ -133,13 +131,13 @@ pub struct Physical {
     pub pressure_mid: f64,
     /// `p` at the right edge of the punch (Pa).
     pub pressure_right: f64,
-    /// `P/(2a)` (Pa), the mean over the base.
+    /// `P` over the length of the base, or the area of a circular one (Pa).
     pub pressure_mean: f64,
     /// The largest pressure (Pa).
     pub pressure_max: f64,
     /// Its place (m); of equal ones the leftmost.
     pub pressure_max_at: f64,
-    /// `d(P, M)/d(delta, -alpha)` (Pa, N/m; N/m, N).
+    /// `d(P, M)/d(delta, -alpha)` (Pa, N/m; N/m, N; under a circular punch N/m, N; N, N m).
     pub stiffness: [[f64; 2]; 2],
     /// Zones of contact (m).
     pub edges: Vec<[f64; 2]>,
@@ -288,7 +286,7 @@ impl Dimensionless {
             p0_left: contact.pressure0(-1.0),
             p0_mid: contact.pressure0(0.0),
             p0_right: contact.pressure0(1.0),
-            p0_mean: 0.5 * contact.force0(),
+            p0_mean: contact.mean_pressure0(),
             p0_max,
             p0_max_at,
             stiffness: contact.stiffness0().matrix(),

@@ -2,7 +2,7 @@
 
 use crate::error::{positive, require};
 use crate::roughness::Law;
-use crate::{Elastic, Error, GAUGE, Geometry, Grading, Roughness, Scaling};
+use crate::{Elastic, Error, Geometry, Grading, Roughness, Scaling};
 
 /// In which units a problem is stated.
 #[derive(Debug, Clone, PartialEq)]
@@ -154,17 +154,6 @@ impl Frame {
         }
     }
 
-    /// What the settlement is measured against.
-    #[must_use]
-    pub fn gauge(&self) -> &'static str {
-        match (self.grading(), self.geometry()) {
-            (Some(_), _) | (None, Geometry::Circular) => "zero at infinity",
-            (None, Geometry::Periodic { .. }) => "ln 1/(2 sin(pi |x-s|/L)), L = period",
-            (None, Geometry::Pair { .. }) => "ln(a/|x-s|), a = outer_half_width",
-            (None, Geometry::Plane) => GAUGE,
-        }
-    }
-
     /// The law of the rough layer without dimensions.
     #[must_use]
     pub fn law(&self) -> Law {
@@ -172,6 +161,18 @@ impl Frame {
             Self::Physical { roughness, .. } => roughness.law(),
             Self::Dimensionless { law, .. } => *law,
         }
+    }
+
+    /// What the settlement is measured against.
+    #[must_use]
+    pub fn gauge(&self) -> &'static str {
+        if self.grading().is_some() { "zero at infinity" } else { self.geometry().gauge() }
+    }
+
+    /// Whether force and moment are those of a disk (N, N m), not per unit length.
+    #[must_use]
+    pub fn is_circular(&self) -> bool {
+        self.geometry() == Geometry::Circular
     }
 
     /// The pieces of the base as `xi`.

@@ -60,6 +60,26 @@ impl Geometry {
         }
     }
 
+    /// Length of the base in half-widths, in one period of a row; area in `a^2` of a circular one.
+    #[must_use]
+    pub fn measure(&self, half_width: f64) -> f64 {
+        match self {
+            Self::Circular => std::f64::consts::PI,
+            _ => self.pieces(half_width).iter().map(|[left, right]| right - left).sum(),
+        }
+    }
+
+    /// What the settlement is measured against on a homogeneous foundation.
+    #[must_use]
+    pub fn gauge(&self) -> &'static str {
+        match self {
+            Self::Plane => "ln(a/|x-s|), a = half_width",
+            Self::Pair { .. } => "ln(a/|x-s|), a = outer_half_width",
+            Self::Periodic { .. } => "ln(1/(2 sin(pi|x-s|/L))), L = period",
+            Self::Circular => "zero at infinity",
+        }
+    }
+
     /// Refuses lengths that do not fit a punch of this half-width.
     ///
     /// # Errors

@@ -51,8 +51,7 @@ mod roughness;
 mod scaling;
 
 pub use answer::{
-    Answer, Dimensionless, ErrorReport, Errors, GAUGE, MethodReport, Physical, PressureCurve,
-    SCHEMA,
+    Answer, Dimensionless, ErrorReport, Errors, MethodReport, Physical, PressureCurve, SCHEMA,
 };
 pub use contact::{
     AIM, Accuracy, Complementarity, Contact, CrossCheck, ErrorKind, Method, Stiffness, Warning,

@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
 use shtaerman::{
-    Answer, Contact, CrossCheck, Dimensionless, ErrorKind, ErrorReport, Physical, PressureCurve,
+    Answer, Contact, CrossCheck, Dimensionless, ErrorKind, ErrorReport, Geometry, Physical,
+    PressureCurve,
 };
 
 use super::{Table, significant};
@@ -37,7 +38,7 @@ pub(crate) fn answer_table(
     text.push_str(&table.to_string());
     let _ = writeln!(text, "\nmethod: {}", answer.method.reason);
     if let Some(error) = &answer.error {
-        text.push_str(&error_line(error));
+        text.push_str(&error_line(contact, error));
     }
     if let Some(left) = &answer.complementarity {
         let _ = writeln!(
@@ -64,7 +65,8 @@ pub(crate) fn answer_table(
 }
 
 /// The error of the answer on one line.
-fn error_line(error: &ErrorReport) -> String {
+fn error_line(contact: &Contact, error: &ErrorReport) -> String {
+    let units = LoadUnits::of(contact);
     let kind = match error.kind {
         ErrorKind::Bound => "bound",
         ErrorKind::Estimate => "estimate",
@@ -79,8 +81,8 @@ fn error_line(error: &ErrorReport) -> String {
     let unknowns: [(&str, Option<f64>, DisplayUnit); 5] = [
         ("settlement", errors.settlement, Dimension::LENGTH.into()),
         ("tilt", errors.tilt, DisplayUnit::angle()),
-        ("force", errors.force, Dimension::FORCE_PER_LENGTH.into()),
-        ("moment", errors.moment, DisplayUnit::prefixed("N")),
+        ("force", errors.force, units.force),
+        ("moment", errors.moment, units.moment),
         ("edges", errors.edges, Dimension::LENGTH.into()),
     ];
     for (name, value, unit) in unknowns {
@@ -115,14 +117,15 @@ fn physical_table(contact: &Contact, physical: &Physical) -> Table {
     let mut row = |name: &str, value: String, note: &str| {
         table.row(vec![name.to_owned(), value, note.to_owned()]);
     };
-    row("settlement", length(physical.settlement), &format!("gauge {}", physical.gauge));
+    let units = LoadUnits::of(contact);
+    row("settlement", length(physical.settlement), &format!("gauge: {}", physical.gauge));
     row(
         "tilt",
         engineering(physical.tilt, DisplayUnit::angle()),
         "a positive moment gives a negative tilt",
     );
-    row("force", engineering(physical.force, Dimension::FORCE_PER_LENGTH), "per unit length");
-    row("moment", engineering(physical.moment, DisplayUnit::prefixed("N")), "N m per m");
+    row("force", engineering(physical.force, units.force.clone()), units.force_note);
+    row("moment", engineering(physical.moment, units.moment.clone()), units.moment_note);
     row("pressure, left edge", pressure(physical.pressure_left), "");
     row("pressure, centre", pressure(physical.pressure_mid), "");
     row("pressure, right edge", pressure(physical.pressure_right), "");
@@ -135,11 +138,46 @@ fn physical_table(contact: &Contact, physical: &Physical) -> Table {
     for (name, value, note) in zones(&physical.edges, contact, &length) {
         row(&name, value, &note);
     }
-    row("stiffness dP/d(settlement)", engineering(k11, Dimension::PRESSURE), "per unit length");
-    row("stiffness dM/d(-tilt)", engineering(k22, DisplayUnit::prefixed("N")), "N m per m and rad");
-    row("stiffness dM/d(settlement)", engineering(k12, Dimension::FORCE_PER_LENGTH), "");
+    row("stiffness dP/d(settlement)", engineering(k11, units.stiffness), units.force_note);
+    row("stiffness dM/d(-tilt)", engineering(k22, units.moment), units.turning_note);
+    row("stiffness dM/d(settlement)", engineering(k12, units.force), "");
     row("contact modulus E*", pressure(physical.contact_modulus), modulus);
     table
+}
+
+/// Units of force and moment: per unit length, but for a circular punch.
+struct LoadUnits {
+    force: DisplayUnit,
+    moment: DisplayUnit,
+    stiffness: DisplayUnit,
+    force_note: &'static str,
+    moment_note: &'static str,
+    turning_note: &'static str,
+}
+
+impl LoadUnits {
+    fn of(contact: &Contact) -> Self {
+        let frame = contact.problem().frame();
+        if frame.is_circular() {
+            return Self {
+                force: DisplayUnit::prefixed("N"),
+                moment: Dimension::MOMENT.into(),
+                stiffness: Dimension::FORCE_PER_LENGTH.into(),
+                force_note: "",
+                moment_note: "",
+                turning_note: "per rad",
+            };
+        }
+        let row = matches!(frame.geometry(), Geometry::Periodic { .. });
+        Self {
+            force: Dimension::FORCE_PER_LENGTH.into(),
+            moment: DisplayUnit::prefixed("N"),
+            stiffness: Dimension::PRESSURE.into(),
+            force_note: if row { "per unit length and period" } else { "per unit length" },
+            moment_note: "N m per m",
+            turning_note: "N m per m and rad",
+        }
+    }
 }
 
 /// Most zones that the table names one by one.
@@ -183,10 +221,12 @@ fn dimensionless_table(contact: &Contact, d: &Dimensionless) -> Table {
         table.row(vec![name.to_owned(), value, note.to_owned()]);
     };
     let shown = |value: f64| significant(value, 10);
-    row("settlement delta0", shown(d.delta0), "delta/(chi E), gauge ln(a/|x-s|)");
+    let gauge = contact.problem().frame().gauge();
+    row("settlement delta0", shown(d.delta0), &format!("delta/(chi E), gauge: {gauge}"));
     row("tilt alpha0", shown(d.alpha0), "a alpha/(chi E); a positive moment gives a negative tilt");
-    row("force P0", shown(d.P0), "P/(a E)");
-    row("moment M0", shown(d.M0), "M/(a^2 E)");
+    let circular = contact.problem().frame().is_circular();
+    row("force P0", shown(d.P0), if circular { "P/(a^2 E)" } else { "P/(a E)" });
+    row("moment M0", shown(d.M0), if circular { "M/(a^3 E)" } else { "M/(a^2 E)" });
     row("pressure, left edge", shown(d.p0_left), "p/E");
     row("pressure, centre", shown(d.p0_mid), "");
     row("pressure, right edge", shown(d.p0_right), "");

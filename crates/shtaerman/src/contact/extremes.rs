@@ -7,6 +7,8 @@ const CROSSING_STEPS: usize = 24;
 /// Most sign changes that are refined; of more, the samples are dense enough for a straight line.
 const REFINED_CHANGES: usize = 64;
 const CROSSING: f64 = 1e-13;
+/// Rounding of a value.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// A pressure below this, relative to the largest, counts as zero.
 const NEGLIGIBLE: f64 = 1e-12;
 
@@ -42,7 +44,9 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         let left = self.points[best.saturating_sub(1)];
         let right = self.points[(best + 1).min(self.points.len() - 1)];
         let refined = golden_section(&self.f, left, right);
-        if refined.value > sampled.value { refined } else { sampled }
+        // A value that is larger by rounding alone says nothing of the place.
+        let noticeable = ROUNDING * sampled.value.abs();
+        if refined.value > sampled.value + noticeable { refined } else { sampled }
     }
 
     /// The intervals on which the function is negative beyond rounding.

@@ -198,10 +198,17 @@ impl Contact {
         self.pressure0(1.0) * self.scale(Scaling::pressure)
     }
 
-    /// Mean pressure `P/(2a)` (Pa).
+    /// Mean pressure over the base (Pa): `P/(2a)`, or `P/(pi a^2)` under a circular punch.
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
-        0.5 * self.force0() * self.scale(Scaling::pressure)
+        self.mean_pressure0() * self.scale(Scaling::pressure)
+    }
+
+    /// Mean of `p0` over the base.
+    #[must_use]
+    pub fn mean_pressure0(&self) -> f64 {
+        let frame = self.problem.frame();
+        self.force0() / frame.geometry().measure(frame.half_width())
     }
 
     /// The largest pressure (Pa) and its place (m); of equal ones the leftmost.

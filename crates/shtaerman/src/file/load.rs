@@ -2,21 +2,30 @@
 
 use crate::document::{Field, FileError, TableReader};
 use crate::quantity::Dimension;
-use crate::{Load, Rotational, Vertical};
+use crate::{Frame, Load, Rotational, Vertical};
 
-pub(super) fn read(table: &TableReader<'_>, physical: bool) -> Result<Load, FileError> {
+pub(super) fn read(table: &TableReader<'_>, frame: &Frame) -> Result<Load, FileError> {
     let vertical = table.exactly_one(&["force", "settlement"])?;
     let rotational = table.exactly_one(&["moment", "eccentricity", "tilt"])?;
+    let [force, moment] = if frame.is_circular() {
+        [Dimension::FORCE, Dimension::MOMENT]
+    } else {
+        [Dimension::FORCE_PER_LENGTH, Dimension::MOMENT_PER_LENGTH]
+    };
     let value = |field: &Field<'_>, dimension| {
-        if physical { field.quantity(dimension) } else { field.quantity(Dimension::NONE) }
+        if frame.scaling().is_some() {
+            field.quantity(dimension)
+        } else {
+            field.quantity(Dimension::NONE)
+        }
     };
     let vertical = if vertical.name().ends_with("force") {
-        Vertical::Force(value(&vertical, Dimension::FORCE_PER_LENGTH)?)
+        Vertical::Force(value(&vertical, force)?)
     } else {
         Vertical::Settlement(value(&vertical, Dimension::LENGTH)?)
     };
     let rotational = if rotational.name().ends_with("moment") {
-        Rotational::Moment(value(&rotational, Dimension::MOMENT_PER_LENGTH)?)
+        Rotational::Moment(value(&rotational, moment)?)
     } else if rotational.name().ends_with("eccentricity") {
         Rotational::Eccentricity(value(&rotational, Dimension::LENGTH)?)
     } else {

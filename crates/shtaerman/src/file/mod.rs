@@ -124,7 +124,7 @@ fn read(document: &Document, folder: &Path) -> Result<Problem, Error> {
         }
         let frame = dimensionless_frame(&table)?;
         let profile = profile::read(&table, &frame, folder)?;
-        let load = load::read(&table, false)?;
+        let load = load::read(&table, &frame)?;
         reader.finish()?;
         profile.problem(frame, load, solver)?
     } else {
@@ -138,7 +138,7 @@ fn read(document: &Document, folder: &Path) -> Result<Problem, Error> {
         }
         let frame = physical::read(&reader)?;
         let profile = profile::read(&reader.required("punch")?.table()?, &frame, folder)?;
-        let load = load::read(&reader.required("load")?.table()?, true)?;
+        let load = load::read(&reader.required("load")?.table()?, &frame)?;
         reader.finish()?;
         profile.problem(frame, load, solver)?
     };
