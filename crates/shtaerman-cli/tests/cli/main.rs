@@ -8,6 +8,7 @@ mod commands;
 mod equation;
 mod equation_input;
 mod examples;
+mod graded;
 mod hostile;
 mod outputs;
 mod overrides;

@@ -130,38 +130,32 @@ fn little_grading_is_none() {
     }
 }
 
-/// `int |xi - eta|^-mu p0 deta` over the zones, cut at `xi` so that both parts have their singularity at an end.
+/// `int |xi - eta|^-mu p0 deta` over the zones, cut at `xi` and in the middle, where profiles may have a kink.
 fn potential(contact: &Contact, xi: f64, mu: f64) -> f64 {
-    // d^-mu dd = du/(1-mu) with u = d^(1-mu): no singularity is left; profiles may have a kink in the middle.
+    // d^-mu dd = du/(1-mu) with the distance d and u = d^(1-mu): no singularity is left.
     let power = 1.0 - mu;
-    let piece = |from: f64, sign: f64, [first, last]: [f64; 2]| -> f64 {
+    let piece = |[left, right]: [f64; 2]| -> f64 {
+        let sign = if left >= xi { 1.0 } else { -1.0 };
+        let [near, far] =
+            if left >= xi { [left - xi, right - xi] } else { [xi - right, xi - left] };
+        let (first, last) = (near.powf(power), far.powf(power));
         let half = 0.5 * (last - first);
         double_exponential(150)
             .map(|node| {
                 let distance = (first + half * node.from_left).powf(1.0 / power);
-                node.weight * half / power * contact.pressure0(from + sign * distance)
+                let at = (xi + sign * distance).clamp(left, right);
+                node.weight * half / power * contact.pressure0(at)
             })
             .sum()
     };
-    let part = |from: f64, to: f64| -> f64 {
-        let (sign, end) = ((to - from).signum(), (to - from).abs().powf(power));
-        if from * to < 0.0 {
-            let kink = from.abs().powf(power);
-            piece(from, sign, [0.0, kink]) + piece(from, sign, [kink, end])
-        } else {
-            piece(from, sign, [0.0, end])
-        }
-    };
     (contact.edges0().iter())
-        .map(|&[left, right]| {
-            if xi <= left {
-                part(xi, right) - part(xi, left)
-            } else if xi >= right {
-                part(xi, left) - part(xi, right)
-            } else {
-                part(xi, left) + part(xi, right)
-            }
+        .flat_map(|&[left, right]| {
+            let mut cuts = vec![left, xi.clamp(left, right), 0f64.clamp(left, right), right];
+            cuts.sort_by(f64::total_cmp);
+            cuts.dedup();
+            cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect::<Vec<_>>()
         })
+        .map(piece)
         .sum()
 }
 
