@@ -41,7 +41,7 @@ impl Grading {
     /// [`Error::InvalidValue`] unless `0 <= mu < 1` and `E0` is finite and positive: for other exponents the settlement is not finite.
     pub fn new(exponent: f64, modulus: f64) -> Result<Self, Error> {
         require(
-            exponent >= 0.0 && exponent < 1.0,
+            (0.0..1.0).contains(&exponent),
             "grading_exponent",
             exponent,
             "at least 0 and less than 1: a body that softens with depth has no finite settlement under a line load, and from 1 on the surface has none under pressure",

@@ -37,12 +37,12 @@ fn asperities_of_gaussian_height() {
     assert_valid(&schema("roughness"), &ranged, "range");
     let exponent = number(&ranged, "/roughness/exponent");
     assert!(exponent > 0.0 && exponent < 0.5);
-    assert!(number(&ranged, "/power/fit/relative_deviation") < 2e-3);
+    assert!(number(&ranged, "/power/fit/relative_deviation") < 3e-3);
     assert!(number(&ranged, "/linear/fit/relative_deviation") > 0.02);
 }
 
-/// `h` and `F_(1/2)(h)` of the first test by mpmath, 30 digits.
-const TRUTH: [f64; 2] = [1.2053596785942822326, 0.071896914021799717092];
+/// `h` and `F_(1/2)(h)` of the first test by mpmath.
+const TRUTH: [f64; 2] = [1.2053596785942822, 0.07189691402179972];
 
 #[test]
 fn the_snippet_is_a_foundation_that_solves() {
@@ -71,10 +71,12 @@ fn the_snippet_is_a_foundation_that_solves() {
         folder.write(
             "punch.toml",
             format!(
-                "[foundation]\nyoung_modulus = \"200 GPa\"\npoisson_ratio = 0.3\n{snippet}\n[punch]\nhalf_width = \"5 mm\"\n\n[load]\nforce = \"0.8 MN/m\"\nmoment = 0\n"
+                "[foundation]\nyoung_modulus = \"200 GPa\"\npoisson_ratio = 0.3\n{snippet}\n[punch]\nhalf_width = \"5 mm\"\nprofile = \"0\"\n\n[load]\nforce = \"0.8 MN/m\"\nmoment = 0\n"
             ),
         );
-        assert_eq!(folder.run(&["validate", "punch.toml"]).code, Some(0), "{text}");
+        let json = folder.run(&["solve", "punch.toml", "--format=json"]).json();
+        // 0.8 MN/m on 10 mm
+        assert!((number(&json, "/physical/pressure_mean") / 80e6 - 1.0).abs() < 1e-9, "{text}");
     }
 }
 
@@ -226,7 +228,7 @@ fn refusals() {
             "needs a working --pressure",
         ),
         (vec!["bearing", "--trace=flat.csv", "--hardness=1 GPa"], "not the same all along"),
-        (vec!["bearing", "--trace=gone.csv", "--hardness=1 GPa"], "gone.csv cannot be read"),
+        (vec!["bearing", "--trace=gone.csv", "--hardness=1 GPa"], "gone.csv: cannot be read"),
         (vec!["table", "t.csv"], "at least two rows"),
         (vec!["table", "bad.csv"], "bad.csv: line 2: approach 1 m, pressure -1 Pa"),
         (vec!["table", "t.csv", "--pressure-unit=mm"], "--pressure-unit"),
