@@ -49,13 +49,14 @@ pub mod profile;
 pub mod quantity;
 mod roughness;
 mod scaling;
+mod stress;
 
 pub use answer::{
     Answer, Dimensionless, ErrorReport, Errors, MethodReport, Physical, PressureCurve, SCHEMA,
 };
 pub use contact::{
-    AIM, Accuracy, Complementarity, Contact, CrossCheck, ErrorKind, Method, Stiffness, Warning,
-    WarningCode,
+    AIM, Accuracy, Complementarity, Contact, CrossCheck, Curve, ErrorKind, Method, SmoothContact,
+    SmoothKernel, SmoothProblem, SmoothProfile, SmoothZone, Stiffness, Warning, WarningCode,
 };
 pub use convergence::Convergence;
 pub use error::Error;
@@ -68,3 +69,4 @@ pub use problem::{ContactKind, MethodChoice, Problem, Solver};
 pub use profile::Profile;
 pub use roughness::{Law, Roughness};
 pub use scaling::Scaling;
+pub use stress::{Criterion, FirstYield, Peak, Stress, StressField};

@@ -10,6 +10,7 @@ mod reproduce;
 mod roughness;
 mod solve;
 mod spectrum;
+mod stress;
 mod validate;
 
 use crate::Failure;
@@ -25,6 +26,7 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Regularity(arguments) => regularity::run(arguments),
         Command::Convergence(arguments) => convergence::run(arguments),
         Command::Equation(arguments) => equation::run(arguments),
+        Command::Stress(arguments) => stress::run(arguments),
         Command::Spectrum(arguments) => spectrum::run(arguments),
         Command::Roughness(arguments) => roughness::run(arguments),
     }

@@ -2,12 +2,18 @@
 
 mod answer;
 mod equation;
+mod npz;
 mod number;
+mod stress;
 mod table;
 
 pub(crate) use answer::{answer_csv, answer_table};
 pub(crate) use equation::{equation_csv, equation_table};
+pub(crate) use npz::{Array, npz};
 pub(crate) use number::significant;
+pub(crate) use stress::{
+    StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
+};
 pub(crate) use table::Table;
 
 use serde::Serialize;

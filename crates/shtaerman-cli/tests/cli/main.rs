@@ -16,4 +16,5 @@ mod places;
 mod references;
 mod roughness;
 mod spectrum;
+mod stress;
 mod support;

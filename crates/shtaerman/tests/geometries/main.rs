@@ -6,5 +6,6 @@ mod disk;
 mod graded;
 mod pair;
 mod power;
+mod random;
 mod row;
 mod support;

@@ -13,7 +13,7 @@
 //! Equations are solved in local coordinates `xi = c + b y`, in which the plane and the disk are always of one size.
 
 use std::f64::consts::{PI, TAU};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use fredholm::Interval;
 use fredholm::SincOperator;
@@ -59,9 +59,7 @@ impl Medium {
                 let kernel = LogarithmSine::new(PI.next_down())?;
                 Self::Row { period, kernel }
             }
-            Geometry::Circular => {
-                Self::Disk { kernel: WeberSonine::new(1.0, 0.0, 0.5 * exponent)? }
-            }
+            Geometry::Circular => Self::Disk { kernel: disk_harmonic(0, exponent)? },
         })
     }
 
@@ -203,7 +201,7 @@ impl Medium {
     /// What the change of the displacement at `xi` has beside `V'(eta) K` when points move with the velocities `V(xi)` and `V(eta)`: the factor of
     /// `dK/dxi`.
     pub(super) fn lever(&self, [at, from]: [f64; 2], [xi, eta]: [f64; 2]) -> f64 {
-        // Of a disk d/deta (eta K) = -xi dK/dxi: the kernel is homogeneous.
+        // On a disk d/deta (eta K) = -xi dK/dxi: the kernel is homogeneous.
         if self.is_disk() { at - from * xi / eta } else { at - from }
     }
 
@@ -277,6 +275,22 @@ fn mean_power(left: [f64; 2], right: [f64; 2], exponent: f64) -> f64 {
     // Second difference of G(d) = d^(2-mu)/((1-mu)(2-mu)), G'' = d^-mu
     let g = |d: f64| d.powf(2.0 - exponent);
     (g(gap + h + k) - g(gap + h) - g(gap + k) + g(gap)) / (divisor * h * k)
+}
+
+/// The kernel of pressures `p(r)` (0) or `p(r) cos(phi)` (1) on the unit disk, on a body with this exponent of grading; the tables of the homogeneous one are
+/// made once.
+pub(super) fn disk_harmonic(order: usize, exponent: f64) -> Result<WeberSonine, Error> {
+    static KERNELS: [OnceLock<WeberSonine>; 2] = [OnceLock::new(), OnceLock::new()];
+    let order = order.min(1);
+    let known = &KERNELS[order];
+    if exponent > 0.0 {
+        return Ok(WeberSonine::new(1.0, order as f64, 0.5 * exponent)?);
+    }
+    if let Some(kernel) = known.get() {
+        return Ok(kernel.clone());
+    }
+    let kernel = WeberSonine::new(1.0, order as f64, 0.0)?;
+    Ok(known.get_or_init(|| kernel).clone())
 }
 
 /// The mean of `ln 1/|x - s|` over `x` in one cell and `s` in another that is the same or lies left of it.
