@@ -58,6 +58,7 @@ fn exponent_zero_is_homogeneous() {
 #[test]
 fn refusals_name_the_field() {
     for (from, to, place, said) in [
+        ("\"1 um/kPa\"", "0", ":5: foundation.roughness", "not solved yet"),
         (
             "= 0.3\ngrading",
             "= -0.2\ngrading",

@@ -110,6 +110,7 @@ fn locate(document: &Document, error: Error) -> Error {
             "eccentricity" => &["load.eccentricity", "dimensionless.eccentricity"],
             "tilt" => &["load.tilt", "dimensionless.tilt"],
             "grading_exponent" => &["foundation.grading_exponent"],
+            "roughness" => &["foundation.roughness"],
             _ => &[],
         },
         Error::NoContact => &["load.settlement", "dimensionless.settlement"],
