@@ -1,8 +1,15 @@
 //! The arguments of the command line.
 
+mod roughness;
+
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
+
+pub use roughness::{
+    BearingArguments, ColumnOrder, GreenwoodWilliamsonArguments, Law, RoughnessArguments,
+    RoughnessSource, TableArguments,
+};
 
 /// Contact of a rigid punch with a rough elastic body (Shtaerman's model).
 ///
@@ -43,6 +50,8 @@ pub enum Command {
     Stress(StressArguments),
     /// List eigenvalues and norms of a kernel, and verify them.
     Spectrum(SpectrumArguments),
+    /// Turn what is known of a rough surface into the roughness of a problem file.
+    Roughness(RoughnessArguments),
 }
 
 /// How results are written.

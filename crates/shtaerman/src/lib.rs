@@ -28,6 +28,8 @@
 //! contact problems by the degenerate kernel method*, Proceedings of NAS of Armenia, Mechanics.
 
 mod answer;
+pub mod asperities;
+mod columns;
 mod contact;
 pub mod convergence;
 mod datum;

@@ -1,6 +1,6 @@
 //! A problem with one thing changed.
 
-use crate::{Elastic, Error, Frame, Load, Problem, Profile, Roughness, Scaling, Vertical};
+use crate::{Elastic, Error, Frame, Grading, Load, Problem, Profile, Roughness, Scaling, Vertical};
 
 impl Frame {
     /// The same with another rough layer.
@@ -39,10 +39,8 @@ impl Frame {
             let response = response(scaling) / factor;
             Scaling::with_response(response, moduli, roughness, half_width, geometry)?
         };
-        let grading = grading.map(|mut grading| {
-            grading.modulus *= factor;
-            grading
-        });
+        let stiffened = |known: Grading| Grading::new(known.exponent(), known.modulus() * factor);
+        let grading = grading.map(stiffened).transpose()?;
         Ok(Self::Physical {
             foundation: material,
             grading,

@@ -8,6 +8,7 @@ mod places;
 mod problem_file;
 mod regularity;
 mod reproduce;
+mod roughness;
 mod solve;
 mod spectrum;
 mod stress;
@@ -29,5 +30,6 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Equation(arguments) => equation::run(arguments),
         Command::Stress(arguments) => stress::run(arguments),
         Command::Spectrum(arguments) => spectrum::run(arguments),
+        Command::Roughness(arguments) => roughness::run(arguments),
     }
 }

@@ -98,7 +98,7 @@ impl UnilateralContact {
                 let origin = self.solved.hull.centre;
                 xi + 2.0 * (0.5 * (origin - xi)).round()
             }
-            Medium::Row { .. } | Medium::Line => xi,
+            Medium::Row { .. } | Medium::Line | Medium::Graded { .. } => xi,
         }
     }
 
