@@ -39,6 +39,8 @@ pub enum Command {
     Convergence(ConvergenceArguments),
     /// Solve an equation of the second or first kind on any of the paper's kernels.
     Equation(EquationArguments),
+    /// Stresses below the surface: their maxima, a grid, a map, the load at first yield.
+    Stress(StressArguments),
     /// List eigenvalues and norms of a kernel, and verify them.
     Spectrum(SpectrumArguments),
 }
@@ -212,6 +214,85 @@ pub struct FindProfileArguments {
     #[command(flatten)]
     /// The result; CSV is the trace, as `profile = { csv = ".." }` reads it.
     pub output: OutputArguments,
+}
+
+/// How stresses are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum StressFormat {
+    /// The maxima, for people, in engineering units.
+    Table,
+    /// JSON, in SI units.
+    Json,
+    /// CSV of the grid or of the places asked for, in SI units.
+    Csv,
+    /// `NumPy` arrays of the grid in one file, in SI units; needs --output.
+    Npz,
+}
+
+/// A component or an equivalent of the stress.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum StressComponent {
+    /// Along the surface.
+    SigmaX,
+    /// Along the depth.
+    SigmaY,
+    /// Out of the plane.
+    SigmaZ,
+    /// Shear stress.
+    TauXy,
+    /// Largest principal stress.
+    #[value(name = "sigma-1")]
+    Sigma1,
+    /// Middle principal stress.
+    #[value(name = "sigma-2")]
+    Sigma2,
+    /// Least principal stress.
+    #[value(name = "sigma-3")]
+    Sigma3,
+    /// Largest shear stress, half of tresca.
+    MaxShear,
+    /// Largest difference of principal stresses.
+    Tresca,
+    /// Equivalent stress of von Mises.
+    VonMises,
+}
+
+/// `shtaerman stress`.
+#[derive(Debug, Args)]
+pub struct StressArguments {
+    #[command(flatten)]
+    /// The problem.
+    pub problem: ProblemArguments,
+    /// Format of the result.
+    #[arg(long, value_enum, default_value = "table", value_name = "FORMAT")]
+    pub format: StressFormat,
+    /// Write the result to this file instead of the terminal.
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    /// Points along the surface and in depth, such as 161x81.
+    #[arg(long, value_name = "NXxNY")]
+    pub grid: Option<String>,
+    /// Ends of the grid along the surface, such as "-4 mm..4 mm": metres or with a unit, half-widths for a dimensionless file [default: twice the contact].
+    #[arg(long, value_name = "X1..X2", allow_hyphen_values = true)]
+    pub x_range: Option<String>,
+    /// Depth of the grid [default: the width of the contact].
+    #[arg(long, value_name = "DEPTH", allow_hyphen_values = true)]
+    pub depth: Option<String>,
+    /// Places "x,y; x,y" instead of the grid, y the depth.
+    #[arg(long, value_name = "X,Y;...", allow_hyphen_values = true, conflicts_with_all = ["grid", "x_range", "depth"])]
+    pub at: Option<String>,
+    /// What the map shows.
+    #[arg(long, value_enum, default_value = "von-mises", value_name = "COMPONENT")]
+    pub component: StressComponent,
+    /// Find the load at first yield for this yield stress, such as "350 MPa" [default: that of the foundation in the file].
+    #[arg(long, value_name = "STRESS", allow_hyphen_values = true)]
+    pub yield_stress: Option<String>,
+    /// Poisson's ratio, for a dimensionless file.
+    #[arg(long, value_name = "NU", allow_negative_numbers = true)]
+    pub poisson_ratio: Option<f64>,
+    /// Draw a map to this file (.svg or .png).
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
 }
 
 /// `shtaerman validate`.

@@ -90,6 +90,20 @@ pub enum Error {
         name: &'static str,
     },
 
+    /// No force at the prescribed eccentricity leads to the settlement prescribed.
+    #[error(
+        "settlement = {value}: is out of reach of a force at the eccentricity {eccentricity}: whatever the force, the middle of the punch settles no deeper \
+         than {limit}, as the punch turns; prescribe the force, the tilt or the moment instead, or a smaller eccentricity"
+    )]
+    SettlementOutOfReach {
+        /// The settlement given, SI.
+        value: f64,
+        /// The eccentricity given, SI.
+        eccentricity: f64,
+        /// The largest settlement found, to the accuracy of cells, SI.
+        limit: f64,
+    },
+
     /// The prescribed displacements of a unilateral contact leave the base clear of the body.
     #[error(
         "the punch touches nowhere: under the prescribed settlement and tilt no point of the base lies below the surface; \
@@ -132,6 +146,28 @@ pub enum Error {
         tension: f64,
         /// Largest penetration over the size of the displacements.
         penetration: f64,
+    },
+
+    /// Stresses below the surface of a body whose stress field is not known.
+    #[error("stresses below the surface are known for the plane, homogeneous half-space only")]
+    NoStresses,
+
+    /// Stresses out of the plane need Poisson's ratio.
+    #[error(
+        "Poisson's ratio is missing: a dimensionless problem has none, and the stress out of the plane needs it"
+    )]
+    NoPoissonRatio,
+
+    /// No load has the yield stress as its largest equivalent stress.
+    #[error(
+        "no load brings the largest equivalent stress to the yield stress {yield_stress}: the nearest is {nearest}; a corner with infinite pressure yields at once, \
+         a profile that is forced into contact may yield without any force"
+    )]
+    NoYield {
+        /// The yield stress.
+        yield_stress: f64,
+        /// The nearest largest stress.
+        nearest: f64,
     },
 
     /// The right-hand side of an equation is not finite somewhere on the interval.

@@ -50,6 +50,7 @@ pub mod quantity;
 mod roughness;
 mod scaling;
 mod sensitivity;
+mod stress;
 mod surface_curve;
 mod variation;
 
@@ -57,8 +58,8 @@ pub use answer::{
     Answer, Dimensionless, ErrorReport, Errors, MethodReport, Physical, PressureCurve, SCHEMA,
 };
 pub use contact::{
-    AIM, Accuracy, Complementarity, Contact, CrossCheck, ErrorKind, Method, Stiffness, Warning,
-    WarningCode,
+    AIM, Accuracy, Complementarity, Contact, CrossCheck, Curve, ErrorKind, Method, SmoothContact,
+    SmoothKernel, SmoothProblem, SmoothProfile, SmoothZone, Stiffness, Warning, WarningCode,
 };
 pub use convergence::Convergence;
 pub use datum::{Datum, RelativeSettlement};
@@ -73,4 +74,5 @@ pub use profile::Profile;
 pub use roughness::{Law, Roughness};
 pub use scaling::Scaling;
 pub use sensitivity::{Derivatives, Sensitivities};
+pub use stress::{Criterion, FirstYield, Peak, Stress, StressField};
 pub use surface_curve::SurfaceCurve;

@@ -150,6 +150,14 @@ impl Problem {
         Ok(Self { solver, ..self.clone() })
     }
 
+    /// The same problem under another load.
+    ///
+    /// # Errors
+    /// Those of [`Problem::new`].
+    pub fn with_load(&self, load: Load) -> Result<Self, Error> {
+        Self::new(self.frame.clone(), self.profile.clone(), load, self.solver)
+    }
+
     /// `f0(xi) = f(a xi)/(chi E)`, for a dimensionless problem the profile itself.
     #[must_use]
     pub fn dimensionless_profile(&self, xi: f64) -> f64 {

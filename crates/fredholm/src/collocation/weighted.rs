@@ -26,7 +26,7 @@ impl<'o> WeightedFactor<'o> {
         parameter: f64,
         weights: &[f64],
     ) -> Result<Self, Error> {
-        if let Some(&value) = weights.iter().find(|weight| !(**weight >= 0.0)) {
+        if let Some(&value) = weights.iter().find(|weight| weight.is_nan() || **weight < 0.0) {
             let requirement = "not negative";
             return Err(Error::InvalidParameter { name: "weight", value, requirement });
         }

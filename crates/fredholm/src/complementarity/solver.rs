@@ -176,13 +176,15 @@ impl Problem<'_> {
         Err(Error::NotConverged { iterations: most, residual: fewest_added as f64, tolerance: 0.0 })
     }
 
-    /// `w` with its size.
+    /// `w` with the size of its terms.
     fn excess(&self, z: &[f64], multipliers: &[f64]) -> Excess {
         let mut values = self.matrix.product(z);
-        let size = values.iter().fold(0.0f64, |most, v| most.max(v.abs()));
+        let mut size = 0.0f64;
         for (i, value) in values.iter_mut().enumerate() {
             let columns = self.conditions.iter().zip(multipliers);
-            *value -= self.right[i] + columns.map(|(c, mu)| mu * c.column[i]).sum::<f64>();
+            let shift = self.right[i] + columns.map(|(c, mu)| mu * c.column[i]).sum::<f64>();
+            size = size.max(value.abs()).max(self.right[i].abs());
+            *value -= shift;
         }
         Excess { values, threshold: -NO_SIGN * size }
     }

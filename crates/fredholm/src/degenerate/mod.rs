@@ -14,4 +14,5 @@ pub use constant_shift::{ConstantShift, ShiftedSolution};
 pub use solution::DegenerateSolution;
 pub use solver::DegenerateSolver;
 pub use structured::{BYTES_A_DEGREE, Convergence, StructuredOperator, StructuredSystem};
+pub(crate) use structured::{Product, Workspace};
 pub use system::DegenerateSystem;

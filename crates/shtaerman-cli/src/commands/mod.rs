@@ -10,6 +10,7 @@ mod regularity;
 mod reproduce;
 mod solve;
 mod spectrum;
+mod stress;
 mod validate;
 
 use crate::Failure;
@@ -26,6 +27,7 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Regularity(arguments) => regularity::run(arguments),
         Command::Convergence(arguments) => convergence::run(arguments),
         Command::Equation(arguments) => equation::run(arguments),
+        Command::Stress(arguments) => stress::run(arguments),
         Command::Spectrum(arguments) => spectrum::run(arguments),
     }
 }

@@ -4,7 +4,57 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Colour(pub u8, pub u8, pub u8);
 
+/// The colours of ordered values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Palette {
+    /// From dark to light: perceptually uniform (viridis).
+    #[default]
+    Sequential,
+    /// From light to dark, for values below zero.
+    Reversed,
+    /// Blue over white to red, for values of both signs.
+    Diverging,
+}
+
+impl Palette {
+    /// Colour of the `index`-th of `count` bands.
+    #[must_use]
+    pub fn colour(self, index: usize, count: usize) -> Colour {
+        let place = index as f64 / count.saturating_sub(1).max(1) as f64;
+        match self {
+            Self::Sequential => Colour::between(&VIRIDIS, place),
+            Self::Reversed => Colour::between(&VIRIDIS, 1.0 - place),
+            Self::Diverging => Colour::between(&BLUE_TO_RED, place),
+        }
+    }
+}
+
+/// Viridis (S. van der Walt and N. Smith), at equal distances.
+const VIRIDIS: [(f64, f64, f64); 9] = [
+    (68.0, 1.0, 84.0),
+    (71.0, 44.0, 122.0),
+    (59.0, 81.0, 139.0),
+    (44.0, 113.0, 142.0),
+    (33.0, 144.0, 141.0),
+    (39.0, 173.0, 129.0),
+    (92.0, 200.0, 99.0),
+    (170.0, 220.0, 50.0),
+    (253.0, 231.0, 37.0),
+];
+/// Of equal lightness at equal distances from the middle.
+const BLUE_TO_RED: [(f64, f64, f64); 7] = [
+    (33.0, 60.0, 130.0),
+    (67.0, 125.0, 185.0),
+    (160.0, 200.0, 225.0),
+    (246.0, 246.0, 244.0),
+    (244.0, 190.0, 160.0),
+    (208.0, 103.0, 80.0),
+    (140.0, 25.0, 45.0),
+];
+
 impl Colour {
+    /// The ground of a picture.
+    pub const PAPER: Self = Self(0xff, 0xff, 0xff);
     /// Text, frames and neutral curves.
     pub const INK: Self = Self(0x22, 0x22, 0x22);
     /// Secondary text and reference lines.
@@ -46,13 +96,25 @@ impl Colour {
             (94.0, 201.0, 98.0),
             (180.0, 205.0, 34.0),
         ];
-        let last = STOPS.len() - 1;
         let place = index as f64 / count.saturating_sub(1).max(1) as f64;
+        Self::between(&STOPS, place)
+    }
+
+    /// The same colour, darker: lines between bands.
+    #[must_use]
+    pub(super) fn darker(self) -> Self {
+        let part = |part: u8| (0.6 * f64::from(part)).round() as u8;
+        Self(part(self.0), part(self.1), part(self.2))
+    }
+
+    /// The colour at a place from 0 to 1 between stops.
+    fn between(stops: &[(f64, f64, f64)], place: f64) -> Self {
+        let last = stops.len() - 1;
         let place = place.clamp(0.0, 1.0) * last as f64;
         let low = (place.floor() as usize).min(last - 1);
         let part = place - low as f64;
         let mix = |a: f64, b: f64| (a + part * (b - a)).round() as u8;
-        let (a, b) = (STOPS[low], STOPS[low + 1]);
+        let (a, b) = (stops[low], stops[low + 1]);
         Self(mix(a.0, b.0), mix(a.1, b.1), mix(a.2, b.2))
     }
 }

@@ -5,6 +5,7 @@ use kuva::render::render::Scene;
 use super::axis::Axis;
 use super::canvas::{Anchor, Canvas, Frame, Point, Style};
 use super::colour::Colour;
+use super::draw_map::{draw_colour_bar, draw_contours, draw_cross};
 use super::figure::{Area, Band, Base, Figure, Layer, Line, Mark, Panel};
 use super::format::Size;
 use super::layout::{
@@ -34,14 +35,14 @@ pub(super) fn figure(figure: &Figure, size: Size) -> Scene {
     canvas.finish()
 }
 
-fn style(size: u32, colour: Colour, anchor: Anchor) -> Style {
+pub(super) fn style(size: u32, colour: Colour, anchor: Anchor) -> Style {
     Style { size, colour, anchor, upright: false }
 }
 
 /// Carries points of a panel to points of the picture.
-struct Mapping<'a> {
+pub(super) struct Mapping<'a> {
     panel: &'a Panel,
-    layout: &'a PanelLayout,
+    pub(super) layout: &'a PanelLayout,
 }
 
 impl Mapping<'_> {
@@ -57,11 +58,11 @@ impl Mapping<'_> {
         self.layout.frame.top + part * self.layout.frame.height()
     }
 
-    fn x(&self, value: f64) -> Option<f64> {
+    pub(super) fn x(&self, value: f64) -> Option<f64> {
         self.panel.horizontal.scale.place(value).map(|place| self.across(place))
     }
 
-    fn y(&self, value: f64) -> Option<f64> {
+    pub(super) fn y(&self, value: f64) -> Option<f64> {
         self.panel.vertical.scale.place(value).map(|place| self.down(place))
     }
 
@@ -86,6 +87,11 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
         canvas.text(frame.centre(), "no numbers to draw", style);
     }
     draw_frame(canvas, frame);
+    for layer in &panel.layers {
+        if let Layer::ColourBar(bar) = layer {
+            draw_colour_bar(canvas, &mapping, bar);
+        }
+    }
     draw_head(canvas, panel, layout);
     draw_horizontal_axis(canvas, &mapping);
     draw_vertical_axis(canvas, &mapping);
@@ -176,6 +182,13 @@ fn draw_layer(canvas: &mut Canvas, mapping: &Mapping<'_>, layer: &Layer) -> bool
             draw_mark(canvas, mapping, mark);
             false
         }
+        Layer::Contours(contours) => draw_contours(canvas, mapping, contours),
+        Layer::Cross(cross) => {
+            draw_cross(canvas, mapping, cross);
+            false
+        }
+        // Beside the frame, which clips what is drawn here.
+        Layer::ColourBar(_) => false,
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Plot;
 use super::axis::Axis;
-use super::colour::Colour;
+use super::colour::{Colour, Palette};
 
 /// A picture: a title, notes and panels.
 #[derive(Debug, Clone, PartialEq)]
@@ -67,6 +67,47 @@ pub enum Layer {
     Area(Area),
     /// A straight line across the panel.
     Mark(Mark),
+    /// A value over the panel, as bands of colour.
+    Contours(Contours),
+    /// What the colours of the bands mean, at the right of the panel.
+    ColourBar(ColourBar),
+    /// A point.
+    Cross(Cross),
+}
+
+/// A value over a rectangular grid, drawn as bands of colour between levels.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contours {
+    /// Positions.
+    pub x: Vec<f64>,
+    /// Places on the vertical axis.
+    pub y: Vec<f64>,
+    /// Values, one row for each place on the vertical axis.
+    pub values: Vec<f64>,
+    /// Levels between the bands, increasing.
+    pub levels: Vec<f64>,
+    /// Colours.
+    pub palette: Palette,
+}
+
+/// The colours of bands and the levels between them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ColourBar {
+    /// Name and unit of the value.
+    pub label: String,
+    /// Levels between the bands, increasing.
+    pub levels: Vec<f64>,
+    /// Colours.
+    pub palette: Palette,
+}
+
+/// A marked point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cross {
+    /// Name in the legend; empty for none.
+    pub name: String,
+    /// Where.
+    pub at: (f64, f64),
 }
 
 /// Stroke of a curve.

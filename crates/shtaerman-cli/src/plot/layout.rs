@@ -2,6 +2,7 @@
 
 use super::axis::{Axis, Range};
 use super::canvas::Frame;
+use super::draw_map::bar_labels;
 use super::figure::{Arrangement, Figure, Layer, LegendPlace, Panel};
 use super::format::Size;
 use super::legend::{self, Legend};
@@ -23,6 +24,10 @@ const LEADING: f64 = 1.4;
 const BETWEEN: f64 = 16.0;
 /// Room for the part of the last tick label that stands out beyond the frame.
 const LAST_LABEL: f64 = 10.0;
+/// Space beside a colour bar, its width, and the space between the numbers and the label.
+pub(super) const BAR_GAP: f64 = 14.0;
+pub(super) const BAR_WIDTH: f64 = 16.0;
+pub(super) const BAR_LABEL_GAP: f64 = 6.0;
 /// Frames are not made smaller than this.
 const SMALLEST_FRAME: f64 = 40.0;
 /// Frames lower than this make notes and legends give way.
@@ -132,7 +137,7 @@ fn panels(figure: &Figure, area: Frame, legends: bool) -> Vec<PanelLayout> {
         let vertical = ticks(&panel.vertical, ranges.1, bottom - top, false);
         let left = cell.left + left_margin(&panel.vertical, &vertical);
         built.push(PanelLayout {
-            frame: Frame { left, top, right: cell.right - LAST_LABEL, bottom },
+            frame: Frame { left, top, right: cell.right - right_margin(panel), bottom },
             top: cell.top,
             label: cell.left + 0.5 * line_height(LABEL),
             legend: rows.legend,
@@ -222,7 +227,11 @@ fn rows(
     if !panel.heading.is_empty() {
         above += line_height(HEADING);
     }
-    if exponent(&panel.vertical, ranges.1) != 0 {
+    let has_bar_factor = panel
+        .layers
+        .iter()
+        .any(|layer| matches!(layer, Layer::ColourBar(bar) if !bar_labels(bar).1.is_empty()));
+    if exponent(&panel.vertical, ranges.1) != 0 || has_bar_factor {
         above += line_height(TICK);
     }
     let mut below = TICK_MARK + line_height(TICK);
@@ -230,6 +239,18 @@ fn rows(
         below += line_height(LABEL);
     }
     Rows { above, below, legend }
+}
+
+/// Room for the last tick label, or for a colour bar.
+fn right_margin(panel: &Panel) -> f64 {
+    let bar = panel.layers.iter().find_map(|layer| match layer {
+        Layer::ColourBar(bar) => Some(bar_labels(bar).0),
+        _ => None,
+    });
+    bar.map_or(LAST_LABEL, |labels| {
+        let widest = labels.iter().map(|label| text::width(label, TICK)).fold(12.0, f64::max);
+        BAR_GAP + BAR_WIDTH + 4.0 + widest + BAR_LABEL_GAP + line_height(LABEL)
+    })
 }
 
 fn left_margin(axis: &Axis, ticks: &Ticks) -> f64 {
@@ -307,7 +328,10 @@ fn panel_ranges(panel: &Panel) -> (Range, Range) {
         let included = axis.include.iter().filter_map(|&value| axis.scale.place(value));
         axis.scale.range(places.into_iter().chain(included), padding)
     };
-    (with(&panel.horizontal, x, 0.025), with(&panel.vertical, y, 0.06))
+    // A map fills its frame.
+    let is_map = panel.layers.iter().any(|layer| matches!(layer, Layer::Contours(_)));
+    let (beside, above) = if is_map { (0.0, 0.0) } else { (0.025, 0.06) };
+    (with(&panel.horizontal, x, beside), with(&panel.vertical, y, above))
 }
 
 /// The points that the axes must hold.
@@ -318,6 +342,10 @@ fn layer_points(layer: &Layer) -> Vec<(f64, f64)> {
             band.points.iter().flat_map(|&(x, low, high)| [(x, low), (x, high)]).collect()
         }
         Layer::Area(area) => area.points.clone(),
-        Layer::Line(_) | Layer::Mark(_) => Vec::new(),
+        Layer::Contours(contours) => match (contours.x.as_slice(), contours.y.as_slice()) {
+            ([left, .., right], [top, .., bottom]) => vec![(*left, *top), (*right, *bottom)],
+            _ => Vec::new(),
+        },
+        Layer::Line(_) | Layer::Mark(_) | Layer::ColourBar(_) | Layer::Cross(_) => Vec::new(),
     }
 }

@@ -2,6 +2,7 @@
 
 use super::canvas::{Anchor, Canvas, Point, Style};
 use super::colour::Colour;
+use super::draw_map::cross_at;
 use super::figure::{Dash, Layer, Panel};
 use super::text;
 
@@ -17,12 +18,14 @@ const BETWEEN: f64 = 22.0;
 enum Sample {
     Stroke { width: f64, dash: Dash, dot: bool, upright: bool },
     Swatch { opacity: f64 },
+    Cross,
 }
 
 impl Sample {
     fn width(self) -> f64 {
         match self {
             Self::Stroke { upright: true, .. } => 4.0,
+            Self::Cross => 16.0,
             _ => SAMPLE,
         }
     }
@@ -137,6 +140,8 @@ fn entry(layer: &Layer) -> Option<Entry> {
         }
         Layer::Band(band) => (&band.name, band.colour, Sample::Swatch { opacity: band.opacity }),
         Layer::Area(area) => (&area.name, area.colour, Sample::Swatch { opacity: area.opacity }),
+        Layer::Cross(cross) => (&cross.name, Colour::INK, Sample::Cross),
+        Layer::Contours(_) | Layer::ColourBar(_) => return None,
     };
     let name = text::clean(name);
     (!name.is_empty()).then_some(Entry { name, colour, sample })
@@ -155,6 +160,7 @@ fn draw_sample(canvas: &mut Canvas, at: Point, entry: &Entry) {
                 canvas.dot((middle, y), 3.0, entry.colour);
             }
         }
+        Sample::Cross => cross_at(canvas, (middle, y)),
         Sample::Swatch { opacity } => {
             let (right, top, bottom) = (x + SAMPLE, y - 5.0, y + 5.0);
             let corners = [(x, top), (right, top), (right, bottom), (x, bottom)];

@@ -12,14 +12,17 @@ mod axis;
 mod canvas;
 mod colour;
 mod contact;
+mod contours;
 mod convergence;
 mod curves;
 mod draw;
+mod draw_map;
 mod error;
 mod figure;
 mod format;
 mod layout;
 mod legend;
+mod map;
 mod raster;
 mod shape;
 mod solution;
@@ -27,15 +30,17 @@ mod text;
 mod ticks;
 
 pub use axis::{Axis, Scale};
-pub use colour::Colour;
+pub use colour::{Colour, Palette};
 pub use contact::ContactPlot;
 pub use convergence::{ConvergencePlot, ConvergenceSeries};
 pub use curves::{Curve, CurvePanel, CurveScaling, CurvesPlot};
 pub use error::PlotError;
 pub use figure::{
-    Area, Arrangement, Band, Base, Dash, Figure, Layer, LegendPlace, Line, Mark, Panel,
+    Area, Arrangement, Band, Base, ColourBar, Contours, Cross, Dash, Figure, Layer, LegendPlace,
+    Line, Mark, Panel,
 };
 pub use format::{Format, PNG_PIXELS_PER_UNIT, Size};
+pub use map::MapPlot;
 pub use solution::SolutionPlot;
 
 use kuva::backend::svg::SvgBackend;

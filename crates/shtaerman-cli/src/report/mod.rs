@@ -4,14 +4,20 @@ mod answer;
 mod equation;
 mod extras;
 mod find;
+mod npz;
 mod number;
+mod stress;
 mod table;
 
 pub(crate) use answer::{answer_csv, answer_table};
 pub(crate) use equation::{equation_csv, equation_table};
 pub(crate) use extras::{extras, surface_csv};
 pub(crate) use find::{CrownReport, FoundReport, ShapedReport};
+pub(crate) use npz::{Array, npz};
 pub(crate) use number::significant;
+pub(crate) use stress::{
+    StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
+};
 pub(crate) use table::Table;
 
 use serde::Serialize;

@@ -16,4 +16,5 @@ mod overrides;
 mod places;
 mod references;
 mod spectrum;
+mod stress;
 mod support;

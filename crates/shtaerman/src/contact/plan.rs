@@ -4,8 +4,9 @@ use std::sync::Arc;
 
 use fredholm::basis::Function;
 
+use super::balance::State;
 use super::solution::{FullBase, Solution};
-use super::unilateral::UnilateralContact;
+use super::solved::Method;
 use super::warning::Warning;
 use super::{Contact, Draft, collocated, spectral};
 use crate::roughness::Law;
@@ -68,11 +69,21 @@ impl Problem {
     /// pressure on the base can balance, [`Error::NoContact`] for displacements that leave the base clear of the body;
     /// [`Error::NotComplementary`] when no zones were found.
     pub fn solve(&self) -> Result<Contact, Error> {
-        match self.solver().contact {
-            ContactKind::Unilateral => self.solve_zones(self.solve_unilateral()?),
-            ContactKind::Bilateral if self.is_plain() => self.solve_full_base(),
-            ContactKind::Bilateral => self.solve_zones(self.solve_full_contact()?),
+        if self.is_smooth_plane() {
+            return self.draw_up(Arc::new(self.solve_smooth()?));
         }
+        match self.solver().contact {
+            ContactKind::Unilateral => self.draw_up(self.solve_unilateral()?),
+            ContactKind::Bilateral if self.is_plain() => self.solve_full_base(),
+            ContactKind::Bilateral => self.draw_up(self.solve_full_contact()?),
+        }
+    }
+
+    /// Whether the surface is smooth and the kernel a plane logarithm.
+    fn is_smooth_plane(&self) -> bool {
+        let frame = self.frame();
+        let is_plane = frame.geometry() != Geometry::Circular && frame.grading().is_none();
+        is_plane && frame.law() == Law::Smooth
     }
 
     /// Whether this is one punch on a half-plane with a linear layer, for which the spectral relation serves.
@@ -81,13 +92,36 @@ impl Problem {
         frame.geometry() == Geometry::Plane && frame.law() == Law::Linear
     }
 
-    fn solve_zones(&self, solved: UnilateralContact) -> Result<Contact, Error> {
-        let reached = solved.relative_error();
-        let reason = match solved.zones().len() {
-            1 => "one zone with exact edges: collocation converges exponentially".to_owned(),
-            count => format!("{count} zones with exact edges: collocation converges exponentially"),
+    /// The answer that zones amount to, if it keeps an explicit tolerance.
+    fn draw_up(&self, solution: Arc<dyn Solution>) -> Result<Contact, Error> {
+        let reached = solution.relative_error();
+        let Method { name, n } = solution.method();
+        if let Some(tolerance) = self.solver().tolerance.filter(|tolerance| reached > *tolerance) {
+            let State { settlement: settlement0, tilt: tilt0, .. } = solution.state();
+            let method = name;
+            return Err(Error::ToleranceNotMet {
+                tolerance,
+                reached,
+                method,
+                n,
+                settlement0,
+                tilt0,
+            });
+        }
+        let zones = match solution.zones().len() {
+            1 => "one zone".to_owned(),
+            count => format!("{count} zones"),
         };
-        let mut contact = Contact::new(self, Arc::new(solved), reason)?;
+        let reason = match name {
+            "cells" => format!(
+                "{zones} on equal cells, as the base bends too often for collocation, or its zones were not found by it"
+            ),
+            "first_kind" => {
+                format!("{zones} on a smooth surface: the spectral relation of the first kind")
+            }
+            _ => format!("{zones} with exact edges: collocation converges exponentially"),
+        };
+        let mut contact = Contact::new(self, solution, reason)?;
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
         if self.solver().tolerance.is_none() && reached > AIM {
             contact.warn(Some(Warning::tolerance_not_met(AIM, reached)));

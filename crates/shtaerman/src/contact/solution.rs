@@ -40,6 +40,12 @@ pub(super) trait Solution: Debug + Send + Sync {
     /// The error, where the method tells one.
     fn accuracy(&self) -> Option<&Accuracy>;
 
+    /// The largest error relative to its size; infinite where the method tells none.
+    fn relative_error(&self) -> f64 {
+        let sizes = self.state().sizes(self.size());
+        self.accuracy().map_or(f64::INFINITY, |accuracy| accuracy.relative(&sizes))
+    }
+
     /// The estimated error of the edges, in `xi`, where they are unknown.
     fn edge_error(&self) -> Option<f64> {
         None

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::{load_bytes, overridden, read};
+use super::{load_bytes, overridden, physical, read};
 use crate::document::{Document, FileError};
 use crate::{Contact, Error, Problem};
 
@@ -70,6 +70,15 @@ impl ProblemFile {
     #[must_use]
     pub fn problem(&self) -> &Problem {
         &self.problem
+    }
+
+    /// `yield_stress` of `[foundation]` (Pa), if there is one.
+    ///
+    /// # Errors
+    /// [`Error::File`] for a value that is no positive stress: none in a problem that was read.
+    pub fn yield_stress(&self) -> Result<Option<f64>, Error> {
+        let foundation = self.document.reader().table("foundation")?;
+        Ok(foundation.map(|table| physical::yield_stress(&table)).transpose()?.flatten())
     }
 
     /// Solves the problem as [`Problem::solve`] does.

@@ -10,6 +10,7 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Frame, FileError> {
     let foundation = reader.required("foundation")?.table()?;
     let material = elastic(&foundation)?;
     let roughness = roughness(&foundation)?;
+    yield_stress(&foundation)?;
     let body = reader.table("body")?.map(|table| elastic(&table)).transpose()?;
     let punch = reader.required("punch")?.table()?;
     let (geometry, half_width, field) = geometry::read_physical(&punch)?;
@@ -26,6 +27,17 @@ fn elastic(table: &TableReader<'_>) -> Result<Elastic, FileError> {
             refused(if at_ratio { &ratio } else { &modulus }, &error)
         },
     )
+}
+
+/// The yield stress (Pa), which only stresses below the surface are compared with.
+pub(super) fn yield_stress(foundation: &TableReader<'_>) -> Result<Option<f64>, FileError> {
+    let Some(field) = foundation.optional("yield_stress") else { return Ok(None) };
+    let value = field.quantity(Dimension::PRESSURE)?;
+    if value.is_finite() && value > 0.0 {
+        return Ok(Some(value));
+    }
+    let value = shown("yield_stress", value);
+    Err(field.error(format!("is {value}: must be finite and greater than zero")))
 }
 
 /// The law of the rough layer: `chi` (m/Pa), its inverse, or a table with a coefficient and an exponent.

@@ -80,6 +80,18 @@ impl Profile {
         }
     }
 
+    /// `df/dxi` of a punch of this half-width, at a kink to the right.
+    #[must_use]
+    pub(crate) fn slope(&self, xi: f64, half_width: f64) -> Option<f64> {
+        match &self.shape {
+            Shape::Flat => Some(0.0),
+            Shape::Expression(expression) => {
+                Some(expression.derivative_along(&line(half_width), xi).1)
+            }
+            Shape::Measured(spline) => Some(half_width * spline.slope(half_width * xi)),
+        }
+    }
+
     /// A `xi` in `[-1, 1]` at which the profile is not finite, and how, if there is one: proven for an expression where interval
     /// arithmetic can, so that a pole between all samples is found.
     #[must_use]

@@ -34,16 +34,44 @@ impl Spline {
 
     /// The value at `x`; beyond the points the end pieces go on.
     pub(super) fn evaluate(&self, x: f64) -> f64 {
+        let Piece { start, t, chord, left, right, .. } = self.piece(x);
+        start + t * (chord + (1.0 - t) * (left * (1.0 - t) + right * t))
+    }
+
+    /// The slope at `x`.
+    pub(super) fn slope(&self, x: f64) -> f64 {
+        let Piece { width, t, chord, left, right, .. } = self.piece(x);
+        let bent =
+            (1.0 - 2.0 * t) * (left * (1.0 - t) + right * t) + t * (1.0 - t) * (right - left);
+        (chord + bent) / width
+    }
+
+    fn piece(&self, x: f64) -> Piece {
         let last_piece = self.abscissas.len() - 2;
         let piece =
             self.abscissas.partition_point(|&knot| knot <= x).saturating_sub(1).min(last_piece);
         let width = self.abscissas[piece + 1] - self.abscissas[piece];
-        let t = (x - self.abscissas[piece]) / width;
-        let chord = self.ordinates[piece + 1] - self.ordinates[piece];
-        let left = self.slopes[piece] * width - chord;
-        let right = chord - self.slopes[piece + 1] * width;
-        self.ordinates[piece] + t * (chord + (1.0 - t) * (left * (1.0 - t) + right * t))
+        let start = self.ordinates[piece];
+        let chord = self.ordinates[piece + 1] - start;
+        Piece {
+            width,
+            t: (x - self.abscissas[piece]) / width,
+            start,
+            chord,
+            left: self.slopes[piece] * width - chord,
+            right: chord - self.slopes[piece + 1] * width,
+        }
     }
+}
+
+/// The cubic between two points, `start + t (chord + (1 - t) (left (1 - t) + right t))`.
+struct Piece {
+    width: f64,
+    t: f64,
+    start: f64,
+    chord: f64,
+    left: f64,
+    right: f64,
 }
 
 fn chord(x: &[f64], y: &[f64], piece: usize) -> f64 {
@@ -122,6 +150,17 @@ mod tests {
                     "{count} points at {at}"
                 );
             }
+        }
+    }
+
+    #[test]
+    fn the_slope_is_that_of_a_cubic() {
+        let x = uneven(9);
+        let cubic = |x: f64| x * (x * (2.0 * x - 1.0) + 0.5);
+        let spline = Spline::through(x.clone(), x.iter().map(|&x| cubic(x)).collect());
+        for at in [-0.3, 0.2, 0.77, 1.4] {
+            let exact = at * (6.0 * at - 2.0) + 0.5;
+            assert!((spline.slope(at) - exact).abs() < 1e-11, "{at}");
         }
     }
 

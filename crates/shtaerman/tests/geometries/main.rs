@@ -5,5 +5,6 @@
 mod disk;
 mod pair;
 mod power;
+mod random;
 mod row;
 mod support;

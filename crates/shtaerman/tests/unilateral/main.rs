@@ -4,6 +4,7 @@
 
 mod closed_forms;
 mod conditions;
+mod many_zones;
 mod random;
 mod refusals;
 mod support;

@@ -96,8 +96,27 @@ pub(crate) fn judge(problem: &Problem) -> Ending {
         Err(shtaerman::Error::InvalidValue { field: "force", .. }) if pulls => Ending::Refused,
         Err(shtaerman::Error::TipsOver { .. }) if tips => Ending::Refused,
         Err(shtaerman::Error::NoContact) if clear(problem, &load) => Ending::Refused,
+        Err(shtaerman::Error::SettlementOutOfReach { .. }) if out_of_reach(problem, &load) => {
+            Ending::Refused
+        }
         Err(error) => Ending::Failed(error.to_string()),
     }
+}
+
+/// Whether the settlement stays smaller under forces at the eccentricity over many decades.
+fn out_of_reach(problem: &Problem, load: &Load) -> bool {
+    let (Vertical::Settlement(settlement), rotational) = (load.vertical, load.rotational) else {
+        return false;
+    };
+    let unit = (settlement.abs() + problem.dimensionless_profile(1.0).abs())
+        / (1.0 + problem.frame().theta0());
+    (-12..=8).all(|power| {
+        let load = Load::new(Vertical::Force(unit * 4f64.powi(power)), rotational);
+        let (frame, profile) = (problem.frame().clone(), problem.profile().clone());
+        load.and_then(|load| Problem::new(frame, profile, load, Solver::default()))
+            .and_then(|problem| problem.solve())
+            .is_ok_and(|contact| contact.settlement0() < settlement)
+    })
 }
 
 /// Whether some admissible tilt keeps the base clear: on a grid of its own.

@@ -40,3 +40,21 @@ fn a_base_that_is_clear_touches_nowhere() {
     let load = load(Vertical::Settlement(0.01), Rotational::Tilt(0.0));
     assert!(attempt(1.0, "xi^2", load).is_ok());
 }
+
+#[test]
+fn a_settlement_out_of_reach_of_an_eccentric_force() {
+    // On a thin layer a flat punch turns about its middle once the force is at 2/3: it settles there no deeper than at first touch.
+    let at = |settlement: f64, e: f64| {
+        attempt(1e-6, "0", load(Vertical::Settlement(settlement), Rotational::Eccentricity(e)))
+    };
+    let error = at(1.0, 0.7).unwrap_err();
+    assert!(matches!(error, Error::SettlementOutOfReach { .. }), "{error:?}");
+    assert!(error.to_string().contains("is out of reach of a force"), "{error}");
+    // Below it does, and the middle rises: p = alpha (xi - c) on c < xi < 1 has its centre at 1 - (1 - c)/3.
+    let (e, settlement) = (0.8, -1.0);
+    let contact = at(settlement, e).unwrap();
+    let c = 3.0 * e - 2.0;
+    assert!((contact.edges0()[0][0] - c).abs() < 1e-5, "{:?}", contact.edges0());
+    assert!((contact.tilt0() - settlement / c).abs() < 1e-4, "{}", contact.tilt0());
+    assert!((at(1.0, 0.6).unwrap().settlement0() - 1.0).abs() < 1e-12);
+}

@@ -14,7 +14,7 @@ use crate::basis::transform::{Complex, PackedTransform, fast_length};
 ///
 /// Cost: two complex transforms of length `L / 2`; memory `3 L / 2` numbers beside the plan.
 #[derive(Debug, Clone)]
-pub(super) struct Product {
+pub(crate) struct Product {
     count: usize,
     transform: PackedTransform,
     symbol: Vec<SymbolPair>,
@@ -30,14 +30,14 @@ struct SymbolPair {
 
 /// Room for one product.
 #[derive(Debug)]
-pub(super) struct Workspace {
+pub(crate) struct Workspace {
     packed: Vec<Complex>,
     scratch: Vec<Complex>,
 }
 
 impl Product {
     /// The product for `t_0 ..= t_{count-1}` and `h_0 ..= h_{2 count - 2}`, `count >= 1`.
-    pub(super) fn new(
+    pub(crate) fn new(
         planner: &mut FftPlanner<f64>,
         count: usize,
         toeplitz: impl Fn(usize) -> f64,
@@ -71,7 +71,7 @@ impl Product {
         self.count
     }
 
-    pub(super) fn workspace(&self) -> Workspace {
+    pub(crate) fn workspace(&self) -> Workspace {
         Workspace::new(&self.transform)
     }
 
@@ -85,7 +85,7 @@ impl Product {
     }
 
     /// Hands every product `y_p` of `x_q = input(q)` to `output(p, y_p)`, in order; allocates nothing.
-    pub(super) fn apply(
+    pub(crate) fn apply(
         &self,
         workspace: &mut Workspace,
         input: impl Fn(usize) -> f64,

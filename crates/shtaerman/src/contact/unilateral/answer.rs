@@ -9,12 +9,12 @@ use super::check::{Check, outside};
 use super::medium::Medium;
 use super::solved::Solved;
 use super::zones::Zone;
+use crate::Problem;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
 use crate::contact::potential::between_nodes;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
-use crate::{Error, Problem};
 
 /// Samples of a panel, for the peak of the pressure.
 const SAMPLES: usize = 256;
@@ -123,26 +123,6 @@ impl UnilateralContact {
         self.solved.state.moment = 0.0;
         self.solved.stiffness.coupling = 0.0;
         self
-    }
-
-    /// The largest estimated error relative to its size.
-    pub(crate) fn relative_error(&self) -> f64 {
-        self.accuracy.relative(&self.solved.state.sizes(self.solved.largest()))
-    }
-
-    /// Refuses an answer short of an explicit tolerance.
-    pub(super) fn within(self, tolerance: Option<f64>) -> Result<Self, Error> {
-        match tolerance {
-            Some(tolerance) if self.relative_error() > tolerance => Err(Error::ToleranceNotMet {
-                tolerance,
-                reached: self.relative_error(),
-                method: self.method().name,
-                n: self.method().n,
-                settlement0: self.solved.state.settlement,
-                tilt0: self.solved.state.tilt,
-            }),
-            _ => Ok(self),
-        }
     }
 }
 

@@ -132,6 +132,13 @@ impl<'p> Base<'p> {
         self
     }
 
+    /// Simpson's mean of the profile over a cell, from inside it.
+    pub(super) fn mean_height(&self, centre: f64, half: f64) -> f64 {
+        let inside = half * (1.0 - 1e-6);
+        let at = |side: f64| self.height(centre + side * inside);
+        (at(-1.0) + 4.0 * at(0.0) + at(1.0)) / 6.0
+    }
+
     /// The next wall for a left (0) or right (1) edge outwards of a place inside the contact.
     pub(super) fn wall(&self, side: usize, inside: f64) -> f64 {
         let walls = self.walls[side].iter().copied();
@@ -143,14 +150,14 @@ impl<'p> Base<'p> {
         }
     }
 
+    /// Whether this is one punch on a half-plane with a linear layer.
+    pub(super) fn is_plain(&self) -> bool {
+        matches!(self.medium, Medium::Line) && self.pieces.len() == 1 && self.layer.is_linear()
+    }
+
     /// Zones to begin with, found on about this many cells.
     pub(super) fn first_zones(&self, cells: usize) -> Result<Vec<Zone>, Error> {
-        let is_plain = matches!(self.medium, Medium::Line) && self.pieces.len() == 1;
-        if is_plain && self.layer.is_linear() {
-            topology::find(self, cells)
-        } else {
-            coarse::find(self, cells)
-        }
+        if self.is_plain() { topology::find(self, cells) } else { coarse::find(self, cells) }
     }
 
     /// The pieces of the base as zones.
@@ -262,6 +269,8 @@ impl<'p> Base<'p> {
             (Rotational::Eccentricity(e), Rotational::Eccentricity(value)) if e.abs() >= 1.0 => {
                 Err(Error::TipsOver { field: "eccentricity", value, limit: half_width, name: "a" })
             }
+            // A force may act there under a tilt that does not keep clear.
+            (Rotational::Eccentricity(e), _) if e != 0.0 => Ok(()),
             _ if self.touches_nowhere() => Err(Error::NoContact),
             _ => Ok(()),
         }
@@ -275,7 +284,7 @@ impl<'p> Base<'p> {
     }
 
     /// Whether the prescribed displacements leave the base clear of the body.
-    fn touches_nowhere(&self) -> bool {
+    pub(super) fn touches_nowhere(&self) -> bool {
         let Vertical::Settlement(settlement) = self.load.vertical else { return false };
         match self.load.rotational {
             Rotational::Tilt(tilt) => {

@@ -16,9 +16,25 @@ pub(super) struct Check {
     pub(super) tension: f64,
     /// Largest penetration over the largest elastic displacement or depth.
     pub(super) penetration: f64,
-    /// Intervals of each that are too large to be rounding.
+    /// Intervals of tension that are too large to be rounding.
     pub(super) pulling: Vec<[f64; 2]>,
-    pub(super) penetrating: Vec<[f64; 2]>,
+    /// The same of penetration, with the deepest place in the middle.
+    deepest: Vec<[f64; 3]>,
+}
+
+impl Check {
+    /// Whether nothing is beyond rounding.
+    pub(super) fn is_clean(&self) -> bool {
+        self.pulling.is_empty() && self.deepest.is_empty()
+    }
+
+    /// The intervals of penetration, narrowed by a factor towards the deepest places.
+    pub(super) fn penetrating(&self, width: f64) -> Vec<[f64; 2]> {
+        let narrowed = |[left, deepest, right]: &[f64; 3]| {
+            [deepest - width * (deepest - left), deepest + width * (right - deepest)]
+        };
+        self.deepest.iter().map(narrowed).collect()
+    }
 }
 
 /// Tension and penetration beyond `allowed`, relative to their scales, and beyond rounding are listed for correction.
@@ -27,12 +43,13 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
     let largest = solved.deepest().max(f64::MIN_POSITIVE);
     let floor = 4.0 * solved.rounding();
     let mut check =
-        Check { tension: 0.0, penetration: 0.0, pulling: Vec::new(), penetrating: Vec::new() };
+        Check { tension: 0.0, penetration: 0.0, pulling: Vec::new(), deepest: Vec::new() };
     for panel in &solved.panels {
         let points = points(base, panel.left, panel.right);
         let values: Vec<f64> = points.iter().map(|&xi| -solved.layer(base, xi)).collect();
         check.tension = values.iter().fold(check.tension, |most, t| most.max(t / largest));
-        check.pulling.extend(above(&points, &values, allowed * largest + floor));
+        let found = above(&points, &values, allowed * largest + floor);
+        check.pulling.extend(found.into_iter().map(|[left, _, right]| [left, right]));
     }
     let depth = |xi: f64| solved.state.settlement - solved.state.tilt * xi - base.height(xi);
     // What is compared outside is of the size of its terms.
@@ -46,7 +63,7 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
         let values: Vec<f64> =
             points.iter().map(|&xi| depth(xi) - solved.displacement_outside(xi)).collect();
         check.penetration = values.iter().fold(check.penetration, |most, g| most.max(g / scale));
-        check.penetrating.extend(above(&points, &values, allowed * scale + floor));
+        check.deepest.extend(above(&points, &values, allowed * scale + floor));
     }
     check
 }
@@ -81,18 +98,23 @@ fn points(base: &Base<'_>, left: f64, right: f64) -> Vec<f64> {
     points
 }
 
-/// The intervals around points where the values exceed a threshold, to the nearest points where they do not.
-fn above(points: &[f64], values: &[f64], threshold: f64) -> Vec<[f64; 2]> {
-    let mut intervals: Vec<[f64; 2]> = Vec::new();
-    let mut inside = false;
+/// The intervals around points where the values exceed a threshold, to halfway to the nearest points where they do not, with the place of the largest
+/// value in the middle.
+fn above(points: &[f64], values: &[f64], threshold: f64) -> Vec<[f64; 3]> {
+    let mut intervals: Vec<[f64; 3]> = Vec::new();
+    let (mut inside, mut largest) = (false, threshold);
     for i in 0..points.len() {
         let exceeds = values[i] > threshold;
         if exceeds && !inside {
             let left = if i == 0 { points[0] } else { 0.5 * (points[i - 1] + points[i]) };
-            intervals.push([left, points[i]]);
+            intervals.push([left, points[i], points[i]]);
+            largest = threshold;
         }
         if exceeds && let Some(last) = intervals.last_mut() {
-            last[1] = points.get(i + 1).map_or(points[i], |next| 0.5 * (points[i] + next));
+            last[2] = points.get(i + 1).map_or(points[i], |next| 0.5 * (points[i] + next));
+            if values[i] > largest {
+                (largest, last[1]) = (values[i], points[i]);
+            }
         }
         inside = exceeds;
     }
@@ -106,7 +128,10 @@ mod tests {
     #[test]
     fn intervals_surround_what_exceeds() {
         let points = [0.0, 1.0, 2.0, 3.0, 4.0];
-        assert_eq!(above(&points, &[1.0, 0.0, 0.0, 2.0, 3.0], 0.5), [[0.0, 0.5], [2.5, 4.0]]);
+        assert_eq!(
+            above(&points, &[1.0, 0.0, 0.0, 2.0, 3.0], 0.5),
+            [[0.0, 0.0, 0.5], [2.5, 4.0, 4.0]]
+        );
         assert!(above(&points, &[0.0; 5], 0.5).is_empty());
     }
 }

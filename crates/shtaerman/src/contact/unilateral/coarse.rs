@@ -4,7 +4,6 @@ use fredholm::complementarity::{Complementarity, Condition};
 
 use super::base::Base;
 use super::power::{Extent, reference_pressure};
-use super::topology;
 use super::zones::Zone;
 use crate::{Error, Rotational, Vertical};
 
@@ -280,7 +279,7 @@ fn feasible(base: &Base<'_>, force: Option<f64>, roots: &[f64], centres: &[f64])
                     centres.iter().zip(roots).map(|(x, root)| x * root * root).sum::<f64>() / mass
                 }
             };
-            let density = topology::balanced(centres, roots, arm);
+            let density = super::cells::balanced(centres, roots, arm);
             let carried: f64 = density.iter().zip(roots).map(|(p, root)| p * root * root).sum();
             for (value, (p, root)) in values.iter_mut().zip(density.iter().zip(roots)) {
                 *value = force * p / carried * root;

@@ -1,13 +1,17 @@
 //! The edges of the contact to full precision.
 
 use super::base::Base;
+use super::damping::Damping;
 use super::solved::Solved;
 use super::system::Resolution;
 use super::zones::{End, Zone};
 use crate::Error;
 
 /// Most Newton steps on the way to the edges.
-const STEPS: usize = 40;
+const STEPS: usize = 60;
+/// A step that makes the ends so much worse is halved, this often.
+const WORSE: f64 = 2.0;
+const CUTS: usize = 12;
 /// A pressure at a free edge below this share of the largest is as good as none, if it does not fall any more.
 const SMALL: f64 = 1e-9;
 /// Share of a zone, or of a gap, that an edge may cross in one step.
@@ -34,6 +38,8 @@ pub(super) fn settle(
     }
     let mut best: Option<(f64, Solved)> = None;
     let mut latest: Option<Solved> = None;
+    let mut step: Option<Step> = None;
+    let mut damping = Damping::default();
     for iterations in 1..=STEPS {
         let (mut solved, mut steps) = Solved::new(base, resolution, &zones, true, latest.as_ref())?;
         let vanished: Vec<bool> = (0..zones.len())
@@ -42,7 +48,18 @@ pub(super) fn settle(
         if vanished.contains(&true) && vanished.contains(&false) {
             let mut vanished = vanished.into_iter();
             zones.retain(|_| !vanished.next().unwrap_or(false));
-            best = None;
+            (best, step) = (None, None);
+            continue;
+        }
+        let excess = excess(&zones, &solved);
+        if let Some(Step { from, steps, before, cuts }) = &mut step
+            && excess > WORSE * *before
+            && *cuts < CUTS
+        {
+            // Beyond a bend of the base the slope at the edge says nothing.
+            *cuts += 1;
+            steps.iter_mut().for_each(|step| *step *= 0.5);
+            zones = moved(base, from, steps);
             continue;
         }
         let floor = solved.rounding();
@@ -69,7 +86,10 @@ pub(super) fn settle(
         if still {
             return Ok((solved, iterations));
         }
-        zones = moved(base, &zones, &steps);
+        let steps = damping.damped(steps);
+        let from = std::mem::take(&mut zones);
+        zones = moved(base, &from, &steps);
+        step = Some(Step { from, steps, before: excess, cuts: 0 });
         if !base.layer.is_linear() {
             latest = Some(solved.clone());
         }
@@ -77,6 +97,26 @@ pub(super) fn settle(
     }
     let (solved, _) = Solved::new(base, resolution, &zones, false, latest.as_ref())?;
     Ok((solved, STEPS))
+}
+
+/// A step that was taken, in case it must be cut.
+struct Step {
+    from: Vec<Zone>,
+    steps: Vec<f64>,
+    /// What the ends lacked before it.
+    before: f64,
+    cuts: usize,
+}
+
+/// Largest displacement of the layer at a free edge, of either sign, or tension at a wall.
+fn excess(zones: &[Zone], solved: &Solved) -> f64 {
+    (zones.iter().enumerate())
+        .flat_map(|(zone, place)| [(zone, 0, place.ends[0]), (zone, 1, place.ends[1])])
+        .map(|(zone, side, end)| {
+            let v = solved.end_layer(zone, side);
+            if end.is_free { v.abs() } else { (-v).max(0.0) }
+        })
+        .fold(0.0, f64::max)
 }
 
 /// Ends of the base hold the contact until they pull, and the axis of a circular punch always does.

@@ -6,11 +6,11 @@ use std::f64::consts::PI;
 
 use fredholm::SincSolution;
 use fredholm::collocation::solve_adaptive;
-use fredholm::kernel::WeberSonine;
 
 use super::answer::{Tilted, UnilateralContact};
 use super::base::Base;
 use super::check::Check;
+use super::medium::disk_harmonic;
 use super::solved::Solved;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::plan::AIM;
@@ -49,7 +49,7 @@ pub(super) fn answer(
         given.1,
         "zero for a circular punch on a layer with a power law, which mixes the harmonics of the pressure",
     )?;
-    let kernel = WeberSonine::new(1.0, 1.0, 0.0)?;
+    let kernel = disk_harmonic(1)?;
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
     let found = solve_adaptive(&kernel, PI * base.theta, |r| r, tolerance)?;
     let unit = found.solution;
@@ -122,7 +122,7 @@ impl Base<'_> {
 
     /// `dM0/d(-alpha0)` on the zones as they are.
     fn turning(&self, solved: &Solved) -> Result<f64, Error> {
-        let kernel = WeberSonine::new(1.0, 1.0, 0.0)?;
+        let kernel = disk_harmonic(1)?;
         let half = solved.hull.half;
         let panels: Vec<(f64, f64)> = (solved.panels.iter())
             .map(|panel| (panel.left / half, (panel.right / half).min(1.0)))

@@ -9,7 +9,7 @@
 //! Equations are solved in local coordinates `xi = c + b y`, in which the plane and the disk are always of one size.
 
 use std::f64::consts::{PI, TAU};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use fredholm::SincOperator;
 use fredholm::collocation::SincGrid;
@@ -48,7 +48,7 @@ impl Medium {
                 let kernel = LogarithmSine::new(PI.next_down())?;
                 Self::Row { period, kernel }
             }
-            Geometry::Circular => Self::Disk { kernel: WeberSonine::new(1.0, 0.0, 0.0)? },
+            Geometry::Circular => Self::Disk { kernel: disk_harmonic(0)? },
         })
     }
 
@@ -154,7 +154,7 @@ impl Medium {
     /// What the change of the displacement at `xi` has beside `V'(eta) K` when points move with the velocities `V(xi)` and `V(eta)`: the factor of
     /// `dK/dxi`.
     pub(super) fn lever(&self, [at, from]: [f64; 2], [xi, eta]: [f64; 2]) -> f64 {
-        // Of a disk d/deta (eta K) = -xi dK/dxi: the kernel is homogeneous.
+        // On a disk d/deta (eta K) = -xi dK/dxi: the kernel is homogeneous.
         if self.is_disk() { at - from * xi / eta } else { at - from }
     }
 
@@ -201,6 +201,17 @@ impl Medium {
             }
         }
     }
+}
+
+/// The kernel of pressures `p(r)` (0) or `p(r) cos(phi)` (1) on the unit disk; its tables are made once.
+pub(super) fn disk_harmonic(order: usize) -> Result<WeberSonine, Error> {
+    static KERNELS: [OnceLock<WeberSonine>; 2] = [OnceLock::new(), OnceLock::new()];
+    let known = &KERNELS[order.min(1)];
+    if let Some(kernel) = known.get() {
+        return Ok(kernel.clone());
+    }
+    let kernel = WeberSonine::new(1.0, order.min(1) as f64, 0.0)?;
+    Ok(known.get_or_init(|| kernel).clone())
 }
 
 /// The mean of `ln 1/|x - s|` over `x` in one cell and `s` in another that is the same or lies left of it.

@@ -5,11 +5,15 @@
 
 mod answer;
 mod base;
+mod cells;
 mod check;
 mod coarse;
+mod damping;
+mod eccentric;
 mod edges;
 mod elimination;
 mod field;
+mod fine;
 mod harmonic;
 mod layer;
 mod medium;
@@ -22,16 +26,20 @@ mod topology;
 mod zones;
 
 pub use answer::Complementarity;
-pub(crate) use answer::UnilateralContact;
+use answer::UnilateralContact;
+
+use std::sync::Arc;
 
 use fredholm::collocation::{extrapolate, first_half_count};
 
 use super::accuracy::{Accuracy, ErrorKind};
 use super::plan::AIM;
 use super::potential::between_nodes;
+use super::solution::Solution;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Vertical};
 use base::Base;
 use check::{Check, check};
+use fine::CellContact;
 use solved::Solved;
 use system::Resolution;
 use zones::{Zone, corrected};
@@ -43,10 +51,19 @@ const ALLOWED: f64 = 1e-10;
 const DOUBTFUL: f64 = 1e-2;
 /// Most nodes on either side of the middle of a panel while zones are looked for.
 const MOST_HALF_COUNT: f64 = 300.0;
+/// A violation that changes by less than this share is the same again.
+const SAME: f64 = 1e-2;
+/// How zones that vanished are narrowed for the next attempt, and how often: then more cells are tried.
+const NARROWER: f64 = 0.2;
+const NARROWEST: f64 = 1e-4;
 /// Corrections of the topology by the check, for each number of cells.
-const CORRECTIONS: usize = 16;
+const CORRECTIONS: usize = 12;
 /// Numbers of cells, each four times the one before.
 const TOPOLOGIES: usize = 3;
+/// Cubes of the numbers of nodes, added up over Newton steps, after which the search for zones ends.
+const MOST_WORK: f64 = 1e10;
+/// Most zones that are collocated.
+const MOST_ZONES: usize = 40;
 /// Growth of the number of nodes from one resolution to the next.
 const RATIO: f64 = std::f64::consts::SQRT_2;
 /// Most nodes of all panels together.
@@ -65,21 +82,32 @@ impl Problem {
     ///
     /// `p0 + theta0 int ln(1/|xi - eta|) p0 deta = delta0 - alpha0 xi - f0(xi)` and `p0 >= 0` on the zones, `p0 = 0` at their free edges, and outside
     /// them on the base a gap that is not negative.
-    pub(crate) fn solve_unilateral(&self) -> Result<UnilateralContact, Error> {
+    pub(super) fn solve_unilateral(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Unilateral)?;
-        self.drawn_up(lifting(base)?)
+        Ok(self.drawn_up(lifting(base)?))
     }
 
     /// The same with the whole base in contact, where the pressure may pull: by the equations of the zones, in every geometry and for every layer but a smooth one.
-    pub(crate) fn solve_full_contact(&self) -> Result<UnilateralContact, Error> {
+    pub(super) fn solve_full_contact(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
-        self.drawn_up(full(&base)?)
+        Ok(self.drawn_up(Answer::Zones(full(&base)?)))
     }
 
-    fn drawn_up(&self, contact: UnilateralContact) -> Result<UnilateralContact, Error> {
-        let contact = contact.within(self.solver().tolerance)?;
-        Ok(if self.is_symmetric() { contact.without_skew() } else { contact })
+    fn drawn_up(&self, answer: Answer) -> Arc<dyn Solution> {
+        let symmetric = self.is_symmetric();
+        match answer {
+            Answer::Zones(contact) if symmetric => Arc::new(contact.without_skew()),
+            Answer::Zones(contact) => Arc::new(contact),
+            Answer::Cells(contact) if symmetric => Arc::new(contact.without_skew()),
+            Answer::Cells(contact) => Arc::new(contact),
+        }
     }
+}
+
+/// An answer on zones or on cells.
+enum Answer {
+    Zones(UnilateralContact),
+    Cells(CellContact),
 }
 
 /// The answer on the whole base.
@@ -89,7 +117,10 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
         (solved, accuracy, 0.0)
     } else {
         let zones = base.whole();
-        refined(base, &zones, strength(base, &zones))?
+        let start = strength(base, &zones);
+        let (coarse, _) =
+            edges::settle(base, &Resolution::new(&base.medium, half_count(start, -1))?, &zones)?;
+        refined(base, coarse, start)?
     };
     let left = check(base, &solved, ALLOWED);
     if !base.layer.is_linear() && !left.pulling.is_empty() {
@@ -102,15 +133,15 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
 }
 
 /// The answer where the base may lift off.
-fn lifting(base: Base<'_>) -> Result<UnilateralContact, Error> {
+fn lifting(base: Base<'_>) -> Result<Answer, Error> {
     if !base.medium.is_closed() {
-        return complementary(&base);
+        return open(&base);
     }
     let (solved, accuracy) = ring::solve(&base)?;
     let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
     let left = check(&base, &solved, ALLOWED.max(2.0 * noise));
     if left.pulling.is_empty() && !ring::lifts(&base, &solved) {
-        return harmonic::answer(&base, solved, accuracy, 0.0, &left);
+        return harmonic::answer(&base, solved, accuracy, 0.0, &left).map(Answer::Zones);
     }
     // Seen from the middle of a gap the wave is one more base with ends.
     let cells = base.cells();
@@ -118,69 +149,152 @@ fn lifting(base: Base<'_>) -> Result<UnilateralContact, Error> {
         Some(middle) => middle,
         None => ring::least(&solved),
     };
-    complementary(&base.shifted(cut))
+    complementary(&base.shifted(cut)).map(Answer::Zones)
+}
+
+/// The answer by the method that suits the profile, or by the other.
+fn open(base: &Base<'_>) -> Result<Answer, Error> {
+    if fine::suits(base)
+        && let Some(contact) = fine::solve(base)?
+    {
+        return Ok(Answer::Cells(contact));
+    }
+    match complementary(base) {
+        Err(error @ (Error::NotComplementary { .. } | Error::Equation(_))) => {
+            fine::solve(base)?.map(Answer::Cells).ok_or(error)
+        }
+        ending => ending.map(Answer::Zones),
+    }
 }
 
 /// The answer, with its zones corrected where the finest nodes show what the first did not.
 fn complementary(base: &Base<'_>) -> Result<UnilateralContact, Error> {
-    let (mut zones, mut start) = find_zones(base)?;
+    let (mut coarse, mut start) = find_zones(base)?;
     for _ in 0..CORRECTIONS {
-        let (solved, accuracy, edge) = refined(base, &zones, start)?;
+        let (solved, accuracy, edge) = refined(base, coarse, start)?;
         let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
         let left = check(base, &solved, ALLOWED.max(2.0 * noise));
-        if left.pulling.is_empty() && left.penetrating.is_empty() {
+        if left.is_clean() {
             return harmonic::answer(base, solved, accuracy, edge, &left);
         }
-        zones = corrected(&solved.zones, &left.pulling, &left.penetrating);
-        start = strength(base, &zones);
+        let zones = corrected(&solved.zones, &left.pulling, &left.penetrating(1.0));
         if zones.is_empty() {
             break;
         }
+        start = strength(base, &zones);
+        (coarse, _) =
+            edges::settle(base, &Resolution::new(&base.medium, half_count(start, -1))?, &zones)?;
     }
     Err(Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN })
 }
 
-/// The zones at a first number of nodes on either side of the middle of a panel, and that number.
-fn find_zones(base: &Base<'_>) -> Result<(Vec<Zone>, f64), Error> {
+/// The answer on few nodes, and the number on either side of the middle of a panel to go on with.
+fn find_zones(base: &Base<'_>) -> Result<(Solved, f64), Error> {
     let mut last = None;
+    let mut work = 0.0;
     for power in 0..TOPOLOGIES {
-        let cells = base.cells() * 4usize.pow(power as u32);
-        let mut zones = base.first_zones(cells)?;
-        let mut start = strength(base, &zones);
-        let mut resolution = Resolution::new(&base.medium, half_count(start, -1))?;
-        let mut before = f64::INFINITY;
-        for _ in 0..CORRECTIONS {
-            if zones.is_empty() {
-                break;
+        let zones = base.first_zones(base.cells() * 4usize.pow(power as u32))?;
+        // Many equal cells show the edges to a thousandth of the few that come first: next to them Newton's method converges.
+        let exact = if power == 1 { fine::zones(base)? } else { None };
+        for zones in exact.into_iter().chain([zones]) {
+            match corrected_zones(base, zones, &mut work)? {
+                Attempt::Found(solved, start) => return Ok((*solved, start)),
+                Attempt::Left(violation) => last = violation.or(last),
             }
-            let wanted = strength(base, &zones);
-            if wanted > start {
-                start = wanted;
-                resolution = Resolution::new(&base.medium, half_count(start, -1))?;
-            }
-            let (solved, _) = edges::settle(base, &resolution, &zones)?;
-            let Check { pulling, penetrating, tension, penetration } =
-                check(base, &solved, COARSELY_ALLOWED);
-            if pulling.is_empty() && penetrating.is_empty() {
-                return Ok((solved.zones, start));
-            }
-            last = Some([tension, penetration]);
-            let worst = tension.max(penetration);
-            let room = MOST_NODES as f64 / (2.0 * solved.panels.len() as f64);
-            let finer = (start * RATIO).min(MOST_HALF_COUNT).min(room);
-            // Too few nodes show tension where there is none: more of them tell.
-            if worst < DOUBTFUL && worst < 0.3 * before && finer > start {
-                (start, before) = (finer, worst);
-                resolution = Resolution::new(&base.medium, half_count(start, -1))?;
-                zones = solved.zones;
-            } else {
-                before = f64::INFINITY;
-                zones = corrected(&solved.zones, &pulling, &penetrating);
-            }
+        }
+        if work > MOST_WORK {
+            break;
         }
     }
     let [tension, penetration] = last.unwrap_or([f64::NAN; 2]);
     Err(Error::NotComplementary { tension, penetration })
+}
+
+/// What becomes of zones that the check between the nodes corrects.
+enum Attempt {
+    Found(Box<Solved>, f64),
+    /// Tension and penetration that are left.
+    Left(Option<[f64; 2]>),
+}
+
+fn corrected_zones(
+    base: &Base<'_>,
+    mut zones: Vec<Zone>,
+    work: &mut f64,
+) -> Result<Attempt, Error> {
+    let mut start = strength(base, &zones);
+    let mut resolution = Resolution::new(&base.medium, half_count(start, -1))?;
+    let mut progress = Progress::new();
+    let mut left = None;
+    for _ in 0..CORRECTIONS {
+        if zones.is_empty() || zones.len() > MOST_ZONES || *work > MOST_WORK {
+            break;
+        }
+        let wanted = strength(base, &zones);
+        if wanted > start {
+            start = wanted;
+            resolution = Resolution::new(&base.medium, half_count(start, -1))?;
+        }
+        let (solved, iterations) = edges::settle(base, &resolution, &zones)?;
+        *work += iterations as f64 * (solved.positions.len() as f64).powi(3);
+        let check = check(base, &solved, COARSELY_ALLOWED);
+        if check.is_clean() {
+            return Ok(Attempt::Found(Box::new(solved), start));
+        }
+        left = Some([check.tension, check.penetration]);
+        let room = MOST_NODES as f64 / (2.0 * solved.panels.len() as f64);
+        let finer = (start * RATIO).min(MOST_HALF_COUNT).min(room);
+        match progress.next(&check, finer > start) {
+            Step::Finer => {
+                start = finer;
+                resolution = Resolution::new(&base.medium, half_count(start, -1))?;
+                zones = solved.zones;
+            }
+            Step::Correct(width) => {
+                zones = corrected(&solved.zones, &check.pulling, &check.penetrating(width));
+            }
+            Step::GiveUp => break,
+        }
+    }
+    Ok(Attempt::Left(left))
+}
+
+/// How corrections get on.
+struct Progress {
+    /// The violation on fewer nodes, infinite after a correction.
+    before: f64,
+    /// The violation that was corrected last.
+    corrected: f64,
+    /// Width of the zones that are put where the base penetrates, as a share of the interval where it does.
+    width: f64,
+}
+
+enum Step {
+    Finer,
+    Correct(f64),
+    GiveUp,
+}
+
+impl Progress {
+    fn new() -> Self {
+        Self { before: f64::INFINITY, corrected: f64::INFINITY, width: 1.0 }
+    }
+
+    /// Too few nodes show tension where there is none, and more of them tell; a zone that came in too wide pulled and vanished again.
+    fn next(&mut self, check: &Check, can_be_finer: bool) -> Step {
+        let worst = check.tension.max(check.penetration);
+        let is_same = (worst - self.corrected).abs() <= SAME * self.corrected;
+        let vanished = is_same && !check.penetrating(1.0).is_empty();
+        let doubtful = worst < DOUBTFUL && (is_same || worst < 0.3 * self.before);
+        if doubtful && !vanished && can_be_finer {
+            self.before = worst;
+            return Step::Finer;
+        }
+        self.width = if vanished { NARROWER * self.width } else { 1.0 };
+        self.before = f64::INFINITY;
+        self.corrected = worst;
+        if self.width < NARROWEST { Step::GiveUp } else { Step::Correct(self.width) }
+    }
 }
 
 /// Nodes on either side of the middle of a panel that are about right for the longest panel.
@@ -196,18 +310,17 @@ fn half_count(start: f64, power: i32) -> usize {
     ((start * RATIO.powi(power)).round() as usize).max(8)
 }
 
-/// The answer on growing numbers of nodes.
-fn refined(base: &Base<'_>, zones: &[Zone], start: f64) -> Result<(Solved, Accuracy, f64), Error> {
+/// The answer on growing numbers of nodes, from the one on the first.
+fn refined(base: &Base<'_>, coarse: Solved, start: f64) -> Result<(Solved, Accuracy, f64), Error> {
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
     let level = |zones: &[Zone], power: i32| {
         let resolution = Resolution::new(&base.medium, half_count(start, power))?;
         edges::settle(base, &resolution, zones).map(|(solved, _)| solved)
     };
-    let coarse = level(zones, -2)?;
-    let mut fine = level(&coarse.zones, -1)?;
+    let mut fine = level(&coarse.zones, 0)?;
     let mut before = difference(base, &fine, &coarse);
     let mut best: Option<(Solved, Accuracy, f64)> = None;
-    for power in 0.. {
+    for power in 1.. {
         let finer = level(&fine.zones, power)?;
         let change = difference(base, &finer, &fine);
         let (accuracy, edge) = estimate(base, &finer, &before, &change);
@@ -306,5 +419,5 @@ fn estimate(base: &Base<'_>, fine: &Solved, before: &Change, change: &Change) ->
         force: of(!by_force, |c| c.force, force),
         moment: of(!by_moment, |c| c.moment, force),
     };
-    (accuracy, of(true, |c| c.edge, 1.0))
+    (accuracy, of(true, |c| c.edge, 1.0).max(fine.edge_rounding()))
 }

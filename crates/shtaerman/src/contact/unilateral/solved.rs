@@ -58,6 +58,13 @@ impl Solved {
         self.layer.slope(self.deepest()) * self.rounding()
     }
 
+    /// Rounding of the edges: that of the layer over its mean slope.
+    pub(super) fn edge_rounding(&self) -> f64 {
+        let longest = self.zones.iter().map(Zone::length).fold(0.0, f64::max);
+        let slope = self.deepest() / longest;
+        if slope > 0.0 { self.rounding() / slope } else { 0.0 }
+    }
+
     /// Largest displacement of the layer at the nodes, of either sign.
     pub(super) fn deepest(&self) -> f64 {
         self.solution.values().iter().fold(0.0, |most, v| most.max(v.abs()))

@@ -47,6 +47,23 @@ impl Zone {
     }
 }
 
+/// A penetration this close to a zone, and this short, as shares of the zone, is that of an edge which is not quite right.
+const BESIDE: f64 = 1e-3;
+const SHORT: f64 = 1e-2;
+
+/// Extends a zone over a short penetration beside it; whether there was one.
+fn extended(intervals: &mut [[f64; 2]], [from, to]: [f64; 2]) -> bool {
+    for interval in intervals {
+        let length = interval[1] - interval[0];
+        let gap = (from - interval[1]).max(interval[0] - to);
+        if gap <= BESIDE * length && to - from <= SHORT * length {
+            *interval = [interval[0].min(from), interval[1].max(to)];
+            return true;
+        }
+    }
+    false
+}
+
 /// The zones without the intervals where the pressure pulls, and with those where the base penetrates; both from left to right.
 pub(super) fn corrected(
     zones: &[Zone],
@@ -68,7 +85,11 @@ pub(super) fn corrected(
             intervals.push([left, zone.right()]);
         }
     }
-    intervals.extend(penetrating);
+    for interval in penetrating {
+        if !extended(&mut intervals, *interval) {
+            intervals.push(*interval);
+        }
+    }
     intervals.sort_by(|one, two| one[0].total_cmp(&two[0]));
     let mut merged: Vec<[f64; 2]> = Vec::new();
     for interval in intervals {
@@ -101,6 +122,9 @@ mod tests {
             ends(corrected(&zones, &[[-1.0, 0.0]], &[[0.2, 0.3]])),
             [[0.2, 0.3], [0.5, 1.0]]
         );
+        // An edge that was a little off.
+        let nearly = corrected(&zones, &[[-1e-4, 0.0]], &[[1e-9, 2e-4]]);
+        assert_eq!(ends(nearly), [[-1.0, 2e-4], [0.5, 1.0]]);
         assert!(!Zone::new(-1.0, 0.5).ends[0].is_free && Zone::new(-1.0, 0.5).ends[1].is_free);
     }
 

@@ -1,0 +1,166 @@
+//! The map of a component.
+
+use shtaerman::quantity::{Dimension, axis_unit, engineering};
+use shtaerman::{Peak, StressField};
+
+use super::section::Units;
+use crate::arguments::StressComponent;
+use crate::plot::MapPlot;
+use crate::report::{Stresses, significant};
+
+/// Values beyond this multiple of what all but a hundredth reach are a peak at a corner, which would leave no colours for the rest.
+const PEAK: f64 = 1.6;
+const SHARE: f64 = 0.01;
+
+/// The map of a component over the grid; `peaks` are those of von Mises and Tresca.
+pub(super) fn plot(
+    component: StressComponent,
+    field: &StressField,
+    grid: &Stresses,
+    peaks: &[Peak; 2],
+    units: Units,
+) -> MapPlot {
+    let values = grid.values(component);
+    let largest = |along: &[f64]| along.iter().fold(0.0f64, |most, value| most.max(value.abs()));
+    let limits = limits(&values);
+    let highest = limits.map_or(0.0, |(low, high)| low.abs().max(high.abs()));
+    let factor = |largest: f64, dimension: Dimension| {
+        if units.is_physical { axis_unit(largest, dimension).factor } else { 1.0 }
+    };
+    let label = |name: &str, largest: f64, dimension: Dimension, plain: &str| {
+        if units.is_physical {
+            format!("{name} [{}]", axis_unit(largest, dimension).label)
+        } else {
+            plain.to_owned()
+        }
+    };
+    let across = largest(&grid.x);
+    let (length, stress) =
+        (factor(across, Dimension::LENGTH), factor(highest, Dimension::PRESSURE));
+    let title = name(component);
+    MapPlot {
+        title: format!("{} below the contact", capitalised(title)),
+        notes: notes(component, field, peaks, units),
+        x: grid.x.iter().map(|x| x * length).collect(),
+        depth: grid.y.iter().map(|y| y * length).collect(),
+        values: values.iter().map(|value| value * stress).collect(),
+        limits: limits.map(|(low, high)| (low * stress, high * stress)),
+        zones: zones(field, grid).into_iter().map(|zone| zone.map(|x| x * length)).collect(),
+        cross: cross(component, grid, peaks)
+            .map(|(x, y)| ((x * length, y * length), "largest in the body".to_owned())),
+        position_label: label("x", across, Dimension::LENGTH, "ξ = x/a"),
+        depth_label: label("depth", across, Dimension::LENGTH, "depth / a"),
+        value_label: label(title, highest, Dimension::PRESSURE, &format!("{title} / E")),
+    }
+}
+
+fn name(component: StressComponent) -> &'static str {
+    match component {
+        StressComponent::SigmaX => "stress σx",
+        StressComponent::SigmaY => "stress σy",
+        StressComponent::SigmaZ => "stress σz",
+        StressComponent::TauXy => "shear stress τxy",
+        StressComponent::Sigma1 => "principal stress σ₁",
+        StressComponent::Sigma2 => "principal stress σ₂",
+        StressComponent::Sigma3 => "principal stress σ₃",
+        StressComponent::MaxShear => "largest shear stress",
+        StressComponent::Tresca => "Tresca stress",
+        StressComponent::VonMises => "von Mises stress",
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    match letters.next() {
+        // Mises was a von.
+        Some(first) if !text.starts_with("von ") => first.to_uppercase().chain(letters).collect(),
+        _ => text.replacen("von", "Von", 1),
+    }
+}
+
+/// The peak that belongs to a component, with its share of the equivalent stress.
+fn peak(component: StressComponent, peaks: &[Peak; 2]) -> Option<(Peak, f64)> {
+    match component {
+        StressComponent::VonMises => Some((peaks[0], 1.0)),
+        StressComponent::Tresca => Some((peaks[1], 1.0)),
+        StressComponent::MaxShear => Some((peaks[1], 0.5)),
+        _ => None,
+    }
+}
+
+fn cross(component: StressComponent, grid: &Stresses, peaks: &[Peak; 2]) -> Option<(f64, f64)> {
+    let (peak, _) = peak(component, peaks)?;
+    let within = |value: f64, along: &[f64]| {
+        along.first().is_some_and(|first| *first <= value)
+            && along.last().is_some_and(|last| value <= *last)
+    };
+    (within(peak.x, &grid.x) && within(peak.depth, &grid.y)).then_some((peak.x, peak.depth))
+}
+
+fn notes(
+    component: StressComponent,
+    field: &StressField,
+    peaks: &[Peak; 2],
+    units: Units,
+) -> Vec<String> {
+    let shown = |value: f64, dimension: Dimension| {
+        if !value.is_finite() {
+            "infinite".to_owned()
+        } else if units.is_physical {
+            engineering(value, dimension)
+        } else {
+            significant(value, 6)
+        }
+    };
+    let mut note =
+        format!("plane strain, tension positive, ν = {}", significant(field.poisson_ratio(), 4));
+    if let Some((peak, share)) = peak(component, peaks) {
+        let value = shown(share * peak.value, Dimension::PRESSURE);
+        let x = shown(peak.x, Dimension::LENGTH);
+        let place = if peak.is_corner {
+            format!("at the edge x = {x}, as a limit")
+        } else {
+            format!("at x = {x}, depth {}", shown(peak.depth, Dimension::LENGTH))
+        };
+        note.push_str(&format!("; largest {value} {place}"));
+    }
+    vec![note]
+}
+
+/// The zones within the grid; those of a periodic pressure with their repetitions.
+fn zones(field: &StressField, grid: &Stresses) -> Vec<[f64; 2]> {
+    const MOST_REPETITIONS: f64 = 200.0;
+    let (Some(left), Some(right)) = (grid.x.first(), grid.x.last()) else { return Vec::new() };
+    let zones = field.zones();
+    let shifts: Vec<f64> = match field.period() {
+        Some(period) if (right - left) / period < MOST_REPETITIONS => {
+            let first = ((left - zones.last().map_or(0.0, |zone| zone[1])) / period).floor() as i64;
+            let last = ((right - zones.first().map_or(0.0, |zone| zone[0])) / period).ceil() as i64;
+            (first..=last).map(|index| index as f64 * period).collect()
+        }
+        _ => vec![0.0],
+    };
+    let repeated =
+        shifts.iter().flat_map(|shift| zones.iter().map(move |zone| zone.map(|x| x + shift)));
+    repeated.filter(|zone| zone[1] > *left && zone[0] < *right).collect()
+}
+
+/// The values to tell apart, without peaks at corners.
+fn limits(values: &[f64]) -> Option<(f64, f64)> {
+    let mut sorted: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
+    sorted.sort_by(f64::total_cmp);
+    let (first, last) = (*sorted.first()?, *sorted.last()?);
+    let few = (SHARE * sorted.len() as f64) as usize;
+    let (low, high) =
+        (sorted[few.min(sorted.len() - 1)], sorted[sorted.len() - 1 - few.min(sorted.len() - 1)]);
+    let span = high - low;
+    let capped = |value: f64, usual: f64| {
+        if (value - usual).abs() > (PEAK - 1.0) * span {
+            usual + (value - usual).signum() * 0.3 * span
+        } else {
+            value
+        }
+    };
+    let (low, high) = (capped(first, low), capped(last, high));
+    (low < high).then_some((low, high))
+}

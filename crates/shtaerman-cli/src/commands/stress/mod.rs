@@ -1,0 +1,153 @@
+//! `shtaerman stress`.
+
+mod map;
+mod section;
+
+use std::fmt::Write;
+
+use shtaerman::file::ProblemFile;
+use shtaerman::quantity::Dimension;
+use shtaerman::{Criterion, Error, StressField};
+
+use super::problem_file;
+use crate::Failure;
+use crate::arguments::{StressArguments, StressFormat};
+use crate::output::{Outputs, check_writable};
+use crate::plot::{Format, render};
+use crate::report::{self, StressReport, Stresses, YieldReport};
+use section::{Section, Units};
+
+pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
+    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    if arguments.format == StressFormat::Npz && arguments.output.is_none() {
+        let message = "--format npz is no text: give --output FILE.npz";
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    check_writable(
+        &[arguments.output.as_deref(), arguments.plot.as_deref()],
+        Some(&arguments.problem.file),
+    )?;
+    let file = problem_file::read(&arguments.problem)?;
+    let frame = file.problem().frame();
+    frame.check_stresses().map_err(|error| file.locate(error))?;
+    let units = Units::of(frame);
+    let ratio = poisson_ratio(arguments, &file)?;
+    let section = Section::parse(arguments, units)?;
+    let places =
+        arguments.at.as_deref().map(|text| section::parse_places(text, units)).transpose()?;
+    let limit = yield_stress(arguments, &file)?;
+
+    let contact = file.solve()?;
+    let field = StressField::new(&contact, Some(ratio)).map_err(|error| file.locate(error))?;
+    let load = [contact.force(), contact.moment()];
+    let peaks = [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];
+    let mut report = StressReport::new(&field, load, frame.scaling().is_some(), &peaks);
+    report.add_warnings(contact.warnings());
+    if let Some((stress, is_asked)) = limit {
+        report.set_yield(stress, loads_at_yield(&file, stress, ratio, is_asked)?);
+    }
+    let places = places.map(|places| stresses_at(&field, places)).transpose()?;
+    let wants_grid = arguments.grid.is_some() || arguments.format != StressFormat::Json;
+    let needs_grid = places.is_none() && arguments.format != StressFormat::Table && wants_grid;
+    let grid =
+        if needs_grid || arguments.plot.is_some() { Some(section.stresses(&field)?) } else { None };
+    let mut outputs = Outputs::default();
+    let text = written(arguments, &mut report, places.as_ref(), grid.as_ref())?;
+    outputs.result(arguments.output.as_deref(), text);
+    if let (Some(path), Some(format), Some(grid)) = (&arguments.plot, format, &grid) {
+        let plot = map::plot(arguments.component, &field, grid, &peaks, units);
+        outputs.file(path, render(&plot, format, plot.size())?);
+    }
+    outputs.write()
+}
+
+/// The bytes of the result.
+fn written(
+    arguments: &StressArguments,
+    report: &mut StressReport,
+    places: Option<&Stresses>,
+    grid: Option<&Stresses>,
+) -> Result<Vec<u8>, Failure> {
+    let chosen = || {
+        places.or(grid).ok_or_else(|| Failure::Usage("there are no stresses to write".to_owned()))
+    };
+    Ok(match arguments.format {
+        StressFormat::Table => {
+            let name = problem_file::name(&arguments.problem.file);
+            let mut text = report::stress_table(&name, report, places);
+            if let Some(path) = &arguments.plot {
+                let _ = writeln!(text, "plot: {}", path.display());
+            }
+            text.into_bytes()
+        }
+        StressFormat::Json => {
+            let asked = places.or(grid.filter(|_| arguments.grid.is_some()));
+            if let Some(stresses) = asked {
+                report.set_stresses(stresses);
+            }
+            report::json(report)?.into_bytes()
+        }
+        StressFormat::Csv => report::stress_csv(chosen()?)?.into_bytes(),
+        StressFormat::Npz => report::stress_npz(chosen()?)?,
+    })
+}
+
+fn poisson_ratio(arguments: &StressArguments, file: &ProblemFile) -> Result<f64, Failure> {
+    let refused = |text: String| Err(Failure::Usage(text));
+    match (arguments.poisson_ratio, file.problem().frame().poisson_ratio()) {
+        (Some(_), Some(_)) => refused(
+            "--poisson-ratio is for a dimensionless file: use --set foundation.poisson_ratio=..."
+                .to_owned(),
+        ),
+        (None, None) => refused(
+            "a dimensionless file has no Poisson's ratio, which the stress out of the plane needs: give --poisson-ratio"
+                .to_owned(),
+        ),
+        (Some(ratio), None) if !(ratio > -1.0 && ratio <= 0.5) => {
+            refused(format!("--poisson-ratio {ratio}: must be greater than -1 and at most 0.5"))
+        }
+        (Some(ratio), None) | (None, Some(ratio)) => Ok(ratio),
+    }
+}
+
+/// The yield stress, and whether it was asked for on the command line.
+fn yield_stress(
+    arguments: &StressArguments,
+    file: &ProblemFile,
+) -> Result<Option<(f64, bool)>, Failure> {
+    let Some(text) = &arguments.yield_stress else {
+        return Ok(file.yield_stress()?.map(|stress| (stress, false)));
+    };
+    let is_physical = file.problem().frame().scaling().is_some();
+    let dimension = if is_physical { Dimension::PRESSURE } else { Dimension::NONE };
+    let stress = section::quantity("--yield-stress", text, dimension)?;
+    if stress > 0.0 && stress.is_finite() {
+        return Ok(Some((stress, true)));
+    }
+    Err(Failure::Usage(format!("--yield-stress {text}: must be finite and greater than zero")))
+}
+
+/// The loads at first yield; that there is none is an error where they were asked for, else a warning.
+fn loads_at_yield(
+    file: &ProblemFile,
+    stress: f64,
+    ratio: f64,
+    is_asked: bool,
+) -> Result<Result<Vec<YieldReport>, String>, Failure> {
+    let mut loads = Vec::new();
+    for criterion in [Criterion::VonMises, Criterion::Tresca] {
+        match file.problem().first_yield(criterion, stress, Some(ratio)) {
+            Ok(load) => loads.push(load.into()),
+            Err(error @ Error::NoYield { .. }) if !is_asked => return Ok(Err(error.to_string())),
+            Err(error) => return Err(file.locate(error).into()),
+        }
+    }
+    Ok(Ok(loads))
+}
+
+fn stresses_at(field: &StressField, places: Vec<[f64; 2]>) -> Result<Stresses, Failure> {
+    let stresses =
+        places.iter().map(|[x, y]| field.stress(*x, *y)).collect::<Result<Vec<_>, _>>()?;
+    let (x, y) = places.into_iter().map(|[x, y]| (x, y)).unzip();
+    Ok(Stresses { x, y, is_grid: false, stresses })
+}

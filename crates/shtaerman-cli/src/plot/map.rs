@@ -1,0 +1,137 @@
+//! Map of a value over a section through the body.
+
+use super::Plot;
+use super::axis::{Axis, Range, Scale};
+use super::colour::{Colour, Palette};
+use super::figure::{
+    Arrangement, ColourBar, Contours, Cross, Figure, Layer, LegendPlace, Line, Panel,
+};
+use super::format::Size;
+use super::ticks::Ticks;
+
+/// Bands that are aimed at.
+const BANDS: usize = 12;
+/// Room above the surface, as a share of the depth.
+const ABOVE: f64 = 0.05;
+/// What a picture needs around its frame.
+const BESIDE: f64 = 190.0;
+const AROUND: f64 = 175.0;
+
+/// A value over a section, depth downward, with the zones of contact on the surface.
+///
+/// The values are drawn as bands between round levels with lines between them. Values beyond `limits` count as these.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct MapPlot {
+    /// Title; empty for none.
+    pub title: String,
+    /// Notes below the title.
+    pub notes: Vec<String>,
+    /// Positions along the surface.
+    pub x: Vec<f64>,
+    /// Depths.
+    pub depth: Vec<f64>,
+    /// Values, one row for each depth.
+    pub values: Vec<f64>,
+    /// The smallest and largest value that is told apart; `None` for those of the values.
+    pub limits: Option<(f64, f64)>,
+    /// Zones of contact.
+    pub zones: Vec<[f64; 2]>,
+    /// Place of the largest value, with its name in the legend.
+    pub cross: Option<((f64, f64), String)>,
+    /// Label of the position, such as `x [mm]`.
+    pub position_label: String,
+    /// Label of the depth, such as `depth [mm]`.
+    pub depth_label: String,
+    /// Label of the value, such as `von Mises [MPa]`.
+    pub value_label: String,
+}
+
+impl MapPlot {
+    /// A picture in which position and depth have about one scale, as far as sizes allow.
+    #[must_use]
+    pub fn size(&self) -> Size {
+        let width = Size::default().width;
+        let reach = |along: &[f64]| match along {
+            [first, .., last] => (last - first).abs(),
+            _ => 0.0,
+        };
+        let (across, down) = (reach(&self.x), reach(&self.depth) * (1.0 + ABOVE));
+        let ratio = if across > 0.0 && down > 0.0 { down / across } else { 0.5 };
+        let height = (f64::from(width) - BESIDE) * ratio + AROUND;
+        Size { width, height: height.clamp(380.0, 1000.0) as u32 }
+    }
+
+    fn levels(&self) -> (Vec<f64>, Palette) {
+        let finite = || self.values.iter().copied().filter(|value| value.is_finite());
+        let low = finite().fold(f64::INFINITY, f64::min);
+        let high = finite().fold(f64::NEG_INFINITY, f64::max);
+        let (low, high) = self.limits.unwrap_or((low, high));
+        if low.is_nan() || low >= high || high.is_nan() {
+            return (Vec::new(), Palette::Sequential);
+        }
+        // A small part of the other sign, such as that of rounding, is no reason for two colours.
+        let both = low < -0.1 * high.abs() && high > 0.1 * low.abs();
+        let reach = high.max(-low);
+        // White is zero: as many bands on either side.
+        let (low, high) = if both { (-reach, reach) } else { (low, high) };
+        let ticks = Ticks::new(Scale::Linear, Range { low, high }, BANDS);
+        // A level at an end of the range parts nothing.
+        let apart = 1e-9 * (high - low);
+        let places = ticks.labelled.into_iter().map(|tick| tick.place);
+        let levels = places.filter(|place| *place > low + apart && *place < high - apart).collect();
+        let palette = if both {
+            Palette::Diverging
+        } else if high <= -0.1 * low {
+            Palette::Reversed
+        } else {
+            Palette::Sequential
+        };
+        (levels, palette)
+    }
+}
+
+impl Plot for MapPlot {
+    fn figure(&self) -> Figure {
+        let (levels, palette) = self.levels();
+        let contours = Contours {
+            x: self.x.clone(),
+            y: self.depth.clone(),
+            values: self.values.clone(),
+            levels: levels.clone(),
+            palette,
+        };
+        let mut layers = vec![Layer::Contours(contours)];
+        if !levels.is_empty() {
+            let label = self.value_label.clone();
+            layers.push(Layer::ColourBar(ColourBar { label, levels, palette }));
+        }
+        if let (Some(first), Some(last)) = (self.x.first(), self.x.last()) {
+            let mut surface = Line::new("", vec![(*first, 0.0), (*last, 0.0)], Colour::INK);
+            surface.width = 1.0;
+            layers.push(Layer::Line(surface));
+        }
+        for (index, &[left, right]) in self.zones.iter().enumerate() {
+            let name = if index == 0 { "contact" } else { "" };
+            let mut zone = Line::new(name, vec![(left, 0.0), (right, 0.0)], Colour::INK);
+            zone.width = 6.0;
+            zone.sets_range = false;
+            layers.push(Layer::Line(zone));
+        }
+        if let Some((at, name)) = &self.cross {
+            layers.push(Layer::Cross(Cross { name: name.clone(), at: *at }));
+        }
+        let deepest = self.depth.last().copied().unwrap_or(1.0);
+        Figure {
+            title: self.title.clone(),
+            notes: self.notes.clone(),
+            panels: vec![Panel {
+                heading: String::new(),
+                horizontal: Axis::linear(&self.position_label),
+                vertical: Axis::linear(&self.depth_label).reversed().including(-ABOVE * deepest),
+                layers,
+            }],
+            arrangement: Arrangement::Stacked,
+            legend: LegendPlace::Panel,
+        }
+    }
+}

@@ -1,0 +1,350 @@
+//! Stresses below the surface as table, JSON, CSV and `NumPy` arrays.
+
+use std::fmt::Write;
+
+use serde::Serialize;
+use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
+use shtaerman::{Criterion, FirstYield, Peak, Stress, StressField};
+
+use super::{Array, Table, npz, significant};
+use crate::Failure;
+use crate::arguments::StressComponent;
+
+/// Name of this JSON layout and its version.
+const SCHEMA: &str = "shtaerman-stress/1";
+
+/// What is written of a stress, in this order.
+const COMPONENTS: [(&str, StressComponent); 10] = [
+    ("sigma_x", StressComponent::SigmaX),
+    ("sigma_y", StressComponent::SigmaY),
+    ("sigma_z", StressComponent::SigmaZ),
+    ("tau_xy", StressComponent::TauXy),
+    ("sigma_1", StressComponent::Sigma1),
+    ("sigma_2", StressComponent::Sigma2),
+    ("sigma_3", StressComponent::Sigma3),
+    ("max_shear", StressComponent::MaxShear),
+    ("tresca", StressComponent::Tresca),
+    ("von_mises", StressComponent::VonMises),
+];
+
+/// A component of a stress.
+#[must_use]
+fn component(stress: &Stress, component: StressComponent) -> f64 {
+    match component {
+        StressComponent::SigmaX => stress.sigma_x,
+        StressComponent::SigmaY => stress.sigma_y,
+        StressComponent::SigmaZ => stress.sigma_z,
+        StressComponent::TauXy => stress.tau_xy,
+        StressComponent::Sigma1 => stress.principal()[0],
+        StressComponent::Sigma2 => stress.principal()[1],
+        StressComponent::Sigma3 => stress.principal()[2],
+        StressComponent::MaxShear => stress.max_shear(),
+        StressComponent::Tresca => stress.tresca(),
+        StressComponent::VonMises => stress.von_mises(),
+    }
+}
+
+/// Stresses at places, or on a grid row by row from the surface down.
+#[derive(Debug)]
+pub(crate) struct Stresses {
+    /// Positions: of each place, or of the columns of the grid.
+    pub(crate) x: Vec<f64>,
+    /// Depths: of each place, or of the rows of the grid.
+    pub(crate) y: Vec<f64>,
+    /// Whether the places are a grid.
+    pub(crate) is_grid: bool,
+    /// The stresses.
+    pub(crate) stresses: Vec<Stress>,
+}
+
+impl Stresses {
+    /// One component everywhere.
+    #[must_use]
+    pub(crate) fn values(&self, which: StressComponent) -> Vec<f64> {
+        self.stresses.iter().map(|stress| component(stress, which)).collect()
+    }
+
+    /// The place of each stress.
+    fn places(&self) -> impl Iterator<Item = (f64, f64)> {
+        (0..self.stresses.len()).map(|index| {
+            if self.is_grid {
+                (self.x[index % self.x.len()], self.y[index / self.x.len()])
+            } else {
+                (self.x[index], self.y[index])
+            }
+        })
+    }
+
+    fn json(&self) -> serde_json::Map<String, serde_json::Value> {
+        let mut object = serde_json::Map::new();
+        object.insert("x".to_owned(), self.x.clone().into());
+        object.insert("y".to_owned(), self.y.clone().into());
+        for (name, which) in COMPONENTS {
+            let values = self.values(which);
+            let value = if self.is_grid {
+                values.chunks(self.x.len()).map(<[f64]>::to_vec).collect::<Vec<_>>().into()
+            } else {
+                values.into()
+            };
+            object.insert(name.to_owned(), value);
+        }
+        object
+    }
+}
+
+/// The largest value of an equivalent stress.
+#[derive(Debug, Serialize)]
+struct PeakReport {
+    /// Null where infinite.
+    value: f64,
+    x: f64,
+    y: f64,
+    is_corner: bool,
+}
+
+impl PeakReport {
+    fn new(peak: &Peak, factor: f64) -> Self {
+        let Peak { value, x, depth, is_corner } = *peak;
+        Self { value: factor * value, x, y: depth, is_corner }
+    }
+}
+
+#[derive(Debug, Serialize)]
+struct Maxima {
+    von_mises: PeakReport,
+    max_shear: PeakReport,
+}
+
+/// The load at first yield by one criterion.
+#[derive(Debug, Serialize)]
+pub(crate) struct YieldReport {
+    criterion: Criterion,
+    force: f64,
+    moment: f64,
+    factor: f64,
+    x: f64,
+    y: f64,
+    is_corner: bool,
+}
+
+impl From<FirstYield> for YieldReport {
+    fn from(first: FirstYield) -> Self {
+        let FirstYield { criterion, force, moment, factor, place } = first;
+        let Peak { x, depth, is_corner, .. } = place;
+        Self { criterion, force, moment, factor, x, y: depth, is_corner }
+    }
+}
+
+/// What `stress --format json` writes.
+#[derive(Debug, Serialize)]
+pub(crate) struct StressReport {
+    schema: &'static str,
+    units: &'static str,
+    poisson_ratio: f64,
+    force: f64,
+    moment: f64,
+    edges: Vec<[f64; 2]>,
+    period: Option<f64>,
+    error: f64,
+    nodes: usize,
+    maximum: Maxima,
+    yield_stress: Option<f64>,
+    first_yield: Option<Vec<YieldReport>>,
+    warnings: Vec<String>,
+    points: Option<serde_json::Map<String, serde_json::Value>>,
+    grid: Option<serde_json::Map<String, serde_json::Value>>,
+}
+
+impl StressReport {
+    /// The report of a field under a force and a moment.
+    pub(crate) fn new(
+        field: &StressField,
+        [force, moment]: [f64; 2],
+        is_physical: bool,
+        peaks: &[Peak; 2],
+    ) -> Self {
+        Self {
+            schema: SCHEMA,
+            units: if is_physical { "si" } else { "dimensionless" },
+            poisson_ratio: field.poisson_ratio(),
+            force,
+            moment,
+            edges: field.zones(),
+            period: field.period(),
+            error: field.error(),
+            nodes: field.nodes(),
+            maximum: Maxima {
+                von_mises: PeakReport::new(&peaks[0], 1.0),
+                max_shear: PeakReport::new(&peaks[1], 0.5),
+            },
+            yield_stress: None,
+            first_yield: None,
+            warnings: Vec::new(),
+            points: None,
+            grid: None,
+        }
+    }
+
+    /// Adds what was found for a yield stress, or why nothing was.
+    pub(crate) fn set_yield(&mut self, stress: f64, found: Result<Vec<YieldReport>, String>) {
+        self.yield_stress = Some(stress);
+        match found {
+            Ok(loads) => self.first_yield = Some(loads),
+            Err(warning) => self.warnings.push(warning),
+        }
+    }
+
+    /// Adds what a user should know about the contact.
+    pub(crate) fn add_warnings(&mut self, warnings: &[shtaerman::Warning]) {
+        self.warnings.extend(warnings.iter().map(|warning| warning.message.clone()));
+    }
+
+    /// Adds stresses.
+    pub(crate) fn set_stresses(&mut self, stresses: &Stresses) {
+        let object = Some(stresses.json());
+        if stresses.is_grid { self.grid = object } else { self.points = object }
+    }
+
+    fn is_physical(&self) -> bool {
+        self.units == "si"
+    }
+
+    fn shown(&self, value: f64, unit: impl Into<DisplayUnit>) -> String {
+        if !value.is_finite() {
+            return "infinite".to_owned();
+        }
+        if self.is_physical() { engineering(value, unit) } else { significant(value, 10) }
+    }
+}
+
+/// The maxima, and the load at first yield, for people.
+pub(crate) fn stress_table(name: &str, report: &StressReport, places: Option<&Stresses>) -> String {
+    let physical = report.is_physical();
+    let units = if physical { "" } else { "; lengths in half-widths, stresses in E" };
+    let length = |value| report.shown(value, Dimension::LENGTH);
+    let stress = |value| report.shown(value, Dimension::PRESSURE);
+    let mut text = format!(
+        "{name}: stresses below the contact, plane strain, tension positive, y is depth{units}\n\n"
+    );
+    let mut table = Table::new(&["", "", ""]);
+    let mut row = |name: &str, value: String, note: String| {
+        table.row(vec![name.to_owned(), value, note]);
+    };
+    let force = report.shown(report.force, Dimension::FORCE_PER_LENGTH);
+    let per =
+        if report.period.is_some() { "per unit length and period" } else { "per unit length" };
+    row("force", force, per.to_owned());
+    row("moment", report.shown(report.moment, DisplayUnit::prefixed("N")), String::new());
+    let zones: Vec<String> = report
+        .edges
+        .iter()
+        .take(6)
+        .map(|zone| format!("{} to {}", length(zone[0]), length(zone[1])))
+        .collect();
+    let more = report.edges.len() - zones.len();
+    let more = if more > 0 { format!("and {more} more zones") } else { String::new() };
+    row("contact", zones.join(", "), more);
+    for (name, peak) in [
+        ("von Mises, largest", &report.maximum.von_mises),
+        ("shear stress, largest", &report.maximum.max_shear),
+    ] {
+        row(name, stress(peak.value), place(peak, &length));
+    }
+    row("Poisson's ratio", significant(report.poisson_ratio, 6), String::new());
+    text.push_str(&table.to_string());
+    let digits = |value: f64| {
+        if physical {
+            engineering_with_digits(value, Dimension::PRESSURE, 2)
+        } else {
+            significant(value, 2)
+        }
+    };
+    let _ = writeln!(
+        text,
+        "\nerror (estimate), at most: {}; nodes: {}",
+        digits(report.error),
+        report.nodes
+    );
+    if let (Some(limit), Some(loads)) = (report.yield_stress, &report.first_yield) {
+        let _ = writeln!(
+            text,
+            "\nfirst yield at {}, force and moment scaled together:\n",
+            stress(limit)
+        );
+        let mut table = Table::new(&["criterion", "force", "moment", "times the load", "where"]);
+        for load in loads {
+            let peak = PeakReport { value: 0.0, x: load.x, y: load.y, is_corner: load.is_corner };
+            let criterion = match load.criterion {
+                Criterion::VonMises => "von Mises",
+                Criterion::Tresca => "Tresca",
+            };
+            table.row(vec![
+                criterion.to_owned(),
+                report.shown(load.force, Dimension::FORCE_PER_LENGTH),
+                report.shown(load.moment, DisplayUnit::prefixed("N")),
+                significant(load.factor, 6),
+                place(&peak, &length),
+            ]);
+        }
+        text.push_str(&table.to_string());
+    }
+    if let Some(places) = places {
+        text.push('\n');
+        let names = COMPONENTS.iter().map(|(name, _)| *name);
+        let mut table = Table::new(&["x", "y"].into_iter().chain(names).collect::<Vec<_>>());
+        for ((x, y), at) in places.places().zip(&places.stresses) {
+            let values = COMPONENTS.iter().map(|(_, which)| stress(component(at, *which)));
+            table.row([length(x), length(y)].into_iter().chain(values).collect());
+        }
+        text.push_str(&table.to_string());
+    }
+    if !report.warnings.is_empty() {
+        text.push('\n');
+    }
+    for warning in &report.warnings {
+        let _ = writeln!(text, "warning: {warning}");
+    }
+    text
+}
+
+fn place(peak: &PeakReport, length: &dyn Fn(f64) -> String) -> String {
+    let x = length(peak.x);
+    if peak.is_corner {
+        return format!("at the edge x = {x}, as a limit");
+    }
+    if peak.y == 0.0 {
+        return format!("at x = {x} on the surface");
+    }
+    format!("at x = {x}, depth {}", length(peak.y))
+}
+
+/// One row for each place: `x,y`, then the components.
+///
+/// # Errors
+/// [`Failure::Usage`] should writing to memory fail.
+pub(crate) fn stress_csv(stresses: &Stresses) -> Result<String, Failure> {
+    let header: Vec<&str> =
+        ["x", "y"].into_iter().chain(COMPONENTS.iter().map(|(name, _)| *name)).collect();
+    let rows = stresses.places().zip(&stresses.stresses).map(|((x, y), stress)| {
+        let values = COMPONENTS.iter().map(|(_, which)| component(stress, *which));
+        [x, y].into_iter().chain(values).map(|value| value.to_string()).collect()
+    });
+    super::csv(&header, rows)
+}
+
+/// `x` and `y` of the grid, and each component with a row for each depth.
+///
+/// # Errors
+/// [`Failure::Usage`] should writing to memory fail.
+pub(crate) fn stress_npz(stresses: &Stresses) -> Result<Vec<u8>, Failure> {
+    let components: Vec<(&str, Vec<f64>)> =
+        COMPONENTS.iter().map(|(name, which)| (*name, stresses.values(*which))).collect();
+    let lengths = [stresses.y.len(), stresses.x.len()];
+    let shape = if stresses.is_grid { &lengths[..] } else { &lengths[..1] };
+    let mut arrays = vec![
+        Array { name: "x", shape: &lengths[1..], values: &stresses.x },
+        Array { name: "y", shape: &lengths[..1], values: &stresses.y },
+    ];
+    arrays.extend(components.iter().map(|(name, values)| Array { name, shape, values }));
+    npz(&arrays)
+}

@@ -1,0 +1,78 @@
+//! Times of unilateral contact on one thread: `cargo bench --workspace --bench unilateral`.
+
+#![allow(clippy::unwrap_used, reason = "a benchmark may fail by panicking")]
+#![allow(missing_docs, reason = "a benchmark has no readers")]
+
+use std::hint::black_box;
+use std::time::Instant;
+
+use shtaerman::{Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+
+fn main() {
+    println!("{:<58} {:>12}", "one thread, best of many", "milliseconds");
+    let force = Vertical::Force(1.0);
+    let centric = Rotational::Moment(0.0);
+    // Rough parabola with chi E*/a_H = 1: theta0 = 2 a/(pi a_H), f0 = 2 theta0 P0 (a/a_H)^2 xi^2, here with a = 4 a_H.
+    let theta0 = 8.0 / std::f64::consts::PI;
+    let parabola = format!("{}*xi^2", 32.0 * theta0);
+    let wedge = format!("{}*abs(xi)", 4.0 * theta0);
+    time("parabola, chi E*/a_H = 1", &expression(theta0, &parabola, centric));
+    let eccentric = Load::new(force, Rotational::Eccentricity(0.6)).unwrap();
+    time("flat punch, eccentricity 0.6, theta0 = 30", &problem(30.0, Profile::flat(), eccentric));
+    time("wedge, theta0 = 2.5", &expression(theta0, &wedge, centric));
+    let waves = format!("{}*(xi^2 + 0.2*cos(14*xi))", 2.0 * theta0);
+    time("waves, several zones, theta0 = 2.5", &expression(theta0, &waves, centric));
+    let load = Load::new(force, Rotational::Moment(0.2)).unwrap();
+    for theta0 in [1.0, 30.0, 1000.0] {
+        time(
+            &format!("measured profile, 10,000 points, theta0 = {theta0}"),
+            &problem(theta0, measured(theta0), load),
+        );
+    }
+}
+
+/// Best time of one call.
+fn time(name: &str, problem: &Problem) {
+    let (mut best, mut spent) = (f64::INFINITY, 0.0);
+    while spent < 1.0 {
+        let start = Instant::now();
+        black_box(problem.solve().unwrap());
+        let time = start.elapsed().as_secs_f64();
+        best = best.min(time);
+        spent += time;
+    }
+    let contact = problem.solve().unwrap();
+    let zones = contact.edges0().len();
+    println!(
+        "{name:<58} {:>12.3}   {zones} zones, {}, error {:.0e}",
+        best * 1e3,
+        contact.method().name,
+        contact.relative_error()
+    );
+}
+
+fn problem(theta0: f64, profile: Profile, load: Load) -> Problem {
+    Problem::new(Frame::dimensionless(theta0).unwrap(), profile, load, Solver::default()).unwrap()
+}
+
+fn expression(theta0: f64, profile: &str, rotational: Rotational) -> Problem {
+    let load = Load::new(Vertical::Force(1.0), rotational).unwrap();
+    problem(theta0, Profile::expression(profile).unwrap(), load)
+}
+
+/// A crowned base with waves whose amplitudes fall as their number to the power -3/2, and noise at each point.
+fn measured(theta0: f64) -> Profile {
+    const POINTS: i32 = 10_000;
+    let positions: Vec<f64> =
+        (0..POINTS).map(|i| 2.0 * f64::from(i) / f64::from(POINTS - 1) - 1.0).collect();
+    let height = |(i, x): (usize, &f64)| {
+        let waves: f64 = (1..=100)
+            .map(f64::from)
+            .map(|k| 0.5 * k.powf(-1.5) * (3.1 * k * x + k * k).sin())
+            .sum();
+        let noise = 0.005 * (1e4 * (i as f64).sin()).fract();
+        2.0 * (1.0 + theta0) * (0.3 * x * x + waves + noise)
+    };
+    let heights = positions.iter().enumerate().map(height).collect();
+    Profile::measured(positions, heights).unwrap()
+}

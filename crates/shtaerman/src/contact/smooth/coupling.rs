@@ -1,0 +1,226 @@
+//! What zones do to one another: the coupled modes.
+
+use std::f64::consts::{FRAC_PI_2, LN_2, PI};
+
+use super::kernel::SmoothKernel;
+use super::linear::Symmetric;
+use super::zones::Zone;
+use crate::Error;
+
+/// Most modes of a zone, and of all together.
+const MOST_OF_A_ZONE: f64 = 800.0;
+const MOST_MODES: usize = 4000;
+
+/// The coefficients `theta0 gamma_k` of three densities, zone by zone: their displacements are `1`, `xi - middle` and `f0`.
+pub(super) struct Coupled {
+    pub(super) level: Vec<Vec<f64>>,
+    pub(super) tilted: Vec<Vec<f64>>,
+    pub(super) profile: Vec<Vec<f64>>,
+}
+
+/// Number of modes for each zone: the field of what lies nearest is a series that falls as `rho^-k`, `rho` set by the distance.
+pub(super) fn modes(
+    kernel: SmoothKernel,
+    zones: &[Zone],
+    digits: f64,
+) -> Result<Vec<usize>, Error> {
+    let mut counts = Vec::with_capacity(zones.len());
+    let period = kernel.period();
+    for (j, zone) in zones.iter().enumerate() {
+        let before = match j {
+            0 => period.map(|period| zone.left() - (zones[zones.len() - 1].right() - period)),
+            _ => Some(zone.left() - zones[j - 1].right()),
+        };
+        let after = match zones.get(j + 1) {
+            None => period.map(|period| zones[0].left() + period - zone.right()),
+            Some(next) => Some(next.left() - zone.right()),
+        };
+        let gap = before.into_iter().chain(after).fold(f64::INFINITY, f64::min);
+        // The remainder of the periodic kernel ends two periods away.
+        let reach = period.map_or(f64::INFINITY, |period| 2.0 * period - 2.0);
+        let e = gap.min(reach) / (0.5 * zone.length());
+        let wanted = if e.is_infinite() {
+            2.0
+        } else {
+            (digits * std::f64::consts::LN_10 / (e + (e * (2.0 + e)).sqrt()).ln_1p()).ceil() + 3.0
+        };
+        if wanted.is_nan() || wanted > MOST_OF_A_ZONE {
+            return Err(unresolved(gap));
+        }
+        counts.push(wanted as usize);
+    }
+    if counts.iter().sum::<usize>() > MOST_MODES {
+        return Err(unresolved(0.0));
+    }
+    Ok(counts)
+}
+
+/// Zones too close, or too many.
+fn unresolved(gap: f64) -> Error {
+    let iterations = MOST_MODES;
+    Error::Equation(fredholm::Error::NotConverged { iterations, residual: gap, tolerance: 0.0 })
+}
+
+/// Solves for the three densities, about a middle; `heights` are the coefficients `f_k` of each zone.
+pub(super) fn couple(
+    kernel: SmoothKernel,
+    zones: &[Zone],
+    counts: &[usize],
+    middle: f64,
+    heights: &[Vec<f64>],
+) -> Result<Coupled, Error> {
+    let mut offsets = vec![0];
+    for count in counts {
+        offsets.push(offsets[offsets.len() - 1] + count);
+    }
+    let order = offsets[zones.len()];
+    let mut matrix = Symmetric::zero(order);
+    let nodes: Vec<Nodes> = zones.iter().zip(counts).map(|(z, n)| Nodes::new(*z, *n)).collect();
+    for j in 0..zones.len() {
+        matrix.add(offsets[j], offsets[j], LN_2 - nodes[j].half.ln());
+        for k in 1..counts[j] {
+            matrix.add(offsets[j] + k, offsets[j] + k, 1.0);
+        }
+        for i in j..zones.len() {
+            if i == j && kernel.period().is_none() {
+                continue;
+            }
+            let block = block(kernel, &nodes[j], &nodes[i], i == j)?;
+            for m in 0..counts[j] {
+                let first = if i == j { m } else { 0 };
+                for n in first..counts[i] {
+                    let value = scale(m) * norm(m) * block[m * counts[i] + n] * scale(n);
+                    matrix.add(offsets[j] + m, offsets[i] + n, value);
+                }
+            }
+        }
+    }
+    let mut rights = vec![vec![0.0; order]; 3];
+    for j in 0..zones.len() {
+        let row = offsets[j];
+        rights[0][row] = scale(0) * PI;
+        rights[1][row] = scale(0) * PI * (nodes[j].centre - middle);
+        rights[1][row + 1] = scale(1) * FRAC_PI_2 * nodes[j].half;
+        for (k, f) in heights[j].iter().enumerate() {
+            rights[2][row + k] = scale(k) * norm(k) * f;
+        }
+    }
+    let singular = fredholm::Error::Singular { parameter: 0.0, smallest: 0.0 };
+    let mut found = matrix.solve(rights).ok_or(Error::Equation(singular))?.into_iter();
+    let mut split = || -> Vec<Vec<f64>> {
+        let all = found.next().unwrap_or_default();
+        offsets
+            .windows(2)
+            .map(|w| all[w[0]..w[1]].iter().enumerate().map(|(k, z)| z * scale(k)).collect())
+            .collect()
+    };
+    Ok(Coupled { level: split(), tilted: split(), profile: split() })
+}
+
+/// `int cos^2(k phi) dphi` over a half turn.
+fn norm(k: usize) -> f64 {
+    if k == 0 { PI } else { FRAC_PI_2 }
+}
+
+/// With this scale of the modes the diagonal is 1.
+fn scale(k: usize) -> f64 {
+    if k == 0 { 1.0 / PI } else { (2.0 * k as f64).sqrt() / PI }
+}
+
+/// The Chebyshev nodes of a zone.
+struct Nodes {
+    zone: Zone,
+    centre: f64,
+    half: f64,
+    angles: Vec<f64>,
+    /// `cos(k phi_q)`, node by node.
+    cosines: Vec<f64>,
+}
+
+impl Nodes {
+    fn new(zone: Zone, count: usize) -> Self {
+        let (centre, half) = (0.5 * (zone.left() + zone.right()), 0.5 * zone.length());
+        let turn = |q: usize| PI * (q as f64 + 0.5) / count as f64;
+        let angles: Vec<f64> = (0..count).map(turn).collect();
+        let cosines =
+            angles.iter().flat_map(|a| (0..count).map(move |k| (k as f64 * a).cos())).collect();
+        Self { zone, centre, half, angles, cosines }
+    }
+
+    fn count(&self) -> usize {
+        self.angles.len()
+    }
+}
+
+/// Coefficients on the target of the displacement by each mode of the source, but for its own logarithm.
+fn block(
+    kernel: SmoothKernel,
+    target: &Nodes,
+    source: &Nodes,
+    is_own: bool,
+) -> Result<Vec<f64>, Error> {
+    let (rows, columns) = (target.count(), source.count());
+    let mut values = vec![0.0; rows * columns];
+    for image in kernel.images() {
+        if is_own && *image == 0.0 {
+            continue;
+        }
+        let shift = image * kernel.period().unwrap_or(0.0);
+        add_image(&mut values, target, source, shift)?;
+    }
+    if kernel.period().is_some() {
+        add_remainder(&mut values, kernel, target, source);
+    }
+    let mut block = vec![0.0; rows * columns];
+    for q in 0..rows {
+        for m in 0..rows {
+            let weight = target.cosines[q * rows + m] / (rows as f64 * norm(m) / PI);
+            let row = &mut block[m * columns..(m + 1) * columns];
+            row.iter_mut().zip(&values[q * columns..]).for_each(|(b, v)| *b += weight * v);
+        }
+    }
+    Ok(block)
+}
+
+/// The logarithm of a source that is moved by a shift.
+fn add_image(values: &mut [f64], target: &Nodes, source: &Nodes, shift: f64) -> Result<(), Error> {
+    let columns = source.count();
+    let is_right = target.centre > source.centre + shift;
+    let gap = if is_right {
+        target.zone.left() - (source.zone.right() + shift)
+    } else {
+        source.zone.left() + shift - target.zone.right()
+    };
+    if gap.is_nan() || gap <= 0.0 {
+        return Err(unresolved(gap));
+    }
+    for (q, angle) in target.angles.iter().enumerate() {
+        let (sine, cosine) = (0.5 * angle).sin_cos();
+        let inside = if is_right { cosine * cosine } else { sine * sine };
+        let e = (gap + target.zone.length() * inside) / source.half;
+        let excess = e + (e * (2.0 + e)).sqrt();
+        let ratio = if is_right { 1.0 } else { -1.0 } / (1.0 + excess);
+        let row = &mut values[q * columns..(q + 1) * columns];
+        row[0] += PI * (LN_2 - source.half.ln() - excess.ln_1p());
+        let mut power = 1.0;
+        for (n, value) in row.iter_mut().enumerate().skip(1) {
+            power *= ratio;
+            *value += PI / n as f64 * power;
+        }
+    }
+    Ok(())
+}
+
+fn add_remainder(values: &mut [f64], kernel: SmoothKernel, target: &Nodes, source: &Nodes) {
+    let columns = source.count();
+    for (q, angle) in target.angles.iter().enumerate() {
+        let x = target.centre + target.half * angle.cos();
+        let row = &mut values[q * columns..(q + 1) * columns];
+        for (r, other) in source.angles.iter().enumerate() {
+            let s = source.centre + source.half * other.cos();
+            let weight = PI / columns as f64 * kernel.remainder(x - s);
+            let cosines = &source.cosines[r * columns..(r + 1) * columns];
+            row.iter_mut().zip(cosines).for_each(|(v, c)| *v += weight * c);
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! The smooth limit: contact without a layer, plane, of a pair of punches, or periodic.
+//!
+//! `theta0 int K(xi - eta) p0(eta) deta = delta0 - alpha0 xi - f0(xi)` on the zones. The pressure is singular at the walls of the base,
+//! `p0 = K/sqrt(2 pi d)` at a distance `d`, and vanishes as `sqrt(d)` at free edges.
+//!
+//! On given zones the [system] is solved by the spectral relation of the logarithm; in unilateral contact the [topology] is found on cells, the
+//! free [edges] by Newton's method, and the [check] between nodes corrects the topology. A base that repeats without gaps has its own
+//! [answer](wave) in full contact.
+
+mod answer;
+mod balance;
+mod check;
+mod coupling;
+mod edges;
+mod kernel;
+mod legendre;
+mod linear;
+mod problem;
+mod slopes;
+mod stated;
+mod system;
+mod topology;
+mod wave;
+mod zones;
+
+pub use answer::{SmoothContact, SmoothZone};
+pub use kernel::SmoothKernel;
+pub use problem::{Curve, SmoothProblem, SmoothProfile};
+
+use crate::Error;
+use check::check;
+use problem::Base;
+use zones::{Zone, corrected};
+
+/// Digits to which modes are kept while zones are looked for, for the estimate of the error, and in the answer.
+const COARSE: f64 = 9.0;
+const COMPARED: f64 = 12.0;
+const FINE: f64 = 17.0;
+/// Tension and penetration, relative to their scales, that are corrected at first, and in the answer.
+const COARSELY_ALLOWED: f64 = 1e-6;
+const ALLOWED: f64 = 2e-10;
+/// Corrections of the topology by the check, for each number of cells.
+const CORRECTIONS: usize = 16;
+/// Numbers of cells, each four times the one before.
+const TOPOLOGIES: usize = 3;
+
+impl SmoothProblem {
+    /// Solves the equation, and in unilateral contact finds the zones.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive in unilateral contact, a step inside a base in bilateral
+    /// contact, and for a base that repeats without gaps anything but `tilt = 0`; [`Error::TipsOver`], [`Error::NoContact`];
+    /// [`Error::NotComplementary`] when no zones were found; [`Error::Equation`] where zones come too close to one another, or are too
+    /// many, for the modes that can be kept.
+    pub fn solve(&self) -> Result<SmoothContact, Error> {
+        if self.is_wave() {
+            return wave::solve(&Base::new(self)?);
+        }
+        solve_zones(self)
+    }
+}
+
+fn solve_zones(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
+    let base = Base::new(problem)?;
+    if problem.is_unilateral {
+        return complementary(&base);
+    }
+    let solved = system::Solved::new(&base, &base.pieces(), FINE)?;
+    let left = check(&base, &solved, ALLOWED);
+    SmoothContact::new(&base, solved, &left)
+}
+
+/// The answer, with its zones corrected where all modes show what few did not.
+fn complementary(base: &Base<'_>) -> Result<SmoothContact, Error> {
+    let mut zones = find_zones(base)?;
+    let mut last = [f64::NAN; 2];
+    for _ in 0..CORRECTIONS {
+        let solved = edges::settle(base, &zones, FINE)?;
+        let left = check(base, &solved, ALLOWED);
+        if left.pulling.is_empty() && left.penetrating.is_empty() {
+            return SmoothContact::new(base, solved, &left);
+        }
+        last = [left.tension, left.penetration];
+        zones = amended(base, &solved, &left);
+        if zones.is_empty() {
+            break;
+        }
+    }
+    Err(Error::NotComplementary { tension: last[0], penetration: last[1] })
+}
+
+/// The zones with few modes.
+fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
+    let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
+    for power in 0..TOPOLOGIES {
+        let mut zones: Vec<Zone> =
+            match topology::find(base, base.cells() * 4usize.pow(power as u32)) {
+                Ok(intervals) => {
+                    intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
+                }
+                Err(error) => {
+                    last = error;
+                    continue;
+                }
+            };
+        for _ in 0..CORRECTIONS {
+            if zones.is_empty() {
+                break;
+            }
+            let solved = match edges::settle(base, &zones, COARSE) {
+                Ok(solved) => solved,
+                Err(error) => {
+                    last = error;
+                    break;
+                }
+            };
+            let left = check(base, &solved, COARSELY_ALLOWED);
+            if left.pulling.is_empty() && left.penetrating.is_empty() {
+                return Ok(solved.parts.iter().map(|part| part.zone).collect());
+            }
+            let (tension, penetration) = (left.tension, left.penetration);
+            last = Error::NotComplementary { tension, penetration };
+            zones = amended(base, &solved, &left);
+        }
+    }
+    Err(last)
+}
+
+/// The zones without tension and with what penetrates.
+fn amended(base: &Base<'_>, solved: &system::Solved, left: &check::Check) -> Vec<Zone> {
+    let zones: Vec<Zone> = solved.parts.iter().map(|part| part.zone).collect();
+    let intervals = corrected(&zones, &left.pulling, &left.penetrating);
+    intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
+}

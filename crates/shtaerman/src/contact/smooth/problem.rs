@@ -1,0 +1,238 @@
+//! What is to be solved, and what is worth knowing about the base.
+
+use std::fmt;
+use std::sync::Arc;
+
+use super::kernel::SmoothKernel;
+use super::zones::Zone;
+use crate::error::require;
+use crate::{Error, Load, Rotational, Vertical};
+
+/// Samples that show the ups and downs of a profile.
+const SAMPLES: usize = 2048;
+/// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a jump.
+const BESIDE: f64 = 1e-9;
+const JUMP: f64 = 1e-6;
+
+/// A function of `xi`.
+pub type Curve = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
+
+/// The base of a smooth punch, `f0(xi)`.
+#[derive(Clone)]
+pub struct SmoothProfile {
+    /// `f0`.
+    pub height: Curve,
+    /// `df0/dxi`; without it the slope is that of polynomials through heights, which loses digits where the base is steep and
+    /// the zones are short.
+    pub slope: Option<Curve>,
+    /// Where the profile has kinks or jumps, increasing.
+    pub breaks: Vec<f64>,
+    /// Relative accuracy to which the slope is resolved; 0 for the best, about `1e-10` for measured points.
+    pub tolerance: f64,
+}
+
+impl fmt::Debug for SmoothProfile {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { breaks, tolerance, .. } = self;
+        formatter
+            .debug_struct("SmoothProfile")
+            .field("breaks", breaks)
+            .field("tolerance", tolerance)
+            .finish_non_exhaustive()
+    }
+}
+
+/// Contact without a layer, an equation of the first kind on the zones,
+///
+/// `theta0 int K(xi - eta) p0(eta) deta = delta0 - alpha0 xi - f0(xi)`.
+#[derive(Debug, Clone)]
+pub struct SmoothProblem {
+    /// The pieces of the base from left to right, in `[-1, 1]`.
+    pub pieces: Vec<[f64; 2]>,
+    /// `K`.
+    pub kernel: SmoothKernel,
+    /// `theta0 > 0`.
+    pub theta0: f64,
+    /// What is prescribed, without dimensions.
+    pub load: Load,
+    /// `f0`.
+    pub profile: SmoothProfile,
+    /// Whether the zones are part of the answer, with the pressure nowhere negative.
+    pub is_unilateral: bool,
+}
+
+impl SmoothProblem {
+    /// Whether the base is a wave without edges.
+    pub(super) fn is_wave(&self) -> bool {
+        self.kernel.period().is_some_and(|period| period <= 2.0)
+    }
+
+    pub(super) fn check(&self) -> Result<(), Error> {
+        let Self { pieces, kernel, theta0, load, .. } = self;
+        require(theta0.is_finite() && *theta0 > 0.0, "theta0", *theta0, "finite and positive")?;
+        Load::new(load.vertical, load.rotational)?;
+        let mut from = -1.0;
+        for &[left, right] in pieces {
+            require(left >= from && left < right, "piece", left, "right of the one before")?;
+            from = right;
+        }
+        require(!pieces.is_empty() && from <= 1.0, "piece", from, "within the base")?;
+        if let Some(period) = kernel.period() {
+            require(period >= 2.0 && period.is_finite(), "period", period, "at least 2 a")?;
+        }
+        for &[left, right] in pieces {
+            for i in 0..=SAMPLES {
+                let xi = left + (right - left) * i as f64 / SAMPLES as f64;
+                let height = (self.profile.height)(xi);
+                require(height.is_finite(), "profile", xi, "such that the height is finite")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A problem with its walls and samples.
+pub(super) struct Base<'p> {
+    pub(super) problem: &'p SmoothProblem,
+    /// Where a left or a right edge of the contact can rest under pressure.
+    walls: [Vec<f64>; 2],
+    /// Samples `(xi, f0)` of each piece.
+    pub(super) samples: Vec<Vec<(f64, f64)>>,
+}
+
+impl<'p> Base<'p> {
+    pub(super) fn new(problem: &'p SmoothProblem) -> Result<Self, Error> {
+        problem.check()?;
+        let samples = (problem.pieces.iter())
+            .map(|&[left, right]| {
+                let place = |i: usize| left + (right - left) * i as f64 / SAMPLES as f64;
+                (0..=SAMPLES).map(|i| (place(i), (problem.profile.height)(place(i)))).collect()
+            })
+            .collect();
+        let ends = |side: usize| problem.pieces.iter().map(|piece| piece[side]).collect();
+        let mut base = Self { problem, walls: [ends(0), ends(1)], samples };
+        base.find_steps()?;
+        if problem.is_unilateral {
+            base.require_load()?;
+        }
+        Ok(base)
+    }
+
+    /// `f0(xi)`.
+    pub(super) fn height(&self, xi: f64) -> f64 {
+        (self.problem.profile.height)(xi)
+    }
+
+    /// The next wall for a left (0) or right (1) edge outwards of a place inside the contact.
+    pub(super) fn wall(&self, side: usize, inside: f64) -> f64 {
+        let walls = self.walls[side].iter().copied();
+        if side == 0 {
+            walls.filter(|wall| *wall <= inside).fold(-1.0, f64::max)
+        } else {
+            walls.filter(|wall| *wall >= inside).fold(1.0, f64::min)
+        }
+    }
+
+    /// A zone whose ends are free unless they are walls, or beyond them.
+    pub(super) fn zone(&self, left: f64, right: f64) -> Zone {
+        let inside = 0.5 * (left + right);
+        let (first, last) = (self.wall(0, inside), self.wall(1, inside));
+        Zone::new([left.max(first), right.min(last)], [left > first, right < last])
+    }
+
+    /// The zones of bilateral contact.
+    pub(super) fn pieces(&self) -> Vec<Zone> {
+        let pieces = self.problem.pieces.iter();
+        pieces.map(|&[left, right]| Zone::new([left, right], [false; 2])).collect()
+    }
+
+    fn all_samples(&self) -> impl Iterator<Item = &(f64, f64)> {
+        self.samples.iter().flatten()
+    }
+
+    /// Difference of the largest and the smallest height.
+    pub(super) fn range(&self) -> f64 {
+        let heights = || self.all_samples().map(|sample| sample.1);
+        heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Number of cells that show every valley of the profile.
+    pub(super) fn cells(&self) -> usize {
+        const FEWEST: usize = 48;
+        const MOST: usize = 768;
+        const A_VALLEY: usize = 12;
+        let is_valley = |w: &&[(f64, f64)]| w[1].1 <= w[0].1 && w[1].1 < w[2].1;
+        let valleys: usize =
+            self.samples.iter().map(|piece| piece.windows(3).filter(is_valley).count()).sum();
+        (A_VALLEY * (valleys + 1)).clamp(FEWEST, MOST)
+    }
+
+    fn find_steps(&mut self) -> Result<(), Error> {
+        let threshold = JUMP * self.range();
+        for &place in &self.problem.profile.breaks {
+            let inside =
+                |[left, right]: &[f64; 2]| *left < place - BESIDE && place + BESIDE < *right;
+            if !self.problem.pieces.iter().any(inside) {
+                continue;
+            }
+            let rise = self.height(place + BESIDE) - self.height(place - BESIDE);
+            let is_step = rise.abs() > threshold;
+            let requirement = "without a step inside the base: bilateral contact of smooth bodies has no pressure across one";
+            require(self.problem.is_unilateral || !is_step, "profile", place, requirement)?;
+            if is_step {
+                self.walls[usize::from(rise > 0.0)].push(place);
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses what no contact can balance.
+    fn require_load(&self) -> Result<(), Error> {
+        let Load { vertical, rotational } = self.problem.load;
+        if let Vertical::Force(force) = vertical {
+            let requirement = "greater than zero in unilateral contact: a pull lifts the punch off";
+            require(force > 0.0, "force", force, requirement)?;
+            if let Rotational::Moment(moment) = rotational
+                && moment.abs() >= force
+            {
+                let field = "moment";
+                return Err(Error::TipsOver { field, value: moment, limit: force, name: "P a" });
+            }
+        }
+        match rotational {
+            Rotational::Eccentricity(e) if e.abs() >= 1.0 => {
+                Err(Error::TipsOver { field: "eccentricity", value: e, limit: 1.0, name: "a" })
+            }
+            _ if self.touches_nowhere() => Err(Error::NoContact),
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether the prescribed displacements leave the base clear of the body.
+    fn touches_nowhere(&self) -> bool {
+        let Load { vertical: Vertical::Settlement(settlement), rotational } = self.problem.load
+        else {
+            return false;
+        };
+        match rotational {
+            Rotational::Tilt(tilt) => {
+                self.all_samples().all(|(xi, height)| settlement - tilt * xi <= *height)
+            }
+            Rotational::Moment(moment) if moment != 0.0 => false,
+            Rotational::Moment(_) | Rotational::Eccentricity(_) => {
+                // Without contact there is no moment: is there a tilt that keeps clear?
+                let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
+                for &(xi, height) in self.all_samples() {
+                    if xi > 0.0 {
+                        least = least.max((settlement - height) / xi);
+                    } else if xi < 0.0 {
+                        most = most.min((height - settlement) / -xi);
+                    } else if settlement > height {
+                        return false;
+                    }
+                }
+                least <= most
+            }
+        }
+    }
+}

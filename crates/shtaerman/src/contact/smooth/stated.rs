@@ -1,0 +1,166 @@
+//! A stated problem with a smooth surface, and its answer as a solution like any other.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use super::{Curve, SmoothContact, SmoothKernel, SmoothProblem, SmoothProfile};
+use crate::contact::accuracy::Accuracy;
+use crate::contact::balance::State;
+use crate::contact::solution::Solution;
+use crate::contact::solved::{Method, Stiffness};
+use crate::contact::unilateral::Complementarity;
+use crate::{ContactKind, Error, Geometry, Problem, Rotational, Scaling, Vertical};
+
+/// To this share the slope of a measured profile is resolved: the third derivative of its spline jumps at every point.
+const MEASURED: f64 = 1e-10;
+/// Places of a zone, and of an interval beside it, that show extremes.
+const PLACES: usize = 64;
+const MOST_PLACES: usize = 1024;
+
+impl Problem {
+    /// Solves the equation of the first kind of a smooth surface, plane, under a pair or periodic.
+    ///
+    /// # Errors
+    /// Those of [`SmoothProblem::solve`], with values in the units of the problem.
+    pub(crate) fn solve_smooth(&self) -> Result<SmoothContact, Error> {
+        self.smooth().solve().map_err(|error| self.in_units(error))
+    }
+
+    /// The problem without dimensions.
+    fn smooth(&self) -> SmoothProblem {
+        let frame = self.frame();
+        let half_width = frame.half_width();
+        let kernel = match frame.geometry().scaled(half_width) {
+            Geometry::Periodic { period } => SmoothKernel::Periodic { period },
+            _ => SmoothKernel::Plane,
+        };
+        let problem = Arc::new(self.clone());
+        let height = {
+            let problem = Arc::clone(&problem);
+            Arc::new(move |xi| problem.dimensionless_profile(xi))
+        };
+        let scale = frame.scaling().map_or(1.0, Scaling::displacement);
+        let slope: Option<Curve> = self.profile().slope(0.0, half_width).map(|_| {
+            let slope = move |xi| problem.profile().slope(xi, half_width).unwrap_or(f64::NAN);
+            Arc::new(move |xi| slope(xi) / scale) as Curve
+        });
+        let measured = self.profile().measured_points().is_some();
+        let tolerance = if measured { MEASURED } else { 0.0 };
+        let breaks = self.profile().breakpoints(half_width);
+        let mut load = self.dimensionless_load();
+        let is_wave = matches!(kernel, SmoothKernel::Periodic { period } if period <= 2.0);
+        if is_wave && matches!(load.rotational, Rotational::Moment(m) if m == 0.0) {
+            // A wave cannot tilt: that no moment is asked for means that none is applied.
+            load.rotational = Rotational::Tilt(0.0);
+        }
+        SmoothProblem {
+            pieces: frame.pieces(),
+            kernel,
+            theta0: frame.theta0(),
+            load,
+            profile: SmoothProfile { height, slope, breaks, tolerance },
+            is_unilateral: self.solver().contact == ContactKind::Unilateral,
+        }
+    }
+
+    /// An error with its value as the problem states it.
+    fn in_units(&self, error: Error) -> Error {
+        let load = self.load();
+        let half_width = self.frame().half_width();
+        match (error, load.vertical, load.rotational) {
+            (
+                Error::InvalidValue { field: "force", requirement, .. },
+                Vertical::Force(value),
+                _,
+            ) => Error::InvalidValue { field: "force", value, requirement },
+            (
+                Error::InvalidValue { field: "settlement", requirement, .. },
+                Vertical::Settlement(value),
+                _,
+            ) => Error::InvalidValue { field: "settlement", value, requirement },
+            (
+                Error::TipsOver { field, name, .. },
+                Vertical::Force(force),
+                Rotational::Moment(value),
+            ) => Error::TipsOver { field, value, limit: half_width * force, name },
+            (Error::TipsOver { field, name, .. }, _, Rotational::Eccentricity(value)) => {
+                Error::TipsOver { field, value, limit: half_width, name }
+            }
+            (error, _, _) => error,
+        }
+    }
+}
+
+impl Solution for SmoothContact {
+    fn state(&self) -> State {
+        State {
+            settlement: self.settlement0(),
+            tilt: self.tilt0(),
+            force: self.force0(),
+            moment: self.moment0(),
+        }
+    }
+
+    fn stiffness(&self) -> Stiffness {
+        self.stiffness0()
+    }
+
+    fn zones(&self) -> Vec<[f64; 2]> {
+        SmoothContact::zones(self).iter().map(|zone| zone.ends).collect()
+    }
+
+    fn touches(&self, xi: f64) -> bool {
+        self.is_contact(xi)
+    }
+
+    fn pressure(&self, _: &Problem, xi: f64) -> f64 {
+        self.pressure0(xi)
+    }
+
+    fn displacement(&self, xi: f64) -> f64 {
+        self.elastic_displacement0(xi)
+    }
+
+    fn sample(&self, _: &Problem) -> (Vec<f64>, Vec<f64>) {
+        let zones = SmoothContact::zones(self);
+        let mut places = vec![-1.0, 1.0];
+        let count = (MOST_PLACES / zones.len().max(1)).clamp(8, 2 * PLACES);
+        for [left, right] in zones.iter().map(|zone| zone.ends) {
+            places.extend((0..=count).map(|i| {
+                let half = (0.5 * PI * i as f64 / count as f64).sin();
+                let xi = left + (right - left) * half * half;
+                if xi < -1.0 { xi + 2.0 } else { xi }
+            }));
+        }
+        places.retain(|xi| xi.abs() <= 1.0 && self.pressure0(*xi).is_finite());
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let pressures = places.iter().map(|&xi| self.pressure0(xi)).collect();
+        (places, pressures)
+    }
+
+    fn method(&self) -> Method {
+        Method { name: "first_kind", n: self.modes() }
+    }
+
+    fn accuracy(&self) -> Option<&Accuracy> {
+        Some(SmoothContact::accuracy(self))
+    }
+
+    fn edge_error(&self) -> Option<f64> {
+        let is_free = SmoothContact::zones(self).iter().any(|zone| zone.is_free.contains(&true));
+        is_free.then(|| self.edge_error0())
+    }
+
+    fn complementarity(&self) -> Option<Complementarity> {
+        self.problem().is_unilateral.then(|| SmoothContact::complementarity(self))
+    }
+
+    fn relative_error(&self) -> f64 {
+        SmoothContact::relative_error(self)
+    }
+
+    fn size(&self) -> f64 {
+        self.largest_inside0()
+    }
+}

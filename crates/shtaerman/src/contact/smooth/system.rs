@@ -1,0 +1,320 @@
+//! The pressure on given zones.
+//!
+//! On a zone `xi = c + b cos phi` the pressure is `p0 = G(phi)/(theta0 b sin phi)`, `G = sum gamma_k cos(k phi)`, and the spectral relation gives its
+//! own displacement `pi gamma_0 ln(2/b) + sum (pi/k) gamma_k cos(k phi)`; beyond the zone, with `|xi - c|/b = (w + 1/w)/2`,
+//! `pi gamma_0 ln(2/(b w)) + sum (pi/k) gamma_k (+-1/w)^k`. What comes from elsewhere is smooth on a zone, so a few modes are coupled
+//! to those of the others; all higher ones answer to the profile alone, `gamma_k = -k f_k/pi`, and are kept as the conjugate `F` of its [slopes](super::slopes):
+//!
+//! `G(phi) = -F(phi)/pi + sum s_k cos(k phi)`.
+
+use std::f64::consts::{FRAC_PI_2, LN_2, PI};
+use std::sync::Arc;
+
+use super::balance::Centred;
+use super::coupling::{Coupled, couple, modes};
+use super::kernel::SmoothKernel;
+use super::problem::Base;
+use super::slopes::{Angular, Slopes};
+use super::zones::Zone;
+use crate::contact::balance::State;
+use crate::contact::solved::Stiffness;
+use crate::{Error, Load, Rotational, Vertical};
+
+/// A place by its distances from the ends of a zone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Place {
+    pub(super) from_left: f64,
+    pub(super) from_right: f64,
+}
+
+impl Place {
+    /// `phi`, which counts from the right end.
+    pub(super) fn angle(&self) -> f64 {
+        let length = self.from_left + self.from_right;
+        if self.from_right < self.from_left {
+            2.0 * (self.from_right / length).sqrt().asin()
+        } else {
+            PI - 2.0 * (self.from_left / length).sqrt().asin()
+        }
+    }
+}
+
+/// A zone with its pressure.
+#[derive(Debug, Clone)]
+pub(super) struct Part {
+    pub(super) zone: Zone,
+    pub(super) slopes: Arc<Slopes>,
+    /// `s_k`.
+    smooth: Vec<f64>,
+    /// `gamma_k` of the modes that are coupled.
+    modes: Vec<f64>,
+}
+
+impl Part {
+    pub(super) fn centre(&self) -> f64 {
+        0.5 * (self.zone.left() + self.zone.right())
+    }
+
+    pub(super) fn half(&self) -> f64 {
+        0.5 * self.zone.length()
+    }
+
+    /// The part of `G` that few modes make.
+    pub(super) fn smooth_at(&self, angle: f64) -> f64 {
+        cosines(&self.smooth, angle)
+    }
+
+    /// `G(phi)`.
+    pub(super) fn density(&self, angle: f64) -> f64 {
+        self.smooth_at(angle) - self.slopes.conjugate(angle) / PI
+    }
+
+    pub(super) fn place(&self, xi: f64) -> Place {
+        Place {
+            from_left: (xi - self.zone.left()).max(0.0),
+            from_right: (self.zone.right() - xi).max(0.0),
+        }
+    }
+
+    /// `theta0` times the force of the zone.
+    pub(super) fn force(&self) -> f64 {
+        PI * self.modes[0]
+    }
+
+    /// The displacement beyond the zone, by `int ln(1/|xi - eta|)`.
+    fn beyond(&self, xi: f64) -> f64 {
+        let right = xi > self.centre();
+        let distance = if right { xi - self.zone.right() } else { self.zone.left() - xi };
+        let e = distance.max(0.0) / self.half();
+        let excess = e + (e * (2.0 + e)).sqrt();
+        let side = if right { 1.0 } else { -1.0 };
+        let ratio = side / (1.0 + excess);
+        let mut power = 1.0;
+        let mut sum = PI * self.smooth[0] * (LN_2 - self.half().ln() - excess.ln_1p());
+        for (k, s) in self.smooth.iter().enumerate().skip(1) {
+            power *= ratio;
+            sum += PI / k as f64 * s * power;
+        }
+        sum - self.slopes.outside(excess, side)
+    }
+
+    /// The displacement by the remainder of the kernel.
+    fn remainder(&self, kernel: SmoothKernel, xi: f64) -> f64 {
+        if kernel.period().is_none() {
+            return 0.0;
+        }
+        let count = self.modes.len();
+        let terms = (0..count).map(|r| {
+            let angle = PI * (r as f64 + 0.5) / count as f64;
+            let source = self.centre() + self.half() * angle.cos();
+            cosines(&self.modes, angle) * kernel.remainder(xi - source)
+        });
+        PI / count as f64 * terms.sum::<f64>()
+    }
+}
+
+/// `sum c_k cos(k phi)`.
+fn cosines(coefficients: &[f64], angle: f64) -> f64 {
+    let cosine = angle.cos();
+    let (mut next, mut after) = (0.0, 0.0);
+    for c in coefficients.iter().skip(1).rev() {
+        (next, after) = (c + 2.0 * cosine * next - after, next);
+    }
+    coefficients[0] + cosine * next - after
+}
+
+/// The profile on a zone as function of the angle.
+struct OnZone<'b, 'p> {
+    base: &'b Base<'p>,
+    zone: Zone,
+    /// A slope that is taken away, as it is large where the punch rolls onto a flank.
+    mean: f64,
+}
+
+impl OnZone<'_, '_> {
+    fn mean_slope(&self) -> f64 {
+        let at = |angle: f64| self.position(angle);
+        let mean = match &self.base.problem.profile.slope {
+            Some(slope) => slope(at(FRAC_PI_2)),
+            None => (self.base.height(at(0.0)) - self.base.height(at(PI))) / self.zone.length(),
+        };
+        if mean.is_finite() { mean } else { 0.0 }
+    }
+
+    fn position(&self, angle: f64) -> f64 {
+        let (sine, cosine) = (0.5 * angle).sin_cos();
+        let xi = if angle < FRAC_PI_2 {
+            self.zone.right() - self.zone.length() * sine * sine
+        } else {
+            self.zone.left() + self.zone.length() * cosine * cosine
+        };
+        // At a step the height is that of this side.
+        xi.clamp(self.zone.left().next_up(), self.zone.right().next_down())
+    }
+}
+
+impl Angular for OnZone<'_, '_> {
+    fn height(&self, angle: f64) -> f64 {
+        let level = self.mean * 0.5 * self.zone.length() * angle.cos();
+        self.base.height(self.position(angle)) - level
+    }
+
+    fn slope(&self, angle: f64) -> Option<f64> {
+        let slope = self.base.problem.profile.slope.as_ref()?;
+        Some((self.mean - slope(self.position(angle))) * 0.5 * self.zone.length() * angle.sin())
+    }
+}
+
+/// The pressure on zones under the load; at free ends it need not vanish yet.
+#[derive(Debug, Clone)]
+pub(super) struct Solved {
+    pub(super) parts: Vec<Part>,
+    pub(super) kernel: SmoothKernel,
+    pub(super) theta0: f64,
+    pub(super) state: State,
+    pub(super) stiffness: Stiffness,
+}
+
+impl Solved {
+    /// Solves on zones from left to right, with modes for so many `digits`.
+    pub(super) fn new(base: &Base<'_>, zones: &[Zone], digits: f64) -> Result<Self, Error> {
+        if zones.is_empty()
+            || zones.iter().any(|zone| zone.length().is_nan() || zone.length() <= 0.0)
+        {
+            return Err(Error::NoContact);
+        }
+        let kernel = base.problem.kernel;
+        let counts = modes(kernel, zones, digits)?;
+        let resolved: Vec<(Slopes, f64)> = zones.iter().map(|zone| resolved(base, *zone)).collect();
+        let slopes: Vec<Vec<f64>> = (resolved.iter().zip(&counts))
+            .map(|((slopes, _), count)| slopes.coefficients(count - 1))
+            .collect();
+        // About the line of one of them: what is common to all changes settlement and tilt only.
+        let centre = |zone: &Zone| 0.5 * (zone.left() + zone.right());
+        let lean = resolved[0].1;
+        let reference = slopes[0][0];
+        let middle = 0.5 * (zones[0].left() + zones[zones.len() - 1].right());
+        let mut heights = slopes.clone();
+        for ((heights, zone), (_, mean)) in heights.iter_mut().zip(zones).zip(&resolved) {
+            heights[0] -= reference + lean * (centre(zone) - centre(&zones[0]));
+            heights[1] += (mean - lean) * 0.5 * zone.length();
+        }
+        let Coupled { level, tilted, profile } = couple(kernel, zones, &counts, middle, &heights)?;
+        let theta0 = base.problem.theta0;
+        let carried = |modes: &[Vec<f64>]| carried(zones, middle, modes).map(|part| part / theta0);
+        let [force, coupling] = carried(&level);
+        let [_, turn] = carried(&tilted);
+        let stiffness = Stiffness { force_settlement: force, coupling, moment_tilt: turn };
+        let balance = Centred { centre: middle, stiffness, free: carried(&profile) };
+        // The line of the reference, reference + lean (xi - c).
+        let load = base.problem.load;
+        let start = reference - lean * centre(&zones[0]);
+        let [depth, tilt] = balance.depth_and_tilt(&beside_line(load, start, lean));
+        let lifted = start + lean * middle;
+        let state = balance.state_of(&load, [depth, tilt], [lifted, lean]);
+        if !(depth.is_finite() && tilt.is_finite()) {
+            let (parameter, smallest) = (theta0, 0.0);
+            return Err(Error::Equation(fredholm::Error::Singular { parameter, smallest }));
+        }
+        let parts = (resolved.into_iter().enumerate())
+            .map(|(j, (resolved, _))| {
+                let own = |k: usize| depth * level[j][k] - tilt * tilted[j][k];
+                let bent = |k: usize| k as f64 * slopes[j][k] / PI;
+                let modes = (0..counts[j]).map(|k| own(k) - profile[j][k]).collect();
+                let smooth = (0..counts[j]).map(|k| own(k) - (profile[j][k] - bent(k))).collect();
+                Part { zone: zones[j], slopes: Arc::new(resolved), smooth, modes }
+            })
+            .collect();
+        let stiffness = balance.about_base();
+        Ok(Self { parts, kernel, theta0, state, stiffness })
+    }
+
+    /// `p0` at a place of a zone; infinite at a singular end.
+    pub(super) fn pressure(&self, part: usize, place: Place) -> f64 {
+        let density = self.parts[part].density(place.angle());
+        let root = (place.from_left * place.from_right).sqrt();
+        if root == 0.0 {
+            let side = usize::from(place.from_right == 0.0);
+            let is_free = self.parts[part].zone.is_free[side];
+            return if is_free || density == 0.0 { 0.0 } else { density * f64::INFINITY };
+        }
+        density / (self.theta0 * root)
+    }
+
+    /// `G` at the left (0) or right (1) end of a zone.
+    pub(super) fn end_density(&self, part: usize, side: usize) -> f64 {
+        self.parts[part].density(if side == 0 { PI } else { 0.0 })
+    }
+
+    /// `lim sqrt(2 pi d) p0` at the left (0) or right (1) end of a zone, `d` in `xi`.
+    pub(super) fn intensity(&self, part: usize, side: usize) -> f64 {
+        (PI / self.parts[part].half()).sqrt() * self.end_density(part, side) / self.theta0
+    }
+
+    /// `theta0 int K p0` at a place outside the zones.
+    pub(super) fn displacement_outside(&self, xi: f64) -> f64 {
+        let xi = self.kernel.reduced(xi);
+        let period = self.kernel.period().unwrap_or(0.0);
+        let of = |part: &Part| {
+            let images: f64 =
+                self.kernel.images().iter().map(|m| part.beyond(xi - m * period)).sum();
+            images + part.remainder(self.kernel, xi)
+        };
+        self.parts.iter().map(of).sum()
+    }
+
+    /// Sizes of `G` and its rounding: that of the smooth part and of the slopes.
+    pub(super) fn density_scale(&self) -> f64 {
+        let size = |part: &Part| part.smooth.iter().map(|s| s.abs()).fold(0.0, f64::max);
+        self.parts.iter().map(size).fold(f64::MIN_POSITIVE, f64::max)
+    }
+
+    /// Estimated error of `G` of a zone.
+    pub(super) fn rounding(&self, part: usize) -> f64 {
+        let part = &self.parts[part];
+        let sum: f64 = part.smooth.iter().map(|s| s.abs()).sum();
+        4.0 * f64::EPSILON * sum + part.slopes.error() / PI
+    }
+
+    /// Number of modes of all zones.
+    pub(super) fn modes(&self) -> usize {
+        self.parts.iter().map(|part| part.modes.len()).sum()
+    }
+}
+
+/// The load of a profile less the line `reference + lean xi`.
+fn beside_line(load: Load, reference: f64, lean: f64) -> Load {
+    let Load { vertical, rotational } = load;
+    let vertical = match vertical {
+        Vertical::Settlement(settlement) => Vertical::Settlement(settlement - reference),
+        force @ Vertical::Force(_) => force,
+    };
+    let rotational = match rotational {
+        Rotational::Tilt(tilt) => Rotational::Tilt(tilt + lean),
+        other @ (Rotational::Moment(_) | Rotational::Eccentricity(_)) => other,
+    };
+    Load { vertical, rotational }
+}
+
+/// The slope of the profile on a zone about its mean, which is returned too.
+fn resolved(base: &Base<'_>, zone: Zone) -> (Slopes, f64) {
+    let profile = &base.problem.profile;
+    let inside = |at: &&f64| zone.left() < **at && **at < zone.right();
+    let angle =
+        |at: &f64| Place { from_left: at - zone.left(), from_right: zone.right() - at }.angle();
+    let bends: Vec<f64> = profile.breaks.iter().filter(inside).map(angle).collect();
+    let mut on_zone = OnZone { base, zone, mean: 0.0 };
+    on_zone.mean = on_zone.mean_slope();
+    (Slopes::resolve(&on_zone, &bends, true, profile.tolerance), on_zone.mean)
+}
+
+/// `theta0` times force and moment about a middle.
+fn carried(zones: &[Zone], middle: f64, modes: &[Vec<f64>]) -> [f64; 2] {
+    let mut sums = [0.0; 2];
+    for (zone, modes) in zones.iter().zip(modes) {
+        let centre = 0.5 * (zone.left() + zone.right()) - middle;
+        sums[0] += PI * modes[0];
+        sums[1] += PI * centre * modes[0] + 0.25 * PI * zone.length() * modes[1];
+    }
+    sums
+}

@@ -1,0 +1,89 @@
+//! The zones of contact.
+
+/// Pieces shorter than this share of the longest are left to the next check.
+const SLIVER: f64 = 1e-9;
+
+/// A zone of contact, `[left, right]`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Zone {
+    /// Left and right end, `xi`.
+    pub(super) ends: [f64; 2],
+    /// Which of them are free: the pressure vanishes there; at a wall it is singular.
+    pub(super) is_free: [bool; 2],
+}
+
+impl Zone {
+    pub(super) fn new(ends: [f64; 2], is_free: [bool; 2]) -> Self {
+        Self { ends, is_free }
+    }
+
+    pub(super) fn left(&self) -> f64 {
+        self.ends[0]
+    }
+
+    pub(super) fn right(&self) -> f64 {
+        self.ends[1]
+    }
+
+    pub(super) fn length(&self) -> f64 {
+        self.ends[1] - self.ends[0]
+    }
+
+    pub(super) fn contains(&self, xi: f64) -> bool {
+        self.ends[0] <= xi && xi <= self.ends[1]
+    }
+
+    /// What is left of the zone without the intervals where the pressure pulls.
+    fn without(&self, pulling: &[[f64; 2]]) -> Vec<[f64; 2]> {
+        let [start, right] = self.ends;
+        let mut left = start;
+        let mut kept = Vec::new();
+        for &[from, to] in pulling.iter().filter(|[from, to]| *to > start && *from < right) {
+            if from > left {
+                kept.push([left, from]);
+            }
+            left = left.max(to);
+        }
+        if left < right {
+            kept.push([left, right]);
+        }
+        kept
+    }
+}
+
+/// Intervals of contact without those where the pressure pulls, and with those where the base penetrates; from left to right.
+pub(super) fn corrected(
+    zones: &[Zone],
+    pulling: &[[f64; 2]],
+    penetrating: &[[f64; 2]],
+) -> Vec<[f64; 2]> {
+    let mut intervals: Vec<[f64; 2]> = zones.iter().flat_map(|z| z.without(pulling)).collect();
+    intervals.extend(penetrating);
+    intervals.sort_by(|one, two| one[0].total_cmp(&two[0]));
+    let mut merged: Vec<[f64; 2]> = Vec::new();
+    for interval in intervals {
+        match merged.last_mut() {
+            Some(last) if interval[0] <= last[1] => last[1] = last[1].max(interval[1]),
+            _ => merged.push(interval),
+        }
+    }
+    let longest = merged.iter().fold(0.0f64, |most, [left, right]| most.max(right - left));
+    merged.retain(|[left, right]| right - left > SLIVER * longest);
+    merged
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn intervals_are_split_and_joined() {
+        let zones = [[-1.0, 0.0], [0.5, 1.0]].map(|ends| Zone::new(ends, [true; 2]));
+        assert_eq!(
+            corrected(&zones, &[[-0.5, -0.25]], &[]),
+            [[-1.0, -0.5], [-0.25, 0.0], [0.5, 1.0]]
+        );
+        assert_eq!(corrected(&zones, &[], &[[0.0, 0.5]]), [[-1.0, 1.0]]);
+        assert_eq!(corrected(&zones, &[[-1.0, 0.0]], &[[0.2, 0.3]]), [[0.2, 0.3], [0.5, 1.0]]);
+    }
+}

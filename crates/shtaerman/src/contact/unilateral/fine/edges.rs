@@ -1,0 +1,91 @@
+//! Where the pressure of a contact on cells changes its sign.
+
+use super::surface::Fine;
+use crate::contact::unilateral::base::Base;
+use crate::contact::unilateral::zones::Zone;
+
+/// Samples of a cell.
+const SAMPLES: usize = 4;
+/// Halvings on the way to an edge, and steps towards a peak between samples.
+const HALVINGS: usize = 50;
+const GOLDEN_STEPS: usize = 40;
+
+/// The zones from left to right.
+pub(super) fn zones(base: &Base<'_>, fine: &Fine) -> Vec<Zone> {
+    let pressure = |xi: f64| fine.pressure_at(xi, base.height(xi));
+    let count = SAMPLES * fine.count();
+    let at: Vec<f64> = (0..=count).map(|i| 2.0 * i as f64 / count as f64 - 1.0).collect();
+    let values: Vec<f64> = at.iter().map(|xi| pressure(*xi)).collect();
+    let mut edges = Vec::new();
+    for i in 0..count {
+        if let Some(peak) = hidden(&pressure, &at, &values, i) {
+            edges.push(edge(&pressure, at[i - 1], peak));
+            edges.push(edge(&pressure, peak, at[i + 1]));
+        }
+        if is_crossed(values[i], values[i + 1]) {
+            edges.push(edge(&pressure, at[i], at[i + 1]));
+        }
+    }
+    paired(edges, values[0] > 0.0)
+}
+
+/// Edges in turn open and close a zone.
+fn paired(mut edges: Vec<f64>, begins_inside: bool) -> Vec<Zone> {
+    edges.sort_by(f64::total_cmp);
+    if begins_inside {
+        edges.insert(0, -1.0);
+    }
+    if edges.len() % 2 == 1 {
+        edges.push(1.0);
+    }
+    edges
+        .chunks_exact(2)
+        .filter(|pair| pair[0] < pair[1])
+        .map(|pair| Zone::new(pair[0], pair[1]))
+        .collect()
+}
+
+fn is_crossed(one: f64, other: f64) -> bool {
+    (one > 0.0) != (other > 0.0)
+}
+
+/// The place beside a sample where the pressure has the other sign than at that sample and its neighbours.
+fn hidden(pressure: &impl Fn(f64) -> f64, at: &[f64], values: &[f64], i: usize) -> Option<f64> {
+    if i == 0 || i + 1 >= at.len() {
+        return None;
+    }
+    let [before, here, after] = [values[i - 1], values[i], values[i + 1]];
+    let sign = if here > 0.0 { -1.0 } else { 1.0 };
+    let is_peak = sign * here >= sign * before && sign * here >= sign * after;
+    if !is_peak || is_crossed(here, before) || is_crossed(here, after) {
+        return None;
+    }
+    // The parabola through the three, with a margin, stays on this side: so does the pressure.
+    let rise = (0.125 * (after - before).powi(2) / (2.0 * here - before - after)).abs();
+    if 2.0 * rise < here.abs() {
+        return None;
+    }
+    let (mut left, mut right) = (at[i - 1], at[i + 1]);
+    for _ in 0..GOLDEN_STEPS {
+        const SECTION: f64 = 0.381_966_011_250_105;
+        let inner = [left + SECTION * (right - left), right - SECTION * (right - left)];
+        let heights = inner.map(|xi| sign * pressure(xi));
+        for (xi, height) in inner.iter().zip(heights) {
+            if height > 0.0 {
+                return Some(*xi);
+            }
+        }
+        if heights[0] > heights[1] { right = inner[1] } else { left = inner[0] }
+    }
+    None
+}
+
+/// The crossing between two places of different signs.
+fn edge(pressure: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> f64 {
+    let positive_left = pressure(left) > 0.0;
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (left + right);
+        if (pressure(middle) > 0.0) == positive_left { left = middle } else { right = middle }
+    }
+    0.5 * (left + right)
+}

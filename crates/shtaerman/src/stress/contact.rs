@@ -1,0 +1,95 @@
+//! Stress fields of solved contacts.
+
+use super::StressField;
+use super::sampling::Effort;
+use crate::{Contact, Error, Frame, Geometry, Problem, Scaling};
+
+/// Most breakpoints of the profile that get panels of their own.
+const MOST_BREAKS: usize = 15;
+/// Error of the stresses aimed at, in errors of the pressure.
+const SHARE: f64 = 0.1;
+/// A pressure of more terms than these is costly (milliseconds each), and gets no more nodes than those.
+const COSTLY: usize = 8192;
+const MOST_COSTLY: usize = 1500;
+
+impl Frame {
+    /// Poisson's ratio of the foundation; a dimensionless problem has none.
+    #[must_use]
+    pub fn poisson_ratio(&self) -> Option<f64> {
+        match self {
+            Self::Physical { foundation, .. } => Some(foundation.poisson_ratio()),
+            Self::Dimensionless { .. } => None,
+        }
+    }
+
+    /// Refuses what has no known stresses below the surface.
+    ///
+    /// # Errors
+    /// [`Error::NoStresses`] for a circular punch and a graded foundation.
+    pub fn check_stresses(&self) -> Result<(), Error> {
+        let circular = self.geometry() == Geometry::Circular;
+        if circular || self.grading().is_some() { Err(Error::NoStresses) } else { Ok(()) }
+    }
+}
+
+impl StressField {
+    /// The stresses under a contact, in its units; `poisson_ratio` is that of the foundation where left out, a dimensionless problem needs it.
+    ///
+    /// # Errors
+    /// [`Error::NoStresses`] for a circular punch and a graded foundation, [`Error::NoPoissonRatio`], [`Error::InvalidValue`] for a ratio beyond `(-1, 0.5]`.
+    pub fn new(contact: &Contact, poisson_ratio: Option<f64>) -> Result<Self, Error> {
+        let error = contact.accuracy().map_or(0.0, |accuracy| accuracy.pressure);
+        let pressure0 = |xi| contact.pressure0(xi);
+        let costly = contact.method().n > COSTLY;
+        let most = if costly { MOST_COSTLY } else { Effort::FULL.most };
+        let effort = Effort { enough: SHARE * error, most };
+        let field = under(contact.problem(), &contact.edges0(), poisson_ratio, effort, &pressure0)?;
+        let frame = contact.problem().frame();
+        let stress = frame.scaling().map_or(1.0, Scaling::pressure);
+        Ok(field.with_pressure_error(error).in_units(frame.half_width(), stress))
+    }
+}
+
+/// The field of `p0(xi)` on zones that the breakpoints of the profile cut.
+fn under(
+    problem: &Problem,
+    zones: &[[f64; 2]],
+    poisson_ratio: Option<f64>,
+    effort: Effort,
+    pressure0: &dyn Fn(f64) -> f64,
+) -> Result<StressField, Error> {
+    let frame = problem.frame();
+    frame.check_stresses()?;
+    let given = poisson_ratio.or(frame.poisson_ratio()).ok_or(Error::NoPoissonRatio)?;
+    let period = match frame.geometry().scaled(frame.half_width()) {
+        Geometry::Periodic { period } => Some(period),
+        _ => None,
+    };
+    let breaks = breaks(problem);
+    let panels: Vec<[f64; 2]> = zones.iter().flat_map(|&zone| cut(zone, &breaks)).collect();
+    let pressure = |panel: usize, from_left: f64, to_right: f64| {
+        let [left, right] = panels[panel];
+        pressure0(if from_left < to_right { left + from_left } else { right - to_right })
+    };
+    StressField::within(&panels, period, given, effort, &pressure)
+}
+
+/// Breakpoints of the profile, as `xi`, unless there are more than the solver gives panels: then none, and the error tells what that costs.
+fn breaks(problem: &Problem) -> Vec<f64> {
+    let mut breaks = problem.profile().breakpoints(problem.frame().half_width());
+    if breaks.len() > MOST_BREAKS {
+        return Vec::new();
+    }
+    breaks.sort_by(f64::total_cmp);
+    breaks
+}
+
+/// The panels into which breakpoints cut a zone.
+fn cut([left, right]: [f64; 2], breaks: &[f64]) -> Vec<[f64; 2]> {
+    // A piece of rounding's length has no inside.
+    let apart = 1e-13 * (right - left) + 4.0 * f64::EPSILON;
+    let mut cuts = vec![left];
+    cuts.extend(breaks.iter().filter(|at| **at > left + apart && **at < right - apart));
+    cuts.push(right);
+    cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect()
+}

@@ -1,0 +1,100 @@
+//! As many nodes as the pressure needs.
+
+use super::complex::Complex;
+use super::panel::Panel;
+use crate::Error;
+
+/// The first step: `e^(-pi^2/h) = 5e-16` is its error where the pressure is analytic off the line of the panel.
+const FIRST_STEP: f64 = 0.28;
+/// Difference of both sets of nodes, relative to the mean pressure, that is small enough, and below which it may be rounding.
+const AIM: f64 = 2e-14;
+const STAGNANT: f64 = 1e-8;
+/// A difference that does not fall to this share has stopped to fall.
+const FALL: f64 = 0.5;
+/// How far sampling goes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Effort {
+    /// An error that is small enough.
+    pub(super) enough: f64,
+    /// Most nodes of one panel, and most of all together unless each has its first.
+    pub(super) most: usize,
+}
+
+impl Effort {
+    /// As far as it leads.
+    pub(super) const FULL: Self = Self { enough: 0.0, most: 16_384 };
+}
+
+/// Test points: as far out, and how many along and up.
+const OUTERMOST: f64 = 30.0;
+const ALONG: usize = 24;
+const ANGLES: [f64; 3] = [0.0, 0.3, 1.2];
+
+type Pressure<'f> = &'f dyn Fn(usize, f64, f64) -> f64;
+
+/// The panels, sampled, and the estimated error of their stresses.
+pub(super) fn resolved(
+    panels: &[[f64; 2]],
+    period: Option<f64>,
+    effort: Effort,
+    pressure: Pressure<'_>,
+) -> Result<(Vec<Panel>, f64), Error> {
+    let sample = |index: usize, step: f64| {
+        Panel::new(panels[index], step, period, &|left, right| pressure(index, left, right))
+    };
+    let mut sampled =
+        (0..panels.len()).map(|index| sample(index, FIRST_STEP)).collect::<Result<Vec<_>, _>>()?;
+    let length: f64 = sampled.iter().map(Panel::length).sum();
+    let mean = sampled.iter().map(Panel::absolute_force).sum::<f64>() / length;
+    if !mean.is_finite() {
+        return Err(Error::Overflow { quantity: "mean pressure", value: mean });
+    }
+    let mut error = 0.0;
+    if mean > 0.0 {
+        let most = effort.most / panels.len();
+        let aim = AIM.max(effort.enough / (mean * panels.len() as f64));
+        for (index, panel) in sampled.iter_mut().enumerate() {
+            error += refine(panel, [mean, aim], most, |step| sample(index, step))?;
+        }
+    }
+    Ok((sampled, error * mean))
+}
+
+/// Halves the step until two sets of nodes agree; the difference that is left.
+fn refine(
+    panel: &mut Panel,
+    [scale, aim]: [f64; 2],
+    most: usize,
+    sample: impl Fn(f64) -> Result<Panel, Error>,
+) -> Result<f64, Error> {
+    let mut error = difference(panel, scale);
+    let (mut step, mut nodes) = (panel.step(), panel.nodes());
+    while error > aim && 2 * nodes <= most {
+        // The step falls also where the finer nodes were no better: waves may be missed by several.
+        step *= 0.5;
+        let finer = sample(step)?;
+        nodes = finer.nodes();
+        let left = difference(&finer, scale);
+        let stopped = left > FALL * error && error < STAGNANT;
+        if left < error {
+            error = left;
+            *panel = finer;
+        }
+        if stopped {
+            break;
+        }
+    }
+    Ok(error)
+}
+
+/// The largest difference of both sets of nodes, at places between the nodes of either.
+fn difference(panel: &Panel, scale: f64) -> f64 {
+    let step = panel.step();
+    let outermost = (OUTERMOST / step) as i64;
+    let stride = (2 * outermost / ALONG as i64).max(1);
+    let along = (-outermost..=outermost).step_by(stride as usize);
+    along
+        .flat_map(|index| ANGLES.map(|angle| Complex::new((index as f64 + 0.25) * step, angle)))
+        .map(|tau| panel.grid_difference(tau, scale))
+        .fold(0.0, f64::max)
+}

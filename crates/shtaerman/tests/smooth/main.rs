@@ -1,0 +1,12 @@
+//! Smooth contact against closed forms, an independent quadrature of its equation, and invariants.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+mod conditions;
+mod one_punch;
+mod pair;
+mod periodic;
+mod refusals;
+mod stated;
+mod support;
+mod survey;

@@ -1,0 +1,82 @@
+//! Problems in units, with roughness 0.
+
+use std::f64::consts::{LN_2, PI};
+
+use crate::support::close;
+use shtaerman::{
+    Contact, Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical,
+};
+
+/// A problem in newtons, metres and pascals on steel, `E* = E/(1 - nu^2)`.
+fn solve(geometry: Geometry, profile: Profile, load: Load, solver: Solver) -> Contact {
+    let steel = Elastic::new(200e9, 0.3).unwrap();
+    let frame = Frame::physical_in(geometry, steel, 0.0, 5e-3, None).unwrap();
+    Problem::new(frame, profile, load, solver).unwrap().solve().unwrap()
+}
+
+const MODULUS: f64 = 200e9 / (1.0 - 0.3 * 0.3);
+
+fn force(force: f64) -> Load {
+    Load::new(Vertical::Force(force), Rotational::Moment(0.0)).unwrap()
+}
+
+#[test]
+fn hertz_in_units() {
+    // R = 0.8 m: a^2 = 4 P R/(pi E*)
+    let profile = Profile::expression("x^2/(2*0.8)").unwrap();
+    let contact = solve(Geometry::Plane, profile, force(0.4e6), Solver::default());
+    let a = (4.0 * 0.4e6 * 0.8 / (PI * MODULUS)).sqrt();
+    close(contact.edges()[0][1], a, 1e-12, "width");
+    close(contact.pressure(0.0).unwrap(), 2.0 * 0.4e6 / (PI * a), 1e-12, "peak");
+    close(contact.peak_pressure().0, 2.0 * 0.4e6 / (PI * a), 1e-9, "peak");
+    assert_eq!(contact.pressure_left(), 0.0);
+}
+
+#[test]
+fn a_measured_parabola() {
+    let places: Vec<f64> = (0..=2000).map(|i| 5e-3 * (f64::from(i) / 1000.0 - 1.0)).collect();
+    let heights = places.iter().map(|x| x * x / (2.0 * 0.8)).collect();
+    let profile = Profile::measured(places, heights).unwrap();
+    let contact = solve(Geometry::Plane, profile, force(0.4e6), Solver::default());
+    let a = (4.0 * 0.4e6 * 0.8 / (PI * MODULUS)).sqrt();
+    close(contact.edges()[0][1], a, 1e-9, "width");
+}
+
+#[test]
+fn a_flat_punch_in_units() {
+    for solver in [Solver::default(), Solver::bilateral()] {
+        let contact = solve(Geometry::Plane, Profile::flat(), force(1e6), solver);
+        close(contact.settlement(), 2.0 * 1e6 * LN_2 / (PI * MODULUS), 1e-13, "settlement");
+        assert_eq!(contact.pressure_right(), f64::INFINITY);
+        close(contact.pressure(3e-3).unwrap(), 1e6 / (PI * 4e-3), 1e-13, "pressure");
+    }
+}
+
+#[test]
+fn a_pair_and_a_row_in_units() {
+    let pair = Geometry::Pair { inner_half_gap: 1e-3 };
+    let contact = solve(pair, Profile::flat(), force(1e6), Solver::default());
+    let [a, b, x] = [5e-3, 1e-3, 3e-3f64];
+    let exact = 1e6 * x / (PI * ((a * a - x * x) * (x * x - b * b)).sqrt());
+    close(contact.pressure(x).unwrap(), exact, 1e-11, "pair");
+    let row = Geometry::Periodic { period: 15e-3 };
+    let contact = solve(row, Profile::flat(), force(1e6), Solver::default());
+    let s = (PI / 3.0).sin();
+    let psi = PI * x / 15e-3;
+    let exact = 1e6 / 15e-3 * psi.cos() / (s * s - psi.sin().powi(2)).sqrt();
+    close(contact.pressure(x).unwrap(), exact, 1e-11, "row");
+}
+
+#[test]
+fn a_wave_in_units() {
+    // p* = pi E* h/L; full contact at twice that
+    let profile = Profile::expression("-1e-6*cos(pi*x/5e-3)").unwrap();
+    let limit = PI * MODULUS * 1e-6 / 10e-3;
+    let wave = Geometry::Periodic { period: 10e-3 };
+    let load = |mean: f64| Load::new(Vertical::Force(mean * 10e-3), Rotational::Tilt(0.0)).unwrap();
+    let contact = solve(wave, profile.clone(), load(2.0 * limit), Solver::default());
+    close(contact.pressure(0.0).unwrap(), 3.0 * limit, 1e-12, "full");
+    let contact = solve(wave, profile, load(0.3 * limit), Solver::default());
+    let width = 10e-3 / PI * 0.3f64.sqrt().asin();
+    close(contact.edges()[0][1], width, 1e-11, "partial");
+}

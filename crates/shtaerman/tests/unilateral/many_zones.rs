@@ -1,0 +1,72 @@
+//! Profiles of thousands of points.
+
+use crate::support::{force_and_moment, solve};
+use shtaerman::{Contact, Frame, Load, Problem, Profile, Solver};
+
+fn measured(theta0: f64, height: impl Fn(f64) -> f64, load: Load) -> Contact {
+    const POINTS: i32 = 4000;
+    let positions: Vec<f64> =
+        (0..POINTS).map(|i| 2.0 * f64::from(i) / f64::from(POINTS - 1) - 1.0).collect();
+    let heights = positions.iter().map(|x| height(*x)).collect();
+    let profile = Profile::measured(positions, heights).unwrap();
+    Problem::new(Frame::dimensionless(theta0).unwrap(), profile, load, Solver::default())
+        .unwrap()
+        .solve()
+        .unwrap()
+}
+
+#[test]
+fn cells_agree_with_collocation_within_their_estimate() {
+    let load = force_and_moment(1.0, 0.1);
+    for theta0 in [0.1, 20.0] {
+        let size = 2.0 * (1.0 + theta0);
+        let expression = format!("{size}*(xi^2 + 0.3*cos(11*xi + 0.4))");
+        let exact = solve(theta0, &expression, load);
+        let cells = measured(theta0, |x| size * (x * x + 0.3 * (11.0 * x + 0.4).cos()), load);
+        assert_eq!((exact.method().name, cells.method().name), ("sinc", "cells"));
+        assert!(exact.edges0().len() > 1 && exact.edges0().len() == cells.edges0().len());
+
+        let accuracy = cells.accuracy().unwrap();
+        let off = (cells.settlement0() - exact.settlement0()).abs();
+        assert!(off <= accuracy.settlement && off < 1e-6 * size, "{off:e} {accuracy:?}");
+        assert!((cells.tilt0() - exact.tilt0()).abs() <= accuracy.tilt);
+        for (one, other) in cells.edges0().iter().flatten().zip(exact.edges0().iter().flatten()) {
+            assert!(
+                (one - other).abs() <= cells.edge_error0().unwrap().max(1e-12),
+                "{one} {other}"
+            );
+        }
+        for i in -200..=200 {
+            let xi = f64::from(i) / 200.0;
+            let off = (cells.pressure0(xi) - exact.pressure0(xi)).abs();
+            assert!(off <= accuracy.pressure && off < 1e-4 * size, "{xi}: {off:e} {accuracy:?}");
+        }
+        let (one, other) = (cells.stiffness0(), exact.stiffness0());
+        assert!((one.force_settlement - other.force_settlement).abs() < 1e-3);
+        assert!((one.moment_tilt - other.moment_tilt).abs() < 1e-3);
+        let left = cells.complementarity().unwrap();
+        assert!(left.tension < 1e-9 && left.penetration < 1e-9, "{left:?}");
+    }
+}
+
+#[test]
+fn a_profile_with_noise_in_many_zones() {
+    let noise = |x: f64| 0.01 * (1e5 * (1e3 * x).sin()).fract();
+    let contact = measured(5.0, |x| 10.0 * (x * x + noise(x)), force_and_moment(0.2, 0.05));
+    assert!(contact.edges0().len() > 20, "{}", contact.edges0().len());
+    assert!(contact.relative_error() < 0.05, "{:e}", contact.relative_error());
+    let left = contact.complementarity().unwrap();
+    assert!(left.tension < 1e-9 && left.penetration < 1e-9, "{left:?}");
+    // Force and moment by a rule of its own, on the pressure as it is given between the cells.
+    let count = 200_000;
+    let (mut force, mut moment) = (0.0, 0.0);
+    for i in 0..count {
+        let xi = (2.0 * f64::from(i) + 1.0) / f64::from(count) - 1.0;
+        let pressure = contact.pressure0(xi);
+        assert!(pressure >= 0.0 && contact.gap0(xi) >= -1e-9 * contact.settlement0().abs());
+        force += pressure * 2.0 / f64::from(count);
+        moment += xi * pressure * 2.0 / f64::from(count);
+    }
+    assert!((force - 0.2).abs() < 1e-3 * 0.2, "{force}");
+    assert!((moment - 0.05).abs() < 1e-3 * 0.05, "{moment}");
+}
