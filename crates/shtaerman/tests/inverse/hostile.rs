@@ -2,7 +2,6 @@
 
 use crate::support::{load, physical, unilateral};
 use shtaerman::inverse::{Goal, Normalisation, crown, force, prescribed_pressure, roughness};
-use shtaerman::{Load, Rotational, Vertical};
 
 const EXTREMES: [f64; 5] = [-1e300, 0.0, f64::MIN_POSITIVE, 1.0, f64::MAX];
 
