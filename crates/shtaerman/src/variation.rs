@@ -75,6 +75,14 @@ impl Problem {
         Self::new(frame, self.profile().clone(), *self.load(), *self.solver())
     }
 
+    /// The same problem under another load.
+    ///
+    /// # Errors
+    /// Those of [`Problem::new`].
+    pub fn with_load(&self, load: Load) -> Result<Self, Error> {
+        Self::new(self.frame().clone(), self.profile().clone(), load, *self.solver())
+    }
+
     /// The same problem under another force, or settlement, that goes with the same moment, eccentricity or tilt.
     ///
     /// # Errors
