@@ -199,15 +199,15 @@ impl PressureCurve {
         })
     }
 
-    /// The pressure at `count` points from edge to edge, denser at the edges.
+    /// The pressure at `count` points from edge to edge, denser at the edges of the punch and of the zones.
     ///
     /// # Errors
     /// [`Error::InvalidValue`] for fewer than two points.
     pub fn along(contact: &Contact, count: usize) -> Result<Self, Error> {
         crate::error::require(count >= 2, "points", count as f64, "at least 2")?;
         let half_width = contact.problem().frame().half_width();
-        let points = fredholm::basis::chebyshev::points(count - 1);
-        Self::at(contact, points.into_iter().rev().map(|xi| half_width * xi).collect())
+        let points = spread(&contact.edges0(), count);
+        Self::at(contact, points.into_iter().map(|xi| half_width * xi).collect())
     }
 
     /// The places, in the units of the problem.
@@ -227,6 +227,37 @@ impl PressureCurve {
             Self::Dimensionless { p0, .. } => p0,
         }
     }
+}
+
+/// `count` places from -1 to 1, on each zone and on each interval beside as Chebyshev points; on the whole base where they are too few for that.
+fn spread(zones: &[[f64; 2]], count: usize) -> Vec<f64> {
+    const FEWEST: usize = 4;
+    let mut ends: Vec<f64> = zones.iter().flatten().copied().filter(|xi| xi.abs() < 1.0).collect();
+    ends.extend([-1.0, 1.0]);
+    ends.sort_by(f64::total_cmp);
+    ends.dedup();
+    let steps = count - 1;
+    if steps < FEWEST * (ends.len() - 1) {
+        ends = vec![-1.0, 1.0];
+    }
+    let mut points = vec![-1.0];
+    let spare = steps.saturating_sub(FEWEST * (ends.len() - 1)) as f64;
+    let fixed = if ends.len() > 2 { FEWEST } else { 0 };
+    let share = |at: f64| {
+        if fixed == 0 { steps as f64 * 0.5 * (at + 1.0) } else { spare * 0.5 * (at + 1.0) }
+    };
+    for (index, pair) in ends.windows(2).enumerate() {
+        let upto = share(pair[1]).round() as usize + fixed * (index + 1);
+        let inside = upto + 1 - points.len();
+        let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
+        let places = fredholm::basis::chebyshev::points(inside).into_iter().rev().skip(1);
+        points.extend(places.map(|y| (middle + half * y).clamp(pair[0], pair[1])));
+        // The ends are exact whatever the sums round to.
+        if let Some(last) = points.last_mut() {
+            *last = pair[1];
+        }
+    }
+    points
 }
 
 impl Answer {
@@ -360,6 +391,28 @@ impl Physical {
             gauge: contact.problem().frame().gauge(),
             relative_settlement: Vec::new(),
             sensitivities: None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spread;
+
+    #[test]
+    fn places_are_dense_at_the_ends_of_zones() {
+        for (zones, count) in [
+            (vec![[-1.0, 1.0]], 201),
+            (vec![[-0.5, 0.25]], 201),
+            (vec![[-1.0, -0.9], [0.3, 1.0]], 51),
+            (vec![[-0.5, 0.25]], 5),
+            (vec![[-1.0, 1.0]], 2),
+        ] {
+            let points = spread(&zones, count);
+            assert_eq!((points.len(), points[0], points[count - 1]), (count, -1.0, 1.0));
+            assert!(points.windows(2).all(|pair| pair[0] < pair[1]), "{points:?}");
+            let inside = zones.iter().flatten().filter(|at| at.abs() < 1.0);
+            assert!(count < 10 || inside.into_iter().all(|at| points.contains(at)), "{points:?}");
         }
     }
 }
