@@ -12,6 +12,7 @@ mod balance;
 mod check;
 mod coupling;
 mod edges;
+mod harmonics;
 mod kernel;
 mod legendre;
 mod linear;

@@ -9,6 +9,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
 
+use super::harmonics::{Harmonics, Resolved};
 use super::legendre::{ORDER, RULE, cauchy, derivative, polynomials};
 
 /// Panels are halved at most this often, and there are at most so many.
@@ -153,6 +154,8 @@ pub(super) struct Slopes {
     error: f64,
     /// Largest `|g|`.
     largest: f64,
+    /// The Fourier series of `F` and `f`, where it is short.
+    series: Option<Harmonics>,
 }
 
 impl Slopes {
@@ -164,6 +167,12 @@ impl Slopes {
         is_odd: bool,
         tolerance: f64,
     ) -> Self {
+        if bends.is_empty()
+            && let Some(Resolved { series, mean, largest }) = Harmonics::sampled(profile, is_odd)
+        {
+            let (panels, jumps) = (Vec::new(), Vec::new());
+            return Self { panels, is_odd, jumps, mean, error: 0.0, largest, series: Some(series) };
+        }
         let start = if is_odd { 0.0 } else { -PI };
         let count = ((PI - start) / FRAC_PI_8).round() as usize;
         let mut cuts: Vec<f64> = (0..=count).map(|i| start + FRAC_PI_8 * i as f64).collect();
@@ -182,7 +191,36 @@ impl Slopes {
         let jumps = join(&mut panels, is_odd, JOINED * scale[1]);
         let largest =
             panels.iter().flat_map(|p| p.values).fold(0.0f64, |most, v| most.max(v.abs()));
-        Self { panels, is_odd, jumps, mean: sum / (PI - start), error: worst, largest }
+        let mean = sum / (PI - start);
+        let mut slopes = Self { panels, is_odd, jumps, mean, error: worst, largest, series: None };
+        if slopes.jumps.is_empty() {
+            slopes.series = Harmonics::short(&slopes);
+        }
+        slopes
+    }
+
+    /// Nodes with their values of `g` and weights.
+    pub(super) fn nodes(&self) -> impl Iterator<Item = (f64, f64, f64)> + '_ {
+        self.panels.iter().flat_map(|panel| {
+            let (middle, half) = (panel.middle(), panel.half());
+            (0..ORDER).map(move |i| {
+                (middle + half * RULE.nodes[i], panel.values[i], half * RULE.weights[i])
+            })
+        })
+    }
+
+    pub(super) fn is_odd(&self) -> bool {
+        self.is_odd
+    }
+
+    /// Largest `|g|`.
+    pub(super) fn largest(&self) -> f64 {
+        self.largest
+    }
+
+    /// Shortest panel.
+    pub(super) fn finest(&self) -> f64 {
+        self.panels.iter().fold(PI, |least, panel| least.min(2.0 * panel.half()))
     }
 
     pub(super) fn mean(&self) -> f64 {
@@ -198,6 +236,9 @@ impl Slopes {
         if let Some((_, jump)) = self.jumps.iter().find(|(at, _)| *at == angle) {
             return -jump * f64::INFINITY;
         }
+        if let Some(series) = &self.series {
+            return series.conjugate(angle);
+        }
         let sum: f64 = if self.is_odd {
             // g(-t) cot((-t - phi)/2) = g(t) cot((t + phi)/2)
             self.panels.iter().map(|panel| panel.both_cotangents(angle)).sum()
@@ -211,6 +252,10 @@ impl Slopes {
     pub(super) fn coefficients(&self, degree: usize) -> Vec<f64> {
         let mut coefficients = vec![0.0; degree + 1];
         coefficients[0] = self.mean;
+        if let Some(series) = &self.series {
+            coefficients[1..].iter_mut().zip(series.coefficients(degree)).for_each(|(c, f)| *c = f);
+            return coefficients;
+        }
         for panel in &self.panels {
             let parts = (degree as f64 * panel.half() / 6.0).ceil().max(1.0);
             let half = panel.half() / parts;
@@ -237,6 +282,9 @@ impl Slopes {
 
     /// `sum_{k >= 1} f_k (side/w)^k` for `w > 1`, given `w - 1`, and `side = 1` beyond `t = 0` or `-1` beyond `t = pi`.
     pub(super) fn outside(&self, excess: f64, side: f64) -> f64 {
+        if let Some(series) = self.series.as_ref().filter(|_| self.is_odd) {
+            return series.outside(side / (1.0 + excess));
+        }
         // sum (side/w)^k sin(k t)/k by parts: an angle that turns within w - 1 of the end
         let kernel = |angle: f64| {
             let s = (0.5 * angle).sin();

@@ -1,0 +1,193 @@
+//! The Fourier series of a smooth slope: a few harmonics instead of integrals over panels.
+
+use std::f64::consts::PI;
+
+use super::slopes::{Angular, Slopes};
+
+/// Harmonics that are tried.
+const COUNTS: [usize; 3] = [24, 48, 96];
+/// Shorter panels than this show something that no short series has.
+const FINEST: f64 = 0.01;
+/// Terms below this share of the largest slope are rounding.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// `F = sum k (f_k cos(k t) + h_k sin(k t))`, the conjugate of the slope of `f = mean + sum f_k cos(k t) + h_k sin(k t)`.
+#[derive(Debug, Clone)]
+pub(super) struct Harmonics {
+    /// `k f_k` from `k = 1`.
+    cosines: Vec<f64>,
+    /// `k h_k` from `k = 1`; empty for an even `f`.
+    sines: Vec<f64>,
+}
+
+/// What equally spaced samples tell of a smooth profile.
+pub(super) struct Resolved {
+    pub(super) series: Harmonics,
+    /// Mean of `f` over the angle.
+    pub(super) mean: f64,
+    /// Largest `|g|`.
+    pub(super) largest: f64,
+}
+
+/// Numbers of samples over a half turn.
+const SAMPLES: [usize; 2] = [32, 64];
+/// Places at which the series is held against the slope: a feature between the samples must not be missed.
+const CHECKED: usize = 7;
+
+impl Harmonics {
+    /// The series, if it is short.
+    pub(super) fn short(slopes: &Slopes) -> Option<Self> {
+        if slopes.finest() < FINEST {
+            return None;
+        }
+        let allowed = ROUNDING * slopes.largest();
+        for count in COUNTS {
+            let found = Self::new(slopes, count);
+            let tail = 2 * count / 3;
+            let is_rounding = |terms: &[f64]| terms.iter().skip(tail).all(|t| t.abs() <= allowed);
+            if is_rounding(&found.cosines) && is_rounding(&found.sines) {
+                return Some(found.without(0.1 * allowed));
+            }
+        }
+        None
+    }
+
+    /// The series by equally spaced samples of the slope, where it is known and smooth; with `is_odd` over a half turn, else over a whole one.
+    pub(super) fn sampled(profile: &dyn Angular, is_odd: bool) -> Option<Resolved> {
+        profile.slope(1.0)?;
+        SAMPLES.into_iter().find_map(|samples| Self::from_samples(profile, is_odd, samples))
+    }
+
+    fn from_samples(profile: &dyn Angular, is_odd: bool, samples: usize) -> Option<Resolved> {
+        let (count, start) = if is_odd { (samples, 0.0) } else { (2 * samples, -PI) };
+        let step = PI / samples as f64;
+        let mut cosines = vec![0.0; samples - 1];
+        let mut sines = vec![0.0; if is_odd { 0 } else { samples - 1 }];
+        let (mut mean, mut largest) = (0.0, 0.0f64);
+        let share = if is_odd { 2.0 } else { 1.0 } / samples as f64;
+        for j in 0..count {
+            let angle = start + step * (j as f64 + 0.5);
+            let value = profile.slope(angle)?;
+            mean += profile.height(angle) / count as f64;
+            largest = largest.max(value.abs());
+            add(&mut cosines, &mut sines, share * value, angle);
+        }
+        let tail = 2 * samples / 3;
+        let allowed = ROUNDING * largest;
+        let is_rounding = |terms: &[f64]| terms.iter().skip(tail).all(|t| t.abs() <= allowed);
+        if !(mean.is_finite() && is_rounding(&cosines) && is_rounding(&sines)) {
+            return None;
+        }
+        let series = Self { cosines, sines }.without(0.1 * allowed);
+        let reach = PI - start;
+        let meets = |i: usize| {
+            const GOLDEN: f64 = 0.618_033_988_749_894_9;
+            let angle = start + reach * (i as f64 * GOLDEN).fract();
+            let slope = profile.slope(angle).unwrap_or(f64::NAN);
+            (series.slope(angle) - slope).abs() <= CHECKED as f64 * allowed
+        };
+        (1..=CHECKED).all(meets).then_some(Resolved { series, mean, largest })
+    }
+
+    /// `g = -sum k f_k sin(k t) + sum k h_k cos(k t)`.
+    fn slope(&self, angle: f64) -> f64 {
+        let (sine, cosine) = angle.sin_cos();
+        clenshaw(&self.sines, cosine)[0] - sine * clenshaw(&self.cosines, cosine)[1]
+    }
+
+    /// `f_1 .. f_degree`, zero from some degree on.
+    pub(super) fn coefficients(&self, degree: usize) -> impl Iterator<Item = f64> + '_ {
+        let terms = self.cosines.iter().chain(std::iter::repeat(&0.0));
+        terms.take(degree).enumerate().map(|(k, term)| term / (k + 1) as f64)
+    }
+
+    fn new(slopes: &Slopes, count: usize) -> Self {
+        let turns = if slopes.is_odd() { 2.0 } else { 1.0 };
+        let mut cosines = vec![0.0; count];
+        let mut sines = vec![0.0; if slopes.is_odd() { 0 } else { count }];
+        for (angle, value, weight) in slopes.nodes() {
+            add(&mut cosines, &mut sines, turns / PI * weight * value, angle);
+        }
+        Self { cosines, sines }
+    }
+
+    /// Without the last terms below a threshold.
+    fn without(mut self, threshold: f64) -> Self {
+        for terms in [&mut self.cosines, &mut self.sines] {
+            let kept = terms.iter().rposition(|t| t.abs() > threshold).map_or(0, |last| last + 1);
+            terms.truncate(kept);
+        }
+        self
+    }
+
+    /// `F(t)`.
+    pub(super) fn conjugate(&self, angle: f64) -> f64 {
+        let (sine, cosine) = angle.sin_cos();
+        let [even, _] = clenshaw(&self.cosines, cosine);
+        let [_, odd] = clenshaw(&self.sines, cosine);
+        even + odd * sine
+    }
+
+    /// `sum f_k ratio^k`.
+    pub(super) fn outside(&self, ratio: f64) -> f64 {
+        self.cosines
+            .iter()
+            .enumerate()
+            .rev()
+            .fold(0.0, |sum, (k, term)| ratio * (term / (k + 1) as f64 + sum))
+    }
+}
+
+/// Adds what a slope `mass` at an angle has of each harmonic.
+fn add(cosines: &mut [f64], sines: &mut [f64], mass: f64, angle: f64) {
+    let (sine, cosine) = angle.sin_cos();
+    let (mut s, mut c) = (sine, cosine);
+    for (k, term) in cosines.iter_mut().enumerate() {
+        *term -= mass * s;
+        if let Some(term) = sines.get_mut(k) {
+            *term += mass * c;
+        }
+        (s, c) = (s * cosine + c * sine, c * cosine - s * sine);
+    }
+}
+
+/// `sum c_k cos(k t)` and `sum c_k sin(k t)/sin t`, `k >= 1`, by Clenshaw's recurrence.
+fn clenshaw(terms: &[f64], cosine: f64) -> [f64; 2] {
+    let (mut next, mut after) = (0.0, 0.0);
+    for c in terms.iter().rev() {
+        (next, after) = (c + 2.0 * cosine * next - after, next);
+    }
+    [cosine * next - after, next]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Wave;
+
+    impl Angular for Wave {
+        fn height(&self, angle: f64) -> f64 {
+            0.3 * (3.0 * angle + 0.4).cos() + 0.01 * (7.0 * angle).sin()
+        }
+
+        fn slope(&self, angle: f64) -> Option<f64> {
+            Some(-0.9 * (3.0 * angle + 0.4).sin() + 0.07 * (7.0 * angle).cos())
+        }
+    }
+
+    #[test]
+    fn harmonics_have_their_own_conjugates() {
+        // Of cos(k t + a) it is k cos(k t + a).
+        let slopes = Slopes::resolve(&Wave, &[], false, 0.0);
+        let series = Harmonics::short(&slopes).unwrap();
+        let sampled = Harmonics::sampled(&Wave, false).unwrap();
+        assert!(sampled.mean.abs() < 1e-15);
+        for i in -20..=20 {
+            let t = 0.15 * f64::from(i);
+            let exact = 0.9 * (3.0 * t + 0.4).cos() + 0.07 * (7.0 * t).sin();
+            assert!((series.conjugate(t) - exact).abs() < 3e-14, "{t}");
+            assert!((sampled.series.conjugate(t) - exact).abs() < 3e-14, "{t}");
+        }
+    }
+}
