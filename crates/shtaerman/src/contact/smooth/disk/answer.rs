@@ -170,7 +170,7 @@ impl SmoothDiskContact {
         self.complementarity
     }
 
-    /// The estimated error; that of the pressure in the middle, nearer to a corner it grows as `1/sqrt(1 - r^2/c^2)`.
+    /// The estimated error; that of the pressure in the middle, nearer to the edge it grows as `1/sqrt(1 - r^2/c^2)`.
     #[must_use]
     pub fn accuracy(&self) -> &Accuracy {
         &self.accuracy
@@ -207,12 +207,22 @@ fn estimate(
     let differences = left.places.iter().map(|&r| (regular(field, r) - regular(&other, r)).abs());
     let pressure = differences.filter(|d| !d.is_infinite()).fold(ROUNDING * left.largest, f64::max);
     // The force is the difference of that of a flat base this deep and what its shape leaves out.
-    let depth = settlement.abs() + (problem.height)(0.0).abs();
-    let rounding = ROUNDING * force.abs() + field.rate() * f64::EPSILON * depth;
-    let force_error =
-        (field.integrated_force() - force).abs() + rounding + shape.tolerance * force.abs();
-    let depth_error = force_error / field.rate() + ROUNDING * depth;
-    let turn = ROUNDING * moment.abs().max(force.abs());
+    let depth = field.level().abs();
+    let given = match problem.load.vertical {
+        Vertical::Force(_) => 0.0,
+        Vertical::Settlement(_) => settlement.abs() + (problem.height)(0.0).abs(),
+    };
+    // A free edge is rounded itself.
+    let slope = field.transform.end_slope().max(0.0);
+    let rounded = if field.is_free { slope * field.radius } else { 0.0 };
+    let rounding = ROUNDING * depth + 2.0 * f64::EPSILON * (given + rounded);
+    let force_error = (field.integrated_force() - force).abs()
+        + field.rate() * rounding
+        + shape.tolerance * force.abs();
+    let depth_error = force_error / field.rate();
+    // A depth that is off by this adds a flat base's pressure.
+    let pressure = pressure + field.flat_pressure(depth_error);
+    let turn = ROUNDING * moment.abs();
     let by_force = matches!(problem.load.vertical, Vertical::Force(_));
     let arm = match problem.load.rotational {
         Rotational::Eccentricity(e) if !by_force => e.abs() * force_error,
@@ -225,14 +235,13 @@ fn estimate(
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
         pressure,
-        settlement: of(by_force, depth_error),
+        settlement: of(by_force, depth_error + ROUNDING * settlement.abs()),
         tilt: of(!by_tilt, shift.max(ROUNDING * tilt.abs())),
-        force: of(!by_force, force_error + field.rate() * ROUNDING * depth),
+        force: of(!by_force, force_error),
         moment: of(!by_moment, turn + arm),
     };
     let edge = if field.is_free {
-        let slope = field.transform.end_slope().max(f64::MIN_POSITIVE);
-        (depth_error / slope).max(ROUNDING * field.radius).min(1.0)
+        (depth_error / slope.max(f64::MIN_POSITIVE)).max(ROUNDING * field.radius).min(1.0)
     } else {
         0.0
     };

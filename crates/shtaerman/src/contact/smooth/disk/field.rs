@@ -33,11 +33,11 @@ impl Field {
         is_free: bool,
         state: State,
     ) -> Self {
-        // d(c) = P0/(2 e c) - c int h(c sin t) sin^2 t dt
+        // d(c) = P0/(2 e c) - c int h(c cos t) cos^2 t dt
         let corner = if is_free {
             0.0
         } else {
-            let free = radius * shape.integral(radius, Weight::SineSquared);
+            let free = radius * shape.integral(radius, Weight::CosineSquared);
             0.5 * state.force / (modulus * radius) - free
         };
         let transform = Transform::new(shape, radius);
@@ -62,6 +62,11 @@ impl Field {
     /// `dM0/d(-alpha0)`.
     pub(super) fn turning(&self) -> f64 {
         4.0 / 3.0 * self.modulus * self.radius.powi(3)
+    }
+
+    /// What a flat base this deep has in the middle.
+    pub(super) fn flat_pressure(&self, depth: f64) -> f64 {
+        self.modulus / PI * depth / self.radius
     }
 
     /// `P0` from the panels.

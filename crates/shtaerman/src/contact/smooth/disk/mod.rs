@@ -194,9 +194,9 @@ impl SmoothDisk {
 
     /// Contact up to a wall.
     fn full(&self, shape: &Shape<'_>, radius: f64) -> Candidate {
-        // P0 = 2 e [depth c - c^2 int h(c sin t) cos^2 t dt]
+        // P0 = 2 e [depth c - c^2 int h(c cos t) sin^2 t dt]
         let compliance = 0.5 / (self.modulus() * radius);
-        let mean = radius * shape.integral(radius, Weight::CosineSquared);
+        let mean = radius * shape.integral(radius, Weight::SineSquared);
         let (depth, force) = match self.load.vertical {
             Vertical::Force(force) => (force * compliance + mean, force),
             Vertical::Settlement(settlement) => {
@@ -214,7 +214,7 @@ impl SmoothDisk {
         limit: f64,
     ) -> impl Iterator<Item = Candidate> + 'a {
         let scale = 2.0 * self.modulus();
-        let force = move |c: f64| scale * c * c * shape.integral(c, Weight::SineSquared);
+        let force = move |c: f64| scale * c * c * shape.integral(c, Weight::CosineSquared);
         let height = (self.height)(0.0);
         let radii = match self.load.vertical {
             Vertical::Force(target) => radius::crossings(&force, target, &shape.breaks, limit),

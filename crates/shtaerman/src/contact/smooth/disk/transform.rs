@@ -9,16 +9,18 @@ use crate::contact::smooth::legendre::{ORDER, RULE, derivative, integral, polyno
 
 /// Panels are halved at most this often, and there are at most so many.
 const DEEPEST: u32 = 44;
-const MOST_PANELS: usize = 512;
+const MOST_PANELS: usize = 128;
 /// Last coefficients relative to the largest value that count as resolved, and that are noise if they do not fall.
 const RESOLVED: f64 = 4e-16;
 const NOISE: f64 = 1e-11;
 /// Length of a step in the logarithm of `s`, and in the angle, within which polynomials of `s` are integrated exactly.
 const STEP: f64 = 1.0;
 const TURN: f64 = 0.5;
-/// A slope at a kink below this share of the largest is rounding; on panels as short as that, this share.
+/// A slope at a kink below this share of the largest is rounding.
 const HARMLESS: f64 = 1e-9;
-const VANISHING: f64 = 1e-2;
+/// Towards a kink the slope vanishes if it falls to this share over so many lengths of the first panel.
+const FALLEN: f64 = 0.5;
+const LENGTHS: f64 = 1024.0;
 
 #[derive(Debug, Clone)]
 struct Panel {
@@ -49,6 +51,25 @@ impl Panel {
     }
 }
 
+/// A panel that may be halved.
+struct Sampled {
+    ends: [f64; 2],
+    values: [f64; ORDER],
+    depth: u32,
+    /// The last coefficients, and those of the panel twice as long.
+    tail: f64,
+    before: f64,
+}
+
+fn sample(shape: &Shape<'_>, kink: f64, [from, to]: [f64; 2]) -> [f64; ORDER] {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    RULE.coefficients(&RULE.nodes.map(|u| shape.transform_beyond(kink, middle + half * u)))
+}
+
+fn tail(values: &[f64; ORDER]) -> f64 {
+    values[ORDER - 2..].iter().fold(0.0, |most, c| most.max(c.abs()))
+}
+
 /// The part of the disk between two kinks.
 #[derive(Debug, Clone)]
 struct Segment {
@@ -64,42 +85,29 @@ fn leg(x: f64, y: f64) -> f64 {
 
 impl Segment {
     fn new(shape: &Shape<'_>, ends: [f64; 2], size: f64) -> Self {
-        let last = leg(ends[1], ends[0]);
-        let mut segment = Self { ends, panels: Vec::new() };
-        let first = segment.sample(shape, [0.0, last]);
-        let size = first.iter().fold(size, |most, c| most.max(c.abs()));
-        segment.add(shape, [0.0, last], first, (0, f64::INFINITY), size);
-        segment
-    }
-
-    fn sample(&self, shape: &Shape<'_>, [from, to]: [f64; 2]) -> [f64; ORDER] {
-        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        RULE.coefficients(
-            &RULE.nodes.map(|u| shape.transform(self.ends[0].hypot(middle + half * u))),
-        )
-    }
-
-    fn add(
-        &mut self,
-        shape: &Shape<'_>,
-        ends: [f64; 2],
-        coefficients: [f64; ORDER],
-        (depth, before): (u32, f64),
-        size: f64,
-    ) {
-        let tail = coefficients[ORDER - 2..].iter().fold(0.0f64, |most, c| most.max(c.abs()));
-        let is_noise = tail >= 0.5 * before && tail <= NOISE * size;
-        let is_last = depth >= DEEPEST || self.panels.len() >= MOST_PANELS;
-        let met = tail <= shape.tolerance.max(RESOLVED) * size;
-        if met || is_noise || is_last || !tail.is_finite() {
-            self.panels.push(Panel::new(ends, coefficients));
-            return;
+        let sampled = |own: [f64; 2], depth: u32, before: f64| {
+            let values = sample(shape, ends[0], own);
+            Sampled { ends: own, values, depth, tail: tail(&values), before }
+        };
+        let first = sampled([0.0, leg(ends[1], ends[0])], 0, f64::INFINITY);
+        let size = first.values.iter().fold(size, |most, c| most.max(c.abs()));
+        let resolved = shape.tolerance.max(RESOLVED) * size;
+        let noise = (10.0 * shape.tolerance).max(NOISE) * size;
+        let is_open = |panel: &Sampled| {
+            let is_noise = panel.tail >= 0.5 * panel.before && panel.tail <= noise;
+            panel.tail > resolved && !is_noise && panel.depth < DEEPEST && panel.tail.is_finite()
+        };
+        let mut panels = vec![first];
+        while panels.len() < MOST_PANELS {
+            let open = panels.iter().enumerate().filter(|(_, panel)| is_open(panel));
+            let worst = open.max_by(|one, two| one.1.tail.total_cmp(&two.1.tail));
+            let Some((i, &Sampled { ends: [from, to], depth, tail, .. })) = worst else { break };
+            let middle = 0.5 * (from + to);
+            panels[i] = sampled([from, middle], depth + 1, tail);
+            panels.insert(i + 1, sampled([middle, to], depth + 1, tail));
         }
-        let middle = 0.5 * (ends[0] + ends[1]);
-        for half in [[ends[0], middle], [middle, ends[1]]] {
-            let coefficients = self.sample(shape, half);
-            self.add(shape, half, coefficients, (depth + 1, tail), size);
-        }
+        let panels = panels.iter().map(|panel| Panel::new(panel.ends, panel.values)).collect();
+        Self { ends, panels }
     }
 
     /// `sqrt(x^2 - r^2)` or its negative square at the end `s` of a panel.
@@ -142,9 +150,13 @@ impl Segment {
         let Some(first) = self.panels.first() else { return 0.0 };
         let slope = first.slope(0.0);
         let largest = self.largest_slope();
-        let is_short = first.ends[1] <= HARMLESS * self.panels[self.panels.len() - 1].ends[1];
-        let share = if is_short { VANISHING } else { HARMLESS };
-        if slope.abs() > share * largest {
+        let far = LENGTHS * first.ends[1];
+        let falls = (self.panels.iter())
+            .find(|panel| panel.ends[0] <= far && far < panel.ends[1])
+            .is_some_and(|panel| {
+                first.slope(first.ends[1]).abs() < FALLEN * panel.slope(far).abs()
+            });
+        if slope.abs() > HARMLESS * largest && !falls {
             return f64::INFINITY.copysign(slope);
         }
         let mut sum = integral(0.0, first.ends[1], |s| (first.slope(s) - slope) / s);
