@@ -3,8 +3,8 @@
 use serde::Serialize;
 
 use crate::{
-    Complementarity, Contact, CrossCheck, Error, ErrorKind, Law, Rotational, Scaling, Vertical,
-    Warning,
+    Complementarity, Contact, CrossCheck, Error, ErrorKind, Law, RelativeSettlement, Rotational,
+    Scaling, Sensitivities, SurfaceCurve, Vertical, Warning,
 };
 
 /// Version of the answer's layout; the JSON Schema `schema/answer.schema.json` describes it.
@@ -23,6 +23,9 @@ pub struct Answer {
     pub physical: Option<Physical>,
     /// The pressure at points.
     pub pressure: PressureCurve,
+    /// The surface under and beside the punch, where asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub surface: Option<SurfaceCurve>,
     /// How it was solved.
     pub method: MethodReport,
     /// How sure the answer is.
@@ -112,6 +115,12 @@ pub struct Dimensionless {
     pub stiffness: [[f64; 2]; 2],
     /// Zones of contact, as `xi`.
     pub edges: Vec<[f64; 2]>,
+    /// The settlement relative to the data asked for, of a dimensionless problem.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub relative_settlement: Vec<RelativeSettlement>,
+    /// How the answer changes with `theta0` and load, where asked for of a dimensionless problem.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sensitivities: Option<Sensitivities>,
 }
 
 /// Quantities in SI units.
@@ -147,6 +156,12 @@ pub struct Physical {
     pub contact_modulus: f64,
     /// What the settlement is measured against.
     pub gauge: &'static str,
+    /// The settlement relative to the data asked for.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub relative_settlement: Vec<RelativeSettlement>,
+    /// How the answer changes with roughness, modulus and load, where asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sensitivities: Option<Sensitivities>,
 }
 
 /// The pressure at points.
@@ -184,15 +199,15 @@ impl PressureCurve {
         })
     }
 
-    /// The pressure at `count` points from edge to edge, denser at the edges.
+    /// The pressure at `count` points from edge to edge, denser at the edges of the punch and of the zones.
     ///
     /// # Errors
     /// [`Error::InvalidValue`] for fewer than two points.
     pub fn along(contact: &Contact, count: usize) -> Result<Self, Error> {
         crate::error::require(count >= 2, "points", count as f64, "at least 2")?;
         let half_width = contact.problem().frame().half_width();
-        let points = fredholm::basis::chebyshev::points(count - 1);
-        Self::at(contact, points.into_iter().rev().map(|xi| half_width * xi).collect())
+        let points = spread(&contact.edges0(), count);
+        Self::at(contact, points.into_iter().map(|xi| half_width * xi).collect())
     }
 
     /// The places, in the units of the problem.
@@ -214,6 +229,37 @@ impl PressureCurve {
     }
 }
 
+/// `count` places from -1 to 1, on each zone and on each interval beside as Chebyshev points; on the whole base where they are too few for that.
+fn spread(zones: &[[f64; 2]], count: usize) -> Vec<f64> {
+    const FEWEST: usize = 4;
+    let mut ends: Vec<f64> = zones.iter().flatten().copied().filter(|xi| xi.abs() < 1.0).collect();
+    ends.extend([-1.0, 1.0]);
+    ends.sort_by(f64::total_cmp);
+    ends.dedup();
+    let steps = count - 1;
+    if steps < FEWEST * (ends.len() - 1) {
+        ends = vec![-1.0, 1.0];
+    }
+    let mut points = vec![-1.0];
+    let spare = steps.saturating_sub(FEWEST * (ends.len() - 1)) as f64;
+    let fixed = if ends.len() > 2 { FEWEST } else { 0 };
+    let share = |at: f64| {
+        if fixed == 0 { steps as f64 * 0.5 * (at + 1.0) } else { spare * 0.5 * (at + 1.0) }
+    };
+    for (index, pair) in ends.windows(2).enumerate() {
+        let upto = share(pair[1]).round() as usize + fixed * (index + 1);
+        let inside = upto + 1 - points.len();
+        let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
+        let places = fredholm::basis::chebyshev::points(inside).into_iter().rev().skip(1);
+        points.extend(places.map(|y| (middle + half * y).clamp(pair[0], pair[1])));
+        // The ends are exact whatever the sums round to.
+        if let Some(last) = points.last_mut() {
+            *last = pair[1];
+        }
+    }
+    points
+}
+
 impl Answer {
     /// The answer with a pressure curve.
     #[must_use]
@@ -227,6 +273,7 @@ impl Answer {
                 .then(|| Dimensionless::new(contact)),
             physical,
             pressure,
+            surface: None,
             method: MethodReport {
                 name: contact.method().name,
                 n: contact.method().n,
@@ -237,6 +284,28 @@ impl Answer {
             cross_check: None,
             warnings: contact.warnings().to_vec(),
         }
+    }
+
+    /// The answer with settlements relative to these data.
+    #[must_use]
+    pub fn with_relative_settlement(mut self, relative: Vec<RelativeSettlement>) -> Self {
+        match (&mut self.physical, &mut self.dimensionless) {
+            (Some(physical), _) => physical.relative_settlement = relative,
+            (None, Some(dimensionless)) => dimensionless.relative_settlement = relative,
+            (None, None) => {}
+        }
+        self
+    }
+
+    /// The answer with its sensitivities.
+    #[must_use]
+    pub fn with_sensitivities(mut self, sensitivities: Sensitivities) -> Self {
+        match (&mut self.physical, &mut self.dimensionless) {
+            (Some(physical), _) => physical.sensitivities = Some(sensitivities),
+            (None, Some(dimensionless)) => dimensionless.sensitivities = Some(sensitivities),
+            (None, None) => {}
+        }
+        self
     }
 }
 
@@ -291,6 +360,8 @@ impl Dimensionless {
             p0_max_at,
             stiffness: contact.stiffness0().matrix(),
             edges: contact.edges0(),
+            relative_settlement: Vec::new(),
+            sensitivities: None,
         }
     }
 }
@@ -318,6 +389,30 @@ impl Physical {
                 .scaling()
                 .map_or(0.0, Scaling::contact_modulus),
             gauge: contact.problem().frame().gauge(),
+            relative_settlement: Vec::new(),
+            sensitivities: None,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::spread;
+
+    #[test]
+    fn places_are_dense_at_the_ends_of_zones() {
+        for (zones, count) in [
+            (vec![[-1.0, 1.0]], 201),
+            (vec![[-0.5, 0.25]], 201),
+            (vec![[-1.0, -0.9], [0.3, 1.0]], 51),
+            (vec![[-0.5, 0.25]], 5),
+            (vec![[-1.0, 1.0]], 2),
+        ] {
+            let points = spread(&zones, count);
+            assert_eq!((points.len(), points[0], points[count - 1]), (count, -1.0, 1.0));
+            assert!(points.windows(2).all(|pair| pair[0] < pair[1]), "{points:?}");
+            let inside = zones.iter().flatten().filter(|at| at.abs() < 1.0);
+            assert!(count < 10 || inside.into_iter().all(|at| points.contains(at)), "{points:?}");
         }
     }
 }

@@ -257,6 +257,10 @@ pub enum Error {
     )]
     NoOtherMethodForZones,
 
+    /// An inverse problem has no answer.
+    #[error(transparent)]
+    Inverse(#[from] crate::inverse::InverseError),
+
     /// The problem file cannot be read as a problem.
     #[error(transparent)]
     File(#[from] FileError),

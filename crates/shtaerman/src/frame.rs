@@ -1,6 +1,6 @@
 //! In which units a problem is stated, and on what the punch stands.
 
-use crate::error::require;
+use crate::error::{positive, require};
 use crate::roughness::Law;
 use crate::{Elastic, Error, Geometry, Grading, Roughness, Scaling};
 
@@ -63,6 +63,41 @@ impl Frame {
         let scaling =
             Scaling::in_geometry(&foundation, roughness, half_width, body.as_ref(), geometry)?;
         Ok(Self::Physical { foundation, grading: None, body, roughness, geometry, scaling })
+    }
+
+    /// A foundation whose modulus grows with depth under a rigid punch, plane, pair or circular. Pressures are scaled by the modulus at the
+    /// depth `a`; [`Grading::response`] gives `theta0`, `response a E(a)` over the scale of displacements. The settlement is zero at infinity.
+    ///
+    /// With the exponent 0 this is the homogeneous problem of [`Frame::physical_in`], in a plane with its gauge `ln(a/|x-s|)`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for a Poisson's ratio that is none, a periodic geometry, where settlements of a graded body add up to infinity, and
+    /// what [`Frame::physical_in`] refuses.
+    pub fn physical_graded(
+        geometry: Geometry,
+        grading: Grading,
+        poisson_ratio: f64,
+        roughness: impl Into<Roughness>,
+        half_width: f64,
+    ) -> Result<Self, Error> {
+        if grading.is_homogeneous() {
+            let foundation = Elastic::new(grading.modulus(), poisson_ratio)?;
+            return Self::physical_in(geometry, foundation, roughness, half_width, None);
+        }
+        require(
+            !matches!(geometry, Geometry::Periodic { .. }),
+            "grading_exponent",
+            grading.exponent(),
+            "0 (homogeneous) for a periodic row: the settlements that its punches give each other add up to infinity",
+        )?;
+        positive("half_width", half_width)?;
+        let roughness = roughness.into();
+        let foundation = Elastic::new(grading.modulus_at(half_width), poisson_ratio)?;
+        let response = grading.response(poisson_ratio, half_width, geometry == Geometry::Circular);
+        let moduli = [foundation.young_modulus(), foundation.plane_strain_modulus()];
+        let scaling = Scaling::with_response(response, moduli, roughness, half_width, geometry)?;
+        let grading = Some(grading);
+        Ok(Self::Physical { foundation, grading, body: None, roughness, geometry, scaling })
     }
 
     /// The dimensionless problem at `theta0`.
@@ -156,5 +191,51 @@ impl Frame {
     #[must_use]
     pub fn coordinate(&self) -> &'static str {
         if self.scaling().is_some() { "x" } else { "xi" }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+
+    #[test]
+    fn a_graded_foundation_is_scaled_by_its_response() {
+        let (mu, nu, chi, a) = (0.3, 0.25, 2e-10, 0.4);
+        let grading = Grading::new(mu, 50e6).unwrap();
+        let plane = Frame::physical_graded(Geometry::Plane, grading, nu, chi, a).unwrap();
+        // u = theta_g P |x|^-mu: what p = E(a) p0 on the strip of xi gives, over chi E(a)
+        let expected = grading.line_response(nu) * a.powf(1.0 - mu) / chi;
+        assert!((plane.theta0() / expected - 1.0).abs() < 1e-14);
+        assert_eq!(plane.grading(), Some(grading));
+        let scaling = plane.scaling().unwrap();
+        assert!((scaling.pressure() / (50e6 * 0.4f64.powf(0.3)) - 1.0).abs() < 1e-15);
+
+        // Far from a disk of radius a under p0 = 1 the settlement is that of a point load: J_0(xi t) alone counts, int t^mu J_0(xi t) dt =
+        // 2^mu Gamma((1+mu)/2)/Gamma((1-mu)/2) xi^-(1+mu).
+        let disk = Frame::physical_graded(Geometry::Circular, grading, nu, chi, a).unwrap();
+        let xi = 7.0f64;
+        let kernel = 2f64.powf(mu) * libm::tgamma(0.5 + 0.5 * mu) / libm::tgamma(0.5 - 0.5 * mu)
+            * xi.powf(-1.0 - mu);
+        let (far, pressure) = (disk.theta0() * PI * kernel * 0.5, scaling.pressure());
+        let point = grading.point_response(nu) * PI * a * a * pressure * (xi * a).powf(-1.0 - mu);
+        assert!((far * chi * pressure / point - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn grading_of_exponent_zero_is_homogeneous() {
+        let grading = Grading::new(0.0, 2e9).unwrap();
+        for geometry in [Geometry::Plane, Geometry::Circular, Geometry::Periodic { period: 3.0 }] {
+            let graded = Frame::physical_graded(geometry, grading, 0.3, 1e-12, 0.5).unwrap();
+            let material = Elastic::new(2e9, 0.3).unwrap();
+            let plain = Frame::physical_in(geometry, material, 1e-12, 0.5, None).unwrap();
+            assert_eq!(graded, plain);
+        }
+        let graded = Grading::new(0.4, 2e9).unwrap();
+        let row = Geometry::Periodic { period: 3.0 };
+        assert!(Frame::physical_graded(row, graded, 0.3, 1e-12, 0.5).is_err());
+        assert!(Frame::physical_graded(Geometry::Plane, graded, 0.7, 1e-12, 0.5).is_err());
+        assert!(Frame::physical_graded(Geometry::Plane, graded, 0.3, 1e-12, -0.5).is_err());
     }
 }

@@ -69,6 +69,12 @@ impl Geometry {
         }
     }
 
+    /// Whether the base fills the whole period of a row: it cannot tilt then.
+    #[must_use]
+    pub fn is_wave(&self, half_width: f64) -> bool {
+        matches!(self, Self::Periodic { period } if *period <= 2.0 * half_width)
+    }
+
     /// What the settlement is measured against on a homogeneous foundation.
     #[must_use]
     pub fn gauge(&self) -> &'static str {

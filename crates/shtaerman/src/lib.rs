@@ -28,8 +28,11 @@
 //! contact problems by the degenerate kernel method*, Proceedings of NAS of Armenia, Mechanics.
 
 mod answer;
+pub mod asperities;
+mod columns;
 mod contact;
 pub mod convergence;
+mod datum;
 pub mod document;
 pub mod equation;
 mod error;
@@ -38,6 +41,7 @@ pub mod file;
 mod frame;
 mod geometry;
 mod grading;
+pub mod inverse;
 mod load;
 mod material;
 mod nearest;
@@ -47,7 +51,10 @@ pub mod profile;
 pub mod quantity;
 mod roughness;
 mod scaling;
+mod sensitivity;
 mod stress;
+mod surface_curve;
+mod variation;
 
 pub use answer::{
     Answer, Dimensionless, ErrorReport, Errors, MethodReport, Physical, PressureCurve, SCHEMA,
@@ -58,6 +65,7 @@ pub use contact::{
     Stiffness, Warning, WarningCode,
 };
 pub use convergence::Convergence;
+pub use datum::{Datum, RelativeSettlement};
 pub use error::Error;
 pub use frame::Frame;
 pub use geometry::Geometry;
@@ -68,4 +76,6 @@ pub use problem::{ContactKind, MethodChoice, Problem, Solver};
 pub use profile::Profile;
 pub use roughness::{Law, Roughness};
 pub use scaling::Scaling;
+pub use sensitivity::{Derivatives, Sensitivities};
 pub use stress::{Criterion, FirstYield, Peak, Stress, StressField};
+pub use surface_curve::SurfaceCurve;

@@ -150,14 +150,6 @@ impl Problem {
         Ok(Self { solver, ..self.clone() })
     }
 
-    /// The same problem under another load.
-    ///
-    /// # Errors
-    /// Those of [`Problem::new`].
-    pub fn with_load(&self, load: Load) -> Result<Self, Error> {
-        Self::new(self.frame.clone(), self.profile.clone(), load, self.solver)
-    }
-
     /// `f0(xi) = f(a xi)/(chi E)`, for a dimensionless problem the profile itself.
     #[must_use]
     pub fn dimensionless_profile(&self, xi: f64) -> f64 {
@@ -176,6 +168,11 @@ impl Problem {
         let height = |xi| self.dimensionless_profile(xi);
         let points = fredholm::basis::chebyshev::points(SYMMETRY_POINTS);
         level && points.into_iter().all(|xi| height(xi) == height(-xi))
+    }
+
+    /// Whether the base fills the whole period of a row.
+    pub(crate) fn is_wave(&self) -> bool {
+        self.frame.geometry().is_wave(self.frame.half_width())
     }
 
     /// The profile resolved by a Chebyshev series in `xi`.

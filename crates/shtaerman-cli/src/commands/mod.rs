@@ -2,11 +2,13 @@
 
 mod convergence;
 mod equation;
+mod find;
 mod init;
 mod places;
 mod problem_file;
 mod regularity;
 mod reproduce;
+mod roughness;
 mod solve;
 mod spectrum;
 mod stress;
@@ -19,6 +21,7 @@ use crate::arguments::Command;
 pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
     match command {
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Find(arguments) => find::run(arguments),
         Command::Validate(arguments) => validate::run(arguments),
         Command::Init(arguments) => init::run(arguments),
         Command::Reproduce(arguments) => reproduce::run(arguments),
@@ -27,5 +30,6 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Equation(arguments) => equation::run(arguments),
         Command::Stress(arguments) => stress::run(arguments),
         Command::Spectrum(arguments) => spectrum::run(arguments),
+        Command::Roughness(arguments) => roughness::run(arguments),
     }
 }

@@ -9,10 +9,15 @@ const MOST_PLACES: usize = 1_000_000;
 
 /// Refuses numbers of points that make no curve.
 pub(super) fn check_points(points: usize) -> Result<(), Failure> {
+    check_count("--points", points)
+}
+
+/// The same for another option.
+pub(super) fn check_count(option: &str, points: usize) -> Result<(), Failure> {
     if (2..=MOST_PLACES).contains(&points) {
         return Ok(());
     }
-    Err(Failure::Usage(format!("--points {points}: must be from 2 to {MOST_PLACES}")))
+    Err(Failure::Usage(format!("{option} {points}: must be from 2 to {MOST_PLACES}")))
 }
 
 /// The places of `--at`, each accepted by `place` or refused with its words.
@@ -30,11 +35,19 @@ pub(super) fn parse(
     }
     let parsed = |part: &str| {
         let part = part.trim();
-        let refused = |words: String| Failure::Usage(format!("--at `{part}`: {words}"));
-        let value = shtaerman::quantity::parse(part)
-            .and_then(|quantity| quantity.of(dimension, part))
-            .map_err(|error| refused(error.to_string()))?;
-        place(value).map_err(refused)
+        let value = quantity("--at", part, dimension)?;
+        place(value).map_err(|words| refused("--at", part, words))
     };
     parts.into_iter().map(parsed).collect()
+}
+
+/// The value of an option that is a quantity.
+pub(super) fn quantity(option: &str, text: &str, dimension: Dimension) -> Result<f64, Failure> {
+    shtaerman::quantity::parse(text)
+        .and_then(|quantity| quantity.of(dimension, text))
+        .map_err(|error| refused(option, text, error))
+}
+
+fn refused(option: &str, text: &str, words: impl std::fmt::Display) -> Failure {
+    Failure::Usage(format!("{option} `{text}`: {words}"))
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use shtaerman::quantity::{Dimension, axis_unit, engineering};
-use shtaerman::{Answer, Contact, Law, PressureCurve, Problem};
+use shtaerman::{Answer, Contact, Datum, Law, PressureCurve, Problem, SurfaceCurve};
 
 use super::{places, problem_file};
 use crate::Failure;
@@ -30,12 +30,13 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let file = problem_file::read(&arguments.problem)?;
     let places =
         arguments.at.as_deref().map(|text| parse_places(text, file.problem())).transpose()?;
+    let extras = Extras::new(arguments, file.problem())?;
     let contact = file.solve()?;
     let curve = match places {
         Some(places) => PressureCurve::at(&contact, places)?,
         None => PressureCurve::along(&contact, arguments.points)?,
     };
-    let mut answer = Answer::new(&contact, curve);
+    let mut answer = extended(Answer::new(&contact, curve), &contact, &extras)?;
     if arguments.cross_check {
         answer.cross_check =
             Some(file.problem().cross_check(&contact).map_err(|error| file.locate(error))?);
@@ -64,6 +65,47 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+/// What was asked for beside the answer.
+struct Extras {
+    data: Vec<Datum>,
+    surface: Option<usize>,
+    sensitivities: bool,
+}
+
+impl Extras {
+    fn new(arguments: &SolveArguments, problem: &Problem) -> Result<Self, Failure> {
+        let physical = problem.frame().scaling().is_some();
+        let dimension = if physical { Dimension::LENGTH } else { Dimension::NONE };
+        let mut data = Vec::new();
+        if let Some(text) = &arguments.datum_distance {
+            let distance = places::quantity("--datum-distance", text, dimension)?;
+            data.push(Datum::Distance(distance));
+        }
+        if let Some(text) = &arguments.datum_depth {
+            data.push(Datum::Depth(places::quantity("--datum-depth", text, dimension)?));
+        }
+        if let Some(count) = arguments.surface {
+            places::check_count("--surface", count)?;
+            if arguments.output.format == ReportFormat::Table {
+                return Err(Failure::Usage("--surface goes with --format json or csv".to_owned()));
+            }
+        }
+        Ok(Self { data, surface: arguments.surface, sensitivities: arguments.sensitivities })
+    }
+}
+
+fn extended(answer: Answer, contact: &Contact, extras: &Extras) -> Result<Answer, Failure> {
+    let relative = extras.data.iter().map(|datum| contact.relative_settlement(*datum));
+    let mut answer = answer.with_relative_settlement(relative.collect::<Result<_, _>>()?);
+    if let Some(count) = extras.surface {
+        answer.surface = Some(SurfaceCurve::new(contact, count)?);
+    }
+    if extras.sensitivities {
+        answer = answer.with_sensitivities(contact.sensitivities()?);
+    }
+    Ok(answer)
 }
 
 /// The places of `--at`: lengths, or bare numbers for a dimensionless problem.

@@ -51,6 +51,7 @@ pub(crate) fn answer_table(
     if let Some(check) = &answer.cross_check {
         text.push_str(&cross_check_line(check));
     }
+    text.push_str(&super::extras(answer));
     if with_places {
         text.push('\n');
         text.push_str(&places(&answer.pressure).to_string());
@@ -264,11 +265,14 @@ fn places(curve: &PressureCurve) -> Table {
     }
 }
 
-/// The pressure curve as CSV: `x,p` in SI units, or `xi,p0`.
+/// The pressure curve as CSV: `x,p` in SI units, or `xi,p0`; the surface in its place where that was asked for.
 ///
 /// # Errors
 /// [`Failure::Usage`] should writing to memory fail.
 pub(crate) fn answer_csv(answer: &Answer) -> Result<String, Failure> {
+    if let Some(surface) = &answer.surface {
+        return super::surface_csv(surface);
+    }
     let header = match answer.pressure {
         PressureCurve::Physical { .. } => ["x", "p"],
         PressureCurve::Dimensionless { .. } => ["xi", "p0"],

@@ -2,6 +2,8 @@
 
 mod answer;
 mod equation;
+mod extras;
+mod find;
 mod npz;
 mod number;
 mod stress;
@@ -9,6 +11,8 @@ mod table;
 
 pub(crate) use answer::{answer_csv, answer_table};
 pub(crate) use equation::{equation_csv, equation_table};
+pub(crate) use extras::{extras, surface_csv};
+pub(crate) use find::{CrownReport, FoundReport, ShapedReport};
 pub(crate) use npz::{Array, npz};
 pub(crate) use number::significant;
 pub(crate) use stress::{

@@ -95,10 +95,11 @@ impl Problem {
         frame.is_circular() && frame.grading().is_none() && frame.law() == Law::Smooth
     }
 
-    /// Whether this is one punch on a half-plane with a linear layer, for which the spectral relation serves.
+    /// Whether this is one punch on a homogeneous half-plane with a linear layer, for which the spectral relation serves.
     fn is_plain(&self) -> bool {
         let frame = self.frame();
-        frame.geometry() == Geometry::Plane && frame.law() == Law::Linear
+        let is_homogeneous = frame.grading().is_none();
+        frame.geometry() == Geometry::Plane && frame.law() == Law::Linear && is_homogeneous
     }
 
     /// The answer that zones amount to, if it keeps an explicit tolerance.

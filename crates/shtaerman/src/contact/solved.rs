@@ -48,6 +48,8 @@ pub struct Contact {
     problem: Problem,
     solution: Arc<dyn Solution>,
     reason: String,
+    /// Whether tilt and moment are zero, by symmetry or because a wave has none.
+    is_level: bool,
     peak: (f64, f64),
     tension: Vec<[f64; 2]>,
     warnings: Vec<Warning>,
@@ -64,6 +66,7 @@ impl Contact {
             problem: problem.clone(),
             solution,
             reason,
+            is_level: problem.is_symmetric() || problem.is_wave(),
             peak: (0.0, 0.0),
             tension: Vec::new(),
             warnings: Vec::new(),
@@ -74,11 +77,17 @@ impl Contact {
             let sampled = Sampled::new(|xi| contact.pressure0(xi), places, pressures);
             (sampled.maximum(), sampled.negative())
         };
-        contact.peak = (peak.value, peak.place);
+        contact.peak = contact.singular_peak().unwrap_or((peak.value, peak.place));
         if problem.solver().contact == ContactKind::Bilateral {
             contact.tension = tension;
         }
         Ok(contact)
+    }
+
+    /// The first end of a zone where the pressure is infinite.
+    fn singular_peak(&self) -> Option<(f64, f64)> {
+        let ends = self.edges0().into_iter().flatten();
+        ends.map(|xi| (self.pressure0(xi), xi)).find(|(p, _)| *p == f64::INFINITY)
     }
 
     /// The problem solved.
@@ -102,7 +111,7 @@ impl Contact {
     /// `M0 = M/(a^2 E)`.
     #[must_use]
     pub fn moment0(&self) -> f64 {
-        self.solution.state().moment
+        if self.is_level { 0.0 } else { self.solution.state().moment }
     }
 
     /// `delta0 = delta/(chi E)`.
@@ -114,7 +123,7 @@ impl Contact {
     /// `alpha0 = a alpha/(chi E)`.
     #[must_use]
     pub fn tilt0(&self) -> f64 {
-        self.solution.state().tilt
+        if self.is_level { 0.0 } else { self.solution.state().tilt }
     }
 
     /// `p0(xi)` for `xi` in `[-1, 1]`, on the full base (3.1); 0 outside the zones of a unilateral contact and at their free edges.
@@ -280,7 +289,10 @@ impl Contact {
     /// The tangent stiffness without dimensions.
     #[must_use]
     pub fn stiffness0(&self) -> Stiffness {
-        self.solution.stiffness()
+        let known = self.solution.stiffness();
+        let coupling = if self.is_level { 0.0 } else { known.coupling };
+        let moment_tilt = if self.problem.is_wave() { 0.0 } else { known.moment_tilt };
+        Stiffness { coupling, moment_tilt, ..known }
     }
 
     /// How it was solved.

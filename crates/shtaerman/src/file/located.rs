@@ -7,10 +7,12 @@ use crate::document::{Document, FileError};
 use crate::{Contact, Error, Problem};
 
 /// Keys of which a file has one; an override of one replaces the other.
-const ALTERNATIVES: [&[&str]; 7] = [
+const ALTERNATIVES: [&[&str]; 9] = [
     &["load.force", "load.settlement"],
     &["load.moment", "load.eccentricity", "load.tilt"],
     &["foundation.roughness", "foundation.subgrade_modulus"],
+    &["foundation.young_modulus", "foundation.grading_modulus"],
+    &["foundation.young_modulus", "foundation.grading_exponent"],
     &["dimensionless.theta0", "dimensionless.lambda0"],
     &["dimensionless.force", "dimensionless.settlement"],
     &["dimensionless.moment", "dimensionless.eccentricity", "dimensionless.tilt"],
@@ -107,6 +109,8 @@ fn locate(document: &Document, error: Error) -> Error {
             "moment" => &["load.moment", "dimensionless.moment"],
             "eccentricity" => &["load.eccentricity", "dimensionless.eccentricity"],
             "tilt" => &["load.tilt", "dimensionless.tilt"],
+            "grading_exponent" => &["foundation.grading_exponent"],
+            "roughness" => &["foundation.roughness"],
             _ => &[],
         },
         Error::NoContact => &["load.settlement", "dimensionless.settlement"],

@@ -192,7 +192,9 @@ fn refused(field: &Field<'_>, error: &Error) -> FileError {
 /// A value as people write it, in the unit of the key.
 fn shown(key: &str, value: f64) -> String {
     match key {
-        "young_modulus" | "yield_stress" => engineering(value, Dimension::PRESSURE),
+        "young_modulus" | "grading_modulus" | "yield_stress" => {
+            engineering(value, Dimension::PRESSURE)
+        }
         "half_width" => engineering(value, Dimension::LENGTH),
         "roughness" => engineering(value, Dimension::COMPLIANCE),
         "subgrade_modulus" => engineering(value, Dimension::SUBGRADE_MODULUS),

@@ -4,10 +4,13 @@ use super::geometry;
 use super::{refused, shown};
 use crate::document::{FileError, TableReader};
 use crate::quantity::Dimension;
-use crate::{Elastic, Error, Frame, Roughness};
+use crate::{Elastic, Error, Frame, Grading, Roughness};
 
 pub(super) fn read(reader: &TableReader<'_>) -> Result<Frame, FileError> {
     let foundation = reader.required("foundation")?.table()?;
+    if foundation.has("grading_exponent") || foundation.has("grading_modulus") {
+        return graded(reader, &foundation);
+    }
     let material = elastic(&foundation)?;
     let roughness = roughness(&foundation)?;
     yield_stress(&foundation)?;
@@ -16,6 +19,45 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Frame, FileError> {
     let (geometry, half_width, field) = geometry::read_physical(&punch)?;
     Frame::physical_in(geometry, material, roughness, half_width, body)
         .map_err(|error| refused(&field, &error))
+}
+
+/// `E = E0 y^mu` under a rigid punch.
+fn graded(reader: &TableReader<'_>, foundation: &TableReader<'_>) -> Result<Frame, FileError> {
+    if let Some(modulus) = foundation.optional("young_modulus") {
+        return Err(modulus
+            .error("does not go with grading: the modulus depends on the depth")
+            .with_help("grading_modulus is Young's modulus at the depth of 1 m"));
+    }
+    let exponent = foundation.required("grading_exponent")?;
+    let modulus = foundation.required("grading_modulus")?;
+    let ratio = foundation.required("poisson_ratio")?;
+    let grading = Grading::new(exponent.number()?, modulus.quantity(Dimension::PRESSURE)?)
+        .map_err(|error| {
+            let at_modulus = matches!(error, Error::InvalidValue { field: "grading_modulus", .. });
+            refused(if at_modulus { &modulus } else { &exponent }, &error)
+        })?;
+    let poisson_ratio = ratio.quantity(Dimension::NONE)?;
+    // The ratio alone, so that a fault is located there.
+    Elastic::new(1.0, poisson_ratio).map_err(|error| refused(&ratio, &error))?;
+    if let Some(body) = reader.optional("body").filter(|_| !grading.is_homogeneous()) {
+        return Err(body.error(
+            "does not go with grading: an elastic punch has no composite modulus with a graded foundation; leave it out for a rigid punch",
+        ));
+    }
+    let body = reader.table("body")?.map(|table| elastic(&table)).transpose()?;
+    let roughness = roughness(foundation)?;
+    let punch = reader.required("punch")?.table()?;
+    let (geometry, half_width, field) = geometry::read_physical(&punch)?;
+    let frame = match body {
+        Some(body) => Elastic::new(grading.modulus(), poisson_ratio).and_then(|material| {
+            Frame::physical_in(geometry, material, roughness, half_width, Some(body))
+        }),
+        None => Frame::physical_graded(geometry, grading, poisson_ratio, roughness, half_width),
+    };
+    frame.map_err(|error| {
+        let at_exponent = matches!(error, Error::InvalidValue { field: "grading_exponent", .. });
+        refused(if at_exponent { &exponent } else { &field }, &error)
+    })
 }
 
 fn elastic(table: &TableReader<'_>) -> Result<Elastic, FileError> {

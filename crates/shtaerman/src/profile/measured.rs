@@ -1,6 +1,7 @@
 //! A measured profile from a CSV file.
 
 use super::Profile;
+use crate::columns::{Columns, Row};
 use crate::document::FileError;
 
 /// How the columns of a measured profile are to be read.
@@ -28,65 +29,27 @@ pub fn read_csv(
     options: &CsvOptions,
 ) -> Result<Profile, FileError> {
     let fault = |message: String| FileError::new(message).in_file(Some(file_name));
-    let content = content.strip_prefix(b"\xef\xbb\xbf").unwrap_or(content);
-    let text = std::str::from_utf8(content).map_err(|error| {
-        fault(format!("is not UTF-8 text: byte {} is none", error.valid_up_to()))
-    })?;
-    let mut rows = Rows { positions: Vec::new(), heights: Vec::new(), header_seen: false };
-    for (index, line) in text.lines().enumerate() {
-        let line = line.trim();
-        if !line.is_empty() && !line.starts_with('#') {
-            rows.read(line, options)
-                .map_err(|message| fault(format!("line {}: {message}", index + 1)))?;
+    let columns = Columns {
+        names: ["position", "height"],
+        units: [options.position_unit, options.height_unit],
+    };
+    let rows = columns.read(content, file_name)?;
+    let (mut positions, mut heights) = (Vec::<f64>::new(), Vec::new());
+    for Row { line, values: [position, height] } in rows {
+        if let Some(last) = positions.last().filter(|last| position <= **last) {
+            return Err(fault(format!(
+                "line {line}: positions must increase from row to row, got {position} after {last} (in metres)"
+            )));
         }
+        positions.push(position);
+        heights.push(if options.flip { -height } else { height });
     }
-    let Rows { positions, heights, .. } = rows;
     if positions.len() < 2 {
         let count = positions.len();
         return Err(fault(format!("a profile needs at least two rows of numbers, got {count}")));
     }
     covers(&positions, options).map_err(fault)?;
     Profile::measured(positions, heights).map_err(|error| fault(error.to_string()))
-}
-
-struct Rows {
-    positions: Vec<f64>,
-    heights: Vec<f64>,
-    header_seen: bool,
-}
-
-impl Rows {
-    fn read(&mut self, line: &str, options: &CsvOptions) -> Result<(), String> {
-        let fields = fields(line);
-        let numbers: Vec<Option<f64>> = fields.iter().map(|field| field.parse().ok()).collect();
-        if self.positions.is_empty() && !self.header_seen && numbers.iter().all(Option::is_none) {
-            self.header_seen = true;
-            return Ok(());
-        }
-        if fields.len() != 2 {
-            return Err(format!("needs two columns, position and height, got {}", fields.len()));
-        }
-        let mut values = [0.0; 2];
-        for ((value, number), (field, column)) in
-            values.iter_mut().zip(&numbers).zip(fields.iter().zip(["position", "height"]))
-        {
-            *value = number
-                .ok_or_else(|| format!("the {column} is not a number: `{}`", shortened(field)))?;
-            if !value.is_finite() {
-                return Err(format!("the {column} is {value}: it must be finite"));
-            }
-        }
-        let [position, height] =
-            [values[0] * options.position_unit, values[1] * options.height_unit];
-        if let Some(last) = self.positions.last().filter(|last| position <= **last) {
-            return Err(format!(
-                "positions must increase from row to row, got {position} after {last} (in metres)"
-            ));
-        }
-        self.positions.push(position);
-        self.heights.push(if options.flip { -height } else { height });
-        Ok(())
-    }
 }
 
 /// Relative slack at the edges of the punch, so that a trace that ends at the edge covers it whatever its unit rounds to.
@@ -102,32 +65,6 @@ fn covers(positions: &[f64], options: &CsvOptions) -> Result<(), String> {
         ));
     }
     Ok(())
-}
-
-fn fields(line: &str) -> Vec<String> {
-    let separated =
-        |separator: char| line.split(separator).map(|field| unquoted(field).to_owned()).collect();
-    if line.contains(';') {
-        let fields: Vec<String> = separated(';');
-        return fields.into_iter().map(|field| field.replace(',', ".")).collect();
-    }
-    if line.contains(',') {
-        return separated(',');
-    }
-    line.split_whitespace().map(|field| unquoted(field).to_owned()).collect()
-}
-
-fn unquoted(field: &str) -> &str {
-    let field = field.trim();
-    field.strip_prefix('"').and_then(|field| field.strip_suffix('"')).unwrap_or(field)
-}
-
-fn shortened(field: &str) -> String {
-    if field.chars().count() > 40 {
-        format!("{}...", field.chars().take(40).collect::<String>())
-    } else {
-        field.to_owned()
-    }
 }
 
 #[cfg(test)]

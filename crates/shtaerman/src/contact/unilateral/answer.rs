@@ -98,7 +98,7 @@ impl UnilateralContact {
                 let origin = self.solved.hull.centre;
                 xi + 2.0 * (0.5 * (origin - xi)).round()
             }
-            Medium::Row { .. } | Medium::Line => xi,
+            Medium::Row { .. } | Medium::Line | Medium::Graded { .. } => xi,
         }
     }
 
@@ -116,14 +116,18 @@ impl UnilateralContact {
         let place = if is_image { place - 2.0 * (0.5 * place).round() } else { place };
         [place; 2]
     }
+}
 
-    /// The answer of a problem that is its own mirror image: what is zero by symmetry is zero.
-    pub(super) fn without_skew(mut self) -> Self {
-        self.solved.state.tilt = 0.0;
-        self.solved.state.moment = 0.0;
-        self.solved.stiffness.coupling = 0.0;
-        self
-    }
+/// The images of the zones of a wave whose middles lie on the base, from left to right.
+fn on_the_base(zones: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+    let mut images: Vec<[f64; 2]> = zones
+        .map(|[left, right]| {
+            let periods = 2.0 * (0.25 * (left + right)).round();
+            [left - periods, right - periods]
+        })
+        .collect();
+    images.sort_by(|one, two| one[0].total_cmp(&two[0]));
+    images
 }
 
 impl Solution for UnilateralContact {
@@ -139,6 +143,9 @@ impl Solution for UnilateralContact {
     /// Of a disk along its diameter; of a wave without gaps a zone may reach beyond the base, on its image.
     fn zones(&self) -> Vec<[f64; 2]> {
         let zones = self.solved.zones.iter().map(|zone| [zone.left(), zone.right()]);
+        if self.solved.medium.is_closed() {
+            return on_the_base(zones);
+        }
         if !self.solved.medium.is_disk() {
             return zones.collect();
         }

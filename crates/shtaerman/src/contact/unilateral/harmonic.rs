@@ -1,6 +1,6 @@
 //! The tilt of a circular punch: the pressure `p1(r) cos(phi)` beside that without angle.
 //!
-//! `p1 + pi theta0 int W_1(r, s) p1 s ds = -alpha0 r`, `W_1 = int_0^inf J_1(r t) J_1(s t) dt`, `M0 = pi int p1 r^2 dr`.
+//! `p1 + pi theta0 int W_1(r, s) p1 s ds = -alpha0 r`, `W_1 = int_0^inf t^mu J_1(r t) J_1(s t) dt`, `mu` that of a graded body, `M0 = pi int p1 r^2 dr`.
 
 use std::f64::consts::PI;
 
@@ -49,7 +49,7 @@ pub(super) fn answer(
         given.1,
         "zero for a circular punch on a layer with a power law, which mixes the harmonics of the pressure",
     )?;
-    let kernel = disk_harmonic(1)?;
+    let kernel = disk_harmonic(1, base.medium.exponent())?;
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
     let found = solve_adaptive(&kernel, PI * base.theta, |r| r, tolerance)?;
     let unit = found.solution;
@@ -122,7 +122,7 @@ impl Base<'_> {
 
     /// `dM0/d(-alpha0)` on the zones as they are.
     fn turning(&self, solved: &Solved) -> Result<f64, Error> {
-        let kernel = disk_harmonic(1)?;
+        let kernel = disk_harmonic(1, self.medium.exponent())?;
         let half = solved.hull.half;
         let panels: Vec<(f64, f64)> = (solved.panels.iter())
             .map(|panel| (panel.left / half, (panel.right / half).min(1.0)))

@@ -4,16 +4,21 @@
 //!
 //! - plane, one punch or a pair: `K = ln 1/|xi - eta|`, `k = 1`, `dm = deta`;
 //! - a row with the period `L`: `K = ln 1/(2 sin(pi |xi - eta|/L))`, `k = 1`, `dm = deta`;
-//! - a disk, pressures without angle: `K = int_0^inf J_0(xi t) J_0(eta t) dt`, `k = pi`, `dm = eta deta`.
+//! - a disk, pressures without angle: `K = int_0^inf J_0(xi t) J_0(eta t) dt`, `k = pi`, `dm = eta deta`;
+//! - one punch or a pair on a half-plane with `E ~ y^mu`: `K = |xi - eta|^-mu`, `k = 1`, `dm = deta`;
+//! - a disk on such a half-space: `K = int_0^inf t^mu J_0(xi t) J_0(eta t) dt`, `k = pi`, `dm = eta deta`.
+//!
+//! But for the row and the gauge of the plane they are homogeneous, `K(b y, b t) dm(b t) = b^(1-mu) K(y, t) dm(t)`.
 //!
 //! Equations are solved in local coordinates `xi = c + b y`, in which the plane and the disk are always of one size.
 
 use std::f64::consts::{PI, TAU};
 use std::sync::{Arc, OnceLock};
 
+use fredholm::Interval;
 use fredholm::SincOperator;
 use fredholm::collocation::SincGrid;
-use fredholm::kernel::{Kernel, Logarithm, LogarithmSine, Singularity, WeberSonine};
+use fredholm::kernel::{Kernel, Logarithm, LogarithmSine, Power, WeberSonine};
 
 use crate::{Error, Geometry, Problem};
 
@@ -27,8 +32,10 @@ pub(super) enum Medium {
     Line,
     /// A row of punches on a half-plane; the period in half-widths.
     Row { period: f64, kernel: LogarithmSine },
-    /// Rings of pressure on a half-space.
+    /// Rings of pressure on a half-space, graded or not.
     Disk { kernel: WeberSonine },
+    /// One punch or a pair on a graded half-plane.
+    Graded { kernel: Power },
 }
 
 /// Local coordinates `xi = centre + half y`.
@@ -41,19 +48,32 @@ pub(super) struct Hull {
 impl Medium {
     pub(super) fn new(problem: &Problem) -> Result<Self, Error> {
         let frame = problem.frame();
+        let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
         Ok(match frame.geometry().scaled(frame.half_width()) {
+            Geometry::Plane | Geometry::Pair { .. } if exponent > 0.0 => {
+                Self::Graded { kernel: Power::new(Interval::unit(), exponent)? }
+            }
             Geometry::Plane | Geometry::Pair { .. } => Self::Line,
             Geometry::Periodic { period } => {
                 // Panels leave a gap, however narrow: the kernel of the whole circle has the same values.
                 let kernel = LogarithmSine::new(PI.next_down())?;
                 Self::Row { period, kernel }
             }
-            Geometry::Circular => Self::Disk { kernel: disk_harmonic(0)? },
+            Geometry::Circular => Self::Disk { kernel: disk_harmonic(0, exponent)? },
         })
     }
 
     pub(super) fn is_disk(&self) -> bool {
         matches!(self, Self::Disk { .. })
+    }
+
+    /// `mu` of `E ~ y^mu`.
+    pub(super) fn exponent(&self) -> f64 {
+        match self {
+            Self::Line | Self::Row { .. } => 0.0,
+            Self::Disk { kernel } => 2.0 * kernel.exponent(),
+            Self::Graded { kernel } => kernel.exponent(),
+        }
     }
 
     /// Whether panels need a gap between their last and their first end, and a base without gaps has none.
@@ -69,7 +89,9 @@ impl Medium {
     /// The local coordinates for zones between these ends; `origin` is the middle of the base.
     pub(super) fn hull(&self, left: f64, right: f64, origin: f64) -> Hull {
         match self {
-            Self::Line => Hull { centre: 0.5 * (left + right), half: 0.5 * (right - left) },
+            Self::Line | Self::Graded { .. } => {
+                Hull { centre: 0.5 * (left + right), half: 0.5 * (right - left) }
+            }
             Self::Row { period, .. } => Hull { centre: origin, half: period / TAU },
             Self::Disk { .. } => Hull { centre: 0.0, half: right },
         }
@@ -78,13 +100,18 @@ impl Medium {
     /// Ends of the local interval that zones reach from end to end; none for a row.
     pub(super) fn local_ends(&self) -> Option<[f64; 2]> {
         match self {
-            Self::Line => Some([-1.0, 1.0]),
+            Self::Line | Self::Graded { .. } => Some([-1.0, 1.0]),
             Self::Row { .. } => None,
             Self::Disk { .. } => Some([0.0, 1.0]),
         }
     }
 
-    /// What local coordinates add to the kernel: `K(xi, eta) = K(y, t) - gauge`.
+    /// What local coordinates do to an integral: `int K(xi, eta) p dm(eta) = scale int K(y, t) p dm(t) - gauge int p dm(eta)`.
+    pub(super) fn scale(&self, hull: &Hull) -> f64 {
+        hull.half.powf(1.0 - self.exponent())
+    }
+
+    /// What local coordinates take from the logarithm, see [`Self::scale`].
     pub(super) fn gauge(&self, hull: &Hull) -> f64 {
         if matches!(self, Self::Line) { hull.half.ln() } else { 0.0 }
     }
@@ -104,6 +131,7 @@ impl Medium {
             Self::Line => SincGrid::new(&Logarithm::unit(), half_count)?,
             Self::Row { kernel, .. } => SincGrid::new(kernel, half_count)?,
             Self::Disk { kernel } => SincGrid::new(kernel, half_count)?,
+            Self::Graded { kernel } => SincGrid::new(kernel, half_count)?,
         }))
     }
 
@@ -118,6 +146,7 @@ impl Medium {
             Self::Line => SincOperator::on_panels(&Logarithm::unit(), grid, panels)?,
             Self::Row { kernel, .. } => SincOperator::on_panels(kernel, grid, panels)?,
             Self::Disk { kernel } => SincOperator::on_panels(kernel, grid, panels)?,
+            Self::Graded { kernel } => SincOperator::on_panels(kernel, grid, panels)?,
         })
     }
 
@@ -128,10 +157,27 @@ impl Medium {
             Self::Line => -distance.ln(),
             Self::Row { kernel, .. } => kernel.pair(y, t, distance).value,
             Self::Disk { kernel } => kernel.pair(y, t, distance).value,
+            Self::Graded { kernel } => kernel.pair(y, t, distance).value,
         }
     }
 
-    /// `(xi - eta) dK/dxi`, finite at `xi = eta`.
+    /// `(xi - eta) dK/dxi + mu K`, finite at `xi = eta`.
+    pub(super) fn regular_slope(&self, xi: f64, eta: f64) -> f64 {
+        match self {
+            Self::Line | Self::Row { .. } => self.reduced_slope(xi, eta),
+            Self::Graded { .. } => 0.0,
+            Self::Disk { kernel } => {
+                let step = DIFFERENCE * (xi - eta).abs();
+                if xi + step == xi || xi <= step {
+                    let split = kernel.split(xi, xi, 0.0);
+                    return self.exponent() * split.rest - split.factor;
+                }
+                self.reduced_slope(xi, eta) + self.exponent() * self.value(xi, eta)
+            }
+        }
+    }
+
+    /// `(xi - eta) dK/dxi` for different points; of a homogeneous body finite where they meet.
     pub(super) fn reduced_slope(&self, xi: f64, eta: f64) -> f64 {
         let difference = xi - eta;
         match self {
@@ -148,6 +194,7 @@ impl Medium {
                 let at = |xi: f64| kernel.pair(xi, eta, (xi - eta).abs()).value;
                 difference * (at(xi + step) - at(xi - step)) / (2.0 * step)
             }
+            Self::Graded { kernel } => -kernel.exponent() * self.value(xi, eta),
         }
     }
 
@@ -196,28 +243,58 @@ impl Medium {
             }
             Self::Disk { kernel } => {
                 let split = kernel.split(x, s, distance);
-                debug_assert!(matches!(kernel.singularity(), Singularity::Power { exponent: 0.0 }));
-                split.factor * mean_logarithm(left, right) + split.rest
+                let exponent = self.exponent();
+                // sigma = (d^-mu - 1)/mu
+                let singular = if exponent > 0.0 {
+                    (mean_power(left, right, exponent) - 1.0) / exponent
+                } else {
+                    mean_logarithm(left, right)
+                };
+                split.factor * singular + split.rest
             }
+            Self::Graded { kernel } => mean_power(left, right, kernel.exponent()),
         }
     }
 }
 
-/// The kernel of pressures `p(r)` (0) or `p(r) cos(phi)` (1) on the unit disk; its tables are made once.
-pub(super) fn disk_harmonic(order: usize) -> Result<WeberSonine, Error> {
+/// Beyond this many widths of the larger cell the midpoints of two cells stand for them.
+const FAR: f64 = 12.0;
+
+/// The mean of `|x - s|^-mu` over `x` in one cell and `s` in another that is the same or lies left of it.
+fn mean_power(left: [f64; 2], right: [f64; 2], exponent: f64) -> f64 {
+    let (h, k) = (left[1] - left[0], right[1] - right[0]);
+    let divisor = (1.0 - exponent) * (2.0 - exponent);
+    if left == right {
+        return 2.0 * h.powf(-exponent) / divisor;
+    }
+    let gap = (right[0] - left[1]).max(0.0);
+    let distance = gap + 0.5 * (h + k);
+    if distance > FAR * h.max(k) {
+        return distance.powf(-exponent);
+    }
+    // Second difference of G(d) = d^(2-mu)/((1-mu)(2-mu)), G'' = d^-mu
+    let g = |d: f64| d.powf(2.0 - exponent);
+    (g(gap + h + k) - g(gap + h) - g(gap + k) + g(gap)) / (divisor * h * k)
+}
+
+/// The kernel of pressures `p(r)` (0) or `p(r) cos(phi)` (1) on the unit disk, on a body with this exponent of grading; the tables of the homogeneous one are
+/// made once.
+pub(super) fn disk_harmonic(order: usize, exponent: f64) -> Result<WeberSonine, Error> {
     static KERNELS: [OnceLock<WeberSonine>; 2] = [OnceLock::new(), OnceLock::new()];
-    let known = &KERNELS[order.min(1)];
+    let order = order.min(1);
+    let known = &KERNELS[order];
+    if exponent > 0.0 {
+        return Ok(WeberSonine::new(1.0, order as f64, 0.5 * exponent)?);
+    }
     if let Some(kernel) = known.get() {
         return Ok(kernel.clone());
     }
-    let kernel = WeberSonine::new(1.0, order.min(1) as f64, 0.0)?;
+    let kernel = WeberSonine::new(1.0, order as f64, 0.0)?;
     Ok(known.get_or_init(|| kernel).clone())
 }
 
 /// The mean of `ln 1/|x - s|` over `x` in one cell and `s` in another that is the same or lies left of it.
 fn mean_logarithm(left: [f64; 2], right: [f64; 2]) -> f64 {
-    /// Beyond this many widths of the larger cell the midpoints of two cells stand for them.
-    const FAR: f64 = 12.0;
     let (h, k) = (left[1] - left[0], right[1] - right[0]);
     if left == right {
         return 1.5 - h.ln();

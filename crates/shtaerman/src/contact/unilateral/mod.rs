@@ -85,23 +85,16 @@ impl Problem {
     /// them on the base a gap that is not negative.
     pub(super) fn solve_unilateral(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Unilateral)?;
-        Ok(self.drawn_up(lifting(base)?))
+        Ok(match lifting(base)? {
+            Answer::Zones(contact) => Arc::new(contact),
+            Answer::Cells(contact) => Arc::new(contact),
+        })
     }
 
     /// The same with the whole base in contact, where the pressure may pull: by the equations of the zones, in every geometry and for every layer but a smooth one.
     pub(super) fn solve_full_contact(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
-        Ok(self.drawn_up(Answer::Zones(full(&base)?)))
-    }
-
-    fn drawn_up(&self, answer: Answer) -> Arc<dyn Solution> {
-        let symmetric = self.is_symmetric();
-        match answer {
-            Answer::Zones(contact) if symmetric => Arc::new(contact.without_skew()),
-            Answer::Zones(contact) => Arc::new(contact),
-            Answer::Cells(contact) if symmetric => Arc::new(contact.without_skew()),
-            Answer::Cells(contact) => Arc::new(contact),
-        }
+        Ok(Arc::new(full(&base)?))
     }
 }
 

@@ -3,7 +3,8 @@
 //! An edge that moves with the velocity `V`, straight on its panel and zero elsewhere, changes the displacement `v` of the layer at points that move along by `v'`
 //! with
 //!
-//! `v' + theta0 k K(p'(v) v') = -(alpha0 + f0') V - theta0 k int [V'(s) K + lever dK/dx] p(s) dm(s)`, `lever = V(x) - V(s)`, on a disk `V(x) - V(s) x/s`.
+//! `v' + theta0 k K(p'(v) v') = -(alpha0 + f0') V - theta0 k int [V'(s) K + lever dK/dx] p(s) dm(s)`, `lever = V(x) - V(s)`; on a disk `V(x) - V(s) x/s`, and
+//! `-mu V(s)/s` besides `V'(s)` where the body is graded.
 
 use fredholm::SincSolution;
 
@@ -79,7 +80,8 @@ impl System<'_, '_> {
         let stretch = if node == range.start { -1.0 } else { 1.0 } / panel.length();
         let fixed = if node == range.start { panel.right } else { panel.left };
         let velocity = |xi: f64| (xi - fixed) * stretch;
-        let (half, measure) = (self.hull.half, self.medium.measure(&self.hull));
+        let (scale, measure) = (self.medium.scale(&self.hull), self.medium.measure(&self.hull));
+        let exponent = self.medium.exponent();
         let masses: Vec<f64> = solution.node_masses().iter().map(|mass| measure * mass).collect();
         let weighed = |f: &dyn Fn(f64) -> f64| -> f64 {
             range.clone().map(|j| masses[j] * f(self.positions[j])).sum()
@@ -89,21 +91,23 @@ impl System<'_, '_> {
         let gauge = self.gauge();
         let local = self.panel_potential(solution, &range)?;
         let mut right: Vec<f64> =
-            local.iter().map(|u| -theta * stretch * (half * u - gauge * carried)).collect();
+            local.iter().map(|u| -theta * stretch * (scale * u - gauge * carried)).collect();
         for (i, value) in right.iter_mut().enumerate() {
             let xi = self.positions[i];
             if range.contains(&i) {
                 let v = velocity(xi);
-                // Of a straight V both parts of the lever are multiples of x - s.
-                let inner = match self.medium {
+                // Of a straight V both parts of the lever are multiples of x - s, and what is infinite at x = s is a multiple of K.
+                let regular = match self.medium {
                     Medium::Line => -carried,
-                    Medium::Row { .. } => weighed(&|s| self.medium.reduced_slope(xi, s)),
+                    Medium::Graded { .. } => 0.0,
+                    Medium::Row { .. } => weighed(&|s| self.medium.regular_slope(xi, s)),
                     // The kernel is homogeneous: a disk without a hole keeps it.
                     Medium::Disk { .. } if fixed == 0.0 => 0.0,
                     Medium::Disk { .. } => {
-                        weighed(&|s| fixed / s * self.medium.reduced_slope(xi, s))
+                        weighed(&|s| fixed / s * self.medium.regular_slope(xi, s))
                     }
                 };
+                let inner = regular - exponent * scale * local[i];
                 let beyond: f64 = (0..masses.len())
                     .filter(|j| !range.contains(j))
                     .map(|j| masses[j] * self.slope(v, 0.0, xi, self.positions[j]))
@@ -130,7 +134,12 @@ impl System<'_, '_> {
             return 0.0;
         }
         let lever = self.medium.lever([at, from], [x, s]);
-        lever * self.medium.reduced_slope(x, s) / difference
+        let moved = lever * self.medium.reduced_slope(x, s) / difference;
+        let exponent = self.medium.exponent();
+        if exponent > 0.0 && self.medium.is_disk() {
+            return moved - exponent * from / s * self.medium.value(x, s);
+        }
+        moved
     }
 
     /// `K p` for the pressure of one panel alone, in local coordinates.

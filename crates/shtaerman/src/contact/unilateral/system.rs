@@ -4,7 +4,7 @@
 //!
 //! `v + theta int K(y, t) p dm(t) = D - beta y - f0(c + b y)`, `D = delta0 - alpha0 c + theta0 P0 g`, `beta = b alpha0`
 //!
-//! with `theta = b k theta0` and the gauge `g`: for one punch or a pair on a half-plane the zones lie in `c - b .. c + b`, and `g = ln b`.
+//! with `theta = b^(1-mu) k theta0` and the gauge `g`: for one punch or a pair on a half-plane the zones lie in `c - b .. c + b`, and `g = ln b`.
 
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -180,7 +180,7 @@ impl<'b, 'p> System<'b, 'p> {
 
     /// `theta`.
     pub(super) fn parameter(&self) -> f64 {
-        self.strength() * self.hull.half
+        self.strength() * self.medium.scale(&self.hull)
     }
 
     pub(super) fn is_by_force(&self) -> bool {
@@ -406,7 +406,7 @@ fn local_panels(medium: &Medium, hull: &Hull, panels: &[Panel]) -> Vec<(f64, f64
         && let (Some(first), Some(last)) = (panels.first(), panels.last())
     {
         let end = local.len() - 1;
-        if matches!(medium, Medium::Line) || first.left == 0.0 {
+        if !medium.is_disk() || first.left == 0.0 {
             local[0].0 = left;
         }
         if last.right > first.left {

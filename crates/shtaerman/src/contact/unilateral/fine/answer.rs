@@ -17,16 +17,6 @@ pub(in crate::contact::unilateral) struct CellContact {
     pub(super) complementarity: Complementarity,
 }
 
-impl CellContact {
-    /// The answer of a problem that is its own mirror image: what is zero by symmetry is zero.
-    pub(in crate::contact::unilateral) fn without_skew(mut self) -> Self {
-        self.fine.state.tilt = 0.0;
-        self.fine.state.moment = 0.0;
-        self.fine.stiffness.coupling = 0.0;
-        self
-    }
-}
-
 impl Solution for CellContact {
     fn state(&self) -> State {
         self.fine.state

@@ -1,0 +1,163 @@
+//! `shtaerman find`.
+
+use std::path::Path;
+
+use shtaerman::Error;
+use shtaerman::file::ProblemFile;
+use shtaerman::inverse::{self, Goal, Normalisation};
+use shtaerman::quantity::Dimension;
+
+use super::{places, problem_file};
+use crate::Failure;
+use crate::arguments::{
+    FindArguments, FindCrownArguments, FindForceArguments, FindProfileArguments,
+    FindRoughnessArguments, OutputArguments, ProblemArguments, ReportFormat, Unknown, Zero,
+};
+use crate::output::{Outputs, check_writable};
+use crate::report::{self, CrownReport, FoundReport, ShapedReport};
+
+pub(super) fn run(arguments: &FindArguments) -> Result<(), Failure> {
+    match &arguments.unknown {
+        Unknown::Force(arguments) => force(arguments),
+        Unknown::Roughness(arguments) => roughness(arguments),
+        Unknown::Crown(arguments) => crown(arguments),
+        Unknown::Profile(arguments) => profile(arguments),
+    }
+}
+
+fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
+    let file = read(&arguments.problem, &arguments.output)?;
+    let goal = goal(&file, [&arguments.peak_pressure, &arguments.contact_width, &None])?;
+    let found = located(&file, inverse::force(file.problem(), goal))?;
+    let name = problem_file::name(&arguments.problem.file);
+    let report = FoundReport::force(file.problem(), &found);
+    write(
+        &arguments.output,
+        || report.table(&name, &found),
+        || report::json(&report),
+        || report.csv(),
+    )
+}
+
+fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
+    let file = read(&arguments.problem, &arguments.output)?;
+    let FindRoughnessArguments { peak_pressure, contact_width, settlement, .. } = arguments;
+    let goal = goal(&file, [peak_pressure, contact_width, settlement])?;
+    let found = located(&file, inverse::roughness(file.problem(), goal))?;
+    let name = problem_file::name(&arguments.problem.file);
+    let report = FoundReport::roughness(file.problem(), &found);
+    write(
+        &arguments.output,
+        || report.table(&name, &found),
+        || report::json(&report),
+        || report.csv(),
+    )
+}
+
+fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
+    let file = read(&arguments.problem, &arguments.output)?;
+    let limit = arguments
+        .peak_pressure
+        .as_deref()
+        .map(|text| positive(&file, "--peak-pressure", text, Dimension::PRESSURE))
+        .transpose()?;
+    let crown = located(&file, inverse::crown(file.problem(), limit))?;
+    let name = problem_file::name(&arguments.problem.file);
+    let report = CrownReport::new(&crown);
+    write(
+        &arguments.output,
+        || report.table(&name, &crown),
+        || report::json(&report),
+        || report.csv(),
+    )
+}
+
+fn profile(arguments: &FindProfileArguments) -> Result<(), Failure> {
+    places::check_points(arguments.points)?;
+    let file = read(&arguments.problem, &arguments.output)?;
+    let normalisation = match arguments.zero {
+        Zero::Centre => Normalisation::Centre,
+        Zero::Lowest => Normalisation::Lowest,
+    };
+    let pressure = &arguments.pressure;
+    let shaped = inverse::prescribed_pressure(
+        file.problem(),
+        pressure,
+        normalisation,
+        arguments.points.max(3),
+    );
+    let shaped = located(&file, shaped)?;
+    let name = problem_file::name(&arguments.problem.file);
+    let report = ShapedReport::new(file.problem(), pressure, shaped);
+    write(&arguments.output, || report.table(&name), || report::json(&report), || report.csv())
+}
+
+fn read(problem: &ProblemArguments, output: &OutputArguments) -> Result<ProblemFile, Failure> {
+    let input: &Path = &problem.file;
+    check_writable(&[output.output.as_deref()], Some(input))?;
+    problem_file::read(problem)
+}
+
+fn located<T>(file: &ProblemFile, result: Result<T, Error>) -> Result<T, Failure> {
+    result.map_err(|error| file.locate(error).into())
+}
+
+/// The one of peak pressure, contact width and settlement that is wanted.
+fn goal(
+    file: &ProblemFile,
+    [peak_pressure, contact_width, settlement]: [&Option<String>; 3],
+) -> Result<Goal, Failure> {
+    if let Some(text) = peak_pressure {
+        let value = positive(file, "--peak-pressure", text, Dimension::PRESSURE)?;
+        return Ok(Goal::PeakPressure(value));
+    }
+    if let Some(text) = contact_width {
+        let value = positive(file, "--contact-width", text, Dimension::LENGTH)?;
+        return Ok(Goal::ContactWidth(value));
+    }
+    match settlement {
+        Some(text) => Ok(Goal::Settlement(number(file, "--settlement", text, Dimension::LENGTH)?)),
+        None => Err(Failure::Usage("nothing is wanted".to_owned())),
+    }
+}
+
+fn positive(
+    file: &ProblemFile,
+    option: &str,
+    text: &str,
+    dimension: Dimension,
+) -> Result<f64, Failure> {
+    let value = number(file, option, text, dimension)?;
+    if value > 0.0 {
+        return Ok(value);
+    }
+    Err(Failure::Usage(format!("{option} `{text}`: must be greater than zero")))
+}
+
+/// A quantity in the units of the problem.
+fn number(
+    file: &ProblemFile,
+    option: &str,
+    text: &str,
+    dimension: Dimension,
+) -> Result<f64, Failure> {
+    let physical = file.problem().frame().scaling().is_some();
+    places::quantity(option, text, if physical { dimension } else { Dimension::NONE })
+}
+
+/// Writes the result in the format asked for.
+fn write(
+    output: &OutputArguments,
+    table: impl FnOnce() -> String,
+    json: impl FnOnce() -> Result<String, Failure>,
+    csv: impl FnOnce() -> Result<String, Failure>,
+) -> Result<(), Failure> {
+    let text = match output.format {
+        ReportFormat::Table => table(),
+        ReportFormat::Json => json()?,
+        ReportFormat::Csv => csv()?,
+    };
+    let mut outputs = Outputs::default();
+    outputs.result(output.output.as_deref(), text);
+    outputs.write()
+}

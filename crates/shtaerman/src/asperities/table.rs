@@ -1,0 +1,201 @@
+//! Tables of pressure against approach, and traces of height.
+
+use std::path::Path;
+
+use super::fit::{self, Fit};
+use crate::Error;
+use crate::columns::{Columns, Row};
+use crate::document::FileError;
+use crate::error::require;
+use crate::file::load_bytes;
+
+/// Pressures against approaches, measured or from a pressure-overclosure law of a finite-element program.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Table {
+    /// Pressure (Pa) and approach (m).
+    data: Vec<[f64; 2]>,
+}
+
+impl Table {
+    /// Pairs of approach (m), counted from first touch, and pressure (Pa).
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for a value that is negative or not finite, and for fewer than two different pressures above zero.
+    pub fn new(pairs: impl IntoIterator<Item = [f64; 2]>) -> Result<Self, Error> {
+        let mut data = Vec::new();
+        for [approach, pressure] in pairs {
+            let sound = |value: f64| value.is_finite() && value >= 0.0;
+            require(sound(pressure), "pressure", pressure, "finite and not negative")?;
+            require(
+                sound(approach),
+                "approach",
+                approach,
+                "finite and not negative: it is counted from first touch",
+            )?;
+            data.push([pressure, approach]);
+        }
+        let loaded = || data.iter().map(|pair| pair[0]).filter(|p| *p > 0.0);
+        let [least, most] = [loaded().fold(f64::INFINITY, f64::min), loaded().fold(0.0, f64::max)];
+        require(
+            most > least,
+            "pressure",
+            most,
+            "in at least two rows greater than zero and different",
+        )?;
+        Ok(Self { data })
+    }
+
+    /// Number of rows.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.data.len()
+    }
+
+    /// `v = chi p` through the origin, by least squares of the approach.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] where the approach does not grow with the pressure.
+    pub fn fit_linear(&self) -> Result<Fit, Error> {
+        fit::proportional(&self.data)
+    }
+
+    /// `v = B p^kappa`, by least squares of the logarithms; rows in which either is zero say nothing.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] unless two rows are left and the exponent lies in `0 < kappa <= 1`.
+    pub fn fit_power(&self) -> Result<Fit, Error> {
+        let loaded: Vec<[f64; 2]> =
+            self.data.iter().copied().filter(|[p, v]| *p > 0.0 && *v > 0.0).collect();
+        let differ = loaded.iter().any(|pair| pair[0] != loaded[0][0]);
+        require(
+            differ,
+            "approach",
+            loaded.len() as f64,
+            "greater than zero under at least two different pressures",
+        )?;
+        fit::power(&loaded)
+    }
+}
+
+/// Reads a table of two columns, approach and pressure, or the other way round as finite-element programs write it (`pressure_first`). Units are SI
+/// values of the units of approach and pressure.
+///
+/// # Errors
+/// [`FileError`] with the file, and the line where one is at fault.
+pub fn read_table(
+    content: &[u8],
+    file_name: &str,
+    [approach_unit, pressure_unit]: [f64; 2],
+    pressure_first: bool,
+) -> Result<Table, FileError> {
+    let (approach, pressure) = (("approach", approach_unit), ("pressure", pressure_unit));
+    let [one, two] = if pressure_first { [pressure, approach] } else { [approach, pressure] };
+    let columns = Columns { names: [one.0, two.0], units: [one.1, two.1] };
+    let rows = columns.read(content, file_name)?;
+    let ordered = |values: [f64; 2]| if pressure_first { [values[1], values[0]] } else { values };
+    for row in &rows {
+        // One sound row besides: what is refused is this one.
+        let [approach, pressure] = ordered(row.values);
+        if approach < 0.0 || pressure < 0.0 {
+            let message = format!(
+                "line {}: approach {approach} m, pressure {pressure} Pa: neither may be negative; the approach is counted from first touch, so leave out rows of an open gap",
+                row.line
+            );
+            return Err(FileError::new(message).in_file(Some(file_name)));
+        }
+    }
+    Table::new(rows.iter().map(|row| ordered(row.values)))
+        .map_err(|error| FileError::new(error.to_string()).in_file(Some(file_name)))
+}
+
+/// Reads the table in a file, as [`read_table`] does.
+///
+/// # Errors
+/// Those of [`read_table`], and [`FileError`] for a file that cannot be read.
+pub fn open_table(path: &Path, units: [f64; 2], pressure_first: bool) -> Result<Table, FileError> {
+    let (bytes, name) = load(path)?;
+    read_table(&bytes, &name, units, pressure_first)
+}
+
+/// Reads the trace in a file, as [`read_trace`] does.
+///
+/// # Errors
+/// Those of [`read_trace`], and [`FileError`] for a file that cannot be read.
+pub fn open_trace(path: &Path, units: [f64; 2]) -> Result<Vec<[f64; 2]>, FileError> {
+    let (bytes, name) = load(path)?;
+    read_trace(&bytes, &name, units)
+}
+
+fn load(path: &Path) -> Result<(Vec<u8>, String), FileError> {
+    let name = path.display().to_string();
+    let bytes = load_bytes(path).map_err(|message| FileError::new(message).in_file(Some(&name)))?;
+    Ok((bytes, name))
+}
+
+/// Reads a trace of two columns, position and height, as pairs in metres. Units are SI values.
+///
+/// # Errors
+/// [`FileError`] with the file and line; positions must increase.
+pub fn read_trace(
+    content: &[u8],
+    file_name: &str,
+    units: [f64; 2],
+) -> Result<Vec<[f64; 2]>, FileError> {
+    let rows = Columns { names: ["position", "height"], units }.read(content, file_name)?;
+    let disorder = rows.windows(2).find(|pair| pair[1].values[0] <= pair[0].values[0]);
+    if let Some([_, Row { line, values: [position, _] }]) = disorder {
+        let message =
+            format!("line {line}: positions must increase from row to row, {position} m does not");
+        return Err(FileError::new(message).in_file(Some(file_name)));
+    }
+    Ok(rows.into_iter().map(|row| row.values).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Roughness;
+
+    #[test]
+    fn reads_both_orders_with_units() {
+        let units = [1e-6, 1e6];
+        let one = read_table(b"v_um;p_MPa\n0;0\n0,5;10\n1;20\n", "t.csv", units, false).unwrap();
+        let two = read_table(b"0,0\n10,0.5\n20,1\n", "t.csv", units, true).unwrap();
+        assert_eq!(one, two);
+        assert_eq!(one.count(), 3);
+        for fit in [one.fit_linear().unwrap(), two.fit_power().unwrap()] {
+            let Roughness::Linear { compliance } = fit.roughness else { panic!("{fit:?}") };
+            assert!((compliance / 0.5e-13 - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn refuses_with_line_and_reason() {
+        for (text, said) in [
+            ("", "at least two rows"),
+            ("1,1\n", "at least two rows"),
+            ("1,5\n2,5\n", "at least two rows"),
+            ("0,0\n1,-5\n2,5\n", "line 2: approach 1 m, pressure -5 Pa"),
+            ("-1,0\n1,5\n2,5\n", "line 1: approach -1 m"),
+            ("0,0\n1,x\n", "line 2: the pressure is not a number: `x`"),
+            ("1,inf\n", "line 1: the pressure is inf"),
+            ("1,2,3\n", "needs two columns, approach and pressure, got 3"),
+        ] {
+            let message =
+                read_table(text.as_bytes(), "t.csv", [1.0; 2], false).unwrap_err().to_string();
+            assert!(
+                message.starts_with("t.csv: ") && message.contains(said),
+                "{text:?}: {message}"
+            );
+        }
+        // No approach at all under pressure.
+        let hard = Table::new([[0.0, 1e6], [0.0, 2e6]]).unwrap();
+        assert!(hard.fit_linear().is_err() && hard.fit_power().is_err());
+        assert!(
+            read_trace(b"0,1\n0,2\n", "z.csv", [1.0; 2])
+                .unwrap_err()
+                .to_string()
+                .contains("line 2: positions must increase")
+        );
+    }
+}

@@ -1,0 +1,214 @@
+//! The crown radius that keeps the peak pressure under a limit.
+
+use super::bracket::Bracket;
+use super::{Goal, InverseError};
+use crate::error::positive;
+use crate::roughness::Law;
+use crate::{Contact, Error, Problem, Profile, Scaling, Vertical};
+
+/// Curvatures tried first, as powers of ten of that which lifts the edges by what the load presses in: two a decade.
+const DECADES: std::ops::RangeInclusive<i32> = -12..=12;
+/// Largest curvature, as a power of ten of the same, at which the peak is looked for above the limit.
+const SHARPEST: f64 = 24.0;
+/// A crown whose peak is not lower than that of the flat base by this share is none.
+const BETTER: f64 = 1e-10;
+/// Steps of the golden section: the last is far below what shows in the pressure.
+const GOLDEN_STEPS: usize = 64;
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+/// Rounding of a peak pressure.
+const ROUNDING: f64 = 1e-13;
+
+/// A crown `x^2/(2 R)` and its contact.
+#[derive(Debug, Clone)]
+pub struct Crowned {
+    /// `R` in the units of the problem; `None` for the flat base.
+    pub radius: Option<f64>,
+    /// The contact with this base.
+    pub contact: Contact,
+}
+
+impl Crowned {
+    /// The profile as a formula.
+    #[must_use]
+    pub fn formula(&self) -> String {
+        self.radius.map_or("0".to_owned(), |radius| format!("x^2/(2*{radius:e})"))
+    }
+
+    fn peak(&self) -> f64 {
+        self.contact.peak_pressure().0
+    }
+}
+
+/// The crowns under a limit of the peak pressure.
+#[derive(Debug, Clone)]
+pub struct Crown {
+    /// The limit, where there is one.
+    pub limit: Option<f64>,
+    /// The crown of the lowest peak.
+    pub best: Crowned,
+    /// The sharpest crown within the limit.
+    pub least: Option<Crowned>,
+    /// The flattest crown within the limit, perhaps the flat base.
+    pub largest: Option<Crowned>,
+    /// Number of solves that it took.
+    pub evaluations: usize,
+}
+
+/// The crown `x^2/(2 R)` of the lowest peak pressure, in place of the profile of the problem, and with a limit all radii that keep it: from
+/// `least` to `largest`.
+///
+/// A flat punch peaks at its edges, a sharply crowned one in the middle: between them the peak has one minimum, sought over 24 decades of the
+/// curvature, and the radii within a limit are an interval around it.
+///
+/// # Errors
+/// [`Error::InvalidValue`] unless the limit is finite and positive; [`Error::Inverse`] when no crown keeps the limit, with the lowest peak, and where the
+/// load prescribes no force; what [`Problem::solve`] says of the problem.
+pub fn crown(problem: &Problem, limit: Option<f64>) -> Result<Crown, Error> {
+    if let Some(limit) = limit {
+        positive("peak pressure", limit)?;
+    }
+    let trials = Trials { problem, unit: curvature(problem)?, count: std::cell::Cell::new(0) };
+    let flat = trials.flat()?;
+    let best = trials.best(flat.clone())?;
+    let (least, largest) = match limit {
+        None => (None, None),
+        Some(limit) if best.peak() > limit => {
+            return Err(InverseError::LimitTooLow {
+                limit,
+                least: best.peak(),
+                radius: best.radius,
+                dimension: Goal::PeakPressure(limit).dimension_in(problem),
+            }
+            .into());
+        }
+        Some(limit) => {
+            let largest =
+                if flat.peak() <= limit { flat } else { trials.edge(&best, limit, -1.0)? };
+            (Some(trials.edge(&best, limit, 1.0)?), Some(largest))
+        }
+    };
+    Ok(Crown { limit, best, least, largest, evaluations: trials.count.get() })
+}
+
+/// The curvature that lifts the edges by what the load presses in, in the units of the problem: `2/a^2` of the elastic displacement and that of the
+/// layer under the mean pressure.
+fn curvature(problem: &Problem) -> Result<f64, Error> {
+    let Vertical::Force(force) = problem.dimensionless_load().vertical else {
+        let words = "a crown needs the force in [load]: under a prescribed settlement a sharper crown carries less";
+        return Err(InverseError::Unsuited(words).into());
+    };
+    positive("force", force)?;
+    let frame = problem.frame();
+    let layer = match frame.law() {
+        Law::Smooth => 0.0,
+        Law::Linear => 0.5 * force,
+        Law::Power(exponent) => (0.5 * force).powf(exponent),
+    };
+    let given = frame.theta0() * force + layer;
+    let displacement = frame.scaling().map_or(1.0, Scaling::displacement);
+    Ok(2.0 * given * displacement / frame.half_width().powi(2))
+}
+
+/// Solves at curvatures `unit e^t`.
+struct Trials<'p> {
+    problem: &'p Problem,
+    unit: f64,
+    count: std::cell::Cell<usize>,
+}
+
+impl Trials<'_> {
+    fn flat(&self) -> Result<Crowned, Error> {
+        self.solved(None)
+    }
+
+    fn at(&self, t: f64) -> Result<Crowned, Error> {
+        self.solved(Some(1.0 / (self.unit * t.exp())))
+    }
+
+    fn solved(&self, radius: Option<f64>) -> Result<Crowned, Error> {
+        self.count.set(self.count.get() + 1);
+        let profile = match radius {
+            None => Profile::flat(),
+            Some(radius) => Profile::expression(&format!("x^2/(2*{radius:e})")).map_err(|_| {
+                InverseError::Unsuited("the crown radius leaves the range of double precision")
+            })?,
+        };
+        let contact = self.problem.with_profile(profile)?.solve()?;
+        Ok(Crowned { radius, contact })
+    }
+
+    /// `t` of a crown.
+    fn place(&self, crown: &Crowned) -> f64 {
+        crown.radius.map_or(f64::NEG_INFINITY, |radius| -(radius * self.unit).ln())
+    }
+
+    /// The crown of the lowest peak, by golden section around the best of the first trials.
+    fn best(&self, flat: Crowned) -> Result<Crowned, Error> {
+        let places: Vec<f64> =
+            DECADES.map(|k| f64::from(k) * 0.5 * std::f64::consts::LN_10).collect();
+        // The far ends of the range may be out of reach of a solver; between them the minimum shows.
+        let solved: Vec<(f64, Crowned)> =
+            places.into_iter().filter_map(|t| Some((t, self.at(t).ok()?))).collect();
+        let Some(lowest) = (0..solved.len())
+            .min_by(|&one, &two| solved[one].1.peak().total_cmp(&solved[two].1.peak()))
+        else {
+            return Ok(flat);
+        };
+        let mut best = solved[lowest].1.clone();
+        let mut left = solved[lowest.saturating_sub(1)].0;
+        let mut right = solved[(lowest + 1).min(solved.len() - 1)].0;
+        let (mut one, mut two) =
+            (self.at(right - GOLDEN * (right - left))?, self.at(left + GOLDEN * (right - left))?);
+        for _ in 0..GOLDEN_STEPS {
+            for trial in [&one, &two] {
+                if trial.peak() < best.peak() {
+                    best = trial.clone();
+                }
+            }
+            if (one.peak() - two.peak()).abs() <= ROUNDING * best.peak() {
+                break;
+            }
+            if one.peak() <= two.peak() {
+                (right, two) = (self.place(&two), one);
+                one = self.at(right - GOLDEN * (right - left))?;
+            } else {
+                (left, one) = (self.place(&one), two);
+                two = self.at(left + GOLDEN * (right - left))?;
+            }
+        }
+        Ok(if best.peak() < flat.peak() * (1.0 - BETTER) { best } else { flat })
+    }
+
+    /// The last crown within the limit from the best one on, to flatter (`sign = -1`) or sharper ones.
+    fn edge(&self, best: &Crowned, limit: f64, sign: f64) -> Result<Crowned, Error> {
+        let farthest = SHARPEST * std::f64::consts::LN_10;
+        let mut inside = self.place(best).max(-farthest);
+        let mut value = best.peak() - limit;
+        loop {
+            let next = inside + sign * std::f64::consts::LN_10;
+            let trial = self.at(next)?;
+            let beyond = trial.peak() - limit;
+            if beyond > 0.0 {
+                return self.narrowed([inside, next], [value, beyond], limit);
+            }
+            // As good as a point, or as flat.
+            if next.abs() > farthest {
+                return Ok(trial);
+            }
+            (inside, value) = (next, beyond);
+        }
+    }
+
+    /// The crown at the limit.
+    fn narrowed(&self, at: [f64; 2], values: [f64; 2], limit: f64) -> Result<Crowned, Error> {
+        // Signs are turned, so that a peak at the limit counts as within it.
+        let Some(bracket) = Bracket::new(at, values.map(|value| -value)) else {
+            return self.at(at[0]);
+        };
+        let narrowed =
+            bracket.narrowed(ROUNDING * limit, &mut |t| Ok(limit - self.at(t)?.peak()))?;
+        // Beyond the limit by no more than rounding.
+        let nearer = usize::from(narrowed.values[1].abs() < narrowed.values[0].abs());
+        self.at(narrowed.at[nearer])
+    }
+}

@@ -1,0 +1,83 @@
+//! Why there is no such value.
+
+use crate::quantity::{Dimension, engineering};
+
+/// Why an inverse problem has no answer; values are in the units of the problem, `dimension` is for messages.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum InverseError {
+    /// No value of the unknown gives what is wanted.
+    #[error("no {unknown} gives a {quantity} of {}: {}", engineering(*wanted, *dimension), attainable(quantity, unknown, [*least, *most], *dimension))]
+    NoSuchValue {
+        /// What was looked for.
+        unknown: &'static str,
+        /// What was to be reached.
+        quantity: &'static str,
+        /// The value wanted.
+        wanted: f64,
+        /// The least that can be had.
+        least: f64,
+        /// The most that can be had.
+        most: f64,
+        /// What the values measure.
+        dimension: Dimension,
+    },
+
+    /// What is wanted lies in a jump.
+    #[error("no {unknown} gives a {quantity} of {}: it jumps from {} to {} at {at:e}", engineering(*wanted, *dimension), engineering(*below, *dimension), engineering(*above, *dimension))]
+    Jump {
+        /// What was looked for.
+        unknown: &'static str,
+        /// What was to be reached.
+        quantity: &'static str,
+        /// The value wanted.
+        wanted: f64,
+        /// The value of the unknown at the jump.
+        at: f64,
+        /// The values on both sides of it, the smaller first.
+        below: f64,
+        /// The larger of them.
+        above: f64,
+        /// What the values measure.
+        dimension: Dimension,
+    },
+
+    /// Every crown exceeds the limit.
+    #[error("no crown keeps the peak pressure at {} or below: the lowest is {}, {}", engineering(*limit, *dimension), engineering(*least, *dimension), best_base(*radius, *dimension))]
+    LimitTooLow {
+        /// The limit.
+        limit: f64,
+        /// The lowest peak pressure that a crown gives.
+        least: f64,
+        /// The radius that gives it; `None` for the flat base.
+        radius: Option<f64>,
+        /// What the pressures measure.
+        dimension: Dimension,
+    },
+
+    /// The prescribed pressure does not fit the problem.
+    #[error("the prescribed pressure {fault}")]
+    Pressure {
+        /// What is wrong with it.
+        fault: String,
+    },
+
+    /// The problem does not prescribe what the inverse problem needs, or has no such unknown.
+    #[error("{0}")]
+    Unsuited(&'static str),
+}
+
+fn attainable(quantity: &str, unknown: &str, [least, most]: [f64; 2], unit: Dimension) -> String {
+    let shown = |value| engineering(value, unit);
+    if most - least <= 1e-12 * most.abs() {
+        return format!("the {quantity} is {} whatever the {unknown}", shown(least));
+    }
+    format!("it can be from {} to {}", shown(least), shown(most))
+}
+
+fn best_base(radius: Option<f64>, unit: Dimension) -> String {
+    let length = if unit == Dimension::NONE { unit } else { Dimension::LENGTH };
+    radius.map_or("with the flat base".to_owned(), |radius| {
+        format!("with the crown radius {}", engineering(radius, length))
+    })
+}

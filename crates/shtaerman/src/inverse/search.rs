@@ -1,0 +1,165 @@
+//! Looking for the value of one positive unknown.
+
+use super::bracket::Bracket;
+use super::{Goal, InverseError};
+use crate::{Contact, Error};
+
+/// Relative distance from the wanted value that counts as reached, and that which is rounding.
+const REACHED: f64 = 1e-7;
+const ROUNDING: f64 = 1e-13;
+/// Share of the values at the ends of the first bracket that counts as their size.
+const NEARBY: f64 = 1e-3;
+
+/// The value found, with the contact that it gives.
+#[derive(Debug, Clone)]
+pub struct Found {
+    /// The value of the unknown, in the units of the problem.
+    pub value: f64,
+    /// What was to be reached.
+    pub goal: Goal,
+    /// What was reached.
+    pub reached: f64,
+    /// The contact at this value.
+    pub contact: Contact,
+    /// Number of solves that it took.
+    pub evaluations: usize,
+}
+
+impl Found {
+    /// `|reached - wanted|` over the wanted value, or over what was reached where that is larger.
+    #[must_use]
+    pub fn relative_error(&self) -> f64 {
+        let size = self.goal.wanted().abs().max(self.reached.abs());
+        if size == 0.0 { 0.0 } else { (self.reached - self.goal.wanted()).abs() / size }
+    }
+}
+
+/// Where to look for the unknown.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Range {
+    /// Where to begin.
+    pub(super) start: f64,
+    /// How far to go.
+    pub(super) ends: [f64; 2],
+}
+
+/// One trial.
+#[derive(Debug, Clone)]
+struct Trial {
+    /// Logarithm of the unknown.
+    at: f64,
+    value: f64,
+    contact: Contact,
+}
+
+/// A search for the unknown that a goal asks for.
+pub(super) struct Search<'s> {
+    /// Name of the unknown.
+    pub(super) unknown: &'static str,
+    pub(super) goal: Goal,
+    /// The contact at a value of the unknown.
+    pub(super) solve: &'s dyn Fn(f64) -> Result<Contact, Error>,
+}
+
+impl Search<'_> {
+    /// The value nearest to the start, decade by decade in both directions; the goal need not be monotone.
+    pub(super) fn run(&self, range: Range) -> Result<Found, Error> {
+        let mut trials = vec![self.trial(range.start.ln())?];
+        let decade = std::f64::consts::LN_10;
+        let ends = range.ends.map(f64::ln);
+        // Towards the lower end and towards the upper one, until there or until nothing more can be solved.
+        let mut frontiers = [Some(trials[0].clone()), Some(trials[0].clone())];
+        while frontiers.iter().any(Option::is_some) {
+            for (side, sign) in [(0, -1.0), (1, 1.0)] {
+                let Some(before) = frontiers[side].take() else { continue };
+                let next = (before.at + sign * decade).clamp(ends[0], ends[1]);
+                if next == before.at {
+                    continue;
+                }
+                let Ok(trial) = self.trial(next) else { continue };
+                trials.push(trial.clone());
+                if let Some(bracket) = self.bracket(&before, &trial) {
+                    return self.narrow(bracket, &[before, trial], trials.len());
+                }
+                frontiers[side] = Some(trial);
+            }
+        }
+        Err(self.no_such_value(&trials).into())
+    }
+
+    fn trial(&self, at: f64) -> Result<Trial, Error> {
+        let contact = (self.solve)(at.exp())?;
+        Ok(Trial { at, value: self.goal.of(&contact), contact })
+    }
+
+    fn bracket(&self, one: &Trial, two: &Trial) -> Option<Bracket> {
+        let wanted = self.goal.wanted();
+        Bracket::new([one.at, two.at], [one.value - wanted, two.value - wanted])
+    }
+
+    fn narrow(
+        &self,
+        bracket: Bracket,
+        ends: &[Trial; 2],
+        evaluations: usize,
+    ) -> Result<Found, Error> {
+        let wanted = self.goal.wanted();
+        let ends_size = ends.iter().fold(0.0, |most: f64, end| most.max(end.value.abs()));
+        // A wish of zero is as close as what is nearby allows.
+        let size = wanted.abs().max(NEARBY * ends_size);
+        let small = ROUNDING * size;
+        let mut trials = ends.to_vec();
+        let narrowed = bracket.narrowed(small, &mut |at| {
+            let trial = self.trial(at)?;
+            let value = trial.value - wanted;
+            trials.push(trial);
+            Ok(value)
+        })?;
+        let evaluations = evaluations + trials.len() - 2;
+        let of = |side: usize| trials.iter().rev().find(|trial| trial.at == narrowed.at[side]);
+        let (Some(one), Some(two)) = (of(0), of(1)) else {
+            unreachable!("both ends of a bracket were tried")
+        };
+        let best = if two.value == wanted || distance(two, wanted) < distance(one, wanted) {
+            two
+        } else {
+            one
+        };
+        if distance(best, wanted) > REACHED * size {
+            let dimension = self.goal.dimension_in(best.contact.problem());
+            return Err(InverseError::Jump {
+                unknown: self.unknown,
+                quantity: self.goal.name(),
+                wanted,
+                at: best.at.exp(),
+                below: one.value.min(two.value),
+                above: one.value.max(two.value),
+                dimension,
+            }
+            .into());
+        }
+        Ok(Found {
+            value: best.at.exp(),
+            goal: self.goal,
+            reached: best.value,
+            contact: best.contact.clone(),
+            evaluations,
+        })
+    }
+
+    fn no_such_value(&self, trials: &[Trial]) -> InverseError {
+        let values = || trials.iter().map(|trial| trial.value);
+        InverseError::NoSuchValue {
+            unknown: self.unknown,
+            quantity: self.goal.name(),
+            wanted: self.goal.wanted(),
+            least: values().fold(f64::INFINITY, f64::min),
+            most: values().fold(f64::NEG_INFINITY, f64::max),
+            dimension: self.goal.dimension_in(trials[0].contact.problem()),
+        }
+    }
+}
+
+fn distance(trial: &Trial, wanted: f64) -> f64 {
+    (trial.value - wanted).abs()
+}

@@ -1,0 +1,148 @@
+//! Force and roughness from what they cause.
+
+use crate::support::{HERTZ_FORCE, bare, close, load, parabola, physical, unilateral};
+use shtaerman::inverse::{Goal, InverseError, force, roughness};
+use shtaerman::{Error, Load, Rotational, Solver, Vertical};
+
+/// `chi E*/a_H`, `a/a_H`, `p/p_H` of the rough parabola.
+const GOLDEN: [[f64; 3]; 3] = [
+    [0.1, 1.0741908, 0.96991644],
+    [1.0, 1.39306501, 0.802671925],
+    [10.0, 2.43891775, 0.4768618686],
+];
+
+#[test]
+fn a_layer_alone_has_closed_forms() {
+    // f0 = c xi^2: half-width w = sqrt(q/c) under the peak q, P = 4/3 c w^3
+    let c = 50.0;
+    for start in [1e-3, 1.0, 4.0] {
+        let problem = unilateral(0.0, "50*xi^2", load(start, 0.0));
+        for q in [0.01, 0.7, 20.0] {
+            let found = force(&problem, Goal::PeakPressure(q)).unwrap();
+            close(found.value, 4.0 / 3.0 * c * (q / c).powf(1.5), 1e-11);
+            assert!(found.relative_error() < 1e-11 && found.evaluations < 60);
+        }
+        for width in [1e-3f64, 0.3, 1.9] {
+            let found = force(&problem, Goal::ContactWidth(width)).unwrap();
+            close(found.value, 4.0 / 3.0 * c * (0.5 * width).powi(3), 1e-11);
+        }
+        // The least force that makes the full base touch; an edge this close to a corner rests on it.
+        let found = force(&problem, Goal::ContactWidth(2.0)).unwrap();
+        close(found.value, 4.0 / 3.0 * c, 1e-9);
+        assert!((found.reached - 2.0).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn the_golden_parabola_backwards() {
+    let (hertz, peak) = (0.01, 2.0 * HERTZ_FORCE / (std::f64::consts::PI * 0.01));
+    for [chi, width, pressure] in GOLDEN {
+        let elsewhere = parabola(chi * hertz, 7.0 * HERTZ_FORCE);
+        let width = Goal::ContactWidth(2.0 * hertz * width);
+        let pressure = Goal::PeakPressure(peak * pressure);
+        // The figures have nine digits; force goes with the square of what is given.
+        close(force(&elsewhere, width).unwrap().value, HERTZ_FORCE, 3e-7);
+        close(force(&elsewhere, pressure).unwrap().value, HERTZ_FORCE, 3e-7);
+        let smoother = parabola(1e-3 * chi * hertz, HERTZ_FORCE);
+        close(roughness(&smoother, width).unwrap().value, chi * hertz, 2e-6);
+        close(roughness(&smoother, pressure).unwrap().value, chi * hertz, 2e-6);
+    }
+}
+
+#[test]
+fn roughness_behind_a_settlement() {
+    // Nearly a layer alone: delta = chi P/(2a), chi E*/a = 1e7.
+    let problem = physical(1e12 * (1.0 - 0.09), 1e-9, 1e-2, "0", load(3e5, 0.0));
+    let chi = 1e-7;
+    let found = roughness(&problem, Goal::Settlement(chi * 3e5 / 2e-2)).unwrap();
+    close(found.value, chi, 1e-6);
+    // A power law has its coefficient found: delta = B (P/2a)^kappa.
+    let power = shtaerman::Roughness::power(1e-7, 0.5).unwrap();
+    let problem = problem.with_roughness(power).unwrap();
+    if let Ok(found) = roughness(&problem, Goal::Settlement(1e-3 * (3e5f64 / 2e-2).sqrt())) {
+        close(found.value, 1e-3, 1e-5);
+    }
+}
+
+#[test]
+fn what_the_load_says_is_kept() {
+    let moment = 800.0;
+    let problem = physical(200e9, 1.2e-14, 5e-3, "x^2/(2*0.8)", load(8e5, moment));
+    let found = force(&problem, Goal::PeakPressure(400e6)).unwrap();
+    close(found.contact.moment() / found.contact.force(), moment / 8e5, 1e-14);
+    close(found.contact.peak_pressure().0, 400e6, 1e-11);
+    assert_eq!(found.contact.force(), found.value);
+    // A tilt stays.
+    let tilted = Load::new(Vertical::Force(8e5), Rotational::Tilt(1e-4)).unwrap();
+    let found = force(&problem.with_load(tilted).unwrap(), Goal::PeakPressure(400e6)).unwrap();
+    assert_eq!(found.contact.tilt(), 1e-4);
+    // A settlement in the file is only where the search begins.
+    let settled = Load::new(Vertical::Settlement(1e-5), Rotational::Moment(0.0)).unwrap();
+    let other = force(&problem.with_load(settled).unwrap(), Goal::PeakPressure(400e6)).unwrap();
+    let centred = problem.with_load(load(8e5, 0.0)).unwrap();
+    let same = force(&centred, Goal::PeakPressure(400e6)).unwrap();
+    close(other.value, same.value, 1e-10);
+}
+
+#[test]
+fn no_such_value_says_what_can_be_had() {
+    let problem = unilateral(1.0, "4*xi^2", load(1.0, 0.0));
+    let error = force(&problem, Goal::ContactWidth(2.5)).unwrap_err();
+    let Error::Inverse(InverseError::NoSuchValue { least, most, wanted, .. }) = error else {
+        unreachable!("{error}")
+    };
+    assert!(wanted == 2.5 && most == 2.0 && least < 1e-3, "{least} {most}");
+    // A flat base touches everywhere or, off centre, on the same zone under any force.
+    for moment in [0.0, 0.8] {
+        let flat = unilateral(1.0, "0", load(1.0, moment));
+        let error = force(&flat, Goal::ContactWidth(1e-3)).unwrap_err();
+        assert!(error.to_string().contains("whatever the force"), "{error}");
+    }
+    // The settlement under this force is at least that of the smooth surface.
+    let problem = physical(200e9, 1e-14, 5e-3, "0", load(8e5, 0.0));
+    let smooth = 2.0 * 8e5 * 2f64.ln() / (std::f64::consts::PI * 200e9 / 0.91);
+    let error = roughness(&problem, Goal::Settlement(0.5 * smooth)).unwrap_err();
+    let Error::Inverse(InverseError::NoSuchValue { least, most, .. }) = error else {
+        unreachable!("{error}")
+    };
+    close(least, smooth, 1e-6);
+    assert!(most > 1e3 * smooth);
+    assert!(!error_is_numerical(&problem));
+}
+
+fn error_is_numerical(problem: &shtaerman::Problem) -> bool {
+    roughness(problem, Goal::Settlement(-1.0)).unwrap_err().is_numerical()
+}
+
+#[test]
+fn a_width_may_jump() {
+    // The middle step stands out by 1: when the outer ones come down, both sides touch at once.
+    let problem = unilateral(0.0, "where(abs(xi) < 0.5, 0, 1)", load(0.5, 0.0));
+    let error = force(&problem, Goal::ContactWidth(1.5)).unwrap_err();
+    let Error::Inverse(InverseError::Jump { at, below, above, .. }) = error else {
+        unreachable!("{error}")
+    };
+    close(at, 1.0, 1e-9);
+    close(below, 1.0, 1e-9);
+    close(above, 2.0, 1e-9);
+}
+
+#[test]
+fn unsuited_problems_are_refused() {
+    let problem = unilateral(1.0, "xi^2", load(1.0, 0.0));
+    for goal in [
+        Goal::PeakPressure(-1.0),
+        Goal::PeakPressure(0.0),
+        Goal::PeakPressure(f64::NAN),
+        Goal::ContactWidth(f64::INFINITY),
+        Goal::Settlement(f64::NAN),
+    ] {
+        for error in [force(&problem, goal).unwrap_err(), roughness(&problem, goal).unwrap_err()] {
+            assert!(matches!(error, Error::InvalidValue { .. }), "{error}");
+        }
+    }
+    assert!(force(&problem, Goal::Settlement(1.0)).is_err());
+    assert!(roughness(&problem, Goal::ContactWidth(1.0)).is_err());
+    let pulled = bare(1.0, "xi^2", load(-1.0, 0.0), Solver::bilateral());
+    assert!(force(&pulled, Goal::PeakPressure(1.0)).is_err());
+}
