@@ -66,7 +66,7 @@ fn hertzs_sphere() {
             } else {
                 honest(load, contact.force() - force, force, 1e-12, "force");
             }
-            for y in [0.0f64, 1e-9, 0.3, -0.7, 0.99, 0.999999] {
+            for y in [0.0f64, 1e-9, 0.3, -0.7, 0.99, 0.99999] {
                 let exact = peak * (1.0 - y * y).sqrt();
                 let p = contact.pressure(c * y).unwrap();
                 close(p, exact, 1e-10, &format!("pressure at {y}"));
@@ -89,7 +89,7 @@ fn hertzs_sphere() {
 #[test]
 fn loves_cone() {
     // f = t r: F = (2/pi) E* delta^2/t, p = (E* t/2) arccosh(c/r), c = 2 delta/(pi t)
-    for (slope, delta) in [(2e-3, 4e-6), (0.5, 1e-9)] {
+    for (slope, delta) in [(2e-3, 4e-6), (0.5, 1e-9), (1e-3, 1e-60)] {
         let contact = solve(&format!("{slope}*abs(x)"), sunk(delta));
         let c = 2.0 * delta / (PI * slope);
         close(contact.edges()[0][1], c, 1e-13, "radius");

@@ -41,3 +41,29 @@ fn bases() {
     let Err(Error::InvalidValue { field: "profile", value, .. }) = refused else { panic!() };
     assert!((value - 0.003).abs() < 1e-15);
 }
+
+#[test]
+fn extreme_numbers_have_answers_or_errors() {
+    for profile in [
+        "x^2",
+        "abs(x)",
+        "1e300*x^2",
+        "1e-300*x^2",
+        "sqrt(abs(x))",
+        "sqrt(x^2)",
+        "0.005 - sqrt(0.005^2 - x^2)",
+    ] {
+        for force in [1e-300, 1e-30, 1.0, 1e30, 1e290] {
+            match attempt(profile, pressed(force)) {
+                Ok(contact) => {
+                    assert!(contact.settlement().is_finite() && contact.settlement() > 0.0);
+                    assert!(contact.pressure(1e-5).unwrap() >= 0.0, "{profile} {force}");
+                    for x in [1e-200, 1e-100, 1e-20] {
+                        assert!(!contact.pressure(x).unwrap().is_nan(), "{profile} {force} {x}");
+                    }
+                }
+                Err(error) => assert!(!error.to_string().is_empty()),
+            }
+        }
+    }
+}

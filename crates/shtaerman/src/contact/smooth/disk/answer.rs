@@ -221,7 +221,8 @@ fn estimate(
         + shape.tolerance * force.abs();
     let depth_error = force_error / field.rate();
     // A depth that is off by this adds a flat base's pressure.
-    let pressure = pressure + field.flat_pressure(depth_error);
+    let pressure = pressure
+        + field.flat_pressure(depth_error + field.transform.slope_rounding() * field.radius);
     let turn = ROUNDING * moment.abs();
     let by_force = matches!(problem.load.vertical, Vertical::Force(_));
     let arm = match problem.load.rotational {

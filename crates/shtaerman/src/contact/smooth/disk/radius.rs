@@ -41,13 +41,12 @@ fn root(f: &impl Fn(f64) -> f64, mut below: (f64, f64), mut above: (f64, f64)) -
         let at = if step % 3 == 2 || !is_inside { below.0 + 0.5 * width } else { secant };
         let value = f(at);
         let is_below = value < 0.0;
-        if is_below {
-            below = (at, value)
-        } else {
-            above = (at, value)
-        }
-        if last_below == Some(is_below) {
-            if is_below { above.1 *= 0.5 } else { below.1 *= 0.5 }
+        let stays = last_below == Some(is_below);
+        let (moved, other) =
+            if is_below { (&mut below, &mut above) } else { (&mut above, &mut below) };
+        *moved = (at, value);
+        if stays {
+            other.1 *= 0.5;
         }
         last_below = Some(is_below);
     }

@@ -80,7 +80,8 @@ struct Segment {
 
 /// `sqrt(x^2 - y^2)` for `x >= y`.
 fn leg(x: f64, y: f64) -> f64 {
-    ((x - y) * (x + y)).max(0.0).sqrt()
+    // Squares of small numbers would vanish.
+    (x - y).max(0.0).sqrt() * (x + y).sqrt()
 }
 
 impl Segment {
@@ -204,11 +205,12 @@ fn ratio(s: f64, kink: f64) -> f64 {
 
 /// Gauss's rule on parts no longer than `step`.
 fn stepwise([from, to]: [f64; 2], step: f64, f: impl Fn(f64) -> f64) -> f64 {
-    if !(to > from) {
-        return 0.0;
+    let length = to - from;
+    if length <= 0.0 || !length.is_finite() {
+        return if length <= 0.0 { 0.0 } else { f64::NAN };
     }
-    let count = ((to - from) / step).ceil().max(1.0);
-    let width = (to - from) / count;
+    let count = (length / step).ceil().max(1.0);
+    let width = length / count;
     (0..count as usize)
         .map(|i| {
             let start = from + width * i as f64;
@@ -259,6 +261,18 @@ impl Transform {
     /// `int_0^c (level - G(x)) dx`.
     pub(super) fn volume(&self, level: f64) -> f64 {
         self.segments.iter().map(|segment| segment.volume(level)).sum()
+    }
+
+    /// What rounding of `G` makes of `G'` on the longest panels: the derivative of a series blows its coefficients up by the square of their number.
+    pub(super) fn slope_rounding(&self) -> f64 {
+        let of = |segment: &Segment| {
+            let halves = segment.panels.iter().map(|panel| 0.5 * (panel.ends[1] - panel.ends[0]));
+            let values = segment.panels.iter().map(|panel| panel.value(panel.ends[1]).abs());
+            let largest = values.fold(0.0, f64::max);
+            let longest = halves.fold(f64::MIN_POSITIVE, f64::max);
+            4.0 * f64::EPSILON * (ORDER * ORDER) as f64 * largest / longest
+        };
+        self.segments.iter().map(of).fold(0.0, f64::max)
     }
 
     /// `G'(c)`.
