@@ -125,6 +125,20 @@ pub enum Error {
         limit: f64,
     },
 
+    /// The contact of a smooth circular punch is no disk.
+    #[error(
+        "the contact is no single disk: {found} at {variable} = {at}; on a smooth surface a circular punch is solved for one disk of contact only, rings with a \
+         layer: give a small roughness instead of 0, or contact = \"bilateral\" to keep the full base in contact"
+    )]
+    Rings {
+        /// `x` (metres) or `xi`, the distance from the axis.
+        variable: &'static str,
+        /// Where.
+        at: f64,
+        /// What says so: `tension`, `penetration`, ..
+        found: &'static str,
+    },
+
     /// A layer with a power law would pull.
     #[error(
         "the pressure would pull at {variable} = {at}, and the power law of the layer is known for compression only: \

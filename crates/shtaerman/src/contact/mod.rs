@@ -21,7 +21,10 @@ mod warning;
 pub use accuracy::{Accuracy, ErrorKind};
 pub use cross_check::CrossCheck;
 pub use plan::AIM;
-pub use smooth::{Curve, SmoothContact, SmoothKernel, SmoothProblem, SmoothProfile, SmoothZone};
+pub use smooth::{
+    Curve, SmoothContact, SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem,
+    SmoothProfile, SmoothZone,
+};
 pub use solved::{Contact, Method, Stiffness};
 pub use unilateral::Complementarity;
 pub use warning::{Warning, WarningCode};

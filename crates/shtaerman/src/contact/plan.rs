@@ -72,6 +72,9 @@ impl Problem {
         if self.is_smooth_plane() {
             return self.draw_up(Arc::new(self.solve_smooth()?));
         }
+        if self.is_smooth_disk() {
+            return self.draw_up(Arc::new(self.solve_smooth_disk()?));
+        }
         match self.solver().contact {
             ContactKind::Unilateral => self.draw_up(self.solve_unilateral()?),
             ContactKind::Bilateral if self.is_plain() => self.solve_full_base(),
@@ -84,6 +87,12 @@ impl Problem {
         let frame = self.frame();
         let is_plane = frame.geometry() != Geometry::Circular && frame.grading().is_none();
         is_plane && frame.law() == Law::Smooth
+    }
+
+    /// Whether the surface is smooth and the punch circular on a homogeneous body.
+    fn is_smooth_disk(&self) -> bool {
+        let frame = self.frame();
+        frame.is_circular() && frame.grading().is_none() && frame.law() == Law::Smooth
     }
 
     /// Whether this is one punch on a homogeneous half-plane with a linear layer, for which the spectral relation serves.

@@ -11,6 +11,7 @@ mod answer;
 mod balance;
 mod check;
 mod coupling;
+mod disk;
 mod edges;
 mod harmonics;
 mod kernel;
@@ -25,6 +26,7 @@ mod wave;
 mod zones;
 
 pub use answer::{SmoothContact, SmoothZone};
+pub use disk::{SmoothDisk, SmoothDiskContact};
 pub use kernel::SmoothKernel;
 pub use problem::{Curve, SmoothProblem, SmoothProfile};
 

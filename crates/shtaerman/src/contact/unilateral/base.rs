@@ -42,6 +42,26 @@ pub(super) struct Base<'p> {
     pub(super) samples: Vec<(f64, f64)>,
 }
 
+/// Refuses the base of a circular punch that is no body of revolution; samples `(xi, f0)` of its right half.
+pub(in crate::contact) fn require_even(
+    problem: &Problem,
+    samples: &[(f64, f64)],
+) -> Result<(), Error> {
+    let (mut difference, mut largest) = (0.0f64, 0.0f64);
+    for &(xi, height) in samples {
+        let other = problem.finite_profile(-xi)?;
+        difference = difference.max((other - height).abs());
+        largest = largest.max(height.abs());
+    }
+    require(
+        difference <= UNEVEN * largest,
+        "profile",
+        difference,
+        "even in x, f(-x) = f(x), for a circular punch: its base is a body of revolution, x the distance from the axis",
+    )?;
+    Ok(())
+}
+
 impl<'p> Base<'p> {
     pub(super) fn new(problem: &'p Problem, kind: ContactKind) -> Result<Self, Error> {
         let wanted = 4 * problem.profile().measured_points().unwrap_or(0);
@@ -213,18 +233,7 @@ impl<'p> Base<'p> {
     /// Refuses what a geometry does not know, and leaves out of the load what it answers elsewhere.
     fn require_geometry(&mut self) -> Result<(), Error> {
         if self.medium.is_disk() {
-            let (mut difference, mut largest) = (0.0f64, 0.0f64);
-            for &(xi, height) in &self.samples {
-                let other = self.problem.finite_profile(-xi)?;
-                difference = difference.max((other - height).abs());
-                largest = largest.max(height.abs());
-            }
-            require(
-                difference <= UNEVEN * largest,
-                "profile",
-                difference,
-                "even in x, f(-x) = f(x), for a circular punch: its base is a body of revolution, x the distance from the axis",
-            )?;
+            require_even(self.problem, &self.samples)?;
             // Tilt and moment belong to another harmonic.
             self.load.rotational = Rotational::Tilt(0.0);
         }

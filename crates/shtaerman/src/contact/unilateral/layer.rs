@@ -22,7 +22,7 @@ impl Layer {
             exponent > 0.0,
             "roughness",
             exponent,
-            "greater than zero for a circular punch and on a graded foundation: without a layer they are not solved yet",
+            "greater than zero on a graded foundation: without a layer it is not solved yet",
         )?;
         Ok(Self { exponent })
     }

@@ -27,6 +27,7 @@ mod zones;
 
 pub use answer::Complementarity;
 use answer::UnilateralContact;
+pub(super) use base::require_even;
 
 use std::sync::Arc;
 

@@ -1,0 +1,128 @@
+//! Whether a disk of contact is one: no tension in it, no penetration beside it, also under its tilt.
+
+use std::f64::consts::PI;
+
+use super::field::Field;
+use super::{ALLOWED, SmoothDisk};
+use crate::Error;
+use crate::contact::extremes::Sampled;
+
+/// Points between two kinks, and beside the contact.
+const POINTS: usize = 128;
+/// At a step the height is that of the outer side.
+const INSIDE: f64 = 1e-12;
+
+/// What is left of tension and penetration.
+pub(super) struct Check {
+    /// Places in the contact, from the axis, without kinks.
+    pub(super) places: Vec<f64>,
+    /// Largest `|p0| sqrt(1 - r^2/c^2)`, or `|p0|` where the edge is free.
+    pub(super) largest: f64,
+    /// Largest tension over that, and its place.
+    pub(super) tension: (f64, f64),
+    /// Largest penetration over the size of the displacements, and its place.
+    pub(super) penetration: (f64, f64),
+}
+
+impl Check {
+    pub(super) fn new(problem: &SmoothDisk, field: &Field) -> Self {
+        let cuts = field.transform.cuts();
+        let places: Vec<f64> = cuts.windows(2).flat_map(|pair| between(pair[0], pair[1])).collect();
+        let values: Vec<f64> = places.iter().map(|&r| regular(field, r)).collect();
+        let finite = values.iter().filter(|value| value.is_finite());
+        let largest = finite.fold(f64::MIN_POSITIVE, |most, p| most.max(p.abs()));
+        let worst = |places: &[f64], values: &[f64]| {
+            let pairs = places.iter().zip(values).map(|(at, value)| (*value, *at));
+            pairs.fold((0.0, 0.0), |most, pair| if pair.0 > most.0 { pair } else { most })
+        };
+        let pulls: Vec<f64> = values.iter().map(|p| -p / largest).collect();
+        let mut tension = worst(&places, &pulls);
+        let corner = -field.corner_factors()[0] / field.radius / largest;
+        if corner > tension.0 {
+            tension = (corner, field.radius);
+        }
+        let penetration = if problem.is_unilateral && field.radius < 1.0 {
+            let from = field.radius * (1.0 + INSIDE);
+            let places = between(from, 1.0);
+            let mut scale = field.state.settlement.abs();
+            let depths: Vec<f64> = (places.iter())
+                .map(|&r| {
+                    let height = (problem.height)(r);
+                    scale = scale.max(height.abs());
+                    -gap(problem, field, r)
+                })
+                .collect();
+            let shares: Vec<f64> = depths.iter().map(|depth| depth / scale).collect();
+            worst(&places, &shares)
+        } else {
+            (0.0, 0.0)
+        };
+        Self { places, largest, tension, penetration }
+    }
+
+    /// Refuses what pulls or penetrates.
+    pub(super) fn require(&self) -> Result<(), Error> {
+        let worst = [(self.tension, "tension"), (self.penetration, "penetration")];
+        for ((size, at), found) in worst {
+            if size > ALLOWED {
+                return Err(Error::Rings { variable: "xi", at, found });
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses a tilt that lifts the disk off on one side.
+    pub(super) fn require_contact(&self, problem: &SmoothDisk, field: &Field) -> Result<(), Error> {
+        let factor = field.tilt_factor().abs();
+        if factor == 0.0 {
+            return Ok(());
+        }
+        let limit = self.largest_share(problem, field, factor);
+        if limit >= 1.0 - ALLOWED {
+            return Ok(());
+        }
+        let (field, value) = problem.rotational();
+        Err(Error::LiftsOff { field, value, limit: limit * value.abs() })
+    }
+
+    /// How much of the tilt keeps the contact as it is.
+    fn largest_share(&self, problem: &SmoothDisk, field: &Field, factor: f64) -> f64 {
+        if field.is_free {
+            return 0.0;
+        }
+        let share = |r: f64| field.even_pressure(r) * field.root(r) / (factor * r);
+        let lowest = |places: &[f64], share: &dyn Fn(f64) -> f64| {
+            let values = places.iter().map(|&r| -share(r)).collect();
+            -Sampled::new(|r| -share(r), places.to_vec(), values).maximum().value
+        };
+        let mut limit =
+            (field.corner_factors()[0] / (factor * field.radius)).min(lowest(&self.places, &share));
+        if field.radius < 1.0 {
+            let rise = |r: f64| field.state.tilt.abs() * r * (1.0 - field.share_of_tilt(r));
+            let places = between(field.radius * (1.0 + INSIDE), 1.0);
+            limit = limit.min(lowest(&places, &|r| gap(problem, field, r) / rise(r)));
+        }
+        limit.max(0.0)
+    }
+}
+
+/// The gap without the tilt.
+fn gap(problem: &SmoothDisk, field: &Field, r: f64) -> f64 {
+    let depth = field.state.settlement - (problem.height)(r);
+    field.transform.displacement(r, field.level()) - depth
+}
+
+/// Points between two places, closer to them.
+fn between(from: f64, to: f64) -> Vec<f64> {
+    let point = |i: usize| {
+        let half = (0.5 * PI * (i as f64 + 0.5) / POINTS as f64).sin();
+        from + (to - from) * half * half
+    };
+    (0..POINTS).map(point).filter(|r| *r > from && *r < to).collect()
+}
+
+/// The pressure, without its singularity at a corner.
+pub(super) fn regular(field: &Field, r: f64) -> f64 {
+    let factor = if field.is_free { 1.0 } else { field.root(r) / field.radius };
+    factor * field.even_pressure(r)
+}

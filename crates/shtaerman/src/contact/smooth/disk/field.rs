@@ -1,0 +1,131 @@
+//! Pressure and displacement of a disk of contact.
+
+use std::f64::consts::{FRAC_2_PI, PI};
+
+use super::shape::{Shape, Weight};
+use super::transform::Transform;
+use crate::contact::balance::State;
+
+/// Below this a difference of near terms is summed as a series.
+const NEAR: f64 = 0.05;
+
+/// A disk of contact.
+#[derive(Debug, Clone)]
+pub(super) struct Field {
+    /// `c`.
+    pub(super) radius: f64,
+    pub(super) is_free: bool,
+    pub(super) state: State,
+    pub(super) transform: Transform,
+    /// `e`.
+    modulus: f64,
+    /// `delta0 - f0(0)`.
+    depth: f64,
+    /// `d(c)`.
+    corner: f64,
+}
+
+impl Field {
+    pub(super) fn new(
+        shape: &Shape<'_>,
+        modulus: f64,
+        [radius, depth]: [f64; 2],
+        is_free: bool,
+        state: State,
+    ) -> Self {
+        // d(c) = P0/(2 e c) - c int h(c cos t) cos^2 t dt
+        let corner = if is_free {
+            0.0
+        } else {
+            let free = radius * shape.integral(radius, Weight::CosineSquared);
+            0.5 * state.force / (modulus * radius) - free
+        };
+        let transform = Transform::new(shape, radius);
+        Self { radius, is_free, state, transform, modulus, depth, corner }
+    }
+
+    /// The same with less of each series.
+    pub(super) fn truncated(&self) -> Self {
+        Self { transform: self.transform.truncated(), ..self.clone() }
+    }
+
+    /// `delta0 - f0(0)`.
+    pub(super) fn level(&self) -> f64 {
+        self.depth
+    }
+
+    /// `dP0/d delta0`.
+    pub(super) fn rate(&self) -> f64 {
+        2.0 * self.modulus * self.radius
+    }
+
+    /// `dM0/d(-alpha0)`.
+    pub(super) fn turning(&self) -> f64 {
+        4.0 / 3.0 * self.modulus * self.radius.powi(3)
+    }
+
+    /// What a flat base this deep has in the middle.
+    pub(super) fn flat_pressure(&self, depth: f64) -> f64 {
+        self.modulus / PI * depth / self.radius
+    }
+
+    /// `P0` from the panels.
+    pub(super) fn integrated_force(&self) -> f64 {
+        2.0 * self.modulus * self.transform.volume(self.depth)
+    }
+
+    /// `sqrt(c^2 - r^2)`.
+    pub(super) fn root(&self, r: f64) -> f64 {
+        ((self.radius - r) * (self.radius + r)).max(0.0).sqrt()
+    }
+
+    /// The part without angle, at `0 <= r <= c`.
+    pub(super) fn even_pressure(&self, r: f64) -> f64 {
+        if self.is_free && r >= self.radius {
+            return 0.0;
+        }
+        let corner = if self.corner == 0.0 { 0.0 } else { self.corner / self.root(r) };
+        self.modulus / PI * (corner + self.transform.pressure(r))
+    }
+
+    /// `lim sqrt(c^2 - r^2) p0` of the part without angle, and of the tilt at `x = c`.
+    pub(super) fn corner_factors(&self) -> [f64; 2] {
+        [self.modulus / PI * self.corner, self.tilt_factor() * self.radius]
+    }
+
+    /// `p1 sqrt(c^2 - r^2)/r`.
+    pub(super) fn tilt_factor(&self) -> f64 {
+        -FRAC_2_PI * self.modulus * self.state.tilt
+    }
+
+    /// `p0(xi)` in the contact.
+    pub(super) fn pressure(&self, xi: f64) -> f64 {
+        let r = xi.abs();
+        if r >= self.radius && !self.is_free {
+            let [even, odd] = self.corner_factors();
+            let factor = even + odd * xi.signum();
+            return if factor == 0.0 { 0.0 } else { factor * f64::INFINITY };
+        }
+        let factor = self.tilt_factor();
+        let odd = if factor == 0.0 { 0.0 } else { factor * xi / self.root(r) };
+        self.even_pressure(r) + odd
+    }
+
+    /// The displacement of the surface at `|xi| >= c`.
+    pub(super) fn displacement_outside(&self, xi: f64) -> f64 {
+        let even = self.transform.displacement(xi.abs(), self.depth);
+        even - self.state.tilt * xi * self.share_of_tilt(xi.abs())
+    }
+
+    /// How much of the tilt the surface follows at `r >= c`.
+    pub(super) fn share_of_tilt(&self, r: f64) -> f64 {
+        let z = (self.radius / r).min(1.0);
+        if z < NEAR {
+            // The series of that difference.
+            let s = z * z;
+            let sum = 2.0 / 3.0 + s * (0.2 + s * (3.0 / 28.0 + s * 5.0 / 72.0));
+            return FRAC_2_PI * z.powi(3) * sum;
+        }
+        FRAC_2_PI * (z.asin() - z * (1.0 - z * z).sqrt())
+    }
+}

@@ -1,0 +1,269 @@
+//! The smooth limit of a circular punch, by the transforms of Galin and Sneddon.
+//!
+//! With `e = 2/(pi theta0)`, the dimensionless `E*`, `h = df0/dr` and `G(x) = x int_0^x h(r) dr/sqrt(x^2 - r^2)`, a contact within `r <= c` has
+//!
+//! - `d(x) = delta0 - f0(0) - G(x)`, `P0 = 2 e int_0^c d(x) dx`, `d(c) = 0` at a free edge;
+//! - `p0(r) = (e/pi) [d(c)/sqrt(c^2 - r^2) + int_r^c G'(x) dx/sqrt(x^2 - r^2)]`;
+//! - `u0(r) = (2/pi) int_0^c d(x) dx/sqrt(r^2 - x^2)` beside it;
+//!
+//! and a tilt of the whole disk adds `-(2/pi) e alpha0 x/sqrt(c^2 - r^2)` to the pressure, `M0 = -(4/3) e c^3 alpha0` (L. A. Galin 1946,
+//! I. N. Sneddon 1965; V. L. Popov, M. Hess and E. Willert, *Handbook of Contact Mechanics*, 2019, ch. 2).
+
+mod answer;
+mod check;
+mod field;
+mod radius;
+mod shape;
+mod stated;
+mod transform;
+
+pub use answer::SmoothDiskContact;
+
+use std::fmt;
+
+use super::Curve;
+use crate::contact::balance::State;
+use crate::error::require;
+use crate::{Error, Load, Rotational, Vertical};
+use check::Check;
+use field::Field;
+use shape::{Shape, Weight};
+
+/// Samples that show the ups and downs of a profile.
+const SAMPLES: usize = 512;
+/// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a step.
+const BESIDE: f64 = 1e-9;
+const STEP: f64 = 1e-6;
+/// More breakpoints than these do not get panels of their own.
+const MOST_BREAKS: usize = 64;
+/// Tension and penetration, relative to their scales, that are rounding.
+const ALLOWED: f64 = 2e-10;
+
+/// A circular punch on a smooth body, without dimensions:
+///
+/// `pi theta0 int W_0(r, s) p0(s) s ds = delta0 - f0(r)`, `W_0 = int_0^inf J_0(r t) J_0(s t) dt`, on a disk, and the tilt of the whole base.
+#[derive(Clone)]
+pub struct SmoothDisk {
+    /// `theta0 > 0`.
+    pub theta0: f64,
+    /// What is prescribed.
+    pub load: Load,
+    /// `f0(r)`, `0 <= r <= 1`.
+    pub height: Curve,
+    /// `df0/dr`, at a kink on either side.
+    pub slope: Curve,
+    /// Where the profile has kinks or steps.
+    pub breaks: Vec<f64>,
+    /// Relative accuracy of integrals of the slope; 0 for the best, about `1e-10` for measured points.
+    pub tolerance: f64,
+    /// Whether the radius of the contact is part of the answer, with the pressure nowhere negative.
+    pub is_unilateral: bool,
+}
+
+impl fmt::Debug for SmoothDisk {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { theta0, load, breaks, tolerance, is_unilateral, .. } = self;
+        formatter
+            .debug_struct("SmoothDisk")
+            .field("theta0", theta0)
+            .field("load", load)
+            .field("breaks", breaks)
+            .field("tolerance", tolerance)
+            .field("is_unilateral", is_unilateral)
+            .finish_non_exhaustive()
+    }
+}
+
+/// A radius with its load.
+struct Candidate {
+    radius: f64,
+    is_free: bool,
+    /// `delta0 - f0(0)`.
+    depth: f64,
+    force: f64,
+}
+
+impl SmoothDisk {
+    /// Solves the problem.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive in unilateral contact, a step inside the base in
+    /// bilateral contact; [`Error::NoContact`]; [`Error::Rings`] where the contact is no single disk; [`Error::LiftsOff`] for a moment
+    /// that does not leave the whole base in contact; [`Error::Overflow`] when the answer is not finite.
+    pub fn solve(&self) -> Result<SmoothDiskContact, Error> {
+        self.check()?;
+        let limit = self.limit()?;
+        let shape = self.shape();
+        if !self.is_unilateral {
+            let field = self.field(&shape, &self.full(&shape, 1.0));
+            let field = self.turned(field);
+            let left = Check::new(self, &field);
+            return SmoothDiskContact::new(self, &shape, field, &left);
+        }
+        self.require_load()?;
+        let mut refused = None;
+        for candidate in self.candidates(&shape, limit) {
+            let field = self.field(&shape, &candidate);
+            let left = Check::new(self, &field);
+            match left.require() {
+                Ok(()) => {
+                    let field = self.turned(field);
+                    left.require_contact(self, &field)?;
+                    return SmoothDiskContact::new(self, &shape, field, &left);
+                }
+                Err(error) => refused = refused.or(Some(error)),
+            }
+        }
+        Err(refused.unwrap_or(Error::Rings { variable: "xi", at: 0.0, found: "no contact" }))
+    }
+
+    /// `e`.
+    fn modulus(&self) -> f64 {
+        std::f64::consts::FRAC_2_PI / self.theta0
+    }
+
+    fn shape(&self) -> Shape<'_> {
+        let mut breaks: Vec<f64> =
+            self.breaks.iter().copied().filter(|at| *at > 0.0 && *at < 1.0).collect();
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        if breaks.len() > MOST_BREAKS {
+            breaks.clear();
+        }
+        Shape { slope: &self.slope, breaks, tolerance: self.tolerance }
+    }
+
+    fn samples(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let places = (0..=SAMPLES).map(|i| i as f64 / SAMPLES as f64);
+        places.map(|r| (r, (self.height)(r)))
+    }
+
+    fn check(&self) -> Result<(), Error> {
+        let Self { theta0, load, .. } = self;
+        require(theta0.is_finite() && *theta0 > 0.0, "theta0", *theta0, "finite and positive")?;
+        Load::new(load.vertical, load.rotational)?;
+        for (r, height) in self.samples() {
+            require(height.is_finite(), "profile", r, "such that the height is finite")?;
+        }
+        Ok(())
+    }
+
+    /// The largest radius of a contact: the edge of the base or the first step.
+    fn limit(&self) -> Result<f64, Error> {
+        let heights = || self.samples().map(|sample| sample.1);
+        let range =
+            heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
+        let is_step = |at: &f64| {
+            let rise = (self.height)(at + BESIDE) - (self.height)(at - BESIDE);
+            *at > BESIDE && at + BESIDE < 1.0 && rise.abs() > STEP * range
+        };
+        let first = self.breaks.iter().copied().filter(is_step).fold(1.0, f64::min);
+        require(
+            self.is_unilateral || first == 1.0,
+            "profile",
+            first,
+            "without a step inside the base: bilateral contact of smooth bodies has no pressure across one",
+        )?;
+        Ok(first)
+    }
+
+    fn require_load(&self) -> Result<(), Error> {
+        match self.load.vertical {
+            Vertical::Force(force) => {
+                let requirement =
+                    "greater than zero in unilateral contact: a pull lifts the punch off";
+                require(force > 0.0, "force", force, requirement)?;
+            }
+            Vertical::Settlement(settlement) => {
+                let lowest = self.samples().min_by(|one, two| one.1.total_cmp(&two.1));
+                let (at, height) = lowest.unwrap_or_default();
+                if settlement <= height {
+                    return Err(Error::NoContact);
+                }
+                if settlement <= (self.height)(0.0) {
+                    return Err(Error::Rings {
+                        variable: "xi",
+                        at,
+                        found: "contact without the axis",
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Contact up to a wall.
+    fn full(&self, shape: &Shape<'_>, radius: f64) -> Candidate {
+        // P0 = 2 e [depth c - c^2 int h(c cos t) sin^2 t dt]
+        let compliance = 0.5 / (self.modulus() * radius);
+        let mean = radius * shape.integral(radius, Weight::SineSquared);
+        let (depth, force) = match self.load.vertical {
+            Vertical::Force(force) => (force * compliance + mean, force),
+            Vertical::Settlement(settlement) => {
+                let depth = settlement - (self.height)(0.0);
+                (depth, (depth - mean) / compliance)
+            }
+        };
+        Candidate { radius, is_free: false, depth, force }
+    }
+
+    /// Disks with the load prescribed, from the smallest.
+    fn candidates<'a>(
+        &'a self,
+        shape: &'a Shape<'_>,
+        limit: f64,
+    ) -> impl Iterator<Item = Candidate> + 'a {
+        let scale = 2.0 * self.modulus();
+        let force = move |c: f64| scale * c * c * shape.integral(c, Weight::CosineSquared);
+        let height = (self.height)(0.0);
+        let radii = match self.load.vertical {
+            Vertical::Force(target) => radius::crossings(&force, target, &shape.breaks, limit),
+            Vertical::Settlement(settlement) => {
+                let depth = |c: f64| shape.transform(c);
+                radius::crossings(&depth, settlement - height, &shape.breaks, limit)
+            }
+        };
+        let free = radii.into_iter().map(move |radius| {
+            let (depth, force) = match self.load.vertical {
+                Vertical::Force(prescribed) => (shape.transform(radius), prescribed),
+                Vertical::Settlement(settlement) => (settlement - height, force(radius)),
+            };
+            Candidate { radius, is_free: true, depth, force }
+        });
+        free.chain(std::iter::once_with(move || self.full(shape, limit)))
+    }
+
+    fn field(&self, shape: &Shape<'_>, candidate: &Candidate) -> Field {
+        let &Candidate { radius, is_free, depth, force } = candidate;
+        let settlement = match self.load.vertical {
+            Vertical::Settlement(settlement) => settlement,
+            Vertical::Force(_) => depth + (self.height)(0.0),
+        };
+        let state = State { settlement, tilt: 0.0, force, moment: 0.0 };
+        Field::new(shape, self.modulus(), [radius, depth], is_free, state)
+    }
+
+    /// The same with the tilt of the load.
+    fn turned(&self, mut field: Field) -> Field {
+        let turning = field.turning();
+        let (tilt, moment) = match self.load.rotational {
+            Rotational::Tilt(tilt) => (tilt, -tilt * turning),
+            Rotational::Moment(moment) => (-moment / turning, moment),
+            Rotational::Eccentricity(e) => {
+                (-e * field.state.force / turning, e * field.state.force)
+            }
+        };
+        // Adding zero turns a negative zero into a plain one.
+        (field.state.tilt, field.state.moment) = (tilt + 0.0, moment + 0.0);
+        field
+    }
+
+    /// Name and value of the rotational load.
+    fn rotational(&self) -> (&'static str, f64) {
+        match self.load.rotational {
+            Rotational::Moment(value) => ("moment", value),
+            Rotational::Eccentricity(value) => ("eccentricity", value),
+            Rotational::Tilt(value) => ("tilt", value),
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! A stated problem of a smooth circular punch, and its answer as a solution like any other.
+
+use std::sync::Arc;
+
+use super::{SmoothDisk, SmoothDiskContact};
+use crate::contact::accuracy::Accuracy;
+use crate::contact::balance::State;
+use crate::contact::solution::Solution;
+use crate::contact::solved::{Method, Stiffness};
+use crate::contact::unilateral::{Complementarity, require_even};
+use crate::{ContactKind, Error, Problem, Rotational, Scaling, Vertical};
+
+/// To this share integrals of a measured profile are taken: the third derivative of its spline jumps at every point.
+const MEASURED: f64 = 1e-10;
+/// Samples that show whether a base is a body of revolution.
+const SAMPLES: usize = 512;
+
+impl Problem {
+    /// Solves a circular punch on a smooth body.
+    ///
+    /// # Errors
+    /// Those of [`SmoothDisk::solve`], with values in the units of the problem; [`Error::InvalidValue`] for a base that is no body of
+    /// revolution.
+    pub(crate) fn solve_smooth_disk(&self) -> Result<SmoothDiskContact, Error> {
+        let samples: Result<Vec<(f64, f64)>, Error> = (0..=SAMPLES)
+            .map(|i| i as f64 / SAMPLES as f64)
+            .map(|xi| Ok((xi, self.finite_profile(xi)?)))
+            .collect();
+        require_even(self, &samples?)?;
+        self.smooth_disk().solve().map_err(|error| self.with_units(error))
+    }
+
+    /// The problem without dimensions.
+    fn smooth_disk(&self) -> SmoothDisk {
+        let half_width = self.frame().half_width();
+        let scale = self.frame().scaling().map_or(1.0, Scaling::displacement);
+        let problem = Arc::new(self.clone());
+        let height = {
+            let problem = Arc::clone(&problem);
+            Arc::new(move |r| problem.dimensionless_profile(r))
+        };
+        let slope =
+            move |r| problem.profile().slope(r, half_width).map_or(f64::NAN, |slope| slope / scale);
+        let measured = self.profile().measured_points().is_some();
+        SmoothDisk {
+            theta0: self.frame().theta0(),
+            load: self.dimensionless_load(),
+            height,
+            slope: Arc::new(slope),
+            breaks: self.profile().breakpoints(half_width),
+            tolerance: if measured { MEASURED } else { 0.0 },
+            is_unilateral: self.solver().contact == ContactKind::Unilateral,
+        }
+    }
+
+    /// An error with its value as the problem states it.
+    fn with_units(&self, error: Error) -> Error {
+        let load = self.load();
+        let half_width = self.frame().half_width();
+        match (error, load.vertical) {
+            (Error::InvalidValue { field: "force", requirement, .. }, Vertical::Force(value)) => {
+                Error::InvalidValue { field: "force", value, requirement }
+            }
+            (Error::InvalidValue { field: "profile", requirement, value }, _) => {
+                Error::InvalidValue { field: "profile", value: value * half_width, requirement }
+            }
+            (Error::Rings { at, found, .. }, _) => {
+                let variable = self.frame().coordinate();
+                Error::Rings { variable, at: at * half_width, found }
+            }
+            (Error::LiftsOff { field, value: scaled, limit }, _) => {
+                let (Rotational::Moment(value)
+                | Rotational::Eccentricity(value)
+                | Rotational::Tilt(value)) = load.rotational;
+                Error::LiftsOff { field, value, limit: limit / scaled.abs() * value.abs() }
+            }
+            (error, _) => error,
+        }
+    }
+}
+
+impl Solution for SmoothDiskContact {
+    fn state(&self) -> State {
+        State {
+            settlement: self.settlement0(),
+            tilt: self.tilt0(),
+            force: self.force0(),
+            moment: self.moment0(),
+        }
+    }
+
+    fn stiffness(&self) -> Stiffness {
+        self.stiffness0()
+    }
+
+    fn zones(&self) -> Vec<[f64; 2]> {
+        vec![[-self.radius(), self.radius()]]
+    }
+
+    fn pressure(&self, _: &Problem, xi: f64) -> f64 {
+        self.pressure0(xi)
+    }
+
+    fn displacement(&self, xi: f64) -> f64 {
+        self.elastic_displacement0(xi)
+    }
+
+    fn sample(&self, _: &Problem) -> (Vec<f64>, Vec<f64>) {
+        let mut places: Vec<f64> = self.places.iter().flat_map(|r| [-r, *r]).collect();
+        places.extend([-1.0, -self.radius(), 0.0, self.radius(), 1.0]);
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let sampled: Vec<(f64, f64)> =
+            places.into_iter().map(|xi| (xi, self.pressure0(xi))).collect();
+        sampled.into_iter().filter(|(_, pressure)| pressure.is_finite()).unzip()
+    }
+
+    fn method(&self) -> Method {
+        Method { name: "first_kind", n: self.modes() }
+    }
+
+    fn accuracy(&self) -> Option<&Accuracy> {
+        Some(SmoothDiskContact::accuracy(self))
+    }
+
+    fn relative_error(&self) -> f64 {
+        SmoothDiskContact::relative_error(self)
+    }
+
+    fn edge_error(&self) -> Option<f64> {
+        self.is_free().then(|| self.edge_error0())
+    }
+
+    fn complementarity(&self) -> Option<Complementarity> {
+        self.problem().is_unilateral.then(|| SmoothDiskContact::complementarity(self))
+    }
+
+    fn size(&self) -> f64 {
+        self.largest_inside0()
+    }
+}

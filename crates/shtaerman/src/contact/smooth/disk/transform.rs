@@ -1,0 +1,296 @@
+//! `G` on panels, and what follows from it: pressure and displacement.
+//!
+//! Between kinks `b < x` of the base `G` is smooth in `s = sqrt(x^2 - b^2)`; on each panel of `s` it is a polynomial.
+
+use std::f64::consts::FRAC_2_PI;
+
+use super::shape::Shape;
+use crate::contact::smooth::legendre::{ORDER, RULE, derivative, integral, polynomials};
+
+/// Panels are halved at most this often, and there are at most so many.
+const DEEPEST: u32 = 44;
+const MOST_PANELS: usize = 128;
+/// Last coefficients relative to the largest value that count as resolved, and that are noise if they do not fall.
+const RESOLVED: f64 = 4e-16;
+const NOISE: f64 = 1e-11;
+/// Length of a step in the logarithm of `s`, and in the angle, within which polynomials of `s` are integrated exactly.
+const STEP: f64 = 1.0;
+const TURN: f64 = 0.5;
+/// A slope at a kink below this share of the largest is rounding.
+const HARMLESS: f64 = 1e-9;
+/// Towards a kink the slope vanishes if it falls to this share over so many lengths of the first panel.
+const FALLEN: f64 = 0.5;
+const LENGTHS: f64 = 1024.0;
+
+#[derive(Debug, Clone)]
+struct Panel {
+    ends: [f64; 2],
+    values: [f64; ORDER],
+    /// `dG/ds`.
+    slopes: [f64; ORDER],
+}
+
+impl Panel {
+    fn new(ends: [f64; 2], values: [f64; ORDER]) -> Self {
+        let half = 0.5 * (ends[1] - ends[0]);
+        Self { ends, values, slopes: derivative(&values).map(|c| c / half) }
+    }
+
+    fn sum(&self, coefficients: &[f64; ORDER], s: f64) -> f64 {
+        let [from, to] = self.ends;
+        let u = ((2.0 * s - from - to) / (to - from)).clamp(-1.0, 1.0);
+        polynomials(u).iter().zip(coefficients).map(|(p, c)| p * c).sum()
+    }
+
+    fn value(&self, s: f64) -> f64 {
+        self.sum(&self.values, s)
+    }
+
+    fn slope(&self, s: f64) -> f64 {
+        self.sum(&self.slopes, s)
+    }
+}
+
+/// A panel that may be halved.
+struct Sampled {
+    ends: [f64; 2],
+    values: [f64; ORDER],
+    depth: u32,
+    /// The last coefficients, and those of the panel twice as long.
+    tail: f64,
+    before: f64,
+}
+
+fn sample(shape: &Shape<'_>, kink: f64, [from, to]: [f64; 2]) -> [f64; ORDER] {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    RULE.coefficients(&RULE.nodes.map(|u| shape.transform_beyond(kink, middle + half * u)))
+}
+
+fn tail(values: &[f64; ORDER]) -> f64 {
+    values[ORDER - 2..].iter().fold(0.0, |most, c| most.max(c.abs()))
+}
+
+/// The part of the disk between two kinks.
+#[derive(Debug, Clone)]
+struct Segment {
+    /// `b` and the next kink or the edge.
+    ends: [f64; 2],
+    panels: Vec<Panel>,
+}
+
+/// `sqrt(x^2 - y^2)` for `x >= y`.
+fn leg(x: f64, y: f64) -> f64 {
+    // Squares of small numbers would vanish.
+    (x - y).max(0.0).sqrt() * (x + y).sqrt()
+}
+
+impl Segment {
+    fn new(shape: &Shape<'_>, ends: [f64; 2], size: f64) -> Self {
+        let sampled = |own: [f64; 2], depth: u32, before: f64| {
+            let values = sample(shape, ends[0], own);
+            Sampled { ends: own, values, depth, tail: tail(&values), before }
+        };
+        let first = sampled([0.0, leg(ends[1], ends[0])], 0, f64::INFINITY);
+        let size = first.values.iter().fold(size, |most, c| most.max(c.abs()));
+        let resolved = shape.tolerance.max(RESOLVED) * size;
+        let noise = (10.0 * shape.tolerance).max(NOISE) * size;
+        let is_open = |panel: &Sampled| {
+            let is_noise = panel.tail >= 0.5 * panel.before && panel.tail <= noise;
+            panel.tail > resolved && !is_noise && panel.depth < DEEPEST && panel.tail.is_finite()
+        };
+        let mut panels = vec![first];
+        while panels.len() < MOST_PANELS {
+            let open = panels.iter().enumerate().filter(|(_, panel)| is_open(panel));
+            let worst = open.max_by(|one, two| one.1.tail.total_cmp(&two.1.tail));
+            let Some((i, &Sampled { ends: [from, to], depth, tail, .. })) = worst else { break };
+            let middle = 0.5 * (from + to);
+            panels[i] = sampled([from, middle], depth + 1, tail);
+            panels.insert(i + 1, sampled([middle, to], depth + 1, tail));
+        }
+        let panels = panels.iter().map(|panel| Panel::new(panel.ends, panel.values)).collect();
+        Self { ends, panels }
+    }
+
+    /// `sqrt(x^2 - r^2)` or its negative square at the end `s` of a panel.
+    fn beyond(&self, s: f64, r: f64) -> f64 {
+        let [kink, end] = self.ends;
+        let is_end = self.panels.last().is_some_and(|panel| panel.ends[1] == s);
+        let (x, own) = if is_end { (end, 0.0) } else { (kink, s * s) };
+        ((x - r) * (x + r) + own).abs().sqrt()
+    }
+
+    /// `int dG/sqrt(x^2 - r^2)` over the part beyond `r`.
+    fn pressure(&self, r: f64) -> f64 {
+        let [kink, end] = self.ends;
+        if r >= end {
+            return 0.0;
+        }
+        if r == kink {
+            return self.at_kink();
+        }
+        let is_inside = r > kink;
+        // s = scale cosh y or scale sinh y
+        let scale = if is_inside { leg(r, kink) } else { leg(kink, r) };
+        let mut sum = 0.0;
+        for panel in self.panels.iter().filter(|panel| !is_inside || panel.ends[1] > scale) {
+            let place = |s: f64| {
+                if is_inside {
+                    if s <= scale { 0.0 } else { (self.beyond(s, r) / scale).asinh() }
+                } else {
+                    (s / scale).asinh()
+                }
+            };
+            let slope = |y: f64| panel.slope(scale * if is_inside { y.cosh() } else { y.sinh() });
+            sum += stepwise(panel.ends.map(place), STEP, slope);
+        }
+        sum
+    }
+
+    /// `int dG/s`, infinite where the base has a kink.
+    fn at_kink(&self) -> f64 {
+        let Some(first) = self.panels.first() else { return 0.0 };
+        let slope = first.slope(0.0);
+        let largest = self.largest_slope();
+        let far = LENGTHS * first.ends[1];
+        let falls = (self.panels.iter())
+            .find(|panel| panel.ends[0] <= far && far < panel.ends[1])
+            .is_some_and(|panel| {
+                first.slope(first.ends[1]).abs() < FALLEN * panel.slope(far).abs()
+            });
+        if slope.abs() > HARMLESS * largest && !falls {
+            return f64::INFINITY.copysign(slope);
+        }
+        let mut sum = integral(0.0, first.ends[1], |s| (first.slope(s) - slope) / s);
+        for panel in &self.panels[1..] {
+            sum += stepwise(panel.ends.map(f64::ln), STEP, |y| panel.slope(y.exp()));
+        }
+        sum
+    }
+
+    fn largest_slope(&self) -> f64 {
+        let at = |panel: &Panel| panel.ends.map(|s| panel.slope(s).abs());
+        self.panels.iter().flat_map(at).fold(0.0, f64::max)
+    }
+
+    /// `int (level - G) dx/sqrt(r^2 - x^2)`, `r` not inside.
+    fn displacement(&self, r: f64, level: f64) -> f64 {
+        let kink = self.ends[0];
+        let scale = leg(r, kink);
+        let mut sum = 0.0;
+        for panel in &self.panels {
+            let place = |s: f64| s.atan2(self.beyond(s, r));
+            let depth = |y: f64| {
+                let s = scale * y.sin();
+                (level - panel.value(s)) * ratio(s, kink)
+            };
+            sum += stepwise(panel.ends.map(place), TURN, depth);
+        }
+        sum
+    }
+
+    /// `int (level - G) dx`.
+    fn volume(&self, level: f64) -> f64 {
+        let of = |panel: &Panel| {
+            let [from, to] = panel.ends;
+            integral(from, to, |s| (level - panel.value(s)) * ratio(s, self.ends[0]))
+        };
+        self.panels.iter().map(of).sum()
+    }
+}
+
+/// `dx/ds`.
+fn ratio(s: f64, kink: f64) -> f64 {
+    if kink == 0.0 { 1.0 } else { s / s.hypot(kink) }
+}
+
+/// Gauss's rule on parts no longer than `step`.
+fn stepwise([from, to]: [f64; 2], step: f64, f: impl Fn(f64) -> f64) -> f64 {
+    let length = to - from;
+    if length <= 0.0 || !length.is_finite() {
+        return if length <= 0.0 { 0.0 } else { f64::NAN };
+    }
+    let count = (length / step).ceil().max(1.0);
+    let width = length / count;
+    (0..count as usize)
+        .map(|i| {
+            let start = from + width * i as f64;
+            integral(start, start + width, &f)
+        })
+        .sum()
+}
+
+/// `G` between the axis and the edge of the contact.
+#[derive(Debug, Clone)]
+pub(super) struct Transform {
+    segments: Vec<Segment>,
+}
+
+impl Transform {
+    /// Up to the radius.
+    pub(super) fn new(shape: &Shape<'_>, radius: f64) -> Self {
+        let mut cuts = vec![0.0];
+        cuts.extend(shape.breaks.iter().filter(|at| **at < radius));
+        cuts.push(radius);
+        let size = shape.transform(radius).abs();
+        let segments =
+            cuts.windows(2).map(|pair| Segment::new(shape, [pair[0], pair[1]], size)).collect();
+        Self { segments }
+    }
+
+    /// The same with less of each series, for a comparison.
+    pub(super) fn truncated(&self) -> Self {
+        let mut other = self.clone();
+        for panel in other.segments.iter_mut().flat_map(|segment| &mut segment.panels) {
+            panel.values[ORDER - 2..].fill(0.0);
+            *panel = Panel::new(panel.ends, panel.values);
+        }
+        other
+    }
+
+    /// `int_r^c G'(x) dx/sqrt(x^2 - r^2)`; infinite at a kink.
+    pub(super) fn pressure(&self, r: f64) -> f64 {
+        self.segments.iter().map(|segment| segment.pressure(r)).sum()
+    }
+
+    /// `(2/pi) int_0^c (level - G(x)) dx/sqrt(r^2 - x^2)` for `r >= c`.
+    pub(super) fn displacement(&self, r: f64, level: f64) -> f64 {
+        let sum: f64 = self.segments.iter().map(|s| s.displacement(r, level)).sum();
+        FRAC_2_PI * sum
+    }
+
+    /// `int_0^c (level - G(x)) dx`.
+    pub(super) fn volume(&self, level: f64) -> f64 {
+        self.segments.iter().map(|segment| segment.volume(level)).sum()
+    }
+
+    /// What rounding of `G` makes of `G'` on the longest panels: the derivative of a series blows its coefficients up by the square of their number.
+    pub(super) fn slope_rounding(&self) -> f64 {
+        let of = |segment: &Segment| {
+            let halves = segment.panels.iter().map(|panel| 0.5 * (panel.ends[1] - panel.ends[0]));
+            let values = segment.panels.iter().map(|panel| panel.value(panel.ends[1]).abs());
+            let largest = values.fold(0.0, f64::max);
+            let longest = halves.fold(f64::MIN_POSITIVE, f64::max);
+            4.0 * f64::EPSILON * (ORDER * ORDER) as f64 * largest / longest
+        };
+        self.segments.iter().map(of).fold(0.0, f64::max)
+    }
+
+    /// `G'(c)`.
+    pub(super) fn end_slope(&self) -> f64 {
+        let Some(segment) = self.segments.last() else { return 0.0 };
+        let [kink, end] = segment.ends;
+        let s = leg(end, kink);
+        segment.panels.last().map_or(0.0, |panel| panel.slope(s) / ratio(s, kink))
+    }
+
+    /// Number of coefficients.
+    pub(super) fn size(&self) -> usize {
+        self.segments.iter().map(|segment| ORDER * segment.panels.len()).sum()
+    }
+
+    /// The kinks inside the contact, the axis first and the edge last.
+    pub(super) fn cuts(&self) -> Vec<f64> {
+        let edge = self.segments.last().map(|segment| segment.ends[1]);
+        self.segments.iter().map(|segment| segment.ends[0]).chain(edge).collect()
+    }
+}
