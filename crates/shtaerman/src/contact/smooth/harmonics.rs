@@ -182,7 +182,7 @@ mod tests {
     #[test]
     fn harmonics_have_their_own_conjugates() {
         // Of cos(k t + a) it is k cos(k t + a).
-        let slopes = Slopes::resolve(&Wave, &[], [8, 2], 0.0);
+        let slopes = Slopes::resolve(&Wave, &[], false, 0.0);
         let series = Harmonics::short(&slopes).unwrap();
         let sampled = Harmonics::sampled(&Wave, false).unwrap();
         assert!(sampled.mean.abs() < 1e-15);
