@@ -168,7 +168,8 @@ impl Slopes {
         tolerance: f64,
     ) -> Self {
         if bends.is_empty()
-            && let Some(Resolved { series, mean, largest, .. }) = Harmonics::sampled(profile, is_odd)
+            && let Some(Resolved { series, mean, largest, .. }) =
+                Harmonics::sampled(profile, is_odd)
         {
             let (panels, jumps) = (Vec::new(), Vec::new());
             return Self { panels, is_odd, jumps, mean, error: 0.0, largest, series: Some(series) };
