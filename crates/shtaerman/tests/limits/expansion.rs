@@ -1,30 +1,32 @@
 //! The expansion about the smooth limit.
 
-use std::f64::consts::PI;
+use std::f64::consts::{LN_2, PI};
 
 use crate::support::{CASES, PARABOLA, roughness};
 use shtaerman::Contact;
+
+/// Euler's constant.
+const EULER: f64 = 0.577_215_664_901_532_9;
 
 fn near(one: f64, other: f64, tolerance: f64, what: &str) {
     assert!((one - other).abs() <= tolerance * other.abs(), "{what}: {one} {other}");
 }
 
-/// The largest `theta0` that is solved directly, by bisection between those that are and are not.
-fn switch(solve: &dyn Fn(f64) -> Contact) -> f64 {
+/// The largest `theta0` that is solved directly and the next that is not, by bisection.
+fn switch(solve: &dyn Fn(f64) -> Contact) -> [f64; 2] {
     let (mut low, mut high) = (1e6f64, 1e8f64);
-    for _ in 0..30 {
+    for _ in 0..36 {
         let middle = (low * high).sqrt();
         if solve(middle).method().name == "expansion" { high = middle } else { low = middle }
     }
-    low
+    [low, high]
 }
 
 #[test]
 fn the_switch_is_continuous() {
     for case in &CASES {
         let solve = |theta0: f64| case.solve(roughness(theta0));
-        let at = switch(&solve);
-        let (below, above) = (solve(at), solve(at * (1.0 + 1e-6)));
+        let [below, above] = switch(&solve).map(solve);
         assert_eq!(above.method().name, "expansion", "{}", case.name);
         assert_ne!(below.method().name, "expansion", "{}", case.name);
         assert!(above.reason().contains("error"), "{}", above.reason());
@@ -32,10 +34,7 @@ fn the_switch_is_continuous() {
         for (one, other) in above.edges().iter().flatten().zip(below.edges().iter().flatten()) {
             near(*one, *other, 1e-9, case.name);
         }
-        // At a corner the peak changes by half the relative step.
-        let peak = below.peak_pressure().0;
-        let allowed = if case.name == "parabola" || case.name == "wedge" { 3e-9 } else { 5.1e-7 };
-        near(above.peak_pressure().0, peak, allowed, case.name);
+        near(above.peak_pressure().0, below.peak_pressure().0, 1e-9, case.name);
     }
 }
 
@@ -79,18 +78,16 @@ fn the_stated_error_covers_the_difference_from_direct_solutions() {
 
 #[test]
 fn edges_of_the_parabola() {
-    // a/a_H = 1 + c [ln(1/c)/(2 pi) + C], c = chi E*/a_H
+    // a/a_H = 1 + c [ln(1/c) + gamma + 4 ln 2 - 1]/(2 pi), c = chi E*/a_H: recognised in digits found numerically, 0.3739830
+    let exact = (EULER + 4.0 * LN_2 - 1.0) / (2.0 * PI);
     let hertz = PARABOLA.solve(0.0).edges()[0][1];
     near(hertz, (4.0 / (16.0 * PI)).sqrt(), 1e-12, "Hertz");
     let constant = |c: f64| {
         let edge = PARABOLA.solve(c * hertz).edges()[0][1];
         (edge / hertz - 1.0) / c - (1.0 / c).ln() / (2.0 * PI)
     };
-    for (c, tolerance) in [(1e-4, 2e-4), (1e-5, 2e-5), (1e-7, 1e-6), (1e-8, 1e-6), (1e-9, 1e-5)] {
+    for (c, tolerance) in [(1e-4, 2e-6), (1e-5, 3e-7), (1e-7, 5e-6), (1e-8, 1e-5), (1e-9, 2e-5)] {
         let found = constant(c);
-        assert!((found - CONSTANT).abs() < tolerance, "{c:e}: {found}");
+        assert!((found - exact).abs() < tolerance, "{c:e}: {found}");
     }
 }
-
-/// By extrapolation of solutions at `c = 1e-4 .. 1e-6`; the leading digits 0.3742 from an independent program.
-const CONSTANT: f64 = 0.3742;

@@ -24,7 +24,9 @@ fn settlement_width_and_peak_are_monotone() {
                 if case.moment.abs() < 0.5 {
                     assert!(settlement > s, "{what}: settlement {s} {settlement}");
                 }
-                assert!(width >= w * (1.0 - 1e-14), "{what}: width {w} {width}");
+                // Turned on its corner, a flat punch stands on less of its base the rougher it is.
+                let wider = if case.moment < 0.5 { width - w } else { w - width };
+                assert!(wider >= -1e-14 * w, "{what}: width {w} {width}");
                 assert!(peak < p * (1.0 + 1e-12), "{what}: peak {p} {peak}");
             }
             before = Some([settlement, width, peak]);

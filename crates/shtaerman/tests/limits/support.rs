@@ -21,7 +21,7 @@ pub(crate) const FLAT: Case = Case { name: "flat", profile: "0", moment: 0.2, ga
 
 pub(crate) const CASES: [Case; 5] = [
     PARABOLA,
-    Case { name: "wedge", profile: "2*abs(x)", moment: 0.1, gap: None },
+    Case { name: "wedge", profile: "2*abs(x)", moment: 0.0, gap: None },
     FLAT,
     Case { name: "beyond the tilting limit", profile: "0", moment: 0.7, gap: None },
     Case { name: "pair", profile: "0.1*x^2", moment: 0.05, gap: Some(0.3) },

@@ -403,7 +403,11 @@ fn estimate(base: &Base<'_>, solved: &Solved) -> (Accuracy, f64) {
         }
         let density = density + solved.rounding(j);
         pressure = pressure.max(density / (solved.theta0 * part.half()));
-        edge = edge.max(edges::end_error(solved, j, density));
+        let at_ends = (0..2).fold(0.0f64, |most, side| {
+            let other = coarse.as_ref().map_or(f64::INFINITY, |c| c.end_density(j, side));
+            most.max((solved.end_density(j, side) - other).abs())
+        });
+        edge = edge.max(edges::end_error(solved, j, at_ends + solved.end_rounding(j)));
     }
     let of = |unknown: bool, part: fn(&State) -> f64, floor: f64| {
         if unknown { change(part) + floor } else { 0.0 }

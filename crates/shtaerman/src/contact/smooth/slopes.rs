@@ -157,6 +157,8 @@ pub(super) struct Slopes {
     mean: f64,
     /// Estimated error of `F`.
     error: f64,
+    /// The same at the ends of the zone, where no panels join.
+    end_error: f64,
     /// Rounding of each of the first coefficients of `f`.
     mode_error: f64,
     /// Largest `|g|`.
@@ -200,10 +202,12 @@ impl Slopes {
         let Builder { mut panels, sum, mut worst, scale, heights, is_by_heights, .. } = builder;
         // A polynomial through heights has a slope that differs by ORDER^2 over half a panel times theirs.
         let rounding = profile.rounding(heights, scale[1]);
+        let mut end_error = worst;
         if is_by_heights {
             let amplified = (ORDER * ORDER * panels.len()) as f64 / (0.5 * (PI - start));
             // What jumps from panel to panel is conjugated to logarithms down to the nodes next to the ends.
             let conjugated = FRAC_2_PI * (1.0 + ((ORDER * ORDER * panels.len()) as f64).ln());
+            end_error = worst + amplified * rounding;
             worst += amplified * conjugated * rounding;
         }
         // By parts the heights at the ends of the panels remain, extrapolated from the nodes.
@@ -211,7 +215,16 @@ impl Slopes {
         let jumps = join(&mut panels, is_odd, JOINED * scale[1]);
         let largest =
             panels.iter().flat_map(|p| p.values).fold(0.0f64, |most, v| most.max(v.abs()));
-        Self { panels, is_odd, jumps, mean: sum / (PI - start), error: worst, mode_error, largest }
+        Self {
+            panels,
+            is_odd,
+            jumps,
+            mean: sum / (PI - start),
+            error: worst,
+            end_error,
+            mode_error,
+            largest,
+        }
     }
 
     pub(super) fn mean(&self) -> f64 {
@@ -220,6 +233,10 @@ impl Slopes {
 
     pub(super) fn error(&self) -> f64 {
         self.error + 4.0 * f64::EPSILON * self.largest
+    }
+
+    pub(super) fn end_error(&self) -> f64 {
+        self.end_error + 4.0 * f64::EPSILON * self.largest
     }
 
     pub(super) fn mode_error(&self) -> f64 {

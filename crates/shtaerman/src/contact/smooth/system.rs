@@ -279,13 +279,22 @@ impl Solved {
 
     /// Rounding of `G` of a zone by the sizes of what is added up in it, with the error of the slopes by their last coefficients.
     pub(super) fn rounding(&self, part: usize) -> f64 {
+        self.sum_rounding(part) + self.parts[part].slopes.error() / PI
+    }
+
+    /// The same at the ends of the zone.
+    pub(super) fn end_rounding(&self, part: usize) -> f64 {
+        self.sum_rounding(part) + self.parts[part].slopes.end_error() / PI
+    }
+
+    fn sum_rounding(&self, part: usize) -> f64 {
         let part = &self.parts[part];
         let sum: f64 = part.smooth.iter().map(|s| s.abs()).sum();
         // The ends are rounded in xi, not in lengths of their zone.
         let remote = 1.0 + part.zone.left().abs().max(part.zone.right().abs()) / part.half();
         // Each mode answers to a sum over nodes of sums over modes.
         let terms = ROUNDINGS * (remote + 2.0 * part.smooth.len() as f64);
-        f64::EPSILON * terms * sum + part.slopes.error() / PI
+        f64::EPSILON * terms * sum
     }
 
     /// Rounding of settlement and tilt by that of the heights on the zones: errors of `f_0`, and of `f_1` over half a zone.
