@@ -205,13 +205,13 @@ impl Slopes {
         let mut end_error = worst;
         if is_by_heights {
             let amplified = (ORDER * ORDER * panels.len()) as f64 / (0.5 * (PI - start));
-            // What jumps from panel to panel is conjugated to logarithms down to the nodes next to the ends.
-            let conjugated = FRAC_2_PI * (1.0 + ((ORDER * ORDER * panels.len()) as f64).ln());
+            // What jumps from panel to panel is conjugated to logarithms of either, down to the nodes next to the ends.
+            let conjugated = FRAC_2_PI * (1.0 + 2.0 * ((ORDER * ORDER * panels.len()) as f64).ln());
             end_error = worst + amplified * rounding;
             worst += amplified * conjugated * rounding;
         }
-        // By parts the heights at the ends of the panels remain, extrapolated from the nodes.
-        let mode_error = rounding * (ORDER * panels.len()) as f64;
+        // By parts the heights at the ends of the panels remain, extrapolated from the nodes, each with its own rounding.
+        let mode_error = rounding * ORDER as f64 * (panels.len() as f64).sqrt();
         let jumps = join(&mut panels, is_odd, JOINED * scale[1]);
         let largest =
             panels.iter().flat_map(|p| p.values).fold(0.0f64, |most, v| most.max(v.abs()));
