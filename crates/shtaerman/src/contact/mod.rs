@@ -8,6 +8,8 @@ mod collocated;
 mod cross_check;
 mod draft;
 mod extremes;
+mod intensity;
+mod nearly_smooth;
 mod plan;
 mod potential;
 mod smooth;

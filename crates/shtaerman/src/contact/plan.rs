@@ -55,6 +55,15 @@ impl Route {
     }
 }
 
+/// The direct solution of a problem with a rough layer.
+pub(super) fn solve_rough(problem: &Problem) -> Result<Contact, Error> {
+    match problem.solver().contact {
+        ContactKind::Unilateral => problem.draw_up(problem.solve_unilateral()?),
+        ContactKind::Bilateral if problem.is_plain() => problem.solve_full_base(),
+        ContactKind::Bilateral => problem.draw_up(problem.solve_full_contact()?),
+    }
+}
+
 const SPECTRAL_REASON: &str = "asked for; n doubled until the bound was met or the last n reached, edge pressures by the iterated solution";
 
 impl Problem {
@@ -75,10 +84,9 @@ impl Problem {
         if self.is_smooth_disk() {
             return self.draw_up(Arc::new(self.solve_smooth_disk()?));
         }
-        match self.solver().contact {
-            ContactKind::Unilateral => self.draw_up(self.solve_unilateral()?),
-            ContactKind::Bilateral if self.is_plain() => self.solve_full_base(),
-            ContactKind::Bilateral => self.draw_up(self.solve_full_contact()?),
+        match self.solve_nearly_smooth() {
+            Some(solution) => self.draw_up(solution),
+            None => solve_rough(self),
         }
     }
 
@@ -125,6 +133,9 @@ impl Problem {
         let reason = match name {
             "cells" => format!(
                 "{zones} on equal cells, as the base bends too often for collocation, or its zones were not found by it"
+            ),
+            "expansion" => format!(
+                "{zones} on a nearly smooth surface: expansion about the smooth limit, of relative error {reached:.0e} by its next terms, as rounding would take the digits of a direct solution"
             ),
             "first_kind" => {
                 format!("{zones} on a smooth surface: the spectral relation of the first kind")

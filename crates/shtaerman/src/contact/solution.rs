@@ -56,6 +56,11 @@ pub(super) trait Solution: Debug + Send + Sync {
         None
     }
 
+    /// `lim sqrt(2 pi d) p0` at the left and right end of each zone, `d` in `xi`, where the surface is smooth; 0 at free ends.
+    fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
+        None
+    }
+
     /// A bound of the size of `p0 + f0`, for the check that an answer is finite.
     fn size(&self) -> f64;
 

@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+mod accuracy;
 mod conditions;
 mod one_punch;
 mod pair;

@@ -1,6 +1,6 @@
 //! The answer of smooth contact.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::sync::Arc;
 
 use super::check::Check;
@@ -113,11 +113,11 @@ impl SmoothContact {
             }
         }
         let most = points.iter().fold(0.0f64, |most, (_, p)| most.max(-p));
-        let pressure = full.slopes.error() / full.theta0 + ROUNDING * largest;
+        let pressure = full.error[0] / full.theta0 + ROUNDING * largest;
         let accuracy = Accuracy {
             kind: ErrorKind::Estimate,
             pressure,
-            settlement: ROUNDING * state.settlement.abs(),
+            settlement: full.error[1] + ROUNDING * state.settlement.abs(),
             tilt: 0.0,
             force: 0.0,
             moment: pressure,
@@ -383,51 +383,52 @@ impl SmoothContact {
     }
 }
 
-/// The error by comparison with fewer modes on the same zones, and that of the edges; none for what the load prescribes.
+/// The error by comparison with fewer modes and other panels on the same zones, and that of the edges; none for what the load prescribes.
 fn estimate(base: &Base<'_>, solved: &Solved) -> (Accuracy, f64) {
     let zones: Vec<Zone> = solved.parts.iter().map(|part| part.zone).collect();
     let coarse = Solved::new(base, &zones, COMPARED).ok();
-    let (mut pressure, mut edge, mut force) = (0.0f64, 0.0f64, 0.0f64);
-    let mut change = [0.0; 2];
-    if let Some(coarse) = &coarse {
-        change = [
-            (solved.state.settlement - coarse.state.settlement).abs(),
-            (solved.state.tilt - coarse.state.tilt).abs(),
-        ];
-    }
-    // With 17 digits instead of 12 the modes that are left out are smaller by the ratio of those.
-    const GAIN: f64 = 1e-3;
+    let (mut pressure, mut edge) = (0.0f64, 0.0f64);
+    let change = |part: fn(&State) -> f64| {
+        coarse
+            .as_ref()
+            .map_or(f64::INFINITY, |coarse| (part(&solved.state) - part(&coarse.state)).abs())
+    };
     for (j, part) in solved.parts.iter().enumerate() {
         let mut density = 0.0f64;
+        // An irrational share of the step keeps clear of symmetric places, where a kink may be.
         for i in 0..COMPARISONS {
-            let angle = PI * (i as f64 + 0.5) / COMPARISONS as f64;
-            let other = coarse.as_ref().map_or(f64::INFINITY, |c| c.parts[j].smooth_at(angle));
-            density = density.max((part.smooth_at(angle) - other).abs());
+            let angle = PI * (i as f64 + FRAC_1_SQRT_2) / COMPARISONS as f64;
+            let other = coarse.as_ref().map_or(f64::INFINITY, |c| c.parts[j].density(angle));
+            density = density.max((part.density(angle) - other).abs());
         }
-        let density = GAIN * density + solved.rounding(j);
+        let density = density + solved.rounding(j);
         pressure = pressure.max(density / (solved.theta0 * part.half()));
-        force += PI * density / solved.theta0;
-        edge = edge.max(edges::end_error(solved, j, density));
+        let at_ends = (0..2).fold(0.0f64, |most, side| {
+            let other = coarse.as_ref().map_or(f64::INFINITY, |c| c.end_density(j, side));
+            most.max((solved.end_density(j, side) - other).abs())
+        });
+        edge = edge.max(edges::end_error(solved, j, at_ends + solved.end_rounding(j)));
     }
-    let of = |unknown: bool, error: f64, size: f64| {
-        if unknown { error.max(ROUNDING * size) } else { 0.0 }
+    let of = |unknown: bool, part: fn(&State) -> f64, floor: f64| {
+        if unknown { change(part) + floor } else { 0.0 }
     };
     let state = &solved.state;
     let displacement = state.settlement.abs().max(state.tilt.abs());
     let size = state.force.abs().max(state.moment.abs());
     let by_force = matches!(base.problem.load.vertical, Vertical::Force(_));
     let rotational = base.problem.load.rotational;
+    let by_tilt = matches!(rotational, Rotational::Tilt(_));
+    let by_moment = matches!(rotational, Rotational::Moment(_));
+    let [level, turn] = solved.displacement_rounding();
+    let stiffness = solved.stiffness;
+    let forced = stiffness.force_settlement * level + stiffness.moment_tilt * turn;
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
         pressure,
-        settlement: of(by_force, GAIN * change[0] + force * solved.theta0, displacement),
-        tilt: of(
-            !matches!(rotational, Rotational::Tilt(_)),
-            GAIN * change[1] + force * solved.theta0,
-            displacement,
-        ),
-        force: of(!by_force, force, size),
-        moment: of(!matches!(rotational, Rotational::Moment(_)), force, size),
+        settlement: of(by_force, |state| state.settlement, level + ROUNDING * displacement),
+        tilt: of(!by_tilt, |state| state.tilt, turn + ROUNDING * displacement),
+        force: of(!by_force, |state| state.force, forced + ROUNDING * size),
+        moment: of(!by_moment, |state| state.moment, forced + ROUNDING * size),
     };
     (accuracy, edge)
 }

@@ -6,6 +6,7 @@
 
 use std::f64::consts::PI;
 
+use super::Detail;
 use super::problem::Base;
 use super::system::Solved;
 use super::zones::Zone;
@@ -26,11 +27,11 @@ const BESIDE: f64 = 0.06;
 
 /// Moves the free ends until the intensity vanishes there. Zones that carry nothing disappear, those that meet become one, ends that come to
 /// a wall stay there and leave it again if it pulls.
-pub(super) fn settle(base: &Base<'_>, start: &[Zone], digits: f64) -> Result<Solved, Error> {
+pub(super) fn settle(base: &Base<'_>, start: &[Zone], detail: Detail) -> Result<Solved, Error> {
     let mut zones = start.to_vec();
     let mut best: Option<(f64, Solved)> = None;
     for _ in 0..STEPS {
-        let solved = Solved::new(base, &zones, digits)?;
+        let solved = Solved::new(base, &zones, detail)?;
         if drop_idle(&mut zones, &solved) {
             best = None;
             continue;
@@ -50,7 +51,7 @@ pub(super) fn settle(base: &Base<'_>, start: &[Zone], digits: f64) -> Result<Sol
     }
     match best {
         Some((_, solved)) => Ok(solved),
-        None => Solved::new(base, &zones, digits),
+        None => Solved::new(base, &zones, detail),
     }
 }
 

@@ -35,10 +35,19 @@ use check::check;
 use problem::Base;
 use zones::{Zone, corrected};
 
-/// Digits to which modes are kept while zones are looked for, for the estimate of the error, and in the answer.
-const COARSE: f64 = 9.0;
-const COMPARED: f64 = 12.0;
-const FINE: f64 = 17.0;
+/// How finely pressures on zones are resolved.
+#[derive(Debug, Clone, Copy)]
+struct Detail {
+    /// Digits to which modes are kept.
+    digits: f64,
+    /// Panels of the slopes on a half turn before any is halved.
+    panels: usize,
+}
+
+/// Detail while zones are looked for, in the answer, and for its error: with other panels rounding comes out differently, too.
+const COARSE: Detail = Detail { digits: 9.0, panels: 8 };
+const FINE: Detail = Detail { digits: 17.0, panels: 8 };
+const COMPARED: Detail = Detail { digits: 12.0, panels: 7 };
 /// Tension and penetration, relative to their scales, that are corrected at first, and in the answer.
 const COARSELY_ALLOWED: f64 = 1e-6;
 const ALLOWED: f64 = 2e-10;

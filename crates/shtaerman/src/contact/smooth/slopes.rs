@@ -7,7 +7,7 @@
 //! which converges slowly as a series where the profile has kinks, and not at all as fast as its panels do: `g` is a polynomial on each of
 //! them, integrated against the pole by the Legendre functions of the second kind.
 
-use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI, TAU};
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI, TAU};
 
 use super::harmonics::{Harmonics, Resolved};
 use super::legendre::{ORDER, RULE, cauchy, derivative, polynomials};
@@ -15,6 +15,8 @@ use super::legendre::{ORDER, RULE, cauchy, derivative, polynomials};
 /// Panels are halved at most this often, and there are at most so many.
 const DEEPEST: u32 = 44;
 const MOST_PANELS: usize = 40_000;
+/// Rounding of a sampled series, in units of the last place of the largest slope.
+const SAMPLED: f64 = 32.0;
 /// Last coefficients relative to the largest that count as resolved, at best.
 const RESOLVED: f64 = 3e-16;
 /// Coefficients this small that do not fall when a panel is halved are noise.
@@ -25,6 +27,8 @@ const FAR: f64 = 2.5;
 const JOINED: f64 = 1e-9;
 /// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding.
 const CLOSEST: f64 = 1e-30;
+/// Roundings of a height.
+pub(super) const ROUNDINGS: f64 = 4.0;
 /// Below this the difference of the cotangent and its pole is summed as a series.
 const SERIES: f64 = 0.3;
 
@@ -32,6 +36,10 @@ const SERIES: f64 = 0.3;
 pub(super) trait Angular {
     /// `f`.
     fn height(&self, angle: f64) -> f64;
+    /// Rounding of heights, given the largest of them and of their slopes: of the sum that a height is, and of the place.
+    fn rounding(&self, height: f64, slope: f64) -> f64 {
+        f64::EPSILON * ROUNDINGS * (height + slope)
+    }
     /// `df/dt`, where it is known better than by differences.
     fn slope(&self, angle: f64) -> Option<f64>;
 }
@@ -152,6 +160,10 @@ pub(super) struct Slopes {
     mean: f64,
     /// Estimated error of `F`.
     error: f64,
+    /// The same at the ends of the zone, where no panels join.
+    end_error: f64,
+    /// Rounding of each of the first coefficients of `f`.
+    mode_error: f64,
     /// Largest `|g|`.
     largest: f64,
     /// The Fourier series of `F` and `f`, where it is short.
@@ -159,41 +171,87 @@ pub(super) struct Slopes {
 }
 
 impl Slopes {
-    /// Resolves a profile over `0 .. pi`, or with `is_odd` unset over `-pi .. pi`, between given angles where it bends,
-    /// to a relative `tolerance`.
+    /// Resolves a profile over one half turn `0 .. pi`, or over two `-pi .. pi`, between given angles where it bends, to a relative `tolerance`;
+    /// with at first so many `[panels, half turns]`.
     pub(super) fn resolve(
         profile: &dyn Angular,
         bends: &[f64],
-        is_odd: bool,
+        [panels, turns]: [usize; 2],
         tolerance: f64,
     ) -> Self {
+        let is_odd = turns == 1;
         if bends.is_empty()
-            && let Some(Resolved { series, mean, largest, .. }) =
+            && let Some(Resolved { series, mean, largest, heights }) =
                 Harmonics::sampled(profile, is_odd)
         {
             let (panels, jumps) = (Vec::new(), Vec::new());
-            return Self { panels, is_odd, jumps, mean, error: 0.0, largest, series: Some(series) };
+            let error = SAMPLED * f64::EPSILON * largest;
+            let (end_error, mode_error) = (error, error + profile.rounding(heights, largest));
+            let series = Some(series);
+            return Self {
+                panels,
+                is_odd,
+                jumps,
+                mean,
+                error,
+                end_error,
+                mode_error,
+                largest,
+                series,
+            };
         }
         let start = if is_odd { 0.0 } else { -PI };
-        let count = ((PI - start) / FRAC_PI_8).round() as usize;
-        let mut cuts: Vec<f64> = (0..=count).map(|i| start + FRAC_PI_8 * i as f64).collect();
+        let count = panels * turns;
+        let width = PI / panels as f64;
+        let mut cuts: Vec<f64> = (0..=count).map(|i| start + width * i as f64).collect();
         cuts[count] = PI;
         cuts.extend(bends.iter().filter(|bend| **bend > start && **bend < PI));
         cuts.sort_by(f64::total_cmp);
         cuts.dedup_by(|next, last| *next - *last < 1e-15);
         let tolerance = tolerance.max(RESOLVED);
         let (panels, scale) = (Vec::new(), [0.0; 2]);
-        let mut builder = Builder { profile, panels, sum: 0.0, worst: 0.0, scale, tolerance };
+        let mut builder = Builder {
+            profile,
+            panels,
+            sum: 0.0,
+            worst: 0.0,
+            heights: 0.0,
+            is_by_heights: false,
+            scale,
+            tolerance,
+        };
         builder.scale = builder.first_scale(&cuts);
         for pair in cuts.windows(2) {
             builder.add(pair[0], pair[1], 0, f64::INFINITY);
         }
-        let Builder { mut panels, sum, worst, scale, .. } = builder;
+        let Builder { mut panels, sum, mut worst, scale, heights, is_by_heights, .. } = builder;
+        // A polynomial through heights has a slope that differs by ORDER^2 over half a panel times theirs.
+        let rounding = profile.rounding(heights, scale[1]);
+        let mut end_error = worst;
+        if is_by_heights {
+            let amplified = (ORDER * ORDER * panels.len()) as f64 / (0.5 * (PI - start));
+            // What jumps from panel to panel is conjugated to logarithms of either, down to the nodes next to the ends.
+            let conjugated = FRAC_2_PI * (1.0 + 2.0 * ((ORDER * ORDER * panels.len()) as f64).ln());
+            end_error = worst + amplified * rounding;
+            worst += amplified * conjugated * rounding;
+        }
+        // By parts the heights at the ends of the panels remain, extrapolated from the nodes, each with its own rounding.
+        let mode_error = rounding * ORDER as f64 * (panels.len() as f64).sqrt();
         let jumps = join(&mut panels, is_odd, JOINED * scale[1]);
         let largest =
             panels.iter().flat_map(|p| p.values).fold(0.0f64, |most, v| most.max(v.abs()));
         let mean = sum / (PI - start);
-        let mut slopes = Self { panels, is_odd, jumps, mean, error: worst, largest, series: None };
+        let mut slopes = Self {
+            panels,
+            is_odd,
+            jumps,
+            mean,
+            error: worst,
+            end_error,
+            mode_error,
+            largest,
+            series: None,
+        };
         if slopes.jumps.is_empty() {
             slopes.series = Harmonics::short(&slopes);
         }
@@ -230,6 +288,14 @@ impl Slopes {
 
     pub(super) fn error(&self) -> f64 {
         self.error + 4.0 * f64::EPSILON * self.largest
+    }
+
+    pub(super) fn end_error(&self) -> f64 {
+        self.end_error + 4.0 * f64::EPSILON * self.largest
+    }
+
+    pub(super) fn mode_error(&self) -> f64 {
+        self.mode_error
     }
 
     /// `F(phi)`.
@@ -354,6 +420,9 @@ struct Builder<'p> {
     sum: f64,
     /// Largest error of `g`.
     worst: f64,
+    /// Largest `|f|`, and whether slopes were taken of heights.
+    heights: f64,
+    is_by_heights: bool,
     /// Largest `|f|` and `|g|`.
     scale: [f64; 2],
     tolerance: f64,
@@ -419,6 +488,8 @@ impl Builder<'_> {
             // What a panel adds to F is about its error times its length over the distance.
             self.worst = self.worst.max(error * half.min(1.0));
             self.sum += integral;
+            self.heights = self.heights.max(sizes[0]);
+            self.is_by_heights |= !is_slope;
             self.panels.push(Panel::new(start, end, coefficients));
             return;
         }
@@ -454,7 +525,7 @@ mod tests {
 
     fn gives_itself(has_slope: bool, tolerance: f64) {
         let series = Series(vec![0.3, -1.0, 0.5, 0.25, 0.0, 0.0, 0.0, 2.0], has_slope);
-        let slopes = Slopes::resolve(&series, &[0.7], true, 0.0);
+        let slopes = Slopes::resolve(&series, &[0.7], [8, 1], 0.0);
         for angle in [0.0, 1e-9, 0.01, 0.3926, 0.7, 1.5, 3.0, 3.14, PI] {
             let exact: f64 = (series.0.iter().enumerate())
                 .map(|(k, f)| k as f64 * f * (k as f64 * angle).cos())
@@ -488,7 +559,7 @@ mod tests {
                 Some(3.0 * (3.0 * t).cos() - 0.5 * t.sin())
             }
         }
-        let slopes = Slopes::resolve(&Wave, &[], false, 0.0);
+        let slopes = Slopes::resolve(&Wave, &[], [8, 2], 0.0);
         for t in [-PI, -1.0, 0.0, 0.2, 3.0] {
             let exact = 3.0 * (3.0 * t).sin() + 0.5 * t.cos();
             assert!((slopes.conjugate(t) - exact).abs() < 1e-13);

@@ -156,6 +156,10 @@ impl Solution for SmoothContact {
         self.problem().is_unilateral.then(|| SmoothContact::complementarity(self))
     }
 
+    fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
+        Some(SmoothContact::zones(self).iter().map(|zone| zone.intensity0).collect())
+    }
+
     fn relative_error(&self) -> f64 {
         SmoothContact::relative_error(self)
     }

@@ -10,11 +10,12 @@
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use std::sync::Arc;
 
+use super::Detail;
 use super::balance::Centred;
 use super::coupling::{Coupled, couple, modes};
 use super::kernel::SmoothKernel;
 use super::problem::Base;
-use super::slopes::{Angular, Slopes};
+use super::slopes::{Angular, ROUNDINGS, Slopes};
 use super::zones::Zone;
 use crate::contact::balance::State;
 use crate::contact::solved::Stiffness;
@@ -159,6 +160,12 @@ impl Angular for OnZone<'_, '_> {
         self.base.height(self.position(angle)) - level
     }
 
+    fn rounding(&self, height: f64, slope: f64) -> f64 {
+        let steepest = self.mean.abs() + 2.0 * slope / self.zone.length();
+        let farthest = self.zone.left().abs().max(self.zone.right().abs());
+        f64::EPSILON * ROUNDINGS * (height + steepest * farthest)
+    }
+
     fn slope(&self, angle: f64) -> Option<f64> {
         let slope = self.base.problem.profile.slope.as_ref()?;
         Some((self.mean - slope(self.position(angle))) * 0.5 * self.zone.length() * angle.sin())
@@ -176,16 +183,17 @@ pub(super) struct Solved {
 }
 
 impl Solved {
-    /// Solves on zones from left to right, with modes for so many `digits`.
-    pub(super) fn new(base: &Base<'_>, zones: &[Zone], digits: f64) -> Result<Self, Error> {
+    /// Solves on zones from left to right.
+    pub(super) fn new(base: &Base<'_>, zones: &[Zone], detail: Detail) -> Result<Self, Error> {
         if zones.is_empty()
             || zones.iter().any(|zone| zone.length().is_nan() || zone.length() <= 0.0)
         {
             return Err(Error::NoContact);
         }
         let kernel = base.problem.kernel;
-        let counts = modes(kernel, zones, digits)?;
-        let resolved: Vec<(Slopes, f64)> = zones.iter().map(|zone| resolved(base, *zone)).collect();
+        let counts = modes(kernel, zones, detail.digits)?;
+        let resolved: Vec<(Slopes, f64)> =
+            zones.iter().map(|zone| resolved(base, *zone, detail.panels)).collect();
         let slopes: Vec<Vec<f64>> = (resolved.iter().zip(&counts))
             .map(|((slopes, _), count)| slopes.coefficients(count - 1))
             .collect();
@@ -269,11 +277,33 @@ impl Solved {
         self.parts.iter().map(size).fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    /// Estimated error of `G` of a zone.
+    /// Rounding of `G` of a zone by the sizes of what is added up in it, with the error of the slopes by their last coefficients.
     pub(super) fn rounding(&self, part: usize) -> f64 {
+        self.sum_rounding(part) + self.parts[part].slopes.error() / PI
+    }
+
+    /// The same at the ends of the zone.
+    pub(super) fn end_rounding(&self, part: usize) -> f64 {
+        self.sum_rounding(part) + self.parts[part].slopes.end_error() / PI
+    }
+
+    fn sum_rounding(&self, part: usize) -> f64 {
         let part = &self.parts[part];
         let sum: f64 = part.smooth.iter().map(|s| s.abs()).sum();
-        4.0 * f64::EPSILON * sum + part.slopes.error() / PI
+        // The ends are rounded in xi, not in lengths of their zone.
+        let remote = 1.0 + part.zone.left().abs().max(part.zone.right().abs()) / part.half();
+        // Each mode answers to a sum over nodes of sums over modes.
+        let terms = ROUNDINGS * (remote + 2.0 * part.smooth.len() as f64);
+        f64::EPSILON * terms * sum
+    }
+
+    /// Rounding of settlement and tilt by that of the heights on the zones: errors of `f_0`, and of `f_1` over half a zone.
+    pub(super) fn displacement_rounding(&self) -> [f64; 2] {
+        self.parts.iter().fold([0.0f64; 2], |[level, turn], part| {
+            let own = part.slopes.mode_error();
+            let tilt = own / part.half();
+            [level.max(own + tilt * part.centre().abs()), turn.max(tilt)]
+        })
     }
 
     /// Number of modes of all zones.
@@ -297,7 +327,7 @@ fn beside_line(load: Load, reference: f64, lean: f64) -> Load {
 }
 
 /// The slope of the profile on a zone about its mean, which is returned too.
-fn resolved(base: &Base<'_>, zone: Zone) -> (Slopes, f64) {
+fn resolved(base: &Base<'_>, zone: Zone, panels: usize) -> (Slopes, f64) {
     let profile = &base.problem.profile;
     let inside = |at: &&f64| zone.left() < **at && **at < zone.right();
     let angle =
@@ -305,7 +335,7 @@ fn resolved(base: &Base<'_>, zone: Zone) -> (Slopes, f64) {
     let bends: Vec<f64> = profile.breaks.iter().filter(inside).map(angle).collect();
     let mut on_zone = OnZone { base, zone, mean: 0.0 };
     on_zone.mean = on_zone.mean_slope();
-    (Slopes::resolve(&on_zone, &bends, true, profile.tolerance), on_zone.mean)
+    (Slopes::resolve(&on_zone, &bends, [panels, 1], profile.tolerance), on_zone.mean)
 }
 
 /// `theta0` times force and moment about a middle.

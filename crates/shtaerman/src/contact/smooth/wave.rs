@@ -1,11 +1,12 @@
 //! A wave over the whole period: full contact by the conjugate of its slope, partial contact between the crests.
 
-use std::f64::consts::{PI, SQRT_2};
+use std::f64::consts::{PI, SQRT_2, TAU};
 use std::sync::Arc;
 
 use super::answer::SmoothContact;
 use super::problem::{Base, SmoothProblem, SmoothProfile};
 use super::slopes::{Angular, Slopes};
+use super::{COMPARED, FINE};
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 
@@ -17,6 +18,8 @@ const POINTS: usize = 256;
 const SETTLEMENTS: usize = 60;
 /// Rounding of pressures and forces.
 const ROUNDING: f64 = 1e-14;
+/// Points at which two resolutions are compared.
+const COMPARISONS: usize = 65;
 /// Panels of the integral for the moment.
 const PANELS: usize = 32;
 
@@ -26,6 +29,8 @@ pub(super) struct FullWave {
     pub(super) slopes: Arc<Slopes>,
     pub(super) theta0: f64,
     pub(super) force: f64,
+    /// Estimated errors of `F` and of the mean of the profile, by other panels.
+    pub(super) error: [f64; 2],
 }
 
 struct Turn<'p>(&'p SmoothProfile);
@@ -44,8 +49,16 @@ impl FullWave {
     fn new(base: &Base<'_>, force: f64) -> Self {
         let SmoothProblem { profile, theta0, .. } = base.problem;
         let bends: Vec<f64> = profile.breaks.iter().map(|at| at * PI).collect();
-        let slopes = Arc::new(Slopes::resolve(&Turn(profile), &bends, false, profile.tolerance));
-        Self { slopes, theta0: *theta0, force }
+        let resolved =
+            |panels: usize| Slopes::resolve(&Turn(profile), &bends, [panels, 2], profile.tolerance);
+        let (slopes, other) = (Arc::new(resolved(FINE.panels)), resolved(COMPARED.panels));
+        let difference = (0..COMPARISONS)
+            .map(|i| TAU * (i as f64 + 0.5) / COMPARISONS as f64 - PI)
+            .map(|angle| (slopes.conjugate(angle) - other.conjugate(angle)).abs())
+            .filter(|difference| difference.is_finite())
+            .fold(0.0, f64::max);
+        let error = [difference + slopes.error(), (slopes.mean() - other.mean()).abs()];
+        Self { slopes, theta0: *theta0, force, error }
     }
 
     /// `p0(xi)`.

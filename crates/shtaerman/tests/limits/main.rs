@@ -1,0 +1,8 @@
+//! The limits of small and large roughness: continuous, monotone, and the known forms.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+mod corners;
+mod expansion;
+mod monotone;
+mod support;
