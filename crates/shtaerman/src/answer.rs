@@ -10,6 +10,10 @@ use crate::{
 /// Version of the answer's layout; the JSON Schema `schema/answer.schema.json` describes it.
 pub const SCHEMA: &str = "shtaerman-answer/1";
 
+/// From this `theta0` on the corners of the smooth companion say something of edge pressures, and up to so many zones it is worth its solve.
+const NEARLY_SMOOTH: f64 = 40.0;
+const FEW_ZONES: usize = 4;
+
 /// A solved contact with its pressure at chosen points.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Answer {
@@ -159,6 +163,12 @@ pub struct Physical {
     /// The settlement relative to the data asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub relative_settlement: Vec<RelativeSettlement>,
+    /// Corner intensities `lim sqrt(2 pi d) p` of a smooth surface, `[left, right]` of each zone (Pa sqrt(m)); 0 at free edges.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corner_intensity: Option<Vec<[f64; 2]>>,
+    /// Edge pressures `K/sqrt(E* chi)` that the corners of the same contact without roughness imply, `[left, right]` of each of its zones (Pa).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub implied_edge_pressure: Option<Vec<[f64; 2]>>,
     /// How the answer changes with roughness, modulus and load, where asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sensitivities: Option<Sensitivities>,
@@ -389,10 +399,20 @@ impl Physical {
                 .scaling()
                 .map_or(0.0, Scaling::contact_modulus),
             gauge: contact.problem().frame().gauge(),
+            corner_intensity: contact.corner_intensity(),
+            implied_edge_pressure: implied(contact),
             relative_settlement: Vec::new(),
             sensitivities: None,
         }
     }
+}
+
+/// Edge pressures that the corners of the smooth companion imply, where the contact has corners and is nearly smooth.
+fn implied(contact: &Contact) -> Option<Vec<[f64; 2]>> {
+    let ends = contact.edges0();
+    let has_corner = ends.iter().flatten().any(|xi| xi.abs() == 1.0);
+    let sensible = has_corner && ends.len() <= FEW_ZONES && contact.theta0() >= NEARLY_SMOOTH;
+    if sensible { contact.implied_edge_pressures() } else { None }
 }
 
 #[cfg(test)]

@@ -139,6 +139,19 @@ fn physical_table(contact: &Contact, physical: &Physical) -> Table {
     for (name, value, note) in zones(&physical.edges, contact, &length) {
         row(&name, value, &note);
     }
+    let pairs = |values: &[[f64; 2]], unit: DisplayUnit| -> String {
+        let shown = |value: f64| engineering(value, unit.clone());
+        let of_zone = |[left, right]: &[f64; 2]| format!("{}, {}", shown(*left), shown(*right));
+        values.iter().take(MOST_ZONES).map(of_zone).collect::<Vec<_>>().join("; ")
+    };
+    if let Some(intensities) = &physical.corner_intensity {
+        let unit = DisplayUnit::prefixed("Pa sqrt(m)");
+        row("corner intensity", pairs(intensities, unit), "left, right; 0 at free edges");
+    }
+    if let Some(implied) = &physical.implied_edge_pressure {
+        let note = "left, right; K/sqrt(E* chi) of the smooth contact";
+        row("edge pressure implied", pairs(implied, Dimension::PRESSURE.into()), note);
+    }
     row("stiffness dP/d(settlement)", engineering(k11, units.stiffness), units.force_note);
     row("stiffness dM/d(-tilt)", engineering(k22, units.moment), units.turning_note);
     row("stiffness dM/d(settlement)", engineering(k12, units.force), "");

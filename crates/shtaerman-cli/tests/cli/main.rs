@@ -5,6 +5,7 @@ mod arguments;
 mod bad_input;
 mod bad_values;
 mod commands;
+mod contacts;
 mod equation;
 mod equation_input;
 mod examples;

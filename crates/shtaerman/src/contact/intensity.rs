@@ -9,13 +9,20 @@ use crate::{Geometry, Roughness, Scaling};
 
 impl Contact {
     /// Corner intensities `K = lim sqrt(2 pi d) p` (Pa sqrt(m); without dimensions those over `E sqrt(a)`) of a smooth contact, `d` the distance from the end of a
-    /// zone: left and right for each of [`edges`](Self::edges), 0 at free ends. `None` for a rough surface, whose pressure is finite, and a circular or graded one.
+    /// zone: left and right for each of [`edges`](Self::edges), 0 at free ends. `None` for a rough surface, whose pressure is finite.
     #[must_use]
     pub fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
         let root = self.problem().frame().half_width().sqrt();
         let unit = self.scale(Scaling::pressure) * root;
         let zones = self.solution().corner_intensity()?;
         Some(zones.into_iter().map(|zone| zone.map(|k| unit * k)).collect())
+    }
+
+    /// Corners, as `xi`, where the pressure of a smooth contact is infinite, with their intensities.
+    pub(super) fn singular_corners(&self) -> Vec<(f64, f64)> {
+        let intensities = self.corner_intensity().unwrap_or_default();
+        let ends = self.edges0().into_iter().flatten().zip(intensities.into_iter().flatten());
+        ends.filter(|(_, k)| *k != 0.0).collect()
     }
 
     /// Edge pressures (Pa) that the corners of the smooth companion problem (`roughness = 0`, all else alike) imply: `K/sqrt(E* chi)` as `chi -> 0`, left and right

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::Frame;
-use crate::quantity::{Dimension, engineering};
+use crate::quantity::{Dimension, DisplayUnit, engineering};
 
 /// Kind of a warning, stable across releases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -18,6 +18,8 @@ pub enum WarningCode {
     LowDegree,
     /// The error that is aimed at was not reached.
     ToleranceNotMet,
+    /// Smooth surface: the pressure is infinite at a corner.
+    SingularEdge,
     /// The kernel of an equation is not square-summable.
     NotSquareSummable,
     /// The integral of the solution of an equation does not exist.
@@ -67,6 +69,30 @@ impl Warning {
             places.join(" and ")
         );
         Some(Self { code: WarningCode::NegativePressure, message })
+    }
+
+    /// The pressure is infinite at these `xi`, with these corner intensities in the units of the problem; none if there are none.
+    pub(super) fn singular_edge(frame: &Frame, corners: &[(f64, f64)]) -> Option<Self> {
+        if corners.is_empty() {
+            return None;
+        }
+        let (length, intensity) = match frame.scaling() {
+            Some(_) => (Dimension::LENGTH, DisplayUnit::prefixed("Pa sqrt(m)")),
+            None => (Dimension::NONE, DisplayUnit::NUMBER),
+        };
+        let places: Vec<String> = (corners.iter().take(MOST_PLACES))
+            .map(|(xi, k)| {
+                let at = engineering(xi * frame.half_width(), length);
+                let k = engineering(*k, intensity.clone());
+                format!("{} = {at} (K = {k})", frame.coordinate())
+            })
+            .collect();
+        let message = format!(
+            "the pressure of a smooth surface is infinite at the corner {}, K = lim sqrt(2 pi d) p at the distance d: with a roughness chi it \
+             would be about K/sqrt(E* chi)",
+            places.join(" and ")
+        );
+        Some(Self { code: WarningCode::SingularEdge, message })
     }
 
     /// The expansion of the profile is off by `error`, relative to its largest value.

@@ -97,6 +97,10 @@ impl Solution for SmoothDiskContact {
         vec![[-self.radius(), self.radius()]]
     }
 
+    fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
+        Some(vec![self.intensity0()])
+    }
+
     fn pressure(&self, _: &Problem, xi: f64) -> f64 {
         self.pressure0(xi)
     }

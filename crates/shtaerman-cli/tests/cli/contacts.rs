@@ -1,0 +1,62 @@
+//! What `solve` says of lifted, smooth and other contacts.
+
+use std::f64::consts::PI;
+
+use crate::support::{Folder, UNILATERAL};
+
+fn near(value: &serde_json::Value, exact: f64, tolerance: f64) {
+    let value = value.as_f64().unwrap();
+    assert!((value - exact).abs() <= tolerance * exact.abs(), "{value} instead of {exact}");
+}
+
+#[test]
+fn a_smooth_flat_punch_has_singular_edges() {
+    let text = UNILATERAL.replace("x^2 / (2*20)", "0").replace("\"1.2e-14 m/Pa\"", "0");
+    let folder = Folder::with(&text);
+    let run = folder.run(&["solve", "punch.toml", "--format", "json", "--at", "-5 mm,0"]);
+    let json = run.json();
+    assert!(json["dimensionless"].is_null());
+    assert!(json["physical"]["pressure_left"].is_null() && json["pressure"]["p"][0].is_null());
+    assert_eq!(json["warnings"][0]["code"], "singular_edge");
+    // P = 0.8 MN/m, M = 100 N, a = 5 mm: K = (P -+ 2 M/a)/sqrt(pi a), p(0) = P/(pi a)
+    let intensity = &json["physical"]["corner_intensity"][0];
+    let root = (PI * 5e-3).sqrt();
+    near(&intensity[0], (0.8e6 - 0.04e6) / root, 1e-12);
+    near(&intensity[1], (0.8e6 + 0.04e6) / root, 1e-12);
+    near(&json["pressure"]["p"][1], 0.8e6 / (PI * 5e-3), 1e-12);
+    let table = folder.run(&["solve", "punch.toml"]).answer();
+    assert!(table.contains("infinite") && table.contains("MPa sqrt(m)"), "{table}");
+}
+
+#[test]
+fn hertz_by_the_command() {
+    // Cylinder of 0.1 m: a_H^2 = 4 P R/(pi E*), p0 = 2 P/(pi a_H).
+    let text = UNILATERAL
+        .replace("x^2 / (2*20)", "x^2 / (2*0.1)")
+        .replace("\"1.2e-14 m/Pa\"", "0")
+        .replace("moment = \"100 N\"", "moment = 0");
+    let folder = Folder::with(&text);
+    let json = folder.run(&["solve", "punch.toml", "--format", "json"]).json();
+    let modulus = 200e9 / (1.0 - 0.09);
+    let half = (4.0 * 0.8e6 * 0.1 / (PI * modulus)).sqrt();
+    near(&json["physical"]["edges"][0][1], half, 1e-12);
+    near(&json["physical"]["pressure_max"], 2.0 * 0.8e6 / (PI * half), 1e-11);
+    near(&json["physical"]["pressure_left"], 0.0, 0.0);
+    assert!(json["warnings"].as_array().unwrap().is_empty());
+    assert!(json["complementarity"]["penetration"].as_f64().unwrap() < 1e-9);
+}
+
+#[test]
+fn a_lifted_punch_reports_its_zone() {
+    // Layer alone in effect: chi E*/a = 1e3, force at 0.6 a beyond the middle third: width 3 (a - e), within 1 %.
+    let text = UNILATERAL
+        .replace("x^2 / (2*20)", "0")
+        .replace("\"1.2e-14 m/Pa\"", "\"2.275e-11 m/Pa\"")
+        .replace("moment = \"100 N\"", "eccentricity = \"3 mm\"");
+    let folder = Folder::with(&text);
+    let json = folder.run(&["solve", "punch.toml", "--format", "json"]).json();
+    near(&json["physical"]["contact_width"], 3.0 * 2e-3, 1e-2);
+    near(&json["physical"]["pressure_left"], 0.0, 0.0);
+    let table = folder.run(&["solve", "punch.toml"]).answer();
+    assert!(table.contains("lifted on the left") && table.contains("unilateral"), "{table}");
+}
