@@ -28,6 +28,19 @@ pub(super) trait Solution: Debug + Send + Sync {
     /// `p0(xi)` on the base, 0 outside the zones; infinite at a singular corner.
     fn pressure(&self, problem: &Problem, xi: f64) -> f64;
 
+    /// `p0` in a zone by the distances from both of its ends, where the smaller may be far below the rounding of `xi`.
+    fn pressure_beside(
+        &self,
+        problem: &Problem,
+        zone: usize,
+        from_left: f64,
+        from_right: f64,
+    ) -> f64 {
+        let [left, right] = self.zones().get(zone).copied().unwrap_or([f64::NAN; 2]);
+        let xi = if from_left < from_right { left + from_left } else { right - from_right };
+        self.pressure(problem, xi)
+    }
+
     /// `theta0 int K(xi, eta) p0(eta) deta` at any `xi`.
     fn displacement(&self, xi: f64) -> f64;
 

@@ -180,6 +180,11 @@ impl Contact {
         Ok(self.pressure0(self.on_base(x)?) * self.scale(Scaling::pressure))
     }
 
+    /// `p0` in a zone of [`edges0`](Self::edges0) by the distances from both of its ends.
+    pub(crate) fn pressure_beside0(&self, zone: usize, from_left: f64, from_right: f64) -> f64 {
+        self.solution.pressure_beside(&self.problem, zone, from_left, from_right)
+    }
+
     /// The `xi` of a point on the closed base.
     pub(super) fn on_base(&self, x: f64) -> Result<f64, Error> {
         let half_width = self.problem.frame().half_width();

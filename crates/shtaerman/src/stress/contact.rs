@@ -39,7 +39,9 @@ impl StressField {
     /// [`Error::NoStresses`] for a circular punch and a graded foundation, [`Error::NoPoissonRatio`], [`Error::InvalidValue`] for a ratio beyond `(-1, 0.5]`.
     pub fn new(contact: &Contact, poisson_ratio: Option<f64>) -> Result<Self, Error> {
         let error = contact.accuracy().map_or(0.0, |accuracy| accuracy.pressure);
-        let pressure0 = |xi| contact.pressure0(xi);
+        let pressure0 = |zone: usize, from_left: f64, from_right: f64| {
+            contact.pressure_beside0(zone, from_left, from_right)
+        };
         let costly = contact.method().n > COSTLY;
         let most = if costly { MOST_COSTLY } else { Effort::FULL.most };
         let effort = Effort { enough: SHARE * error, most };
@@ -50,13 +52,13 @@ impl StressField {
     }
 }
 
-/// The field of `p0(xi)` on zones that the breakpoints of the profile cut.
+/// The field of `p0`, by zone and the distances from its ends, on zones that the breakpoints of the profile cut.
 fn under(
     problem: &Problem,
     zones: &[[f64; 2]],
     poisson_ratio: Option<f64>,
     effort: Effort,
-    pressure0: &dyn Fn(f64) -> f64,
+    pressure0: &dyn Fn(usize, f64, f64) -> f64,
 ) -> Result<StressField, Error> {
     let frame = problem.frame();
     frame.check_stresses()?;
@@ -66,10 +68,12 @@ fn under(
         _ => None,
     };
     let breaks = breaks(problem);
-    let panels: Vec<[f64; 2]> = zones.iter().flat_map(|&zone| cut(zone, &breaks)).collect();
+    let (panels, owners): (Vec<[f64; 2]>, Vec<usize>) = (zones.iter().enumerate())
+        .flat_map(|(owner, &zone)| cut(zone, &breaks).into_iter().map(move |panel| (panel, owner)))
+        .unzip();
     let pressure = |panel: usize, from_left: f64, to_right: f64| {
-        let [left, right] = panels[panel];
-        pressure0(if from_left < to_right { left + from_left } else { right - to_right })
+        let ([left, right], zone) = (panels[panel], zones[owners[panel]]);
+        pressure0(owners[panel], left - zone[0] + from_left, zone[1] - right + to_right)
     };
     StressField::within(&panels, period, given, effort, &pressure)
 }

@@ -1,6 +1,8 @@
 //! Hertz, the strip load and the flat punch, from the surface to far below.
 
-use shtaerman::StressField;
+use shtaerman::{
+    Elastic, Frame, Load, Problem, Profile, Rotational, Solver, StressField, Vertical,
+};
 
 use crate::support::{DEPTHS, flat_punch, hertz, places, strip, worst};
 
@@ -49,6 +51,18 @@ fn a_flat_punch_is_exact_relative_to_the_stress() {
     let pressure =
         |_: usize, left: f64, right: f64| (left * right).sqrt().recip() / std::f64::consts::PI;
     let field = StressField::from_pressure(&[[-1.0, 1.0]], None, RATIO, pressure).unwrap();
+    let worst = worst(&field, |x, y| flat_punch(x, y, RATIO));
+    assert!(worst.0 < 1e-11, "{worst:?}, {} nodes, {:e}", field.nodes(), field.error());
+}
+
+/// The contact itself as the source: a smooth flat punch of half-width and modulus 1 under the force 1.
+#[test]
+fn a_smooth_contact_keeps_its_corners() {
+    let body = Elastic::new(1.0, RATIO).unwrap();
+    let frame = Frame::physical(body, 0.0, 1.0, None).unwrap();
+    let load = Load::new(Vertical::Force(1.0), Rotational::Moment(0.0)).unwrap();
+    let problem = Problem::new(frame, Profile::flat(), load, Solver::default()).unwrap();
+    let field = StressField::new(&problem.solve().unwrap(), None).unwrap();
     let worst = worst(&field, |x, y| flat_punch(x, y, RATIO));
     assert!(worst.0 < 1e-11, "{worst:?}, {} nodes, {:e}", field.nodes(), field.error());
 }

@@ -117,6 +117,10 @@ impl Solution for SmoothContact {
         self.pressure0(xi)
     }
 
+    fn pressure_beside(&self, _: &Problem, zone: usize, from_left: f64, from_right: f64) -> f64 {
+        self.pressure_beside0(zone, from_left, from_right)
+    }
+
     fn displacement(&self, xi: f64) -> f64 {
         self.elastic_displacement0(xi)
     }
