@@ -294,7 +294,7 @@ mod tests {
             for (one, other) in found.values.iter().zip(&dense.values) {
                 assert!((one - other / root).abs() < 1e-7 * largest, "{parameter} {one}");
             }
-            assert!(found.values.iter().any(|p| *p == 0.0));
+            assert!(found.values.contains(&0.0));
         }
     }
 

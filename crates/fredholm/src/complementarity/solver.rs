@@ -326,7 +326,7 @@ mod tests {
                         |x: f64| stiffness * (x * x + 0.2 * (waves * x).sin()) * (1.0 + parameter);
                     let case = case(90, parameter, e, f);
                     let Case { matrix, right, conditions, feasible } = &case;
-                    let found = matrix.solve(right, conditions, &vec![true; 90], feasible).unwrap();
+                    let found = matrix.solve(right, conditions, &[true; 90], feasible).unwrap();
                     check(&case, &found);
                     let problem = Problem { matrix, right, conditions };
                     let safe = problem.descended(feasible).unwrap();

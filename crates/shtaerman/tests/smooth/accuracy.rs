@@ -38,8 +38,8 @@ fn check(what: &str, contact: &SmoothContact, exact: &Exact<'_>) {
     assert_eq!(zones.len(), exact.ends.len(), "{what}");
     let (mut worst, mut size, mut edge) = (0.0f64, 0.0f64, 0.0f64);
     for (j, (zone, ends)) in zones.iter().zip(exact.ends).enumerate() {
-        for side in 0..2 {
-            edge = edge.max((zone.ends[side] - ends[side]).abs());
+        for (one, other) in zone.ends.iter().zip(ends) {
+            edge = edge.max((one - other).abs());
         }
         let length = ends[1] - ends[0];
         for i in 0..200 {

@@ -103,4 +103,4 @@ fn a_row_far_apart_has_the_maximum_of_one() {
 
 /// Depth and value, from `F = pi (z - sqrt(z^2 - 1))` on the axis.
 const SHEAR: [f64; 2] = [0.786_151_377_757_423_3, 0.300_283_106_000_777_6];
-const VON_MISES: [f64; 2] = [0.704_291_684_588_101_06, 0.557_516_216_566_063_7];
+const VON_MISES: [f64; 2] = [0.704_291_684_588_101, 0.557_516_216_566_063_7];

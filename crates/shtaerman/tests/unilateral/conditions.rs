@@ -39,7 +39,7 @@ fn holds(contact: &Contact, kink: f64, tolerance: f64) {
     let moment = over_zones(contact, kink, |xi| xi * contact.pressure0(xi));
     assert!((force - contact.force0()).abs() < 1e-11 * scale, "{force} {}", contact.force0());
     assert!((moment - contact.moment0()).abs() < 1e-11 * scale);
-    let left = contact.complementarity().expect("unilateral");
+    let left = contact.complementarity().unwrap();
     assert!(left.tension < 1e-9 && left.penetration < 1e-9, "{left:?}");
 }
 

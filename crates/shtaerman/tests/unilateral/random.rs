@@ -86,7 +86,9 @@ pub(crate) fn judge(problem: &Problem) -> Ending {
     };
     match problem.solve() {
         Ok(contact) => {
-            let left = contact.complementarity().expect("unilateral");
+            let Some(left) = contact.complementarity() else {
+                return Ending::Failed("no statement of complementarity".to_owned());
+            };
             Ending::Solved {
                 residual: left.tension.max(left.penetration),
                 error: contact.relative_error(),

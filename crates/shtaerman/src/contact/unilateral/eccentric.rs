@@ -128,9 +128,9 @@ impl Curve<'_, '_, '_> {
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
             if (self.excess(middle.exp())? > 0.0) == is_above {
-                low = middle
+                low = middle;
             } else {
-                high = middle
+                high = middle;
             }
         }
         Ok((0.5 * (low + high)).exp())

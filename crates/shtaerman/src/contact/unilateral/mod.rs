@@ -86,8 +86,8 @@ impl Problem {
     pub(super) fn solve_unilateral(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Unilateral)?;
         Ok(match lifting(base)? {
-            Answer::Zones(contact) => Arc::new(contact),
-            Answer::Cells(contact) => Arc::new(contact),
+            Answer::Zones(contact) => Arc::new(*contact),
+            Answer::Cells(contact) => Arc::new(*contact),
         })
     }
 
@@ -100,8 +100,18 @@ impl Problem {
 
 /// An answer on zones or on cells.
 enum Answer {
-    Zones(UnilateralContact),
-    Cells(CellContact),
+    Zones(Box<UnilateralContact>),
+    Cells(Box<CellContact>),
+}
+
+impl Answer {
+    fn zones(contact: UnilateralContact) -> Self {
+        Self::Zones(Box::new(contact))
+    }
+
+    fn cells(contact: CellContact) -> Self {
+        Self::Cells(Box::new(contact))
+    }
 }
 
 /// The answer on the whole base.
@@ -114,7 +124,7 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
         let start = strength(base, &zones);
         let (coarse, _) =
             edges::settle(base, &Resolution::new(&base.medium, half_count(start, -1))?, &zones)?;
-        refined(base, coarse, start)?
+        refined(base, &coarse, start)?
     };
     let left = check(base, &solved, ALLOWED);
     if !base.layer.is_linear() && !left.pulling.is_empty() {
@@ -135,7 +145,7 @@ fn lifting(base: Base<'_>) -> Result<Answer, Error> {
     let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
     let left = check(&base, &solved, ALLOWED.max(2.0 * noise));
     if left.pulling.is_empty() && !ring::lifts(&base, &solved) {
-        return harmonic::answer(&base, solved, accuracy, 0.0, &left).map(Answer::Zones);
+        return harmonic::answer(&base, solved, accuracy, 0.0, &left).map(Answer::zones);
     }
     // Seen from the middle of a gap the wave is one more base with ends.
     let cells = base.cells();
@@ -143,7 +153,7 @@ fn lifting(base: Base<'_>) -> Result<Answer, Error> {
         Some(middle) => middle,
         None => ring::least(&solved),
     };
-    complementary(&base.shifted(cut)).map(Answer::Zones)
+    complementary(&base.shifted(cut)).map(Answer::zones)
 }
 
 /// The answer by the method that suits the profile, or by the other.
@@ -151,13 +161,13 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
     if fine::suits(base)
         && let Some(contact) = fine::solve(base)?
     {
-        return Ok(Answer::Cells(contact));
+        return Ok(Answer::cells(contact));
     }
     match complementary(base) {
         Err(error @ (Error::NotComplementary { .. } | Error::Equation(_))) => {
-            fine::solve(base)?.map(Answer::Cells).ok_or(error)
+            fine::solve(base)?.map(Answer::cells).ok_or(error)
         }
-        ending => ending.map(Answer::Zones),
+        ending => ending.map(Answer::zones),
     }
 }
 
@@ -165,7 +175,7 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
 fn complementary(base: &Base<'_>) -> Result<UnilateralContact, Error> {
     let (mut coarse, mut start) = find_zones(base)?;
     for _ in 0..CORRECTIONS {
-        let (solved, accuracy, edge) = refined(base, coarse, start)?;
+        let (solved, accuracy, edge) = refined(base, &coarse, start)?;
         let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
         let left = check(base, &solved, ALLOWED.max(2.0 * noise));
         if left.is_clean() {
@@ -305,14 +315,14 @@ fn half_count(start: f64, power: i32) -> usize {
 }
 
 /// The answer on growing numbers of nodes, from the one on the first.
-fn refined(base: &Base<'_>, coarse: Solved, start: f64) -> Result<(Solved, Accuracy, f64), Error> {
+fn refined(base: &Base<'_>, coarse: &Solved, start: f64) -> Result<(Solved, Accuracy, f64), Error> {
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
     let level = |zones: &[Zone], power: i32| {
         let resolution = Resolution::new(&base.medium, half_count(start, power))?;
         edges::settle(base, &resolution, zones).map(|(solved, _)| solved)
     };
     let mut fine = level(&coarse.zones, 0)?;
-    let mut before = difference(base, &fine, &coarse);
+    let mut before = difference(base, &fine, coarse);
     let mut best: Option<(Solved, Accuracy, f64)> = None;
     for power in 1.. {
         let finer = level(&fine.zones, power)?;
