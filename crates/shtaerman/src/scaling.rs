@@ -132,14 +132,14 @@ impl Scaling {
         self.displacement() / self.half_width
     }
 
-    /// `a E` [N/m]: `P = a E P0`; `a^2 E` [N] for a circular punch.
+    /// `a E` (N/m): `P = a E P0`; `a^2 E` (N) for a circular punch.
     #[must_use]
     pub fn force(&self) -> f64 {
         let width = if self.is_circular { self.half_width } else { 1.0 };
         width * self.half_width * self.young_modulus
     }
 
-    /// `a^2 E` [N m/m]: `M = a^2 E M0`; `a^3 E` [N m] for a circular punch.
+    /// `a^2 E` (N m/m): `M = a^2 E M0`; `a^3 E` (N m) for a circular punch.
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.half_width * self.force()

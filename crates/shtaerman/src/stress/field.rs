@@ -21,7 +21,7 @@ const LEAST_DEPTH: f64 = 1e-16;
 /// `sigma_x + sigma_y = (2/pi) Im F`, `sigma_x - sigma_y = (2y/pi) Re F'`, `tau_xy = -(y/pi) Im F'`, `sigma_z = nu (sigma_x + sigma_y)`.
 ///
 /// For a pressure repeated with the period `L`, `F(z) = (pi/L) int p(s) cot(pi (z - s)/L) ds`. Exact to rounding at any depth, see the
-/// [module](self); on the surface `sigma_x = sigma_y = -p`.
+/// book; on the surface `sigma_x = sigma_y = -p`.
 #[derive(Debug, Clone)]
 pub struct StressField {
     panels: Vec<Panel>,
