@@ -33,6 +33,24 @@ pub struct Sensitivities {
     pub contact_width: Derivatives,
 }
 
+impl Sensitivities {
+    /// Whether no derivative overflowed.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        let Self { settlement, force, tilt, pressure_max, contact_width, .. } = self;
+        let all = [*settlement, *force, *tilt, *pressure_max, Some(*contact_width)];
+        all.into_iter().flatten().all(|derivatives| derivatives.is_finite())
+    }
+}
+
+impl Derivatives {
+    fn is_finite(&self) -> bool {
+        let Self { roughness, young_modulus, theta0, force, settlement, error } = *self;
+        let all = [roughness, young_modulus, theta0, force, settlement, Some(error)];
+        all.into_iter().flatten().all(f64::is_finite)
+    }
+}
+
 /// Derivatives of one quantity, SI units; of a dimensionless problem without units.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct Derivatives {

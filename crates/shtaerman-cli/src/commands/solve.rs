@@ -71,8 +71,19 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
 struct Extras {
     data: Vec<Datum>,
     surface: Option<usize>,
-    sensitivities: bool,
+    sensitivities: Sensitivities,
 }
+
+/// Whether the answer has its sensitivities, which cost eighteen more solves.
+enum Sensitivities {
+    Asked,
+    /// In JSON, where a solve is quick.
+    IfCheap,
+    Left,
+}
+
+/// A solve by at most so many nodes or modes takes about a millisecond.
+const CHEAP: usize = 300;
 
 impl Extras {
     fn new(arguments: &SolveArguments, problem: &Problem) -> Result<Self, Failure> {
@@ -92,7 +103,12 @@ impl Extras {
                 return Err(Failure::Usage("--surface goes with --format json or csv".to_owned()));
             }
         }
-        Ok(Self { data, surface: arguments.surface, sensitivities: arguments.sensitivities })
+        let sensitivities = match (arguments.sensitivities, arguments.output.format) {
+            (true, _) => Sensitivities::Asked,
+            (false, ReportFormat::Json) => Sensitivities::IfCheap,
+            (false, ReportFormat::Table | ReportFormat::Csv) => Sensitivities::Left,
+        };
+        Ok(Self { data, surface: arguments.surface, sensitivities })
     }
 }
 
@@ -102,8 +118,16 @@ fn extended(answer: Answer, contact: &Contact, extras: &Extras) -> Result<Answer
     if let Some(count) = extras.surface {
         answer.surface = Some(SurfaceCurve::new(contact, count)?);
     }
-    if extras.sensitivities {
-        answer = answer.with_sensitivities(contact.sensitivities()?);
+    let is_cheap = contact.method().n <= CHEAP && contact.method().name != "cells";
+    match extras.sensitivities {
+        Sensitivities::Asked => answer = answer.with_sensitivities(contact.sensitivities()?),
+        // A neighbouring problem without an answer is no fault of this one.
+        Sensitivities::IfCheap if is_cheap => {
+            if let Some(found) = contact.sensitivities().ok().filter(|found| found.is_finite()) {
+                answer = answer.with_sensitivities(found);
+            }
+        }
+        Sensitivities::IfCheap | Sensitivities::Left => {}
     }
     Ok(answer)
 }
