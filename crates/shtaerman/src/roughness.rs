@@ -17,7 +17,7 @@ pub enum Roughness {
         /// `chi` (m/Pa).
         compliance: f64,
     },
-    /// `B p^kappa` (L. A. Galanov; I. G. Goryacheva).
+    /// `B p^kappa` (Galanov; Goryacheva; cited from memory).
     Power {
         /// `B` (m/Pa^kappa).
         coefficient: f64,
