@@ -64,7 +64,6 @@ fn corrections_follow_the_logarithm() {
 
 #[test]
 fn the_stated_error_is_small_and_the_contact_complementary() {
-    // Where layers meet the range in between, at 4e6 .. 1e8, settlement and edges of direct solutions on smaller theta0 bound the change.
     for case in &CASES {
         for theta0 in [1e8, 1e10, 1e12] {
             let contact = case.solve(roughness(theta0));
