@@ -1,0 +1,91 @@
+//! How a solution changes to first order with the body and the load.
+
+use super::solved::Stiffness;
+use crate::{Contact, Load, Rotational, Vertical};
+
+/// Rates of settlement, force, tilt, largest pressure and width of contact, without dimensions.
+pub(crate) type Rates = [f64; 5];
+
+/// The derivatives of a solution on zones that stay as they are, with those of its edges.
+///
+/// Edges may be held still, as the pressure vanishes at a free one: `d/dq int p dx = int dp/dq dx`, and the equation between its ends, too, changes by `dp/dq` alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Linearised {
+    /// By `ln theta0` under the same load, by the prescribed force or settlement, by the prescribed moment or tilt; zeros for an eccentricity.
+    pub(crate) rates: [Rates; 3],
+    /// Estimated errors.
+    pub(crate) errors: [Rates; 3],
+}
+
+impl Linearised {
+    fn is_finite(&self) -> bool {
+        [self.rates, self.errors].as_flattened().as_flattened().iter().all(|part| part.is_finite())
+    }
+}
+
+impl Contact {
+    /// The error of the solution relative to its size; 0 where the method tells none.
+    pub(crate) fn known_to(&self) -> f64 {
+        let (peak, _) = self.peak_pressure0();
+        match self.accuracy() {
+            Some(accuracy) if peak.is_finite() => {
+                accuracy.relative(&self.solution().state().sizes(peak.abs()))
+            }
+            Some(_) => self.solution().relative_error(),
+            None => 0.0,
+        }
+    }
+
+    /// The first-order change, where the method has one.
+    pub(crate) fn linearised(&self) -> Option<Linearised> {
+        let (_, peak) = self.peak_pressure0();
+        let mut found = self.solution().linearised(self.problem(), peak)?;
+        if self.is_level() {
+            for rates in found.rates.iter_mut().chain(&mut found.errors) {
+                rates[2] = 0.0;
+            }
+        }
+        found.is_finite().then_some(found)
+    }
+}
+
+impl Stiffness {
+    /// Changes of `delta0` and `-alpha0` by those of the prescribed quantities.
+    pub(super) fn displaced(&self, load: &Load, [vertical, rotational]: [f64; 2]) -> [f64; 2] {
+        let Self { force_settlement: k11, coupling: k12, moment_tilt: k22 } = *self;
+        let (row1, right1) = match load.vertical {
+            Vertical::Force(_) => ([k11, k12], vertical),
+            Vertical::Settlement(_) => ([1.0, 0.0], vertical),
+        };
+        let (row2, right2) = match load.rotational {
+            Rotational::Moment(_) => ([k12, k22], rotational),
+            Rotational::Eccentricity(e) => ([k12 - e * k11, k22 - e * k12], 0.0),
+            Rotational::Tilt(_) => ([0.0, 1.0], -rotational),
+        };
+        let determinant = row1[0] * row2[1] - row1[1] * row2[0];
+        [
+            (right1 * row2[1] - row1[1] * right2) / determinant,
+            (row1[0] * right2 - right1 * row2[0]) / determinant,
+        ]
+    }
+}
+
+/// All rates of a smooth contact from those by the prescribed quantities, its force and its largest pressure: `theta0` comes with pressures and forces alone,
+/// `theta0 K p0 = delta0 - alpha0 xi - f0`.
+pub(super) fn smooth_rates(
+    load: &Load,
+    [force, pressure]: [f64; 2],
+    [vertical, rotational]: [Rates; 2],
+) -> [Rates; 3] {
+    let forced = match load.vertical {
+        Vertical::Force(force) => force,
+        Vertical::Settlement(_) => 0.0,
+    };
+    let turned = match load.rotational {
+        Rotational::Moment(moment) => moment,
+        Rotational::Eccentricity(_) | Rotational::Tilt(_) => 0.0,
+    };
+    let own = [0.0, force, 0.0, pressure, 0.0];
+    let body = std::array::from_fn(|k| forced * vertical[k] + turned * rotational[k] - own[k]);
+    [body, vertical, rotational]
+}
