@@ -1,6 +1,7 @@
 //! How a solution changes to first order with the body and the load.
 
 use super::solved::Stiffness;
+use crate::roughness::Law;
 use crate::{Contact, Load, Rotational, Vertical};
 
 /// Rates of settlement, force, tilt, largest pressure and width of contact, without dimensions.
@@ -23,7 +24,64 @@ impl Linearised {
     }
 }
 
+/// Step of the differences that show where the pressure is largest, as a share of its zone, and the longest correction in steps: a longer one is no smooth peak's.
+const STEP: f64 = 5e-4;
+const LONGEST: f64 = 0.02;
+/// Corrections of the place, and the share of a rate there by which it may miss what the place has in error.
+const CORRECTIONS: usize = 2;
+const MISSED: f64 = 1e-10;
+/// Offset at which the slopes beside a breakpoint are compared.
+const BESIDE: f64 = 1e-9;
+/// A peak this close to a kink of the base lies on it.
+const AT_KINK: f64 = 1e-5;
+
 impl Contact {
+    /// Whether the largest pressure is finite: on a smooth surface that under a kink of the base is not, though none of its samples show it.
+    pub(crate) fn has_peak(&self) -> bool {
+        let (value, peak) = self.peak_pressure0();
+        let frame = self.problem().frame();
+        let (profile, half_width) = (self.problem().profile(), frame.half_width());
+        let bends = |at: f64| {
+            let beside = [at - BESIDE, at + BESIDE].map(|xi| profile.slope(xi, half_width));
+            matches!(beside, [Some(left), Some(right)]
+                if (right - left).abs() > AT_KINK * (right.abs() + left.abs()))
+        };
+        let breaks = profile.breakpoints(half_width);
+        let under_kink = breaks.iter().any(|at| (at - peak).abs() < AT_KINK && bends(*at));
+        value.is_finite() && !(frame.law() == Law::Smooth && under_kink)
+    }
+
+    /// Where the pressure is largest: a maximum shows its place to the root of rounding only, its slope all of it. With the error it leaves in a rate.
+    fn peak_place(&self) -> (f64, f64) {
+        let (_, start) = self.peak_pressure0();
+        let zones = self.edges0();
+        let Some([left, right]) =
+            zones.iter().find(|[left, right]| *left < start && start < *right)
+        else {
+            return (start, 0.0);
+        };
+        let step = STEP * (right - left);
+        let half_width = self.problem().frame().half_width();
+        let is_near = |at: f64| (at - start).abs() < 3.0 * step;
+        let breaks = self.problem().profile().breakpoints(half_width);
+        if is_near(*left) || is_near(*right) || breaks.into_iter().any(is_near) {
+            return (start, 0.0);
+        }
+        let mut place = start;
+        for _ in 0..CORRECTIONS {
+            let [a, b, c, d, e] =
+                [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| self.pressure0(place + k * step));
+            let slope = (8.0 * (d - b) - (e - a)) / 12.0;
+            let bend = (16.0 * (d + b) - (e + a) - 30.0 * c) / 12.0;
+            let shift = -slope / bend;
+            if bend >= 0.0 || shift.is_nan() || shift.abs() > LONGEST {
+                return (start, 0.0);
+            }
+            place += shift * step;
+        }
+        (place, MISSED)
+    }
+
     /// The error of the solution relative to its size; 0 where the method tells none.
     pub(crate) fn known_to(&self) -> f64 {
         let (peak, _) = self.peak_pressure0();
@@ -38,8 +96,11 @@ impl Contact {
 
     /// The first-order change, where the method has one.
     pub(crate) fn linearised(&self) -> Option<Linearised> {
-        let (_, peak) = self.peak_pressure0();
-        let mut found = self.solution().linearised(self.problem(), peak)?;
+        let (place, share) = self.peak_place();
+        let mut found = self.solution().linearised(self.problem(), place)?;
+        for (rates, errors) in found.rates.iter().zip(&mut found.errors) {
+            errors[3] += share * rates[3].abs();
+        }
         if self.is_level() {
             for rates in found.rates.iter_mut().chain(&mut found.errors) {
                 rates[2] = 0.0;

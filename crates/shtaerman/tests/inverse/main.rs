@@ -9,5 +9,5 @@ mod geometries;
 mod hostile;
 mod prescribed;
 mod sensitivities;
-mod tangent;
 mod support;
+mod tangent;

@@ -71,10 +71,15 @@ fn report(label: &str, problem: &Problem) {
             let scale = size.abs().max(two.abs());
             ((one - two).abs() / scale, name, one, two)
         })
-        .fold((0.0, String::new(), 0.0, 0.0), |most, row| if row.0 >= most.0 || row.0.is_nan() { row } else { most });
+        .fold((0.0, String::new(), 0.0, 0.0), |most, row| {
+            if row.0 >= most.0 || row.0.is_nan() { row } else { most }
+        });
     println!(
         "{label}: {:.1e} in {} {} {} (stated {:.0e}, differences {:.0e}) {:?}",
-        worst.0, worst.1, worst.2, worst.3,
+        worst.0,
+        worst.1,
+        worst.2,
+        worst.3,
         tangent.pressure_max.map_or(0.0, |d| d.error).max(tangent.contact_width.error),
         differences.pressure_max.map_or(0.0, |d| d.error).max(differences.contact_width.error),
         contact.method(),
@@ -100,8 +105,22 @@ fn survey() {
     go("tilted flat", plane, rough, "0", load(8e5, 2500.0), on);
     go("eccentric", plane, rough, "x^2/(2*0.8)", with(force, Rotational::Eccentricity(6e-4)), on);
     go("settled", plane, rough, "x^2/(2*0.8)", with(settlement, Rotational::Tilt(1e-4)), on);
-    go("settled moment", plane, rough, "x^2/(2*0.8)", with(settlement, Rotational::Moment(200.0)), on);
-    go("settled ecc", plane, rough, "x^2/(2*0.8)", with(settlement, Rotational::Eccentricity(2e-4)), on);
+    go(
+        "settled moment",
+        plane,
+        rough,
+        "x^2/(2*0.8)",
+        with(settlement, Rotational::Moment(200.0)),
+        on,
+    );
+    go(
+        "settled ecc",
+        plane,
+        rough,
+        "x^2/(2*0.8)",
+        with(settlement, Rotational::Eccentricity(2e-4)),
+        on,
+    );
     go("power", plane, power, "x^2/(2*0.8)", free, on);
     go("power moment", plane, power, "x^2/(2*0.8)", load(8e5, 300.0), on);
     go("power full", plane, power, "x^2/(2*80)", free, on);
@@ -111,20 +130,76 @@ fn survey() {
     go("pair", Geometry::Pair { inner_half_gap: 2e-3 }, rough, "x^2/(2*4)", load(8e5, 300.0), on);
     go("row", Geometry::Periodic { period: 14e-3 }, rough, "x^2/(2*0.8)", load(8e5, 300.0), on);
     go("wave gap", Geometry::Periodic { period: 10e-3 }, rough, "8e-6*(1-cos(pi*x/a))", free, on);
-    go("wave off", Geometry::Periodic { period: 10e-3 }, rough, "8e-6*(1-cos(pi*(x/a-0.3)))", free, on);
-    go("wave full", Geometry::Periodic { period: 10e-3 }, rough, "1e-7*(1-cos(pi*(x/a-0.3)))", free, on);
-    go("wave full power", Geometry::Periodic { period: 10e-3 }, power, "1e-7*(1-cos(pi*(x/a-0.3)))", free, on);
-    go("wave full settled", Geometry::Periodic { period: 10e-3 }, rough, "1e-7*(1-cos(pi*(x/a-0.3)))", with(settlement, Rotational::Tilt(0.0)), off);
-    go("wave full power settled", Geometry::Periodic { period: 10e-3 }, power, "1e-7*(1-cos(pi*(x/a-0.3)))", with(settlement, Rotational::Tilt(0.0)), on);
+    go(
+        "wave off",
+        Geometry::Periodic { period: 10e-3 },
+        rough,
+        "8e-6*(1-cos(pi*(x/a-0.3)))",
+        free,
+        on,
+    );
+    go(
+        "wave full",
+        Geometry::Periodic { period: 10e-3 },
+        rough,
+        "1e-7*(1-cos(pi*(x/a-0.3)))",
+        free,
+        on,
+    );
+    go(
+        "wave full power",
+        Geometry::Periodic { period: 10e-3 },
+        power,
+        "1e-7*(1-cos(pi*(x/a-0.3)))",
+        free,
+        on,
+    );
+    go(
+        "wave full settled",
+        Geometry::Periodic { period: 10e-3 },
+        rough,
+        "1e-7*(1-cos(pi*(x/a-0.3)))",
+        with(settlement, Rotational::Tilt(0.0)),
+        off,
+    );
+    go(
+        "wave full power settled",
+        Geometry::Periodic { period: 10e-3 },
+        power,
+        "1e-7*(1-cos(pi*(x/a-0.3)))",
+        with(settlement, Rotational::Tilt(0.0)),
+        on,
+    );
     let disk = Geometry::Circular;
     let small = load(4e3, 0.0);
     go("ball", disk, rough, "x^2/(2*0.8)", small, on);
     go("ball power", disk, power, "x^2/(2*0.8)", small, on);
     go("ring", disk, rough, "2e-6*cos(2*pi*x/a)+x^2/20", load(1e3, 0.0), on);
     go("flat disk moment", disk, rough, "x^2/(2*80)", load(4e4, 20.0), on);
-    go("flat disk ecc", disk, rough, "x^2/(2*80)", with(Vertical::Force(4e4), Rotational::Eccentricity(5e-4)), on);
-    go("flat disk settled ecc", disk, rough, "x^2/(2*80)", with(settlement, Rotational::Eccentricity(5e-4)), on);
-    go("flat disk tilt", disk, rough, "x^2/(2*80)", with(Vertical::Force(4e4), Rotational::Tilt(1e-4)), on);
+    go(
+        "flat disk ecc",
+        disk,
+        rough,
+        "x^2/(2*80)",
+        with(Vertical::Force(4e4), Rotational::Eccentricity(5e-4)),
+        on,
+    );
+    go(
+        "flat disk settled ecc",
+        disk,
+        rough,
+        "x^2/(2*80)",
+        with(settlement, Rotational::Eccentricity(5e-4)),
+        on,
+    );
+    go(
+        "flat disk tilt",
+        disk,
+        rough,
+        "x^2/(2*80)",
+        with(Vertical::Force(4e4), Rotational::Tilt(1e-4)),
+        on,
+    );
     go("bilateral", plane, rough, "x^2/(2*0.8)", load(8e5, 300.0), off);
     go("bilateral kink", plane, rough, "abs(x)*2e-3", load(8e5, 300.0), off);
     go("bilateral spectral", plane, rough, "x^2/(2*0.8)", load(8e5, 300.0), Solver::spectral(200));
@@ -134,20 +209,69 @@ fn survey() {
     let smooth = Roughness::Smooth;
     go("smooth hertz", plane, smooth, "x^2/(2*0.8)", free, on);
     go("smooth moment", plane, smooth, "x^2/(2*0.8)+4*x^4", load(8e5, 300.0), on);
-    go("smooth settled", plane, smooth, "x^2/(2*0.8)", with(settlement, Rotational::Tilt(1e-4)), on);
+    go(
+        "smooth settled",
+        plane,
+        smooth,
+        "x^2/(2*0.8)",
+        with(settlement, Rotational::Tilt(1e-4)),
+        on,
+    );
     go("smooth flat", plane, smooth, "0", load(8e5, 300.0), on);
     go("smooth tilted flat", plane, smooth, "0", load(8e5, 2500.0), on);
     go("smooth wedge", plane, smooth, "abs(x)*2e-3", free, on);
     go("smooth zones", plane, smooth, "2e-6*cos(9*x/a) + x^2/20", load(2e5, 50.0), on);
-    go("smooth pair", Geometry::Pair { inner_half_gap: 2e-3 }, smooth, "x^2/(2*4)", load(8e5, 300.0), on);
-    go("smooth row", Geometry::Periodic { period: 14e-3 }, smooth, "x^2/(2*0.8)", load(8e5, 300.0), on);
-    go("smooth wave", Geometry::Periodic { period: 10e-3 }, smooth, "8e-6*(1-cos(pi*(x/a-0.3)))", free, on);
-    go("smooth wave settled", Geometry::Periodic { period: 10e-3 }, smooth, "8e-6*(1-cos(pi*(x/a-0.3)))", with(settlement, Rotational::Tilt(0.0)), on);
-    go("smooth wave full", Geometry::Periodic { period: 10e-3 }, smooth, "1e-7*(1-cos(pi*x/a))", free, on);
+    go(
+        "smooth pair",
+        Geometry::Pair { inner_half_gap: 2e-3 },
+        smooth,
+        "x^2/(2*4)",
+        load(8e5, 300.0),
+        on,
+    );
+    go(
+        "smooth row",
+        Geometry::Periodic { period: 14e-3 },
+        smooth,
+        "x^2/(2*0.8)",
+        load(8e5, 300.0),
+        on,
+    );
+    go(
+        "smooth wave",
+        Geometry::Periodic { period: 10e-3 },
+        smooth,
+        "8e-6*(1-cos(pi*(x/a-0.3)))",
+        free,
+        on,
+    );
+    go(
+        "smooth wave settled",
+        Geometry::Periodic { period: 10e-3 },
+        smooth,
+        "8e-6*(1-cos(pi*(x/a-0.3)))",
+        with(settlement, Rotational::Tilt(0.0)),
+        on,
+    );
+    go(
+        "smooth wave full",
+        Geometry::Periodic { period: 10e-3 },
+        smooth,
+        "1e-7*(1-cos(pi*x/a))",
+        free,
+        on,
+    );
     go("smooth ball", disk, smooth, "x^2/(2*0.8)", small, on);
     go("smooth cone", disk, smooth, "abs(x)*2e-3", small, on);
     go("smooth disk", disk, smooth, "0", load(4e4, 10.0), on);
-    go("smooth ball settled", disk, smooth, "x^2/(2*0.8)", with(settlement, Rotational::Tilt(0.0)), on);
+    go(
+        "smooth ball settled",
+        disk,
+        smooth,
+        "x^2/(2*0.8)",
+        with(settlement, Rotational::Tilt(0.0)),
+        on,
+    );
     let bodied = |roughness: f64| {
         let (one, two) = (Elastic::new(200e9, 0.3).unwrap(), Elastic::new(70e9, 0.33).unwrap());
         let frame = Frame::physical(one, roughness, 5e-3, Some(two)).unwrap();

@@ -155,7 +155,10 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
             system.positions.iter().map(|&xi| -(self.known.displacement)(xi)).collect();
         let elastic = system.direction(&factor.solve(&given)?, 1.0, [0.0; 2]);
         let slopes = self.edge_slopes()?;
-        let rotates = !matches!(system.base.load.rotational, Rotational::Eccentricity(_));
+        // The tilt of a disk is another harmonic, a wave has none.
+        let is_level = system.medium.is_disk() || system.medium.is_closed();
+        let rotates =
+            !is_level && !matches!(system.base.load.rotational, Rotational::Eccentricity(_));
         let rates = |share: f64, prescribed: [f64; 2]| -> Result<Rates, Error> {
             let local = system.met(&frame, &elastic.scaled(share), prescribed)?;
             let right: Vec<f64> = (system.operator.positions().zip(&given))
