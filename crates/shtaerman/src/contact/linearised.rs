@@ -34,6 +34,8 @@ const MISSED: f64 = 1e-10;
 const BESIDE: f64 = 1e-9;
 /// A peak this close to a kink of the base lies on it.
 const AT_KINK: f64 = 1e-5;
+/// Change of a slope, relative to it, that makes a kink.
+const BENT: f64 = 1e-5;
 
 impl Contact {
     /// Whether the largest pressure is finite: on a smooth surface that under a kink of the base is not, though none of its samples show it.
@@ -44,7 +46,7 @@ impl Contact {
         let bends = |at: f64| {
             let beside = [at - BESIDE, at + BESIDE].map(|xi| profile.slope(xi, half_width));
             matches!(beside, [Some(left), Some(right)]
-                if (right - left).abs() > AT_KINK * (right.abs() + left.abs()))
+                if (right - left).abs() > BENT * (right.abs() + left.abs()))
         };
         let breaks = profile.breakpoints(half_width);
         let under_kink = breaks.iter().any(|at| (at - peak).abs() < AT_KINK && bends(*at));

@@ -46,7 +46,10 @@ impl SmoothContact {
         let rates = |order: usize| smooth_rates(load, [self.force0(), finite], inputs(order));
         let (rates, coarse) = (rates(2), rates(1));
         let errors = std::array::from_fn(|input| {
-            std::array::from_fn(|k| (rates[input][k] - coarse[input][k]).abs())
+            std::array::from_fn(|k| {
+                let noise = if k == 4 { flat.noise() * rates[input][k].abs() } else { 0.0 };
+                (rates[input][k] - coarse[input][k]).abs() + noise
+            })
         });
         Some(Linearised { rates, errors })
     }
@@ -95,6 +98,17 @@ impl<'s> Flat<'s> {
             }
         }
         sum
+    }
+
+    /// Largest rounding of a bend at a free end relative to it.
+    fn noise(&self) -> f64 {
+        let of = |(j, part): (usize, &Part)| {
+            let free = (0..2).filter(|side| part.zone.is_free[*side]);
+            let bends = free.map(|side| self.bend(j, if side == 0 { PI } else { 0.0 }, 2).abs());
+            let rounding = 4.0 * self.solved.end_rounding(j) / (BESIDE * BESIDE);
+            bends.fold(0.0, |most: f64, bend| most.max(rounding / bend))
+        };
+        self.solved.parts.iter().enumerate().map(of).fold(0.0, f64::max)
     }
 
     /// `d^2 G/dphi^2` at an end of a zone.

@@ -11,7 +11,7 @@ mod ring;
 mod tilted;
 
 use fredholm::SincSolution;
-use fredholm::collocation::{extrapolate, first_half_count};
+use fredholm::collocation::{extrapolate, first_half_count, rounding};
 use fredholm::kernel::Kernel;
 
 use super::RATIO;
@@ -33,6 +33,8 @@ const MOST_NODES: f64 = 1200.0;
 const NODES_PER_DEGREE: f64 = 2.0;
 /// Step of the difference quotient of a disk's kernel, as a share of the distance: of fourth order, so `1e-12`.
 const STEP: f64 = 1e-3;
+/// Rounding of a sum relative to the sizes of its terms.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A solution, on whatever nodes.
 struct Known<'k, 'p> {
@@ -45,6 +47,8 @@ struct Known<'k, 'p> {
     tilt: f64,
     /// Where the pressure is largest.
     peak: f64,
+    /// Rounding of `v` over the length `1/theta0` in which its slope at an edge changes where the layer is thin.
+    noise: f64,
 }
 
 impl UnilateralContact {
@@ -66,6 +70,7 @@ impl UnilateralContact {
             displacement: &|xi| solved.state.settlement - tilt * xi - solved.layer_at(xi, 0.0),
             tilt,
             peak: self.locate(peak),
+            noise: base.steepness() * solved.rounding(),
         };
         let found = known.linearised(solved.panel_count() / 2)?;
         match self.tilted() {
@@ -101,6 +106,7 @@ impl Problem {
             displacement,
             tilt: 0.0,
             peak,
+            noise: 0.0,
         };
         known.linearised(half_count)
     }
@@ -116,13 +122,29 @@ impl Known<'_, '_> {
         let (coarse, middle, fine) = (level(-2)?, level(-1)?, level(0)?);
         let errors = std::array::from_fn(|input| {
             std::array::from_fn(|k| {
-                let [one, two, three] = [coarse, middle, fine].map(|rates| rates[input][k]);
+                let of = |found: &[Change; 3]| found[input].rates[k];
+                let (one, two, three) = (of(&coarse), of(&middle), of(&fine));
                 let scale = three.abs().max(f64::MIN_POSITIVE);
-                extrapolate((one - two).abs(), (two - three).abs(), scale, RATIO)
+                let resolved = extrapolate((one - two).abs(), (two - three).abs(), scale, RATIO);
+                resolved + fine[input].noise[k]
             })
         });
-        Some(Linearised { rates: fine, errors })
+        Some(Linearised { rates: fine.map(|change| change.rates), errors })
     }
+}
+
+/// A first-order change, with its rounding.
+#[derive(Default, Clone, Copy)]
+struct Change {
+    rates: Rates,
+    noise: Rates,
+}
+
+/// A free edge: the node beside it, and `dv/dxi` outwards there with its rounding.
+struct Edge {
+    node: usize,
+    slope: f64,
+    noise: f64,
 }
 
 /// The linearised equation on some nodes.
@@ -141,7 +163,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
         Ok(Self { known, system, layer })
     }
 
-    fn rates(&self) -> Result<[Rates; 3], Error> {
+    fn rates(&self) -> Result<[Change; 3], Error> {
         let system = &self.system;
         let law = self.known.base.layer;
         let factor = if law.is_linear() {
@@ -154,48 +176,58 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
         let given: Vec<f64> =
             system.positions.iter().map(|&xi| -(self.known.displacement)(xi)).collect();
         let elastic = system.direction(&factor.solve(&given)?, 1.0, [0.0; 2]);
-        let slopes = self.edge_slopes()?;
+        let edges = self.edges()?;
         // The tilt of a disk is another harmonic, a wave has none.
         let is_level = system.medium.is_disk() || system.medium.is_closed();
         let rotates =
             !is_level && !matches!(system.base.load.rotational, Rotational::Eccentricity(_));
-        let rates = |share: f64, prescribed: [f64; 2]| -> Result<Rates, Error> {
+        let rates = |share: f64, prescribed: [f64; 2]| -> Result<Change, Error> {
             let local = system.met(&frame, &elastic.scaled(share), prescribed)?;
             let right: Vec<f64> = (system.operator.positions().zip(&given))
                 .map(|(y, g)| share * g + local[0] - local[1] * y)
                 .collect();
             let solution = factor.solve(&right)?;
-            Ok(self.rates_of(&solution, share, local, &slopes))
+            Ok(self.change(&solution, share, local, &edges))
         };
         Ok([
             rates(1.0, [0.0, 0.0])?,
             rates(0.0, [1.0, 0.0])?,
-            if rotates { rates(0.0, [0.0, 1.0])? } else { [0.0; 5] },
+            if rotates { rates(0.0, [0.0, 1.0])? } else { Change::default() },
         ])
     }
 
-    /// The rates of a change of the layer with these changes of `theta0`, `D` and `beta`.
-    fn rates_of(
+    /// What a change of the layer with these changes of `ln theta0`, `D` and `beta` amounts to.
+    fn change(
         &self,
         solution: &SincSolution,
         share: f64,
         local: [f64; 2],
-        slopes: &[(usize, f64)],
-    ) -> Rates {
+        edges: &[Edge],
+    ) -> Change {
         let system = &self.system;
         let state = system.changes(&system.direction(solution, 1.0, local));
-        let Known { base, layer, displacement, peak, .. } = self.known;
+        let Known { base, layer, displacement, peak, noise: of_layer, .. } = self.known;
         let place = place(&system.panels, &system.hull, *peak);
         let given = -share * displacement(*peak) + local[0] - local[1] * place.position;
-        let pressure = base.layer.slope(layer(*peak)) * solution.evaluate_place(place, given);
+        let slope = base.layer.slope(layer(*peak));
+        let pressure = slope * solution.evaluate_place(place, given);
+        let rounded = rounding(solution);
         // An image on the other side of the axis moves along.
         let sides = if base.medium.is_disk() { 2.0 } else { 1.0 };
-        let width: f64 = slopes.iter().map(|(node, slope)| -solution.values()[*node] / slope).sum();
-        [state.settlement, state.force, state.tilt, pressure, sides * width]
+        let (mut width, mut noise) = (0.0, 0.0);
+        for Edge { node, slope, noise: of_slope } in edges {
+            let moved = -sides * solution.values()[*node] / slope;
+            width += moved;
+            noise += (sides * rounded + moved.abs() * (of_slope + of_layer)) / slope.abs();
+        }
+        Change {
+            rates: [state.settlement, state.force, state.tilt, pressure, width],
+            noise: [0.0, 0.0, 0.0, slope * rounded, noise],
+        }
     }
 
-    /// The node beside each free edge, with `dv/dxi` outwards there.
-    fn edge_slopes(&self) -> Result<Vec<(usize, f64)>, Error> {
+    /// The free edges.
+    fn edges(&self) -> Result<Vec<Edge>, Error> {
         let Known { base, zones, .. } = self.known;
         let free: Vec<(usize, usize)> = (0..zones.len())
             .flat_map(|zone| [(zone, 0), (zone, 1)])
@@ -216,22 +248,26 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
             .into_iter()
             .map(|(zone, side)| {
                 let node = end_node(&system.panels, count, zone, side);
-                let slope = self.layer_slope(zones[zone].ends[side].at, &masses);
-                (node, if side == 0 { -slope } else { slope })
+                let (slope, noise) = self.layer_slope(zones[zone].ends[side].at, &masses);
+                Edge { node, slope: if side == 0 { -slope } else { slope }, noise }
             })
             .collect())
     }
 
-    /// `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm` at a free edge, where the pressure vanishes.
-    fn layer_slope(&self, edge: f64, masses: &[f64]) -> f64 {
+    /// `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm` at a free edge, where the pressure vanishes, and its rounding.
+    fn layer_slope(&self, edge: f64, masses: &[f64]) -> (f64, f64) {
         let Known { base, tilt, .. } = self.known;
         let frame = base.problem.frame();
         let scale = frame.scaling().map_or(1.0, Scaling::displacement);
         let profile = base.problem.profile().slope(base.on_base(edge), frame.half_width());
-        let body: f64 = (self.system.positions.iter().zip(masses))
-            .map(|(&xi, mass)| mass * kernel_slope(&base.medium, edge, xi))
-            .sum();
-        -tilt - profile.unwrap_or(f64::NAN) / scale - self.system.strength() * body
+        let profile = profile.unwrap_or(f64::NAN) / scale;
+        let (mut body, mut size) = (0.0, tilt.abs() + profile.abs());
+        for (&xi, mass) in self.system.positions.iter().zip(masses) {
+            let part = self.system.strength() * mass * kernel_slope(&base.medium, edge, xi);
+            body += part;
+            size += part.abs();
+        }
+        (-tilt - profile - body, ROUNDING * size)
     }
 }
 
