@@ -10,7 +10,8 @@ use crate::{Contact, Error, ErrorKind, Rotational, Vertical};
 /// Derivatives of the answer, by its linearised equation or by central differences of complete solves.
 ///
 /// What [`held`](Self::held) names stays as it is, and so do profile and geometry. The settlement is that in its gauge. Where an edge of the contact
-/// is just about to move or the largest pressure to change its place, a derivative has two sides, and its error is as large as their difference.
+/// is just about to move or the largest pressure to change its place, a derivative has two sides: the linearised equation gives that of the contact as it is, the error of differences
+/// is as large as what the sides differ by.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Sensitivities {
     /// Always an estimate.
