@@ -5,7 +5,7 @@ use std::f64::consts::{LN_2, PI};
 use crate::support::{bare, close, load, physical};
 use shtaerman::{
     Contact, Derivatives, Elastic, Frame, Geometry, Grading, Load, Problem, Profile, Rotational,
-    Roughness, Sensitivities, Solver, Vertical,
+    Roughness, Scaling, Sensitivities, Solver, Vertical,
 };
 
 const PLANE: Geometry = Geometry::Plane;
@@ -63,12 +63,12 @@ struct Row {
 
 fn rows(contact: &Contact, found: &Sensitivities) -> Vec<Row> {
     let frame = contact.problem().frame();
-    let roughness = match frame.scaling().map(|scaling| scaling.roughness()) {
+    let roughness = match frame.scaling().map(Scaling::roughness) {
         Some(Roughness::Linear { compliance }) => compliance,
         Some(Roughness::Power { coefficient, .. }) => coefficient,
         _ => 0.0,
     };
-    let modulus = frame.scaling().map_or(0.0, |scaling| scaling.pressure());
+    let modulus = frame.scaling().map_or(0.0, Scaling::pressure);
     let parts: [(&str, Option<Derivatives>, f64); 5] = [
         ("settlement", found.settlement, contact.settlement()),
         ("force", found.force, contact.force()),
