@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::accuracy::Accuracy;
 use super::draft::Draft;
-use super::extremes::Sampled;
+use super::extremes::{Extreme, Sampled};
 use super::solution::Solution;
 use super::unilateral::Complementarity;
 use super::warning::Warning;
@@ -77,6 +77,9 @@ impl Contact {
             let sampled = Sampled::new(|xi| contact.pressure0(xi), places, pressures);
             (sampled.maximum(), sampled.negative())
         };
+        let is_round = problem.frame().is_circular() && contact.is_level;
+        let place = if is_round { peak.place.abs() } else { peak.place };
+        let peak = Extreme { place, ..peak };
         contact.peak = contact.singular_peak().unwrap_or((peak.value, peak.place));
         if problem.solver().contact == ContactKind::Bilateral {
             contact.tension = tension;
