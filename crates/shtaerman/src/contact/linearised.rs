@@ -19,6 +19,19 @@ pub(crate) struct Linearised {
 }
 
 impl Linearised {
+    /// With settlement, force and tilt under a changed load by the stiffness of the answer, which a truncated kernel makes its own.
+    pub(super) fn with_stiffness(mut self, stiffness: &Stiffness, load: &Load) -> Self {
+        let rotates = !matches!(load.rotational, Rotational::Eccentricity(_));
+        for (input, prescribed) in [(1, [1.0, 0.0]), (2, [0.0, 1.0])] {
+            if input == 1 || rotates {
+                let [raise, turn] = stiffness.displaced(load, prescribed);
+                let force = stiffness.force_settlement * raise + stiffness.coupling * turn;
+                self.rates[input][..3].copy_from_slice(&[raise, force, -turn]);
+            }
+        }
+        self
+    }
+
     fn is_finite(&self) -> bool {
         [self.rates, self.errors].as_flattened().as_flattened().iter().all(|part| part.is_finite())
     }

@@ -131,7 +131,9 @@ impl Solution for FullBase {
 
     fn linearised(&self, problem: &Problem, peak: f64) -> Option<Linearised> {
         let displacement = |xi: f64| self.displacement(xi);
-        problem.linearised_full_base(&displacement, self.draft.method, self.profile_degree, peak)
+        let (method, degree) = (self.draft.method, self.profile_degree);
+        let found = problem.linearised_full_base(&displacement, method, degree, peak)?;
+        Some(found.with_stiffness(&self.stiffness(), &problem.dimensionless_load()))
     }
 
     fn size(&self) -> f64 {
