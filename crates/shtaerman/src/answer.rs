@@ -122,7 +122,7 @@ pub struct Dimensionless {
     /// The settlement relative to the data asked for, of a dimensionless problem.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub relative_settlement: Vec<RelativeSettlement>,
-    /// How the answer changes with `theta0` and load, where asked for of a dimensionless problem.
+    /// How the answer changes with `theta0` and load, of a dimensionless problem; where it was found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sensitivities: Option<Sensitivities>,
 }
@@ -169,7 +169,7 @@ pub struct Physical {
     /// Edge pressures `K/sqrt(E* chi)` that the corners of the same contact without roughness imply, `[left, right]` of each of its zones (Pa).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub implied_edge_pressure: Option<Vec<[f64; 2]>>,
-    /// How the answer changes with roughness, modulus and load, where asked for.
+    /// How the answer changes with roughness, modulus and load, where it was found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sensitivities: Option<Sensitivities>,
 }

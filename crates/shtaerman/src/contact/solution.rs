@@ -5,6 +5,7 @@ use std::fmt::Debug;
 use super::accuracy::Accuracy;
 use super::balance::State;
 use super::draft::Draft;
+use super::linearised::Linearised;
 use super::solved::{Method, Stiffness};
 use super::unilateral::Complementarity;
 use crate::Problem;
@@ -74,6 +75,11 @@ pub(super) trait Solution: Debug + Send + Sync {
         None
     }
 
+    /// How it changes to first order, the largest pressure being at `peak`; none where only differences of solutions tell.
+    fn linearised(&self, _problem: &Problem, _peak: f64) -> Option<Linearised> {
+        None
+    }
+
     /// A bound of the size of `p0 + f0`, for the check that an answer is finite.
     fn size(&self) -> f64;
 
@@ -121,6 +127,13 @@ impl Solution for FullBase {
 
     fn accuracy(&self) -> Option<&Accuracy> {
         self.draft.accuracy.as_ref()
+    }
+
+    fn linearised(&self, problem: &Problem, peak: f64) -> Option<Linearised> {
+        let displacement = |xi: f64| self.displacement(xi);
+        let (method, degree) = (self.draft.method, self.profile_degree);
+        let found = problem.linearised_full_base(&displacement, method, degree, peak)?;
+        Some(found.with_stiffness(&self.stiffness(), &problem.dimensionless_load()))
     }
 
     fn size(&self) -> f64 {

@@ -370,6 +370,11 @@ impl Contact {
         self.solution.size() * self.scale(Scaling::pressure)
     }
 
+    /// Whether tilt and moment are zero.
+    pub(super) fn is_level(&self) -> bool {
+        self.is_level
+    }
+
     pub(super) fn solution(&self) -> &dyn Solution {
         self.solution.as_ref()
     }

@@ -153,6 +153,14 @@ impl SmoothContact {
         self
     }
 
+    /// The zones with their densities; none for full contact of a wave.
+    pub(super) fn solved(&self) -> Option<&Solved> {
+        match &self.solution {
+            Solution::Zones(solved) => Some(solved),
+            Solution::Full(_) => None,
+        }
+    }
+
     /// Force on what the turn took below `-1`.
     fn force_before_seam(&self) -> f64 {
         let Solution::Zones(solved) = &self.solution else { return 0.0 };
@@ -378,7 +386,7 @@ impl SmoothContact {
     }
 
     /// A place in the turn of the solution.
-    fn local(&self, solved: &Solved, xi: f64) -> f64 {
+    pub(super) fn local(&self, solved: &Solved, xi: f64) -> f64 {
         if self.shift == 0.0 { solved.kernel.reduced(xi) } else { wrapped(xi - self.shift) }
     }
 }

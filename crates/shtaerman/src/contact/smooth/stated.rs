@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::{Curve, SmoothContact, SmoothKernel, SmoothProblem, SmoothProfile};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
+use crate::contact::linearised::Linearised;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::Complementarity;
@@ -166,6 +167,10 @@ impl Solution for SmoothContact {
 
     fn relative_error(&self) -> f64 {
         SmoothContact::relative_error(self)
+    }
+
+    fn linearised(&self, _: &Problem, peak: f64) -> Option<Linearised> {
+        self.first_order(peak)
     }
 
     fn size(&self) -> f64 {

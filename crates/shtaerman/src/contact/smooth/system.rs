@@ -60,6 +60,11 @@ impl Part {
         0.5 * self.zone.length()
     }
 
+    /// Number of modes that are coupled.
+    pub(super) fn count(&self) -> usize {
+        self.modes.len()
+    }
+
     /// The part of `G` that few modes make.
     pub(super) fn smooth_at(&self, angle: f64) -> f64 {
         cosines(&self.smooth, angle)
@@ -115,7 +120,7 @@ impl Part {
 }
 
 /// `sum c_k cos(k phi)`.
-fn cosines(coefficients: &[f64], angle: f64) -> f64 {
+pub(super) fn cosines(coefficients: &[f64], angle: f64) -> f64 {
     let cosine = angle.cos();
     let (mut next, mut after) = (0.0, 0.0);
     for c in coefficients.iter().skip(1).rev() {

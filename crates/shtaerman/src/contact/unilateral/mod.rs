@@ -16,6 +16,7 @@ mod field;
 mod fine;
 mod harmonic;
 mod layer;
+mod linearised;
 mod medium;
 mod motion;
 mod power;

@@ -125,6 +125,18 @@ pub(super) struct System<'b, 'p> {
 }
 
 impl Direction {
+    /// So much of the direction, `D` and `beta` included.
+    pub(super) fn scaled(&self, share: f64) -> Self {
+        Self {
+            values: self.values.iter().map(|v| share * v).collect(),
+            spread: share * self.spread,
+            force: share * self.force,
+            moment: share * self.moment,
+            constant: share * self.constant,
+            slope: share * self.slope,
+        }
+    }
+
     /// The direction with its pressure divided, `D` and `beta` as they are.
     pub(super) fn per(self, divisor: f64) -> Self {
         Self {
@@ -138,7 +150,11 @@ impl Direction {
 }
 
 impl<'b, 'p> System<'b, 'p> {
-    fn new(base: &'b Base<'p>, resolution: &Resolution, zones: &[Zone]) -> Result<Self, Error> {
+    pub(super) fn new(
+        base: &'b Base<'p>,
+        resolution: &Resolution,
+        zones: &[Zone],
+    ) -> Result<Self, Error> {
         let (Some(first), Some(last)) = (zones.first(), zones.last()) else {
             return Err(Error::NoContact);
         };
@@ -316,21 +332,30 @@ impl<'b, 'p> System<'b, 'p> {
         Direction { values, spread: force, force, moment, constant, slope }
     }
 
-    /// What a direction adds to the two prescribed quantities.
-    pub(super) fn conditions(&self, direction: &Direction) -> [f64; 2] {
+    /// Settlement, tilt, force and moment of a direction.
+    pub(super) fn changes(&self, direction: &Direction) -> State {
         let Hull { centre, half } = self.hull;
         let Direction { spread, force, moment, constant, slope, .. } = direction;
+        State {
+            settlement: constant + centre / half * slope - self.base.theta * self.gauge() * spread,
+            tilt: slope / half,
+            force: *force,
+            moment: *moment,
+        }
+    }
+
+    /// What a direction adds to the two prescribed quantities.
+    pub(super) fn conditions(&self, direction: &Direction) -> [f64; 2] {
+        let State { settlement, tilt, force, moment } = self.changes(direction);
         [
             match self.base.load.vertical {
-                Vertical::Force(_) => *force,
-                Vertical::Settlement(_) => {
-                    constant + centre / half * slope - self.base.theta * self.gauge() * spread
-                }
+                Vertical::Force(_) => force,
+                Vertical::Settlement(_) => settlement,
             },
             match self.base.load.rotational {
-                Rotational::Moment(_) => *moment,
+                Rotational::Moment(_) => moment,
                 Rotational::Eccentricity(e) => moment - e * force,
-                Rotational::Tilt(_) => slope / half,
+                Rotational::Tilt(_) => tilt,
             },
         ]
     }

@@ -60,6 +60,10 @@ impl SmoothDiskContact {
         })
     }
 
+    pub(super) fn field(&self) -> &Field {
+        &self.field
+    }
+
     /// The problem solved.
     #[must_use]
     pub fn problem(&self) -> &SmoothDisk {

@@ -12,6 +12,7 @@
 mod answer;
 mod check;
 mod field;
+mod linearised;
 mod radius;
 mod shape;
 mod stated;

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::{SmoothDisk, SmoothDiskContact};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
+use crate::contact::linearised::Linearised;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::{Complementarity, require_even};
@@ -137,6 +138,10 @@ impl Solution for SmoothDiskContact {
 
     fn complementarity(&self) -> Option<Complementarity> {
         self.problem().is_unilateral.then(|| SmoothDiskContact::complementarity(self))
+    }
+
+    fn linearised(&self, _: &Problem, peak: f64) -> Option<Linearised> {
+        Some(self.first_order(peak))
     }
 
     fn size(&self) -> f64 {
