@@ -17,6 +17,7 @@ mod harmonics;
 mod kernel;
 mod legendre;
 mod linear;
+mod panels;
 mod problem;
 mod slopes;
 mod stated;
