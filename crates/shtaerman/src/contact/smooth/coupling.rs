@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 
-use super::kernel::SmoothKernel;
+use super::kernel::{Remainder, SmoothKernel};
 use super::linear::Symmetric;
 use super::zones::Zone;
 use crate::Error;
@@ -142,8 +142,12 @@ impl Nodes {
         let (centre, half) = (0.5 * (zone.left() + zone.right()), 0.5 * zone.length());
         let turn = |q: usize| PI * (q as f64 + 0.5) / count as f64;
         let angles: Vec<f64> = (0..count).map(turn).collect();
-        let cosines =
-            angles.iter().flat_map(|a| (0..count).map(move |k| (k as f64 * a).cos())).collect();
+        // All of them are cosines of multiples of a quarter turn over the count.
+        let table: Vec<f64> =
+            (0..4 * count).map(|m| (FRAC_PI_2 * m as f64 / count as f64).cos()).collect();
+        let cosine = |q: usize, k: usize| table[(2 * q + 1) * k % (4 * count)];
+        let cosines = (0..count).flat_map(|q| (0..count).map(move |k| (q, k)));
+        let cosines = cosines.map(|(q, k)| cosine(q, k)).collect();
         Self { zone, centre, half, angles, cosines }
     }
 
@@ -168,8 +172,8 @@ fn block(
         let shift = image * kernel.period().unwrap_or(0.0);
         add_image(&mut values, target, source, shift)?;
     }
-    if kernel.period().is_some() {
-        add_remainder(&mut values, kernel, target, source);
+    if let Some(remainder) = kernel.remainder() {
+        add_remainder(&mut values, remainder, target, source);
     }
     let mut block = vec![0.0; rows * columns];
     for q in 0..rows {
@@ -211,14 +215,15 @@ fn add_image(values: &mut [f64], target: &Nodes, source: &Nodes, shift: f64) -> 
     Ok(())
 }
 
-fn add_remainder(values: &mut [f64], kernel: SmoothKernel, target: &Nodes, source: &Nodes) {
+fn add_remainder(values: &mut [f64], remainder: Remainder, target: &Nodes, source: &Nodes) {
     let columns = source.count();
+    let sources: Vec<f64> =
+        source.angles.iter().map(|angle| source.centre + source.half * angle.cos()).collect();
     for (q, angle) in target.angles.iter().enumerate() {
         let x = target.centre + target.half * angle.cos();
         let row = &mut values[q * columns..(q + 1) * columns];
-        for (r, other) in source.angles.iter().enumerate() {
-            let s = source.centre + source.half * other.cos();
-            let weight = PI / columns as f64 * kernel.remainder(x - s);
+        for (r, s) in sources.iter().enumerate() {
+            let weight = PI / columns as f64 * remainder.at(x - s);
             let cosines = &source.cosines[r * columns..(r + 1) * columns];
             row.iter_mut().zip(cosines).for_each(|(v, c)| *v += weight * c);
         }

@@ -104,6 +104,24 @@ impl Harmonics {
         terms.take(degree).enumerate().map(|(k, term)| term / (k + 1) as f64)
     }
 
+    /// The highest harmonic.
+    pub(super) fn len(&self) -> usize {
+        self.cosines.len().max(self.sines.len())
+    }
+
+    /// The series of `f - mean`, the conjugate of which is that of the slope: its [conjugate](Self::conjugate) are the heights.
+    pub(super) fn heights(&self) -> Self {
+        let divided = |terms: &[f64]| -> Vec<f64> {
+            terms.iter().enumerate().map(|(k, term)| term / (k + 1) as f64).collect()
+        };
+        Self { cosines: divided(&self.cosines), sines: divided(&self.sines) }
+    }
+
+    /// `k f_k` from `k = 1`.
+    pub(super) fn cosines(&self) -> &[f64] {
+        &self.cosines
+    }
+
     fn new(slopes: &Slopes, count: usize) -> Self {
         let turns = if slopes.is_odd() { 2.0 } else { 1.0 };
         let mut cosines = vec![0.0; count];

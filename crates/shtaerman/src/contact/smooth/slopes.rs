@@ -64,27 +64,39 @@ impl Slopes {
         [panels, turns]: [usize; 2],
         tolerance: f64,
     ) -> Self {
-        let is_odd = turns == 1;
         if bends.is_empty()
-            && let Some(Resolved { series, mean, largest, heights }) =
-                Harmonics::sampled(profile, is_odd)
+            && let Some(sampled) = Self::sampled(profile, turns == 1)
         {
-            let (panels, jumps) = (Vec::new(), Vec::new());
-            let error = SAMPLED * f64::EPSILON * largest;
-            let (end_error, mode_error) = (error, error + profile.rounding(heights, largest));
-            let series = Some(series);
-            return Self {
-                panels,
-                is_odd,
-                jumps,
-                mean,
-                error,
-                end_error,
-                mode_error,
-                largest,
-                series,
-            };
+            return sampled;
         }
+        Self::on_panels(profile, bends, [panels, turns], tolerance)
+    }
+
+    /// The slope as a short series by equally spaced samples, if it is one.
+    pub(super) fn sampled(profile: &dyn Angular, is_odd: bool) -> Option<Self> {
+        let Resolved { series, mean, largest, heights } = Harmonics::sampled(profile, is_odd)?;
+        let error = SAMPLED * f64::EPSILON * largest;
+        Some(Self {
+            panels: Vec::new(),
+            is_odd,
+            jumps: Vec::new(),
+            mean,
+            error,
+            end_error: error,
+            mode_error: error + profile.rounding(heights, largest),
+            largest,
+            series: Some(series),
+        })
+    }
+
+    /// The slope on panels.
+    pub(super) fn on_panels(
+        profile: &dyn Angular,
+        bends: &[f64],
+        [panels, turns]: [usize; 2],
+        tolerance: f64,
+    ) -> Self {
+        let is_odd = turns == 1;
         let start = if is_odd { 0.0 } else { -PI };
         let count = panels * turns;
         let width = PI / panels as f64;
@@ -181,6 +193,16 @@ impl Slopes {
 
     pub(super) fn mode_error(&self) -> f64 {
         self.mode_error
+    }
+
+    /// Whether equally spaced samples gave all, whatever the panels.
+    pub(super) fn is_sampled(&self) -> bool {
+        self.series.is_some() && self.panels.is_empty()
+    }
+
+    /// The short series of `F` and `f`, where there is one.
+    pub(super) fn series(&self) -> Option<&Harmonics> {
+        self.series.as_ref()
     }
 
     /// `F(phi)`.
