@@ -185,8 +185,10 @@ impl Contact {
     /// # Errors
     /// [`Error::BeyondPunch`] as soon as one lies outside the closed base or is NaN.
     pub fn pressures(&self, places: &[f64]) -> Result<Vec<f64>, Error> {
-        let on_base: Vec<f64> =
-            places.iter().map(|&x| self.on_base(x)).collect::<Result<_, _>>()?;
+        let mut on_base = places.to_vec();
+        for place in &mut on_base {
+            *place = self.on_base(*place)?;
+        }
         let mut pressures = self.solution.pressures(&self.problem, &on_base);
         let scale = self.scale(Scaling::pressure);
         pressures.iter_mut().for_each(|p| *p *= scale);

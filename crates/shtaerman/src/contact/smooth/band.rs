@@ -44,10 +44,13 @@ impl Band {
         Some(Self { slopes, samples })
     }
 
-    /// The sample next to a place, as its number.
+    /// The sample next to a place, as its number; the last where it might be the first, from which nothing has to be turned.
     pub(super) fn nearest(&self, place: f64) -> usize {
         let last = self.samples.len() - 1;
-        ((0.5 * (place + 1.0) * last as f64).round() as usize).min(last)
+        match (0.5 * (place + 1.0) * last as f64).round() as usize {
+            0 => last,
+            number => number.min(last),
+        }
     }
 
     /// The samples seen from the one with this number, which becomes `-1` and `1`.

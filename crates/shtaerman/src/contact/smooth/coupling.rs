@@ -86,11 +86,12 @@ pub(super) fn couple(
                 continue;
             }
             let block = block(kernel, &nodes[j], &nodes[i], i == j)?;
+            let scales: Vec<f64> = (0..counts[i]).map(scale).collect();
             for m in 0..counts[j] {
                 let first = if i == j { m } else { 0 };
+                let (factor, row) = (scale(m) * norm(m), &block[m * counts[i]..][..counts[i]]);
                 for n in first..counts[i] {
-                    let value = scale(m) * norm(m) * block[m * counts[i] + n] * scale(n);
-                    matrix.add(offsets[j] + m, offsets[i] + n, value);
+                    matrix.add(offsets[j] + m, offsets[i] + n, factor * row[n] * scales[n]);
                 }
             }
         }
@@ -180,7 +181,8 @@ fn block(
         for m in 0..rows {
             let weight = target.cosines[q * rows + m] / (rows as f64 * norm(m) / PI);
             let row = &mut block[m * columns..(m + 1) * columns];
-            row.iter_mut().zip(&values[q * columns..]).for_each(|(b, v)| *b += weight * v);
+            let values = &values[q * columns..(q + 1) * columns];
+            row.iter_mut().zip(values).for_each(|(b, v)| *b += weight * v);
         }
     }
     Ok(block)
@@ -198,6 +200,7 @@ fn add_image(values: &mut [f64], target: &Nodes, source: &Nodes, shift: f64) -> 
     if gap.is_nan() || gap <= 0.0 {
         return Err(unresolved(gap));
     }
+    let weights: Vec<f64> = (0..columns).map(|n| PI / n.max(1) as f64).collect();
     for (q, angle) in target.angles.iter().enumerate() {
         let (sine, cosine) = (0.5 * angle).sin_cos();
         let inside = if is_right { cosine * cosine } else { sine * sine };
@@ -207,9 +210,9 @@ fn add_image(values: &mut [f64], target: &Nodes, source: &Nodes, shift: f64) -> 
         let row = &mut values[q * columns..(q + 1) * columns];
         row[0] += PI * (LN_2 - source.half.ln() - excess.ln_1p());
         let mut power = 1.0;
-        for (n, value) in row.iter_mut().enumerate().skip(1) {
+        for (value, weight) in row[1..].iter_mut().zip(&weights[1..]) {
             power *= ratio;
-            *value += PI / n as f64 * power;
+            *value += weight * power;
         }
     }
     Ok(())

@@ -41,15 +41,15 @@ impl Density {
 
     /// Clenshaw's recurrence.
     fn side_by_side<const N: usize>(&self, y: [f64; N]) -> [f64; N] {
+        let twice = y.map(|y| 2.0 * y);
         let (mut next, mut after) = ([0.0; N], [0.0; N]);
-        for term in self.terms.iter().skip(1).rev() {
-            for lane in 0..N {
-                let value = term + 2.0 * y[lane] * next[lane] - after[lane];
-                (next[lane], after[lane]) = (value, next[lane]);
-            }
+        let (first, others) = self.terms.split_first().unwrap_or((&0.0, &[]));
+        for term in others.iter().rev() {
+            let sum: [f64; N] =
+                std::array::from_fn(|lane| twice[lane] * next[lane] + (term - after[lane]));
+            (next, after) = (sum, next);
         }
-        let first = self.terms.first().copied().unwrap_or(0.0);
-        std::array::from_fn(|lane| first + y[lane] * next[lane] - after[lane])
+        std::array::from_fn(|lane| y[lane] * next[lane] + (first - after[lane]))
     }
 
     /// `sum (pi/k) g_k ratio^k` from `k = 1`: what these terms displace beyond the zone.

@@ -53,8 +53,9 @@ pub(super) struct Remainder {
     level: f64,
 }
 
-/// `(zeta(2k) - 1)/k` from `k = 1`: `-ln[sin(pi z)/(pi z (1 - z^2))]` is their sum with `z^(2k)`, to rounding for `z < 1/2`.
-const BENDS: [f64; 14] = [
+/// `(zeta(2k) - 1)/k` from `k = 1`: `-ln[sin(pi z)/(pi z (1 - z^2))]` is their sum with `z^(2k)`, to rounding for
+/// `z < 1/2` with the first [`FEW`] and for `z < 0.85` with all.
+const BENDS: [f64; 22] = [
     0.644_934_066_848_226_4,
     0.041_161_616_855_569_096,
     0.005_781_020_661_483_046_6,
@@ -69,14 +70,26 @@ const BENDS: [f64; 14] = [
     4.967_349_087_604_957e-9,
     1.146_273_448_335_772_4e-9,
     2.660_952_874_848_898e-10,
+    6.208_849_549_464_455e-11,
+    1.455_194_896_047_815_9e-11,
+    3.423_983_581_119_235_8e-12,
+    8.084_401_050_578_88e-13,
+    1.914_726_077_567_711_2e-13,
+    4.547_473_920_131_944_6e-14,
+    1.082_731_831_345_072_6e-14,
+    2.583_791_812_557_993_5e-15,
 ];
+const FEW: usize = 14;
 
 impl Remainder {
     pub(super) fn at(self, distance: f64) -> f64 {
         let z = (distance / self.period).abs();
+        let square = z * z;
         if z < 0.5 {
-            let square = z * z;
-            return self.level + BENDS.iter().rev().fold(0.0, |sum, bend| square * (bend + sum));
+            return self.level + BENDS[..FEW].iter().rev().fold(0.0, |sum, b| square * (b + sum));
+        }
+        if z < 0.85 {
+            return self.level + BENDS.iter().rev().fold(0.0, |sum, b| square * (b + sum));
         }
         // About its nearer zero.
         self.level - (sine_quotient(1.0 - z) / (z * (1.0 + z))).ln()
@@ -95,7 +108,7 @@ mod tests {
     #[test]
     fn the_parts_add_up() {
         let kernel = SmoothKernel::Periodic { period: 2.7 };
-        for d in [1e-9f64, 0.3, 1.0, 1.349_999, 1.35, 2.0, 2.699, 3.1] {
+        for d in [1e-9f64, 0.3, 1.0, 1.349_999, 1.35, 2.0, 2.2949, 2.2951, 2.699, 3.1] {
             let images: f64 = kernel.images().iter().map(|m| -(d + m * 2.7).abs().ln()).sum();
             let exact = -(2.0 * (PI * d / 2.7).sin().abs()).ln();
             let found = images + kernel.remainder().unwrap().at(d);

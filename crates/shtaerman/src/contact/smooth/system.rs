@@ -298,7 +298,11 @@ impl Solved {
 
     /// `p0` at a place of a zone; infinite at a singular end.
     pub(super) fn pressure(&self, part: usize, place: Place) -> f64 {
-        let density = self.parts[part].density_at(place);
+        self.singular(part, place, self.parts[part].density_at(place))
+    }
+
+    /// `p0` for a density.
+    fn singular(&self, part: usize, place: Place, density: f64) -> f64 {
         let root = (place.from_left * place.from_right).sqrt();
         if root == 0.0 {
             let side = usize::from(place.from_right == 0.0);
@@ -319,30 +323,28 @@ impl Solved {
 
     /// The same at many places.
     pub(super) fn pressures(&self, places: impl ExactSizeIterator<Item = f64>) -> Vec<f64> {
-        let mut pressures = vec![0.0; places.len()];
-        // Of each zone that has one series, the places in it: their numbers, roots of the distances, and cosines.
-        let mut inside: Vec<Inside> = vec![Inside::default(); self.parts.len()];
+        let count = places.len();
+        let mut pressures = vec![0.0; count];
+        let room = || Inside { places: Vec::with_capacity(count), ..Inside::default() };
+        let mut inside: Vec<Inside> = self.parts.iter().map(|_| room()).collect();
         for (i, xi) in places.enumerate() {
             let zone = self.parts.iter().position(|part| part.zone.contains(xi));
-            let Some(j) = zone.filter(|&j| self.parts[j].density.is_some()) else {
-                pressures[i] = self.pressure_at(xi);
-                continue;
-            };
-            let place = self.parts[j].place(xi);
-            let root = (place.from_left * place.from_right).sqrt();
-            if root > 0.0 {
-                inside[j].places.push((i, root));
-                inside[j].densities.push(place.cosine());
-            } else {
-                pressures[i] = self.pressure(j, place);
+            match zone {
+                Some(j) if self.parts[j].density.is_some() => {
+                    inside[j].places.push((i, self.parts[j].place(xi)));
+                }
+                Some(j) => pressures[i] = self.pressure(j, self.parts[j].place(xi)),
+                None if xi.is_nan() => pressures[i] = xi,
+                None => {}
             }
         }
-        for (part, Inside { places, mut densities }) in self.parts.iter().zip(inside) {
-            if let Some(density) = &part.density {
+        for (j, Inside { places, mut densities }) in inside.into_iter().enumerate() {
+            densities.extend(places.iter().map(|(_, place)| place.cosine()));
+            if let Some(density) = &self.parts[j].density {
                 density.replace(&mut densities);
             }
-            for ((i, root), density) in places.into_iter().zip(densities) {
-                pressures[i] = density / (self.theta0 * root);
+            for ((i, place), density) in places.into_iter().zip(densities) {
+                pressures[i] = self.singular(j, place, density);
             }
         }
         pressures
@@ -412,10 +414,10 @@ impl Solved {
     }
 }
 
-/// Places in a zone: numbers with roots of the distances from both ends, and cosines that become densities.
-#[derive(Default, Clone)]
+/// Places in a zone with their numbers, and cosines that become densities.
+#[derive(Default)]
 struct Inside {
-    places: Vec<(usize, f64)>,
+    places: Vec<(usize, Place)>,
     densities: Vec<f64>,
 }
 

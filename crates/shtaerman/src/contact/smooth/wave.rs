@@ -22,7 +22,7 @@ const ROUNDING: f64 = 1e-14;
 /// Points at which two resolutions are compared.
 const COMPARISONS: usize = 65;
 /// Steps towards the ends of the first zone.
-const CROSSINGS: usize = 4;
+const CROSSINGS: usize = 5;
 /// Panels of the integral for the moment.
 const PANELS: usize = 32;
 
@@ -106,37 +106,33 @@ impl FullWave {
         let top = (0..count).max_by(|&i, &j| along[i].1.total_cmp(&along[j].1))?;
         let at = |i: usize| along[i % count].1;
         let (before, peak, after) = (at(top + count - 1), at(top), at(top + 1));
-        // Of the parabola through three places.
+        // The top of the parabola through three places.
         let bend = 2.0 * peak - before - after;
-        let rise = if bend > 0.0 { (after - before).powi(2) / (8.0 * bend) } else { 0.0 };
-        let level = peak + rise - force;
+        let step = 2.0 / count as f64;
+        let beside = if bend > 0.0 { 0.5 * (after - before) / bend } else { 0.0 };
+        let level = peak.max(self.pressure(wrapped(along[top].0 + beside * step))) - force;
         let is_inside = |i: usize| at(i) > level;
         let rises: Vec<usize> = (0..count).filter(|&i| !is_inside(i) && is_inside(i + 1)).collect();
         let falls = (0..count).find(|&i| is_inside(i) && !is_inside(i + 1));
         let ([rise], Some(fall)) = (rises.as_slice(), falls) else { return None };
-        let step = 2.0 / count as f64;
         let crossing = |i: usize| self.crossing(along[i].0, step, level);
         let (left, right) = (crossing(*rise), crossing(fall));
         Some([left, if right > left { right } else { right + 2.0 }])
     }
 
-    /// Where the pressure takes a value between a place and the next.
+    /// About where the pressure takes a value between a place and the next, by secants.
     fn crossing(&self, at: f64, step: f64, level: f64) -> f64 {
         let excess = |xi: f64| self.pressure(wrapped(xi)) - level;
-        let (mut left, mut right) = ((at, excess(at)), (at + step, excess(at + step)));
+        let (mut one, mut two) = ((at, excess(at)), (at + step, excess(at + step)));
         for _ in 0..CROSSINGS {
-            let next = left.0 - left.1 * (right.0 - left.0) / (right.1 - left.1);
-            let middle = (next, excess(next));
-            if (middle.1 > 0.0) == (left.1 > 0.0) {
-                left = middle;
-            } else {
-                right = middle;
-            }
-            if !(left.0 < right.0 && left.1 != right.1) {
+            if one.1 == two.1 {
                 break;
             }
+            let next = two.0 - two.1 * (two.0 - one.0) / (two.1 - one.1);
+            let next = next.clamp(at, at + step);
+            (one, two) = (two, (next, excess(next)));
         }
-        if left.1.abs() < right.1.abs() { left.0 } else { right.0 }
+        two.0
     }
 }
 
@@ -290,5 +286,9 @@ fn moved(problem: &SmoothProblem, place: f64, seam: Option<f64>) -> SmoothProble
 
 /// A place moved by whole periods into `-1 .. 1`.
 pub(super) fn wrapped(xi: f64) -> f64 {
-    if xi.abs() < 1.0 { xi } else { xi - 2.0 * (0.5 * xi).round() }
+    match xi.abs() {
+        size if size < 1.0 => xi,
+        size if size < 3.0 => xi - 2f64.copysign(xi),
+        _ => xi - 2.0 * (0.5 * xi).round(),
+    }
 }
