@@ -106,12 +106,12 @@ mod tests {
 
     #[test]
     fn a_bump_between_the_samples_of_the_slope_is_none() {
-        // Of the width 0.004: the slope is sampled at steps of 1/32 and at a few places between.
+        // Of the width 0.002: the slope is sampled at steps of 1/32 and at a few places between.
         let problem = wave(
-            |x| (PI * x).cos() + 1e-3 * (-((x - 0.25) / 0.004).powi(2)).exp(),
+            |x| (PI * x).cos() + 1e-3 * (-((x - 0.25) / 0.002).powi(2)).exp(),
             |x| {
-                let u = (x - 0.25) / 0.004;
-                -PI * (PI * x).sin() - 0.5 * u * (-u * u).exp()
+                let u = (x - 0.25) / 0.002;
+                -PI * (PI * x).sin() - u * (-u * u).exp()
             },
         );
         assert!(Slopes::sampled(&Turn(&problem.profile), false).is_some());

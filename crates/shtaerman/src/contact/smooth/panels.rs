@@ -29,6 +29,7 @@ pub(super) struct Panel {
     /// `g(t) sin t` with its weights, and `sin^2(t/2)` or `cos^2(t/2)` of the nearer end.
     masses: [f64; ORDER],
     squares: [f64; ORDER],
+    sines: [f64; ORDER],
 }
 
 impl Panel {
@@ -38,11 +39,12 @@ impl Panel {
         let is_first = middle < FRAC_PI_2;
         let angles = RULE.nodes.map(|u| middle + half * u);
         let squares = angles.map(|t| square(t, is_first));
-        let mut masses = angles.map(f64::sin);
+        let sines = angles.map(f64::sin);
+        let mut masses = sines;
         for (i, mass) in masses.iter_mut().enumerate() {
             *mass *= half * RULE.weights[i] * values[i];
         }
-        Self { start, end, values, coefficients, is_first, masses, squares }
+        Self { start, end, values, coefficients, is_first, masses, squares, sines }
     }
 
     /// `g` at both ends.
@@ -63,6 +65,17 @@ impl Panel {
     pub(super) fn at(&self, angle: f64) -> f64 {
         let u = (angle - self.middle()) / self.half();
         polynomials(u).iter().zip(&self.coefficients).map(|(p, c)| p * c).sum()
+    }
+
+    /// `int g(t) atan(sin t/(excess + 1 - side cos t)) dt` by the nodes.
+    pub(super) fn turned(&self, excess: f64, side: f64) -> f64 {
+        let half = self.half();
+        let is_near = self.is_first == (side > 0.0);
+        let term = |i: usize| {
+            let square = if is_near { self.squares[i] } else { 1.0 - self.squares[i] };
+            RULE.weights[i] * self.values[i] * self.sines[i].atan2(excess + 2.0 * square)
+        };
+        half * (0..ORDER).map(term).sum::<f64>()
     }
 
     /// `p.v. int g(t) [cot((t - angle)/2) + cot((t + angle)/2)] dt` on a half turn.

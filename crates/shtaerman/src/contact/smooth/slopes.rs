@@ -8,11 +8,15 @@
 //! them, integrated against the pole by the Legendre functions of the second kind.
 
 use std::f64::consts::{FRAC_2_PI, PI, TAU};
+use std::sync::OnceLock;
 
 use super::harmonics::{Harmonics, Resolved};
 use super::legendre::{ORDER, RULE};
 use super::panels::{Builder, Panel, join};
 
+/// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding.
+const REMOTE: f64 = 0.8;
+const FIRST: usize = 64;
 /// Rounding of a sampled series, in units of the last place of the largest slope.
 const SAMPLED: f64 = 32.0;
 /// Last coefficients relative to the largest that count as resolved, at best.
@@ -53,6 +57,8 @@ pub(super) struct Slopes {
     largest: f64,
     /// The Fourier series of `F` and `f`, where it is short.
     series: Option<Harmonics>,
+    /// The first coefficients of `f`, once they are asked for.
+    first: OnceLock<Vec<f64>>,
 }
 
 impl Slopes {
@@ -86,6 +92,7 @@ impl Slopes {
             mode_error: error + profile.rounding(heights, largest),
             largest,
             series: Some(series),
+            first: OnceLock::new(),
         })
     }
 
@@ -148,6 +155,7 @@ impl Slopes {
             mode_error,
             largest,
             series: None,
+            first: OnceLock::new(),
         };
         if slopes.jumps.is_empty() {
             slopes.series = Harmonics::short(&slopes);
@@ -259,6 +267,11 @@ impl Slopes {
         if let Some(series) = self.series.as_ref().filter(|_| self.is_odd) {
             return series.outside(side / (1.0 + excess));
         }
+        if excess >= REMOTE && self.is_odd {
+            let terms = self.first.get_or_init(|| self.coefficients(FIRST));
+            let ratio = side / (1.0 + excess);
+            return terms[1..].iter().rev().fold(0.0, |sum, f| ratio * (f + sum));
+        }
         // sum (side/w)^k sin(k t)/k by parts: an angle that turns within w - 1 of the end
         let kernel = |angle: f64| {
             let s = (0.5 * angle).sin();
@@ -283,10 +296,13 @@ impl Slopes {
                 continue;
             }
             let is_whole = start == panel.start && finish == panel.end;
+            if is_whole {
+                sum += side * panel.turned(excess, side);
+                continue;
+            }
             for n in 0..ORDER {
                 let angle = middle + half * RULE.nodes[n];
-                let value = if is_whole { panel.values[n] } else { panel.at(angle) };
-                sum += half * RULE.weights[n] * value * kernel(angle);
+                sum += half * RULE.weights[n] * panel.at(angle) * kernel(angle);
             }
         }
         -2.0 / PI * sum

@@ -312,6 +312,11 @@ impl Solved {
         density / (self.theta0 * root)
     }
 
+    /// Whether all slopes are series of slopes that are known.
+    pub(super) fn is_sampled(&self) -> bool {
+        self.parts.iter().all(|part| part.slopes.is_sampled())
+    }
+
     /// `p0` anywhere, 0 outside the zones.
     pub(super) fn pressure_at(&self, xi: f64) -> f64 {
         match self.parts.iter().position(|part| part.zone.contains(xi)) {

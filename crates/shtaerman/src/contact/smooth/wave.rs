@@ -102,6 +102,10 @@ impl FullWave {
     /// A zone for a force: where the pressure of full contact is above its largest value less twice the mean. Of one cosine that is the zone itself,
     /// as Westergaard's half-width has `sin^2 = P0/(2 p*)`. None where it is in several parts.
     fn first_zone(&self, along: &[(f64, f64)], force: f64) -> Option<[f64; 2]> {
+        // On panels rounding is that of heights, and cells come as near.
+        if !self.slopes.is_sampled() {
+            return None;
+        }
         let count = along.len();
         let top = (0..count).max_by(|&i, &j| along[i].1.total_cmp(&along[j].1))?;
         let at = |i: usize| along[i % count].1;

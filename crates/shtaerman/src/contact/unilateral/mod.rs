@@ -17,6 +17,7 @@ mod fine;
 mod harmonic;
 mod layer;
 mod medium;
+mod mirror;
 mod motion;
 mod power;
 mod ring;
