@@ -179,7 +179,8 @@ pub(super) struct Builder<'p> {
     pub(super) tolerance: f64,
 }
 
-struct Sampled {
+/// What samples of an interval tell.
+pub(super) struct Sampled {
     coefficients: [f64; ORDER],
     integral: f64,
     /// Largest `|f|` and `|g|`.
@@ -190,10 +191,14 @@ struct Sampled {
 }
 
 impl Builder<'_> {
-    pub(super) fn first_scale(&self, cuts: &[f64]) -> [f64; 2] {
-        cuts.windows(2)
-            .map(|pair| self.sample(pair[0], pair[1]).sizes)
-            .fold([0.0; 2], |most, s| [most[0].max(s[0]), most[1].max(s[1])])
+    /// Samples between the first cuts, which give the scale.
+    pub(super) fn first(&mut self, cuts: &[f64]) -> Vec<Sampled> {
+        let samples: Vec<Sampled> =
+            cuts.windows(2).map(|pair| self.sample(pair[0], pair[1])).collect();
+        self.scale = samples.iter().fold([0.0; 2], |most, Sampled { sizes, .. }| {
+            [most[0].max(sizes[0]), most[1].max(sizes[1])]
+        });
+        samples
     }
 
     fn sample(&self, start: f64, end: f64) -> Sampled {
@@ -222,8 +227,15 @@ impl Builder<'_> {
         Sampled { coefficients, integral, sizes, tail, is_slope }
     }
 
-    pub(super) fn add(&mut self, start: f64, end: f64, depth: u32, before: f64) {
-        let Sampled { coefficients, integral, sizes, tail, is_slope } = self.sample(start, end);
+    /// Adds an interval, of which samples are known, as a panel or halved.
+    pub(super) fn add(
+        &mut self,
+        [start, end]: [f64; 2],
+        sampled: Sampled,
+        depth: u32,
+        before: f64,
+    ) {
+        let Sampled { coefficients, integral, sizes, tail, is_slope } = sampled;
         let half = 0.5 * (end - start);
         let (scale, rounding, error) = if is_slope {
             (self.scale[1], 0.0, tail)
@@ -245,7 +257,9 @@ impl Builder<'_> {
             return;
         }
         let middle = 0.5 * (start + end);
-        self.add(start, middle, depth + 1, tail);
-        self.add(middle, end, depth + 1, tail);
+        for [start, end] in [[start, middle], [middle, end]] {
+            let sampled = self.sample(start, end);
+            self.add([start, end], sampled, depth + 1, tail);
+        }
     }
 }

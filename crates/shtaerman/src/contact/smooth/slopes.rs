@@ -15,8 +15,8 @@ use super::legendre::{ORDER, RULE};
 use super::panels::{Builder, Panel, join};
 
 /// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding.
-const REMOTE: f64 = 0.8;
-const FIRST: usize = 64;
+const REMOTE: f64 = 0.48;
+const FIRST: usize = 96;
 /// Rounding of a sampled series, in units of the last place of the largest slope.
 const SAMPLED: f64 = 32.0;
 /// Last coefficients relative to the largest that count as resolved, at best.
@@ -124,9 +124,8 @@ impl Slopes {
             scale,
             tolerance,
         };
-        builder.scale = builder.first_scale(&cuts);
-        for pair in cuts.windows(2) {
-            builder.add(pair[0], pair[1], 0, f64::INFINITY);
+        for (pair, sampled) in cuts.windows(2).zip(builder.first(&cuts)) {
+            builder.add([pair[0], pair[1]], sampled, 0, f64::INFINITY);
         }
         let Builder { mut panels, sum, mut worst, scale, heights, is_by_heights, .. } = builder;
         // A polynomial through heights has a slope that differs by ORDER^2 over half a panel times theirs.
