@@ -85,9 +85,9 @@ impl Harmonics {
             // The harmonics at this sample are entries of one table: the angle counts from the start, half a turn off in a whole turn.
             let (quarter, turn) = (samples, 4 * samples);
             let (mut entry, mut mass) = (0, mass * sign);
-            for k in 0..cosines.len() {
+            for (k, term) in cosines.iter_mut().enumerate() {
                 entry = (entry + 2 * j + 1) % turn;
-                cosines[k] -= mass * table[entry];
+                *term -= mass * table[entry];
                 if let Some(term) = sines.get_mut(k) {
                     *term += mass * table[(entry + quarter) % turn];
                 }

@@ -231,11 +231,11 @@ impl Builder<'_> {
     pub(super) fn add(
         &mut self,
         [start, end]: [f64; 2],
-        sampled: Sampled,
+        sampled: &Sampled,
         depth: u32,
         before: f64,
     ) {
-        let Sampled { coefficients, integral, sizes, tail, is_slope } = sampled;
+        let Sampled { coefficients, integral, sizes, tail, is_slope } = *sampled;
         let half = 0.5 * (end - start);
         let (scale, rounding, error) = if is_slope {
             (self.scale[1], 0.0, tail)
@@ -259,7 +259,7 @@ impl Builder<'_> {
         let middle = 0.5 * (start + end);
         for [start, end] in [[start, middle], [middle, end]] {
             let sampled = self.sample(start, end);
-            self.add([start, end], sampled, depth + 1, tail);
+            self.add([start, end], &sampled, depth + 1, tail);
         }
     }
 }

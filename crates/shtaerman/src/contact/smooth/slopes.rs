@@ -125,7 +125,7 @@ impl Slopes {
             tolerance,
         };
         for (pair, sampled) in cuts.windows(2).zip(builder.first(&cuts)) {
-            builder.add([pair[0], pair[1]], sampled, 0, f64::INFINITY);
+            builder.add([pair[0], pair[1]], &sampled, 0, f64::INFINITY);
         }
         let Builder { mut panels, sum, mut worst, scale, heights, is_by_heights, .. } = builder;
         // A polynomial through heights has a slope that differs by ORDER^2 over half a panel times theirs.
