@@ -29,6 +29,11 @@ pub(super) trait Solution: Debug + Send + Sync {
     /// `p0(xi)` on the base, 0 outside the zones; infinite at a singular corner.
     fn pressure(&self, problem: &Problem, xi: f64) -> f64;
 
+    /// The same at many places.
+    fn pressures(&self, problem: &Problem, places: &[f64]) -> Vec<f64> {
+        places.iter().map(|&xi| self.pressure(problem, xi)).collect()
+    }
+
     /// `p0` in a zone by the distances from both of its ends, where the smaller may be far below the rounding of `xi`.
     fn pressure_beside(
         &self,

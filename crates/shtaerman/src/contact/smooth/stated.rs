@@ -118,6 +118,10 @@ impl Solution for SmoothContact {
         self.pressure0(xi)
     }
 
+    fn pressures(&self, _: &Problem, places: &[f64]) -> Vec<f64> {
+        self.pressures0(places)
+    }
+
     fn pressure_beside(&self, _: &Problem, zone: usize, from_left: f64, from_right: f64) -> f64 {
         self.pressure_beside0(zone, from_left, from_right)
     }
@@ -137,11 +141,11 @@ impl Solution for SmoothContact {
                 if xi < -1.0 { xi + 2.0 } else { xi }
             }));
         }
-        places.retain(|xi| xi.abs() <= 1.0 && self.pressure0(*xi).is_finite());
+        places.retain(|xi| xi.abs() <= 1.0);
         places.sort_by(f64::total_cmp);
         places.dedup();
-        let pressures = places.iter().map(|&xi| self.pressure0(xi)).collect();
-        (places, pressures)
+        let pressures = self.pressures0(&places);
+        places.into_iter().zip(pressures).filter(|(_, p)| p.is_finite()).unzip()
     }
 
     fn method(&self) -> Method {

@@ -114,11 +114,11 @@ impl Cells {
         for (i, one) in self.cells.iter().enumerate() {
             for (j, other) in self.cells.iter().enumerate() {
                 let mut entry = all[kept[i] * stride + kept[j]];
-                if let Some(period) = kernel.period() {
+                if let (Some(period), Some(remainder)) = (kernel.period(), kernel.remainder()) {
                     let d = one.centre() - other.centre();
                     let least = 0.25 * (one.width() + other.width());
                     let image = |shift: f64| -(d + shift).abs().max(least).ln();
-                    let added = image(period) + image(-period) + kernel.remainder(d);
+                    let added = image(period) + image(-period) + remainder.at(d);
                     entry += added * (one.width() * other.width()).sqrt();
                 }
                 matrix.push(entry);

@@ -6,7 +6,7 @@
 //!
 //! with `theta = b^(1-mu) k theta0` and the gauge `g`: for one punch or a pair on a half-plane the zones lie in `c - b .. c + b`, and `g = ln b`.
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 
 use fredholm::collocation::{SincFactor, SincGrid, WeightedFactor};
@@ -30,19 +30,32 @@ pub(super) struct Resolution {
     grid: Arc<SincGrid>,
     /// The operator on the local interval in one panel.
     whole: OnceCell<Arc<SincOperator>>,
+    /// The operator on other panels that was built last: those of a mirrored contact stay the same while its edges move.
+    latest: RefCell<Option<Built>>,
 }
+
+/// Panels with their operator.
+type Built = (Vec<(f64, f64)>, Arc<SincOperator>);
 
 impl Resolution {
     pub(super) fn new(medium: &Medium, half_count: usize) -> Result<Self, Error> {
         let grid = medium.grid(half_count)?;
-        Ok(Self { medium: medium.clone(), grid, whole: OnceCell::new() })
+        let (whole, latest) = (OnceCell::new(), RefCell::new(None));
+        Ok(Self { medium: medium.clone(), grid, whole, latest })
     }
 
     fn operator(&self, panels: &[(f64, f64)]) -> Result<Arc<SincOperator>, Error> {
         let build = || self.medium.operator(&self.grid, panels).map(Arc::new);
         let is_whole = matches!((self.medium.local_ends(), panels), (Some([left, right]), [panel]) if *panel == (left, right));
         if !is_whole {
-            return build();
+            if let Some((known, operator)) = &*self.latest.borrow()
+                && known == panels
+            {
+                return Ok(Arc::clone(operator));
+            }
+            let operator = build()?;
+            self.latest.replace(Some((panels.to_vec(), Arc::clone(&operator))));
+            return Ok(operator);
         }
         if let Some(known) = self.whole.get() {
             return Ok(Arc::clone(known));
