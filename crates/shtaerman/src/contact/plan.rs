@@ -97,10 +97,9 @@ impl Problem {
         is_plane && frame.law() == Law::Smooth
     }
 
-    /// Whether the surface is smooth and the punch circular on a homogeneous body.
+    /// Whether the surface is smooth and the punch circular.
     fn is_smooth_disk(&self) -> bool {
-        let frame = self.frame();
-        frame.is_circular() && frame.grading().is_none() && frame.law() == Law::Smooth
+        self.frame().is_circular() && self.frame().law() == Law::Smooth
     }
 
     /// Whether this is one punch on a homogeneous half-plane with a linear layer, for which the spectral relation serves.
