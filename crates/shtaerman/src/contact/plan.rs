@@ -84,6 +84,10 @@ impl Problem {
         if self.is_smooth_disk() {
             return self.draw_up(Arc::new(self.solve_smooth_disk()?));
         }
+        let grading = self.frame().grading().filter(|_| self.frame().law() == Law::Smooth);
+        if let Some(grading) = grading {
+            return self.draw_up(Arc::new(self.solve_smooth_graded(grading.exponent())?));
+        }
         match self.solve_nearly_smooth() {
             Some(solution) => self.draw_up(solution),
             None => solve_rough(self),

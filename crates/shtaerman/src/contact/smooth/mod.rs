@@ -13,6 +13,7 @@ mod check;
 mod coupling;
 mod disk;
 mod edges;
+mod graded;
 mod ground;
 mod harmonics;
 mod kernel;

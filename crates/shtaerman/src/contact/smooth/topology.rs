@@ -5,6 +5,7 @@ use fredholm::complementarity::{
 };
 
 use super::problem::Base;
+use crate::contact::unilateral::mean_power;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// `theta0` of the layer.
@@ -107,7 +108,10 @@ impl Cells {
             kept.push(boundaries.len() - 1);
             boundaries.push(cell.right);
         }
-        let all = logarithm_cells(&boundaries)?;
+        let all = match base.grading {
+            Some(exponent) => power_cells(&boundaries, exponent),
+            None => logarithm_cells(&boundaries)?,
+        };
         let stride = boundaries.len() - 1;
         let kernel = base.problem.kernel;
         let mut matrix = Vec::with_capacity(kept.len() * kept.len());
@@ -229,6 +233,17 @@ impl Cells {
         }
         runs
     }
+}
+
+/// The means of `|x - s|^-mu` over cells, times the roots of their widths.
+fn power_cells(boundaries: &[f64], exponent: f64) -> Vec<f64> {
+    let count = boundaries.len() - 1;
+    let cell = |i: usize| [boundaries[i], boundaries[i + 1]];
+    let root = |i: usize| (boundaries[i + 1] - boundaries[i]).sqrt();
+    let entry = |i: usize, j: usize| {
+        mean_power(cell(i.min(j)), cell(i.max(j)), exponent) * root(i) * root(j)
+    };
+    (0..count * count).map(|place| entry(place / count, place % count)).collect()
 }
 
 /// Boundaries that close in on an edge of the punch until a cell fits between it and the line of the force.

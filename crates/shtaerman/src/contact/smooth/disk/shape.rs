@@ -21,7 +21,6 @@ pub(in crate::contact::smooth) enum Weight {
     One,
     SineSquared,
     CosineSquared,
-    Cosine,
     /// `mu sin t S(t)`, `S = int_0^t sin^mu`, without `sin^mu t`.
     Lever,
     /// `cos t sin^mu t + mu sin t S(t)`.
@@ -84,7 +83,6 @@ impl Shape<'_> {
             Weight::One => power(),
             Weight::SineSquared => power() * angle.sin().powi(2),
             Weight::CosineSquared => power() * angle.cos().powi(2),
-            Weight::Cosine => power() * angle.cos(),
             Weight::Lever => lever(),
             Weight::Level => power() * angle.cos() + lever(),
         }
