@@ -2,11 +2,10 @@
 
 use std::f64::consts::PI;
 
-use fredholm::quadrature::double_exponential;
 use libm::tgamma;
 use shtaerman::{Rotational, Solver, Vertical};
 
-use crate::support::{Case, EXPONENTS, close, rings};
+use crate::support::{Case, EXPONENTS, close, piece, rings};
 
 const PLACES: [f64; 5] = [0.0, 1e-9, 0.3, 0.75, 0.999];
 
@@ -47,7 +46,7 @@ fn flat_disks_under_force_and_moment() {
 #[test]
 fn paraboloids_and_cones() {
     for mu in EXPONENTS {
-        for c in [0.5, 1e-4] {
+        for c in [0.5f64, 1e-4] {
             let case = Case::disk(mu);
             let (beta, e) = (0.5 * (1.0 - mu), modulus(&case));
             // f = r^2/(2R): g = c^2/(R (1+mu)), P = 4 e c^(3+mu)/(R (1+mu)^2 (3+mu))
@@ -69,13 +68,7 @@ fn paraboloids_and_cones() {
             close(contact.settlement(), 0.2 * total * c, 1e-12, "settlement of the cone");
             for y in [0.1, 0.5, 0.9] {
                 // int_y^1 (t^2 - y^2)^-beta dt
-                let half = 0.5 * (1.0 - y);
-                let integral: f64 = double_exponential(60)
-                    .map(|node| {
-                        let d = half * node.from_left;
-                        half * node.weight * (d * (2.0 * y + d)).powf(-beta)
-                    })
-                    .sum();
+                let integral = piece(&|t, _| (t + y).powf(-beta), [y, 1.0], y, beta);
                 let exact = e / PI * total * 0.2 * c.powf(mu) * integral;
                 close(contact.pressure(y * c).unwrap(), exact, 1e-10, &format!("cone {mu} {y}"));
             }
@@ -115,7 +108,7 @@ fn pressures_displace_as_the_kernel_says() {
 
 #[test]
 fn a_disk_in_bilateral_contact_keeps_its_corner() {
-    let case = Case { solver: Solver::bilateral(), ..Case::disk(0.4) };
+    let case = Case { solver: Solver::bilateral(), ..Case::disk(0.8) };
     let contact = case.press("x^2", 0.5);
     assert_eq!(contact.edges(), [[-1.0, 1.0]]);
     for x in [0.1, 0.5, 0.9] {

@@ -99,8 +99,8 @@ pub(crate) fn close(found: f64, exact: f64, tolerance: f64, what: &str) {
     assert!(error <= tolerance, "{what}: {found} instead of {exact}: {error:.1e}");
 }
 
-/// `int_from^to f(s) |s - x|^-mu ds` over a piece that lies on one side of `x`, `f` with powers at its ends.
-fn piece(f: &dyn Fn(f64) -> f64, [left, right]: [f64; 2], x: f64, mu: f64) -> f64 {
+/// `int_from^to f(s, |s - x|) |s - x|^-mu ds` over a piece that lies on one side of `x`, `f` with powers at its ends.
+pub(crate) fn piece(f: &dyn Fn(f64, f64) -> f64, [left, right]: [f64; 2], x: f64, mu: f64) -> f64 {
     // d^-mu dd = du/(1-mu) with the distance d and u = d^(1-mu)
     let power = 1.0 - mu;
     let sign = if left >= x { 1.0 } else { -1.0 };
@@ -111,7 +111,7 @@ fn piece(f: &dyn Fn(f64) -> f64, [left, right]: [f64; 2], x: f64, mu: f64) -> f6
         .map(|node| {
             let distance = (first + half * node.from_left).powf(1.0 / power);
             let at = (x + sign * distance).clamp(left, right);
-            let value = f(at);
+            let value = f(at, distance);
             // Corners: the share of a place that is rounded to the end is below rounding.
             if value.is_finite() { node.weight * half / power * value } else { 0.0 }
         })
@@ -125,7 +125,7 @@ pub(crate) fn potential(case: &Case, contact: &Contact, kinks: &[f64], x: f64) -
     cuts.extend(kinks.iter().filter(|at| zone[0] < **at && **at < zone[1]));
     cuts.sort_by(f64::total_cmp);
     cuts.dedup();
-    let pressure = |s: f64| contact.pressure(s).unwrap();
+    let pressure = |s: f64, _: f64| contact.pressure(s).unwrap();
     let pairs = cuts.windows(2).map(|pair| [pair[0], pair[1]]);
     case.line() * pairs.map(|ends| piece(&pressure, ends, x, case.mu)).sum::<f64>()
 }
@@ -140,11 +140,7 @@ pub(crate) fn rings(case: &Case, contact: &Contact, kinks: &[f64], x: f64) -> f6
     cuts.retain(|at| *at <= edge);
     cuts.sort_by(f64::total_cmp);
     cuts.dedup();
-    let density = |s: f64| {
-        let distance = (x - s).abs();
-        if distance == 0.0 {
-            return 0.0;
-        }
+    let density = |s: f64, distance: f64| {
         let p = 0.5 * (contact.pressure(s).unwrap() + contact.pressure(-s).unwrap());
         p * s * kernel.pair(x, s, distance).value * distance.powf(mu)
     };

@@ -24,6 +24,9 @@ const MOST_STEPS: usize = 256;
 /// Share of the way to a singular place that a step takes.
 const CLOSING: f64 = 0.6;
 
+/// In the place of the shift of an exponent: no power at zero.
+pub(super) const PLAIN: i32 = 2;
+
 /// A Gauss rule for functions `x^e g(x)` on an interval from zero.
 #[derive(Debug)]
 pub(super) struct PowerRule {
@@ -113,13 +116,13 @@ impl Ground {
         &self.sines
     }
 
-    /// The rule for `x^(mu + shift)`, `shift` -1, 0 or 1.
+    /// The rule for `x^(mu + shift)`, `shift` -1, 0 or 1; none for others.
     fn rule(&self, shift: i32) -> Option<&PowerRule> {
         let index = usize::try_from(shift + 1).ok()?;
         self.rules.as_ref().and_then(|rules| rules.get(index))
     }
 
-    /// `int_from^to f`, where `f` at zero is `x^(mu + shift)` times something smooth.
+    /// `int_from^to f`, where `f` at zero is `x^(mu + shift)` times something smooth, or [`PLAIN`].
     pub(super) fn integral(
         &self,
         shift: i32,

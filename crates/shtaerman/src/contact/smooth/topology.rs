@@ -109,7 +109,10 @@ impl Cells {
             boundaries.push(cell.right);
         }
         let all = match base.grading {
-            Some(exponent) => power_cells(&boundaries, exponent),
+            Some(exponent) => {
+                let is_forced = matches!(base.problem.load.vertical, Vertical::Force(_));
+                power_cells(&boundaries, exponent, is_forced)
+            }
             None => logarithm_cells(&boundaries)?,
         };
         let stride = boundaries.len() - 1;
@@ -137,7 +140,11 @@ impl Cells {
             roots.iter().zip(&self.cells).map(|(root, cell)| root * f(cell.centre())).collect()
         };
         let (ones, lever) = (weighted(&|_| 1.0), weighted(&|x| x));
-        let gain = LAYER / base.problem.theta0;
+        let kernel = match (base.grading, base.problem.load.vertical) {
+            (Some(exponent), Vertical::Force(_)) => exponent,
+            _ => 1.0,
+        };
+        let gain = LAYER / (kernel * base.problem.theta0);
         let mut right: Vec<f64> = (roots.iter().zip(&self.cells))
             .map(|(root, cell)| -gain * root * cell.mean_height(base))
             .collect();
@@ -235,13 +242,16 @@ impl Cells {
     }
 }
 
-/// The means of `|x - s|^-mu` over cells, times the roots of their widths.
-fn power_cells(boundaries: &[f64], exponent: f64) -> Vec<f64> {
+/// The means of `d^-mu`, `d = |x - s|`, over cells, times the roots of their widths. Where the force is prescribed those of `(d^-mu - 4^-mu)/mu`: a constant adds to the settlement alone,
+/// and of a small `mu` it would leave few digits for the rest.
+fn power_cells(boundaries: &[f64], exponent: f64, is_forced: bool) -> Vec<f64> {
+    let (level, scale) = if is_forced { (4f64.powf(-exponent), exponent) } else { (0.0, 1.0) };
     let count = boundaries.len() - 1;
     let cell = |i: usize| [boundaries[i], boundaries[i + 1]];
     let root = |i: usize| (boundaries[i + 1] - boundaries[i]).sqrt();
     let entry = |i: usize, j: usize| {
-        mean_power(cell(i.min(j)), cell(i.max(j)), exponent) * root(i) * root(j)
+        let mean = mean_power(cell(i.min(j)), cell(i.max(j)), exponent);
+        (mean - level) / scale * root(i) * root(j)
     };
     (0..count * count).map(|place| entry(place / count, place % count)).collect()
 }

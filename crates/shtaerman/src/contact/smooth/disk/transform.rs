@@ -6,7 +6,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::shape::{Part, Shape};
-use crate::contact::smooth::ground::Ground;
+use crate::contact::smooth::ground::{Ground, PLAIN};
 use crate::contact::smooth::legendre::{ORDER, RULE, derivative, integral, polynomials};
 
 /// Panels are halved at most this often, and there are at most so many.
@@ -225,7 +225,8 @@ impl Segment {
                 let x = kink.hypot(scale * y.sin());
                 depth(y) * ground.power(x / (scale * y.cos())) * x.powi(lever)
             };
-            sum += ground.graded(lever, turn, [TURN, FRAC_PI_2], graded);
+            let shift = if kink == 0.0 { lever } else { PLAIN };
+            sum += ground.graded(shift, turn, [TURN, FRAC_PI_2], graded);
         }
         sum
     }
@@ -233,8 +234,9 @@ impl Segment {
     /// `int (level - G) x^mu dx`.
     fn volume(&self, ground: &Ground, level: f64) -> f64 {
         let kink = self.ends[0];
+        let shift = if kink == 0.0 { 0 } else { PLAIN };
         let of = |panel: &Panel| {
-            ground.integral(0, panel.ends, |s| {
+            ground.integral(shift, panel.ends, |s| {
                 (level - panel.value(s)) * ratio(s, kink) * ground.power(kink.hypot(s))
             })
         };

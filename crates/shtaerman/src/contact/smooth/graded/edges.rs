@@ -92,7 +92,7 @@ fn release(zone: &mut Zone, strip: &Strip) -> bool {
     released
 }
 
-/// `G_e' +- (x G_o)'` at the left (0) or right (1) end, from inside.
+/// `G_e' +- (x G_o)'` at the left (0) or right (1) end, from inside, and what the other end's density adds: by how much the density falls when the end moves outwards.
 pub(super) fn slope(ground: &Ground, settled: &Settled, side: usize) -> f64 {
     let (even, odd) = (settled.halves.even(ground), settled.halves.odd(ground));
     let b = settled.strip.half();
@@ -101,7 +101,9 @@ pub(super) fn slope(ground: &Ground, settled: &Settled, side: usize) -> f64 {
         let arm = if side == 0 { -x } else { x };
         even.transform(x) + arm * odd.transform(x)
     };
-    (3.0 * at(0.0) - 4.0 * at(1.0) + at(2.0)) / (2.0 * BESIDE * b)
+    let own = (3.0 * at(0.0) - 4.0 * at(1.0) + at(2.0)) / (2.0 * BESIDE * b);
+    let other = settled.strip.end_density(1 - side) - settled.strip.end_density(side);
+    own + (1.0 - ground.powers.corner_exponent()) * other / (2.0 * b)
 }
 
 /// The zone after a step that neither empties it nor passes a wall.
