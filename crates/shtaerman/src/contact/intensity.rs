@@ -12,19 +12,13 @@ impl Contact {
     /// zone: left and right for each of [`edges`](Self::edges), 0 at free ends. `None` for a rough surface, whose pressure is finite.
     ///
     /// On graded ground `E = E0 y^mu` corners are less sharp: there it is `K = lim sqrt(2 pi) d^beta p` (Pa m^beta) with
-    /// [`beta = (1-mu)/2`](Self::corner_exponent).
+    /// [`beta = (1-mu)/2`](crate::Frame::corner_exponent).
     #[must_use]
     pub fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
-        let root = self.problem().frame().half_width().powf(self.corner_exponent());
+        let root = self.problem().frame().half_width().powf(self.problem().frame().corner_exponent());
         let unit = self.scale(Scaling::pressure) * root;
         let zones = self.solution().corner_intensity()?;
         Some(zones.into_iter().map(|zone| zone.map(|k| unit * k)).collect())
-    }
-
-    /// `beta` of the pressure `K/(sqrt(2 pi) d^beta)` at the corners of a smooth surface: 1/2, on graded ground `(1-mu)/2`.
-    #[must_use]
-    pub fn corner_exponent(&self) -> f64 {
-        0.5 * (1.0 - self.problem().frame().grading().map_or(0.0, |grading| grading.exponent()))
     }
 
     /// Corners, as `xi`, where the pressure of a smooth contact is infinite, with their intensities.
