@@ -15,7 +15,8 @@ impl Contact {
     /// [`beta = (1-mu)/2`](crate::Frame::corner_exponent).
     #[must_use]
     pub fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
-        let root = self.problem().frame().half_width().powf(self.problem().frame().corner_exponent());
+        let root =
+            self.problem().frame().half_width().powf(self.problem().frame().corner_exponent());
         let unit = self.scale(Scaling::pressure) * root;
         let zones = self.solution().corner_intensity()?;
         Some(zones.into_iter().map(|zone| zone.map(|k| unit * k)).collect())

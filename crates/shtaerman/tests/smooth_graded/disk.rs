@@ -30,8 +30,7 @@ fn flat_disks_under_force_and_moment() {
             for y in PLACES {
                 let weight = (1.0 - y * y).powf(-beta) / (2.0 * PI * a * a);
                 for x in [y, -y] {
-                    let exact =
-                        weight * (1.0 + mu) * (force + (3.0 + mu) * moment / a * x);
+                    let exact = weight * (1.0 + mu) * (force + (3.0 + mu) * moment / a * x);
                     close(contact.pressure(x * a).unwrap(), exact, 1e-12, &format!("{mu} {x}"));
                 }
             }
@@ -61,8 +60,7 @@ fn paraboloids_and_cones() {
             }
             // f = r t: g = B c t, P = 2 e B t c^(2+mu)/((1+mu) (2+mu)), B = sqrt(pi) Gamma((1+mu)/2)/(2 Gamma(1+mu/2))
             let total = 0.5 * PI.sqrt() * tgamma(0.5 + 0.5 * mu) / tgamma(1.0 + 0.5 * mu);
-            let force =
-                2.0 * e * total * 0.2 * c.powf(2.0 + mu) / ((1.0 + mu) * (2.0 + mu));
+            let force = 2.0 * e * total * 0.2 * c.powf(2.0 + mu) / ((1.0 + mu) * (2.0 + mu));
             let contact = case.press("0.2*abs(x)", force);
             close(contact.edges()[0][1], c, 1e-13, "radius of the cone");
             close(contact.settlement(), 0.2 * total * c, 1e-12, "settlement of the cone");

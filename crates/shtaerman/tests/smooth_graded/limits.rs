@@ -1,8 +1,6 @@
 //! What smooth contact on graded ground tends to, and what tends to it.
 
-use shtaerman::{
-    Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical,
-};
+use shtaerman::{Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical};
 
 use crate::support::{Case, NU};
 
@@ -17,7 +15,8 @@ fn little_grading_is_none() {
             let frame = Frame::physical_in(geometry, material, 0.0, 1.0, None).unwrap();
             let load = Load::new(vertical, rotational).unwrap();
             let base = Profile::expression(profile).unwrap();
-            let plain = Problem::new(frame, base, load, Solver::default()).unwrap().solve().unwrap();
+            let plain =
+                Problem::new(frame, base, load, Solver::default()).unwrap().solve().unwrap();
             let mut last = f64::INFINITY;
             for mu in [1e-2, 1e-3, 1e-4, 1e-5] {
                 let case = Case { geometry, ..Case::plane(mu) };

@@ -4,4 +4,5 @@ mod disk;
 mod limits;
 mod plane;
 mod refusals;
+mod stated;
 mod support;

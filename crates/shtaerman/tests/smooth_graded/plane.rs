@@ -17,8 +17,7 @@ fn flat_punches_under_force_and_moment() {
         for a in [1.0, 0.03] {
             let case = Case { half_width: a, ..Case::plane(mu) };
             let (force, moment) = (2.0, 0.3 * a);
-            let contact =
-                case.solve("0", Vertical::Force(force), Rotational::Moment(moment));
+            let contact = case.solve("0", Vertical::Force(force), Rotational::Moment(moment));
             for y in PLACES {
                 let weight = (1.0 - y * y).powf(0.5 * (mu - 1.0)) * factor(mu) / a;
                 let exact = weight * (force + (2.0 + mu) * moment / a * y);
@@ -90,11 +89,8 @@ fn parabolas_by_force_and_by_settlement() {
             let contact = case.press("x^2/(2*20)", force);
             check_parabola(&case, &contact, b, q);
             close(contact.settlement(), settlement, 1e-12, "settlement");
-            let other = case.solve(
-                "x^2/(2*20)",
-                Vertical::Settlement(settlement),
-                Rotational::Moment(0.0),
-            );
+            let other =
+                case.solve("x^2/(2*20)", Vertical::Settlement(settlement), Rotational::Moment(0.0));
             // For small mu the settlement knows little of the width: their rounding is blown up by 1/mu.
             close(other.edges()[0][1], b, 1e-13 / mu.powi(2), "edge");
             close(other.force(), force, 1e-12 / mu.powi(2), "force");
@@ -138,14 +134,14 @@ fn monomials_by_gegenbauer() {
         let l = 0.5 * mu;
         let c2 = |s: f64| 2.0 * l * (1.0 + l) * s * s - l;
         let c4 = |s: f64| {
-            l * (1.0 + l) / 2.0
-                - 2.0 * l * (1.0 + l) * (2.0 + l) * s * s
+            l * (1.0 + l) / 2.0 - 2.0 * l * (1.0 + l) * (2.0 + l) * s * s
                 + 2.0 / 3.0 * l * (1.0 + l) * (2.0 + l) * (3.0 + l) * s.powi(4)
         };
         let top = 1.5 / (l * (1.0 + l) * (2.0 + l) * (3.0 + l));
         // s^4 = top C_4 + 3/(3+l) s^2 - ..
         let second = 3.0 / (3.0 + l) / (2.0 * l * (1.0 + l));
-        let rising = |n: i32| (0..n).map(|j| (mu + f64::from(j)) / f64::from(j + 1)).product::<f64>();
+        let rising =
+            |n: i32| (0..n).map(|j| (mu + f64::from(j)) / f64::from(j + 1)).product::<f64>();
         let unit = case.line() * std::f64::consts::PI / cosine(mu) * 7.0;
         for y in PLACES {
             let weight = (1.0 - y * y).powf(0.5 * (mu - 1.0));
@@ -153,7 +149,10 @@ fn monomials_by_gegenbauer() {
             let exact = weight * (0.4 * factor(mu) - bent);
             let found = contact.pressure(y).unwrap();
             let size = weight * 0.4 * factor(mu);
-            assert!((found - exact).abs() < 1e-11 * size.max(exact.abs()), "{mu} {y}: {found} {exact}");
+            assert!(
+                (found - exact).abs() < 1e-11 * size.max(exact.abs()),
+                "{mu} {y}: {found} {exact}"
+            );
         }
     }
 }

@@ -123,12 +123,7 @@ impl Ground {
     }
 
     /// `int_from^to f`, where `f` at zero is `x^(mu + shift)` times something smooth, or [`PLAIN`].
-    pub(super) fn integral(
-        &self,
-        shift: i32,
-        [from, to]: [f64; 2],
-        f: impl Fn(f64) -> f64,
-    ) -> f64 {
+    pub(super) fn integral(&self, shift: i32, [from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
         match self.rule(shift) {
             Some(rule) if from == 0.0 => rule.integral(to, f),
             _ => integral(from, to, f),

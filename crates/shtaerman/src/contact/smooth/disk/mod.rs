@@ -137,7 +137,7 @@ impl SmoothDisk {
         }
         let ground = Ground::new(self.exponent)?;
         let (slope, tolerance) = (&self.slope, self.tolerance);
-        Ok(Shape { slope, breaks, tolerance, ground, part: Part::Revolution })
+        Ok(Shape { slope, breaks, tolerance, noise: 0.0, ground, part: Part::Revolution })
     }
 
     fn samples(&self) -> impl Iterator<Item = (f64, f64)> + '_ {

@@ -56,6 +56,8 @@ pub(in crate::contact::smooth) struct Shape<'p> {
     pub(in crate::contact::smooth) breaks: Vec<f64>,
     /// To which share integrals are wanted.
     pub(in crate::contact::smooth) tolerance: f64,
+    /// Rounding of the slope over its size.
+    pub(in crate::contact::smooth) noise: f64,
     pub(in crate::contact::smooth) ground: Ground,
     pub(in crate::contact::smooth) part: Part,
 }
@@ -120,7 +122,7 @@ impl Shape<'_> {
         let size: f64 = (pieces.iter())
             .map(|&(turn, ends)| self.ground.integral(0, turn, |angle| value(angle, ends).abs()))
             .sum();
-        let agreed = (INNER * self.tolerance).max(AGREED) * size;
+        let agreed = (INNER * self.tolerance).max(AGREED).max(self.noise) * size;
         let mut panels: VecDeque<Panel> = (pieces.iter().enumerate())
             .map(|(piece, &(turn, ends))| {
                 let whole = self.ground.integral(0, turn, |angle| value(angle, ends));
@@ -179,7 +181,7 @@ mod tests {
 
     fn homogeneous(slope: &Curve, breaks: Vec<f64>) -> Shape<'_> {
         let ground = Ground::new(0.0).unwrap();
-        Shape { slope, breaks, tolerance: 0.0, ground, part: Part::Revolution }
+        Shape { slope, breaks, tolerance: 0.0, noise: 0.0, ground, part: Part::Revolution }
     }
 
     #[test]

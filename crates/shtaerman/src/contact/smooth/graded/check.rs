@@ -44,8 +44,7 @@ impl Check {
             let state = &field.strip.state;
             let scale = state.settlement.abs() + state.tilt.abs() + base.range();
             let beside = outside(base, [left, right]).into_iter();
-            let places =
-                beside.flat_map(|[from, to]| between(from, to, points(base, to - from)));
+            let places = beside.flat_map(|[from, to]| between(from, to, points(base, to - from)));
             worst(places.map(|xi| (-gap(base, field, xi) / scale, xi)))
         } else {
             (0.0, 0.0)
@@ -72,15 +71,15 @@ fn gap(base: &Base<'_>, field: &Field, xi: f64) -> f64 {
 }
 
 fn worst(values: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
-    values.fold((0.0, 0.0), |most, pair| if pair.0 > most.0 || pair.0.is_nan() { pair } else { most })
+    values
+        .fold((0.0, 0.0), |most, pair| if pair.0 > most.0 || pair.0.is_nan() { pair } else { most })
 }
 
 /// The parts of the base beside the zone.
 fn outside(base: &Base<'_>, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
     let pieces = base.problem.pieces.iter();
-    let beside = pieces.flat_map(|&[left, right]| {
-        [[left, right.min(from)], [left.max(to), right]].into_iter()
-    });
+    let beside = pieces
+        .flat_map(|&[left, right]| [[left, right.min(from)], [left.max(to), right]].into_iter());
     beside.filter(|[left, right]| left < right).collect()
 }
 

@@ -31,8 +31,8 @@ impl Field {
         let density = |side: usize| {
             if zone.is_free[side] { 0.0 } else { strip.end_density(side) }
         };
-        let transforms = [halves.even(ground), halves.odd(ground)]
-            .map(|shape| Transform::new(&shape, half));
+        let transforms =
+            [halves.even(ground), halves.odd(ground)].map(|shape| Transform::new(&shape, half));
         let inside = |at: &f64| zone.left() < *at && *at < zone.right();
         Self {
             strip: Strip { zone, ..*strip },
@@ -82,11 +82,8 @@ impl Field {
 
     /// `p0` without its singularity at corners.
     pub(super) fn regular(&self, place: Place) -> f64 {
-        let factor = if self.densities == [0.0; 2] {
-            1.0
-        } else {
-            self.taper(place) / self.whole_taper()
-        };
+        let factor =
+            if self.densities == [0.0; 2] { 1.0 } else { self.taper(place) / self.whole_taper() };
         factor * self.pressure(place)
     }
 
@@ -110,8 +107,8 @@ impl Field {
     pub(super) fn displacement_outside(&self, xi: f64) -> f64 {
         let s = xi - self.strip.centre();
         let r = s.abs().max(self.strip.half());
-        let [even, odd] = [0, 1]
-            .map(|part| self.transforms[part].displacement(r, self.strip.levels[part]));
+        let [even, odd] =
+            [0, 1].map(|part| self.transforms[part].displacement(r, self.strip.levels[part]));
         even + odd * s.signum()
     }
 }

@@ -13,18 +13,20 @@ use std::sync::Arc;
 
 use libm::tgamma;
 
+use crate::Error;
 use crate::contact::balance::State;
+use crate::contact::smooth::Curve;
 use crate::contact::smooth::balance::Centred;
 use crate::contact::smooth::disk::shape::{Part, Shape, Weight};
 use crate::contact::smooth::ground;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::zones::Zone;
-use crate::contact::smooth::Curve;
 use crate::contact::solved::Stiffness;
-use crate::Error;
 
 /// More breakpoints than these do not get panels of their own.
 const MOST_BREAKS: usize = 64;
+/// Places on either side of the middle that show the size of slopes.
+const SAMPLES: usize = 8;
 
 /// The kernel with its `theta0`.
 #[derive(Debug, Clone)]
@@ -53,6 +55,10 @@ pub(super) struct Halves {
     slopes: [Curve; 2],
     breaks: Vec<f64>,
     tolerance: f64,
+    /// Rounding of the slopes of both over their sizes.
+    noise: [f64; 2],
+    /// Size of the slope of the profile.
+    steepest: f64,
 }
 
 impl Halves {
@@ -64,9 +70,8 @@ impl Halves {
             Some(slope) => Arc::clone(slope),
             None => Arc::new(|_| f64::NAN),
         };
-        let at = Arc::new(move |s: f64| {
-            slope((centre + s).clamp(left.next_up(), right.next_down()))
-        });
+        let at =
+            Arc::new(move |s: f64| slope((centre + s).clamp(left.next_up(), right.next_down())));
         let other = Arc::clone(&at);
         let even: Curve = Arc::new(move |r| 0.5 * (at(r) - at(-r)));
         let odd: Curve = Arc::new(move |r| 0.5 * (other(r) + other(-r)));
@@ -79,13 +84,27 @@ impl Halves {
         if breaks.len() > MOST_BREAKS {
             breaks.clear();
         }
-        Self { slopes: [even, odd], breaks, tolerance: profile.tolerance }
+        let half = 0.5 * zone.length();
+        let largest = |curve: &Curve| {
+            let places = (0..SAMPLES).map(|i| half * (i as f64 + 0.5) / SAMPLES as f64);
+            places.fold(0.0f64, |most, r| most.max(curve(r).abs()))
+        };
+        let sizes = [largest(&even), largest(&odd)];
+        let steepest = sizes[0] + sizes[1];
+        // The slope is rounded, and so is the place it is taken at.
+        let remote = left.abs().max(right.abs()) / half;
+        let noise = sizes.map(|size| {
+            let share = if size > 0.0 { steepest / size } else { 0.0 };
+            (2.0 * f64::EPSILON * (remote + share)).min(1.0)
+        });
+        Self { slopes: [even, odd], breaks, tolerance: profile.tolerance, noise, steepest }
     }
 
     fn shape(&self, ground: &Ground, part: Part) -> Shape<'_> {
-        let slope = &self.slopes[usize::from(part == Part::Odd)];
+        let index = usize::from(part == Part::Odd);
+        let (slope, noise) = (&self.slopes[index], self.noise[index]);
         let (breaks, tolerance) = (self.breaks.clone(), self.tolerance);
-        Shape { slope, breaks, tolerance, ground: ground.powers.clone(), part }
+        Shape { slope, breaks, tolerance, noise, ground: ground.powers.clone(), part }
     }
 
     pub(super) fn even(&self, ground: &Ground) -> Shape<'_> {
@@ -111,6 +130,8 @@ pub(super) struct Strip {
     pub(super) levels: [f64; 2],
     /// `G_e(b)`, `G_o(b)`.
     pub(super) transforms: [f64; 2],
+    /// Size of the slope of the profile.
+    steepest: f64,
 }
 
 impl Strip {
@@ -142,6 +163,7 @@ impl Strip {
             depth,
             levels: [mu * total * depth, -tilt * total],
             transforms: [even.transform(b), odd.transform(b)],
+            steepest: halves.steepest,
         }
     }
 
@@ -163,7 +185,7 @@ impl Strip {
     /// Size of what is added up in that.
     pub(super) fn density_scale(&self) -> f64 {
         let [even, odd] = [0, 1].map(|part| self.levels[part].abs() + self.transforms[part].abs());
-        even + self.half() * odd
+        even + self.half() * (odd + self.steepest)
     }
 }
 
