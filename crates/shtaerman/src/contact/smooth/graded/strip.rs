@@ -131,7 +131,7 @@ pub(super) struct Strip {
     /// `G_e(b)`, `G_o(b)`.
     pub(super) transforms: [f64; 2],
     /// Size of the slope of the profile.
-    steepest: f64,
+    pub(super) steepest: f64,
 }
 
 impl Strip {
