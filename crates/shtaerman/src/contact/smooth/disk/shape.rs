@@ -56,7 +56,7 @@ pub(in crate::contact::smooth) struct Shape<'p> {
     pub(in crate::contact::smooth) breaks: Vec<f64>,
     /// To which share integrals are wanted.
     pub(in crate::contact::smooth) tolerance: f64,
-    /// Rounding of the slope over its size.
+    /// Rounding of the slope beyond that of its size.
     pub(in crate::contact::smooth) noise: f64,
     pub(in crate::contact::smooth) ground: Ground,
     pub(in crate::contact::smooth) part: Part,
@@ -122,7 +122,7 @@ impl Shape<'_> {
         let size: f64 = (pieces.iter())
             .map(|&(turn, ends)| self.ground.integral(0, turn, |angle| value(angle, ends).abs()))
             .sum();
-        let agreed = (INNER * self.tolerance).max(AGREED).max(self.noise) * size;
+        let agreed = (INNER * self.tolerance).max(AGREED) * size + self.noise;
         let mut panels: VecDeque<Panel> = (pieces.iter().enumerate())
             .map(|(piece, &(turn, ends))| {
                 let whole = self.ground.integral(0, turn, |angle| value(angle, ends));
@@ -135,7 +135,8 @@ impl Shape<'_> {
             let halves = panel.halves(&self.ground, |angle| value(angle, pieces[panel.piece].1));
             let both = halves[0].whole + halves[1].whole;
             let difference = (both - panel.whole).abs();
-            let is_noise = difference >= 0.5 * panel.before && difference <= NOISE * size;
+            let is_noise =
+                difference >= 0.5 * panel.before && difference <= NOISE * size + self.noise;
             let is_last = panel.depth >= DEEPEST || halved >= MOST_PANELS;
             if difference <= agreed || is_noise || is_last || !difference.is_finite() {
                 sum += both;

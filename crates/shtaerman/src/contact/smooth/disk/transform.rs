@@ -96,8 +96,9 @@ impl Segment {
         };
         let first = sampled([0.0, leg(ends[1], ends[0])], 0, f64::INFINITY);
         let size = first.values.iter().fold(size, |most, c| most.max(c.abs()));
-        let resolved = shape.tolerance.max(RESOLVED).max(shape.noise) * size;
-        let noise = (10.0 * shape.tolerance).max(NOISE).max(shape.noise) * size;
+        let rounded = shape.noise * if shape.part == Part::Odd { 1.0 } else { ends[1] };
+        let resolved = shape.tolerance.max(RESOLVED) * size + rounded;
+        let noise = (10.0 * shape.tolerance).max(NOISE) * size + rounded;
         let is_open = |panel: &Sampled| {
             let is_noise = panel.tail >= 0.5 * panel.before && panel.tail <= noise;
             panel.tail > resolved && !is_noise && panel.depth < DEEPEST && panel.tail.is_finite()

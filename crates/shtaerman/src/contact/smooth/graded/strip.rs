@@ -55,8 +55,8 @@ pub(super) struct Halves {
     slopes: [Curve; 2],
     breaks: Vec<f64>,
     tolerance: f64,
-    /// Rounding of the slopes of both over their sizes.
-    noise: [f64; 2],
+    /// Rounding of the slopes.
+    noise: f64,
     /// Size of the slope of the profile.
     steepest: f64,
 }
@@ -93,16 +93,13 @@ impl Halves {
         let steepest = sizes[0] + sizes[1];
         // The slope is rounded, and so is the place it is taken at.
         let remote = left.abs().max(right.abs()) / half;
-        let noise = sizes.map(|size| {
-            let share = if size > 0.0 { steepest / size } else { 0.0 };
-            (2.0 * f64::EPSILON * (remote + share)).min(1.0)
-        });
+        let noise = 2.0 * f64::EPSILON * (1.0 + remote) * steepest;
         Self { slopes: [even, odd], breaks, tolerance: profile.tolerance, noise, steepest }
     }
 
     fn shape(&self, ground: &Ground, part: Part) -> Shape<'_> {
         let index = usize::from(part == Part::Odd);
-        let (slope, noise) = (&self.slopes[index], self.noise[index]);
+        let (slope, noise) = (&self.slopes[index], self.noise);
         let (breaks, tolerance) = (self.breaks.clone(), self.tolerance);
         Shape { slope, breaks, tolerance, noise, ground: ground.powers.clone(), part }
     }
