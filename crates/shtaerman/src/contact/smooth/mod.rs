@@ -15,6 +15,8 @@ mod coupling;
 mod density;
 mod disk;
 mod edges;
+mod graded;
+mod ground;
 mod harmonics;
 mod kernel;
 mod legendre;

@@ -102,6 +102,8 @@ pub(super) type Sample = (f64, f64);
 /// A problem with its walls and samples.
 pub(super) struct Base<'p> {
     pub(super) problem: &'p SmoothProblem,
+    /// `mu` of the kernel `|d|^-mu` that stands in the place of the logarithm on graded ground.
+    pub(super) grading: Option<f64>,
     /// Where a left or a right edge of the contact can rest under pressure.
     walls: [Vec<f64>; 2],
     /// Samples of each piece.
@@ -122,7 +124,7 @@ impl<'p> Base<'p> {
         samples: Vec<Vec<Sample>>,
     ) -> Result<Self, Error> {
         let ends = |side: usize| problem.pieces.iter().map(|piece| piece[side]).collect();
-        let mut base = Self { problem, walls: [ends(0), ends(1)], samples };
+        let mut base = Self { problem, grading: None, walls: [ends(0), ends(1)], samples };
         base.find_steps()?;
         if problem.is_unilateral {
             base.require_load()?;

@@ -28,7 +28,7 @@ impl Problem {
     }
 
     /// The problem without dimensions.
-    fn smooth(&self) -> SmoothProblem {
+    pub(super) fn smooth(&self) -> SmoothProblem {
         let frame = self.frame();
         let half_width = frame.half_width();
         let kernel = match frame.geometry().scaled(half_width) {
@@ -65,7 +65,7 @@ impl Problem {
     }
 
     /// An error with its value as the problem states it.
-    fn in_units(&self, error: Error) -> Error {
+    pub(super) fn in_units(&self, error: Error) -> Error {
         let load = self.load();
         let half_width = self.frame().half_width();
         match (error, load.vertical, load.rotational) {

@@ -30,6 +30,7 @@ mod zones;
 pub use answer::Complementarity;
 use answer::UnilateralContact;
 pub(super) use base::require_even;
+pub(super) use medium::mean_power;
 
 use std::sync::Arc;
 

@@ -44,6 +44,7 @@ impl Problem {
             move |r| problem.profile().slope(r, half_width).map_or(f64::NAN, |slope| slope / scale);
         let measured = self.profile().measured_points().is_some();
         SmoothDisk {
+            exponent: self.frame().grading().map_or(0.0, |grading| grading.exponent()),
             theta0: self.frame().theta0(),
             load: self.dimensionless_load(),
             height,
