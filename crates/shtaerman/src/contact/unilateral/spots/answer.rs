@@ -1,0 +1,81 @@
+//! The answer on panels.
+
+use super::level::Level;
+use crate::Problem;
+use crate::contact::accuracy::Accuracy;
+use crate::contact::balance::State;
+use crate::contact::solution::Solution;
+use crate::contact::solved::{Method, Stiffness};
+use crate::contact::unilateral::Complementarity;
+
+/// A contact in many zones with its errors.
+#[derive(Debug, Clone)]
+pub(in crate::contact::unilateral) struct SpotContact {
+    pub(super) level: Level,
+    pub(super) accuracy: Accuracy,
+    pub(super) edge_error: f64,
+    pub(super) complementarity: Complementarity,
+}
+
+impl Solution for SpotContact {
+    fn state(&self) -> State {
+        self.level.state
+    }
+
+    /// Edges that move add nothing of first order, as the pressure vanishes there.
+    fn stiffness(&self) -> Stiffness {
+        self.level.stiffness
+    }
+
+    fn zones(&self) -> Vec<[f64; 2]> {
+        self.level.zones.iter().map(|zone| [zone.left(), zone.right()]).collect()
+    }
+
+    fn touches(&self, xi: f64) -> bool {
+        self.level.touches(xi)
+    }
+
+    fn pressure(&self, problem: &Problem, xi: f64) -> f64 {
+        if xi.is_nan() || !self.level.touches(xi) {
+            return if xi.is_nan() { xi } else { 0.0 };
+        }
+        self.level.pressure_at(xi, problem.dimensionless_profile(xi)).max(0.0)
+    }
+
+    fn displacement(&self, xi: f64) -> f64 {
+        self.level.displacement(xi)
+    }
+
+    /// The nodes, both ends of the base and of the zones.
+    fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
+        let panels = self.level.field.panels();
+        let known = panels.nodes().iter().copied().zip(self.level.pressures.iter().copied());
+        let ends = self.zones().into_iter().flatten().chain([-1.0, 1.0]);
+        let ends = ends.map(|xi| (xi, self.pressure(problem, xi)));
+        let mut samples: Vec<(f64, f64)> = known.chain(ends).collect();
+        samples.sort_by(|one, two| one.0.total_cmp(&two.0));
+        samples.dedup_by(|one, two| one.0 == two.0);
+        samples.into_iter().unzip()
+    }
+
+    fn method(&self) -> Method {
+        Method { name: "panels", n: self.level.pressures.len() }
+    }
+
+    fn accuracy(&self) -> Option<&Accuracy> {
+        Some(&self.accuracy)
+    }
+
+    fn edge_error(&self) -> Option<f64> {
+        let is_free = |[left, right]: &[f64; 2]| *left > -1.0 || *right < 1.0;
+        self.zones().iter().any(is_free).then_some(self.edge_error)
+    }
+
+    fn complementarity(&self) -> Option<Complementarity> {
+        Some(self.complementarity)
+    }
+
+    fn size(&self) -> f64 {
+        self.level.largest()
+    }
+}
