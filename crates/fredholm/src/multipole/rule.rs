@@ -8,6 +8,8 @@ const FORWARD: f64 = 1.05;
 /// `ln(1/eps)` of the moments, and of the plain rule far away.
 const DIGITS: f64 = 37.0;
 const FAR_DIGITS: f64 = 34.5;
+/// Beyond this many half-lengths few nodes are good enough for what few nodes can show.
+const FARTHEST: f64 = 9.0;
 
 /// Gauss nodes on `(-1, 1)` with what interpolation between them needs.
 #[derive(Debug, Clone)]
@@ -43,7 +45,7 @@ impl PanelRule {
             })
             .collect();
         let rho = (FAR_DIGITS / (2.0 * order as f64)).exp();
-        let far = 0.5 * (rho + 1.0 / rho);
+        let far = (0.5 * (rho + 1.0 / rho)).min(FARTHEST);
         let mut rule = Self { nodes, weights, analysis, own: Vec::new(), barycentric, far };
         let mut own = vec![0.0; order * order];
         for (row, y) in own.chunks_exact_mut(order).zip(&rule.nodes) {

@@ -16,23 +16,24 @@ pub(super) fn zones(base: &Base<'_>, fine: &Fine) -> Vec<Zone> {
     let count = SAMPLES * fine.count();
     let at: Vec<f64> = (0..=count).map(|i| 2.0 * i as f64 / count as f64 - 1.0).collect();
     let values: Vec<f64> = at.iter().map(|xi| pressure(*xi)).collect();
-    positive(&pressure, &at, &values)
+    positive(&pressure, &at, &values, 0.0)
 }
 
-/// Where a function with these values at places from edge to edge of the punch is positive.
+/// Where a function with these values at places from edge to edge of the punch is positive; values up to `none` are zero.
 pub(in crate::contact::unilateral) fn positive(
     pressure: &impl Fn(f64) -> f64,
     at: &[f64],
     values: &[f64],
+    none: f64,
 ) -> Vec<Zone> {
     let mut edges = Vec::new();
     for i in 0..at.len() - 1 {
         if let Some(peak) = hidden(pressure, at, values, i) {
-            edges.push(edge(pressure, at[i - 1], peak));
-            edges.push(edge(pressure, peak, at[i + 1]));
+            edges.push(edge(pressure, (at[i - 1], values[i - 1]), peak, none));
+            edges.push(edge(pressure, peak, (at[i + 1], values[i + 1]), none));
         }
         if is_crossed(values[i], values[i + 1]) {
-            edges.push(edge(pressure, at[i], at[i + 1]));
+            edges.push(edge(pressure, (at[i], values[i]), (at[i + 1], values[i + 1]), none));
         }
     }
     paired(edges, values[0] > 0.0)
@@ -59,7 +60,12 @@ fn is_crossed(one: f64, other: f64) -> bool {
 }
 
 /// The place beside a sample where the pressure has the other sign than at that sample and its neighbours.
-fn hidden(pressure: &impl Fn(f64) -> f64, at: &[f64], values: &[f64], i: usize) -> Option<f64> {
+fn hidden(
+    pressure: &impl Fn(f64) -> f64,
+    at: &[f64],
+    values: &[f64],
+    i: usize,
+) -> Option<(f64, f64)> {
     if i == 0 || i + 1 >= at.len() {
         return None;
     }
@@ -81,7 +87,7 @@ fn hidden(pressure: &impl Fn(f64) -> f64, at: &[f64], values: &[f64], i: usize) 
         let heights = inner.map(|xi| sign * pressure(xi));
         for (xi, height) in inner.iter().zip(heights) {
             if height > 0.0 {
-                return Some(*xi);
+                return Some((*xi, sign * height));
             }
         }
         if heights[0] > heights[1] { right = inner[1] } else { left = inner[0] }
@@ -90,12 +96,12 @@ fn hidden(pressure: &impl Fn(f64) -> f64, at: &[f64], values: &[f64], i: usize) 
 }
 
 /// The crossing between two places of different signs: by false position (Illinois), every third step by halves.
-fn edge(pressure: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> f64 {
-    let (mut at_left, mut at_right) = (pressure(left), pressure(right));
-    if !is_crossed(at_left, at_right) {
-        // Two ways to the same pressure may differ by rounding.
-        return if at_left.abs() < at_right.abs() { left } else { right };
-    }
+fn edge(
+    pressure: &impl Fn(f64) -> f64,
+    (mut left, mut at_left): (f64, f64),
+    (mut right, mut at_right): (f64, f64),
+    none: f64,
+) -> f64 {
     let positive_left = at_left > 0.0;
     let (mut last, mut was_left) = (left, None);
     for step in 1..=STEPS {
@@ -104,7 +110,7 @@ fn edge(pressure: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> f64 {
         let inside = secant > left && secant < right && step % 3 != 0;
         let place = if inside { secant } else { middle };
         let value = pressure(place);
-        if value == 0.0 || middle <= left || middle >= right || place == last {
+        if value.abs() <= none || middle <= left || middle >= right || place == last {
             return place;
         }
         let is_left = (value > 0.0) == positive_left;

@@ -8,6 +8,9 @@ use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::Complementarity;
 
+/// Beside a step.
+const INSIDE: f64 = 1e-12;
+
 /// A contact in many zones with its errors.
 #[derive(Debug, Clone)]
 pub(in crate::contact::unilateral) struct SpotContact {
@@ -39,7 +42,13 @@ impl Solution for SpotContact {
         if xi.is_nan() || !self.level.touches(xi) {
             return if xi.is_nan() { xi } else { 0.0 };
         }
-        self.level.pressure_at(xi, problem.dimensionless_profile(xi)).max(0.0)
+        let inside = match self.level.end_at(xi) {
+            Some((_, end)) if end.is_free => return 0.0,
+            // At a step of the base the height is that under pressure.
+            Some((side, _)) if xi.abs() < 1.0 => xi + if side == 0 { INSIDE } else { -INSIDE },
+            _ => xi,
+        };
+        self.level.pressure_at(xi, problem.dimensionless_profile(inside)).max(0.0)
     }
 
     fn displacement(&self, xi: f64) -> f64 {
@@ -67,8 +76,8 @@ impl Solution for SpotContact {
     }
 
     fn edge_error(&self) -> Option<f64> {
-        let is_free = |[left, right]: &[f64; 2]| *left > -1.0 || *right < 1.0;
-        self.zones().iter().any(is_free).then_some(self.edge_error)
+        let mut ends = self.level.zones.iter().flat_map(|zone| zone.ends);
+        ends.any(|end| end.is_free).then_some(self.edge_error)
     }
 
     fn complementarity(&self) -> Option<Complementarity> {

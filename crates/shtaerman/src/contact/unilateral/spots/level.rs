@@ -9,7 +9,7 @@ use crate::contact::balance::State;
 use crate::contact::solved::Stiffness;
 use crate::contact::unilateral::base::Base;
 use crate::contact::unilateral::fine::edges::positive;
-use crate::contact::unilateral::zones::Zone;
+use crate::contact::unilateral::zones::{End, Zone};
 use crate::{Error, Rotational, Vertical};
 
 /// Most nodes.
@@ -17,6 +17,8 @@ const MOST_NODES: usize = 400_000;
 /// Longest groups, in lengths of the layer, and about the most groups beyond the number of zones.
 const GROUP: f64 = 0.25;
 const MOST_GROUPS: f64 = 400.0;
+/// Edges this close to a wall are there.
+const BESIDE: f64 = 1e-12;
 /// Rounding of the right-hand side.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Samples between joints, and at least.
@@ -35,92 +37,62 @@ pub(in crate::contact::unilateral) struct Level {
     theta: f64,
 }
 
+/// How well the equation is to be solved.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Effort {
+    pub(super) fineness: Fineness,
+    /// Residual relative to the pressure.
+    pub(super) residual: f64,
+    /// Whether the stiffness is wanted.
+    pub(super) has_stiffness: bool,
+}
+
 impl Level {
-    /// Solves on these zones, from what was known before, to a relative residual; none where there are too many nodes.
+    /// Solves on these zones, from what was known before; none where there are too many nodes.
     pub(super) fn new(
         base: &Base<'_>,
         joints: &[f64],
         zones: &[Zone],
-        fineness: Fineness,
-        (known, tolerance): (Option<&Self>, f64),
+        effort: Effort,
+        known: Option<&Self>,
     ) -> Result<Option<Self>, Error> {
-        let Some(bounds) = panels(base, joints, zones, fineness, MOST_NODES) else {
+        let Some(bounds) = panels(base, joints, zones, effort.fineness, MOST_NODES) else {
             return Ok(None);
         };
-        let operator = PanelLogarithm::new(Panels::new(bounds, fineness.order)?)?;
+        let operator = PanelLogarithm::new(Panels::new(bounds, effort.fineness.order)?)?;
         let panels = operator.panels();
         let total: f64 = zones.iter().map(Zone::length).sum();
         let longest = (GROUP / base.theta).max(total / MOST_GROUPS);
         let groups = Groups::new(panels, base.theta, longest)?;
         let equation =
             PanelEquation { operator: &operator, parameter: base.theta, groups: &groups };
-        let nodes = panels.nodes();
-        let column = |f: &dyn Fn(f64) -> f64| -> Vec<f64> { nodes.iter().map(|x| f(*x)).collect() };
-        let mut right = column(&|x| -base.height(x));
-        let mut conditions = Vec::new();
-        let mut add = |f: &dyn Fn(f64) -> f64| {
-            right.iter_mut().zip(nodes).for_each(|(value, x)| *value += f(*x));
+        let start: Vec<f64> = (panels.nodes().iter())
+            .map(|x| known.and_then(|known| known.inside(*x)).unwrap_or(0.0))
+            .collect();
+        let given = Given::new(base, panels);
+        let norm = |values: &[f64]| {
+            let squares: Vec<f64> = values.iter().map(|value| value * value).collect();
+            panels.integral(&squares, |_| 1.0).sqrt()
         };
-        let force = match base.load.vertical {
-            Vertical::Force(value) => {
-                conditions.push(PanelCondition { column: vec![1.0; nodes.len()], value });
-                value
-            }
-            Vertical::Settlement(settlement) => {
-                add(&|_| settlement);
-                0.0
-            }
+        let depth = norm(&given.right);
+        // At least the norm of a uniform pressure.
+        let carried = [norm(&start), given.force / total.sqrt(), depth];
+        let carried = carried.into_iter().find(|size| *size > 0.0).unwrap_or(1.0);
+        let tolerance = (effort.residual * carried).max(ROUNDING * depth);
+        let solution = equation.solve(&given.right, &given.conditions, &start, tolerance)?;
+        let stiffness = if effort.has_stiffness {
+            stiffness(&equation)?
+        } else {
+            Stiffness { force_settlement: 0.0, coupling: 0.0, moment_tilt: 0.0 }
         };
-        match base.load.rotational {
-            Rotational::Moment(value) => {
-                conditions.push(PanelCondition { column: nodes.to_vec(), value });
-            }
-            Rotational::Eccentricity(e) => {
-                conditions.push(PanelCondition { column: nodes.to_vec(), value: e * force });
-            }
-            Rotational::Tilt(tilt) => add(&|x| -tilt * x),
-        }
-        let start: Vec<f64> = known.map_or_else(
-            || vec![0.0; nodes.len()],
-            |known| nodes.iter().map(|x| known.inside(*x).unwrap_or(0.0)).collect(),
-        );
-        let size = |values: &[f64]| panels.integral(values, |_| 1.0).abs() / total.sqrt();
-        let squares: Vec<f64> = right.iter().map(|value| value * value).collect();
-        let depth = panels.integral(&squares, |_| 1.0).sqrt();
-        let carried = if force > 0.0 { force / total.sqrt() } else { size(&start) };
-        let carried = if carried > 0.0 { carried } else { depth };
-        let solution = equation.solve(
-            &right,
-            &conditions,
-            &start,
-            (tolerance * carried).max(ROUNDING * depth),
-        )?;
-        let state = balanced(base, panels, &solution.values, &solution.multipliers);
-        let field = operator.field(&solution.values);
-        let stiffness = Stiffness { force_settlement: 0.0, coupling: 0.0, moment_tilt: 0.0 };
-        let mut level = Self {
+        Ok(Some(Self {
             zones: zones.to_vec(),
-            state,
+            state: balanced(base, panels, &solution.values, &solution.multipliers),
             stiffness,
-            field,
+            field: operator.field(&solution.values),
             pressures: solution.values,
             theta: base.theta,
-        };
-        if std::env::var("SPOTS").is_ok() {
-            eprintln!(
-                "   zones {} panels {} nodes {} groups {} products {} residual {:e}",
-                zones.len(),
-                level.field.panels().bounds().len(),
-                level.pressures.len(),
-                groups.count(),
-                solution.products,
-                solution.residual / carried
-            );
-        }
-        if known.is_some_and(|_| tolerance < 1e-12) {
-            level.stiffness = stiffness_of(&equation)?;
-        }
-        Ok(Some(level))
+        }))
     }
 
     /// The pressure in the zones, from the values at the nodes.
@@ -144,6 +116,37 @@ impl Level {
         self.zones.get(after).is_some_and(|zone| zone.left() <= xi)
     }
 
+    /// The end of a zone here.
+    pub(super) fn end_at(&self, xi: f64) -> Option<(usize, End)> {
+        let after = self.zones.partition_point(|zone| zone.right() < xi);
+        let ends = self.zones.get(after)?.ends;
+        ends.into_iter().enumerate().find(|(_, end)| end.at == xi)
+    }
+
+    /// The least slope of the pressure at a free end.
+    pub(super) fn gentlest(&self) -> f64 {
+        let bounds = self.field.panels().bounds();
+        let first = |at: f64| bounds.partition_point(|[_, right]| *right <= at);
+        let mut least = f64::INFINITY;
+        for zone in &self.zones {
+            for (side, end) in zone.ends.iter().enumerate().filter(|(_, end)| end.is_free) {
+                let panel = if side == 0 { first(end.at) } else { first(end.at).saturating_sub(1) };
+                let Some([left, right]) = bounds.get(panel) else { continue };
+                let middle = 0.5 * (left + right);
+                let distance = (middle - end.at).abs();
+                if let Some(pressure) = self.inside(middle).filter(|_| distance > 0.0) {
+                    least = least.min(pressure.abs() / distance);
+                }
+            }
+        }
+        least
+    }
+
+    /// A bound of what is added up in a pressure.
+    pub(super) fn size(&self) -> f64 {
+        self.largest() + self.state.settlement.abs() + self.state.tilt.abs()
+    }
+
     /// The largest pressure at the nodes.
     pub(super) fn largest(&self) -> f64 {
         self.pressures.iter().fold(0.0, |most, p| most.max(*p))
@@ -157,8 +160,10 @@ impl Level {
 
     /// Places from edge to edge of the punch that show every bend of the profile, with what the pressure is there.
     pub(super) fn sampled(&self, base: &Base<'_>, joints: &[f64]) -> (Vec<f64>, Vec<f64>) {
-        let middles = self.zones.iter().map(|zone| 0.5 * (zone.left() + zone.right()));
-        let mut at: Vec<f64> = middles.collect();
+        let mut at: Vec<f64> = Vec::new();
+        for zone in &self.zones {
+            at.extend([zone.left(), 0.5 * (zone.left() + zone.right()), zone.right()]);
+        }
         let cuts: Vec<f64> =
             [-1.0].into_iter().chain(joints.iter().copied()).chain([1.0]).collect();
         for pair in cuts.windows(2) {
@@ -169,17 +174,69 @@ impl Level {
         at.push(1.0);
         at.sort_by(f64::total_cmp);
         at.dedup();
-        let values = at
-            .iter()
-            .map(|xi| self.inside(*xi).unwrap_or_else(|| self.pressure_at(*xi, base.height(*xi))))
-            .collect();
+        let value = |xi: &f64| {
+            // At an end the polynomials are least exact, and beside it the same function goes on.
+            let inside = if self.end_at(*xi).is_some() { None } else { self.inside(*xi) };
+            inside.unwrap_or_else(|| self.pressure_at(*xi, base.height(*xi)))
+        };
+        let values = at.iter().map(value).collect();
         (at, values)
     }
 
-    /// Where the pressure and the gap tell that the zones are.
-    pub(super) fn next_zones(&self, base: &Base<'_>, sampled: &(Vec<f64>, Vec<f64>)) -> Vec<Zone> {
+    /// Where the pressure and the gap tell that the zones are; pressures up to `none` are zero.
+    pub(super) fn next_zones(
+        &self,
+        base: &Base<'_>,
+        sampled: &(Vec<f64>, Vec<f64>),
+        none: f64,
+    ) -> Vec<Zone> {
         let pressure = |xi: f64| self.pressure_at(xi, base.height(xi));
-        positive(&pressure, &sampled.0, &sampled.1)
+        let mut zones = positive(&pressure, &sampled.0, &sampled.1, none);
+        for zone in &mut zones {
+            for (side, end) in zone.ends.iter_mut().enumerate() {
+                let inwards = if side == 0 { BESIDE } else { -BESIDE };
+                if let Some(wall) = base.wall_near(side, end.at + inwards, 2.0 * BESIDE) {
+                    *end = End { at: wall, is_free: false };
+                }
+            }
+        }
+        zones
+    }
+}
+
+/// What the load and the profile prescribe at the nodes.
+struct Given {
+    right: Vec<f64>,
+    conditions: Vec<PanelCondition>,
+    /// The prescribed force, or none.
+    force: f64,
+}
+
+impl Given {
+    fn new(base: &Base<'_>, panels: &Panels) -> Self {
+        let nodes = panels.nodes();
+        let mut right: Vec<f64> = nodes.iter().map(|x| -base.height(*x)).collect();
+        let mut add = |f: &dyn Fn(f64) -> f64| {
+            right.iter_mut().zip(nodes).for_each(|(value, x)| *value += f(*x));
+        };
+        let mut conditions = Vec::new();
+        let force = match base.load.vertical {
+            Vertical::Force(value) => {
+                conditions.push(PanelCondition { column: vec![1.0; nodes.len()], value });
+                value
+            }
+            Vertical::Settlement(settlement) => {
+                add(&|_| settlement);
+                0.0
+            }
+        };
+        let lever = |value: f64| PanelCondition { column: nodes.to_vec(), value };
+        match base.load.rotational {
+            Rotational::Moment(moment) => conditions.push(lever(moment)),
+            Rotational::Eccentricity(e) => conditions.push(lever(e * force)),
+            Rotational::Tilt(tilt) => add(&|x| -tilt * x),
+        }
+        Self { right, conditions, force }
     }
 }
 
@@ -205,17 +262,29 @@ fn balanced(base: &Base<'_>, panels: &Panels, pressures: &[f64], multipliers: &[
 }
 
 /// `d(P0, M0)/d(delta0, -alpha0)` on the zones as they are.
-fn stiffness_of(equation: &PanelEquation<'_>) -> Result<Stiffness, Error> {
-    const RESIDUAL: f64 = 1e-11;
+fn stiffness(equation: &PanelEquation<'_>) -> Result<Stiffness, Error> {
+    // What is left of the residual enters the integrals by its square.
+    const RESIDUAL: f64 = 1e-7;
     let panels = equation.operator.panels();
     let zero = vec![0.0; panels.count()];
     let ones = vec![1.0; panels.count()];
     let size = panels.integral(&ones, |_| 1.0).sqrt();
-    let level = equation.solve(&ones, &[], &zero, RESIDUAL * size)?;
-    let tilted = equation.solve(panels.nodes(), &[], &zero, RESIDUAL * size)?;
+    let solved = |right: &[f64]| -> Result<[Vec<f64>; 2], Error> {
+        let solution = equation.solve(right, &[], &zero, RESIDUAL * size)?;
+        let left = (right.iter().zip(&solution.values).zip(&solution.potential))
+            .map(|((b, v), u)| b - v - equation.parameter * u)
+            .collect();
+        Ok([solution.values, left])
+    };
+    let [level, level_left] = solved(&ones)?;
+    let [tilted, tilted_left] = solved(panels.nodes())?;
+    let product = |one: &[f64], other: &[f64]| {
+        let products: Vec<f64> = one.iter().zip(other).map(|(a, b)| a * b).collect();
+        panels.integral(&products, |_| 1.0)
+    };
     Ok(Stiffness {
-        force_settlement: panels.integral(&level.values, |_| 1.0),
-        coupling: panels.integral(&level.values, |x| x),
-        moment_tilt: panels.integral(&tilted.values, |x| x),
+        force_settlement: product(&ones, &level) + product(&level, &level_left),
+        coupling: product(panels.nodes(), &level) + product(&tilted, &level_left),
+        moment_tilt: product(panels.nodes(), &tilted) + product(&tilted, &tilted_left),
     })
 }

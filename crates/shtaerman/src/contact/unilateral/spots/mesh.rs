@@ -3,17 +3,20 @@
 use crate::contact::unilateral::base::Base;
 use crate::contact::unilateral::zones::Zone;
 
-/// Length of a panel over its distance from an end of its zone.
+/// Length of a panel over its distance from a free end of its zone, and from a corner.
 const GROWTH: f64 = 2.0;
+const CORNER_GROWTH: f64 = 1.0;
 /// Longest panels: of the base, and in units of the length `1/theta0` of the layer.
 const LONGEST: f64 = 1.0 / 32.0;
-const LAYER: f64 = 0.5;
+const LAYER: f64 = 0.1;
 /// The panel at a free end, where the pressure goes on as `d^2 ln d`: the square of its length over that of the zone, in lengths of the layer.
-const FREE: f64 = 1e-7;
+const FREE: f64 = 1e-4;
 /// The panel at a corner, where it goes on as `d ln d`, in lengths of the layer.
 const CORNER: f64 = 1e-10;
 /// Shortest panels, over the distance from the middle of the base.
 const SHORTEST: f64 = 1e-14;
+/// Rounding of lengths that are just right.
+const SLACK: f64 = 1.0 + 1e-6;
 /// Most halvings of a panel on which the profile is no polynomial, and the deviation relative to its size that is none.
 const HALVINGS: u32 = 12;
 const STRAIGHT: f64 = 1e-14;
@@ -70,24 +73,26 @@ fn graded(
     panels: &mut Vec<[f64; 2]>,
 ) {
     let layer = 1.0 / base.theta.max(1.0);
-    let shortest = zone.ends.map(|end| {
-        let least =
-            if end.is_free { (FREE * zone.length() * layer).sqrt() } else { CORNER * layer };
-        (fineness.ends * least).max(SHORTEST)
+    let [shortest, growth] = [0, 1].map(|what| {
+        zone.ends.map(|end| {
+            let least =
+                if end.is_free { (FREE * zone.length() * layer).sqrt() } else { CORNER * layer };
+            let growth = if end.is_free { GROWTH } else { CORNER_GROWTH };
+            if what == 0 { (fineness.ends * least).max(SHORTEST) } else { growth }
+        })
     });
     let longest = LONGEST.min(LAYER * layer);
     let mut left_to_do = vec![piece];
     while let Some([left, right]) = left_to_do.pop() {
         let length = right - left;
-        let allowed = [left - zone.left(), zone.right() - right]
-            .iter()
-            .zip(shortest)
-            .map(|(distance, shortest)| (GROWTH * distance).max(shortest))
-            .collect::<Vec<f64>>();
-        let cut = if length > 1.000_001 * allowed[0] && allowed[0] <= allowed[1] {
-            zone.left() + (right - zone.left()) / (1.0 + GROWTH)
-        } else if length > 1.000_001 * allowed[1] {
-            zone.right() - (zone.right() - left) / (1.0 + GROWTH)
+        let allowed = |side: usize| {
+            let distance = if side == 0 { left - zone.left() } else { zone.right() - right };
+            (growth[side] * distance).max(shortest[side])
+        };
+        let cut = if length > SLACK * allowed(0) && allowed(0) <= allowed(1) {
+            zone.left() + (right - zone.left()) / (1.0 + growth[0])
+        } else if length > SLACK * allowed(1) {
+            zone.right() - (zone.right() - left) / (1.0 + growth[1])
         } else if length > longest {
             0.5 * (left + right)
         } else {

@@ -6,8 +6,11 @@
 //! by `e` changes the rest by `e^2` only, and this is Newton's method. Cells give the zones to begin with.
 
 mod answer;
+mod estimate;
 mod level;
 mod mesh;
+#[cfg(test)]
+mod tests;
 
 pub(super) use answer::SpotContact;
 
@@ -16,46 +19,55 @@ use super::base::Base;
 use super::fine;
 use super::zones::Zone;
 use crate::Error;
-use crate::contact::accuracy::{Accuracy, ErrorKind};
-use level::Level;
+use crate::contact::solution::Solution;
+use estimate::estimate;
+use level::{Effort, Level};
 use mesh::Fineness;
 
 /// Most rounds on the way to the zones.
-const ROUNDS: usize = 14;
-/// Relative residuals: of the first rounds, and of the last ones.
-const LOOSE: f64 = 1e-7;
-const TIGHT: f64 = 1e-13;
-/// Pressure at free edges over the largest that is none.
-const NONE: f64 = 1e-13;
-/// Panels whose answer is compared, and those of the answer.
-const COARSE: Fineness = Fineness { order: 6, ends: 4.0 };
-const FINE: Fineness = Fineness { order: 8, ends: 1.0 };
+const ROUNDS: usize = 12;
+/// Panels on which the zones are found, those whose answer is compared, and those of the answer: with the relative residuals.
+const LADDER: [Effort; 3] = [
+    Effort { fineness: Fineness { order: 4, ends: 4.0 }, residual: 1e-6, has_stiffness: false },
+    Effort { fineness: Fineness { order: 7, ends: 2.0 }, residual: 1e-11, has_stiffness: false },
+    Effort { fineness: Fineness { order: 10, ends: 1.0 }, residual: 1e-14, has_stiffness: true },
+];
+/// Pressure at free edges over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off.
+const GOOD: [f64; 3] = [1e-4, 1e-6, 1e-7];
+/// Rounding of a pressure relative to what is added up in it, at edges and elsewhere.
+const NONE: f64 = 4.0 * f64::EPSILON;
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Most zones.
 const MOST_ZONES: usize = 2000;
+/// Answers with larger relative errors leave the problem to others.
+const ROUGHEST: f64 = 1e-3;
 
 /// The answer on panels; none where the zones are not found or too many.
 pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
-    let log = std::env::var("SPOTS").is_ok();
-    let clock = std::time::Instant::now();
     let Some(zones) = fine::first_zones(base)? else { return Ok(None) };
-    if log {
-        eprintln!("first zones {:?}", clock.elapsed());
-    }
+    solve_from(base, zones)
+}
+
+/// The answer from zones that are nearly right.
+fn solve_from(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Option<SpotContact>, Error> {
     let mut joints = base.problem.profile().joints(base.problem.frame().half_width());
     joints.sort_by(f64::total_cmp);
-    let Some((coarse, _)) = settle(base, &joints, zones, COARSE, None)? else { return Ok(None) };
-    if log {
-        eprintln!("coarse {:?}", clock.elapsed());
+    let mut levels: Vec<Level> = Vec::new();
+    let mut left = None;
+    for (effort, good) in LADDER.into_iter().zip(GOOD) {
+        let settled = settle(base, &joints, zones, (effort, good), levels.last())?;
+        let Some((level, complementarity)) = settled else { return Ok(None) };
+        zones = level.zones.clone();
+        left = Some(complementarity);
+        levels.push(level);
     }
-    let zones = coarse.zones.clone();
-    let Some((fine, left)) = settle(base, &joints, zones, FINE, Some(&coarse))? else {
+    let (Ok(levels), Some(complementarity)) = (<[Level; 3]>::try_from(levels), left) else {
         return Ok(None);
     };
-    if log {
-        eprintln!("fine {:?}", clock.elapsed());
-    }
-    let (accuracy, edge_error) = estimate(&fine, &coarse);
-    Ok(Some(SpotContact { level: fine, accuracy, edge_error, complementarity: left }))
+    let (accuracy, edge_error) = estimate(&levels);
+    let [_, _, level] = levels;
+    let contact = SpotContact { level, accuracy, edge_error, complementarity };
+    Ok((contact.relative_error() <= ROUGHEST).then_some(contact))
 }
 
 /// The zones that agree with their own pressure, and what is left of tension and penetration.
@@ -63,35 +75,29 @@ fn settle(
     base: &Base<'_>,
     joints: &[f64],
     mut zones: Vec<Zone>,
-    fineness: Fineness,
+    (effort, good): (Effort, f64),
     start: Option<&Level>,
 ) -> Result<Option<(Level, Complementarity)>, Error> {
-    let mut known: Option<Level> = start.cloned();
-    let mut best = f64::INFINITY;
-    let mut tolerance = if start.is_some() { TIGHT } else { LOOSE };
-    for round in 0..ROUNDS {
+    let mut latest: Option<Level> = None;
+    for _ in 0..ROUNDS {
         if zones.is_empty() || zones.len() > MOST_ZONES {
             return Ok(None);
         }
-        let level = Level::new(base, joints, &zones, fineness, (known.as_ref(), tolerance))?;
-        let Some(level) = level else { return Ok(None) };
+        let known = latest.as_ref().or(start);
+        let Some(mut level) = Level::new(base, joints, &zones, effort, known)? else {
+            return Ok(None);
+        };
         let sampled = level.sampled(base, joints);
-        let next = level.next_zones(base, &sampled);
-        let off = level.at_ends(base) / level.largest();
-        let left = complementarity(&level, &sampled);
-        if std::env::var("SPOTS").is_ok() {
-            eprintln!("  round {round} off {off:e} next {} {left:?}", next.len());
-        }
-        let same = next.len() == zones.len();
-        if same && tolerance <= TIGHT && (off <= NONE || off >= 0.1 * best) {
+        let next = level.next_zones(base, &sampled, NONE * level.size());
+        let is_same = next.len() == zones.len();
+        zones = next;
+        if is_same && level.at_ends(base) <= good * level.largest() {
+            // The pressure outside of the panels goes on as the negative gap: these edges are its own.
+            level.zones = zones;
+            let left = complementarity(&level, &sampled);
             return Ok(Some((level, left)));
         }
-        best = if same && tolerance <= TIGHT { off } else { f64::INFINITY };
-        if same {
-            tolerance = if off < 1e-3 { TIGHT } else { LOOSE };
-        }
-        known = Some(level);
-        zones = next;
+        latest = Some(level);
     }
     Ok(None)
 }
@@ -99,7 +105,8 @@ fn settle(
 /// Tension in the zones and penetration beside them.
 fn complementarity(level: &Level, (at, values): &(Vec<f64>, Vec<f64>)) -> Complementarity {
     let (mut tension, mut penetration) = (0.0f64, 0.0f64);
-    for (xi, pressure) in at.iter().zip(values) {
+    let inside = at.iter().zip(values).filter(|(xi, _)| level.end_at(**xi).is_none());
+    for (xi, pressure) in inside {
         if level.touches(*xi) {
             tension = tension.max(-pressure);
         } else {
@@ -107,34 +114,5 @@ fn complementarity(level: &Level, (at, values): &(Vec<f64>, Vec<f64>)) -> Comple
         }
     }
     let largest = level.largest().max(f64::MIN_POSITIVE);
-    let size = largest + level.state.settlement.abs() + level.state.tilt.abs();
-    Complementarity { tension: tension / largest, penetration: penetration / size }
-}
-
-/// The differences between two finenesses, and that of the edges.
-fn estimate(fine: &Level, coarse: &Level) -> (Accuracy, f64) {
-    let nodes = fine.field.panels().nodes();
-    let pressure = nodes
-        .iter()
-        .zip(&fine.pressures)
-        .map(|(xi, p)| (p - coarse.inside(*xi).unwrap_or(0.0)).abs())
-        .fold(0.0, f64::max);
-    let ends = |level: &Level| -> Vec<f64> {
-        level.zones.iter().flat_map(|zone| [zone.left(), zone.right()]).collect()
-    };
-    let edge = ends(fine)
-        .into_iter()
-        .zip(ends(coarse))
-        .map(|(one, two)| (one - two).abs())
-        .fold(0.0, f64::max);
-    let (one, other) = (&fine.state, &coarse.state);
-    let accuracy = Accuracy {
-        kind: ErrorKind::Estimate,
-        pressure,
-        settlement: (one.settlement - other.settlement).abs(),
-        tilt: (one.tilt - other.tilt).abs(),
-        force: (one.force - other.force).abs(),
-        moment: (one.moment - other.moment).abs(),
-    };
-    (accuracy, edge)
+    Complementarity { tension: tension / largest, penetration: penetration / level.size() }
 }
