@@ -118,7 +118,8 @@ fn extended(answer: Answer, contact: &Contact, extras: &Extras) -> Result<Answer
     if let Some(count) = extras.surface {
         answer.surface = Some(SurfaceCurve::new(contact, count)?);
     }
-    let is_cheap = contact.method().n <= CHEAP && contact.method().name != "cells";
+    let many = ["cells", "panels"].contains(&contact.method().name);
+    let is_cheap = contact.method().n <= CHEAP && !many;
     match extras.sensitivities {
         Sensitivities::Asked => answer = answer.with_sensitivities(contact.sensitivities()?),
         // A neighbouring problem without an answer is no fault of this one.

@@ -58,7 +58,8 @@ impl Solution for SpotContact {
     /// The nodes, both ends of the base and of the zones.
     fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
         let panels = self.level.field.panels();
-        let known = panels.nodes().iter().copied().zip(self.level.pressures.iter().copied());
+        let pressures = self.level.pressures.iter().map(|p| p.max(0.0));
+        let known = panels.nodes().iter().copied().zip(pressures);
         let ends = self.zones().into_iter().flatten().chain([-1.0, 1.0]);
         let ends = ends.map(|xi| (xi, self.pressure(problem, xi)));
         let mut samples: Vec<(f64, f64)> = known.chain(ends).collect();
