@@ -39,8 +39,8 @@ fn panels_agree_with_collocation() {
             assert!(off < 1e-10 * size, "{xi}: {off:e}");
         }
         let (one, other) = (panels.stiffness0(), exact.stiffness0());
-        assert!((one.force_settlement - other.force_settlement).abs() < 1e-9);
-        assert!((one.moment_tilt - other.moment_tilt).abs() < 1e-9);
+        assert!((one.force_settlement - other.force_settlement).abs() < 1e-8);
+        assert!((one.moment_tilt - other.moment_tilt).abs() < 1e-8);
         let left = panels.complementarity().unwrap();
         assert!(left.tension < 1e-12 && left.penetration < 1e-12, "{left:?}");
     }
