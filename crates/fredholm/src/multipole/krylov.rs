@@ -218,7 +218,7 @@ impl PanelEquation<'_> {
             let length = self.product(&next, &next).sqrt();
             column.push(length);
             least.add(column);
-            if !(length > 0.0) {
+            if length.is_nan() || length <= 0.0 {
                 break;
             }
             next.iter_mut().for_each(|value| *value /= length);

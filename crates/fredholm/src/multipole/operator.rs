@@ -163,7 +163,7 @@ impl PanelField {
     /// The potential at a place, inside the panels or beside them; beyond `[-1, 1]` by the sum over all panels.
     #[must_use]
     pub fn at(&self, x: f64) -> f64 {
-        if !(x.abs() <= 1.0) {
+        if x.is_nan() || x.abs() > 1.0 {
             return self.direct(x, 0..self.panels.count());
         }
         let leaf = self.tree.leaf(x);

@@ -112,9 +112,9 @@ pub(super) fn logarithm_moments(z: f64, moments: &mut [f64]) {
         let mut functions = [0.0; MOST + 2];
         let functions = &mut functions[..=count];
         if x < FORWARD {
-            upwards(x, functions)
+            upwards(x, functions);
         } else {
-            downwards(x, functions)
+            downwards(x, functions);
         }
         for k in 1..count {
             moments[k] = 2.0 * (functions[k - 1] - functions[k + 1]) / (2 * k + 1) as f64;

@@ -11,6 +11,8 @@ const CROSSING: f64 = 1e-13;
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// A pressure below this, relative to the largest, counts as zero.
 const NEGLIGIBLE: f64 = 1e-12;
+/// How far a search may end beside a maximum of a curvature like its height, when values are known to [`NEGLIGIBLE`].
+const NEAR: f64 = 1e-6;
 
 /// A value and its place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,7 +34,8 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         Self { f, points, values }
     }
 
-    /// The largest value and its place; of equal ones the leftmost.
+    /// The largest value and its place; of equal ones the leftmost, but the middle of the base before places found by search that only rounding
+    /// sets apart from it.
     pub(super) fn maximum(&self) -> Extreme {
         let mut best = 0;
         for (i, value) in self.values.iter().enumerate() {
@@ -46,7 +49,13 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         let refined = golden_section(&self.f, left, right);
         // A value that is larger by rounding alone says nothing of the place.
         let noticeable = ROUNDING * sampled.value.abs();
-        if refined.value > sampled.value + noticeable { refined } else { sampled }
+        let found = if refined.value > sampled.value + noticeable { refined } else { sampled };
+        let middle = (self.f)(0.0);
+        if found.place.abs() < NEAR && middle + NEGLIGIBLE * middle.abs() >= found.value {
+            Extreme { place: 0.0, value: middle.max(found.value) }
+        } else {
+            found
+        }
     }
 
     /// The intervals on which the function is negative beyond rounding.
@@ -164,6 +173,7 @@ mod tests {
         assert_eq!(sampled(|x: f64| x).maximum(), Extreme { place: 1.0, value: 1.0 });
         assert_eq!(sampled(|x: f64| x * x).maximum().place, -1.0);
         assert_eq!(sampled(|_| 0.5).maximum().value, 0.5);
+        assert_eq!(sampled(|x: f64| (x - 1e-10).cos()).maximum().place, 0.0);
     }
 
     #[test]

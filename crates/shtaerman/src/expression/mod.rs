@@ -117,7 +117,26 @@ impl Expression {
     /// texts of more than [`TEXT_LIMIT`] bytes (refused unread) and for nesting beyond
     /// [`DEPTH_LIMIT`].
     pub fn parse(text: &str, variables: &[&str]) -> Result<Self, ExpressionError> {
-        let operations = parse::parse(text, variables)?;
+        Self::parse_with_magnitudes(text, variables, &[])
+    }
+
+    /// The same with further names, each for the magnitude `|v|` of the variable at a position.
+    ///
+    /// ```
+    /// # use shtaerman::expression::Expression;
+    /// let ball = Expression::parse_with_magnitudes("r^2 / 2", &["x"], &[("r", 0)]).unwrap();
+    /// assert_eq!(ball.evaluate(&[-0.5]), 0.125);
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`parse`](Self::parse).
+    pub fn parse_with_magnitudes(
+        text: &str,
+        variables: &[&str],
+        magnitudes: &[(&str, usize)],
+    ) -> Result<Self, ExpressionError> {
+        let operations = parse::parse(text, variables, magnitudes)?;
         Ok(Expression {
             text: text.to_owned(),
             variables: variables.iter().map(|&name| name.to_owned()).collect(),

@@ -27,8 +27,12 @@ impl Operator {
     }
 }
 
-/// Compiles a text whose variables have these names.
-pub(super) fn parse(text: &str, variables: &[&str]) -> Parsed<Vec<Operation>> {
+/// Compiles a text whose variables have these names, and whose magnitudes of variables have those.
+pub(super) fn parse(
+    text: &str,
+    variables: &[&str],
+    magnitudes: &[(&str, usize)],
+) -> Parsed<Vec<Operation>> {
     if text.len() > TEXT_LIMIT {
         let reason = ErrorReason::TooLong { bytes: text.len(), limit: TEXT_LIMIT };
         return Err(ExpressionError { reason, span: 0..text.len() });
@@ -36,7 +40,7 @@ pub(super) fn parse(text: &str, variables: &[&str]) -> Parsed<Vec<Operation>> {
     if text.trim().is_empty() {
         return Err(ExpressionError { reason: ErrorReason::Empty, span: 0..text.len() });
     }
-    let mut parser = Parser::new(text, variables)?;
+    let mut parser = Parser::new(text, variables, magnitudes)?;
     parser.expression(0)?;
     parser.expect_end()?;
     let operations = parser.builder.finish();
@@ -50,6 +54,7 @@ pub(super) fn parse(text: &str, variables: &[&str]) -> Parsed<Vec<Operation>> {
 struct Parser<'a> {
     text: &'a str,
     variables: &'a [&'a str],
+    magnitudes: &'a [(&'a str, usize)],
     lexer: Lexer<'a>,
     token: Token,
     span: Range<usize>,
@@ -59,11 +64,16 @@ struct Parser<'a> {
 }
 
 impl<'a> Parser<'a> {
-    fn new(text: &'a str, variables: &'a [&'a str]) -> Parsed<Self> {
+    fn new(
+        text: &'a str,
+        variables: &'a [&'a str],
+        magnitudes: &'a [(&'a str, usize)],
+    ) -> Parsed<Self> {
         let mut lexer = Lexer::new(text);
         let (token, span) = lexer.next()?;
         let builder = Builder::default();
-        Ok(Parser { text, variables, lexer, token, span, previous: 0..0, builder, depth: 0 })
+        let previous = 0..0;
+        Ok(Parser { text, variables, magnitudes, lexer, token, span, previous, builder, depth: 0 })
     }
 
     /// Consumes the current token and returns its bytes.
@@ -186,19 +196,25 @@ impl<'a> Parser<'a> {
         let span = self.advance()?;
         let name = &self.text[span.clone()];
         let variable = self.variables.iter().position(|known| *known == name);
+        let magnitude = self.magnitudes.iter().find(|(known, _)| *known == name);
         let constant = CONSTANTS.iter().find(|(known, _)| *known == name);
+        let is_value = variable.is_some() || magnitude.is_some() || constant.is_some();
         let function = Function::named(name);
         if self.token == Token::Open {
             return match function {
                 Some(function) => self.call(function, span),
-                None if variable.is_some() || constant.is_some() => self.missing_operator(),
+                None if is_value => self.missing_operator(),
                 None => Err(unknown_function(name, span)),
             };
         }
-        match (variable, constant) {
-            (Some(index), _) => self.builder.variable(index),
-            (None, Some((_, value))) => self.builder.constant(*value),
-            (None, None) => {
+        match (variable, magnitude, constant) {
+            (Some(index), ..) => self.builder.variable(index),
+            (None, Some((_, index)), _) => {
+                self.builder.variable(*index);
+                self.builder.unary(Unary::Abs);
+            }
+            (None, None, Some((_, value))) => self.builder.constant(*value),
+            (None, None, None) => {
                 let reason = match function {
                     Some(_) => ErrorReason::FunctionWithoutArguments { name: name.to_owned() },
                     None => self.unknown_name(name),
@@ -211,7 +227,9 @@ impl<'a> Parser<'a> {
 
     fn unknown_name(&self, name: &str) -> ErrorReason {
         let constants = CONSTANTS.iter().map(|(known, _)| *known);
-        let known: Vec<&str> = self.variables.iter().copied().chain(constants).collect();
+        let magnitudes = self.magnitudes.iter().map(|(known, _)| *known);
+        let variables = self.variables.iter().copied().chain(magnitudes);
+        let known: Vec<&str> = variables.chain(constants).collect();
         let suggestion = nearest(name, &known);
         let known = known.into_iter().map(str::to_owned).collect();
         ErrorReason::UnknownName { name: shorten(name), suggestion, known }

@@ -67,6 +67,10 @@ impl Builder {
             // The square is exact to rounding and its enclosure knows that it is not negative.
             [.., Operation::Constant(2.0)] if function == Binary::Power => {
                 self.operations.pop();
+                // A magnitude squared has no kink.
+                if self.operations.last() == Some(&Operation::Unary(Unary::Abs)) {
+                    self.operations.pop();
+                }
                 self.operations.push(Operation::Unary(Unary::Square));
             }
             _ => self.operations.push(Operation::Binary(function)),

@@ -6,7 +6,12 @@ use crate::{Frame, Load, Rotational, Vertical};
 
 pub(super) fn read(table: &TableReader<'_>, frame: &Frame) -> Result<Load, FileError> {
     let vertical = table.exactly_one(&["force", "settlement"])?;
-    let rotational = table.exactly_one(&["moment", "eccentricity", "tilt"])?;
+    let rotational = table.exactly_one(&["moment", "eccentricity", "tilt"]).map_err(|error| {
+        match error.help() {
+            Some(_) => error,
+            None => error.with_help("moment = 0 is a central load"),
+        }
+    })?;
     let [force, moment] = if frame.is_circular() {
         [Dimension::FORCE, Dimension::MOMENT]
     } else {

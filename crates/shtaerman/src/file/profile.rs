@@ -23,8 +23,11 @@ pub(super) fn read<'d>(
         Some(_) => error,
         None => error.with_help("profile = \"0\" is a flat base"),
     })?;
-    let profile =
-        if field.is_table() { measured(&field, frame, folder)? } else { expression(&field)? };
+    let profile = if field.is_table() {
+        measured(&field, frame, folder)?
+    } else {
+        expression(&field, frame)?
+    };
     Ok(ReadProfile { field, profile })
 }
 
@@ -47,13 +50,15 @@ impl ReadProfile<'_> {
 }
 
 /// A formula; a bare number is a constant, so that `--set punch.profile=0` needs no quotes within quotes.
-fn expression(field: &Field<'_>) -> Result<Profile, FileError> {
+fn expression(field: &Field<'_>, frame: &Frame) -> Result<Profile, FileError> {
     let constant = field.number().ok().map(|value| format!("{value:e}"));
     let text = match &constant {
         Some(text) => text,
         None => field.string()?,
     };
-    Profile::expression(text).map_err(|error| {
+    let parsed =
+        if frame.is_circular() { Profile::radial(text) } else { Profile::expression(text) };
+    parsed.map_err(|error| {
         let fault = field.error_within(&error, error.span.clone());
         match error.help() {
             Some(help) => fault.with_help(help),

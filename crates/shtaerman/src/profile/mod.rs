@@ -13,6 +13,9 @@ use spline::Spline;
 /// Names an expression may use: `x` (metres; in a dimensionless problem the same as `xi`), `xi = x/a`, and the half-width `a`.
 pub const VARIABLES: [&str; 3] = ["x", "xi", "a"];
 
+/// Further names for a body of revolution, with the variables that they are the magnitude of.
+const RADIAL: [(&str, usize); 2] = [("r", 0), ("rho", 1)];
+
 /// The base `f(x)` of a punch, positive away from the body: an expression or a measured curve.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
@@ -39,6 +42,15 @@ impl Profile {
     /// [`ExpressionError`] with the place in the text.
     pub fn expression(text: &str) -> Result<Self, ExpressionError> {
         Ok(Self { shape: Shape::Expression(Expression::parse(text, &VARIABLES)?) })
+    }
+
+    /// An expression for a body of revolution: besides [`VARIABLES`] there are `r = |x|`, the distance from the axis, and `rho = |xi|`.
+    ///
+    /// # Errors
+    /// [`ExpressionError`] with the place in the text.
+    pub fn radial(text: &str) -> Result<Self, ExpressionError> {
+        let expression = Expression::parse_with_magnitudes(text, &VARIABLES, &RADIAL)?;
+        Ok(Self { shape: Shape::Expression(expression) })
     }
 
     /// The cubic spline through measured points; lengths in the units of the problem.

@@ -12,6 +12,7 @@ use super::zones::Zone;
 use crate::Problem;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
+use crate::contact::linearised::Linearised;
 use crate::contact::potential::between_nodes;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
@@ -85,13 +86,21 @@ impl UnilateralContact {
         Self { solved, accuracy, edge_error, complementarity, tilted: None, beside }
     }
 
+    pub(super) fn solved(&self) -> &Solved {
+        &self.solved
+    }
+
+    pub(super) fn tilted(&self) -> Option<&Tilted> {
+        self.tilted.as_ref()
+    }
+
     pub(super) fn with_tilt(self, tilted: Tilted) -> Self {
         Self { tilted: Some(tilted), ..self }
     }
 
     /// Where a point of the base lies in the coordinates of the solution: on a disk the distance from the axis, on a wave without gaps the image between the ends
     /// of its zones.
-    fn locate(&self, xi: f64) -> f64 {
+    pub(super) fn locate(&self, xi: f64) -> f64 {
         match self.solved.medium {
             Medium::Disk { .. } => xi.abs(),
             Medium::Row { .. } if self.solved.medium.is_closed() => {
@@ -235,6 +244,10 @@ impl Solution for UnilateralContact {
 
     fn complementarity(&self) -> Option<Complementarity> {
         self.complementarity
+    }
+
+    fn linearised(&self, problem: &Problem, peak: f64) -> Option<Linearised> {
+        self.first_order(problem, peak)
     }
 
     fn size(&self) -> f64 {

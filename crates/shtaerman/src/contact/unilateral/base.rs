@@ -3,6 +3,7 @@
 use super::coarse;
 use super::layer::Layer;
 use super::medium::Medium;
+use super::mirror;
 use super::power::reference_pressure;
 use super::topology;
 use super::zones::Zone;
@@ -40,6 +41,8 @@ pub(super) struct Base<'p> {
     walls: [Vec<f64>; 2],
     /// Samples `(xi, f0)` from edge to edge.
     pub(super) samples: Vec<(f64, f64)>,
+    /// Whether base and load are their own mirror images; not asked of a base without bends, where nothing comes of it.
+    pub(super) is_mirrored: bool,
 }
 
 /// Refuses the base of a circular punch that is no body of revolution; samples `(xi, f0)` of its right half.
@@ -89,7 +92,9 @@ impl<'p> Base<'p> {
             medium,
             pieces,
             samples,
+            is_mirrored: false,
         };
+        base.is_mirrored = !base.breaks.is_empty() && mirror::is_mirrored(&base);
         base.find_steps();
         base.require_geometry()?;
         base.require_load()?;

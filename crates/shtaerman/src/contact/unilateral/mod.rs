@@ -16,7 +16,9 @@ mod field;
 mod fine;
 mod harmonic;
 mod layer;
+mod linearised;
 mod medium;
+mod mirror;
 mod motion;
 mod power;
 mod ring;
@@ -29,6 +31,7 @@ mod zones;
 pub use answer::Complementarity;
 use answer::UnilateralContact;
 pub(super) use base::require_even;
+pub(super) use medium::mean_power;
 
 use std::sync::Arc;
 
@@ -75,8 +78,9 @@ const MOST_NODES: usize = 2400;
 const STAGNANT: f64 = 1e-9;
 /// A change of force and displacements, relative to their size, that is rounding.
 const RESOLVED: f64 = 1e-13;
-/// Points at which two resolutions are compared.
+/// Points at which two resolutions are compared, on all panels and at least on each.
 const COMPARED: usize = 200;
+const LEAST_COMPARED: usize = 64;
 /// Rounding of settlement, tilt, force and moment relative to their size.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
@@ -390,11 +394,12 @@ fn difference(base: &Base<'_>, fine: &Solved, coarse: &Solved) -> Change {
             (0..2).map(move |side| (one.ends[side].at - two.ends[side].at).abs())
         })
         .fold(if same { 0.0 } else { 2.0 }, f64::max);
+    let compared = (COMPARED / fine.panels.len()).max(LEAST_COMPARED);
     let pressure = (fine.panels.iter())
         .flat_map(|panel| {
             let (middle, half) =
                 (0.5 * (panel.left + panel.right), 0.5 * (panel.right - panel.left));
-            between_nodes(COMPARED).map(move |y| (middle + half * y).clamp(panel.left, panel.right))
+            between_nodes(compared).map(move |y| (middle + half * y).clamp(panel.left, panel.right))
         })
         .map(|xi| {
             let height = base.height(xi);

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::{SmoothDisk, SmoothDiskContact};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
+use crate::contact::linearised::Linearised;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::{Complementarity, require_even};
@@ -43,6 +44,7 @@ impl Problem {
             move |r| problem.profile().slope(r, half_width).map_or(f64::NAN, |slope| slope / scale);
         let measured = self.profile().measured_points().is_some();
         SmoothDisk {
+            exponent: self.frame().grading().map_or(0.0, |grading| grading.exponent()),
             theta0: self.frame().theta0(),
             load: self.dimensionless_load(),
             height,
@@ -137,6 +139,10 @@ impl Solution for SmoothDiskContact {
 
     fn complementarity(&self) -> Option<Complementarity> {
         self.problem().is_unilateral.then(|| SmoothDiskContact::complementarity(self))
+    }
+
+    fn linearised(&self, _: &Problem, peak: f64) -> Option<Linearised> {
+        Some(self.first_order(peak))
     }
 
     fn size(&self) -> f64 {
