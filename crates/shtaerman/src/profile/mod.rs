@@ -129,6 +129,13 @@ impl Profile {
         places
     }
 
+    /// Places inside `(-1, 1)`, as `xi`, between which the profile is smooth: the points of a measured profile, the breakpoints of an expression.
+    pub(crate) fn joints(&self, half_width: f64) -> Vec<f64> {
+        let Shape::Measured(spline) = &self.shape else { return self.breakpoints(half_width) };
+        let places = spline.abscissas().iter().map(|x| x / half_width);
+        places.filter(|xi| xi.abs() < 1.0).collect()
+    }
+
     /// First and last position of a measured profile.
     #[must_use]
     pub fn measured_range(&self) -> Option<[f64; 2]> {

@@ -23,6 +23,7 @@ mod motion;
 mod power;
 mod ring;
 mod solved;
+mod spots;
 mod system;
 mod topology;
 mod zones;
@@ -45,6 +46,7 @@ use base::Base;
 use check::{Check, check};
 use fine::CellContact;
 use solved::Solved;
+use spots::SpotContact;
 use system::Resolution;
 use zones::{Zone, corrected};
 
@@ -91,6 +93,7 @@ impl Problem {
         let base = Base::new(self, ContactKind::Unilateral)?;
         Ok(match lifting(base)? {
             Answer::Zones(contact) => Arc::new(*contact),
+            Answer::Spots(contact) => Arc::new(*contact),
             Answer::Cells(contact) => Arc::new(*contact),
         })
     }
@@ -105,6 +108,7 @@ impl Problem {
 /// An answer on zones or on cells.
 enum Answer {
     Zones(Box<UnilateralContact>),
+    Spots(Box<SpotContact>),
     Cells(Box<CellContact>),
 }
 
@@ -163,16 +167,25 @@ fn lifting(base: Base<'_>) -> Result<Answer, Error> {
 /// The answer by the method that suits the profile, or by the other.
 fn open(base: &Base<'_>) -> Result<Answer, Error> {
     if fine::suits(base)
-        && let Some(contact) = fine::solve(base)?
+        && let Some(answer) = many(base)?
     {
-        return Ok(Answer::cells(contact));
+        return Ok(answer);
     }
     match complementary(base) {
         Err(error @ (Error::NotComplementary { .. } | Error::Equation(_))) => {
-            fine::solve(base)?.map(Answer::cells).ok_or(error)
+            many(base)?.ok_or(error)
         }
         ending => ending.map(Answer::zones),
     }
+}
+
+/// The answer for many zones: with exact edges, or on cells.
+fn many(base: &Base<'_>) -> Result<Option<Answer>, Error> {
+    // Where panels are too many for their equation cells may serve.
+    if let Ok(Some(contact)) = spots::solve(base) {
+        return Ok(Some(Answer::Spots(Box::new(contact))));
+    }
+    Ok(fine::solve(base)?.map(Answer::cells))
 }
 
 /// The answer, with its zones corrected where the finest nodes show what the first did not.
