@@ -21,6 +21,7 @@ const SEAM: f64 = 1e-9;
 const UNEVEN: f64 = 1e-9;
 
 /// A dimensionless problem with what is worth knowing about its profile.
+#[derive(Clone)]
 pub(super) struct Base<'p> {
     pub(super) problem: &'p Problem,
     pub(super) load: Load,
@@ -94,6 +95,21 @@ impl<'p> Base<'p> {
         base.require_geometry()?;
         base.require_load()?;
         Ok(base)
+    }
+
+    /// The same base under another load.
+    pub(super) fn under(&self, load: Load) -> Self {
+        Self { load, ..self.clone() }
+    }
+
+    /// Settlement and eccentricity where both are prescribed, and the force is off the middle: no problem of least energy.
+    pub(super) fn settlement_at_eccentricity(&self) -> Option<(f64, f64)> {
+        match (self.load.vertical, self.load.rotational) {
+            (Vertical::Settlement(settlement), Rotational::Eccentricity(e)) if e != 0.0 => {
+                Some((settlement, e))
+            }
+            _ => None,
+        }
     }
 
     /// `f0(xi)`.

@@ -19,6 +19,7 @@ mod layer;
 mod medium;
 mod motion;
 mod power;
+mod reach;
 mod ring;
 mod solved;
 mod system;
@@ -165,15 +166,47 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
     }
     match complementary(base) {
         Err(error @ (Error::NotComplementary { .. } | Error::Equation(_))) => {
+            if let Some((settlement, e)) = base.settlement_at_eccentricity() {
+                return reached(base, settlement, e)?.map(Answer::zones).ok_or(error);
+            }
             fine::solve(base)?.map(Answer::cells).ok_or(error)
         }
         ending => ending.map(Answer::zones),
     }
 }
 
+/// The answer where the force was found first that leads to the settlement.
+fn reached(base: &Base<'_>, settlement: f64, e: f64) -> Result<Option<UnilateralContact>, Error> {
+    if !base.is_plain() {
+        return Ok(None);
+    }
+    let zones = eccentric::exactly(base, settlement, e)?;
+    match corrected_zones(base, zones, &mut 0.0)? {
+        Attempt::Found(solved, start) => finished(base, *solved, start).map(Some),
+        Attempt::Left(_) => Ok(None),
+    }
+}
+
+/// The contact on few nodes, without many attempts.
+fn quickly(base: &Base<'_>) -> Option<Solved> {
+    let zones = base.first_zones(base.cells()).ok()?;
+    match corrected_zones(base, zones, &mut 0.0).ok()? {
+        Attempt::Found(solved, _) => Some(*solved),
+        Attempt::Left(_) => None,
+    }
+}
+
 /// The answer, with its zones corrected where the finest nodes show what the first did not.
 fn complementary(base: &Base<'_>) -> Result<UnilateralContact, Error> {
-    let (mut coarse, mut start) = find_zones(base)?;
+    let (coarse, start) = find_zones(base)?;
+    finished(base, coarse, start)
+}
+
+fn finished(
+    base: &Base<'_>,
+    mut coarse: Solved,
+    mut start: f64,
+) -> Result<UnilateralContact, Error> {
     for _ in 0..CORRECTIONS {
         let (solved, accuracy, edge) = refined(base, &coarse, start)?;
         let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
@@ -287,7 +320,8 @@ impl Progress {
     /// Too few nodes show tension where there is none, and more of them tell; a zone that came in too wide pulled and vanished again.
     fn next(&mut self, check: &Check, can_be_finer: bool) -> Step {
         let worst = check.tension.max(check.penetration);
-        let is_same = (worst - self.corrected).abs() <= SAME * self.corrected;
+        let is_same =
+            self.corrected.is_finite() && (worst - self.corrected).abs() <= SAME * self.corrected;
         let vanished = is_same && !check.penetrating(1.0).is_empty();
         let doubtful = worst < DOUBTFUL && (is_same || worst < 0.3 * self.before);
         if doubtful && !vanished && can_be_finer {
