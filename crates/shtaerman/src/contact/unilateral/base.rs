@@ -1,5 +1,6 @@
 //! The base of the punch as unilateral contact sees it: where it bends and where an edge of the contact can rest.
 
+use super::anchor::Anchor;
 use super::coarse;
 use super::layer::Layer;
 use super::medium::Medium;
@@ -41,6 +42,8 @@ pub(super) struct Base<'p> {
     walls: [Vec<f64>; 2],
     /// Samples `(xi, f0)` from edge to edge.
     pub(super) samples: Vec<(f64, f64)>,
+    /// Where heights are counted from.
+    pub(super) anchor: Option<Anchor>,
 }
 
 /// Refuses the base of a circular punch that is no body of revolution; samples `(xi, f0)` of its right half.
@@ -90,6 +93,7 @@ impl<'p> Base<'p> {
             medium,
             pieces,
             samples,
+            anchor: None,
         };
         base.find_steps();
         base.require_geometry()?;
@@ -112,14 +116,17 @@ impl<'p> Base<'p> {
         }
     }
 
-    /// `f0(xi)`.
+    /// `f0(xi)`, or what it has beyond its tangent.
     pub(super) fn height(&self, xi: f64) -> f64 {
-        self.problem.dimensionless_profile(self.on_base(xi))
+        match &self.anchor {
+            Some(anchor) => anchor.rise(self.problem, xi),
+            None => self.problem.dimensionless_profile(self.on_base(xi)),
+        }
     }
 
     /// `f0(xi)`, which must be finite.
     pub(super) fn finite_height(&self, xi: f64) -> Result<f64, Error> {
-        self.problem.finite_profile(self.on_base(xi))
+        self.problem.checked(xi, self.height(xi))
     }
 
     /// The place on the base: a wave without gaps goes on beyond its period.

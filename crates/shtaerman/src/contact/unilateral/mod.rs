@@ -3,6 +3,7 @@
 //! The [topology](topology) is found on cells; the [edges](edges) of the zones by Newton's method on collocated pressures; the
 //! [check](check) of the answer between its nodes corrects the topology where that was too coarse.
 
+mod anchor;
 mod answer;
 mod base;
 mod cells;
@@ -78,6 +79,10 @@ const RESOLVED: f64 = 1e-13;
 const COMPARED: usize = 200;
 /// Rounding of settlement, tilt, force and moment relative to their size.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Relative errors from which on heights are counted from a tangent, and the length of base within which all zones must lie for that.
+const DIGITS_LOST: f64 = 1e-11;
+const SMALL_ZONES: f64 = 0.1;
 
 impl Problem {
     /// Solves the problem with the pressure nowhere negative: the zones of contact are part of the answer.
@@ -164,7 +169,7 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
     {
         return Ok(Answer::cells(contact));
     }
-    match complementary(base) {
+    match anchored(base, complementary(base)) {
         Err(error @ (Error::NotComplementary { .. } | Error::Equation(_))) => {
             if let Some((settlement, e)) = base.settlement_at_eccentricity() {
                 return reached(base, settlement, e)?.map(Answer::zones).ok_or(error);
@@ -173,6 +178,45 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
         }
         ending => ending.map(Answer::zones),
     }
+}
+
+/// The same answer with heights from the tangent where the zones are, if that is better: beside small zones differences of heights have few digits.
+fn anchored(
+    base: &Base<'_>,
+    known: Result<UnilateralContact, Error>,
+) -> Result<UnilateralContact, Error> {
+    let is_by_force = matches!(base.load.vertical, Vertical::Force(_));
+    if !is_by_force || base.medium.is_disk() || base.medium.is_closed() {
+        return known;
+    }
+    let span = match &known {
+        Ok(contact) if contact.relative_error() <= DIGITS_LOST => return known,
+        Ok(contact) => ends(contact.zones().iter().copied()),
+        Err(Error::NotComplementary { .. } | Error::Equation(_)) => {
+            let zones = base.first_zones(base.cells()).unwrap_or_default();
+            ends(zones.iter().map(|zone| [zone.left(), zone.right()]))
+        }
+        Err(_) => return known,
+    };
+    let [left, right] = span;
+    if !(right - left < SMALL_ZONES) {
+        return known;
+    }
+    let again = base.anchored(0.5 * (left + right)).map(|base| complementary(&base));
+    match (known, again) {
+        (Ok(known), Some(Ok(again))) if known.relative_error() <= again.relative_error() => {
+            Ok(known)
+        }
+        (_, Some(Ok(again))) => Ok(again),
+        (known, _) => known,
+    }
+}
+
+/// From the first end of zones to the last.
+fn ends(zones: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
+    zones.fold([f64::INFINITY, f64::NEG_INFINITY], |[left, right], zone| {
+        [left.min(zone[0]), right.max(zone[1])]
+    })
 }
 
 /// The answer where the force was found first that leads to the settlement.

@@ -6,6 +6,7 @@ mod enclosures;
 mod finiteness;
 mod grammar;
 mod hostile;
+mod rises;
 mod trees;
 
 use super::{Expression, ExpressionError, Interval, Line};
