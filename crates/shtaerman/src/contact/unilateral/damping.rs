@@ -38,8 +38,8 @@ struct Bounds {
 impl Bounds {
     const NONE: Self = Self { inner: f64::NEG_INFINITY, outer: f64::INFINITY, cuts: 0 };
 
-    /// Learns from an edge; gives the step outwards that does not pass a bound.
-    fn kept(&mut self, edge: Edge, step: f64) -> f64 {
+    /// Learns from an edge.
+    fn learn(&mut self, edge: Edge) {
         let here = edge.outwards * edge.at;
         if edge.layer > 0.0 {
             self.inner = here;
@@ -52,21 +52,23 @@ impl Bounds {
                 self.inner = f64::NEG_INFINITY;
             }
         }
-        let to = here + step;
-        let bound = if to >= self.outer {
-            self.outer
-        } else if to <= self.inner {
-            self.inner
-        } else {
+    }
+
+    /// The step outwards from an edge just learnt from, or one that goes to where the layer points and stays between the bounds.
+    fn kept(&mut self, edge: Edge, step: f64) -> f64 {
+        let here = edge.outwards * edge.at;
+        let ahead = if edge.layer > 0.0 { self.outer } else { self.inner };
+        let room = ahead - here;
+        if !ahead.is_finite() || (step * room > 0.0 && step.abs() < room.abs()) {
             self.cuts = 0;
             return step;
-        };
+        }
         self.cuts += 1;
         if self.cuts > CUTS {
             *self = Self::NONE;
             return step;
         }
-        0.5 * (bound - here)
+        0.5 * room
     }
 }
 
@@ -88,6 +90,7 @@ impl Damping {
             let turns = turning && *step * *before < 0.0 && step.abs() > BACK * before.abs();
             *factor = if turns { 0.5 * *factor } else { (2.0 * *factor).min(1.0) };
             *step *= *factor;
+            bounds.learn(*edge);
             if turning && *step != 0.0 {
                 *step = edge.outwards * bounds.kept(*edge, edge.outwards * *step);
             }
