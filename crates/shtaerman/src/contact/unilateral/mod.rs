@@ -185,8 +185,10 @@ fn anchored(
     base: &Base<'_>,
     known: Result<UnilateralContact, Error>,
 ) -> Result<UnilateralContact, Error> {
-    let is_by_force = matches!(base.load.vertical, Vertical::Force(_));
-    if !is_by_force || base.medium.is_disk() || base.medium.is_closed() {
+    if base.settlement_at_eccentricity().is_some()
+        || base.medium.is_disk()
+        || base.medium.is_closed()
+    {
         return known;
     }
     let span = match &known {
