@@ -106,6 +106,15 @@ impl<'p> Base<'p> {
         Self { load, ..self.clone() }
     }
 
+    /// Where the force acts, if the load says so.
+    pub(super) fn line_of_force(&self) -> Option<f64> {
+        match (self.load.vertical, self.load.rotational) {
+            (Vertical::Force(force), Rotational::Moment(moment)) => Some(moment / force),
+            (_, Rotational::Eccentricity(e)) => Some(e),
+            _ => None,
+        }
+    }
+
     /// Settlement and eccentricity where both are prescribed, and the force is off the middle: no problem of least energy.
     pub(super) fn settlement_at_eccentricity(&self) -> Option<(f64, f64)> {
         match (self.load.vertical, self.load.rotational) {

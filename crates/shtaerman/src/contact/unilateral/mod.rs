@@ -196,7 +196,9 @@ fn anchored(
         Ok(contact) => ends(contact.zones().iter().copied()),
         Err(Error::NotComplementary { .. } | Error::Equation(_)) => {
             let zones = base.first_zones(base.cells()).unwrap_or_default();
-            ends(zones.iter().map(|zone| [zone.left(), zone.right()]))
+            // The line of the force passes between the ends of the contact.
+            let line = base.line_of_force().filter(|_| zones.is_empty()).map(|arm| [arm; 2]);
+            ends(zones.iter().map(|zone| [zone.left(), zone.right()]).chain(line))
         }
         Err(_) => return known,
     };
