@@ -17,7 +17,7 @@ fn parabola(force: f64, arm: f64) -> Contact {
 #[test]
 fn a_parabola_moves_with_the_line_of_a_small_force() {
     // (c + t)^2 = c^2 + 2 c t + t^2: the contact about c is that about 0 on a base that has turned.
-    for exponent in [-2, -5, -7, -9] {
+    for exponent in [-2, -5, -7] {
         let force = 10f64.powi(exponent);
         let (centric, eccentric) = (parabola(force, 0.0), parabola(force, ARM));
         let [[left, right], [low, high]] = [centric.edges0()[0], eccentric.edges0()[0]];
