@@ -92,7 +92,7 @@ pub enum Error {
 
     /// No force at the prescribed eccentricity leads to the settlement prescribed.
     #[error(
-        "settlement = {value}: is out of reach of a force at the eccentricity {eccentricity}: whatever the force, the middle of the punch settles no deeper \
+        "settlement = {value}: is out of reach of a force at the eccentricity {eccentricity}: whatever the force, the middle of the punch settles no {bound} \
          than {limit}, as the punch turns; prescribe the force, the tilt or the moment instead, or a smaller eccentricity"
     )]
     SettlementOutOfReach {
@@ -100,8 +100,10 @@ pub enum Error {
         value: f64,
         /// The eccentricity given, SI.
         eccentricity: f64,
-        /// The largest settlement found, to the accuracy of cells, SI.
+        /// The settlement found that comes closest, SI.
         limit: f64,
+        /// On which side of it no settlement is in reach: `deeper` or `less deep`.
+        bound: &'static str,
     },
 
     /// The prescribed displacements of a unilateral contact leave the base clear of the body.

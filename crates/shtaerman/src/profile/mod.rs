@@ -104,6 +104,20 @@ impl Profile {
         }
     }
 
+    /// `f(c + t) - f(c) - f'(c) t` in `xi`; of an expression without the loss of digits in that difference where `t` is small.
+    #[must_use]
+    pub(crate) fn rise(&self, c: f64, t: f64, half_width: f64) -> f64 {
+        match &self.shape {
+            Shape::Flat => 0.0,
+            Shape::Expression(expression) => expression.rise_along(&line(half_width), c, t),
+            Shape::Measured(spline) => {
+                let slope = half_width * spline.slope(half_width * c);
+                let at = |xi: f64| spline.evaluate(half_width * xi);
+                at(c + t) - at(c) - slope * t
+            }
+        }
+    }
+
     /// A `xi` in `[-1, 1]` at which the profile is not finite, and how, if there is one: proven for an expression where interval
     /// arithmetic can, so that a pole between all samples is found.
     #[must_use]
