@@ -25,7 +25,7 @@ pub use cross_check::CrossCheck;
 pub use plan::AIM;
 pub use smooth::{
     Curve, SmoothContact, SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem,
-    SmoothProfile, SmoothZone,
+    SmoothProfile, SmoothRingsContact, SmoothZone,
 };
 pub use solved::{Contact, Method, Stiffness};
 pub use unilateral::Complementarity;

@@ -82,7 +82,7 @@ impl Problem {
             return self.draw_up(Arc::new(self.solve_smooth()?));
         }
         if self.is_smooth_disk() {
-            return self.draw_up(Arc::new(self.solve_smooth_disk()?));
+            return self.draw_up(self.solve_smooth_disk()?);
         }
         match self.solve_nearly_smooth() {
             Some(solution) => self.draw_up(solution),

@@ -13,11 +13,13 @@ mod answer;
 mod check;
 mod field;
 mod radius;
+mod rings;
 mod shape;
 mod stated;
 mod transform;
 
 pub use answer::SmoothDiskContact;
+pub use rings::SmoothRingsContact;
 
 use std::fmt;
 
@@ -115,6 +117,16 @@ impl SmoothDisk {
             }
         }
         Err(refused.unwrap_or(Error::Rings { variable: "xi", at: 0.0, found: "no contact" }))
+    }
+
+    /// Solves for the zones of unilateral contact, a disk and rings as it comes, under a force or a settlement; in bilateral contact for the full base.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for a problem that is not one and a force that is not positive; [`Error::NoContact`]; [`Error::Rings`] for a moment or a tilt,
+    /// under which zones that are no single disk are not known; [`Error::NotComplementary`] when no zones were found; [`Error::Equation`] where
+    /// zones come too close to one another, or are too many, for the modes that can be kept; [`Error::Overflow`] when the answer is not finite.
+    pub fn solve_rings(&self) -> Result<SmoothRingsContact, Error> {
+        rings::solve(self)
     }
 
     /// `e`.

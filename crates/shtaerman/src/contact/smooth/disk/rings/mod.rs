@@ -1,0 +1,104 @@
+//! The smooth limit of a circular punch whose contact is rings, or a disk with rings about it.
+//!
+//! On a ring the [kernel] of the settlement is a logarithm of the radius and what is smooth beside it, so the [modes](coupling) of plane contact serve; a disk
+//! inside the rings is eliminated by Galin's transforms. The zones are found as in plane contact: on [cells](topology), then free [edges] by Newton's method,
+//! then a [check] between the nodes that corrects them.
+
+mod answer;
+mod base;
+mod check;
+mod coupling;
+mod edges;
+mod field;
+mod kernel;
+mod ring;
+mod system;
+mod topology;
+
+pub use answer::SmoothRingsContact;
+
+use super::{ALLOWED, SmoothDisk};
+use crate::contact::smooth::zones::{Zone, corrected};
+use crate::contact::smooth::{COARSE, COARSELY_ALLOWED, CORRECTIONS, FINE, TOPOLOGIES};
+use crate::{Error, Rotational};
+use base::Base;
+use check::{Check, check};
+use system::Solved;
+
+/// Solves for disk and rings of contact without a tilt.
+pub(super) fn solve(problem: &SmoothDisk) -> Result<SmoothRingsContact, Error> {
+    let base = Base::new(problem)?;
+    if !problem.is_unilateral {
+        let solved = Solved::new(&base, &[Zone::new([0.0, 1.0], [false; 2])], FINE)?;
+        let left = check(&base, &solved, ALLOWED);
+        return SmoothRingsContact::new(&base, solved, &left);
+    }
+    let contact = complementary(&base)?;
+    let (Rotational::Moment(turn) | Rotational::Eccentricity(turn) | Rotational::Tilt(turn)) =
+        problem.load.rotational;
+    let at = contact.zones().first().map_or(0.0, |zone| zone.ends[1]);
+    if turn == 0.0 {
+        Ok(contact)
+    } else {
+        Err(Error::Rings { variable: "xi", at, found: "an edge inside the base" })
+    }
+}
+
+/// The answer, with its zones corrected where all modes show what few did not.
+fn complementary(base: &Base<'_>) -> Result<SmoothRingsContact, Error> {
+    let mut zones = find_zones(base)?;
+    let mut last = [f64::NAN; 2];
+    for _ in 0..CORRECTIONS {
+        let solved = edges::settle(base, &zones, FINE)?;
+        let left = check(base, &solved, ALLOWED);
+        if left.is_clean() {
+            return SmoothRingsContact::new(base, solved, &left);
+        }
+        last = [left.tension, left.penetration];
+        zones = amended(base, &solved, &left);
+        if zones.is_empty() {
+            break;
+        }
+    }
+    Err(Error::NotComplementary { tension: last[0], penetration: last[1] })
+}
+
+/// The zones with few modes.
+fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
+    let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
+    for power in 0..TOPOLOGIES {
+        let found = topology::find(base, base.cells() * 4usize.pow(power as u32));
+        let zones = found.map(|intervals| {
+            intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
+        });
+        match zones.and_then(|zones| corrected_zones(base, zones)) {
+            Ok(zones) => return Ok(zones),
+            Err(error) => last = error,
+        }
+    }
+    Err(last)
+}
+
+fn corrected_zones(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Vec<Zone>, Error> {
+    let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
+    for _ in 0..CORRECTIONS {
+        if zones.is_empty() {
+            break;
+        }
+        let solved = edges::settle(base, &zones, COARSE)?;
+        let left = check(base, &solved, COARSELY_ALLOWED);
+        if left.is_clean() {
+            return Ok(solved.zones);
+        }
+        let Check { tension, penetration, .. } = left;
+        last = Error::NotComplementary { tension, penetration };
+        zones = amended(base, &solved, &left);
+    }
+    Err(last)
+}
+
+/// The zones without tension and with what penetrates.
+fn amended(base: &Base<'_>, solved: &Solved, left: &Check) -> Vec<Zone> {
+    let intervals = corrected(&solved.zones, &left.pulling, &left.penetrating);
+    intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
+}
