@@ -7,7 +7,7 @@
 //! - `u0(r) = (2/pi) int_0^c d(x) dx/sqrt(r^2 - x^2)` beside it;
 //!
 //! and a tilt of the whole disk adds `-(2/pi) e alpha0 x/sqrt(c^2 - r^2)` to the pressure, `M0 = -(4/3) e c^3 alpha0` (L. A. Galin 1946,
-//! I. N. Sneddon 1965; V. L. Popov, M. Hess and E. Willert, *Handbook of Contact Mechanics*, 2019, ch. 2).
+//! I. N. Sneddon 1965; V. L. Popov, M. Hess and E. Willert, *Handbook of Contact Mechanics*, 2019, ch. 2). Where the contact is no single disk, [rings].
 
 mod answer;
 mod check;
@@ -90,7 +90,7 @@ impl SmoothDisk {
     ///
     /// # Errors
     /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive in unilateral contact, a step inside the base in
-    /// bilateral contact; [`Error::NoContact`]; [`Error::Rings`] where the contact is no single disk; [`Error::LiftsOff`] for a moment
+    /// bilateral contact; [`Error::NoContact`]; [`Error::Rings`] where the contact is no single disk ([`solve_rings`](Self::solve_rings) finds what it is); [`Error::LiftsOff`] for a moment
     /// that does not leave the whole base in contact; [`Error::Overflow`] when the answer is not finite.
     pub fn solve(&self) -> Result<SmoothDiskContact, Error> {
         self.check()?;
@@ -122,9 +122,9 @@ impl SmoothDisk {
     /// Solves for the zones of unilateral contact, a disk and rings as it comes, under a force or a settlement; in bilateral contact for the full base.
     ///
     /// # Errors
-    /// [`Error::InvalidValue`] for a problem that is not one and a force that is not positive; [`Error::NoContact`]; [`Error::Rings`] for a moment or a tilt,
-    /// under which zones that are no single disk are not known; [`Error::NotComplementary`] when no zones were found; [`Error::Equation`] where
-    /// zones come too close to one another, or are too many, for the modes that can be kept; [`Error::Overflow`] when the answer is not finite.
+    /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive, a moment or a tilt that is not zero; [`Error::NoContact`];
+    /// [`Error::NotComplementary`] when no zones were found; [`Error::Equation`] where zones come too close to one another, or are too many, for the
+    /// modes that can be kept; [`Error::Overflow`] when the answer is not finite.
     pub fn solve_rings(&self) -> Result<SmoothRingsContact, Error> {
         rings::solve(self)
     }

@@ -30,7 +30,7 @@ impl Problem {
         let disk = self.smooth_disk();
         let solution: Result<Arc<dyn Solution>, Error> = match disk.solve() {
             Ok(contact) => Ok(Arc::new(contact)),
-            Err(Error::Rings { .. }) => {
+            Err(Error::Rings { .. }) if disk.rotational().1 == 0.0 => {
                 disk.solve_rings().map(|contact| -> Arc<dyn Solution> { Arc::new(contact) })
             }
             Err(error) => Err(error),

@@ -18,9 +18,10 @@ mod topology;
 pub use answer::SmoothRingsContact;
 
 use super::{ALLOWED, SmoothDisk};
+use crate::Error;
 use crate::contact::smooth::zones::{Zone, corrected};
 use crate::contact::smooth::{COARSE, COARSELY_ALLOWED, CORRECTIONS, FINE, TOPOLOGIES};
-use crate::{Error, Rotational};
+use crate::error::require;
 use base::Base;
 use check::{Check, check};
 use system::Solved;
@@ -28,20 +29,14 @@ use system::Solved;
 /// Solves for disk and rings of contact without a tilt.
 pub(super) fn solve(problem: &SmoothDisk) -> Result<SmoothRingsContact, Error> {
     let base = Base::new(problem)?;
+    let (field, turn) = problem.rotational();
+    require(turn == 0.0, field, turn, "zero: rings under a moment or a tilt are not known")?;
     if !problem.is_unilateral {
         let solved = Solved::new(&base, &[Zone::new([0.0, 1.0], [false; 2])], FINE)?;
         let left = check(&base, &solved, ALLOWED);
         return SmoothRingsContact::new(&base, solved, &left);
     }
-    let contact = complementary(&base)?;
-    let (Rotational::Moment(turn) | Rotational::Eccentricity(turn) | Rotational::Tilt(turn)) =
-        problem.load.rotational;
-    let at = contact.zones().first().map_or(0.0, |zone| zone.ends[1]);
-    if turn == 0.0 {
-        Ok(contact)
-    } else {
-        Err(Error::Rings { variable: "xi", at, found: "an edge inside the base" })
-    }
+    complementary(&base)
 }
 
 /// The answer, with its zones corrected where all modes show what few did not.
