@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{SmoothDisk, SmoothDiskContact};
+use super::{SmoothDisk, SmoothDiskContact, rings};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
 use crate::contact::solution::Solution;
@@ -28,11 +28,17 @@ impl Problem {
             .collect();
         require_even(self, &samples?)?;
         let disk = self.smooth_disk();
+        let is_level = disk.rotational().1 == 0.0;
+        let rings = || disk.solve_rings().map(|contact| -> Arc<dyn Solution> { Arc::new(contact) });
+        if is_level
+            && rings::are_likely(&disk)
+            && let Ok(solution) = rings()
+        {
+            return Ok(solution);
+        }
         let solution: Result<Arc<dyn Solution>, Error> = match disk.solve() {
             Ok(contact) => Ok(Arc::new(contact)),
-            Err(Error::Rings { .. }) if disk.rotational().1 == 0.0 => {
-                disk.solve_rings().map(|contact| -> Arc<dyn Solution> { Arc::new(contact) })
-            }
+            Err(Error::Rings { .. }) if is_level => rings(),
             Err(error) => Err(error),
         };
         solution.map_err(|error| self.with_units(error))

@@ -24,6 +24,9 @@ const VANISHING: f64 = 1e-9;
 const CLOSE: f64 = 1e-5;
 /// Angles at which the slope of the density is taken.
 const BESIDE: f64 = 0.06;
+/// The same as share of the angle up to a bend of the base, and at least.
+const SHARE: f64 = 0.1;
+const NEAREST: f64 = 1e-4;
 
 /// Moves the free edges until the intensity vanishes there. Zones that carry nothing disappear, those that meet become one, a ring whose hole closes becomes
 /// a disk, edges that come to a wall stay there and leave it again if it pulls.
@@ -141,8 +144,10 @@ pub(super) fn end_error(solved: &Solved, zone: usize, error: f64) -> f64 {
 fn slope(part: &Part, side: usize) -> f64 {
     let at = |offset: f64| part.density(if side == 0 { PI - offset } else { offset });
     let end = at(0.0);
-    let one = (at(BESIDE) - end) / (BESIDE * BESIDE);
-    let two = (at(2.0 * BESIDE) - end) / (4.0 * BESIDE * BESIDE);
+    // A bend of the base is none of the edge.
+    let beside = BESIDE.min(SHARE * part.straight(side)).max(NEAREST);
+    let one = (at(beside) - end) / (beside * beside);
+    let two = (at(2.0 * beside) - end) / (4.0 * beside * beside);
     // cos is 1 - phi^2/2
     -2.0 * (4.0 * one - two) / 3.0
 }

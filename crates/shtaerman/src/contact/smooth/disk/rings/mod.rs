@@ -39,6 +39,12 @@ pub(super) fn solve(problem: &SmoothDisk) -> Result<SmoothRingsContact, Error> {
     complementary(&base)
 }
 
+/// Whether the contact is probably no single disk, so that transforms of disks can be spared.
+pub(super) fn are_likely(problem: &SmoothDisk) -> bool {
+    let is_disk = |base: Base<'_>| topology::is_disk(&base, base.cells());
+    problem.is_unilateral && matches!(Base::new(problem).and_then(is_disk), Ok(false))
+}
+
 /// The answer, with its zones corrected where all modes show what few did not.
 fn complementary(base: &Base<'_>) -> Result<SmoothRingsContact, Error> {
     let mut zones = find_zones(base)?;

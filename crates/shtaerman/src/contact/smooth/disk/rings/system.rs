@@ -32,6 +32,8 @@ const MODES_OF_BASE: usize = 192;
 pub(super) struct Part {
     pub(super) nodes: Nodes,
     slopes: Arc<Slopes>,
+    /// Angles at which the base bends.
+    bends: Vec<f64>,
     /// `s_k`.
     pub(super) smooth: Vec<f64>,
     /// `(pi/n) G` at the nodes, of as many modes.
@@ -45,6 +47,12 @@ impl Part {
 
     pub(super) fn slopes(&self) -> &Slopes {
         &self.slopes
+    }
+
+    /// How far the base goes on from the inner (0) or outer (1) edge without a bend, as angle.
+    pub(super) fn straight(&self, side: usize) -> f64 {
+        let from = |bend: &f64| if side == 0 { PI - bend } else { *bend };
+        self.bends.iter().map(from).fold(PI, f64::min)
     }
 
     /// `G(phi)`.
@@ -206,18 +214,19 @@ impl Solved {
             let (parameter, smallest) = (theta0, 0.0);
             return Err(Error::Equation(fredholm::Error::Singular { parameter, smallest }));
         }
-        let parts: Vec<Part> = (nodes.into_iter().zip(profiles.slopes).enumerate())
-            .map(|(j, (nodes, slopes))| {
-                let modes: Vec<f64> = (level[j].iter().zip(&profile[j]))
-                    .map(|(level, profile)| depth * level - profile)
-                    .collect();
-                let bent = |k: usize| k as f64 * profiles.heights[j][k] / PI;
-                let smooth = modes.iter().enumerate().map(|(k, mode)| mode + bent(k)).collect();
-                let weight = nodes.weight();
-                let masses = nodes.values(&modes).into_iter().map(|g| weight * g).collect();
-                Part { nodes, slopes: Arc::new(slopes), smooth, masses }
-            })
-            .collect();
+        let parts: Vec<Part> =
+            (nodes.into_iter().zip(profiles.slopes).zip(profiles.bends).enumerate())
+                .map(|(j, ((nodes, slopes), bends))| {
+                    let modes: Vec<f64> = (level[j].iter().zip(&profile[j]))
+                        .map(|(level, profile)| depth * level - profile)
+                        .collect();
+                    let bent = |k: usize| k as f64 * profiles.heights[j][k] / PI;
+                    let smooth = modes.iter().enumerate().map(|(k, mode)| mode + bent(k)).collect();
+                    let weight = nodes.weight();
+                    let masses = nodes.values(&modes).into_iter().map(|g| weight * g).collect();
+                    Part { nodes, slopes: Arc::new(slopes), bends, smooth, masses }
+                })
+                .collect();
         let core = core.zip(disk).map(|((transform, axis), zone)| {
             let level = depth - axis;
             let [corner, slope] = edge(base, &transform, level, c, &parts);
@@ -284,6 +293,7 @@ impl Solved {
 /// The profiles on rings: their slopes, numbers of modes and coefficients.
 struct Profiles {
     slopes: Vec<Slopes>,
+    bends: Vec<Vec<f64>>,
     counts: Vec<usize>,
     heights: Vec<Vec<f64>>,
 }
@@ -297,15 +307,17 @@ impl Profiles {
         detail: Detail,
     ) -> Result<Self, Error> {
         let mut counts = coupling::modes(c, rings, detail.digits)?;
-        let slopes: Vec<Slopes> = (rings.iter())
+        let shape: &Shape<'_> = &base.shape;
+        let bends: Vec<Vec<f64>> = (rings.iter())
             .map(|ring| {
-                let shape: &Shape<'_> = &base.shape;
+                let inside = |at: &&f64| ring.inner() < **at && **at < ring.outer();
+                shape.breaks.iter().filter(inside).map(|at| ring.angle_of(*at)).collect()
+            })
+            .collect();
+        let slopes: Vec<Slopes> = (rings.iter().zip(&bends))
+            .map(|(ring, bends)| {
                 let on_ring = OnRing { base, ring: *ring, reference };
-                let bends: Vec<f64> = (shape.breaks.iter())
-                    .filter(|at| ring.inner() < **at && **at < ring.outer())
-                    .map(|at| ring.angle_of(*at))
-                    .collect();
-                Slopes::resolve(&on_ring, &bends, [detail.panels, 1], shape.tolerance)
+                Slopes::resolve(&on_ring, bends, [detail.panels, 1], shape.tolerance)
             })
             .collect();
         let heights = (slopes.iter().zip(&mut counts))
@@ -317,7 +329,7 @@ impl Profiles {
             })
             .collect();
         coupling::require_few(&counts)?;
-        Ok(Self { slopes, counts, heights })
+        Ok(Self { slopes, bends, counts, heights })
     }
 }
 

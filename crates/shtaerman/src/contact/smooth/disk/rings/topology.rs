@@ -38,6 +38,16 @@ pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<[f64; 2]>, Error
     Ok(cells.runs().into_iter().map(run).collect())
 }
 
+/// Whether so many cells touch as one disk.
+pub(super) fn is_disk(base: &Base<'_>, count: usize) -> Result<bool, Error> {
+    let mut cells = Cells::new(base, count);
+    let solution = cells.solve(base)?;
+    for (cell, z) in cells.cells.iter_mut().zip(&solution.values) {
+        cell.is_carrying = *z > 0.0;
+    }
+    Ok(matches!(cells.runs()[..], [[0, _]]))
+}
+
 /// A ring, or the disk at the axis.
 #[derive(Debug, Clone, Copy)]
 struct Cell {
