@@ -130,15 +130,7 @@ fn is_contact(profile: &str, contact: &Contact, load: f64, tolerance: f64) {
         }
     }
     worst[2] = (force(contact) / load - 1.0).abs();
-    eprintln!(
-        "{profile} {worst:?} stated {:.1e} zones {} {:?}",
-        contact.relative_error(),
-        contact.edges().len(),
-        contact.complementarity()
-    );
     assert!(worst.iter().all(|error| *error < tolerance), "{profile}: {worst:?}");
-    let left = contact.complementarity().unwrap();
-    assert!(left.tension < 1e-9 && left.penetration < 1e-9, "{profile}: {left:?}");
 }
 
 /// Bases with forces, and the numbers of their zones along a diameter.
@@ -157,30 +149,48 @@ const BASES: [(&str, f64, usize); 9] = [
 #[test]
 fn pressures_make_the_surface_follow_the_base() {
     for (profile, load, count) in BASES {
-        let start = std::time::Instant::now();
         let contact = solve(profile, pressed(load));
-        eprint!("{:?} ", start.elapsed());
         assert_eq!(contact.edges0().len(), count, "{profile}: {:?}", contact.edges0());
         is_contact(profile, &contact, load, 1e-10);
+        assert!(contact.relative_error() < 1e-11, "{profile}: {:e}", contact.relative_error());
+        let left = contact.complementarity().unwrap();
+        assert!(left.tension < 1e-12 && left.penetration < 1e-12, "{profile}: {left:?}");
     }
 }
 
 #[test]
 fn kinks() {
-    for (profile, load) in [
-        ("1e-3*abs(abs(x) - 0.003)", 50.0),
-        ("2e-4*max(abs(abs(x) - 0.003) - 0.0004, 0)", 2e4),
-        ("2e-4*max(abs(abs(x) - 0.003) - 0.0004, 0)", 2e3),
-        ("-1e-3*abs(x)", 1e3),
-        ("1e-4*abs(sin(2000*x))", 1e3),
+    for (profile, load, tolerance) in [
+        ("1e-3*abs(abs(x) - 0.003)", 50.0, 1e-10f64),
+        ("-1e-3*abs(x)", 1e3, 1e-10),
+        ("1e-4*abs(sin(2000*x))", 1e3, 1e-10),
+        // A hole so small that its logarithm is far from those of the kinks, which take more modes than there are.
+        ("2e-4*max(abs(abs(x) - 0.003) - 0.0004, 0)", 2e3, 1e-6),
+        ("2e-4*max(abs(abs(x) - 0.003) - 0.0004, 0)", 2e4, 1e-4),
     ] {
         let start = std::time::Instant::now();
         match attempt(profile, pressed(load)) {
-            Ok(contact) => {
-                eprint!("{:?} ", start.elapsed());
-                is_contact(profile, &contact, load, 1.0)
-            }
             Err(error) => eprintln!("{profile} {error}"),
+            Ok(contact) => {
+                eprintln!(
+                    "{:?} {:?} {:e} {:?}",
+                    start.elapsed(),
+                    contact.edges0(),
+                    contact.relative_error(),
+                    contact.complementarity()
+                );
+                is_contact(
+                    profile,
+                    &contact,
+                    load,
+                    tolerance.min(contact.relative_error().max(1e-10)),
+                );
+                let left = contact.complementarity().unwrap();
+                assert!(
+                    left.tension.max(left.penetration) < tolerance.min(1e-6),
+                    "{profile}: {left:?}"
+                );
+            }
         }
     }
 }
@@ -197,11 +207,13 @@ fn flat_annuli() {
         let contact = solve(&profile, sunk(delta));
         let found = contact.force() / (2.0 * MODULUS * A * delta);
         close(found, exact, 1e-12, &format!("force with a hole of {hole}"));
+        let stated = contact.accuracy().unwrap().force / contact.force0();
+        honest(stated + 5e-13, found / exact - 1.0, 1.0, 1e-12, "force");
         assert_eq!(contact.corner_intensity().unwrap().len(), 2);
         if hole == 0.5 {
             let turning = contact.stiffness().moment_tilt / (MODULUS * A.powi(3));
             close(turning, 1.328_056_600_923_444, 1e-13, "turning");
-            close(found, exact, 2e-15, "force");
+            honest(stated, found / exact - 1.0, 1.0, 1e-13, "force");
         }
         let [[_, right], [left, _]] = contact.edges()[..] else { panic!() };
         assert!(right == -left && (left - hole * A).abs() < 1e-17);
@@ -335,10 +347,8 @@ fn measured_waves() {
     let places: Vec<f64> = (0..=800).map(|i| A * (f64::from(i) / 400.0 - 1.0)).collect();
     let heights = places.iter().map(|x| 1e-6 * (5000.0 * x).cos()).collect();
     let base = Profile::measured(places, heights).unwrap();
-    let start = std::time::Instant::now();
     let contact = problem(base, 0.0, pressed(100.0), Solver::default()).solve().unwrap();
     let exact = solve("1e-6*cos(5000*x)", pressed(100.0));
-    eprintln!("measured {:?} {:e}", start.elapsed(), contact.relative_error());
     for (one, two) in contact.edges().into_iter().flatten().zip(exact.edges().into_iter().flatten())
     {
         close(one, two, 1e-6, "edge");
@@ -364,19 +374,14 @@ fn bases_from_seeds() {
             .collect();
         let profile = format!("{} + {:e}*x^2", terms.join(" + "), 0.2 * (random() - 0.3));
         let load = 10f64.powf(-2.0 + 7.0 * random());
-        let start = std::time::Instant::now();
-        match attempt(&profile, pressed(load)) {
-            Ok(contact) => {
-                let time = start.elapsed();
-                let error = force(&contact) / load - 1.0;
-                eprintln!(
-                    "{trial} {load:e} {} {time:?} {:.1e} {error:.1e} {:?}",
-                    contact.edges().len(),
-                    contact.relative_error(),
-                    contact.complementarity()
-                );
-            }
-            Err(error) => eprintln!("FAILED {trial} {load:e} {profile} {error}"),
-        }
+        let contact = attempt(&profile, pressed(load));
+        let contact = contact.unwrap_or_else(|error| panic!("{trial}: {profile}, {load}: {error}"));
+        let left = contact.complementarity().unwrap();
+        assert!(left.tension < 1e-9 && left.penetration < 1e-9, "{trial}: {left:?}");
+        assert!(contact.relative_error() < 1e-9, "{trial}: {:e}", contact.relative_error());
+        // Places near a corner of a narrow ring are rounded.
+        let narrowest = contact.edges0().iter().fold(2.0f64, |least, [l, r]| least.min(r - l));
+        let error = force(&contact) / load - 1.0;
+        assert!(narrowest < 1e-3 || error.abs() < 1e-9, "{trial}: {error:e}");
     }
 }

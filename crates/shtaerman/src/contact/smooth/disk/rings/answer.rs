@@ -218,13 +218,18 @@ fn estimate(base: &Base<'_>, solved: &Solved) -> (Accuracy, f64) {
     let of = |unknown: bool, error: f64| if unknown { error } else { 0.0 };
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
-        pressure: pressure + ROUNDING * f64::MIN_POSITIVE,
+        pressure,
         settlement: of(by_force, change(|s| s.settlement) + level + ROUNDING * settlement.abs()),
         tilt: 0.0,
         force: of(!by_force, change(|s| s.force) + solved.rate * level + ROUNDING * force.abs()),
         moment: 0.0,
     };
     (accuracy, edge)
+}
+
+/// The estimated error of the pressure over the largest one.
+pub(super) fn noise(base: &Base<'_>, solved: &Solved, largest: f64) -> f64 {
+    estimate(base, solved).0.pressure / largest
 }
 
 /// The same with less of the series of the disk.

@@ -24,8 +24,10 @@ use crate::contact::smooth::zones::Zone;
 use crate::contact::solved::Stiffness;
 use crate::{Error, Vertical};
 
-/// Modes that are looked at for the base itself.
+/// Most modes for the base itself, and with fewer digits than so many: a bend of the base asks for all of them.
 const MODES_OF_BASE: usize = 192;
+const FEWER_MODES: usize = 96;
+const DIGITS: f64 = 15.0;
 
 /// A ring with its pressure.
 #[derive(Debug, Clone)]
@@ -320,10 +322,11 @@ impl Profiles {
                 Slopes::resolve(&on_ring, bends, [detail.panels, 1], shape.tolerance)
             })
             .collect();
+        let most = if detail.digits > DIGITS { MODES_OF_BASE } else { FEWER_MODES };
         let heights = (slopes.iter().zip(&mut counts))
             .map(|(slopes, count)| {
-                let mut heights = slopes.coefficients(MODES_OF_BASE.max(*count));
-                *count = (*count).max(needed(&heights, detail.digits));
+                let mut heights = slopes.coefficients(most.max(*count));
+                *count = (*count).max(needed(&heights, detail.digits).min(most));
                 heights.truncate(*count);
                 heights
             })
@@ -338,12 +341,7 @@ fn needed(heights: &[f64], digits: f64) -> usize {
     let size = |(k, f): (usize, &f64)| f.abs() / (1.0 + k as f64);
     let largest = heights.iter().enumerate().map(size).fold(0.0, f64::max);
     let floor = largest * (-digits.min(16.0) * LN_10).exp();
-    heights
-        .iter()
-        .enumerate()
-        .rposition(|pair| size(pair) > floor)
-        .map_or(2, |last| last + 2)
-        .min(MODES_OF_BASE)
+    heights.iter().enumerate().rposition(|pair| size(pair) > floor).map_or(2, |last| last + 2)
 }
 
 /// Modes of what a unit settlement, or tilt, leaves to the rings, times `sqrt(r)`.
