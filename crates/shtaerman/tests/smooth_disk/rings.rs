@@ -160,39 +160,18 @@ fn pressures_make_the_surface_follow_the_base() {
 
 #[test]
 fn kinks() {
-    for (profile, load, tolerance) in [
-        ("1e-3*abs(abs(x) - 0.003)", 50.0, 1e-10f64),
-        ("-1e-3*abs(x)", 1e3, 1e-10),
-        ("1e-4*abs(sin(2000*x))", 1e3, 1e-10),
-        // A hole so small that its logarithm is far from those of the kinks, which take more modes than there are.
-        ("2e-4*max(abs(abs(x) - 0.003) - 0.0004, 0)", 2e3, 1e-6),
-        ("2e-4*max(abs(abs(x) - 0.003) - 0.0004, 0)", 2e4, 1e-4),
-    ] {
-        let start = std::time::Instant::now();
-        match attempt(profile, pressed(load)) {
-            Err(error) => eprintln!("{profile} {error}"),
-            Ok(contact) => {
-                eprintln!(
-                    "{:?} {:?} {:e} {:?}",
-                    start.elapsed(),
-                    contact.edges0(),
-                    contact.relative_error(),
-                    contact.complementarity()
-                );
-                is_contact(
-                    profile,
-                    &contact,
-                    load,
-                    tolerance.min(contact.relative_error().max(1e-10)),
-                );
-                let left = contact.complementarity().unwrap();
-                assert!(
-                    left.tension.max(left.penetration) < tolerance.min(1e-6),
-                    "{profile}: {left:?}"
-                );
-            }
-        }
+    for (profile, load) in
+        [("1e-3*abs(abs(x) - 0.003)", 50.0), ("-1e-3*abs(x)", 1e3), ("1e-4*abs(sin(2000*x))", 1e3)]
+    {
+        is_contact(profile, &solve(profile, pressed(load)), load, 1e-10);
     }
+    // Kinks in a ring with a hole so small that they are close in its logarithm take more modes than there are: the error is stated, or too large for an answer.
+    let blunt = "2e-4*max(abs(abs(x) - 0.003) - 0.0004, 0)";
+    let contact = solve(blunt, pressed(2e3));
+    assert!(contact.relative_error() > 1e-8 && contact.relative_error() < 1e-6);
+    is_contact(blunt, &contact, 2e3, contact.relative_error());
+    let refused = attempt(blunt, pressed(2e4));
+    assert!(matches!(refused, Err(Error::NotComplementary { .. })), "{refused:?}");
 }
 
 #[test]
@@ -383,5 +362,45 @@ fn bases_from_seeds() {
         let narrowest = contact.edges0().iter().fold(2.0f64, |least, [l, r]| least.min(r - l));
         let error = force(&contact) / load - 1.0;
         assert!(narrowest < 1e-3 || error.abs() < 1e-9, "{trial}: {error:e}");
+    }
+}
+
+#[test]
+fn extreme_numbers_have_answers_or_errors() {
+    for profile in [
+        "1e-6*cos(5000*x)",
+        "-x^2",
+        "-1e300*x^2",
+        "-1e-300*x^2",
+        "-sqrt(abs(x))",
+        "where(abs(x) < 1e-12, 1, 0)",
+        "where(abs(x) < 0.0049999, 1, 0)",
+        "sqrt(0.005^2 - x^2)",
+        "1e-9*cos(1e5*x)",
+        "(abs(x) - 0.003)^2",
+    ] {
+        for force in [1e-300, 1e-12, 1.0, 1e12, 1e290] {
+            let start = std::time::Instant::now();
+            let got = attempt(profile, pressed(force));
+            eprintln!(
+                "{profile} {force:e} {:?} {:?}",
+                start.elapsed(),
+                got.as_ref().map(|c| (c.edges0().len(), c.relative_error()))
+            );
+            match got {
+                Ok(contact) => {
+                    assert!(contact.settlement().is_finite());
+                    for x in [0.0, 1e-200, 1e-20, 1e-5, 0.0025, 0.004_999_999] {
+                        let pressure = contact.pressure(x).unwrap();
+                        assert!(
+                            pressure >= -1e-9 * contact.peak_pressure().0,
+                            "{profile} {force} {x}"
+                        );
+                        assert!(!contact.elastic_displacement(x).is_nan(), "{profile} {force} {x}");
+                    }
+                }
+                Err(error) => assert!(!error.to_string().is_empty()),
+            }
+        }
     }
 }

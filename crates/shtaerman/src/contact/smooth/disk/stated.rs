@@ -30,15 +30,13 @@ impl Problem {
         let disk = self.smooth_disk();
         let is_level = disk.rotational().1 == 0.0;
         let rings = || disk.solve_rings().map(|contact| -> Arc<dyn Solution> { Arc::new(contact) });
-        if is_level
-            && rings::are_likely(&disk)
-            && let Ok(solution) = rings()
-        {
+        let mut tried = (is_level && rings::are_likely(&disk)).then(rings);
+        if let Some(Ok(solution)) = tried {
             return Ok(solution);
         }
         let solution: Result<Arc<dyn Solution>, Error> = match disk.solve() {
             Ok(contact) => Ok(Arc::new(contact)),
-            Err(Error::Rings { .. }) if is_level => rings(),
+            Err(Error::Rings { .. }) if is_level => tried.take().unwrap_or_else(rings),
             Err(error) => Err(error),
         };
         solution.map_err(|error| self.with_units(error))
