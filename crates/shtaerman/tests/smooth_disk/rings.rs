@@ -376,10 +376,10 @@ fn extreme_numbers_have_answers_or_errors() {
         "where(abs(x) < 1e-12, 1, 0)",
         "where(abs(x) < 0.0049999, 1, 0)",
         "sqrt(0.005^2 - x^2)",
-        "1e-9*cos(1e5*x)",
+        "1e-8*cos(3e4*x)",
         "(abs(x) - 0.003)^2",
     ] {
-        for force in [1e-300, 1e-12, 1.0, 1e12, 1e290] {
+        for force in [1e-300, 1.0, 1e12, 1e290] {
             let start = std::time::Instant::now();
             let got = attempt(profile, pressed(force));
             eprintln!(

@@ -96,8 +96,8 @@ pub(super) fn require_few(counts: &[usize]) -> Result<(), Error> {
     if counts.iter().sum::<usize>() > MOST_MODES { Err(unresolved(0.0)) } else { Ok(()) }
 }
 
-/// Rings too close, or too many.
-fn unresolved(gap: f64) -> Error {
+/// Rings too close, too narrow, or too many.
+pub(super) fn unresolved(gap: f64) -> Error {
     let iterations = MOST_MODES;
     Error::Equation(fredholm::Error::NotConverged { iterations, residual: gap, tolerance: 0.0 })
 }

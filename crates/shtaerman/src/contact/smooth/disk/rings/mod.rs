@@ -26,6 +26,9 @@ use base::Base;
 use check::{Check, check};
 use system::Solved;
 
+/// A relative error beyond which there is no answer.
+const WORST: f64 = 1e-3;
+
 /// Solves for disk and rings of contact without a tilt.
 pub(super) fn solve(problem: &SmoothDisk) -> Result<SmoothRingsContact, Error> {
     let base = Base::new(problem)?;
@@ -56,12 +59,12 @@ fn complementary(base: &Base<'_>) -> Result<SmoothRingsContact, Error> {
         let solved = edges::settle(base, &zones, FINE)?;
         let left = check(base, &solved, ALLOWED);
         if left.is_clean() {
-            return SmoothRingsContact::new(base, solved, &left);
+            return required(SmoothRingsContact::new(base, solved, &left)?);
         }
         // What the modes do not resolve is no reason to correct zones.
         let noise = answer::noise(base, &solved, left.largest).min(COARSELY_ALLOWED);
         if check(base, &solved, ALLOWED.max(noise)).is_clean() {
-            return SmoothRingsContact::new(base, solved, &left);
+            return required(SmoothRingsContact::new(base, solved, &left)?);
         }
         last = [left.tension, left.penetration];
         zones = amended(base, &solved, &left);
@@ -72,11 +75,24 @@ fn complementary(base: &Base<'_>) -> Result<SmoothRingsContact, Error> {
     Err(Error::NotComplementary { tension: last[0], penetration: last[1] })
 }
 
+/// Refuses an answer without digits.
+fn required(contact: SmoothRingsContact) -> Result<SmoothRingsContact, Error> {
+    let residual = contact.relative_error();
+    if residual <= WORST {
+        return Ok(contact);
+    }
+    let iterations = contact.modes();
+    Err(fredholm::Error::NotConverged { iterations, residual, tolerance: WORST }.into())
+}
+
 /// The zones with few modes.
 fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
     let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
-    for power in 0..TOPOLOGIES {
-        let found = topology::find(base, base.cells() * 4usize.pow(power as u32));
+    let counts = (0..TOPOLOGIES).map(|power| base.cells() * 4usize.pow(power as u32));
+    let mut counts: Vec<usize> = counts.map(|count| count.min(topology::MOST_CELLS)).collect();
+    counts.dedup();
+    for count in counts {
+        let found = topology::find(base, count);
         let zones = found.map(|intervals| {
             intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
         });

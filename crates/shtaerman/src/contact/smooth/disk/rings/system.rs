@@ -28,6 +28,8 @@ use crate::{Error, Vertical};
 const MODES_OF_BASE: usize = 192;
 const FEWER_MODES: usize = 96;
 const DIGITS: f64 = 15.0;
+/// Zones narrower than this share of their radius are lost in its rounding.
+const NARROWEST: f64 = 1e-14;
 
 /// A ring with its pressure.
 #[derive(Debug, Clone)]
@@ -166,6 +168,9 @@ impl Solved {
             || zones.iter().any(|zone| zone.length().is_nan() || zone.length() <= 0.0)
         {
             return Err(Error::NoContact);
+        }
+        if let Some(zone) = zones.iter().find(|zone| zone.length() < NARROWEST * zone.right()) {
+            return Err(coupling::unresolved(zone.length()));
         }
         let (disk, rings) = match zones[0].left() {
             0.0 => (Some(zones[0]), &zones[1..]),

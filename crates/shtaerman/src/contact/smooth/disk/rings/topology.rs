@@ -18,7 +18,7 @@ const CELLS_A_ZONE: usize = 6;
 const PARTS: usize = 4;
 /// Most rounds of refinement, and most cells.
 const ROUNDS: usize = 40;
-const MOST_CELLS: usize = 1400;
+pub(super) const MOST_CELLS: usize = 800;
 /// Cells shorter than this are not refined.
 const SHORTEST: f64 = 1e-13;
 
