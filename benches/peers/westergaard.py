@@ -16,7 +16,7 @@ def pressure(x):
     return np.where(inside > 0, 2 * MEAN * np.cos(psi) / SHARE * np.sqrt(np.maximum(inside, 0)), 0.0)
 
 
-def report(name, solve, repetitions=5):
+def report(name, solve, repetitions=20):
     """One line: name, largest error over the peak, best time in milliseconds."""
     best = np.inf
     for _ in range(repetitions):

@@ -6,7 +6,7 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use shtaerman::{Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical};
 
 fn main() {
     println!("{:<58} {:>12}", "one thread, best of many", "milliseconds");
@@ -20,6 +20,10 @@ fn main() {
     let eccentric = Load::new(force, Rotational::Eccentricity(0.6)).unwrap();
     time("flat punch, eccentricity 0.6, theta0 = 30", &problem(30.0, Profile::flat(), eccentric));
     time("wedge, theta0 = 2.5", &expression(theta0, &wedge, centric));
+    let general = format!("{}*(xi^2 + 0.3*xi^4 + 0.2*sin(xi))", 32.0 * theta0);
+    time("general profile, theta0 = 2.5", &expression(theta0, &general, centric));
+    rough_elsewhere(theta0, &parabola);
+    smooth();
     let waves = format!("{}*(xi^2 + 0.2*cos(14*xi))", 2.0 * theta0);
     time("waves, several zones, theta0 = 2.5", &expression(theta0, &waves, centric));
     let load = Load::new(force, Rotational::Moment(0.2)).unwrap();
@@ -29,6 +33,39 @@ fn main() {
             &problem(theta0, measured(theta0), load),
         );
     }
+}
+
+/// Other geometries and laws with a rough layer.
+fn rough_elsewhere(theta0: f64, parabola: &str) {
+    let load = Load::new(Vertical::Force(1.0), Rotational::Moment(0.0)).unwrap();
+    let solve = |name: &str, geometry: Geometry, theta0: f64, exponent: f64, parabola: &str| {
+        let frame = Frame::dimensionless_in(geometry, theta0, exponent).unwrap();
+        let profile = Profile::expression(parabola).unwrap();
+        time(name, &Problem::new(frame, profile, load, Solver::default()).unwrap());
+    };
+    solve("circular parabola, theta0 = 2.5", Geometry::Circular, theta0, 1.0, parabola);
+    solve("parabola, power law, exponent 0.5", Geometry::Plane, theta0, 0.5, parabola);
+    let steep = format!("{}*xi^2", 32.0 * 1e10);
+    solve("parabola, nearly smooth, theta0 = 1e10", Geometry::Plane, 1e10, 1.0, &steep);
+}
+
+/// Smooth surfaces, `E* = 1`, `a = 1`.
+fn smooth() {
+    let solve = |name: &str, geometry: Geometry, profile: &str, force: f64, moment: f64| {
+        let body = Elastic::new(1.0, 0.0).unwrap();
+        let frame = Frame::physical_in(geometry, body, 0.0, 1.0, None).unwrap();
+        let load = Load::new(Vertical::Force(force), Rotational::Moment(moment)).unwrap();
+        let profile = Profile::expression(profile).unwrap();
+        time(name, &Problem::new(frame, profile, load, Solver::default()).unwrap());
+    };
+    let plane = Geometry::Plane;
+    solve("smooth parabola", plane, "x^2", 0.4, 0.0);
+    solve("smooth wedge", plane, "0.5*abs(x)", 0.25, 0.0);
+    solve("smooth flat punch with moment", plane, "0", 1.0, 0.3);
+    solve("smooth flat punch that tips up", plane, "0", 1.0, 0.7);
+    solve("smooth general profile", plane, "x^2 + 0.3*x^4 + 0.2*sin(x)", 0.3, 0.0);
+    solve("smooth circular parabola", Geometry::Circular, "x^2", 0.4, 0.0);
+    solve("smooth wave", Geometry::Periodic { period: 2.0 }, "-0.1*cos(pi*x)", 0.1, 0.0);
 }
 
 /// Best time of one call.

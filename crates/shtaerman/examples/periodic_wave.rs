@@ -4,9 +4,7 @@
 use std::f64::consts::PI;
 use std::time::Instant;
 
-use shtaerman::{
-    Elastic, Error, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical,
-};
+use shtaerman::{Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical};
 
 const PERIOD: f64 = 1.0;
 const HEIGHT: f64 = 0.01;
@@ -22,7 +20,7 @@ fn solve() -> Result<Vec<f64>, Box<dyn std::error::Error>> {
     let load = Load::new(Vertical::Force(mean * PERIOD), Rotational::Tilt(0.0))?;
     let profile = Profile::expression(&format!("-{HEIGHT}*cos(2*pi*x/{PERIOD})"))?;
     let contact = Problem::new(frame, profile, load, Solver::default())?.solve()?;
-    Ok(places().map(|x| contact.pressure(x)).collect::<Result<_, Error>>()?)
+    Ok(contact.pressures(&places().collect::<Vec<_>>())?)
 }
 
 fn places() -> impl Iterator<Item = f64> {

@@ -122,7 +122,7 @@ pub struct Dimensionless {
     /// The settlement relative to the data asked for, of a dimensionless problem.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub relative_settlement: Vec<RelativeSettlement>,
-    /// How the answer changes with `theta0` and load, where asked for of a dimensionless problem.
+    /// How the answer changes with `theta0` and load, of a dimensionless problem; where it was found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sensitivities: Option<Sensitivities>,
 }
@@ -163,13 +163,17 @@ pub struct Physical {
     /// The settlement relative to the data asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub relative_settlement: Vec<RelativeSettlement>,
-    /// Corner intensities `lim sqrt(2 pi d) p` of a smooth surface, `[left, right]` of each zone (Pa sqrt(m)); 0 at free edges.
+    /// Corner intensities `lim sqrt(2 pi d) p` of a smooth surface, `[left, right]` of each zone (Pa sqrt(m)); 0 at free edges. On graded ground
+    /// `lim sqrt(2 pi) d^beta p` (Pa m^beta).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub corner_intensity: Option<Vec<[f64; 2]>>,
+    /// That `beta = (1-mu)/2`, for a smooth surface on graded ground.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corner_exponent: Option<f64>,
     /// Edge pressures `K/sqrt(E* chi)` that the corners of the same contact without roughness imply, `[left, right]` of each of its zones (Pa).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub implied_edge_pressure: Option<Vec<[f64; 2]>>,
-    /// How the answer changes with roughness, modulus and load, where asked for.
+    /// How the answer changes with roughness, modulus and load, where it was found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sensitivities: Option<Sensitivities>,
 }
@@ -400,11 +404,19 @@ impl Physical {
                 .map_or(0.0, Scaling::contact_modulus),
             gauge: contact.problem().frame().gauge(),
             corner_intensity: contact.corner_intensity(),
+            corner_exponent: corner_exponent(contact),
             implied_edge_pressure: implied(contact),
             relative_settlement: Vec::new(),
             sensitivities: None,
         }
     }
+}
+
+/// `beta` of the corners, where it is not the 1/2 of a homogeneous body.
+fn corner_exponent(contact: &Contact) -> Option<f64> {
+    let frame = contact.problem().frame();
+    let is_graded_and_smooth = frame.grading().is_some() && frame.law() == Law::Smooth;
+    is_graded_and_smooth.then(|| frame.corner_exponent())
 }
 
 /// Edge pressures that the corners of the smooth companion imply, where the contact has corners and is nearly smooth.

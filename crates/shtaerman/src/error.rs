@@ -92,7 +92,7 @@ pub enum Error {
 
     /// No force at the prescribed eccentricity leads to the settlement prescribed.
     #[error(
-        "settlement = {value}: is out of reach of a force at the eccentricity {eccentricity}: whatever the force, the middle of the punch settles no deeper \
+        "settlement = {value}: is out of reach of a force at the eccentricity {eccentricity}: whatever the force, the middle of the punch settles no {bound} \
          than {limit}, as the punch turns; prescribe the force, the tilt or the moment instead, or a smaller eccentricity"
     )]
     SettlementOutOfReach {
@@ -100,8 +100,10 @@ pub enum Error {
         value: f64,
         /// The eccentricity given, SI.
         eccentricity: f64,
-        /// The largest settlement found, to the accuracy of cells, SI.
+        /// The settlement found that comes closest, SI.
         limit: f64,
+        /// On which side of it no settlement is in reach: `deeper` or `less deep`.
+        bound: &'static str,
     },
 
     /// The prescribed displacements of a unilateral contact leave the base clear of the body.
@@ -125,13 +127,27 @@ pub enum Error {
         limit: f64,
     },
 
-    /// The contact of a smooth circular punch is no single disk, and there is a moment or a tilt.
+    /// The contact of a smooth circular punch is no single disk, and there is a moment or a tilt, or the ground is graded.
     #[error(
-        "the contact is no single disk: {found} at {variable} = {at}; on a smooth surface a circular punch with a moment or a tilt is solved for one disk of contact \
-         only, rings without them: leave out moment and tilt, or keep the full base in contact with contact = \"bilateral\""
+        "the contact is no single disk: {found} at {variable} = {at}; on a smooth surface a circular punch with a moment or a tilt, or on graded ground, is solved for one disk \
+         of contact only, rings without them: leave out moment and tilt, give a small roughness instead of 0, or keep the full base in contact with contact = \"bilateral\""
     )]
     Rings {
         /// `x` (metres) or `xi`, the distance from the axis.
+        variable: &'static str,
+        /// Where.
+        at: f64,
+        /// What says so: `tension`, `penetration`, ..
+        found: &'static str,
+    },
+
+    /// The contact of a smooth plane punch on graded ground has more than one zone.
+    #[error(
+        "the contact is no single zone: {found} at {variable} = {at}; on graded ground a smooth punch is solved for one zone of contact only, several with a \
+         layer: give a small roughness instead of 0"
+    )]
+    SeveralZones {
+        /// `x` (metres) or `xi`.
         variable: &'static str,
         /// Where.
         at: f64,

@@ -1,6 +1,7 @@
 //! In which units a problem is stated, and on what the punch stands.
 
 use crate::error::{positive, require};
+use crate::quantity::{Dimension, DisplayUnit, engineering};
 use crate::roughness::Law;
 use crate::{Elastic, Error, Geometry, Grading, Roughness, Scaling};
 
@@ -167,6 +168,22 @@ impl Frame {
     #[must_use]
     pub fn gauge(&self) -> &'static str {
         if self.grading().is_some() { "zero at infinity" } else { self.geometry().gauge() }
+    }
+
+    /// `beta` of the pressure `K/(sqrt(2 pi) d^beta)` at the distance `d` from a corner of a smooth surface: 1/2, on graded ground `(1-mu)/2`.
+    #[must_use]
+    pub fn corner_exponent(&self) -> f64 {
+        0.5 * (1.0 - self.grading().map_or(0.0, |grading| grading.exponent()))
+    }
+
+    /// The unit of that `K`, `Pa sqrt(m)` or `Pa m^beta`.
+    #[must_use]
+    pub fn corner_unit(&self) -> DisplayUnit {
+        if self.grading().is_none() {
+            return DisplayUnit::prefixed("Pa sqrt(m)");
+        }
+        let beta = engineering(self.corner_exponent(), Dimension::NONE);
+        DisplayUnit::prefixed(&format!("Pa m^{beta}"))
     }
 
     /// Whether force and moment are those of a disk (N, N m), not per unit length.

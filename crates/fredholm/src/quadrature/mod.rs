@@ -3,6 +3,7 @@
 pub(crate) mod panels;
 
 use crate::basis::expansion::Rule;
+use crate::basis::jacobi::{Argument, Jacobi};
 use crate::collocation::map::{Node as Image, RANGE};
 use crate::{Error, Interval};
 
@@ -35,6 +36,28 @@ pub fn double_exponential(half_count: usize) -> impl Iterator<Item = Node> {
         let Image { position, from_left, from_right, derivative } = image;
         Node { position, from_left, from_right, weight: step * derivative }
     })
+}
+
+/// The Gauss rule of `count` nodes for `int_0^1 g(u) u^exponent du`, exact for polynomials `g` up to the degree `2 count - 1`, with nodes and weights accurate relative to
+/// themselves.
+///
+/// # Errors
+/// [`Error::InvalidParameter`] unless the exponent is above -1, and for no nodes.
+///
+/// ```
+/// let rule = fredholm::quadrature::gauss_power(8, -0.7)?;
+/// let sum: f64 = rule.iter().map(|node| node.weight * node.from_left.powi(3)).sum();
+/// assert!((sum * 3.3 - 1.0).abs() < 1e-14);
+/// # Ok::<(), fredholm::Error>(())
+/// ```
+pub fn gauss_power(count: usize, exponent: f64) -> Result<Vec<Node>, Error> {
+    let nodes = Jacobi::new(exponent, 0.0).gauss(count)?;
+    let node = |node: &crate::basis::jacobi::GaussNode| {
+        let Argument { from_one, from_minus_one } = node.argument;
+        let weight = node.weight;
+        Node { position: from_one, from_left: from_one, from_right: from_minus_one, weight }
+    };
+    Ok(nodes.iter().rev().map(node).collect())
 }
 
 /// The Gauss rule of `count` nodes for `int_{-1}^{1} g(t) (1 - t)^right (1 + t)^left dt`, both exponents above -1: nodes ascending, absolute error

@@ -74,16 +74,14 @@ struct Extras {
     sensitivities: Sensitivities,
 }
 
-/// Whether the answer has its sensitivities, which cost eighteen more solves.
+/// Whether the answer has its sensitivities.
 enum Sensitivities {
+    /// Also where they take differences of eighteen more solves.
     Asked,
-    /// In JSON, where a solve is quick.
-    IfCheap,
+    /// In JSON, wherever the linearised equation gives them.
+    IfLinearised,
     Left,
 }
-
-/// A solve by at most so many nodes or modes takes about a millisecond.
-const CHEAP: usize = 300;
 
 impl Extras {
     fn new(arguments: &SolveArguments, problem: &Problem) -> Result<Self, Failure> {
@@ -105,7 +103,7 @@ impl Extras {
         }
         let sensitivities = match (arguments.sensitivities, arguments.output.format) {
             (true, _) => Sensitivities::Asked,
-            (false, ReportFormat::Json) => Sensitivities::IfCheap,
+            (false, ReportFormat::Json) => Sensitivities::IfLinearised,
             (false, ReportFormat::Table | ReportFormat::Csv) => Sensitivities::Left,
         };
         Ok(Self { data, surface: arguments.surface, sensitivities })
@@ -118,16 +116,13 @@ fn extended(answer: Answer, contact: &Contact, extras: &Extras) -> Result<Answer
     if let Some(count) = extras.surface {
         answer.surface = Some(SurfaceCurve::new(contact, count)?);
     }
-    let is_cheap = contact.method().n <= CHEAP && contact.method().name != "cells";
-    match extras.sensitivities {
-        Sensitivities::Asked => answer = answer.with_sensitivities(contact.sensitivities()?),
-        // A neighbouring problem without an answer is no fault of this one.
-        Sensitivities::IfCheap if is_cheap => {
-            if let Some(found) = contact.sensitivities().ok().filter(|found| found.is_finite()) {
-                answer = answer.with_sensitivities(found);
-            }
-        }
-        Sensitivities::IfCheap | Sensitivities::Left => {}
+    let found = match extras.sensitivities {
+        Sensitivities::Asked => Some(contact.sensitivities()?),
+        Sensitivities::IfLinearised => contact.tangent_sensitivities(),
+        Sensitivities::Left => None,
+    };
+    if let Some(found) = found {
+        answer = answer.with_sensitivities(found);
     }
     Ok(answer)
 }

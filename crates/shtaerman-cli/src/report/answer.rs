@@ -145,7 +145,7 @@ fn physical_table(contact: &Contact, physical: &Physical) -> Table {
         values.iter().take(MOST_ZONES).map(of_zone).collect::<Vec<_>>().join("; ")
     };
     if let Some(intensities) = &physical.corner_intensity {
-        let unit = DisplayUnit::prefixed("Pa sqrt(m)");
+        let unit = contact.problem().frame().corner_unit();
         row("corner intensity", pairs(intensities, unit), "left, right; 0 at free edges");
     }
     if let Some(implied) = &physical.implied_edge_pressure {

@@ -66,7 +66,7 @@ fn sensitivities_are_given_on_request() {
             table.contains("by Young's modulus") && table.contains("largest pressure"),
             "{table}"
         );
-        // JSON has them where a solve is quick, the table where they are asked for.
+        // JSON has them anyway, the table where they are asked for.
         assert_eq!(
             solve(&folder, &[])["physical"]["sensitivities"],
             json["physical"]["sensitivities"]

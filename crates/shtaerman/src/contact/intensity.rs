@@ -10,9 +10,13 @@ use crate::{Geometry, Roughness, Scaling};
 impl Contact {
     /// Corner intensities `K = lim sqrt(2 pi d) p` (Pa sqrt(m); without dimensions those over `E sqrt(a)`) of a smooth contact, `d` the distance from the end of a
     /// zone: left and right for each of [`edges`](Self::edges), 0 at free ends. `None` for a rough surface, whose pressure is finite.
+    ///
+    /// On graded ground `E = E0 y^mu` corners are less sharp: there it is `K = lim sqrt(2 pi) d^beta p` (Pa m^beta) with
+    /// [`beta = (1-mu)/2`](crate::Frame::corner_exponent).
     #[must_use]
     pub fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
-        let root = self.problem().frame().half_width().sqrt();
+        let root =
+            self.problem().frame().half_width().powf(self.problem().frame().corner_exponent());
         let unit = self.scale(Scaling::pressure) * root;
         let zones = self.solution().corner_intensity()?;
         Some(zones.into_iter().map(|zone| zone.map(|k| unit * k)).collect())

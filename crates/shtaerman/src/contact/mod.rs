@@ -9,6 +9,7 @@ mod cross_check;
 mod draft;
 mod extremes;
 mod intensity;
+mod linearised;
 mod nearly_smooth;
 mod plan;
 mod potential;
@@ -22,6 +23,7 @@ mod warning;
 
 pub use accuracy::{Accuracy, ErrorKind};
 pub use cross_check::CrossCheck;
+pub(crate) use linearised::{Linearised, Rates};
 pub use plan::AIM;
 pub use smooth::{
     Curve, SmoothContact, SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem,

@@ -84,6 +84,10 @@ impl Problem {
         if self.is_smooth_disk() {
             return self.draw_up(self.solve_smooth_disk()?);
         }
+        let grading = self.frame().grading().filter(|_| self.frame().law() == Law::Smooth);
+        if let Some(grading) = grading {
+            return self.draw_up(Arc::new(self.solve_smooth_graded(grading.exponent())?));
+        }
         match self.solve_nearly_smooth() {
             Some(solution) => self.draw_up(solution),
             None => solve_rough(self),
@@ -97,10 +101,9 @@ impl Problem {
         is_plane && frame.law() == Law::Smooth
     }
 
-    /// Whether the surface is smooth and the punch circular on a homogeneous body.
+    /// Whether the surface is smooth and the punch circular.
     fn is_smooth_disk(&self) -> bool {
-        let frame = self.frame();
-        frame.is_circular() && frame.grading().is_none() && frame.law() == Law::Smooth
+        self.frame().is_circular() && self.frame().law() == Law::Smooth
     }
 
     /// Whether this is one punch on a homogeneous half-plane with a linear layer, for which the spectral relation serves.
@@ -131,8 +134,11 @@ impl Problem {
             count => format!("{count} zones"),
         };
         let reason = match name {
+            "panels" => format!(
+                "{zones} with exact edges on panels between the bends of the base, which are too many for one dense matrix, or where collocation did not find the zones"
+            ),
             "cells" => format!(
-                "{zones} on equal cells, as the base bends too often for collocation, or its zones were not found by it"
+                "{zones} on equal cells, as collocation, on zones or on panels, did not serve"
             ),
             "expansion" => format!(
                 "{zones} on a nearly smooth surface: expansion about the smooth limit, of relative error {reached:.0e} by its next terms, as rounding would take the digits of a direct solution"

@@ -5,6 +5,7 @@ use std::fmt::Debug;
 use super::accuracy::Accuracy;
 use super::balance::State;
 use super::draft::Draft;
+use super::linearised::Linearised;
 use super::solved::{Method, Stiffness};
 use super::unilateral::Complementarity;
 use crate::Problem;
@@ -27,6 +28,11 @@ pub(super) trait Solution: Debug + Send + Sync {
 
     /// `p0(xi)` on the base, 0 outside the zones; infinite at a singular corner.
     fn pressure(&self, problem: &Problem, xi: f64) -> f64;
+
+    /// The same at many places.
+    fn pressures(&self, problem: &Problem, places: &[f64]) -> Vec<f64> {
+        places.iter().map(|&xi| self.pressure(problem, xi)).collect()
+    }
 
     /// `p0` in a zone by the distances from both of its ends, where the smaller may be far below the rounding of `xi`.
     fn pressure_beside(
@@ -71,6 +77,11 @@ pub(super) trait Solution: Debug + Send + Sync {
 
     /// `lim sqrt(2 pi d) p0` at the left and right end of each zone, `d` in `xi`, where the surface is smooth; 0 at free ends.
     fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
+        None
+    }
+
+    /// How it changes to first order, the largest pressure being at `peak`; none where only differences of solutions tell.
+    fn linearised(&self, _problem: &Problem, _peak: f64) -> Option<Linearised> {
         None
     }
 
@@ -121,6 +132,13 @@ impl Solution for FullBase {
 
     fn accuracy(&self) -> Option<&Accuracy> {
         self.draft.accuracy.as_ref()
+    }
+
+    fn linearised(&self, problem: &Problem, peak: f64) -> Option<Linearised> {
+        let displacement = |xi: f64| self.displacement(xi);
+        let (method, degree) = (self.draft.method, self.profile_degree);
+        let found = problem.linearised_full_base(&displacement, method, degree, peak)?;
+        Some(found.with_stiffness(&self.stiffness(), &problem.dimensionless_load()))
     }
 
     fn size(&self) -> f64 {

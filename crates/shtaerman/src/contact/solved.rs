@@ -14,7 +14,7 @@ use crate::{ContactKind, Error, Problem, Rotational, Scaling, Vertical};
 /// Method and size of a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct Method {
-    /// Name of the method: `spectral` or `sinc`.
+    /// Name of the method: `spectral`, `sinc`, `panels`, `cells`, `first_kind` or `expansion`.
     pub name: &'static str,
     /// Highest Chebyshev degree kept, or number of nodes.
     pub n: usize,
@@ -181,6 +181,21 @@ impl Contact {
     /// [`Error::BeyondPunch`] outside the closed base, also for NaN.
     pub fn pressure(&self, x: f64) -> Result<f64, Error> {
         Ok(self.pressure0(self.on_base(x)?) * self.scale(Scaling::pressure))
+    }
+
+    /// Pressures `p(x)` (Pa) at many places, in the units of the problem; of a smooth surface they cost less than one by one.
+    ///
+    /// # Errors
+    /// [`Error::BeyondPunch`] as soon as one lies outside the closed base or is NaN.
+    pub fn pressures(&self, places: &[f64]) -> Result<Vec<f64>, Error> {
+        let mut on_base = places.to_vec();
+        for place in &mut on_base {
+            *place = self.on_base(*place)?;
+        }
+        let mut pressures = self.solution.pressures(&self.problem, &on_base);
+        let scale = self.scale(Scaling::pressure);
+        pressures.iter_mut().for_each(|p| *p *= scale);
+        Ok(pressures)
     }
 
     /// `p0` in a zone of [`edges0`](Self::edges0) by the distances from both of its ends.
@@ -368,6 +383,11 @@ impl Contact {
     /// A bound of `|p + E f0|` on the base (Pa).
     fn pressure_bound(&self) -> f64 {
         self.solution.size() * self.scale(Scaling::pressure)
+    }
+
+    /// Whether tilt and moment are zero.
+    pub(super) fn is_level(&self) -> bool {
+        self.is_level
     }
 
     pub(super) fn solution(&self) -> &dyn Solution {

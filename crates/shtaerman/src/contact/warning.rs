@@ -77,7 +77,7 @@ impl Warning {
             return None;
         }
         let (length, intensity) = match frame.scaling() {
-            Some(_) => (Dimension::LENGTH, DisplayUnit::prefixed("Pa sqrt(m)")),
+            Some(_) => (Dimension::LENGTH, frame.corner_unit()),
             None => (Dimension::NONE, DisplayUnit::NUMBER),
         };
         let places: Vec<String> = (corners.iter().take(MOST_PLACES))
@@ -87,9 +87,15 @@ impl Warning {
                 format!("{} = {at} (K = {k})", frame.coordinate())
             })
             .collect();
+        let meaning = if frame.grading().is_some() {
+            let beta = engineering(frame.corner_exponent(), Dimension::NONE);
+            format!("K = lim sqrt(2 pi) d^{beta} p at the distance d")
+        } else {
+            "K = lim sqrt(2 pi d) p at the distance d: with a roughness chi it would be about K/sqrt(E* chi)"
+                .to_owned()
+        };
         let message = format!(
-            "the pressure of a smooth surface is infinite at the corner {}, K = lim sqrt(2 pi d) p at the distance d: with a roughness chi it \
-             would be about K/sqrt(E* chi)",
+            "the pressure of a smooth surface is infinite at the corner {}, {meaning}",
             places.join(" and ")
         );
         Some(Self { code: WarningCode::SingularEdge, message })

@@ -10,3 +10,4 @@ mod hostile;
 mod prescribed;
 mod sensitivities;
 mod support;
+mod tangent;

@@ -11,3 +11,4 @@ mod refusals;
 mod stated;
 mod support;
 mod survey;
+mod waves;

@@ -275,6 +275,7 @@ fn one_disk_is_that_of_galins_transforms() {
     {
         let bend = if kink < 1.0 { 0.2 } else { 0.0 };
         let disk = SmoothDisk {
+            exponent: 0.0,
             theta0: 1.0,
             load: Load::new(Vertical::Force(load), Rotational::Moment(0.0)).unwrap(),
             height: Arc::new(move |r: f64| r * r + bend * (r - kink).max(0.0)),
@@ -297,6 +298,7 @@ fn one_disk_is_that_of_galins_transforms() {
         }
     }
     let refused = SmoothDisk {
+        exponent: 0.0,
         theta0: 1.0,
         load: Load::new(Vertical::Force(1.0), Rotational::Moment(0.1)).unwrap(),
         height: Arc::new(|r: f64| -r * r),

@@ -153,6 +153,14 @@ impl SmoothContact {
         self
     }
 
+    /// The zones with their densities; none for full contact of a wave.
+    pub(super) fn solved(&self) -> Option<&Solved> {
+        match &self.solution {
+            Solution::Zones(solved) => Some(solved),
+            Solution::Full(_) => None,
+        }
+    }
+
     /// Force on what the turn took below `-1`.
     fn force_before_seam(&self) -> f64 {
         let Solution::Zones(solved) = &self.solution else { return 0.0 };
@@ -245,15 +253,17 @@ impl SmoothContact {
     pub fn pressure0(&self, xi: f64) -> f64 {
         match &self.solution {
             Solution::Full(full) => full.pressure(wrapped(xi)),
-            Solution::Zones(solved) => {
-                let place = self.local(solved, xi);
-                match solved.parts.iter().position(|part| part.zone.contains(place)) {
-                    Some(j) => solved.pressure(j, solved.parts[j].place(place)),
-                    None if xi.is_nan() => xi,
-                    None => 0.0,
-                }
-            }
+            Solution::Zones(solved) => solved.pressure_at(self.local(solved, xi)),
         }
+    }
+
+    /// [`p0`](Self::pressure0) at many places, which costs less than one by one.
+    #[must_use]
+    pub fn pressures0(&self, places: &[f64]) -> Vec<f64> {
+        let Solution::Zones(solved) = &self.solution else {
+            return places.iter().map(|&xi| self.pressure0(xi)).collect();
+        };
+        solved.pressures(places.iter().map(|&xi| self.local(solved, xi)))
     }
 
     /// `p0` in a zone of [`zones`](Self::zones) by the distances from both of its ends, the smaller of which may be far below the rounding of `xi`.
@@ -378,15 +388,14 @@ impl SmoothContact {
     }
 
     /// A place in the turn of the solution.
-    fn local(&self, solved: &Solved, xi: f64) -> f64 {
+    pub(super) fn local(&self, solved: &Solved, xi: f64) -> f64 {
         if self.shift == 0.0 { solved.kernel.reduced(xi) } else { wrapped(xi - self.shift) }
     }
 }
 
 /// The error by comparison with fewer modes and other panels on the same zones, and that of the edges; none for what the load prescribes.
 fn estimate(base: &Base<'_>, solved: &Solved) -> (Accuracy, f64) {
-    let zones: Vec<Zone> = solved.parts.iter().map(|part| part.zone).collect();
-    let coarse = Solved::new(base, &zones, COMPARED).ok();
+    let coarse = solved.again(base, COMPARED).ok();
     let (mut pressure, mut edge) = (0.0f64, 0.0f64);
     let change = |part: fn(&State) -> f64| {
         coarse

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 
-use super::kernel::SmoothKernel;
+use super::kernel::{Remainder, SmoothKernel};
 use super::linear::Symmetric;
 use super::zones::Zone;
 use crate::Error;
@@ -86,11 +86,12 @@ pub(super) fn couple(
                 continue;
             }
             let block = block(kernel, &nodes[j], &nodes[i], i == j)?;
+            let scales: Vec<f64> = (0..counts[i]).map(scale).collect();
             for m in 0..counts[j] {
                 let first = if i == j { m } else { 0 };
+                let (factor, row) = (scale(m) * norm(m), &block[m * counts[i]..][..counts[i]]);
                 for n in first..counts[i] {
-                    let value = scale(m) * norm(m) * block[m * counts[i] + n] * scale(n);
-                    matrix.add(offsets[j] + m, offsets[i] + n, value);
+                    matrix.add(offsets[j] + m, offsets[i] + n, factor * row[n] * scales[n]);
                 }
             }
         }
@@ -142,8 +143,12 @@ impl Nodes {
         let (centre, half) = (0.5 * (zone.left() + zone.right()), 0.5 * zone.length());
         let turn = |q: usize| PI * (q as f64 + 0.5) / count as f64;
         let angles: Vec<f64> = (0..count).map(turn).collect();
-        let cosines =
-            angles.iter().flat_map(|a| (0..count).map(move |k| (k as f64 * a).cos())).collect();
+        // All of them are cosines of multiples of a quarter turn over the count.
+        let table: Vec<f64> =
+            (0..4 * count).map(|m| (FRAC_PI_2 * m as f64 / count as f64).cos()).collect();
+        let cosine = |q: usize, k: usize| table[(2 * q + 1) * k % (4 * count)];
+        let cosines = (0..count).flat_map(|q| (0..count).map(move |k| (q, k)));
+        let cosines = cosines.map(|(q, k)| cosine(q, k)).collect();
         Self { zone, centre, half, angles, cosines }
     }
 
@@ -168,15 +173,16 @@ fn block(
         let shift = image * kernel.period().unwrap_or(0.0);
         add_image(&mut values, target, source, shift)?;
     }
-    if kernel.period().is_some() {
-        add_remainder(&mut values, kernel, target, source);
+    if let Some(remainder) = kernel.remainder() {
+        add_remainder(&mut values, remainder, target, source);
     }
     let mut block = vec![0.0; rows * columns];
     for q in 0..rows {
         for m in 0..rows {
             let weight = target.cosines[q * rows + m] / (rows as f64 * norm(m) / PI);
             let row = &mut block[m * columns..(m + 1) * columns];
-            row.iter_mut().zip(&values[q * columns..]).for_each(|(b, v)| *b += weight * v);
+            let values = &values[q * columns..(q + 1) * columns];
+            row.iter_mut().zip(values).for_each(|(b, v)| *b += weight * v);
         }
     }
     Ok(block)
@@ -194,6 +200,7 @@ fn add_image(values: &mut [f64], target: &Nodes, source: &Nodes, shift: f64) -> 
     if gap.is_nan() || gap <= 0.0 {
         return Err(unresolved(gap));
     }
+    let weights: Vec<f64> = (0..columns).map(|n| PI / n.max(1) as f64).collect();
     for (q, angle) in target.angles.iter().enumerate() {
         let (sine, cosine) = (0.5 * angle).sin_cos();
         let inside = if is_right { cosine * cosine } else { sine * sine };
@@ -203,22 +210,23 @@ fn add_image(values: &mut [f64], target: &Nodes, source: &Nodes, shift: f64) -> 
         let row = &mut values[q * columns..(q + 1) * columns];
         row[0] += PI * (LN_2 - source.half.ln() - excess.ln_1p());
         let mut power = 1.0;
-        for (n, value) in row.iter_mut().enumerate().skip(1) {
+        for (value, weight) in row[1..].iter_mut().zip(&weights[1..]) {
             power *= ratio;
-            *value += PI / n as f64 * power;
+            *value += weight * power;
         }
     }
     Ok(())
 }
 
-fn add_remainder(values: &mut [f64], kernel: SmoothKernel, target: &Nodes, source: &Nodes) {
+fn add_remainder(values: &mut [f64], remainder: Remainder, target: &Nodes, source: &Nodes) {
     let columns = source.count();
+    let sources: Vec<f64> =
+        source.angles.iter().map(|angle| source.centre + source.half * angle.cos()).collect();
     for (q, angle) in target.angles.iter().enumerate() {
         let x = target.centre + target.half * angle.cos();
         let row = &mut values[q * columns..(q + 1) * columns];
-        for (r, other) in source.angles.iter().enumerate() {
-            let s = source.centre + source.half * other.cos();
-            let weight = PI / columns as f64 * kernel.remainder(x - s);
+        for (r, s) in sources.iter().enumerate() {
+            let weight = PI / columns as f64 * remainder.at(x - s);
             let cosines = &source.cosines[r * columns..(r + 1) * columns];
             row.iter_mut().zip(cosines).for_each(|(v, c)| *v += weight * c);
         }

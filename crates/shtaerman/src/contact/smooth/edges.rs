@@ -16,6 +16,8 @@ use crate::Error;
 const STEPS: usize = 120;
 /// A density at a free end below this share of the largest is as good as none, if it does not fall any more.
 const SMALL: f64 = 1e-8;
+/// Below this share it is none, where slopes are known: at an end the density is no better known.
+const NONE: f64 = 8.0 * f64::EPSILON;
 /// Share of a zone, or of a gap, that an edge may cross in one step.
 const STRIDE: f64 = 0.4;
 /// Zones shorter than this share of the longest are none.
@@ -38,12 +40,13 @@ pub(super) fn settle(base: &Base<'_>, start: &[Zone], detail: Detail) -> Result<
         }
         let released = release(&mut zones, &solved);
         let worst = worst_density(&solved, &zones);
+        let none = if solved.is_sampled() { NONE } else { 0.0 };
         let is_small = worst <= SMALL && !released;
         if is_small && let Some((before, known)) = best.take() {
-            if worst >= 0.5 * before {
+            if worst >= 0.5 * before || worst <= none {
                 return Ok(if before <= worst { known } else { solved });
             }
-        } else if worst == 0.0 && !released {
+        } else if worst <= none && !released {
             return Ok(solved);
         }
         zones = moved(base, &solved, &zones);

@@ -1,6 +1,7 @@
 //! The Fourier series of a smooth slope: a few harmonics instead of integrals over panels.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::LazyLock;
 
 use super::slopes::{Angular, Slopes};
 
@@ -32,6 +33,11 @@ pub(super) struct Resolved {
 
 /// Numbers of samples over a half turn.
 const SAMPLES: [usize; 2] = [32, 64];
+/// Sines of a turn in four times so many parts.
+static TABLES: LazyLock<[Vec<f64>; 2]> = LazyLock::new(|| {
+    let sine = |m: usize, samples: usize| (FRAC_PI_2 * m as f64 / samples as f64).sin();
+    SAMPLES.map(|samples| (0..4 * samples).map(|m| sine(m, samples)).collect())
+});
 /// Places at which the series is held against the slope: a feature between the samples must not be missed.
 const CHECKED: usize = 7;
 
@@ -66,6 +72,7 @@ impl Harmonics {
         let mut sines = vec![0.0; if is_odd { 0 } else { samples - 1 }];
         let (mut mean, mut largest, mut heights) = (0.0, 0.0f64, 0.0f64);
         let share = if is_odd { 2.0 } else { 1.0 } / samples as f64;
+        let table = &TABLES[usize::from(samples != SAMPLES[0])];
         for j in 0..count {
             let angle = start + step * (j as f64 + 0.5);
             let value = profile.slope(angle)?;
@@ -73,7 +80,19 @@ impl Harmonics {
             mean += height / count as f64;
             heights = heights.max(height.abs());
             largest = largest.max(value.abs());
-            add(&mut cosines, &mut sines, share * value, angle);
+            let mass = share * value;
+            let sign = if is_odd { 1.0 } else { -1.0 };
+            // The harmonics at this sample are entries of one table: the angle counts from the start, half a turn off in a whole turn.
+            let (quarter, turn) = (samples, 4 * samples);
+            let (mut entry, mut mass) = (0, mass * sign);
+            for (k, term) in cosines.iter_mut().enumerate() {
+                entry = (entry + 2 * j + 1) % turn;
+                *term -= mass * table[entry];
+                if let Some(term) = sines.get_mut(k) {
+                    *term += mass * table[(entry + quarter) % turn];
+                }
+                mass *= sign;
+            }
         }
         let tail = 2 * samples / 3;
         let allowed = ROUNDING * largest;
@@ -102,6 +121,24 @@ impl Harmonics {
     pub(super) fn coefficients(&self, degree: usize) -> impl Iterator<Item = f64> + '_ {
         let terms = self.cosines.iter().chain(std::iter::repeat(&0.0));
         terms.take(degree).enumerate().map(|(k, term)| term / (k + 1) as f64)
+    }
+
+    /// The highest harmonic.
+    pub(super) fn len(&self) -> usize {
+        self.cosines.len().max(self.sines.len())
+    }
+
+    /// The series of `f - mean`, the conjugate of which is that of the slope: its [conjugate](Self::conjugate) are the heights.
+    pub(super) fn heights(&self) -> Self {
+        let divided = |terms: &[f64]| -> Vec<f64> {
+            terms.iter().enumerate().map(|(k, term)| term / (k + 1) as f64).collect()
+        };
+        Self { cosines: divided(&self.cosines), sines: divided(&self.sines) }
+    }
+
+    /// `k f_k` from `k = 1`.
+    pub(super) fn cosines(&self) -> &[f64] {
+        &self.cosines
     }
 
     fn new(slopes: &Slopes, count: usize) -> Self {

@@ -9,14 +9,20 @@
 
 mod answer;
 mod balance;
+mod band;
 mod check;
 mod coupling;
+mod density;
 mod disk;
 mod edges;
+mod graded;
+mod ground;
 mod harmonics;
 mod kernel;
 mod legendre;
 mod linear;
+mod linearised;
+mod panels;
 mod problem;
 mod slopes;
 mod stated;
@@ -66,20 +72,31 @@ impl SmoothProblem {
     /// many, for the modes that can be kept.
     pub fn solve(&self) -> Result<SmoothContact, Error> {
         if self.is_wave() {
-            return wave::solve(&Base::new(self)?);
+            return wave::solve(self);
         }
-        solve_zones(self)
+        solve_zones(&Base::new(self)?, None)
     }
 }
 
-fn solve_zones(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
-    let base = Base::new(problem)?;
-    if problem.is_unilateral {
-        return complementary(&base);
+/// The answer on the zones of a base, for which a zone to try first may be known.
+fn solve_zones(base: &Base<'_>, first: Option<Zone>) -> Result<SmoothContact, Error> {
+    if base.problem.is_unilateral {
+        return match first.and_then(|zone| tried(base, zone)) {
+            Some(contact) => contact,
+            None => complementary(base),
+        };
     }
-    let solved = system::Solved::new(&base, &base.pieces(), FINE)?;
-    let left = check(&base, &solved, ALLOWED);
-    SmoothContact::new(&base, solved, &left)
+    let solved = system::Solved::new(base, &base.pieces(), FINE)?;
+    let left = check(base, &solved, ALLOWED);
+    SmoothContact::new(base, solved, &left)
+}
+
+/// The answer if this zone leads there: the pressure without tension and penetration is but one.
+fn tried(base: &Base<'_>, zone: Zone) -> Option<Result<SmoothContact, Error>> {
+    let solved = edges::settle(base, &[zone], FINE).ok()?;
+    let left = check(base, &solved, ALLOWED);
+    let is_clean = left.pulling.is_empty() && left.penetrating.is_empty();
+    is_clean.then(|| SmoothContact::new(base, solved, &left))
 }
 
 /// The answer, with its zones corrected where all modes show what few did not.

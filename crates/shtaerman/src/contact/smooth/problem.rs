@@ -80,37 +80,51 @@ impl SmoothProblem {
         if let Some(period) = kernel.period() {
             require(period >= 2.0 && period.is_finite(), "period", period, "at least 2 a")?;
         }
-        for &[left, right] in pieces {
-            for i in 0..=SAMPLES {
+        Ok(())
+    }
+
+    /// Heights of a piece, which must be finite.
+    fn samples(&self, [left, right]: [f64; 2]) -> Result<Vec<Sample>, Error> {
+        (0..=SAMPLES)
+            .map(|i| {
                 let xi = left + (right - left) * i as f64 / SAMPLES as f64;
                 let height = (self.profile.height)(xi);
                 require(height.is_finite(), "profile", xi, "such that the height is finite")?;
-            }
-        }
-        Ok(())
+                Ok((xi, height))
+            })
+            .collect()
     }
 }
+
+/// A place with the height there, `(xi, f0)`.
+pub(super) type Sample = (f64, f64);
 
 /// A problem with its walls and samples.
 pub(super) struct Base<'p> {
     pub(super) problem: &'p SmoothProblem,
+    /// `mu` of the kernel `|d|^-mu` that stands in the place of the logarithm on graded ground.
+    pub(super) grading: Option<f64>,
     /// Where a left or a right edge of the contact can rest under pressure.
     walls: [Vec<f64>; 2],
-    /// Samples `(xi, f0)` of each piece.
-    pub(super) samples: Vec<Vec<(f64, f64)>>,
+    /// Samples of each piece.
+    pub(super) samples: Vec<Vec<Sample>>,
 }
 
 impl<'p> Base<'p> {
     pub(super) fn new(problem: &'p SmoothProblem) -> Result<Self, Error> {
         problem.check()?;
-        let samples = (problem.pieces.iter())
-            .map(|&[left, right]| {
-                let place = |i: usize| left + (right - left) * i as f64 / SAMPLES as f64;
-                (0..=SAMPLES).map(|i| (place(i), (problem.profile.height)(place(i)))).collect()
-            })
-            .collect();
+        let samples =
+            problem.pieces.iter().map(|piece| problem.samples(*piece)).collect::<Result<_, _>>()?;
+        Self::with_samples(problem, samples)
+    }
+
+    /// The base of a problem that is one, with the samples of each piece.
+    pub(super) fn with_samples(
+        problem: &'p SmoothProblem,
+        samples: Vec<Vec<Sample>>,
+    ) -> Result<Self, Error> {
         let ends = |side: usize| problem.pieces.iter().map(|piece| piece[side]).collect();
-        let mut base = Self { problem, walls: [ends(0), ends(1)], samples };
+        let mut base = Self { problem, grading: None, walls: [ends(0), ends(1)], samples };
         base.find_steps()?;
         if problem.is_unilateral {
             base.require_load()?;
@@ -146,7 +160,7 @@ impl<'p> Base<'p> {
         pieces.map(|&[left, right]| Zone::new([left, right], [false; 2])).collect()
     }
 
-    fn all_samples(&self) -> impl Iterator<Item = &(f64, f64)> {
+    fn all_samples(&self) -> impl Iterator<Item = &Sample> {
         self.samples.iter().flatten()
     }
 
@@ -161,7 +175,7 @@ impl<'p> Base<'p> {
         const FEWEST: usize = 48;
         const MOST: usize = 768;
         const A_VALLEY: usize = 12;
-        let is_valley = |w: &&[(f64, f64)]| w[1].1 <= w[0].1 && w[1].1 < w[2].1;
+        let is_valley = |w: &&[Sample]| w[1].1 <= w[0].1 && w[1].1 < w[2].1;
         let valleys: usize =
             self.samples.iter().map(|piece| piece.windows(3).filter(is_valley).count()).sum();
         (A_VALLEY * (valleys + 1)).clamp(FEWEST, MOST)

@@ -7,30 +7,24 @@
 //! which converges slowly as a series where the profile has kinks, and not at all as fast as its panels do: `g` is a polynomial on each of
 //! them, integrated against the pole by the Legendre functions of the second kind.
 
-use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_2_PI, PI, TAU};
+use std::sync::OnceLock;
 
 use super::harmonics::{Harmonics, Resolved};
-use super::legendre::{ORDER, RULE, cauchy, derivative, polynomials};
+use super::legendre::{ORDER, RULE};
+use super::panels::{Builder, Panel, join};
 
-/// Panels are halved at most this often, and there are at most so many.
-const DEEPEST: u32 = 44;
-const MOST_PANELS: usize = 40_000;
+/// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding.
+const REMOTE: f64 = 0.48;
+const FIRST: usize = 96;
 /// Rounding of a sampled series, in units of the last place of the largest slope.
 const SAMPLED: f64 = 32.0;
 /// Last coefficients relative to the largest that count as resolved, at best.
 const RESOLVED: f64 = 3e-16;
-/// Coefficients this small that do not fall when a panel is halved are noise.
-const NOISE: f64 = 1e-11;
-/// A pole so many half-lengths from the middle of a panel is far.
-const FAR: f64 = 2.5;
 /// Panels whose ends differ by less than this share of the largest slope are made to meet: a jump of rounding would be a pole.
 const JOINED: f64 = 1e-9;
-/// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding.
-const CLOSEST: f64 = 1e-30;
 /// Roundings of a height.
 pub(super) const ROUNDINGS: f64 = 4.0;
-/// Below this the difference of the cotangent and its pole is summed as a series.
-const SERIES: f64 = 0.3;
 
 /// A profile as function of the angle.
 pub(super) trait Angular {
@@ -42,111 +36,6 @@ pub(super) trait Angular {
     }
     /// `df/dt`, where it is known better than by differences.
     fn slope(&self, angle: f64) -> Option<f64>;
-}
-
-#[derive(Debug, Clone)]
-struct Panel {
-    start: f64,
-    end: f64,
-    values: [f64; ORDER],
-    coefficients: [f64; ORDER],
-    /// Whether `t = 0` is the nearer end of the half turn.
-    is_first: bool,
-    /// `g(t) sin t` with its weights, and `sin^2(t/2)` or `cos^2(t/2)` of the nearer end.
-    masses: [f64; ORDER],
-    squares: [f64; ORDER],
-}
-
-impl Panel {
-    fn new(start: f64, end: f64, coefficients: [f64; ORDER]) -> Self {
-        let values = RULE.values(&coefficients);
-        let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
-        let is_first = middle < FRAC_PI_2;
-        let angles = RULE.nodes.map(|u| middle + half * u);
-        let squares = angles.map(|t| square(t, is_first));
-        let mut masses = angles.map(f64::sin);
-        for (i, mass) in masses.iter_mut().enumerate() {
-            *mass *= half * RULE.weights[i] * values[i];
-        }
-        Self { start, end, values, coefficients, is_first, masses, squares }
-    }
-
-    /// `g` at both ends.
-    fn ends(&self) -> [f64; 2] {
-        let even: f64 = self.coefficients.iter().step_by(2).sum();
-        let odd: f64 = self.coefficients.iter().skip(1).step_by(2).sum();
-        [even - odd, even + odd]
-    }
-
-    fn middle(&self) -> f64 {
-        0.5 * (self.start + self.end)
-    }
-
-    fn half(&self) -> f64 {
-        0.5 * (self.end - self.start)
-    }
-
-    fn at(&self, angle: f64) -> f64 {
-        let u = (angle - self.middle()) / self.half();
-        polynomials(u).iter().zip(&self.coefficients).map(|(p, c)| p * c).sum()
-    }
-
-    /// `p.v. int g(t) [cot((t - angle)/2) + cot((t + angle)/2)] dt` on a half turn.
-    fn both_cotangents(&self, angle: f64) -> f64 {
-        let reach = FAR * self.half();
-        let middle = self.middle();
-        let mirrored = (middle + angle).min(TAU - middle - angle);
-        if (middle - angle).abs() <= reach || mirrored <= reach {
-            return self.cotangent(angle) + self.cotangent(-angle);
-        }
-        // sin t / (sin^2(t/2) - sin^2(angle/2)), whose difference keeps its digits at either end
-        let other = square(angle, self.is_first);
-        let sum: f64 = self
-            .masses
-            .iter()
-            .zip(&self.squares)
-            .map(|(mass, square)| mass / (square - other))
-            .sum();
-        if self.is_first { sum } else { -sum }
-    }
-
-    /// `p.v. int g(t) cot((t - pole)/2) dt`.
-    fn cotangent(&self, pole: f64) -> f64 {
-        let half = self.half();
-        let offset = self.middle() - pole;
-        let turns = (offset / TAU).round() * TAU;
-        let pole = if turns == 0.0 { pole } else { pole + turns };
-        let near = (offset - turns).abs() <= FAR * half;
-        let mut sum = 0.0;
-        for (i, value) in self.values.iter().enumerate() {
-            let z = self.middle() + half * RULE.nodes[i] - pole;
-            let kernel = if near { without_pole(z) } else { 1.0 / (0.5 * z).tan() };
-            sum += RULE.weights[i] * value * kernel;
-        }
-        sum *= half;
-        if near {
-            let [from_left, from_right] = [self.start, self.end]
-                .map(|end| pole - end)
-                .map(|distance| if distance.abs() < CLOSEST { CLOSEST } else { distance });
-            sum += 2.0 * cauchy(&self.coefficients, from_left / half, from_right / half);
-        }
-        sum
-    }
-}
-
-fn square(angle: f64, is_first: bool) -> f64 {
-    let (sine, cosine) = (0.5 * angle).sin_cos();
-    if is_first { sine * sine } else { cosine * cosine }
-}
-
-/// `cot(z/2) - 2/z`.
-fn without_pole(z: f64) -> f64 {
-    if z.abs() > SERIES {
-        return 1.0 / (0.5 * z).tan() - 2.0 / z;
-    }
-    let s = z * z;
-    -z * (1.0 / 6.0
-        + s * (1.0 / 360.0 + s * (1.0 / 15120.0 + s * (1.0 / 604_800.0 + s / 23_950_080.0))))
 }
 
 /// `g` on panels, over the half turn of a zone (odd beyond it) or over the whole turn of a wave.
@@ -168,6 +57,8 @@ pub(super) struct Slopes {
     largest: f64,
     /// The Fourier series of `F` and `f`, where it is short.
     series: Option<Harmonics>,
+    /// The first coefficients of `f`, once they are asked for.
+    first: OnceLock<Vec<f64>>,
 }
 
 impl Slopes {
@@ -179,27 +70,40 @@ impl Slopes {
         [panels, turns]: [usize; 2],
         tolerance: f64,
     ) -> Self {
-        let is_odd = turns == 1;
         if bends.is_empty()
-            && let Some(Resolved { series, mean, largest, heights }) =
-                Harmonics::sampled(profile, is_odd)
+            && let Some(sampled) = Self::sampled(profile, turns == 1)
         {
-            let (panels, jumps) = (Vec::new(), Vec::new());
-            let error = SAMPLED * f64::EPSILON * largest;
-            let (end_error, mode_error) = (error, error + profile.rounding(heights, largest));
-            let series = Some(series);
-            return Self {
-                panels,
-                is_odd,
-                jumps,
-                mean,
-                error,
-                end_error,
-                mode_error,
-                largest,
-                series,
-            };
+            return sampled;
         }
+        Self::on_panels(profile, bends, [panels, turns], tolerance)
+    }
+
+    /// The slope as a short series by equally spaced samples, if it is one.
+    pub(super) fn sampled(profile: &dyn Angular, is_odd: bool) -> Option<Self> {
+        let Resolved { series, mean, largest, heights } = Harmonics::sampled(profile, is_odd)?;
+        let error = SAMPLED * f64::EPSILON * largest;
+        Some(Self {
+            panels: Vec::new(),
+            is_odd,
+            jumps: Vec::new(),
+            mean,
+            error,
+            end_error: error,
+            mode_error: error + profile.rounding(heights, largest),
+            largest,
+            series: Some(series),
+            first: OnceLock::new(),
+        })
+    }
+
+    /// The slope on panels.
+    pub(super) fn on_panels(
+        profile: &dyn Angular,
+        bends: &[f64],
+        [panels, turns]: [usize; 2],
+        tolerance: f64,
+    ) -> Self {
+        let is_odd = turns == 1;
         let start = if is_odd { 0.0 } else { -PI };
         let count = panels * turns;
         let width = PI / panels as f64;
@@ -220,9 +124,8 @@ impl Slopes {
             scale,
             tolerance,
         };
-        builder.scale = builder.first_scale(&cuts);
-        for pair in cuts.windows(2) {
-            builder.add(pair[0], pair[1], 0, f64::INFINITY);
+        for (pair, sampled) in cuts.windows(2).zip(builder.first(&cuts)) {
+            builder.add([pair[0], pair[1]], &sampled, 0, f64::INFINITY);
         }
         let Builder { mut panels, sum, mut worst, scale, heights, is_by_heights, .. } = builder;
         // A polynomial through heights has a slope that differs by ORDER^2 over half a panel times theirs.
@@ -251,6 +154,7 @@ impl Slopes {
             mode_error,
             largest,
             series: None,
+            first: OnceLock::new(),
         };
         if slopes.jumps.is_empty() {
             slopes.series = Harmonics::short(&slopes);
@@ -296,6 +200,16 @@ impl Slopes {
 
     pub(super) fn mode_error(&self) -> f64 {
         self.mode_error
+    }
+
+    /// Whether equally spaced samples gave all, whatever the panels.
+    pub(super) fn is_sampled(&self) -> bool {
+        self.series.is_some() && self.panels.is_empty()
+    }
+
+    /// The short series of `F` and `f`, where there is one.
+    pub(super) fn series(&self) -> Option<&Harmonics> {
+        self.series.as_ref()
     }
 
     /// `F(phi)`.
@@ -352,6 +266,11 @@ impl Slopes {
         if let Some(series) = self.series.as_ref().filter(|_| self.is_odd) {
             return series.outside(side / (1.0 + excess));
         }
+        if excess >= REMOTE && self.is_odd {
+            let terms = self.first.get_or_init(|| self.coefficients(FIRST));
+            let ratio = side / (1.0 + excess);
+            return terms[1..].iter().rev().fold(0.0, |sum, f| ratio * (f + sum));
+        }
         // sum (side/w)^k sin(k t)/k by parts: an angle that turns within w - 1 of the end
         let kernel = |angle: f64| {
             let s = (0.5 * angle).sin();
@@ -376,126 +295,16 @@ impl Slopes {
                 continue;
             }
             let is_whole = start == panel.start && finish == panel.end;
+            if is_whole {
+                sum += side * panel.turned(excess, side);
+                continue;
+            }
             for n in 0..ORDER {
                 let angle = middle + half * RULE.nodes[n];
-                let value = if is_whole { panel.values[n] } else { panel.at(angle) };
-                sum += half * RULE.weights[n] * value * kernel(angle);
+                sum += half * RULE.weights[n] * panel.at(angle) * kernel(angle);
             }
         }
         -2.0 / PI * sum
-    }
-}
-
-/// Makes neighbours meet where they nearly do, and tells where they do not; an odd slope vanishes at both ends.
-fn join(panels: &mut [Panel], is_odd: bool, threshold: f64) -> Vec<(f64, f64)> {
-    let mut jumps = Vec::new();
-    let count = panels.len();
-    let mut changes = vec![[0.0; 2]; count];
-    for i in 0..count {
-        let next = (i + 1) % count;
-        let [last, first] = [panels[i].ends()[1], panels[next].ends()[0]];
-        let is_seam = next == 0;
-        let [to_last, to_first] =
-            if is_seam && is_odd { [0.0; 2] } else { [0.5 * (last + first); 2] };
-        if (last - to_last).abs() <= threshold && (first - to_first).abs() <= threshold {
-            changes[i][1] = to_last - last;
-            changes[next][0] = to_first - first;
-        } else if !is_seam || !is_odd {
-            jumps.push((panels[i].end, first - last));
-        }
-    }
-    for (panel, [left, right]) in panels.iter_mut().zip(changes) {
-        let mut coefficients = panel.coefficients;
-        coefficients[0] += 0.5 * (left + right);
-        coefficients[1] += 0.5 * (right - left);
-        *panel = Panel::new(panel.start, panel.end, coefficients);
-    }
-    jumps
-}
-
-struct Builder<'p> {
-    profile: &'p dyn Angular,
-    panels: Vec<Panel>,
-    /// `int f dt`.
-    sum: f64,
-    /// Largest error of `g`.
-    worst: f64,
-    /// Largest `|f|`, and whether slopes were taken of heights.
-    heights: f64,
-    is_by_heights: bool,
-    /// Largest `|f|` and `|g|`.
-    scale: [f64; 2],
-    tolerance: f64,
-}
-
-struct Sampled {
-    coefficients: [f64; ORDER],
-    integral: f64,
-    /// Largest `|f|` and `|g|`.
-    sizes: [f64; 2],
-    /// Last coefficients of what was sampled, and whether that is the slope.
-    tail: f64,
-    is_slope: bool,
-}
-
-impl Builder<'_> {
-    fn first_scale(&self, cuts: &[f64]) -> [f64; 2] {
-        cuts.windows(2)
-            .map(|pair| self.sample(pair[0], pair[1]).sizes)
-            .fold([0.0; 2], |most, s| [most[0].max(s[0]), most[1].max(s[1])])
-    }
-
-    fn sample(&self, start: f64, end: f64) -> Sampled {
-        let (middle, half) = (0.5 * (start + end), 0.5 * (end - start));
-        let angles = RULE.nodes.map(|u| middle + half * u);
-        let heights = angles.map(|angle| self.profile.height(angle));
-        let integral = half * heights.iter().zip(&RULE.weights).map(|(h, w)| h * w).sum::<f64>();
-        let slopes = angles.map(|angle| self.profile.slope(angle));
-        let is_slope = slopes.iter().all(Option::is_some);
-        let largest = |values: &[f64]| values.iter().fold(0.0f64, |most, v| most.max(v.abs()));
-        let (coefficients, tail) = if is_slope {
-            let coefficients = RULE.coefficients(&slopes.map(|slope| slope.unwrap_or(0.0)));
-            (coefficients, largest(&coefficients[ORDER - 2..]))
-        } else {
-            // About its middle value: small panels have small rounding.
-            let reference = heights[ORDER / 2];
-            let mut series = RULE.coefficients(&heights.map(|h| h - reference));
-            let tail = largest(&series[ORDER - 2..]);
-            // Coefficients of rounding would be blown up by the derivative.
-            let floor = 2.0 * f64::EPSILON * largest(&heights);
-            let last = series.iter().rposition(|c| c.abs() > floor).unwrap_or(0);
-            series[last + 1..].fill(0.0);
-            (derivative(&series).map(|c| c / half), tail)
-        };
-        let sizes = [largest(&heights), largest(&coefficients)];
-        Sampled { coefficients, integral, sizes, tail, is_slope }
-    }
-
-    fn add(&mut self, start: f64, end: f64, depth: u32, before: f64) {
-        let Sampled { coefficients, integral, sizes, tail, is_slope } = self.sample(start, end);
-        let half = 0.5 * (end - start);
-        let (scale, rounding, error) = if is_slope {
-            (self.scale[1], 0.0, tail)
-        } else {
-            let bent = self.scale[1] * half / ORDER as f64;
-            (bent, f64::EPSILON * sizes[0], tail * ORDER as f64 / half)
-        };
-        let met = tail <= (self.tolerance * scale).max(rounding);
-        let noise = NOISE * if is_slope { self.scale[1] } else { self.scale[0] };
-        let is_noise = depth > 1 && tail >= 0.6 * before && tail <= noise;
-        let last = depth >= DEEPEST || self.panels.len() >= MOST_PANELS || !tail.is_finite();
-        if met || is_noise || last {
-            // What a panel adds to F is about its error times its length over the distance.
-            self.worst = self.worst.max(error * half.min(1.0));
-            self.sum += integral;
-            self.heights = self.heights.max(sizes[0]);
-            self.is_by_heights |= !is_slope;
-            self.panels.push(Panel::new(start, end, coefficients));
-            return;
-        }
-        let middle = 0.5 * (start + end);
-        self.add(start, middle, depth + 1, tail);
-        self.add(middle, end, depth + 1, tail);
     }
 }
 

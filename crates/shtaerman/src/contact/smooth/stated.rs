@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::{Curve, SmoothContact, SmoothKernel, SmoothProblem, SmoothProfile};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
+use crate::contact::linearised::Linearised;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::Complementarity;
@@ -27,7 +28,7 @@ impl Problem {
     }
 
     /// The problem without dimensions.
-    fn smooth(&self) -> SmoothProblem {
+    pub(super) fn smooth(&self) -> SmoothProblem {
         let frame = self.frame();
         let half_width = frame.half_width();
         let kernel = match frame.geometry().scaled(half_width) {
@@ -64,7 +65,7 @@ impl Problem {
     }
 
     /// An error with its value as the problem states it.
-    fn in_units(&self, error: Error) -> Error {
+    pub(super) fn in_units(&self, error: Error) -> Error {
         let load = self.load();
         let half_width = self.frame().half_width();
         match (error, load.vertical, load.rotational) {
@@ -117,6 +118,10 @@ impl Solution for SmoothContact {
         self.pressure0(xi)
     }
 
+    fn pressures(&self, _: &Problem, places: &[f64]) -> Vec<f64> {
+        self.pressures0(places)
+    }
+
     fn pressure_beside(&self, _: &Problem, zone: usize, from_left: f64, from_right: f64) -> f64 {
         self.pressure_beside0(zone, from_left, from_right)
     }
@@ -136,11 +141,11 @@ impl Solution for SmoothContact {
                 if xi < -1.0 { xi + 2.0 } else { xi }
             }));
         }
-        places.retain(|xi| xi.abs() <= 1.0 && self.pressure0(*xi).is_finite());
+        places.retain(|xi| xi.abs() <= 1.0);
         places.sort_by(f64::total_cmp);
         places.dedup();
-        let pressures = places.iter().map(|&xi| self.pressure0(xi)).collect();
-        (places, pressures)
+        let pressures = self.pressures0(&places);
+        places.into_iter().zip(pressures).filter(|(_, p)| p.is_finite()).unzip()
     }
 
     fn method(&self) -> Method {
@@ -166,6 +171,10 @@ impl Solution for SmoothContact {
 
     fn relative_error(&self) -> f64 {
         SmoothContact::relative_error(self)
+    }
+
+    fn linearised(&self, _: &Problem, peak: f64) -> Option<Linearised> {
+        self.first_order(peak)
     }
 
     fn size(&self) -> f64 {

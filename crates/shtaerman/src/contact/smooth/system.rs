@@ -13,7 +13,8 @@ use std::sync::Arc;
 use super::Detail;
 use super::balance::Centred;
 use super::coupling::{Coupled, couple, modes};
-use super::kernel::SmoothKernel;
+use super::density::Density;
+use super::kernel::{Remainder, SmoothKernel};
 use super::problem::Base;
 use super::slopes::{Angular, ROUNDINGS, Slopes};
 use super::zones::Zone;
@@ -38,6 +39,16 @@ impl Place {
             PI - 2.0 * (self.from_left / length).sqrt().asin()
         }
     }
+
+    /// `cos phi`.
+    pub(super) fn cosine(&self) -> f64 {
+        let length = self.from_left + self.from_right;
+        if self.from_right < self.from_left {
+            1.0 - 2.0 * self.from_right / length
+        } else {
+            2.0 * self.from_left / length - 1.0
+        }
+    }
 }
 
 /// A zone with its pressure.
@@ -49,6 +60,12 @@ pub(super) struct Part {
     smooth: Vec<f64>,
     /// `gamma_k` of the modes that are coupled.
     modes: Vec<f64>,
+    /// Mean slope of the profile, about which the others are.
+    lean: f64,
+    /// `G` where the slopes are a short series.
+    density: Option<Density>,
+    /// Places and masses that stand for the coupled modes in the remainder of the kernel.
+    sources: Vec<(f64, f64)>,
 }
 
 impl Part {
@@ -60,14 +77,42 @@ impl Part {
         0.5 * self.zone.length()
     }
 
-    /// The part of `G` that few modes make.
-    pub(super) fn smooth_at(&self, angle: f64) -> f64 {
-        cosines(&self.smooth, angle)
+    /// Number of modes that are coupled.
+    pub(super) fn count(&self) -> usize {
+        self.modes.len()
+    }
+
+    /// The same part with its density as one series and the sources of its remainder.
+    fn completed(mut self, kernel: SmoothKernel) -> Self {
+        let series = self.slopes.series().filter(|_| self.slopes.is_odd());
+        self.density =
+            series.map(|series| Density::new(&self.smooth, series.cosines().iter().copied()));
+        if kernel.period().is_some() {
+            let count = self.modes.len();
+            let source = |r: usize| {
+                let angle = PI * (r as f64 + 0.5) / count as f64;
+                let mass = PI / count as f64 * cosines(&self.modes, angle);
+                (self.centre() + self.half() * angle.cos(), mass)
+            };
+            self.sources = (0..count).map(source).collect();
+        }
+        self
+    }
+
+    /// `G` at a place.
+    fn density_at(&self, place: Place) -> f64 {
+        match &self.density {
+            Some(density) => density.at(place.cosine()),
+            None => self.density(place.angle()),
+        }
     }
 
     /// `G(phi)`.
     pub(super) fn density(&self, angle: f64) -> f64 {
-        self.smooth_at(angle) - self.slopes.conjugate(angle) / PI
+        if let Some(density) = &self.density {
+            return density.at(angle.cos());
+        }
+        cosines(&self.smooth, angle) - self.slopes.conjugate(angle) / PI
     }
 
     pub(super) fn place(&self, xi: f64) -> Place {
@@ -92,6 +137,9 @@ impl Part {
         let ratio = side / (1.0 + excess);
         let mut power = 1.0;
         let mut sum = PI * self.smooth[0] * (LN_2 - self.half().ln() - excess.ln_1p());
+        if let Some(density) = &self.density {
+            return sum + density.beyond(ratio);
+        }
         for (k, s) in self.smooth.iter().enumerate().skip(1) {
             power *= ratio;
             sum += PI / k as f64 * s * power;
@@ -100,22 +148,13 @@ impl Part {
     }
 
     /// The displacement by the remainder of the kernel.
-    fn remainder(&self, kernel: SmoothKernel, xi: f64) -> f64 {
-        if kernel.period().is_none() {
-            return 0.0;
-        }
-        let count = self.modes.len();
-        let terms = (0..count).map(|r| {
-            let angle = PI * (r as f64 + 0.5) / count as f64;
-            let source = self.centre() + self.half() * angle.cos();
-            cosines(&self.modes, angle) * kernel.remainder(xi - source)
-        });
-        PI / count as f64 * terms.sum::<f64>()
+    fn remainder(&self, remainder: Remainder, xi: f64) -> f64 {
+        self.sources.iter().map(|(source, mass)| mass * remainder.at(xi - source)).sum()
     }
 }
 
 /// `sum c_k cos(k phi)`.
-fn cosines(coefficients: &[f64], angle: f64) -> f64 {
+pub(super) fn cosines(coefficients: &[f64], angle: f64) -> f64 {
     let cosine = angle.cos();
     let (mut next, mut after) = (0.0, 0.0);
     for c in coefficients.iter().skip(1).rev() {
@@ -190,10 +229,33 @@ impl Solved {
         {
             return Err(Error::NoContact);
         }
+        let resolved =
+            zones.iter().map(|zone| resolved(base, *zone, detail.panels)).collect::<Vec<_>>();
+        Self::on_slopes(base, zones, detail, resolved)
+    }
+
+    /// The same zones in another detail; slopes that do not depend on it are kept.
+    pub(super) fn again(&self, base: &Base<'_>, detail: Detail) -> Result<Self, Error> {
+        let zones: Vec<Zone> = self.parts.iter().map(|part| part.zone).collect();
+        let of = |part: &Part| {
+            if part.slopes.is_sampled() {
+                (Arc::clone(&part.slopes), part.lean)
+            } else {
+                resolved(base, part.zone, detail.panels)
+            }
+        };
+        let resolved = self.parts.iter().map(of).collect();
+        Self::on_slopes(base, &zones, detail, resolved)
+    }
+
+    fn on_slopes(
+        base: &Base<'_>,
+        zones: &[Zone],
+        detail: Detail,
+        resolved: Vec<(Arc<Slopes>, f64)>,
+    ) -> Result<Self, Error> {
         let kernel = base.problem.kernel;
         let counts = modes(kernel, zones, detail.digits)?;
-        let resolved: Vec<(Slopes, f64)> =
-            zones.iter().map(|zone| resolved(base, *zone, detail.panels)).collect();
         let slopes: Vec<Vec<f64>> = (resolved.iter().zip(&counts))
             .map(|((slopes, _), count)| slopes.coefficients(count - 1))
             .collect();
@@ -225,12 +287,14 @@ impl Solved {
             return Err(Error::Equation(fredholm::Error::Singular { parameter, smallest }));
         }
         let parts = (resolved.into_iter().enumerate())
-            .map(|(j, (resolved, _))| {
+            .map(|(j, (slopes_of, lean))| {
                 let own = |k: usize| depth * level[j][k] - tilt * tilted[j][k];
                 let bent = |k: usize| k as f64 * slopes[j][k] / PI;
                 let modes = (0..counts[j]).map(|k| own(k) - profile[j][k]).collect();
                 let smooth = (0..counts[j]).map(|k| own(k) - (profile[j][k] - bent(k))).collect();
-                Part { zone: zones[j], slopes: Arc::new(resolved), smooth, modes }
+                let (density, sources) = (None, Vec::new());
+                let (zone, slopes) = (zones[j], slopes_of);
+                Part { zone, slopes, smooth, modes, lean, density, sources }.completed(kernel)
             })
             .collect();
         let stiffness = balance.about_base();
@@ -239,7 +303,11 @@ impl Solved {
 
     /// `p0` at a place of a zone; infinite at a singular end.
     pub(super) fn pressure(&self, part: usize, place: Place) -> f64 {
-        let density = self.parts[part].density(place.angle());
+        self.singular(part, place, self.parts[part].density_at(place))
+    }
+
+    /// `p0` for a density.
+    fn singular(&self, part: usize, place: Place, density: f64) -> f64 {
         let root = (place.from_left * place.from_right).sqrt();
         if root == 0.0 {
             let side = usize::from(place.from_right == 0.0);
@@ -247,6 +315,49 @@ impl Solved {
             return if is_free || density == 0.0 { 0.0 } else { density * f64::INFINITY };
         }
         density / (self.theta0 * root)
+    }
+
+    /// Whether all slopes are series of slopes that are known.
+    pub(super) fn is_sampled(&self) -> bool {
+        self.parts.iter().all(|part| part.slopes.is_sampled())
+    }
+
+    /// `p0` anywhere, 0 outside the zones.
+    pub(super) fn pressure_at(&self, xi: f64) -> f64 {
+        match self.parts.iter().position(|part| part.zone.contains(xi)) {
+            Some(j) => self.pressure(j, self.parts[j].place(xi)),
+            None if xi.is_nan() => xi,
+            None => 0.0,
+        }
+    }
+
+    /// The same at many places.
+    pub(super) fn pressures(&self, places: impl ExactSizeIterator<Item = f64>) -> Vec<f64> {
+        let count = places.len();
+        let mut pressures = vec![0.0; count];
+        let room = || Inside { places: Vec::with_capacity(count), ..Inside::default() };
+        let mut inside: Vec<Inside> = self.parts.iter().map(|_| room()).collect();
+        for (i, xi) in places.enumerate() {
+            let zone = self.parts.iter().position(|part| part.zone.contains(xi));
+            match zone {
+                Some(j) if self.parts[j].density.is_some() => {
+                    inside[j].places.push((i, self.parts[j].place(xi)));
+                }
+                Some(j) => pressures[i] = self.pressure(j, self.parts[j].place(xi)),
+                None if xi.is_nan() => pressures[i] = xi,
+                None => {}
+            }
+        }
+        for (j, Inside { places, mut densities }) in inside.into_iter().enumerate() {
+            densities.extend(places.iter().map(|(_, place)| place.cosine()));
+            if let Some(density) = &self.parts[j].density {
+                density.replace(&mut densities);
+            }
+            for ((i, place), density) in places.into_iter().zip(densities) {
+                pressures[i] = self.singular(j, place, density);
+            }
+        }
+        pressures
     }
 
     /// `G` at the left (0) or right (1) end of a zone.
@@ -263,10 +374,11 @@ impl Solved {
     pub(super) fn displacement_outside(&self, xi: f64) -> f64 {
         let xi = self.kernel.reduced(xi);
         let period = self.kernel.period().unwrap_or(0.0);
+        let remainder = self.kernel.remainder();
         let of = |part: &Part| {
             let images: f64 =
                 self.kernel.images().iter().map(|m| part.beyond(xi - m * period)).sum();
-            images + part.remainder(self.kernel, xi)
+            images + remainder.map_or(0.0, |remainder| part.remainder(remainder, xi))
         };
         self.parts.iter().map(of).sum()
     }
@@ -312,6 +424,13 @@ impl Solved {
     }
 }
 
+/// Places in a zone with their numbers, and cosines that become densities.
+#[derive(Default)]
+struct Inside {
+    places: Vec<(usize, Place)>,
+    densities: Vec<f64>,
+}
+
 /// The load of a profile less the line `reference + lean xi`.
 fn beside_line(load: Load, reference: f64, lean: f64) -> Load {
     let Load { vertical, rotational } = load;
@@ -327,7 +446,7 @@ fn beside_line(load: Load, reference: f64, lean: f64) -> Load {
 }
 
 /// The slope of the profile on a zone about its mean, which is returned too.
-fn resolved(base: &Base<'_>, zone: Zone, panels: usize) -> (Slopes, f64) {
+fn resolved(base: &Base<'_>, zone: Zone, panels: usize) -> (Arc<Slopes>, f64) {
     let profile = &base.problem.profile;
     let inside = |at: &&f64| zone.left() < **at && **at < zone.right();
     let angle =
@@ -335,7 +454,8 @@ fn resolved(base: &Base<'_>, zone: Zone, panels: usize) -> (Slopes, f64) {
     let bends: Vec<f64> = profile.breaks.iter().filter(inside).map(angle).collect();
     let mut on_zone = OnZone { base, zone, mean: 0.0 };
     on_zone.mean = on_zone.mean_slope();
-    (Slopes::resolve(&on_zone, &bends, [panels, 1], profile.tolerance), on_zone.mean)
+    let slopes = Slopes::resolve(&on_zone, &bends, [panels, 1], profile.tolerance);
+    (Arc::new(slopes), on_zone.mean)
 }
 
 /// `theta0` times force and moment about a middle.

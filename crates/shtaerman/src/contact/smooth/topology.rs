@@ -5,6 +5,7 @@ use fredholm::complementarity::{
 };
 
 use super::problem::Base;
+use crate::contact::unilateral::mean_power;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// `theta0` of the layer.
@@ -107,18 +108,24 @@ impl Cells {
             kept.push(boundaries.len() - 1);
             boundaries.push(cell.right);
         }
-        let all = logarithm_cells(&boundaries)?;
+        let all = match base.grading {
+            Some(exponent) => {
+                let is_forced = matches!(base.problem.load.vertical, Vertical::Force(_));
+                power_cells(&boundaries, exponent, is_forced)
+            }
+            None => logarithm_cells(&boundaries)?,
+        };
         let stride = boundaries.len() - 1;
         let kernel = base.problem.kernel;
         let mut matrix = Vec::with_capacity(kept.len() * kept.len());
         for (i, one) in self.cells.iter().enumerate() {
             for (j, other) in self.cells.iter().enumerate() {
                 let mut entry = all[kept[i] * stride + kept[j]];
-                if let Some(period) = kernel.period() {
+                if let (Some(period), Some(remainder)) = (kernel.period(), kernel.remainder()) {
                     let d = one.centre() - other.centre();
                     let least = 0.25 * (one.width() + other.width());
                     let image = |shift: f64| -(d + shift).abs().max(least).ln();
-                    let added = image(period) + image(-period) + kernel.remainder(d);
+                    let added = image(period) + image(-period) + remainder.at(d);
                     entry += added * (one.width() * other.width()).sqrt();
                 }
                 matrix.push(entry);
@@ -133,7 +140,11 @@ impl Cells {
             roots.iter().zip(&self.cells).map(|(root, cell)| root * f(cell.centre())).collect()
         };
         let (ones, lever) = (weighted(&|_| 1.0), weighted(&|x| x));
-        let gain = LAYER / base.problem.theta0;
+        let kernel = match (base.grading, base.problem.load.vertical) {
+            (Some(exponent), Vertical::Force(_)) => exponent,
+            _ => 1.0,
+        };
+        let gain = LAYER / (kernel * base.problem.theta0);
         let mut right: Vec<f64> = (roots.iter().zip(&self.cells))
             .map(|(root, cell)| -gain * root * cell.mean_height(base))
             .collect();
@@ -229,6 +240,20 @@ impl Cells {
         }
         runs
     }
+}
+
+/// The means of `d^-mu`, `d = |x - s|`, over cells, times the roots of their widths. Where the force is prescribed those of `(d^-mu - 4^-mu)/mu`: a constant adds to the settlement alone,
+/// and of a small `mu` it would leave few digits for the rest.
+fn power_cells(boundaries: &[f64], exponent: f64, is_forced: bool) -> Vec<f64> {
+    let (level, scale) = if is_forced { (4f64.powf(-exponent), exponent) } else { (0.0, 1.0) };
+    let count = boundaries.len() - 1;
+    let cell = |i: usize| [boundaries[i], boundaries[i + 1]];
+    let root = |i: usize| (boundaries[i + 1] - boundaries[i]).sqrt();
+    let entry = |i: usize, j: usize| {
+        let mean = mean_power(cell(i.min(j)), cell(i.max(j)), exponent);
+        (mean - level) / scale * root(i) * root(j)
+    };
+    (0..count * count).map(|place| entry(place / count, place % count)).collect()
 }
 
 /// Boundaries that close in on an edge of the punch until a cell fits between it and the line of the force.

@@ -4,7 +4,8 @@ use std::f64::consts::{PI, SQRT_2, TAU};
 use std::sync::Arc;
 
 use super::answer::SmoothContact;
-use super::problem::{Base, SmoothProblem, SmoothProfile};
+use super::band::Band;
+use super::problem::{Base, Sample, SmoothProblem, SmoothProfile};
 use super::slopes::{Angular, Slopes};
 use super::{COMPARED, FINE};
 use crate::error::require;
@@ -20,6 +21,8 @@ const SETTLEMENTS: usize = 60;
 const ROUNDING: f64 = 1e-14;
 /// Points at which two resolutions are compared.
 const COMPARISONS: usize = 65;
+/// Steps towards the ends of the first zone.
+const CROSSINGS: usize = 5;
 /// Panels of the integral for the moment.
 const PANELS: usize = 32;
 
@@ -33,7 +36,8 @@ pub(super) struct FullWave {
     pub(super) error: [f64; 2],
 }
 
-struct Turn<'p>(&'p SmoothProfile);
+/// The profile of a wave over the angle `pi xi`.
+pub(super) struct Turn<'p>(pub(super) &'p SmoothProfile);
 
 impl Angular for Turn<'_> {
     fn height(&self, angle: f64) -> f64 {
@@ -46,11 +50,17 @@ impl Angular for Turn<'_> {
 }
 
 impl FullWave {
-    fn new(base: &Base<'_>, force: f64) -> Self {
-        let SmoothProblem { profile, theta0, .. } = base.problem;
+    fn new(problem: &SmoothProblem, band: Option<&Band>, force: f64) -> Self {
+        let SmoothProblem { profile, theta0, .. } = problem;
+        let theta0 = *theta0;
+        if let Some(Band { slopes, .. }) = band {
+            let error = [slopes.error(), 0.0];
+            return Self { slopes: Arc::new(slopes.clone()), theta0, force, error };
+        }
         let bends: Vec<f64> = profile.breaks.iter().map(|at| at * PI).collect();
-        let resolved =
-            |panels: usize| Slopes::resolve(&Turn(profile), &bends, [panels, 2], profile.tolerance);
+        let resolved = |panels: usize| {
+            Slopes::on_panels(&Turn(profile), &bends, [panels, 2], profile.tolerance)
+        };
         let (slopes, other) = (Arc::new(resolved(FINE.panels)), resolved(COMPARED.panels));
         let difference = (0..COMPARISONS)
             .map(|i| TAU * (i as f64 + 0.5) / COMPARISONS as f64 - PI)
@@ -58,7 +68,7 @@ impl FullWave {
             .filter(|difference| difference.is_finite())
             .fold(0.0, f64::max);
         let error = [difference + slopes.error(), (slopes.mean() - other.mean()).abs()];
-        Self { slopes, theta0: *theta0, force, error }
+        Self { slopes, theta0, force, error }
     }
 
     /// `p0(xi)`.
@@ -82,21 +92,70 @@ impl FullWave {
             .sum()
     }
 
-    /// Where the pressure is least, and how small it is there over its mean deviation.
-    fn least(&self, points: usize) -> (f64, f64, f64) {
+    /// The pressure at equally spaced places.
+    fn along(&self, points: usize) -> Vec<(f64, f64)> {
         // An irrational share of the step keeps clear of symmetric places, where a kink may be.
         let points = (0..points).map(|i| 2.0 * (i as f64 + 0.5 / SQRT_2) / points as f64 - 1.0);
-        points.fold((0.0, f64::INFINITY, 0.0), |(at, least, size): (f64, f64, f64), xi| {
-            let p = self.pressure(xi);
-            let size = size.max(p.abs());
-            if p < least { (xi, p, size) } else { (at, least, size) }
-        })
+        points.map(|xi| (xi, self.pressure(xi))).collect()
+    }
+
+    /// A zone for a force: where the pressure of full contact is above its largest value less twice the mean. Of one cosine that is the zone itself,
+    /// as Westergaard's half-width has `sin^2 = P0/(2 p*)`. None where it is in several parts.
+    fn first_zone(&self, along: &[(f64, f64)], force: f64) -> Option<[f64; 2]> {
+        // On panels rounding is that of heights, and cells come as near.
+        if !self.slopes.is_sampled() {
+            return None;
+        }
+        let count = along.len();
+        let top = (0..count).max_by(|&i, &j| along[i].1.total_cmp(&along[j].1))?;
+        let at = |i: usize| along[i % count].1;
+        let (before, peak, after) = (at(top + count - 1), at(top), at(top + 1));
+        // The top of the parabola through three places.
+        let bend = 2.0 * peak - before - after;
+        let step = 2.0 / count as f64;
+        let beside = if bend > 0.0 { 0.5 * (after - before) / bend } else { 0.0 };
+        let level = peak.max(self.pressure(wrapped(along[top].0 + beside * step))) - force;
+        let is_inside = |i: usize| at(i) > level;
+        let rises: Vec<usize> = (0..count).filter(|&i| !is_inside(i) && is_inside(i + 1)).collect();
+        let falls = (0..count).find(|&i| is_inside(i) && !is_inside(i + 1));
+        let ([rise], Some(fall)) = (rises.as_slice(), falls) else { return None };
+        let crossing = |i: usize| self.crossing(along[i].0, step, level);
+        let (left, right) = (crossing(*rise), crossing(fall));
+        Some([left, if right > left { right } else { right + 2.0 }])
+    }
+
+    /// About where the pressure takes a value between a place and the next, by secants.
+    fn crossing(&self, at: f64, step: f64, level: f64) -> f64 {
+        let excess = |xi: f64| self.pressure(wrapped(xi)) - level;
+        let (mut one, mut two) = ((at, excess(at)), (at + step, excess(at + step)));
+        for _ in 0..CROSSINGS {
+            if one.1 == two.1 {
+                break;
+            }
+            let next = two.0 - two.1 * (two.0 - one.0) / (two.1 - one.1);
+            let next = next.clamp(at, at + step);
+            (one, two) = (two, (next, excess(next)));
+        }
+        two.0
     }
 }
 
+/// Where the pressure is least, how small it is there, and its mean deviation.
+fn least(along: &[(f64, f64)]) -> (f64, f64, f64) {
+    along.iter().fold((0.0, f64::INFINITY, 0.0), |(at, least, size): (f64, f64, f64), &(xi, p)| {
+        let size = size.max(p.abs());
+        if p < least { (xi, p, size) } else { (at, least, size) }
+    })
+}
+
 /// Solves for a base that repeats without gaps.
-pub(super) fn solve(base: &Base<'_>) -> Result<SmoothContact, Error> {
-    let problem = base.problem;
+pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
+    problem.check()?;
+    let band = Band::of(problem);
+    let base = &match &band {
+        Some(band) => Base::with_samples(problem, vec![band.samples.clone()])?,
+        None => Base::new(problem)?,
+    };
     let Load { vertical, rotational } = problem.load;
     let level = matches!(rotational, Rotational::Tilt(tilt) if tilt == 0.0);
     let given = match rotational {
@@ -114,32 +173,45 @@ pub(super) fn solve(base: &Base<'_>) -> Result<SmoothContact, Error> {
         Vertical::Force(force) => force,
         Vertical::Settlement(_) => 0.0,
     };
-    let full = FullWave::new(base, force);
-    let (place, least, size) = full.least(POINTS.max(4 * base.cells()));
+    let full = FullWave::new(problem, band.as_ref(), force);
+    let along = full.along(POINTS.max(4 * base.cells()));
+    let (place, least, size) = least(&along);
+    let turned = || Turned::new(problem, band.as_ref(), place);
     let pulls = |p: f64| problem.is_unilateral && p < -ROUNDING * size;
     if let Vertical::Settlement(settlement) = vertical {
         let requirement = "less than the mean height of the profile: in full contact it is that mean, whatever the force";
         let partial = problem.is_unilateral && settlement < full.settlement();
         require(partial, "settlement", settlement, requirement)?;
         // Without force the least pressure is minus that which closes all gaps.
-        return sunk(&moved(problem, place), settlement, -2.0 * least)
-            .map(|contact| contact.turned(problem, place));
+        let turned = turned();
+        let first = |force: f64| full.first_zone(&along, force);
+        return sunk(&turned, first, settlement, -2.0 * least)
+            .map(|contact| contact.turned(problem, turned.place));
     }
     if !pulls(least) {
         return Ok(SmoothContact::full(base, full));
     }
-    super::solve_zones(&moved(problem, place)).map(|contact| contact.turned(problem, place))
+    let turned = turned();
+    turned
+        .solve(&turned.problem, full.first_zone(&along, force))
+        .map(|contact| contact.turned(problem, turned.place))
 }
 
 /// The force for a settlement, by Newton's method between bounds: a constant pressure moves nothing, so the equation for a given settlement is badly posed
 /// near full contact.
-fn sunk(problem: &SmoothProblem, settlement: f64, limit: f64) -> Result<SmoothContact, Error> {
+fn sunk(
+    turned: &Turned,
+    first: impl Fn(f64) -> Option<[f64; 2]>,
+    settlement: f64,
+    limit: f64,
+) -> Result<SmoothContact, Error> {
     let (mut low, mut high) = (0.0, limit);
     let mut force = 0.3 * limit;
     let mut last = None;
     for _ in 0..SETTLEMENTS {
-        let load = Load { vertical: Vertical::Force(force), ..problem.load };
-        let contact = super::solve_zones(&SmoothProblem { load, ..problem.clone() })?;
+        let load = Load { vertical: Vertical::Force(force), ..turned.problem.load };
+        let problem = SmoothProblem { load, ..turned.problem.clone() };
+        let contact = turned.solve(&problem, first(force))?;
         let excess = contact.settlement0() - settlement;
         if excess > 0.0 {
             high = force;
@@ -157,14 +229,55 @@ fn sunk(problem: &SmoothProblem, settlement: f64, limit: f64) -> Result<SmoothCo
     last.ok_or(Error::NoContact)
 }
 
-/// The problem with its seam where the base pulls most.
-fn moved(problem: &SmoothProblem, place: f64) -> SmoothProblem {
+/// A problem with its seam where the base pulls most.
+struct Turned {
+    problem: SmoothProblem,
+    /// The place that became `+-1`.
+    place: f64,
+    /// Samples of the turned profile, where they are those of the profile.
+    samples: Option<Vec<Sample>>,
+}
+
+impl Turned {
+    fn new(problem: &SmoothProblem, band: Option<&Band>, place: f64) -> Self {
+        let Some(band) = band else {
+            let seam = Some(1.0);
+            return Self { problem: moved(problem, place, seam), place, samples: None };
+        };
+        let first = band.nearest(place);
+        let (place, _) = band.samples[first];
+        let samples = Some(band.turned(first));
+        Self { problem: moved(problem, place, None), place, samples }
+    }
+
+    /// The answer for a problem that differs by its load only; a zone to try first is one of the profile before the turn.
+    fn solve(
+        &self,
+        problem: &SmoothProblem,
+        first: Option<[f64; 2]>,
+    ) -> Result<SmoothContact, Error> {
+        let base = match &self.samples {
+            Some(samples) => Base::with_samples(problem, vec![samples.clone()])?,
+            None => Base::new(problem)?,
+        };
+        let zone = first.and_then(|[left, right]| {
+            let middle = wrapped(0.5 * (left + right) - self.place + 1.0);
+            let half = 0.5 * (right - left);
+            let [left, right] = [middle - half, middle + half];
+            (-1.0 < left && left < right && right < 1.0).then(|| base.zone(left, right))
+        });
+        super::solve_zones(&base, zone)
+    }
+}
+
+/// The problem turned until a place is its seam; where it bends at its own seam, that is a break.
+fn moved(problem: &SmoothProblem, place: f64, seam: Option<f64>) -> SmoothProblem {
     // The place becomes +-1.
     let shift = place - 1.0;
     let turned = move |xi: f64| wrapped(xi + shift);
     let SmoothProfile { height, slope, breaks, tolerance } = problem.profile.clone();
     let mut breaks: Vec<f64> =
-        breaks.into_iter().chain([1.0]).map(|at| wrapped(at - shift)).collect();
+        breaks.into_iter().chain(seam).map(|at| wrapped(at - shift)).collect();
     breaks.sort_by(f64::total_cmp);
     let profile = SmoothProfile {
         height: Arc::new(move |xi| height(turned(xi))),
@@ -177,5 +290,9 @@ fn moved(problem: &SmoothProblem, place: f64) -> SmoothProblem {
 
 /// A place moved by whole periods into `-1 .. 1`.
 pub(super) fn wrapped(xi: f64) -> f64 {
-    xi - 2.0 * (0.5 * xi).round()
+    match xi.abs() {
+        size if size < 1.0 => xi,
+        size if size < 3.0 => xi - 2f64.copysign(xi),
+        _ => xi - 2.0 * (0.5 * xi).round(),
+    }
 }

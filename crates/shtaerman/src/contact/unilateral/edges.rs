@@ -1,7 +1,8 @@
 //! The edges of the contact to full precision.
 
 use super::base::Base;
-use super::damping::Damping;
+use super::damping::{Damping, Edge};
+use super::mirror::mirror;
 use super::solved::Solved;
 use super::system::Resolution;
 use super::zones::{End, Zone};
@@ -32,6 +33,9 @@ pub(super) fn settle(
 ) -> Result<(Solved, usize), Error> {
     let mut zones = start.to_vec();
     rest(base, &mut zones);
+    if base.is_mirrored {
+        mirror(&mut zones);
+    }
     if base.is_bilateral {
         let (solved, _) = Solved::new(base, resolution, &zones, false, None)?;
         return Ok((solved, 1));
@@ -41,7 +45,10 @@ pub(super) fn settle(
     let mut step: Option<Step> = None;
     let mut damping = Damping::default();
     for iterations in 1..=STEPS {
-        let (mut solved, mut steps) = Solved::new(base, resolution, &zones, true, latest.as_ref())?;
+        // After a small step the next is hardly ever wanted.
+        let wants_steps = best.is_none();
+        let (mut solved, mut steps) =
+            Solved::new(base, resolution, &zones, wants_steps, latest.as_ref())?;
         let vanished: Vec<bool> = (0..zones.len())
             .map(|zone| zones.len() > 1 && solved.zone_force(zone) <= 0.0)
             .collect();
@@ -72,11 +79,11 @@ pub(super) fn settle(
         if let Some((before, known)) = best.take()
             && small
             && !released
-            && before <= 2.0 * worst
+            && (before <= 2.0 * worst || worst <= floor)
         {
             return Ok((if before <= worst { known } else { solved }, iterations));
         }
-        if released {
+        if released || !wants_steps {
             (solved, steps) = Solved::new(base, resolution, &zones, true, Some(&solved))?;
         }
         let still = steps
@@ -86,7 +93,7 @@ pub(super) fn settle(
         if still {
             return Ok((solved, iterations));
         }
-        let steps = damping.damped(steps);
+        let steps = damping.damped(steps, &places(&zones, &solved));
         let from = std::mem::take(&mut zones);
         zones = moved(base, &from, &steps);
         step = Some(Step { from, steps, before: excess, cuts: 0 });
@@ -97,6 +104,18 @@ pub(super) fn settle(
     }
     let (solved, _) = Solved::new(base, resolution, &zones, false, latest.as_ref())?;
     Ok((solved, STEPS))
+}
+
+/// The ends of the zones as damping sees them.
+fn places(zones: &[Zone], solved: &Solved) -> Vec<Edge> {
+    (zones.iter().enumerate())
+        .flat_map(|(zone, place)| {
+            [(0, -1.0), (1, 1.0)].map(|(side, outwards)| {
+                let layer = solved.end_layer(zone, side);
+                Edge { at: place.ends[side].at, outwards, layer }
+            })
+        })
+        .collect()
 }
 
 /// A step that was taken, in case it must be cut.
@@ -195,6 +214,9 @@ fn moved(base: &Base<'_>, zones: &[Zone], steps: &[f64]) -> Vec<Zone> {
             }
             _ => moved.push(zone),
         }
+    }
+    if base.is_mirrored {
+        mirror(&mut moved);
     }
     // A zone that goes on shrinking beside others is about to vanish.
     let longest = moved.iter().fold(0.0f64, |most, zone| most.max(zone.length()));

@@ -22,7 +22,7 @@ impl Layer {
             exponent > 0.0,
             "roughness",
             exponent,
-            "greater than zero on a graded foundation: without a layer it is not solved yet",
+            "greater than zero: a smooth surface has an equation of the first kind",
         )?;
         Ok(Self { exponent })
     }

@@ -261,7 +261,7 @@ impl Medium {
 const FAR: f64 = 12.0;
 
 /// The mean of `|x - s|^-mu` over `x` in one cell and `s` in another that is the same or lies left of it.
-fn mean_power(left: [f64; 2], right: [f64; 2], exponent: f64) -> f64 {
+pub(in crate::contact) fn mean_power(left: [f64; 2], right: [f64; 2], exponent: f64) -> f64 {
     let (h, k) = (left[1] - left[0], right[1] - right[0]);
     let divisor = (1.0 - exponent) * (2.0 - exponent);
     if left == right {

@@ -47,7 +47,7 @@ pub(super) struct Ring {
 
 impl Ring {
     /// From the right-hand side and the pressures at the nodes.
-    fn new(parameter: f64, right: &[f64], pressures: &[f64]) -> Self {
+    pub(super) fn new(parameter: f64, right: &[f64], pressures: &[f64]) -> Self {
         let size = pressures.iter().fold(0.0f64, |most, p| most.max(p.abs()));
         // Rounding of the pressures comes through the kernel.
         let noise = 4.0 * f64::EPSILON * parameter * size;
@@ -70,6 +70,11 @@ impl Ring {
         let values = right.iter().zip(&potential).map(|(g, u)| g - parameter * u).collect();
         let masses = pressures.iter().map(|p| p * TAU / count as f64).collect();
         Self { parameter, values, potential, masses, series, noise: 0.0 }
+    }
+
+    /// Coefficients of `cos m y` and `sin m y` in `K p`.
+    pub(super) fn series(&self) -> &[[f64; 2]] {
+        &self.series
     }
 
     pub(super) fn parameter(&self) -> f64 {
@@ -394,7 +399,7 @@ fn summed(series: &[[f64; 2]], count: usize) -> Vec<f64> {
 }
 
 /// `K` for a unit value at a node, by the distance in nodes.
-fn influence(count: usize) -> Vec<f64> {
+pub(super) fn influence(count: usize) -> Vec<f64> {
     let turns = turns(count);
     (0..count)
         .map(|k| {

@@ -103,19 +103,8 @@ impl Solved {
 
     /// The same with the height of the base there.
     pub(super) fn layer_at(&self, xi: f64, height: f64) -> f64 {
-        let Hull { centre, half } = self.hull;
-        let panel =
-            self.panels.partition_point(|panel| panel.right < xi).min(self.panels.len() - 1);
-        let Panel { left, right, .. } = self.panels[panel];
-        let xi = xi.clamp(left, right);
-        let y = (xi - centre) / half;
-        let place = Place {
-            position: y,
-            from_left: ((xi - left) / half).max(0.0),
-            from_right: ((right - xi) / half).max(0.0),
-            panel,
-        };
-        let right_hand_side = self.local[0] - self.local[1] * y - height;
+        let place = place(&self.panels, &self.hull, xi);
+        let right_hand_side = self.local[0] - self.local[1] * place.position - height;
         self.solution.at(place, right_hand_side)
     }
 
@@ -126,6 +115,20 @@ impl Solved {
         let local = self.solution.integral(|t| self.medium.value(y, t));
         let gauge = self.medium.gauge(&self.hull);
         self.solution.parameter() * (local - self.solution.integral(|_| 1.0) * gauge)
+    }
+}
+
+/// A place in the panels, or the nearest there is.
+pub(super) fn place(panels: &[Panel], hull: &Hull, xi: f64) -> Place {
+    let Hull { centre, half } = *hull;
+    let panel = panels.partition_point(|panel| panel.right < xi).min(panels.len() - 1);
+    let Panel { left, right, .. } = panels[panel];
+    let xi = xi.clamp(left, right);
+    Place {
+        position: (xi - centre) / half,
+        from_left: ((xi - left) / half).max(0.0),
+        from_right: ((right - xi) / half).max(0.0),
+        panel,
     }
 }
 

@@ -6,7 +6,7 @@
 //!
 //! with `theta = b^(1-mu) k theta0` and the gauge `g`: for one punch or a pair on a half-plane the zones lie in `c - b .. c + b`, and `g = ln b`.
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 
 use fredholm::collocation::{SincFactor, SincGrid, WeightedFactor};
@@ -30,19 +30,32 @@ pub(super) struct Resolution {
     grid: Arc<SincGrid>,
     /// The operator on the local interval in one panel.
     whole: OnceCell<Arc<SincOperator>>,
+    /// The operator on other panels that was built last: those of a mirrored contact stay the same while its edges move.
+    latest: RefCell<Option<Built>>,
 }
+
+/// Panels with their operator.
+type Built = (Vec<(f64, f64)>, Arc<SincOperator>);
 
 impl Resolution {
     pub(super) fn new(medium: &Medium, half_count: usize) -> Result<Self, Error> {
         let grid = medium.grid(half_count)?;
-        Ok(Self { medium: medium.clone(), grid, whole: OnceCell::new() })
+        let (whole, latest) = (OnceCell::new(), RefCell::new(None));
+        Ok(Self { medium: medium.clone(), grid, whole, latest })
     }
 
     fn operator(&self, panels: &[(f64, f64)]) -> Result<Arc<SincOperator>, Error> {
         let build = || self.medium.operator(&self.grid, panels).map(Arc::new);
         let is_whole = matches!((self.medium.local_ends(), panels), (Some([left, right]), [panel]) if *panel == (left, right));
         if !is_whole {
-            return build();
+            if let Some((known, operator)) = &*self.latest.borrow()
+                && known == panels
+            {
+                return Ok(Arc::clone(operator));
+            }
+            let operator = build()?;
+            self.latest.replace(Some((panels.to_vec(), Arc::clone(&operator))));
+            return Ok(operator);
         }
         if let Some(known) = self.whole.get() {
             return Ok(Arc::clone(known));
@@ -125,6 +138,18 @@ pub(super) struct System<'b, 'p> {
 }
 
 impl Direction {
+    /// So much of the direction, `D` and `beta` included.
+    pub(super) fn scaled(&self, share: f64) -> Self {
+        Self {
+            values: self.values.iter().map(|v| share * v).collect(),
+            spread: share * self.spread,
+            force: share * self.force,
+            moment: share * self.moment,
+            constant: share * self.constant,
+            slope: share * self.slope,
+        }
+    }
+
     /// The direction with its pressure divided, `D` and `beta` as they are.
     pub(super) fn per(self, divisor: f64) -> Self {
         Self {
@@ -138,7 +163,11 @@ impl Direction {
 }
 
 impl<'b, 'p> System<'b, 'p> {
-    fn new(base: &'b Base<'p>, resolution: &Resolution, zones: &[Zone]) -> Result<Self, Error> {
+    pub(super) fn new(
+        base: &'b Base<'p>,
+        resolution: &Resolution,
+        zones: &[Zone],
+    ) -> Result<Self, Error> {
         let (Some(first), Some(last)) = (zones.first(), zones.last()) else {
             return Err(Error::NoContact);
         };
@@ -316,21 +345,30 @@ impl<'b, 'p> System<'b, 'p> {
         Direction { values, spread: force, force, moment, constant, slope }
     }
 
-    /// What a direction adds to the two prescribed quantities.
-    pub(super) fn conditions(&self, direction: &Direction) -> [f64; 2] {
+    /// Settlement, tilt, force and moment of a direction.
+    pub(super) fn changes(&self, direction: &Direction) -> State {
         let Hull { centre, half } = self.hull;
         let Direction { spread, force, moment, constant, slope, .. } = direction;
+        State {
+            settlement: constant + centre / half * slope - self.base.theta * self.gauge() * spread,
+            tilt: slope / half,
+            force: *force,
+            moment: *moment,
+        }
+    }
+
+    /// What a direction adds to the two prescribed quantities.
+    pub(super) fn conditions(&self, direction: &Direction) -> [f64; 2] {
+        let State { settlement, tilt, force, moment } = self.changes(direction);
         [
             match self.base.load.vertical {
-                Vertical::Force(_) => *force,
-                Vertical::Settlement(_) => {
-                    constant + centre / half * slope - self.base.theta * self.gauge() * spread
-                }
+                Vertical::Force(_) => force,
+                Vertical::Settlement(_) => settlement,
             },
             match self.base.load.rotational {
-                Rotational::Moment(_) => *moment,
+                Rotational::Moment(_) => moment,
                 Rotational::Eccentricity(e) => moment - e * force,
-                Rotational::Tilt(_) => slope / half,
+                Rotational::Tilt(_) => tilt,
             },
         ]
     }

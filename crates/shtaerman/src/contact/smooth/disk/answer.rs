@@ -1,6 +1,5 @@
 //! The answer of a smooth circular punch.
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::SmoothDisk;
@@ -60,6 +59,10 @@ impl SmoothDiskContact {
         })
     }
 
+    pub(super) fn field(&self) -> &Field {
+        &self.field
+    }
+
     /// The problem solved.
     #[must_use]
     pub fn problem(&self) -> &SmoothDisk {
@@ -96,21 +99,21 @@ impl SmoothDiskContact {
         self.field.radius
     }
 
-    /// Whether the edge of the contact is free, with a pressure that vanishes as `sqrt(d)`; else it rests at a corner.
+    /// Whether the edge of the contact is free, with a pressure that vanishes as `d^((1+mu)/2)`; else it rests at a corner.
     #[must_use]
     pub fn is_free(&self) -> bool {
         self.field.is_free
     }
 
     /// Corner intensities `lim sqrt(2 pi d) p0` at the left and the right end of the diameter of the tilt, `d` the distance from the end in `xi`: times
-    /// `E sqrt(a)` those of the problem. 0 at a free edge; flat, `(P0 +- 3 M0)/(2 sqrt(pi))`.
+    /// `E sqrt(a)` those of the problem. 0 at a free edge; flat, `(P0 +- 3 M0)/(2 sqrt(pi))`. On graded ground `lim sqrt(2 pi) d^((1-mu)/2) p0`.
     #[must_use]
     pub fn intensity0(&self) -> [f64; 2] {
         if self.field.is_free {
             return [0.0; 2];
         }
         // c^2 - r^2 = 2 c d
-        let scale = (PI / self.field.radius).sqrt();
+        let scale = self.field.corner_scale();
         let [even, odd] = self.field.corner_factors();
         [scale * (even - odd), scale * (even + odd)]
     }
@@ -148,7 +151,7 @@ impl SmoothDiskContact {
         self.field.displacement_outside(xi) - depth
     }
 
-    /// `d(P0, M0)/d(delta0, -alpha0) = diag(2 e c, (4/3) e c^3)`, `e = 2/(pi theta0)`; a free edge that moves adds nothing of first order.
+    /// `d(P0, M0)/d(delta0, -alpha0) = diag(2 e c^(1+mu)/(1+mu), 4 e c^(3+mu)/((1+mu)^2 (3+mu)))`; a free edge that moves adds nothing of first order.
     #[must_use]
     pub fn stiffness0(&self) -> Stiffness {
         Stiffness {
@@ -158,7 +161,7 @@ impl SmoothDiskContact {
         }
     }
 
-    /// The largest `|p0|` seen, at a corner without its factor `1/sqrt(1 - r^2/c^2)`.
+    /// The largest `|p0|` seen, at a corner without its factor `(1 - r^2/c^2)^-((1-mu)/2)`.
     #[must_use]
     pub fn largest_inside0(&self) -> f64 {
         self.largest
@@ -170,7 +173,7 @@ impl SmoothDiskContact {
         self.complementarity
     }
 
-    /// The estimated error; that of the pressure in the middle, nearer to the edge it grows as `1/sqrt(1 - r^2/c^2)`.
+    /// The estimated error; that of the pressure in the middle, nearer to the edge it grows as `(1 - r^2/c^2)^-((1-mu)/2)`.
     #[must_use]
     pub fn accuracy(&self) -> &Accuracy {
         &self.accuracy

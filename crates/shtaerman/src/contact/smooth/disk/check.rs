@@ -16,7 +16,7 @@ const INSIDE: f64 = 1e-12;
 pub(super) struct Check {
     /// Places in the contact, from the axis, without kinks.
     pub(super) places: Vec<f64>,
-    /// Largest `|p0| sqrt(1 - r^2/c^2)`, or `|p0|` where the edge is free.
+    /// Largest `|p0| (1 - r^2/c^2)^beta`, or `|p0|` where the edge is free.
     pub(super) largest: f64,
     /// Largest tension over that, and its place.
     pub(super) tension: (f64, f64),
@@ -37,7 +37,7 @@ impl Check {
         };
         let pulls: Vec<f64> = values.iter().map(|p| -p / largest).collect();
         let mut tension = worst(&places, &pulls);
-        let corner = -field.corner_factors()[0] / field.radius / largest;
+        let corner = -field.corner_factors()[0] / field.whole_taper() / largest;
         if corner > tension.0 {
             tension = (corner, field.radius);
         }
@@ -90,7 +90,7 @@ impl Check {
         if field.is_free {
             return 0.0;
         }
-        let share = |r: f64| field.even_pressure(r) * field.root(r) / (factor * r);
+        let share = |r: f64| field.even_pressure(r) * field.taper(r) / (factor * r);
         let lowest = |places: &[f64], share: &dyn Fn(f64) -> f64| {
             let values = places.iter().map(|&r| -share(r)).collect();
             -Sampled::new(|r| -share(r), places.to_vec(), values).maximum().value
@@ -123,6 +123,6 @@ fn between(from: f64, to: f64) -> Vec<f64> {
 
 /// The pressure, without its singularity at a corner.
 pub(super) fn regular(field: &Field, r: f64) -> f64 {
-    let factor = if field.is_free { 1.0 } else { field.root(r) / field.radius };
+    let factor = if field.is_free { 1.0 } else { field.taper(r) / field.whole_taper() };
     factor * field.even_pressure(r)
 }

@@ -1,10 +1,11 @@
 //! Pressure and displacement of a disk of contact.
 
-use std::f64::consts::{FRAC_2_PI, PI};
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
 use super::shape::{Shape, Weight};
 use super::transform::Transform;
 use crate::contact::balance::State;
+use crate::contact::smooth::ground::Ground;
 
 /// Below this a difference of near terms is summed as a series.
 const NEAR: f64 = 0.05;
@@ -17,6 +18,7 @@ pub(super) struct Field {
     pub(super) is_free: bool,
     pub(super) state: State,
     pub(super) transform: Transform,
+    ground: Ground,
     /// `e`.
     modulus: f64,
     /// `delta0 - f0(0)`.
@@ -33,15 +35,16 @@ impl Field {
         is_free: bool,
         state: State,
     ) -> Self {
-        // d(c) = P0/(2 e c) - c int h(c cos t) cos^2 t dt
+        let ground = shape.ground.clone();
+        let rate = rate(&ground, modulus, radius);
+        // d(c) = P0/rate - c int h(c cos t) sin^mu t cos^2 t dt
         let corner = if is_free {
             0.0
         } else {
-            let free = radius * shape.integral(radius, Weight::CosineSquared);
-            0.5 * state.force / (modulus * radius) - free
+            state.force / rate - radius * shape.integral(radius, Weight::CosineSquared)
         };
         let transform = Transform::new(shape, radius);
-        Self { radius, is_free, state, transform, modulus, depth, corner }
+        Self { radius, is_free, state, transform, ground, modulus, depth, corner }
     }
 
     /// The same with less of each series.
@@ -56,17 +59,19 @@ impl Field {
 
     /// `dP0/d delta0`.
     pub(super) fn rate(&self) -> f64 {
-        2.0 * self.modulus * self.radius
+        rate(&self.ground, self.modulus, self.radius)
     }
 
     /// `dM0/d(-alpha0)`.
     pub(super) fn turning(&self) -> f64 {
-        4.0 / 3.0 * self.modulus * self.radius.powi(3)
+        let mu = self.ground.exponent();
+        let size = self.ground.power(self.radius) * self.radius.powi(3);
+        4.0 * self.modulus * size / ((1.0 + mu).powi(2) * (3.0 + mu))
     }
 
     /// What a flat base this deep has in the middle.
     pub(super) fn flat_pressure(&self, depth: f64) -> f64 {
-        self.modulus / PI * depth / self.radius
+        self.modulus / PI * depth / self.ground.taper(self.radius)
     }
 
     /// `P0` from the panels.
@@ -79,23 +84,42 @@ impl Field {
         ((self.radius - r) * (self.radius + r)).max(0.0).sqrt()
     }
 
+    /// `(c^2 - r^2)^beta`.
+    pub(super) fn taper(&self, r: f64) -> f64 {
+        self.ground.taper(self.root(r))
+    }
+
+    /// `c^(2 beta)`.
+    pub(super) fn whole_taper(&self) -> f64 {
+        self.ground.taper(self.radius)
+    }
+
+    /// `lim sqrt(2 pi) d^beta (c^2 - r^2)^-beta`.
+    pub(super) fn corner_scale(&self) -> f64 {
+        if self.ground.exponent() == 0.0 {
+            (PI / self.radius).sqrt()
+        } else {
+            self.ground.corner(self.radius)
+        }
+    }
+
     /// The part without angle, at `0 <= r <= c`.
     pub(super) fn even_pressure(&self, r: f64) -> f64 {
         if self.is_free && r >= self.radius {
             return 0.0;
         }
-        let corner = if self.corner == 0.0 { 0.0 } else { self.corner / self.root(r) };
+        let corner = if self.corner == 0.0 { 0.0 } else { self.corner / self.taper(r) };
         self.modulus / PI * (corner + self.transform.pressure(r))
     }
 
-    /// `lim sqrt(c^2 - r^2) p0` of the part without angle, and of the tilt at `x = c`.
+    /// `lim (c^2 - r^2)^beta p0` of the part without angle, and of the tilt at `x = c`.
     pub(super) fn corner_factors(&self) -> [f64; 2] {
         [self.modulus / PI * self.corner, self.tilt_factor() * self.radius]
     }
 
-    /// `p1 sqrt(c^2 - r^2)/r`.
+    /// `p1 (c^2 - r^2)^beta/r`.
     pub(super) fn tilt_factor(&self) -> f64 {
-        -FRAC_2_PI * self.modulus * self.state.tilt
+        -FRAC_2_PI / (1.0 + self.ground.exponent()) * self.modulus * self.state.tilt
     }
 
     /// `p0(xi)` in the contact.
@@ -107,7 +131,7 @@ impl Field {
             return if factor == 0.0 { 0.0 } else { factor * f64::INFINITY };
         }
         let factor = self.tilt_factor();
-        let odd = if factor == 0.0 { 0.0 } else { factor * xi / self.root(r) };
+        let odd = if factor == 0.0 { 0.0 } else { factor * xi / self.taper(r) };
         self.even_pressure(r) + odd
     }
 
@@ -120,6 +144,9 @@ impl Field {
     /// How much of the tilt the surface follows at `r >= c`.
     pub(super) fn share_of_tilt(&self, r: f64) -> f64 {
         let z = (self.radius / r).min(1.0);
+        if self.ground.exponent() > 0.0 {
+            return self.graded_share(z);
+        }
         if z < NEAR {
             // The series of that difference.
             let s = z * z;
@@ -128,4 +155,22 @@ impl Field {
         }
         FRAC_2_PI * (z.asin() - z * (1.0 - z * z).sqrt())
     }
+
+    /// `(4/pi) cos(pi mu/2)/(1+mu) int_0^z w^(2+mu) (1 - w^2)^(-(1+mu)/2) dw`, `w = sin y`.
+    fn graded_share(&self, z: f64) -> f64 {
+        const STEP: f64 = 0.5;
+        if z >= 1.0 {
+            return 1.0;
+        }
+        let ground = &self.ground;
+        let turn = [0.0, z.asin()];
+        let f = |y: f64| ground.power(y.tan()) * y.sin().powi(2);
+        let sum = ground.graded(0, turn, [STEP, FRAC_PI_2], f);
+        2.0 * ground.beside() / (1.0 + ground.exponent()) * sum
+    }
+}
+
+/// `dP0/d delta0` of a disk.
+pub(super) fn rate(ground: &Ground, modulus: f64, radius: f64) -> f64 {
+    2.0 * modulus * radius * ground.power(radius) / (1.0 + ground.exponent())
 }

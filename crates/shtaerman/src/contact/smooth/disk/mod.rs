@@ -1,22 +1,25 @@
-//! The smooth limit of a circular punch, by the transforms of Galin and Sneddon.
+//! The smooth limit of a circular punch, by the transforms of Galin and Sneddon, on graded ground those of Popov and Hess.
 //!
-//! With `e = 2/(pi theta0)`, the dimensionless `E*`, `h = df0/dr` and `G(x) = x int_0^x h(r) dr/sqrt(x^2 - r^2)`, a contact within `r <= c` has
+//! With the exponent of grading `mu`, `beta = (1-mu)/2`, `e = 4^beta/(theta0 Gamma(1-beta)^2)`, without grading `2/(pi theta0)`, the dimensionless `E*`,
+//! `h = df0/dr` and `G(x) = x^(1-mu) int_0^x h(r) dr/(x^2 - r^2)^beta`, a contact within `r <= c` has
 //!
-//! - `d(x) = delta0 - f0(0) - G(x)`, `P0 = 2 e int_0^c d(x) dx`, `d(c) = 0` at a free edge;
-//! - `p0(r) = (e/pi) [d(c)/sqrt(c^2 - r^2) + int_r^c G'(x) dx/sqrt(x^2 - r^2)]`;
-//! - `u0(r) = (2/pi) int_0^c d(x) dx/sqrt(r^2 - x^2)` beside it;
+//! - `d(x) = delta0 - f0(0) - G(x)`, `P0 = 2 e int_0^c x^mu d(x) dx`, `d(c) = 0` at a free edge;
+//! - `p0(r) = (e/pi) [d(c)/(c^2 - r^2)^beta + int_r^c G'(x) dx/(x^2 - r^2)^beta]`;
+//! - `u0(r) = (2/pi) cos(pi mu/2) int_0^c x^mu d(x) dx/(r^2 - x^2)^((1+mu)/2)` beside it;
 //!
-//! and a tilt of the whole disk adds `-(2/pi) e alpha0 x/sqrt(c^2 - r^2)` to the pressure, `M0 = -(4/3) e c^3 alpha0` (L. A. Galin 1946,
-//! I. N. Sneddon 1965; V. L. Popov, M. Hess and E. Willert, *Handbook of Contact Mechanics*, 2019, ch. 2). Where the contact is no single disk, [rings].
+//! and a tilt of the whole disk adds `-(2/pi) e alpha0 x/((1+mu) (c^2 - r^2)^beta)` to the pressure, `M0 = -4 e c^(3+mu) alpha0/((1+mu)^2 (3+mu))` (L. A. Galin 1946,
+//! I. N. Sneddon 1965; V. L. Popov, M. Hess and E. Willert, *Handbook of Contact Mechanics*, 2019, ch. 2 and 9). On homogeneous ground a contact that is no single disk is
+//! [rings].
 
 mod answer;
 mod check;
 mod field;
+mod linearised;
 mod radius;
 mod rings;
-mod shape;
+pub(super) mod shape;
 mod stated;
-mod transform;
+pub(super) mod transform;
 
 pub use answer::SmoothDiskContact;
 pub use rings::SmoothRingsContact;
@@ -24,12 +27,13 @@ pub use rings::SmoothRingsContact;
 use std::fmt;
 
 use super::Curve;
+use super::ground::Ground;
 use crate::contact::balance::State;
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 use check::Check;
 use field::Field;
-use shape::{Shape, Weight};
+use shape::{Part, Shape, Weight};
 
 /// Samples that show the ups and downs of a profile.
 const SAMPLES: usize = 512;
@@ -43,9 +47,11 @@ const ALLOWED: f64 = 2e-10;
 
 /// A circular punch on a smooth body, without dimensions:
 ///
-/// `pi theta0 int W_0(r, s) p0(s) s ds = delta0 - f0(r)`, `W_0 = int_0^inf J_0(r t) J_0(s t) dt`, on a disk, and the tilt of the whole base.
+/// `pi theta0 int W_0(r, s) p0(s) s ds = delta0 - f0(r)`, `W_0 = int_0^inf t^mu J_0(r t) J_0(s t) dt`, on a disk, and the tilt of the whole base.
 #[derive(Clone)]
 pub struct SmoothDisk {
+    /// `mu` of a graded body, `0 <= mu < 1`; 0 for a homogeneous one.
+    pub exponent: f64,
     /// `theta0 > 0`.
     pub theta0: f64,
     /// What is prescribed.
@@ -64,9 +70,10 @@ pub struct SmoothDisk {
 
 impl fmt::Debug for SmoothDisk {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { theta0, load, breaks, tolerance, is_unilateral, .. } = self;
+        let Self { exponent, theta0, load, breaks, tolerance, is_unilateral, .. } = self;
         formatter
             .debug_struct("SmoothDisk")
+            .field("exponent", exponent)
             .field("theta0", theta0)
             .field("load", load)
             .field("breaks", breaks)
@@ -90,12 +97,12 @@ impl SmoothDisk {
     ///
     /// # Errors
     /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive in unilateral contact, a step inside the base in
-    /// bilateral contact; [`Error::NoContact`]; [`Error::Rings`] where the contact is no single disk ([`solve_rings`](Self::solve_rings) finds what it is); [`Error::LiftsOff`] for a moment
-    /// that does not leave the whole base in contact; [`Error::Overflow`] when the answer is not finite.
+    /// bilateral contact; [`Error::NoContact`]; [`Error::Rings`] where the contact is no single disk ([`solve_rings`](Self::solve_rings) finds what it
+    /// is); [`Error::LiftsOff`] for a moment that does not leave the whole base in contact; [`Error::Overflow`] when the answer is not finite.
     pub fn solve(&self) -> Result<SmoothDiskContact, Error> {
         self.check()?;
         let limit = self.limit()?;
-        let shape = self.shape();
+        let shape = self.shape()?;
         if !self.is_unilateral {
             let field = self.field(&shape, &self.full(&shape, 1.0));
             let field = self.turned(field);
@@ -122,19 +129,24 @@ impl SmoothDisk {
     /// Solves for the zones of unilateral contact, a disk and rings as it comes, under a force or a settlement; in bilateral contact for the full base.
     ///
     /// # Errors
-    /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive, a moment or a tilt that is not zero; [`Error::NoContact`];
+    /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive, a moment, a tilt or an exponent of grading that is not zero; [`Error::NoContact`];
     /// [`Error::NotComplementary`] when no zones were found; [`Error::Equation`] where zones come too close to one another, or are too many, for the
     /// modes that can be kept; [`Error::Overflow`] when the answer is not finite.
     pub fn solve_rings(&self) -> Result<SmoothRingsContact, Error> {
         rings::solve(self)
     }
 
-    /// `e`.
-    fn modulus(&self) -> f64 {
-        std::f64::consts::FRAC_2_PI / self.theta0
+    /// Whether contacts of rings can be solved for: without a tilt, on homogeneous ground.
+    fn has_rings(&self) -> bool {
+        self.exponent == 0.0 && self.rotational().1 == 0.0
     }
 
-    fn shape(&self) -> Shape<'_> {
+    /// `e`.
+    fn modulus(&self, ground: &Ground) -> f64 {
+        ground.modulus(std::f64::consts::PI * self.theta0)
+    }
+
+    fn shape(&self) -> Result<Shape<'_>, Error> {
         let mut breaks: Vec<f64> =
             self.breaks.iter().copied().filter(|at| *at > 0.0 && *at < 1.0).collect();
         breaks.sort_by(f64::total_cmp);
@@ -142,7 +154,9 @@ impl SmoothDisk {
         if breaks.len() > MOST_BREAKS {
             breaks.clear();
         }
-        Shape { slope: &self.slope, breaks, tolerance: self.tolerance }
+        let ground = Ground::new(self.exponent)?;
+        let (slope, tolerance) = (&self.slope, self.tolerance);
+        Ok(Shape { slope, breaks, tolerance, noise: 0.0, ground, part: Part::Revolution })
     }
 
     fn samples(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
@@ -206,8 +220,8 @@ impl SmoothDisk {
 
     /// Contact up to a wall.
     fn full(&self, shape: &Shape<'_>, radius: f64) -> Candidate {
-        // P0 = 2 e [depth c - c^2 int h(c cos t) sin^2 t dt]
-        let compliance = 0.5 / (self.modulus() * radius);
+        // P0 = rate [depth - c int h(c cos t) sin^(2+mu) t dt]
+        let compliance = 1.0 / field::rate(&shape.ground, self.modulus(&shape.ground), radius);
         let mean = radius * shape.integral(radius, Weight::SineSquared);
         let (depth, force) = match self.load.vertical {
             Vertical::Force(force) => (force * compliance + mean, force),
@@ -225,8 +239,11 @@ impl SmoothDisk {
         shape: &'a Shape<'_>,
         limit: f64,
     ) -> impl Iterator<Item = Candidate> + 'a {
-        let scale = 2.0 * self.modulus();
-        let force = move |c: f64| scale * c * c * shape.integral(c, Weight::CosineSquared);
+        let modulus = self.modulus(&shape.ground);
+        let force = move |c: f64| {
+            let rate = field::rate(&shape.ground, modulus, c);
+            rate * c * shape.integral(c, Weight::CosineSquared)
+        };
         let height = (self.height)(0.0);
         let radii = match self.load.vertical {
             Vertical::Force(target) => radius::crossings(&force, target, &shape.breaks, limit),
@@ -252,7 +269,7 @@ impl SmoothDisk {
             Vertical::Force(_) => depth + (self.height)(0.0),
         };
         let state = State { settlement, tilt: 0.0, force, moment: 0.0 };
-        Field::new(shape, self.modulus(), [radius, depth], is_free, state)
+        Field::new(shape, self.modulus(&shape.ground), [radius, depth], is_free, state)
     }
 
     /// The same with the tilt of the load.

@@ -1,10 +1,10 @@
-//! The slope `h = df0/dr` of the base along a radius, and its integrals under the disk.
+//! The slope `h = df0/dr` of the base along a radius, or of its even or odd part about the middle of a strip, and its integrals over the contact.
 
 use std::collections::VecDeque;
 use std::f64::consts::FRAC_PI_2;
 
 use crate::contact::smooth::Curve;
-use crate::contact::smooth::legendre::integral;
+use crate::contact::smooth::ground::Ground;
 
 /// Panels are halved at most this often; to this share integrals agree when their panels are halved.
 const DEEPEST: u32 = 40;
@@ -15,48 +15,89 @@ const NOISE: f64 = 1e-11;
 const MOST_PANELS: usize = 512;
 const INNER: f64 = 1e-2;
 
-/// What the slope is multiplied by, `r = x cos t`.
+/// What the slope is multiplied by, `r = x cos t`, besides `sin^mu t`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Weight {
+pub(in crate::contact::smooth) enum Weight {
     One,
     SineSquared,
     CosineSquared,
+    /// `mu sin t S(t)`, `S = int_0^t sin^mu`, without `sin^mu t`.
+    Lever,
+    /// `cos t sin^mu t + mu sin t S(t)`.
+    Level,
 }
 
-impl Weight {
-    fn at(self, angle: f64) -> f64 {
+/// Which displacements a transform is of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::contact::smooth) enum Part {
+    /// Those of a disk that do not depend on the angle.
+    Revolution,
+    /// In the plane, even.
+    Even,
+    /// In the plane, odd.
+    Odd,
+}
+
+impl Part {
+    /// The power of `t` in the displacement beside the contact, besides `t^mu`.
+    pub(in crate::contact::smooth) fn lever(self) -> i32 {
         match self {
-            Self::One => 1.0,
-            Self::SineSquared => angle.sin().powi(2),
-            Self::CosineSquared => angle.cos().powi(2),
+            Self::Revolution => 0,
+            Self::Even => -1,
+            Self::Odd => 1,
         }
     }
 }
 
-/// The base of revolution.
-pub(super) struct Shape<'p> {
-    pub(super) slope: &'p Curve,
-    /// Where it bends, in `(0, 1)`, increasing.
-    pub(super) breaks: Vec<f64>,
+/// The base of revolution, or half of an even or odd one.
+pub(in crate::contact::smooth) struct Shape<'p> {
+    pub(in crate::contact::smooth) slope: &'p Curve,
+    /// Where it bends, increasing, all positive.
+    pub(in crate::contact::smooth) breaks: Vec<f64>,
     /// To which share integrals are wanted.
-    pub(super) tolerance: f64,
+    pub(in crate::contact::smooth) tolerance: f64,
+    /// Rounding of the slope beyond that of its size.
+    pub(in crate::contact::smooth) noise: f64,
+    pub(in crate::contact::smooth) ground: Ground,
+    pub(in crate::contact::smooth) part: Part,
 }
 
 impl Shape<'_> {
-    /// `G(x) = x int_0^x h(r) dr/sqrt(x^2 - r^2)`: the height above `f0(0)` that a disk of the radius `x` with a free edge settles by.
-    pub(super) fn transform(&self, x: f64) -> f64 {
-        x * self.integral(x, Weight::One)
+    /// `G(x) = x^(1-mu) int_0^x h(r) dr/(x^2 - r^2)^((1-mu)/2)`: the height above `f0(0)` that a disk of the radius `x` with a free edge settles by. Of an odd part in the
+    /// plane `G/x`, of an even one `x int_0^{pi/2} h(x cos t) (cos t sin^mu t + mu sin t S(t)) dt`.
+    pub(in crate::contact::smooth) fn transform(&self, x: f64) -> f64 {
+        self.transformed(x, |at| ((x - at) * (x + at)).sqrt())
+    }
+
+    fn transformed(&self, x: f64, leg: impl Fn(f64) -> f64) -> f64 {
+        match self.part {
+            Part::Revolution => x * self.integrated(x, Weight::One, leg),
+            Part::Even => x * self.integrated(x, Weight::Level, leg),
+            Part::Odd => self.integrated(x, Weight::One, leg),
+        }
+    }
+
+    fn weight(&self, weight: Weight, angle: f64) -> f64 {
+        let ground = &self.ground;
+        let lever = || ground.exponent() * angle.sin() * ground.sines().at(angle);
+        let power = || ground.power(angle.sin());
+        match weight {
+            Weight::One => power(),
+            Weight::SineSquared => power() * angle.sin().powi(2),
+            Weight::CosineSquared => power() * angle.cos().powi(2),
+            Weight::Lever => lever(),
+            Weight::Level => power() * angle.cos() + lever(),
+        }
     }
 
     /// `G(x)` at `x = sqrt(b^2 + s^2)`, however small `s` is against the kink `b`.
-    pub(super) fn transform_beyond(&self, kink: f64, s: f64) -> f64 {
+    pub(in crate::contact::smooth) fn transform_beyond(&self, kink: f64, s: f64) -> f64 {
         let x = kink.hypot(s);
-        let leg = |at: f64| ((kink - at) * (kink + at) + s * s).sqrt();
-        x * self.integrated(x, Weight::One, leg)
+        self.transformed(x, |at| ((kink - at) * (kink + at) + s * s).sqrt())
     }
 
     /// `int_0^{pi/2} h(x cos t) w(t) dt`.
-    pub(super) fn integral(&self, x: f64, weight: Weight) -> f64 {
+    pub(in crate::contact::smooth) fn integral(&self, x: f64, weight: Weight) -> f64 {
         self.integrated(x, weight, |at| ((x - at) * (x + at)).sqrt())
     }
 
@@ -69,7 +110,7 @@ impl Shape<'_> {
         let value = |angle: f64, ends: [f64; 2]| {
             // Rounding must not pass a kink.
             let r = (x * angle.cos()).clamp(ends[0], ends[1]);
-            (self.slope)(r) * weight.at(angle)
+            (self.slope)(r) * self.weight(weight, angle)
         };
         let pieces: Vec<([f64; 2], [f64; 2])> = (cuts.windows(2))
             .map(|pair| {
@@ -79,22 +120,23 @@ impl Shape<'_> {
             })
             .collect();
         let size: f64 = (pieces.iter())
-            .map(|&([from, to], ends)| integral(from, to, |angle| value(angle, ends).abs()))
+            .map(|&(turn, ends)| self.ground.integral(0, turn, |angle| value(angle, ends).abs()))
             .sum();
-        let agreed = (INNER * self.tolerance).max(AGREED) * size;
+        let agreed = (INNER * self.tolerance).max(AGREED) * size + self.noise;
         let mut panels: VecDeque<Panel> = (pieces.iter().enumerate())
-            .map(|(piece, &([from, to], ends))| {
-                let whole = integral(from, to, |angle| value(angle, ends));
-                Panel { piece, ends: [from, to], whole, depth: 0, before: f64::INFINITY }
+            .map(|(piece, &(turn, ends))| {
+                let whole = self.ground.integral(0, turn, |angle| value(angle, ends));
+                Panel { piece, ends: turn, whole, depth: 0, before: f64::INFINITY }
             })
             .collect();
         // The first in, the first out: where there is an end to it, no place is left out.
         let (mut sum, mut halved) = (0.0, 0);
         while let Some(panel) = panels.pop_front() {
-            let halves = panel.halves(|angle| value(angle, pieces[panel.piece].1));
+            let halves = panel.halves(&self.ground, |angle| value(angle, pieces[panel.piece].1));
             let both = halves[0].whole + halves[1].whole;
             let difference = (both - panel.whole).abs();
-            let is_noise = difference >= 0.5 * panel.before && difference <= NOISE * size;
+            let is_noise =
+                difference >= 0.5 * panel.before && difference <= NOISE * size + self.noise;
             let is_last = panel.depth >= DEEPEST || halved >= MOST_PANELS;
             if difference <= agreed || is_noise || is_last || !difference.is_finite() {
                 sum += both;
@@ -118,13 +160,13 @@ struct Panel {
 }
 
 impl Panel {
-    fn halves(&self, f: impl Fn(f64) -> f64) -> [Self; 2] {
+    fn halves(&self, ground: &Ground, f: impl Fn(f64) -> f64) -> [Self; 2] {
         let [from, to] = self.ends;
         let middle = 0.5 * (from + to);
         [[from, middle], [middle, to]].map(|ends| Self {
             piece: self.piece,
             ends,
-            whole: integral(ends[0], ends[1], &f),
+            whole: ground.integral(0, ends, &f),
             depth: self.depth + 1,
             before: self.before,
         })
@@ -138,12 +180,17 @@ mod tests {
 
     use super::*;
 
+    fn homogeneous(slope: &Curve, breaks: Vec<f64>) -> Shape<'_> {
+        let ground = Ground::new(0.0).unwrap();
+        Shape { slope, breaks, tolerance: 0.0, noise: 0.0, ground, part: Part::Revolution }
+    }
+
     #[test]
     fn transforms_of_a_cone_with_a_flat_are_known() {
         // h = 1 beyond b: G = x acos(b/x), int h cos^2 = (t - sin t cos t)/2 .. with t = acos(b/x)
         let b = 0.25;
         let slope: Curve = Arc::new(move |r| if r < b { 0.0 } else { 1.0 });
-        let shape = Shape { slope: &slope, breaks: vec![b], tolerance: 0.0 };
+        let shape = homogeneous(&slope, vec![b]);
         for x in [0.3f64, 0.7, 1.0] {
             let t = (b / x).acos();
             assert!((shape.transform(x) - x * t).abs() < 1e-15);
@@ -158,7 +205,7 @@ mod tests {
         }
         // h = sqrt(r): int_0^{pi/2} sqrt(cos t) dt = (2 pi)^(3/2)/Gamma(1/4)^2
         let slope: Curve = Arc::new(f64::sqrt);
-        let shape = Shape { slope: &slope, breaks: Vec::new(), tolerance: 0.0 };
+        let shape = homogeneous(&slope, Vec::new());
         let exact = (2.0 * PI).powf(1.5) / 3.625_609_908_221_908f64.powi(2);
         assert!((shape.integral(1.0, Weight::One) - exact).abs() < 1e-14);
     }

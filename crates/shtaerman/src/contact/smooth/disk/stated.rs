@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::{SmoothDisk, SmoothDiskContact, rings};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
+use crate::contact::linearised::Linearised;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::{Complementarity, require_even};
@@ -19,8 +20,8 @@ impl Problem {
     /// Solves a circular punch on a smooth body.
     ///
     /// # Errors
-    /// Those of [`SmoothDisk::solve`] and [`SmoothDisk::solve_rings`], which takes over where the contact is no single disk, with values in the units of the problem; [`Error::InvalidValue`] for a base that is no body of
-    /// revolution.
+    /// Those of [`SmoothDisk::solve`] and of [`SmoothDisk::solve_rings`], which takes over where the contact is no single disk, with values in the units of
+    /// the problem; [`Error::InvalidValue`] for a base that is no body of revolution.
     pub(in crate::contact) fn solve_smooth_disk(&self) -> Result<Arc<dyn Solution>, Error> {
         let samples: Result<Vec<(f64, f64)>, Error> = (0..=SAMPLES)
             .map(|i| i as f64 / SAMPLES as f64)
@@ -28,15 +29,14 @@ impl Problem {
             .collect();
         require_even(self, &samples?)?;
         let disk = self.smooth_disk();
-        let is_level = disk.rotational().1 == 0.0;
         let rings = || disk.solve_rings().map(|contact| -> Arc<dyn Solution> { Arc::new(contact) });
-        let mut tried = (is_level && rings::are_likely(&disk)).then(rings);
+        let mut tried = rings::are_likely(&disk).then(rings);
         if let Some(Ok(solution)) = tried {
             return Ok(solution);
         }
         let solution: Result<Arc<dyn Solution>, Error> = match disk.solve() {
             Ok(contact) => Ok(Arc::new(contact)),
-            Err(Error::Rings { .. }) if is_level => tried.take().unwrap_or_else(rings),
+            Err(Error::Rings { .. }) if disk.has_rings() => tried.take().unwrap_or_else(rings),
             Err(error) => Err(error),
         };
         solution.map_err(|error| self.with_units(error))
@@ -55,6 +55,7 @@ impl Problem {
             move |r| problem.profile().slope(r, half_width).map_or(f64::NAN, |slope| slope / scale);
         let measured = self.profile().measured_points().is_some();
         SmoothDisk {
+            exponent: self.frame().grading().map_or(0.0, |grading| grading.exponent()),
             theta0: self.frame().theta0(),
             load: self.dimensionless_load(),
             height,
@@ -149,6 +150,10 @@ impl Solution for SmoothDiskContact {
 
     fn complementarity(&self) -> Option<Complementarity> {
         self.problem().is_unilateral.then(|| SmoothDiskContact::complementarity(self))
+    }
+
+    fn linearised(&self, _: &Problem, peak: f64) -> Option<Linearised> {
+        Some(self.first_order(peak))
     }
 
     fn size(&self) -> f64 {

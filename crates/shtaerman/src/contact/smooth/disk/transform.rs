@@ -1,10 +1,12 @@
 //! `G` on panels, and what follows from it: pressure and displacement.
 //!
-//! Between kinks `b < x` of the base `G` is smooth in `s = sqrt(x^2 - b^2)`; on each panel of `s` it is a polynomial.
+//! Between kinks `b < x` of the base `G` is smooth in `s = sqrt(x^2 - b^2)`, on graded ground but for a power `s^(1+mu)` at the kink; on each panel of `s` it
+//! is a polynomial.
 
-use std::f64::consts::FRAC_2_PI;
+use std::f64::consts::FRAC_PI_2;
 
-use super::shape::Shape;
+use super::shape::{Part, Shape};
+use crate::contact::smooth::ground::{Ground, PLAIN};
 use crate::contact::smooth::legendre::{ORDER, RULE, derivative, integral, polynomials};
 
 /// Panels are halved at most this often, and there are at most so many.
@@ -21,6 +23,8 @@ const HARMLESS: f64 = 1e-9;
 /// Towards a kink the slope vanishes if it falls to this share over so many lengths of the first panel.
 const FALLEN: f64 = 0.5;
 const LENGTHS: f64 = 1024.0;
+/// A first panel shorter than this share of its segment is there for a kink.
+const SHORT: f64 = 1e-5;
 
 #[derive(Debug, Clone)]
 struct Panel {
@@ -92,8 +96,9 @@ impl Segment {
         };
         let first = sampled([0.0, leg(ends[1], ends[0])], 0, f64::INFINITY);
         let size = first.values.iter().fold(size, |most, c| most.max(c.abs()));
-        let resolved = shape.tolerance.max(RESOLVED) * size;
-        let noise = (10.0 * shape.tolerance).max(NOISE) * size;
+        let rounded = shape.noise * if shape.part == Part::Odd { 1.0 } else { ends[1] };
+        let resolved = shape.tolerance.max(RESOLVED) * size + rounded;
+        let noise = (10.0 * shape.tolerance).max(NOISE) * size + rounded;
         let is_open = |panel: &Sampled| {
             let is_noise = panel.tail >= 0.5 * panel.before && panel.tail <= noise;
             panel.tail > resolved && !is_noise && panel.depth < DEEPEST && panel.tail.is_finite()
@@ -119,14 +124,14 @@ impl Segment {
         ((x - r) * (x + r) + own).abs().sqrt()
     }
 
-    /// `int dG/sqrt(x^2 - r^2)` over the part beyond `r`.
-    fn pressure(&self, r: f64) -> f64 {
+    /// `int dG (x^2 - r^2)^-beta` over the part beyond `r`.
+    fn pressure(&self, ground: &Ground, r: f64) -> f64 {
         let [kink, end] = self.ends;
         if r >= end {
             return 0.0;
         }
         if r == kink {
-            return self.at_kink();
+            return if ground.exponent() == 0.0 { self.at_kink() } else { self.at_place(ground) };
         }
         let is_inside = r > kink;
         // s = scale cosh y or scale sinh y
@@ -140,8 +145,37 @@ impl Segment {
                     (s / scale).asinh()
                 }
             };
-            let slope = |y: f64| panel.slope(scale * if is_inside { y.cosh() } else { y.sinh() });
-            sum += stepwise(panel.ends.map(place), STEP, slope);
+            let turn = panel.ends.map(place);
+            sum += if is_inside {
+                let f = |y: f64| panel.slope(scale * y.cosh()) * ground.power(scale * y.sinh());
+                if ground.exponent() == 0.0 {
+                    stepwise(turn, STEP, f)
+                } else {
+                    ground.graded(0, turn, [STEP, f64::INFINITY], f)
+                }
+            } else {
+                let f = |y: f64| panel.slope(scale * y.sinh()) * ground.power(scale * y.cosh());
+                stepwise(turn, STEP, f)
+            };
+        }
+        sum
+    }
+
+    /// `int dG s^(mu-1)`: at a kink `G` rises as `s^(1+mu)`.
+    fn at_place(&self, ground: &Ground) -> f64 {
+        let Some(first) = self.panels.first() else { return 0.0 };
+        let mu = ground.exponent();
+        let [_, to] = first.ends;
+        let f = |panel: &Panel, s: f64| panel.slope(s) * s.powf(mu - 1.0);
+        let is_kink = self.ends[0] > 0.0 && to < SHORT * leg(self.ends[1], self.ends[0]);
+        let mut sum = if is_kink {
+            let rise = first.value(to) - first.value(0.0);
+            rise * to.powf(mu - 1.0) * (1.0 + mu) / (2.0 * mu)
+        } else {
+            ground.integral(-1, first.ends, |s| f(first, s))
+        };
+        for panel in &self.panels[1..] {
+            sum += ground.graded(-1, panel.ends, [f64::INFINITY; 2], |s| f(panel, s));
         }
         sum
     }
@@ -172,27 +206,40 @@ impl Segment {
         self.panels.iter().flat_map(at).fold(0.0, f64::max)
     }
 
-    /// `int (level - G) dx/sqrt(r^2 - x^2)`, `r` not inside.
-    fn displacement(&self, r: f64, level: f64) -> f64 {
+    /// `int (level - G) x^(mu+l) dx/(r^2 - x^2)^((1+mu)/2)`, `r` not inside.
+    fn displacement(&self, ground: &Ground, lever: i32, r: f64, level: f64) -> f64 {
         let kink = self.ends[0];
         let scale = leg(r, kink);
         let mut sum = 0.0;
         for panel in &self.panels {
             let place = |s: f64| s.atan2(self.beyond(s, r));
+            let turn = panel.ends.map(place);
             let depth = |y: f64| {
                 let s = scale * y.sin();
                 (level - panel.value(s)) * ratio(s, kink)
             };
-            sum += stepwise(panel.ends.map(place), TURN, depth);
+            if ground.exponent() == 0.0 && lever == 0 {
+                sum += stepwise(turn, TURN, depth);
+                continue;
+            }
+            let graded = |y: f64| {
+                let x = kink.hypot(scale * y.sin());
+                depth(y) * ground.power(x / (scale * y.cos())) * x.powi(lever)
+            };
+            let shift = if kink == 0.0 { lever } else { PLAIN };
+            sum += ground.graded(shift, turn, [TURN, FRAC_PI_2], graded);
         }
         sum
     }
 
-    /// `int (level - G) dx`.
-    fn volume(&self, level: f64) -> f64 {
+    /// `int (level - G) x^mu dx`.
+    fn volume(&self, ground: &Ground, level: f64) -> f64 {
+        let kink = self.ends[0];
+        let shift = if kink == 0.0 { 0 } else { PLAIN };
         let of = |panel: &Panel| {
-            let [from, to] = panel.ends;
-            integral(from, to, |s| (level - panel.value(s)) * ratio(s, self.ends[0]))
+            ground.integral(shift, panel.ends, |s| {
+                (level - panel.value(s)) * ratio(s, kink) * ground.power(kink.hypot(s))
+            })
         };
         self.panels.iter().map(of).sum()
     }
@@ -221,24 +268,26 @@ fn stepwise([from, to]: [f64; 2], step: f64, f: impl Fn(f64) -> f64) -> f64 {
 
 /// `G` between the axis and the edge of the contact.
 #[derive(Debug, Clone)]
-pub(super) struct Transform {
+pub(in crate::contact::smooth) struct Transform {
     segments: Vec<Segment>,
+    ground: Ground,
+    part: Part,
 }
 
 impl Transform {
     /// Up to the radius.
-    pub(super) fn new(shape: &Shape<'_>, radius: f64) -> Self {
+    pub(in crate::contact::smooth) fn new(shape: &Shape<'_>, radius: f64) -> Self {
         let mut cuts = vec![0.0];
         cuts.extend(shape.breaks.iter().filter(|at| **at < radius));
         cuts.push(radius);
         let size = shape.transform(radius).abs();
         let segments =
             cuts.windows(2).map(|pair| Segment::new(shape, [pair[0], pair[1]], size)).collect();
-        Self { segments }
+        Self { segments, ground: shape.ground.clone(), part: shape.part }
     }
 
     /// The same with less of each series, for a comparison.
-    pub(super) fn truncated(&self) -> Self {
+    pub(in crate::contact::smooth) fn truncated(&self) -> Self {
         let mut other = self.clone();
         for panel in other.segments.iter_mut().flat_map(|segment| &mut segment.panels) {
             panel.values[ORDER - 2..].fill(0.0);
@@ -247,24 +296,28 @@ impl Transform {
         other
     }
 
-    /// `int_r^c G'(x) dx/sqrt(x^2 - r^2)`; infinite at a kink.
-    pub(super) fn pressure(&self, r: f64) -> f64 {
-        self.segments.iter().map(|segment| segment.pressure(r)).sum()
+    /// `int_r^c G'(x) dx/(x^2 - r^2)^beta`; infinite at a kink of a homogeneous body.
+    pub(in crate::contact::smooth) fn pressure(&self, r: f64) -> f64 {
+        self.segments.iter().map(|segment| segment.pressure(&self.ground, r)).sum()
     }
 
-    /// `(2/pi) int_0^c (level - G(x)) dx/sqrt(r^2 - x^2)` for `r >= c`.
-    pub(super) fn displacement(&self, r: f64, level: f64) -> f64 {
-        let sum: f64 = self.segments.iter().map(|s| s.displacement(r, level)).sum();
-        FRAC_2_PI * sum
+    /// `(2/pi) cos(pi mu/2) int_0^c (level - G(x)) x^mu dx/(r^2 - x^2)^((1+mu)/2)` for `r >= c`; in the plane times `r/x` for even, `x` for odd
+    /// displacements.
+    pub(in crate::contact::smooth) fn displacement(&self, r: f64, level: f64) -> f64 {
+        let lever = self.part.lever();
+        let of = |segment: &Segment| segment.displacement(&self.ground, lever, r, level);
+        let sum: f64 = self.segments.iter().map(of).sum();
+        let arm = if self.part == Part::Even { r } else { 1.0 };
+        self.ground.beside() * arm * sum
     }
 
-    /// `int_0^c (level - G(x)) dx`.
-    pub(super) fn volume(&self, level: f64) -> f64 {
-        self.segments.iter().map(|segment| segment.volume(level)).sum()
+    /// `int_0^c (level - G(x)) x^mu dx`.
+    pub(in crate::contact::smooth) fn volume(&self, level: f64) -> f64 {
+        self.segments.iter().map(|segment| segment.volume(&self.ground, level)).sum()
     }
 
     /// What rounding of `G` makes of `G'` on the longest panels: the derivative of a series blows its coefficients up by the square of their number.
-    pub(super) fn slope_rounding(&self) -> f64 {
+    pub(in crate::contact::smooth) fn slope_rounding(&self) -> f64 {
         let of = |segment: &Segment| {
             let halves = segment.panels.iter().map(|panel| 0.5 * (panel.ends[1] - panel.ends[0]));
             let values = segment.panels.iter().map(|panel| panel.value(panel.ends[1]).abs());
@@ -276,7 +329,7 @@ impl Transform {
     }
 
     /// `G'(c)`.
-    pub(super) fn end_slope(&self) -> f64 {
+    pub(in crate::contact::smooth) fn end_slope(&self) -> f64 {
         let Some(segment) = self.segments.last() else { return 0.0 };
         let [kink, end] = segment.ends;
         let s = leg(end, kink);
@@ -284,12 +337,12 @@ impl Transform {
     }
 
     /// Number of coefficients.
-    pub(super) fn size(&self) -> usize {
+    pub(in crate::contact::smooth) fn size(&self) -> usize {
         self.segments.iter().map(|segment| ORDER * segment.panels.len()).sum()
     }
 
     /// The kinks inside the contact, the axis first and the edge last.
-    pub(super) fn cuts(&self) -> Vec<f64> {
+    pub(in crate::contact::smooth) fn cuts(&self) -> Vec<f64> {
         let edge = self.segments.last().map(|segment| segment.ends[1]);
         self.segments.iter().map(|segment| segment.ends[0]).chain(edge).collect()
     }

@@ -28,7 +28,7 @@ impl<'p> Base<'p> {
             .map(|r| (r, (problem.height)(r)))
             .collect();
         let walls = [Vec::new(), vec![1.0]];
-        let mut base = Self { problem, shape: problem.shape(), walls, samples };
+        let mut base = Self { problem, shape: problem.shape()?, walls, samples };
         base.find_steps();
         base.require_load()?;
         Ok(base)

@@ -32,6 +32,8 @@ const WORST: f64 = 1e-3;
 /// Solves for disk and rings of contact without a tilt.
 pub(super) fn solve(problem: &SmoothDisk) -> Result<SmoothRingsContact, Error> {
     let base = Base::new(problem)?;
+    let (field, requirement) = ("grading_exponent", "zero: rings on graded ground are not known");
+    require(problem.exponent == 0.0, field, problem.exponent, requirement)?;
     let (field, turn) = problem.rotational();
     require(turn == 0.0, field, turn, "zero: rings under a moment or a tilt are not known")?;
     if !problem.is_unilateral {
@@ -48,7 +50,9 @@ pub(super) fn are_likely(problem: &SmoothDisk) -> bool {
         let rises = base.samples.windows(2).all(|pair| pair[0].1 <= pair[1].1);
         if rises { Ok(true) } else { topology::is_disk(&base, base.cells()) }
     };
-    problem.is_unilateral && matches!(Base::new(problem).and_then(is_disk), Ok(false))
+    problem.has_rings()
+        && problem.is_unilateral
+        && matches!(Base::new(problem).and_then(is_disk), Ok(false))
 }
 
 /// The answer, with its zones corrected where all modes show what few did not.

@@ -201,7 +201,7 @@ impl Solved {
         let rights = [levels.clone(), heights];
         let mut found = coupling::solve(Harmonic::Even, c, &nodes, &rights)?.into_iter();
         let [level, profile] = [0; 2].map(|_| found.next().unwrap_or_default());
-        let (theta0, modulus) = (base.problem.theta0, base.problem.modulus());
+        let (theta0, modulus) = (base.problem.theta0, base.problem.modulus(&base.shape.ground));
         let weight = Harmonic::Even.weight() / theta0;
         let rate = 2.0 * modulus * c + weight * product(&levels, &level);
         let free =

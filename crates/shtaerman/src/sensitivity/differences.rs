@@ -1,77 +1,10 @@
-//! How the answer changes with roughness, modulus and load.
+//! Sensitivities by central differences of complete solves.
 
-use serde::Serialize;
-
-use crate::{Contact, Error, ErrorKind, Problem, Rotational, Roughness, Vertical};
+use super::{Derivatives, QUANTITIES, Sensitivities, Values, values};
+use crate::{Contact, Error, Problem, Roughness, Vertical};
 
 /// Relative step of the difference quotients; twice and four times it serve the extrapolation.
 const STEP: f64 = 1e-3;
-
-/// Derivatives of the answer, estimated by central differences of complete solves.
-///
-/// What [`held`](Self::held) names stays as it is, and so do profile and geometry. The settlement is that in its gauge. Where an edge of the contact
-/// is just about to move or the largest pressure to change its place, a derivative has two sides, and its error is as large as their difference.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Sensitivities {
-    /// Always an estimate.
-    pub kind: ErrorKind,
-    /// `moment`, `eccentricity` or `tilt`: what the load keeps.
-    pub held: &'static str,
-    /// Of the settlement (m), or of the force (N/m) where the settlement is prescribed.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub settlement: Option<Derivatives>,
-    /// Of the force (N/m), where the settlement is prescribed.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub force: Option<Derivatives>,
-    /// Of the tilt (rad), where it is not prescribed.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub tilt: Option<Derivatives>,
-    /// Of the largest pressure (Pa); without where that is infinite.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub pressure_max: Option<Derivatives>,
-    /// Of the width of contact (m).
-    pub contact_width: Derivatives,
-}
-
-impl Sensitivities {
-    /// Whether no derivative overflowed.
-    #[must_use]
-    pub fn is_finite(&self) -> bool {
-        let Self { settlement, force, tilt, pressure_max, contact_width, .. } = self;
-        let all = [*settlement, *force, *tilt, *pressure_max, Some(*contact_width)];
-        all.into_iter().flatten().all(|derivatives| derivatives.is_finite())
-    }
-}
-
-impl Derivatives {
-    fn is_finite(&self) -> bool {
-        let Self { roughness, young_modulus, theta0, force, settlement, error } = *self;
-        let all = [roughness, young_modulus, theta0, force, settlement, Some(error)];
-        all.into_iter().flatten().all(f64::is_finite)
-    }
-}
-
-/// Derivatives of one quantity, SI units; of a dimensionless problem without units.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct Derivatives {
-    /// With respect to `chi` (m/Pa) or the coefficient `B` (m/Pa^kappa).
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub roughness: Option<f64>,
-    /// With respect to Young's modulus of the foundation (Pa).
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub young_modulus: Option<f64>,
-    /// With respect to `theta0`, of a dimensionless problem.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub theta0: Option<f64>,
-    /// With respect to the force (N/m), where it is prescribed.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub force: Option<f64>,
-    /// With respect to the settlement (m), where it is prescribed.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub settlement: Option<f64>,
-    /// Largest estimated error, relative to the largest elasticity `|d ln q/d ln parameter|` of the quantity (or to 1, if that is larger).
-    pub error: f64,
-}
 
 /// What is varied.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,17 +15,13 @@ enum Parameter {
     Vertical,
 }
 
-/// The quantities followed.
-const QUANTITIES: usize = 5;
-type Values = [f64; QUANTITIES];
-
 impl Contact {
-    /// How settlement (or force), tilt, largest pressure and width change with roughness, Young's modulus and the prescribed force (or settlement): by
-    /// central differences on complete solves, six for each parameter, extrapolated twice.
+    /// The [sensitivities](Self::sensitivities) by central differences on complete solves, six for each parameter, extrapolated twice: independent of the linearised
+    /// equation, and for every method.
     ///
     /// # Errors
     /// What [`Problem::solve`] says of a neighbouring problem.
-    pub fn sensitivities(&self) -> Result<Sensitivities, Error> {
+    pub fn difference_sensitivities(&self) -> Result<Sensitivities, Error> {
         let mut found = [Derivatives::default(); QUANTITIES];
         let values = values(self);
         for parameter in parameters(self.problem()) {
@@ -111,23 +40,7 @@ impl Contact {
                 slot.error = slot.error.max(error * step / STEP / size);
             }
         }
-        let [settlement, force, tilt, pressure_max, contact_width] = found;
-        let load = self.problem().load();
-        let by_force = matches!(load.vertical, Vertical::Force(_));
-        let by_tilt = matches!(load.rotational, Rotational::Tilt(_));
-        Ok(Sensitivities {
-            kind: ErrorKind::Estimate,
-            held: match load.rotational {
-                Rotational::Moment(_) => "moment",
-                Rotational::Eccentricity(_) => "eccentricity",
-                Rotational::Tilt(_) => "tilt",
-            },
-            settlement: by_force.then_some(settlement),
-            force: (!by_force).then_some(force),
-            tilt: (!by_tilt).then_some(tilt),
-            pressure_max: self.peak_pressure().0.is_finite().then_some(pressure_max),
-            contact_width,
-        })
+        Ok(Sensitivities::assembled(self, found))
     }
 
     /// The value of a parameter, and the step by which it is varied.
@@ -209,14 +122,4 @@ fn parameters(problem: &Problem) -> Vec<Parameter> {
     };
     parameters.push(Parameter::Vertical);
     parameters
-}
-
-fn values(contact: &Contact) -> Values {
-    [
-        contact.settlement(),
-        contact.force(),
-        contact.tilt(),
-        contact.peak_pressure().0,
-        contact.contact_width(),
-    ]
 }

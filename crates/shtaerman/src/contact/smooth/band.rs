@@ -1,0 +1,120 @@
+//! A wave of few harmonics: known from few samples, and turned without others.
+
+use std::f64::consts::PI;
+
+use super::problem::{Sample, SmoothProblem};
+use super::slopes::Slopes;
+use super::wave::Turn;
+
+/// Samples for each harmonic, and at least.
+const A_HARMONIC: usize = 16;
+const FEWEST: usize = 256;
+/// Rounding of the series at a sample, in units of that of its terms.
+const ROUNDINGS: f64 = 8.0;
+
+/// The slope of a wave as a short series that its heights confirm.
+pub(super) struct Band {
+    pub(super) slopes: Slopes,
+    /// `(xi, f0)` from `-1` to `1`, equally spaced by a power of one half.
+    pub(super) samples: Vec<Sample>,
+}
+
+impl Band {
+    /// The series of the profile, if it has one.
+    pub(super) fn of(problem: &SmoothProblem) -> Option<Self> {
+        let profile = &problem.profile;
+        if problem.pieces != [[-1.0, 1.0]] || !profile.breaks.is_empty() {
+            return None;
+        }
+        let slopes = Slopes::sampled(&Turn(profile), false)?;
+        let series = slopes.series()?.heights();
+        let count = (A_HARMONIC * series.len()).max(FEWEST).next_power_of_two();
+        let allowed = ROUNDINGS * slopes.mode_error();
+        let mut samples = Vec::with_capacity(count + 1);
+        for i in 0..=count {
+            let xi = 2.0 * i as f64 / count as f64 - 1.0;
+            let height = (profile.height)(xi);
+            let error = (slopes.mean() + series.conjugate(PI * xi) - height).abs();
+            // A feature that the series does not know is left to panels.
+            if error.is_nan() || error > allowed {
+                return None;
+            }
+            samples.push((xi, height));
+        }
+        Some(Self { slopes, samples })
+    }
+
+    /// The sample next to a place, as its number; the last where it might be the first, from which nothing has to be turned.
+    pub(super) fn nearest(&self, place: f64) -> usize {
+        let last = self.samples.len() - 1;
+        match (0.5 * (place + 1.0) * last as f64).round() as usize {
+            0 => last,
+            number => number.min(last),
+        }
+    }
+
+    /// The samples seen from the one with this number, which becomes `-1` and `1`.
+    pub(super) fn turned(&self, first: usize) -> Vec<Sample> {
+        let period = self.samples.len() - 1;
+        let height = |i: usize| self.samples[(first + i) % period].1;
+        self.samples.iter().enumerate().map(|(i, (xi, _))| (*xi, height(i))).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::contact::smooth::{SmoothKernel, SmoothProfile};
+    use crate::{Load, Rotational, Vertical};
+
+    fn wave(height: fn(f64) -> f64, slope: fn(f64) -> f64) -> SmoothProblem {
+        let profile = SmoothProfile {
+            height: Arc::new(height),
+            slope: Some(Arc::new(slope)),
+            breaks: Vec::new(),
+            tolerance: 0.0,
+        };
+        SmoothProblem {
+            pieces: vec![[-1.0, 1.0]],
+            kernel: SmoothKernel::Periodic { period: 2.0 },
+            theta0: 1.0,
+            load: Load::new(Vertical::Force(1.0), Rotational::Tilt(0.0)).unwrap(),
+            profile,
+            is_unilateral: true,
+        }
+    }
+
+    #[test]
+    fn a_sum_of_cosines_is_a_band() {
+        let problem = wave(
+            |x| 0.2 + (PI * x + 0.3).cos() - 0.1 * (6.0 * PI * x).sin(),
+            |x| -PI * (PI * x + 0.3).sin() - 0.6 * PI * (6.0 * PI * x).cos(),
+        );
+        let band = Band::of(&problem).unwrap();
+        assert!((band.slopes.mean() - 0.2).abs() < 1e-15);
+        let first = band.nearest(0.25);
+        let turned = band.turned(first);
+        for (xi, height) in &turned {
+            let place = xi + 1.25;
+            let exact = (problem.profile.height)(place);
+            assert!((height - exact).abs() < 1e-14, "{xi}");
+        }
+        assert_eq!(turned[0].1, turned[turned.len() - 1].1);
+    }
+
+    #[test]
+    fn a_bump_between_the_samples_of_the_slope_is_none() {
+        // Of the width 0.002: the slope is sampled at steps of 1/32 and at a few places between.
+        let problem = wave(
+            |x| (PI * x).cos() + 1e-3 * (-((x - 0.25) / 0.002).powi(2)).exp(),
+            |x| {
+                let u = (x - 0.25) / 0.002;
+                -PI * (PI * x).sin() - u * (-u * u).exp()
+            },
+        );
+        assert!(Slopes::sampled(&Turn(&problem.profile), false).is_some());
+        assert!(Band::of(&problem).is_none());
+    }
+}

@@ -1,0 +1,197 @@
+//! The pressure on one zone of given ends, as far as it takes no panels.
+//!
+//! On `xi = c + s`, `|s| <= b`, with the slopes `h_e`, `h_o` of the even and the odd part of the profile about `c`, the depth `D = delta0 - alpha0 c - f0(c)`,
+//! `S(t) = int_0^t sin^mu`, `B = S(pi/2)`, `Lambda = pi theta0/(Gamma(mu) cos(pi mu/2))` and `e = 4^beta pi/(Lambda Gamma(1-beta)^2)`,
+//!
+//! - `G_e(x) = x int_0^{pi/2} h_e(x cos t) (cos t sin^mu t + mu sin t S(t)) dt`, `G_o(x) = int_0^{pi/2} h_o(x cos t) sin^mu t dt`;
+//! - `p0 = (e/pi) [d_e(b) (b^2 - s^2)^-beta + int_|s|^b G_e' (x^2 - s^2)^-beta dx + s (the same of d_o, G_o)]`, `d_e = mu B D - G_e`, `d_o = -alpha0 B - G_o`;
+//! - `P0 = (2e/pi) B b^mu (mu B D - mu b int h_e sin t S dt)`,
+//!   `M0 = c P0 + (2e/pi) B b^(2+mu) (-alpha0 B/(2+mu) - int h_o sin^(2+mu) t dt/(1+mu))`.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
+
+use libm::tgamma;
+
+use crate::Error;
+use crate::contact::balance::State;
+use crate::contact::smooth::Curve;
+use crate::contact::smooth::balance::Centred;
+use crate::contact::smooth::disk::shape::{Part, Shape, Weight};
+use crate::contact::smooth::ground;
+use crate::contact::smooth::problem::Base;
+use crate::contact::smooth::zones::Zone;
+use crate::contact::solved::Stiffness;
+
+/// More breakpoints than these do not get panels of their own.
+const MOST_BREAKS: usize = 64;
+/// Places on either side of the middle that show the size of slopes.
+const SAMPLES: usize = 8;
+
+/// The kernel with its `theta0`.
+#[derive(Debug, Clone)]
+pub(super) struct Ground {
+    pub(super) powers: ground::Ground,
+    /// `e`.
+    pub(super) modulus: f64,
+}
+
+impl Ground {
+    pub(super) fn new(exponent: f64, theta0: f64) -> Result<Self, Error> {
+        let powers = ground::Ground::new(exponent)?;
+        let response = theta0 * PI / (tgamma(exponent) * (FRAC_PI_2 * exponent).cos());
+        let modulus = powers.modulus(response);
+        Ok(Self { powers, modulus })
+    }
+
+    /// `B`.
+    pub(super) fn total(&self) -> f64 {
+        self.powers.sines().total()
+    }
+}
+
+/// The even and the odd part of the profile about the middle of a zone.
+pub(super) struct Halves {
+    slopes: [Curve; 2],
+    breaks: Vec<f64>,
+    tolerance: f64,
+    /// Rounding of the slopes.
+    noise: f64,
+    /// Size of the slope of the profile.
+    steepest: f64,
+}
+
+impl Halves {
+    pub(super) fn new(base: &Base<'_>, zone: &Zone) -> Self {
+        let [left, right] = zone.ends;
+        let centre = 0.5 * (left + right);
+        let profile = &base.problem.profile;
+        let slope: Curve = match &profile.slope {
+            Some(slope) => Arc::clone(slope),
+            None => Arc::new(|_| f64::NAN),
+        };
+        let at =
+            Arc::new(move |s: f64| slope((centre + s).clamp(left.next_up(), right.next_down())));
+        let other = Arc::clone(&at);
+        let even: Curve = Arc::new(move |r| 0.5 * (at(r) - at(-r)));
+        let odd: Curve = Arc::new(move |r| 0.5 * (other(r) + other(-r)));
+        let inside = |at: &f64| left < *at && *at < right;
+        let mut breaks: Vec<f64> = profile.breaks.iter().copied().filter(inside).collect();
+        breaks.iter_mut().for_each(|at| *at = (*at - centre).abs());
+        breaks.retain(|r| *r > 0.0);
+        breaks.sort_by(f64::total_cmp);
+        breaks.dedup();
+        if breaks.len() > MOST_BREAKS {
+            breaks.clear();
+        }
+        let half = 0.5 * zone.length();
+        let largest = |curve: &Curve| {
+            let places = (0..SAMPLES).map(|i| half * (i as f64 + 0.5) / SAMPLES as f64);
+            places.fold(0.0f64, |most, r| most.max(curve(r).abs()))
+        };
+        let sizes = [largest(&even), largest(&odd)];
+        let steepest = sizes[0] + sizes[1];
+        // The slope is rounded, and so is the place it is taken at.
+        let remote = left.abs().max(right.abs()) / half;
+        let noise = 2.0 * f64::EPSILON * (1.0 + remote) * steepest;
+        Self { slopes: [even, odd], breaks, tolerance: profile.tolerance, noise, steepest }
+    }
+
+    fn shape(&self, ground: &Ground, part: Part) -> Shape<'_> {
+        let index = usize::from(part == Part::Odd);
+        let (slope, noise) = (&self.slopes[index], self.noise);
+        let (breaks, tolerance) = (self.breaks.clone(), self.tolerance);
+        Shape { slope, breaks, tolerance, noise, ground: ground.powers.clone(), part }
+    }
+
+    pub(super) fn even(&self, ground: &Ground) -> Shape<'_> {
+        self.shape(ground, Part::Even)
+    }
+
+    pub(super) fn odd(&self, ground: &Ground) -> Shape<'_> {
+        self.shape(ground, Part::Odd)
+    }
+}
+
+/// A zone with its loads.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Strip {
+    pub(super) zone: Zone,
+    pub(super) state: State,
+    /// About the middle of the zone.
+    pub(super) own: Stiffness,
+    pub(super) stiffness: Stiffness,
+    /// `D`.
+    pub(super) depth: f64,
+    /// `mu B D` and `-alpha0 B`.
+    pub(super) levels: [f64; 2],
+    /// `G_e(b)`, `G_o(b)`.
+    pub(super) transforms: [f64; 2],
+    /// Size of the slope of the profile.
+    pub(super) steepest: f64,
+}
+
+impl Strip {
+    pub(super) fn new(base: &Base<'_>, ground: &Ground, zone: Zone, halves: &Halves) -> Self {
+        let (even, odd) = (halves.even(ground), halves.odd(ground));
+        let (b, c) = (0.5 * zone.length(), 0.5 * (zone.left() + zone.right()));
+        let (mu, total) = (ground.powers.exponent(), ground.total());
+        let height = base.height(c);
+        let unit = 2.0 * ground.modulus / PI * total * ground.powers.power(b);
+        let own = Stiffness {
+            force_settlement: unit * mu * total,
+            coupling: 0.0,
+            moment_tilt: unit * b * b * total / (2.0 + mu),
+        };
+        let free = [
+            unit * b * even.integral(b, Weight::Lever),
+            unit * b * b / (1.0 + mu) * odd.integral(b, Weight::SineSquared),
+        ];
+        let balance = Centred { centre: c, stiffness: own, free };
+        // The profile about its height in the middle, which the depth is measured from.
+        let load = lowered(base.problem.load, height);
+        let [depth, tilt] = balance.depth_and_tilt(&load);
+        let state = balance.state_of(&base.problem.load, [depth, tilt], [height, 0.0]);
+        Self {
+            zone,
+            state,
+            own,
+            stiffness: balance.about_base(),
+            depth,
+            levels: [mu * total * depth, -tilt * total],
+            transforms: [even.transform(b), odd.transform(b)],
+            steepest: halves.steepest,
+        }
+    }
+
+    pub(super) fn half(&self) -> f64 {
+        0.5 * self.zone.length()
+    }
+
+    pub(super) fn centre(&self) -> f64 {
+        0.5 * (self.zone.left() + self.zone.right())
+    }
+
+    /// `d_e(b) -+ b d_o(b)` at the left (0) or right (1) end.
+    pub(super) fn end_density(&self, side: usize) -> f64 {
+        let [even, odd] = [0, 1].map(|part| self.levels[part] - self.transforms[part]);
+        let arm = if side == 0 { -self.half() } else { self.half() };
+        even + arm * odd
+    }
+
+    /// Size of what is added up in that.
+    pub(super) fn density_scale(&self) -> f64 {
+        let [even, odd] = [0, 1].map(|part| self.levels[part].abs() + self.transforms[part].abs());
+        even + self.half() * (odd + self.steepest)
+    }
+}
+
+/// The load of a profile less its height in the middle.
+fn lowered(load: crate::Load, height: f64) -> crate::Load {
+    use crate::Vertical;
+    let vertical = match load.vertical {
+        Vertical::Settlement(settlement) => Vertical::Settlement(settlement - height),
+        force @ Vertical::Force(_) => force,
+    };
+    crate::Load { vertical, ..load }
+}

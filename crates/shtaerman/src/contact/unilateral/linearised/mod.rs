@@ -1,0 +1,291 @@
+//! The linearised equation on the zones of a solution: how everything changes with the body and the load.
+//!
+//! `law(p0) + theta0 K p0 = delta0 - alpha0 xi - f0` is written for the displacement `v` of the layer, `p0 = p(v)`: for a law that bends `dlaw/dp0` is infinite at a
+//! free edge, but `p'(v)` vanishes there. Changed by a parameter on zones that stay,
+//!
+//! `v' + theta0 K(p'(v) v') = delta0' - alpha0' xi - (theta0)'/theta0 * theta0 K p0`,
+//!
+//! the operator of Newton's steps and of the stiffness. What a free edge `e` adds is of second order, as the pressure vanishes there; it moves by `e' = -v'/(dv/dxi)`.
+
+mod ring;
+mod tilted;
+
+use fredholm::SincSolution;
+use fredholm::collocation::{extrapolate, first_half_count, rounding};
+use fredholm::kernel::Kernel;
+
+use super::answer::UnilateralContact;
+use super::base::Base;
+use super::field::Field;
+use super::medium::Medium;
+use super::refinement::RATIO;
+use super::solved::{end_node, place};
+use super::system::{Factor, Resolution, System};
+use super::zones::Zone;
+use crate::contact::linearised::{Linearised, Rates};
+use crate::contact::solved::Method;
+use crate::{ContactKind, Error, Problem, Rotational, Scaling};
+
+/// Fewest nodes on either side of the middle of a panel.
+const FEWEST: f64 = 8.0;
+/// Most nodes for a full base that was not collocated, and those for each Chebyshev degree of its profile.
+const MOST_NODES: f64 = 1200.0;
+const NODES_PER_DEGREE: f64 = 2.0;
+/// Step of the difference quotient of a disk's kernel, as a share of the distance: of fourth order, so `1e-12`.
+const STEP: f64 = 1e-3;
+/// Rounding of a sum relative to the sizes of its terms.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// A solution, on whatever nodes.
+struct Known<'k, 'p> {
+    base: &'k Base<'p>,
+    zones: &'k [Zone],
+    /// `v(xi)`.
+    layer: &'k dyn Fn(f64) -> f64,
+    /// `theta0 K p0` at `xi`.
+    displacement: &'k dyn Fn(f64) -> f64,
+    tilt: f64,
+    /// Where the pressure is largest.
+    peak: f64,
+    /// Rounding of `v` over the length `1/theta0` in which its slope at an edge changes where the layer is thin.
+    noise: f64,
+}
+
+impl UnilateralContact {
+    /// The first-order change of the solution.
+    pub(super) fn first_order(&self, problem: &Problem, peak: f64) -> Option<Linearised> {
+        let solved = self.solved();
+        let mut base = Base::new(problem, problem.solver().contact).ok()?;
+        if matches!(solved.solution, Field::Ring(_)) {
+            return ring::linearised(&base, solved, self.locate(peak));
+        }
+        if base.medium.is_closed() {
+            base = base.shifted(solved.hull.centre - 1.0);
+        }
+        let tilt = if base.medium.is_disk() { 0.0 } else { solved.state.tilt };
+        let known = Known {
+            base: &base,
+            zones: &solved.zones,
+            layer: &|xi| solved.layer(&base, xi),
+            displacement: &|xi| solved.state.settlement - tilt * xi - solved.layer_at(xi, 0.0),
+            tilt,
+            peak: self.locate(peak),
+            noise: base.steepness() * solved.rounding(),
+        };
+        let found = known.linearised(solved.panel_count() / 2)?;
+        match self.tilted() {
+            Some(tilted) => tilted::turned(&base, solved, tilted, found, peak),
+            None => Some(found),
+        }
+    }
+}
+
+impl Problem {
+    /// The first-order change of a solution on the full base of one punch with a linear layer, given its displacement `theta0 K p0`.
+    pub(in crate::contact) fn linearised_full_base(
+        &self,
+        displacement: &dyn Fn(f64) -> f64,
+        method: Method,
+        profile_degree: usize,
+        peak: f64,
+    ) -> Option<Linearised> {
+        let base = Base::new(self, ContactKind::Bilateral).ok()?;
+        let panels = base.breaks.len() + 1;
+        let half_count = if method.name == "sinc" {
+            method.n / panels / 2
+        } else {
+            let smooth = first_half_count(base.steepness()).max(FEWEST);
+            let wanted = smooth + NODES_PER_DEGREE * profile_degree as f64;
+            wanted.min(0.5 * MOST_NODES / panels as f64) as usize
+        };
+        // Of a linear layer the pressure itself counts for nothing.
+        let known = Known {
+            base: &base,
+            zones: &base.whole(),
+            layer: &|_| 1.0,
+            displacement,
+            tilt: 0.0,
+            peak,
+            noise: 0.0,
+        };
+        known.linearised(half_count)
+    }
+}
+
+impl Known<'_, '_> {
+    /// By three numbers of nodes, the last of which is given.
+    fn linearised(&self, half_count: usize) -> Option<Linearised> {
+        let level = |power: i32| {
+            let count = (half_count as f64 * RATIO.powi(power)).round().max(FEWEST) as usize;
+            Level::new(self, count).and_then(|level| level.rates()).ok()
+        };
+        let (coarse, middle, fine) = (level(-2)?, level(-1)?, level(0)?);
+        let errors = std::array::from_fn(|input| {
+            std::array::from_fn(|k| {
+                let of = |found: &[Change; 3]| found[input].rates[k];
+                let (one, two, three) = (of(&coarse), of(&middle), of(&fine));
+                let scale = three.abs().max(f64::MIN_POSITIVE);
+                let resolved = extrapolate((one - two).abs(), (two - three).abs(), scale, RATIO);
+                resolved + fine[input].noise[k]
+            })
+        });
+        Some(Linearised { rates: fine.map(|change| change.rates), errors })
+    }
+}
+
+/// A first-order change, with its rounding.
+#[derive(Default, Clone, Copy)]
+struct Change {
+    rates: Rates,
+    noise: Rates,
+}
+
+/// A free edge: the node beside it, and `dv/dxi` outwards there with its rounding.
+struct Edge {
+    node: usize,
+    slope: f64,
+    noise: f64,
+}
+
+/// The linearised equation on some nodes.
+struct Level<'k, 'b, 'p> {
+    known: &'k Known<'b, 'p>,
+    system: System<'b, 'p>,
+    /// `v` at the nodes.
+    layer: Vec<f64>,
+}
+
+impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
+    fn new(known: &'k Known<'b, 'p>, half_count: usize) -> Result<Self, Error> {
+        let resolution = Resolution::new(&known.base.medium, half_count)?;
+        let system = System::new(known.base, &resolution, known.zones)?;
+        let layer = system.positions.iter().map(|&xi| (known.layer)(xi)).collect();
+        Ok(Self { known, system, layer })
+    }
+
+    fn rates(&self) -> Result<[Change; 3], Error> {
+        let system = &self.system;
+        let law = self.known.base.layer;
+        let factor = if law.is_linear() {
+            Factor::Linear(system.operator.factor(system.parameter())?)
+        } else {
+            let weights: Vec<f64> = self.layer.iter().map(|v| law.slope(*v)).collect();
+            Factor::Weighted(system.operator.factor_weighted(system.parameter(), &weights)?)
+        };
+        let frame = system.frame(&factor)?;
+        let given: Vec<f64> =
+            system.positions.iter().map(|&xi| -(self.known.displacement)(xi)).collect();
+        let elastic = system.direction(&factor.solve(&given)?, 1.0, [0.0; 2]);
+        let edges = self.edges()?;
+        // The tilt of a disk is another harmonic, a wave has none.
+        let is_level = system.medium.is_disk() || system.medium.is_closed();
+        let rotates =
+            !is_level && !matches!(system.base.load.rotational, Rotational::Eccentricity(_));
+        let rates = |share: f64, prescribed: [f64; 2]| -> Result<Change, Error> {
+            let local = system.met(&frame, &elastic.scaled(share), prescribed)?;
+            let right: Vec<f64> = (system.operator.positions().zip(&given))
+                .map(|(y, g)| share * g + local[0] - local[1] * y)
+                .collect();
+            let solution = factor.solve(&right)?;
+            Ok(self.change(&solution, share, local, &edges))
+        };
+        Ok([
+            rates(1.0, [0.0, 0.0])?,
+            rates(0.0, [1.0, 0.0])?,
+            if rotates { rates(0.0, [0.0, 1.0])? } else { Change::default() },
+        ])
+    }
+
+    /// What a change of the layer with these changes of `ln theta0`, `D` and `beta` amounts to.
+    fn change(
+        &self,
+        solution: &SincSolution,
+        share: f64,
+        local: [f64; 2],
+        edges: &[Edge],
+    ) -> Change {
+        let system = &self.system;
+        let state = system.changes(&system.direction(solution, 1.0, local));
+        let Known { base, layer, displacement, peak, noise: of_layer, .. } = self.known;
+        let place = place(&system.panels, &system.hull, *peak);
+        let given = -share * displacement(*peak) + local[0] - local[1] * place.position;
+        let slope = base.layer.slope(layer(*peak));
+        let pressure = slope * solution.evaluate_place(place, given);
+        let rounded = rounding(solution);
+        // An image on the other side of the axis moves along.
+        let sides = if base.medium.is_disk() { 2.0 } else { 1.0 };
+        let (mut width, mut noise) = (0.0, 0.0);
+        for Edge { node, slope, noise: of_slope } in edges {
+            let moved = -sides * solution.values()[*node] / slope;
+            width += moved;
+            noise += (sides * rounded + moved.abs() * (of_slope + of_layer)) / slope.abs();
+        }
+        Change {
+            rates: [state.settlement, state.force, state.tilt, pressure, width],
+            noise: [0.0, 0.0, 0.0, slope * rounded, noise],
+        }
+    }
+
+    /// The free edges.
+    fn edges(&self) -> Result<Vec<Edge>, Error> {
+        let Known { base, zones, .. } = self.known;
+        let free: Vec<(usize, usize)> = (0..zones.len())
+            .flat_map(|zone| [(zone, 0), (zone, 1)])
+            .filter(|&(zone, side)| zones[zone].ends[side].is_free)
+            .filter(|&(zone, side)| !base.is_axis(zones[zone].ends[side].at))
+            .collect();
+        if free.is_empty() {
+            return Ok(Vec::new());
+        }
+        let system = &self.system;
+        let pressures: Vec<f64> = self.layer.iter().map(|v| base.layer.pressure(*v)).collect();
+        let nothing = vec![0.0; pressures.len()];
+        let solution = system.operator.response(system.parameter(), &nothing, &pressures)?;
+        let measure = system.medium.measure(&system.hull);
+        let masses: Vec<f64> = solution.node_masses().iter().map(|mass| measure * mass).collect();
+        let count = system.panel_count();
+        Ok(free
+            .into_iter()
+            .map(|(zone, side)| {
+                let node = end_node(&system.panels, count, zone, side);
+                let (slope, noise) = self.layer_slope(zones[zone].ends[side].at, &masses);
+                Edge { node, slope: if side == 0 { -slope } else { slope }, noise }
+            })
+            .collect())
+    }
+
+    /// `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm` at a free edge, where the pressure vanishes, and its rounding.
+    fn layer_slope(&self, edge: f64, masses: &[f64]) -> (f64, f64) {
+        let Known { base, tilt, .. } = self.known;
+        let frame = base.problem.frame();
+        let scale = frame.scaling().map_or(1.0, Scaling::displacement);
+        let profile = base.problem.profile().slope(base.on_base(edge), frame.half_width());
+        let profile = profile.unwrap_or(f64::NAN) / scale;
+        let (mut body, mut size) = (0.0, tilt.abs() + profile.abs());
+        for (&xi, mass) in self.system.positions.iter().zip(masses) {
+            let part = self.system.strength() * mass * kernel_slope(&base.medium, edge, xi);
+            body += part;
+            size += part.abs();
+        }
+        (-tilt - profile - body, ROUNDING * size)
+    }
+}
+
+/// `dK/dxi` for different points.
+fn kernel_slope(medium: &Medium, xi: f64, eta: f64) -> f64 {
+    let difference = xi - eta;
+    if difference == 0.0 {
+        return 0.0;
+    }
+    let step = STEP * difference.abs();
+    match medium {
+        Medium::Disk { kernel } if xi + step != xi && xi > 2.0 * step => {
+            let at = |k: f64| {
+                let moved = (difference + k * step).abs();
+                kernel.pair(xi + k * step, eta, moved).value
+            };
+            (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * step)
+        }
+        _ => medium.reduced_slope(xi, eta) / difference,
+    }
+}

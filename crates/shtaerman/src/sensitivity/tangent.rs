@@ -1,0 +1,152 @@
+//! Sensitivities by the linearised equation.
+//!
+//! Without dimensions a contact depends on `theta0`, the load and the profile. Its equations keep their form when pressures are scaled by `c`, displacements by
+//! `c^kappa` and `theta0` by `c^(kappa-1)`, so that derivatives by the scale of the profile follow, and with them those by all units: with `D q` the derivative
+//! by `ln theta0` under the same dimensionless load
+//!
+//! `dq/d ln E = -s D q`, `dq/d ln B = (F q - w q - D q)/kappa`,
+//!
+//! `s = -d ln theta/d ln E`, 1 for a rigid punch, `F q` the sum of the derivatives by the logarithms of the prescribed force and moment, `w` 1 for pressures,
+//! forces and moments, 0 for displacements and lengths.
+
+use super::{Derivatives, QUANTITIES, Sensitivities, Values, values};
+use crate::contact::{Linearised, Rates};
+use crate::{Contact, Frame, Rotational, Roughness, Scaling, Vertical};
+
+/// Force and pressure among the quantities followed.
+const FORCE: usize = 1;
+const PRESSURE: usize = 3;
+
+impl Contact {
+    /// The [sensitivities](Self::sensitivities) by the linearised equation alone, for little more than a step of Newton's method; `None` where only
+    /// differences of solutions tell: on cells and by the expansion about the smooth limit.
+    #[must_use]
+    pub fn tangent_sensitivities(&self) -> Option<Sensitivities> {
+        let found = self.linearised()?;
+        let units = Units::new(self);
+        let mut derivatives = [Derivatives::default(); QUANTITIES];
+        // No derivative is known better than the solution.
+        let floor = self.known_to();
+        let values = values(self);
+        for (k, slot) in derivatives.iter_mut().enumerate() {
+            units.fill(slot, k, &found, values[k], floor);
+        }
+        let sensitivities = Sensitivities::assembled(self, derivatives);
+        sensitivities.is_finite().then_some(sensitivities)
+    }
+}
+
+/// A derivative and its estimated error.
+type Estimated = [f64; 2];
+
+/// What a contact is measured in.
+struct Units<'c> {
+    contact: &'c Contact,
+    scaling: Option<&'c Scaling>,
+    quantities: Values,
+}
+
+impl<'c> Units<'c> {
+    fn new(contact: &'c Contact) -> Self {
+        let scaling = contact.problem().frame().scaling();
+        let units: [fn(&Scaling) -> f64; QUANTITIES] = [
+            Scaling::displacement,
+            Scaling::force,
+            Scaling::angle,
+            Scaling::pressure,
+            Scaling::half_width,
+        ];
+        Self { contact, scaling, quantities: units.map(|unit| scaling.map_or(1.0, unit)) }
+    }
+
+    /// The derivatives of a quantity by all parameters.
+    fn fill(&self, slot: &mut Derivatives, k: usize, found: &Linearised, value: f64, floor: f64) {
+        let load = self.contact.problem().load();
+        let unit = self.quantities[k];
+        let body = [unit * found.rates[0][k], unit * found.errors[0][k]];
+        let mut elasticities: Vec<Estimated> = Vec::new();
+        let vertical =
+            |scale: f64| [found.rates[1][k], found.errors[1][k]].map(|part| unit / scale * part);
+        let at = match load.vertical {
+            Vertical::Force(force) => {
+                let by = vertical(self.scale(Scaling::force));
+                slot.force = Some(by[0]);
+                by.map(|part| part * force)
+            }
+            Vertical::Settlement(settlement) => {
+                let by = vertical(self.scale(Scaling::displacement));
+                slot.settlement = Some(by[0]);
+                by.map(|part| part * settlement)
+            }
+        };
+        elasticities.push(at);
+        match self.contact.problem().frame() {
+            Frame::Dimensionless { theta0, .. } if *theta0 > 0.0 => {
+                slot.theta0 = Some(body[0] / theta0);
+                elasticities.push(body);
+            }
+            Frame::Dimensionless { .. } => {}
+            Frame::Physical { foundation, scaling, .. } => {
+                let share = scaling.contact_modulus() / foundation.plane_strain_modulus();
+                slot.young_modulus = Some(-share * body[0] / scaling.pressure());
+                elasticities.push(body.map(|part| share * part));
+                if let Some((coefficient, exponent)) = law(scaling.roughness()) {
+                    let layer = self.by_layer(k, found, value, body, exponent);
+                    slot.roughness = Some(layer[0] / coefficient);
+                    elasticities.push(layer);
+                }
+            }
+        }
+        let size = (elasticities.iter())
+            .fold(value.abs(), |most, [rate, _]| most.max(rate.abs()))
+            .max(f64::MIN_POSITIVE);
+        let error = elasticities.iter().fold(0.0f64, |most, [_, error]| most.max(error.abs()));
+        slot.error = (error / size).max(floor);
+    }
+
+    /// By the logarithm of the coefficient of the layer.
+    fn by_layer(
+        &self,
+        k: usize,
+        found: &Linearised,
+        value: f64,
+        body: Estimated,
+        exponent: f64,
+    ) -> Estimated {
+        let [vertical, rotational] = self.forces();
+        let of = |rates: &[Rates; 3]| vertical * rates[1][k] + rotational * rates[2][k];
+        let sizes = found.errors.map(|rates| rates.map(f64::abs));
+        let unit = self.quantities[k];
+        let own = if k == FORCE || k == PRESSURE { value } else { 0.0 };
+        let error =
+            unit * (vertical.abs() * sizes[1][k] + rotational.abs() * sizes[2][k]) + body[1].abs();
+        [(unit * of(&found.rates) - own - body[0]) / exponent, error / exponent]
+    }
+
+    /// The prescribed force and moment without dimensions; 0 for what else is prescribed.
+    fn forces(&self) -> [f64; 2] {
+        let load = self.contact.problem().dimensionless_load();
+        let vertical = match load.vertical {
+            Vertical::Force(force) => force,
+            Vertical::Settlement(_) => 0.0,
+        };
+        let rotational = match load.rotational {
+            Rotational::Moment(moment) => moment,
+            Rotational::Eccentricity(_) | Rotational::Tilt(_) => 0.0,
+        };
+        [vertical, rotational]
+    }
+
+    fn scale(&self, unit: impl Fn(&Scaling) -> f64) -> f64 {
+        self.scaling.map_or(1.0, unit)
+    }
+}
+
+/// `B` and `kappa`; none for a smooth surface.
+fn law(roughness: Roughness) -> Option<(f64, f64)> {
+    match roughness {
+        Roughness::Smooth => None,
+        Roughness::Linear { compliance } => Some((compliance, 1.0)),
+        Roughness::Power { coefficient, exponent } => Some((coefficient, exponent)),
+    }
+}

@@ -1,0 +1,10 @@
+//! Smooth punches on graded ground against closed forms, the kernel itself, limits, and the rough problem.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
+mod disk;
+mod limits;
+mod plane;
+mod refusals;
+mod stated;
+mod support;

@@ -1,0 +1,59 @@
+//! What is refused, with a true reason.
+
+use shtaerman::{Error, Geometry, Rotational, Solver, Vertical};
+
+use crate::support::Case;
+
+const LEVEL: Rotational = Rotational::Moment(0.0);
+
+#[test]
+fn loads_that_no_pressure_balances() {
+    for geometry in [Geometry::Plane, Geometry::Circular] {
+        let case = Case { geometry, half_width: 0.2, ..Case::plane(0.3) };
+        for force in [0.0, -2.0] {
+            let error = case.attempt("x^2", Vertical::Force(force), LEVEL).unwrap_err();
+            assert!(
+                matches!(error, Error::InvalidValue { field: "force", value, .. } if value == force),
+                "{error}"
+            );
+        }
+        let error = case.attempt("x^2", Vertical::Settlement(-1.0), LEVEL).unwrap_err();
+        assert!(matches!(error, Error::NoContact), "{error}");
+    }
+    let case = Case { half_width: 0.2, ..Case::plane(0.3) };
+    let error = case.attempt("0", Vertical::Force(5.0), Rotational::Moment(1.1)).unwrap_err();
+    assert!(
+        matches!(error, Error::TipsOver { field: "moment", value, limit, .. } if value == 1.1 && limit == 1.0),
+        "{error}"
+    );
+    let disk = Case { geometry: Geometry::Circular, ..case };
+    let error = disk.attempt("0", Vertical::Force(5.0), Rotational::Moment(0.9)).unwrap_err();
+    // P a/(3 + mu)
+    assert!(
+        matches!(error, Error::LiftsOff { limit, .. } if (limit * 3.3 - 1.0).abs() < 1e-9),
+        "{error}"
+    );
+}
+
+#[test]
+fn contacts_in_several_zones() {
+    let case = Case { half_width: 0.5, ..Case::plane(0.3) };
+    for profile in ["cos(12*x)", "(x^2 - 0.04)^2"] {
+        let error = case.attempt(profile, Vertical::Force(1e-4), LEVEL).unwrap_err();
+        assert!(
+            matches!(error, Error::SeveralZones { variable: "x", at, .. } if at.abs() < 0.5),
+            "{error}"
+        );
+    }
+    let pair = Case { geometry: Geometry::Pair { inner_half_gap: 0.1 }, ..case };
+    for solver in [Solver::default(), Solver::bilateral()] {
+        let pair = Case { solver, ..pair };
+        let error = pair.attempt("0", Vertical::Force(1.0), LEVEL).unwrap_err();
+        assert!(matches!(error, Error::SeveralZones { .. }), "{error}");
+    }
+    // Pressed hard enough the waves are flat: one zone.
+    assert!(case.attempt("1e-3*cos(12*x)", Vertical::Force(1.0), LEVEL).is_ok());
+    let ring = Case { geometry: Geometry::Circular, ..case };
+    let error = ring.attempt("(x^2 - 0.04)^2", Vertical::Force(1e-4), LEVEL).unwrap_err();
+    assert!(matches!(error, Error::Rings { .. }), "{error}");
+}
