@@ -127,10 +127,10 @@ pub enum Error {
         limit: f64,
     },
 
-    /// The contact of a smooth circular punch is no disk.
+    /// The contact of a smooth circular punch is no single disk, and there is a moment or a tilt, or the ground is graded.
     #[error(
-        "the contact is no single disk: {found} at {variable} = {at}; on a smooth surface a circular punch is solved for one disk of contact only, rings with a \
-         layer: give a small roughness instead of 0, or contact = \"bilateral\" to keep the full base in contact"
+        "the contact is no single disk: {found} at {variable} = {at}; on a smooth surface a circular punch with a moment or a tilt, or on graded ground, is solved for one disk \
+         of contact only, rings without them: leave out moment and tilt, give a small roughness instead of 0, or keep the full base in contact with contact = \"bilateral\""
     )]
     Rings {
         /// `x` (metres) or `xi`, the distance from the axis.

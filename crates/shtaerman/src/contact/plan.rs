@@ -82,7 +82,7 @@ impl Problem {
             return self.draw_up(Arc::new(self.solve_smooth()?));
         }
         if self.is_smooth_disk() {
-            return self.draw_up(Arc::new(self.solve_smooth_disk()?));
+            return self.draw_up(self.solve_smooth_disk()?);
         }
         let grading = self.frame().grading().filter(|_| self.frame().law() == Law::Smooth);
         if let Some(grading) = grading {
