@@ -168,13 +168,11 @@ pub enum Error {
     },
 
     /// No zones of contact were found on which pressure and gap have their signs.
-    #[error(
-        "the zones of contact were not found: the best attempt has a tension of {tension:.1e} and a penetration of {penetration:.1e} of their scales"
-    )]
+    #[error("the zones of contact were not found: {}", attempt(*tension, *penetration))]
     NotComplementary {
-        /// Largest tension over the largest pressure.
+        /// Largest tension over the largest pressure; NaN where no attempt came to an end.
         tension: f64,
-        /// Largest penetration over the size of the displacements.
+        /// Largest penetration over the size of the displacements; NaN likewise.
         penetration: f64,
     },
 
@@ -284,6 +282,16 @@ pub enum Error {
     /// The integral equation could not be solved.
     #[error(transparent)]
     Equation(fredholm::Error),
+}
+
+/// How far the search for zones came.
+fn attempt(tension: f64, penetration: f64) -> String {
+    if tension.is_nan() {
+        return "no attempt came to an end; of zones far smaller than the base its heights have too few digits".to_owned();
+    }
+    format!(
+        "the best attempt has a tension of {tension:.1e} and a penetration of {penetration:.1e} of their scales"
+    )
 }
 
 impl Error {

@@ -123,8 +123,7 @@ struct OnRing<'b, 'p> {
 impl OnRing<'_, '_> {
     /// The radius, at a step on this side of it.
     fn radius(&self, angle: f64) -> f64 {
-        let Zone { ends: [left, right], .. } = self.ring.zone;
-        self.ring.spot(angle).radius.clamp(left.next_up(), right.next_down())
+        self.ring.zone.inside(self.ring.spot(angle).radius)
     }
 }
 
