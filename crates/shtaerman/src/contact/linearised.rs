@@ -1,7 +1,6 @@
 //! How a solution changes to first order with the body and the load.
 
 use super::solved::Stiffness;
-use crate::roughness::Law;
 use crate::{Contact, Load, Rotational, Vertical};
 
 /// Rates of settlement, force, tilt, largest pressure and width of contact, without dimensions.
@@ -43,29 +42,8 @@ const LONGEST: f64 = 0.02;
 /// Corrections of the place, and the share of a rate there by which it may miss what the place has in error.
 const CORRECTIONS: usize = 2;
 const MISSED: f64 = 1e-10;
-/// Offset at which the slopes beside a breakpoint are compared.
-const BESIDE: f64 = 1e-9;
-/// A peak this close to a kink of the base lies on it.
-const AT_KINK: f64 = 1e-5;
-/// Change of a slope, relative to it, that makes a kink.
-const BENT: f64 = 1e-5;
 
 impl Contact {
-    /// Whether the largest pressure is finite: on a smooth surface that under a kink of the base is not, though none of its samples show it.
-    pub(crate) fn has_peak(&self) -> bool {
-        let (value, peak) = self.peak_pressure0();
-        let frame = self.problem().frame();
-        let (profile, half_width) = (self.problem().profile(), frame.half_width());
-        let bends = |at: f64| {
-            let beside = [at - BESIDE, at + BESIDE].map(|xi| profile.slope(xi, half_width));
-            matches!(beside, [Some(left), Some(right)]
-                if (right - left).abs() > BENT * (right.abs() + left.abs()))
-        };
-        let breaks = profile.breakpoints(half_width);
-        let under_kink = breaks.iter().any(|at| (at - peak).abs() < AT_KINK && bends(*at));
-        value.is_finite() && !(frame.law() == Law::Smooth && under_kink)
-    }
-
     /// Where the pressure is largest: a maximum shows its place to the root of rounding only, its slope all of it. With the error it leaves in a rate.
     fn peak_place(&self) -> (f64, f64) {
         let (_, start) = self.peak_pressure0();

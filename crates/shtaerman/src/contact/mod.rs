@@ -9,6 +9,7 @@ mod cross_check;
 mod draft;
 mod extremes;
 mod intensity;
+mod kinks;
 mod linearised;
 mod nearly_smooth;
 mod plan;

@@ -151,6 +151,7 @@ impl Problem {
         let mut contact = Contact::new(self, solution, reason)?;
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
         contact.warn(Warning::singular_edge(self.frame(), &contact.singular_corners()));
+        contact.warn(Warning::singular_kink(self.frame(), contact.kinks()));
         if self.solver().tolerance.is_none() && reached > AIM {
             contact.warn(Some(Warning::tolerance_not_met(AIM, reached)));
         }

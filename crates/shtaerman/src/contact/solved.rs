@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::accuracy::Accuracy;
 use super::draft::Draft;
 use super::extremes::{Extreme, Sampled};
+use super::kinks::{Kink, kinks};
 use super::solution::Solution;
 use super::unilateral::Complementarity;
 use super::warning::Warning;
@@ -51,6 +52,7 @@ pub struct Contact {
     /// Whether tilt and moment are zero, by symmetry or because a wave has none.
     is_level: bool,
     peak: (f64, f64),
+    kinks: Vec<Kink>,
     tension: Vec<[f64; 2]>,
     warnings: Vec<Warning>,
 }
@@ -64,10 +66,11 @@ impl Contact {
     ) -> Result<Self, Error> {
         let mut contact = Self {
             problem: problem.clone(),
-            solution,
             reason,
             is_level: problem.is_symmetric() || problem.is_wave(),
             peak: (0.0, 0.0),
+            kinks: kinks(problem, &solution.zones()),
+            solution,
             tension: Vec::new(),
             warnings: Vec::new(),
         };
@@ -87,10 +90,16 @@ impl Contact {
         Ok(contact)
     }
 
-    /// The first end of a zone where the pressure is infinite.
+    /// The first end of a zone or kink where the pressure is infinite.
     fn singular_peak(&self) -> Option<(f64, f64)> {
-        let ends = self.edges0().into_iter().flatten();
-        ends.map(|xi| (self.pressure0(xi), xi)).find(|(p, _)| *p == f64::INFINITY)
+        let kinks = self.kinks.iter().map(|kink| kink.xi);
+        let places = self.edges0().into_iter().flatten().chain(kinks);
+        places.map(|xi| (self.pressure0(xi), xi)).find(|(p, _)| *p == f64::INFINITY)
+    }
+
+    /// Where on a smooth surface the pressure is infinite under the base.
+    pub(super) fn kinks(&self) -> &[Kink] {
+        &self.kinks
     }
 
     /// The problem solved.
@@ -129,11 +138,13 @@ impl Contact {
         if self.is_level { 0.0 } else { self.solution.state().tilt }
     }
 
-    /// `p0(xi)` for `xi` in `[-1, 1]`, on the full base (3.1); 0 outside the zones of a unilateral contact and at their free edges.
+    /// `p0(xi)` for `xi` in `[-1, 1]`, on the full base (3.1); 0 outside the zones of a unilateral contact and at their free edges. On a smooth surface
+    /// infinite at corners and under kinks of the base, negative where that is hollow.
     /// Points beyond the punch count as the nearer edge, NaN stays.
     #[must_use]
     pub fn pressure0(&self, xi: f64) -> f64 {
-        self.solution.pressure(&self.problem, xi.clamp(-1.0, 1.0))
+        let xi = xi.clamp(-1.0, 1.0);
+        self.singular_pressure(xi).unwrap_or_else(|| self.solution.pressure(&self.problem, xi))
     }
 
     /// Force per unit length `P` (N/m); where it is prescribed, as given.
@@ -193,6 +204,9 @@ impl Contact {
             *place = self.on_base(*place)?;
         }
         let mut pressures = self.solution.pressures(&self.problem, &on_base);
+        for (pressure, xi) in pressures.iter_mut().zip(&on_base) {
+            *pressure = self.singular_pressure(*xi).unwrap_or(*pressure);
+        }
         let scale = self.scale(Scaling::pressure);
         pressures.iter_mut().for_each(|p| *p *= scale);
         Ok(pressures)

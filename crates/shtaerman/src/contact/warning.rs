@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::kinks::Kink;
 use crate::Frame;
 use crate::quantity::{Dimension, DisplayUnit, engineering};
 
@@ -20,6 +21,8 @@ pub enum WarningCode {
     ToleranceNotMet,
     /// Smooth surface: the pressure is infinite at a corner.
     SingularEdge,
+    /// Smooth surface: the pressure is infinite under a kink of the base.
+    SingularKink,
     /// The kernel of an equation is not square-summable.
     NotSquareSummable,
     /// The integral of the solution of an equation does not exist.
@@ -42,21 +45,24 @@ const MOST_PLACES: usize = 6;
 /// A coordinate below this, in half-widths, is a rounded zero.
 const NEGLIGIBLE: f64 = 1e-9;
 
+/// A coordinate in the units of the problem.
+fn position(frame: &Frame, xi: f64) -> String {
+    if xi.abs() < NEGLIGIBLE {
+        return "0".to_owned();
+    }
+    match frame.scaling() {
+        Some(scaling) => engineering(xi * scaling.half_width(), Dimension::LENGTH),
+        None => engineering(xi, Dimension::NONE),
+    }
+}
+
 impl Warning {
     /// The pressure is negative on these intervals of `xi`; none if there are none.
     pub(super) fn negative_pressure(frame: &Frame, tension: &[[f64; 2]]) -> Option<Self> {
         if tension.is_empty() {
             return None;
         }
-        let shown = |xi: f64| {
-            if xi.abs() < NEGLIGIBLE {
-                return "0".to_owned();
-            }
-            match frame.scaling() {
-                Some(scaling) => engineering(xi * scaling.half_width(), Dimension::LENGTH),
-                None => engineering(xi, Dimension::NONE),
-            }
-        };
+        let shown = |xi: f64| position(frame, xi);
         let variable = frame.coordinate();
         let mut places: Vec<String> = (tension.iter().take(MOST_PLACES))
             .map(|[left, right]| format!("{variable} = {} to {}", shown(*left), shown(*right)))
@@ -99,6 +105,24 @@ impl Warning {
             places.join(" and ")
         );
         Some(Self { code: WarningCode::SingularEdge, message })
+    }
+
+    /// The pressure is infinite under these kinks; none if there are none.
+    pub(super) fn singular_kink(frame: &Frame, kinks: &[Kink]) -> Option<Self> {
+        if kinks.is_empty() {
+            return None;
+        }
+        let mut places: Vec<String> = (kinks.iter().take(MOST_PLACES))
+            .map(|kink| format!("{} = {}", frame.coordinate(), position(frame, kink.xi)))
+            .collect();
+        if let Some(more) = kinks.len().checked_sub(MOST_PLACES).filter(|more| *more > 0) {
+            places.push(format!("{more} more places"));
+        }
+        let message = format!(
+            "the pressure of a smooth surface is infinite under the kink of the base at {}, as the logarithm of the distance: a roughness or a radius there makes it finite",
+            places.join(" and ")
+        );
+        Some(Self { code: WarningCode::SingularKink, message })
     }
 
     /// The expansion of the profile is off by `error`, relative to its largest value.

@@ -51,7 +51,7 @@ impl Sensitivities {
             settlement: by_force.then_some(settlement),
             force: (!by_force).then_some(force),
             tilt: (!by_tilt).then_some(tilt),
-            pressure_max: contact.has_peak().then_some(pressure_max),
+            pressure_max: contact.peak_pressure0().0.is_finite().then_some(pressure_max),
             contact_width,
         }
     }
