@@ -29,6 +29,49 @@ fn a_smooth_flat_punch_has_singular_edges() {
 }
 
 #[test]
+fn the_pressure_under_a_kink_of_a_smooth_punch_is_infinite() {
+    let text =
+        UNILATERAL.replace("\"1.2e-14 m/Pa\"", "0").replace("moment = \"100 N\"", "moment = 0");
+    let wedge = Folder::with(&text.replace("x^2 / (2*20)", "1e-3*abs(x)"));
+    let json = wedge.run(&["solve", "punch.toml", "--format", "json", "--at", "0,1 um"]).json();
+    assert!(
+        json["physical"]["pressure_mid"].is_null() && json["physical"]["pressure_max"].is_null()
+    );
+    assert!(json["physical"]["pressure_max_at"].as_f64().unwrap().abs() < 1e-15);
+    assert!(json["pressure"]["p"][0].is_null());
+    assert_eq!(json["warnings"][0]["code"], "singular_kink");
+    // p = (E* t/pi) arccosh(c/|x|), P = c E* t
+    let modulus = 200e9 / (1.0 - 0.09);
+    let c = 0.8e6 / (modulus * 1e-3);
+    near(&json["pressure"]["p"][1], modulus * 1e-3 / PI * (c / 1e-6).acosh(), 1e-9);
+    let table = wedge.run(&["solve", "punch.toml"]).answer();
+    assert!(table.contains("infinite"), "{table}");
+    // A breakpoint without a jump of the slope is no kink, and a layer takes the infinity.
+    let round = Folder::with(&text.replace("x^2 / (2*20)", "0.01*abs(x)^1.5"));
+    let rough = wedge.run(&[
+        "solve",
+        "punch.toml",
+        "--set",
+        "foundation.roughness=1e-13",
+        "--format",
+        "json",
+    ]);
+    for json in [round.run(&["solve", "punch.toml", "--format", "json"]).json(), rough.json()] {
+        assert!(json["physical"]["pressure_mid"].as_f64().unwrap() > 0.0, "{json}");
+        let warnings = json["warnings"].as_array().unwrap();
+        assert!(warnings.iter().all(|warning| warning["code"] != "singular_kink"));
+    }
+    // Hollow under a bilateral contact: minus infinity beside the truth that it pulls there.
+    let hollow = text.replace("x^2 / (2*20)", "-1e-3*abs(x)");
+    let hollow = Folder::with(&format!("{hollow}[solver]\ncontact = \"bilateral\"\n"));
+    let json = hollow.run(&["solve", "punch.toml", "--format", "json"]).json();
+    let codes: Vec<&str> = (json["warnings"].as_array().unwrap().iter())
+        .filter_map(|warning| warning["code"].as_str())
+        .collect();
+    assert!(codes.contains(&"singular_kink") && codes.contains(&"negative_pressure"), "{codes:?}");
+}
+
+#[test]
 fn hertz_by_the_command() {
     // Cylinder of 0.1 m: a_H^2 = 4 P R/(pi E*), p0 = 2 P/(pi a_H).
     let text = UNILATERAL

@@ -45,8 +45,11 @@ fn jump(problem: &Problem, xi: f64) -> Option<f64> {
 }
 
 impl Contact {
-    /// The pressure at `xi` if that is a kink where it is infinite.
+    /// The pressure at `xi` if that is, to rounding, a kink where it is infinite.
     pub(super) fn singular_pressure(&self, xi: f64) -> Option<f64> {
-        self.kinks().iter().find(|kink| kink.xi == xi).map(|kink| kink.pressure)
+        self.kinks()
+            .iter()
+            .find(|kink| (kink.xi - xi).abs() <= f64::EPSILON)
+            .map(|kink| kink.pressure)
     }
 }
