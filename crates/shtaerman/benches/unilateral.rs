@@ -6,7 +6,9 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use shtaerman::{Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{
+    Elastic, Frame, Geometry, Grading, Load, Problem, Profile, Rotational, Solver, Vertical,
+};
 
 fn main() {
     println!("{:<58} {:>12}", "one thread, best of many", "milliseconds");
@@ -16,6 +18,9 @@ fn main() {
     let theta0 = 8.0 / std::f64::consts::PI;
     let parabola = format!("{}*xi^2", 32.0 * theta0);
     let wedge = format!("{}*abs(xi)", 4.0 * theta0);
+    if std::env::args().any(|a| a == "only-graded") {
+        return smooth_graded();
+    }
     time("parabola, chi E*/a_H = 1", &expression(theta0, &parabola, centric));
     let eccentric = Load::new(force, Rotational::Eccentricity(0.6)).unwrap();
     time("flat punch, eccentricity 0.6, theta0 = 30", &problem(30.0, Profile::flat(), eccentric));
@@ -24,6 +29,7 @@ fn main() {
     time("general profile, theta0 = 2.5", &expression(theta0, &general, centric));
     rough_elsewhere(theta0, &parabola);
     smooth();
+    smooth_graded();
     let waves = format!("{}*(xi^2 + 0.2*cos(14*xi))", 2.0 * theta0);
     time("waves, several zones, theta0 = 2.5", &expression(theta0, &waves, centric));
     let load = Load::new(force, Rotational::Moment(0.2)).unwrap();
@@ -66,6 +72,24 @@ fn smooth() {
     solve("smooth general profile", plane, "x^2 + 0.3*x^4 + 0.2*sin(x)", 0.3, 0.0);
     solve("smooth circular parabola", Geometry::Circular, "x^2", 0.4, 0.0);
     solve("smooth wave", Geometry::Periodic { period: 2.0 }, "-0.1*cos(pi*x)", 0.1, 0.0);
+}
+
+/// Smooth surfaces on graded ground, `E = y^0.3`, `a = 1`.
+fn smooth_graded() {
+    let solve = |name: &str, geometry: Geometry, profile: &str, force: f64, moment: f64| {
+        let grading = Grading::new(0.3, 1.0).unwrap();
+        let frame = Frame::physical_graded(geometry, grading, 0.3, 0.0, 1.0).unwrap();
+        let load = Load::new(Vertical::Force(force), Rotational::Moment(moment)).unwrap();
+        let profile = Profile::expression(profile).unwrap();
+        time(name, &Problem::new(frame, profile, load, Solver::default()).unwrap());
+    };
+    let plane = Geometry::Plane;
+    solve("smooth parabola, graded", plane, "x^2", 0.1, 0.0);
+    solve("smooth wedge, graded", plane, "0.5*abs(x)", 0.05, 0.0);
+    solve("smooth wedge off the middle, graded", plane, "0.5*abs(x - 0.2)", 0.05, 0.0);
+    solve("smooth general profile, graded", plane, "x^2 + 0.3*x^4 + 0.2*sin(x)", 0.1, 0.0);
+    solve("smooth circular parabola, graded", Geometry::Circular, "x^2", 0.1, 0.0);
+    solve("smooth circular cone, graded", Geometry::Circular, "0.5*abs(x)", 0.05, 0.0);
 }
 
 /// Best time of one call.
