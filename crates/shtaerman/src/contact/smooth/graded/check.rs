@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use super::ALLOWED;
 use super::field::{Field, displacement_outside};
 use crate::contact::smooth::check::above;
 use crate::contact::smooth::problem::Base;
 
 /// Points between two bends, and beside a zone, at least and at most.
 const POINTS: usize = 96;
+const POINTS_BESIDE: usize = 48;
 const MOST_POINTS: usize = 1500;
 
 /// What is left of tension and penetration.
@@ -16,6 +16,8 @@ const MOST_POINTS: usize = 1500;
 pub(super) struct Check {
     /// Places in each zone.
     pub(super) places: Vec<Vec<f64>>,
+    /// The pressures there, without the singularity at corners.
+    pub(super) pressures: Vec<Vec<f64>>,
     /// Largest `|p0|` without the singularity at corners.
     pub(super) largest: f64,
     /// Largest tension over that.
@@ -25,31 +27,43 @@ pub(super) struct Check {
     /// Intervals of each that are too large to be rounding.
     pub(super) pulling: Vec<[f64; 2]>,
     pub(super) penetrating: Vec<[f64; 2]>,
+    /// Shares that are rounding.
+    allowed: f64,
 }
 
 impl Check {
-    pub(super) fn new(base: &Base<'_>, fields: &[Field]) -> Self {
+    pub(super) fn new(base: &Base<'_>, fields: &[Field], allowed: f64) -> Self {
         let places: Vec<Vec<f64>> = fields.iter().map(|field| inner(base, field)).collect();
         let pressures: Vec<Vec<f64>> = (fields.iter().zip(&places))
             .map(|(field, places)| {
-                let inside = places.iter().map(|&xi| field.regular(field.place(xi)));
-                let [left, right] = [0, 1].map(|side| field.corner(side));
-                std::iter::once(left).chain(inside).chain(std::iter::once(right)).collect()
+                places.iter().map(|&xi| field.regular(field.place(xi))).collect()
             })
             .collect();
-        let all = pressures.iter().flatten();
+        let corners: Vec<[f64; 2]> =
+            fields.iter().map(|field| [0, 1].map(|side| field.corner(side))).collect();
+        let all = pressures.iter().flatten().chain(corners.as_flattened());
         let largest = all.fold(f64::MIN_POSITIVE, |most, p| most.max(p.abs()));
         let (mut tension, mut pulling) = (0.0, Vec::new());
-        for ((field, inside), pressures) in fields.iter().zip(&places).zip(&pressures) {
-            let [left, right] = field.strip.zone.ends;
-            let points: Vec<f64> =
-                std::iter::once(left).chain(inside.iter().copied()).chain([right]).collect();
-            let pulls: Vec<f64> = pressures.iter().map(|p| -p / largest).collect();
+        for (j, field) in fields.iter().enumerate() {
+            let around =
+                |[first, last]: [f64; 2], inner: &[f64]| [&[first], inner, &[last]].concat();
+            let points = around(field.strip.zone.ends, &places[j]);
+            let mut pulls = around(corners[j], &pressures[j]);
+            pulls.iter_mut().for_each(|p| *p /= -largest);
             tension = worst(tension, &pulls);
-            pulling.extend(above(&points, &pulls, ALLOWED));
+            pulling.extend(above(&points, &pulls, allowed));
         }
-        let mut check =
-            Self { places, largest, tension, penetration: 0.0, pulling, penetrating: Vec::new() };
+        let (penetration, penetrating) = (0.0, Vec::new());
+        let mut check = Self {
+            places,
+            pressures,
+            largest,
+            tension,
+            penetration,
+            pulling,
+            penetrating,
+            allowed,
+        };
         if base.problem.is_unilateral {
             check.look_beside(base, fields);
         }
@@ -61,7 +75,7 @@ impl Check {
         let scale = state.settlement.abs() + state.tilt.abs() + base.range();
         for [from, to] in outside(base, fields) {
             let mut points = vec![from];
-            points.extend(between(from, to, points_of(base, to - from)));
+            points.extend(between(from, to, points_of(base, to - from, POINTS_BESIDE)));
             points.push(to);
             let depths: Vec<f64> = (points.iter())
                 .map(|&xi| {
@@ -72,13 +86,13 @@ impl Check {
             // At the end of a zone, and at a wall, there are two heights.
             let inner = &depths[1..depths.len() - 1];
             self.penetration = worst(self.penetration, inner);
-            self.penetrating.extend(above(&points[1..points.len() - 1], inner, ALLOWED));
+            self.penetrating.extend(above(&points[1..points.len() - 1], inner, self.allowed));
         }
     }
 
     pub(super) fn is_clean(&self) -> bool {
         let shares = [self.tension, self.penetration];
-        shares.into_iter().all(|share| share <= ALLOWED)
+        shares.into_iter().all(|share| share <= self.allowed)
     }
 }
 
@@ -95,7 +109,7 @@ fn inner(base: &Base<'_>, field: &Field) -> Vec<f64> {
     let mut cuts = vec![left];
     cuts.extend(&field.breaks);
     cuts.push(right);
-    let count = if cuts.len() > POINTS { 2 } else { points_of(base, right - left) };
+    let count = if cuts.len() > POINTS { 2 } else { points_of(base, right - left, POINTS) };
     cuts.windows(2).flat_map(|pair| between(pair[0], pair[1], count)).collect()
 }
 
@@ -117,8 +131,8 @@ fn outside(base: &Base<'_>, fields: &[Field]) -> Vec<[f64; 2]> {
 }
 
 /// Enough for the valleys of the profile.
-fn points_of(base: &Base<'_>, length: f64) -> usize {
-    ((length * base.cells() as f64) as usize).clamp(POINTS, MOST_POINTS)
+fn points_of(base: &Base<'_>, length: f64, least: usize) -> usize {
+    ((length * base.cells() as f64) as usize).clamp(least, MOST_POINTS)
 }
 
 /// Points between two places, closer to them.

@@ -30,7 +30,7 @@ pub(super) struct Field {
 }
 
 impl Field {
-    pub(super) fn new(base: &Base<'_>, ground: &Ground, settled: Settled) -> Self {
+    pub(super) fn new(base: &Base<'_>, ground: &Ground, settled: &Settled) -> Self {
         let strip = settled.strip;
         let half = strip.half();
         let density =
@@ -39,7 +39,7 @@ impl Field {
         let transforms = shapes.map(|shape| Transform::new(&shape, half));
         let rises = |transforms: &[Transform; 2]| {
             let ends = transforms.each_ref().map(Transform::end_slope);
-            edges::with_others(ground, &settled, ends)
+            edges::with_others(ground, settled, ends)
         };
         let slopes = rises(&transforms);
         let other = rises(&transforms.each_ref().map(Transform::truncated));
@@ -48,7 +48,6 @@ impl Field {
         let inside = |at: &f64| left < *at && *at < right;
         let breaks = base.problem.profile.breaks.iter().copied().filter(inside).collect();
         let densities = [density(0), density(1)];
-        let Settled { ripple, flat, middle, .. } = settled;
         Self {
             strip,
             ground: ground.clone(),
@@ -56,9 +55,9 @@ impl Field {
             densities,
             slopes,
             slope_errors: [0, 1].map(|side| (slopes[side] - other[side]).abs() + rounding),
-            ripple,
-            flat,
-            middle,
+            ripple: settled.ripple.clone(),
+            flat: settled.flat.clone(),
+            middle: settled.middle,
             breaks,
         }
     }
@@ -138,9 +137,12 @@ impl Field {
 
     /// `p0` without its singularity at corners.
     pub(super) fn regular(&self, place: Place) -> f64 {
-        let factor =
-            if self.densities == [0.0; 2] { 1.0 } else { self.taper(place) / self.whole_taper() };
-        factor * self.pressure(place)
+        self.regular_share(place) * self.pressure(place)
+    }
+
+    /// What that is of `p0`.
+    pub(super) fn regular_share(&self, place: Place) -> f64 {
+        if self.densities == [0.0; 2] { 1.0 } else { self.taper(place) / self.whole_taper() }
     }
 
     /// `lim (1 - s^2/b^2)^beta p0` at an end.

@@ -30,8 +30,9 @@ use super::zones::{Zone, corrected};
 const TOPOLOGIES: u32 = 2;
 /// Corrections of the topology by the check, for each number of cells.
 const CORRECTIONS: usize = 16;
-/// Tension and penetration, relative to their scales, that are rounding.
+/// Tension and penetration, relative to their scales, that are rounding, and that of transforms not resolved.
 const ALLOWED: f64 = 2e-10;
+const COARSELY_ALLOWED: f64 = 1e-6;
 
 /// Solved zones with what is left of complementarity.
 #[derive(Debug)]
@@ -43,11 +44,26 @@ struct Solved {
 }
 
 impl Solved {
-    fn new(base: &Base<'_>, ground: &Ground, settled: Vec<Settled>) -> Self {
+    fn new(base: &Base<'_>, ground: &Ground, settled: &[Settled]) -> Self {
+        Self::allowed(base, ground, settled, ALLOWED)
+    }
+
+    fn allowed(base: &Base<'_>, ground: &Ground, settled: &[Settled], allowed: f64) -> Self {
         let fields: Vec<Field> =
-            settled.into_iter().map(|settled| Field::new(base, ground, settled)).collect();
-        let left = Check::new(base, &fields);
+            settled.iter().map(|settled| Field::new(base, ground, settled)).collect();
+        let left = Check::new(base, &fields, allowed);
         Self { fields, left, tolerance: base.problem.profile.tolerance }
+    }
+
+    /// The same unless less of its transforms shows tension or penetration already: those of a base with kinks take long.
+    fn checked(base: &Base<'_>, ground: &Ground, settled: &[Settled]) -> Self {
+        if !base.problem.profile.breaks.is_empty() {
+            let coarse = Self::allowed(base, &ground.coarse(), settled, COARSELY_ALLOWED);
+            if !coarse.left.is_clean() {
+                return coarse;
+            }
+        }
+        Self::new(base, ground, settled)
     }
 }
 
@@ -61,11 +77,11 @@ fn solve(problem: &SmoothProblem, exponent: f64) -> Result<Solved, Error> {
     let ground = Ground::new(exponent, problem.theta0)?;
     let pieces = base.pieces();
     if !problem.is_unilateral {
-        return Ok(Solved::new(&base, &ground, fixed(&base, &ground, &pieces)?));
+        return Ok(Solved::new(&base, &ground, &fixed(&base, &ground, &pieces)?));
     }
     // What passes the check is the answer, from wherever it was found: most need no cells.
     if let Ok(settled) = edges::settle(&base, &ground, &pieces) {
-        let solved = Solved::new(&base, &ground, settled);
+        let solved = Solved::checked(&base, &ground, &settled);
         if solved.left.is_clean() {
             return Ok(solved);
         }
@@ -89,7 +105,7 @@ fn from_cells(base: &Base<'_>, ground: &Ground, power: u32) -> Result<Solved, Er
             break;
         }
         let zones: Vec<Zone> = intervals.iter().map(|[from, to]| base.zone(*from, *to)).collect();
-        let solved = Solved::new(base, ground, edges::settle(base, ground, &zones)?);
+        let solved = Solved::checked(base, ground, &edges::settle(base, ground, &zones)?);
         let left = &solved.left;
         if left.is_clean() {
             return Ok(solved);

@@ -17,6 +17,9 @@ use crate::{Error, Problem, Rotational, Vertical};
 /// Rounding of a quantity relative to what is added up in it.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
+/// Every so many places are compared with less of each series.
+const COMPARED: usize = 3;
+
 /// Zones, pressure, settlement, tilt, force and moment of a smooth plane punch on graded ground, without dimensions.
 #[derive(Debug)]
 pub(crate) struct GradedContact {
@@ -88,7 +91,7 @@ struct Known {
 }
 
 /// Of the pressure by leaving out the last coefficients and by the rounding of what is added up in it, which gives that of all others.
-fn known(field: &Field, left: &Check, places: &[f64], [condition, tolerance]: [f64; 2]) -> Known {
+fn known(field: &Field, left: &Check, zone: usize, [condition, tolerance]: [f64; 2]) -> Known {
     let strip = &field.strip;
     let (half, [from, to]) = (strip.half(), strip.zone.ends);
     // The ends are rounded in xi, not in lengths of their zone.
@@ -96,10 +99,10 @@ fn known(field: &Field, left: &Check, places: &[f64], [condition, tolerance]: [f
     let share = condition * ROUNDING * remote + 4.0 * tolerance;
     let density = share * strip.density_scale();
     let other = field.truncated();
-    let differences = places.iter().map(|&xi| {
-        let place = field.place(xi);
-        (field.regular(place) - other.regular(place)).abs()
-    });
+    let places = left.places[zone].iter().zip(&left.pressures[zone]);
+    let differences = places
+        .step_by(COMPARED)
+        .map(|(&xi, pressure)| (pressure - other.regular(field.place(xi))).abs());
     let series = differences.fold(0.0, f64::max);
     let blown = field.transforms[0].slope_rounding() * half
         + field.transforms[1].slope_rounding() * half * half;
@@ -120,8 +123,8 @@ fn estimate(problem: &SmoothProblem, solved: &Solved) -> (Accuracy, f64) {
     let total = fields[0].ground.total();
     // That of a small exponent is nearly the same everywhere, whatever the zone.
     let condition = if fields.len() > 1 { 1.0 + 1.0 / mu } else { 1.0 };
-    let all: Vec<Known> = (fields.iter().zip(&left.places))
-        .map(|(field, places)| known(field, left, places, [condition, *tolerance]))
+    let all: Vec<Known> = (fields.iter().enumerate())
+        .map(|(zone, field)| known(field, left, zone, [condition, *tolerance]))
         .collect();
     let most = |of: fn(&Known) -> f64| all.iter().map(of).fold(0.0, f64::max);
     let State { settlement, tilt, force, moment } = fields[0].strip.state;
@@ -196,15 +199,20 @@ impl Solution for GradedContact {
     }
 
     fn sample(&self, _: &Problem) -> (Vec<f64>, Vec<f64>) {
-        let mut places = self.solved.left.places.concat();
-        for field in self.fields() {
-            places.extend(field.breaks.iter().chain(&field.strip.zone.ends));
+        let left = &self.solved.left;
+        let mut sampled: Vec<(f64, f64)> = Vec::new();
+        let mut others = vec![-1.0, 1.0];
+        for (j, field) in self.fields().iter().enumerate() {
+            let known = left.places[j].iter().zip(&left.pressures[j]);
+            sampled.extend(
+                known.map(|(&xi, &regular)| (xi, regular / field.regular_share(field.place(xi)))),
+            );
+            others.extend(field.breaks.iter().chain(&field.strip.zone.ends));
         }
-        places.extend([-1.0, 1.0]);
-        places.sort_by(f64::total_cmp);
-        places.dedup();
-        let sampled = places.into_iter().map(|xi| (xi, self.pressure0(xi)));
-        sampled.filter(|(_, pressure)| pressure.is_finite()).unzip()
+        sampled.extend(others.into_iter().map(|xi| (xi, self.pressure0(xi))));
+        sampled.sort_by(|one, two| one.0.total_cmp(&two.0));
+        sampled.dedup_by(|next, last| next.0 == last.0);
+        sampled.into_iter().filter(|(_, pressure)| pressure.is_finite()).unzip()
     }
 
     fn method(&self) -> Method {

@@ -24,6 +24,10 @@ use crate::contact::solved::Stiffness;
 
 /// More breakpoints than these do not get panels of their own.
 const MOST_BREAKS: usize = 64;
+/// Accuracy of transforms while zones are looked for.
+const COARSE: f64 = 1e-8;
+/// Share of a place by which it is rounded.
+const SAME: f64 = 16.0 * f64::EPSILON;
 /// Places on either side of the middle that show the size of slopes.
 const SAMPLES: usize = 8;
 
@@ -33,6 +37,8 @@ pub(super) struct Ground {
     pub(super) powers: ground::Ground,
     /// `e`.
     pub(super) modulus: f64,
+    /// To which share transforms are resolved where that of the profile is less.
+    tolerance: f64,
 }
 
 impl Ground {
@@ -40,7 +46,12 @@ impl Ground {
         let powers = ground::Ground::new(exponent)?;
         let response = theta0 * PI / (tgamma(exponent) * (FRAC_PI_2 * exponent).cos());
         let modulus = powers.modulus(response);
-        Ok(Self { powers, modulus })
+        Ok(Self { powers, modulus, tolerance: 0.0 })
+    }
+
+    /// The same with transforms that show no more than where zones are.
+    pub(super) fn coarse(&self) -> Self {
+        Self { tolerance: COARSE, ..self.clone() }
     }
 
     /// `B`.
@@ -77,7 +88,9 @@ impl Halves {
         let inside = |at: &f64| left < *at && *at < right;
         let mut breaks: Vec<f64> = profile.breaks.iter().copied().filter(inside).collect();
         breaks.iter_mut().for_each(|at| *at = (*at - centre).abs());
-        breaks.retain(|r| *r > 0.0);
+        // Where a kink is, is rounded: what lies closer to the middle is there.
+        let rounding = SAME * left.abs().max(right.abs());
+        breaks.retain(|r| *r > rounding);
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
         if breaks.len() > MOST_BREAKS {
@@ -108,7 +121,7 @@ impl Halves {
     fn shape(&self, ground: &Ground, part: Part) -> Shape<'_> {
         let index = usize::from(part == Part::Odd);
         let (slope, noise) = (&self.slopes[index], self.noise);
-        let (breaks, tolerance) = (self.breaks.clone(), self.tolerance);
+        let (breaks, tolerance) = (self.breaks.clone(), self.tolerance.max(ground.tolerance));
         Shape { slope, breaks, tolerance, noise, ground: ground.powers.clone(), part }
     }
 
