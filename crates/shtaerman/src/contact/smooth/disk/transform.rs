@@ -65,8 +65,15 @@ impl Panel {
     /// The derivative of a series blows the rounding of its coefficients up by the square of their number.
     fn slope_rounding(&self) -> f64 {
         let size = self.values.iter().fold(0.0f64, |most, c| most.max(c.abs()));
-        let half = 0.5 * (self.ends[1] - self.ends[0]);
-        4.0 * f64::EPSILON * (ORDER * ORDER) as f64 * size / half
+        self.blown(size)
+    }
+
+    fn length(&self) -> f64 {
+        self.ends[1] - self.ends[0]
+    }
+
+    fn blown(&self, size: f64) -> f64 {
+        8.0 * f64::EPSILON * (self.count * self.count) as f64 * size / self.length()
     }
 }
 
@@ -343,14 +350,16 @@ impl Transform {
         self.segments.iter().map(|segment| segment.volume(&self.ground, level)).sum()
     }
 
-    /// What rounding of `G` makes of `G'` on the longest panels: the derivative of a series blows its coefficients up by the square of their number.
+    /// What rounding of `G` makes of `G'` on the longest panels of each segment.
     pub(in crate::contact::smooth) fn slope_rounding(&self) -> f64 {
         let of = |segment: &Segment| {
-            let halves = segment.panels.iter().map(|panel| 0.5 * (panel.ends[1] - panel.ends[0]));
-            let values = segment.panels.iter().map(|panel| panel.value(panel.ends[1]).abs());
-            let largest = values.fold(0.0, f64::max);
-            let longest = halves.fold(f64::MIN_POSITIVE, f64::max);
-            4.0 * f64::EPSILON * (ORDER * ORDER) as f64 * largest / longest
+            let size = segment
+                .panels
+                .iter()
+                .fold(0.0f64, |most, panel| most.max(panel.value(panel.ends[1]).abs()));
+            let longest =
+                (segment.panels.iter()).max_by(|one, two| one.length().total_cmp(&two.length()));
+            longest.map_or(0.0, |panel| panel.blown(size))
         };
         self.segments.iter().map(of).fold(0.0, f64::max)
     }

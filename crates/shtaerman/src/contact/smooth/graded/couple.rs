@@ -12,9 +12,10 @@ use crate::Error;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::zones::Zone;
 
-/// Panels of the coefficients of a profile are doubled at most so often, until these change by no more than this share.
+/// Panels of the coefficients of a profile are doubled at most so often, until these change by no more than this share, or no less than before.
 const DOUBLINGS: usize = 6;
-const AGREED: f64 = 4.0 * f64::EPSILON;
+const AGREED: f64 = 32.0 * f64::EPSILON;
+const NOISE: f64 = 1e-11;
 /// Turns of a polynomial in a panel.
 const TURNS: f64 = 1.0;
 
@@ -118,15 +119,18 @@ fn coefficients(
     cuts.push(FRAC_PI_2);
     let mut parts = 1 + (count as f64 / (4.0 * TURNS)) as usize;
     let mut found = summed(base, ground, nodes, &cuts, [count, parts]);
+    let mut before = f64::INFINITY;
     for _ in 0..DOUBLINGS {
         parts *= 2;
         let finer = summed(base, ground, nodes, &cuts, [count, parts]);
         let size = finer.iter().fold(0.0f64, |most, a| most.max(a.abs()));
         let changed = finer.iter().zip(&found).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
         found = finer;
-        if changed <= (0.01 * halves.tolerance()).max(AGREED) * size {
+        let agreed = (0.01 * halves.tolerance()).max(AGREED) * size;
+        if changed <= agreed || (changed <= NOISE * size && changed >= 0.5 * before) {
             break;
         }
+        before = changed;
     }
     found
 }
