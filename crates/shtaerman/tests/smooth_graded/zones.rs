@@ -51,25 +51,28 @@ fn check(case: &Case, contact: &Contact, kinks: &[f64], zones: usize, what: &str
     let edges = contact.edges();
     assert_eq!(edges.len(), zones, "{what}: {edges:?}");
     let size = contact.settlement().abs();
+    // Kinks off the middle of a zone cost digits, as is stated.
+    let allowed = if kinks.is_empty() { 1e-10 } else { 3e-10 };
     for [left, right] in &edges {
         for share in [0.03, 0.31, 0.5, 0.84] {
             let x = left + share * (right - left);
             let error = potential(case, contact, kinks, x) - contact.base_depth(x);
-            assert!(error.abs() < 1e-10 * size, "{what} {x}: {error:e} of {size}");
+            assert!(error.abs() < allowed * size, "{what} {x}: {error:e} of {size}");
         }
     }
     for pair in edges.windows(2) {
         for share in [0.01, 0.5, 0.9] {
             let x = pair[0][1] + share * (pair[1][0] - pair[0][1]);
             let error = potential(case, contact, kinks, x) - contact.elastic_displacement(x);
-            assert!(error.abs() < 1e-10 * size, "{what} {x}: {error:e} of {size}");
+            assert!(error.abs() < allowed * size, "{what} {x}: {error:e} of {size}");
         }
     }
     let [force, moment] = resultants(contact, kinks);
     close(force, contact.force(), 1e-8, &format!("force, {what}"));
     let arm = contact.force() * case.half_width;
     assert!((moment - contact.moment()).abs() < 1e-8 * arm, "{what}: {moment}");
-    assert!(contact.relative_error() < 1e-9, "{what}: {:?}", contact.accuracy());
+    let allowed = if kinks.is_empty() { 1e-9 } else { 1e-8 };
+    assert!(contact.relative_error() < allowed, "{what}: {:?}", contact.accuracy());
 }
 
 #[test]

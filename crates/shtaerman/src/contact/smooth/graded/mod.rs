@@ -12,6 +12,7 @@ mod edges;
 mod field;
 mod linearised;
 mod modes;
+mod resolved;
 mod settled;
 mod stated;
 mod strip;

@@ -13,6 +13,7 @@ use std::sync::Arc;
 
 use libm::tgamma;
 
+use super::resolved::Resolved;
 use crate::Error;
 use crate::contact::balance::State;
 use crate::contact::smooth::Curve;
@@ -80,8 +81,15 @@ impl Halves {
             Some(slope) => Arc::clone(slope),
             None => Arc::new(|_| f64::NAN),
         };
-        let at =
-            Arc::new(move |s: f64| slope((centre + s).clamp(left.next_up(), right.next_down())));
+        let clamped = move |xi: f64| slope(xi.clamp(left.next_up(), right.next_down()));
+        let mut cuts = vec![left];
+        cuts.extend(profile.breaks.iter().filter(|at| left < **at && **at < right));
+        cuts.push(right);
+        let known = cuts.len() <= MOST_BREAKS + 2;
+        let at: Curve = match known.then(|| Resolved::new(&clamped, &cuts)).flatten() {
+            Some(resolved) => Arc::new(move |s: f64| resolved.at(centre + s)),
+            None => Arc::new(move |s: f64| clamped(centre + s)),
+        };
         let other = Arc::clone(&at);
         let even: Curve = Arc::new(move |r| 0.5 * (at(r) - at(-r)));
         let odd: Curve = Arc::new(move |r| 0.5 * (other(r) + other(-r)));
