@@ -5,9 +5,7 @@ use super::super::legendre::{ORDER, RULE, series};
 /// Panels are halved at most this often.
 const DEEPEST: u32 = 3;
 /// Difference over the largest value that is none.
-const AGREED: f64 = 4.0 * f64::EPSILON;
-/// Coefficients below this share of the largest are none.
-const ROUNDING: f64 = 0.5 * f64::EPSILON;
+const AGREED: f64 = 8.0 * f64::EPSILON;
 
 /// A function on panels.
 pub(super) struct Resolved {
@@ -25,8 +23,11 @@ impl Panel {
         let mut coefficients: Vec<f64> =
             RULE.coefficients(&RULE.nodes.map(|u| f(middle + half * u))).to_vec();
         let size = coefficients.iter().fold(0.0f64, |most, c| most.max(c.abs()));
-        let count = coefficients.iter().rposition(|c| c.abs() > ROUNDING * size);
-        coefficients.truncate(count.map_or(0, |last| last + 1));
+        // The rounding of a coefficient grows with its number.
+        let rounding = |n: usize| f64::EPSILON * (n as f64 + 1.0) * size;
+        while coefficients.last().is_some_and(|c| c.abs() <= rounding(coefficients.len())) {
+            coefficients.pop();
+        }
         Self { ends: [from, to], coefficients }
     }
 
