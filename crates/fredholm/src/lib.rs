@@ -42,6 +42,7 @@ mod interval;
 pub mod kernel;
 mod linear;
 pub mod memory;
+pub mod multipole;
 pub mod quadrature;
 pub mod special;
 

@@ -1,5 +1,5 @@
 //! Solves random unilateral problems and says what became of them:
-//! `cargo run --release --example unilateral_survey -- [COUNT] [SEED]`.
+//! `cargo run --release --workspace --example unilateral_survey -- [COUNT] [SEED] [NUMBER ..]`: all, or those with the numbers given.
 
 #[path = "../tests/unilateral/random.rs"]
 mod random;
@@ -12,11 +12,15 @@ fn main() {
     let mut arguments = std::env::args().skip(1).map(|text| text.parse::<u64>().ok());
     let count = arguments.next().flatten().unwrap_or(10_000);
     let mut random = Random::new(arguments.next().flatten().unwrap_or(20));
+    let numbers: Vec<u64> = arguments.flatten().collect();
     let (mut solved, mut refused, mut failed, mut several) = (0, 0, 0, 0);
     let (mut largest_residual, mut over, mut loose) = (0.0f64, 0, 0);
     let (mut times, mut slowest) = (Vec::new(), String::new());
     for index in 0..count {
         let (words, problem) = problem(&mut random);
+        if !numbers.is_empty() && !numbers.contains(&index) {
+            continue;
+        }
         let began = Instant::now();
         let ending = problem.map_or_else(|error| Ending::Failed(error.to_string()), |p| judge(&p));
         let time = began.elapsed().as_secs_f64();

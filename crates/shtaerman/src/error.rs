@@ -92,7 +92,7 @@ pub enum Error {
 
     /// No force at the prescribed eccentricity leads to the settlement prescribed.
     #[error(
-        "settlement = {value}: is out of reach of a force at the eccentricity {eccentricity}: whatever the force, the middle of the punch settles no deeper \
+        "settlement = {value}: is out of reach of a force at the eccentricity {eccentricity}: whatever the force, the middle of the punch settles no {bound} \
          than {limit}, as the punch turns; prescribe the force, the tilt or the moment instead, or a smaller eccentricity"
     )]
     SettlementOutOfReach {
@@ -100,8 +100,10 @@ pub enum Error {
         value: f64,
         /// The eccentricity given, SI.
         eccentricity: f64,
-        /// The largest settlement found, to the accuracy of cells, SI.
+        /// The settlement found that comes closest, SI.
         limit: f64,
+        /// On which side of it no settlement is in reach: `deeper` or `less deep`.
+        bound: &'static str,
     },
 
     /// The prescribed displacements of a unilateral contact leave the base clear of the body.
@@ -125,10 +127,10 @@ pub enum Error {
         limit: f64,
     },
 
-    /// The contact of a smooth circular punch is no disk.
+    /// The contact of a smooth circular punch is no single disk, and there is a moment or a tilt, or the ground is graded.
     #[error(
-        "the contact is no single disk: {found} at {variable} = {at}; on a smooth surface a circular punch is solved for one disk of contact only, rings with a \
-         layer: give a small roughness instead of 0, or contact = \"bilateral\" to keep the full base in contact"
+        "the contact is no single disk: {found} at {variable} = {at}; on a smooth surface a circular punch with a moment or a tilt, or on graded ground, is solved for one disk \
+         of contact only, rings without them: leave out moment and tilt, give a small roughness instead of 0, or keep the full base in contact with contact = \"bilateral\""
     )]
     Rings {
         /// `x` (metres) or `xi`, the distance from the axis.
@@ -152,13 +154,11 @@ pub enum Error {
     },
 
     /// No zones of contact were found on which pressure and gap have their signs.
-    #[error(
-        "the zones of contact were not found: the best attempt has a tension of {tension:.1e} and a penetration of {penetration:.1e} of their scales"
-    )]
+    #[error("the zones of contact were not found: {}", attempt(*tension, *penetration))]
     NotComplementary {
-        /// Largest tension over the largest pressure.
+        /// Largest tension over the largest pressure; NaN where no attempt came to an end.
         tension: f64,
-        /// Largest penetration over the size of the displacements.
+        /// Largest penetration over the size of the displacements; NaN likewise.
         penetration: f64,
     },
 
@@ -268,6 +268,16 @@ pub enum Error {
     /// The integral equation could not be solved.
     #[error(transparent)]
     Equation(fredholm::Error),
+}
+
+/// How far the search for zones came.
+fn attempt(tension: f64, penetration: f64) -> String {
+    if tension.is_nan() {
+        return "no attempt came to an end; of zones far smaller than the base its heights have too few digits".to_owned();
+    }
+    format!(
+        "the best attempt has a tension of {tension:.1e} and a penetration of {penetration:.1e} of their scales"
+    )
 }
 
 impl Error {

@@ -61,8 +61,8 @@ pub use answer::{
 };
 pub use contact::{
     AIM, Accuracy, Complementarity, Contact, CrossCheck, Curve, ErrorKind, Method, SmoothContact,
-    SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem, SmoothProfile, SmoothZone,
-    Stiffness, Warning, WarningCode,
+    SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem, SmoothProfile, SmoothRingsContact,
+    SmoothZone, Stiffness, Warning, WarningCode,
 };
 pub use convergence::Convergence;
 pub use datum::{Datum, RelativeSettlement};

@@ -158,6 +158,18 @@ impl Problem {
         self.frame.scaling().map_or(height, |scaling| height / scaling.displacement())
     }
 
+    /// `df0/dxi`.
+    pub(crate) fn dimensionless_slope(&self, xi: f64) -> Option<f64> {
+        let slope = self.profile.slope(xi, self.frame.half_width())?;
+        Some(self.frame.scaling().map_or(slope, |scaling| slope / scaling.displacement()))
+    }
+
+    /// `f0(xi) - f0(c) - f0'(c) (xi - c)`.
+    pub(crate) fn dimensionless_rise(&self, c: f64, xi: f64) -> f64 {
+        let rise = self.profile.rise(c, xi - c, self.frame.half_width());
+        self.frame.scaling().map_or(rise, |scaling| rise / scaling.displacement())
+    }
+
     /// Whether base and load are their own mirror images.
     pub(crate) fn is_symmetric(&self) -> bool {
         let level = match self.load.rotational {
@@ -233,7 +245,7 @@ impl Problem {
         Ok(())
     }
 
-    fn checked(&self, xi: f64, value: f64) -> Result<f64, Error> {
+    pub(crate) fn checked(&self, xi: f64, value: f64) -> Result<f64, Error> {
         let defect = if value.is_nan() { Defect::Undefined } else { Defect::Infinite };
         finite("profile", value).map_err(|_| self.profile_not_finite(xi, defect))
     }

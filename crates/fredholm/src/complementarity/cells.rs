@@ -43,7 +43,7 @@ pub fn logarithm_cells(boundaries: &[f64]) -> Result<Vec<f64>, Error> {
 }
 
 /// The mean of `ln 1/|x - s|` over `x` in one cell and `s` in another that is the same or lies left of it.
-pub(super) fn mean_logarithm(left: [f64; 2], right: [f64; 2]) -> f64 {
+pub(crate) fn mean_logarithm(left: [f64; 2], right: [f64; 2]) -> f64 {
     let (h, k) = (left[1] - left[0], right[1] - right[0]);
     if left == right {
         return 1.5 - h.ln();

@@ -27,7 +27,7 @@ pub(crate) use linearised::{Linearised, Rates};
 pub use plan::AIM;
 pub use smooth::{
     Curve, SmoothContact, SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem,
-    SmoothProfile, SmoothZone,
+    SmoothProfile, SmoothRingsContact, SmoothZone,
 };
 pub use solved::{Contact, Method, Stiffness};
 pub use unilateral::Complementarity;

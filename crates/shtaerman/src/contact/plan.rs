@@ -82,7 +82,7 @@ impl Problem {
             return self.draw_up(Arc::new(self.solve_smooth()?));
         }
         if self.is_smooth_disk() {
-            return self.draw_up(Arc::new(self.solve_smooth_disk()?));
+            return self.draw_up(self.solve_smooth_disk()?);
         }
         let grading = self.frame().grading().filter(|_| self.frame().law() == Law::Smooth);
         if let Some(grading) = grading {
@@ -134,8 +134,11 @@ impl Problem {
             count => format!("{count} zones"),
         };
         let reason = match name {
+            "panels" => format!(
+                "{zones} with exact edges on panels between the bends of the base, which are too many for one dense matrix, or where collocation did not find the zones"
+            ),
             "cells" => format!(
-                "{zones} on equal cells, as the base bends too often for collocation, or its zones were not found by it"
+                "{zones} on equal cells, as collocation, on zones or on panels, did not serve"
             ),
             "expansion" => format!(
                 "{zones} on a nearly smooth surface: expansion about the smooth limit, of relative error {reached:.0e} by its next terms, as rounding would take the digits of a direct solution"

@@ -14,7 +14,7 @@ use crate::{ContactKind, Error, Problem, Rotational, Scaling, Vertical};
 /// Method and size of a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct Method {
-    /// Name of the method: `spectral` or `sinc`.
+    /// Name of the method: `spectral`, `sinc`, `panels`, `cells`, `first_kind` or `expansion`.
     pub name: &'static str,
     /// Highest Chebyshev degree kept, or number of nodes.
     pub n: usize,

@@ -92,7 +92,7 @@ fn partial(factor: f64, u: Dual) -> f64 {
 }
 
 /// Derivative of a function at `u`, where it has the given value.
-fn outer_slope(function: Unary, u: f64, value: f64) -> f64 {
+pub(super) fn outer_slope(function: Unary, u: f64, value: f64) -> f64 {
     use std::f64::consts::{LN_2, LN_10};
     match function {
         Unary::Square => 2.0 * u,

@@ -70,6 +70,7 @@ mod line;
 mod parse;
 mod periodic;
 mod program;
+mod rise;
 mod token;
 
 #[cfg(test)]
@@ -87,6 +88,7 @@ pub use line::Line;
 use derivative::Dual;
 use evaluate::run;
 use program::Operation;
+use rise::Rise;
 
 /// Longest text that is read, in bytes.
 pub const TEXT_LIMIT: usize = 64 * 1024;
@@ -197,6 +199,14 @@ impl Expression {
     pub fn derivative_along(&self, line: &Line, t: f64) -> (f64, f64) {
         let dual = |index| Dual::variable(line.variable(index, t), line.slope(index));
         run(&self.operations, self.height, dual).0.parts()
+    }
+
+    /// `f(c + t) - f(c) - f'(c) t` along a line about the parameter `c`: how far the value leaves the tangent, with the digits that a difference of values loses where
+    /// `t` is small. Functions without a short form of it, and kinks between, subtract.
+    pub fn rise_along(&self, line: &Line, c: f64, t: f64) -> f64 {
+        let rise = |index| Rise::variable(line.variable(index, c), line.slope(index) * t);
+        let (_, slope) = self.derivative_along(line, c);
+        run(&self.operations, self.height, rise).0.rest(slope * t)
     }
 
     /// Encloses all values taken while each variable ranges over its interval, independently of

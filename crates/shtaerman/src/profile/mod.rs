@@ -104,6 +104,20 @@ impl Profile {
         }
     }
 
+    /// `f(c + t) - f(c) - f'(c) t` in `xi`; of an expression without the loss of digits in that difference where `t` is small.
+    #[must_use]
+    pub(crate) fn rise(&self, c: f64, t: f64, half_width: f64) -> f64 {
+        match &self.shape {
+            Shape::Flat => 0.0,
+            Shape::Expression(expression) => expression.rise_along(&line(half_width), c, t),
+            Shape::Measured(spline) => {
+                let slope = half_width * spline.slope(half_width * c);
+                let at = |xi: f64| spline.evaluate(half_width * xi);
+                at(c + t) - at(c) - slope * t
+            }
+        }
+    }
+
     /// A `xi` in `[-1, 1]` at which the profile is not finite, and how, if there is one: proven for an expression where interval
     /// arithmetic can, so that a pole between all samples is found.
     #[must_use]
@@ -127,6 +141,13 @@ impl Profile {
         let mut places = expression.breakpoints(&line(half_width), base).places;
         places.retain(|xi| xi.abs() < 1.0);
         places
+    }
+
+    /// Places inside `(-1, 1)`, as `xi`, between which the profile is smooth: the points of a measured profile, the breakpoints of an expression.
+    pub(crate) fn joints(&self, half_width: f64) -> Vec<f64> {
+        let Shape::Measured(spline) = &self.shape else { return self.breakpoints(half_width) };
+        let places = spline.abscissas().iter().map(|x| x / half_width);
+        places.filter(|xi| xi.abs() < 1.0).collect()
     }
 
     /// First and last position of a measured profile.

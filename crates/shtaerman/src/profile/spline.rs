@@ -27,6 +27,11 @@ impl Spline {
         [self.abscissas[0], self.abscissas[self.abscissas.len() - 1]]
     }
 
+    /// Abscissas of the points.
+    pub(super) fn abscissas(&self) -> &[f64] {
+        &self.abscissas
+    }
+
     /// Number of points.
     pub(super) fn len(&self) -> usize {
         self.abscissas.len()

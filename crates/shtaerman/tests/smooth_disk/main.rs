@@ -5,5 +5,6 @@
 mod closed_forms;
 mod invariants;
 mod refusals;
+mod rings;
 mod support;
 mod tilted;

@@ -4,18 +4,23 @@ use crate::support::{attempt, pressed, problem, sunk};
 use shtaerman::{Error, Profile, Rotational, Solver, Vertical};
 
 #[test]
-fn rings() {
+fn rings_that_tilt() {
     // A hollow base touches at its rim, a wavy one in rings.
     for profile in
         ["-x^2", "0.1*(abs(x) - 0.003)^2", "1e-6*cos(5000*x)", "where(abs(x) < 0.003, 1e-4, 0)"]
     {
-        let error = attempt(profile, pressed(1.0)).unwrap_err();
-        assert!(matches!(error, Error::Rings { variable: "x", .. }), "{profile}: {error}");
-        assert!(error.to_string().contains("small roughness"), "{error}");
+        for rotational in
+            [Rotational::Moment(1e-4), Rotational::Tilt(-1e-9), Rotational::Eccentricity(1e-4)]
+        {
+            let error = attempt(profile, (Vertical::Force(1.0), rotational)).unwrap_err();
+            assert!(matches!(error, Error::Rings { variable: "x", .. }), "{profile}: {error}");
+            assert!(error.to_string().contains("leave out moment and tilt"), "{error}");
+        }
     }
     // A second step that touches.
     let stepped = "where(abs(x) < 0.003, 0, 1e-7)";
-    assert!(matches!(attempt(stepped, pressed(1e4)), Err(Error::Rings { .. })));
+    let tilted = (Vertical::Force(1e4), Rotational::Moment(1.0));
+    assert!(matches!(attempt(stepped, tilted), Err(Error::Rings { .. })));
     // Enough force presses a hollow base flat.
     assert!(attempt("-1e-3*x^2", pressed(1e4)).is_ok());
 }
@@ -28,7 +33,11 @@ fn loads() {
     assert!(matches!(refused, Err(Error::InvalidValue { field: "force", value: -3.0, .. })));
     assert!(matches!(attempt("x^2", sunk(0.0)), Err(Error::NoContact)));
     assert!(matches!(attempt("x^2 + 1e-3", sunk(0.5e-3)), Err(Error::NoContact)));
-    assert!(matches!(attempt("-x^2", sunk(-1e-6)), Err(Error::Rings { .. })));
+    assert!(matches!(attempt("-x^2", sunk(-2.6e-5)), Err(Error::NoContact)));
+    for force in [0.0, -2.0] {
+        let refused = attempt("-x^2", pressed(force));
+        assert!(matches!(refused, Err(Error::InvalidValue { field: "force", .. })));
+    }
 }
 
 #[test]

@@ -7,5 +7,6 @@ mod conditions;
 mod many_zones;
 mod random;
 mod refusals;
+mod small_zones;
 mod support;
 mod survey;

@@ -98,27 +98,104 @@ pub(crate) fn judge(problem: &Problem) -> Ending {
         Err(shtaerman::Error::InvalidValue { field: "force", .. }) if pulls => Ending::Refused,
         Err(shtaerman::Error::TipsOver { .. }) if tips => Ending::Refused,
         Err(shtaerman::Error::NoContact) if clear(problem, &load) => Ending::Refused,
-        Err(shtaerman::Error::SettlementOutOfReach { .. }) if out_of_reach(problem, &load) => {
+        Err(shtaerman::Error::SettlementOutOfReach { value, limit, .. })
+            if out_of_reach(problem, value, limit) =>
+        {
             Ending::Refused
         }
         Err(error) => Ending::Failed(error.to_string()),
     }
 }
 
-/// Whether the settlement stays smaller under forces at the eccentricity over many decades.
-fn out_of_reach(problem: &Problem, load: &Load) -> bool {
-    let (Vertical::Settlement(settlement), rotational) = (load.vertical, load.rotational) else {
+/// Whether no tilt at the settlement puts the force at the eccentricity: the tilt runs through all that touch. And whether settlements beyond the limit are solved.
+fn out_of_reach(problem: &Problem, settlement: f64, limit: f64) -> bool {
+    let Rotational::Eccentricity(e) = problem.dimensionless_load().rotational else {
         return false;
     };
-    let unit = (settlement.abs() + problem.dimensionless_profile(1.0).abs())
-        / (1.0 + problem.frame().theta0());
-    (-12..=8).all(|power| {
-        let load = Load::new(Vertical::Force(unit * 4f64.powi(power)), rotational);
-        let (frame, profile) = (problem.frame().clone(), problem.profile().clone());
-        load.and_then(|load| Problem::new(frame, profile, load, Solver::default()))
-            .and_then(|problem| problem.solve())
-            .is_ok_and(|contact| contact.settlement0() < settlement)
-    })
+    let turned = Turned { problem, settlement, e };
+    let size = (-20..=20)
+        .map(|i| problem.dimensionless_profile(f64::from(i) / 20.0).abs())
+        .fold(settlement.abs(), f64::max);
+    let powers = (0..=24).map(|i| 1e-3 * size * 10f64.powf(f64::from(i) / 3.0));
+    let mut tilts: Vec<f64> = powers.flat_map(|tilt| [-tilt, tilt]).collect();
+    tilts.extend((-20..=20).map(|i| 0.15 * size * f64::from(i)));
+    tilts.sort_by(f64::total_cmp);
+    let Some(arms) = tilts.into_iter().map(|tilt| turned.arm(tilt)).collect::<Option<Vec<_>>>()
+    else {
+        return false;
+    };
+    let beyond = limit + 0.01 * (limit - settlement);
+    let load = Load::new(Vertical::Settlement(beyond), Rotational::Eccentricity(e));
+    load.and_then(|load| problem.with_load(load)?.solve()).is_ok()
+        && arms.windows(2).all(|pair| turned.keeps_its_side(pair[0], pair[1], 12))
+}
+
+/// The contact at one settlement, as the base turns.
+struct Turned<'p> {
+    problem: &'p Problem,
+    settlement: f64,
+    e: f64,
+}
+
+/// How far the force lies from the eccentricity, and how fast that changes with the tilt; none where the base is clear.
+#[derive(Clone, Copy)]
+struct Arm {
+    tilt: f64,
+    distance: Option<[f64; 2]>,
+}
+
+impl Turned<'_> {
+    /// `None` where there is no answer.
+    fn arm(&self, tilt: f64) -> Option<Arm> {
+        let load = Load::new(Vertical::Settlement(self.settlement), Rotational::Tilt(tilt)).ok()?;
+        match self.problem.with_load(load).and_then(|problem| problem.solve()) {
+            Ok(contact) => {
+                let [[_, coupling], [_, moment_tilt]] = contact.stiffness0().matrix();
+                let (force, moment) = (contact.force0(), contact.moment0());
+                let slope = (moment / force * coupling - moment_tilt) / force;
+                Some(Arm { tilt, distance: Some([moment / force - self.e, slope]) })
+            }
+            Err(shtaerman::Error::NoContact) => Some(Arm { tilt, distance: None }),
+            Err(_) => None,
+        }
+    }
+
+    /// Whether the force stays on one side of the eccentricity between two tilts, as far as values and slopes at ever more of them show.
+    fn keeps_its_side(&self, one: Arm, other: Arm, depth: usize) -> bool {
+        let (Some([from, rises]), Some([to, falls])) = (one.distance, other.distance) else {
+            // Where the base comes clear: the force ends at the last point that touches.
+            return self.comes_clear(one, other, depth);
+        };
+        if (from > 0.0) != (to > 0.0) {
+            return false;
+        }
+        // Straight on from both ends neither reaches the eccentricity before it meets the other.
+        let width = other.tilt - one.tilt;
+        let least = from.abs().min(to.abs());
+        let sign = from.signum();
+        let drop = (-sign * rises * width).max(sign * falls * width).max(0.0);
+        if 0.5 * drop < least || depth == 0 {
+            return depth > 0;
+        }
+        self.between(one, other).is_some_and(|middle| {
+            self.keeps_its_side(one, middle, depth - 1)
+                && self.keeps_its_side(middle, other, depth - 1)
+        })
+    }
+
+    fn comes_clear(&self, one: Arm, other: Arm, depth: usize) -> bool {
+        if depth == 0 || one.distance.is_none() && other.distance.is_none() {
+            return true;
+        }
+        self.between(one, other).is_some_and(|middle| {
+            self.keeps_its_side(one, middle, depth - 1)
+                && self.keeps_its_side(middle, other, depth - 1)
+        })
+    }
+
+    fn between(&self, one: Arm, other: Arm) -> Option<Arm> {
+        self.arm(0.5 * (one.tilt + other.tilt))
+    }
 }
 
 /// Whether some admissible tilt keeps the base clear: on a grid of its own.

@@ -291,9 +291,8 @@ impl SmoothContact {
                 let zone = solved.parts.iter().find(|part| part.zone.contains(place));
                 match zone {
                     Some(part) => {
-                        let Zone { ends: [left, right], .. } = part.zone;
-                        // At a step the height is that of this side; the profile itself knows no turn.
-                        let inside = place.clamp(left.next_up(), right.next_down()) + self.shift;
+                        // The profile itself knows no turn.
+                        let inside = part.zone.inside(place) + self.shift;
                         let own = if self.shift == 0.0 { inside } else { wrapped(inside) };
                         self.state.settlement - self.state.tilt * place - height(own)
                     }

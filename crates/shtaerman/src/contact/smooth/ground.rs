@@ -239,8 +239,8 @@ mod tests {
                 assert!((found / exact - 1.0).abs() < 4e-15, "{mu} {angle}: {found} {exact}");
             }
         }
-        // S = 1 - cos psi at mu = 1, psi at 0
-        assert!((Ground::new(0.0).unwrap().sines().at(1.1) - 1.1).abs() < 4e-16);
+        // Of the power 0 it is the angle.
+        assert!((Ground::new(0.0).unwrap().sines().at(1.1) - 1.1).abs() < 1e-15);
     }
 
     #[test]
@@ -248,9 +248,9 @@ mod tests {
         // B(1/2 + mu/2, 1/2 - mu/2) = 2 int_0^{pi/2} tan^mu = pi/cos(pi mu/2)
         for mu in [0.2, 0.5, 0.7] {
             let ground = Ground::new(mu).unwrap();
-            let to = FRAC_PI_2 - 1e-12;
+            let to = FRAC_PI_2 - 1e-6;
             let found = ground.graded(0, [0.0, to], [0.5, FRAC_PI_2], |y| y.tan().powf(mu));
-            let cut = 1e-12f64.powf(1.0 - mu) / (1.0 - mu);
+            let cut = (FRAC_PI_2 - to).powf(1.0 - mu) / (1.0 - mu);
             let exact = FRAC_PI_2 / (FRAC_PI_2 * mu).cos() - cut;
             assert!((found - exact).abs() < 1e-11, "{mu}: {found} {exact}");
         }

@@ -32,7 +32,7 @@ mod wave;
 mod zones;
 
 pub use answer::{SmoothContact, SmoothZone};
-pub use disk::{SmoothDisk, SmoothDiskContact};
+pub use disk::{SmoothDisk, SmoothDiskContact, SmoothRingsContact};
 pub use kernel::SmoothKernel;
 pub use problem::{Curve, SmoothProblem, SmoothProfile};
 

@@ -188,8 +188,7 @@ impl OnZone<'_, '_> {
         } else {
             self.zone.left() + self.zone.length() * cosine * cosine
         };
-        // At a step the height is that of this side.
-        xi.clamp(self.zone.left().next_up(), self.zone.right().next_down())
+        self.zone.inside(xi)
     }
 }
 

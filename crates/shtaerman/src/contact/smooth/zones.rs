@@ -29,6 +29,11 @@ impl Zone {
         self.ends[1] - self.ends[0]
     }
 
+    /// The place next to `xi` strictly inside, where at a step the height is that of this side; of a zone that no number is inside of, an end or beside it.
+    pub(super) fn inside(&self, xi: f64) -> f64 {
+        xi.max(self.left().next_up()).min(self.right().next_down())
+    }
+
     pub(super) fn contains(&self, xi: f64) -> bool {
         self.ends[0] <= xi && xi <= self.ends[1]
     }
@@ -75,6 +80,18 @@ pub(super) fn corrected(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_inside_of_a_zone_without_one_is_beside_its_ends() {
+        let zone = Zone::new([0.5, 1.0], [true; 2]);
+        assert_eq!([0.2, 0.7, 1.5].map(|xi| zone.inside(xi)), [
+            0.5f64.next_up(),
+            0.7,
+            1.0f64.next_down()
+        ]);
+        let sliver = Zone::new([0.5, 0.5f64.next_up()], [true; 2]);
+        assert!((sliver.inside(0.5) - 0.5).abs() <= f64::EPSILON);
+    }
 
     #[test]
     fn intervals_are_split_and_joined() {

@@ -4,6 +4,7 @@ use fredholm::SincSolution;
 use fredholm::kernel::{Kernel, WeberSonine};
 use serde::Serialize;
 
+use super::anchor::Anchor;
 use super::base::Base;
 use super::check::{Check, outside};
 use super::medium::Medium;
@@ -33,6 +34,10 @@ pub struct Complementarity {
 #[derive(Debug, Clone)]
 pub(crate) struct UnilateralContact {
     solved: Solved,
+    /// Settlement, tilt, force and moment of the problem itself.
+    state: State,
+    /// Where heights are counted from.
+    anchor: Option<Anchor>,
     accuracy: Accuracy,
     edge_error: f64,
     /// None where the whole base was kept in contact.
@@ -83,7 +88,13 @@ impl UnilateralContact {
         let complementarity = (!base.is_bilateral).then_some(complementarity);
         let beside =
             outside(base, &solved).iter().map(|[left, right]| 0.5 * (left + right)).collect();
-        Self { solved, accuracy, edge_error, complementarity, tilted: None, beside }
+        let given = base.problem.dimensionless_load();
+        let (state, accuracy) = match &base.anchor {
+            Some(anchor) => (anchor.state(given, solved.state), anchor.accuracy(accuracy)),
+            None => (solved.state, accuracy),
+        };
+        let anchor = base.anchor;
+        Self { solved, state, anchor, accuracy, edge_error, complementarity, tilted: None, beside }
     }
 
     pub(super) fn solved(&self) -> &Solved {
@@ -141,7 +152,7 @@ fn on_the_base(zones: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
 
 impl Solution for UnilateralContact {
     fn state(&self) -> State {
-        self.solved.state
+        self.state
     }
 
     /// Edges that move add nothing of first order, as the pressure vanishes there.
@@ -193,7 +204,11 @@ impl Solution for UnilateralContact {
             0.0
         };
         let [_, image] = self.images(place);
-        let pressure = self.solved.pressure_at(place, problem.dimensionless_profile(image + shift));
+        let height = match &self.anchor {
+            Some(anchor) => anchor.rise(problem, image + shift),
+            None => problem.dimensionless_profile(image + shift),
+        };
+        let pressure = self.solved.pressure_at(place, height);
         let sign = if xi < 0.0 { -1.0 } else { 1.0 };
         pressure + self.tilted.as_ref().map_or(0.0, |tilted| sign * tilted.pressure(place))
     }

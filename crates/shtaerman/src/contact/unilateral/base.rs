@@ -1,5 +1,6 @@
 //! The base of the punch as unilateral contact sees it: where it bends and where an edge of the contact can rest.
 
+use super::anchor::Anchor;
 use super::coarse;
 use super::layer::Layer;
 use super::medium::Medium;
@@ -22,6 +23,7 @@ const SEAM: f64 = 1e-9;
 const UNEVEN: f64 = 1e-9;
 
 /// A dimensionless problem with what is worth knowing about its profile.
+#[derive(Clone)]
 pub(super) struct Base<'p> {
     pub(super) problem: &'p Problem,
     pub(super) load: Load,
@@ -43,6 +45,8 @@ pub(super) struct Base<'p> {
     pub(super) samples: Vec<(f64, f64)>,
     /// Whether base and load are their own mirror images; not asked of a base without bends, where nothing comes of it.
     pub(super) is_mirrored: bool,
+    /// Where heights are counted from.
+    pub(super) anchor: Option<Anchor>,
 }
 
 /// Refuses the base of a circular punch that is no body of revolution; samples `(xi, f0)` of its right half.
@@ -93,6 +97,7 @@ impl<'p> Base<'p> {
             pieces,
             samples,
             is_mirrored: false,
+            anchor: None,
         };
         base.is_mirrored = !base.breaks.is_empty() && mirror::is_mirrored(&base);
         base.find_steps();
@@ -101,14 +106,41 @@ impl<'p> Base<'p> {
         Ok(base)
     }
 
-    /// `f0(xi)`.
+    /// The same base under another load.
+    pub(super) fn under(&self, load: Load) -> Self {
+        Self { load, ..self.clone() }
+    }
+
+    /// Where the force acts, if the load says so.
+    pub(super) fn line_of_force(&self) -> Option<f64> {
+        match (self.load.vertical, self.load.rotational) {
+            (Vertical::Force(force), Rotational::Moment(moment)) => Some(moment / force),
+            (_, Rotational::Eccentricity(e)) => Some(e),
+            _ => None,
+        }
+    }
+
+    /// Settlement and eccentricity where both are prescribed, and the force is off the middle: no problem of least energy.
+    pub(super) fn settlement_at_eccentricity(&self) -> Option<(f64, f64)> {
+        match (self.load.vertical, self.load.rotational) {
+            (Vertical::Settlement(settlement), Rotational::Eccentricity(e)) if e != 0.0 => {
+                Some((settlement, e))
+            }
+            _ => None,
+        }
+    }
+
+    /// `f0(xi)`, or what it has beyond its tangent.
     pub(super) fn height(&self, xi: f64) -> f64 {
-        self.problem.dimensionless_profile(self.on_base(xi))
+        match &self.anchor {
+            Some(anchor) => anchor.rise(self.problem, xi),
+            None => self.problem.dimensionless_profile(self.on_base(xi)),
+        }
     }
 
     /// `f0(xi)`, which must be finite.
     pub(super) fn finite_height(&self, xi: f64) -> Result<f64, Error> {
-        self.problem.finite_profile(self.on_base(xi))
+        self.problem.checked(xi, self.height(xi))
     }
 
     /// The place on the base: a wave without gaps goes on beyond its period.

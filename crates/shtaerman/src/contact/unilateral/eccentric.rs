@@ -2,47 +2,55 @@
 //!
 //! Under a force `P` at the eccentricity `e` there is one contact, with a settlement `delta(P)`. It begins where the base touches first and ends in proportion
 //! to the force: upwards while the line of the force is not far from the middle, downwards beyond, since the punch then turns about a point on the other side of
-//! it. Between these it need not be monotone. Of the forces with the settlement prescribed the least is taken.
+//! it. Between these it need not be monotone. Of the forces with the settlement prescribed the least is taken. Cells show where to look; where they show no such
+//! force, [collocation](super::reach) decides.
 
 use super::base::Base;
 use super::cells::Cells;
+use super::reach;
+use super::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// Ratio of the forces that are tried, how often, and up to which multiple of the depth over the compliance.
 const RATIO: f64 = 4.0;
 const DOWN: usize = 18;
 const UP: usize = 14;
-/// Steps towards a largest settlement between forces, and towards the force sought.
-const GOLDEN_STEPS: usize = 24;
+/// Steps towards the force sought.
 const HALVINGS: usize = 30;
 /// Rounds of refinement, and doublings of the bracket after each.
 const ROUNDS: usize = 12;
 const WIDENINGS: usize = 8;
 
-/// Solves on the cells under the least force at `e` with this settlement, and refines them.
+/// The zones under the least force at `e` with this settlement.
 ///
 /// # Errors
 /// [`Error::NoContact`] where the base is clear and no force leads there, [`Error::SettlementOutOfReach`] where none does though it is not.
-pub(super) fn solve(
+pub(super) fn zones(
     base: &Base<'_>,
-    cells: &mut Cells,
+    mut cells: Cells,
     settlement: f64,
     e: f64,
-) -> Result<(), Error> {
-    let mut curve = Curve { base, cells, e, settlement };
-    let mut bracket = curve.bracket()?;
-    for _ in 0..ROUNDS {
-        let force = curve.force(bracket)?;
-        curve.excess(force)?;
-        if !curve.cells.refine() {
-            break;
-        }
-        match curve.widened(force)? {
-            Some(found) => bracket = found,
-            None => break,
-        }
-    }
-    Ok(())
+) -> Result<Vec<Zone>, Error> {
+    let mut curve = Curve { base, cells: &mut cells, e, settlement };
+    let samples = curve.samples(true)?;
+    let bracket = match samples[..] {
+        [.., before, last] if crosses(before, last) => [before[0], last[0]],
+        _ => return reach::zones(base, settlement, e, &samples),
+    };
+    curve.refined(bracket)?;
+    Ok(cells.zones())
+}
+
+/// The same without trust in the cells.
+pub(super) fn exactly(base: &Base<'_>, settlement: f64, e: f64) -> Result<Vec<Zone>, Error> {
+    let mut cells = Cells::new(base, base.cells());
+    let samples = Curve { base, cells: &mut cells, e, settlement }.samples(false)?;
+    reach::zones(base, settlement, e, &samples)
+}
+
+/// Whether the settlement lies between those of two samples.
+fn crosses(one: [f64; 2], other: [f64; 2]) -> bool {
+    (one[1] > 0.0) != (other[1] > 0.0)
 }
 
 /// `delta(P)` on cells.
@@ -61,64 +69,38 @@ impl Curve<'_, '_, '_> {
         Ok(solution.multipliers[0] - self.settlement)
     }
 
-    /// The least forces between which the settlement is crossed.
-    fn bracket(&mut self) -> Result<[f64; 2], Error> {
+    /// Forces, from small to large, with `delta(P) - delta`: all, or up to the first two between which the settlement lies.
+    fn samples(&mut self, until_crossed: bool) -> Result<Vec<[f64; 2]>, Error> {
         let depth = (self.base.samples.iter())
             .fold(0.0f64, |most, (_, height)| most.max((self.settlement - height).abs()));
         let unit = depth.max(f64::MIN_POSITIVE) / (1.0 + self.base.theta);
-        let mut known: Vec<[f64; 2]> = Vec::new();
+        let mut samples: Vec<[f64; 2]> = Vec::new();
         for power in 0..DOWN + UP {
             let force = unit * RATIO.powi(power as i32 - DOWN as i32);
-            let excess = self.excess(force)?;
-            if let Some(&[before, other]) = known.last()
-                && (other > 0.0) != (excess > 0.0)
-            {
-                return Ok([before, force]);
+            let sample = [force, self.excess(force)?];
+            let is_crossed = samples.last().is_some_and(|before| crosses(*before, sample));
+            samples.push(sample);
+            if until_crossed && is_crossed {
+                break;
             }
-            known.push([force, excess]);
         }
-        self.turning(&known)
+        Ok(samples)
     }
 
-    /// Looks for a crossing between the forces tried, where the curve comes closest.
-    fn turning(&mut self, known: &[[f64; 2]]) -> Result<[f64; 2], Error> {
-        let closest = (0..known.len())
-            .min_by(|&i, &j| known[i][1].abs().total_cmp(&known[j][1].abs()))
-            .unwrap_or(0);
-        let ends = [closest.saturating_sub(1), (closest + 1).min(known.len() - 1)];
-        let mut logs = ends.map(|i| known[i][0].ln());
-        let first = known[ends[0]][0];
-        let mut limit = known[closest][1];
-        for _ in 0..GOLDEN_STEPS {
-            const SECTION: f64 = 0.381_966_011_250_105;
-            let width = logs[1] - logs[0];
-            let inner = [logs[0] + SECTION * width, logs[1] - SECTION * width];
-            let mut values = [0.0; 2];
-            for (value, log) in values.iter_mut().zip(inner) {
-                *value = self.excess(log.exp())?;
-                if (*value > 0.0) != (known[closest][1] > 0.0) {
-                    return Ok([first, log.exp()]);
-                }
-                if value.abs() < limit.abs() {
-                    limit = *value;
-                }
+    /// Solves under the force between two, and refines the cells.
+    fn refined(&mut self, mut bracket: [f64; 2]) -> Result<(), Error> {
+        for _ in 0..ROUNDS {
+            let force = self.force(bracket)?;
+            self.excess(force)?;
+            if !self.cells.refine() {
+                break;
             }
-            if values[0].abs() < values[1].abs() { logs[1] = inner[1] } else { logs[0] = inner[0] }
+            match self.widened(force)? {
+                Some(found) => bracket = found,
+                None => break,
+            }
         }
-        Err(self.out_of_reach(limit))
-    }
-
-    fn out_of_reach(&self, excess: f64) -> Error {
-        if excess > 0.0 || self.base.touches_nowhere() {
-            return Error::NoContact;
-        }
-        let scaling = self.base.problem.frame().scaling();
-        let unit = scaling.map_or(1.0, crate::Scaling::displacement);
-        Error::SettlementOutOfReach {
-            value: self.settlement * unit,
-            eccentricity: self.e * self.base.problem.frame().half_width(),
-            limit: (self.settlement + excess) * unit,
-        }
+        Ok(())
     }
 
     /// The force between two by bisection of its logarithm.

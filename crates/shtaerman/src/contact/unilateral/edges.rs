@@ -1,7 +1,7 @@
 //! The edges of the contact to full precision.
 
 use super::base::Base;
-use super::damping::Damping;
+use super::damping::{Damping, Edge};
 use super::mirror::mirror;
 use super::solved::Solved;
 use super::system::Resolution;
@@ -93,7 +93,7 @@ pub(super) fn settle(
         if still {
             return Ok((solved, iterations));
         }
-        let steps = damping.damped(steps);
+        let steps = damping.damped(steps, &places(&zones, &solved));
         let from = std::mem::take(&mut zones);
         zones = moved(base, &from, &steps);
         step = Some(Step { from, steps, before: excess, cuts: 0 });
@@ -104,6 +104,18 @@ pub(super) fn settle(
     }
     let (solved, _) = Solved::new(base, resolution, &zones, false, latest.as_ref())?;
     Ok((solved, STEPS))
+}
+
+/// The ends of the zones as damping sees them.
+fn places(zones: &[Zone], solved: &Solved) -> Vec<Edge> {
+    (zones.iter().enumerate())
+        .flat_map(|(zone, place)| {
+            [(0, -1.0), (1, 1.0)].map(|(side, outwards)| {
+                let layer = solved.end_layer(zone, side);
+                Edge { at: place.ends[side].at, outwards, layer }
+            })
+        })
+        .collect()
 }
 
 /// A step that was taken, in case it must be cut.

@@ -7,6 +7,7 @@ mod finiteness;
 mod grammar;
 mod hostile;
 mod magnitudes;
+mod rises;
 mod trees;
 
 use super::{Expression, ExpressionError, Interval, Line};

@@ -74,15 +74,15 @@ impl Check {
     /// Refuses a tilt that lifts the disk off on one side.
     pub(super) fn require_contact(&self, problem: &SmoothDisk, field: &Field) -> Result<(), Error> {
         let factor = field.tilt_factor().abs();
-        if factor == 0.0 {
+        let (name, value) = problem.rotational();
+        if factor == 0.0 || value == 0.0 {
             return Ok(());
         }
         let limit = self.largest_share(problem, field, factor);
         if limit >= 1.0 - ALLOWED {
             return Ok(());
         }
-        let (field, value) = problem.rotational();
-        Err(Error::LiftsOff { field, value, limit: limit * value.abs() })
+        Err(Error::LiftsOff { field: name, value, limit: limit * value.abs() })
     }
 
     /// How much of the tilt keeps the contact as it is.

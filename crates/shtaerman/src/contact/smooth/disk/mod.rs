@@ -8,18 +8,21 @@
 //! - `u0(r) = (2/pi) cos(pi mu/2) int_0^c x^mu d(x) dx/(r^2 - x^2)^((1+mu)/2)` beside it;
 //!
 //! and a tilt of the whole disk adds `-(2/pi) e alpha0 x/((1+mu) (c^2 - r^2)^beta)` to the pressure, `M0 = -4 e c^(3+mu) alpha0/((1+mu)^2 (3+mu))` (L. A. Galin 1946,
-//! I. N. Sneddon 1965; V. L. Popov, M. Hess and E. Willert, *Handbook of Contact Mechanics*, 2019, ch. 2 and 9).
+//! I. N. Sneddon 1965; V. L. Popov, M. Hess and E. Willert, *Handbook of Contact Mechanics*, 2019, ch. 2 and 9). On homogeneous ground a contact that is no single disk is
+//! [rings].
 
 mod answer;
 mod check;
 mod field;
 mod linearised;
 mod radius;
+mod rings;
 pub(super) mod shape;
 mod stated;
 pub(super) mod transform;
 
 pub use answer::SmoothDiskContact;
+pub use rings::SmoothRingsContact;
 
 use std::fmt;
 
@@ -94,8 +97,8 @@ impl SmoothDisk {
     ///
     /// # Errors
     /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive in unilateral contact, a step inside the base in
-    /// bilateral contact; [`Error::NoContact`]; [`Error::Rings`] where the contact is no single disk; [`Error::LiftsOff`] for a moment
-    /// that does not leave the whole base in contact; [`Error::Overflow`] when the answer is not finite.
+    /// bilateral contact; [`Error::NoContact`]; [`Error::Rings`] where the contact is no single disk ([`solve_rings`](Self::solve_rings) finds what it
+    /// is); [`Error::LiftsOff`] for a moment that does not leave the whole base in contact; [`Error::Overflow`] when the answer is not finite.
     pub fn solve(&self) -> Result<SmoothDiskContact, Error> {
         self.check()?;
         let limit = self.limit()?;
@@ -121,6 +124,21 @@ impl SmoothDisk {
             }
         }
         Err(refused.unwrap_or(Error::Rings { variable: "xi", at: 0.0, found: "no contact" }))
+    }
+
+    /// Solves for the zones of unilateral contact, a disk and rings as it comes, under a force or a settlement; in bilateral contact for the full base.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive, a moment, a tilt or an exponent of grading that is not zero; [`Error::NoContact`];
+    /// [`Error::NotComplementary`] when no zones were found; [`Error::Equation`] where zones come too close to one another, or are too many, for the
+    /// modes that can be kept; [`Error::Overflow`] when the answer is not finite.
+    pub fn solve_rings(&self) -> Result<SmoothRingsContact, Error> {
+        rings::solve(self)
+    }
+
+    /// Whether contacts of rings can be solved for: without a tilt, on homogeneous ground.
+    fn has_rings(&self) -> bool {
+        self.exponent == 0.0 && self.rotational().1 == 0.0
     }
 
     /// `e`.

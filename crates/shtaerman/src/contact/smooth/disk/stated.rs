@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{SmoothDisk, SmoothDiskContact};
+use super::{SmoothDisk, SmoothDiskContact, rings};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
 use crate::contact::linearised::Linearised;
@@ -20,15 +20,26 @@ impl Problem {
     /// Solves a circular punch on a smooth body.
     ///
     /// # Errors
-    /// Those of [`SmoothDisk::solve`], with values in the units of the problem; [`Error::InvalidValue`] for a base that is no body of
-    /// revolution.
-    pub(crate) fn solve_smooth_disk(&self) -> Result<SmoothDiskContact, Error> {
+    /// Those of [`SmoothDisk::solve`] and of [`SmoothDisk::solve_rings`], which takes over where the contact is no single disk, with values in the units of
+    /// the problem; [`Error::InvalidValue`] for a base that is no body of revolution.
+    pub(in crate::contact) fn solve_smooth_disk(&self) -> Result<Arc<dyn Solution>, Error> {
         let samples: Result<Vec<(f64, f64)>, Error> = (0..=SAMPLES)
             .map(|i| i as f64 / SAMPLES as f64)
             .map(|xi| Ok((xi, self.finite_profile(xi)?)))
             .collect();
         require_even(self, &samples?)?;
-        self.smooth_disk().solve().map_err(|error| self.with_units(error))
+        let disk = self.smooth_disk();
+        let rings = || disk.solve_rings().map(|contact| -> Arc<dyn Solution> { Arc::new(contact) });
+        let mut tried = rings::are_likely(&disk).then(rings);
+        if let Some(Ok(solution)) = tried {
+            return Ok(solution);
+        }
+        let solution: Result<Arc<dyn Solution>, Error> = match disk.solve() {
+            Ok(contact) => Ok(Arc::new(contact)),
+            Err(Error::Rings { .. }) if disk.has_rings() => tried.take().unwrap_or_else(rings),
+            Err(error) => Err(error),
+        };
+        solution.map_err(|error| self.with_units(error))
     }
 
     /// The problem without dimensions.

@@ -6,8 +6,8 @@ use crate::contact::unilateral::zones::Zone;
 
 /// Samples of a cell.
 const SAMPLES: usize = 4;
-/// Halvings on the way to an edge, and steps towards a peak between samples.
-const HALVINGS: usize = 50;
+/// Steps on the way to an edge, and towards a peak between samples.
+const STEPS: usize = 80;
 const GOLDEN_STEPS: usize = 40;
 
 /// The zones from left to right.
@@ -16,14 +16,24 @@ pub(super) fn zones(base: &Base<'_>, fine: &Fine) -> Vec<Zone> {
     let count = SAMPLES * fine.count();
     let at: Vec<f64> = (0..=count).map(|i| 2.0 * i as f64 / count as f64 - 1.0).collect();
     let values: Vec<f64> = at.iter().map(|xi| pressure(*xi)).collect();
+    positive(&pressure, &at, &values, 0.0)
+}
+
+/// Where a function with these values at places from edge to edge of the punch is positive; values up to `none` are zero.
+pub(in crate::contact::unilateral) fn positive(
+    pressure: &impl Fn(f64) -> f64,
+    at: &[f64],
+    values: &[f64],
+    none: f64,
+) -> Vec<Zone> {
     let mut edges = Vec::new();
-    for i in 0..count {
-        if let Some(peak) = hidden(&pressure, &at, &values, i) {
-            edges.push(edge(&pressure, at[i - 1], peak));
-            edges.push(edge(&pressure, peak, at[i + 1]));
+    for i in 0..at.len() - 1 {
+        if let Some(peak) = hidden(pressure, at, values, i) {
+            edges.push(edge(pressure, (at[i - 1], values[i - 1]), peak, none));
+            edges.push(edge(pressure, peak, (at[i + 1], values[i + 1]), none));
         }
         if is_crossed(values[i], values[i + 1]) {
-            edges.push(edge(&pressure, at[i], at[i + 1]));
+            edges.push(edge(pressure, (at[i], values[i]), (at[i + 1], values[i + 1]), none));
         }
     }
     paired(edges, values[0] > 0.0)
@@ -50,7 +60,12 @@ fn is_crossed(one: f64, other: f64) -> bool {
 }
 
 /// The place beside a sample where the pressure has the other sign than at that sample and its neighbours.
-fn hidden(pressure: &impl Fn(f64) -> f64, at: &[f64], values: &[f64], i: usize) -> Option<f64> {
+fn hidden(
+    pressure: &impl Fn(f64) -> f64,
+    at: &[f64],
+    values: &[f64],
+    i: usize,
+) -> Option<(f64, f64)> {
     if i == 0 || i + 1 >= at.len() {
         return None;
     }
@@ -72,7 +87,7 @@ fn hidden(pressure: &impl Fn(f64) -> f64, at: &[f64], values: &[f64], i: usize) 
         let heights = inner.map(|xi| sign * pressure(xi));
         for (xi, height) in inner.iter().zip(heights) {
             if height > 0.0 {
-                return Some(*xi);
+                return Some((*xi, sign * height));
             }
         }
         if heights[0] > heights[1] { right = inner[1] } else { left = inner[0] }
@@ -80,12 +95,34 @@ fn hidden(pressure: &impl Fn(f64) -> f64, at: &[f64], values: &[f64], i: usize) 
     None
 }
 
-/// The crossing between two places of different signs.
-fn edge(pressure: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> f64 {
-    let positive_left = pressure(left) > 0.0;
-    for _ in 0..HALVINGS {
+/// The crossing between two places of different signs: by false position (Illinois), every third step by halves.
+fn edge(
+    pressure: &impl Fn(f64) -> f64,
+    (mut left, mut at_left): (f64, f64),
+    (mut right, mut at_right): (f64, f64),
+    none: f64,
+) -> f64 {
+    let positive_left = at_left > 0.0;
+    let (mut last, mut was_left) = (left, None);
+    for step in 1..=STEPS {
+        let secant = left + (right - left) * at_left / (at_left - at_right);
         let middle = 0.5 * (left + right);
-        if (pressure(middle) > 0.0) == positive_left { left = middle } else { right = middle }
+        let inside = secant > left && secant < right && step % 3 != 0;
+        let place = if inside { secant } else { middle };
+        let value = pressure(place);
+        if value.abs() <= none || middle <= left || middle >= right || place == last {
+            return place;
+        }
+        let is_left = (value > 0.0) == positive_left;
+        let again = was_left == Some(is_left);
+        if is_left {
+            (left, at_left) = (place, value);
+            at_right *= if again { 0.5 } else { 1.0 };
+        } else {
+            (right, at_right) = (place, value);
+            at_left *= if again { 0.5 } else { 1.0 };
+        }
+        (last, was_left) = (place, Some(is_left));
     }
     0.5 * (left + right)
 }

@@ -5,7 +5,7 @@
 //! estimated from half as many.
 
 mod answer;
-mod edges;
+pub(super) mod edges;
 mod surface;
 
 pub(super) use answer::CellContact;
@@ -55,27 +55,49 @@ pub(super) fn zones(base: &Base<'_>) -> Result<Option<Vec<Zone>>, Error> {
     Ok(levels(base)?.map(|[_, fine]| fine.zones))
 }
 
+/// The zones on half as many cells, to begin with.
+pub(super) fn first_zones(base: &Base<'_>) -> Result<Option<Vec<Zone>>, Error> {
+    let Some(count) = count(base) else { return Ok(None) };
+    let level = climbed(base, count, &LADDER[..LADDER.len() - 1], 1)?.pop();
+    Ok(level.map(|level| level.zones))
+}
+
 /// The contact on half the cells and on all.
 fn levels(base: &Base<'_>) -> Result<Option<[Fine; 2]>, Error> {
+    let Some(count) = count(base) else { return Ok(None) };
+    let levels = climbed(base, count, &LADDER, 2)?;
+    let touching = levels.iter().all(|level| !level.zones.is_empty());
+    Ok(<[Fine; 2]>::try_from(levels).ok().filter(|_| touching))
+}
+
+/// The number of cells that is wanted, where cells serve.
+fn count(base: &Base<'_>) -> Option<usize> {
     let points = base.problem.profile().measured_points().unwrap_or(0);
     let stiff = (2.0 * base.theta / STIFF) as usize;
     let count = (2 * points).max(stiff.min(MOST)).next_power_of_two().clamp(FEWEST, MOST);
-    if !base.is_plain() || is_eccentric(base) || base.theta * 2.0 / count as f64 > STIFFEST {
-        return Ok(None);
-    }
+    let is_thin = base.theta * 2.0 / count as f64 > STIFFEST;
+    (base.is_plain() && !is_eccentric(base) && !is_thin).then_some(count)
+}
+
+/// The contact on so many cells over the divisors of a ladder, that of the last `kept`; none, where exchanges do not end.
+fn climbed(
+    base: &Base<'_>,
+    count: usize,
+    ladder: &[usize],
+    kept: usize,
+) -> Result<Vec<Fine>, Error> {
     let mut levels: Vec<Fine> = Vec::new();
     let mut known: Option<CellSolution> = None;
-    for divisor in LADDER {
+    for (step, divisor) in ladder.iter().enumerate() {
         let level = Level::new(base, count / divisor)?;
         // Exchanges that do not end leave the problem to collocation.
-        let Ok(solution) = level.solve(known.as_ref()) else { return Ok(None) };
-        if divisor <= 2 {
+        let Ok(solution) = level.solve(known.as_ref()) else { return Ok(Vec::new()) };
+        if step + kept >= ladder.len() {
             levels.push(level.surface(&solution)?);
         }
         known = Some(solution);
     }
-    let touching = levels.iter().all(|level| !level.zones.is_empty());
-    Ok(<[Fine; 2]>::try_from(levels).ok().filter(|_| touching))
+    Ok(levels)
 }
 
 /// A settlement with a force off the middle: no problem of least energy.

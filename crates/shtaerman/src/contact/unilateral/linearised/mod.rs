@@ -14,11 +14,11 @@ use fredholm::SincSolution;
 use fredholm::collocation::{extrapolate, first_half_count, rounding};
 use fredholm::kernel::Kernel;
 
-use super::RATIO;
 use super::answer::UnilateralContact;
 use super::base::Base;
 use super::field::Field;
 use super::medium::Medium;
+use super::refinement::RATIO;
 use super::solved::{end_node, place};
 use super::system::{Factor, Resolution, System};
 use super::zones::Zone;

@@ -1,0 +1,106 @@
+//! Panels with Gauss nodes.
+
+use super::rule::{MOST, PanelRule};
+use crate::Error;
+
+/// Disjoint panels of `[-1, 1]` from left to right, each with the same number of Gauss nodes, for functions that are a polynomial on each.
+#[derive(Debug, Clone)]
+pub struct Panels {
+    pub(super) rule: PanelRule,
+    pub(super) bounds: Vec<[f64; 2]>,
+    nodes: Vec<f64>,
+    weights: Vec<f64>,
+}
+
+impl Panels {
+    /// The panels `[left, right]` with `order` nodes each.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] unless there are panels, in order, disjoint and in `[-1, 1]`, and `2 <= order <= 32`.
+    pub fn new(bounds: Vec<[f64; 2]>, order: usize) -> Result<Self, Error> {
+        let invalid =
+            |name, value, requirement| Error::InvalidParameter { name, value, requirement };
+        if !(2..=MOST).contains(&order) {
+            return Err(invalid("number of nodes of a panel", order as f64, "between 2 and 32"));
+        }
+        let mut end = -1.0;
+        for [left, right] in &bounds {
+            if !(*left >= end && right > left && *right <= 1.0) {
+                let requirement = "right of the one before, in [-1, 1]";
+                return Err(invalid("end of a panel", *right, requirement));
+            }
+            end = *right;
+        }
+        if bounds.is_empty() {
+            return Err(invalid("number of panels", 0.0, "at least 1"));
+        }
+        let rule = PanelRule::new(order)?;
+        let mut nodes = Vec::with_capacity(order * bounds.len());
+        let mut weights = Vec::with_capacity(order * bounds.len());
+        for [left, right] in &bounds {
+            let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+            nodes.extend(rule.nodes.iter().map(|y| middle + half * y));
+            weights.extend(rule.weights.iter().map(|w| half * w));
+        }
+        Ok(Self { rule, bounds, nodes, weights })
+    }
+
+    /// Number of nodes of each panel.
+    #[must_use]
+    pub fn order(&self) -> usize {
+        self.rule.order()
+    }
+
+    /// The ends of the panels.
+    #[must_use]
+    pub fn bounds(&self) -> &[[f64; 2]] {
+        &self.bounds
+    }
+
+    /// All nodes from left to right.
+    #[must_use]
+    pub fn nodes(&self) -> &[f64] {
+        &self.nodes
+    }
+
+    /// Weights of the nodes: `sum w_j phi(x_j)` is the integral over all panels.
+    #[must_use]
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
+    }
+
+    /// Number of nodes.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Middle and half the length of a panel.
+    pub(super) fn middle(&self, panel: usize) -> (f64, f64) {
+        let [left, right] = self.bounds[panel];
+        (0.5 * (left + right), 0.5 * (right - left))
+    }
+
+    /// The panel that holds a place.
+    #[must_use]
+    pub fn find(&self, x: f64) -> Option<usize> {
+        let panel = self.bounds.partition_point(|[_, right]| *right < x);
+        self.bounds.get(panel).filter(|[left, _]| *left <= x).map(|_| panel)
+    }
+
+    /// The function of these values at the nodes at any place of the panels; none beside them.
+    #[must_use]
+    pub fn interpolate(&self, values: &[f64], x: f64) -> Option<f64> {
+        let panel = self.find(x)?;
+        let (middle, half) = self.middle(panel);
+        let values = values.get(panel * self.order()..(panel + 1) * self.order())?;
+        Some(self.rule.interpolate(values, (x - middle) / half))
+    }
+
+    /// `sum w_j f(x_j) phi_j`.
+    #[must_use]
+    pub fn integral(&self, values: &[f64], f: impl Fn(f64) -> f64) -> f64 {
+        let terms = self.nodes.iter().zip(&self.weights).zip(values);
+        terms.map(|((x, w), value)| w * f(*x) * value).sum()
+    }
+}

@@ -1,0 +1,195 @@
+//! Gauss nodes of a panel and the moments of the logarithm over it.
+
+use crate::Error;
+use crate::quadrature::gauss_legendre;
+
+/// Beyond this many half-lengths from the middle Legendre's functions are computed downwards.
+const FORWARD: f64 = 1.05;
+/// `ln(1/eps)` of the moments, and of the plain rule far away.
+const DIGITS: f64 = 37.0;
+const FAR_DIGITS: f64 = 34.5;
+/// Beyond this many half-lengths few nodes are good enough for what few nodes can show.
+const FARTHEST: f64 = 9.0;
+
+/// Gauss nodes on `(-1, 1)` with what interpolation between them needs.
+#[derive(Debug, Clone)]
+pub(super) struct PanelRule {
+    pub(super) nodes: Vec<f64>,
+    pub(super) weights: Vec<f64>,
+    /// Legendre coefficients from values, row by row.
+    analysis: Vec<f64>,
+    /// `int ln(1/|y_i - y|) phi(y) dy` from values, row by row.
+    pub(super) own: Vec<f64>,
+    barycentric: Vec<f64>,
+    /// Half-lengths from the middle beyond which the nodes alone integrate the logarithm.
+    pub(super) far: f64,
+}
+
+impl PanelRule {
+    pub(super) fn new(order: usize) -> Result<Self, Error> {
+        let rule = gauss_legendre(order)?;
+        let (nodes, weights) = (rule.nodes, rule.weights);
+        let mut analysis = vec![0.0; order * order];
+        for (j, (y, w)) in nodes.iter().zip(&weights).enumerate() {
+            let (mut before, mut here) = (0.0, 1.0);
+            for k in 0..order {
+                analysis[k * order + j] = (k as f64 + 0.5) * w * here;
+                let next = ((2 * k + 1) as f64 * y * here - k as f64 * before) / (k + 1) as f64;
+                (before, here) = (here, next);
+            }
+        }
+        let barycentric = (0..order)
+            .map(|j| {
+                let others = (0..order).filter(|i| *i != j);
+                1.0 / others.map(|i| nodes[j] - nodes[i]).product::<f64>()
+            })
+            .collect();
+        let rho = (FAR_DIGITS / (2.0 * order as f64)).exp();
+        let far = (0.5 * (rho + 1.0 / rho)).min(FARTHEST);
+        let mut rule = Self { nodes, weights, analysis, own: Vec::new(), barycentric, far };
+        let mut own = vec![0.0; order * order];
+        for (row, y) in own.chunks_exact_mut(order).zip(&rule.nodes) {
+            rule.weights_at(*y, row);
+        }
+        rule.own = own;
+        Ok(rule)
+    }
+
+    pub(super) fn order(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The Legendre coefficients of the polynomial through values at the nodes.
+    pub(super) fn coefficients(&self, values: &[f64], coefficients: &mut [f64]) {
+        for (c, row) in coefficients.iter_mut().zip(self.analysis.chunks_exact(self.order())) {
+            *c = row.iter().zip(values).map(|(a, v)| a * v).sum();
+        }
+    }
+
+    /// The weights of `int_{-1}^{1} ln(1/|z - y|) phi(y) dy` for values of a polynomial at the nodes.
+    pub(super) fn weights_at(&self, z: f64, weights: &mut [f64]) {
+        let order = self.order();
+        let mut moments = [0.0; MOST + 1];
+        let moments = &mut moments[..order];
+        logarithm_moments(z, moments);
+        weights.fill(0.0);
+        for (moment, row) in moments.iter().zip(self.analysis.chunks_exact(order)) {
+            weights.iter_mut().zip(row).for_each(|(w, a)| *w += moment * a);
+        }
+    }
+
+    /// The polynomial through values at the nodes.
+    pub(super) fn interpolate(&self, values: &[f64], y: f64) -> f64 {
+        let (mut above, mut below) = (0.0, 0.0);
+        for ((node, weight), value) in self.nodes.iter().zip(&self.barycentric).zip(values) {
+            let distance = y - node;
+            if distance == 0.0 {
+                return *value;
+            }
+            above += weight / distance * value;
+            below += weight / distance;
+        }
+        above / below
+    }
+}
+
+/// Most nodes of a panel.
+pub(super) const MOST: usize = 32;
+
+/// `I_k(z) = int_{-1}^{1} ln(1/|z - y|) P_k(y) dy = 2 (Q_(k-1)(z) - Q_(k+1)(z))/(2k+1)`, `k >= 1`, with Legendre's functions of the second kind (between -1 and 1 those
+/// on the cut), for `k` below the length.
+pub(super) fn logarithm_moments(z: f64, moments: &mut [f64]) {
+    let count = moments.len();
+    let x = z.abs();
+    let term = |d: f64| if d == 0.0 { 0.0 } else { d * d.abs().ln() };
+    moments[0] = 2.0 - term(1.0 + x) - term(1.0 - x);
+    if x == 1.0 {
+        // Q_(k-1) - Q_(k+1) -> (2k+1)/(k(k+1))
+        for (k, moment) in moments.iter_mut().enumerate().skip(1) {
+            *moment = 2.0 / (k * (k + 1)) as f64;
+        }
+    } else {
+        let mut functions = [0.0; MOST + 2];
+        let functions = &mut functions[..=count];
+        if x < FORWARD {
+            upwards(x, functions);
+        } else {
+            downwards(x, functions);
+        }
+        for k in 1..count {
+            moments[k] = 2.0 * (functions[k - 1] - functions[k + 1]) / (2 * k + 1) as f64;
+        }
+    }
+    if z < 0.0 {
+        moments.iter_mut().skip(1).step_by(2).for_each(|moment| *moment = -*moment);
+    }
+}
+
+/// `Q_k(x)` by the recurrence in its own direction, stable up to about 1.
+fn upwards(x: f64, functions: &mut [f64]) {
+    functions[0] = 0.5 * ((1.0 + x) / (1.0 - x)).abs().ln();
+    functions[1] = x * functions[0] - 1.0;
+    for k in 1..functions.len() - 1 {
+        let next = (2 * k + 1) as f64 * x * functions[k] - k as f64 * functions[k - 1];
+        functions[k + 1] = next / (k + 1) as f64;
+    }
+}
+
+/// `Q_k(x)`, `x > 1`, by Miller's algorithm.
+fn downwards(x: f64, functions: &mut [f64]) {
+    let last = functions.len() - 1;
+    let beyond = (0.5 * DIGITS / x.acosh()).ceil() as usize;
+    let (mut after, mut here) = (0.0, f64::MIN_POSITIVE.sqrt());
+    for k in (1..=last + beyond).rev() {
+        if k <= last {
+            functions[k] = here;
+        }
+        let before = ((2 * k + 1) as f64 * x * here - (k + 1) as f64 * after) / k as f64;
+        (after, here) = (here, before);
+    }
+    functions[0] = here;
+    let scale = 0.5 * (2.0 / (x - 1.0)).ln_1p() / here;
+    functions.iter_mut().for_each(|q| *q *= scale);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quadrature::double_exponential;
+
+    #[test]
+    fn moments_agree_with_quadrature() {
+        for z in [0.0, 0.3, -0.7, 0.999, 1.0, -1.0, 1.0001, 1.04, 1.06, -1.3, 2.0, -9.0] {
+            let mut found = [0.0; 13];
+            logarithm_moments(z, &mut found);
+            for (k, found) in found.iter().enumerate() {
+                let legendre = |y: f64| {
+                    let (mut before, mut here) = (0.0, 1.0);
+                    for k in 0..k {
+                        let k = k as f64;
+                        (before, here) =
+                            (here, ((2.0 * k + 1.0) * y * here - k * before) / (k + 1.0));
+                    }
+                    here
+                };
+                let cut = z.clamp(-1.0, 1.0);
+                let part = |from: f64, to: f64| -> f64 {
+                    // Beyond the ends the distance grows from the nearer one.
+                    let half = 0.5 * (to - from);
+                    if half == 0.0 {
+                        return 0.0;
+                    }
+                    double_exponential(120)
+                        .map(|node| {
+                            let y = from + half * node.from_left;
+                            let distance = (z - from).abs() + half.abs() * node.from_left;
+                            -half.abs() * node.weight * distance.ln() * legendre(y)
+                        })
+                        .sum()
+                };
+                let exact = part(cut, -1.0) + part(cut, 1.0);
+                assert!((found - exact).abs() < 2e-13, "{z} {k}: {found} {exact}");
+            }
+        }
+    }
+}

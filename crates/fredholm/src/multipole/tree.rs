@@ -1,0 +1,233 @@
+//! The far part of the logarithmic potential: boxes of halved lengths whose charges act on each other through interpolation at Chebyshev points.
+
+use std::f64::consts::PI;
+
+/// Chebyshev points of a box. Boxes that act on each other lie at least a box apart: interpolation converges by `(3 + sqrt 8)^-1` with each point.
+pub(super) const POINTS: usize = 18;
+/// The offsets of boxes that act on each other: those of the neighbours of the parent that are no neighbours.
+const OFFSETS: [isize; 4] = [-3, -2, 2, 3];
+/// Most halvings.
+const DEEPEST: u32 = 18;
+const SHALLOWEST: u32 = 2;
+
+type Square = Vec<f64>;
+
+/// A tree of boxes over `[-1, 1]`.
+#[derive(Debug, Clone)]
+pub(super) struct Tree {
+    depth: u32,
+    /// First node of each leaf, and the number of nodes.
+    starts: Vec<usize>,
+    /// Values of the cardinal polynomials of its leaf at each node.
+    cardinal: Vec<f64>,
+    /// `-ln |t_i - (2 offset + t_k)|` for the offsets.
+    across: [Square; 4],
+    /// Values of the parent's cardinal polynomials at the points of the left and right child.
+    halves: [Square; 2],
+}
+
+/// Values at the points of all leaves.
+pub(super) type Locals = Vec<f64>;
+
+impl Tree {
+    /// For nodes from left to right, with leaves of at least `length` and about `crowd` nodes.
+    pub(super) fn new(nodes: &[f64], length: f64, crowd: usize) -> Self {
+        let covered = nodes.len().div_ceil(crowd).max(1) as f64;
+        let depth = (2.0 / length).min(covered).log2().ceil().clamp(0.0, f64::from(DEEPEST)) as u32;
+        let mut depth = depth.max(SHALLOWEST);
+        while depth > SHALLOWEST && 2.0 / f64::from(1u32 << depth) < length {
+            depth -= 1;
+        }
+        let leaves = 1usize << depth;
+        let mut starts = vec![nodes.len(); leaves + 1];
+        let mut next = 0;
+        for (leaf, start) in starts.iter_mut().enumerate().take(leaves) {
+            let left = 2.0 * leaf as f64 / leaves as f64 - 1.0;
+            while next < nodes.len() && nodes[next] < left {
+                next += 1;
+            }
+            *start = next;
+        }
+        let points = points();
+        let across = OFFSETS.map(|offset| {
+            square(|i, k| -(points[i] - (2.0 * offset as f64 + points[k])).abs().ln())
+        });
+        let halves = [-1.0, 1.0].map(|side| {
+            let mut matrix = vec![0.0; POINTS * POINTS];
+            for (row, t) in matrix.chunks_exact_mut(POINTS).zip(&points) {
+                cardinal(&points, 0.5 * (t + side), row);
+            }
+            matrix
+        });
+        let mut tree = Self { depth, starts, cardinal: Vec::new(), across, halves };
+        let mut values = vec![0.0; POINTS * nodes.len()];
+        for leaf in 0..leaves {
+            for j in tree.nodes_of(leaf, leaf) {
+                let t = tree.inside(leaf, nodes[j]);
+                cardinal(&points, t, &mut values[j * POINTS..(j + 1) * POINTS]);
+            }
+        }
+        tree.cardinal = values;
+        tree
+    }
+
+    pub(super) fn leaves(&self) -> usize {
+        1 << self.depth
+    }
+
+    /// The leaf of a place in `[-1, 1]`.
+    pub(super) fn leaf(&self, x: f64) -> usize {
+        ((0.5 * (x + 1.0) * self.leaves() as f64) as usize).min(self.leaves() - 1)
+    }
+
+    /// The nodes of leaves from the first to the last.
+    pub(super) fn nodes_of(&self, first: usize, last: usize) -> std::ops::Range<usize> {
+        self.starts[first]..self.starts[last + 1]
+    }
+
+    /// The nodes of a leaf and its neighbours, which act directly.
+    pub(super) fn near(&self, leaf: usize) -> std::ops::Range<usize> {
+        self.nodes_of(leaf.saturating_sub(1), (leaf + 1).min(self.leaves() - 1))
+    }
+
+    /// The place in a leaf, from -1 to 1.
+    pub(super) fn inside(&self, leaf: usize, x: f64) -> f64 {
+        (x + 1.0) * self.leaves() as f64 - (2 * leaf + 1) as f64
+    }
+
+    /// The far potential at the nodes, given that of their leaf.
+    pub(super) fn at_node(&self, locals: &Locals, leaf: usize, node: usize) -> f64 {
+        let local = &locals[leaf * POINTS..(leaf + 1) * POINTS];
+        dot(local, &self.cardinal[node * POINTS..(node + 1) * POINTS])
+    }
+
+    /// The potential of charges at all nodes but those of neighbouring leaves, at the points of the leaves; `everywhere`, or where there are nodes.
+    pub(super) fn locals(&self, charges: &[f64], everywhere: bool) -> Locals {
+        let levels = self.gathered(charges);
+        let mut above: Locals = vec![0.0; POINTS * 2];
+        for level in SHALLOWEST..=self.depth {
+            let boxes = 1usize << level;
+            let span = self.leaves() / boxes;
+            let scale = -(1.0 / boxes as f64).ln();
+            let moments = &levels[(level - SHALLOWEST) as usize];
+            let mut locals = vec![0.0; POINTS * boxes];
+            for (b, local) in locals.chunks_exact_mut(POINTS).enumerate() {
+                if !everywhere && self.nodes_of(b * span, (b + 1) * span - 1).is_empty() {
+                    continue;
+                }
+                if level > SHALLOWEST {
+                    let parent = &above[(b / 2) * POINTS..(b / 2 + 1) * POINTS];
+                    for (value, row) in
+                        local.iter_mut().zip(self.halves[b % 2].chunks_exact(POINTS))
+                    {
+                        *value += dot(row, parent);
+                    }
+                }
+                self.gather_far(moments, b, boxes, scale, local);
+            }
+            above = locals;
+        }
+        above
+    }
+
+    /// What the boxes in reach of this one give.
+    fn gather_far(&self, moments: &[f64], b: usize, boxes: usize, scale: f64, local: &mut [f64]) {
+        for (offset, matrix) in OFFSETS.iter().zip(&self.across) {
+            let Some(other) = b.checked_add_signed(*offset).filter(|other| *other < boxes) else {
+                continue;
+            };
+            // Of children of neighbours: an even box has three to its right.
+            let is_child = (b / 2).abs_diff(other / 2) <= 1;
+            let source = &moments[other * POINTS..(other + 1) * POINTS];
+            if !is_child || source.iter().all(|m| *m == 0.0) {
+                continue;
+            }
+            let level = scale * source.iter().sum::<f64>();
+            for (value, row) in local.iter_mut().zip(matrix.chunks_exact(POINTS)) {
+                *value += dot(row, source) + level;
+            }
+        }
+    }
+
+    /// The charges at the points of the boxes, from the coarsest level to the leaves.
+    fn gathered(&self, charges: &[f64]) -> Vec<Vec<f64>> {
+        let mut finest = vec![0.0; POINTS * self.leaves()];
+        for (leaf, moments) in finest.chunks_exact_mut(POINTS).enumerate() {
+            for j in self.nodes_of(leaf, leaf) {
+                add(moments, charges[j], &self.cardinal[j * POINTS..(j + 1) * POINTS]);
+            }
+        }
+        let mut levels = vec![finest];
+        for level in (SHALLOWEST..self.depth).rev() {
+            let children = &levels[levels.len() - 1];
+            let mut parents = vec![0.0; POINTS << level];
+            for (b, child) in children.chunks_exact(POINTS).enumerate() {
+                if child.iter().all(|m| *m == 0.0) {
+                    continue;
+                }
+                let parent = &mut parents[(b / 2) * POINTS..(b / 2 + 1) * POINTS];
+                for (m, row) in child.iter().zip(self.halves[b % 2].chunks_exact(POINTS)) {
+                    add(parent, *m, row);
+                }
+            }
+            levels.push(parents);
+        }
+        levels.reverse();
+        levels
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut sums = [0.0; 6];
+    for (a, b) in a.chunks_exact(6).zip(b.chunks_exact(6)) {
+        for lane in 0..6 {
+            sums[lane] += a[lane] * b[lane];
+        }
+    }
+    sums.iter().sum()
+}
+
+fn add(target: &mut [f64], factor: f64, vector: &[f64]) {
+    target.iter_mut().zip(vector).for_each(|(t, v)| *t += factor * v);
+}
+
+fn square(entry: impl Fn(usize, usize) -> f64) -> Square {
+    (0..POINTS * POINTS).map(|index| entry(index / POINTS, index % POINTS)).collect()
+}
+
+/// The Chebyshev points of the first kind.
+fn points() -> [f64; POINTS] {
+    std::array::from_fn(|k| -((2 * k + 1) as f64 * PI / (2 * POINTS) as f64).cos())
+}
+
+/// The values of the cardinal polynomials at a place, by the barycentric formula.
+fn cardinal(points: &[f64; POINTS], t: f64, values: &mut [f64]) {
+    if let Some(k) = points.iter().position(|point| *point == t) {
+        values.fill(0.0);
+        values[k] = 1.0;
+        return;
+    }
+    let mut sum = 0.0;
+    for (k, (value, point)) in values.iter_mut().zip(points).enumerate() {
+        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+        *value = sign * (1.0 - point * point).sqrt() / (t - point);
+        sum += *value;
+    }
+    values.iter_mut().for_each(|value| *value /= sum);
+}
+
+/// The polynomial through values at the points.
+pub(super) fn interpolate(values: &[f64], t: f64) -> f64 {
+    let points = points();
+    let (mut above, mut below) = (0.0, 0.0);
+    for (k, (value, point)) in values.iter().zip(points).enumerate() {
+        if t == point {
+            return *value;
+        }
+        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+        let weight = sign * (1.0 - point * point).sqrt() / (t - point);
+        above += weight * value;
+        below += weight;
+    }
+    above / below
+}

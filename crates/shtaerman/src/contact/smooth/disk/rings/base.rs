@@ -1,0 +1,100 @@
+//! The base of revolution with its walls and samples.
+
+use super::super::shape::Shape;
+use super::super::{BESIDE, SAMPLES, STEP, SmoothDisk};
+use crate::contact::smooth::zones::Zone;
+use crate::error::require;
+use crate::{Error, Vertical};
+
+/// Samples of a base for every one that shows its steps.
+const FINER: usize = 4;
+
+/// A problem with its walls and samples.
+pub(super) struct Base<'p> {
+    pub(super) problem: &'p SmoothDisk,
+    pub(super) shape: Shape<'p>,
+    /// Where an inner or an outer edge of the contact can rest under pressure.
+    walls: [Vec<f64>; 2],
+    /// `(r, f0)`.
+    pub(super) samples: Vec<(f64, f64)>,
+}
+
+impl<'p> Base<'p> {
+    pub(super) fn new(problem: &'p SmoothDisk) -> Result<Self, Error> {
+        problem.check()?;
+        let count = FINER * SAMPLES;
+        let samples: Vec<(f64, f64)> = (0..=count)
+            .map(|i| i as f64 / count as f64)
+            .map(|r| (r, (problem.height)(r)))
+            .collect();
+        let walls = [Vec::new(), vec![1.0]];
+        let mut base = Self { problem, shape: problem.shape()?, walls, samples };
+        base.find_steps();
+        base.require_load()?;
+        Ok(base)
+    }
+
+    /// `f0(r)`.
+    pub(super) fn height(&self, r: f64) -> f64 {
+        (self.problem.height)(r)
+    }
+
+    /// Difference of the largest and the smallest height.
+    pub(super) fn range(&self) -> f64 {
+        let heights = || self.samples.iter().map(|sample| sample.1);
+        heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Number of cells that show every valley of the profile.
+    pub(super) fn cells(&self) -> usize {
+        const FEWEST: usize = 48;
+        const MOST: usize = 768;
+        const A_VALLEY: usize = 12;
+        let is_valley = |w: &&[(f64, f64)]| w[1].1 <= w[0].1 && w[1].1 < w[2].1;
+        let valleys = self.samples.windows(3).filter(is_valley).count();
+        (A_VALLEY * (valleys + 1)).clamp(FEWEST, MOST)
+    }
+
+    /// The next wall for an inner (0) or outer (1) edge outwards of a place inside the contact; the axis is no wall.
+    pub(super) fn wall(&self, side: usize, inside: f64) -> f64 {
+        let walls = self.walls[side].iter().copied();
+        if side == 0 {
+            walls.filter(|wall| *wall <= inside).fold(0.0, f64::max)
+        } else {
+            walls.filter(|wall| *wall >= inside).fold(1.0, f64::min)
+        }
+    }
+
+    /// A zone whose ends are free unless they are walls, or beyond them; a disk has none at the axis.
+    pub(super) fn zone(&self, left: f64, right: f64) -> Zone {
+        let inside = 0.5 * (left + right);
+        let (first, last) = (self.wall(0, inside), self.wall(1, inside));
+        Zone::new([left.max(first), right.min(last)], [left > first, right < last])
+    }
+
+    fn find_steps(&mut self) {
+        let threshold = STEP * self.range();
+        for &place in &self.problem.breaks {
+            if place > BESIDE && place + BESIDE < 1.0 {
+                let rise = self.height(place + BESIDE) - self.height(place - BESIDE);
+                if rise.abs() > threshold {
+                    self.walls[usize::from(rise > 0.0)].push(place);
+                }
+            }
+        }
+    }
+
+    fn require_load(&self) -> Result<(), Error> {
+        match self.problem.load.vertical {
+            Vertical::Force(force) => {
+                let requirement =
+                    "greater than zero in unilateral contact: a pull lifts the punch off";
+                require(force > 0.0, "force", force, requirement).map(|_| ())
+            }
+            Vertical::Settlement(settlement) => {
+                let touches = self.samples.iter().any(|(_, height)| *height < settlement);
+                if touches { Ok(()) } else { Err(Error::NoContact) }
+            }
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! The smooth limit of a circular punch whose contact is rings, or a disk with rings about it.
+//!
+//! On a ring the [kernel] of the settlement is a logarithm of the radius and what is smooth beside it, so the [modes](coupling) of plane contact serve; a disk
+//! inside the rings is eliminated by Galin's transforms. The zones are found as in plane contact: on [cells](topology), then free [edges] by Newton's method,
+//! then a [check] between the nodes that corrects them.
+
+mod answer;
+mod base;
+mod check;
+mod coupling;
+mod edges;
+mod field;
+mod kernel;
+mod ring;
+mod system;
+mod topology;
+
+pub use answer::SmoothRingsContact;
+
+use super::{ALLOWED, SmoothDisk};
+use crate::Error;
+use crate::contact::smooth::zones::{Zone, corrected};
+use crate::contact::smooth::{COARSE, COARSELY_ALLOWED, CORRECTIONS, FINE, TOPOLOGIES};
+use crate::error::require;
+use base::Base;
+use check::{Check, check};
+use system::Solved;
+
+/// A relative error beyond which there is no answer.
+const WORST: f64 = 1e-3;
+
+/// Solves for disk and rings of contact without a tilt.
+pub(super) fn solve(problem: &SmoothDisk) -> Result<SmoothRingsContact, Error> {
+    let base = Base::new(problem)?;
+    let (field, requirement) = ("grading_exponent", "zero: rings on graded ground are not known");
+    require(problem.exponent == 0.0, field, problem.exponent, requirement)?;
+    let (field, turn) = problem.rotational();
+    require(turn == 0.0, field, turn, "zero: rings under a moment or a tilt are not known")?;
+    if !problem.is_unilateral {
+        let solved = Solved::new(&base, &[Zone::new([0.0, 1.0], [false; 2])], FINE)?;
+        let left = check(&base, &solved, ALLOWED);
+        return SmoothRingsContact::new(&base, solved, &left);
+    }
+    complementary(&base)
+}
+
+/// Whether the contact is probably no single disk, so that transforms of disks can be spared: the base falls somewhere, and cells say so.
+pub(super) fn are_likely(problem: &SmoothDisk) -> bool {
+    let is_disk = |base: Base<'_>| {
+        let rises = base.samples.windows(2).all(|pair| pair[0].1 <= pair[1].1);
+        if rises { Ok(true) } else { topology::is_disk(&base, base.cells()) }
+    };
+    problem.has_rings()
+        && problem.is_unilateral
+        && matches!(Base::new(problem).and_then(is_disk), Ok(false))
+}
+
+/// The answer, with its zones corrected where all modes show what few did not.
+fn complementary(base: &Base<'_>) -> Result<SmoothRingsContact, Error> {
+    let mut zones = find_zones(base)?;
+    let mut last = [f64::NAN; 2];
+    for _ in 0..CORRECTIONS {
+        let solved = edges::settle(base, &zones, FINE)?;
+        let left = check(base, &solved, ALLOWED);
+        if left.is_clean() {
+            return required(SmoothRingsContact::new(base, solved, &left)?);
+        }
+        // What the modes do not resolve is no reason to correct zones.
+        let noise = answer::noise(base, &solved, left.largest).min(COARSELY_ALLOWED);
+        if check(base, &solved, ALLOWED.max(noise)).is_clean() {
+            return required(SmoothRingsContact::new(base, solved, &left)?);
+        }
+        last = [left.tension, left.penetration];
+        zones = amended(base, &solved, &left);
+        if zones.is_empty() {
+            break;
+        }
+    }
+    Err(Error::NotComplementary { tension: last[0], penetration: last[1] })
+}
+
+/// Refuses an answer without digits.
+fn required(contact: SmoothRingsContact) -> Result<SmoothRingsContact, Error> {
+    let residual = contact.relative_error();
+    if residual <= WORST {
+        return Ok(contact);
+    }
+    let iterations = contact.modes();
+    Err(fredholm::Error::NotConverged { iterations, residual, tolerance: WORST }.into())
+}
+
+/// The zones with few modes.
+fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
+    let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
+    let counts = (0..TOPOLOGIES).map(|power| base.cells() * 4usize.pow(power as u32));
+    let mut counts: Vec<usize> = counts.map(|count| count.min(topology::MOST_CELLS)).collect();
+    counts.dedup();
+    for count in counts {
+        let found = topology::find(base, count);
+        let zones = found.map(|intervals| {
+            intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
+        });
+        match zones.and_then(|zones| corrected_zones(base, zones)) {
+            Ok(zones) => return Ok(zones),
+            Err(error) => last = error,
+        }
+    }
+    Err(last)
+}
+
+fn corrected_zones(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Vec<Zone>, Error> {
+    let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
+    for _ in 0..CORRECTIONS {
+        if zones.is_empty() {
+            break;
+        }
+        let solved = edges::settle(base, &zones, COARSE)?;
+        let left = check(base, &solved, COARSELY_ALLOWED);
+        if left.is_clean() {
+            return Ok(solved.zones);
+        }
+        let Check { tension, penetration, .. } = left;
+        last = Error::NotComplementary { tension, penetration };
+        zones = amended(base, &solved, &left);
+    }
+    Err(last)
+}
+
+/// The zones without tension and with what penetrates.
+fn amended(base: &Base<'_>, solved: &Solved, left: &Check) -> Vec<Zone> {
+    let intervals = corrected(&solved.zones, &left.pulling, &left.penetrating);
+    intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
+}

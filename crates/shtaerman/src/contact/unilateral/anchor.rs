@@ -1,0 +1,87 @@
+//! Small zones far from the middle of the base: heights from the tangent there, which keeps their digits.
+//!
+//! With `f0 = h + s (xi - c) + r` the equation is one with the profile `r`, the settlement `delta0 - h + s c` and the tilt `alpha0 + s`: under a given force both
+//! are as small as the contact, where `delta0`, `alpha0 xi` and `f0` are large and cancel.
+
+use super::base::Base;
+use crate::contact::accuracy::Accuracy;
+use crate::contact::balance::State;
+use crate::{Load, Problem, Rotational, Vertical};
+
+/// Rounding of what is added.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+/// A tangent of the profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Anchor {
+    /// `c`.
+    at: f64,
+    /// `h`.
+    height: f64,
+    /// `s`.
+    slope: f64,
+}
+
+impl Anchor {
+    /// The tangent at a place, where there is one.
+    pub(super) fn new(problem: &Problem, at: f64) -> Option<Self> {
+        let (height, slope) = (problem.dimensionless_profile(at), problem.dimensionless_slope(at)?);
+        (height.is_finite() && slope.is_finite()).then_some(Self { at, height, slope })
+    }
+
+    /// `r(xi)`.
+    pub(super) fn rise(&self, problem: &Problem, xi: f64) -> f64 {
+        problem.dimensionless_rise(self.at, xi)
+    }
+
+    /// The load of the problem with the profile `r`.
+    pub(super) fn load(&self, load: Load) -> Load {
+        let vertical = match load.vertical {
+            Vertical::Force(force) => Vertical::Force(force),
+            Vertical::Settlement(settlement) => {
+                Vertical::Settlement(settlement - self.height + self.slope * self.at)
+            }
+        };
+        let rotational = match load.rotational {
+            Rotational::Tilt(tilt) => Rotational::Tilt(tilt + self.slope),
+            other => other,
+        };
+        Load { vertical, rotational }
+    }
+
+    /// The state of the problem itself; what the load prescribes comes back as given.
+    pub(super) fn state(&self, given: Load, state: State) -> State {
+        let settlement = match given.vertical {
+            Vertical::Settlement(settlement) => settlement,
+            Vertical::Force(_) => state.settlement + (self.height - self.slope * self.at),
+        };
+        let tilt = match given.rotational {
+            Rotational::Tilt(tilt) => tilt,
+            Rotational::Moment(_) | Rotational::Eccentricity(_) => state.tilt - self.slope,
+        };
+        State { settlement, tilt, ..state }
+    }
+
+    /// Errors with the rounding of what is added.
+    pub(super) fn accuracy(&self, accuracy: Accuracy) -> Accuracy {
+        let size = self.height.abs().max(self.slope.abs());
+        let raised = |error: f64| if error == 0.0 { 0.0 } else { error + ROUNDING * size };
+        Accuracy {
+            settlement: raised(accuracy.settlement),
+            tilt: raised(accuracy.tilt),
+            ..accuracy
+        }
+    }
+}
+
+impl Base<'_> {
+    /// The same with heights from the tangent at a place; `None` where the profile has none there.
+    pub(super) fn anchored(&self, at: f64) -> Option<Self> {
+        let anchor = Anchor::new(self.problem, at)?;
+        let rise = |&(xi, _): &(f64, f64)| (xi, anchor.rise(self.problem, xi));
+        let mut base = self.under(anchor.load(self.load));
+        base.samples = self.samples.iter().map(rise).collect();
+        base.anchor = Some(anchor);
+        Some(base)
+    }
+}

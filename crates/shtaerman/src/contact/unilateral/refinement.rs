@@ -1,0 +1,157 @@
+//! The answer on growing numbers of nodes, with its error.
+
+use fredholm::collocation::{extrapolate, first_half_count};
+
+use super::base::Base;
+use super::edges;
+use super::solved::Solved;
+use super::system::Resolution;
+use super::zones::Zone;
+use crate::contact::accuracy::{Accuracy, ErrorKind};
+use crate::contact::plan::AIM;
+use crate::contact::potential::between_nodes;
+use crate::{Error, Load, Rotational, Vertical};
+
+/// Growth of the number of nodes from one resolution to the next.
+pub(super) const RATIO: f64 = std::f64::consts::SQRT_2;
+/// Most nodes of all panels together.
+pub(super) const MOST_NODES: usize = 2400;
+/// Differences that no longer fall and are below this share of the solution are rounding.
+const STAGNANT: f64 = 1e-9;
+/// A change of force and displacements, relative to their size, that is rounding.
+const RESOLVED: f64 = 1e-13;
+/// Points at which two resolutions are compared, on all panels and at least on each.
+const COMPARED: usize = 200;
+const LEAST_COMPARED: usize = 64;
+/// Rounding of settlement, tilt, force and moment relative to their size.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// Nodes on either side of the middle of a panel that are about right for the longest panel.
+pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
+    let longest = zones
+        .iter()
+        .flat_map(|zone| zone.panels(&base.breaks))
+        .fold(0.0f64, |most, (left, right)| most.max(right - left));
+    first_half_count(0.5 * base.steepness() * longest)
+}
+
+pub(super) fn half_count(start: f64, power: i32) -> usize {
+    ((start * RATIO.powi(power)).round() as usize).max(8)
+}
+
+/// The answer on growing numbers of nodes, from the one on the first.
+pub(super) fn refined(
+    base: &Base<'_>,
+    coarse: &Solved,
+    start: f64,
+) -> Result<(Solved, Accuracy, f64), Error> {
+    let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
+    let level = |zones: &[Zone], power: i32| {
+        let resolution = Resolution::new(&base.medium, half_count(start, power))?;
+        edges::settle(base, &resolution, zones).map(|(solved, _)| solved)
+    };
+    let mut fine = level(&coarse.zones, 0)?;
+    let mut before = difference(base, &fine, coarse);
+    let mut best: Option<(Solved, Accuracy, f64)> = None;
+    for power in 1.. {
+        let finer = level(&fine.zones, power)?;
+        let change = difference(base, &finer, &fine);
+        let (accuracy, edge) = estimate(base, &finer, &before, &change);
+        let sizes = finer.state.sizes(finer.largest());
+        let met = accuracy.relative(&sizes) <= tolerance;
+        let settled = change.pressure <= 2.0 * finer.pressure_rounding()
+            && resolved(&finer, &change)
+            || (change.pressure > 0.5 * before.pressure
+                && change.pressure <= STAGNANT * finer.largest());
+        let next = half_count(start, power + 1) * 2 * finer.panels.len();
+        let last = next > MOST_NODES;
+        fine = finer;
+        if best.as_ref().is_none_or(|(_, known, _)| accuracy.pressure <= known.pressure) {
+            best = Some((fine.clone(), accuracy, edge));
+        }
+        if met || settled || last {
+            break;
+        }
+        before = change;
+    }
+    Ok(best.unwrap_or_else(|| unreachable!("the first round sets it")))
+}
+
+/// Whether the integrals have settled with the pressure: where the body gives nothing, the pressure of a layer that bends is exact on any nodes, its force is not.
+fn resolved(solved: &Solved, change: &Change) -> bool {
+    let state = &solved.state;
+    let small = |change: f64, size: f64| change <= RESOLVED * size;
+    solved.layer.is_linear()
+        || (small(change.force.max(change.moment), state.force.abs().max(state.moment.abs()))
+            && small(
+                change.settlement.max(change.tilt),
+                state.settlement.abs().max(state.tilt.abs()),
+            ))
+}
+
+/// Differences between two resolutions.
+struct Change {
+    pressure: f64,
+    settlement: f64,
+    tilt: f64,
+    force: f64,
+    moment: f64,
+    edge: f64,
+}
+
+fn difference(base: &Base<'_>, fine: &Solved, coarse: &Solved) -> Change {
+    let same = fine.zones.len() == coarse.zones.len();
+    let edge = (fine.zones.iter().zip(&coarse.zones))
+        .flat_map(|(one, two)| {
+            (0..2).map(move |side| (one.ends[side].at - two.ends[side].at).abs())
+        })
+        .fold(if same { 0.0 } else { 2.0 }, f64::max);
+    let compared = (COMPARED / fine.panels.len()).max(LEAST_COMPARED);
+    let pressure = (fine.panels.iter())
+        .flat_map(|panel| {
+            let (middle, half) =
+                (0.5 * (panel.left + panel.right), 0.5 * (panel.right - panel.left));
+            between_nodes(compared).map(move |y| (middle + half * y).clamp(panel.left, panel.right))
+        })
+        .map(|xi| {
+            let height = base.height(xi);
+            let covered = coarse.zones.iter().any(|zone| zone.left() <= xi && xi <= zone.right());
+            let other = if covered { coarse.pressure_at(xi, height) } else { 0.0 };
+            (fine.pressure_at(xi, height) - other).abs()
+        })
+        .fold(0.0, f64::max);
+    Change {
+        pressure,
+        settlement: (fine.state.settlement - coarse.state.settlement).abs(),
+        tilt: (fine.state.tilt - coarse.state.tilt).abs(),
+        force: (fine.state.force - coarse.state.force).abs(),
+        moment: (fine.state.moment - coarse.state.moment).abs(),
+        edge,
+    }
+}
+
+/// The error of the finest of three resolutions, and that of its edges; none for what the load prescribes.
+fn estimate(base: &Base<'_>, fine: &Solved, before: &Change, change: &Change) -> (Accuracy, f64) {
+    let Load { vertical, rotational } = base.load;
+    let of = |unknown: bool, part: fn(&Change) -> f64, scale: f64| {
+        let estimate = extrapolate(part(before), part(change), scale, RATIO);
+        if unknown { estimate.max(ROUNDING * scale) } else { 0.0 }
+    };
+    let state = &fine.state;
+    let displacement = state.settlement.abs().max(state.tilt.abs());
+    let force = state.force.abs().max(state.moment.abs());
+    let by_force = matches!(vertical, Vertical::Force(_));
+    let by_tilt = matches!(rotational, Rotational::Tilt(_));
+    let by_moment = matches!(rotational, Rotational::Moment(_));
+    let largest = fine.largest();
+    let pressure = extrapolate(before.pressure, change.pressure, largest, RATIO);
+    let accuracy = Accuracy {
+        kind: ErrorKind::Estimate,
+        pressure: pressure.max(fine.pressure_rounding()),
+        settlement: of(by_force, |c| c.settlement, displacement),
+        tilt: of(!by_tilt, |c| c.tilt, displacement),
+        force: of(!by_force, |c| c.force, force),
+        moment: of(!by_moment, |c| c.moment, force),
+    };
+    (accuracy, of(true, |c| c.edge, 1.0).max(fine.edge_rounding()))
+}

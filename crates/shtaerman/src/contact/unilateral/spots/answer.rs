@@ -1,0 +1,91 @@
+//! The answer on panels.
+
+use super::level::Level;
+use crate::Problem;
+use crate::contact::accuracy::Accuracy;
+use crate::contact::balance::State;
+use crate::contact::solution::Solution;
+use crate::contact::solved::{Method, Stiffness};
+use crate::contact::unilateral::Complementarity;
+
+/// Beside a step.
+const INSIDE: f64 = 1e-12;
+
+/// A contact in many zones with its errors.
+#[derive(Debug, Clone)]
+pub(in crate::contact::unilateral) struct SpotContact {
+    pub(super) level: Level,
+    pub(super) accuracy: Accuracy,
+    pub(super) edge_error: f64,
+    pub(super) complementarity: Complementarity,
+}
+
+impl Solution for SpotContact {
+    fn state(&self) -> State {
+        self.level.state
+    }
+
+    /// Edges that move add nothing of first order, as the pressure vanishes there.
+    fn stiffness(&self) -> Stiffness {
+        self.level.stiffness
+    }
+
+    fn zones(&self) -> Vec<[f64; 2]> {
+        self.level.zones.iter().map(|zone| [zone.left(), zone.right()]).collect()
+    }
+
+    fn touches(&self, xi: f64) -> bool {
+        self.level.touches(xi)
+    }
+
+    fn pressure(&self, problem: &Problem, xi: f64) -> f64 {
+        if xi.is_nan() || !self.level.touches(xi) {
+            return if xi.is_nan() { xi } else { 0.0 };
+        }
+        let inside = match self.level.end_at(xi) {
+            Some((_, end)) if end.is_free => return 0.0,
+            // At a step of the base the height is that under pressure.
+            Some((side, _)) if xi.abs() < 1.0 => xi + if side == 0 { INSIDE } else { -INSIDE },
+            _ => xi,
+        };
+        self.level.pressure_at(xi, problem.dimensionless_profile(inside)).max(0.0)
+    }
+
+    fn displacement(&self, xi: f64) -> f64 {
+        self.level.displacement(xi)
+    }
+
+    /// The nodes, both ends of the base and of the zones.
+    fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
+        let panels = self.level.field.panels();
+        let pressures = self.level.pressures.iter().map(|p| p.max(0.0));
+        let known = panels.nodes().iter().copied().zip(pressures);
+        let ends = self.zones().into_iter().flatten().chain([-1.0, 1.0]);
+        let ends = ends.map(|xi| (xi, self.pressure(problem, xi)));
+        let mut samples: Vec<(f64, f64)> = known.chain(ends).collect();
+        samples.sort_by(|one, two| one.0.total_cmp(&two.0));
+        samples.dedup_by(|one, two| one.0 == two.0);
+        samples.into_iter().unzip()
+    }
+
+    fn method(&self) -> Method {
+        Method { name: "panels", n: self.level.pressures.len() }
+    }
+
+    fn accuracy(&self) -> Option<&Accuracy> {
+        Some(&self.accuracy)
+    }
+
+    fn edge_error(&self) -> Option<f64> {
+        let mut ends = self.level.zones.iter().flat_map(|zone| zone.ends);
+        ends.any(|end| end.is_free).then_some(self.edge_error)
+    }
+
+    fn complementarity(&self) -> Option<Complementarity> {
+        Some(self.complementarity)
+    }
+
+    fn size(&self) -> f64 {
+        self.level.largest()
+    }
+}

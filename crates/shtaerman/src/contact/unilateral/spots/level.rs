@@ -1,0 +1,290 @@
+//! The pressure on given zones, and where what it tells is positive.
+
+use fredholm::multipole::{
+    Groups, PanelCondition, PanelEquation, PanelField, PanelLogarithm, Panels,
+};
+
+use super::mesh::{Fineness, panels};
+use crate::contact::balance::State;
+use crate::contact::solved::Stiffness;
+use crate::contact::unilateral::base::Base;
+use crate::contact::unilateral::fine::edges::positive;
+use crate::contact::unilateral::zones::{End, Zone};
+use crate::{Error, Rotational, Vertical};
+
+/// Most nodes.
+const MOST_NODES: usize = 400_000;
+/// Longest groups, in lengths of the layer, and about the most groups beyond the number of zones.
+const GROUP: f64 = 0.25;
+const MOST_GROUPS: f64 = 400.0;
+/// Edges this close to a wall are there.
+const BESIDE: f64 = 1e-12;
+/// Rounding of the right-hand side.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Samples between joints, and at least.
+const SAMPLES: usize = 4;
+const FEWEST_SAMPLES: usize = 4096;
+
+/// The contact on given zones.
+#[derive(Debug, Clone)]
+pub(in crate::contact::unilateral) struct Level {
+    pub(super) zones: Vec<Zone>,
+    pub(super) state: State,
+    pub(super) stiffness: Stiffness,
+    pub(super) field: PanelField,
+    /// Pressures at the nodes.
+    pub(super) pressures: Vec<f64>,
+    theta: f64,
+}
+
+/// How well the equation is to be solved.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Effort {
+    pub(super) fineness: Fineness,
+    /// Residual relative to the pressure.
+    pub(super) residual: f64,
+    /// Whether the stiffness is wanted.
+    pub(super) has_stiffness: bool,
+}
+
+impl Level {
+    /// Solves on these zones, from what was known before; none where there are too many nodes.
+    pub(super) fn new(
+        base: &Base<'_>,
+        joints: &[f64],
+        zones: &[Zone],
+        effort: Effort,
+        known: Option<&Self>,
+    ) -> Result<Option<Self>, Error> {
+        let Some(bounds) = panels(base, joints, zones, effort.fineness, MOST_NODES) else {
+            return Ok(None);
+        };
+        let operator = PanelLogarithm::new(Panels::new(bounds, effort.fineness.order)?)?;
+        let panels = operator.panels();
+        let total: f64 = zones.iter().map(Zone::length).sum();
+        let longest = (GROUP / base.theta).max(total / MOST_GROUPS);
+        let groups = Groups::new(panels, base.theta, longest)?;
+        let equation =
+            PanelEquation { operator: &operator, parameter: base.theta, groups: &groups };
+        let start: Vec<f64> = (panels.nodes().iter())
+            .map(|x| known.and_then(|known| known.inside(*x)).unwrap_or(0.0))
+            .collect();
+        let given = Given::new(base, panels);
+        let norm = |values: &[f64]| {
+            let squares: Vec<f64> = values.iter().map(|value| value * value).collect();
+            panels.integral(&squares, |_| 1.0).sqrt()
+        };
+        let depth = norm(&given.right);
+        // At least the norm of a uniform pressure.
+        let carried = [norm(&start), given.force / total.sqrt(), depth];
+        let carried = carried.into_iter().find(|size| *size > 0.0).unwrap_or(1.0);
+        let tolerance = (effort.residual * carried).max(ROUNDING * depth);
+        let solution = equation.solve(&given.right, &given.conditions, &start, tolerance)?;
+        let stiffness = if effort.has_stiffness {
+            stiffness(&equation)?
+        } else {
+            Stiffness { force_settlement: 0.0, coupling: 0.0, moment_tilt: 0.0 }
+        };
+        Ok(Some(Self {
+            zones: zones.to_vec(),
+            state: balanced(base, panels, &solution.values, &solution.multipliers),
+            stiffness,
+            field: operator.field(&solution.values),
+            pressures: solution.values,
+            theta: base.theta,
+        }))
+    }
+
+    /// The pressure in the zones, from the values at the nodes.
+    pub(super) fn inside(&self, xi: f64) -> Option<f64> {
+        self.field.panels().interpolate(&self.pressures, xi)
+    }
+
+    /// `delta0 - alpha0 xi - f0 - theta0 K p0`, given the height: the pressure in a zone, minus the gap beside.
+    pub(super) fn pressure_at(&self, xi: f64, height: f64) -> f64 {
+        self.state.settlement - self.state.tilt * xi - height - self.displacement(xi)
+    }
+
+    /// `theta0 int ln(1/|xi - eta|) p0(eta) deta`.
+    pub(super) fn displacement(&self, xi: f64) -> f64 {
+        self.theta * self.field.at(xi)
+    }
+
+    /// Whether the place lies in a zone.
+    pub(super) fn touches(&self, xi: f64) -> bool {
+        let after = self.zones.partition_point(|zone| zone.right() < xi);
+        self.zones.get(after).is_some_and(|zone| zone.left() <= xi)
+    }
+
+    /// The end of a zone here.
+    pub(super) fn end_at(&self, xi: f64) -> Option<(usize, End)> {
+        let after = self.zones.partition_point(|zone| zone.right() < xi);
+        let ends = self.zones.get(after)?.ends;
+        ends.into_iter().enumerate().find(|(_, end)| end.at == xi)
+    }
+
+    /// The least slope of the pressure at a free end.
+    pub(super) fn gentlest(&self) -> f64 {
+        let bounds = self.field.panels().bounds();
+        let first = |at: f64| bounds.partition_point(|[_, right]| *right <= at);
+        let mut least = f64::INFINITY;
+        for zone in &self.zones {
+            for (side, end) in zone.ends.iter().enumerate().filter(|(_, end)| end.is_free) {
+                let panel = if side == 0 { first(end.at) } else { first(end.at).saturating_sub(1) };
+                let Some([left, right]) = bounds.get(panel) else { continue };
+                let middle = 0.5 * (left + right);
+                let distance = (middle - end.at).abs();
+                if let Some(pressure) = self.inside(middle).filter(|_| distance > 0.0) {
+                    least = least.min(pressure.abs() / distance);
+                }
+            }
+        }
+        least
+    }
+
+    /// A bound of what is added up in a pressure.
+    pub(super) fn size(&self) -> f64 {
+        self.largest() + self.state.settlement.abs() + self.state.tilt.abs()
+    }
+
+    /// The largest pressure at the nodes.
+    pub(super) fn largest(&self) -> f64 {
+        self.pressures.iter().fold(0.0, |most, p| most.max(*p))
+    }
+
+    /// Largest pressure, of either sign, at the free ends.
+    pub(super) fn at_ends(&self, base: &Base<'_>) -> f64 {
+        let ends = self.zones.iter().flat_map(|zone| zone.ends).filter(|end| end.is_free);
+        ends.map(|end| self.pressure_at(end.at, base.height(end.at)).abs()).fold(0.0, f64::max)
+    }
+
+    /// Places from edge to edge of the punch that show every bend of the profile, with what the pressure is there.
+    pub(super) fn sampled(&self, base: &Base<'_>, joints: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let mut at: Vec<f64> = Vec::new();
+        for zone in &self.zones {
+            at.extend([zone.left(), 0.5 * (zone.left() + zone.right()), zone.right()]);
+        }
+        let cuts: Vec<f64> =
+            [-1.0].into_iter().chain(joints.iter().copied()).chain([1.0]).collect();
+        for pair in cuts.windows(2) {
+            let share = 0.5 * (pair[1] - pair[0]) * FEWEST_SAMPLES as f64;
+            let parts = (share.ceil() as usize).max(SAMPLES);
+            at.extend((0..parts).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / parts as f64));
+        }
+        at.push(1.0);
+        at.sort_by(f64::total_cmp);
+        at.dedup();
+        let value = |xi: &f64| {
+            // At an end the polynomials are least exact, and beside it the same function goes on.
+            let inside = if self.end_at(*xi).is_some() { None } else { self.inside(*xi) };
+            inside.unwrap_or_else(|| self.pressure_at(*xi, base.height(*xi)))
+        };
+        let values = at.iter().map(value).collect();
+        (at, values)
+    }
+
+    /// Where the pressure and the gap tell that the zones are; pressures up to `none` are zero.
+    pub(super) fn next_zones(
+        &self,
+        base: &Base<'_>,
+        sampled: &(Vec<f64>, Vec<f64>),
+        none: f64,
+    ) -> Vec<Zone> {
+        let pressure = |xi: f64| self.pressure_at(xi, base.height(xi));
+        let mut zones = positive(&pressure, &sampled.0, &sampled.1, none);
+        for zone in &mut zones {
+            for (side, end) in zone.ends.iter_mut().enumerate() {
+                let inwards = if side == 0 { BESIDE } else { -BESIDE };
+                if let Some(wall) = base.wall_near(side, end.at + inwards, 2.0 * BESIDE) {
+                    *end = End { at: wall, is_free: false };
+                }
+            }
+        }
+        zones
+    }
+}
+
+/// What the load and the profile prescribe at the nodes.
+struct Given {
+    right: Vec<f64>,
+    conditions: Vec<PanelCondition>,
+    /// The prescribed force, or none.
+    force: f64,
+}
+
+impl Given {
+    fn new(base: &Base<'_>, panels: &Panels) -> Self {
+        let nodes = panels.nodes();
+        let mut right: Vec<f64> = nodes.iter().map(|x| -base.height(*x)).collect();
+        let mut add = |f: &dyn Fn(f64) -> f64| {
+            right.iter_mut().zip(nodes).for_each(|(value, x)| *value += f(*x));
+        };
+        let mut conditions = Vec::new();
+        let force = match base.load.vertical {
+            Vertical::Force(value) => {
+                conditions.push(PanelCondition { column: vec![1.0; nodes.len()], value });
+                value
+            }
+            Vertical::Settlement(settlement) => {
+                add(&|_| settlement);
+                0.0
+            }
+        };
+        let lever = |value: f64| PanelCondition { column: nodes.to_vec(), value };
+        match base.load.rotational {
+            Rotational::Moment(moment) => conditions.push(lever(moment)),
+            Rotational::Eccentricity(e) => conditions.push(lever(e * force)),
+            Rotational::Tilt(tilt) => add(&|x| -tilt * x),
+        }
+        Self { right, conditions, force }
+    }
+}
+
+/// Settlement, tilt, force and moment from multipliers and pressures.
+fn balanced(base: &Base<'_>, panels: &Panels, pressures: &[f64], multipliers: &[f64]) -> State {
+    let mut multipliers = multipliers.iter().copied();
+    let (force, settlement) = match base.load.vertical {
+        Vertical::Force(force) => (force, multipliers.next().unwrap_or(0.0)),
+        Vertical::Settlement(settlement) => (panels.integral(pressures, |_| 1.0), settlement),
+    };
+    let (moment, tilt) = match base.load.rotational {
+        Rotational::Moment(moment) => (moment, -multipliers.next().unwrap_or(0.0)),
+        Rotational::Eccentricity(e) => (e * force, -multipliers.next().unwrap_or(0.0)),
+        Rotational::Tilt(tilt) => (panels.integral(pressures, |x| x), tilt),
+    };
+    // Adding zero turns a negative zero into a plain one.
+    State {
+        settlement: settlement + 0.0,
+        tilt: tilt + 0.0,
+        force: force + 0.0,
+        moment: moment + 0.0,
+    }
+}
+
+/// `d(P0, M0)/d(delta0, -alpha0)` on the zones as they are.
+fn stiffness(equation: &PanelEquation<'_>) -> Result<Stiffness, Error> {
+    // What is left of the residual enters the integrals by its square.
+    const RESIDUAL: f64 = 1e-7;
+    let panels = equation.operator.panels();
+    let zero = vec![0.0; panels.count()];
+    let ones = vec![1.0; panels.count()];
+    let size = panels.integral(&ones, |_| 1.0).sqrt();
+    let solved = |right: &[f64]| -> Result<[Vec<f64>; 2], Error> {
+        let solution = equation.solve(right, &[], &zero, RESIDUAL * size)?;
+        let left = (right.iter().zip(&solution.values).zip(&solution.potential))
+            .map(|((b, v), u)| b - v - equation.parameter * u)
+            .collect();
+        Ok([solution.values, left])
+    };
+    let [level, level_left] = solved(&ones)?;
+    let [tilted, tilted_left] = solved(panels.nodes())?;
+    let product = |one: &[f64], other: &[f64]| {
+        let products: Vec<f64> = one.iter().zip(other).map(|(a, b)| a * b).collect();
+        panels.integral(&products, |_| 1.0)
+    };
+    Ok(Stiffness {
+        force_settlement: product(&ones, &level) + product(&level, &level_left),
+        coupling: product(panels.nodes(), &level) + product(&tilted, &level_left),
+        moment_tilt: product(panels.nodes(), &tilted) + product(&tilted, &tilted_left),
+    })
+}

@@ -1,0 +1,118 @@
+//! Contact in many zones ("contact spots") with exact edges.
+//!
+//! Each zone is cut into panels at the measured points, where the third derivative of the spline jumps, and towards its ends, where the pressure goes on as `d^2 ln d`; on each
+//! the pressure is a polynomial through Gauss nodes. The equation on all zones is solved by GMRES with products by a fast multipole method
+//! ([`fredholm::multipole`]). The zones that come next are where `g = delta0 - alpha0 xi - f0 - theta0 K p0` is positive: as the pressure vanishes at a free edge, an edge that is off
+//! by `e` changes the rest by `e^2` only, and this is Newton's method. Cells give the zones to begin with.
+
+mod answer;
+mod estimate;
+mod level;
+mod mesh;
+#[cfg(test)]
+mod tests;
+
+pub(super) use answer::SpotContact;
+
+use super::answer::Complementarity;
+use super::base::Base;
+use super::fine;
+use super::zones::Zone;
+use crate::Error;
+use crate::contact::solution::Solution;
+use estimate::estimate;
+use level::{Effort, Level};
+use mesh::Fineness;
+
+/// Most rounds on the way to the zones.
+const ROUNDS: usize = 12;
+/// Panels on which the zones are found, those whose answer is compared, and those of the answer: with the relative residuals.
+const LADDER: [Effort; 3] = [
+    Effort { fineness: Fineness { order: 4, ends: 4.0 }, residual: 1e-6, has_stiffness: false },
+    Effort { fineness: Fineness { order: 7, ends: 2.0 }, residual: 1e-11, has_stiffness: false },
+    Effort { fineness: Fineness { order: 10, ends: 1.0 }, residual: 1e-14, has_stiffness: true },
+];
+/// Pressure at free edges over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off.
+const GOOD: [f64; 3] = [1e-4, 1e-6, 1e-7];
+/// Rounding of a pressure relative to what is added up in it, at edges and elsewhere.
+const NONE: f64 = 4.0 * f64::EPSILON;
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
+/// Most zones.
+const MOST_ZONES: usize = 2000;
+/// Answers with larger relative errors leave the problem to others.
+const ROUGHEST: f64 = 1e-3;
+
+/// The answer on panels; none where the zones are not found or too many.
+pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
+    let Some(zones) = fine::first_zones(base)? else { return Ok(None) };
+    solve_from(base, zones)
+}
+
+/// The answer from zones that are nearly right.
+fn solve_from(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Option<SpotContact>, Error> {
+    let mut joints = base.problem.profile().joints(base.problem.frame().half_width());
+    joints.sort_by(f64::total_cmp);
+    let mut levels: Vec<Level> = Vec::new();
+    let mut left = None;
+    for (effort, good) in LADDER.into_iter().zip(GOOD) {
+        let settled = settle(base, &joints, zones, (effort, good), levels.last())?;
+        let Some((level, complementarity)) = settled else { return Ok(None) };
+        zones = level.zones.clone();
+        left = Some(complementarity);
+        levels.push(level);
+    }
+    let (Ok(levels), Some(complementarity)) = (<[Level; 3]>::try_from(levels), left) else {
+        return Ok(None);
+    };
+    let (accuracy, edge_error) = estimate(&levels);
+    let [_, _, level] = levels;
+    let contact = SpotContact { level, accuracy, edge_error, complementarity };
+    Ok((contact.relative_error() <= ROUGHEST).then_some(contact))
+}
+
+/// The zones that agree with their own pressure, and what is left of tension and penetration.
+fn settle(
+    base: &Base<'_>,
+    joints: &[f64],
+    mut zones: Vec<Zone>,
+    (effort, good): (Effort, f64),
+    start: Option<&Level>,
+) -> Result<Option<(Level, Complementarity)>, Error> {
+    let mut latest: Option<Level> = None;
+    for _ in 0..ROUNDS {
+        if zones.is_empty() || zones.len() > MOST_ZONES {
+            return Ok(None);
+        }
+        let known = latest.as_ref().or(start);
+        let Some(mut level) = Level::new(base, joints, &zones, effort, known)? else {
+            return Ok(None);
+        };
+        let sampled = level.sampled(base, joints);
+        let next = level.next_zones(base, &sampled, NONE * level.size());
+        let is_same = next.len() == zones.len();
+        zones = next;
+        if is_same && level.at_ends(base) <= good * level.largest() {
+            // The pressure outside of the panels goes on as the negative gap: these edges are its own.
+            level.zones = zones;
+            let left = complementarity(&level, &sampled);
+            return Ok(Some((level, left)));
+        }
+        latest = Some(level);
+    }
+    Ok(None)
+}
+
+/// Tension in the zones and penetration beside them.
+fn complementarity(level: &Level, (at, values): &(Vec<f64>, Vec<f64>)) -> Complementarity {
+    let (mut tension, mut penetration) = (0.0f64, 0.0f64);
+    let inside = at.iter().zip(values).filter(|(xi, _)| level.end_at(**xi).is_none());
+    for (xi, pressure) in inside {
+        if level.touches(*xi) {
+            tension = tension.max(-pressure);
+        } else {
+            penetration = penetration.max(*pressure);
+        }
+    }
+    let largest = level.largest().max(f64::MIN_POSITIVE);
+    Complementarity { tension: tension / largest, penetration: penetration / level.size() }
+}

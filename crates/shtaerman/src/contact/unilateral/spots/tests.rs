@@ -1,0 +1,202 @@
+//! Many zones against collocation, cells, and what must hold.
+
+use super::super::base::Base;
+use super::super::complementary;
+use super::*;
+use crate::contact::balance::State;
+use crate::{ContactKind, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+
+fn problem(theta0: f64, profile: Profile, vertical: Vertical, rotational: Rotational) -> Problem {
+    let load = Load::new(vertical, rotational).unwrap();
+    Problem::new(Frame::dimensionless(theta0).unwrap(), profile, load, Solver::default()).unwrap()
+}
+
+fn expression(theta0: f64, profile: &str, moment: f64) -> Problem {
+    let profile = Profile::expression(profile).unwrap();
+    problem(theta0, profile, Vertical::Force(1.0), Rotational::Moment(moment))
+}
+
+/// A trace with waves of many lengths.
+fn trace(points: i32, theta0: f64) -> Profile {
+    let positions: Vec<f64> =
+        (0..points).map(|i| 2.0 * f64::from(i) / f64::from(points - 1) - 1.0).collect();
+    let height = |x: &f64| {
+        let wave = |k: i32| {
+            let k = f64::from(k);
+            k.powf(-1.5) * (3.1 * k * x + k * k).sin()
+        };
+        2.0 * (1.0 + theta0) * (0.3 * x * x + 0.3 * (1..=60).map(wave).sum::<f64>())
+    };
+    let heights = positions.iter().map(height).collect();
+    Profile::measured(positions, heights).unwrap()
+}
+
+fn panels(problem: &Problem) -> SpotContact {
+    let base = Base::new(problem, ContactKind::Unilateral).unwrap();
+    solve(&base).unwrap().unwrap()
+}
+
+/// Compares with collocation on the same problem, where that finds the zones; their number.
+fn agrees(problem: &Problem) -> Option<usize> {
+    let found = panels(problem);
+    let base = Base::new(problem, ContactKind::Unilateral).unwrap();
+    let exact = complementary(&base).ok()?;
+    let (one, other) = (found.state(), exact.state());
+    let size = found.level.size();
+    for (a, b) in [
+        (one.settlement, other.settlement),
+        (one.tilt, other.tilt),
+        (one.force, other.force),
+        (one.moment, other.moment),
+    ] {
+        assert!((a - b).abs() < 1e-11 * size, "{a} {b}");
+    }
+    let (zones, known) = (found.zones(), exact.zones());
+    assert_eq!(zones.len(), known.len());
+    for (a, b) in zones.iter().flatten().zip(known.iter().flatten()) {
+        assert!((a - b).abs() < 1e-10, "{a} {b}");
+    }
+    let (mut largest, mut pressure) = (0.0f64, 0.0f64);
+    for i in 0..=400 {
+        let xi = (f64::from(i) / 200.0 - 1.0).clamp(-1.0, 1.0);
+        let [a, b] = [found.pressure(problem, xi), exact.pressure(problem, xi)];
+        (largest, pressure) = (largest.max(b), pressure.max((a - b).abs()));
+        let off = (found.displacement(xi) - exact.displacement(xi)).abs();
+        assert!(off < 1e-11 * size, "{xi}: {off:e}");
+    }
+    assert!(pressure < 1e-10 * largest, "{pressure:e}");
+    assert!(found.relative_error() < 1e-9, "{:?}", found.accuracy);
+    let (one, other) = (found.stiffness(), exact.stiffness());
+    for (a, b) in [
+        (one.force_settlement, other.force_settlement),
+        (one.coupling, other.coupling),
+        (one.moment_tilt, other.moment_tilt),
+    ] {
+        // The responses have d ln d at free edges, for which the panels are not made.
+        assert!((a - b).abs() < 1e-8 * other.force_settlement, "{a} {b}");
+    }
+    Some(zones.len())
+}
+
+#[test]
+fn collocation_agrees_in_several_zones() {
+    let mut counts = Vec::new();
+    for (theta0, waves) in [
+        (0.5, 11.0),
+        (0.5, 23.0),
+        (2.0, 29.0),
+        (5.0, 17.0),
+        (20.0, 11.0),
+        (20.0, 23.0),
+        (20.0, 31.0),
+        (50.0, 31.0),
+        (150.0, 31.0),
+        (150.0, 45.0),
+    ] {
+        let size = 2.0 * (1.0 + theta0);
+        let profile = format!("{size}*(0.4*xi^2 + 0.1*cos({waves}*xi + 0.4))");
+        counts.extend(agrees(&expression(theta0, &profile, 0.1)));
+    }
+    // Collocation does not find all zones of all of these.
+    assert!(counts.len() >= 3 && counts.iter().any(|count| *count >= 4), "{counts:?}");
+}
+
+#[test]
+fn collocation_agrees_at_corners_and_steps() {
+    let flat = problem(30.0, Profile::flat(), Vertical::Force(1.0), Rotational::Eccentricity(0.6));
+    assert_eq!(agrees(&flat), Some(1));
+    assert!(agrees(&expression(3.0, "xi^2 + where(xi > 0.3, 8, 0)", -0.1)).is_some());
+}
+
+#[test]
+fn cells_agree_within_their_estimate() {
+    let problem = problem(30.0, trace(1500, 30.0), Vertical::Force(1.0), Rotational::Moment(0.2));
+    let found = panels(&problem);
+    assert!(found.relative_error() < 1e-10, "{:?}", found.accuracy);
+    let base = Base::new(&problem, ContactKind::Unilateral).unwrap();
+    let cells = fine::solve(&base).unwrap().unwrap();
+    let counts = [found.zones().len(), cells.zones().len()];
+    assert!(counts[0] >= 8 && counts[0] == counts[1], "{counts:?}");
+    let accuracy = cells.accuracy().unwrap();
+    assert!((found.state().settlement - cells.state().settlement).abs() <= accuracy.settlement);
+    assert!((found.state().tilt - cells.state().tilt).abs() <= accuracy.tilt);
+    for (one, other) in found.zones().iter().flatten().zip(cells.zones().iter().flatten()) {
+        assert!((one - other).abs() <= cells.edge_error().unwrap(), "{one} {other}");
+    }
+    for i in 0..1000 {
+        let xi = f64::from(2 * i + 1) / 1000.0 - 1.0;
+        let off = (found.pressure(&problem, xi) - cells.pressure(&problem, xi)).abs();
+        assert!(off <= accuracy.pressure, "{xi}: {off:e}");
+    }
+}
+
+#[test]
+fn force_moment_and_displacement_agree_with_a_rule_of_their_own() {
+    let profile = trace(1000, 8.0);
+    let problem = problem(8.0, profile, Vertical::Force(1.0), Rotational::Moment(0.2));
+    let found = panels(&problem);
+    let Complementarity { tension, penetration } = found.complementarity;
+    assert!(tension < 1e-12 && penetration < 1e-12, "{tension:e} {penetration:e}");
+    let middle = found.zones()[3];
+    let inside = middle[0] + 0.4 * (middle[1] - middle[0]);
+    let beside = 0.3 * middle[1] + 0.7 * found.zones()[4][0];
+    let joints = problem.profile().joints(1.0);
+    let (mut force, mut moment, mut displaced) = (0.0, 0.0, [0.0, 0.0]);
+    for [left, right] in found.zones() {
+        let mut cuts: Vec<f64> = joints.iter().copied().chain([inside]).collect();
+        cuts.retain(|at| *at > left && *at < right);
+        cuts.extend([left, right]);
+        cuts.sort_by(f64::total_cmp);
+        for pair in cuts.windows(2) {
+            let half = 0.5 * (pair[1] - pair[0]);
+            for node in fredholm::quadrature::double_exponential(14) {
+                let near_left = node.from_left < node.from_right;
+                let at = |from: f64, to: f64| {
+                    // The distance from a place that is a cut is exact.
+                    let distance =
+                        if near_left { half * node.from_left } else { half * node.from_right };
+                    if near_left { from + distance } else { to - distance }
+                };
+                let s = at(pair[0], pair[1]);
+                let part = half * node.weight * found.pressure(&problem, s);
+                force += part;
+                moment += s * part;
+                for (sum, x) in displaced.iter_mut().zip([inside, beside]) {
+                    let distance = if pair[0] == x {
+                        half * node.from_left
+                    } else if pair[1] == x {
+                        half * node.from_right
+                    } else {
+                        (x - s).abs()
+                    };
+                    *sum -= 8.0 * part * distance.ln();
+                }
+            }
+        }
+    }
+    assert!((force - 1.0).abs() < 1e-11 && (moment - 0.2).abs() < 1e-11, "{force} {moment}");
+    for (sum, x) in displaced.into_iter().zip([inside, beside]) {
+        let known = found.displacement(x);
+        assert!((sum - known).abs() < 1e-10 * found.level.size(), "{x}: {sum} {known}");
+    }
+}
+
+#[test]
+fn what_comes_out_may_be_prescribed() {
+    let profile = trace(1200, 30.0);
+    let free = panels(&problem(
+        30.0,
+        profile.clone(),
+        Vertical::Force(1.0),
+        Rotational::Eccentricity(0.1),
+    ));
+    let State { settlement, tilt, force, moment } = free.state();
+    assert!((moment - 0.1 * force).abs() < 1e-14);
+    let held = problem(30.0, profile, Vertical::Settlement(settlement), Rotational::Tilt(tilt));
+    let held = panels(&held);
+    assert!((held.state().force - force).abs() < 1e-10, "{:?}", held.state());
+    assert!((held.state().moment - moment).abs() < 1e-10, "{:?}", held.state());
+    for (one, other) in free.zones().iter().flatten().zip(held.zones().iter().flatten()) {
+        assert!((one - other).abs() < 1e-11, "{one} {other}");
+    }
+}
