@@ -84,11 +84,10 @@ mod tests {
     #[test]
     fn the_inside_of_a_zone_without_one_is_beside_its_ends() {
         let zone = Zone::new([0.5, 1.0], [true; 2]);
-        assert_eq!([0.2, 0.7, 1.5].map(|xi| zone.inside(xi)), [
-            0.5f64.next_up(),
-            0.7,
-            1.0f64.next_down()
-        ]);
+        assert_eq!(
+            [0.2, 0.7, 1.5].map(|xi| zone.inside(xi)),
+            [0.5f64.next_up(), 0.7, 1.0f64.next_down()]
+        );
         let sliver = Zone::new([0.5, 0.5f64.next_up()], [true; 2]);
         assert!((sliver.inside(0.5) - 0.5).abs() <= f64::EPSILON);
     }

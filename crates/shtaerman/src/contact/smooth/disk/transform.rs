@@ -13,7 +13,7 @@ use crate::contact::smooth::legendre::{ORDER, RULE, derivative, integral, series
 const DEEPEST: u32 = 44;
 const MOST_PANELS: usize = 128;
 /// Last coefficients relative to the largest value that count as resolved, and that are noise if they do not fall.
-const RESOLVED: f64 = 1e-15;
+const RESOLVED: f64 = 4e-16;
 const NOISE: f64 = 1e-11;
 /// Last coefficients below this share of the largest are none.
 const ROUNDING: f64 = 0.5 * f64::EPSILON;
@@ -73,7 +73,7 @@ impl Panel {
     }
 
     fn blown(&self, size: f64) -> f64 {
-        8.0 * f64::EPSILON * (self.count * self.count) as f64 * size / self.length()
+        8.0 * f64::EPSILON * (ORDER * ORDER) as f64 * size / self.length()
     }
 }
 
