@@ -6,7 +6,9 @@
 use std::hint::black_box;
 use std::time::Instant;
 
-use shtaerman::{Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{
+    Elastic, Frame, Geometry, Grading, Load, Problem, Profile, Rotational, Solver, Vertical,
+};
 
 fn main() {
     println!("{:<58} {:>12}", "one thread, best of many", "milliseconds");
@@ -24,6 +26,7 @@ fn main() {
     time("general profile, theta0 = 2.5", &expression(theta0, &general, centric));
     rough_elsewhere(theta0, &parabola);
     smooth();
+    smooth_graded();
     let waves = format!("{}*(xi^2 + 0.2*cos(14*xi))", 2.0 * theta0);
     time("waves, several zones, theta0 = 2.5", &expression(theta0, &waves, centric));
     let load = Load::new(force, Rotational::Moment(0.2)).unwrap();
@@ -68,8 +71,33 @@ fn smooth() {
     solve("smooth wave", Geometry::Periodic { period: 2.0 }, "-0.1*cos(pi*x)", 0.1, 0.0);
 }
 
-/// Best time of one call.
+/// Smooth surfaces on graded ground, `E = y^0.3`, `a = 1`.
+fn smooth_graded() {
+    let solve = |name: &str, geometry: Geometry, profile: &str, force: f64, moment: f64| {
+        let grading = Grading::new(0.3, 1.0).unwrap();
+        let frame = Frame::physical_graded(geometry, grading, 0.3, 0.0, 1.0).unwrap();
+        let load = Load::new(Vertical::Force(force), Rotational::Moment(moment)).unwrap();
+        let profile = Profile::expression(profile).unwrap();
+        time(name, &Problem::new(frame, profile, load, Solver::default()).unwrap());
+    };
+    let plane = Geometry::Plane;
+    solve("smooth parabola, graded", plane, "x^2", 0.1, 0.0);
+    solve("smooth wedge, graded", plane, "0.5*abs(x)", 0.05, 0.0);
+    solve("smooth wedge off the middle, graded", plane, "0.5*abs(x - 0.2)", 0.05, 0.0);
+    solve("smooth general profile, graded", plane, "x^2 + 0.3*x^4 + 0.2*sin(x)", 0.1, 0.0);
+    solve("smooth waves, several zones, graded", plane, "x^2 + 0.02*cos(20*x)", 0.0005, 0.0);
+    solve("smooth wedges, two zones, graded", plane, "abs(abs(x) - 0.3)/5", 0.004, 0.0);
+    solve("smooth circular parabola, graded", Geometry::Circular, "x^2", 0.1, 0.0);
+    solve("smooth circular cone, graded", Geometry::Circular, "0.5*abs(x)", 0.05, 0.0);
+}
+
+/// Best time of one call, if the name has the part that the command line asks for, if any.
 fn time(name: &str, problem: &Problem) {
+    let is_flag = |argument: &String| argument.starts_with('-');
+    let mut wanted = std::env::args().skip(1).filter(|argument| !is_flag(argument));
+    if wanted.next().is_some_and(|part| !name.contains(&part)) {
+        return;
+    }
     let (mut best, mut spent) = (f64::INFINITY, 0.0);
     while spent < 1.0 {
         let start = Instant::now();

@@ -141,20 +141,6 @@ pub enum Error {
         found: &'static str,
     },
 
-    /// The contact of a smooth plane punch on graded ground has more than one zone.
-    #[error(
-        "the contact is no single zone: {found} at {variable} = {at}; on graded ground a smooth punch is solved for one zone of contact only, several with a \
-         layer: give a small roughness instead of 0"
-    )]
-    SeveralZones {
-        /// `x` (metres) or `xi`.
-        variable: &'static str,
-        /// Where.
-        at: f64,
-        /// What says so: `tension`, `penetration`, ..
-        found: &'static str,
-    },
-
     /// A layer with a power law would pull.
     #[error(
         "the pressure would pull at {variable} = {at}, and the power law of the layer is known for compression only: \

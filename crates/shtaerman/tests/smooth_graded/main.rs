@@ -6,5 +6,7 @@ mod disk;
 mod limits;
 mod plane;
 mod refusals;
+mod sensitivities;
 mod stated;
 mod support;
+mod zones;

@@ -27,7 +27,7 @@ fn draws(count: usize) -> impl Iterator<Item = [f64; 4]> {
 
 #[test]
 fn strips_state_their_error() {
-    for [one, two, three, four] in draws(60) {
+    for [one, two, three, four] in draws(120) {
         let mu = 0.02 + 0.95 * one;
         let b = 0.3 * 10f64.powf(-3.0 * two);
         let centre = 0.6 * (2.0 * three - 1.0);
@@ -62,7 +62,7 @@ fn strips_state_their_error() {
 
 #[test]
 fn disks_state_their_error() {
-    for [one, two, three, _] in draws(40) {
+    for [one, two, three, _] in draws(60) {
         let mu = 0.02 + 0.95 * one;
         let c = 10f64.powf(-4.0 * two);
         let radius = 10f64.powf(2.0 * three);

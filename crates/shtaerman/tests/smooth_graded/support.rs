@@ -107,7 +107,7 @@ pub(crate) fn piece(f: &dyn Fn(f64, f64) -> f64, [left, right]: [f64; 2], x: f64
     let [near, far] = if left >= x { [left - x, right - x] } else { [x - right, x - left] };
     let (first, last) = (near.powf(power), far.powf(power));
     let half = 0.5 * (last - first);
-    double_exponential(150)
+    double_exponential(300)
         .map(|node| {
             let distance = (first + half * node.from_left).powf(1.0 / power);
             let at = (x + sign * distance).clamp(left, right);

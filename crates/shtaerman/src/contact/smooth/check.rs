@@ -115,7 +115,7 @@ fn points(base: &Base<'_>, left: f64, right: f64) -> Vec<f64> {
 }
 
 /// The intervals around points where the values exceed a threshold, to the nearest points where they do not.
-fn above(points: &[f64], values: &[f64], threshold: f64) -> Vec<[f64; 2]> {
+pub(super) fn above(points: &[f64], values: &[f64], threshold: f64) -> Vec<[f64; 2]> {
     let mut intervals: Vec<[f64; 2]> = Vec::new();
     let mut inside = false;
     for i in 0..points.len() {

@@ -49,7 +49,7 @@ pub(super) fn settle(base: &Base<'_>, start: &[Zone], detail: Detail) -> Result<
         } else if worst <= none && !released {
             return Ok(solved);
         }
-        zones = moved(base, &solved, &zones);
+        zones = moved(base, &zones, |j, side| outward(&solved, j, side));
         best = is_small.then_some((worst, solved));
     }
     match best {
@@ -124,8 +124,12 @@ fn slope(solved: &Solved, j: usize, side: usize) -> f64 {
     -2.0 * (4.0 * one - two) / 3.0
 }
 
-/// The zones after steps that neither empty a zone nor jump over a gap.
-fn moved(base: &Base<'_>, solved: &Solved, zones: &[Zone]) -> Vec<Zone> {
+/// The zones after steps that neither empty a zone nor jump over a gap; `outward` is that of a zone and side in lengths of the zone.
+pub(super) fn moved(
+    base: &Base<'_>,
+    zones: &[Zone],
+    outward: impl Fn(usize, usize) -> f64,
+) -> Vec<Zone> {
     let mut next: Vec<Zone> = Vec::with_capacity(zones.len());
     for (j, zone) in zones.iter().enumerate() {
         let mut target = *zone;
@@ -137,8 +141,7 @@ fn moved(base: &Base<'_>, solved: &Solved, zones: &[Zone]) -> Vec<Zone> {
                 _ => zones.get(j + 1).map(|after| after.left() - at),
             };
             let room = gap.map_or(f64::INFINITY, |gap| 0.5 * gap);
-            let step =
-                (outward(solved, j, side) * length).clamp(-STRIDE * length, room.min(length));
+            let step = (outward(j, side) * length).clamp(-STRIDE * length, room.min(length));
             let to = if side == 0 { at - step } else { at + step };
             let wall = base.wall(side, 0.5 * (zone.left() + zone.right()));
             let beyond = if side == 0 { to <= wall } else { to >= wall };

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use libm::tgamma;
 
-use super::legendre::{ORDER, integral};
+use super::legendre::{ORDER, RULE, integral};
 use crate::Error;
 
 /// Terms of a series whose ratio is at most 1/2.
@@ -127,6 +127,20 @@ impl Ground {
         match self.rule(shift) {
             Some(rule) if from == 0.0 => rule.integral(to, f),
             _ => integral(from, to, f),
+        }
+    }
+
+    /// Nodes and weights of that for `x^mu` at zero.
+    pub(super) fn nodes(&self, [from, to]: [f64; 2]) -> Vec<(f64, f64)> {
+        match self.rule(0) {
+            Some(rule) if from == 0.0 => {
+                rule.nodes.iter().map(|(u, weight)| (to * u, to * weight)).collect()
+            }
+            _ => {
+                let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+                let nodes = RULE.nodes.iter().zip(&RULE.weights);
+                nodes.map(|(u, weight)| (middle + half * u, half * weight)).collect()
+            }
         }
     }
 

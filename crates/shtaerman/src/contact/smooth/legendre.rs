@@ -67,6 +67,28 @@ pub(super) fn polynomials(x: f64) -> [f64; ORDER] {
     values
 }
 
+/// `sum c_n P_n(x)` of at most [`ORDER`] terms, by Clenshaw's recurrence.
+pub(super) fn series(coefficients: &[f64], x: f64) -> f64 {
+    let (mut one, mut two) = (0.0, 0.0);
+    let factors = RECURRENCE.iter().zip(coefficients).rev();
+    for ([own, next], c) in factors {
+        (one, two) = (c + own * x * one - next * two, one);
+    }
+    one
+}
+
+/// `(2n+1)/(n+1)`, `(n+1)/(n+2)`.
+const RECURRENCE: [[f64; 2]; ORDER] = {
+    let mut factors = [[0.0; 2]; ORDER];
+    let mut n = 0;
+    while n < ORDER {
+        let k = n as f64;
+        factors[n] = [(2.0 * k + 1.0) / (k + 1.0), (k + 1.0) / (k + 2.0)];
+        n += 1;
+    }
+    factors
+};
+
 /// The coefficients of the derivative.
 pub(super) fn derivative(coefficients: &[f64; ORDER]) -> [f64; ORDER] {
     // P_n' = sum of (2k + 1) P_k over k = n-1, n-3, ..
@@ -153,6 +175,10 @@ mod tests {
         let slopes = RULE.values(&derivative(&coefficients));
         for (u, slope) in RULE.nodes.iter().zip(slopes) {
             assert!((slope - (7.0 * u.powi(6) - 1.0)).abs() < 1e-12);
+        }
+        for u in [-1.0, -0.3, 0.0, 0.8, 1.0f64] {
+            assert!((series(&coefficients, u) - (u.powi(7) - u)).abs() < 4e-15);
+            assert!((series(&coefficients[..2], u) + 2.0 / 3.0 * u).abs() < 4e-15);
         }
     }
 }

@@ -74,6 +74,12 @@ impl Field {
         self.modulus / PI * depth / self.ground.taper(self.radius)
     }
 
+    /// What a flat base this deep and turned by `-alpha0` adds at `xi`.
+    pub(super) fn flat(&self, xi: f64, raise: f64, turn: f64) -> f64 {
+        let arm = 2.0 / (1.0 + self.ground.exponent()) * xi;
+        self.modulus / PI * (raise + turn * arm) / self.taper(xi.abs())
+    }
+
     /// `P0` from the panels.
     pub(super) fn integrated_force(&self) -> f64 {
         2.0 * self.modulus * self.transform.volume(self.depth)

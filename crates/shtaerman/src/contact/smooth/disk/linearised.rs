@@ -13,10 +13,7 @@ impl SmoothDiskContact {
         let finite = if largest.is_finite() { largest } else { 0.0 };
         let of = |prescribed: [f64; 2]| -> Rates {
             let [raise, turn] = stiffness.displaced(load, prescribed);
-            // e/pi, see the pressure of a flat base
-            let unit = field.flat_pressure(1.0) * field.radius / field.root(peak.abs());
-            let pressure =
-                if largest.is_finite() { unit * (raise + 2.0 * turn * peak) } else { 0.0 };
+            let pressure = if largest.is_finite() { field.flat(peak, raise, turn) } else { 0.0 };
             // A free edge follows the depth.
             let width = if field.is_free { 2.0 * raise / field.transform.end_slope() } else { 0.0 };
             [raise, stiffness.force_settlement * raise, -turn, pressure, width]

@@ -119,16 +119,19 @@ impl Shape<'_> {
                 ([pair[1].0, pair[0].0], [from, to])
             })
             .collect();
-        let size: f64 = (pieces.iter())
-            .map(|&(turn, ends)| self.ground.integral(0, turn, |angle| value(angle, ends).abs()))
-            .sum();
-        let agreed = (INNER * self.tolerance).max(AGREED) * size + self.noise;
+        let mut size = 0.0;
         let mut panels: VecDeque<Panel> = (pieces.iter().enumerate())
             .map(|(piece, &(turn, ends))| {
-                let whole = self.ground.integral(0, turn, |angle| value(angle, ends));
+                let mut whole = 0.0;
+                for (angle, weight) in self.ground.nodes(turn) {
+                    let term = weight * value(angle, ends);
+                    whole += term;
+                    size += term.abs();
+                }
                 Panel { piece, ends: turn, whole, depth: 0, before: f64::INFINITY }
             })
             .collect();
+        let agreed = (INNER * self.tolerance).max(AGREED) * size + self.noise;
         // The first in, the first out: where there is an end to it, no place is left out.
         let (mut sum, mut halved) = (0.0, 0);
         while let Some(panel) = panels.pop_front() {

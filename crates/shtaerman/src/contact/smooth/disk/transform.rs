@@ -7,7 +7,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::shape::{Part, Shape};
 use crate::contact::smooth::ground::{Ground, PLAIN};
-use crate::contact::smooth::legendre::{ORDER, RULE, derivative, integral, polynomials};
+use crate::contact::smooth::legendre::{ORDER, RULE, derivative, integral, series};
 
 /// Panels are halved at most this often, and there are at most so many.
 const DEEPEST: u32 = 44;
@@ -15,6 +15,8 @@ const MOST_PANELS: usize = 128;
 /// Last coefficients relative to the largest value that count as resolved, and that are noise if they do not fall.
 const RESOLVED: f64 = 4e-16;
 const NOISE: f64 = 1e-11;
+/// Last coefficients below this share of the largest are none.
+const ROUNDING: f64 = 0.5 * f64::EPSILON;
 /// Length of a step in the logarithm of `s`, and in the angle, within which polynomials of `s` are integrated exactly.
 const STEP: f64 = 1.0;
 const TURN: f64 = 0.5;
@@ -32,18 +34,24 @@ struct Panel {
     values: [f64; ORDER],
     /// `dG/ds`.
     slopes: [f64; ORDER],
+    /// Number of coefficients that are not rounding.
+    count: usize,
 }
 
 impl Panel {
-    fn new(ends: [f64; 2], values: [f64; ORDER]) -> Self {
+    fn new(ends: [f64; 2], mut values: [f64; ORDER]) -> Self {
         let half = 0.5 * (ends[1] - ends[0]);
-        Self { ends, values, slopes: derivative(&values).map(|c| c / half) }
+        let size = values.iter().fold(0.0f64, |most, c| most.max(c.abs()));
+        let is_more = |c: &f64| c.abs() > ROUNDING * size;
+        let count = values.iter().rposition(is_more).map_or(0, |last| last + 1);
+        values[count..].fill(0.0);
+        Self { ends, values, slopes: derivative(&values).map(|c| c / half), count }
     }
 
     fn sum(&self, coefficients: &[f64; ORDER], s: f64) -> f64 {
         let [from, to] = self.ends;
         let u = ((2.0 * s - from - to) / (to - from)).clamp(-1.0, 1.0);
-        polynomials(u).iter().zip(coefficients).map(|(p, c)| p * c).sum()
+        series(&coefficients[..self.count], u)
     }
 
     fn value(&self, s: f64) -> f64 {
@@ -52,6 +60,20 @@ impl Panel {
 
     fn slope(&self, s: f64) -> f64 {
         self.sum(&self.slopes, s)
+    }
+
+    /// The derivative of a series blows the rounding of its coefficients up by the square of their number.
+    fn slope_rounding(&self) -> f64 {
+        let size = self.values.iter().fold(0.0f64, |most, c| most.max(c.abs()));
+        self.blown(size)
+    }
+
+    fn length(&self) -> f64 {
+        self.ends[1] - self.ends[0]
+    }
+
+    fn blown(&self, size: f64) -> f64 {
+        8.0 * f64::EPSILON * (ORDER * ORDER) as f64 * size / self.length()
     }
 }
 
@@ -172,7 +194,10 @@ impl Segment {
             let rise = first.value(to) - first.value(0.0);
             rise * to.powf(mu - 1.0) * (1.0 + mu) / (2.0 * mu)
         } else {
-            ground.integral(-1, first.ends, |s| f(first, s))
+            // Rounding of a slope that vanishes would be blown up by 1/mu.
+            let start = first.slope(0.0);
+            let rounded = if start.abs() > first.slope_rounding() { 0.0 } else { start };
+            ground.integral(-1, first.ends, |s| f(first, s) - rounded * s.powf(mu - 1.0))
         };
         for panel in &self.panels[1..] {
             sum += ground.graded(-1, panel.ends, [f64::INFINITY; 2], |s| f(panel, s));
@@ -272,6 +297,7 @@ pub(in crate::contact::smooth) struct Transform {
     segments: Vec<Segment>,
     ground: Ground,
     part: Part,
+    is_zero: bool,
 }
 
 impl Transform {
@@ -281,9 +307,11 @@ impl Transform {
         cuts.extend(shape.breaks.iter().filter(|at| **at < radius));
         cuts.push(radius);
         let size = shape.transform(radius).abs();
-        let segments =
+        let segments: Vec<Segment> =
             cuts.windows(2).map(|pair| Segment::new(shape, [pair[0], pair[1]], size)).collect();
-        Self { segments, ground: shape.ground.clone(), part: shape.part }
+        let mut panels = segments.iter().flat_map(|segment| &segment.panels);
+        let is_zero = panels.all(|panel| panel.count == 0);
+        Self { segments, ground: shape.ground.clone(), part: shape.part, is_zero }
     }
 
     /// The same with less of each series, for a comparison.
@@ -298,6 +326,9 @@ impl Transform {
 
     /// `int_r^c G'(x) dx/(x^2 - r^2)^beta`; infinite at a kink of a homogeneous body.
     pub(in crate::contact::smooth) fn pressure(&self, r: f64) -> f64 {
+        if self.is_zero {
+            return 0.0;
+        }
         self.segments.iter().map(|segment| segment.pressure(&self.ground, r)).sum()
     }
 
@@ -305,6 +336,9 @@ impl Transform {
     /// displacements.
     pub(in crate::contact::smooth) fn displacement(&self, r: f64, level: f64) -> f64 {
         let lever = self.part.lever();
+        if self.is_zero && level == 0.0 {
+            return 0.0;
+        }
         let of = |segment: &Segment| segment.displacement(&self.ground, lever, r, level);
         let sum: f64 = self.segments.iter().map(of).sum();
         let arm = if self.part == Part::Even { r } else { 1.0 };
@@ -316,14 +350,16 @@ impl Transform {
         self.segments.iter().map(|segment| segment.volume(&self.ground, level)).sum()
     }
 
-    /// What rounding of `G` makes of `G'` on the longest panels: the derivative of a series blows its coefficients up by the square of their number.
+    /// What rounding of `G` makes of `G'` on the longest panels of each segment.
     pub(in crate::contact::smooth) fn slope_rounding(&self) -> f64 {
         let of = |segment: &Segment| {
-            let halves = segment.panels.iter().map(|panel| 0.5 * (panel.ends[1] - panel.ends[0]));
-            let values = segment.panels.iter().map(|panel| panel.value(panel.ends[1]).abs());
-            let largest = values.fold(0.0, f64::max);
-            let longest = halves.fold(f64::MIN_POSITIVE, f64::max);
-            4.0 * f64::EPSILON * (ORDER * ORDER) as f64 * largest / longest
+            let size = segment
+                .panels
+                .iter()
+                .fold(0.0f64, |most, panel| most.max(panel.value(panel.ends[1]).abs()));
+            let longest =
+                (segment.panels.iter()).max_by(|one, two| one.length().total_cmp(&two.length()));
+            longest.map_or(0.0, |panel| panel.blown(size))
         };
         self.segments.iter().map(of).fold(0.0, f64::max)
     }

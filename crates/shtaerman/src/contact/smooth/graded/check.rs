@@ -1,91 +1,138 @@
-//! Whether one zone is the answer: no tension in it, no penetration beside it.
+//! Whether zones are the answer: no tension in them, no penetration beside them.
 
 use std::f64::consts::PI;
 
-use super::ALLOWED;
-use super::field::Field;
-use crate::Error;
+use super::field::{Field, displacement_outside};
+use crate::contact::smooth::check::above;
 use crate::contact::smooth::problem::Base;
 
-/// Points between two bends, and beside the zone, at least and at most.
+/// Points between two bends, and beside a zone, at least and at most.
 const POINTS: usize = 96;
+const POINTS_BESIDE: usize = 48;
 const MOST_POINTS: usize = 1500;
 
 /// What is left of tension and penetration.
 #[derive(Debug, Clone)]
 pub(super) struct Check {
-    /// Places in the zone.
-    pub(super) places: Vec<f64>,
+    /// Places in each zone.
+    pub(super) places: Vec<Vec<f64>>,
+    /// The pressures there, without the singularity at corners.
+    pub(super) pressures: Vec<Vec<f64>>,
     /// Largest `|p0|` without the singularity at corners.
     pub(super) largest: f64,
-    /// Largest tension over that, and its place.
-    pub(super) tension: (f64, f64),
-    /// Largest penetration over the size of the displacements, and its place.
-    pub(super) penetration: (f64, f64),
+    /// Largest tension over that.
+    pub(super) tension: f64,
+    /// Largest penetration over the size of the displacements.
+    pub(super) penetration: f64,
+    /// Intervals of each that are too large to be rounding.
+    pub(super) pulling: Vec<[f64; 2]>,
+    pub(super) penetrating: Vec<[f64; 2]>,
+    /// Shares that are rounding.
+    allowed: f64,
 }
 
 impl Check {
-    pub(super) fn new(base: &Base<'_>, field: &Field) -> Self {
-        let [left, right] = field.strip.zone.ends;
-        let mut cuts = vec![left];
-        cuts.extend(&field.breaks);
-        cuts.push(right);
-        let count = if cuts.len() > POINTS { 2 } else { points(base, right - left) };
-        let places: Vec<f64> =
-            cuts.windows(2).flat_map(|pair| between(pair[0], pair[1], count)).collect();
-        let values: Vec<f64> = places.iter().map(|&xi| field.regular(field.place(xi))).collect();
-        let corners = [0, 1].map(|side| field.corner(side));
-        let all = values.iter().chain(&corners);
+    pub(super) fn new(base: &Base<'_>, fields: &[Field], allowed: f64) -> Self {
+        let places: Vec<Vec<f64>> = fields.iter().map(|field| inner(base, field)).collect();
+        let pressures: Vec<Vec<f64>> = (fields.iter().zip(&places))
+            .map(|(field, places)| {
+                places.iter().map(|&xi| field.regular(field.place(xi))).collect()
+            })
+            .collect();
+        let corners: Vec<[f64; 2]> =
+            fields.iter().map(|field| [0, 1].map(|side| field.corner(side))).collect();
+        let all = pressures.iter().flatten().chain(corners.as_flattened());
         let largest = all.fold(f64::MIN_POSITIVE, |most, p| most.max(p.abs()));
-        let ends = [left, right].into_iter().zip(corners);
-        let pressures = places.iter().copied().zip(values).chain(ends);
-        let tension = worst(pressures.map(|(at, p)| (-p / largest, at)));
-        let penetration = if base.problem.is_unilateral {
-            let state = &field.strip.state;
-            let scale = state.settlement.abs() + state.tilt.abs() + base.range();
-            let beside = outside(base, [left, right]).into_iter();
-            let places = beside.flat_map(|[from, to]| between(from, to, points(base, to - from)));
-            worst(places.map(|xi| (-gap(base, field, xi) / scale, xi)))
-        } else {
-            (0.0, 0.0)
+        let (mut tension, mut pulling) = (0.0, Vec::new());
+        for (j, field) in fields.iter().enumerate() {
+            let around =
+                |[first, last]: [f64; 2], inner: &[f64]| [&[first], inner, &[last]].concat();
+            let points = around(field.strip.zone.ends, &places[j]);
+            let mut pulls = around(corners[j], &pressures[j]);
+            pulls.iter_mut().for_each(|p| *p /= -largest);
+            tension = worst(tension, &pulls);
+            pulling.extend(above(&points, &pulls, allowed));
+        }
+        let (penetration, penetrating) = (0.0, Vec::new());
+        let mut check = Self {
+            places,
+            pressures,
+            largest,
+            tension,
+            penetration,
+            pulling,
+            penetrating,
+            allowed,
         };
-        Self { places, largest, tension, penetration }
+        if base.problem.is_unilateral {
+            check.look_beside(base, fields);
+        }
+        check
     }
 
-    /// Refuses what pulls or penetrates.
-    pub(super) fn require(&self) -> Result<(), Error> {
-        let worst = [(self.tension, "tension"), (self.penetration, "penetration")];
-        for ((size, at), found) in worst {
-            if size.is_nan() || size > ALLOWED {
-                return Err(Error::SeveralZones { variable: "xi", at, found });
+    fn look_beside(&mut self, base: &Base<'_>, fields: &[Field]) {
+        let state = fields[0].strip.state;
+        let scale = state.settlement.abs() + state.tilt.abs() + base.range();
+        for [from, to] in outside(base, fields) {
+            let mut points = vec![from];
+            points.extend(between(from, to, points_of(base, to - from, POINTS_BESIDE)));
+            points.push(to);
+            let depths: Vec<f64> = (points.iter())
+                .map(|&xi| {
+                    let depth = state.settlement - state.tilt * xi - base.height(xi);
+                    (depth - displacement_outside(fields, xi)) / scale
+                })
+                .collect();
+            // At the end of a zone, and at a wall, there are two heights.
+            let inner = &depths[1..depths.len() - 1];
+            self.penetration = worst(self.penetration, inner);
+            self.penetrating.extend(above(&points[1..points.len() - 1], inner, self.allowed));
+        }
+    }
+
+    pub(super) fn is_clean(&self) -> bool {
+        let shares = [self.tension, self.penetration];
+        shares.into_iter().all(|share| share <= self.allowed)
+    }
+}
+
+/// The largest value; not a number if one is not.
+fn worst(start: f64, values: &[f64]) -> f64 {
+    values
+        .iter()
+        .fold(start, |most, &value| if value > most || value.is_nan() { value } else { most })
+}
+
+/// Places in a zone.
+fn inner(base: &Base<'_>, field: &Field) -> Vec<f64> {
+    let [left, right] = field.strip.zone.ends;
+    let mut cuts = vec![left];
+    cuts.extend(&field.breaks);
+    cuts.push(right);
+    let count = if cuts.len() > POINTS { 2 } else { points_of(base, right - left, POINTS) };
+    cuts.windows(2).flat_map(|pair| between(pair[0], pair[1], count)).collect()
+}
+
+/// The parts of the base beside the zones.
+fn outside(base: &Base<'_>, fields: &[Field]) -> Vec<[f64; 2]> {
+    let mut beside = Vec::new();
+    for &[first, last] in &base.problem.pieces {
+        let mut left = first;
+        for [from, to] in fields.iter().map(|field| field.strip.zone.ends) {
+            if from < last && to > first {
+                beside.push([left, from]);
+                left = to;
             }
         }
-        Ok(())
+        beside.push([left, last]);
     }
-}
-
-/// The gap beside the zone.
-fn gap(base: &Base<'_>, field: &Field, xi: f64) -> f64 {
-    let state = &field.strip.state;
-    field.displacement_outside(xi) - (state.settlement - state.tilt * xi - base.height(xi))
-}
-
-fn worst(values: impl Iterator<Item = (f64, f64)>) -> (f64, f64) {
-    values
-        .fold((0.0, 0.0), |most, pair| if pair.0 > most.0 || pair.0.is_nan() { pair } else { most })
-}
-
-/// The parts of the base beside the zone.
-fn outside(base: &Base<'_>, [from, to]: [f64; 2]) -> Vec<[f64; 2]> {
-    let pieces = base.problem.pieces.iter();
-    let beside = pieces
-        .flat_map(|&[left, right]| [[left, right.min(from)], [left.max(to), right]].into_iter());
-    beside.filter(|[left, right]| left < right).collect()
+    beside.retain(|[left, right]| left < right);
+    beside
 }
 
 /// Enough for the valleys of the profile.
-fn points(base: &Base<'_>, length: f64) -> usize {
-    ((length * base.cells() as f64) as usize).clamp(POINTS, MOST_POINTS)
+fn points_of(base: &Base<'_>, length: f64, least: usize) -> usize {
+    ((length * base.cells() as f64) as usize).clamp(least, MOST_POINTS)
 }
 
 /// Points between two places, closer to them.

@@ -1,10 +1,12 @@
-//! The free ends of a zone, where the corner intensity vanishes.
+//! The free ends of zones, where the corner intensity vanishes.
 //!
 //! An end that lies inside by `e` has the density `G' e`, `G'` the slope of the transform there, as the pressure beyond is `d^(1-beta)` moved by `e`: so each end has its own
 //! Newton step, exact to first order where the densities vanish.
 
-use super::strip::{Ground, Halves, Strip};
+use super::settled::{Settled, fixed};
+use super::strip::Ground;
 use crate::Error;
+use crate::contact::smooth::edges::moved;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::zones::Zone;
 
@@ -12,120 +14,106 @@ use crate::contact::smooth::zones::Zone;
 const STEPS: usize = 160;
 /// A density below this share of what is added up is as good as none, if it does not fall any more.
 const SMALL: f64 = 1e-9;
-/// Share of the zone that an edge may cross in one step inwards.
+/// Share of the zone that an edge moves where no step is known.
 const STRIDE: f64 = 0.4;
 /// Share of the half-width over which slopes are taken.
 const BESIDE: f64 = 1e-3;
 /// Rounding of a density.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// A zone with what its pressure is made of.
-pub(super) struct Settled {
-    pub(super) strip: Strip,
-    pub(super) halves: Halves,
-}
-
-/// A zone that stays as it is.
-pub(super) fn fixed(base: &Base<'_>, ground: &Ground, zone: &Zone) -> Result<Settled, Error> {
-    let halves = Halves::new(base, zone);
-    let strip = Strip::new(base, ground, *zone, &halves);
-    require_finite(&strip)?;
-    Ok(Settled { strip, halves })
-}
-
-fn require_finite(strip: &Strip) -> Result<(), Error> {
-    let densities = [strip.end_density(0), strip.end_density(1), strip.depth, strip.state.tilt];
-    if densities.iter().all(|value| value.is_finite()) {
-        return Ok(());
-    }
-    let (parameter, smallest) = (strip.half(), 0.0);
-    Err(Error::Equation(fredholm::Error::Singular { parameter, smallest }))
-}
-
-/// Moves the free ends until the intensity vanishes there; ends that come to a wall stay there and leave it again if it pulls.
+/// Moves the free ends until the intensity vanishes there; ends that come to a wall stay there and leave it again if it pulls, zones without force disappear, those that meet
+/// become one.
 pub(super) fn settle(
     base: &Base<'_>,
     ground: &Ground,
-    mut zone: Zone,
-) -> Result<(Zone, Settled), Error> {
-    let mut best: Option<(f64, Zone, Settled)> = None;
+    start: &[Zone],
+) -> Result<Vec<Settled>, Error> {
+    let mut zones = start.to_vec();
+    let mut best: Option<(f64, Vec<Settled>)> = None;
     for _ in 0..STEPS {
-        let settled = fixed(base, ground, &zone)?;
-        let strip = &settled.strip;
-        let scale = strip.density_scale();
-        let released = release(&mut zone, strip);
-        let free = (0..2).filter(|&side| zone.is_free[side]);
-        let worst = free.fold(0.0f64, |most, side| most.max(strip.end_density(side).abs()));
-        let is_small = worst <= SMALL * scale && !released;
+        let mut settled = fixed(base, ground, &zones)?;
+        if drop_idle(&mut zones, &settled) {
+            best = None;
+            continue;
+        }
+        let released = release(&mut zones, &mut settled);
+        let (mut worst, mut is_small) = (0.0f64, !released);
+        for Settled { strip, .. } in &settled {
+            for side in (0..2).filter(|&side| strip.zone.is_free[side]) {
+                let density = strip.end_density(side).abs();
+                worst = worst.max(density / strip.density_scale());
+                is_small &= density <= SMALL * strip.density_scale();
+            }
+        }
         if worst == 0.0 && !released {
-            return Ok((zone, settled));
+            return Ok(settled);
         }
         if let Some((before, ..)) = best.as_ref().filter(|_| is_small)
             && worst >= 0.5 * before
         {
             break;
         }
-        let next = moved(base, ground, &zone, &settled);
-        if is_small {
-            best = Some((worst, zone, settled));
-        } else {
-            best = None;
-        }
-        zone = next;
+        let slopes: Vec<[f64; 2]> = settled.iter().map(|settled| slopes(ground, settled)).collect();
+        zones = moved(base, &zones, |j, side| {
+            let strip = &settled[j].strip;
+            let (density, slope) = (strip.end_density(side), slopes[j][side]);
+            let step = density / slope / strip.zone.length();
+            if slope > 0.0 && step.is_finite() { step } else { STRIDE.copysign(density) }
+        });
+        best = is_small.then_some((worst, settled));
     }
     match best {
-        Some((_, zone, settled)) => Ok((zone, settled)),
+        Some((_, settled)) => Ok(settled),
         None => Err(Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN }),
     }
 }
 
+/// Drops zones without force, if there are others; whether there were any.
+fn drop_idle(zones: &mut Vec<Zone>, settled: &[Settled]) -> bool {
+    let carrying = || settled.iter().filter(|settled| settled.strip.force > 0.0);
+    let drops = carrying().count() > 0 && carrying().count() < settled.len();
+    if drops {
+        *zones = carrying().map(|settled| settled.strip.zone).collect();
+    }
+    drops
+}
+
 /// Ends at walls that pull become free; whether there were any.
-fn release(zone: &mut Zone, strip: &Strip) -> bool {
-    let floor = ROUNDING * strip.density_scale();
+fn release(zones: &mut [Zone], settled: &mut [Settled]) -> bool {
     let mut released = false;
-    for side in 0..2 {
-        if !zone.is_free[side] && strip.end_density(side) < -floor {
-            zone.is_free[side] = true;
-            released = true;
+    for (zone, Settled { strip, .. }) in zones.iter_mut().zip(settled) {
+        let floor = ROUNDING * strip.density_scale();
+        for side in 0..2 {
+            if !zone.is_free[side] && strip.end_density(side) < -floor {
+                zone.is_free[side] = true;
+                released = true;
+            }
         }
+        strip.zone = *zone;
     }
     released
 }
 
-/// `G_e' +- (x G_o)'` at the left (0) or right (1) end, from inside, and what the other end's density adds: by how much the density falls when the end moves outwards.
-pub(super) fn slope(ground: &Ground, settled: &Settled, side: usize) -> f64 {
+/// By how much the densities at both ends fall when they move outwards: `G_e' +- b G_o'`, from inside, and what is added by the other end's and by other zones.
+fn slopes(ground: &Ground, settled: &Settled) -> [f64; 2] {
     let (even, odd) = (settled.halves.even(ground), settled.halves.odd(ground));
     let b = settled.strip.half();
-    let at = |steps: f64| {
+    let near = |steps: f64| {
         let x = b * (1.0 - BESIDE * steps);
-        let arm = if side == 0 { -x } else { x };
-        even.transform(x) + arm * odd.transform(x)
+        [even.transform(x), odd.transform(x)]
     };
-    let own = (3.0 * at(0.0) - 4.0 * at(1.0) + at(2.0)) / (2.0 * BESIDE * b);
-    let other = settled.strip.end_density(1 - side) - settled.strip.end_density(side);
-    own + (1.0 - ground.powers.corner_exponent()) * other / (2.0 * b)
+    let (ends, one, two) = (settled.strip.transforms, near(1.0), near(2.0));
+    let rises = [0, 1].map(|k| (3.0 * ends[k] - 4.0 * one[k] + two[k]) / (2.0 * BESIDE * b));
+    with_others(ground, settled, rises)
 }
 
-/// The zone after a step that neither empties it nor passes a wall.
-fn moved(base: &Base<'_>, ground: &Ground, zone: &Zone, settled: &Settled) -> Zone {
-    let mut target = *zone;
-    let length = zone.length();
-    let middle = 0.5 * (zone.left() + zone.right());
-    for side in (0..2).filter(|&side| zone.is_free[side]) {
-        let density = settled.strip.end_density(side);
-        let slope = slope(ground, settled, side);
-        let step = density / slope;
-        let outward = if slope > 0.0 && step.is_finite() {
-            step.clamp(-STRIDE * length, length)
-        } else {
-            (STRIDE * length).copysign(density)
-        };
-        let at = zone.ends[side];
-        let to = if side == 0 { at - outward } else { at + outward };
-        let wall = base.wall(side, middle);
-        let beyond = if side == 0 { to <= wall } else { to >= wall };
-        target.ends[side] = if beyond { wall } else { to };
-        target.is_free[side] = !beyond;
-    }
-    target
+/// The same from `G_e'` and `G_o'` at the end.
+pub(super) fn with_others(ground: &Ground, settled: &Settled, [even, odd]: [f64; 2]) -> [f64; 2] {
+    let Settled { strip, ripple, .. } = settled;
+    let share = (1.0 - ground.powers.corner_exponent()) / (2.0 * strip.half());
+    [0, 1].map(|side| {
+        let sign = if side == 0 { -1.0 } else { 1.0 };
+        let other = strip.end_density(1 - side) - strip.end_density(side);
+        even + sign * strip.half() * odd + share * (other + 4.0 * ripple.bend(sign))
+    })
 }

@@ -2,12 +2,13 @@
 
 use std::f64::consts::PI;
 
-use super::edges::{self, Settled};
+use super::edges;
+use super::modes::{Ripple, inside};
+use super::settled::Settled;
 use super::strip::{Ground, Strip};
 use crate::contact::smooth::disk::transform::Transform;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::system::Place;
-use crate::contact::smooth::zones::Zone;
 
 /// A solved zone.
 #[derive(Debug, Clone)]
@@ -18,35 +19,61 @@ pub(super) struct Field {
     pub(super) transforms: [Transform; 2],
     /// Densities at the left and the right end; none at free ones.
     pub(super) densities: [f64; 2],
-    /// How fast the density falls when an end moves outwards.
+    /// How fast the density falls when an end moves outwards, and the error of that.
     pub(super) slopes: [f64; 2],
+    pub(super) slope_errors: [f64; 2],
+    ripple: Ripple,
+    flat: [Vec<f64>; 2],
+    middle: f64,
     /// Where the profile bends inside.
     pub(super) breaks: Vec<f64>,
 }
 
 impl Field {
-    pub(super) fn new(base: &Base<'_>, ground: &Ground, zone: Zone, settled: &Settled) -> Self {
-        let Settled { strip, halves } = settled;
+    pub(super) fn new(base: &Base<'_>, ground: &Ground, settled: &Settled) -> Self {
+        let strip = settled.strip;
         let half = strip.half();
-        let density = |side: usize| {
-            if zone.is_free[side] { 0.0 } else { strip.end_density(side) }
+        let density =
+            |side: usize| if strip.zone.is_free[side] { 0.0 } else { strip.end_density(side) };
+        let shapes = [settled.halves.even(ground), settled.halves.odd(ground)];
+        let transforms = shapes.map(|shape| Transform::new(&shape, half));
+        let rises = |transforms: &[Transform; 2]| {
+            let ends = transforms.each_ref().map(Transform::end_slope);
+            edges::with_others(ground, settled, ends)
         };
-        let transforms =
-            [halves.even(ground), halves.odd(ground)].map(|shape| Transform::new(&shape, half));
-        let inside = |at: &f64| zone.left() < *at && *at < zone.right();
+        let slopes = rises(&transforms);
+        let other = rises(&transforms.each_ref().map(Transform::truncated));
+        let rounding = transforms[0].slope_rounding() + half * transforms[1].slope_rounding();
+        let [left, right] = strip.zone.ends;
+        let inside = |at: &f64| left < *at && *at < right;
+        let breaks = base.problem.profile.breaks.iter().copied().filter(inside).collect();
+        let densities = [density(0), density(1)];
         Self {
-            strip: Strip { zone, ..*strip },
+            strip,
             ground: ground.clone(),
             transforms,
-            densities: [density(0), density(1)],
-            slopes: [0, 1].map(|side| edges::slope(ground, settled, side)),
-            breaks: base.problem.profile.breaks.iter().copied().filter(inside).collect(),
+            densities,
+            slopes,
+            slope_errors: [0, 1].map(|side| (slopes[side] - other[side]).abs() + rounding),
+            ripple: settled.ripple.clone(),
+            flat: settled.flat.clone(),
+            middle: settled.middle,
+            breaks,
         }
     }
 
     /// The same with less of each series.
     pub(super) fn truncated(&self) -> Self {
-        Self { transforms: self.transforms.each_ref().map(Transform::truncated), ..self.clone() }
+        Self {
+            transforms: self.transforms.each_ref().map(Transform::truncated),
+            ripple: self.ripple.truncated(&self.ground),
+            ..self.clone()
+        }
+    }
+
+    /// Number of coefficients.
+    pub(super) fn size(&self) -> usize {
+        self.transforms.iter().map(Transform::size).sum::<usize>() + self.ripple.count()
     }
 
     pub(super) fn place(&self, xi: f64) -> Place {
@@ -73,18 +100,49 @@ impl Field {
         if from_left == 0.0 || from_right == 0.0 {
             return if density == 0.0 { 0.0 } else { density * f64::INFINITY };
         }
-        let corners = if density == 0.0 { 0.0 } else { density / self.taper(place) };
+        let bent = self.bent(place);
+        let corners =
+            if density + bent == 0.0 { 0.0 } else { (density + bent) / self.taper(place) };
         let s = 0.5 * (from_left - from_right);
         let r = s.abs().min(self.strip.half());
         let [even, odd] = self.transforms.each_ref().map(|transform| transform.pressure(r));
         self.ground.modulus / PI * (corners + even + s * odd)
     }
 
+    /// What others add besides a line between the densities at the ends.
+    fn bent(&self, place: Place) -> f64 {
+        if self.ripple.size() == 0.0 {
+            return 0.0;
+        }
+        let Place { from_left, from_right } = place;
+        let length = from_left + from_right;
+        let share = (from_left / length) * (from_right / length);
+        4.0 * share * self.ripple.bend((from_left - from_right) / length)
+    }
+
+    /// The density of a flat base that settles by `raise` and turns by `turn` about the middle of the base.
+    pub(super) fn flat_density(&self, place: Place, raise: f64, turn: f64) -> f64 {
+        let Place { from_left, from_right } = place;
+        let y = (from_left - from_right) / (from_left + from_right);
+        let count = self.flat[0].len().max(self.flat[1].len());
+        let polynomials = inside(0.5 * self.ground.powers.exponent(), count, y);
+        let sum = |m: &[f64]| m.iter().zip(&polynomials).map(|(m, c)| m * c).sum::<f64>();
+        (raise + turn * self.middle) * sum(&self.flat[0]) + turn * sum(&self.flat[1])
+    }
+
+    /// What that adds to the pressure.
+    pub(super) fn flat_change(&self, place: Place, raise: f64, turn: f64) -> f64 {
+        self.ground.modulus / PI * self.flat_density(place, raise, turn) / self.taper(place)
+    }
+
     /// `p0` without its singularity at corners.
     pub(super) fn regular(&self, place: Place) -> f64 {
-        let factor =
-            if self.densities == [0.0; 2] { 1.0 } else { self.taper(place) / self.whole_taper() };
-        factor * self.pressure(place)
+        self.regular_share(place) * self.pressure(place)
+    }
+
+    /// What that is of `p0`.
+    pub(super) fn regular_share(&self, place: Place) -> f64 {
+        if self.densities == [0.0; 2] { 1.0 } else { self.taper(place) / self.whole_taper() }
     }
 
     /// `lim (1 - s^2/b^2)^beta p0` at an end.
@@ -103,12 +161,18 @@ impl Field {
         self.ground.modulus / PI * density / self.whole_taper()
     }
 
-    /// The displacement of the surface beside the zone.
+    /// The displacement of the surface beside the zone by its own pressure.
     pub(super) fn displacement_outside(&self, xi: f64) -> f64 {
         let s = xi - self.strip.centre();
         let r = s.abs().max(self.strip.half());
         let [even, odd] =
             [0, 1].map(|part| self.transforms[part].displacement(r, self.strip.levels[part]));
-        even + odd * s.signum()
+        let excess = (r - self.strip.half()) / self.strip.half();
+        even + odd * s.signum() + self.ripple.displacement(&self.ground, excess, s.signum())
     }
+}
+
+/// The displacement of the surface beside all zones.
+pub(super) fn displacement_outside(fields: &[Field], xi: f64) -> f64 {
+    fields.iter().map(|field| field.displacement_outside(xi)).sum()
 }

@@ -1,72 +1,95 @@
-//! The smooth limit on graded ground, plane: one zone of contact.
+//! The smooth limit on graded ground, plane.
 //!
-//! `theta0 int |xi - eta|^-mu p0(eta) deta = delta0 - alpha0 xi - f0(xi)` on a zone. Corners hold a pressure that is singular as `d^-beta`, `beta = (1-mu)/2`, at
+//! `theta0 int |xi - eta|^-mu p0(eta) deta = delta0 - alpha0 xi - f0(xi)` on zones. Corners hold a pressure that is singular as `d^-beta`, `beta = (1-mu)/2`, at
 //! free edges it vanishes as `d^(1-beta)`.
 //!
-//! A [strip] with given ends is solved by the transforms of its even and odd parts, free [edges] are found by Newton's method after the
-//! topology on cells, and the [check] between shows whether one zone is the answer.
+//! A [strip] with given ends is solved by the transforms of its even and odd parts, several are [coupled](couple) by the [polynomials](modes) that their displacements
+//! amount to on one another. Free [edges] are found by Newton's method after the topology on cells, which the [check] between corrects.
 
 mod check;
+mod couple;
 mod edges;
 mod field;
+mod linearised;
+mod modes;
+mod resolved;
+mod settled;
 mod stated;
 mod strip;
 
 use crate::Error;
 use check::Check;
 use field::Field;
+use settled::{Settled, fixed};
 use strip::Ground;
 
 use super::problem::{Base, SmoothProblem};
 use super::topology;
-use super::zones::Zone;
+use super::zones::{Zone, corrected};
 
 /// Numbers of cells, each four times the one before.
 const TOPOLOGIES: u32 = 2;
-/// Tension and penetration, relative to their scales, that are rounding.
+/// Corrections of the topology by the check, for each number of cells.
+const CORRECTIONS: usize = 16;
+/// Tension and penetration, relative to their scales, that are rounding, and that of transforms not resolved.
 const ALLOWED: f64 = 2e-10;
+const COARSELY_ALLOWED: f64 = 1e-6;
 
-/// A solved zone with what is left of complementarity.
+/// Solved zones with what is left of complementarity.
 #[derive(Debug)]
 struct Solved {
-    field: Field,
+    fields: Vec<Field>,
     left: Check,
     /// Of the slopes of a measured profile.
     tolerance: f64,
 }
 
+impl Solved {
+    fn new(base: &Base<'_>, ground: &Ground, settled: &[Settled]) -> Self {
+        Self::allowed(base, ground, settled, ALLOWED)
+    }
+
+    fn allowed(base: &Base<'_>, ground: &Ground, settled: &[Settled], allowed: f64) -> Self {
+        let fields: Vec<Field> =
+            settled.iter().map(|settled| Field::new(base, ground, settled)).collect();
+        let left = Check::new(base, &fields, allowed);
+        Self { fields, left, tolerance: base.problem.profile.tolerance }
+    }
+
+    /// The same unless less of its transforms shows tension or penetration already: those of a base with kinks take long.
+    fn checked(base: &Base<'_>, ground: &Ground, settled: &[Settled]) -> Self {
+        if !base.problem.profile.breaks.is_empty() {
+            let coarse = Self::allowed(base, &ground.coarse(), settled, COARSELY_ALLOWED);
+            if !coarse.left.is_clean() {
+                return coarse;
+            }
+        }
+        Self::new(base, ground, settled)
+    }
+}
+
 /// Solves a plane problem with the kernel `|d|^-mu`.
 ///
 /// # Errors
-/// Those of [`SmoothProblem::solve`]; [`Error::SeveralZones`] where one zone is no answer.
+/// Those of [`SmoothProblem::solve`].
 fn solve(problem: &SmoothProblem, exponent: f64) -> Result<Solved, Error> {
     let mut base = Base::new(problem)?;
     base.grading = Some(exponent);
     let ground = Ground::new(exponent, problem.theta0)?;
-    let found = |zone: &Zone, settled: edges::Settled| {
-        let field = Field::new(&base, &ground, *zone, &settled);
-        let left = Check::new(&base, &field);
-        Solved { field, left, tolerance: problem.profile.tolerance }
-    };
+    let pieces = base.pieces();
     if !problem.is_unilateral {
-        let zone = single(&base.pieces(), "a base of several pieces")?;
-        return Ok(found(&zone, edges::fixed(&base, &ground, &zone)?));
+        return Ok(Solved::new(&base, &ground, &fixed(&base, &ground, &pieces)?));
     }
-    let attempt = |zone: Zone| {
-        let (zone, settled) = edges::settle(&base, &ground, zone)?;
-        let solved = found(&zone, settled);
-        solved.left.require().map(|()| solved)
-    };
     // What passes the check is the answer, from wherever it was found: most need no cells.
-    if let [zone] = base.pieces()[..]
-        && let Ok(solved) = attempt(zone)
-    {
-        return Ok(solved);
+    if let Ok(settled) = edges::settle(&base, &ground, &pieces) {
+        let solved = Solved::checked(&base, &ground, &settled);
+        if solved.left.is_clean() {
+            return Ok(solved);
+        }
     }
     let mut refused = None;
     for power in 0..TOPOLOGIES {
-        let solved = from_cells(&base, power).and_then(attempt);
-        match solved {
+        match from_cells(&base, &ground, power) {
             Ok(solved) => return Ok(solved),
             Err(error) => refused = refused.or(Some(error)),
         }
@@ -74,18 +97,24 @@ fn solve(problem: &SmoothProblem, exponent: f64) -> Result<Solved, Error> {
     Err(refused.unwrap_or(Error::NoContact))
 }
 
-/// The zone that cells show, if it is the only one.
-fn from_cells(base: &Base<'_>, power: u32) -> Result<Zone, Error> {
-    let intervals = topology::find(base, base.cells() * 4usize.pow(power))?;
-    let zones: Vec<Zone> = intervals.iter().map(|[from, to]| base.zone(*from, *to)).collect();
-    single(&zones, "a gap between zones")
-}
-
-/// The zone, if it is the only one.
-fn single(zones: &[Zone], found: &'static str) -> Result<Zone, Error> {
-    match zones {
-        [zone] => Ok(*zone),
-        [first, ..] => Err(Error::SeveralZones { variable: "xi", at: first.right(), found }),
-        [] => Err(Error::NoContact),
+/// The answer from the zones that cells show, corrected where these were too coarse.
+fn from_cells(base: &Base<'_>, ground: &Ground, power: u32) -> Result<Solved, Error> {
+    let mut intervals = topology::find(base, base.cells() * 4usize.pow(power))?;
+    let mut last = Error::NoContact;
+    for _ in 0..CORRECTIONS {
+        if intervals.is_empty() {
+            break;
+        }
+        let zones: Vec<Zone> = intervals.iter().map(|[from, to]| base.zone(*from, *to)).collect();
+        let solved = Solved::checked(base, ground, &edges::settle(base, ground, &zones)?);
+        let left = &solved.left;
+        if left.is_clean() {
+            return Ok(solved);
+        }
+        let (tension, penetration) = (left.tension, left.penetration);
+        last = Error::NotComplementary { tension, penetration };
+        let zones: Vec<Zone> = solved.fields.iter().map(|field| field.strip.zone).collect();
+        intervals = corrected(&zones, &left.pulling, &left.penetrating);
     }
+    Err(last)
 }

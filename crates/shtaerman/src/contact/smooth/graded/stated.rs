@@ -1,10 +1,12 @@
 //! A stated plane problem with a smooth surface on graded ground, and its answer as a solution like any other.
 
 use super::Solved;
-use super::field::Field;
+use super::check::Check;
+use super::field::{Field, displacement_outside};
+use super::strip::Strip;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
-use crate::contact::smooth::disk::transform::Transform;
+use crate::contact::linearised::Linearised;
 use crate::contact::smooth::problem::SmoothProblem;
 use crate::contact::smooth::system::Place;
 use crate::contact::solution::Solution;
@@ -15,9 +17,12 @@ use crate::{Error, Problem, Rotational, Vertical};
 /// Rounding of a quantity relative to what is added up in it.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// Zone, pressure, settlement, tilt, force and moment of a smooth plane punch on graded ground, without dimensions.
+/// Every so many places are compared with less of each series.
+const COMPARED: usize = 3;
+
+/// Zones, pressure, settlement, tilt, force and moment of a smooth plane punch on graded ground, without dimensions.
 #[derive(Debug)]
-pub(crate) struct GradedStrip {
+pub(crate) struct GradedContact {
     problem: SmoothProblem,
     solved: Solved,
     accuracy: Accuracy,
@@ -28,26 +33,18 @@ impl Problem {
     /// Solves a plane punch with a smooth surface on graded ground.
     ///
     /// # Errors
-    /// Those of [`SmoothProblem::solve`], with values in the units of the problem; [`Error::SeveralZones`].
-    pub(crate) fn solve_smooth_graded(&self, exponent: f64) -> Result<GradedStrip, Error> {
+    /// Those of [`SmoothProblem::solve`], with values in the units of the problem.
+    pub(crate) fn solve_smooth_graded(&self, exponent: f64) -> Result<GradedContact, Error> {
         let problem = self.smooth();
         let solved = super::solve(&problem, exponent).map_err(|error| self.in_units(error));
-        let half_width = self.frame().half_width();
-        let solved = solved.map_err(|error| match error {
-            Error::SeveralZones { at, found, .. } => {
-                let variable = self.frame().coordinate();
-                Error::SeveralZones { variable, at: at * half_width, found }
-            }
-            other => other,
-        })?;
-        GradedStrip::new(problem, solved)
+        GradedContact::new(problem, solved?)
     }
 }
 
-impl GradedStrip {
+impl GradedContact {
     fn new(problem: SmoothProblem, solved: Solved) -> Result<Self, Error> {
         let (accuracy, edge_error) = estimate(&problem, &solved);
-        let State { settlement, tilt, force, moment } = solved.field.strip.state;
+        let State { settlement, tilt, force, moment } = solved.fields[0].strip.state;
         let values = [
             ("force", force),
             ("moment", moment),
@@ -62,118 +59,164 @@ impl GradedStrip {
         Ok(Self { problem, solved, accuracy, edge_error })
     }
 
-    fn field(&self) -> &Field {
-        &self.solved.field
+    pub(super) fn problem(&self) -> &SmoothProblem {
+        &self.problem
     }
 
-    fn pressure0(&self, xi: f64) -> f64 {
-        let field = self.field();
-        if field.strip.zone.contains(xi) || xi.is_nan() {
-            field.pressure(field.place(xi))
-        } else {
-            0.0
+    pub(super) fn fields(&self) -> &[Field] {
+        &self.solved.fields
+    }
+
+    fn touching(&self, xi: f64) -> Option<&Field> {
+        self.fields().iter().find(|field| field.strip.zone.contains(xi))
+    }
+
+    pub(super) fn pressure0(&self, xi: f64) -> f64 {
+        if xi.is_nan() {
+            return xi;
         }
+        self.touching(xi).map_or(0.0, |field| field.pressure(field.place(xi)))
     }
 }
 
-/// The error: of the pressure by leaving out the last coefficients and by the rounding of what is added up in it, which gives that of all others.
-fn estimate(problem: &SmoothProblem, solved: &Solved) -> (Accuracy, f64) {
-    let Solved { field, left, tolerance } = solved;
+/// What a zone is known to.
+struct Known {
+    /// Of its densities, its pressure and its free ends.
+    density: f64,
+    pressure: f64,
+    edge: f64,
+    /// Of the displacement by a zone, at its middle and by a turn.
+    depth: f64,
+    tilt: f64,
+}
+
+/// Of the pressure by leaving out the last coefficients and by the rounding of what is added up in it, which gives that of all others.
+fn known(field: &Field, left: &Check, zone: usize, [condition, tolerance]: [f64; 2]) -> Known {
     let strip = &field.strip;
     let (half, [from, to]) = (strip.half(), strip.zone.ends);
     // The ends are rounded in xi, not in lengths of their zone.
     let remote = 1.0 + from.abs().max(to.abs()) / half;
-    let share = ROUNDING * remote + 4.0 * tolerance;
+    let share = condition * ROUNDING * remote + 4.0 * tolerance;
     let density = share * strip.density_scale();
     let other = field.truncated();
-    let differences = left.places.iter().map(|&xi| {
-        let place = field.place(xi);
-        (field.regular(place) - other.regular(place)).abs()
-    });
+    let places = left.places[zone].iter().zip(&left.pressures[zone]);
+    let differences = places
+        .step_by(COMPARED)
+        .map(|(&xi, pressure)| (pressure - other.regular(field.place(xi))).abs());
     let series = differences.fold(0.0, f64::max);
     let blown = field.transforms[0].slope_rounding() * half
         + field.transforms[1].slope_rounding() * half * half;
     let pressure = series + share * left.largest + field.flat_pressure(density + blown);
-    let State { settlement, tilt, force, moment } = strip.state;
-    // A depth or tilt that is off changes the densities by mu B or b B of it.
-    let [level, turn] = [strip.levels[0], half * strip.levels[1]];
+    let edge = (0..2).filter(|&side| strip.zone.is_free[side]).fold(0.0f64, |most, side| {
+        let moved = (density + strip.end_density(side).abs()) / field.slopes[side].abs();
+        most.max((moved + ROUNDING * (from.abs().max(to.abs()))).min(1.0))
+    });
     let total = field.ground.total();
-    let mu = field.ground.powers.exponent();
-    let depth_error = density / (mu * total) + ROUNDING * (settlement.abs() + strip.depth.abs());
-    let tilt_error = density / (half * total) + ROUNDING * tilt.abs();
-    let settlement_error = depth_error + tilt_error * strip.centre().abs();
-    let sum = share * (level.abs() + turn.abs()) + density;
-    let force_error = strip.own.force_settlement
-        * (sum / (mu * total) + ROUNDING * (settlement.abs() + strip.depth.abs()))
-        + ROUNDING * force.abs();
-    let moment_error = strip.own.moment_tilt * (sum / (half * total))
-        + strip.centre().abs() * force_error
-        + ROUNDING * moment.abs();
+    let depth = density / (field.ground.powers.exponent() * total);
+    Known { density, pressure, edge, depth, tilt: density / (half * total) }
+}
+
+/// The error of the answer from those of its zones.
+fn estimate(problem: &SmoothProblem, solved: &Solved) -> (Accuracy, f64) {
+    let Solved { fields, left, tolerance } = solved;
+    let mu = fields[0].ground.powers.exponent();
+    let total = fields[0].ground.total();
+    // That of a small exponent is nearly the same everywhere, whatever the zone.
+    let condition = if fields.len() > 1 { 1.0 + 1.0 / mu } else { 1.0 };
+    let all: Vec<Known> = (fields.iter().enumerate())
+        .map(|(zone, field)| known(field, left, zone, [condition, *tolerance]))
+        .collect();
+    let most = |of: fn(&Known) -> f64| all.iter().map(of).fold(0.0, f64::max);
+    let State { settlement, tilt, force, moment } = fields[0].strip.state;
+    // A depth or tilt that is off changes the densities by mu B or b B of it.
+    let first = fields[0].strip.zone.left();
+    let last = fields[fields.len() - 1].strip.zone.right();
+    let (reach, centre) = (0.5 * (last - first), 0.5 * (first + last));
+    let tilt_error =
+        if fields.len() > 1 { most(|known| known.depth) / reach } else { most(|known| known.tilt) }
+            + ROUNDING * tilt.abs();
+    let own: f64 = fields.iter().map(|field| field.strip.depth(&field.ground).abs()).sum();
+    let depth_error = most(|known| known.depth) + ROUNDING * (settlement.abs() + own);
+    let settlement_error = depth_error + tilt_error * centre.abs();
+    let (mut force_error, mut moment_error) = (ROUNDING * force.abs(), ROUNDING * moment.abs());
+    for (field, known) in fields.iter().zip(&all) {
+        let strip = &field.strip;
+        let share = known.density / strip.density_scale();
+        let levels = strip.levels[0].abs() + strip.half() * strip.levels[1].abs();
+        let sum = share * levels + known.density;
+        let by_force =
+            strip.own.force_settlement * (sum / (mu * total) + ROUNDING * (settlement.abs() + own));
+        force_error += by_force;
+        moment_error += strip.own.moment_tilt * (sum / (strip.half() * total))
+            + strip.centre().abs() * by_force;
+    }
     let of = |unknown: bool, error: f64| if unknown { error } else { 0.0 };
     let by_force = matches!(problem.load.vertical, Vertical::Force(_));
     let by_tilt = matches!(problem.load.rotational, Rotational::Tilt(_));
     let by_moment = matches!(problem.load.rotational, Rotational::Moment(_));
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
-        pressure,
+        pressure: most(|known| known.pressure),
         settlement: of(by_force, settlement_error),
         tilt: of(!by_tilt, tilt_error),
         force: of(!by_force, force_error),
         moment: of(!by_moment, moment_error),
     };
-    let edge = (0..2).filter(|&side| strip.zone.is_free[side]).fold(0.0f64, |most, side| {
-        let moved = (density + strip.end_density(side).abs()) / field.slopes[side].abs();
-        most.max((moved + ROUNDING * (from.abs().max(to.abs()))).min(1.0))
-    });
-    (accuracy, edge)
+    (accuracy, most(|known| known.edge))
 }
 
-impl Solution for GradedStrip {
+impl Solution for GradedContact {
     fn state(&self) -> State {
-        self.field().strip.state
+        self.fields()[0].strip.state
     }
 
     fn stiffness(&self) -> Stiffness {
-        self.field().strip.stiffness
+        self.fields()[0].strip.stiffness
     }
 
     fn zones(&self) -> Vec<[f64; 2]> {
-        vec![self.field().strip.zone.ends]
+        self.fields().iter().map(|field| field.strip.zone.ends).collect()
     }
 
     fn pressure(&self, _: &Problem, xi: f64) -> f64 {
         self.pressure0(xi)
     }
 
-    fn pressure_beside(&self, _: &Problem, _: usize, from_left: f64, from_right: f64) -> f64 {
+    fn pressure_beside(&self, _: &Problem, zone: usize, from_left: f64, from_right: f64) -> f64 {
         let (from_left, from_right) = (from_left.max(0.0), from_right.max(0.0));
-        self.field().pressure(Place { from_left, from_right })
+        let place = Place { from_left, from_right };
+        self.fields().get(zone).map_or(0.0, |field| field.pressure(place))
     }
 
     fn displacement(&self, xi: f64) -> f64 {
-        let strip = &self.field().strip;
-        if !strip.zone.contains(xi) {
-            return self.field().displacement_outside(xi);
-        }
+        let Some(field) = self.touching(xi) else {
+            return displacement_outside(self.fields(), xi);
+        };
         // At a step the height is that of this side.
-        let [left, right] = strip.zone.ends;
-        let inside = xi.clamp(left.next_up(), right.next_down());
-        strip.state.settlement - strip.state.tilt * xi - (self.problem.profile.height)(inside)
+        let Strip { zone, state, .. } = &field.strip;
+        let inside = xi.clamp(zone.left().next_up(), zone.right().next_down());
+        state.settlement - state.tilt * xi - (self.problem.profile.height)(inside)
     }
 
     fn sample(&self, _: &Problem) -> (Vec<f64>, Vec<f64>) {
-        let mut places = self.solved.left.places.clone();
-        places.extend(self.field().breaks.iter().copied());
-        places.extend([-1.0, 1.0]);
-        places.extend(self.field().strip.zone.ends);
-        places.sort_by(f64::total_cmp);
-        places.dedup();
-        let sampled = places.into_iter().map(|xi| (xi, self.pressure0(xi)));
-        sampled.filter(|(_, pressure)| pressure.is_finite()).unzip()
+        let left = &self.solved.left;
+        let mut sampled: Vec<(f64, f64)> = Vec::new();
+        let mut others = vec![-1.0, 1.0];
+        for (j, field) in self.fields().iter().enumerate() {
+            let known = left.places[j].iter().zip(&left.pressures[j]);
+            sampled.extend(
+                known.map(|(&xi, &regular)| (xi, regular / field.regular_share(field.place(xi)))),
+            );
+            others.extend(field.breaks.iter().chain(&field.strip.zone.ends));
+        }
+        sampled.extend(others.into_iter().map(|xi| (xi, self.pressure0(xi))));
+        sampled.sort_by(|one, two| one.0.total_cmp(&two.0));
+        sampled.dedup_by(|next, last| next.0 == last.0);
+        sampled.into_iter().filter(|(_, pressure)| pressure.is_finite()).unzip()
     }
 
     fn method(&self) -> Method {
-        let n = self.field().transforms.iter().map(Transform::size).sum();
+        let n = self.fields().iter().map(Field::size).sum();
         Method { name: "first_kind", n }
     }
 
@@ -182,16 +225,22 @@ impl Solution for GradedStrip {
     }
 
     fn edge_error(&self) -> Option<f64> {
-        self.field().strip.zone.is_free.contains(&true).then_some(self.edge_error)
+        let is_free = self.fields().iter().any(|field| field.strip.zone.is_free.contains(&true));
+        is_free.then_some(self.edge_error)
     }
 
     fn complementarity(&self) -> Option<Complementarity> {
-        let (tension, penetration) = (self.solved.left.tension.0, self.solved.left.penetration.0);
+        let Check { tension, penetration, .. } = self.solved.left;
         self.problem.is_unilateral.then_some(Complementarity { tension, penetration })
     }
 
     fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
-        Some(vec![[0, 1].map(|side| self.field().intensity(side))])
+        let of = |field: &Field| [0, 1].map(|side| field.intensity(side));
+        Some(self.fields().iter().map(of).collect())
+    }
+
+    fn linearised(&self, _: &Problem, peak: f64) -> Option<Linearised> {
+        Some(self.first_order(peak))
     }
 
     fn size(&self) -> f64 {

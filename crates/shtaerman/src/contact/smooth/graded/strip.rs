@@ -1,4 +1,4 @@
-//! The pressure on one zone of given ends, as far as it takes no panels.
+//! The pressures on zones of given ends, as far as it takes no panels.
 //!
 //! On `xi = c + s`, `|s| <= b`, with the slopes `h_e`, `h_o` of the even and the odd part of the profile about `c`, the depth `D = delta0 - alpha0 c - f0(c)`,
 //! `S(t) = int_0^t sin^mu`, `B = S(pi/2)`, `Lambda = pi theta0/(Gamma(mu) cos(pi mu/2))` and `e = 4^beta pi/(Lambda Gamma(1-beta)^2)`,
@@ -13,11 +13,11 @@ use std::sync::Arc;
 
 use libm::tgamma;
 
+use super::resolved::Resolved;
 use crate::Error;
 use crate::contact::balance::State;
 use crate::contact::smooth::Curve;
-use crate::contact::smooth::balance::Centred;
-use crate::contact::smooth::disk::shape::{Part, Shape, Weight};
+use crate::contact::smooth::disk::shape::{Part, Shape};
 use crate::contact::smooth::ground;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::zones::Zone;
@@ -25,6 +25,10 @@ use crate::contact::solved::Stiffness;
 
 /// More breakpoints than these do not get panels of their own.
 const MOST_BREAKS: usize = 64;
+/// Accuracy of transforms while zones are looked for.
+const COARSE: f64 = 1e-8;
+/// Share of a place by which it is rounded.
+const SAME: f64 = 16.0 * f64::EPSILON;
 /// Places on either side of the middle that show the size of slopes.
 const SAMPLES: usize = 8;
 
@@ -34,6 +38,8 @@ pub(super) struct Ground {
     pub(super) powers: ground::Ground,
     /// `e`.
     pub(super) modulus: f64,
+    /// To which share transforms are resolved where that of the profile is less.
+    tolerance: f64,
 }
 
 impl Ground {
@@ -41,7 +47,12 @@ impl Ground {
         let powers = ground::Ground::new(exponent)?;
         let response = theta0 * PI / (tgamma(exponent) * (FRAC_PI_2 * exponent).cos());
         let modulus = powers.modulus(response);
-        Ok(Self { powers, modulus })
+        Ok(Self { powers, modulus, tolerance: 0.0 })
+    }
+
+    /// The same with transforms that show no more than where zones are.
+    pub(super) fn coarse(&self) -> Self {
+        Self { tolerance: COARSE, ..self.clone() }
     }
 
     /// `B`.
@@ -58,7 +69,7 @@ pub(super) struct Halves {
     /// Rounding of the slopes.
     noise: f64,
     /// Size of the slope of the profile.
-    steepest: f64,
+    pub(super) steepest: f64,
 }
 
 impl Halves {
@@ -70,15 +81,24 @@ impl Halves {
             Some(slope) => Arc::clone(slope),
             None => Arc::new(|_| f64::NAN),
         };
-        let at =
-            Arc::new(move |s: f64| slope((centre + s).clamp(left.next_up(), right.next_down())));
+        let clamped = move |xi: f64| slope(xi.clamp(left.next_up(), right.next_down()));
+        let mut cuts = vec![left];
+        cuts.extend(profile.breaks.iter().filter(|at| left < **at && **at < right));
+        cuts.push(right);
+        let known = cuts.len() <= MOST_BREAKS + 2;
+        let at: Curve = match known.then(|| Resolved::new(&clamped, &cuts)).flatten() {
+            Some(resolved) => Arc::new(move |s: f64| resolved.at(centre + s)),
+            None => Arc::new(move |s: f64| clamped(centre + s)),
+        };
         let other = Arc::clone(&at);
         let even: Curve = Arc::new(move |r| 0.5 * (at(r) - at(-r)));
         let odd: Curve = Arc::new(move |r| 0.5 * (other(r) + other(-r)));
         let inside = |at: &f64| left < *at && *at < right;
         let mut breaks: Vec<f64> = profile.breaks.iter().copied().filter(inside).collect();
         breaks.iter_mut().for_each(|at| *at = (*at - centre).abs());
-        breaks.retain(|r| *r > 0.0);
+        // Where a kink is, is rounded: what lies closer to the middle is there.
+        let rounding = SAME * left.abs().max(right.abs());
+        breaks.retain(|r| *r > rounding);
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
         if breaks.len() > MOST_BREAKS {
@@ -97,10 +117,19 @@ impl Halves {
         Self { slopes: [even, odd], breaks, tolerance: profile.tolerance, noise, steepest }
     }
 
+    /// Where the halves bend.
+    pub(super) fn breaks(&self) -> &[f64] {
+        &self.breaks
+    }
+
+    pub(super) fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
     fn shape(&self, ground: &Ground, part: Part) -> Shape<'_> {
         let index = usize::from(part == Part::Odd);
         let (slope, noise) = (&self.slopes[index], self.noise);
-        let (breaks, tolerance) = (self.breaks.clone(), self.tolerance);
+        let (breaks, tolerance) = (self.breaks.clone(), self.tolerance.max(ground.tolerance));
         Shape { slope, breaks, tolerance, noise, ground: ground.powers.clone(), part }
     }
 
@@ -117,53 +146,24 @@ impl Halves {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Strip {
     pub(super) zone: Zone,
+    /// Of all zones together, and its stiffness.
     pub(super) state: State,
-    /// About the middle of the zone.
-    pub(super) own: Stiffness,
     pub(super) stiffness: Stiffness,
-    /// `D`.
-    pub(super) depth: f64,
-    /// `mu B D` and `-alpha0 B`.
+    /// Of this zone alone, about its middle.
+    pub(super) own: Stiffness,
+    pub(super) force: f64,
+    /// The even and the odd density without the profile's: of one zone `mu B D` and `-alpha0 B`.
     pub(super) levels: [f64; 2],
     /// `G_e(b)`, `G_o(b)`.
     pub(super) transforms: [f64; 2],
+    /// What others add at the ends, and its size.
+    pub(super) ripple: [f64; 2],
+    pub(super) ripple_size: f64,
     /// Size of the slope of the profile.
     pub(super) steepest: f64,
 }
 
 impl Strip {
-    pub(super) fn new(base: &Base<'_>, ground: &Ground, zone: Zone, halves: &Halves) -> Self {
-        let (even, odd) = (halves.even(ground), halves.odd(ground));
-        let (b, c) = (0.5 * zone.length(), 0.5 * (zone.left() + zone.right()));
-        let (mu, total) = (ground.powers.exponent(), ground.total());
-        let height = base.height(c);
-        let unit = 2.0 * ground.modulus / PI * total * ground.powers.power(b);
-        let own = Stiffness {
-            force_settlement: unit * mu * total,
-            coupling: 0.0,
-            moment_tilt: unit * b * b * total / (2.0 + mu),
-        };
-        let free = [
-            unit * b * even.integral(b, Weight::Lever),
-            unit * b * b / (1.0 + mu) * odd.integral(b, Weight::SineSquared),
-        ];
-        let balance = Centred { centre: c, stiffness: own, free };
-        // The profile about its height in the middle, which the depth is measured from.
-        let load = lowered(base.problem.load, height);
-        let [depth, tilt] = balance.depth_and_tilt(&load);
-        let state = balance.state_of(&base.problem.load, [depth, tilt], [height, 0.0]);
-        Self {
-            zone,
-            state,
-            own,
-            stiffness: balance.about_base(),
-            depth,
-            levels: [mu * total * depth, -tilt * total],
-            transforms: [even.transform(b), odd.transform(b)],
-            steepest: halves.steepest,
-        }
-    }
-
     pub(super) fn half(&self) -> f64 {
         0.5 * self.zone.length()
     }
@@ -172,26 +172,21 @@ impl Strip {
         0.5 * (self.zone.left() + self.zone.right())
     }
 
+    /// `D` of one zone.
+    pub(super) fn depth(&self, ground: &Ground) -> f64 {
+        self.levels[0] / (ground.powers.exponent() * ground.total())
+    }
+
     /// `d_e(b) -+ b d_o(b)` at the left (0) or right (1) end.
     pub(super) fn end_density(&self, side: usize) -> f64 {
         let [even, odd] = [0, 1].map(|part| self.levels[part] - self.transforms[part]);
         let arm = if side == 0 { -self.half() } else { self.half() };
-        even + arm * odd
+        even + arm * odd + self.ripple[side]
     }
 
     /// Size of what is added up in that.
     pub(super) fn density_scale(&self) -> f64 {
         let [even, odd] = [0, 1].map(|part| self.levels[part].abs() + self.transforms[part].abs());
-        even + self.half() * (odd + self.steepest)
+        even + self.half() * (odd + self.steepest) + self.ripple_size
     }
-}
-
-/// The load of a profile less its height in the middle.
-fn lowered(load: crate::Load, height: f64) -> crate::Load {
-    use crate::Vertical;
-    let vertical = match load.vertical {
-        Vertical::Settlement(settlement) => Vertical::Settlement(settlement - height),
-        force @ Vertical::Force(_) => force,
-    };
-    crate::Load { vertical, ..load }
 }

@@ -1,0 +1,193 @@
+//! What several zones do to one another.
+//!
+//! Each zone has its own pressure under the profile without depth and tilt, and polynomials `c_n` besides. As displacements of others are analytic on a zone, few of them do, and
+//! the equation at as many nodes of each zone, `sum u_n c_n + sum over others u_n d_n = ..`, `u_n = l_n m_n`, is a dense system. The own pressures displace other zones as the
+//! profile's coefficients do, `f0 = sum a_n c_n` giving `sum a_n d_n`, of which no more are felt than those that are kept.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::modes::{gains, inside, norms, outside};
+use super::strip::{Ground, Halves};
+use crate::Error;
+use crate::contact::smooth::problem::Base;
+use crate::contact::smooth::zones::Zone;
+
+/// Panels of the coefficients of a profile are doubled at most so often, until these change by no more than this share, or no less than before.
+const DOUBLINGS: usize = 6;
+const AGREED: f64 = 32.0 * f64::EPSILON;
+const NOISE: f64 = 1e-11;
+/// Turns of a polynomial in a panel.
+const TURNS: f64 = 1.0;
+
+/// The coefficients `m_n` of three pressures, zone by zone: their displacements are 1, `xi - middle` and `f0` without what each zone's own pressure makes of it.
+pub(super) struct Coupled {
+    pub(super) level: Vec<Vec<f64>>,
+    pub(super) tilted: Vec<Vec<f64>>,
+    pub(super) profile: Vec<Vec<f64>>,
+}
+
+/// Zones with their nodes.
+struct Nodes {
+    centre: f64,
+    half: f64,
+    /// `y` with the distances from both ends.
+    places: Vec<(f64, [f64; 2])>,
+}
+
+impl Nodes {
+    fn new(zone: &Zone, count: usize) -> Self {
+        let (centre, half) = (0.5 * (zone.left() + zone.right()), 0.5 * zone.length());
+        let place = |q: usize| {
+            let angle = PI * (q as f64 + 0.5) / count as f64;
+            let (sine, cosine) = (0.5 * angle).sin_cos();
+            let [left, right] = [cosine, sine].map(|side| zone.length() * side * side);
+            (angle.cos(), [left, right])
+        };
+        Self { centre, half, places: (0..count).map(place).collect() }
+    }
+}
+
+/// Solves for the three pressures.
+pub(super) fn couple(
+    base: &Base<'_>,
+    ground: &Ground,
+    zones: &[Zone],
+    counts: &[usize],
+    halves: &[Halves],
+    middle: f64,
+) -> Result<Coupled, Error> {
+    let nodes: Vec<Nodes> = zones.iter().zip(counts).map(|(z, n)| Nodes::new(z, *n)).collect();
+    let lambda = 0.5 * ground.powers.exponent();
+    let mut offsets = vec![0];
+    counts.iter().for_each(|count| offsets.push(offsets[offsets.len() - 1] + count));
+    let order = offsets[zones.len()];
+    let heights: Vec<Vec<f64>> = (halves.iter().zip(&nodes).zip(counts))
+        .map(|((halves, nodes), count)| coefficients(base, ground, halves, nodes, *count))
+        .collect();
+    let mut rows = Vec::with_capacity(order);
+    for (j, target) in nodes.iter().enumerate() {
+        for (y, [from_left, from_right]) in &target.places {
+            let mut row = vec![0.0; order + 3];
+            let mut felt = base.height(target.centre);
+            for (i, source) in nodes.iter().enumerate() {
+                let slots = &mut row[offsets[i]..offsets[i + 1]];
+                if i == j {
+                    slots.copy_from_slice(&inside(lambda, counts[i], *y));
+                    continue;
+                }
+                let (distance, sign) = if j > i {
+                    (zones[j].left() - zones[i].right() + from_left, 1.0)
+                } else {
+                    (zones[i].left() - zones[j].right() + from_right, -1.0)
+                };
+                let values = outside(ground, counts[i], distance / source.half);
+                let mut parity = 1.0;
+                for ((slot, d), a) in slots.iter_mut().zip(values).zip(&heights[i]) {
+                    *slot = parity * d;
+                    felt -= a * parity * d;
+                    parity *= sign;
+                }
+            }
+            let xi = target.centre - middle + target.half * y;
+            row[order..].copy_from_slice(&[1.0, xi, felt]);
+            rows.push(row);
+        }
+    }
+    let singular = fredholm::Error::Singular { parameter: 0.0, smallest: 0.0 };
+    let [level, tilted, profile] = eliminated(rows).ok_or(Error::Equation(singular))?;
+    let split = |all: Vec<f64>| -> Vec<Vec<f64>> {
+        let zone = |(pair, count): (&[usize], &usize)| {
+            let gains = gains(ground, *count);
+            all[pair[0]..pair[1]].iter().zip(gains).map(|(u, l)| u / l).collect()
+        };
+        offsets.windows(2).zip(counts).map(zone).collect()
+    };
+    Ok(Coupled { level: split(level), tilted: split(tilted), profile: split(profile) })
+}
+
+/// `a_n` of the profile above its height in the middle of a zone.
+fn coefficients(
+    base: &Base<'_>,
+    ground: &Ground,
+    halves: &Halves,
+    nodes: &Nodes,
+    count: usize,
+) -> Vec<f64> {
+    let mut cuts = vec![0.0];
+    let inner = halves.breaks().iter().rev().filter(|r| **r < nodes.half);
+    cuts.extend(inner.map(|r| (r / nodes.half).acos()));
+    cuts.push(FRAC_PI_2);
+    let mut parts = 1 + (count as f64 / (4.0 * TURNS)) as usize;
+    let mut found = summed(base, ground, nodes, &cuts, [count, parts]);
+    let mut before = f64::INFINITY;
+    for _ in 0..DOUBLINGS {
+        parts *= 2;
+        let finer = summed(base, ground, nodes, &cuts, [count, parts]);
+        let size = finer.iter().fold(0.0f64, |most, a| most.max(a.abs()));
+        let changed = finer.iter().zip(&found).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+        found = finer;
+        let agreed = (0.01 * halves.tolerance()).max(AGREED) * size;
+        if changed <= agreed || (changed <= NOISE * size && changed >= 0.5 * before) {
+            break;
+        }
+        before = changed;
+    }
+    found
+}
+
+/// The same with so many panels between cuts.
+fn summed(
+    base: &Base<'_>,
+    ground: &Ground,
+    nodes: &Nodes,
+    cuts: &[f64],
+    [count, parts]: [usize; 2],
+) -> Vec<f64> {
+    let (lambda, middle) = (0.5 * ground.powers.exponent(), base.height(nodes.centre));
+    let mut sums = vec![0.0; count];
+    for pair in cuts.windows(2) {
+        let at = |part: usize| pair[0] + (pair[1] - pair[0]) * part as f64 / parts as f64;
+        for part in 0..parts {
+            let to = if part + 1 == parts { pair[1] } else { at(part + 1) };
+            for (angle, weight) in ground.powers.nodes([at(part), to]) {
+                let y = angle.cos();
+                let s = nodes.half * y;
+                let [right, left] = [s, -s].map(|s| base.height(nodes.centre + s) - middle);
+                let power = weight * ground.powers.power(angle.sin());
+                let halves = [(right + left) * power, (right - left) * power];
+                for (n, c) in inside(lambda, count, y).into_iter().enumerate() {
+                    sums[n] += halves[n % 2] * c;
+                }
+            }
+        }
+    }
+    sums.iter().zip(norms(ground, count)).map(|(sum, norm)| sum / norm).collect()
+}
+
+/// Elimination with pivots for three right sides at the ends of the rows; `None` for a singular matrix.
+fn eliminated(mut rows: Vec<Vec<f64>>) -> Option<[Vec<f64>; 3]> {
+    let order = rows.len();
+    for k in 0..order {
+        let pivot = (k..order).max_by(|&i, &j| rows[i][k].abs().total_cmp(&rows[j][k].abs()))?;
+        rows.swap(k, pivot);
+        let (above, below) = rows.split_at_mut(k + 1);
+        let top = &above[k][k..];
+        if top[0] == 0.0 || !top[0].is_finite() {
+            return None;
+        }
+        for row in below {
+            let factor = row[k] / top[0];
+            row[k..].iter_mut().zip(top).for_each(|(value, top)| *value -= factor * top);
+        }
+    }
+    let solved = |right: usize| {
+        let mut solution = vec![0.0; order];
+        for k in (0..order).rev() {
+            let known = rows[k][k + 1..order].iter().zip(&solution[k + 1..]);
+            let known: f64 = known.map(|(entry, value)| entry * value).sum();
+            solution[k] = (rows[k][order + right] - known) / rows[k][k];
+        }
+        solution
+    };
+    Some([0, 1, 2].map(solved))
+}

@@ -1,0 +1,50 @@
+//! Smooth contact on graded ground to first order, by its stiffness and the flat pressures on its zones.
+
+use super::field::Field;
+use super::stated::GradedContact;
+use crate::Rotational;
+use crate::contact::linearised::{Linearised, Rates, smooth_rates};
+use crate::contact::solution::Solution;
+
+impl GradedContact {
+    /// The first-order change, the largest pressure being at `peak`.
+    pub(super) fn first_order(&self, peak: f64) -> Linearised {
+        let load = &self.problem().load;
+        let stiffness = self.stiffness();
+        let largest = self.pressure0(peak);
+        let finite = if largest.is_finite() { largest } else { 0.0 };
+        let of = |prescribed: [f64; 2]| -> [Rates; 2] {
+            let [raise, turn] = stiffness.displaced(load, prescribed);
+            let force = stiffness.force_settlement * raise + stiffness.coupling * turn;
+            let touching = self.fields().iter().find(|field| field.strip.zone.contains(peak));
+            let pressure = match touching {
+                Some(field) if largest.is_finite() => {
+                    field.flat_change(field.place(peak), raise, turn)
+                }
+                _ => 0.0,
+            };
+            let widths = self.fields().iter().map(|field| widening(field, raise, turn));
+            let [width, error] = widths.fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
+            [[raise, force, -turn, pressure, width], [0.0, 0.0, 0.0, 0.0, error]]
+        };
+        let rotates = !matches!(load.rotational, Rotational::Eccentricity(_));
+        let turned = if rotates { of([0.0, 1.0]) } else { [[0.0; 5]; 2] };
+        let raised = of([1.0, 0.0]);
+        let rates = smooth_rates(load, [self.state().force, finite], [raised[0], turned[0]]);
+        let bounds = smooth_rates(load, [0.0; 2], [raised[1], turned[1]]);
+        Linearised { rates, errors: bounds.map(|rates| rates.map(f64::abs)) }
+    }
+}
+
+/// How much wider a zone becomes, and the error of that.
+fn widening(field: &Field, raise: f64, turn: f64) -> [f64; 2] {
+    let zone = field.strip.zone;
+    let mut sum = [0.0; 2];
+    for side in (0..2).filter(|&side| zone.is_free[side]) {
+        let moved =
+            field.flat_density(field.place(zone.ends[side]), raise, turn) / field.slopes[side];
+        sum[0] += moved;
+        sum[1] += (moved * field.slope_errors[side] / field.slopes[side]).abs();
+    }
+    sum
+}
