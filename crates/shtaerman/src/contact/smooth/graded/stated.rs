@@ -194,7 +194,7 @@ impl Solution for GradedContact {
         };
         // At a step the height is that of this side.
         let Strip { zone, state, .. } = &field.strip;
-        let inside = xi.clamp(zone.left().next_up(), zone.right().next_down());
+        let inside = zone.inside(xi);
         state.settlement - state.tilt * xi - (self.problem.profile.height)(inside)
     }
 

@@ -81,7 +81,7 @@ impl Halves {
             Some(slope) => Arc::clone(slope),
             None => Arc::new(|_| f64::NAN),
         };
-        let clamped = move |xi: f64| slope(xi.clamp(left.next_up(), right.next_down()));
+        let clamped = move |xi: f64| slope(xi.max(left.next_up()).min(right.next_down()));
         let mut cuts = vec![left];
         cuts.extend(profile.breaks.iter().filter(|at| left < **at && **at < right));
         cuts.push(right);
