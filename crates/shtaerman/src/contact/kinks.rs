@@ -8,6 +8,9 @@ use crate::roughness::Law;
 const BESIDE: [f64; 2] = [1e-8, 1e-12];
 const KEPT: f64 = 0.9;
 
+/// A peak this close to a kink lies on it.
+const AT_KINK: f64 = 1e-5;
+
 /// A jump of the slope of the base inside a zone of smooth contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Kink {
@@ -45,6 +48,16 @@ fn jump(problem: &Problem, xi: f64) -> Option<f64> {
 }
 
 impl Contact {
+    /// Whether the largest pressure is finite, and not the tip of a cusp under a kink of the base (on smooth graded ground), which has too few digits for rates.
+    pub(crate) fn has_smooth_peak(&self) -> bool {
+        let (value, peak) = self.peak_pressure0();
+        let (profile, frame) = (self.problem().profile(), self.problem().frame());
+        let breaks = || profile.breakpoints(frame.half_width());
+        let is_cusp =
+            frame.law() == Law::Smooth && breaks().iter().any(|at| (at - peak).abs() < AT_KINK);
+        value.is_finite() && !is_cusp
+    }
+
     /// The pressure at `xi` if that is, to rounding, a kink where it is infinite.
     pub(super) fn singular_pressure(&self, xi: f64) -> Option<f64> {
         self.kinks()

@@ -40,6 +40,9 @@ impl Stiffness {
     }
 }
 
+/// At most so many breaks of a base are looked at for the largest pressure.
+const MOST_BREAKS: usize = 64;
+
 /// Settlement, tilt, force, moment, zones and pressure of a contact.
 ///
 /// Quantities are kept without dimensions; those without a `0` in their name are in the units of the problem (SI, or none for a
@@ -81,6 +84,7 @@ impl Contact {
             (sampled.maximum(), sampled.negative())
         };
         let is_round = problem.frame().is_circular() && contact.is_level;
+        let peak = contact.peak_under_breaks(peak);
         let place = if is_round { peak.place.abs() } else { peak.place };
         let peak = Extreme { place, ..peak };
         contact.peak = contact.singular_peak().unwrap_or((peak.value, peak.place));
@@ -88,6 +92,14 @@ impl Contact {
             contact.tension = tension;
         }
         Ok(contact)
+    }
+
+    /// The largest pressure, or that under a break of the base if it is larger: a cusp is too narrow for a search.
+    fn peak_under_breaks(&self, found: Extreme) -> Extreme {
+        let breaks = self.problem.profile().breakpoints(self.problem.frame().half_width());
+        let under = breaks.into_iter().take(MOST_BREAKS).filter(|xi| self.solution.touches(*xi));
+        let peaks = under.map(|place| Extreme { place, value: self.pressure0(place) });
+        peaks.fold(found, |best, peak| if peak.value > best.value { peak } else { best })
     }
 
     /// The first end of a zone or kink where the pressure is infinite.

@@ -27,7 +27,7 @@ pub struct Sensitivities {
     /// Of the tilt (rad), where it is not prescribed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tilt: Option<Derivatives>,
-    /// Of the largest pressure (Pa); without where that is infinite.
+    /// Of the largest pressure (Pa); without where that is infinite, or the tip of a cusp under a kink.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_max: Option<Derivatives>,
     /// Of the width of contact (m).
@@ -51,7 +51,7 @@ impl Sensitivities {
             settlement: by_force.then_some(settlement),
             force: (!by_force).then_some(force),
             tilt: (!by_tilt).then_some(tilt),
-            pressure_max: contact.peak_pressure0().0.is_finite().then_some(pressure_max),
+            pressure_max: contact.has_smooth_peak().then_some(pressure_max),
             contact_width,
         }
     }

@@ -202,3 +202,26 @@ fn what_is_prescribed_comes_back() {
         close(found, exact, 1e-12, "edge");
     }
 }
+
+#[test]
+fn the_pressure_falls_beside_a_kink_by_the_power_of_the_ground() {
+    // p = p(0) - c |d|^mu + .. on either side: from two distances the third and the kink itself, also where it is off the middle of the zone
+    for mu in [0.2, 0.5, 0.8] {
+        let case = Case::plane(mu);
+        for e in [0.0, 1e-3, 0.03] {
+            let contact =
+                case.solve("abs(x)/3", Vertical::Force(0.05), Rotational::Eccentricity(e));
+            let even =
+                |d: f64| [-d, d].map(|x| contact.pressure(x).unwrap()).iter().sum::<f64>() / 2.0;
+            let [near, far] = [1e-6, 1e-4].map(even);
+            let fall = (near - far) / (100f64.powf(mu) - 1.0);
+            let (peak, at) = contact.peak_pressure();
+            assert!(at.abs() < 1e-15, "{mu} {e}: {at}");
+            // The next term is smooth, or of the power 1 + mu.
+            let allowed = 20.0 * 1e-4f64.powf(1.0 + mu).max(1e-8) * peak;
+            assert!((peak - near - fall).abs() < allowed, "{mu} {e}: {peak} {}", near + fall);
+            let between = near + fall * (1.0 - 1e-4f64.powf(mu));
+            assert!((even(1e-10) - between).abs() < allowed, "{mu} {e}: {} {between}", even(1e-10));
+        }
+    }
+}

@@ -10,6 +10,10 @@ use crate::contact::smooth::disk::transform::Transform;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::system::Place;
 
+/// Next to a kink, as a share of the half-width, rounding of the place would show; and the ratio of the two distances from which the pressure there is told.
+const BESIDE_KINK: f64 = 1e-8;
+const KINK_STEP: f64 = 32.0;
+
 /// A solved zone.
 #[derive(Debug, Clone)]
 pub(super) struct Field {
@@ -91,8 +95,30 @@ impl Field {
         self.ground.powers.taper(self.strip.half())
     }
 
-    /// `p0` in the zone; infinite at a singular end.
+    /// `p0` in the zone; infinite at a singular end. Beside a kink, where it falls as `|d|^mu`, from its values on both sides somewhat off.
     pub(super) fn pressure(&self, place: Place) -> f64 {
+        let [left, right] = self.strip.zone.ends;
+        let reach = BESIDE_KINK * self.strip.half();
+        let xi = if place.from_left < place.from_right {
+            left + place.from_left
+        } else {
+            right - place.from_right
+        };
+        let is_near = |at: &&f64| {
+            (xi - **at).abs() < reach && (*at - left).min(right - *at) > 2.0 * KINK_STEP * reach
+        };
+        let Some(at) = self.breaks.iter().find(is_near) else { return self.pressure_off(place) };
+        let mu = self.ground.powers.exponent();
+        let around = |offset: f64| {
+            let sides = [-offset, offset].map(|d| self.pressure_off(self.place(at + d)));
+            0.5 * (sides[0] + sides[1])
+        };
+        let (near, far) = (around(reach), around(KINK_STEP * reach));
+        let fall = (near - far) / (KINK_STEP.powf(mu) - 1.0);
+        near + fall * (1.0 - ((xi - at).abs() / reach).powf(mu))
+    }
+
+    fn pressure_off(&self, place: Place) -> f64 {
         let Place { from_left, from_right } = place;
         let length = from_left + from_right;
         let density =

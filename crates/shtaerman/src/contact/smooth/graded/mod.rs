@@ -31,9 +31,8 @@ use super::zones::{Zone, corrected};
 const TOPOLOGIES: u32 = 2;
 /// Corrections of the topology by the check, for each number of cells.
 const CORRECTIONS: usize = 16;
-/// Tension and penetration, relative to their scales, that are rounding, and that of transforms not resolved.
+/// Tension and penetration, relative to their scales, that are rounding.
 const ALLOWED: f64 = 2e-10;
-const COARSELY_ALLOWED: f64 = 1e-6;
 
 /// Solved zones with what is left of complementarity.
 #[derive(Debug)]
@@ -46,25 +45,10 @@ struct Solved {
 
 impl Solved {
     fn new(base: &Base<'_>, ground: &Ground, settled: &[Settled]) -> Self {
-        Self::allowed(base, ground, settled, ALLOWED)
-    }
-
-    fn allowed(base: &Base<'_>, ground: &Ground, settled: &[Settled], allowed: f64) -> Self {
         let fields: Vec<Field> =
             settled.iter().map(|settled| Field::new(base, ground, settled)).collect();
-        let left = Check::new(base, &fields, allowed);
+        let left = Check::new(base, &fields, ALLOWED);
         Self { fields, left, tolerance: base.problem.profile.tolerance }
-    }
-
-    /// The same unless less of its transforms shows tension or penetration already: those of a base with kinks take long.
-    fn checked(base: &Base<'_>, ground: &Ground, settled: &[Settled]) -> Self {
-        if !base.problem.profile.breaks.is_empty() {
-            let coarse = Self::allowed(base, &ground.coarse(), settled, COARSELY_ALLOWED);
-            if !coarse.left.is_clean() {
-                return coarse;
-            }
-        }
-        Self::new(base, ground, settled)
     }
 }
 
@@ -81,11 +65,13 @@ fn solve(problem: &SmoothProblem, exponent: f64) -> Result<Solved, Error> {
         return Ok(Solved::new(&base, &ground, &fixed(&base, &ground, &pieces)?));
     }
     // What passes the check is the answer, from wherever it was found: most need no cells.
+    let mut left = [f64::NAN; 2];
     if let Ok(settled) = edges::settle(&base, &ground, &pieces) {
-        let solved = Solved::checked(&base, &ground, &settled);
+        let solved = Solved::new(&base, &ground, &settled);
         if solved.left.is_clean() {
             return Ok(solved);
         }
+        left = [solved.left.tension, solved.left.penetration];
     }
     let mut refused = None;
     for power in 0..TOPOLOGIES {
@@ -94,7 +80,14 @@ fn solve(problem: &SmoothProblem, exponent: f64) -> Result<Solved, Error> {
             Err(error) => refused = refused.or(Some(error)),
         }
     }
-    Err(refused.unwrap_or(Error::NoContact))
+    Err(match refused {
+        // Of cells nobody has asked: that of the exact attempt tells more.
+        Some(Error::Equation(fredholm::Error::NotConverged { .. })) => {
+            Error::NotComplementary { tension: left[0], penetration: left[1] }
+        }
+        Some(error) => error,
+        None => Error::NoContact,
+    })
 }
 
 /// The answer from the zones that cells show, corrected where these were too coarse.
@@ -106,7 +99,7 @@ fn from_cells(base: &Base<'_>, ground: &Ground, power: u32) -> Result<Solved, Er
             break;
         }
         let zones: Vec<Zone> = intervals.iter().map(|[from, to]| base.zone(*from, *to)).collect();
-        let solved = Solved::checked(base, ground, &edges::settle(base, ground, &zones)?);
+        let solved = Solved::new(base, ground, &edges::settle(base, ground, &zones)?);
         let left = &solved.left;
         if left.is_clean() {
             return Ok(solved);

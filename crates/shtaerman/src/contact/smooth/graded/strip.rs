@@ -25,8 +25,6 @@ use crate::contact::solved::Stiffness;
 
 /// More breakpoints than these do not get panels of their own.
 const MOST_BREAKS: usize = 64;
-/// Accuracy of transforms while zones are looked for.
-const COARSE: f64 = 1e-8;
 /// Share of a place by which it is rounded.
 const SAME: f64 = 16.0 * f64::EPSILON;
 /// Places on either side of the middle that show the size of slopes.
@@ -38,8 +36,6 @@ pub(super) struct Ground {
     pub(super) powers: ground::Ground,
     /// `e`.
     pub(super) modulus: f64,
-    /// To which share transforms are resolved where that of the profile is less.
-    tolerance: f64,
 }
 
 impl Ground {
@@ -47,12 +43,7 @@ impl Ground {
         let powers = ground::Ground::new(exponent)?;
         let response = theta0 * PI / (tgamma(exponent) * (FRAC_PI_2 * exponent).cos());
         let modulus = powers.modulus(response);
-        Ok(Self { powers, modulus, tolerance: 0.0 })
-    }
-
-    /// The same with transforms that show no more than where zones are.
-    pub(super) fn coarse(&self) -> Self {
-        Self { tolerance: COARSE, ..self.clone() }
+        Ok(Self { powers, modulus })
     }
 
     /// `B`.
@@ -129,7 +120,7 @@ impl Halves {
     fn shape(&self, ground: &Ground, part: Part) -> Shape<'_> {
         let index = usize::from(part == Part::Odd);
         let (slope, noise) = (&self.slopes[index], self.noise);
-        let (breaks, tolerance) = (self.breaks.clone(), self.tolerance.max(ground.tolerance));
+        let (breaks, tolerance) = (self.breaks.clone(), self.tolerance);
         Shape { slope, breaks, tolerance, noise, ground: ground.powers.clone(), part }
     }
 
