@@ -162,6 +162,17 @@ pub enum Error {
         penetration: f64,
     },
 
+    /// More zones of contact than are solved together.
+    #[error(
+        "the contact has about {zones} zones, and on a smooth surface at most {most} are solved: a layer (roughness > 0) under one plane punch allows thousands"
+    )]
+    TooManyZones {
+        /// Zones that cells show.
+        zones: usize,
+        /// Most that are solved.
+        most: usize,
+    },
+
     /// Stresses below the surface of a body whose stress field is not known.
     #[error("stresses below the surface are known for the plane, homogeneous half-space only")]
     NoStresses,
@@ -288,6 +299,7 @@ impl Error {
             self,
             Self::ToleranceNotMet { .. }
                 | Self::NotComplementary { .. }
+                | Self::TooManyZones { .. }
                 | Self::EquationTolerance { .. }
                 | Self::EquationUnsolved { .. }
                 | Self::Equation(

@@ -49,3 +49,13 @@ fn gaps_too_narrow_are_said_to_be() {
     let problem = punch(1.0, |_| 0.0, level(1.0)).gap(1e-7);
     assert!(problem.refused().is_numerical());
 }
+
+#[test]
+fn hundreds_of_zones() {
+    let wavy = punch(1.0, |x| (1500.0 * x).cos(), balanced(1.0, 0.0))
+        .slope(|x| -1500.0 * (1500.0 * x).sin());
+    match wavy.refused() {
+        Error::TooManyZones { zones, most } => assert!(most >= 100 && zones > most),
+        other => panic!("{other}"),
+    }
+}

@@ -39,7 +39,7 @@ pub use problem::{Curve, SmoothProblem, SmoothProfile};
 use crate::Error;
 use check::check;
 use problem::Base;
-use zones::{Zone, corrected};
+use zones::{Zone, corrected, require_few};
 
 /// How finely pressures on zones are resolved.
 #[derive(Debug, Clone, Copy)]
@@ -61,6 +61,8 @@ const ALLOWED: f64 = 2e-10;
 const CORRECTIONS: usize = 16;
 /// Numbers of cells, each four times the one before.
 const TOPOLOGIES: usize = 3;
+/// Most zones that are solved: beyond, minutes go by.
+const MOST_ZONES: usize = 120;
 
 impl SmoothProblem {
     /// Solves the equation, and in unilateral contact finds the zones.
@@ -136,6 +138,7 @@ fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
             if zones.is_empty() {
                 break;
             }
+            require_few(&zones, MOST_ZONES)?;
             let solved = match edges::settle(base, &zones, COARSE) {
                 Ok(solved) => solved,
                 Err(error) => {

@@ -1,5 +1,7 @@
 //! The zones of contact.
 
+use crate::Error;
+
 /// Pieces shorter than this share of the longest are left to the next check.
 const SLIVER: f64 = 1e-9;
 
@@ -54,6 +56,12 @@ impl Zone {
         }
         kept
     }
+}
+
+/// Refuses more zones than `most`: their equations are dense.
+pub(super) fn require_few(zones: &[Zone], most: usize) -> Result<(), Error> {
+    let zones = zones.len();
+    if zones > most { Err(Error::TooManyZones { zones, most }) } else { Ok(()) }
 }
 
 /// Intervals of contact without those where the pressure pulls, and with those where the base penetrates; from left to right.

@@ -31,8 +31,8 @@ impl Problem {
         let disk = self.smooth_disk();
         let rings = || disk.solve_rings().map(|contact| -> Arc<dyn Solution> { Arc::new(contact) });
         let mut tried = rings::are_likely(&disk).then(rings);
-        if let Some(Ok(solution)) = tried {
-            return Ok(solution);
+        if let Some(Ok(_) | Err(Error::TooManyZones { .. })) = tried {
+            return tried.unwrap_or_else(rings);
         }
         let solution: Result<Arc<dyn Solution>, Error> = match disk.solve() {
             Ok(contact) => Ok(Arc::new(contact)),

@@ -19,13 +19,15 @@ pub use answer::SmoothRingsContact;
 
 use super::{ALLOWED, SmoothDisk};
 use crate::Error;
-use crate::contact::smooth::zones::{Zone, corrected};
+use crate::contact::smooth::zones::{Zone, corrected, require_few};
 use crate::contact::smooth::{COARSE, COARSELY_ALLOWED, CORRECTIONS, FINE, TOPOLOGIES};
 use crate::error::require;
 use base::Base;
 use check::{Check, check};
 use system::Solved;
 
+/// Most rings that are solved.
+const MOST_RINGS: usize = 48;
 /// A relative error beyond which there is no answer.
 const WORST: f64 = 1e-3;
 
@@ -102,6 +104,7 @@ fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
         });
         match zones.and_then(|zones| corrected_zones(base, zones)) {
             Ok(zones) => return Ok(zones),
+            Err(error @ Error::TooManyZones { .. }) => return Err(error),
             Err(error) => last = error,
         }
     }
@@ -114,6 +117,7 @@ fn corrected_zones(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Vec<Zone>, E
         if zones.is_empty() {
             break;
         }
+        require_few(&zones, MOST_RINGS)?;
         let solved = edges::settle(base, &zones, COARSE)?;
         let left = check(base, &solved, COARSELY_ALLOWED);
         if left.is_clean() {
