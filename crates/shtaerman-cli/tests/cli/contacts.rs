@@ -61,6 +61,21 @@ fn the_pressure_under_a_kink_of_a_smooth_punch_is_infinite() {
         let warnings = json["warnings"].as_array().unwrap();
         assert!(warnings.iter().all(|warning| warning["code"] != "singular_kink"));
     }
+    // Where only the curvature jumps the largest pressure keeps its derivatives, and under the smallest force a kink stays one.
+    let json = round
+        .run(&[
+            "solve",
+            "punch.toml",
+            "--format",
+            "json",
+            "--set",
+            "punch.profile='x^2/2 + abs(x)^3'",
+        ])
+        .json();
+    assert!(json["physical"]["sensitivities"]["pressure_max"].is_object(), "{json}");
+    let json =
+        wedge.run(&["solve", "punch.toml", "--format", "json", "--set", "load.force=1e-3"]).json();
+    assert_eq!(json["warnings"][0]["code"], "singular_kink");
     // Hollow under a bilateral contact: minus infinity beside the truth that it pulls there.
     let hollow = text.replace("x^2 / (2*20)", "-1e-3*abs(x)");
     let hollow = Folder::with(&format!("{hollow}[solver]\ncontact = \"bilateral\"\n"));

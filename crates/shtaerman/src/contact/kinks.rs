@@ -8,6 +8,8 @@ use crate::roughness::Law;
 const BESIDE: [f64; 2] = [1e-8, 1e-12];
 const KEPT: f64 = 0.9;
 
+/// A kink this close to an end of its zone, as a share of the zone, lies on it.
+const AT_END: f64 = 1e-8;
 /// A peak this close to a kink lies on it.
 const AT_KINK: f64 = 1e-5;
 
@@ -28,7 +30,10 @@ pub(super) fn kinks(problem: &Problem, zones: &[[f64; 2]]) -> Vec<Kink> {
     }
     let half_width = frame.half_width();
     let inside = |xi: &f64| {
-        zones.iter().any(|[left, right]| left + BESIDE[0] < *xi && *xi < right - BESIDE[0])
+        zones.iter().any(|[left, right]| {
+            let margin = AT_END * (right - left);
+            left + margin < *xi && *xi < right - margin
+        })
     };
     let places = problem.profile().breakpoints(half_width).into_iter().filter(inside);
     places
@@ -52,9 +57,9 @@ impl Contact {
     pub(crate) fn has_smooth_peak(&self) -> bool {
         let (value, peak) = self.peak_pressure0();
         let (profile, frame) = (self.problem().profile(), self.problem().frame());
-        let breaks = || profile.breakpoints(frame.half_width());
-        let is_cusp =
-            frame.law() == Law::Smooth && breaks().iter().any(|at| (at - peak).abs() < AT_KINK);
+        let breaks = || profile.breakpoints(frame.half_width()).into_iter();
+        let is_kink = |at: f64| (at - peak).abs() < AT_KINK && jump(self.problem(), at).is_some();
+        let is_cusp = frame.law() == Law::Smooth && breaks().any(is_kink);
         value.is_finite() && !is_cusp
     }
 
