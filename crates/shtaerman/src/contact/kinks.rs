@@ -17,6 +17,8 @@ const AT_KINK: f64 = 1e-5;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Kink {
     pub(super) xi: f64,
+    /// A place this close is, to rounding, the kink.
+    pub(super) rounding: f64,
     /// `+inf` where the base has an edge towards the body, `-inf` where it is hollow: with a jump `J` of `df0/dxi` the pressure goes as
     /// `p0 ~ J/(pi^2 theta0) ln(1/|d|)` at the distance `d`, as the kernel has the symbol `pi/|k|`.
     pub(super) pressure: f64,
@@ -29,18 +31,17 @@ pub(super) fn kinks(problem: &Problem, zones: &[[f64; 2]]) -> Vec<Kink> {
         return Vec::new();
     }
     let half_width = frame.half_width();
-    let inside = |xi: &f64| {
-        zones.iter().any(|[left, right]| {
+    let kink = |xi: f64| {
+        let [left, right] = zones.iter().find(|[left, right]| {
             let margin = AT_END * (right - left);
-            left + margin < *xi && *xi < right - margin
-        })
+            left + margin < xi && xi < right - margin
+        })?;
+        let pressure = f64::INFINITY.copysign(jump(problem, xi)?);
+        // A zone may be narrower than the rounding of a whole half-width.
+        let rounding = f64::EPSILON * xi.abs().max(right - left);
+        Some(Kink { xi, rounding, pressure })
     };
-    let places = problem.profile().breakpoints(half_width).into_iter().filter(inside);
-    places
-        .filter_map(|xi| {
-            jump(problem, xi).map(|jump| Kink { xi, pressure: f64::INFINITY.copysign(jump) })
-        })
-        .collect()
+    problem.profile().breakpoints(half_width).into_iter().filter_map(kink).collect()
 }
 
 /// The jump of the slope, if there is one.
@@ -67,7 +68,7 @@ impl Contact {
     pub(super) fn singular_pressure(&self, xi: f64) -> Option<f64> {
         self.kinks()
             .iter()
-            .find(|kink| (kink.xi - xi).abs() <= f64::EPSILON)
+            .find(|kink| (kink.xi - xi).abs() <= kink.rounding)
             .map(|kink| kink.pressure)
     }
 }
