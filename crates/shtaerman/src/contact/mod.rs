@@ -4,6 +4,7 @@
 
 mod accuracy;
 mod balance;
+mod cells;
 mod collocated;
 mod cross_check;
 mod draft;
@@ -20,6 +21,7 @@ mod solved;
 mod spectral;
 mod surface;
 mod unilateral;
+mod valleys;
 mod warning;
 
 pub use accuracy::{Accuracy, ErrorKind};

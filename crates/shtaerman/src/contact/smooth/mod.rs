@@ -37,8 +37,9 @@ pub use kernel::SmoothKernel;
 pub use problem::{Curve, SmoothProblem, SmoothProfile};
 
 use crate::Error;
+use crate::contact::valleys::require_shown;
 use check::check;
-use problem::Base;
+use problem::{Base, MOST_CELLS};
 use zones::{Zone, corrected, require_few};
 
 /// How finely pressures on zones are resolved.
@@ -123,17 +124,21 @@ fn complementary(base: &Base<'_>) -> Result<SmoothContact, Error> {
 /// The zones with few modes.
 fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
     let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
-    for power in 0..TOPOLOGIES {
+    let valleys: Vec<f64> = base.valleys().collect();
+    let counts = (0..TOPOLOGIES).map(|power| base.cells() * 4usize.pow(power as u32));
+    let mut counts: Vec<usize> = counts.map(|count| count.min(MOST_CELLS)).collect();
+    counts.dedup();
+    for count in counts {
+        let intervals = match topology::find(base, count) {
+            Ok(intervals) => intervals,
+            Err(error) => {
+                last = error;
+                continue;
+            }
+        };
+        require_shown(&intervals, &valleys, count, MOST_ZONES)?;
         let mut zones: Vec<Zone> =
-            match topology::find(base, base.cells() * 4usize.pow(power as u32)) {
-                Ok(intervals) => {
-                    intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
-                }
-                Err(error) => {
-                    last = error;
-                    continue;
-                }
-            };
+            intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect();
         for _ in 0..CORRECTIONS {
             if zones.is_empty() {
                 break;

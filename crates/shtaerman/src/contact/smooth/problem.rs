@@ -5,11 +5,15 @@ use std::sync::Arc;
 
 use super::kernel::SmoothKernel;
 use super::zones::Zone;
+use crate::contact::valleys;
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 
-/// Samples that show the ups and downs of a profile.
+/// Samples that show the ups and downs of a profile, at least and at most.
 const SAMPLES: usize = 2048;
+const MOST_SAMPLES: usize = 32768;
+/// Most cells.
+pub(super) const MOST_CELLS: usize = 3072;
 /// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a jump.
 const BESIDE: f64 = 1e-9;
 const JUMP: f64 = 1e-6;
@@ -85,9 +89,10 @@ impl SmoothProblem {
 
     /// Heights of a piece, which must be finite.
     fn samples(&self, [left, right]: [f64; 2]) -> Result<Vec<Sample>, Error> {
-        (0..=SAMPLES)
+        let steps = valleys::steps(&*self.profile.height, [left, right], SAMPLES, MOST_SAMPLES);
+        (0..=steps)
             .map(|i| {
-                let xi = left + (right - left) * i as f64 / SAMPLES as f64;
+                let xi = left + (right - left) * i as f64 / steps as f64;
                 let height = (self.profile.height)(xi);
                 require(height.is_finite(), "profile", xi, "such that the height is finite")?;
                 Ok((xi, height))
@@ -172,13 +177,13 @@ impl<'p> Base<'p> {
 
     /// Number of cells that show every valley of the profile.
     pub(super) fn cells(&self) -> usize {
-        const FEWEST: usize = 48;
-        const MOST: usize = 768;
-        const A_VALLEY: usize = 12;
-        let is_valley = |w: &&[Sample]| w[1].1 <= w[0].1 && w[1].1 < w[2].1;
-        let valleys: usize =
-            self.samples.iter().map(|piece| piece.windows(3).filter(is_valley).count()).sum();
-        (A_VALLEY * (valleys + 1)).clamp(FEWEST, MOST)
+        const USUAL: usize = 768;
+        valleys::cells(self.valleys().count(), USUAL, MOST_CELLS)
+    }
+
+    /// Where the samples have valleys.
+    pub(super) fn valleys(&self) -> impl Iterator<Item = f64> + '_ {
+        self.samples.iter().flat_map(|piece| valleys::valleys(piece))
     }
 
     fn find_steps(&mut self) -> Result<(), Error> {

@@ -8,12 +8,16 @@ use super::mirror;
 use super::power::reference_pressure;
 use super::topology;
 use super::zones::Zone;
+use crate::contact::cells::mean_height;
+use crate::contact::valleys;
 use crate::error::require;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Vertical};
 
 /// Samples that show the ups and downs of a profile, at least and at most.
 const SAMPLES: usize = 512;
 const MOST_SAMPLES: usize = 8192;
+/// Most cells.
+pub(super) const MOST_CELLS: usize = 3072;
 /// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a jump.
 const BESIDE: f64 = 1e-9;
 const JUMP: f64 = 1e-6;
@@ -79,6 +83,12 @@ impl<'p> Base<'p> {
         let mut samples = Vec::with_capacity(count + pieces.len());
         for [left, right] in &pieces {
             let steps = ((count as f64 * (right - left) / length).ceil() as usize).max(2);
+            let steps = if wanted > 0 || steps < SAMPLES / 4 {
+                steps
+            } else {
+                let height = |xi| problem.dimensionless_profile(xi);
+                valleys::steps(height, [*left, *right], steps, MOST_SAMPLES)
+            };
             for i in 0..=steps {
                 let xi = left + (right - left) * i as f64 / steps as f64;
                 samples.push((xi, problem.finite_profile(xi)?));
@@ -191,9 +201,7 @@ impl<'p> Base<'p> {
 
     /// Simpson's mean of the profile over a cell, from inside it.
     pub(super) fn mean_height(&self, centre: f64, half: f64) -> f64 {
-        let inside = half * (1.0 - 1e-6);
-        let at = |side: f64| self.height(centre + side * inside);
-        (at(-1.0) + 4.0 * at(0.0) + at(1.0)) / 6.0
+        mean_height(centre, half, |xi| self.height(xi))
     }
 
     /// The next wall for a left (0) or right (1) edge outwards of a place inside the contact.
@@ -242,11 +250,10 @@ impl<'p> Base<'p> {
 
     /// Number of cells that show every valley of the profile.
     pub(super) fn cells(&self) -> usize {
-        const FEWEST: usize = 48;
-        const MOST: usize = 1024;
-        const A_VALLEY: usize = 12;
-        let valleys = self.samples.windows(3).filter(|w| w[1].1 <= w[0].1 && w[1].1 < w[2].1);
-        (A_VALLEY * (valleys.count() + 1)).clamp(FEWEST, MOST)
+        const USUAL: usize = 1024;
+        // Many zones under one plane punch are for panels.
+        let most = if self.is_plain() { USUAL } else { MOST_CELLS };
+        valleys::cells(valleys::valleys(&self.samples).count(), USUAL, most)
     }
 
     /// Difference of the largest and the smallest height.
