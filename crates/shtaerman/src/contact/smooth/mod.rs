@@ -15,6 +15,7 @@ mod coupling;
 mod density;
 mod disk;
 mod edges;
+mod free_ends;
 mod graded;
 mod ground;
 mod harmonics;
@@ -98,8 +99,7 @@ fn solve_zones(base: &Base<'_>, first: Option<Zone>) -> Result<SmoothContact, Er
 fn tried(base: &Base<'_>, zone: Zone) -> Option<Result<SmoothContact, Error>> {
     let solved = edges::settle(base, &[zone], FINE).ok()?;
     let left = check(base, &solved, ALLOWED);
-    let is_clean = left.pulling.is_empty() && left.penetrating.is_empty();
-    is_clean.then(|| SmoothContact::new(base, solved, &left))
+    left.is_clean().then(|| SmoothContact::new(base, solved, &left))
 }
 
 /// The answer, with its zones corrected where all modes show what few did not.
@@ -109,7 +109,7 @@ fn complementary(base: &Base<'_>) -> Result<SmoothContact, Error> {
     for _ in 0..CORRECTIONS {
         let solved = edges::settle(base, &zones, FINE)?;
         let left = check(base, &solved, ALLOWED);
-        if left.pulling.is_empty() && left.penetrating.is_empty() {
+        if left.is_clean() {
             return SmoothContact::new(base, solved, &left);
         }
         last = [left.tension, left.penetration];
@@ -152,7 +152,7 @@ fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
                 }
             };
             let left = check(base, &solved, COARSELY_ALLOWED);
-            if left.pulling.is_empty() && left.penetrating.is_empty() {
+            if left.is_clean() {
                 return Ok(solved.parts.iter().map(|part| part.zone).collect());
             }
             let (tension, penetration) = (left.tension, left.penetration);

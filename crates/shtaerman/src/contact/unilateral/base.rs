@@ -303,61 +303,16 @@ impl<'p> Base<'p> {
         if self.is_bilateral {
             return Ok(());
         }
-        let half_width = self.problem.frame().half_width();
-        let given = self.problem.load();
-        if let (Vertical::Force(force), Vertical::Force(value)) =
-            (self.load.vertical, given.vertical)
-        {
-            let requirement = "greater than zero in unilateral contact: a pull lifts the punch off";
-            require(force > 0.0, "force", value, requirement)?;
-            if let (Rotational::Moment(moment), Rotational::Moment(value)) =
-                (self.load.rotational, given.rotational)
-                && moment.abs() >= force
-            {
-                let limit = half_width * self.problem_force();
-                return Err(Error::TipsOver { field: "moment", value, limit, name: "P a" });
-            }
+        self.problem.check_balance()?;
+        // A force off the middle may act there under a tilt that does not keep clear.
+        if self.settlement_at_eccentricity().is_none() && self.touches_nowhere() {
+            return Err(Error::NoContact);
         }
-        match (self.load.rotational, given.rotational) {
-            (Rotational::Eccentricity(e), Rotational::Eccentricity(value)) if e.abs() >= 1.0 => {
-                Err(Error::TipsOver { field: "eccentricity", value, limit: half_width, name: "a" })
-            }
-            // A force may act there under a tilt that does not keep clear.
-            (Rotational::Eccentricity(e), _) if e != 0.0 => Ok(()),
-            _ if self.touches_nowhere() => Err(Error::NoContact),
-            _ => Ok(()),
-        }
-    }
-
-    fn problem_force(&self) -> f64 {
-        match self.problem.load().vertical {
-            Vertical::Force(force) => force,
-            Vertical::Settlement(_) => 0.0,
-        }
+        Ok(())
     }
 
     /// Whether the prescribed displacements leave the base clear of the body.
     pub(super) fn touches_nowhere(&self) -> bool {
-        let Vertical::Settlement(settlement) = self.load.vertical else { return false };
-        match self.load.rotational {
-            Rotational::Tilt(tilt) => {
-                self.samples.iter().all(|(xi, height)| settlement - tilt * xi <= *height)
-            }
-            Rotational::Moment(moment) if moment != 0.0 => false,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => {
-                // Without contact there is no moment: is there a tilt that keeps clear?
-                let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
-                for &(xi, height) in &self.samples {
-                    if xi > 0.0 {
-                        least = least.max((settlement - height) / xi);
-                    } else if xi < 0.0 {
-                        most = most.min((height - settlement) / -xi);
-                    } else if settlement > height {
-                        return false;
-                    }
-                }
-                least <= most
-            }
-        }
+        self.load.keeps_clear(self.samples.iter())
     }
 }

@@ -4,8 +4,7 @@ use super::super::shape::Shape;
 use super::super::{BESIDE, SAMPLES, STEP, SmoothDisk};
 use crate::contact::smooth::zones::Zone;
 use crate::contact::valleys;
-use crate::error::require;
-use crate::{Error, Vertical};
+use crate::{Error, Load, Rotational};
 
 /// Samples of a base for every one that shows its steps, at least and at most.
 const FINER: usize = 4;
@@ -86,16 +85,8 @@ impl<'p> Base<'p> {
     }
 
     fn require_load(&self) -> Result<(), Error> {
-        match self.problem.load.vertical {
-            Vertical::Force(force) => {
-                let requirement =
-                    "greater than zero in unilateral contact: a pull lifts the punch off";
-                require(force > 0.0, "force", force, requirement).map(|_| ())
-            }
-            Vertical::Settlement(settlement) => {
-                let touches = self.samples.iter().any(|(_, height)| *height < settlement);
-                if touches { Ok(()) } else { Err(Error::NoContact) }
-            }
-        }
+        let load = Load { rotational: Rotational::Tilt(0.0), ..self.problem.load };
+        load.check_balance(1.0)?;
+        if load.keeps_clear(self.samples.iter()) { Err(Error::NoContact) } else { Ok(()) }
     }
 }

@@ -19,12 +19,13 @@ pub use answer::SmoothRingsContact;
 
 use super::{ALLOWED, SmoothDisk};
 use crate::Error;
+use crate::contact::smooth::check::Check;
 use crate::contact::smooth::zones::{Zone, corrected, require_few};
 use crate::contact::smooth::{COARSE, COARSELY_ALLOWED, CORRECTIONS, FINE, TOPOLOGIES};
 use crate::contact::valleys::{self, require_shown};
 use crate::error::require;
 use base::Base;
-use check::{Check, check};
+use check::check;
 use system::Solved;
 
 /// Most rings that are solved.
