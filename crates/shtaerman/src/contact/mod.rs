@@ -10,6 +10,7 @@ mod cross_check;
 mod draft;
 mod extremes;
 mod intensity;
+mod intervals;
 mod kinks;
 mod linearised;
 mod nearly_smooth;
