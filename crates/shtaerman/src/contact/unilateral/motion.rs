@@ -21,10 +21,8 @@ const DIFFERENCE: f64 = 1e-5;
 
 /// From so many zones on each edge has a Newton step of its own.
 const MANY: usize = 7;
-/// Share of a panel beside its end, and of the length in which the layer bends, over which the slope of the layer is taken; and share of the zone that an edge moves where no step is
-/// known.
+/// Share of a panel beside its end over which the slope of the layer is taken, and share of the zone that an edge moves where no step is known.
 const BESIDE: f64 = 0.02;
-const WITHIN: f64 = 0.1;
 const STRIDE: f64 = 0.4;
 
 /// Whether edges are taken one by one: where the pressure vanishes at all of them, it does not change to first order when they move, and each falls as the layer beside it says.
@@ -102,8 +100,8 @@ impl System<'_, '_> {
             let node = if side == 0 { end + k } else { end - k };
             [depth(node), layer[node]]
         };
-        // A thin layer bends within a length of its own.
-        let first = beside((BESIDE * panel.length()).min(WITHIN / self.strength()));
+        // Within the length in which a thin layer bends, the slope far from the answer says nothing.
+        let first = beside(BESIDE * panel.length());
         let second = beside(2.0 * first[0]);
         let at_end = layer[end];
         let [one, two] = [first, second].map(|[depth, v]| (v - at_end) / depth);
