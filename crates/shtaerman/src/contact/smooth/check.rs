@@ -89,7 +89,7 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
     let depth = |xi: f64| solved.state.settlement - solved.state.tilt * xi - base.height(xi);
     let forces: f64 = solved.parts.iter().map(|part| part.force().abs()).sum();
     let scale = forces + solved.state.settlement.abs() + solved.state.tilt.abs() + base.range();
-    for ends in outside(&base.problem.pieces, zones()) {
+    for ends in outside(&base.problem.pieces, &zones()) {
         let points = points(ends, base.cells());
         check.look_beside(
             &points,
@@ -117,7 +117,7 @@ fn along(base: &Base<'_>, solved: &Solved, j: usize) -> Along {
 /// The intervals of the pieces of a base beside zones.
 pub(super) fn outside<'z>(
     pieces: &[[f64; 2]],
-    zones: impl Iterator<Item = &'z Zone> + Clone,
+    zones: &(impl Iterator<Item = &'z Zone> + Clone),
 ) -> Vec<[f64; 2]> {
     let mut intervals = Vec::new();
     for &[first, last] in pieces {

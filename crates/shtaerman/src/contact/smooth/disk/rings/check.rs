@@ -13,7 +13,7 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
     }
     let settlement = solved.state.settlement;
     let scale = settlement.abs() + base.range() + solved.state.force.abs() * solved.theta0;
-    for [left, right] in outside(&[[0.0, 1.0]], solved.zones.iter()) {
+    for [left, right] in outside(&[[0.0, 1.0]], &solved.zones.iter()) {
         let points = points([left, right], 2 * base.cells());
         let depth = |r: f64| settlement - base.height(beside(r, left, right));
         check.look_beside(&points, |r| depth(r) - solved.displacement_outside(r), [scale, allowed]);
