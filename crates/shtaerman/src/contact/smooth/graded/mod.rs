@@ -10,9 +10,12 @@ mod check;
 mod couple;
 mod edges;
 mod field;
+mod kink;
 mod linearised;
 mod modes;
+mod parts;
 mod resolved;
+mod series;
 mod settled;
 mod stated;
 mod strip;
@@ -31,8 +34,6 @@ use super::zones::{Zone, corrected};
 const TOPOLOGIES: u32 = 2;
 /// Corrections of the topology by the check, for each number of cells.
 const CORRECTIONS: usize = 16;
-/// Tension and penetration, relative to their scales, that are rounding.
-const ALLOWED: f64 = 2e-10;
 
 /// Solved zones with what is left of complementarity.
 #[derive(Debug)]
@@ -47,7 +48,7 @@ impl Solved {
     fn new(base: &Base<'_>, ground: &Ground, settled: &[Settled]) -> Self {
         let fields: Vec<Field> =
             settled.iter().map(|settled| Field::new(base, ground, settled)).collect();
-        let left = Check::new(base, &fields, ALLOWED);
+        let left = Check::new(base, &fields);
         Self { fields, left, tolerance: base.problem.profile.tolerance }
     }
 }
