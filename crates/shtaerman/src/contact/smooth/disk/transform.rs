@@ -20,6 +20,8 @@ const ROUNDING: f64 = 0.5 * f64::EPSILON;
 /// Length of a step in the logarithm of `s`, and in the angle, within which polynomials of `s` are integrated exactly.
 const STEP: f64 = 1.0;
 const TURN: f64 = 0.5;
+/// Beyond a kink a first step is so long, in distances of the kink from the axis.
+const NEAREST: f64 = 1.5;
 /// A slope at a kink below this share of the largest is rounding.
 const HARMLESS: f64 = 1e-9;
 /// Towards a kink the slope vanishes if it falls to this share over so many lengths of the first panel.
@@ -252,6 +254,13 @@ impl Segment {
                 depth(y) * ground.power(x / (scale * y.cos())) * x.powi(lever)
             };
             let shift = if kink == 0.0 { lever } else { PLAIN };
+            let mut turn = turn;
+            if kink > 0.0 && turn[0] == 0.0 {
+                // A power of x is none beyond the kink, however close to the axis.
+                let first = turn[1].min(NEAREST * kink / scale);
+                sum += ground.integral(PLAIN, [0.0, first], &graded);
+                turn[0] = first;
+            }
             sum += ground.graded(shift, turn, [TURN, FRAC_PI_2], graded);
         }
         sum

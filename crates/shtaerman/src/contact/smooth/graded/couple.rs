@@ -114,9 +114,8 @@ fn coefficients(
     nodes: &Nodes,
     count: usize,
 ) -> Vec<f64> {
-    if parts.is_smooth() {
-        let heights = parts.modes().iter().zip(gains(ground, count)).map(|(m, l)| m * l);
-        return heights.chain(std::iter::repeat(0.0)).take(count).collect();
+    if let Some(known) = parts.heights(ground, count) {
+        return known;
     }
     let mut cuts = vec![0.0];
     let inner = parts.breaks().iter().rev().filter(|r| **r < nodes.half);

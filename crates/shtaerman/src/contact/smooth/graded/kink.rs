@@ -10,6 +10,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::modes::inside;
 use crate::contact::smooth::ground::{Ground, PLAIN};
 use crate::contact::smooth::system::Place;
 
@@ -70,6 +71,20 @@ impl Kink {
         let power = ground.power(sine) * sine;
         let even = mu * (power / (1.0 + mu) - cosine * near);
         [self.size * even, self.odd_size() * ((1.0 + mu) * rest + power * cosine) / (2.0 + mu)]
+    }
+
+    /// `a_n` of `A |s - k|` from `n = 2` on, the first two zero.
+    pub(super) fn heights(&self, ground: &Ground, norms: &[f64]) -> Vec<f64> {
+        // (1-y^2)^(mu/2-1/2) c_n is a derivative twice, of (1-y^2)^(mu/2+3/2) c_(n-2) of the order mu/2 + 2.
+        let mu = ground.exponent();
+        let scale = 2.0 * self.size * self.half * self.sine().powf(3.0 + mu);
+        let mut heights = vec![0.0; norms.len()];
+        let place = (self.at / self.half).clamp(-1.0, 1.0);
+        let polynomials = inside(0.5 * mu + 2.0, norms.len(), place);
+        for (n, norm) in norms.iter().enumerate().skip(2) {
+            heights[n] = scale * polynomials[n - 2] / ((1.0 + mu) * (3.0 + mu) * norm);
+        }
+        heights
     }
 
     /// `int (G_e' + s G_o') (x^2 - s^2)^-beta dx` at a place as far from the kink, which is given because of its digits.
@@ -244,6 +259,30 @@ mod tests {
                 let found = ground.beside() * kink.displacement(&ground, s.abs(), s.signum());
                 let exact = even + s.signum() * odd;
                 assert!((found - exact).abs() < 1e-11, "{mu} {at} {s}: {found} {exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn heights_are_integrals_of_polynomials() {
+        use crate::contact::smooth::graded::{modes::norms, strip};
+        for (mu, at) in [(0.1, 0.3), (0.7, -0.79), (0.4, 0.0)] {
+            let (ground, kink) = (strip::Ground::new(mu, 1.0).unwrap(), kink(at));
+            let norms = norms(&ground, 12);
+            let heights = kink.heights(&ground.powers, &norms);
+            let corner = (at / HALF).acos();
+            for n in 2..12 {
+                // From both ends, y = -+ cos t
+                let part = |sign: f64, turn: f64| {
+                    let f = |t: f64| {
+                        let y = sign * t.cos();
+                        let height = 0.7 * (HALF * y - at).abs();
+                        height * inside(0.5 * mu, 12, y)[n] * t.sin().powf(mu)
+                    };
+                    ground.powers.graded(0, [0.0, turn], [0.2, f64::INFINITY], f)
+                };
+                let sum = part(1.0, corner) + part(-1.0, std::f64::consts::PI - corner);
+                assert!((heights[n] - sum / norms[n]).abs() < 1e-13, "{mu} {at} {n}: {sum}");
             }
         }
     }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::kink::Kink;
+use super::modes::{gains, norms};
 use super::resolved::Resolved;
 use super::series::Series;
 use super::strip::Ground;
@@ -112,9 +113,22 @@ impl Parts {
         &self.kinks
     }
 
-    /// Whether there is nothing but polynomials.
-    pub(super) fn is_smooth(&self) -> bool {
-        self.kinks.is_empty() && matches!(self.rest, Rest::Smooth(_))
+    /// `a_n` of the profile above its height in the middle, of what has no halves.
+    pub(super) fn heights(&self, ground: &Ground, count: usize) -> Option<Vec<f64>> {
+        let (gains, series) = (gains(ground, count.max(2)), self.series()?);
+        let mut heights = vec![0.0; count.max(2)];
+        let norms = norms(ground, count);
+        for kink in &self.kinks {
+            let own = kink.heights(&ground.powers, &norms);
+            heights.iter_mut().zip(own).for_each(|(sum, a)| *sum += a);
+        }
+        let modes = series.modes.iter().zip(&gains).map(|(m, l)| m * l);
+        heights.iter_mut().zip(modes).for_each(|(sum, a)| *sum += a);
+        // Force and moment tell the first two.
+        let [even, odd] = self.levers(ground);
+        [heights[0], heights[1]] = [gains[0] * even, gains[1] * odd * self.half];
+        heights.truncate(count);
+        Some(heights)
     }
 
     /// What is taken away from the coefficients of the polynomials.
