@@ -51,8 +51,7 @@ fn check(case: &Case, contact: &Contact, kinks: &[f64], zones: usize, what: &str
     let edges = contact.edges();
     assert_eq!(edges.len(), zones, "{what}: {edges:?}");
     let size = contact.settlement().abs();
-    // Kinks off the middle of a zone cost digits, as is stated.
-    let allowed = if kinks.is_empty() { 1e-10 } else { 3e-10 };
+    let allowed = 1e-10;
     for [left, right] in &edges {
         for share in [0.03, 0.31, 0.5, 0.84] {
             let x = left + share * (right - left);
@@ -71,8 +70,7 @@ fn check(case: &Case, contact: &Contact, kinks: &[f64], zones: usize, what: &str
     close(force, contact.force(), 1e-8, &format!("force, {what}"));
     let arm = contact.force() * case.half_width;
     assert!((moment - contact.moment()).abs() < 1e-8 * arm, "{what}: {moment}");
-    let allowed = if kinks.is_empty() { 1e-9 } else { 1e-8 };
-    assert!(contact.relative_error() < allowed, "{what}: {:?}", contact.accuracy());
+    assert!(contact.relative_error() < 1e-10, "{what}: {:?}", contact.accuracy());
 }
 
 #[test]
