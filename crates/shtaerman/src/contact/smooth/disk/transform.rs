@@ -258,7 +258,7 @@ impl Segment {
             if kink > 0.0 && turn[0] == 0.0 {
                 // A power of x is none beyond the kink, however close to the axis.
                 let first = turn[1].min(NEAREST * kink / scale);
-                sum += ground.integral(PLAIN, [0.0, first], &graded);
+                sum += ground.integral(PLAIN, [0.0, first], graded);
                 turn[0] = first;
             }
             sum += ground.graded(shift, turn, [TURN, FRAC_PI_2], graded);

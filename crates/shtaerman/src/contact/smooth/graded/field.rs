@@ -135,12 +135,12 @@ impl Field {
             sum += even + s * odd;
         }
         for kink in &self.kinks {
-            sum += kink.pressure(&self.ground.powers, place, self.from_kink(kink, place));
+            sum += kink.pressure(&self.ground.powers, place, self.offset(kink, place));
         }
         self.ground.modulus / PI * sum
     }
 
-    fn from_kink(&self, kink: &Kink, place: Place) -> f64 {
+    fn offset(&self, kink: &Kink, place: Place) -> f64 {
         let distance = if place.from_left < place.from_right {
             place.from_left - kink.place.from_left
         } else {

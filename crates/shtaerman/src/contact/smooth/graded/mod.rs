@@ -3,8 +3,9 @@
 //! `theta0 int |xi - eta|^-mu p0(eta) deta = delta0 - alpha0 xi - f0(xi)` on zones. Corners hold a pressure that is singular as `d^-beta`, `beta = (1-mu)/2`, at
 //! free edges it vanishes as `d^(1-beta)`.
 //!
-//! A [strip] with given ends is solved by the transforms of its even and odd parts, several are [coupled](couple) by the [polynomials](modes) that their displacements
-//! amount to on one another. Free [edges] are found by Newton's method after the topology on cells, which the [check] between corrects.
+//! On a [strip] with given ends the profile has [parts]: [kinks](kink), and a rest that is a [series] of the [polynomials](modes) which the kernel maps to multiples of
+//! themselves or, where it bends otherwise, is solved by the transforms of its even and odd halves. Several strips are [coupled](couple) by those polynomials.
+//! Free [edges] are found by Newton's method after the topology on cells, which the [check] between corrects.
 
 mod check;
 mod couple;
