@@ -94,7 +94,7 @@ fn release(zones: &mut [Zone], settled: &mut [Settled]) -> bool {
 
 /// By how much the densities at both ends fall when they move outwards: `G_e' +- b G_o'`, from inside, and what is added by the other end's and by other zones.
 fn slopes(ground: &Ground, settled: &Settled) -> [f64; 2] {
-    with_others(ground, settled, settled.parts.rises(ground))
+    with_others(ground, settled, settled.parts.rises(ground, settled.strip.transforms))
 }
 
 /// The same from `G_e'` and `G_o'` at the end.

@@ -185,15 +185,19 @@ impl Parts {
         sums
     }
 
-    /// `G_e'(b)`, `G_o'(b)` of what is no polynomial, from inside.
-    pub(super) fn rises(&self, ground: &Ground) -> [f64; 2] {
+    /// `G_e'(b)`, `G_o'(b)` of what is no polynomial, from inside and the [transforms](Self::transforms) at the end.
+    pub(super) fn rises(&self, ground: &Ground, ends: [f64; 2]) -> [f64; 2] {
         let Rest::Bent(halves) = &self.rest else { return self.kink_rises(ground) };
         let shapes = halves.shapes(ground);
         let at = |steps: f64| {
             let x = self.half * (1.0 - STEP * steps);
             shapes.each_ref().map(|shape| shape.transform(x))
         };
-        let [ends, one, two] = [0.0, 1.0, 2.0].map(at);
+        let mut ends = ends;
+        for kink in &self.kinks {
+            add(&mut ends, kink.transforms(&ground.powers).map(|own| -own));
+        }
+        let [one, two] = [1.0, 2.0].map(at);
         let mut sums =
             [0, 1].map(|k| (3.0 * ends[k] - 4.0 * one[k] + two[k]) / (2.0 * STEP * self.half));
         add(&mut sums, self.kink_rises(ground));
