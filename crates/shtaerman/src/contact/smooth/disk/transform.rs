@@ -7,7 +7,9 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::shape::{Part, Shape};
 use crate::contact::smooth::ground::{Ground, PLAIN};
-use crate::contact::smooth::legendre::{ORDER, RULE, derivative, integral, series};
+use crate::contact::smooth::legendre::{
+    ORDER, RULE, derivative, integral, integral_at_nodes, series, series_at,
+};
 
 /// Panels are halved at most this often, and there are at most so many.
 const DEEPEST: u32 = 44;
@@ -48,10 +50,21 @@ impl Panel {
         Self { ends, values, slopes: derivative(&values).map(|c| c / half), count }
     }
 
-    fn sum(&self, coefficients: &[f64; ORDER], s: f64) -> f64 {
+    fn local(&self, s: f64) -> f64 {
         let [from, to] = self.ends;
-        let u = ((2.0 * s - from - to) / (to - from)).clamp(-1.0, 1.0);
-        series(&coefficients[..self.count], u)
+        ((2.0 * s - from - to) / (to - from)).clamp(-1.0, 1.0)
+    }
+
+    fn sum(&self, coefficients: &[f64; ORDER], s: f64) -> f64 {
+        series(&coefficients[..self.count], self.local(s))
+    }
+
+    fn values_at(&self, places: &[f64; ORDER]) -> [f64; ORDER] {
+        series_at(&self.values[..self.count], &places.map(|s| self.local(s)))
+    }
+
+    fn slopes_at(&self, places: &[f64; ORDER]) -> [f64; ORDER] {
+        series_at(&self.slopes[..self.count], &places.map(|s| self.local(s)))
     }
 
     fn value(&self, s: f64) -> f64 {
@@ -168,13 +181,14 @@ impl Segment {
                 }
             };
             let turn = panel.ends.map(place);
-            sum += if is_inside {
+            sum += if ground.exponent() == 0.0 {
+                stepwise_at_nodes(turn, STEP, |y| {
+                    let hyperbolic = if is_inside { f64::cosh } else { f64::sinh };
+                    panel.slopes_at(&y.map(|y| scale * hyperbolic(y)))
+                })
+            } else if is_inside {
                 let f = |y: f64| panel.slope(scale * y.cosh()) * ground.power(scale * y.sinh());
-                if ground.exponent() == 0.0 {
-                    stepwise(turn, STEP, f)
-                } else {
-                    ground.graded(0, turn, [STEP, f64::INFINITY], f)
-                }
+                ground.graded(0, turn, [STEP, f64::INFINITY], f)
             } else {
                 let f = |y: f64| panel.slope(scale * y.sinh()) * ground.power(scale * y.cosh());
                 stepwise(turn, STEP, f)
@@ -239,14 +253,18 @@ impl Segment {
         for panel in &self.panels {
             let place = |s: f64| s.atan2(self.beyond(s, r));
             let turn = panel.ends.map(place);
+            if ground.exponent() == 0.0 && lever == 0 {
+                sum += stepwise_at_nodes(turn, TURN, |y| {
+                    let places = y.map(|y| scale * y.sin());
+                    let values = panel.values_at(&places);
+                    std::array::from_fn(|i| (level - values[i]) * ratio(places[i], kink))
+                });
+                continue;
+            }
             let depth = |y: f64| {
                 let s = scale * y.sin();
                 (level - panel.value(s)) * ratio(s, kink)
             };
-            if ground.exponent() == 0.0 && lever == 0 {
-                sum += stepwise(turn, TURN, depth);
-                continue;
-            }
             let graded = |y: f64| {
                 let x = kink.hypot(scale * y.sin());
                 depth(y) * ground.power(x / (scale * y.cos())) * x.powi(lever)
@@ -276,7 +294,16 @@ fn ratio(s: f64, kink: f64) -> f64 {
 }
 
 /// Gauss's rule on parts no longer than `step`.
-fn stepwise([from, to]: [f64; 2], step: f64, f: impl Fn(f64) -> f64) -> f64 {
+fn stepwise(turn: [f64; 2], step: f64, f: impl Fn(f64) -> f64) -> f64 {
+    in_parts(turn, step, |start, end| integral(start, end, &f))
+}
+
+/// The same for a function of all nodes of a part at once.
+fn stepwise_at_nodes(turn: [f64; 2], step: f64, f: impl Fn(&[f64; ORDER]) -> [f64; ORDER]) -> f64 {
+    in_parts(turn, step, |start, end| integral_at_nodes(start, end, &f))
+}
+
+fn in_parts([from, to]: [f64; 2], step: f64, part: impl Fn(f64, f64) -> f64) -> f64 {
     let length = to - from;
     if length <= 0.0 || !length.is_finite() {
         return if length <= 0.0 { 0.0 } else { f64::NAN };
@@ -286,7 +313,7 @@ fn stepwise([from, to]: [f64; 2], step: f64, f: impl Fn(f64) -> f64) -> f64 {
     (0..count as usize)
         .map(|i| {
             let start = from + width * i as f64;
-            integral(start, start + width, &f)
+            part(start, start + width)
         })
         .sum()
 }
@@ -312,6 +339,12 @@ impl Transform {
         let mut panels = segments.iter().flat_map(|segment| &segment.panels);
         let is_zero = panels.all(|panel| panel.count == 0);
         Self { segments, ground: shape.ground.clone(), part: shape.part, is_zero }
+    }
+
+    /// Whether there is anything that [`truncated`](Self::truncated) leaves out.
+    pub(in crate::contact::smooth) fn has_tail(&self) -> bool {
+        let mut panels = self.segments.iter().flat_map(|segment| &segment.panels);
+        panels.any(|panel| panel.count > ORDER - 2)
     }
 
     /// The same with less of each series, for a comparison.
