@@ -84,7 +84,7 @@ impl Tables {
     pub(super) fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
         let (larger, smaller) = if x > s { (x, s) } else { (s, x) };
         if smaller == 0.0 {
-            return Pair { value: self.from_centre(larger), factor: 0.0 };
+            return Pair { value: self.centre_value(larger), factor: 0.0 };
         }
         let points = Points::new(larger, smaller);
         let apart = distance / larger;
@@ -101,7 +101,7 @@ impl Tables {
     pub(super) fn value(&self, x: f64, s: f64, distance: f64) -> f64 {
         let (larger, smaller) = if x > s { (x, s) } else { (s, x) };
         if smaller == 0.0 {
-            return self.from_centre(larger);
+            return self.centre_value(larger);
         }
         let apart = distance / larger;
         let quarter = 0.25 * apart * (distance / smaller);
@@ -120,7 +120,7 @@ impl Tables {
         value.min(f64::MAX)
     }
 
-    fn from_centre(&self, x: f64) -> f64 {
+    fn centre_value(&self, x: f64) -> f64 {
         if self.coefficients.order == 0.0 { self.at_centre(x) } else { 0.0 }
     }
 
@@ -189,5 +189,24 @@ impl Tables {
             return f64::INFINITY;
         }
         self.near_strength / (-2.0 * gamma) * x.powf(-1.0 - 2.0 * gamma)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_value_alone_is_that_of_the_pair() {
+        for (order, exponent) in [(0.0, 0.0), (1.0, 0.0), (0.0, 0.2), (2.5, -0.3)] {
+            let tables = Tables::new(1.0, order, exponent);
+            let places = [0.0, 1e-200, 1e-9, 0.3, 0.3 + 1e-12, 0.31, 0.6, 1.0, 1.7];
+            for (i, x) in places.into_iter().enumerate() {
+                for s in places.into_iter().skip(i + 1) {
+                    let (both, alone) = (tables.pair(x, s, s - x), tables.value(s, x, s - x));
+                    assert_eq!(both.value.to_bits(), alone.to_bits(), "{order} {exponent} {x} {s}");
+                }
+            }
+        }
     }
 }
