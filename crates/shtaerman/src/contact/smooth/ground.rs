@@ -31,6 +31,14 @@ const GROWTH: f64 = 3.0;
 /// In the place of the shift of an exponent: no power at zero.
 pub(super) const PLAIN: i32 = 2;
 
+/// From here on below the end polynomials of `e^y` are so small that half of the way left is one step.
+const DISTANT: f64 = 8.0;
+
+/// The length of a step of a logarithm, this far below the end, that may be longer than others.
+pub(super) fn distant(left: f64) -> Option<f64> {
+    (left >= DISTANT).then_some(0.5 * left)
+}
+
 /// A Gauss rule for functions `x^e g(x)` on an interval from zero.
 #[derive(Debug)]
 pub(super) struct PowerRule {
@@ -180,7 +188,8 @@ impl Ground {
         let mut sum = 0.0;
         for _ in 0..MOST_STEPS {
             let room = CLOSING * (end - at);
-            let longest = if at == 0.0 { step } else { step.min(GROWTH * at) }.min(room);
+            let longer = distant(to - at).map_or(step, |share| share.max(step));
+            let longest = if at == 0.0 { step } else { longer.min(GROWTH * at) }.min(room);
             let next = if to - at <= longest { to } else { at + longest };
             sum += self.integral(shift, [at, next], &f);
             at = next;
