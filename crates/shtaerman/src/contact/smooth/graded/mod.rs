@@ -27,9 +27,10 @@ use field::Field;
 use settled::{Settled, fixed};
 use strip::Ground;
 
-use super::problem::{Base, SmoothProblem};
-use super::topology;
-use super::zones::{Zone, corrected};
+use super::problem::{Base, MOST_CELLS, SmoothProblem};
+use super::zones::{Zone, corrected, require_few};
+use super::{MOST_ZONES, topology};
+use crate::contact::valleys::require_shown;
 
 /// Numbers of cells, each four times the one before.
 const TOPOLOGIES: u32 = 2;
@@ -79,6 +80,7 @@ fn solve(problem: &SmoothProblem, exponent: f64) -> Result<Solved, Error> {
     for power in 0..TOPOLOGIES {
         match from_cells(&base, &ground, power) {
             Ok(solved) => return Ok(solved),
+            Err(error @ Error::TooManyZones { .. }) => return Err(error),
             Err(error) => refused = refused.or(Some(error)),
         }
     }
@@ -94,13 +96,16 @@ fn solve(problem: &SmoothProblem, exponent: f64) -> Result<Solved, Error> {
 
 /// The answer from the zones that cells show, corrected where these were too coarse.
 fn from_cells(base: &Base<'_>, ground: &Ground, power: u32) -> Result<Solved, Error> {
-    let mut intervals = topology::find(base, base.cells() * 4usize.pow(power))?;
+    let count = (base.cells() * 4usize.pow(power)).min(MOST_CELLS);
+    let mut intervals = topology::find(base, count)?;
+    require_shown(&intervals, &base.valleys().collect::<Vec<f64>>(), count, MOST_ZONES)?;
     let mut last = Error::NoContact;
     for _ in 0..CORRECTIONS {
         if intervals.is_empty() {
             break;
         }
         let zones: Vec<Zone> = intervals.iter().map(|[from, to]| base.zone(*from, *to)).collect();
+        require_few(&zones, MOST_ZONES)?;
         let solved = Solved::new(base, ground, &edges::settle(base, ground, &zones)?);
         let left = &solved.left;
         if left.is_clean() {
