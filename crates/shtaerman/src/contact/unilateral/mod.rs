@@ -25,6 +25,7 @@ mod reach;
 mod refinement;
 mod ring;
 mod search;
+mod shared;
 mod solved;
 mod spots;
 mod system;
