@@ -21,11 +21,13 @@ mod linearised;
 mod medium;
 mod mirror;
 mod motion;
+mod near;
 mod power;
 mod reach;
 mod refinement;
 mod ring;
 mod search;
+mod shared;
 mod solved;
 mod spots;
 mod system;
@@ -33,9 +35,10 @@ mod topology;
 mod zones;
 
 pub use answer::Complementarity;
-use answer::UnilateralContact;
+pub(super) use answer::UnilateralContact;
 pub(super) use base::require_even;
 pub(super) use medium::mean_power;
+pub(super) use near::KnownZone;
 
 use std::sync::Arc;
 

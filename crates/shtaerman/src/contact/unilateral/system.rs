@@ -18,6 +18,7 @@ use super::field::Field;
 use super::medium::{Hull, Medium};
 use super::motion::Tangent;
 use super::power::{self, Extent};
+use super::shared;
 use super::solved::{Panel, Solved};
 use super::zones::Zone;
 use crate::contact::balance::State;
@@ -60,7 +61,11 @@ impl Resolution {
         if let Some(known) = self.whole.get() {
             return Ok(Arc::clone(known));
         }
-        let operator = build()?;
+        let operator = if matches!(self.medium, Medium::Line) {
+            shared::operator(self.grid.half_count(), build)?
+        } else {
+            build()?
+        };
         Ok(Arc::clone(self.whole.get_or_init(|| operator)))
     }
 }
