@@ -25,20 +25,22 @@ enum Peak {
 }
 
 impl NearlySmooth {
-    /// The first-order change, the largest pressure being at `peak`.
+    /// The first-order change, the largest pressure being at `place`.
     ///
     /// Each rate follows `q0 + (A ln theta0 + B)/theta0` beside the smooth one, displacements divided by `theta0`. At a kink the smooth pressure has no rate, and the
     /// limit comes from the companions; at a wall the pressure grows as `sqrt(theta0)`, and the solution at this `theta0` has its rate.
-    pub(super) fn first_order(&self, problem: &Problem, peak: f64) -> Option<Linearised> {
-        let direct = || self.pressure.direct.contact.linearised(problem, peak);
+    pub(super) fn first_order(&self, problem: &Problem, place: f64) -> Option<Linearised> {
+        let direct = || self.pressure.direct.contact.linearised(problem, place);
         let Some(rough) = &self.pressure.companions.rough else { return direct() };
-        let peak = self.peak(peak);
+        let peak = self.peak(place);
         let limit = self.smooth_rates(problem)?;
         let of = |rough: &Rough| {
-            let contact = Arc::new(rough.contact.clone());
-            Contact::new(&rough.problem, contact, String::new()).ok()?.linearised()
+            let solution = Arc::new(rough.contact.clone());
+            let contact = Contact::new(&rough.problem, solution, String::new()).ok()?;
+            Some((contact.linearised()?, contact.peak_pressure0().0))
         };
         let values = [of(&rough[0])?, of(&rough[1])?, of(&rough[2])?];
+        let (values, peaks) = (values.map(|(rates, _)| rates), values.map(|(_, peak)| peak));
         let at_wall = if peak == Peak::Wall { Some(direct()?) } else { None };
         let (at, theta0) = (self.pressure.companions.at, self.pressure.theta0);
         let mut found = Linearised { rates: [[0.0; 5]; 3], errors: [[0.0; 5]; 3] };
@@ -52,10 +54,15 @@ impl NearlySmooth {
                 let unit = |theta0: f64| unit(problem, input, k, theta0);
                 let rates: Three = [0, 1, 2].map(|i| values[i].rates[input][k] / unit(at[i]));
                 let Fitted { value, error } = if k == PRESSURE && peak == Peak::Kink {
-                    let value = through(rates, at, theta0);
-                    // What the next term of the series may be beside the last.
-                    let next = at[1].ln() / at[1];
-                    Fitted { value, error: next * (rates[1] - rates[2]).abs() }
+                    // Under a kink the pressure grows as ln(theta0), and its rate by that falls as it.
+                    let own = if input == 0 { 1.0 } else { 0.0 };
+                    let rates = [0, 1, 2].map(|i| rates[i] + own * peaks[i]);
+                    let value =
+                        through(rates, at, theta0) - own * Solution::pressure(self, problem, place);
+                    // What the next term of the series may be beside the last, and rounding of the peaks.
+                    let next = at[1].ln() / at[1] * (rates[1] - rates[2]).abs();
+                    let rounding = own * rough[2].contact.rounding();
+                    Fitted { value, error: next + rounding }
                 } else {
                     beside_limit(limit.rates[input][k] / unit(1.0), rates, at, theta0)
                 };

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::COARSELY_ALLOWED;
 use super::problem::Base;
 use super::system::{Place, Solved};
 
@@ -44,7 +45,9 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
     let scale = forces + solved.state.settlement.abs() + solved.state.tilt.abs() + base.range();
     let (mut penetration, mut penetrating) = (0.0f64, Vec::new());
     for [left, right] in outside(base, solved) {
-        let points = points(base, left, right);
+        // Of few modes every other place is enough: all are looked at with all modes.
+        let fewest = if allowed >= COARSELY_ALLOWED { POINTS / 2 } else { POINTS };
+        let points = points(base, left, right, fewest);
         let values: Vec<f64> =
             points.iter().map(|&xi| depth(xi) - solved.displacement_outside(xi)).collect();
         penetration = values.iter().fold(penetration, |most, g| most.max(g / scale));
@@ -71,7 +74,7 @@ fn extend_to_ends(pulling: &mut [[f64; 2]], solved: &Solved, zones: &[(Vec<f64>,
 /// Points of a zone with their pressures, and the rounding of those.
 fn along(base: &Base<'_>, solved: &Solved, j: usize) -> (Vec<f64>, Vec<f64>, f64) {
     let zone = solved.parts[j].zone;
-    let points = points(base, zone.left(), zone.right());
+    let points = points(base, zone.left(), zone.right(), POINTS);
     let points = &points[1..points.len() - 1];
     let pressures = points.iter().map(|&xi| {
         let place = Place { from_left: xi - zone.left(), from_right: zone.right() - xi };
@@ -103,9 +106,9 @@ pub(super) fn outside(base: &Base<'_>, solved: &Solved) -> Vec<[f64; 2]> {
 }
 
 /// Both ends and points between, closer near the ends, dense enough for the valleys of the profile.
-fn points(base: &Base<'_>, left: f64, right: f64) -> Vec<f64> {
+fn points(base: &Base<'_>, left: f64, right: f64, fewest: usize) -> Vec<f64> {
     let wanted = (right - left) * base.cells() as f64;
-    let count = (wanted as usize).clamp(POINTS, MOST_POINTS);
+    let count = (wanted as usize).clamp(fewest, MOST_POINTS);
     (0..=count)
         .map(|i| {
             let half = (0.5 * PI * i as f64 / count as f64).sin();
