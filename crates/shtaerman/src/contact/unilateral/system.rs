@@ -18,7 +18,6 @@ use super::field::Field;
 use super::medium::{Hull, Medium};
 use super::motion::Tangent;
 use super::power::{self, Extent};
-use super::shared;
 use super::solved::{Panel, Solved};
 use super::zones::Zone;
 use crate::contact::balance::State;
@@ -61,10 +60,9 @@ impl Resolution {
         if let Some(known) = self.whole.get() {
             return Ok(Arc::clone(known));
         }
-        let operator = if matches!(self.medium, Medium::Line) {
-            shared::operator(self.grid.half_count(), build)?
-        } else {
-            build()?
+        let operator = match self.medium.known_operator(self.grid.half_count()) {
+            Some(operator) => operator?,
+            None => build()?,
         };
         Ok(Arc::clone(self.whole.get_or_init(|| operator)))
     }

@@ -3,16 +3,20 @@
 //! `theta0 int |xi - eta|^-mu p0(eta) deta = delta0 - alpha0 xi - f0(xi)` on zones. Corners hold a pressure that is singular as `d^-beta`, `beta = (1-mu)/2`, at
 //! free edges it vanishes as `d^(1-beta)`.
 //!
-//! A [strip] with given ends is solved by the transforms of its even and odd parts, several are [coupled](couple) by the [polynomials](modes) that their displacements
-//! amount to on one another. Free [edges] are found by Newton's method after the topology on cells, which the [check] between corrects.
+//! On a [strip] with given ends the profile has [parts]: [kinks](kink), and a rest that is a [series] of the [polynomials](modes) which the kernel maps to multiples of
+//! themselves or, where it bends otherwise, is solved by the transforms of its even and odd halves. Several strips are [coupled](couple) by those polynomials.
+//! Free [edges] are found by Newton's method after the topology on cells, which the [check] between corrects.
 
 mod check;
 mod couple;
 mod edges;
 mod field;
+mod kink;
 mod linearised;
 mod modes;
+mod parts;
 mod resolved;
+mod series;
 mod settled;
 mod stated;
 mod strip;
@@ -31,8 +35,6 @@ use super::zones::{Zone, corrected};
 const TOPOLOGIES: u32 = 2;
 /// Corrections of the topology by the check, for each number of cells.
 const CORRECTIONS: usize = 16;
-/// Tension and penetration, relative to their scales, that are rounding.
-const ALLOWED: f64 = 2e-10;
 
 /// Solved zones with what is left of complementarity.
 #[derive(Debug)]
@@ -47,7 +49,7 @@ impl Solved {
     fn new(base: &Base<'_>, ground: &Ground, settled: &[Settled]) -> Self {
         let fields: Vec<Field> =
             settled.iter().map(|settled| Field::new(base, ground, settled)).collect();
-        let left = Check::new(base, &fields, ALLOWED);
+        let left = Check::new(base, &fields);
         Self { fields, left, tolerance: base.problem.profile.tolerance }
     }
 }
