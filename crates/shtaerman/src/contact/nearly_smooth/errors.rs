@@ -42,6 +42,10 @@ pub(super) fn stated(
     };
     let is_free = pressure.companions.is_free.as_flattened();
     let at_walls = if is_free.contains(&false) { pressure.direct.contact.rounding() } else { 0.0 };
+    // Under a kink the pressure of the companions stays as it is, and so does their rounding.
+    let has_kinks = pressure.companions.marks.iter().any(|marks| marks.len() > 2);
+    let companions = pressure.companions.rough.as_ref().filter(|_| has_kinks);
+    let at_kinks = companions.map_or(0.0, |rough| SAFETY * rough[2].contact.rounding());
     let state = contact.state();
     let error = |part: fn(&State) -> f64, scale: f64| {
         (part(&state) - part(&other)).abs() + ROUNDING * scale
@@ -59,7 +63,11 @@ pub(super) fn stated(
     let unless = |known: bool, error: f64| if known { 0.0 } else { error };
     Some(Accuracy {
         kind: ErrorKind::Estimate,
-        pressure: between + SAFETY * pressure.mismatch() + at_walls + ROUNDING * contact.largest(),
+        pressure: between
+            + SAFETY * pressure.mismatch()
+            + at_walls
+            + at_kinks
+            + ROUNDING * contact.largest(),
         settlement: unless(!by_force, error(|state| state.settlement, displacement)),
         tilt: unless(by_tilt || problem.is_symmetric(), error(|state| state.tilt, displacement)),
         force: unless(by_force, error(|state| state.force, carried)),
