@@ -117,7 +117,7 @@ pub struct SolveArguments {
     /// Add surface displacement and gap at this number of points from -3a to 3a (JSON; in CSV in place of the pressure curve).
     #[arg(long, value_name = "COUNT", conflicts_with = "at")]
     pub surface: Option<usize>,
-    /// Add how settlement and largest pressure change with roughness, modulus and load (estimated); JSON has it anyway but on cells and nearly smooth surfaces, where it takes eighteen more solves.
+    /// Add how settlement and largest pressure change with roughness, modulus and load (estimated); JSON has it anyway but on cells or panels, where it takes eighteen more solves.
     #[arg(long)]
     pub sensitivities: bool,
 }

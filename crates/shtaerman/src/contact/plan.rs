@@ -141,7 +141,7 @@ impl Problem {
                 "{zones} on equal cells, as collocation, on zones or on panels, did not serve"
             ),
             "expansion" => format!(
-                "{zones} on a nearly smooth surface: expansion about the smooth limit, of relative error {reached:.0e} by its next terms, as rounding would take the digits of a direct solution"
+                "{zones} on a nearly smooth surface: free edges and their layers by expansion about the smooth limit, the pressure between them from the solved system, as rounding would take its digits in a direct solution; relative error {reached:.0e} by comparison of both"
             ),
             "first_kind" => {
                 format!("{zones} on a smooth surface: the spectral relation of the first kind")

@@ -13,7 +13,7 @@ fn near(one: f64, other: f64, tolerance: f64, what: &str) {
 }
 
 /// The largest `theta0` that is solved directly and the next that is not, by bisection.
-fn switch(solve: &dyn Fn(f64) -> Contact) -> [f64; 2] {
+pub(crate) fn switch(solve: &dyn Fn(f64) -> Contact) -> [f64; 2] {
     let (mut low, mut high) = (1e6f64, 1e8f64);
     for _ in 0..36 {
         let middle = (low * high).sqrt();

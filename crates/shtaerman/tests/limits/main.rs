@@ -4,5 +4,7 @@
 
 mod corners;
 mod expansion;
+mod interior;
 mod monotone;
+mod sensitivities;
 mod support;

@@ -3,24 +3,41 @@
 use std::f64::consts::PI;
 
 use super::SWITCH;
-use crate::contact::smooth::SmoothContact;
-use crate::contact::{Contact, plan};
+use super::fit::{Three, beside_limit};
+use crate::contact::smooth::{SmoothContact, SmoothZone};
+use crate::contact::solution::Solution;
+use crate::contact::unilateral::{KnownZone, UnilateralContact};
 use crate::{Elastic, Frame, Problem, Roughness, Scaling, Solver};
 
 /// `theta0` of the rough companions, for a half-width of the shortest stretch.
-const SAMPLES: [f64; 4] = [1e3, 1e4, 1e5, SWITCH];
+const SAMPLES: Three = [1e4, 1e5, SWITCH];
+
+/// A rough problem with its solution.
+#[derive(Debug, Clone)]
+pub(super) struct Rough {
+    pub(super) problem: Problem,
+    pub(super) contact: UnilateralContact,
+}
+
+impl Rough {
+    /// `p0(xi)` as `delta0 - alpha0 xi - f0 - theta0 K p0`.
+    pub(super) fn pressure(&self, xi: f64) -> f64 {
+        self.contact.pressure(&self.problem, xi)
+    }
+}
 
 /// The smooth companion, with `theta0 = 1`, and rougher ones.
 #[derive(Debug, Clone)]
 pub(super) struct Companions {
     pub(super) smooth: SmoothContact,
-    pub(super) rough: [Contact; 4],
+    /// None where all ends are walls and nothing bends between them: then there is nothing to expand.
+    pub(super) rough: Option<[Rough; 3]>,
     /// `theta0` of these.
-    pub(super) at: [f64; 4],
+    pub(super) at: Three,
     /// Ends and kinks of each zone of the smooth contact, from left to right.
     pub(super) marks: Vec<Vec<f64>>,
-    /// Half of the shortest stretch between them, or the narrowest gap.
-    pub(super) shortest: f64,
+    /// Which ends of the zones are free.
+    pub(super) is_free: Vec<[bool; 2]>,
 }
 
 impl Companions {
@@ -28,6 +45,10 @@ impl Companions {
     pub(super) fn new(problem: &Problem) -> Option<Self> {
         let smooth = companion(problem, Roughness::Smooth)?.solve_smooth().ok()?;
         let breaks = problem.profile().breakpoints(problem.frame().half_width());
+        // More than can have panels of their own.
+        if breaks.len() != problem.breaks().len() {
+            return None;
+        }
         let zones = smooth.zones();
         let marks: Vec<Vec<f64>> = (zones.iter())
             .map(|zone| {
@@ -44,25 +65,64 @@ impl Companions {
             return None;
         }
         let at = SAMPLES.map(|theta0| theta0 / shortest);
-        let solve = |theta0: f64| {
-            let elastic = elastic(problem);
-            let rough = companion(problem, Roughness::from(elastic / theta0))?;
-            plan::solve_rough(&rough).ok()
-        };
-        let rough = [solve(at[0])?, solve(at[1])?, solve(at[2])?, solve(at[3])?];
-        let alike = rough.iter().all(|contact| is_alike(&smooth, contact));
-        alike.then_some(Self { smooth, rough, at, marks, shortest })
+        let is_free: Vec<[bool; 2]> = zones.iter().map(|zone| zone.is_free).collect();
+        let has_layers =
+            is_free.as_flattened().contains(&true) || marks.iter().any(|marks| marks.len() > 2);
+        let rough = if has_layers { Some(rough_ones(problem, &zones, at)?) } else { None };
+        Some(Self { smooth, rough, at, marks, is_free })
+    }
+
+    /// The zones of contact for ends at these places.
+    pub(super) fn zones(&self, ends: &[[f64; 2]]) -> Vec<KnownZone> {
+        ends.iter().copied().zip(self.is_free.iter().copied()).collect()
+    }
+}
+
+/// The rough companions, each from where the rougher ones lead.
+fn rough_ones(problem: &Problem, zones: &[SmoothZone], at: Three) -> Option<[Rough; 3]> {
+    let mut known: Vec<Rough> = Vec::with_capacity(at.len());
+    for theta0 in at {
+        let rougher = companion(problem, Roughness::from(elastic(problem) / theta0))?;
+        let start: Vec<KnownZone> = (zones.iter().enumerate())
+            .map(|(j, zone)| {
+                let end = |side: usize| {
+                    let ends = known.iter().map(|rough| rough.contact.zones()[j][side]);
+                    if zone.is_free[side] {
+                        foreseen(zone.ends[side], &ends.collect::<Vec<_>>(), at, theta0)
+                    } else {
+                        zone.ends[side]
+                    }
+                };
+                ([end(0), end(1)], zone.is_free)
+            })
+            .collect();
+        let contact = rougher.settled_near(&start, 1.0)?;
+        let is_first = known.is_empty();
+        if !is_alike(zones, &contact) || (is_first && !contact.is_complementary(&rougher)) {
+            return None;
+        }
+        known.push(Rough { problem: rougher, contact });
+    }
+    known.try_into().ok()
+}
+
+/// Where an edge is to be expected from where it is at larger roughnesses.
+fn foreseen(limit: f64, ends: &[f64], at: Three, theta0: f64) -> f64 {
+    match *ends {
+        [one] => limit + (one - limit) * (at[0] / theta0) * (theta0.ln() / at[0].ln()),
+        [one, two] => beside_limit(limit, [one, one, two], [at[0], at[0], at[1]], theta0).value,
+        _ => limit,
     }
 }
 
 /// Whether the contacts have the same zones, with free ends and walls alike.
-fn is_alike(smooth: &SmoothContact, rough: &Contact) -> bool {
-    let (zones, edges) = (smooth.zones(), rough.edges0());
-    zones.len() == edges.len()
-        && zones.iter().zip(edges).all(|(zone, ends)| {
+fn is_alike(zones: &[SmoothZone], rough: &UnilateralContact) -> bool {
+    let (ends, is_free) = (rough.zones(), rough.free_ends());
+    zones.len() == ends.len()
+        && zones.iter().zip(ends.iter().zip(is_free)).all(|(zone, (ends, is_free))| {
             (0..2).all(|side| {
-                let is_free = rough.pressure0(ends[side]) == 0.0;
-                is_free == zone.is_free[side] && (is_free || ends[side] == zone.ends[side])
+                is_free[side] == zone.is_free[side]
+                    && (is_free[side] || ends[side] == zone.ends[side])
             })
         })
 }

@@ -6,7 +6,9 @@
 
 mod answer;
 mod companion;
+mod errors;
 mod fit;
+mod linearised;
 mod pressure;
 
 use std::sync::Arc;

@@ -1,28 +1,39 @@
 //! The pressure of nearly smooth contact.
 //!
-//! At ends of zones and at kinks of the base the pressure turns within a distance of about `1/theta0`. There, at a fixed `s = theta0 d`, it is compared with the
-//! smooth pressure at `d + 1/theta0`, by their quotient at ends and by their difference at kinks. Far from them it is `p(y) + (A ln theta0 + B)/theta0`.
-//! In between the excess falls as `(a ln s + b)/s`, and `s` times it goes linearly with `ln d` from one to the other.
+//! A solution of the system at this `theta0` has the pressure itself between the ends of its panels, to about `eps/d` at the distance `d` from them. At free edges and at
+//! kinks of the base the pressure turns within about `1/theta0`, and that is too little there: at a fixed `s = theta0 d` it is compared with the smooth pressure at
+//! `d + 1/theta0`, by their quotient at edges and by their difference at kinks, which follow `q0 + (A ln theta0 + B)/theta0`. At walls the pressure is of the size of
+//! `sqrt(theta0)`, and the direct solution serves up to the end.
 
-use std::f64::consts::LN_2;
+use super::companion::{Companions, Rough};
+use super::fit::through;
 
-use super::companion::Companions;
-use super::fit::{Fitted, beside_limit_early, through};
-
-/// `s` up to which a layer is compared, and the share of the shortest stretch beyond which there is none.
-const WITHIN: f64 = 300.0;
-const BEYOND: f64 = 0.1;
+/// `s` up to which a layer is expanded, at least and at most: what is left out grows with `s`, the error of the direct solution with `theta0/s`.
+const WITHIN: [f64; 2] = [100.0, 1000.0];
+const LEAST_THETA0: f64 = 2e6;
+const GROWTH: f64 = 0.6;
+/// `s` below which a wall has the pressure of the equation.
+const BESIDE_WALL: f64 = 1.0;
+/// `s`, as shares of the width of the layer, at which both ways are compared.
+const COMPARED: [f64; 6] = [1.0, 0.85, 0.7, 0.55, 0.4, 0.3];
 
 /// A place in the contact.
 #[derive(Debug, Clone, Copy)]
 struct Place {
     zone: usize,
-    /// Index of the stretch between marks.
-    stretch: usize,
-    /// Which end of the stretch is nearer.
+    /// Index of the nearest mark.
+    mark: usize,
+    /// Which side of it: 0 is right of it.
     side: usize,
-    /// From the left, as a share of the stretch.
-    share: f64,
+    distance: f64,
+}
+
+/// What happens at a mark.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Mark {
+    Wall,
+    Edge,
+    Kink,
 }
 
 /// Marks of all zones for one `theta0`: ends as they are, kinks of the base.
@@ -32,56 +43,91 @@ pub(super) type Marks = Vec<Vec<f64>>;
 #[derive(Debug, Clone)]
 pub(super) struct Pressure {
     pub(super) companions: Companions,
+    /// The solution at this `theta0`.
+    pub(super) direct: Rough,
     pub(super) theta0: f64,
     /// Of this contact, and of the rough companions.
     pub(super) marks: Marks,
-    pub(super) others: [Marks; 4],
+    pub(super) others: [Marks; 3],
 }
 
 impl Pressure {
-    /// `p0` with its error at `xi` in a zone.
-    pub(super) fn at(&self, zone: usize, xi: f64) -> Fitted {
-        let marks = &self.marks[zone];
-        let stretch = marks.partition_point(|at| *at <= xi).clamp(1, marks.len() - 1) - 1;
-        let [left, right] = [marks[stretch], marks[stretch + 1]];
-        let [from_left, from_right] = [(xi - left).max(0.0), (right - xi).max(0.0)];
-        let side = usize::from(from_right < from_left);
-        let distance = from_left.min(from_right);
-        let share = from_left / (right - left);
-        let place = Place { zone, stretch, side, share };
-        let [near, far] = [WITHIN / self.theta0, BEYOND * self.companions.shortest];
-        if distance >= far {
-            return self.outside_layers(place);
+    /// `p0` at `xi` in a zone.
+    pub(super) fn at(&self, zone: usize, xi: f64) -> f64 {
+        let place = self.place(zone, xi);
+        let s = place.distance * self.theta0;
+        match self.kind(place) {
+            Mark::Wall if s < BESIDE_WALL => self.direct.pressure(xi),
+            Mark::Edge | Mark::Kink if s <= self.within() => self.in_layer(place, s),
+            _ => self.direct.contact.density(xi),
         }
-        let reference = self.reference(place, distance, self.theta0);
-        let scale = if self.is_kink(place) { 1.0 } else { reference };
-        if distance <= near {
-            let Fitted { value, error } = self.excess(place, distance * self.theta0);
-            return Fitted { value: reference + scale * value, error: scale.abs() * error };
-        }
-        // s times the excess at both ends of the range.
-        let first = self.excess(place, WITHIN);
-        let length = right - left;
-        let share = if side == 0 { far / length } else { 1.0 - far / length };
-        let last = self.outside_layers(Place { share, ..place });
-        let beyond = self.reference(place, far, self.theta0);
-        let last_scale = if self.is_kink(place) { 1.0 } else { beyond };
-        let ends = [first.value * WITHIN, (last.value - beyond) / last_scale * far * self.theta0];
-        let width = (far / near).ln();
-        let way = (distance / near).ln() / width;
-        let s = distance * self.theta0;
-        let excess = (ends[0] + way * (ends[1] - ends[0])) / s;
-        // How far the straight line on from the layer misses the other end.
-        let slope = (ends[0] - 0.5 * WITHIN * self.excess(place, 0.5 * WITHIN).value) / LN_2;
-        let missed = way * (ends[0] + slope * width - ends[1]).abs();
-        let [one, two] = [first.error * WITHIN, last.error / last_scale.abs() * far * self.theta0];
-        let error = ((1.0 - way) * one + way * two + missed) / s;
-        Fitted { value: reference + scale * excess, error: scale.abs() * error }
     }
 
-    fn is_kink(&self, place: Place) -> bool {
-        let mark = place.stretch + place.side;
-        mark > 0 && mark + 1 < self.marks[place.zone].len()
+    /// By how much the layers and the pressure between them differ where they meet.
+    pub(super) fn mismatch(&self) -> f64 {
+        let mut worst = 0.0f64;
+        for (zone, marks) in self.marks.iter().enumerate() {
+            for (mark, &at) in marks.iter().enumerate() {
+                for side in 0..2 {
+                    let is_outside = if side == 0 { mark + 1 == marks.len() } else { mark == 0 };
+                    let place = Place { zone, mark, side, distance: 0.0 };
+                    if is_outside || self.kind(place) == Mark::Wall {
+                        continue;
+                    }
+                    for share in COMPARED {
+                        let s = share * self.within();
+                        let distance = s / self.theta0;
+                        let xi = if side == 0 { at + distance } else { at - distance };
+                        let density = self.direct.contact.density(xi);
+                        worst = worst.max((self.in_layer(place, s) - density).abs());
+                    }
+                }
+            }
+        }
+        worst
+    }
+
+    /// `s` up to which a layer is expanded.
+    fn within(&self) -> f64 {
+        let [least, most] = WITHIN;
+        (least * (self.theta0 / LEAST_THETA0).powf(GROWTH)).clamp(least, most)
+    }
+
+    fn place(&self, zone: usize, xi: f64) -> Place {
+        let marks = &self.marks[zone];
+        let stretch = marks.partition_point(|at| *at <= xi).clamp(1, marks.len() - 1) - 1;
+        let from_left = (xi - marks[stretch]).max(0.0);
+        let from_right = (marks[stretch + 1] - xi).max(0.0);
+        let side = usize::from(from_right < from_left);
+        Place { zone, mark: stretch + side, side, distance: from_left.min(from_right) }
+    }
+
+    fn kind(&self, Place { zone, mark, side, .. }: Place) -> Mark {
+        if mark > 0 && mark + 1 < self.marks[zone].len() {
+            Mark::Kink
+        } else if self.companions.is_free[zone][side] {
+            Mark::Edge
+        } else {
+            Mark::Wall
+        }
+    }
+
+    /// The pressure at `s` from an edge or a kink.
+    fn in_layer(&self, place: Place, s: f64) -> f64 {
+        let Some(rough) = &self.companions.rough else { return f64::NAN };
+        let is_kink = self.kind(place) == Mark::Kink;
+        let at = self.companions.at;
+        let values = [0, 1, 2].map(|i| {
+            let distance = s / at[i];
+            let mark = self.others[i][place.zone][place.mark];
+            let xi = if place.side == 0 { mark + distance } else { mark - distance };
+            let reference = self.reference(place, distance, at[i]);
+            let difference = rough[i].pressure(xi) - reference;
+            if is_kink { difference } else { difference / reference }
+        });
+        let reference = self.reference(place, s / self.theta0, self.theta0);
+        let excess = through(values, at, self.theta0);
+        reference + if is_kink { excess } else { reference * excess }
     }
 
     /// The smooth pressure a little farther from the mark than `distance`, so that it is finite.
@@ -89,37 +135,12 @@ impl Pressure {
         let marks = &self.companions.marks[place.zone];
         let [left, right] = [marks[0], marks[marks.len() - 1]];
         let inward = distance + 1.0 / theta0;
-        let mark = marks[place.stretch + place.side];
+        let mark = marks[place.mark];
         let (from_left, from_right) = if place.side == 0 {
             (mark - left + inward, right - mark - inward)
         } else {
             (mark - left - inward, right - mark + inward)
         };
         self.companions.smooth.pressure_beside0(place.zone, from_left, from_right)
-    }
-
-    /// What the pressure has more than the reference at `s` from a mark, as a share of it at ends.
-    fn excess(&self, place: Place, s: f64) -> Fitted {
-        let at = self.companions.at;
-        let values = [0, 1, 2, 3].map(|i| {
-            let distance = s / at[i];
-            let mark = self.others[i][place.zone][place.stretch + place.side];
-            let xi = if place.side == 0 { mark + distance } else { mark - distance };
-            let reference = self.reference(place, distance, at[i]);
-            let difference = self.companions.rough[i].pressure0(xi) - reference;
-            if self.is_kink(place) { difference } else { difference / reference }
-        });
-        through(values, at, self.theta0)
-    }
-
-    /// At a fixed share of a stretch.
-    fn outside_layers(&self, place: Place) -> Fitted {
-        let Place { zone, stretch, share, .. } = place;
-        let between =
-            |marks: &[f64]| marks[stretch] + share * (marks[stretch + 1] - marks[stretch]);
-        let limit = self.companions.smooth.pressure0(between(&self.companions.marks[zone]));
-        let values = [0, 1, 2, 3]
-            .map(|i| self.companions.rough[i].pressure0(between(&self.others[i][zone])));
-        beside_limit_early(limit, values, self.companions.at, self.theta0)
     }
 }

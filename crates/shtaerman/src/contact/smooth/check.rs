@@ -2,12 +2,13 @@
 
 use std::f64::consts::PI;
 
+use super::COARSELY_ALLOWED;
 use super::problem::Base;
 use super::system::{Place, Solved};
 use super::zones::Zone;
 
 /// Points of a zone and of an interval outside the zones, at least and at most.
-const POINTS: usize = 48;
+pub(super) const POINTS: usize = 48;
 const MOST_POINTS: usize = 1500;
 
 /// What is left of tension and penetration.
@@ -90,7 +91,9 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
     let forces: f64 = solved.parts.iter().map(|part| part.force().abs()).sum();
     let scale = forces + solved.state.settlement.abs() + solved.state.tilt.abs() + base.range();
     for ends in outside(&base.problem.pieces, &zones()) {
-        let points = points(ends, base.cells());
+        // Of few modes every other place is enough: all are looked at with all modes.
+        let fewest = if allowed >= COARSELY_ALLOWED { POINTS / 2 } else { POINTS };
+        let points = points(ends, base.cells(), fewest);
         check.look_beside(
             &points,
             |xi| depth(xi) - solved.displacement_outside(xi),
@@ -102,7 +105,7 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
 
 fn along(base: &Base<'_>, solved: &Solved, j: usize) -> Along {
     let zone = solved.parts[j].zone;
-    let points = points(zone.ends, base.cells());
+    let points = points(zone.ends, base.cells(), POINTS);
     let points = points[1..points.len() - 1].to_vec();
     let pressures = points.iter().map(|&xi| {
         let place = Place { from_left: xi - zone.left(), from_right: zone.right() - xi };
@@ -138,9 +141,9 @@ pub(super) fn outside<'z>(
 }
 
 /// Both ends and points between, closer near the ends, so many on a unit that the valleys of the profile show.
-pub(super) fn points([left, right]: [f64; 2], on_a_unit: usize) -> Vec<f64> {
+pub(super) fn points([left, right]: [f64; 2], on_a_unit: usize, fewest: usize) -> Vec<f64> {
     let wanted = (right - left) * on_a_unit as f64;
-    let count = (wanted as usize).clamp(POINTS, MOST_POINTS);
+    let count = (wanted as usize).clamp(fewest, MOST_POINTS);
     (0..=count)
         .map(|i| {
             let half = (0.5 * PI * i as f64 / count as f64).sin();

@@ -47,7 +47,7 @@ pub(super) struct Base<'p> {
     walls: [Vec<f64>; 2],
     /// Samples `(xi, f0)` from edge to edge.
     pub(super) samples: Vec<(f64, f64)>,
-    /// Whether base and load are their own mirror images; not asked of a base without bends, where nothing comes of it.
+    /// Whether base and load are their own mirror images; not asked of a base without bends on a linear layer, where nothing comes of it.
     pub(super) is_mirrored: bool,
     /// Where heights are counted from.
     pub(super) anchor: Option<Anchor>,
@@ -109,7 +109,8 @@ impl<'p> Base<'p> {
             is_mirrored: false,
             anchor: None,
         };
-        base.is_mirrored = !base.breaks.is_empty() && mirror::is_mirrored(&base);
+        let serves = !base.breaks.is_empty() || !base.layer.is_linear();
+        base.is_mirrored = serves && mirror::is_mirrored(&base);
         base.find_steps();
         base.require_geometry()?;
         base.require_load()?;

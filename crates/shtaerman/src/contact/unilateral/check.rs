@@ -23,6 +23,11 @@ pub(super) struct Check {
 }
 
 impl Check {
+    /// Of what was not looked at.
+    pub(super) fn none() -> Self {
+        Self { tension: 0.0, penetration: 0.0, pulling: Vec::new(), deepest: Vec::new() }
+    }
+
     /// Whether nothing is beyond rounding.
     pub(super) fn is_clean(&self) -> bool {
         self.pulling.is_empty() && self.deepest.is_empty()
@@ -42,8 +47,7 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
     // Of the layer, which shows how far it is from touching also where pressures are small.
     let largest = solved.deepest().max(f64::MIN_POSITIVE);
     let floor = 4.0 * solved.rounding();
-    let mut check =
-        Check { tension: 0.0, penetration: 0.0, pulling: Vec::new(), deepest: Vec::new() };
+    let mut check = Check::none();
     for panel in &solved.panels {
         let points = points(base, panel.left, panel.right);
         let values: Vec<f64> = points.iter().map(|&xi| -solved.layer(base, xi)).collect();

@@ -20,7 +20,7 @@ use fredholm::SincOperator;
 use fredholm::collocation::SincGrid;
 use fredholm::kernel::{Kernel, Logarithm, LogarithmSine, Power, WeberSonine};
 
-use super::shared::{disk_harmonic, disk_operator};
+use super::shared::{disk_harmonic, disk_operator, line_operator};
 use crate::{Error, Geometry, Problem};
 
 /// Step of the difference quotient of a kernel, as a share of the distance: it serves Newton steps, not answers.
@@ -136,12 +136,16 @@ impl Medium {
         }))
     }
 
-    /// The operator on the whole local interval of a disk, kept among problems; none for others.
+    /// The operator on the whole local interval of a disk or of a punch on a half-plane, kept among problems; none for others.
     pub(super) fn known_operator(
         &self,
         half_count: usize,
     ) -> Option<Result<Arc<SincOperator>, Error>> {
-        self.is_disk().then(|| disk_operator(0, self.exponent(), half_count))
+        match self {
+            Self::Line => Some(line_operator(half_count)),
+            Self::Disk { .. } => Some(disk_operator(0, self.exponent(), half_count)),
+            Self::Row { .. } | Self::Graded { .. } => None,
+        }
     }
 
     /// The operator on panels in local coordinates.

@@ -20,6 +20,7 @@ mod linearised;
 mod medium;
 mod mirror;
 mod motion;
+mod near;
 mod power;
 mod reach;
 mod refinement;
@@ -33,9 +34,10 @@ mod topology;
 mod zones;
 
 pub use answer::Complementarity;
-use answer::UnilateralContact;
+pub(super) use answer::UnilateralContact;
 pub(super) use base::require_even;
 pub(super) use medium::mean_power;
+pub(super) use near::KnownZone;
 
 use std::sync::Arc;
 

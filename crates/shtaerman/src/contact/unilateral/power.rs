@@ -203,7 +203,15 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
     }
 
     fn factor(&self, guess: &Guess) -> Result<Factor<'o>, Error> {
-        let weights: Vec<f64> = guess.layer.iter().map(|v| self.layer.slope(*v)).collect();
+        let mut weights: Vec<f64> = guess.layer.iter().map(|v| self.layer.slope(*v)).collect();
+        if self.system.base.is_mirrored {
+            // Even but for rounding: to the last bit they keep factors of half the size.
+            let last = weights.len() - 1;
+            for i in 0..weights.len() / 2 {
+                let mean = 0.5 * (weights[i] + weights[last - i]);
+                (weights[i], weights[last - i]) = (mean, mean);
+            }
+        }
         Ok(Factor::Weighted(self.operator.factor_weighted(self.system.parameter(), &weights)?))
     }
 

@@ -20,6 +20,8 @@ pub(super) const MOST_NODES: usize = 2400;
 const STAGNANT: f64 = 1e-9;
 /// A change of force and displacements, relative to their size, that is rounding.
 const RESOLVED: f64 = 1e-13;
+/// How many more nodes a layer that bends needs, whose pressure ends with another power.
+const BENT: f64 = RATIO;
 /// Points at which two resolutions are compared, on all panels and at least on each.
 const COMPARED: usize = 200;
 const LEAST_COMPARED: usize = 64;
@@ -32,7 +34,8 @@ pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
         .iter()
         .flat_map(|zone| zone.panels(&base.breaks))
         .fold(0.0f64, |most, (left, right)| most.max(right - left));
-    first_half_count(0.5 * base.steepness() * longest)
+    let count = first_half_count(0.5 * base.steepness() * longest);
+    if base.layer.is_linear() { count } else { BENT * count }
 }
 
 pub(super) fn half_count(start: f64, power: i32) -> usize {

@@ -1,4 +1,5 @@
-//! What depends on the kernel of a disk alone, kept from one problem to the next: the tables of the kernel and its operators on the whole radius.
+//! What depends on a kernel alone, kept from one problem to the next: operators of one punch on a half-plane in local coordinates; of a disk the tables of the kernel
+//! and its operators on the whole radius.
 //!
 //! The kernel is homogeneous, so contacts of all radii have the same operators; they take longer than all the rest of a solution. What is kept is a function of
 //! its key, so answers do not depend on what was solved before, nor on what other threads solve.
@@ -7,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use fredholm::SincOperator;
 use fredholm::collocation::SincGrid;
-use fredholm::kernel::WeberSonine;
+use fredholm::kernel::{Logarithm, WeberSonine};
 
 use crate::Error;
 
@@ -15,6 +16,8 @@ use crate::Error;
 const KERNELS: usize = 8;
 const OPERATORS: usize = 24;
 const MOST_NODES: usize = 257;
+/// Most nodes on either side of the middle of an operator of the logarithm, of which parity halves the order: a megabyte.
+const LARGEST_LINE: usize = 240;
 
 /// Order and exponent of grading, the latter by its bits.
 type KernelKey = (usize, u64);
@@ -22,6 +25,7 @@ type KernelKey = (usize, u64);
 type OperatorKey = (KernelKey, usize);
 
 static KNOWN_KERNELS: Mutex<Vec<(KernelKey, WeberSonine)>> = Mutex::new(Vec::new());
+static KNOWN_LINES: Mutex<Vec<(usize, Arc<SincOperator>)>> = Mutex::new(Vec::new());
 static KNOWN_OPERATORS: Mutex<Vec<(OperatorKey, Arc<SincOperator>)>> = Mutex::new(Vec::new());
 
 /// The kernel of pressures `p(r)` (0) or `p(r) cos(phi)` (1) on the unit disk, on a body with this exponent of grading.
@@ -58,6 +62,23 @@ pub(super) fn disk_operator(
     let operator = Arc::new(SincOperator::on_panels(&kernel, grid, &[(0.0, 1.0)])?);
     if operator.count() <= MOST_NODES {
         keep(&KNOWN_OPERATORS, key, &operator, OPERATORS);
+    }
+    Ok(operator)
+}
+
+/// The operator of the logarithm on `(-1, 1)` in one panel.
+///
+/// # Errors
+/// As [`disk_operator`].
+pub(super) fn line_operator(half_count: usize) -> Result<Arc<SincOperator>, Error> {
+    if let Some(operator) = known(&KNOWN_LINES, &half_count) {
+        return Ok(operator);
+    }
+    let kernel = Logarithm::unit();
+    let grid = Arc::new(SincGrid::new(&kernel, half_count)?);
+    let operator = Arc::new(SincOperator::on_panels(&kernel, grid, &[(-1.0, 1.0)])?);
+    if half_count <= LARGEST_LINE {
+        keep(&KNOWN_LINES, half_count, &operator, OPERATORS);
     }
     Ok(operator)
 }
