@@ -172,8 +172,8 @@ pub(super) fn linearised([coarse, fine]: &[Responses; 2], load: &Load, peak: f64
         let mut errors: Rates = std::array::from_fn(|k| (rates[k] - before[k]).abs() + noise[k]);
         // One of settlement and tilt may agree by chance.
         let displacement = errors[0].max(errors[2]);
-        for k in [0, 2].into_iter().filter(|k| errors[*k] > 0.0) {
-            errors[k] = displacement;
+        for k in [0, 2] {
+            errors[k] = if errors[k] > 0.0 { displacement } else { 0.0 };
         }
         errors
     });

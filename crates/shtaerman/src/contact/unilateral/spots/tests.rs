@@ -86,7 +86,9 @@ fn states_what_it_is_off(problem: &Problem, found: &SpotContact, exact: &Unilate
     for (off, stated) in [
         (a.settlement - b.settlement, one.settlement + other.settlement),
         (a.tilt - b.tilt, one.tilt + other.tilt),
-    ] {}
+    ] {
+        assert!(off.abs() <= stated, "{off:e} {stated:e}");
+    }
     let stated = one.pressure + other.pressure;
     let mut worst = 0.0f64;
     for i in 0..=3000 {
