@@ -141,7 +141,7 @@ fn a_long_trace_has_its_sensitivities() {
     );
     let row = |i: i32| {
         let x = f64::from(i) / 100.0;
-        format!("{x},{}\n", 0.08 * x * x + 0.5 * (3.0 * x).cos() + 0.05 * (40.0 * x).cos())
+        format!("{x},{}\n", 0.3 * x * x + 1.5 * (3.0 * x).cos() + 0.1 * (40.0 * x).cos())
     };
     folder.write("p.csv", (-500..=500).map(row).collect::<String>());
     let json = solve(&folder, &[]);

@@ -66,7 +66,8 @@ fn solve_from(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Option<SpotContac
         let settled = settle(base, &joints, zones, (effort, good), levels.last())?;
         let Some((level, system, complementarity)) = settled else { return Ok(None) };
         if effort.has_responses {
-            responses.push(Responses::new(base, &level, &system)?);
+            let found = Responses::new(base, &level, &system, responses.last())?;
+            responses.push(found);
         }
         zones = level.zones.clone();
         left = Some(complementarity);

@@ -12,8 +12,8 @@ use crate::contact::unilateral::base::Base;
 use crate::contact::unilateral::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 
-/// Residual relative to the right-hand side; of integrals its square is left.
-const RESIDUAL: f64 = 1e-11;
+/// Residuals relative to the right-hand side, on the panels before the last and on those; of integrals the square is left.
+const RESIDUALS: [f64; 2] = [1e-9, 3e-11];
 /// Jumps of the pressure at the ends of panels, over the largest, that are no rounding.
 const JUMP: f64 = 1e-7;
 /// Share of a zone within which a jump at the end of a panel belongs to the free edge there.
@@ -31,7 +31,8 @@ pub(super) struct Responses {
 struct Response {
     /// The right-hand side.
     given: Given,
-    /// `K q`.
+    /// `q` at the nodes, and `K q`.
+    values: Vec<f64>,
     field: PanelField,
     /// Force and moment of `q`.
     carried: [f64; 2],
@@ -68,14 +69,25 @@ impl Response {
 }
 
 impl Responses {
-    /// On the zones of a level.
-    pub(super) fn new(base: &Base<'_>, level: &Level, system: &System) -> Result<Self, Error> {
+    /// On the zones of a level, from what was known on the panels before.
+    pub(super) fn new(
+        base: &Base<'_>,
+        level: &Level,
+        system: &System,
+        known: Option<&Self>,
+    ) -> Result<Self, Error> {
         let panels = system.operator.panels();
+        let residual = RESIDUALS[usize::from(known.is_some())];
+        let start = |k: usize| -> Vec<f64> {
+            let part = known.map(|known| &known.parts[k]);
+            let value = |x: &f64| part.and_then(|p| p.field.panels().interpolate(&p.values, *x));
+            panels.nodes().iter().map(|x| value(x).unwrap_or(0.0)).collect()
+        };
         let ones = vec![1.0; panels.count()];
         let body: Vec<f64> = system.displacements.iter().map(|u| -u).collect();
-        let (level_q, level_left) = solved(system, &ones)?;
-        let (turn_q, turn_left) = solved(system, panels.nodes())?;
-        let (body_q, body_left) = solved(system, &body)?;
+        let (body_q, body_left) = solved(system, &body, &start(0), residual)?;
+        let (level_q, level_left) = solved(system, &ones, &start(1), residual)?;
+        let (turn_q, turn_left) = solved(system, panels.nodes(), &start(2), residual)?;
         let product = |one: &[f64], other: &[f64]| {
             let products: Vec<f64> = one.iter().zip(other).map(|(a, b)| a * b).collect();
             panels.integral(&products, |_| 1.0)
@@ -89,9 +101,10 @@ impl Responses {
         let edges = edges(base, level, system);
         let inverse: f64 = edges.iter().map(|[_, rise]| rise.abs().recip()).sum();
         let response = |given: Given, right: &[f64], q: &[f64], left: &[f64]| {
-            let noise = RESIDUAL * right.iter().fold(0.0f64, |most, b| most.max(b.abs()));
+            let noise = residual * right.iter().fold(0.0f64, |most, b| most.max(b.abs()));
             let mut response = Response {
                 given,
+                values: q.to_vec(),
                 field: system.operator.field(q),
                 carried: carried(q, left),
                 width: 0.0,
@@ -181,12 +194,16 @@ pub(super) fn linearised([coarse, fine]: &[Responses; 2], load: &Load, peak: f64
 }
 
 /// The response to these values at the nodes, and what is left of them.
-fn solved(system: &System, right: &[f64]) -> Result<(Vec<f64>, Vec<f64>), Error> {
+fn solved(
+    system: &System,
+    right: &[f64],
+    start: &[f64],
+    residual: f64,
+) -> Result<(Vec<f64>, Vec<f64>), Error> {
     let panels = system.operator.panels();
     let squares: Vec<f64> = right.iter().map(|b| b * b).collect();
     let size = panels.integral(&squares, |_| 1.0).sqrt();
-    let zero = vec![0.0; right.len()];
-    let solution = system.equation().solve(right, &[], &zero, RESIDUAL * size)?;
+    let solution = system.equation().solve(right, &[], start, residual * size)?;
     let left = (right.iter().zip(&solution.values).zip(&solution.potential))
         .map(|((b, v), u)| b - v - system.theta * u)
         .collect();
