@@ -8,8 +8,8 @@ use crate::contact::accuracy::{Accuracy, ErrorKind};
 const PLACES: [f64; 2] = [0.11, 0.63];
 /// Differences that fall by less have not begun to.
 const SLOW: f64 = 0.5;
-/// However fast they fall at first, what the ends of zones leave does not fall faster: with the square of the panels there, which are halved, and the fourth power of the number of nodes.
-const FASTEST: f64 = 1.0 / 16.0;
+/// However fast they fall at first, what the ends of zones leave does not fall faster than with the third power of the panels there, which are halved.
+const FASTEST: f64 = 0.125;
 
 /// Differences between two levels.
 struct Change {
@@ -96,7 +96,7 @@ mod tests {
     #[test]
     fn what_is_left_lies_between_the_last_difference_and_the_next() {
         assert!((left(1e-4, 4e-6) / 8e-7 - 1.0).abs() < 1e-12);
-        assert!((left(1e-4, 1e-8) / 6.25e-10 - 1.0).abs() < 1e-12);
+        assert!((left(1e-4, 1e-8) / 1.25e-9 - 1.0).abs() < 1e-12);
         assert_eq!(left(1e-8, 2e-8), 2e-8);
         assert_eq!(left(1e-8, 0.9e-8), 1e-8);
         assert_eq!(left(1e-8, 0.0), 0.0);
