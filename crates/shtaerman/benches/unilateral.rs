@@ -84,6 +84,9 @@ fn smooth_graded() {
     solve("smooth parabola, graded", plane, "x^2", 0.1, 0.0);
     solve("smooth wedge, graded", plane, "0.5*abs(x)", 0.05, 0.0);
     solve("smooth wedge off the middle, graded", plane, "0.5*abs(x - 0.2)", 0.05, 0.0);
+    solve("smooth wedge hardly off the middle, graded", plane, "0.5*abs(x)", 0.05, 5e-11);
+    solve("smooth flat that tips up, graded", plane, "0", 0.05, 0.035);
+    solve("smooth flat with rounded ends, graded", plane, "max(abs(x) - 0.2, 0)^2", 0.05, 0.0);
     solve("smooth general profile, graded", plane, "x^2 + 0.3*x^4 + 0.2*sin(x)", 0.1, 0.0);
     solve("smooth waves, several zones, graded", plane, "x^2 + 0.02*cos(20*x)", 0.0005, 0.0);
     solve("smooth wedges, two zones, graded", plane, "abs(abs(x) - 0.3)/5", 0.004, 0.0);

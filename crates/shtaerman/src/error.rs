@@ -164,7 +164,7 @@ pub enum Error {
 
     /// More zones of contact than are solved together.
     #[error(
-        "the contact has about {zones} zones, and on a smooth surface at most {most} are solved: a layer (roughness > 0) under one plane punch allows thousands"
+        "the contact has about {zones} zones, and at most {most} are solved together: a layer (roughness > 0, linear) under one plane punch on homogeneous ground allows thousands"
     )]
     TooManyZones {
         /// Zones that cells show.

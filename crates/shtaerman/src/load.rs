@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::Error;
-use crate::error::finite;
+use crate::error::{finite, require};
 
 /// The vertical half of the load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -52,5 +52,52 @@ impl Load {
             Rotational::Tilt(value) => finite("tilt", value)?,
         };
         Ok(Self { vertical, rotational })
+    }
+
+    /// Refuses what no pressure on a base of this half-width can balance: a force that lifts the punch off, and one that tips it over.
+    pub(crate) fn check_balance(&self, half_width: f64) -> Result<(), Error> {
+        if let Vertical::Force(force) = self.vertical {
+            let requirement = "greater than zero in unilateral contact: a pull lifts the punch off";
+            require(force > 0.0, "force", force, requirement)?;
+            let limit = force * half_width;
+            if let Rotational::Moment(value) = self.rotational
+                && value.abs() >= limit
+            {
+                return Err(Error::TipsOver { field: "moment", value, limit, name: "P a" });
+            }
+        }
+        match self.rotational {
+            Rotational::Eccentricity(value) if value.abs() >= half_width => {
+                let (field, name) = ("eccentricity", "a");
+                Err(Error::TipsOver { field, value, limit: half_width, name })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Whether prescribed displacements leave a base with these samples `(xi, f0)` clear of the body.
+    pub(crate) fn keeps_clear<'s>(
+        &self,
+        mut samples: impl Iterator<Item = &'s (f64, f64)>,
+    ) -> bool {
+        let Vertical::Settlement(settlement) = self.vertical else { return false };
+        match self.rotational {
+            Rotational::Tilt(tilt) => samples.all(|(xi, height)| settlement - tilt * xi <= *height),
+            Rotational::Moment(moment) if moment != 0.0 => false,
+            Rotational::Moment(_) | Rotational::Eccentricity(_) => {
+                // Without contact there is no moment: is there a tilt that keeps clear?
+                let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
+                for &(xi, height) in samples {
+                    if xi > 0.0 {
+                        least = least.max((settlement - height) / xi);
+                    } else if xi < 0.0 {
+                        most = most.min((height - settlement) / -xi);
+                    } else if settlement > height {
+                        return false;
+                    }
+                }
+                least <= most
+            }
+        }
     }
 }

@@ -88,7 +88,8 @@ impl PowerWeights {
     }
 
     fn apart(&self, distance: f64, difference: usize) -> f64 {
-        distance.powf(-self.exponent) * self.corrections[difference]
+        let correction = self.corrections[difference];
+        if self.exponent == 0.0 { correction } else { distance.powf(-self.exponent) * correction }
     }
 
     fn at_node(&self, weight: f64) -> f64 {

@@ -4,11 +4,13 @@
 
 mod accuracy;
 mod balance;
+mod cells;
 mod collocated;
 mod cross_check;
 mod draft;
 mod extremes;
 mod intensity;
+mod intervals;
 mod kinks;
 mod linearised;
 mod nearly_smooth;
@@ -20,6 +22,7 @@ mod solved;
 mod spectral;
 mod surface;
 mod unilateral;
+mod valleys;
 mod warning;
 
 pub use accuracy::{Accuracy, ErrorKind};

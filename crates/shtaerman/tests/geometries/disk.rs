@@ -145,3 +145,81 @@ fn bases_that_are_no_bodies_of_revolution_are_refused() {
         assert!(error.to_string().contains("even in x"), "{error}");
     }
 }
+
+/// `W(r, s) = 1/agm(r + s, |r - s|)`.
+fn kernel(r: f64, s: f64, between: f64) -> f64 {
+    let (mut one, mut two) = (r + s, between);
+    for _ in 0..40 {
+        (one, two) = (0.5 * (one + two), (one * two).sqrt());
+    }
+    1.0 / one
+}
+
+/// `int f ds` with singular ends, of the distances from both ends, by the double-exponential rule.
+fn integral([left, right]: [f64; 2], f: impl Fn(f64, f64, f64) -> f64) -> f64 {
+    let step = 1.0 / 16.0;
+    (-56..=56)
+        .map(|i| {
+            let t = step * f64::from(i);
+            let s = 0.5 * PI * t.sinh();
+            let share = |s: f64| s.exp() / (2.0 * s.cosh()) * (right - left);
+            let (from, to) = (share(s), share(-s));
+            let at = if from < to { left + from } else { right - to };
+            let weight = 0.25 * PI * t.cosh() / s.cosh().powi(2) * (right - left) * step;
+            weight * f(at, from, to)
+        })
+        .sum()
+}
+
+#[test]
+fn many_rings_carry_what_they_displace() {
+    // The equation itself, by another quadrature and another kernel.
+    let (theta, force) = (50.0, 3.0);
+    let profile = "2*cos(24*pi*xi) + 8*xi^2";
+    let contact = solve((DISK, theta, 1.0), profile, pressed(force));
+    let rings: Vec<[f64; 2]> = contact.edges0().into_iter().filter(|zone| zone[0] > 0.0).collect();
+    assert!(rings.len() >= 8, "{rings:?}");
+    let displacement = |r: f64| -> f64 {
+        let of = |[left, right]: [f64; 2]| {
+            let pressed = |s: f64, between: f64| contact.pressure0(s) * s * kernel(r, s, between);
+            if left < r && r < right {
+                integral([left, r], |s, _, to| pressed(s, to))
+                    + integral([r, right], |s, from, _| pressed(s, from))
+            } else {
+                integral([left, right], |s, _, _| pressed(s, (r - s).abs()))
+            }
+        };
+        PI * theta * rings.iter().map(|ring| of(*ring)).sum::<f64>()
+    };
+    let height = |r: f64| 2.0 * (24.0 * PI * r).cos() + 8.0 * r * r;
+    let carried = |ring: &[f64; 2]| integral(*ring, |s, _, _| 2.0 * PI * s * contact.pressure0(s));
+    assert_near(rings.iter().map(carried).sum::<f64>(), force, 1e-11);
+    for [left, right] in &rings {
+        for share in [0.1, 0.5, 0.8] {
+            let r = left + share * (right - left);
+            let gap = contact.pressure0(r) + displacement(r) - contact.settlement0() + height(r);
+            assert_near(gap, 0.0, 1e-9 * contact.settlement0());
+        }
+        for beside in [left - 1e-3, right + 1e-3] {
+            if beside < 1.0 {
+                assert!(displacement(beside) - contact.settlement0() + height(beside) > 0.0);
+            }
+        }
+    }
+}
+
+#[test]
+fn hundreds_of_rings_are_too_many() {
+    for crests in [120, 240, 1024, 3000] {
+        let refused = attempt(
+            (DISK, 5.0, 1.0),
+            &format!("cos(2*pi*{crests}*xi)"),
+            pressed(0.1),
+            Solver::default(),
+        );
+        match refused {
+            Err(Error::TooManyZones { zones, most }) => assert!(zones > most, "{zones}"),
+            other => panic!("{crests}: {other:?}"),
+        }
+    }
+}

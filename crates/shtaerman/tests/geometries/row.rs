@@ -96,6 +96,33 @@ fn where_a_wave_begins_does_not_matter() {
 }
 
 #[test]
+fn many_crests_are_one_that_repeats() {
+    // 10 crests in a period are one in a tenth of it, the body as much stiffer.
+    let crests = 10.0;
+    for (theta, depth, force) in [(5.0, 1.0, 0.4), (400.0, 20.0, 0.2), (1e5, 1e4, 0.3)] {
+        let one =
+            solve((row(2.0), theta / crests, 1.0), &format!("-{depth}*cos(pi*xi)"), pressed(force));
+        let profile = format!("-{depth}*cos({crests}*pi*xi)");
+        let many = solve((row(2.0), theta, 1.0), &profile, pressed(force));
+        let [left, right] = one.edges0()[0];
+        assert!(right < 1.0);
+        let zones = many.edges0();
+        assert_eq!(zones.len(), 10);
+        for zone in &zones {
+            let crest = (0.5 * (zone[0] + zone[1]) * 0.5 * crests).round() * 2.0 / crests;
+            assert_near(zone[0] - crest, left / crests, 1e-12);
+            assert_near(zone[1] - crest, right / crests, 1e-12);
+        }
+        assert_near(many.settlement0(), one.settlement0(), 1e-11 * depth);
+        let largest = one.pressure0(0.0);
+        for share in [0.0, 0.3, 0.9] {
+            let exact = one.pressure0(share * right);
+            assert_near(many.pressure0((4.0 + share * right) / crests), exact, 1e-9 * largest);
+        }
+    }
+}
+
+#[test]
 fn far_punches_are_alone() {
     // ln 1/(2 sin(pi d/L)) = ln 1/d + ln(L/(2 pi)) + O(d^2/L^2)
     let load = (Vertical::Force(1.0), Rotational::Moment(0.2));

@@ -76,3 +76,14 @@ fn extreme_numbers_have_answers_or_errors() {
         }
     }
 }
+
+#[test]
+fn hundreds_of_rings() {
+    for crests in [240, 1024, 3000] {
+        let profile = format!("1e-6*cos(2*pi*{crests}*x/5e-3) + 1e-3*x^2");
+        match attempt(&profile, pressed(10.0)) {
+            Err(Error::TooManyZones { zones, most: 48 }) => assert!(zones > 48),
+            other => panic!("{crests}: {other:?}"),
+        }
+    }
+}

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 mod disk;
+mod kinks;
 mod limits;
 mod plane;
 mod refusals;

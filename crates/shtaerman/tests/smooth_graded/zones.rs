@@ -1,6 +1,6 @@
 //! Several zones, plane.
 
-use fredholm::quadrature::double_exponential;
+use fredholm::quadrature::{double_exponential, gauss_power};
 use shtaerman::{
     Contact, Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical,
 };
@@ -51,8 +51,7 @@ fn check(case: &Case, contact: &Contact, kinks: &[f64], zones: usize, what: &str
     let edges = contact.edges();
     assert_eq!(edges.len(), zones, "{what}: {edges:?}");
     let size = contact.settlement().abs();
-    // Kinks off the middle of a zone cost digits, as is stated.
-    let allowed = if kinks.is_empty() { 1e-10 } else { 3e-10 };
+    let allowed = 1e-10;
     for [left, right] in &edges {
         for share in [0.03, 0.31, 0.5, 0.84] {
             let x = left + share * (right - left);
@@ -71,8 +70,7 @@ fn check(case: &Case, contact: &Contact, kinks: &[f64], zones: usize, what: &str
     close(force, contact.force(), 1e-8, &format!("force, {what}"));
     let arm = contact.force() * case.half_width;
     assert!((moment - contact.moment()).abs() < 1e-8 * arm, "{what}: {moment}");
-    let allowed = if kinks.is_empty() { 1e-9 } else { 1e-8 };
-    assert!(contact.relative_error() < allowed, "{what}: {:?}", contact.accuracy());
+    assert!(contact.relative_error() < 1e-10, "{what}: {:?}", contact.accuracy());
 }
 
 #[test]
@@ -102,7 +100,7 @@ fn waves_that_are_flat_are_one_zone() {
 
 #[test]
 fn pairs_of_punches() {
-    for mu in [0.2, 0.5, 0.8] {
+    for mu in [0.02, 0.2, 0.5, 0.8] {
         for (profile, solver, rotational) in [
             ("0", Solver::default(), LEVEL),
             ("0", Solver::bilateral(), Rotational::Eccentricity(0.2)),
@@ -112,23 +110,52 @@ fn pairs_of_punches() {
             let geometry = Geometry::Pair { inner_half_gap: 0.1 };
             let case = Case { geometry, solver, half_width: 0.5, ..Case::plane(mu) };
             let contact = case.solve(profile, Vertical::Force(0.05), rotational);
-            if mu >= 0.5 || profile != "0" {
-                check_pair(&case, &contact, profile);
-            }
+            check_pair(&case, &contact, profile);
         }
     }
 }
 
-/// As the quadrature of a corner allows.
+/// The displacement at `x` in a zone by the kernel, by rules for the powers at corners, free ends and `x` itself: no place comes so close to a corner that rounding is felt.
+fn smooth_potential(case: &Case, contact: &Contact, x: f64) -> f64 {
+    const NODES: usize = 40;
+    let mu = case.mu;
+    let part = |from: f64, to: f64, exponent: f64| -> f64 {
+        let rule = gauss_power(NODES, exponent).unwrap();
+        let terms = rule.iter().map(|node| {
+            let s = from + (to - from) * node.from_left;
+            let distance = (x - s).abs();
+            let value = contact.pressure(s).unwrap() * distance.powf(-mu);
+            node.weight * node.from_left.powf(-exponent) * value
+        });
+        (to - from).abs() * terms.sum::<f64>()
+    };
+    let mut sum = 0.0;
+    for ([left, right], intensities) in
+        contact.edges().into_iter().zip(contact.corner_intensity().unwrap())
+    {
+        let [at_left, at_right] =
+            intensities.map(|k| if k == 0.0 { 0.5 * (1.0 + mu) } else { 0.5 * (mu - 1.0) });
+        if left < x && x < right {
+            let [one, two] = [left, right].map(|end| 0.5 * (end + x));
+            sum += part(left, one, at_left) + part(x, one, -mu);
+            sum += part(right, two, at_right) + part(x, two, -mu);
+        } else {
+            let middle = 0.5 * (left + right);
+            sum += part(left, middle, at_left) + part(right, middle, at_right);
+        }
+    }
+    case.line() * sum
+}
+
 #[track_caller]
 fn check_pair(case: &Case, contact: &Contact, what: &str) {
     let size = contact.settlement().abs();
-    let allowed = if case.mu < 0.5 { 1e-6 } else { 1e-9 };
     for [left, right] in contact.edges() {
         for share in [0.1, 0.5, 0.84] {
             let x = left + share * (right - left);
-            let error = potential(case, contact, &[], x) - contact.base_depth(x);
-            assert!(error.abs() < allowed * size, "{what} {x}: {error:e} of {size}");
+            let error = smooth_potential(case, contact, x) - contact.base_depth(x);
+            let mu = case.mu;
+            assert!(error.abs() < 1e-11 * size, "{mu} {what} {x}: {error:e} of {size}");
         }
     }
     assert!(contact.relative_error() < 1e-10, "{what}: {:?}", contact.accuracy());

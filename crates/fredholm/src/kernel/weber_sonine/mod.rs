@@ -173,6 +173,6 @@ impl Kernel for WeberSonine {
     }
 
     fn value(&self, x: f64, s: f64) -> f64 {
-        if x == s { self.tables.at(x) } else { self.pair(x, s, (x - s).abs()).value }
+        if x == s { self.tables.at(x) } else { self.tables.value(x, s, (x - s).abs()) }
     }
 }

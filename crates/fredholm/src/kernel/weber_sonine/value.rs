@@ -46,6 +46,14 @@ struct Points {
     ratio: f64,
 }
 
+impl Points {
+    fn new(larger: f64, smaller: f64) -> Self {
+        // Deep in the corner the difference of their logarithms would not hold the ratio.
+        let share = smaller / larger;
+        Self { larger, logarithm: larger.ln(), share, ratio: -share.ln() }
+    }
+}
+
 impl Tables {
     pub(super) fn new(radius: f64, order: f64, exponent: f64) -> Self {
         let coefficients = Coefficients::new(order, exponent);
@@ -76,20 +84,44 @@ impl Tables {
     pub(super) fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
         let (larger, smaller) = if x > s { (x, s) } else { (s, x) };
         if smaller == 0.0 {
-            let value = if self.coefficients.order == 0.0 { self.at_centre(larger) } else { 0.0 };
-            return Pair { value, factor: 0.0 };
+            return Pair { value: self.centre_value(larger), factor: 0.0 };
         }
-        // Deep in the corner the difference of their logarithms would not hold the ratio.
-        let share = smaller / larger;
-        let points = Points { larger, logarithm: larger.ln(), share, ratio: -share.ln() };
+        let points = Points::new(larger, smaller);
         let apart = distance / larger;
         let quarter = 0.25 * apart * (distance / smaller);
         let value = if quarter <= self.near_limit {
             self.near_value(quarter, distance, &points)
         } else {
-            self.far_value(apart * (1.0 + share), &points)
+            self.far_value(apart * (1.0 + points.share), &points)
         };
         Pair { value: value.min(f64::MAX), factor: self.factor(quarter, &points) }
+    }
+
+    /// `W` alone, the same to the last bit for less.
+    pub(super) fn value(&self, x: f64, s: f64, distance: f64) -> f64 {
+        let (larger, smaller) = if x > s { (x, s) } else { (s, x) };
+        if smaller == 0.0 {
+            return self.centre_value(larger);
+        }
+        let apart = distance / larger;
+        let quarter = 0.25 * apart * (distance / smaller);
+        let value = if quarter <= self.near_limit {
+            self.near_value(quarter, distance, &Points::new(larger, smaller))
+        } else {
+            let share = smaller / larger;
+            let rest_of_square = apart * (1.0 + share);
+            if self.coefficients.order == 0.0 && self.coefficients.exponent == 0.0 {
+                // No powers, and so no logarithms.
+                self.far_strength * self.far.evaluate(rest_of_square) / larger
+            } else {
+                self.far_value(rest_of_square, &Points::new(larger, smaller))
+            }
+        };
+        value.min(f64::MAX)
+    }
+
+    fn centre_value(&self, x: f64) -> f64 {
+        if self.coefficients.order == 0.0 { self.at_centre(x) } else { 0.0 }
     }
 
     /// `W(x, 0) = C x^(-1-2 gamma)` for the order 0.
@@ -157,5 +189,24 @@ impl Tables {
             return f64::INFINITY;
         }
         self.near_strength / (-2.0 * gamma) * x.powf(-1.0 - 2.0 * gamma)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_value_alone_is_that_of_the_pair() {
+        for (order, exponent) in [(0.0, 0.0), (1.0, 0.0), (0.0, 0.2), (2.5, -0.3)] {
+            let tables = Tables::new(1.0, order, exponent);
+            let places = [0.0, 1e-200, 1e-9, 0.3, 0.3 + 1e-12, 0.31, 0.6, 1.0, 1.7];
+            for (i, x) in places.into_iter().enumerate() {
+                for s in places.into_iter().skip(i + 1) {
+                    let (both, alone) = (tables.pair(x, s, s - x), tables.value(s, x, s - x));
+                    assert_eq!(both.value.to_bits(), alone.to_bits(), "{order} {exponent} {x} {s}");
+                }
+            }
+        }
     }
 }

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use super::problem::Base;
 use super::system::{Place, Solved};
+use super::zones::Zone;
 
 /// Points of a zone and of an interval outside the zones, at least and at most.
 const POINTS: usize = 48;
@@ -23,71 +24,105 @@ pub(super) struct Check {
     pub(super) penetrating: Vec<[f64; 2]>,
 }
 
-/// Tension and penetration beyond `allowed`, relative to their scales, are listed for correction.
-pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
-    let zones: Vec<(Vec<f64>, Vec<f64>, f64)> =
-        (0..solved.parts.len()).map(|j| along(base, solved, j)).collect();
-    let largest = zones
-        .iter()
-        .flat_map(|(_, pressures, _)| pressures.iter().filter(|p| p.is_finite()))
-        .fold(f64::MIN_POSITIVE, |most, p| most.max(p.abs()));
-    let mut tension = 0.0f64;
-    let mut pulling = Vec::new();
-    for (points, pressures, floor) in &zones {
-        let values: Vec<f64> = pressures.iter().map(|p| -p).collect();
-        tension = values.iter().fold(tension, |most, t| most.max(t / largest));
-        pulling.extend(above(points, &values, allowed * largest + floor));
-    }
-    extend_to_ends(&mut pulling, solved, &zones);
-    let depth = |xi: f64| solved.state.settlement - solved.state.tilt * xi - base.height(xi);
-    let forces: f64 = solved.parts.iter().map(|part| part.force().abs()).sum();
-    let scale = forces + solved.state.settlement.abs() + solved.state.tilt.abs() + base.range();
-    let (mut penetration, mut penetrating) = (0.0f64, Vec::new());
-    for [left, right] in outside(base, solved) {
-        let points = points(base, left, right);
-        let values: Vec<f64> =
-            points.iter().map(|&xi| depth(xi) - solved.displacement_outside(xi)).collect();
-        penetration = values.iter().fold(penetration, |most, g| most.max(g / scale));
-        penetrating.extend(above(&points, &values, allowed * scale));
-    }
-    Check { tension, penetration, largest, pulling, penetrating }
-}
-
-/// Tension at the outermost points reaches to the end of the zone.
-fn extend_to_ends(pulling: &mut [[f64; 2]], solved: &Solved, zones: &[(Vec<f64>, Vec<f64>, f64)]) {
-    for (part, (points, _, _)) in solved.parts.iter().zip(zones) {
-        let (Some(first), Some(last)) = (points.first(), points.last()) else { continue };
-        for interval in &mut *pulling {
-            if interval[0] == *first {
-                interval[0] = part.zone.left();
+impl Check {
+    /// That of the zones: tension beyond `allowed`, relative to the largest pressure, is listed for correction.
+    pub(super) fn of_zones<'z>(
+        zones: impl Iterator<Item = &'z Zone>,
+        along: &[Along],
+        allowed: f64,
+    ) -> Self {
+        let largest = (along.iter().flat_map(|zone| &zone.pressures))
+            .filter(|p| p.is_finite())
+            .fold(f64::MIN_POSITIVE, |most, p| most.max(p.abs()));
+        let mut tension = 0.0f64;
+        let mut pulling = Vec::new();
+        for (zone, along) in zones.zip(along) {
+            let values: Vec<f64> = along.pressures.iter().map(|p| -p).collect();
+            tension = values.iter().fold(tension, |most, t| most.max(t / largest));
+            let mut found = above(&along.points, &values, allowed * largest + along.floor);
+            // Tension at the outermost points reaches to the end of the zone.
+            if let (Some(first), Some(last)) = (along.points.first(), along.points.last()) {
+                for interval in &mut found {
+                    if interval[0] == *first {
+                        interval[0] = zone.left();
+                    }
+                    if interval[1] == *last {
+                        interval[1] = zone.right();
+                    }
+                }
             }
-            if interval[1] == *last {
-                interval[1] = part.zone.right();
-            }
+            pulling.extend(found);
         }
+        Self { tension, penetration: 0.0, largest, pulling, penetrating: Vec::new() }
+    }
+
+    /// Adds the penetration at points beside the zones; beyond `allowed`, relative to a scale, it is listed for correction.
+    pub(super) fn look_beside(
+        &mut self,
+        points: &[f64],
+        penetration: impl Fn(f64) -> f64,
+        [scale, allowed]: [f64; 2],
+    ) {
+        let values: Vec<f64> = points.iter().map(|&xi| penetration(xi)).collect();
+        self.penetration = values.iter().fold(self.penetration, |most, g| most.max(g / scale));
+        self.penetrating.extend(above(points, &values, allowed * scale));
+    }
+
+    /// Whether nothing is to be corrected.
+    pub(super) fn is_clean(&self) -> bool {
+        self.pulling.is_empty() && self.penetrating.is_empty()
     }
 }
 
 /// Points of a zone with their pressures, and the rounding of those.
-fn along(base: &Base<'_>, solved: &Solved, j: usize) -> (Vec<f64>, Vec<f64>, f64) {
+pub(super) struct Along {
+    pub(super) points: Vec<f64>,
+    pub(super) pressures: Vec<f64>,
+    pub(super) floor: f64,
+}
+
+/// Tension and penetration beyond `allowed`, relative to their scales, are listed for correction.
+pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
+    let along: Vec<Along> = (0..solved.parts.len()).map(|j| along(base, solved, j)).collect();
+    let zones = || solved.parts.iter().map(|part| &part.zone);
+    let mut check = Check::of_zones(zones(), &along, allowed);
+    let depth = |xi: f64| solved.state.settlement - solved.state.tilt * xi - base.height(xi);
+    let forces: f64 = solved.parts.iter().map(|part| part.force().abs()).sum();
+    let scale = forces + solved.state.settlement.abs() + solved.state.tilt.abs() + base.range();
+    for ends in outside(&base.problem.pieces, zones()) {
+        let points = points(ends, base.cells());
+        check.look_beside(
+            &points,
+            |xi| depth(xi) - solved.displacement_outside(xi),
+            [scale, allowed],
+        );
+    }
+    check
+}
+
+fn along(base: &Base<'_>, solved: &Solved, j: usize) -> Along {
     let zone = solved.parts[j].zone;
-    let points = points(base, zone.left(), zone.right());
-    let points = &points[1..points.len() - 1];
+    let points = points(zone.ends, base.cells());
+    let points = points[1..points.len() - 1].to_vec();
     let pressures = points.iter().map(|&xi| {
         let place = Place { from_left: xi - zone.left(), from_right: zone.right() - xi };
         solved.pressure(j, place)
     });
     let first = points.first().map_or(zone.length(), |xi| xi - zone.left());
     let floor = 4.0 * solved.rounding(j) / (solved.theta0 * (first * zone.length()).sqrt());
-    (points.to_vec(), pressures.collect(), floor)
+    let pressures = pressures.collect();
+    Along { points, pressures, floor }
 }
 
-/// The intervals of the base beside the zones.
-pub(super) fn outside(base: &Base<'_>, solved: &Solved) -> Vec<[f64; 2]> {
+/// The intervals of the pieces of a base beside zones.
+pub(super) fn outside<'z>(
+    pieces: &[[f64; 2]],
+    zones: impl Iterator<Item = &'z Zone> + Clone,
+) -> Vec<[f64; 2]> {
     let mut intervals = Vec::new();
-    for &[first, last] in &base.problem.pieces {
+    for &[first, last] in pieces {
         let mut left = first;
-        for zone in solved.parts.iter().map(|part| part.zone) {
+        for zone in zones.clone() {
             if zone.left() < last && zone.right() > first {
                 if zone.left() > left {
                     intervals.push([left, zone.left()]);
@@ -102,9 +137,9 @@ pub(super) fn outside(base: &Base<'_>, solved: &Solved) -> Vec<[f64; 2]> {
     intervals
 }
 
-/// Both ends and points between, closer near the ends, dense enough for the valleys of the profile.
-fn points(base: &Base<'_>, left: f64, right: f64) -> Vec<f64> {
-    let wanted = (right - left) * base.cells() as f64;
+/// Both ends and points between, closer near the ends, so many on a unit that the valleys of the profile show.
+pub(super) fn points([left, right]: [f64; 2], on_a_unit: usize) -> Vec<f64> {
+    let wanted = (right - left) * on_a_unit as f64;
     let count = (wanted as usize).clamp(POINTS, MOST_POINTS);
     (0..=count)
         .map(|i| {

@@ -17,15 +17,27 @@ use crate::Error;
 
 /// Terms of a series whose ratio is at most 1/2.
 const TERMS: usize = 64;
+/// Logarithm of a power that is none.
+const LAST: f64 = -37.0;
 /// A start below this share of the end is none.
 const NOTHING: f64 = 1e-18;
 /// Most steps of an integral towards a singular place.
 const MOST_STEPS: usize = 256;
 /// Share of the way to a singular place that a step takes.
-const CLOSING: f64 = 0.6;
+const CLOSING: f64 = 0.75;
+/// Share of the way from zero that the next step takes.
+const GROWTH: f64 = 3.0;
 
 /// In the place of the shift of an exponent: no power at zero.
 pub(super) const PLAIN: i32 = 2;
+
+/// From here on below the end polynomials of `e^y` are so small that half of the way left is one step.
+const DISTANT: f64 = 8.0;
+
+/// The length of a step of a logarithm, this far below the end, that may be longer than others.
+pub(super) fn distant(left: f64) -> Option<f64> {
+    (left >= DISTANT).then_some(0.5 * left)
+}
 
 /// A Gauss rule for functions `x^e g(x)` on an interval from zero.
 #[derive(Debug)]
@@ -112,6 +124,20 @@ impl Ground {
         2.0 / PI * (FRAC_PI_2 * self.exponent).cos()
     }
 
+    /// `(2/pi) cos(pi mu/2) mu B int_0^{asin(1/y)} tan^mu t/sin t dt` by `sqrt(y^2 - 1)`: what a flat strip that settles by 1 makes of the surface beside it.
+    pub(super) fn flat_beside(&self, root: f64) -> f64 {
+        let (mu, sines) = (self.exponent, &self.sines);
+        let scale = self.beside() * mu * sines.total;
+        let square = 1.0 + root * root;
+        // p = 1/y^2 in int p^(mu/2-1) (1-p)^(-(1+mu)/2) dp/2, from either end
+        let near = root * (root / square);
+        if near < 0.5 {
+            1.0 - scale * near.powf(0.5 * (1.0 - mu)) * sum(&sines.close, near)
+        } else {
+            scale * square.powf(-0.5 * mu) * sum(&sines.remote, 1.0 / square)
+        }
+    }
+
     pub(super) fn sines(&self) -> &SinePower {
         &self.sines
     }
@@ -162,7 +188,8 @@ impl Ground {
         let mut sum = 0.0;
         for _ in 0..MOST_STEPS {
             let room = CLOSING * (end - at);
-            let longest = if at == 0.0 { step } else { step.min(at) }.min(room);
+            let longer = distant(to - at).map_or(step, |share| share.max(step));
+            let longest = if at == 0.0 { step } else { longer.min(GROWTH * at) }.min(room);
             let next = if to - at <= longest { to } else { at + longest };
             sum += self.integral(shift, [at, next], &f);
             at = next;
@@ -182,6 +209,9 @@ pub(super) struct SinePower {
     /// Of `S/sin^(1+mu)` by `sin^2`, and of `(S(pi/2) - S)/cos` by `cos^2`.
     near: Vec<f64>,
     far: Vec<f64>,
+    /// Of the displacement beside a flat strip, near it and far away.
+    close: Vec<f64>,
+    remote: Vec<f64>,
     exponent: f64,
 }
 
@@ -202,7 +232,9 @@ impl SinePower {
         let total = 0.5 * PI.sqrt() * tgamma(0.5 * (1.0 + exponent)) / tgamma(1.0 + 0.5 * exponent);
         let near = series(0.5, 1.0 + exponent);
         let far = series(0.5 * (1.0 - exponent), 1.0);
-        Self { total, near, far, exponent }
+        let close = series(1.0 - 0.5 * exponent, 1.0 - exponent);
+        let remote = series(0.5 * (1.0 + exponent), exponent);
+        Self { total, near, far, close, remote, exponent }
     }
 
     /// `S(pi/2)`.
@@ -210,18 +242,33 @@ impl SinePower {
         self.total
     }
 
+    /// `S(psi)` and `S(pi/2) - S(psi)` from sine and cosine.
+    pub(super) fn both(&self, sine: f64, cosine: f64) -> [f64; 2] {
+        self.both_by(sine, cosine, sine.powf(self.exponent))
+    }
+
+    /// The same from `sin^mu` too.
+    pub(super) fn both_by(&self, sine: f64, cosine: f64, power: f64) -> [f64; 2] {
+        if sine < cosine {
+            let near = sine * power * sum(&self.near, sine * sine);
+            [near, self.total - near]
+        } else {
+            let rest = cosine * sum(&self.far, cosine * cosine);
+            [self.total - rest, rest]
+        }
+    }
+
     /// `S(psi)` for `0 <= psi <= pi/2`.
     pub(super) fn at(&self, angle: f64) -> f64 {
         let (sine, cosine) = angle.sin_cos();
-        let sum = |series: &[f64], square: f64| {
-            series.iter().rev().fold(0.0, |sum, term| term + square * sum)
-        };
-        if sine < cosine {
-            sine.powf(1.0 + self.exponent) * sum(&self.near, sine * sine)
-        } else {
-            self.total - cosine * sum(&self.far, cosine * cosine)
-        }
+        self.both(sine, cosine)[0]
     }
+}
+
+/// As many terms as matter of a series with falling coefficients, for `0 <= square <= 1/2` or so.
+fn sum(series: &[f64], square: f64) -> f64 {
+    let count = 2 + (LAST / square.min(0.9).ln()) as usize;
+    series.iter().take(count).rev().fold(0.0, |sum, term| term + square * sum)
 }
 
 #[cfg(test)]

@@ -15,6 +15,7 @@ mod coupling;
 mod density;
 mod disk;
 mod edges;
+mod free_ends;
 mod graded;
 mod ground;
 mod harmonics;
@@ -37,8 +38,9 @@ pub use kernel::SmoothKernel;
 pub use problem::{Curve, SmoothProblem, SmoothProfile};
 
 use crate::Error;
+use crate::contact::valleys::require_shown;
 use check::check;
-use problem::Base;
+use problem::{Base, MOST_CELLS};
 use zones::{Zone, corrected, require_few};
 
 /// How finely pressures on zones are resolved.
@@ -97,8 +99,7 @@ fn solve_zones(base: &Base<'_>, first: Option<Zone>) -> Result<SmoothContact, Er
 fn tried(base: &Base<'_>, zone: Zone) -> Option<Result<SmoothContact, Error>> {
     let solved = edges::settle(base, &[zone], FINE).ok()?;
     let left = check(base, &solved, ALLOWED);
-    let is_clean = left.pulling.is_empty() && left.penetrating.is_empty();
-    is_clean.then(|| SmoothContact::new(base, solved, &left))
+    left.is_clean().then(|| SmoothContact::new(base, solved, &left))
 }
 
 /// The answer, with its zones corrected where all modes show what few did not.
@@ -108,7 +109,7 @@ fn complementary(base: &Base<'_>) -> Result<SmoothContact, Error> {
     for _ in 0..CORRECTIONS {
         let solved = edges::settle(base, &zones, FINE)?;
         let left = check(base, &solved, ALLOWED);
-        if left.pulling.is_empty() && left.penetrating.is_empty() {
+        if left.is_clean() {
             return SmoothContact::new(base, solved, &left);
         }
         last = [left.tension, left.penetration];
@@ -123,17 +124,21 @@ fn complementary(base: &Base<'_>) -> Result<SmoothContact, Error> {
 /// The zones with few modes.
 fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
     let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
-    for power in 0..TOPOLOGIES {
+    let valleys: Vec<f64> = base.valleys().collect();
+    let counts = (0..TOPOLOGIES).map(|power| base.cells() * 4usize.pow(power as u32));
+    let mut counts: Vec<usize> = counts.map(|count| count.min(MOST_CELLS)).collect();
+    counts.dedup();
+    for count in counts {
+        let intervals = match topology::find(base, count) {
+            Ok(intervals) => intervals,
+            Err(error) => {
+                last = error;
+                continue;
+            }
+        };
+        require_shown(&intervals, &valleys, count, MOST_ZONES)?;
         let mut zones: Vec<Zone> =
-            match topology::find(base, base.cells() * 4usize.pow(power as u32)) {
-                Ok(intervals) => {
-                    intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
-                }
-                Err(error) => {
-                    last = error;
-                    continue;
-                }
-            };
+            intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect();
         for _ in 0..CORRECTIONS {
             if zones.is_empty() {
                 break;
@@ -147,7 +152,7 @@ fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
                 }
             };
             let left = check(base, &solved, COARSELY_ALLOWED);
-            if left.pulling.is_empty() && left.penetrating.is_empty() {
+            if left.is_clean() {
                 return Ok(solved.parts.iter().map(|part| part.zone).collect());
             }
             let (tension, penetration) = (left.tension, left.penetration);

@@ -5,11 +5,15 @@ use std::sync::Arc;
 
 use super::kernel::SmoothKernel;
 use super::zones::Zone;
+use crate::contact::valleys;
 use crate::error::require;
-use crate::{Error, Load, Rotational, Vertical};
+use crate::{Error, Load};
 
-/// Samples that show the ups and downs of a profile.
+/// Samples that show the ups and downs of a profile, at least and at most.
 const SAMPLES: usize = 2048;
+const MOST_SAMPLES: usize = 32768;
+/// Most cells.
+pub(super) const MOST_CELLS: usize = 3072;
 /// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a jump.
 const BESIDE: f64 = 1e-9;
 const JUMP: f64 = 1e-6;
@@ -85,9 +89,10 @@ impl SmoothProblem {
 
     /// Heights of a piece, which must be finite.
     fn samples(&self, [left, right]: [f64; 2]) -> Result<Vec<Sample>, Error> {
-        (0..=SAMPLES)
+        let steps = valleys::steps(&*self.profile.height, [left, right], SAMPLES, MOST_SAMPLES);
+        (0..=steps)
             .map(|i| {
-                let xi = left + (right - left) * i as f64 / SAMPLES as f64;
+                let xi = left + (right - left) * i as f64 / steps as f64;
                 let height = (self.profile.height)(xi);
                 require(height.is_finite(), "profile", xi, "such that the height is finite")?;
                 Ok((xi, height))
@@ -172,13 +177,13 @@ impl<'p> Base<'p> {
 
     /// Number of cells that show every valley of the profile.
     pub(super) fn cells(&self) -> usize {
-        const FEWEST: usize = 48;
-        const MOST: usize = 768;
-        const A_VALLEY: usize = 12;
-        let is_valley = |w: &&[Sample]| w[1].1 <= w[0].1 && w[1].1 < w[2].1;
-        let valleys: usize =
-            self.samples.iter().map(|piece| piece.windows(3).filter(is_valley).count()).sum();
-        (A_VALLEY * (valleys + 1)).clamp(FEWEST, MOST)
+        const USUAL: usize = 768;
+        valleys::cells(self.valleys().count(), USUAL, MOST_CELLS)
+    }
+
+    /// Where the samples have valleys.
+    pub(super) fn valleys(&self) -> impl Iterator<Item = f64> + '_ {
+        self.samples.iter().flat_map(|piece| valleys::valleys(piece))
     }
 
     fn find_steps(&mut self) -> Result<(), Error> {
@@ -202,51 +207,10 @@ impl<'p> Base<'p> {
 
     /// Refuses what no contact can balance.
     fn require_load(&self) -> Result<(), Error> {
-        let Load { vertical, rotational } = self.problem.load;
-        if let Vertical::Force(force) = vertical {
-            let requirement = "greater than zero in unilateral contact: a pull lifts the punch off";
-            require(force > 0.0, "force", force, requirement)?;
-            if let Rotational::Moment(moment) = rotational
-                && moment.abs() >= force
-            {
-                let field = "moment";
-                return Err(Error::TipsOver { field, value: moment, limit: force, name: "P a" });
-            }
+        self.problem.load.check_balance(1.0)?;
+        if self.problem.load.keeps_clear(self.all_samples()) {
+            return Err(Error::NoContact);
         }
-        match rotational {
-            Rotational::Eccentricity(e) if e.abs() >= 1.0 => {
-                Err(Error::TipsOver { field: "eccentricity", value: e, limit: 1.0, name: "a" })
-            }
-            _ if self.touches_nowhere() => Err(Error::NoContact),
-            _ => Ok(()),
-        }
-    }
-
-    /// Whether the prescribed displacements leave the base clear of the body.
-    fn touches_nowhere(&self) -> bool {
-        let Load { vertical: Vertical::Settlement(settlement), rotational } = self.problem.load
-        else {
-            return false;
-        };
-        match rotational {
-            Rotational::Tilt(tilt) => {
-                self.all_samples().all(|(xi, height)| settlement - tilt * xi <= *height)
-            }
-            Rotational::Moment(moment) if moment != 0.0 => false,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => {
-                // Without contact there is no moment: is there a tilt that keeps clear?
-                let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
-                for &(xi, height) in self.all_samples() {
-                    if xi > 0.0 {
-                        least = least.max((settlement - height) / xi);
-                    } else if xi < 0.0 {
-                        most = most.min((height - settlement) / -xi);
-                    } else if settlement > height {
-                        return false;
-                    }
-                }
-                least <= most
-            }
-        }
+        Ok(())
     }
 }

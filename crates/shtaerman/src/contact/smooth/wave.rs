@@ -13,8 +13,9 @@ use crate::{Error, Load, Rotational, Vertical};
 
 /// Where both sides of the seam are compared, and the share of the profile's range that makes a jump.
 const SEAM: f64 = 1e-9;
-/// Points at which the pressure of full contact is looked at, at least.
+/// Points at which the pressure of full contact is looked at, at least and at most.
 const POINTS: usize = 256;
+const MOST_POINTS: usize = 3072;
 /// Newton steps for a settlement.
 const SETTLEMENTS: usize = 60;
 /// Rounding of pressures and forces.
@@ -174,7 +175,7 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
         Vertical::Settlement(_) => 0.0,
     };
     let full = FullWave::new(problem, band.as_ref(), force);
-    let along = full.along(POINTS.max(4 * base.cells()));
+    let along = full.along((4 * base.cells()).clamp(POINTS, MOST_POINTS));
     let (place, least, size) = least(&along);
     let turned = || Turned::new(problem, band.as_ref(), place);
     let pulls = |p: f64| problem.is_unilateral && p < -ROUNDING * size;

@@ -1,9 +1,7 @@
 //! The zones of contact.
 
 use crate::Error;
-
-/// Pieces shorter than this share of the longest are left to the next check.
-const SLIVER: f64 = 1e-9;
+use crate::contact::intervals::joined;
 
 /// A zone of contact, `[left, right]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,7 +62,7 @@ pub(super) fn require_few(zones: &[Zone], most: usize) -> Result<(), Error> {
     if zones > most { Err(Error::TooManyZones { zones, most }) } else { Ok(()) }
 }
 
-/// Intervals of contact without those where the pressure pulls, and with those where the base penetrates; from left to right.
+/// Intervals of contact without those where the pressure pulls, and with those where the base penetrates; from left to right, slivers left to the next check.
 pub(super) fn corrected(
     zones: &[Zone],
     pulling: &[[f64; 2]],
@@ -72,17 +70,7 @@ pub(super) fn corrected(
 ) -> Vec<[f64; 2]> {
     let mut intervals: Vec<[f64; 2]> = zones.iter().flat_map(|z| z.without(pulling)).collect();
     intervals.extend(penetrating);
-    intervals.sort_by(|one, two| one[0].total_cmp(&two[0]));
-    let mut merged: Vec<[f64; 2]> = Vec::new();
-    for interval in intervals {
-        match merged.last_mut() {
-            Some(last) if interval[0] <= last[1] => last[1] = last[1].max(interval[1]),
-            _ => merged.push(interval),
-        }
-    }
-    let longest = merged.iter().fold(0.0f64, |most, [left, right]| most.max(right - left));
-    merged.retain(|[left, right]| right - left > SLIVER * longest);
-    merged
+    joined(intervals)
 }
 
 #[cfg(test)]

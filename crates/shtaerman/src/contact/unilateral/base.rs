@@ -8,12 +8,16 @@ use super::mirror;
 use super::power::reference_pressure;
 use super::topology;
 use super::zones::Zone;
+use crate::contact::cells::mean_height;
+use crate::contact::valleys;
 use crate::error::require;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 
 /// Samples that show the ups and downs of a profile, at least and at most.
 const SAMPLES: usize = 512;
 const MOST_SAMPLES: usize = 8192;
+/// Most cells.
+pub(super) const MOST_CELLS: usize = 3072;
 /// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a jump.
 const BESIDE: f64 = 1e-9;
 const JUMP: f64 = 1e-6;
@@ -79,6 +83,12 @@ impl<'p> Base<'p> {
         let mut samples = Vec::with_capacity(count + pieces.len());
         for [left, right] in &pieces {
             let steps = ((count as f64 * (right - left) / length).ceil() as usize).max(2);
+            let steps = if wanted > 0 || steps < SAMPLES / 4 {
+                steps
+            } else {
+                let height = |xi| problem.dimensionless_profile(xi);
+                valleys::steps(height, [*left, *right], steps, MOST_SAMPLES)
+            };
             for i in 0..=steps {
                 let xi = left + (right - left) * i as f64 / steps as f64;
                 samples.push((xi, problem.finite_profile(xi)?));
@@ -199,9 +209,7 @@ impl<'p> Base<'p> {
 
     /// Simpson's mean of the profile over a cell, from inside it.
     pub(super) fn mean_height(&self, centre: f64, half: f64) -> f64 {
-        let inside = half * (1.0 - 1e-6);
-        let at = |side: f64| self.height(centre + side * inside);
-        (at(-1.0) + 4.0 * at(0.0) + at(1.0)) / 6.0
+        mean_height(centre, half, |xi| self.height(xi))
     }
 
     /// The next wall for a left (0) or right (1) edge outwards of a place inside the contact.
@@ -250,11 +258,10 @@ impl<'p> Base<'p> {
 
     /// Number of cells that show every valley of the profile.
     pub(super) fn cells(&self) -> usize {
-        const FEWEST: usize = 48;
-        const MOST: usize = 1024;
-        const A_VALLEY: usize = 12;
-        let valleys = self.samples.windows(3).filter(|w| w[1].1 <= w[0].1 && w[1].1 < w[2].1);
-        (A_VALLEY * (valleys.count() + 1)).clamp(FEWEST, MOST)
+        const USUAL: usize = 1024;
+        // Many zones under one plane punch are for panels.
+        let most = if self.is_plain() { USUAL } else { MOST_CELLS };
+        valleys::cells(valleys::valleys(&self.samples).count(), USUAL, most)
     }
 
     /// Difference of the largest and the smallest height.
@@ -304,61 +311,16 @@ impl<'p> Base<'p> {
         if self.is_bilateral {
             return Ok(());
         }
-        let half_width = self.problem.frame().half_width();
-        let given = self.problem.load();
-        if let (Vertical::Force(force), Vertical::Force(value)) =
-            (self.load.vertical, given.vertical)
-        {
-            let requirement = "greater than zero in unilateral contact: a pull lifts the punch off";
-            require(force > 0.0, "force", value, requirement)?;
-            if let (Rotational::Moment(moment), Rotational::Moment(value)) =
-                (self.load.rotational, given.rotational)
-                && moment.abs() >= force
-            {
-                let limit = half_width * self.problem_force();
-                return Err(Error::TipsOver { field: "moment", value, limit, name: "P a" });
-            }
+        self.problem.check_balance()?;
+        // A force off the middle may act there under a tilt that does not keep clear.
+        if self.settlement_at_eccentricity().is_none() && self.touches_nowhere() {
+            return Err(Error::NoContact);
         }
-        match (self.load.rotational, given.rotational) {
-            (Rotational::Eccentricity(e), Rotational::Eccentricity(value)) if e.abs() >= 1.0 => {
-                Err(Error::TipsOver { field: "eccentricity", value, limit: half_width, name: "a" })
-            }
-            // A force may act there under a tilt that does not keep clear.
-            (Rotational::Eccentricity(e), _) if e != 0.0 => Ok(()),
-            _ if self.touches_nowhere() => Err(Error::NoContact),
-            _ => Ok(()),
-        }
-    }
-
-    fn problem_force(&self) -> f64 {
-        match self.problem.load().vertical {
-            Vertical::Force(force) => force,
-            Vertical::Settlement(_) => 0.0,
-        }
+        Ok(())
     }
 
     /// Whether the prescribed displacements leave the base clear of the body.
     pub(super) fn touches_nowhere(&self) -> bool {
-        let Vertical::Settlement(settlement) = self.load.vertical else { return false };
-        match self.load.rotational {
-            Rotational::Tilt(tilt) => {
-                self.samples.iter().all(|(xi, height)| settlement - tilt * xi <= *height)
-            }
-            Rotational::Moment(moment) if moment != 0.0 => false,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => {
-                // Without contact there is no moment: is there a tilt that keeps clear?
-                let (mut least, mut most) = (f64::NEG_INFINITY, f64::INFINITY);
-                for &(xi, height) in &self.samples {
-                    if xi > 0.0 {
-                        least = least.max((settlement - height) / xi);
-                    } else if xi < 0.0 {
-                        most = most.min((height - settlement) / -xi);
-                    } else if settlement > height {
-                        return false;
-                    }
-                }
-                least <= most
-            }
-        }
+        self.load.keeps_clear(self.samples.iter())
     }
 }

@@ -6,9 +6,9 @@
 //! force, [collocation](super::reach) decides.
 
 use super::base::Base;
-use super::cells::Cells;
-use super::reach;
 use super::zones::Zone;
+use super::{reach, topology};
+use crate::contact::cells::Cells;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// Ratio of the forces that are tried, how often, and up to which multiple of the depth over the compliance.
@@ -40,7 +40,7 @@ pub(super) fn zones(
         _ => return reach::zones(base, settlement, e, &samples),
     };
     curve.refined(bracket)?;
-    Ok(cells.zones())
+    Ok(topology::zones(&cells))
 }
 
 /// About that force, on cells that are not refined; none where they show none.
@@ -55,7 +55,7 @@ pub(super) fn least_force(base: &Base<'_>, settlement: f64, e: f64) -> Result<Op
 
 /// The same without trust in the cells.
 pub(super) fn exactly(base: &Base<'_>, settlement: f64, e: f64) -> Result<Vec<Zone>, Error> {
-    let mut cells = Cells::new(base, base.cells());
+    let mut cells = topology::cells(base, base.cells());
     let samples = Curve { base, cells: &mut cells, e, settlement }.samples(false)?;
     reach::zones(base, settlement, e, &samples)
 }
@@ -77,7 +77,8 @@ impl Curve<'_, '_, '_> {
     /// `delta(P) - delta`.
     fn excess(&mut self, force: f64) -> Result<f64, Error> {
         let (vertical, rotational) = (Vertical::Force(force), Rotational::Eccentricity(self.e));
-        let solution = self.cells.solve(self.base, Load { vertical, rotational })?;
+        let solution = topology::solve(self.base, self.cells, Load { vertical, rotational })?;
+        self.cells.mark(&solution.values);
         Ok(solution.multipliers[0] - self.settlement)
     }
 

@@ -3,6 +3,7 @@
 use super::base::Base;
 use super::damping::{Damping, Edge};
 use super::mirror::mirror;
+use super::motion::are_many;
 use super::solved::Solved;
 use super::system::Resolution;
 use super::zones::{End, Zone};
@@ -45,8 +46,8 @@ pub(super) fn settle(
     let mut step: Option<Step> = None;
     let mut damping = Damping::default();
     for iterations in 1..=STEPS {
-        // After a small step the next is hardly ever wanted.
-        let wants_steps = best.is_none();
+        // After a small step the next is hardly ever wanted, but single steps cost nothing.
+        let wants_steps = best.is_none() || are_many(&zones);
         let (mut solved, mut steps) =
             Solved::new(base, resolution, &zones, wants_steps, latest.as_ref())?;
         let vanished: Vec<bool> = (0..zones.len())

@@ -3,14 +3,15 @@
 //! `p1 + pi theta0 int W_1(r, s) p1 s ds = -alpha0 r`, `W_1 = int_0^inf t^mu J_1(r t) J_1(s t) dt`, `mu` that of a graded body, `M0 = pi int p1 r^2 dr`.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
-use fredholm::SincSolution;
 use fredholm::collocation::solve_adaptive;
+use fredholm::{SincOperator, SincSolution};
 
 use super::answer::{Tilted, UnilateralContact};
 use super::base::Base;
 use super::check::Check;
-use super::medium::disk_harmonic;
+use super::shared::{disk_harmonic, disk_operator};
 use super::solved::Solved;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::plan::AIM;
@@ -122,13 +123,17 @@ impl Base<'_> {
 
     /// `dM0/d(-alpha0)` on the zones as they are.
     fn turning(&self, solved: &Solved) -> Result<f64, Error> {
-        let kernel = disk_harmonic(1, self.medium.exponent())?;
         let half = solved.hull.half;
         let panels: Vec<(f64, f64)> = (solved.panels.iter())
             .map(|panel| (panel.left / half, (panel.right / half).min(1.0)))
             .collect();
-        let grid = self.medium.grid(solved.panel_count() / 2)?;
-        let operator = fredholm::SincOperator::on_panels(&kernel, grid, &panels)?;
+        let (exponent, half_count) = (self.medium.exponent(), solved.panel_count() / 2);
+        let operator = if panels == [(0.0, 1.0)] {
+            disk_operator(1, exponent, half_count)?
+        } else {
+            let kernel = disk_harmonic(1, exponent)?;
+            Arc::new(SincOperator::on_panels(&kernel, self.medium.grid(half_count)?, &panels)?)
+        };
         let weights: Vec<f64> =
             solved.solution.values().iter().map(|v| self.layer.slope(*v)).collect();
         let right = operator.sample(|y| y)?;

@@ -13,13 +13,14 @@
 //! Equations are solved in local coordinates `xi = c + b y`, in which the plane and the disk are always of one size.
 
 use std::f64::consts::{PI, TAU};
-use std::sync::{Arc, OnceLock};
+use std::sync::Arc;
 
 use fredholm::Interval;
 use fredholm::SincOperator;
 use fredholm::collocation::SincGrid;
 use fredholm::kernel::{Kernel, Logarithm, LogarithmSine, Power, WeberSonine};
 
+use super::shared::{disk_harmonic, disk_operator};
 use crate::{Error, Geometry, Problem};
 
 /// Step of the difference quotient of a kernel, as a share of the distance: it serves Newton steps, not answers.
@@ -135,6 +136,14 @@ impl Medium {
         }))
     }
 
+    /// The operator on the whole local interval of a disk, kept among problems; none for others.
+    pub(super) fn known_operator(
+        &self,
+        half_count: usize,
+    ) -> Option<Result<Arc<SincOperator>, Error>> {
+        self.is_disk().then(|| disk_operator(0, self.exponent(), half_count))
+    }
+
     /// The operator on panels in local coordinates.
     pub(super) fn operator(
         &self,
@@ -156,6 +165,7 @@ impl Medium {
         match self {
             Self::Line => -distance.ln(),
             Self::Row { kernel, .. } => kernel.pair(y, t, distance).value,
+            Self::Disk { kernel } if y != t => kernel.value(y, t),
             Self::Disk { kernel } => kernel.pair(y, t, distance).value,
             Self::Graded { kernel } => kernel.pair(y, t, distance).value,
         }
@@ -191,7 +201,7 @@ impl Medium {
                 if xi + step == xi || xi <= step {
                     return -kernel.split(xi, xi, 0.0).factor;
                 }
-                let at = |xi: f64| kernel.pair(xi, eta, (xi - eta).abs()).value;
+                let at = |xi: f64| kernel.value(xi, eta);
                 difference * (at(xi + step) - at(xi - step)) / (2.0 * step)
             }
             Self::Graded { kernel } => -kernel.exponent() * self.value(xi, eta),
@@ -275,22 +285,6 @@ pub(in crate::contact) fn mean_power(left: [f64; 2], right: [f64; 2], exponent: 
     // Second difference of G(d) = d^(2-mu)/((1-mu)(2-mu)), G'' = d^-mu
     let g = |d: f64| d.powf(2.0 - exponent);
     (g(gap + h + k) - g(gap + h) - g(gap + k) + g(gap)) / (divisor * h * k)
-}
-
-/// The kernel of pressures `p(r)` (0) or `p(r) cos(phi)` (1) on the unit disk, on a body with this exponent of grading; the tables of the homogeneous one are
-/// made once.
-pub(super) fn disk_harmonic(order: usize, exponent: f64) -> Result<WeberSonine, Error> {
-    static KERNELS: [OnceLock<WeberSonine>; 2] = [OnceLock::new(), OnceLock::new()];
-    let order = order.min(1);
-    let known = &KERNELS[order];
-    if exponent > 0.0 {
-        return Ok(WeberSonine::new(1.0, order as f64, 0.5 * exponent)?);
-    }
-    if let Some(kernel) = known.get() {
-        return Ok(kernel.clone());
-    }
-    let kernel = WeberSonine::new(1.0, order as f64, 0.0)?;
-    Ok(known.get_or_init(|| kernel).clone())
 }
 
 /// The mean of `ln 1/|x - s|` over `x` in one cell and `s` in another that is the same or lies left of it.

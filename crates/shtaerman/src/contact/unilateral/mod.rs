@@ -6,7 +6,6 @@
 mod anchor;
 mod answer;
 mod base;
-mod cells;
 mod check;
 mod coarse;
 mod damping;
@@ -26,6 +25,7 @@ mod reach;
 mod refinement;
 mod ring;
 mod search;
+mod shared;
 mod solved;
 mod spots;
 mod system;
@@ -155,7 +155,11 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
         return Ok(answer);
     }
     match anchored(base, complementary(base)) {
-        Err(error @ (Error::NotComplementary { .. } | Error::Equation(_))) => {
+        Err(
+            error @ (Error::NotComplementary { .. }
+            | Error::Equation(_)
+            | Error::TooManyZones { .. }),
+        ) => {
             if let Some((settlement, e)) = base.settlement_at_eccentricity() {
                 return reached(base, settlement, e)?.map(Answer::zones).ok_or(error);
             }

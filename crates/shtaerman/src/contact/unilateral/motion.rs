@@ -12,11 +12,23 @@ use super::elimination;
 use super::medium::Medium;
 use super::solved::{Panel, end_node};
 use super::system::{Direction, Factor, System};
+use super::zones::Zone;
 use crate::Error;
 use crate::contact::balance::State;
 
 /// Steps of the difference quotient of the profile, as a share of the panel: it serves Newton steps, not answers.
 const DIFFERENCE: f64 = 1e-5;
+
+/// From so many zones on each edge has a Newton step of its own.
+const MANY: usize = 7;
+/// Share of a panel beside its end over which the slope of the layer is taken, and share of the zone that an edge moves where no step is known.
+const BESIDE: f64 = 0.02;
+const STRIDE: f64 = 0.4;
+
+/// Whether edges are taken one by one: where the pressure vanishes at all of them, it does not change to first order when they move, and each falls as the layer beside it says.
+pub(super) fn are_many(zones: &[Zone]) -> bool {
+    zones.len() >= MANY
+}
 
 /// A solution on the zones, with what its change needs.
 pub(super) struct Tangent<'t> {
@@ -38,6 +50,12 @@ impl System<'_, '_> {
             .collect();
         let mut steps = vec![0.0; 2 * self.zones.len()];
         if free.is_empty() {
+            return Ok(steps);
+        }
+        if are_many(&self.zones) {
+            for (zone, side) in free {
+                steps[2 * zone + side] = self.own_step(tangent.solution.values(), zone, side);
+            }
             return Ok(steps);
         }
         let nodes: Vec<usize> = (free.iter())
@@ -64,6 +82,37 @@ impl System<'_, '_> {
             steps[2 * zone + side] = *step;
         }
         Ok(steps)
+    }
+
+    /// The step of an end to where the layer that goes on straight from it would vanish.
+    fn own_step(&self, layer: &[f64], zone: usize, side: usize) -> f64 {
+        let count = self.panel_count();
+        let end = end_node(&self.panels, count, zone, side);
+        let panel = self.panels[end / count];
+        let depth = |node: usize| match side {
+            0 => self.positions[node] - panel.left,
+            _ => panel.right - self.positions[node],
+        };
+        // The node nearest to a distance from the end; those of a panel are in order.
+        let beside = |share: f64| -> [f64; 2] {
+            let inside = |k: &usize| depth(if side == 0 { end + k } else { end - k }) >= share;
+            let k = (1..count - 1).find(inside).unwrap_or(count - 1);
+            let node = if side == 0 { end + k } else { end - k };
+            [depth(node), layer[node]]
+        };
+        // Within the length in which a thin layer bends, the slope far from the answer says nothing.
+        let first = beside(BESIDE * panel.length());
+        let second = beside(2.0 * first[0]);
+        let at_end = layer[end];
+        let [one, two] = [first, second].map(|[depth, v]| (v - at_end) / depth);
+        let slope = (one * second[0] - two * first[0]) / (second[0] - first[0]);
+        let step = at_end / slope;
+        let outwards = if slope > 0.0 && step.is_finite() {
+            step
+        } else {
+            STRIDE.copysign(at_end) * self.zones[zone].length()
+        };
+        if side == 0 { -outwards } else { outwards }
     }
 
     /// The change of the layer when the end at this node moves to the right.

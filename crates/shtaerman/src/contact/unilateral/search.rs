@@ -1,6 +1,6 @@
 //! The search for zones: cells show them first, and the check between the nodes corrects them.
 
-use super::base::Base;
+use super::base::{Base, MOST_CELLS};
 use super::check::{Check, check};
 use super::refinement::{MOST_NODES, RATIO, half_count, strength};
 use super::solved::Solved;
@@ -8,6 +8,7 @@ use super::system::Resolution;
 use super::zones::{Zone, corrected};
 use super::{COARSELY_ALLOWED, CORRECTIONS, edges, fine};
 use crate::Error;
+use crate::contact::valleys;
 
 /// Below this a violation may come from too few nodes.
 const DOUBTFUL: f64 = 1e-2;
@@ -24,13 +25,24 @@ const TOPOLOGIES: usize = 3;
 const MOST_WORK: f64 = 1e10;
 /// Most zones that are collocated.
 const MOST_ZONES: usize = 40;
+/// So many on cells are too many whatever more cells would show.
+const FAR_TOO_MANY: usize = 50;
 
 /// The answer on few nodes, and the number on either side of the middle of a panel to go on with.
 pub(super) fn find_zones(base: &Base<'_>) -> Result<(Solved, f64), Error> {
     let mut last = None;
+    let mut too_many = None;
     let mut work = 0.0;
-    for power in 0..TOPOLOGIES {
-        let zones = base.first_zones(base.cells() * 4usize.pow(power as u32))?;
+    let counts = (0..TOPOLOGIES).map(|power| base.cells() * 4usize.pow(power as u32));
+    let mut counts: Vec<usize> = counts.map(|count| count.min(MOST_CELLS)).collect();
+    counts.dedup();
+    for (power, count) in counts.into_iter().enumerate() {
+        let zones = base.first_zones(count)?;
+        require_few(base, &zones, count)?;
+        if zones.len() > MOST_ZONES {
+            too_many = Some(Error::TooManyZones { zones: zones.len(), most: MOST_ZONES });
+            continue;
+        }
         // Many equal cells show the edges to a thousandth of the few that come first: next to them Newton's method converges.
         let exact = if power == 1 { fine::zones(base)? } else { None };
         for zones in exact.into_iter().chain([zones]) {
@@ -44,7 +56,17 @@ pub(super) fn find_zones(base: &Base<'_>) -> Result<(Solved, f64), Error> {
         }
     }
     let [tension, penetration] = last.unwrap_or([f64::NAN; 2]);
-    Err(Error::NotComplementary { tension, penetration })
+    Err(too_many.unwrap_or(Error::NotComplementary { tension, penetration }))
+}
+
+/// Refuses far more zones than are collocated, seen by cells or hidden from them.
+fn require_few(base: &Base<'_>, zones: &[Zone], cells: usize) -> Result<(), Error> {
+    if zones.len() > FAR_TOO_MANY {
+        return Err(Error::TooManyZones { zones: zones.len(), most: MOST_ZONES });
+    }
+    let found: Vec<[f64; 2]> = zones.iter().map(|zone| [zone.left(), zone.right()]).collect();
+    let valleys: Vec<f64> = valleys::valleys(&base.samples).collect();
+    valleys::require_shown(&found, &valleys, cells, MOST_ZONES)
 }
 
 /// What becomes of zones that the check between the nodes corrects.

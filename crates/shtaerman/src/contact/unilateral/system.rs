@@ -60,7 +60,10 @@ impl Resolution {
         if let Some(known) = self.whole.get() {
             return Ok(Arc::clone(known));
         }
-        let operator = build()?;
+        let operator = match self.medium.known_operator(self.grid.half_count()) {
+            Some(operator) => operator?,
+            None => build()?,
+        };
         Ok(Arc::clone(self.whole.get_or_init(|| operator)))
     }
 }

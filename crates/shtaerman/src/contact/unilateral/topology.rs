@@ -1,25 +1,45 @@
-//! Which parts of the base touch.
+//! Which parts of the base touch, for one punch with a linear layer.
+
+use fredholm::complementarity::ComplementaritySolution;
 
 use super::base::Base;
-use super::cells::Cells;
 use super::eccentric;
 use super::zones::Zone;
-use crate::Error;
+use crate::contact::cells::{Cells, Limits, Loaded, closing_in};
+use crate::{Error, Load};
 
-/// Most rounds of refinement.
-const ROUNDS: usize = 40;
+/// How far cells are refined.
+const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: 40 };
 
-/// The zones of contact to about a cell, each of which has several; `cells` is the number of cells to begin with.
-pub(super) fn find(base: &Base<'_>, cells: usize) -> Result<Vec<Zone>, Error> {
-    let mut cells = Cells::new(base, cells);
+/// The zones of contact to about a cell, each of which has several; `count` is the number of cells to begin with.
+pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<Zone>, Error> {
+    let mut cells = cells(base, count);
     if let Some((settlement, e)) = base.settlement_at_eccentricity() {
         return eccentric::zones(base, cells, settlement, e);
     }
-    for _ in 0..ROUNDS {
-        cells.solve(base, base.load)?;
-        if !cells.refine() {
-            break;
-        }
-    }
-    Ok(cells.zones())
+    cells.settle(|cells| Ok(solve(base, cells, base.load)?.values))?;
+    Ok(zones(&cells))
+}
+
+/// About so many cells of the base.
+pub(super) fn cells(base: &Base<'_>, count: usize) -> Cells {
+    let mut cuts: Vec<f64> = (1..count).map(|i| 2.0 * i as f64 / count as f64 - 1.0).collect();
+    cuts.extend(&base.breaks);
+    cuts.extend(closing_in(base.load, 2.0 / count as f64, LIMITS.shortest));
+    Cells::new([([-1.0, 1.0], cuts)], LIMITS)
+}
+
+/// Pressures times the roots of the widths; of the multipliers the settlement comes first if the force is prescribed.
+pub(super) fn solve(
+    base: &Base<'_>,
+    cells: &Cells,
+    load: Load,
+) -> Result<ComplementaritySolution, Error> {
+    let loaded = Loaded::new(cells, cells.roots(), load, 1.0, |xi| base.height(xi));
+    loaded.solve(cells, cells.logarithms()?, base.theta)
+}
+
+/// The zones to about a cell.
+pub(super) fn zones(cells: &Cells) -> Vec<Zone> {
+    cells.intervals().into_iter().map(|[left, right]| Zone::new(left, right)).collect()
 }

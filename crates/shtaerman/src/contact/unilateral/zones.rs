@@ -1,7 +1,6 @@
 //! The zones of contact.
 
-/// Pieces shorter than this share of the longest are left to the next check.
-const SLIVER: f64 = 1e-9;
+use crate::contact::intervals::joined;
 
 /// One end of a zone.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -64,7 +63,7 @@ fn extended(intervals: &mut [[f64; 2]], [from, to]: [f64; 2]) -> bool {
     false
 }
 
-/// The zones without the intervals where the pressure pulls, and with those where the base penetrates; both from left to right.
+/// The zones without the intervals where the pressure pulls, and with those where the base penetrates, both from left to right; slivers are left to the next check.
 pub(super) fn corrected(
     zones: &[Zone],
     pulling: &[[f64; 2]],
@@ -90,17 +89,7 @@ pub(super) fn corrected(
             intervals.push(*interval);
         }
     }
-    intervals.sort_by(|one, two| one[0].total_cmp(&two[0]));
-    let mut merged: Vec<[f64; 2]> = Vec::new();
-    for interval in intervals {
-        match merged.last_mut() {
-            Some(last) if interval[0] <= last[1] => last[1] = last[1].max(interval[1]),
-            _ => merged.push(interval),
-        }
-    }
-    let longest = merged.iter().fold(0.0f64, |most, [left, right]| most.max(right - left));
-    merged.retain(|[left, right]| right - left > SLIVER * longest);
-    merged.into_iter().map(|[left, right]| Zone::new(left, right)).collect()
+    joined(intervals).into_iter().map(|[left, right]| Zone::new(left, right)).collect()
 }
 
 #[cfg(test)]

@@ -20,7 +20,8 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 pub struct SmoothDiskContact {
     problem: Arc<SmoothDisk>,
     field: Field,
-    pub(super) places: Vec<f64>,
+    /// Places in the contact, from the axis, and the pressure there without the tilt.
+    sampled: Vec<(f64, f64)>,
     accuracy: Accuracy,
     edge_error: f64,
     complementarity: Complementarity,
@@ -51,7 +52,7 @@ impl SmoothDiskContact {
         Ok(Self {
             problem: Arc::new(problem.clone()),
             field,
-            places: left.places.clone(),
+            sampled: left.places.iter().copied().zip(left.pressures.iter().copied()).collect(),
             accuracy,
             edge_error,
             complementarity: Complementarity { tension, penetration },
@@ -122,6 +123,18 @@ impl SmoothDiskContact {
     #[must_use]
     pub fn pressure0(&self, xi: f64) -> f64 {
         if xi.is_nan() || xi.abs() <= self.field.radius { self.field.pressure(xi) } else { 0.0 }
+    }
+
+    /// `p0` at places of the contact along the diameter of the tilt, from left to right, and at its ends.
+    pub(super) fn sampled0(&self) -> Vec<(f64, f64)> {
+        let known = self.sampled.iter().flat_map(|&(r, even)| [(-r, even), (r, even)]);
+        let radius = self.field.radius;
+        let ends = [-1.0, -radius, 0.0, radius, 1.0].map(|xi| (xi, self.pressure0(xi)));
+        let mut sampled: Vec<(f64, f64)> =
+            known.map(|(xi, even)| (xi, even + self.field.odd_pressure(xi))).chain(ends).collect();
+        sampled.sort_by(|one, two| one.0.total_cmp(&two.0));
+        sampled.dedup_by_key(|sample| sample.0);
+        sampled
     }
 
     /// The elastic displacement along the diameter of the tilt, also beyond the base.
@@ -206,9 +219,14 @@ fn estimate(
     left: &Check,
 ) -> (Accuracy, f64) {
     let State { settlement, tilt, force, moment } = field.state;
-    let other = field.truncated();
-    let differences = left.places.iter().map(|&r| (regular(field, r) - regular(&other, r)).abs());
-    let pressure = differences.filter(|d| !d.is_infinite()).fold(ROUNDING * left.largest, f64::max);
+    let least = ROUNDING * left.largest;
+    let pressure = match field.truncated() {
+        Some(other) => (left.places.iter().zip(&left.regular))
+            .map(|(&r, known)| (known - regular(&other, r)).abs())
+            .filter(|difference| !difference.is_infinite())
+            .fold(least, f64::max),
+        None => least,
+    };
     // The force is the difference of that of a flat base this deep and what its shape leaves out.
     let depth = field.level().abs();
     let given = match problem.load.vertical {

@@ -16,6 +16,9 @@ const INSIDE: f64 = 1e-12;
 pub(super) struct Check {
     /// Places in the contact, from the axis, without kinks.
     pub(super) places: Vec<f64>,
+    /// `p0` there without the tilt, and without its singularity at a corner.
+    pub(super) pressures: Vec<f64>,
+    pub(super) regular: Vec<f64>,
     /// Largest `|p0| (1 - r^2/c^2)^beta`, or `|p0|` where the edge is free.
     pub(super) largest: f64,
     /// Largest tension over that, and its place.
@@ -28,7 +31,10 @@ impl Check {
     pub(super) fn new(problem: &SmoothDisk, field: &Field) -> Self {
         let cuts = field.transform.cuts();
         let places: Vec<f64> = cuts.windows(2).flat_map(|pair| between(pair[0], pair[1])).collect();
-        let values: Vec<f64> = places.iter().map(|&r| regular(field, r)).collect();
+        let pressures: Vec<f64> = places.iter().map(|&r| field.even_pressure(r)).collect();
+        let values: Vec<f64> = (places.iter().zip(&pressures))
+            .map(|(&r, pressure)| corner_share(field, r) * pressure)
+            .collect();
         let finite = values.iter().filter(|value| value.is_finite());
         let largest = finite.fold(f64::MIN_POSITIVE, |most, p| most.max(p.abs()));
         let worst = |places: &[f64], values: &[f64]| {
@@ -57,7 +63,7 @@ impl Check {
         } else {
             (0.0, 0.0)
         };
-        Self { places, largest, tension, penetration }
+        Self { places, pressures, regular: values, largest, tension, penetration }
     }
 
     /// Refuses what pulls or penetrates.
@@ -121,8 +127,12 @@ fn between(from: f64, to: f64) -> Vec<f64> {
     (0..POINTS).map(point).filter(|r| *r > from && *r < to).collect()
 }
 
+/// What takes its singularity at a corner from the pressure.
+fn corner_share(field: &Field, r: f64) -> f64 {
+    if field.is_free { 1.0 } else { field.taper(r) / field.whole_taper() }
+}
+
 /// The pressure, without its singularity at a corner.
 pub(super) fn regular(field: &Field, r: f64) -> f64 {
-    let factor = if field.is_free { 1.0 } else { field.taper(r) / field.whole_taper() };
-    factor * field.even_pressure(r)
+    corner_share(field, r) * field.even_pressure(r)
 }

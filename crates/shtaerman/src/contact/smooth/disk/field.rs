@@ -47,9 +47,10 @@ impl Field {
         Self { radius, is_free, state, transform, ground, modulus, depth, corner }
     }
 
-    /// The same with less of each series.
-    pub(super) fn truncated(&self) -> Self {
-        Self { transform: self.transform.truncated(), ..self.clone() }
+    /// The same with less of each series; none where there is nothing to leave out.
+    pub(super) fn truncated(&self) -> Option<Self> {
+        let other = || Self { transform: self.transform.truncated(), ..self.clone() };
+        self.transform.has_tail().then(other)
     }
 
     /// `delta0 - f0(0)`.
@@ -136,9 +137,13 @@ impl Field {
             let factor = even + odd * xi.signum();
             return if factor == 0.0 { 0.0 } else { factor * f64::INFINITY };
         }
+        self.even_pressure(r) + self.odd_pressure(xi)
+    }
+
+    /// What the tilt adds inside.
+    pub(super) fn odd_pressure(&self, xi: f64) -> f64 {
         let factor = self.tilt_factor();
-        let odd = if factor == 0.0 { 0.0 } else { factor * xi / self.taper(r) };
-        self.even_pressure(r) + odd
+        if factor == 0.0 { 0.0 } else { factor * xi / self.taper(xi.abs()) }
     }
 
     /// The displacement of the surface at `|xi| >= c`.

@@ -123,13 +123,7 @@ impl Solution for SmoothDiskContact {
     }
 
     fn sample(&self, _: &Problem) -> (Vec<f64>, Vec<f64>) {
-        let mut places: Vec<f64> = self.places.iter().flat_map(|r| [-r, *r]).collect();
-        places.extend([-1.0, -self.radius(), 0.0, self.radius(), 1.0]);
-        places.sort_by(f64::total_cmp);
-        places.dedup();
-        let sampled: Vec<(f64, f64)> =
-            places.into_iter().map(|xi| (xi, self.pressure0(xi))).collect();
-        sampled.into_iter().filter(|(_, pressure)| pressure.is_finite()).unzip()
+        self.sampled0().into_iter().filter(|(_, pressure)| pressure.is_finite()).unzip()
     }
 
     fn method(&self) -> Method {

@@ -6,8 +6,10 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::shape::{Part, Shape};
-use crate::contact::smooth::ground::{Ground, PLAIN};
-use crate::contact::smooth::legendre::{ORDER, RULE, derivative, integral, series};
+use crate::contact::smooth::ground::{Ground, PLAIN, distant};
+use crate::contact::smooth::legendre::{
+    ORDER, RULE, derivative, integral, integral_at_nodes, series, series_at,
+};
 
 /// Panels are halved at most this often, and there are at most so many.
 const DEEPEST: u32 = 44;
@@ -20,6 +22,8 @@ const ROUNDING: f64 = 0.5 * f64::EPSILON;
 /// Length of a step in the logarithm of `s`, and in the angle, within which polynomials of `s` are integrated exactly.
 const STEP: f64 = 1.0;
 const TURN: f64 = 0.5;
+/// Beyond a kink a first step is so long, in distances of the kink from the axis.
+const NEAREST: f64 = 1.5;
 /// A slope at a kink below this share of the largest is rounding.
 const HARMLESS: f64 = 1e-9;
 /// Towards a kink the slope vanishes if it falls to this share over so many lengths of the first panel.
@@ -48,10 +52,21 @@ impl Panel {
         Self { ends, values, slopes: derivative(&values).map(|c| c / half), count }
     }
 
-    fn sum(&self, coefficients: &[f64; ORDER], s: f64) -> f64 {
+    fn local(&self, s: f64) -> f64 {
         let [from, to] = self.ends;
-        let u = ((2.0 * s - from - to) / (to - from)).clamp(-1.0, 1.0);
-        series(&coefficients[..self.count], u)
+        ((2.0 * s - from - to) / (to - from)).clamp(-1.0, 1.0)
+    }
+
+    fn sum(&self, coefficients: &[f64; ORDER], s: f64) -> f64 {
+        series(&coefficients[..self.count], self.local(s))
+    }
+
+    fn values_at(&self, places: &[f64; ORDER]) -> [f64; ORDER] {
+        series_at(&self.values[..self.count], &places.map(|s| self.local(s)))
+    }
+
+    fn slopes_at(&self, places: &[f64; ORDER]) -> [f64; ORDER] {
+        series_at(&self.slopes[..self.count], &places.map(|s| self.local(s)))
     }
 
     fn value(&self, s: f64) -> f64 {
@@ -168,13 +183,14 @@ impl Segment {
                 }
             };
             let turn = panel.ends.map(place);
-            sum += if is_inside {
+            sum += if ground.exponent() == 0.0 {
+                stepwise_at_nodes(turn, STEP, |y| {
+                    let hyperbolic = if is_inside { f64::cosh } else { f64::sinh };
+                    panel.slopes_at(&y.map(|y| scale * hyperbolic(y)))
+                })
+            } else if is_inside {
                 let f = |y: f64| panel.slope(scale * y.cosh()) * ground.power(scale * y.sinh());
-                if ground.exponent() == 0.0 {
-                    stepwise(turn, STEP, f)
-                } else {
-                    ground.graded(0, turn, [STEP, f64::INFINITY], f)
-                }
+                ground.graded(0, turn, [STEP, f64::INFINITY], f)
             } else {
                 let f = |y: f64| panel.slope(scale * y.sinh()) * ground.power(scale * y.cosh());
                 stepwise(turn, STEP, f)
@@ -239,19 +255,30 @@ impl Segment {
         for panel in &self.panels {
             let place = |s: f64| s.atan2(self.beyond(s, r));
             let turn = panel.ends.map(place);
+            if ground.exponent() == 0.0 && lever == 0 {
+                sum += stepwise_at_nodes(turn, TURN, |y| {
+                    let places = y.map(|y| scale * y.sin());
+                    let values = panel.values_at(&places);
+                    std::array::from_fn(|i| (level - values[i]) * ratio(places[i], kink))
+                });
+                continue;
+            }
             let depth = |y: f64| {
                 let s = scale * y.sin();
                 (level - panel.value(s)) * ratio(s, kink)
             };
-            if ground.exponent() == 0.0 && lever == 0 {
-                sum += stepwise(turn, TURN, depth);
-                continue;
-            }
             let graded = |y: f64| {
                 let x = kink.hypot(scale * y.sin());
                 depth(y) * ground.power(x / (scale * y.cos())) * x.powi(lever)
             };
             let shift = if kink == 0.0 { lever } else { PLAIN };
+            let mut turn = turn;
+            if kink > 0.0 && turn[0] == 0.0 {
+                // A power of x is none beyond the kink, however close to the axis.
+                let first = turn[1].min(NEAREST * kink / scale);
+                sum += ground.integral(PLAIN, [0.0, first], graded);
+                turn[0] = first;
+            }
             sum += ground.graded(shift, turn, [TURN, FRAC_PI_2], graded);
         }
         sum
@@ -276,19 +303,33 @@ fn ratio(s: f64, kink: f64) -> f64 {
 }
 
 /// Gauss's rule on parts no longer than `step`.
-fn stepwise([from, to]: [f64; 2], step: f64, f: impl Fn(f64) -> f64) -> f64 {
+fn stepwise(turn: [f64; 2], step: f64, f: impl Fn(f64) -> f64) -> f64 {
+    in_parts(turn, step, |start, end| integral(start, end, &f))
+}
+
+/// The same for a function of all nodes of a part at once.
+fn stepwise_at_nodes(turn: [f64; 2], step: f64, f: impl Fn(&[f64; ORDER]) -> [f64; ORDER]) -> f64 {
+    in_parts(turn, step, |start, end| integral_at_nodes(start, end, &f))
+}
+
+fn in_parts([from, to]: [f64; 2], step: f64, part: impl Fn(f64, f64) -> f64) -> f64 {
     let length = to - from;
     if length <= 0.0 || !length.is_finite() {
         return if length <= 0.0 { 0.0 } else { f64::NAN };
     }
+    let (mut from, mut sum) = (from, 0.0);
+    while let Some(share) = distant(to - from) {
+        sum += part(from, from + share);
+        from += share;
+    }
+    let length = to - from;
     let count = (length / step).ceil().max(1.0);
     let width = length / count;
-    (0..count as usize)
-        .map(|i| {
-            let start = from + width * i as f64;
-            integral(start, start + width, &f)
-        })
-        .sum()
+    let parts = (0..count as usize).map(|i| {
+        let start = from + width * i as f64;
+        part(start, start + width)
+    });
+    sum + parts.sum::<f64>()
 }
 
 /// `G` between the axis and the edge of the contact.
@@ -312,6 +353,12 @@ impl Transform {
         let mut panels = segments.iter().flat_map(|segment| &segment.panels);
         let is_zero = panels.all(|panel| panel.count == 0);
         Self { segments, ground: shape.ground.clone(), part: shape.part, is_zero }
+    }
+
+    /// Whether there is anything that [`truncated`](Self::truncated) leaves out.
+    pub(in crate::contact::smooth) fn has_tail(&self) -> bool {
+        let mut panels = self.segments.iter().flat_map(|segment| &segment.panels);
+        panels.any(|panel| panel.count > ORDER - 2)
     }
 
     /// The same with less of each series, for a comparison.
@@ -381,5 +428,59 @@ impl Transform {
     pub(in crate::contact::smooth) fn cuts(&self) -> Vec<f64> {
         let edge = self.segments.last().map(|segment| segment.ends[1]);
         self.segments.iter().map(|segment| segment.ends[0]).chain(edge).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polynomials_are_integrated_however_close_to_the_axis() {
+        // I_k = int_r^1 s^k ds/sqrt(s^2 - r^2): k I_k = sqrt(1 - r^2) + (k-1) r^2 I_(k-2)
+        for r in [0.5f64, 1e-2, 1e-5, 1e-10, 1e-150] {
+            let root = ((1.0 - r) * (1.0 + r)).sqrt();
+            let turn = [0.0, (root / r).asinh()];
+            let mut known = [(1.0 / r).acosh(), root];
+            for k in 0..ORDER as i32 {
+                let [exact, other] = known;
+                let power = |y: f64| (r * y.cosh()).powi(k);
+                // A place s of a logarithm is known to so much.
+                let rounding = 1e-14 + 2e-16 * f64::from(k) * turn[1];
+                let found = stepwise(turn, STEP, power);
+                assert!((found / exact - 1.0).abs() < rounding, "{r} {k}: {found} {exact}");
+                let at_nodes = stepwise_at_nodes(turn, STEP, |y| y.map(power));
+                assert!((at_nodes / exact - 1.0).abs() < rounding, "{r} {k}: {at_nodes} {exact}");
+                let next = (root + f64::from(k + 1) * r * r * exact) / f64::from(k + 2);
+                known = [other, next];
+            }
+            // All degrees together, against short steps.
+            let coefficients: [f64; ORDER] = std::array::from_fn(|n| 0.5f64.powi(n as i32));
+            let f = |y: f64| series(&coefficients, 2.0 * (r * y.cosh()) - 1.0);
+            let (found, exact) = (stepwise(turn, STEP, f), short(turn, f));
+            assert!((found - exact).abs() < 1e-14 * turn[1], "{r}: {found} {exact}");
+        }
+    }
+
+    #[test]
+    fn powers_beside_the_axis_are_integrated() {
+        // int_0^Y sinh^mu y cosh y dy = sinh^(1+mu) Y/(1+mu)
+        for mu in [0.1f64, 0.5, 0.9] {
+            let ground = Ground::new(mu).unwrap();
+            for end in [0.5f64, 5.0, 20.0, 200.0] {
+                let scale = end.sinh();
+                let f = |y: f64| (y.sinh() / scale).powf(mu) * y.cosh() / scale;
+                let found = ground.graded(0, [0.0, end], [STEP, f64::INFINITY], f);
+                let rounding = 1e-14 + 2e-16 * end;
+                assert!((found * (1.0 + mu) - 1.0).abs() < rounding, "{mu} {end}: {found}");
+            }
+        }
+    }
+
+    fn short([from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
+        let count = (4.0 * (to - from)).ceil();
+        let width = (to - from) / count;
+        let part = |i: usize| integral(from + width * i as f64, from + width * (i + 1) as f64, &f);
+        (0..count as usize).map(part).sum()
     }
 }

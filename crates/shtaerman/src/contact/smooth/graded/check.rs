@@ -10,6 +10,8 @@ use crate::contact::smooth::problem::Base;
 const POINTS: usize = 96;
 const POINTS_BESIDE: usize = 48;
 const MOST_POINTS: usize = 1500;
+/// Tension and penetration, relative to their scales, that are rounding.
+const ALLOWED: f64 = 2e-10;
 
 /// What is left of tension and penetration.
 #[derive(Debug, Clone)]
@@ -27,12 +29,10 @@ pub(super) struct Check {
     /// Intervals of each that are too large to be rounding.
     pub(super) pulling: Vec<[f64; 2]>,
     pub(super) penetrating: Vec<[f64; 2]>,
-    /// Shares that are rounding.
-    allowed: f64,
 }
 
 impl Check {
-    pub(super) fn new(base: &Base<'_>, fields: &[Field], allowed: f64) -> Self {
+    pub(super) fn new(base: &Base<'_>, fields: &[Field]) -> Self {
         let places: Vec<Vec<f64>> = fields.iter().map(|field| inner(base, field)).collect();
         let pressures: Vec<Vec<f64>> = (fields.iter().zip(&places))
             .map(|(field, places)| {
@@ -51,19 +51,11 @@ impl Check {
             let mut pulls = around(corners[j], &pressures[j]);
             pulls.iter_mut().for_each(|p| *p /= -largest);
             tension = worst(tension, &pulls);
-            pulling.extend(above(&points, &pulls, allowed));
+            pulling.extend(above(&points, &pulls, ALLOWED));
         }
         let (penetration, penetrating) = (0.0, Vec::new());
-        let mut check = Self {
-            places,
-            pressures,
-            largest,
-            tension,
-            penetration,
-            pulling,
-            penetrating,
-            allowed,
-        };
+        let mut check =
+            Self { places, pressures, largest, tension, penetration, pulling, penetrating };
         if base.problem.is_unilateral {
             check.look_beside(base, fields);
         }
@@ -86,13 +78,13 @@ impl Check {
             // At the end of a zone, and at a wall, there are two heights.
             let inner = &depths[1..depths.len() - 1];
             self.penetration = worst(self.penetration, inner);
-            self.penetrating.extend(above(&points[1..points.len() - 1], inner, self.allowed));
+            self.penetrating.extend(above(&points[1..points.len() - 1], inner, ALLOWED));
         }
     }
 
     pub(super) fn is_clean(&self) -> bool {
         let shares = [self.tension, self.penetration];
-        shares.into_iter().all(|share| share <= self.allowed)
+        shares.into_iter().all(|share| share <= ALLOWED)
     }
 }
 

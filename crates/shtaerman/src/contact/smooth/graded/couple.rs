@@ -7,7 +7,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::modes::{gains, inside, norms, outside};
-use super::strip::{Ground, Halves};
+use super::parts::Parts;
+use super::strip::Ground;
 use crate::Error;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::zones::Zone;
@@ -53,7 +54,7 @@ pub(super) fn couple(
     ground: &Ground,
     zones: &[Zone],
     counts: &[usize],
-    halves: &[Halves],
+    parts: &[Parts],
     middle: f64,
 ) -> Result<Coupled, Error> {
     let nodes: Vec<Nodes> = zones.iter().zip(counts).map(|(z, n)| Nodes::new(z, *n)).collect();
@@ -61,8 +62,8 @@ pub(super) fn couple(
     let mut offsets = vec![0];
     counts.iter().for_each(|count| offsets.push(offsets[offsets.len() - 1] + count));
     let order = offsets[zones.len()];
-    let heights: Vec<Vec<f64>> = (halves.iter().zip(&nodes).zip(counts))
-        .map(|((halves, nodes), count)| coefficients(base, ground, halves, nodes, *count))
+    let heights: Vec<Vec<f64>> = (parts.iter().zip(&nodes).zip(counts))
+        .map(|((parts, nodes), count)| coefficients(base, ground, parts, nodes, *count))
         .collect();
     let mut rows = Vec::with_capacity(order);
     for (j, target) in nodes.iter().enumerate() {
@@ -109,24 +110,27 @@ pub(super) fn couple(
 fn coefficients(
     base: &Base<'_>,
     ground: &Ground,
-    halves: &Halves,
+    parts: &Parts,
     nodes: &Nodes,
     count: usize,
 ) -> Vec<f64> {
+    if let Some(known) = parts.heights(ground, count) {
+        return known;
+    }
     let mut cuts = vec![0.0];
-    let inner = halves.breaks().iter().rev().filter(|r| **r < nodes.half);
+    let inner = parts.breaks().iter().rev().filter(|r| **r < nodes.half);
     cuts.extend(inner.map(|r| (r / nodes.half).acos()));
     cuts.push(FRAC_PI_2);
-    let mut parts = 1 + (count as f64 / (4.0 * TURNS)) as usize;
-    let mut found = summed(base, ground, nodes, &cuts, [count, parts]);
+    let mut panels = 1 + (count as f64 / (4.0 * TURNS)) as usize;
+    let mut found = summed(base, ground, nodes, &cuts, [count, panels]);
     let mut before = f64::INFINITY;
     for _ in 0..DOUBLINGS {
-        parts *= 2;
-        let finer = summed(base, ground, nodes, &cuts, [count, parts]);
+        panels *= 2;
+        let finer = summed(base, ground, nodes, &cuts, [count, panels]);
         let size = finer.iter().fold(0.0f64, |most, a| most.max(a.abs()));
         let changed = finer.iter().zip(&found).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
         found = finer;
-        let agreed = (0.01 * halves.tolerance()).max(AGREED) * size;
+        let agreed = (0.01 * parts.tolerance()).max(AGREED) * size;
         if changed <= agreed || (changed <= NOISE * size && changed >= 0.5 * before) {
             break;
         }

@@ -16,8 +16,6 @@ const STEPS: usize = 160;
 const SMALL: f64 = 1e-9;
 /// Share of the zone that an edge moves where no step is known.
 const STRIDE: f64 = 0.4;
-/// Share of the half-width over which slopes are taken.
-const BESIDE: f64 = 1e-3;
 /// Rounding of a density.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
@@ -96,15 +94,7 @@ fn release(zones: &mut [Zone], settled: &mut [Settled]) -> bool {
 
 /// By how much the densities at both ends fall when they move outwards: `G_e' +- b G_o'`, from inside, and what is added by the other end's and by other zones.
 fn slopes(ground: &Ground, settled: &Settled) -> [f64; 2] {
-    let (even, odd) = (settled.halves.even(ground), settled.halves.odd(ground));
-    let b = settled.strip.half();
-    let near = |steps: f64| {
-        let x = b * (1.0 - BESIDE * steps);
-        [even.transform(x), odd.transform(x)]
-    };
-    let (ends, one, two) = (settled.strip.transforms, near(1.0), near(2.0));
-    let rises = [0, 1].map(|k| (3.0 * ends[k] - 4.0 * one[k] + two[k]) / (2.0 * BESIDE * b));
-    with_others(ground, settled, rises)
+    with_others(ground, settled, settled.parts.rises(ground, settled.strip.transforms))
 }
 
 /// The same from `G_e'` and `G_o'` at the end.

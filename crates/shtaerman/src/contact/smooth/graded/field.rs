@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::edges;
+use super::kink::Kink;
 use super::modes::{Ripple, inside};
 use super::settled::Settled;
 use super::strip::{Ground, Strip};
@@ -10,23 +11,26 @@ use crate::contact::smooth::disk::transform::Transform;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::system::Place;
 
-/// Next to a kink, as a share of the half-width, rounding of the place would show; and the ratio of the two distances from which the pressure there is told.
-const BESIDE_KINK: f64 = 1e-8;
-const KINK_STEP: f64 = 32.0;
+/// A place closer to a kink than this share of the ends is the kink: where both are is rounded.
+/// Rounding of the slope of a transform.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+const SAME: f64 = 2.0 * f64::EPSILON;
 
 /// A solved zone.
 #[derive(Debug, Clone)]
 pub(super) struct Field {
     pub(super) strip: Strip,
     pub(super) ground: Ground,
-    /// Even and odd.
-    pub(super) transforms: [Transform; 2],
+    kinks: Vec<Kink>,
+    /// Even and odd, of what is neither kink nor polynomial.
+    pub(super) transforms: Option<[Transform; 2]>,
     /// Densities at the left and the right end; none at free ones.
     pub(super) densities: [f64; 2],
     /// How fast the density falls when an end moves outwards, and the error of that.
     pub(super) slopes: [f64; 2],
     pub(super) slope_errors: [f64; 2],
     ripple: Ripple,
+    lowest: [f64; 2],
     flat: [Vec<f64>; 2],
     middle: f64,
     /// Where the profile bends inside.
@@ -39,15 +43,18 @@ impl Field {
         let half = strip.half();
         let density =
             |side: usize| if strip.zone.is_free[side] { 0.0 } else { strip.end_density(side) };
-        let shapes = [settled.halves.even(ground), settled.halves.odd(ground)];
-        let transforms = shapes.map(|shape| Transform::new(&shape, half));
-        let rises = |transforms: &[Transform; 2]| {
-            let ends = transforms.each_ref().map(Transform::end_slope);
-            edges::with_others(ground, settled, ends)
+        let transforms = settled.parts.on_panels(ground);
+        let kinks = settled.parts.kink_rises(ground);
+        let rises = |transforms: &Option<[Transform; 2]>| {
+            let ends = transforms.as_ref().map(|all| all.each_ref().map(Transform::end_slope));
+            let [even, odd] = ends.unwrap_or_default();
+            edges::with_others(ground, settled, [even + kinks[0], odd + kinks[1]])
         };
         let slopes = rises(&transforms);
-        let other = rises(&transforms.each_ref().map(Transform::truncated));
-        let rounding = transforms[0].slope_rounding() + half * transforms[1].slope_rounding();
+        let other = rises(&transforms.as_ref().map(less));
+        let rounding = slope_rounding(&transforms, half)
+            + ROUNDING * (kinks[0].abs() + half * kinks[1].abs())
+            + settled.ripple.bend_rounding() / half;
         let [left, right] = strip.zone.ends;
         let inside = |at: &f64| left < *at && *at < right;
         let breaks = base.problem.profile.breaks.iter().copied().filter(inside).collect();
@@ -55,11 +62,13 @@ impl Field {
         Self {
             strip,
             ground: ground.clone(),
+            kinks: settled.parts.kinks().to_vec(),
             transforms,
             densities,
             slopes,
             slope_errors: [0, 1].map(|side| (slopes[side] - other[side]).abs() + rounding),
             ripple: settled.ripple.clone(),
+            lowest: settled.lowest,
             flat: settled.flat.clone(),
             middle: settled.middle,
             breaks,
@@ -69,15 +78,26 @@ impl Field {
     /// The same with less of each series.
     pub(super) fn truncated(&self) -> Self {
         Self {
-            transforms: self.transforms.each_ref().map(Transform::truncated),
+            transforms: self.transforms.as_ref().map(less),
             ripple: self.ripple.truncated(&self.ground),
             ..self.clone()
         }
     }
 
+    /// Whether there is anything that could be left out.
+    pub(super) fn is_truncated(&self) -> bool {
+        self.transforms.is_some() || self.ripple.is_moved()
+    }
+
+    /// What rounding of the transforms makes of their slopes, over the half-length.
+    pub(super) fn slope_rounding(&self) -> f64 {
+        slope_rounding(&self.transforms, self.strip.half())
+    }
+
     /// Number of coefficients.
     pub(super) fn size(&self) -> usize {
-        self.transforms.iter().map(Transform::size).sum::<usize>() + self.ripple.count()
+        let transforms = self.transforms.iter().flatten().map(Transform::size);
+        transforms.sum::<usize>() + self.ripple.count() + self.kinks.len()
     }
 
     pub(super) fn place(&self, xi: f64) -> Place {
@@ -95,30 +115,8 @@ impl Field {
         self.ground.powers.taper(self.strip.half())
     }
 
-    /// `p0` in the zone; infinite at a singular end. Beside a kink, where it falls as `|d|^mu`, from its values on both sides somewhat off.
+    /// `p0` in the zone; infinite at a singular end.
     pub(super) fn pressure(&self, place: Place) -> f64 {
-        let [left, right] = self.strip.zone.ends;
-        let reach = BESIDE_KINK * self.strip.half();
-        let xi = if place.from_left < place.from_right {
-            left + place.from_left
-        } else {
-            right - place.from_right
-        };
-        let is_near = |at: &&f64| {
-            (xi - **at).abs() < reach && (*at - left).min(right - *at) > 2.0 * KINK_STEP * reach
-        };
-        let Some(at) = self.breaks.iter().find(is_near) else { return self.pressure_off(place) };
-        let mu = self.ground.powers.exponent();
-        let around = |offset: f64| {
-            let sides = [-offset, offset].map(|d| self.pressure_off(self.place(at + d)));
-            0.5 * (sides[0] + sides[1])
-        };
-        let (near, far) = (around(reach), around(KINK_STEP * reach));
-        let fall = (near - far) / (KINK_STEP.powf(mu) - 1.0);
-        near + fall * (1.0 - ((xi - at).abs() / reach).powf(mu))
-    }
-
-    fn pressure_off(&self, place: Place) -> f64 {
         let Place { from_left, from_right } = place;
         let length = from_left + from_right;
         let density =
@@ -131,8 +129,26 @@ impl Field {
             if density + bent == 0.0 { 0.0 } else { (density + bent) / self.taper(place) };
         let s = 0.5 * (from_left - from_right);
         let r = s.abs().min(self.strip.half());
-        let [even, odd] = self.transforms.each_ref().map(|transform| transform.pressure(r));
-        self.ground.modulus / PI * (corners + even + s * odd)
+        let mut sum = corners;
+        if let Some(transforms) = &self.transforms {
+            let [even, odd] = transforms.each_ref().map(|transform| transform.pressure(r));
+            sum += even + s * odd;
+        }
+        for kink in &self.kinks {
+            sum += kink.pressure(&self.ground.powers, place, self.offset(kink, place));
+        }
+        self.ground.modulus / PI * sum
+    }
+
+    fn offset(&self, kink: &Kink, place: Place) -> f64 {
+        let distance = if place.from_left < place.from_right {
+            place.from_left - kink.place.from_left
+        } else {
+            kink.place.from_right - place.from_right
+        };
+        let [left, right] = self.strip.zone.ends;
+        let rounded = SAME * left.abs().max(right.abs());
+        if distance.abs() <= rounded { 0.0 } else { distance }
     }
 
     /// What others add besides a line between the densities at the ends.
@@ -191,11 +207,25 @@ impl Field {
     pub(super) fn displacement_outside(&self, xi: f64) -> f64 {
         let s = xi - self.strip.centre();
         let r = s.abs().max(self.strip.half());
-        let [even, odd] =
-            [0, 1].map(|part| self.transforms[part].displacement(r, self.strip.levels[part]));
         let excess = (r - self.strip.half()) / self.strip.half();
-        even + odd * s.signum() + self.ripple.displacement(&self.ground, excess, s.signum())
+        let mut sum = self.ripple.displacement(&self.ground, self.lowest, excess, s.signum());
+        if let Some(transforms) = &self.transforms {
+            let [even, odd] = transforms.each_ref().map(|all| all.displacement(r, 0.0));
+            sum += even + odd * s.signum();
+        }
+        let powers = &self.ground.powers;
+        let kinks = self.kinks.iter().map(|kink| kink.displacement(powers, r, s.signum()));
+        sum + powers.beside() * kinks.sum::<f64>()
     }
+}
+
+fn less(transforms: &[Transform; 2]) -> [Transform; 2] {
+    transforms.each_ref().map(Transform::truncated)
+}
+
+fn slope_rounding(transforms: &Option<[Transform; 2]>, half: f64) -> f64 {
+    let all = transforms.as_ref().map(|all| all.each_ref().map(Transform::slope_rounding));
+    all.map_or(0.0, |[even, odd]| even + half * odd)
 }
 
 /// The displacement of the surface beside all zones.

@@ -3,12 +3,8 @@
 //! With `c_n = C_n^(mu/2)/C_n^(mu/2)(1)` and `y = (xi - c)/b` the pressure `(e/pi) c_n(y) (b^2 - s^2)^-beta` displaces its zone by `l_n c_n(y)`, `l_n = (mu)_n/(n! mu B)`, and
 //! the surface beside by `l_n d_n(y)`: the solution of the same recurrence that falls as `y^-(n+mu)`, 1 at the end of the zone.
 
-use std::f64::consts::FRAC_PI_2;
-
 use super::strip::Ground;
 
-/// Step of the angle in the displacement by a flat base.
-const STEP: f64 = 0.5;
 /// From where on the ratio of neighbours is as good as its limit, in logarithms of their ratio; and at most.
 const SETTLED: f64 = 20.0;
 const MOST: f64 = 2000.0;
@@ -43,7 +39,7 @@ pub(super) fn outside(ground: &Ground, count: usize, excess: f64) -> Vec<f64> {
             values[n] = ratio;
         }
     }
-    let mut value = flat(ground, root);
+    let mut value = ground.powers.flat_beside(root);
     for (n, slot) in values.iter_mut().enumerate() {
         if n > 0 {
             value *= *slot;
@@ -51,14 +47,6 @@ pub(super) fn outside(ground: &Ground, count: usize, excess: f64) -> Vec<f64> {
         *slot = value;
     }
     values
-}
-
-/// `d_0 = (2/pi) cos(pi mu/2) mu B int_0^{asin(1/y)} tan^mu t/sin t dt`, by `sqrt(y^2 - 1)`.
-fn flat(ground: &Ground, root: f64) -> f64 {
-    let powers = &ground.powers;
-    let f = |t: f64| powers.power(t.tan()) / t.sin();
-    let sum = powers.graded(-1, [0.0, 1f64.atan2(root)], [STEP, FRAC_PI_2], f);
-    powers.beside() * powers.exponent() * ground.total() * sum
 }
 
 /// `l_n`.
@@ -91,19 +79,24 @@ pub(super) fn norms(ground: &Ground, count: usize) -> Vec<f64> {
         .collect()
 }
 
-/// What other zones add to the pressure of a zone: `sum m_n c_n`, from `n = 2` on.
+/// What the profile, as far as it is a series, and other zones add to the pressure of a zone: `sum m_n c_n`, from `n = 2` on.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Ripple {
     lambda: f64,
-    /// `m_n`, the first two zero.
+    /// `m_n`, the first two zero, and those of them that other zones make.
     coefficients: Vec<f64>,
+    others: Vec<f64>,
     /// Of `q = [sum m_n c_n(y) - its line between the ends]/(1 - y^2)` by the polynomials of the next order.
     bends: Vec<f64>,
 }
 
 impl Ripple {
-    pub(super) fn new(ground: &Ground, mut coefficients: Vec<f64>) -> Self {
+    /// From what the profile takes away and what others add.
+    pub(super) fn new(ground: &Ground, profile: &[f64], others: Vec<f64>) -> Self {
         let lambda = 0.5 * ground.powers.exponent();
+        let mut coefficients = others.clone();
+        coefficients.resize(others.len().max(profile.len()), 0.0);
+        coefficients.iter_mut().zip(profile).for_each(|(m, own)| *m -= own);
         coefficients.iter_mut().take(2).for_each(|m| *m = 0.0);
         // c_n - c_(n-2) = -2 (n-1+lambda)/(2 lambda + 1) (1 - y^2) c_(n-2) of the next order
         let mut sums = coefficients.clone();
@@ -113,14 +106,22 @@ impl Ripple {
         let bend =
             |(n, sum): (usize, &f64)| -2.0 * (n as f64 - 1.0 + lambda) / (2.0 * lambda + 1.0) * sum;
         let bends = sums.iter().enumerate().skip(2).map(bend).collect();
-        Self { lambda, coefficients, bends }
+        Self { lambda, coefficients, others, bends }
     }
 
-    /// The same with less of its series.
+    /// The same with less of what others add; of the profile there is no more than is felt.
     pub(super) fn truncated(&self, ground: &Ground) -> Self {
-        let mut coefficients = self.coefficients.clone();
-        coefficients.iter_mut().rev().take(2).for_each(|m| *m = 0.0);
-        Self::new(ground, coefficients)
+        let sums = self.coefficients.iter().enumerate();
+        let profile: Vec<f64> =
+            sums.map(|(n, m)| self.others.get(n).map_or(0.0, |other| *other) - m).collect();
+        let mut others = self.others.clone();
+        others.iter_mut().rev().take(2).for_each(|m| *m = 0.0);
+        Self::new(ground, &profile, others)
+    }
+
+    /// Whether others add something.
+    pub(super) fn is_moved(&self) -> bool {
+        !self.others.is_empty()
     }
 
     /// At the left and the right end.
@@ -145,20 +146,32 @@ impl Ripple {
         self.coefficients.iter().map(|m| m.abs()).sum()
     }
 
-    /// The displacement beside the zone, at `|y| = 1 + excess`.
-    pub(super) fn displacement(&self, ground: &Ground, excess: f64, sign: f64) -> f64 {
-        let count = self.coefficients.len();
-        if count == 0 {
-            return 0.0;
-        }
+    /// Rounding of `q` at the ends.
+    pub(super) fn bend_rounding(&self) -> f64 {
+        let size: f64 = self.bends.iter().map(|m| m.abs()).sum();
+        8.0 * f64::EPSILON * self.bends.len() as f64 * size
+    }
+
+    /// The displacement beside the zone, at `|y| = 1 + excess`, with these coefficients in the place of the first two.
+    pub(super) fn displacement(
+        &self,
+        ground: &Ground,
+        lowest: [f64; 2],
+        excess: f64,
+        sign: f64,
+    ) -> f64 {
+        let count = self.coefficients.len().max(2);
+        let all = lowest.iter().chain(self.coefficients.iter().skip(2));
         let terms = outside(ground, count, excess).into_iter().zip(gains(ground, count));
-        let terms = terms.zip(&self.coefficients).enumerate();
+        let terms = terms.zip(all).enumerate();
         terms.map(|(n, ((d, l), m))| if n % 2 == 0 { d * l * m } else { sign * d * l * m }).sum()
     }
 }
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::FRAC_PI_2;
+
     use super::*;
 
     #[test]
@@ -171,7 +184,7 @@ mod tests {
             |y: f64| (4.0 / 3.0 * (2.0 + l) * y.powi(3) - 2.0 * y) / (4.0 / 3.0 * (2.0 + l) - 2.0);
         let found = inside(l, 4, y);
         assert!((found[2] - two(y)).abs() < 1e-15 && (found[3] - three(y)).abs() < 1e-15);
-        let ripple = Ripple::new(&ground, vec![9.0, 9.0, 0.7, -0.4]);
+        let ripple = Ripple::new(&ground, &[1.0, 0.0, 0.3], vec![9.0, 9.0, 1.0, -0.4]);
         let sum = 0.7 * two(y) - 0.4 * three(y);
         let [left, right] = ripple.ends();
         let line = 0.5 * (left * (1.0 - y) + right * (1.0 + y));

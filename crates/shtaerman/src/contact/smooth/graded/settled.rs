@@ -4,13 +4,13 @@ use std::f64::consts::PI;
 
 use super::couple::{Coupled, couple};
 use super::modes::Ripple;
-use super::strip::{Ground, Halves, Strip};
+use super::parts::Parts;
+use super::strip::{Ground, Strip};
 use crate::Error;
 use crate::contact::balance::State;
 use crate::contact::smooth::SmoothKernel;
 use crate::contact::smooth::balance::Centred;
 use crate::contact::smooth::coupling;
-use crate::contact::smooth::disk::shape::Weight;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::zones::Zone;
 use crate::contact::solved::Stiffness;
@@ -27,18 +27,13 @@ struct Balance {
 }
 
 impl Balance {
-    fn new(ground: &Ground, zone: &Zone, halves: &Halves) -> Self {
+    fn new(ground: &Ground, zone: &Zone, parts: &Parts) -> Self {
         let b = 0.5 * zone.length();
         let mu = ground.powers.exponent();
         let unit = 2.0 * ground.modulus / PI * ground.total() * ground.powers.power(b);
-        let [even, odd] = [halves.even(ground), halves.odd(ground)];
-        Self {
-            units: [unit, unit * b * b / (2.0 + mu)],
-            free: [
-                unit * b * even.integral(b, Weight::Lever),
-                unit * b * b / (1.0 + mu) * odd.integral(b, Weight::SineSquared),
-            ],
-        }
+        let units = [unit, unit * b * b / (2.0 + mu)];
+        let [even, odd] = parts.levers(ground);
+        Self { units, free: [units[0] * even, units[1] * odd] }
     }
 
     fn stiffness(&self, ground: &Ground) -> Stiffness {
@@ -54,8 +49,10 @@ impl Balance {
 /// A zone with what its pressure is made of.
 pub(super) struct Settled {
     pub(super) strip: Strip,
-    pub(super) halves: Halves,
+    pub(super) parts: Parts,
     pub(super) ripple: Ripple,
+    /// The coefficients of the first two polynomials.
+    pub(super) lowest: [f64; 2],
     /// The coefficients of the pressures that displace all zones by 1 and by `xi - middle`.
     pub(super) flat: [Vec<f64>; 2],
     pub(super) middle: f64,
@@ -87,8 +84,8 @@ pub(super) fn fixed(
 
 /// One zone.
 fn alone(base: &Base<'_>, ground: &Ground, zone: &Zone) -> Settled {
-    let halves = Halves::new(base, zone);
-    let balance = Balance::new(ground, zone, &halves);
+    let parts = Parts::new(base, ground, zone);
+    let balance = Balance::new(ground, zone, &parts);
     let (b, c) = (0.5 * zone.length(), 0.5 * (zone.left() + zone.right()));
     let (full, height) = (ground.powers.exponent() * ground.total(), base.height(c));
     let own = balance.stiffness(ground);
@@ -96,34 +93,35 @@ fn alone(base: &Base<'_>, ground: &Ground, zone: &Zone) -> Settled {
     // The profile about its height in the middle, which the depth is measured from.
     let load = lowered(base.problem.load, height);
     let [depth, tilt] = centred.depth_and_tilt(&load);
+    let levels = [full * depth, -tilt * ground.total()];
+    let ripple = Ripple::new(ground, parts.modes(), Vec::new());
+    let [even, odd] = parts.lowest();
+    let lowest = [levels[0] - even, b * levels[1] - odd];
     let strip = Strip {
         zone: *zone,
         state: centred.state_of(&base.problem.load, [depth, tilt], [height, 0.0]),
         stiffness: centred.about_base(),
         own,
         force: balance.units[0] * full * depth - balance.free[0],
-        levels: [full * depth, -tilt * ground.total()],
-        transforms: [halves.even(ground).transform(b), halves.odd(ground).transform(b)],
-        ripple: [0.0; 2],
-        ripple_size: 0.0,
-        steepest: halves.steepest,
+        levels,
+        transforms: parts.transforms(ground),
+        ripple: ripple.ends(),
+        ripple_size: ripple.size(),
+        steepest: parts.steepest,
     };
     let flat = [vec![full], vec![0.0, b * ground.total()]];
-    Settled { strip, halves, ripple: Ripple::default(), flat, middle: c }
+    Settled { strip, parts, ripple, lowest, flat, middle: c }
 }
 
 /// Several zones.
 fn together(base: &Base<'_>, ground: &Ground, zones: &[Zone]) -> Result<Vec<Settled>, Error> {
     let counts = coupling::modes(SmoothKernel::Plane, zones, DIGITS)?;
-    let halves: Vec<Halves> = zones.iter().map(|zone| Halves::new(base, zone)).collect();
-    let balances: Vec<Balance> = zones
-        .iter()
-        .zip(&halves)
-        .map(|(zone, halves)| Balance::new(ground, zone, halves))
-        .collect();
+    let parts: Vec<Parts> = zones.iter().map(|zone| Parts::new(base, ground, zone)).collect();
+    let balances: Vec<Balance> =
+        zones.iter().zip(&parts).map(|(zone, parts)| Balance::new(ground, zone, parts)).collect();
     let middle = 0.5 * (zones[0].left() + zones[zones.len() - 1].right());
     let Coupled { mut level, mut tilted, profile } =
-        couple(base, ground, zones, &counts, &halves, middle)?;
+        couple(base, ground, zones, &counts, &parts, middle)?;
     // Force and moment of densities.
     let carried = |densities: &[Vec<f64>]| -> [f64; 2] {
         let mut sums = [0.0; 2];
@@ -149,7 +147,7 @@ fn together(base: &Base<'_>, ground: &Ground, zones: &[Zone]) -> Result<Vec<Sett
     let state = centred.state_of(&base.problem.load, displaced, [0.0; 2]);
     let stiffness = centred.about_base();
     let mut settled = Vec::with_capacity(zones.len());
-    for (j, halves) in halves.into_iter().enumerate() {
+    for (j, parts) in parts.into_iter().enumerate() {
         let (zone, balance) = (zones[j], &balances[j]);
         let b = 0.5 * zone.length();
         let flat = [std::mem::take(&mut level[j]), std::mem::take(&mut tilted[j])];
@@ -158,7 +156,9 @@ fn together(base: &Base<'_>, ground: &Ground, zones: &[Zone]) -> Result<Vec<Sett
             .map(|n| depth * flat[0][n] - tilt * flat[1][n] - profile[j][n])
             .collect();
         let levels = [density[0], density[1] / b];
-        let ripple = Ripple::new(ground, density);
+        let [even, odd] = parts.lowest();
+        let lowest = [density[0] - even, density[1] - odd];
+        let ripple = Ripple::new(ground, parts.modes(), density);
         let strip = Strip {
             zone,
             state,
@@ -166,12 +166,12 @@ fn together(base: &Base<'_>, ground: &Ground, zones: &[Zone]) -> Result<Vec<Sett
             own: balance.stiffness(ground),
             force: balance.units[0] * levels[0] - balance.free[0],
             levels,
-            transforms: [halves.even(ground).transform(b), halves.odd(ground).transform(b)],
+            transforms: parts.transforms(ground),
             ripple: ripple.ends(),
             ripple_size: ripple.size(),
-            steepest: halves.steepest,
+            steepest: parts.steepest,
         };
-        settled.push(Settled { strip, halves, ripple, flat, middle });
+        settled.push(Settled { strip, parts, ripple, lowest, flat, middle });
     }
     Ok(settled)
 }

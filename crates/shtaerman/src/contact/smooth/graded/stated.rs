@@ -98,14 +98,17 @@ fn known(field: &Field, left: &Check, zone: usize, [condition, tolerance]: [f64;
     let remote = 1.0 + from.abs().max(to.abs()) / half;
     let share = condition * ROUNDING * remote + 4.0 * tolerance;
     let density = share * strip.density_scale();
-    let other = field.truncated();
-    let places = left.places[zone].iter().zip(&left.pressures[zone]);
-    let differences = places
-        .step_by(COMPARED)
-        .map(|(&xi, pressure)| (pressure - other.regular(field.place(xi))).abs());
-    let series = differences.fold(0.0, f64::max);
-    let blown = field.transforms[0].slope_rounding() * half
-        + field.transforms[1].slope_rounding() * half * half;
+    let series = if field.is_truncated() {
+        let other = field.truncated();
+        let places = left.places[zone].iter().zip(&left.pressures[zone]);
+        let differences = places
+            .step_by(COMPARED)
+            .map(|(&xi, pressure)| (pressure - other.regular(field.place(xi))).abs());
+        differences.fold(0.0, f64::max)
+    } else {
+        0.0
+    };
+    let blown = field.slope_rounding() * half;
     let pressure = series + share * left.largest + field.flat_pressure(density + blown);
     let edge = (0..2).filter(|&side| strip.zone.is_free[side]).fold(0.0f64, |most, side| {
         let moved = (density + strip.end_density(side).abs()) / field.slopes[side].abs();

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use super::super::SmoothDisk;
 use super::base::Base;
-use super::check::Check;
 use super::edges;
 use super::system::{Core, Solved};
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
+use crate::contact::smooth::check::Check;
 use crate::contact::smooth::{COMPARED, SmoothZone};
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};

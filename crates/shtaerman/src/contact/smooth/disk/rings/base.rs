@@ -3,11 +3,14 @@
 use super::super::shape::Shape;
 use super::super::{BESIDE, SAMPLES, STEP, SmoothDisk};
 use crate::contact::smooth::zones::Zone;
-use crate::error::require;
-use crate::{Error, Vertical};
+use crate::contact::valleys;
+use crate::{Error, Load, Rotational};
 
-/// Samples of a base for every one that shows its steps.
+/// Samples of a base for every one that shows its steps, at least and at most.
 const FINER: usize = 4;
+const MOST_FINER: usize = 64;
+/// Most cells.
+pub(super) const MOST_CELLS: usize = 3072;
 
 /// A problem with its walls and samples.
 pub(super) struct Base<'p> {
@@ -22,7 +25,8 @@ pub(super) struct Base<'p> {
 impl<'p> Base<'p> {
     pub(super) fn new(problem: &'p SmoothDisk) -> Result<Self, Error> {
         problem.check()?;
-        let count = FINER * SAMPLES;
+        let count =
+            valleys::steps(&*problem.height, [0.0, 1.0], FINER * SAMPLES, MOST_FINER * SAMPLES);
         let samples: Vec<(f64, f64)> = (0..=count)
             .map(|i| i as f64 / count as f64)
             .map(|r| (r, (problem.height)(r)))
@@ -47,12 +51,8 @@ impl<'p> Base<'p> {
 
     /// Number of cells that show every valley of the profile.
     pub(super) fn cells(&self) -> usize {
-        const FEWEST: usize = 48;
-        const MOST: usize = 768;
-        const A_VALLEY: usize = 12;
-        let is_valley = |w: &&[(f64, f64)]| w[1].1 <= w[0].1 && w[1].1 < w[2].1;
-        let valleys = self.samples.windows(3).filter(is_valley).count();
-        (A_VALLEY * (valleys + 1)).clamp(FEWEST, MOST)
+        const USUAL: usize = 768;
+        valleys::cells(valleys::valleys(&self.samples).count(), USUAL, MOST_CELLS)
     }
 
     /// The next wall for an inner (0) or outer (1) edge outwards of a place inside the contact; the axis is no wall.
@@ -85,16 +85,8 @@ impl<'p> Base<'p> {
     }
 
     fn require_load(&self) -> Result<(), Error> {
-        match self.problem.load.vertical {
-            Vertical::Force(force) => {
-                let requirement =
-                    "greater than zero in unilateral contact: a pull lifts the punch off";
-                require(force > 0.0, "force", force, requirement).map(|_| ())
-            }
-            Vertical::Settlement(settlement) => {
-                let touches = self.samples.iter().any(|(_, height)| *height < settlement);
-                if touches { Ok(()) } else { Err(Error::NoContact) }
-            }
-        }
+        let load = Load { rotational: Rotational::Tilt(0.0), ..self.problem.load };
+        load.check_balance(1.0)?;
+        if load.keeps_clear(self.samples.iter()) { Err(Error::NoContact) } else { Ok(()) }
     }
 }

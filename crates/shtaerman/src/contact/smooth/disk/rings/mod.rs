@@ -19,11 +19,13 @@ pub use answer::SmoothRingsContact;
 
 use super::{ALLOWED, SmoothDisk};
 use crate::Error;
+use crate::contact::smooth::check::Check;
 use crate::contact::smooth::zones::{Zone, corrected, require_few};
 use crate::contact::smooth::{COARSE, COARSELY_ALLOWED, CORRECTIONS, FINE, TOPOLOGIES};
+use crate::contact::valleys::{self, require_shown};
 use crate::error::require;
 use base::Base;
-use check::{Check, check};
+use check::check;
 use system::Solved;
 
 /// Most rings that are solved.
@@ -94,13 +96,15 @@ fn required(contact: SmoothRingsContact) -> Result<SmoothRingsContact, Error> {
 /// The zones with few modes.
 fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
     let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
+    let valleys: Vec<f64> = valleys::valleys(&base.samples).collect();
     let counts = (0..TOPOLOGIES).map(|power| base.cells() * 4usize.pow(power as u32));
-    let mut counts: Vec<usize> = counts.map(|count| count.min(topology::MOST_CELLS)).collect();
+    let most = base.cells().max(topology::MOST_CELLS);
+    let mut counts: Vec<usize> = counts.map(|count| count.min(most)).collect();
     counts.dedup();
     for count in counts {
-        let found = topology::find(base, count);
-        let zones = found.map(|intervals| {
-            intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
+        let zones = topology::find(base, count).and_then(|intervals| {
+            require_shown(&intervals, &valleys, count, MOST_RINGS)?;
+            Ok(intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect())
         });
         match zones.and_then(|zones| corrected_zones(base, zones)) {
             Ok(zones) => return Ok(zones),

@@ -1,0 +1,160 @@
+//! The load on cells.
+
+use fredholm::complementarity::{Complementarity, ComplementaritySolution, Condition};
+
+use super::{Cell, Cells};
+use crate::{Error, Load, Rotational, Vertical};
+
+/// `theta0` of a layer too thin to matter.
+const LAYER: f64 = 1e9;
+
+/// The equations on cells for `z = sqrt(m) p`, `m` the masses of the cells, but for their matrix: what a load and a profile amount to.
+#[derive(Debug, Clone)]
+pub(in crate::contact) struct Loaded {
+    /// `sqrt(m)`.
+    pub(in crate::contact) roots: Vec<f64>,
+    pub(in crate::contact) conditions: Vec<Condition>,
+    pub(in crate::contact) right: Vec<f64>,
+    /// A pressure that is not negative and meets the conditions, times the roots.
+    pub(in crate::contact) feasible: Vec<f64>,
+}
+
+impl Loaded {
+    /// Equations times `gain`; a force is that of `sum m p`.
+    pub(in crate::contact) fn new(
+        cells: &Cells,
+        roots: Vec<f64>,
+        load: Load,
+        gain: f64,
+        height: impl Fn(f64) -> f64,
+    ) -> Self {
+        let centres: Vec<f64> = cells.cells().iter().map(Cell::centre).collect();
+        let weighted = |f: &dyn Fn(f64) -> f64| -> Vec<f64> {
+            roots.iter().zip(&centres).map(|(root, x)| root * f(*x)).collect()
+        };
+        let (ones, lever) = (weighted(&|_| 1.0), weighted(&|x| x));
+        let mut right: Vec<f64> = (roots.iter().zip(cells.cells()))
+            .map(|(root, cell)| -gain * root * cell.mean(&height))
+            .collect();
+        let mut add = |column: &[f64], by: f64| {
+            right.iter_mut().zip(column).for_each(|(value, c)| *value += gain * by * c);
+        };
+        let mut conditions = Vec::new();
+        let mut force = None;
+        match load.vertical {
+            Vertical::Force(value) => {
+                conditions.push(Condition { row: ones.clone(), column: ones, value });
+                force = Some(value);
+            }
+            Vertical::Settlement(settlement) => add(&ones, settlement),
+        }
+        match (load.rotational, force) {
+            (Rotational::Moment(value), _) => {
+                conditions.push(Condition { row: lever.clone(), column: lever, value });
+            }
+            (Rotational::Eccentricity(e), Some(force)) => {
+                conditions.push(Condition { row: lever.clone(), column: lever, value: e * force });
+            }
+            (Rotational::Eccentricity(e), None) => {
+                conditions.push(Condition { row: weighted(&|x| x - e), column: lever, value: 0.0 });
+            }
+            (Rotational::Tilt(tilt), _) => add(&lever, -tilt),
+        }
+        let feasible = feasible(load, &roots, &centres);
+        Self { roots, conditions, right, feasible }
+    }
+
+    /// Begins with the cells that carry.
+    pub(in crate::contact) fn solve(
+        &self,
+        cells: &Cells,
+        matrix: Vec<f64>,
+        theta: f64,
+    ) -> Result<ComplementaritySolution, Error> {
+        let matrix = Complementarity::new(matrix, theta)?;
+        Ok(matrix.solve(&self.right, &self.conditions, &cells.carrying(), &self.feasible)?)
+    }
+}
+
+/// Solves without a layer, `theta K p = delta0 - alpha0 xi - f0`, for `z`: with one too thin to matter.
+pub(in crate::contact) fn solve_thin(
+    cells: &Cells,
+    (roots, matrix): (Vec<f64>, Vec<f64>),
+    load: Load,
+    theta: f64,
+    height: impl Fn(f64) -> f64,
+) -> Result<Vec<f64>, Error> {
+    let loaded = Loaded::new(cells, roots, load, LAYER / theta, height);
+    Ok(loaded.solve(cells, matrix, LAYER)?.values)
+}
+
+/// Boundaries that close in on an edge of the base from cells of this width, until a cell fits between it and the line of the force.
+pub(in crate::contact) fn closing_in(
+    load: Load,
+    width: f64,
+    shortest: f64,
+) -> impl Iterator<Item = f64> {
+    let arm = match (load.vertical, load.rotational) {
+        (Vertical::Force(force), Rotational::Moment(moment)) => moment / force,
+        (_, Rotational::Eccentricity(e)) => e,
+        _ => 0.0,
+    };
+    let room = 0.25 * (1.0 - arm.abs());
+    let halvings = std::iter::successors(Some(0.5 * width), |width| Some(0.5 * width));
+    halvings
+        .take_while(move |width| *width > room.max(shortest))
+        .map(move |width| (1.0 - 0.5 * width).copysign(arm))
+}
+
+/// A pressure that is not negative and meets the conditions, times the roots.
+fn feasible(load: Load, roots: &[f64], centres: &[f64]) -> Vec<f64> {
+    let mut values = vec![0.0; roots.len()];
+    match (load.vertical, load.rotational) {
+        (Vertical::Settlement(_), Rotational::Moment(moment)) if moment != 0.0 => {
+            let cell = if moment > 0.0 { roots.len() - 1 } else { 0 };
+            values[cell] = moment / (centres[cell] * roots[cell]);
+        }
+        (Vertical::Settlement(_), _) => {}
+        (Vertical::Force(force), rotational) => {
+            let arm = match rotational {
+                Rotational::Moment(moment) => moment / force,
+                Rotational::Eccentricity(e) => e,
+                // An even pressure.
+                Rotational::Tilt(_) => {
+                    let mass: f64 = roots.iter().map(|root| root * root).sum();
+                    centres.iter().zip(roots).map(|(x, root)| x * root * root).sum::<f64>() / mass
+                }
+            };
+            let density = balanced(centres, roots, arm);
+            let carried: f64 = density.iter().zip(roots).map(|(p, root)| p * root * root).sum();
+            for (value, (p, root)) in values.iter_mut().zip(density.iter().zip(roots)) {
+                *value = force * p / carried * root;
+            }
+        }
+    }
+    values
+}
+
+/// `exp(b x)` with its centre at `arm`: positive whatever the arm.
+fn balanced(centres: &[f64], roots: &[f64], arm: f64) -> Vec<f64> {
+    let density = |slope: f64| -> Vec<f64> {
+        centres.iter().map(|x| (slope * (x - 1f64.copysign(slope))).exp()).collect()
+    };
+    let excess = |slope: f64| -> f64 {
+        let weights = density(slope);
+        let terms = weights.iter().zip(roots).zip(centres);
+        terms.map(|((p, root), x)| p * root * root * (x - arm)).sum()
+    };
+    let (mut low, mut high) = (-1.0, 1.0);
+    while excess(low) > 0.0 && low > -1e15 {
+        low *= 4.0;
+    }
+    while excess(high) < 0.0 && high < 1e15 {
+        high *= 4.0;
+    }
+    for _ in 0..200 {
+        let middle = 0.5 * (low + high);
+        if excess(middle) < 0.0 { low = middle } else { high = middle }
+    }
+    density(0.5 * (low + high))
+}

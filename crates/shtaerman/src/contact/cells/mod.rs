@@ -1,0 +1,244 @@
+//! Cells of a base on which complementarity shows what touches, refined where zones are short.
+//!
+//! Every geometry brings its own kernel between cells; their [load] and what is done with the solutions is the same for all.
+
+mod load;
+
+pub(super) use load::{Loaded, closing_in, solve_thin};
+
+use fredholm::complementarity::logarithm_cells;
+
+use crate::Error;
+
+/// Fewest cells of a zone.
+const CELLS_A_ZONE: usize = 6;
+/// Parts of a cell that is refined.
+const PARTS: usize = 4;
+/// A cell is looked at from inside it: this share of its half-width lies between.
+const INSIDE: f64 = 1e-6;
+
+/// How far cells are refined.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Limits {
+    /// Cells shorter than this are not refined.
+    pub(super) shortest: f64,
+    /// Most cells after a refinement.
+    pub(super) most: usize,
+    /// Most rounds of refinement.
+    pub(super) rounds: usize,
+}
+
+/// A cell, on a disk a ring or the disk at the axis.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cell {
+    pub(super) left: f64,
+    pub(super) right: f64,
+    is_carrying: bool,
+}
+
+impl Cell {
+    pub(super) fn ends(&self) -> [f64; 2] {
+        [self.left, self.right]
+    }
+
+    pub(super) fn width(&self) -> f64 {
+        self.right - self.left
+    }
+
+    pub(super) fn centre(&self) -> f64 {
+        0.5 * (self.left + self.right)
+    }
+
+    /// Simpson's mean of a profile, from inside the cell.
+    pub(super) fn mean(&self, height: impl Fn(f64) -> f64) -> f64 {
+        mean_height(self.centre(), 0.5 * self.width(), height)
+    }
+
+    fn parts(self, count: usize) -> impl Iterator<Item = Self> {
+        let at = move |part: usize| match part {
+            0 => self.left,
+            _ if part == count => self.right,
+            _ => self.left + self.width() * part as f64 / count as f64,
+        };
+        (0..count).map(move |part| Self { left: at(part), right: at(part + 1), ..self })
+    }
+}
+
+/// Simpson's mean of a profile over a cell, from inside it.
+pub(super) fn mean_height(centre: f64, half: f64, height: impl Fn(f64) -> f64) -> f64 {
+    let inside = half * (1.0 - INSIDE);
+    let at = |side: f64| height(centre + side * inside);
+    (at(-1.0) + 4.0 * at(0.0) + at(1.0)) / 6.0
+}
+
+/// Cells from left to right, with or without gaps between them, and which of them carry.
+#[derive(Debug, Clone)]
+pub(super) struct Cells {
+    cells: Vec<Cell>,
+    limits: Limits,
+}
+
+impl Cells {
+    /// Pieces of a base, each cut at places in any order, of which those too close to one another or to an end are left out. At first all cells carry.
+    pub(super) fn new(
+        pieces: impl IntoIterator<Item = ([f64; 2], Vec<f64>)>,
+        limits: Limits,
+    ) -> Self {
+        let shortest = limits.shortest;
+        let mut cells = Vec::new();
+        for ([first, last], mut cuts) in pieces {
+            cuts.retain(|at| *at > first + shortest && *at < last - shortest);
+            cuts.sort_by(f64::total_cmp);
+            cuts.dedup_by(|next, before| *next - *before < shortest);
+            cuts.push(last);
+            let mut left = first;
+            for right in cuts {
+                cells.push(Cell { left, right, is_carrying: true });
+                left = right;
+            }
+        }
+        Self { cells, limits }
+    }
+
+    pub(super) fn cells(&self) -> &[Cell] {
+        &self.cells
+    }
+
+    pub(super) fn carrying(&self) -> Vec<bool> {
+        self.cells.iter().map(|cell| cell.is_carrying).collect()
+    }
+
+    /// The cells with a positive value carry.
+    pub(super) fn mark(&mut self, values: &[f64]) {
+        for (cell, value) in self.cells.iter_mut().zip(values) {
+            cell.is_carrying = *value > 0.0;
+        }
+    }
+
+    /// Solves, marks the cells that carry and refines, until every zone has enough of them.
+    pub(super) fn settle(
+        &mut self,
+        mut solve: impl FnMut(&Self) -> Result<Vec<f64>, Error>,
+    ) -> Result<(), Error> {
+        for _ in 0..self.limits.rounds {
+            let values = solve(self)?;
+            self.mark(&values);
+            if !self.refine() {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Splits the cells of zones that have few, and their neighbours; whether there were any.
+    pub(super) fn refine(&mut self) -> bool {
+        let Limits { shortest, most, .. } = self.limits;
+        let mut split = vec![false; self.cells.len()];
+        for [first, end] in self.runs() {
+            if end - first < CELLS_A_ZONE {
+                (first.saturating_sub(1)..(end + 1).min(self.cells.len()))
+                    .filter(|&i| self.cells[i].width() > PARTS as f64 * shortest)
+                    .for_each(|i| split[i] = true);
+            }
+        }
+        let splits = split.iter().filter(|split| **split).count();
+        if splits == 0 || self.cells.len() + (PARTS - 1) * splits > most {
+            return false;
+        }
+        let parts = self.cells.iter().zip(split);
+        self.cells =
+            parts.flat_map(|(cell, split)| cell.parts(if split { PARTS } else { 1 })).collect();
+        true
+    }
+
+    /// Runs of carrying cells without a gap, as ranges of indices.
+    pub(super) fn runs(&self) -> Vec<[usize; 2]> {
+        let mut runs: Vec<[usize; 2]> = Vec::new();
+        for i in (0..self.cells.len()).filter(|&i| self.cells[i].is_carrying) {
+            match runs.last_mut() {
+                Some(run) if run[1] == i && self.cells[i - 1].right == self.cells[i].left => {
+                    run[1] = i + 1;
+                }
+                _ => runs.push([i, i + 1]),
+            }
+        }
+        runs
+    }
+
+    /// The intervals of contact to about a cell.
+    pub(super) fn intervals(&self) -> Vec<[f64; 2]> {
+        let of = |[i, j]: [usize; 2]| [self.cells[i].left, self.cells[j - 1].right];
+        self.runs().into_iter().map(of).collect()
+    }
+
+    /// Roots of the widths.
+    pub(super) fn roots(&self) -> Vec<f64> {
+        self.cells.iter().map(|cell| cell.width().sqrt()).collect()
+    }
+
+    /// `ln 1/|x - s|` between the cells, for functions times the roots of their widths.
+    pub(super) fn logarithms(&self) -> Result<Vec<f64>, Error> {
+        let mut boundaries: Vec<f64> =
+            self.cells.first().map(|cell| cell.left).into_iter().collect();
+        let mut kept = Vec::with_capacity(self.cells.len());
+        for cell in &self.cells {
+            if boundaries.last().is_some_and(|last| *last < cell.left) {
+                boundaries.push(cell.left);
+            }
+            kept.push(boundaries.len() - 1);
+            boundaries.push(cell.right);
+        }
+        let all = logarithm_cells(&boundaries)?;
+        let stride = boundaries.len() - 1;
+        if stride == kept.len() {
+            return Ok(all);
+        }
+        let rows = kept.iter().map(|i| &all[i * stride..][..stride]);
+        Ok(rows.flat_map(|row| kept.iter().map(move |j| row[*j])).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const LIMITS: Limits = Limits { shortest: 1e-9, most: 40, rounds: 10 };
+
+    #[test]
+    fn zones_with_few_cells_are_refined_and_gaps_part_them() {
+        let cuts = |left: f64| (1..4).map(|i| left + 0.25 * f64::from(i)).collect::<Vec<f64>>();
+        let mut cells = Cells::new([([-1.0, 0.0], cuts(-1.0)), ([0.5, 1.5], cuts(0.5))], LIMITS);
+        assert_eq!(cells.cells().len(), 8);
+        // The last cell of the first piece and the first one of the second.
+        cells.mark(&[0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
+        assert_eq!(cells.intervals(), [[-0.25, 0.0], [0.5, 0.75]]);
+        assert!(cells.refine());
+        assert_eq!(cells.cells().len(), 8 + 3 * 4);
+        assert_eq!(cells.intervals(), [[-0.25, 0.0], [0.5, 0.75]]);
+        let lengths: f64 = cells.cells().iter().map(Cell::width).sum();
+        assert!((lengths - 2.0).abs() < 1e-15);
+        // No more than the limit.
+        cells.mark(&vec![0.0; 20]);
+        assert!(!cells.refine());
+    }
+
+    #[test]
+    fn cuts_too_close_make_no_cells() {
+        let cuts = vec![0.5, 0.5 + 1e-10, 1e-10, 1.0 - 1e-10, 0.2];
+        let cells = Cells::new([([0.0, 1.0], cuts)], LIMITS);
+        let ends: Vec<[f64; 2]> = cells.cells().iter().map(Cell::ends).collect();
+        assert_eq!(ends, [[0.0, 0.2], [0.2, 0.5], [0.5, 1.0]]);
+    }
+
+    #[test]
+    fn logarithms_skip_gaps() {
+        let gapped = Cells::new([([0.0, 1.0], vec![0.5]), ([2.0, 3.0], vec![])], LIMITS);
+        let whole = Cells::new([([0.0, 3.0], vec![0.5, 1.0, 2.0])], LIMITS);
+        let (few, all) = (gapped.logarithms().unwrap(), whole.logarithms().unwrap());
+        for (i, k) in [0, 1, 3].into_iter().enumerate() {
+            for (j, l) in [0, 1, 3].into_iter().enumerate() {
+                assert_eq!(few[3 * i + j], all[4 * k + l]);
+            }
+        }
+    }
+}

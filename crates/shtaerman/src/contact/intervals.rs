@@ -1,0 +1,31 @@
+//! Sets of intervals.
+
+/// Intervals shorter than this share of the longest are none.
+const SLIVER: f64 = 1e-9;
+
+/// The union of intervals, from left to right, without slivers.
+pub(super) fn joined(mut intervals: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    intervals.sort_by(|one, two| one[0].total_cmp(&two[0]));
+    let mut joined: Vec<[f64; 2]> = Vec::new();
+    for interval in intervals {
+        match joined.last_mut() {
+            Some(last) if interval[0] <= last[1] => last[1] = last[1].max(interval[1]),
+            _ => joined.push(interval),
+        }
+    }
+    let longest = joined.iter().fold(0.0f64, |most, [left, right]| most.max(right - left));
+    joined.retain(|[left, right]| right - left > SLIVER * longest);
+    joined
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_meets_is_one_and_slivers_go() {
+        let intervals = vec![[0.5, 1.0], [-1.0, 0.0], [0.9, 1.5], [0.2, 0.2 + 1e-12], [1.5, 2.0]];
+        assert_eq!(joined(intervals), [[-1.0, 0.0], [0.5, 2.0]]);
+        assert!(joined(Vec::new()).is_empty());
+    }
+}

@@ -1,0 +1,294 @@
+//! What the profile is made of on a zone: kinks, and a rest that is a series or, where it bends in other ways, two halves on panels.
+
+use std::sync::Arc;
+
+use super::kink::Kink;
+use super::modes::{gains, norms};
+use super::resolved::Resolved;
+use super::series::Series;
+use super::strip::Ground;
+use crate::contact::smooth::Curve;
+use crate::contact::smooth::disk::shape::{Part, Shape, Weight};
+use crate::contact::smooth::disk::transform::Transform;
+use crate::contact::smooth::problem::Base;
+use crate::contact::smooth::system::Place;
+use crate::contact::smooth::zones::Zone;
+
+/// More breakpoints than these do not get panels of their own.
+const MOST_BREAKS: usize = 64;
+/// Share of a place by which it is rounded, and how far from a kink its sides are told apart.
+const SAME: f64 = 16.0 * f64::EPSILON;
+const BESIDE: f64 = 4.0 * f64::EPSILON;
+/// A jump of the slope below this share of it is rounding.
+const NO_JUMP: f64 = 256.0 * f64::EPSILON;
+/// Places on either side of the middle that show the size of slopes.
+const SAMPLES: usize = 8;
+/// Share of the half-width over which the slopes of transforms are taken.
+const STEP: f64 = 1e-3;
+
+/// The profile on a zone.
+pub(super) struct Parts {
+    kinks: Vec<Kink>,
+    rest: Rest,
+    breaks: Vec<f64>,
+    tolerance: f64,
+    half: f64,
+    /// Size of the slope of the profile.
+    pub(super) steepest: f64,
+}
+
+/// The profile without its kinks.
+enum Rest {
+    Smooth(Series),
+    Bent(Halves),
+}
+
+/// The even and the odd part of a slope about the middle of a zone.
+struct Halves {
+    slopes: [Curve; 2],
+    breaks: Vec<f64>,
+    tolerance: f64,
+    /// Rounding of the slopes.
+    noise: f64,
+}
+
+impl Halves {
+    fn shape(&self, ground: &Ground, part: Part) -> Shape<'_> {
+        let index = usize::from(part == Part::Odd);
+        let (slope, noise) = (&self.slopes[index], self.noise);
+        let (breaks, tolerance) = (self.breaks.clone(), self.tolerance);
+        Shape { slope, breaks, tolerance, noise, ground: ground.powers.clone(), part }
+    }
+
+    fn shapes(&self, ground: &Ground) -> [Shape<'_>; 2] {
+        [Part::Even, Part::Odd].map(|part| self.shape(ground, part))
+    }
+}
+
+impl Parts {
+    pub(super) fn new(base: &Base<'_>, ground: &Ground, zone: &Zone) -> Self {
+        let [left, right] = zone.ends;
+        let half = 0.5 * zone.length();
+        let profile = &base.problem.profile;
+        let slope: Curve = match &profile.slope {
+            Some(slope) => Arc::clone(slope),
+            None => Arc::new(|_| f64::NAN),
+        };
+        let clamped: Curve =
+            Arc::new(move |xi: f64| slope(xi.max(left.next_up()).min(right.next_down())));
+        let inner = profile.breaks.iter().filter(|at| left < **at && **at < right);
+        let cuts: Vec<f64> = inner.copied().collect();
+        let steepest = (0..2 * SAMPLES).fold(0.0f64, |most, i| {
+            let share = (i as f64 + 0.5) / (2 * SAMPLES) as f64;
+            most.max(clamped(left + (right - left) * share).abs())
+        });
+        // The slope is rounded, and so is the place it is taken at.
+        let remote = left.abs().max(right.abs()) / half;
+        let noise = 2.0 * f64::EPSILON * (1.0 + remote);
+        let known = cuts.len() <= MOST_BREAKS;
+        let kinks = if known { kinks(&clamped, zone, &cuts, steepest) } else { Vec::new() };
+        let rest = Arc::new(without(&clamped, zone, &kinks));
+        let by_place =
+            |y: f64| rest(if y < 0.0 { left + half * (1.0 + y) } else { right - half * (1.0 - y) });
+        let rest = match known.then(|| Series::new(ground, half, noise, &by_place)).flatten() {
+            Some(series) => Rest::Smooth(series),
+            None => Rest::Bent(halves(base, zone, &cuts, rest, noise * steepest)),
+        };
+        let centre = 0.5 * (left + right);
+        let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
+        tidy(&mut breaks, zone);
+        Self { kinks, rest, breaks, tolerance: profile.tolerance, half, steepest }
+    }
+
+    /// Where the halves bend.
+    pub(super) fn breaks(&self) -> &[f64] {
+        &self.breaks
+    }
+
+    pub(super) fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    pub(super) fn kinks(&self) -> &[Kink] {
+        &self.kinks
+    }
+
+    /// `a_n` of the profile above its height in the middle, of what has no halves.
+    pub(super) fn heights(&self, ground: &Ground, count: usize) -> Option<Vec<f64>> {
+        let (gains, series) = (gains(ground, count.max(2)), self.series()?);
+        let mut heights = vec![0.0; count.max(2)];
+        let norms = norms(ground, count);
+        for kink in &self.kinks {
+            let own = kink.heights(&ground.powers, &norms);
+            heights.iter_mut().zip(own).for_each(|(sum, a)| *sum += a);
+        }
+        let modes = series.modes.iter().zip(&gains).map(|(m, l)| m * l);
+        heights.iter_mut().zip(modes).for_each(|(sum, a)| *sum += a);
+        // Force and moment tell the first two.
+        let [even, odd] = self.levers(ground);
+        [heights[0], heights[1]] = [gains[0] * even, gains[1] * odd * self.half];
+        heights.truncate(count);
+        Some(heights)
+    }
+
+    /// What is taken away from the coefficients of the polynomials.
+    pub(super) fn modes(&self) -> &[f64] {
+        self.series().map_or(&[], |series| &series.modes)
+    }
+
+    /// What is taken away from the coefficients of the first two polynomials.
+    pub(super) fn lowest(&self) -> [f64; 2] {
+        self.series().map_or([0.0; 2], Series::lowest)
+    }
+
+    fn series(&self) -> Option<&Series> {
+        match &self.rest {
+            Rest::Smooth(series) => Some(series),
+            Rest::Bent(_) => None,
+        }
+    }
+
+    /// `G_e(b)`, `G_o(b)`, but for the polynomials from the third on.
+    pub(super) fn transforms(&self, ground: &Ground) -> [f64; 2] {
+        let mut sums = match &self.rest {
+            Rest::Smooth(_) => {
+                let [even, odd] = self.lowest();
+                [even, odd / self.half]
+            }
+            Rest::Bent(halves) => halves.shapes(ground).map(|shape| shape.transform(self.half)),
+        };
+        for kink in &self.kinks {
+            add(&mut sums, kink.transforms(&ground.powers));
+        }
+        sums
+    }
+
+    /// `mu b int h_e sin t S dt` and `(2+mu)/(1+mu) int h_o sin^(2+mu) t dt`: an even and an odd density of the same force and moment.
+    pub(super) fn levers(&self, ground: &Ground) -> [f64; 2] {
+        let mu = ground.powers.exponent();
+        let scales = [self.half, (2.0 + mu) / (1.0 + mu)];
+        let mut sums = match &self.rest {
+            Rest::Smooth(_) => {
+                let [even, odd] = self.lowest();
+                [even, odd / self.half]
+            }
+            Rest::Bent(halves) => {
+                let [even, odd] = halves.shapes(ground);
+                let even = even.integral(self.half, Weight::Lever);
+                [scales[0] * even, scales[1] * odd.integral(self.half, Weight::SineSquared)]
+            }
+        };
+        for kink in &self.kinks {
+            let [even, odd] = kink.levers(&ground.powers);
+            add(&mut sums, [scales[0] * even, scales[1] * odd]);
+        }
+        sums
+    }
+
+    /// `G_e'(b)`, `G_o'(b)` of what is no polynomial, from inside and the [transforms](Self::transforms) at the end.
+    pub(super) fn rises(&self, ground: &Ground, ends: [f64; 2]) -> [f64; 2] {
+        let Rest::Bent(halves) = &self.rest else { return self.kink_rises(ground) };
+        let shapes = halves.shapes(ground);
+        let at = |steps: f64| {
+            let x = self.half * (1.0 - STEP * steps);
+            shapes.each_ref().map(|shape| shape.transform(x))
+        };
+        let mut ends = ends;
+        for kink in &self.kinks {
+            add(&mut ends, kink.transforms(&ground.powers).map(|own| -own));
+        }
+        let [one, two] = [1.0, 2.0].map(at);
+        let mut sums =
+            [0, 1].map(|k| (3.0 * ends[k] - 4.0 * one[k] + two[k]) / (2.0 * STEP * self.half));
+        add(&mut sums, self.kink_rises(ground));
+        sums
+    }
+
+    /// The same of the kinks.
+    pub(super) fn kink_rises(&self, ground: &Ground) -> [f64; 2] {
+        let mut sums = [0.0; 2];
+        for kink in &self.kinks {
+            add(&mut sums, kink.rises(&ground.powers));
+        }
+        sums
+    }
+
+    /// The even and odd transforms of what is neither kink nor polynomial, if there is any.
+    pub(super) fn on_panels(&self, ground: &Ground) -> Option<[Transform; 2]> {
+        let Rest::Bent(halves) = &self.rest else { return None };
+        Some(halves.shapes(ground).map(|shape| Transform::new(&shape, self.half)))
+    }
+}
+
+fn add(sums: &mut [f64; 2], [even, odd]: [f64; 2]) {
+    sums[0] += even;
+    sums[1] += odd;
+}
+
+/// The jumps of the slope at the cuts.
+fn kinks(slope: &Curve, zone: &Zone, cuts: &[f64], steepest: f64) -> Vec<Kink> {
+    let [left, right] = zone.ends;
+    let offset = BESIDE * left.abs().max(right.abs());
+    let kink = |&at: &f64| {
+        let size = 0.5 * (slope(at + offset) - slope(at - offset));
+        let place = Place { from_left: at - left, from_right: right - at };
+        let from_middle = 0.5 * (place.from_left - place.from_right);
+        Kink { at: from_middle, place, size, half: 0.5 * zone.length() }
+    };
+    cuts.iter().map(kink).filter(|kink| kink.size.abs() > NO_JUMP * steepest).collect()
+}
+
+/// The slope by `xi` without that of kinks.
+fn without(
+    slope: &Curve,
+    zone: &Zone,
+    kinks: &[Kink],
+) -> impl Fn(f64) -> f64 + Send + Sync + use<> {
+    let (slope, left) = (Arc::clone(slope), zone.left());
+    let offset = BESIDE * zone.left().abs().max(zone.right().abs());
+    let kinks: Vec<(f64, f64)> =
+        kinks.iter().map(|kink| (left + kink.place.from_left, kink.size)).collect();
+    move |xi: f64| {
+        // At a kink itself the slope is that of either side.
+        let near = kinks.iter().find(|(at, _)| (xi - at).abs() < offset);
+        let xi = near.map_or(xi, |(at, _)| at + offset);
+        kinks.iter().fold(slope(xi), |sum, (at, size)| sum - size.copysign(xi - at) * size.signum())
+    }
+}
+
+/// The halves of what is left.
+fn halves(
+    base: &Base<'_>,
+    zone: &Zone,
+    cuts: &[f64],
+    rest: Arc<impl Fn(f64) -> f64 + Send + Sync + 'static>,
+    noise: f64,
+) -> Halves {
+    let [left, right] = zone.ends;
+    let (centre, tolerance) = (0.5 * (left + right), base.problem.profile.tolerance);
+    let all: Vec<f64> = [&[left], cuts, &[right]].concat();
+    let known = cuts.len() <= MOST_BREAKS;
+    let at: Curve = match known.then(|| Resolved::new(&*rest, &all)).flatten() {
+        Some(resolved) => Arc::new(move |s: f64| resolved.at(centre + s)),
+        None => Arc::new(move |s: f64| rest(centre + s)),
+    };
+    let other = Arc::clone(&at);
+    let even: Curve = Arc::new(move |r| 0.5 * (at(r) - at(-r)));
+    let odd: Curve = Arc::new(move |r| 0.5 * (other(r) + other(-r)));
+    let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
+    tidy(&mut breaks, zone);
+    Halves { slopes: [even, odd], breaks, tolerance, noise }
+}
+
+/// Breaks in order, without those that the middle is known not to be.
+fn tidy(breaks: &mut Vec<f64>, zone: &Zone) {
+    let [left, right] = zone.ends;
+    // Where a kink is, is rounded: what lies closer to the middle is there.
+    let rounding = SAME * left.abs().max(right.abs());
+    breaks.retain(|r| *r > rounding);
+    breaks.sort_by(f64::total_cmp);
+    breaks.dedup();
+    if breaks.len() > MOST_BREAKS {
+        breaks.clear();
+    }
+}

@@ -1,0 +1,127 @@
+//! What depends on the kernel of a disk alone, kept from one problem to the next: the tables of the kernel and its operators on the whole radius.
+//!
+//! The kernel is homogeneous, so contacts of all radii have the same operators; they take longer than all the rest of a solution. What is kept is a function of
+//! its key, so answers do not depend on what was solved before, nor on what other threads solve.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use fredholm::SincOperator;
+use fredholm::collocation::SincGrid;
+use fredholm::kernel::WeberSonine;
+
+use crate::Error;
+
+/// Most kernels and operators kept, and most nodes of one that is: half a megabyte each.
+const KERNELS: usize = 8;
+const OPERATORS: usize = 24;
+const MOST_NODES: usize = 257;
+
+/// Order and exponent of grading, the latter by its bits.
+type KernelKey = (usize, u64);
+/// That and the nodes on either side of the middle.
+type OperatorKey = (KernelKey, usize);
+
+static KNOWN_KERNELS: Mutex<Vec<(KernelKey, WeberSonine)>> = Mutex::new(Vec::new());
+static KNOWN_OPERATORS: Mutex<Vec<(OperatorKey, Arc<SincOperator>)>> = Mutex::new(Vec::new());
+
+/// The kernel of pressures `p(r)` (0) or `p(r) cos(phi)` (1) on the unit disk, on a body with this exponent of grading.
+///
+/// # Errors
+/// [`Error::Equation`] for an exponent that is not below 1.
+pub(super) fn disk_harmonic(order: usize, exponent: f64) -> Result<WeberSonine, Error> {
+    let order = order.min(1);
+    let key = (order, exponent.to_bits());
+    if let Some(kernel) = known(&KNOWN_KERNELS, &key) {
+        return Ok(kernel);
+    }
+    let kernel = WeberSonine::new(1.0, order as f64, 0.5 * exponent)?;
+    keep(&KNOWN_KERNELS, key, &kernel, KERNELS);
+    Ok(kernel)
+}
+
+/// The operator of that kernel on `(0, 1)` in one panel, on the nodes that suit the order 0.
+///
+/// # Errors
+/// [`Error::Equation`] for a number of nodes that is out of range or does not fit into memory.
+pub(super) fn disk_operator(
+    order: usize,
+    exponent: f64,
+    half_count: usize,
+) -> Result<Arc<SincOperator>, Error> {
+    let order = order.min(1);
+    let key = ((order, exponent.to_bits()), half_count);
+    if let Some(operator) = known(&KNOWN_OPERATORS, &key) {
+        return Ok(operator);
+    }
+    let grid = Arc::new(SincGrid::new(&disk_harmonic(0, exponent)?, half_count)?);
+    let kernel = disk_harmonic(order, exponent)?;
+    let operator = Arc::new(SincOperator::on_panels(&kernel, grid, &[(0.0, 1.0)])?);
+    if operator.count() <= MOST_NODES {
+        keep(&KNOWN_OPERATORS, key, &operator, OPERATORS);
+    }
+    Ok(operator)
+}
+
+/// The value with this key, which becomes the latest.
+fn known<K: PartialEq, V: Clone>(list: &Mutex<Vec<(K, V)>>, key: &K) -> Option<V> {
+    let mut list = list.lock().unwrap_or_else(PoisonError::into_inner);
+    let index = list.iter().position(|(known, _)| known == key)?;
+    let found = list.remove(index);
+    let value = found.1.clone();
+    list.push(found);
+    Some(value)
+}
+
+/// Keeps a value in the place of the one not wanted for longest.
+fn keep<K: PartialEq, V: Clone>(list: &Mutex<Vec<(K, V)>>, key: K, value: &V, most: usize) {
+    let mut list = list.lock().unwrap_or_else(PoisonError::into_inner);
+    // Another thread may have been first.
+    if list.iter().any(|(known, _)| *known == key) {
+        return;
+    }
+    if list.len() >= most {
+        list.remove(0);
+    }
+    list.push((key, value.clone()));
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use fredholm::collocation::Place;
+
+    use super::*;
+
+    #[test]
+    fn the_latest_are_kept() {
+        let list = Mutex::new(Vec::new());
+        for key in 0..3 {
+            keep(&list, key, &(10 * key), 3);
+        }
+        assert_eq!(known(&list, &0), Some(0));
+        keep(&list, 3, &30, 3);
+        assert_eq!(known(&list, &1), None);
+        assert_eq!([0, 2, 3].map(|key| known(&list, &key)), [Some(0), Some(20), Some(30)]);
+    }
+
+    #[test]
+    fn operators_are_those_of_their_order_however_often() {
+        // Hertz's pressure sqrt(1 - s^2), from the first two of the spectral relation: pi (2 - x^2)/8, and times s pi x (4 - 3 x^2)/32
+        let potentials: [fn(f64) -> f64; 2] =
+            [|x| PI * (2.0 - x * x) / 8.0, |x| PI * x * (4.0 - 3.0 * x * x) / 32.0];
+        for (order, exact) in [0, 1, 0, 1].map(|order| (order, potentials[order])) {
+            let operator = disk_operator(order, 0.0, 60).unwrap();
+            let pressure = |place: Place| {
+                let root = (place.from_right * (1.0 + place.position)).sqrt();
+                place.position.powi(order as i32) * root
+            };
+            let pressures = operator.sample_places(pressure).unwrap();
+            let found = operator.apply(&pressures).unwrap();
+            for (x, u) in operator.positions().zip(found).filter(|(x, _)| (0.01..0.99).contains(x))
+            {
+                assert!((u - exact(x)).abs() < 1e-12, "{order} {x}: {u} {}", exact(x));
+            }
+        }
+    }
+}
