@@ -45,7 +45,7 @@ pub(super) fn zones(
 
 /// About that force, on cells that are not refined; none where they show none.
 pub(super) fn least_force(base: &Base<'_>, settlement: f64, e: f64) -> Result<Option<f64>, Error> {
-    let mut cells = Cells::new(base, base.cells().min(FEW_CELLS));
+    let mut cells = topology::cells(base, base.cells().min(FEW_CELLS));
     let mut curve = Curve { base, cells: &mut cells, e, settlement };
     match curve.samples(true)?[..] {
         [.., before, last] if crosses(before, last) => curve.force([before[0], last[0]]).map(Some),
