@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::contact::Stiffness;
 use crate::{
     Complementarity, Contact, CrossCheck, Error, ErrorKind, Law, RelativeSettlement, Rotational,
     Scaling, Sensitivities, SurfaceCurve, Vertical, Warning,
@@ -87,6 +88,9 @@ pub struct Errors {
     /// Error of the edges of the zones.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub edges: Option<f64>,
+    /// Errors of the entries of the tangent stiffness, where the method tells them.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub stiffness: Option<[[f64; 2]; 2]>,
 }
 
 /// Quantities without dimension.
@@ -337,6 +341,7 @@ impl ErrorReport {
             force: (!by_force).then_some(accuracy.force),
             moment: (!by_moment).then_some(accuracy.moment),
             edges: contact.edge_error0(),
+            stiffness: contact.stiffness_error0().map(|error| error.matrix()),
         };
         let physical =
             contact.problem().frame().scaling().map(|scaling| dimensionless.scaled(scaling));
@@ -353,6 +358,10 @@ impl Errors {
             force: self.force.map(|error| error * scaling.force()),
             moment: self.moment.map(|error| error * scaling.moment()),
             edges: self.edges.map(|error| error * scaling.half_width()),
+            stiffness: self.stiffness.map(|[[force_settlement, coupling], [_, moment_tilt]]| {
+                let error = Stiffness { force_settlement, coupling, moment_tilt };
+                error.scaled(scaling).matrix()
+            }),
         }
     }
 }

@@ -11,7 +11,7 @@ const MOST_CONDITIONS: usize = 2;
 /// A residual that has fallen to no less than this share is rounding.
 const STAGNANT: f64 = 0.5;
 
-/// `phi + theta K phi - sum_k mu_k c_k = b`, `int c_k phi = v_k`.
+/// `phi + theta K phi - sum_k mu_k c_k = b`, `int r_k phi = v_k`.
 #[derive(Debug)]
 pub struct PanelEquation<'a> {
     /// `K`.
@@ -22,9 +22,11 @@ pub struct PanelEquation<'a> {
     pub groups: &'a Groups,
 }
 
-/// A condition `int c phi = v` and the column that goes with its multiplier.
+/// A condition `int r phi = v` and the column that goes with its multiplier.
 #[derive(Debug, Clone)]
 pub struct PanelCondition {
+    /// `r` at the nodes.
+    pub row: Vec<f64>,
     /// `c` at the nodes.
     pub column: Vec<f64>,
     /// `v`.
@@ -50,8 +52,16 @@ pub struct PanelSolution {
 struct Border<'c> {
     conditions: &'c [PanelCondition],
     responses: Vec<Vec<f64>>,
-    /// Inverse of `int c_i response_j`, row by row.
+    /// Inverse of `int r_i response_j`, row by row.
     inverse: Vec<f64>,
+}
+
+impl PanelCondition {
+    /// `int c phi = v` with the multiplier of `c` itself.
+    #[must_use]
+    pub fn symmetric(column: Vec<f64>, value: f64) -> Self {
+        Self { row: column.clone(), column, value }
+    }
 }
 
 impl PanelEquation<'_> {
@@ -73,7 +83,7 @@ impl PanelEquation<'_> {
         let mut residual = self.residual(right, conditions, &values, &multipliers, &potential);
         // The first step meets the conditions, later ones keep them.
         let mut missing: Vec<f64> =
-            conditions.iter().map(|c| c.value - self.product(&c.column, &values)).collect();
+            conditions.iter().map(|c| c.value - self.product(&c.row, &values)).collect();
         let (mut products, mut before) = (1, f64::INFINITY);
         let mut direction = residual;
         loop {
@@ -109,8 +119,9 @@ impl PanelEquation<'_> {
     ) -> Result<(), Error> {
         let expected = self.operator.panels().count();
         let lists = [("right-hand side", right.len()), ("start", start.len())];
+        let rows = conditions.iter().map(|c| ("row of a condition", c.row.len()));
         let columns = conditions.iter().map(|c| ("column of a condition", c.column.len()));
-        for (what, found) in lists.into_iter().chain(columns) {
+        for (what, found) in lists.into_iter().chain(rows).chain(columns) {
             if found != expected {
                 return Err(Error::WrongLength { what, found, expected });
             }
@@ -149,7 +160,7 @@ impl PanelEquation<'_> {
         let panels = self.operator.panels();
         let responses: Vec<Vec<f64>> =
             conditions.iter().map(|c| self.groups.roughly_inverted(panels, &c.column)).collect();
-        let entry = |i: usize, j: usize| self.product(&conditions[i].column, &responses[j]);
+        let entry = |i: usize, j: usize| self.product(&conditions[i].row, &responses[j]);
         let inverse = match conditions.len() {
             0 => Vec::new(),
             1 => vec![1.0 / entry(0, 0)],
@@ -178,7 +189,7 @@ impl PanelEquation<'_> {
     ) -> (Vec<f64>, Vec<f64>) {
         let mut values = self.groups.roughly_inverted(self.operator.panels(), right);
         let lacking: Vec<f64> = (border.conditions.iter().zip(integrals))
-            .map(|(condition, integral)| integral - self.product(&condition.column, &values))
+            .map(|(condition, integral)| integral - self.product(&condition.row, &values))
             .collect();
         let multipliers: Vec<f64> = (border.inverse.chunks_exact(lacking.len().max(1)))
             .map(|row| row.iter().zip(&lacking).map(|(a, b)| a * b).sum())
@@ -333,12 +344,23 @@ mod tests {
             // The same with its force and moment prescribed, from elsewhere.
             let force = operator.panels().integral(&found.values, |_| 1.0);
             let conditions = [
-                PanelCondition { column: ones.clone(), value: force },
-                PanelCondition { column: nodes.to_vec(), value: 0.0 },
+                PanelCondition::symmetric(ones.clone(), force),
+                PanelCondition::symmetric(nodes.to_vec(), 0.0),
             ];
             let again = equation.solve(&zero, &conditions, &ones, 1e-14).unwrap();
             let [settlement, turn] = [again.multipliers[0], again.multipliers[1]];
             assert!((settlement - 1.0).abs() < 1e-12 && turn.abs() < 1e-12, "{settlement} {turn}");
+            // With the force at an arm, which turns the punch: the moment is that of this tilt.
+            let row = nodes.iter().map(|x| x - 0.1).collect();
+            let lever = [PanelCondition { row, column: nodes.to_vec(), value: 0.0 }];
+            let tilted = equation.solve(&ones, &lever, &zero, 1e-14).unwrap();
+            let turned = equation.solve(nodes, &[], &zero, 1e-14).unwrap();
+            let of = |values: &[f64], f: fn(f64) -> f64| operator.panels().integral(values, f);
+            let turn = of(&turned.values, |x| x);
+            let expected = 0.1 * of(&found.values, |_| 1.0) / turn;
+            assert!((tilted.multipliers[0] - expected).abs() < 1e-12, "{:?}", tilted.multipliers);
+            let arm = of(&tilted.values, |x| x) / of(&tilted.values, |_| 1.0);
+            assert!((arm - 0.1).abs() < 1e-13, "{arm}");
         }
     }
 }

@@ -97,10 +97,56 @@ impl Panels {
         Some(self.rule.interpolate(values, (x - middle) / half))
     }
 
+    /// The derivatives at the nodes of the function of these values there, on each panel by itself. Missing values are zero, others ignored.
+    #[must_use]
+    pub fn derivatives(&self, values: &[f64]) -> Vec<f64> {
+        let mut values = values.to_vec();
+        values.resize(self.count(), 0.0);
+        let mut derivatives = vec![0.0; self.count()];
+        let parts =
+            derivatives.chunks_exact_mut(self.order()).zip(values.chunks_exact(self.order()));
+        for (panel, (slopes, values)) in parts.enumerate() {
+            self.rule.derivatives(values, slopes);
+            let (_, half) = self.middle(panel);
+            slopes.iter_mut().for_each(|slope| *slope /= half);
+        }
+        derivatives
+    }
+
+    /// The limits of the function of these values at both ends of each panel.
+    #[must_use]
+    pub fn limits(&self, values: &[f64]) -> Vec<[f64; 2]> {
+        let parts = values.chunks_exact(self.order()).take(self.bounds.len());
+        parts.map(|values| [-1.0, 1.0].map(|y| self.rule.interpolate(values, y))).collect()
+    }
+
     /// `sum w_j f(x_j) phi_j`.
     #[must_use]
     pub fn integral(&self, values: &[f64], f: impl Fn(f64) -> f64) -> f64 {
         let terms = self.nodes.iter().zip(&self.weights).zip(values);
         terms.map(|((x, w), value)| w * f(*x) * value).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn derivatives_and_limits_of_polynomials_are_exact() {
+        let panels = Panels::new(vec![[-0.9, -0.3], [-0.3, 0.1], [0.4, 0.41]], 6).unwrap();
+        let f = |x: f64| x.powi(5) - 3.0 * x * x + 0.2;
+        let slope = |x: f64| 5.0 * x.powi(4) - 6.0 * x;
+        let values: Vec<f64> = panels.nodes().iter().map(|x| f(*x)).collect();
+        for (x, found) in panels.nodes().iter().zip(panels.derivatives(&values)) {
+            assert!((found - slope(*x)).abs() < 1e-11, "{x}: {found}");
+        }
+        for (bounds, limits) in panels.bounds().iter().zip(panels.limits(&values)) {
+            for (x, found) in bounds.iter().zip(limits) {
+                assert!((found - f(*x)).abs() < 1e-14, "{x}: {found}");
+            }
+        }
+        assert_eq!(panels.derivatives(&[]), vec![0.0; panels.count()]);
+        assert!(panels.limits(&[]).is_empty());
     }
 }

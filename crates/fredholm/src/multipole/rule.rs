@@ -21,6 +21,8 @@ pub(super) struct PanelRule {
     /// `int ln(1/|y_i - y|) phi(y) dy` from values, row by row.
     pub(super) own: Vec<f64>,
     barycentric: Vec<f64>,
+    /// Derivatives at the nodes from values, row by row.
+    slopes: Vec<f64>,
     /// Half-lengths from the middle beyond which the nodes alone integrate the logarithm.
     pub(super) far: f64,
 }
@@ -38,7 +40,7 @@ impl PanelRule {
                 (before, here) = (here, next);
             }
         }
-        let barycentric = (0..order)
+        let barycentric: Vec<f64> = (0..order)
             .map(|j| {
                 let others = (0..order).filter(|i| *i != j);
                 1.0 / others.map(|i| nodes[j] - nodes[i]).product::<f64>()
@@ -46,7 +48,9 @@ impl PanelRule {
             .collect();
         let rho = (FAR_DIGITS / (2.0 * order as f64)).exp();
         let far = (0.5 * (rho + 1.0 / rho)).min(FARTHEST);
-        let mut rule = Self { nodes, weights, analysis, own: Vec::new(), barycentric, far };
+        let slopes = slopes(&nodes, &barycentric);
+        let own = Vec::new();
+        let mut rule = Self { nodes, weights, analysis, own, barycentric, slopes, far };
         let mut own = vec![0.0; order * order];
         for (row, y) in own.chunks_exact_mut(order).zip(&rule.nodes) {
             rule.weights_at(*y, row);
@@ -78,6 +82,13 @@ impl PanelRule {
         }
     }
 
+    /// The derivatives at the nodes of the polynomial through values there.
+    pub(super) fn derivatives(&self, values: &[f64], derivatives: &mut [f64]) {
+        for (slope, row) in derivatives.iter_mut().zip(self.slopes.chunks_exact(self.order())) {
+            *slope = row.iter().zip(values).map(|(d, v)| d * v).sum();
+        }
+    }
+
     /// The polynomial through values at the nodes.
     pub(super) fn interpolate(&self, values: &[f64], y: f64) -> f64 {
         let (mut above, mut below) = (0.0, 0.0);
@@ -91,6 +102,19 @@ impl PanelRule {
         }
         above / below
     }
+}
+
+/// `phi_j'(y_i)` of the cardinal polynomials, row by row; each row sums to zero.
+fn slopes(nodes: &[f64], barycentric: &[f64]) -> Vec<f64> {
+    let order = nodes.len();
+    let mut slopes = vec![0.0; order * order];
+    for (i, row) in slopes.chunks_exact_mut(order).enumerate() {
+        for j in (0..order).filter(|j| *j != i) {
+            row[j] = barycentric[j] / barycentric[i] / (nodes[i] - nodes[j]);
+        }
+        row[i] = -row.iter().sum::<f64>();
+    }
+    slopes
 }
 
 /// Most nodes of a panel.

@@ -132,3 +132,38 @@ fn bad_extras_are_refused() {
         assert_eq!(folder.files(), ["punch.toml"]);
     }
 }
+
+#[test]
+fn a_long_trace_has_its_sensitivities() {
+    let folder = Folder::with(
+        &UNILATERAL
+            .replace("\"x^2 / (2*20)\"", "{ csv = \"p.csv\", x_unit = \"mm\", f_unit = \"um\" }"),
+    );
+    let row = |i: i32| {
+        let x = f64::from(i) / 100.0;
+        format!("{x},{}\n", 0.3 * x * x + 1.5 * (3.0 * x).cos() + 0.1 * (40.0 * x).cos())
+    };
+    folder.write("p.csv", (-500..=500).map(row).collect::<String>());
+    let json = solve(&folder, &[]);
+    assert_eq!(json["method"]["name"], "panels");
+    let at = |pointer: &str| number(&json, pointer);
+    let stiffness = |i: usize, j: usize| at(&format!("/physical/stiffness/{i}/{j}"));
+    let error = |i: usize, j: usize| at(&format!("/error/physical/stiffness/{i}/{j}"));
+    assert!(error(0, 0) < 1e-6 * stiffness(0, 0) && error(1, 1) < 1e-6 * stiffness(1, 1));
+    let determinant = stiffness(0, 0) * stiffness(1, 1) - stiffness(0, 1) * stiffness(1, 0);
+    let by_force = at("/physical/sensitivities/settlement/force");
+    assert!((by_force * determinant / stiffness(1, 1) - 1.0).abs() < 1e-12);
+    // A larger force, by the rate at its middle.
+    let raised = solve(&folder, &["--set", "load.force=\"0.8008 MN/m\""]);
+    for (quantity, pointer) in [
+        ("settlement", "/physical/settlement"),
+        ("pressure_max", "/physical/pressure_max"),
+        ("contact_width", "/physical/contact_width"),
+    ] {
+        let rate =
+            |json: &Value| number(json, &format!("/physical/sensitivities/{quantity}/force"));
+        let change = number(&raised, pointer) - at(pointer);
+        let predicted = 0.5 * (rate(&json) + rate(&raised)) * 800.0;
+        assert!((change / predicted - 1.0).abs() < 1e-4, "{quantity}: {change} {predicted}");
+    }
+}

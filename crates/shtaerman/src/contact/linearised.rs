@@ -104,7 +104,7 @@ impl Contact {
 }
 
 impl Stiffness {
-    /// Changes of `delta0` and `-alpha0` by those of the prescribed quantities.
+    /// Changes of `delta0` and `-alpha0` by those of the prescribed quantities: with an eccentricity the other is that of `M0 - e P0`.
     pub(super) fn displaced(&self, load: &Load, [vertical, rotational]: [f64; 2]) -> [f64; 2] {
         let Self { force_settlement: k11, coupling: k12, moment_tilt: k22 } = *self;
         let (row1, right1) = match load.vertical {
@@ -113,7 +113,7 @@ impl Stiffness {
         };
         let (row2, right2) = match load.rotational {
             Rotational::Moment(_) => ([k12, k22], rotational),
-            Rotational::Eccentricity(e) => ([k12 - e * k11, k22 - e * k12], 0.0),
+            Rotational::Eccentricity(e) => ([k12 - e * k11, k22 - e * k12], rotational),
             Rotational::Tilt(_) => ([0.0, 1.0], -rotational),
         };
         let determinant = row1[0] * row2[1] - row1[1] * row2[0];

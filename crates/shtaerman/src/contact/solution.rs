@@ -18,6 +18,11 @@ pub(super) trait Solution: Debug + Send + Sync {
     /// `d(P0, M0)/d(delta0, -alpha0)`.
     fn stiffness(&self) -> Stiffness;
 
+    /// The estimated error of each entry, where the method tells one.
+    fn stiffness_error(&self) -> Option<Stiffness> {
+        None
+    }
+
     /// The zones of contact from left to right, as `xi`.
     fn zones(&self) -> Vec<[f64; 2]>;
 

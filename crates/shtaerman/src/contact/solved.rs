@@ -38,6 +38,17 @@ impl Stiffness {
     pub fn matrix(&self) -> [[f64; 2]; 2] {
         [[self.force_settlement, self.coupling], [self.coupling, self.moment_tilt]]
     }
+
+    /// In the units of the problem.
+    pub(crate) fn scaled(&self, scaling: &Scaling) -> Self {
+        let (force, moment) = (scaling.force(), scaling.moment());
+        let (displacement, angle) = (scaling.displacement(), scaling.angle());
+        Self {
+            force_settlement: self.force_settlement * force / displacement,
+            coupling: self.coupling * force / angle,
+            moment_tilt: self.moment_tilt * moment / angle,
+        }
+    }
 }
 
 /// At most so many breaks of a base are looked at for the largest pressure.
@@ -324,21 +335,24 @@ impl Contact {
     /// The tangent stiffness in the units of the problem.
     #[must_use]
     pub fn stiffness(&self) -> Stiffness {
-        let force = self.scale(Scaling::force);
-        let moment = self.scale(Scaling::moment);
-        let displacement = self.scale(Scaling::displacement);
-        let angle = self.scale(Scaling::angle);
-        Stiffness {
-            force_settlement: self.stiffness0().force_settlement * force / displacement,
-            coupling: self.stiffness0().coupling * force / angle,
-            moment_tilt: self.stiffness0().moment_tilt * moment / angle,
-        }
+        let stiffness = self.stiffness0();
+        self.problem.frame().scaling().map_or(stiffness, |scaling| stiffness.scaled(scaling))
     }
 
     /// The tangent stiffness without dimensions.
     #[must_use]
     pub fn stiffness0(&self) -> Stiffness {
-        let known = self.solution.stiffness();
+        self.without_symmetry(self.solution.stiffness())
+    }
+
+    /// The estimated error of each entry of [`stiffness0`](Self::stiffness0), where the method tells one.
+    #[must_use]
+    pub fn stiffness_error0(&self) -> Option<Stiffness> {
+        self.solution.stiffness_error().map(|error| self.without_symmetry(error))
+    }
+
+    /// With zeros where symmetry makes them.
+    fn without_symmetry(&self, known: Stiffness) -> Stiffness {
         let coupling = if self.is_level { 0.0 } else { known.coupling };
         let moment_tilt = if self.problem.is_wave() { 0.0 } else { known.moment_tilt };
         Stiffness { coupling, moment_tilt, ..known }

@@ -11,7 +11,7 @@ use super::zones::Zone;
 use crate::contact::cells::mean_height;
 use crate::contact::valleys;
 use crate::error::require;
-use crate::{ContactKind, Error, Load, Problem, Rotational, Vertical};
+use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 
 /// Samples that show the ups and downs of a profile, at least and at most.
 const SAMPLES: usize = 512;
@@ -115,6 +115,14 @@ impl<'p> Base<'p> {
         base.require_geometry()?;
         base.require_load()?;
         Ok(base)
+    }
+
+    /// `df0/dxi`, at a kink to the right; NaN where the profile has none.
+    pub(super) fn slope(&self, xi: f64) -> f64 {
+        let frame = self.problem.frame();
+        let scale = frame.scaling().map_or(1.0, Scaling::displacement);
+        let slope = self.problem.profile().slope(self.on_base(xi), frame.half_width());
+        slope.unwrap_or(f64::NAN) / scale
     }
 
     /// The same base under another load.

@@ -20,6 +20,8 @@ const HALVINGS: usize = 30;
 /// Rounds of refinement, and doublings of the bracket after each.
 const ROUNDS: usize = 12;
 const WIDENINGS: usize = 8;
+/// Cells that show about the force.
+const FEW_CELLS: usize = 192;
 
 /// The zones under the least force at `e` with this settlement.
 ///
@@ -39,6 +41,16 @@ pub(super) fn zones(
     };
     curve.refined(bracket)?;
     Ok(topology::zones(&cells))
+}
+
+/// About that force, on cells that are not refined; none where they show none.
+pub(super) fn least_force(base: &Base<'_>, settlement: f64, e: f64) -> Result<Option<f64>, Error> {
+    let mut cells = topology::cells(base, base.cells().min(FEW_CELLS));
+    let mut curve = Curve { base, cells: &mut cells, e, settlement };
+    match curve.samples(true)?[..] {
+        [.., before, last] if crosses(before, last) => curve.force([before[0], last[0]]).map(Some),
+        _ => Ok(None),
+    }
 }
 
 /// The same without trust in the cells.

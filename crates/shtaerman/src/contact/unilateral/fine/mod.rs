@@ -57,9 +57,13 @@ pub(super) fn zones(base: &Base<'_>) -> Result<Option<Vec<Zone>>, Error> {
 
 /// The zones on half as many cells, to begin with.
 pub(super) fn first_zones(base: &Base<'_>) -> Result<Option<Vec<Zone>>, Error> {
+    Ok(first_level(base)?.map(|level| level.zones))
+}
+
+/// The contact on half as many cells.
+pub(super) fn first_level(base: &Base<'_>) -> Result<Option<Fine>, Error> {
     let Some(count) = count(base) else { return Ok(None) };
-    let level = climbed(base, count, &LADDER[..LADDER.len() - 1], 1)?.pop();
-    Ok(level.map(|level| level.zones))
+    Ok(climbed(base, count, &LADDER[..LADDER.len() - 1], 1)?.pop())
 }
 
 /// The contact on half the cells and on all.

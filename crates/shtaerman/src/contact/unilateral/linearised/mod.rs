@@ -24,7 +24,7 @@ use super::system::{Factor, Resolution, System};
 use super::zones::Zone;
 use crate::contact::linearised::{Linearised, Rates};
 use crate::contact::solved::Method;
-use crate::{ContactKind, Error, Problem, Rotational, Scaling};
+use crate::{ContactKind, Error, Problem, Rotational};
 
 /// Fewest nodes on either side of the middle of a panel.
 const FEWEST: f64 = 8.0;
@@ -257,10 +257,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
     /// `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm` at a free edge, where the pressure vanishes, and its rounding.
     fn layer_slope(&self, edge: f64, masses: &[f64]) -> (f64, f64) {
         let Known { base, tilt, .. } = self.known;
-        let frame = base.problem.frame();
-        let scale = frame.scaling().map_or(1.0, Scaling::displacement);
-        let profile = base.problem.profile().slope(base.on_base(edge), frame.half_width());
-        let profile = profile.unwrap_or(f64::NAN) / scale;
+        let profile = base.slope(edge);
         let (mut body, mut size) = (0.0, tilt.abs() + profile.abs());
         for (&xi, mass) in self.system.positions.iter().zip(masses) {
             let part = self.system.strength() * mass * kernel_slope(&base.medium, edge, xi);

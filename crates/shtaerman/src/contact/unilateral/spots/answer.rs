@@ -1,9 +1,11 @@
 //! The answer on panels.
 
 use super::level::Level;
+use super::responses::{Responses, linearised};
 use crate::Problem;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
+use crate::contact::linearised::Linearised;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::Complementarity;
@@ -15,6 +17,8 @@ const INSIDE: f64 = 1e-12;
 #[derive(Debug, Clone)]
 pub(in crate::contact::unilateral) struct SpotContact {
     pub(super) level: Level,
+    /// On the panels before the last, and on the last.
+    pub(super) responses: [Responses; 2],
     pub(super) accuracy: Accuracy,
     pub(super) edge_error: f64,
     pub(super) complementarity: Complementarity,
@@ -27,7 +31,11 @@ impl Solution for SpotContact {
 
     /// Edges that move add nothing of first order, as the pressure vanishes there.
     fn stiffness(&self) -> Stiffness {
-        self.level.stiffness
+        self.responses[1].stiffness()
+    }
+
+    fn stiffness_error(&self) -> Option<Stiffness> {
+        Some(self.responses[1].stiffness_error(&self.responses[0]))
     }
 
     fn zones(&self) -> Vec<[f64; 2]> {
@@ -83,6 +91,10 @@ impl Solution for SpotContact {
 
     fn complementarity(&self) -> Option<Complementarity> {
         Some(self.complementarity)
+    }
+
+    fn linearised(&self, problem: &Problem, peak: f64) -> Option<Linearised> {
+        Some(linearised(&self.responses, &problem.dimensionless_load(), peak))
     }
 
     fn size(&self) -> f64 {

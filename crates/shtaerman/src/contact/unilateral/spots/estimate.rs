@@ -8,6 +8,8 @@ use crate::contact::accuracy::{Accuracy, ErrorKind};
 const PLACES: [f64; 2] = [0.11, 0.63];
 /// Differences that fall by less have not begun to.
 const SLOW: f64 = 0.5;
+/// However fast they fall at first, what the ends of zones leave does not fall faster than with the third power of the panels there, which are halved.
+const FASTEST: f64 = 0.125;
 
 /// Differences between two levels.
 struct Change {
@@ -57,9 +59,10 @@ pub(super) fn estimate(levels: &[Level; 3]) -> (Accuracy, f64) {
 }
 
 /// What the finest level is off, by the differences between the three: less than the last of them, and more than if the next were smaller in the same ratio.
+/// The first difference is that of what is smooth, the last that of the ends of zones.
 fn left(before: f64, change: f64) -> f64 {
     let rate = change / before;
-    if rate <= SLOW { change * rate.sqrt() } else { change.max(before) }
+    if rate <= SLOW { change * rate.sqrt().max(FASTEST) } else { change.max(before) }
 }
 
 /// The pressure with the profile taken out.
@@ -92,7 +95,8 @@ mod tests {
 
     #[test]
     fn what_is_left_lies_between_the_last_difference_and_the_next() {
-        assert!((left(1e-4, 1e-8) / 1e-10 - 1.0).abs() < 1e-12);
+        assert!((left(1e-4, 4e-6) / 8e-7 - 1.0).abs() < 1e-12);
+        assert!((left(1e-4, 1e-8) / 1.25e-9 - 1.0).abs() < 1e-12);
         assert_eq!(left(1e-8, 2e-8), 2e-8);
         assert_eq!(left(1e-8, 0.9e-8), 1e-8);
         assert_eq!(left(1e-8, 0.0), 0.0);

@@ -6,7 +6,6 @@ use fredholm::multipole::{
 
 use super::mesh::{Fineness, panels};
 use crate::contact::balance::State;
-use crate::contact::solved::Stiffness;
 use crate::contact::unilateral::base::Base;
 use crate::contact::unilateral::fine::edges::positive;
 use crate::contact::unilateral::zones::{End, Zone};
@@ -30,7 +29,6 @@ const FEWEST_SAMPLES: usize = 4096;
 pub(in crate::contact::unilateral) struct Level {
     pub(super) zones: Vec<Zone>,
     pub(super) state: State,
-    pub(super) stiffness: Stiffness,
     pub(super) field: PanelField,
     /// Pressures at the nodes.
     pub(super) pressures: Vec<f64>,
@@ -43,8 +41,24 @@ pub(super) struct Effort {
     pub(super) fineness: Fineness,
     /// Residual relative to the pressure.
     pub(super) residual: f64,
-    /// Whether the stiffness is wanted.
-    pub(super) has_stiffness: bool,
+    /// Whether the first-order changes are wanted.
+    pub(super) has_responses: bool,
+}
+
+/// The operator of a level with its approximate inverse.
+#[derive(Debug)]
+pub(super) struct System {
+    pub(super) operator: PanelLogarithm,
+    pub(super) groups: Groups,
+    pub(super) theta: f64,
+    /// `theta0 K p0` at the nodes.
+    pub(super) displacements: Vec<f64>,
+}
+
+impl System {
+    pub(super) fn equation(&self) -> PanelEquation<'_> {
+        PanelEquation { operator: &self.operator, parameter: self.theta, groups: &self.groups }
+    }
 }
 
 impl Level {
@@ -55,7 +69,7 @@ impl Level {
         zones: &[Zone],
         effort: Effort,
         known: Option<&Self>,
-    ) -> Result<Option<Self>, Error> {
+    ) -> Result<Option<(Self, System)>, Error> {
         let Some(bounds) = panels(base, joints, zones, effort.fineness, MOST_NODES) else {
             return Ok(None);
         };
@@ -80,19 +94,16 @@ impl Level {
         let carried = carried.into_iter().find(|size| *size > 0.0).unwrap_or(1.0);
         let tolerance = (effort.residual * carried).max(ROUNDING * depth);
         let solution = equation.solve(&given.right, &given.conditions, &start, tolerance)?;
-        let stiffness = if effort.has_stiffness {
-            stiffness(&equation)?
-        } else {
-            Stiffness { force_settlement: 0.0, coupling: 0.0, moment_tilt: 0.0 }
-        };
-        Ok(Some(Self {
+        let theta = base.theta;
+        let level = Self {
             zones: zones.to_vec(),
             state: balanced(base, panels, &solution.values, &solution.multipliers),
-            stiffness,
             field: operator.field(&solution.values),
             pressures: solution.values,
-            theta: base.theta,
-        }))
+            theta,
+        };
+        let displacements = solution.potential.iter().map(|u| theta * u).collect();
+        Ok(Some((level, System { operator, groups, theta, displacements })))
     }
 
     /// The pressure in the zones, from the values at the nodes.
@@ -222,7 +233,7 @@ impl Given {
         let mut conditions = Vec::new();
         let force = match base.load.vertical {
             Vertical::Force(value) => {
-                conditions.push(PanelCondition { column: vec![1.0; nodes.len()], value });
+                conditions.push(PanelCondition::symmetric(vec![1.0; nodes.len()], value));
                 value
             }
             Vertical::Settlement(settlement) => {
@@ -230,11 +241,19 @@ impl Given {
                 0.0
             }
         };
-        let lever = |value: f64| PanelCondition { column: nodes.to_vec(), value };
-        match base.load.rotational {
-            Rotational::Moment(moment) => conditions.push(lever(moment)),
-            Rotational::Eccentricity(e) => conditions.push(lever(e * force)),
-            Rotational::Tilt(tilt) => add(&|x| -tilt * x),
+        let column = nodes.to_vec();
+        match (base.load.vertical, base.load.rotational) {
+            (_, Rotational::Moment(moment)) => {
+                conditions.push(PanelCondition::symmetric(column, moment));
+            }
+            (Vertical::Force(force), Rotational::Eccentricity(e)) => {
+                conditions.push(PanelCondition::symmetric(column, e * force));
+            }
+            (Vertical::Settlement(_), Rotational::Eccentricity(e)) => {
+                let row = nodes.iter().map(|x| x - e).collect();
+                conditions.push(PanelCondition { row, column, value: 0.0 });
+            }
+            (_, Rotational::Tilt(tilt)) => add(&|x| -tilt * x),
         }
         Self { right, conditions, force }
     }
@@ -259,32 +278,4 @@ fn balanced(base: &Base<'_>, panels: &Panels, pressures: &[f64], multipliers: &[
         force: force + 0.0,
         moment: moment + 0.0,
     }
-}
-
-/// `d(P0, M0)/d(delta0, -alpha0)` on the zones as they are.
-fn stiffness(equation: &PanelEquation<'_>) -> Result<Stiffness, Error> {
-    // What is left of the residual enters the integrals by its square.
-    const RESIDUAL: f64 = 1e-7;
-    let panels = equation.operator.panels();
-    let zero = vec![0.0; panels.count()];
-    let ones = vec![1.0; panels.count()];
-    let size = panels.integral(&ones, |_| 1.0).sqrt();
-    let solved = |right: &[f64]| -> Result<[Vec<f64>; 2], Error> {
-        let solution = equation.solve(right, &[], &zero, RESIDUAL * size)?;
-        let left = (right.iter().zip(&solution.values).zip(&solution.potential))
-            .map(|((b, v), u)| b - v - equation.parameter * u)
-            .collect();
-        Ok([solution.values, left])
-    };
-    let [level, level_left] = solved(&ones)?;
-    let [tilted, tilted_left] = solved(panels.nodes())?;
-    let product = |one: &[f64], other: &[f64]| {
-        let products: Vec<f64> = one.iter().zip(other).map(|(a, b)| a * b).collect();
-        panels.integral(&products, |_| 1.0)
-    };
-    Ok(Stiffness {
-        force_settlement: product(&ones, &level) + product(&level, &level_left),
-        coupling: product(panels.nodes(), &level) + product(&tilted, &level_left),
-        moment_tilt: product(panels.nodes(), &tilted) + product(&tilted, &tilted_left),
-    })
 }

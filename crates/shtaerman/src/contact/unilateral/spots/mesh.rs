@@ -9,8 +9,10 @@ const CORNER_GROWTH: f64 = 1.0;
 /// Longest panels: of the base, and in units of the length `1/theta0` of the layer.
 const LONGEST: f64 = 1.0 / 32.0;
 const LAYER: f64 = 0.1;
-/// The panel at a free end, where the pressure goes on as `d^2 ln d`: the square of its length over that of the zone, in lengths of the layer.
+/// The panel at a free end, where the pressure goes on as `d^2 ln d`: the square of its length over that of the zone, in lengths of the layer. In longer zones than this the
+/// slope of the pressure at the end has nothing to do with their length.
 const FREE: f64 = 1e-4;
+const LONG: f64 = 1.0 / 16.0;
 /// The panel at a corner, where it goes on as `d ln d`, in lengths of the layer.
 const CORNER: f64 = 1e-10;
 /// Shortest panels, over the distance from the middle of the base.
@@ -75,8 +77,11 @@ fn graded(
     let layer = 1.0 / base.theta.max(1.0);
     let [shortest, growth] = [0, 1].map(|what| {
         zone.ends.map(|end| {
-            let least =
-                if end.is_free { (FREE * zone.length() * layer).sqrt() } else { CORNER * layer };
+            let least = if end.is_free {
+                (FREE * zone.length().min(LONG) * layer).sqrt()
+            } else {
+                CORNER * layer
+            };
             let growth = if end.is_free { GROWTH } else { CORNER_GROWTH };
             if what == 0 { (fineness.ends * least).max(SHORTEST) } else { growth }
         })

@@ -8,7 +8,9 @@
 mod answer;
 mod estimate;
 mod level;
+mod lever;
 mod mesh;
+mod responses;
 #[cfg(test)]
 mod tests;
 
@@ -21,16 +23,17 @@ use super::zones::Zone;
 use crate::Error;
 use crate::contact::solution::Solution;
 use estimate::estimate;
-use level::{Effort, Level};
+use level::{Effort, Level, System};
 use mesh::Fineness;
+use responses::Responses;
 
 /// Most rounds on the way to the zones.
 const ROUNDS: usize = 12;
 /// Panels on which the zones are found, those whose answer is compared, and those of the answer: with the relative residuals.
 const LADDER: [Effort; 3] = [
-    Effort { fineness: Fineness { order: 4, ends: 4.0 }, residual: 1e-6, has_stiffness: false },
-    Effort { fineness: Fineness { order: 7, ends: 2.0 }, residual: 1e-11, has_stiffness: false },
-    Effort { fineness: Fineness { order: 10, ends: 1.0 }, residual: 1e-14, has_stiffness: true },
+    Effort { fineness: Fineness { order: 4, ends: 4.0 }, residual: 1e-6, has_responses: false },
+    Effort { fineness: Fineness { order: 7, ends: 2.0 }, residual: 1e-11, has_responses: true },
+    Effort { fineness: Fineness { order: 10, ends: 1.0 }, residual: 1e-14, has_responses: true },
 ];
 /// Pressure at free edges over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off.
 const GOOD: [f64; 3] = [1e-4, 1e-6, 1e-7];
@@ -44,7 +47,11 @@ const ROUGHEST: f64 = 1e-3;
 
 /// The answer on panels; none where the zones are not found or too many.
 pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
-    let Some(zones) = fine::first_zones(base)? else { return Ok(None) };
+    let zones = match base.settlement_at_eccentricity() {
+        Some((settlement, e)) => lever::first_zones(base, settlement, e)?,
+        None => fine::first_zones(base)?,
+    };
+    let Some(zones) = zones else { return Ok(None) };
     solve_from(base, zones)
 }
 
@@ -53,20 +60,27 @@ fn solve_from(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Option<SpotContac
     let mut joints = base.problem.profile().joints(base.problem.frame().half_width());
     joints.sort_by(f64::total_cmp);
     let mut levels: Vec<Level> = Vec::new();
+    let mut responses: Vec<Responses> = Vec::new();
     let mut left = None;
     for (effort, good) in LADDER.into_iter().zip(GOOD) {
         let settled = settle(base, &joints, zones, (effort, good), levels.last())?;
-        let Some((level, complementarity)) = settled else { return Ok(None) };
+        let Some((level, system, complementarity)) = settled else { return Ok(None) };
+        if effort.has_responses {
+            let found = Responses::new(base, &level, &system, responses.last())?;
+            responses.push(found);
+        }
         zones = level.zones.clone();
         left = Some(complementarity);
         levels.push(level);
     }
-    let (Ok(levels), Some(complementarity)) = (<[Level; 3]>::try_from(levels), left) else {
+    let (Ok(levels), Ok(responses), Some(complementarity)) =
+        (<[Level; 3]>::try_from(levels), <[Responses; 2]>::try_from(responses), left)
+    else {
         return Ok(None);
     };
     let (accuracy, edge_error) = estimate(&levels);
     let [_, _, level] = levels;
-    let contact = SpotContact { level, accuracy, edge_error, complementarity };
+    let contact = SpotContact { level, responses, accuracy, edge_error, complementarity };
     Ok((contact.relative_error() <= ROUGHEST).then_some(contact))
 }
 
@@ -77,14 +91,14 @@ fn settle(
     mut zones: Vec<Zone>,
     (effort, good): (Effort, f64),
     start: Option<&Level>,
-) -> Result<Option<(Level, Complementarity)>, Error> {
+) -> Result<Option<(Level, System, Complementarity)>, Error> {
     let mut latest: Option<Level> = None;
     for _ in 0..ROUNDS {
         if zones.is_empty() || zones.len() > MOST_ZONES {
             return Ok(None);
         }
         let known = latest.as_ref().or(start);
-        let Some(mut level) = Level::new(base, joints, &zones, effort, known)? else {
+        let Some((mut level, system)) = Level::new(base, joints, &zones, effort, known)? else {
             return Ok(None);
         };
         let sampled = level.sampled(base, joints);
@@ -95,7 +109,7 @@ fn settle(
             // The pressure outside of the panels goes on as the negative gap: these edges are its own.
             level.zones = zones;
             let left = complementarity(&level, &sampled);
-            return Ok(Some((level, left)));
+            return Ok(Some((level, system, left)));
         }
         latest = Some(level);
     }

@@ -1,7 +1,7 @@
 //! Many zones against collocation, cells, and what must hold.
 
 use super::super::base::Base;
-use super::super::complementary;
+use super::super::{UnilateralContact, complementary};
 use super::*;
 use crate::contact::balance::State;
 use crate::{ContactKind, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
@@ -75,7 +75,54 @@ fn agrees(problem: &Problem) -> Option<usize> {
         // The responses have d ln d at free edges, for which the panels are not made.
         assert!((a - b).abs() < 1e-8 * other.force_settlement, "{a} {b}");
     }
+    states_what_it_is_off(problem, &found, &exact);
     Some(zones.len())
+}
+
+/// Errors are within what both state.
+fn states_what_it_is_off(problem: &Problem, found: &SpotContact, exact: &UnilateralContact) {
+    let (one, other) = (found.accuracy().unwrap(), exact.accuracy().unwrap());
+    let (a, b) = (found.state(), exact.state());
+    for (off, stated) in [
+        (a.settlement - b.settlement, one.settlement + other.settlement),
+        (a.tilt - b.tilt, one.tilt + other.tilt),
+    ] {
+        assert!(off.abs() <= stated, "{off:e} {stated:e}");
+    }
+    let stated = one.pressure + other.pressure;
+    let mut worst = 0.0f64;
+    for i in 0..=3000 {
+        let xi = (f64::from(i) / 1500.0 - 1.0).clamp(-1.0, 1.0);
+        worst = worst.max((found.pressure(problem, xi) - exact.pressure(problem, xi)).abs());
+    }
+    assert!(worst <= stated, "{worst:e} {stated:e}");
+    let stated = found.edge_error().unwrap_or(0.0) + exact.edge_error().unwrap_or(0.0);
+    for (a, b) in found.zones().iter().flatten().zip(exact.zones().iter().flatten()) {
+        assert!((a - b).abs() <= 2.0 * stated + f64::EPSILON, "{a} {b} {stated:e}");
+    }
+    let (one, other) = (found.stiffness(), exact.stiffness());
+    let error = found.stiffness_error().unwrap();
+    for (off, stated) in [
+        (one.force_settlement - other.force_settlement, error.force_settlement),
+        (one.coupling - other.coupling, error.coupling),
+        (one.moment_tilt - other.moment_tilt, error.moment_tilt),
+    ] {
+        assert!(off.abs() <= stated + 1e-13 * other.force_settlement, "{off:e} {stated:e}");
+    }
+    let [left, right] = found.zones()[0];
+    let peak = 0.3 * left + 0.7 * right;
+    let one = found.linearised(problem, peak).unwrap();
+    let other = exact.linearised(problem, peak).unwrap();
+    for input in 0..3 {
+        for k in 0..5 {
+            let (a, b) = (one.rates[input][k], other.rates[input][k]);
+            let stated = one.errors[input][k] + other.errors[input][k];
+            assert!(
+                (a - b).abs() <= stated + 1e-12 * b.abs() + 1e-14,
+                "{input} {k}: {a} {b} {stated:e}"
+            );
+        }
+    }
 }
 
 #[test]
@@ -198,5 +245,88 @@ fn what_comes_out_may_be_prescribed() {
     assert!((held.state().moment - moment).abs() < 1e-10, "{:?}", held.state());
     for (one, other) in free.zones().iter().flatten().zip(held.zones().iter().flatten()) {
         assert!((one - other).abs() < 1e-11, "{one} {other}");
+    }
+}
+
+#[test]
+fn a_wave_agrees_with_a_rule_of_its_own() {
+    // By Kress' rule with 240 nodes a zone and edges of its own, in another language.
+    let waves = expression(0.5, "3*(0.4*xi^2 + 0.1*cos(23*xi+0.4))", 0.1);
+    let found = panels(&waves);
+    let accuracy = found.accuracy().unwrap();
+    let State { settlement, tilt, .. } = found.state();
+    let rounding = 4e-15;
+    for (off, stated) in [
+        (settlement - 1.316_596_649_734_666_2, accuracy.settlement),
+        (tilt + 0.269_029_783_377_773_3, accuracy.tilt),
+        (found.zones()[0][1] + 0.903_283_016_182_785, found.edge_error),
+        (found.zones()[1][0] + 0.796_427_759_465_558_3, found.edge_error),
+        (found.pressure(&waves, -0.97) - 0.179_993_382_878_006, accuracy.pressure),
+        (found.pressure(&waves, -0.93) - 0.122_054_414_169_489_6, accuracy.pressure),
+    ] {
+        assert!(off.abs() <= stated + rounding && stated < 2e-12, "{off:e} {stated:e}");
+    }
+}
+
+#[test]
+fn rates_on_panels_agree_with_differences() {
+    for (theta0, vertical, rotational) in [
+        (30.0, Vertical::Force(1.0), Rotational::Moment(0.2)),
+        (3.0, Vertical::Settlement(2.0), Rotational::Tilt(0.3)),
+    ] {
+        let problem = problem(theta0, trace(1100, theta0), vertical, rotational);
+        let contact = problem.solve().unwrap();
+        let tangent = contact.tangent_sensitivities().unwrap();
+        assert_eq!(contact.method().name, "panels");
+        assert_eq!(contact.sensitivities().unwrap(), tangent);
+        let differences = contact.difference_sensitivities().unwrap();
+        let known = [
+            (tangent.settlement, differences.settlement, contact.settlement()),
+            (tangent.force, differences.force, contact.force()),
+            (tangent.tilt, differences.tilt, contact.tilt()),
+            (tangent.pressure_max, differences.pressure_max, contact.peak_pressure().0),
+            (Some(tangent.contact_width), Some(differences.contact_width), contact.contact_width()),
+        ];
+        for (one, other, value) in known {
+            let (Some(one), Some(other)) = (one, other) else { continue };
+            let pairs = [
+                (one.theta0, other.theta0, theta0),
+                (one.force, other.force, contact.force()),
+                (one.settlement, other.settlement, contact.settlement()),
+            ];
+            let both = pairs.iter().filter_map(|(a, b, at)| Some(((*a)? * at, (*b)? * at)));
+            let both: Vec<(f64, f64)> = both.collect();
+            let size = both.iter().fold(value.abs(), |most, (a, _)| most.max(a.abs()));
+            assert!(both.len() == 2 && one.error < 1e-5, "{one:?}");
+            for (a, b) in both {
+                let off = (a - b).abs();
+                assert!(off <= 2.0 * (one.error + other.error) * size, "{one:?} {other:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_settlement_may_go_with_an_eccentricity() {
+    for (theta0, force, e) in [(30.0, 1.0, 0.1), (2.0, 0.4, -0.3)] {
+        let profile = trace(1200, theta0);
+        let arm = Rotational::Eccentricity(e);
+        let free = panels(&problem(theta0, profile.clone(), Vertical::Force(force), arm));
+        let State { settlement, tilt, .. } = free.state();
+        let held = problem(theta0, profile, Vertical::Settlement(settlement), arm);
+        let contact = held.solve().unwrap();
+        assert_eq!(contact.method().name, "panels");
+        let stated = contact.accuracy().unwrap();
+        assert!((contact.force0() - force).abs() <= stated.force + 1e-13 * force);
+        assert!((contact.moment0() - e * force).abs() <= stated.moment + 1e-13 * force);
+        let known_to = stated.tilt + free.accuracy().unwrap().tilt;
+        assert!((contact.tilt0() - tilt).abs() <= known_to, "{} {tilt}", contact.tilt0());
+        assert_eq!(contact.edges0().len(), free.zones().len());
+        // The rates are the inverse of those under the force.
+        let by_settlement = contact.tangent_sensitivities().unwrap().force.unwrap();
+        let load = Load { vertical: Vertical::Force(force), rotational: arm };
+        let [raise, _] = free.stiffness().displaced(&load, [1.0, 0.0]);
+        let product = by_settlement.settlement.unwrap() * raise;
+        assert!((product - 1.0).abs() < 1e-8, "{product}");
     }
 }

@@ -1,0 +1,259 @@
+//! What the pressure on panels answers to `ln theta0`, settlement and tilt, on zones that stay.
+//!
+//! `q + theta0 K q = b` for `b = -theta0 K p0`, 1 and `xi`, by the operator of the last zones. A free edge moves by `-q/(dp0/dxi)`. These `q` have `d ln d` at free edges, for which
+//! the panels are not made: the error is told by two levels of panels.
+
+use fredholm::multipole::PanelField;
+
+use super::level::{Level, System};
+use crate::contact::linearised::{Linearised, Rates};
+use crate::contact::solved::Stiffness;
+use crate::contact::unilateral::base::Base;
+use crate::contact::unilateral::zones::Zone;
+use crate::{Error, Load, Rotational, Vertical};
+
+/// Residuals relative to the right-hand side, on the panels before the last and on those; of integrals the square is left.
+const RESIDUALS: [f64; 2] = [1e-9, 3e-11];
+/// What is stated over the difference between both: the panels at free edges are only halved.
+const SAFETY: f64 = 4.0;
+/// Jumps of the pressure at the ends of panels, over the largest, that are no rounding.
+const JUMP: f64 = 1e-7;
+/// Share of a zone within which a jump at the end of a panel belongs to the free edge there.
+const BESIDE: f64 = 1e-3;
+
+/// The three responses.
+#[derive(Debug, Clone)]
+pub(super) struct Responses {
+    parts: [Response; 3],
+    theta: f64,
+}
+
+/// The response to one right-hand side.
+#[derive(Debug, Clone)]
+struct Response {
+    /// The right-hand side.
+    given: Given,
+    /// `q` at the nodes, and `K q`.
+    values: Vec<f64>,
+    field: PanelField,
+    /// Force and moment of `q`.
+    carried: [f64; 2],
+    /// By how much all zones together grow.
+    width: f64,
+    /// What the residual leaves of `q`, and of the width.
+    noise: [f64; 2],
+}
+
+/// Right-hand sides.
+#[derive(Debug, Clone)]
+enum Given {
+    /// `-theta0 K p0`, of this field.
+    Body(PanelField),
+    Level,
+    Turn,
+}
+
+impl Given {
+    fn at(&self, theta: f64, xi: f64) -> f64 {
+        match self {
+            Self::Body(field) => -theta * field.at(xi),
+            Self::Level => 1.0,
+            Self::Turn => xi,
+        }
+    }
+}
+
+impl Response {
+    /// `q(xi)`, from the equation.
+    fn at(&self, theta: f64, xi: f64) -> f64 {
+        self.given.at(theta, xi) - theta * self.field.at(xi)
+    }
+}
+
+impl Responses {
+    /// On the zones of a level, from what was known on the panels before.
+    pub(super) fn new(
+        base: &Base<'_>,
+        level: &Level,
+        system: &System,
+        known: Option<&Self>,
+    ) -> Result<Self, Error> {
+        let panels = system.operator.panels();
+        let residual = RESIDUALS[usize::from(known.is_some())];
+        let start = |k: usize| -> Vec<f64> {
+            let part = known.map(|known| &known.parts[k]);
+            let value = |x: &f64| part.and_then(|p| p.field.panels().interpolate(&p.values, *x));
+            panels.nodes().iter().map(|x| value(x).unwrap_or(0.0)).collect()
+        };
+        let ones = vec![1.0; panels.count()];
+        let body: Vec<f64> = system.displacements.iter().map(|u| -u).collect();
+        let (body_q, body_left) = solved(system, &body, &start(0), residual)?;
+        let (level_q, level_left) = solved(system, &ones, &start(1), residual)?;
+        let (turn_q, turn_left) = solved(system, panels.nodes(), &start(2), residual)?;
+        let product = |one: &[f64], other: &[f64]| {
+            let products: Vec<f64> = one.iter().zip(other).map(|(a, b)| a * b).collect();
+            panels.integral(&products, |_| 1.0)
+        };
+        // The operator is symmetric: what is left of a residual counts by its square.
+        let carried = |q: &[f64], left: &[f64]| {
+            let force = product(&ones, q) + product(&level_q, left);
+            [force, product(panels.nodes(), q) + product(&turn_q, left)]
+        };
+        let theta = base.theta;
+        let edges = edges(base, level, system);
+        let inverse: f64 = edges.iter().map(|[_, rise]| rise.abs().recip()).sum();
+        let response = |given: Given, right: &[f64], q: &[f64], left: &[f64]| {
+            let noise = residual * right.iter().fold(0.0f64, |most, b| most.max(b.abs()));
+            let mut response = Response {
+                given,
+                values: q.to_vec(),
+                field: system.operator.field(q),
+                carried: carried(q, left),
+                width: 0.0,
+                noise: [noise, noise * inverse],
+            };
+            response.width = edges.iter().map(|[at, rise]| response.at(theta, *at) / rise).sum();
+            response
+        };
+        let parts = [
+            response(Given::Body(level.field.clone()), &body, &body_q, &body_left),
+            response(Given::Level, &ones, &level_q, &level_left),
+            response(Given::Turn, panels.nodes(), &turn_q, &turn_left),
+        ];
+        Ok(Self { parts, theta })
+    }
+
+    /// `d(P0, M0)/d(delta0, -alpha0)`.
+    pub(super) fn stiffness(&self) -> Stiffness {
+        let [_, level, turn] = &self.parts;
+        Stiffness {
+            force_settlement: level.carried[0],
+            coupling: turn.carried[0],
+            moment_tilt: turn.carried[1],
+        }
+    }
+
+    /// How much less exact the stiffness on coarser panels is: for all entries the largest difference, as one may be nothing by chance.
+    pub(super) fn stiffness_error(&self, coarse: &Self) -> Stiffness {
+        let (one, other) = (self.stiffness().matrix(), coarse.stiffness().matrix());
+        let entries = one.as_flattened().iter().zip(other.as_flattened());
+        let error = SAFETY * entries.fold(0.0f64, |most, (a, b)| most.max((a - b).abs()));
+        Stiffness { force_settlement: error, coupling: error, moment_tilt: error }
+    }
+
+    /// The rates by `ln theta0` and by what is prescribed, and what residuals leave of each.
+    fn rates(&self, load: &Load, peak: f64) -> [[Rates; 2]; 3] {
+        let [body, _, _] = &self.parts;
+        let [force, moment] = body.carried;
+        let by_body = [
+            if matches!(load.vertical, Vertical::Force(_)) { -force } else { 0.0 },
+            match load.rotational {
+                Rotational::Moment(_) => -moment,
+                Rotational::Eccentricity(e) => e * force - moment,
+                Rotational::Tilt(_) => 0.0,
+            },
+        ];
+        let turns = !matches!(load.rotational, Rotational::Eccentricity(_));
+        [
+            self.combined(load, 1.0, by_body, peak),
+            self.combined(load, 0.0, [1.0, 0.0], peak),
+            if turns { self.combined(load, 0.0, [0.0, 1.0], peak) } else { [[0.0; 5]; 2] },
+        ]
+    }
+
+    /// This share of the response to the body, with settlement and tilt such that these are the changes of what the load prescribes.
+    fn combined(&self, load: &Load, share: f64, prescribed: [f64; 2], peak: f64) -> [Rates; 2] {
+        let [raise, turn] = self.stiffness().displaced(load, prescribed);
+        let factors = [share, raise, turn];
+        let parts = || self.parts.iter().zip(factors);
+        let sum = |of: &dyn Fn(&Response) -> f64| -> f64 {
+            parts().map(|(part, factor)| factor * of(part)).sum()
+        };
+        let noise = |k: usize| parts().map(|(part, factor)| factor.abs() * part.noise[k]).sum();
+        let pressure = sum(&|part| part.at(self.theta, peak));
+        let force = sum(&|part| part.carried[0]);
+        [
+            [raise, force, -turn, pressure, sum(&|part| part.width)],
+            [0.0, 0.0, 0.0, noise(0), noise(1)],
+        ]
+    }
+}
+
+/// The first-order change on the last panels; its errors are the differences from those on the panels before.
+pub(super) fn linearised([coarse, fine]: &[Responses; 2], load: &Load, peak: f64) -> Linearised {
+    let (coarse, fine) = (coarse.rates(load, peak), fine.rates(load, peak));
+    let errors = std::array::from_fn(|input| {
+        let ([rates, noise], [before, _]) = (fine[input], coarse[input]);
+        let mut errors: Rates =
+            std::array::from_fn(|k| SAFETY * (rates[k] - before[k]).abs() + noise[k]);
+        // One of settlement and tilt may agree by chance.
+        let displacement = errors[0].max(errors[2]);
+        for k in [0, 2] {
+            errors[k] = if errors[k] > 0.0 { displacement } else { 0.0 };
+        }
+        errors
+    });
+    Linearised { rates: fine.map(|[rates, _]| rates), errors }
+}
+
+/// The response to these values at the nodes, and what is left of them.
+fn solved(
+    system: &System,
+    right: &[f64],
+    start: &[f64],
+    residual: f64,
+) -> Result<(Vec<f64>, Vec<f64>), Error> {
+    let panels = system.operator.panels();
+    let squares: Vec<f64> = right.iter().map(|b| b * b).collect();
+    let size = panels.integral(&squares, |_| 1.0).sqrt();
+    let solution = system.equation().solve(right, &[], start, residual * size)?;
+    let left = (right.iter().zip(&solution.values).zip(&solution.potential))
+        .map(|((b, v), u)| b - v - system.theta * u)
+        .collect();
+    Ok((solution.values, left))
+}
+
+/// The free edges with `dp0/dxi` inwards: `-alpha0 - f0' - theta0 (K p0)'`, and `(K p0)' = K p0' - sum [p0] ln|xi - s|` over the places where the pressure jumps.
+fn edges(base: &Base<'_>, level: &Level, system: &System) -> Vec<[f64; 2]> {
+    let panels = system.operator.panels();
+    let bent = system.operator.field(&panels.derivatives(&level.pressures));
+    let jumps = jumps(level, system);
+    let slope = |xi: f64| {
+        let jumped: f64 = jumps.iter().map(|[at, jump]| jump * (xi - at).abs().ln()).sum();
+        -level.state.tilt - base.slope(xi) - system.theta * (bent.at(xi) - jumped)
+    };
+    let ends = level.zones.iter().flat_map(|zone| zone.ends.into_iter().enumerate());
+    ends.filter(|(_, end)| end.is_free)
+        .map(|(side, end)| [end.at, if side == 0 { slope(end.at) } else { -slope(end.at) }])
+        .collect()
+}
+
+/// Where the pressure jumps, and by how much: corners and steps of the base.
+fn jumps(level: &Level, system: &System) -> Vec<[f64; 2]> {
+    let panels = system.operator.panels();
+    let limits = panels.limits(&level.pressures);
+    let none = JUMP * level.largest();
+    let mut jumps: Vec<[f64; 2]> = Vec::new();
+    let mut before = [f64::NEG_INFINITY, 0.0];
+    for ([left, right], [first, last]) in panels.bounds().iter().zip(limits) {
+        if *left == before[0] {
+            jumps.push([*left, first - before[1]]);
+        } else {
+            jumps.extend([[before[0], -before[1]], [*left, first]]);
+        }
+        before = [*right, last];
+    }
+    jumps.push([before[0], -before[1]]);
+    jumps.retain(|[at, jump]| jump.abs() > none && !is_free(&level.zones, *at));
+    jumps
+}
+
+/// Whether this is a free edge, or was before the edges moved last.
+fn is_free(zones: &[Zone], at: f64) -> bool {
+    let near = |zone: &Zone| {
+        let mut free = zone.ends.iter().filter(|end| end.is_free);
+        free.any(|end| (end.at - at).abs() <= BESIDE * zone.length())
+    };
+    let after = zones.partition_point(|zone| zone.right() < at);
+    zones[after.saturating_sub(1)..(after + 1).min(zones.len())].iter().any(near)
+}
