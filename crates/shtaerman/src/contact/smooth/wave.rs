@@ -7,7 +7,7 @@ use super::answer::SmoothContact;
 use super::band::Band;
 use super::problem::{Base, Sample, SmoothProblem, SmoothProfile};
 use super::slopes::{Angular, Slopes};
-use super::{COMPARED, FINE};
+use super::{ALLOWED, COMPARED, FINE};
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 
@@ -23,6 +23,11 @@ const ROUNDING: f64 = 1e-14;
 const COMPARISONS: usize = 65;
 /// Steps towards the ends of the first zone.
 const CROSSINGS: usize = 5;
+/// Twice the share of its bend by which the bottom of a valley can lie below the lowest of equally spaced places.
+const VALLEY: f64 = 0.25;
+/// Parabolas towards the bottom of a valley, and how much closer the places of each are.
+const BOTTOMS: usize = 6;
+const CLOSER: f64 = 0.1;
 /// Panels of the integral for the moment.
 const PANELS: usize = 32;
 
@@ -97,6 +102,42 @@ impl FullWave {
         // An irrational share of the step keeps clear of symmetric places, where a kink may be.
         let points = (0..points).map(|i| 2.0 * (i as f64 + 0.5 / SQRT_2) / points as f64 - 1.0);
         points.map(|xi| (xi, self.pressure(xi))).collect()
+    }
+
+    /// The least pressure in the valleys between equally spaced places that might reach below zero, with its place: a gap about to open is shorter than their distance.
+    fn lowest(&self, along: &[(f64, f64)]) -> Option<(f64, f64)> {
+        let count = along.len();
+        let step = 2.0 / count as f64;
+        let at = |i: usize| along[i % count].1;
+        let may_reach = |i: usize| {
+            let (before, here, after) = (at(i + count - 1), at(i), at(i + 1));
+            let bend = before + after - 2.0 * here;
+            here <= before && here <= after && here < VALLEY * bend
+        };
+        (0..count)
+            .filter(|&i| may_reach(i))
+            .map(|i| self.bottom(along[i].0, step))
+            .min_by(|one, two| one.1.total_cmp(&two.1))
+    }
+
+    /// The bottom of the valley about a place by parabolas through ever closer places.
+    fn bottom(&self, at: f64, step: f64) -> (f64, f64) {
+        let pressure = |xi: f64| self.pressure(wrapped(xi));
+        let mut best = (at, pressure(at));
+        let mut step = step;
+        for _ in 0..BOTTOMS {
+            let (before, after) = (pressure(best.0 - step), pressure(best.0 + step));
+            let bend = before + after - 2.0 * best.1;
+            let vertex = best.0 + 0.5 * step * (before - after) / bend;
+            let moved = vertex.clamp(best.0 - step, best.0 + step);
+            let sides = [(best.0 - step, before), (best.0 + step, after), (moved, pressure(moved))];
+            best = sides
+                .into_iter()
+                .filter(|side| side.1 < best.1)
+                .fold(best, |least, side| if side.1 < least.1 { side } else { least });
+            step *= CLOSER;
+        }
+        (wrapped(best.0), best.1)
     }
 
     /// A zone for a force: where the pressure of full contact is above its largest value less twice the mean. Of one cosine that is the zone itself,
@@ -176,8 +217,13 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     let full = FullWave::new(problem, band.as_ref(), force);
     let along = full.along(POINTS.max(4 * base.cells()));
     let (place, least, size) = least(&along);
+    let pulls = |p: f64| problem.is_unilateral && p < -ALLOWED * size;
+    let (place, least) = if pulls(least) {
+        (place, least)
+    } else {
+        full.lowest(&along).filter(|lowest| lowest.1 < least).unwrap_or((place, least))
+    };
     let turned = || Turned::new(problem, band.as_ref(), place);
-    let pulls = |p: f64| problem.is_unilateral && p < -ROUNDING * size;
     if let Vertical::Settlement(settlement) = vertical {
         let requirement = "less than the mean height of the profile: in full contact it is that mean, whatever the force";
         let partial = problem.is_unilateral && settlement < full.settlement();

@@ -245,8 +245,12 @@ impl<'p> Base<'p> {
         const FEWEST: usize = 48;
         const MOST: usize = 1024;
         const A_VALLEY: usize = 12;
-        let valleys = self.samples.windows(3).filter(|w| w[1].1 <= w[0].1 && w[1].1 < w[2].1);
-        (A_VALLEY * (valleys.count() + 1)).clamp(FEWEST, MOST)
+        (A_VALLEY * (self.valleys() + 1)).clamp(FEWEST, MOST)
+    }
+
+    /// Number of valleys of the profile.
+    pub(super) fn valleys(&self) -> usize {
+        self.samples.windows(3).filter(|w| w[1].1 <= w[0].1 && w[1].1 < w[2].1).count()
     }
 
     /// Difference of the largest and the smallest height.
