@@ -62,7 +62,8 @@ fn a_settlement_out_of_reach_of_an_eccentric_force() {
 #[test]
 fn a_settlement_that_no_digits_lead_to() {
     // At 0.4 this base is touched first at f - 0.4 f' = 0.0127516 of the middle, and under any force the middle settles deeper.
-    let (height, rate, e) = (0.062476686108078924f64, 2.314214961306721, 0.39691341704977146);
+    let (height, rate, e): (f64, f64, f64) =
+        (0.062476686108078924, 2.314214961306721, 0.39691341704977146);
     let base = format!("{height}*exp({rate}*xi)");
     let first = height * (rate * e).exp() * (1.0 - rate * e);
     let rotational = Rotational::Eccentricity(e);

@@ -28,6 +28,8 @@ const VALLEY: f64 = 0.25;
 /// Parabolas towards the bottom of a valley, and how much closer the places of each are.
 const BOTTOMS: usize = 6;
 const CLOSER: f64 = 0.1;
+/// Halvings of a step on the way out of a gap.
+const HALVINGS: usize = 30;
 /// Panels of the integral for the moment.
 const PANELS: usize = 32;
 
@@ -142,7 +144,13 @@ impl FullWave {
 
     /// A zone for a force: where the pressure of full contact is above its largest value less twice the mean. Of one cosine that is the zone itself,
     /// as Westergaard's half-width has `sin^2 = P0/(2 p*)`. None where it is in several parts.
-    fn first_zone(&self, along: &[(f64, f64)], force: f64) -> Option<[f64; 2]> {
+    /// A gap between the places is that about the lowest.
+    fn first_zone(
+        &self,
+        along: &[(f64, f64)],
+        lowest: Option<(f64, f64)>,
+        force: f64,
+    ) -> Option<[f64; 2]> {
         // On panels rounding is that of heights, and cells come as near.
         if !self.slopes.is_sampled() {
             return None;
@@ -156,6 +164,13 @@ impl FullWave {
         let step = 2.0 / count as f64;
         let beside = if bend > 0.0 { 0.5 * (after - before) / bend } else { 0.0 };
         let level = peak.max(self.pressure(wrapped(along[top].0 + beside * step))) - force;
+        if let Some((bottom, least)) = lowest
+            && (0..count).all(|i| at(i) > level)
+            && least < level
+        {
+            let [left, right] = [-step, step].map(|step| self.climbed(bottom, step, level));
+            return Some([right, left + 2.0]);
+        }
         let is_inside = |i: usize| at(i) > level;
         let rises: Vec<usize> = (0..count).filter(|&i| !is_inside(i) && is_inside(i + 1)).collect();
         let falls = (0..count).find(|&i| is_inside(i) && !is_inside(i + 1));
@@ -163,6 +178,20 @@ impl FullWave {
         let crossing = |i: usize| self.crossing(along[i].0, step, level);
         let (left, right) = (crossing(*rise), crossing(fall));
         Some([left, if right > left { right } else { right + 2.0 }])
+    }
+
+    /// Where the pressure rises to a value within a step from the bottom of a valley, by halving.
+    fn climbed(&self, bottom: f64, step: f64, level: f64) -> f64 {
+        let (mut below, mut above) = (0.0, step);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (below + above);
+            if self.pressure(wrapped(bottom + middle)) < level {
+                below = middle;
+            } else {
+                above = middle;
+            }
+        }
+        bottom + 0.5 * (below + above)
     }
 
     /// About where the pressure takes a value between a place and the next, by secants.
@@ -218,11 +247,9 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     let along = full.along(POINTS.max(4 * base.cells()));
     let (place, least, size) = least(&along);
     let pulls = |p: f64| problem.is_unilateral && p < -ALLOWED * size;
-    let (place, least) = if pulls(least) {
-        (place, least)
-    } else {
-        full.lowest(&along).filter(|lowest| lowest.1 < least).unwrap_or((place, least))
-    };
+    let is_partial = matches!(vertical, Vertical::Force(_)) && pulls(least);
+    let lowest = if is_partial { None } else { full.lowest(&along) };
+    let (place, least) = lowest.filter(|lowest| lowest.1 < least).unwrap_or((place, least));
     let turned = || Turned::new(problem, band.as_ref(), place);
     if let Vertical::Settlement(settlement) = vertical {
         let requirement = "less than the mean height of the profile: in full contact it is that mean, whatever the force";
@@ -230,7 +257,7 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
         require(partial, "settlement", settlement, requirement)?;
         // Without force the least pressure is minus that which closes all gaps.
         let turned = turned();
-        let first = |force: f64| full.first_zone(&along, force);
+        let first = |force: f64| full.first_zone(&along, lowest, force);
         return sunk(&turned, first, settlement, -2.0 * least)
             .map(|contact| contact.turned(problem, turned.place));
     }
@@ -239,7 +266,7 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     }
     let turned = turned();
     turned
-        .solve(&turned.problem, full.first_zone(&along, force))
+        .solve(&turned.problem, full.first_zone(&along, lowest, force))
         .map(|contact| contact.turned(problem, turned.place))
 }
 
