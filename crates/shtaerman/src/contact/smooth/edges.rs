@@ -26,6 +26,8 @@ const VANISHING: f64 = 1e-9;
 const CLOSE: f64 = 1e-5;
 /// Angles at which the slope of the density is taken.
 const BESIDE: f64 = 0.06;
+/// The same times the number of modes: beside a close neighbour the density changes as fast as these do.
+const BESIDE_OF_MODES: f64 = 10.0;
 
 /// Moves the free ends until the intensity vanishes there. Zones that carry nothing disappear, those that meet become one, ends that come to
 /// a wall stay there and leave it again if it pulls.
@@ -117,9 +119,10 @@ fn outward(solved: &Solved, j: usize, side: usize) -> f64 {
 fn slope(solved: &Solved, j: usize, side: usize) -> f64 {
     let part = &solved.parts[j];
     let at = |offset: f64| part.density(if side == 0 { PI - offset } else { offset });
+    let beside = BESIDE.min(BESIDE_OF_MODES / part.count() as f64);
     let end = at(0.0);
-    let one = (at(BESIDE) - end) / (BESIDE * BESIDE);
-    let two = (at(2.0 * BESIDE) - end) / (4.0 * BESIDE * BESIDE);
+    let one = (at(beside) - end) / (beside * beside);
+    let two = (at(2.0 * beside) - end) / (4.0 * beside * beside);
     // cos is 1 - phi^2/2
     -2.0 * (4.0 * one - two) / 3.0
 }

@@ -173,8 +173,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
             Factor::Weighted(system.operator.factor_weighted(system.parameter(), &weights)?)
         };
         let frame = system.frame(&factor)?;
-        let given: Vec<f64> =
-            system.positions.iter().map(|&xi| -(self.known.displacement)(xi)).collect();
+        let given = self.given()?;
         let elastic = system.direction(&factor.solve(&given)?, 1.0, [0.0; 2]);
         let edges = self.edges()?;
         // The tilt of a disk is another harmonic, a wave has none.
@@ -194,6 +193,19 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
             rates(0.0, [1.0, 0.0])?,
             if rotates { rates(0.0, [0.0, 1.0])? } else { Change::default() },
         ])
+    }
+
+    /// `-theta0 K p0` at the nodes. On graded ground it goes as `d^(1-mu)` at corners, and places there are too coarse for it.
+    fn given(&self) -> Result<Vec<f64>, Error> {
+        let system = &self.system;
+        if system.medium.exponent() == 0.0 {
+            let of = |xi: &f64| -(self.known.displacement)(*xi);
+            return Ok(system.positions.iter().map(of).collect());
+        }
+        let law = self.known.base.layer;
+        let pressures: Vec<f64> = self.layer.iter().map(|v| law.pressure(*v)).collect();
+        let potential = system.operator.apply(&pressures)?;
+        Ok(potential.iter().map(|u| -system.parameter() * u).collect())
     }
 
     /// What a change of the layer with these changes of `ln theta0`, `D` and `beta` amounts to.
