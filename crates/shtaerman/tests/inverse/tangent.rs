@@ -248,7 +248,11 @@ fn corners_on_steeply_graded_ground() {
         let frame = Frame::physical_graded(geometry, grading, 0.3, 1e-15, 5e-3).unwrap();
         let flat = Profile::expression("0").unwrap();
         let problem = Problem::new(frame, flat, load(1e4, 0.0), Solver::default()).unwrap();
-        agree(&problem, 1e-7);
+        let contact = problem.solve().unwrap();
+        assert!(contact.tangent_sensitivities().is_none());
+        // Of a thin layer the pressure at the corner goes as chi^(-1/2).
+        let by = contact.difference_sensitivities().unwrap().pressure_max.unwrap();
+        close(by.roughness.unwrap() * 1e-15, -0.5 * contact.peak_pressure().0, 1e-2);
     }
 }
 
