@@ -173,6 +173,16 @@ pub enum Error {
         most: usize,
     },
 
+    /// Zones of a smooth contact, or of neighbouring punches, that come too close for the modes that can be kept.
+    #[error(
+        "the zones of contact come within {gap:.1e} of the half-width: on a smooth surface that is too close to be resolved; \
+         a layer (roughness > 0) keeps such gaps in reach, and without the gap they are one zone"
+    )]
+    ZonesTooClose {
+        /// The narrowest gap, `xi`.
+        gap: f64,
+    },
+
     /// Stresses below the surface of a body whose stress field is not known.
     #[error("stresses below the surface are known for the plane, homogeneous half-space only")]
     NoStresses,
@@ -300,6 +310,7 @@ impl Error {
             Self::ToleranceNotMet { .. }
                 | Self::NotComplementary { .. }
                 | Self::TooManyZones { .. }
+                | Self::ZonesTooClose { .. }
                 | Self::EquationTolerance { .. }
                 | Self::EquationUnsolved { .. }
                 | Self::Equation(

@@ -69,7 +69,7 @@ pub enum InverseError {
 
 fn attainable(quantity: &str, unknown: &str, [least, most]: [f64; 2], unit: Dimension) -> String {
     let shown = |value| engineering(value, unit);
-    if most - least <= 1e-12 * most.abs() {
+    if least == most || most - least <= 1e-12 * most.abs() {
         return format!("the {quantity} is {} whatever the {unknown}", shown(least));
     }
     format!("it can be from {} to {}", shown(least), shown(most))

@@ -104,7 +104,9 @@ impl Search<'_> {
         evaluations: usize,
     ) -> Result<Found, Error> {
         let wanted = self.goal.wanted();
-        let ends_size = ends.iter().fold(0.0, |most: f64, end| most.max(end.value.abs()));
+        // The pressure is infinite where a smooth corner is reached: that is no size.
+        let sizes = ends.iter().map(|end| end.value.abs()).filter(|size| size.is_finite());
+        let ends_size = sizes.fold(0.0, f64::max);
         // A wish of zero is as close as what is nearby allows.
         let size = wanted.abs().max(NEARBY * ends_size);
         let small = ROUNDING * size;

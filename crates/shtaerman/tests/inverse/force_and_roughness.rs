@@ -50,6 +50,30 @@ fn the_golden_parabola_backwards() {
 }
 
 #[test]
+fn an_infinite_corner_is_no_size() {
+    // Hertz: p = sqrt(P/pi) for E* = R = 1 until the contact reaches the corners, at a/(2R) = 0.1; from there on the peak is infinite.
+    let problem = parabola(0.0, HERTZ_FORCE);
+    for peak in [0.03f64, 0.0999] {
+        let found = force(&problem, Goal::PeakPressure(peak)).unwrap();
+        close(found.value, std::f64::consts::PI * peak * peak, 1e-9);
+        assert!(found.relative_error() < 1e-11);
+    }
+    for peak in [0.11, 1e30] {
+        match force(&problem, Goal::PeakPressure(peak)) {
+            Err(Error::Inverse(InverseError::Jump { at, below, above, .. })) => {
+                close(at, std::f64::consts::PI * 0.01, 1e-9);
+                close(below, 0.1, 1e-6);
+                assert!(above.is_infinite());
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+    let flat = physical(1.0, 0.0, 1.0, "0", load(1.0, 0.0));
+    let said = force(&flat, Goal::PeakPressure(1.0)).unwrap_err().to_string();
+    assert!(said.contains("infinite whatever the force"), "{said}");
+}
+
+#[test]
 fn roughness_behind_a_settlement() {
     // Nearly a layer alone: delta = chi P/(2a), chi E*/a = 1e7.
     let problem = physical(1e12 * (1.0 - 0.09), 1e-9, 1e-2, "0", load(3e5, 0.0));

@@ -241,6 +241,22 @@ fn elastic_punches_and_graded_bodies() {
 }
 
 #[test]
+fn corners_on_steeply_graded_ground() {
+    // The pressure goes as d^(1-mu) at the corner, where it is largest: no double is near enough to it for that.
+    for geometry in [PLANE, DISK] {
+        let grading = Grading::new(0.8, 2e11).unwrap();
+        let frame = Frame::physical_graded(geometry, grading, 0.3, 1e-15, 5e-3).unwrap();
+        let flat = Profile::expression("0").unwrap();
+        let problem = Problem::new(frame, flat, load(1e4, 0.0), Solver::default()).unwrap();
+        let contact = problem.solve().unwrap();
+        assert!(contact.tangent_sensitivities().is_none());
+        // Of a thin layer the pressure at the corner goes as chi^(-1/2).
+        let by = contact.difference_sensitivities().unwrap().pressure_max.unwrap();
+        close(by.roughness.unwrap() * 1e-15, -0.5 * contact.peak_pressure().0, 1e-2);
+    }
+}
+
+#[test]
 fn hertz_has_powers_of_force_and_modulus() {
     // Line: p ~ (P E)^(1/2), a ~ (P/E)^(1/2); delta = theta P (ln(2 A/a) + 1/2) in the gauge of the half-width A. Ball: p ~ (P E^2)^(1/3), a ~ (P/E)^(1/3), delta ~ (P/E)^(2/3).
     for (geometry, force, pressure, width) in [

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::support::{With, balanced, close, holds, level, punch};
-use shtaerman::{Load, Rotational, Vertical};
+use shtaerman::{Error, Load, Rotational, Vertical};
 
 #[test]
 fn a_row_of_flat_punches() {
@@ -72,6 +72,30 @@ fn westergaard() {
             assert!(contact.gap0(at + 1.0) > 0.0);
         }
     }
+}
+
+/// The gap is shorter than the distance of any samples.
+#[test]
+fn a_wave_just_short_of_full_contact() {
+    let at = 0.0f64;
+    let missing = 1e-6f64;
+    let contact = wave((1.0 - missing) * LIMIT, at);
+    // cos(pi a/L) = sqrt(1 - P0/P*)
+    let gap = 2.0 - 4.0 / PI * missing.sqrt().acos();
+    let [left, right] = contact.zones()[0].ends;
+    // Its width to 1e-10 of the half-width.
+    assert!((2.0 - (right - left) - gap).abs() < 1e-10, "{at}: {left} {right} {gap}");
+    assert!(contact.complementarity().tension < 1e-9);
+    assert!(contact.gap0(at + 1.0) > 0.0);
+    // A gap that is too short is said to be, or as good as none.
+    let narrow =
+        punch(1.0, move |x| -LIMIT * (PI * (x - at)).cos(), level(2.0 * LIMIT * (1.0 - 1e-7)))
+            .slope(move |x| LIMIT * PI * (PI * (x - at)).sin())
+            .period(2.0);
+    assert!(matches!(narrow.refused(), Error::ZonesTooClose { gap } if gap < 1e-3));
+    let full = wave((1.0 - 1e-11) * LIMIT, at);
+    assert!(full.complementarity().tension < 1e-10);
+    close(full.pressure0(at), 2.0 * LIMIT, 1e-10, &format!("{at}"));
 }
 
 #[test]

@@ -58,3 +58,23 @@ fn a_settlement_out_of_reach_of_an_eccentric_force() {
     assert!((contact.tilt0() - settlement / c).abs() < 1e-4, "{}", contact.tilt0());
     assert!((at(1.0, 0.6).unwrap().settlement0() - 1.0).abs() < 1e-12);
 }
+
+#[test]
+fn a_settlement_that_no_digits_lead_to() {
+    // At 0.4 this base is touched first at f - 0.4 f' = 0.0127516 of the middle, and under any force the middle settles deeper.
+    let (height, rate, e): (f64, f64, f64) =
+        (0.062476686108078924, 2.314214961306721, 0.39691341704977146);
+    let base = format!("{height}*exp({rate}*xi)");
+    let first = height * (rate * e).exp() * (1.0 - rate * e);
+    let rotational = Rotational::Eccentricity(e);
+    let below = load(Vertical::Settlement(0.97 * first), rotational);
+    assert!(attempt(7.267781411062088e-3, &base, below).is_err());
+    for force in [1e-8, 1e-5, 1e-2, 1.0] {
+        let contact =
+            attempt(7.267781411062088e-3, &base, load(Vertical::Force(force), rotational));
+        assert!(contact.unwrap().settlement0() > first);
+    }
+    let above = load(Vertical::Settlement(1.5 * first), rotational);
+    let contact = attempt(7.267781411062088e-3, &base, above).unwrap();
+    assert!(contact.complementarity().unwrap().tension < 1e-9);
+}

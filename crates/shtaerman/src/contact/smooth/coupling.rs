@@ -45,20 +45,25 @@ pub(super) fn modes(
             (digits * std::f64::consts::LN_10 / (e + (e * (2.0 + e)).sqrt()).ln_1p()).ceil() + 3.0
         };
         if wanted.is_nan() || wanted > MOST_OF_A_ZONE {
-            return Err(unresolved(gap));
+            return Err(Error::ZonesTooClose { gap: gap.max(0.0) });
         }
         counts.push(wanted as usize);
     }
     if counts.iter().sum::<usize>() > MOST_MODES {
-        return Err(unresolved(0.0));
+        return Err(Error::ZonesTooClose { gap: narrowest(kernel, zones) });
     }
     Ok(counts)
 }
 
-/// Zones too close, or too many.
-fn unresolved(gap: f64) -> Error {
-    let iterations = MOST_MODES;
-    Error::Equation(fredholm::Error::NotConverged { iterations, residual: gap, tolerance: 0.0 })
+/// The narrowest gap beside a zone, also across the ends of a period.
+fn narrowest(kernel: SmoothKernel, zones: &[Zone]) -> f64 {
+    let between = zones.windows(2).map(|pair| pair[1].left() - pair[0].right());
+    let around = match (kernel.period(), zones) {
+        (Some(period), [first, .., last]) => Some(first.left() + period - last.right()),
+        (Some(period), [only]) => Some(period - only.length()),
+        _ => None,
+    };
+    between.chain(around).fold(f64::INFINITY, f64::min)
 }
 
 /// Solves for the three densities, about a middle; `heights` are the coefficients `f_k` of each zone.
@@ -198,7 +203,7 @@ fn add_image(values: &mut [f64], target: &Nodes, source: &Nodes, shift: f64) -> 
         source.zone.left() + shift - target.zone.right()
     };
     if gap.is_nan() || gap <= 0.0 {
-        return Err(unresolved(gap));
+        return Err(Error::ZonesTooClose { gap: gap.max(0.0) });
     }
     let weights: Vec<f64> = (0..columns).map(|n| PI / n.max(1) as f64).collect();
     for (q, angle) in target.angles.iter().enumerate() {

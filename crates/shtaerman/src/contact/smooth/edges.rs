@@ -17,6 +17,8 @@ use crate::Error;
 const NONE: f64 = 8.0 * f64::EPSILON;
 /// Angles at which the slope of the density is taken.
 const BESIDE: f64 = 0.06;
+/// The same times the number of modes: beside a close neighbour the density changes as fast as these do.
+const BESIDE_OF_MODES: f64 = 10.0;
 
 impl FreeEnds for Solved {
     fn carried(&self, zone: usize) -> f64 {
@@ -62,7 +64,8 @@ pub(super) fn end_error(solved: &Solved, j: usize, density_error: f64) -> f64 {
 /// `dG/dy` outwards at an end of a zone, `y = (xi - c)/b`.
 fn slope(solved: &Solved, j: usize, side: usize) -> f64 {
     let part = &solved.parts[j];
-    free_ends::slope(|offset| part.density(if side == 0 { PI - offset } else { offset }), BESIDE)
+    let at = |offset: f64| part.density(if side == 0 { PI - offset } else { offset });
+    free_ends::slope(at, BESIDE.min(BESIDE_OF_MODES / part.count() as f64))
 }
 
 /// The zones after steps that neither empty a zone nor jump over a gap; `outward` is that of a zone and side in lengths of the zone.

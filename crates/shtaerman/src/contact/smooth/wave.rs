@@ -7,7 +7,7 @@ use super::answer::SmoothContact;
 use super::band::Band;
 use super::problem::{Base, Sample, SmoothProblem, SmoothProfile};
 use super::slopes::{Angular, Slopes};
-use super::{COMPARED, FINE};
+use super::{ALLOWED, COMPARED, FINE};
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 
@@ -24,6 +24,13 @@ const ROUNDING: f64 = 1e-14;
 const COMPARISONS: usize = 65;
 /// Steps towards the ends of the first zone.
 const CROSSINGS: usize = 5;
+/// Twice the share of its bend by which the bottom of a valley can lie below the lowest of equally spaced places.
+const VALLEY: f64 = 0.25;
+/// Parabolas towards the bottom of a valley, and how much closer the places of each are.
+const BOTTOMS: usize = 6;
+const CLOSER: f64 = 0.1;
+/// Halvings of a step on the way out of a gap.
+const HALVINGS: usize = 30;
 /// Panels of the integral for the moment.
 const PANELS: usize = 32;
 
@@ -100,9 +107,51 @@ impl FullWave {
         points.map(|xi| (xi, self.pressure(xi))).collect()
     }
 
+    /// The least pressure in the valleys between equally spaced places that might reach below zero, with its place: a gap about to open is shorter than their distance.
+    fn lowest(&self, along: &[(f64, f64)]) -> Option<(f64, f64)> {
+        let count = along.len();
+        let step = 2.0 / count as f64;
+        let at = |i: usize| along[i % count].1;
+        let may_reach = |i: usize| {
+            let (before, here, after) = (at(i + count - 1), at(i), at(i + 1));
+            let bend = before + after - 2.0 * here;
+            here <= before && here <= after && here < VALLEY * bend
+        };
+        (0..count)
+            .filter(|&i| may_reach(i))
+            .map(|i| self.bottom(along[i].0, step))
+            .min_by(|one, two| one.1.total_cmp(&two.1))
+    }
+
+    /// The bottom of the valley about a place by parabolas through ever closer places.
+    fn bottom(&self, at: f64, step: f64) -> (f64, f64) {
+        let pressure = |xi: f64| self.pressure(wrapped(xi));
+        let mut best = (at, pressure(at));
+        let mut step = step;
+        for _ in 0..BOTTOMS {
+            let (before, after) = (pressure(best.0 - step), pressure(best.0 + step));
+            let bend = before + after - 2.0 * best.1;
+            let vertex = best.0 + 0.5 * step * (before - after) / bend;
+            let moved = vertex.clamp(best.0 - step, best.0 + step);
+            let sides = [(best.0 - step, before), (best.0 + step, after), (moved, pressure(moved))];
+            best = sides
+                .into_iter()
+                .filter(|side| side.1 < best.1)
+                .fold(best, |least, side| if side.1 < least.1 { side } else { least });
+            step *= CLOSER;
+        }
+        (wrapped(best.0), best.1)
+    }
+
     /// A zone for a force: where the pressure of full contact is above its largest value less twice the mean. Of one cosine that is the zone itself,
     /// as Westergaard's half-width has `sin^2 = P0/(2 p*)`. None where it is in several parts.
-    fn first_zone(&self, along: &[(f64, f64)], force: f64) -> Option<[f64; 2]> {
+    /// A gap between the places is that about the lowest.
+    fn first_zone(
+        &self,
+        along: &[(f64, f64)],
+        lowest: Option<(f64, f64)>,
+        force: f64,
+    ) -> Option<[f64; 2]> {
         // On panels rounding is that of heights, and cells come as near.
         if !self.slopes.is_sampled() {
             return None;
@@ -116,6 +165,13 @@ impl FullWave {
         let step = 2.0 / count as f64;
         let beside = if bend > 0.0 { 0.5 * (after - before) / bend } else { 0.0 };
         let level = peak.max(self.pressure(wrapped(along[top].0 + beside * step))) - force;
+        if let Some((bottom, least)) = lowest
+            && (0..count).all(|i| at(i) > level)
+            && least < level
+        {
+            let [left, right] = [-step, step].map(|step| self.climbed(bottom, step, level));
+            return Some([right, left + 2.0]);
+        }
         let is_inside = |i: usize| at(i) > level;
         let rises: Vec<usize> = (0..count).filter(|&i| !is_inside(i) && is_inside(i + 1)).collect();
         let falls = (0..count).find(|&i| is_inside(i) && !is_inside(i + 1));
@@ -123,6 +179,20 @@ impl FullWave {
         let crossing = |i: usize| self.crossing(along[i].0, step, level);
         let (left, right) = (crossing(*rise), crossing(fall));
         Some([left, if right > left { right } else { right + 2.0 }])
+    }
+
+    /// Where the pressure rises to a value within a step from the bottom of a valley, by halving.
+    fn climbed(&self, bottom: f64, step: f64, level: f64) -> f64 {
+        let (mut below, mut above) = (0.0, step);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (below + above);
+            if self.pressure(wrapped(bottom + middle)) < level {
+                below = middle;
+            } else {
+                above = middle;
+            }
+        }
+        bottom + 0.5 * (below + above)
     }
 
     /// About where the pressure takes a value between a place and the next, by secants.
@@ -177,15 +247,18 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     let full = FullWave::new(problem, band.as_ref(), force);
     let along = full.along((4 * base.cells()).clamp(POINTS, MOST_POINTS));
     let (place, least, size) = least(&along);
+    let pulls = |p: f64| problem.is_unilateral && p < -ALLOWED * size;
+    let is_partial = matches!(vertical, Vertical::Force(_)) && pulls(least);
+    let lowest = if is_partial { None } else { full.lowest(&along) };
+    let (place, least) = lowest.filter(|lowest| lowest.1 < least).unwrap_or((place, least));
     let turned = || Turned::new(problem, band.as_ref(), place);
-    let pulls = |p: f64| problem.is_unilateral && p < -ROUNDING * size;
     if let Vertical::Settlement(settlement) = vertical {
         let requirement = "less than the mean height of the profile: in full contact it is that mean, whatever the force";
         let partial = problem.is_unilateral && settlement < full.settlement();
         require(partial, "settlement", settlement, requirement)?;
         // Without force the least pressure is minus that which closes all gaps.
         let turned = turned();
-        let first = |force: f64| full.first_zone(&along, force);
+        let first = |force: f64| full.first_zone(&along, lowest, force);
         return sunk(&turned, first, settlement, -2.0 * least)
             .map(|contact| contact.turned(problem, turned.place));
     }
@@ -194,7 +267,7 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     }
     let turned = turned();
     turned
-        .solve(&turned.problem, full.first_zone(&along, force))
+        .solve(&turned.problem, full.first_zone(&along, lowest, force))
         .map(|contact| contact.turned(problem, turned.place))
 }
 

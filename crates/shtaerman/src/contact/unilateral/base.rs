@@ -262,7 +262,12 @@ impl<'p> Base<'p> {
         const USUAL: usize = 1024;
         // Many zones under one plane punch are for panels.
         let most = if self.is_plain() { USUAL } else { MOST_CELLS };
-        valleys::cells(valleys::valleys(&self.samples).count(), USUAL, most)
+        valleys::cells(self.valleys(), USUAL, most)
+    }
+
+    /// Number of valleys of the profile.
+    pub(super) fn valleys(&self) -> usize {
+        valleys::valleys(&self.samples).count()
     }
 
     /// Difference of the largest and the smallest height.

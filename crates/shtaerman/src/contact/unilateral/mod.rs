@@ -59,6 +59,9 @@ const ALLOWED: f64 = 1e-10;
 /// Corrections of the topology by the check, for each number of cells.
 const CORRECTIONS: usize = 12;
 
+/// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything.
+const ALL_NOISE: f64 = 0.1;
+
 /// Relative errors from which on heights are counted from a tangent, and the length of base within which all zones must lie for that.
 const DIGITS_LOST: f64 = 1e-11;
 const SMALL_ZONES: f64 = 0.1;
@@ -127,8 +130,8 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
 fn lifting(base: Base<'_>) -> Result<Answer, Error> {
     if !base.medium.is_closed() {
         return open(&base).map_err(|error| match error {
-            // That of cells, where heights are known to rounding alone.
-            Error::Equation(fredholm::Error::NotConverged { .. }) => {
+            // That of cells, where heights are known to rounding alone; and 1 + theta0 K is positive, whatever rounding makes of it.
+            Error::Equation(_) if error.is_numerical() => {
                 Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN }
             }
             other => other,
@@ -137,6 +140,12 @@ fn lifting(base: Base<'_>) -> Result<Answer, Error> {
     let (solved, accuracy) = ring::solve(&base)?;
     let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
     let left = check(&base, &solved, ALLOWED.max(2.0 * noise));
+    if noise > ALL_NOISE {
+        return Err(Error::NotComplementary {
+            tension: left.tension,
+            penetration: left.penetration,
+        });
+    }
     if left.pulling.is_empty() && !ring::lifts(&base, &solved) {
         return harmonic::answer(&base, solved, accuracy, 0.0, &left).map(Answer::zones);
     }
@@ -259,6 +268,9 @@ fn finished(
     for _ in 0..CORRECTIONS {
         let (solved, accuracy, edge) = refined(base, &coarse, start)?;
         let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
+        if noise > ALL_NOISE {
+            break;
+        }
         let left = check(base, &solved, ALLOWED.max(2.0 * noise));
         if left.is_clean() {
             return harmonic::answer(base, solved, accuracy, edge, &left);

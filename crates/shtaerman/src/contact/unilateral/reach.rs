@@ -29,6 +29,7 @@ pub(super) fn zones(
 ) -> Result<Vec<Zone>, Error> {
     let curve = Curve { base, settlement, e };
     let mut nearest: Option<f64> = None;
+    let mut is_lost = false;
     for start in starts(samples) {
         match curve.search(start, samples) {
             Some(Search::Found(zones)) => return Ok(zones),
@@ -37,8 +38,13 @@ pub(super) fn zones(
             {
                 nearest = Some(excess);
             }
-            _ => {}
+            Some(Search::Turns(_)) => {}
+            Some(Search::Lost) | None => is_lost |= is_crossed(samples, start),
         }
+    }
+    if is_lost && !base.touches_nowhere() {
+        // Cells show a force with this settlement, and the contacts there were not found.
+        return Err(Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN });
     }
     let by_cells =
         samples.iter().map(|sample| sample[1]).min_by(|a, b| a.abs().total_cmp(&b.abs()));
@@ -48,11 +54,15 @@ pub(super) fn zones(
 /// Samples where the curve crosses or comes closest among its neighbours, from small forces to large.
 fn starts(samples: &[[f64; 2]]) -> Vec<usize> {
     let size = |i: usize| samples[i][1].abs();
-    let crossed = |i: usize| i > 0 && (samples[i][1] > 0.0) != (samples[i - 1][1] > 0.0);
     let is_least = |i: usize| {
         (i == 0 || size(i) < size(i - 1)) && (i + 1 == samples.len() || size(i) <= size(i + 1))
     };
-    (0..samples.len()).filter(|&i| crossed(i) || is_least(i)).collect()
+    (0..samples.len()).filter(|&i| is_crossed(samples, i) || is_least(i)).collect()
+}
+
+/// Whether the settlement lies between those of a sample and the one before.
+fn is_crossed(samples: &[[f64; 2]], i: usize) -> bool {
+    i > 0 && (samples[i][1] > 0.0) != (samples[i - 1][1] > 0.0)
 }
 
 /// What a search along the curve comes to.
@@ -60,6 +70,8 @@ enum Search {
     Found(Vec<Zone>),
     /// The least distance from the settlement, with its sign.
     Turns(f64),
+    /// Contacts on the way were not found.
+    Lost,
 }
 
 /// A point of the curve.
@@ -118,10 +130,10 @@ impl Curve<'_, '_> {
         let step = if here.falls() { STRIDE } else { -STRIDE };
         for _ in 0..STRIDES {
             let log = here.log + step;
-            let Some(next) = (log >= ends[0] && log <= ends[1]).then(|| self.at(log)).flatten()
-            else {
+            if log < ends[0] || log > ends[1] {
                 break;
-            };
+            }
+            let Some(next) = self.at(log) else { return Some(Search::Lost) };
             if next.is_beyond(&here) {
                 return Some(self.between(&here, next));
             }
@@ -162,7 +174,7 @@ impl Curve<'_, '_> {
     fn turning(&self, mut one: Point, mut other: Point) -> Search {
         let mut nearest = one.excess;
         for _ in 0..STEPS {
-            let Some(middle) = self.at(0.5 * (one.log + other.log)) else { break };
+            let Some(middle) = self.at(0.5 * (one.log + other.log)) else { return Search::Lost };
             if middle.is_beyond(&one) {
                 return self.between(&one, middle);
             }

@@ -12,6 +12,9 @@ use crate::contact::plan::AIM;
 use crate::contact::potential::between_nodes;
 use crate::{Error, Load, Rotational, Vertical};
 
+/// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys; and most of them.
+const NODES_A_VALLEY: f64 = 12.0;
+const MOST_FOR_VALLEYS: f64 = 160.0;
 /// Growth of the number of nodes from one resolution to the next.
 pub(super) const RATIO: f64 = std::f64::consts::SQRT_2;
 /// Most nodes of all panels together.
@@ -35,7 +38,10 @@ pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
         .flat_map(|zone| zone.panels(&base.breaks))
         .fold(0.0f64, |most, (left, right)| most.max(right - left));
     let count = first_half_count(0.5 * base.steepness() * longest);
-    if base.layer.is_linear() { count } else { BENT * count }
+    let count = if base.layer.is_linear() { count } else { BENT * count };
+    // On fewer nodes a wavy base shows tension where there is none, and zones would be cut there.
+    let waves = NODES_A_VALLEY * base.valleys() as f64 * 0.5 * longest;
+    count.max(waves.min(MOST_FOR_VALLEYS))
 }
 
 pub(super) fn half_count(start: f64, power: i32) -> usize {
