@@ -1,5 +1,7 @@
 //! The ups and downs of a profile: how many samples show them, and how many cells.
 
+use std::f64::consts::SQRT_2;
+
 use crate::Error;
 
 /// Places between samples where a profile is looked at, and so many of them missed that samples are too few.
@@ -8,10 +10,11 @@ const MANY_MISSED: usize = 8;
 /// A miss, as a share of the change of the profile between the samples beside; and of its size, below which it is rounding.
 const MISSED: f64 = 0.25;
 const ROUNDING: f64 = 1e-9;
-/// The golden ratio: multiples of it never fall in with a wave.
+/// Multiples of the golden ratio never fall in with a wave, and those of the root of two not with both.
 const GOLDEN: f64 = 0.618_033_988_749_894_8;
-/// Fewest cells that show a valley.
+/// Fewest cells that show a valley, and how many are wanted.
 const CELLS_A_VALLEY: usize = 6;
+const WANTED: usize = 12;
 
 /// Steps between samples that show the ups and downs of a profile on an interval: `least`, doubled while cubics through the samples miss it in many places, and at most `most`.
 pub(super) fn steps(
@@ -33,27 +36,57 @@ fn misses(height: &impl Fn(f64) -> f64, [left, right]: [f64; 2], count: usize) -
         let share = (GOLDEN * *probe as f64).fract();
         let first = (share * (count - 3) as f64).floor();
         let values = [0.0, 1.0, 2.0, 3.0].map(|step| at(first + step));
-        let between = at(first + 1.5);
-        let cubic = (9.0 * (values[1] + values[2]) - values[0] - values[3]) / 16.0;
+        // Half-way between its samples alone a wave of two periods a step would be hit again.
+        let u = 1.25 + 0.5 * (SQRT_2 * *probe as f64).fract();
+        let between = at(first + u);
         let all = || values.iter().chain([&between]);
         let most = all().fold(f64::NEG_INFINITY, |most, value| most.max(*value));
         let least = all().fold(f64::INFINITY, |least, value| least.min(*value));
         let size = most.abs().max(least.abs());
-        (cubic - between).abs() > (MISSED * (most - least)).max(ROUNDING * size)
+        let missed = (cubic(values, u) - between).abs();
+        missed > (MISSED * (most - least)).max(ROUNDING * size)
     };
     (1..=PROBES).filter(is_missed).count()
 }
 
-/// Where samples `(xi, f0)` have their lowest places between higher ones.
+/// The cubic with these values at 0, 1, 2 and 3.
+fn cubic([zero, one, two, three]: [f64; 4], u: f64) -> f64 {
+    let outer = (u - 1.0) * (u - 2.0) * (three * u - zero * (u - 3.0)) / 6.0;
+    outer + 0.5 * u * (u - 3.0) * (one * (u - 2.0) - two * (u - 1.0))
+}
+
+/// Where samples `(xi, f0)` at equal steps have their lowest places between higher ones, by parabolas.
 pub(super) fn valleys(samples: &[(f64, f64)]) -> impl Iterator<Item = f64> + '_ {
     let lowest = samples.windows(3).filter(|w| w[1].1 <= w[0].1 && w[1].1 < w[2].1);
-    lowest.map(|w| w[1].0)
+    lowest.map(|w| {
+        let [before, after] = [w[0].1 - w[1].1, w[2].1 - w[1].1];
+        w[1].0 + 0.25 * (w[2].0 - w[0].0) * ((before - after) / (before + after)).clamp(-1.0, 1.0)
+    })
+}
+
+/// Where to cut an interval into about so many cells. If those are few for each valley they are centred on the valleys: at others the height of a cell would tell where it lies rather than
+/// how deep the valley is.
+pub(super) fn cuts(valleys: &[f64], [left, right]: [f64; 2], count: usize) -> Vec<f64> {
+    let each = count / (valleys.len() + 1);
+    let (true, [first, .., last]) = (each < WANTED, valleys) else {
+        return (1..count).map(|i| left + (right - left) * i as f64 / count as f64).collect();
+    };
+    let between = |pair: &[f64]| {
+        let [from, to] = [pair[0], pair[1]];
+        (0..each).map(move |i| from + (to - from) * (i as f64 + 0.5) / each as f64)
+    };
+    let outer = [2.0 * left - first, *first, *last, 2.0 * right - last];
+    valleys
+        .windows(2)
+        .flat_map(between)
+        .chain(outer.chunks(2).flat_map(between))
+        .filter(|at| *at > left && *at < right)
+        .collect()
 }
 
 /// Number of cells that shows so many valleys, if possible twelve for each; those of more than can be had show none.
 pub(super) fn cells(valleys: usize, usual: usize, most: usize) -> usize {
     const FEWEST: usize = 48;
-    const WANTED: usize = 12;
     let count = (WANTED * (valleys + 1)).clamp(FEWEST, usual);
     count.max((CELLS_A_VALLEY * (valleys + 1)).min(most))
 }
@@ -93,6 +126,30 @@ mod tests {
             let found = counted(wave, 512) as f64;
             assert!((found - crests).abs() <= 2.0, "{crests}: {found}");
         }
+    }
+
+    #[test]
+    fn cubics_are_their_own() {
+        let value = |u: f64| 2.0 - u + 0.5 * u * u - 0.25 * u * u * u;
+        for u in [1.1, 1.5, 1.9] {
+            assert!((cubic([0.0, 1.0, 2.0, 3.0].map(value), u) - value(u)).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn few_cells_are_centred_on_valleys() {
+        let valleys = [0.1, 0.3, 0.5, 0.9];
+        let cuts = cuts(&valleys, [0.0, 1.0], 30);
+        let mut sorted = cuts.clone();
+        sorted.sort_by(f64::total_cmp);
+        for at in valleys {
+            let after = sorted.partition_point(|cut| *cut < at);
+            let [below, above] = [at - sorted[after - 1], sorted[after] - at];
+            // A twelfth of the way to the next valley, or to the mirror image of an outer one.
+            assert!(below > 0.0 && above > 0.0 && below.max(above) < 0.4 / 11.9, "{at}");
+        }
+        // Enough for each need not be.
+        assert_eq!(super::cuts(&valleys[..1], [0.0, 1.0], 4), [0.25, 0.5, 0.75]);
     }
 
     #[test]

@@ -140,13 +140,8 @@ fn lifting(base: Base<'_>) -> Result<Answer, Error> {
     let (solved, accuracy) = ring::solve(&base)?;
     let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
     let left = check(&base, &solved, ALLOWED.max(2.0 * noise));
-    if noise > ALL_NOISE {
-        return Err(Error::NotComplementary {
-            tension: left.tension,
-            penetration: left.penetration,
-        });
-    }
-    if left.pulling.is_empty() && !ring::lifts(&base, &solved) {
+    let is_full = noise <= ALL_NOISE && left.pulling.is_empty();
+    if is_full && !ring::lifts(&base, &solved) {
         return harmonic::answer(&base, solved, accuracy, 0.0, &left).map(Answer::zones);
     }
     // Seen from the middle of a gap the wave is one more base with ends.

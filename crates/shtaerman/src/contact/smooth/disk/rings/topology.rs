@@ -5,6 +5,7 @@ use std::f64::consts::{LN_2, PI};
 use super::base::Base;
 use super::kernel::mean;
 use crate::contact::cells::{Cell, Cells, Limits, solve_thin};
+use crate::contact::valleys;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// Most cells that are refined.
@@ -28,7 +29,8 @@ pub(super) fn is_disk(base: &Base<'_>, count: usize) -> Result<bool, Error> {
 
 /// Rings of the base, with the disk at the axis.
 fn cells(base: &Base<'_>, count: usize) -> Cells {
-    let mut cuts: Vec<f64> = (1..count).map(|i| i as f64 / count as f64).collect();
+    let valleys: Vec<f64> = valleys::valleys(&base.samples).collect();
+    let mut cuts = valleys::cuts(&valleys, [0.0, 1.0], count);
     cuts.extend(&base.problem.breaks);
     Cells::new([([0.0, 1.0], cuts)], LIMITS)
 }
