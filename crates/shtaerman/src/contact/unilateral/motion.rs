@@ -19,8 +19,8 @@ use crate::contact::balance::State;
 /// Steps of the difference quotient of the profile, as a share of the panel: it serves Newton steps, not answers.
 const DIFFERENCE: f64 = 1e-5;
 
-/// From so many zones on each edge has a Newton step of its own.
-const MANY: usize = 7;
+/// From so many zones on each edge has a Newton step of its own; of fewer, in thin layers, such steps were seen to miss the zones.
+const MANY: usize = 12;
 /// Share of a panel beside its end over which the slope of the layer is taken, and share of the zone that an edge moves where no step is known.
 const BESIDE: f64 = 0.02;
 const STRIDE: f64 = 0.4;
