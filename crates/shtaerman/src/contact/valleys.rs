@@ -64,11 +64,12 @@ pub(super) fn valleys(samples: &[(f64, f64)]) -> impl Iterator<Item = f64> + '_ 
     })
 }
 
-/// Where to cut an interval into about so many cells. If those are few for each valley they are centred on the valleys: at others the height of a cell would tell where it lies rather than
+/// Where to cut an interval into about so many cells. If those are few for each valley, but enough to show it, they are centred on the valleys: at others the height of a cell would tell where it lies rather than
 /// how deep the valley is.
 pub(super) fn cuts(valleys: &[f64], [left, right]: [f64; 2], count: usize) -> Vec<f64> {
     let each = count / (valleys.len() + 1);
-    let (true, [first, .., last]) = (each < WANTED, valleys) else {
+    let are_few = (CELLS_A_VALLEY..WANTED).contains(&each);
+    let (true, [first, .., last]) = (are_few, valleys) else {
         return (1..count).map(|i| left + (right - left) * i as f64 / count as f64).collect();
     };
     let between = |pair: &[f64]| {

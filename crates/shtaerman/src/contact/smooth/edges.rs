@@ -21,6 +21,10 @@ const BESIDE: f64 = 0.06;
 const BESIDE_OF_MODES: f64 = 10.0;
 
 impl FreeEnds for Solved {
+    fn modes(&self) -> usize {
+        self.modes()
+    }
+
     fn carried(&self, zone: usize) -> f64 {
         self.parts[zone].force()
     }
@@ -49,7 +53,7 @@ pub(super) fn settle(base: &Base<'_>, start: &[Zone], detail: Detail) -> Result<
         |solved: &Solved, j, side| step(solved.end_density(j, side), slope(solved, j, side));
     let next =
         |solved: &Solved, zones: &[Zone]| moved(base, zones, |j, side| outward(solved, j, side));
-    free_ends::settle(start, solve, next)
+    free_ends::settle(start, &base.work, solve, next)
 }
 
 /// Estimated error of the free ends of a zone, in `xi`.

@@ -1,5 +1,7 @@
 //! What free ends have in common, in plane contact and on rings: each moves by itself until the density there vanishes.
 
+use std::cell::Cell;
+
 use super::zones::Zone;
 use crate::Error;
 
@@ -11,11 +13,34 @@ const SMALL: f64 = 1e-8;
 pub(super) const STRIDE: f64 = 0.4;
 /// Zones shorter than this share of the longest are none.
 pub(super) const VANISHING: f64 = 1e-9;
+/// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends.
+const MOST_WORK: f64 = 4e10;
 /// Zones closer than this share of the shorter one are one.
 const CLOSE: f64 = 1e-5;
 
+/// What the search for zones has cost so far.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Work(Cell<f64>);
+
+impl Work {
+    /// Adds the solution of so many equations.
+    ///
+    /// # Errors
+    /// [`Error::NotComplementary`] if that was too much.
+    fn spend(&self, modes: usize) -> Result<(), Error> {
+        self.0.set(self.0.get() + (modes as f64).powi(3));
+        if self.0.get() <= MOST_WORK {
+            return Ok(());
+        }
+        Err(Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN })
+    }
+}
+
 /// A solution on zones whose ends can be told from their densities.
 pub(super) trait FreeEnds {
+    /// Number of unknowns.
+    fn modes(&self) -> usize;
+
     /// Force of a zone, or a multiple of it.
     fn carried(&self, zone: usize) -> f64;
 
@@ -34,8 +59,12 @@ pub(super) trait FreeEnds {
 
 /// Moves the free ends until the density vanishes there. Zones that carry nothing disappear, those that meet become one, ends that come to
 /// a wall stay there and leave it again if it pulls.
+///
+/// # Errors
+/// Those of the solutions, and [`Error::NotComplementary`] if they were too much work.
 pub(super) fn settle<S: FreeEnds>(
     start: &[Zone],
+    work: &Work,
     solve: impl Fn(&[Zone]) -> Result<S, Error>,
     moved: impl Fn(&S, &[Zone]) -> Vec<Zone>,
 ) -> Result<S, Error> {
@@ -43,6 +72,7 @@ pub(super) fn settle<S: FreeEnds>(
     let mut best: Option<(f64, S)> = None;
     for _ in 0..STEPS {
         let solved = solve(&zones)?;
+        work.spend(solved.modes())?;
         if drop_idle(&mut zones, &solved) {
             best = None;
             continue;

@@ -3,6 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
+use super::free_ends::Work;
 use super::kernel::SmoothKernel;
 use super::zones::Zone;
 use crate::contact::valleys;
@@ -113,6 +114,7 @@ pub(super) struct Base<'p> {
     walls: [Vec<f64>; 2],
     /// Samples of each piece.
     pub(super) samples: Vec<Vec<Sample>>,
+    pub(super) work: Work,
 }
 
 impl<'p> Base<'p> {
@@ -129,7 +131,13 @@ impl<'p> Base<'p> {
         samples: Vec<Vec<Sample>>,
     ) -> Result<Self, Error> {
         let ends = |side: usize| problem.pieces.iter().map(|piece| piece[side]).collect();
-        let mut base = Self { problem, grading: None, walls: [ends(0), ends(1)], samples };
+        let mut base = Self {
+            problem,
+            grading: None,
+            walls: [ends(0), ends(1)],
+            samples,
+            work: Work::default(),
+        };
         base.find_steps()?;
         if problem.is_unilateral {
             base.require_load()?;

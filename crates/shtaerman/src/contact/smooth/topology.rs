@@ -3,6 +3,7 @@
 use super::problem::Base;
 use crate::contact::cells::{Cell, Cells, Limits, closing_in, solve_thin};
 use crate::contact::unilateral::mean_power;
+use crate::contact::valleys;
 use crate::{Error, Vertical};
 
 /// How far cells are refined.
@@ -28,10 +29,11 @@ pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<[f64; 2]>, Error
 /// About so many cells of the base.
 fn cells(base: &Base<'_>, count: usize) -> Cells {
     let total: f64 = base.problem.pieces.iter().map(|[left, right]| right - left).sum();
-    let pieces = base.problem.pieces.iter().map(|&[left, right]| {
+    let pieces = base.problem.pieces.iter().zip(&base.samples).map(|(&[left, right], samples)| {
         let count = (count as f64 * (right - left) / total).ceil().max(CELLS_A_PIECE);
         let width = (right - left) / count;
-        let mut cuts: Vec<f64> = (1..count as usize).map(|i| left + width * i as f64).collect();
+        let valleys: Vec<f64> = valleys::valleys(samples).collect();
+        let mut cuts = valleys::cuts(&valleys, [left, right], count as usize);
         cuts.extend(&base.problem.profile.breaks);
         cuts.extend(closing_in(base.problem.load, width, LIMITS.shortest));
         ([left, right], cuts)

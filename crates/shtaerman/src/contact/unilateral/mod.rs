@@ -169,7 +169,13 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
             if let Some((settlement, e)) = base.settlement_at_eccentricity() {
                 return reached(base, settlement, e)?.map(Answer::zones).ok_or(error);
             }
-            many(base)?.ok_or(error)
+            many(base)?.ok_or(match error {
+                // Not for their number.
+                Error::TooManyZones { .. } if base.is_plain() => {
+                    Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN }
+                }
+                other => other,
+            })
         }
         ending => ending.map(Answer::zones),
     }

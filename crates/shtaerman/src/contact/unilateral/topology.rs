@@ -6,6 +6,7 @@ use super::base::Base;
 use super::eccentric;
 use super::zones::Zone;
 use crate::contact::cells::{Cells, Limits, Loaded, closing_in};
+use crate::contact::valleys;
 use crate::{Error, Load};
 
 /// How far cells are refined.
@@ -23,7 +24,8 @@ pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<Zone>, Error> {
 
 /// About so many cells of the base.
 pub(super) fn cells(base: &Base<'_>, count: usize) -> Cells {
-    let mut cuts: Vec<f64> = (1..count).map(|i| 2.0 * i as f64 / count as f64 - 1.0).collect();
+    let valleys: Vec<f64> = valleys::valleys(&base.samples).collect();
+    let mut cuts = valleys::cuts(&valleys, [-1.0, 1.0], count);
     cuts.extend(&base.breaks);
     cuts.extend(closing_in(base.load, 2.0 / count as f64, LIMITS.shortest));
     Cells::new([([-1.0, 1.0], cuts)], LIMITS)

@@ -2,6 +2,7 @@
 
 use super::super::shape::Shape;
 use super::super::{BESIDE, SAMPLES, STEP, SmoothDisk};
+use crate::contact::smooth::free_ends::Work;
 use crate::contact::smooth::zones::Zone;
 use crate::contact::valleys;
 use crate::{Error, Load, Rotational};
@@ -20,6 +21,7 @@ pub(super) struct Base<'p> {
     walls: [Vec<f64>; 2],
     /// `(r, f0)`.
     pub(super) samples: Vec<(f64, f64)>,
+    pub(super) work: Work,
 }
 
 impl<'p> Base<'p> {
@@ -32,7 +34,8 @@ impl<'p> Base<'p> {
             .map(|r| (r, (problem.height)(r)))
             .collect();
         let walls = [Vec::new(), vec![1.0]];
-        let mut base = Self { problem, shape: problem.shape()?, walls, samples };
+        let mut base =
+            Self { problem, shape: problem.shape()?, walls, samples, work: Work::default() };
         base.find_steps();
         base.require_load()?;
         Ok(base)

@@ -20,6 +20,10 @@ const SHARE: f64 = 0.1;
 const NEAREST: f64 = 1e-4;
 
 impl FreeEnds for Solved {
+    fn modes(&self) -> usize {
+        self.modes()
+    }
+
     fn carried(&self, zone: usize) -> f64 {
         self.force(zone)
     }
@@ -44,7 +48,7 @@ impl FreeEnds for Solved {
 /// Moves the free edges until the intensity vanishes there; a ring whose hole closes becomes a disk.
 pub(super) fn settle(base: &Base<'_>, start: &[Zone], detail: Detail) -> Result<Solved, Error> {
     let solve = |zones: &[Zone]| Solved::new(base, zones, detail);
-    free_ends::settle(start, solve, |solved, zones| moved(base, solved, zones))
+    free_ends::settle(start, &base.work, solve, |solved, zones| moved(base, solved, zones))
 }
 
 /// What the density at edges is held against.
