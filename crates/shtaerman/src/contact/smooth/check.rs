@@ -7,6 +7,10 @@ use super::problem::Base;
 use super::system::{Place, Solved};
 use super::zones::Zone;
 
+/// A penetration that changes by less than this share is the same again; how zones that vanished are narrowed for the next attempt, and how far.
+const SAME: f64 = 1e-2;
+const NARROWER: f64 = 0.2;
+const NARROWEST: f64 = 1e-4;
 /// Points of a zone and of an interval outside the zones, at least and at most.
 pub(super) const POINTS: usize = 48;
 const MOST_POINTS: usize = 1500;
@@ -23,6 +27,26 @@ pub(super) struct Check {
     /// Intervals of each that are too large to be rounding.
     pub(super) pulling: Vec<[f64; 2]>,
     pub(super) penetrating: Vec<[f64; 2]>,
+}
+
+/// Widths of the zones that are put where the base penetrates, as shares of the intervals where it does: one that comes in too wide pulls, vanishes and leaves the same penetration.
+pub(super) struct Narrowing {
+    penetration: f64,
+    width: f64,
+}
+
+impl Narrowing {
+    pub(super) fn new() -> Self {
+        Self { penetration: f64::INFINITY, width: 1.0 }
+    }
+
+    /// The width for this penetration; none where narrowing does not help.
+    pub(super) fn next(&mut self, penetration: f64) -> Option<f64> {
+        let change = (penetration - self.penetration).abs();
+        self.width = if change <= SAME * penetration { NARROWER * self.width } else { 1.0 };
+        self.penetration = penetration;
+        (self.width >= NARROWEST).then_some(self.width)
+    }
 }
 
 impl Check {
@@ -67,6 +91,15 @@ impl Check {
         let values: Vec<f64> = points.iter().map(|&xi| penetration(xi)).collect();
         self.penetration = values.iter().fold(self.penetration, |most, g| most.max(g / scale));
         self.penetrating.extend(above(points, &values, allowed * scale));
+    }
+
+    /// The intervals of penetration, narrowed by a factor towards their middles.
+    pub(super) fn narrowed(&self, width: f64) -> Vec<[f64; 2]> {
+        let of = |&[left, right]: &[f64; 2]| {
+            let (middle, half) = (0.5 * (left + right), 0.5 * width * (right - left));
+            [(middle - half).max(left), (middle + half).min(right)]
+        };
+        self.penetrating.iter().map(of).collect()
     }
 
     /// Whether nothing is to be corrected.

@@ -39,7 +39,7 @@ pub use problem::{Curve, SmoothProblem, SmoothProfile};
 
 use crate::Error;
 use crate::contact::valleys::require_shown;
-use check::check;
+use check::{Narrowing, check};
 use problem::{Base, MOST_CELLS};
 use zones::{Zone, corrected, require_few};
 
@@ -113,7 +113,7 @@ fn complementary(base: &Base<'_>) -> Result<SmoothContact, Error> {
             return SmoothContact::new(base, solved, &left);
         }
         last = [left.tension, left.penetration];
-        zones = amended(base, &solved, &left);
+        zones = amended(base, &solved, &left, 1.0);
         if zones.is_empty() {
             break;
         }
@@ -139,6 +139,7 @@ fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
         require_shown(&intervals, &valleys, count, MOST_ZONES)?;
         let mut zones: Vec<Zone> =
             intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect();
+        let mut narrowing = Narrowing::new();
         for _ in 0..CORRECTIONS {
             if zones.is_empty() {
                 break;
@@ -157,15 +158,16 @@ fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
             }
             let (tension, penetration) = (left.tension, left.penetration);
             last = Error::NotComplementary { tension, penetration };
-            zones = amended(base, &solved, &left);
+            let Some(width) = narrowing.next(left.penetration) else { break };
+            zones = amended(base, &solved, &left, width);
         }
     }
     Err(last)
 }
 
-/// The zones without tension and with what penetrates.
-fn amended(base: &Base<'_>, solved: &system::Solved, left: &check::Check) -> Vec<Zone> {
+/// The zones without tension and with what penetrates, in zones of this share.
+fn amended(base: &Base<'_>, solved: &system::Solved, left: &check::Check, width: f64) -> Vec<Zone> {
     let zones: Vec<Zone> = solved.parts.iter().map(|part| part.zone).collect();
-    let intervals = corrected(&zones, &left.pulling, &left.penetrating);
+    let intervals = corrected(&zones, &left.pulling, &left.narrowed(width));
     intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
 }

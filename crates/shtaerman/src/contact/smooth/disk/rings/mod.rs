@@ -19,7 +19,7 @@ pub use answer::SmoothRingsContact;
 
 use super::{ALLOWED, SmoothDisk};
 use crate::Error;
-use crate::contact::smooth::check::Check;
+use crate::contact::smooth::check::{Check, Narrowing};
 use crate::contact::smooth::zones::{Zone, corrected, require_few};
 use crate::contact::smooth::{COARSE, COARSELY_ALLOWED, CORRECTIONS, FINE, TOPOLOGIES};
 use crate::contact::valleys::{self, require_shown};
@@ -75,7 +75,7 @@ fn complementary(base: &Base<'_>) -> Result<SmoothRingsContact, Error> {
             return required(SmoothRingsContact::new(base, solved, &left)?);
         }
         last = [left.tension, left.penetration];
-        zones = amended(base, &solved, &left);
+        zones = amended(base, &solved, &left, 1.0);
         if zones.is_empty() {
             break;
         }
@@ -117,6 +117,7 @@ fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
 
 fn corrected_zones(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Vec<Zone>, Error> {
     let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
+    let mut narrowing = Narrowing::new();
     for _ in 0..CORRECTIONS {
         if zones.is_empty() {
             break;
@@ -129,13 +130,14 @@ fn corrected_zones(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Vec<Zone>, E
         }
         let Check { tension, penetration, .. } = left;
         last = Error::NotComplementary { tension, penetration };
-        zones = amended(base, &solved, &left);
+        let Some(width) = narrowing.next(left.penetration) else { break };
+        zones = amended(base, &solved, &left, width);
     }
     Err(last)
 }
 
-/// The zones without tension and with what penetrates.
-fn amended(base: &Base<'_>, solved: &Solved, left: &Check) -> Vec<Zone> {
-    let intervals = corrected(&solved.zones, &left.pulling, &left.penetrating);
+/// The zones without tension and with what penetrates, in zones of this share.
+fn amended(base: &Base<'_>, solved: &Solved, left: &Check, width: f64) -> Vec<Zone> {
+    let intervals = corrected(&solved.zones, &left.pulling, &left.narrowed(width));
     intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
 }
