@@ -106,6 +106,7 @@ fn tried(base: &Base<'_>, zone: Zone) -> Option<Result<SmoothContact, Error>> {
 fn complementary(base: &Base<'_>) -> Result<SmoothContact, Error> {
     let mut zones = find_zones(base)?;
     let mut last = [f64::NAN; 2];
+    let mut narrowing = Narrowing::new();
     for _ in 0..CORRECTIONS {
         let solved = edges::settle(base, &zones, FINE)?;
         let left = check(base, &solved, ALLOWED);
@@ -113,7 +114,8 @@ fn complementary(base: &Base<'_>) -> Result<SmoothContact, Error> {
             return SmoothContact::new(base, solved, &left);
         }
         last = [left.tension, left.penetration];
-        zones = amended(base, &solved, &left, 1.0);
+        let Some(width) = narrowing.next(left.penetration) else { break };
+        zones = amended(base, &solved, &left, width);
         if zones.is_empty() {
             break;
         }

@@ -63,6 +63,7 @@ pub(super) fn are_likely(problem: &SmoothDisk) -> bool {
 fn complementary(base: &Base<'_>) -> Result<SmoothRingsContact, Error> {
     let mut zones = find_zones(base)?;
     let mut last = [f64::NAN; 2];
+    let mut narrowing = Narrowing::new();
     for _ in 0..CORRECTIONS {
         let solved = edges::settle(base, &zones, FINE)?;
         let left = check(base, &solved, ALLOWED);
@@ -75,7 +76,8 @@ fn complementary(base: &Base<'_>) -> Result<SmoothRingsContact, Error> {
             return required(SmoothRingsContact::new(base, solved, &left)?);
         }
         last = [left.tension, left.penetration];
-        zones = amended(base, &solved, &left, 1.0);
+        let Some(width) = narrowing.next(left.penetration) else { break };
+        zones = amended(base, &solved, &left, width);
         if zones.is_empty() {
             break;
         }
