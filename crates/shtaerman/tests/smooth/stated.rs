@@ -33,6 +33,31 @@ fn hertz_in_units() {
 }
 
 #[test]
+fn many_crests_are_lines_of_hertz() {
+    // f = h cos(k x) + c x^2: zones far shorter than the waves, p = E* b h k^2/2 in the middle of each, P = pi b p/2
+    let (amplitude, sag, total) = (1e-6, 1e-3, 1e3);
+    for (crests, fewest) in [(60, 20), (160, 70)] {
+        let wave_number = 2.0 * PI * f64::from(crests) / 5e-3;
+        let profile = format!("{amplitude}*cos({wave_number}*x) + {sag}*x^2");
+        let profile = Profile::expression(&profile).unwrap();
+        let contact = solve(Geometry::Plane, profile, force(total), Solver::default());
+        assert!(contact.edges().len() >= fewest, "{}", contact.edges().len());
+        let mut carried = 0.0;
+        for [left, right] in contact.edges() {
+            let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+            let pressure = contact.pressure(middle).unwrap();
+            let curvature = amplitude * wave_number * wave_number;
+            close(pressure, 0.5 * MODULUS * half * curvature, 1e-3, "peak of a crest");
+            carried += 0.5 * PI * half * pressure;
+            // Between a crest and the next it stays clear.
+            let beside = contact.gap(middle + 0.25 * PI / wave_number);
+            assert!(beside.unwrap() > 0.0);
+        }
+        close(carried, total, 1e-3, "force");
+    }
+}
+
+#[test]
 fn a_measured_parabola() {
     let places: Vec<f64> = (0..=2000).map(|i| 5e-3 * (f64::from(i) / 1000.0 - 1.0)).collect();
     let heights = places.iter().map(|x| x * x / (2.0 * 0.8)).collect();
