@@ -108,7 +108,12 @@ fn complementary(base: &Base<'_>) -> Result<SmoothContact, Error> {
     let mut last = [f64::NAN; 2];
     let mut narrowing = Narrowing::new();
     for _ in 0..CORRECTIONS {
-        let solved = edges::settle(base, &zones, FINE)?;
+        let solved = match edges::settle(base, &zones, FINE) {
+            Ok(solved) => solved,
+            // What is left of an attempt says more than why the next had none.
+            Err(_) if last[1].is_finite() => break,
+            Err(error) => return Err(error),
+        };
         let left = check(base, &solved, ALLOWED);
         if left.is_clean() {
             return SmoothContact::new(base, solved, &left);

@@ -65,7 +65,12 @@ fn complementary(base: &Base<'_>) -> Result<SmoothRingsContact, Error> {
     let mut last = [f64::NAN; 2];
     let mut narrowing = Narrowing::new();
     for _ in 0..CORRECTIONS {
-        let solved = edges::settle(base, &zones, FINE)?;
+        let solved = match edges::settle(base, &zones, FINE) {
+            Ok(solved) => solved,
+            // What is left of an attempt says more than why the next had none.
+            Err(_) if last[1].is_finite() => break,
+            Err(error) => return Err(error),
+        };
         let left = check(base, &solved, ALLOWED);
         if left.is_clean() {
             return required(SmoothRingsContact::new(base, solved, &left)?);
@@ -111,7 +116,13 @@ fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
         match zones.and_then(|zones| corrected_zones(base, zones)) {
             Ok(zones) => return Ok(zones),
             Err(error @ Error::TooManyZones { .. }) => return Err(error),
-            Err(error) => last = error,
+            // What is left of an attempt says more than why the next had none.
+            Err(error) => {
+                let is_attempt = matches!(last, Error::NotComplementary { penetration, .. } if penetration.is_finite());
+                if !is_attempt || matches!(error, Error::NotComplementary { .. }) {
+                    last = error;
+                }
+            }
         }
     }
     Err(last)
