@@ -218,7 +218,7 @@ mod tests {
         let lengths: f64 = cells.cells().iter().map(Cell::width).sum();
         assert!((lengths - 2.0).abs() < 1e-15);
         // No more than the limit.
-        cells.mark(&vec![0.0; 20]);
+        cells.mark(&[0.0; 20]);
         assert!(!cells.refine());
     }
 
