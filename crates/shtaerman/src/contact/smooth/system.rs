@@ -453,9 +453,9 @@ fn resolved(base: &Base<'_>, zone: Zone, panels: usize) -> (Arc<Slopes>, f64) {
     let bends: Vec<f64> = profile.breaks.iter().filter(inside).map(angle).collect();
     let mut on_zone = OnZone { base, zone, mean: 0.0 };
     on_zone.mean = on_zone.mean_slope();
-    // Places rounded to doubles leave the slope of a short zone no more digits.
-    let farthest = zone.left().abs().max(zone.right().abs());
-    let rounding = f64::EPSILON * ROUNDINGS * farthest / zone.length();
+    // Places rounded to doubles leave the slope of a short zone far off the middle no more digits.
+    let nearest = zone.left().max(-zone.right()).max(0.0);
+    let rounding = f64::EPSILON * ROUNDINGS * nearest / zone.length();
     let tolerance = profile.tolerance.max(rounding);
     let slopes = Slopes::resolve(&on_zone, &bends, [panels, 1], tolerance);
     (Arc::new(slopes), on_zone.mean)
