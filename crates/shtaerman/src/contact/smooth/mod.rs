@@ -25,6 +25,7 @@ mod linear;
 mod linearised;
 mod panels;
 mod problem;
+mod search;
 mod slopes;
 mod stated;
 mod system;
@@ -38,10 +39,10 @@ pub use kernel::SmoothKernel;
 pub use problem::{Curve, SmoothProblem, SmoothProfile};
 
 use crate::Error;
-use crate::contact::valleys::require_shown;
-use check::{Narrowing, check};
+use check::check;
 use problem::{Base, MOST_CELLS};
-use zones::{Zone, corrected, require_few};
+use search::Searched;
+use zones::Zone;
 
 /// How finely pressures on zones are resolved.
 #[derive(Debug, Clone, Copy)]
@@ -59,10 +60,6 @@ const COMPARED: Detail = Detail { digits: 12.0, panels: 7 };
 /// Tension and penetration, relative to their scales, that are corrected at first, and in the answer.
 const COARSELY_ALLOWED: f64 = 1e-6;
 const ALLOWED: f64 = 2e-10;
-/// Corrections of the topology by the check, for each number of cells.
-const CORRECTIONS: usize = 16;
-/// Numbers of cells, each four times the one before.
-const TOPOLOGIES: usize = 3;
 /// Most zones that are solved: beyond, minutes go by.
 const MOST_ZONES: usize = 120;
 
@@ -87,7 +84,10 @@ fn solve_zones(base: &Base<'_>, first: Option<Zone>) -> Result<SmoothContact, Er
     if base.problem.is_unilateral {
         return match first.and_then(|zone| tried(base, zone)) {
             Some(contact) => contact,
-            None => complementary(base),
+            None => {
+                let (solved, left) = search::complementary(base)?;
+                SmoothContact::new(base, solved, &left)
+            }
         };
     }
     let solved = system::Solved::new(base, &base.pieces(), FINE)?;
@@ -102,79 +102,35 @@ fn tried(base: &Base<'_>, zone: Zone) -> Option<Result<SmoothContact, Error>> {
     left.is_clean().then(|| SmoothContact::new(base, solved, &left))
 }
 
-/// The answer, with its zones corrected where all modes show what few did not.
-fn complementary(base: &Base<'_>) -> Result<SmoothContact, Error> {
-    let mut zones = find_zones(base)?;
-    let mut last = [f64::NAN; 2];
-    let mut narrowing = Narrowing::new();
-    for _ in 0..CORRECTIONS {
-        let solved = match edges::settle(base, &zones, FINE) {
-            Ok(solved) => solved,
-            // What is left of an attempt says more than why the next had none.
-            Err(_) if last[1].is_finite() => break,
-            Err(error) => return Err(error),
-        };
-        let left = check(base, &solved, ALLOWED);
-        if left.is_clean() {
-            return SmoothContact::new(base, solved, &left);
-        }
-        last = [left.tension, left.penetration];
-        let Some(width) = narrowing.next(left.penetration) else { break };
-        zones = amended(base, &solved, &left, width);
-        if zones.is_empty() {
-            break;
-        }
-    }
-    Err(Error::NotComplementary { tension: last[0], penetration: last[1] })
-}
+impl Searched for Base<'_> {
+    type Solved = system::Solved;
+    const MOST_ZONES: usize = MOST_ZONES;
 
-/// The zones with few modes.
-fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
-    let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
-    let valleys: Vec<f64> = base.valleys().collect();
-    let counts = (0..TOPOLOGIES).map(|power| base.cells() * 4usize.pow(power as u32));
-    let mut counts: Vec<usize> = counts.map(|count| count.min(MOST_CELLS)).collect();
-    counts.dedup();
-    for count in counts {
-        let intervals = match topology::find(base, count) {
-            Ok(intervals) => intervals,
-            Err(error) => {
-                last = error;
-                continue;
-            }
-        };
-        require_shown(&intervals, &valleys, count, MOST_ZONES)?;
-        let mut zones: Vec<Zone> =
-            intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect();
-        let mut narrowing = Narrowing::new();
-        for _ in 0..CORRECTIONS {
-            if zones.is_empty() {
-                break;
-            }
-            require_few(&zones, MOST_ZONES)?;
-            let solved = match edges::settle(base, &zones, COARSE) {
-                Ok(solved) => solved,
-                Err(error) => {
-                    last = error;
-                    break;
-                }
-            };
-            let left = check(base, &solved, COARSELY_ALLOWED);
-            if left.is_clean() {
-                return Ok(solved.parts.iter().map(|part| part.zone).collect());
-            }
-            let (tension, penetration) = (left.tension, left.penetration);
-            last = Error::NotComplementary { tension, penetration };
-            let Some(width) = narrowing.next(left.penetration) else { break };
-            zones = amended(base, &solved, &left, width);
-        }
+    fn cells(&self) -> [usize; 2] {
+        [self.cells(), MOST_CELLS]
     }
-    Err(last)
-}
 
-/// The zones without tension and with what penetrates, in zones of this share.
-fn amended(base: &Base<'_>, solved: &system::Solved, left: &check::Check, width: f64) -> Vec<Zone> {
-    let zones: Vec<Zone> = solved.parts.iter().map(|part| part.zone).collect();
-    let intervals = corrected(&zones, &left.pulling, &left.narrowed(width));
-    intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
+    fn valleys(&self) -> Vec<f64> {
+        self.valleys().collect()
+    }
+
+    fn intervals(&self, cells: usize) -> Result<Vec<[f64; 2]>, Error> {
+        topology::find(self, cells)
+    }
+
+    fn zone(&self, left: f64, right: f64) -> Zone {
+        self.zone(left, right)
+    }
+
+    fn settle(&self, zones: &[Zone], detail: Detail) -> Result<Self::Solved, Error> {
+        edges::settle(self, zones, detail)
+    }
+
+    fn check(&self, solved: &Self::Solved, allowed: f64) -> check::Check {
+        check(self, solved, allowed)
+    }
+
+    fn zones(solved: &Self::Solved) -> Vec<Zone> {
+        solved.parts.iter().map(|part| part.zone).collect()
+    }
 }

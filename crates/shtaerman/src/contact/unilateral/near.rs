@@ -9,8 +9,8 @@ use super::refinement::half_count;
 use super::solved::{Solved, place};
 use super::system::Resolution;
 use super::zones::{End, Zone};
-use crate::Problem;
 use crate::contact::accuracy::Accuracy;
+use crate::{Error, Problem};
 
 /// The ends of a zone, and which of them are free.
 pub(in crate::contact) type KnownZone = ([f64; 2], [bool; 2]);
@@ -28,11 +28,7 @@ impl Problem {
         zones: &[KnownZone],
         more: f64,
     ) -> Option<UnilateralContact> {
-        let base = Base::new(self, self.solver().contact).ok()?;
-        let zones = known(zones);
-        let resolution = resolution(&base, &zones, more)?;
-        let (solved, _) = edges::settle(&base, &resolution, &zones).ok()?;
-        Some(unchecked(&base, solved))
+        self.solved_by(zones, more, edges::settle)
     }
 
     /// The contact with exactly these zones, whose free edges are known better than this solution would show them.
@@ -41,11 +37,24 @@ impl Problem {
         zones: &[KnownZone],
         more: f64,
     ) -> Option<UnilateralContact> {
+        self.solved_by(zones, more, |base, resolution, zones| {
+            let (solved, _) = Solved::new(base, resolution, zones, false, None)?;
+            Ok((solved, 1))
+        })
+    }
+
+    /// What a solver, which tells its number of solutions too, makes of zones; an answer that states no error: others tell.
+    fn solved_by(
+        &self,
+        zones: &[KnownZone],
+        more: f64,
+        solve: impl Fn(&Base<'_>, &Resolution, &[Zone]) -> Result<(Solved, usize), Error>,
+    ) -> Option<UnilateralContact> {
         let base = Base::new(self, self.solver().contact).ok()?;
         let zones = known(zones);
         let resolution = resolution(&base, &zones, more)?;
-        let (solved, _) = Solved::new(&base, &resolution, &zones, false, None).ok()?;
-        Some(unchecked(&base, solved))
+        let (solved, _) = solve(&base, &resolution, &zones).ok()?;
+        Some(UnilateralContact::new(&base, solved, Accuracy::unstated(), 0.0, &Check::none()))
     }
 }
 
@@ -97,9 +106,4 @@ fn resolution(base: &Base<'_>, zones: &[Zone], more: f64) -> Option<Resolution> 
         return None;
     }
     Resolution::new(&base.medium, count).ok()
-}
-
-/// An answer that states no error: others tell.
-fn unchecked(base: &Base<'_>, solved: Solved) -> UnilateralContact {
-    UnilateralContact::new(base, solved, Accuracy::unstated(), 0.0, &Check::none())
 }

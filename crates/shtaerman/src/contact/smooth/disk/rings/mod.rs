@@ -19,17 +19,16 @@ pub use answer::SmoothRingsContact;
 
 use super::{ALLOWED, SmoothDisk};
 use crate::Error;
-use crate::contact::smooth::check::{Check, Narrowing};
-use crate::contact::smooth::zones::{Zone, corrected, require_few};
-use crate::contact::smooth::{COARSE, COARSELY_ALLOWED, CORRECTIONS, FINE, TOPOLOGIES};
-use crate::contact::valleys::{self, require_shown};
+use crate::contact::smooth::check::Check;
+use crate::contact::smooth::search::{self, Searched};
+use crate::contact::smooth::zones::Zone;
+use crate::contact::smooth::{Detail, FINE};
+use crate::contact::valleys;
 use crate::error::require;
 use base::Base;
 use check::check;
 use system::Solved;
 
-/// Most rings that are solved.
-const MOST_RINGS: usize = 48;
 /// A relative error beyond which there is no answer.
 const WORST: f64 = 1e-3;
 
@@ -45,7 +44,8 @@ pub(super) fn solve(problem: &SmoothDisk) -> Result<SmoothRingsContact, Error> {
         let left = check(&base, &solved, ALLOWED);
         return SmoothRingsContact::new(&base, solved, &left);
     }
-    complementary(&base)
+    let (solved, left) = search::complementary(&base)?;
+    required(SmoothRingsContact::new(&base, solved, &left)?)
 }
 
 /// Whether the contact is probably no single disk, so that transforms of disks can be spared: the base falls somewhere, and cells say so.
@@ -59,35 +59,41 @@ pub(super) fn are_likely(problem: &SmoothDisk) -> bool {
         && matches!(Base::new(problem).and_then(is_disk), Ok(false))
 }
 
-/// The answer, with its zones corrected where all modes show what few did not.
-fn complementary(base: &Base<'_>) -> Result<SmoothRingsContact, Error> {
-    let mut zones = find_zones(base)?;
-    let mut last = [f64::NAN; 2];
-    let mut narrowing = Narrowing::new();
-    for _ in 0..CORRECTIONS {
-        let solved = match edges::settle(base, &zones, FINE) {
-            Ok(solved) => solved,
-            // What is left of an attempt says more than why the next had none.
-            Err(_) if last[1].is_finite() => break,
-            Err(error) => return Err(error),
-        };
-        let left = check(base, &solved, ALLOWED);
-        if left.is_clean() {
-            return required(SmoothRingsContact::new(base, solved, &left)?);
-        }
-        // What the modes do not resolve is no reason to correct zones.
-        let noise = answer::noise(base, &solved, left.largest).min(COARSELY_ALLOWED);
-        if check(base, &solved, ALLOWED.max(noise)).is_clean() {
-            return required(SmoothRingsContact::new(base, solved, &left)?);
-        }
-        last = [left.tension, left.penetration];
-        let Some(width) = narrowing.next(left.penetration) else { break };
-        zones = amended(base, &solved, &left, width);
-        if zones.is_empty() {
-            break;
-        }
+impl Searched for Base<'_> {
+    type Solved = Solved;
+    const MOST_ZONES: usize = 48;
+
+    fn cells(&self) -> [usize; 2] {
+        [self.cells(), self.cells().max(topology::MOST_CELLS)]
     }
-    Err(Error::NotComplementary { tension: last[0], penetration: last[1] })
+
+    fn valleys(&self) -> Vec<f64> {
+        valleys::valleys(&self.samples).collect()
+    }
+
+    fn intervals(&self, cells: usize) -> Result<Vec<[f64; 2]>, Error> {
+        topology::find(self, cells)
+    }
+
+    fn zone(&self, left: f64, right: f64) -> Zone {
+        self.zone(left, right)
+    }
+
+    fn settle(&self, zones: &[Zone], detail: Detail) -> Result<Solved, Error> {
+        edges::settle(self, zones, detail)
+    }
+
+    fn check(&self, solved: &Solved, allowed: f64) -> Check {
+        check(self, solved, allowed)
+    }
+
+    fn zones(solved: &Solved) -> Vec<Zone> {
+        solved.zones.clone()
+    }
+
+    fn noise(&self, solved: &Solved, left: &Check) -> f64 {
+        answer::noise(self, solved, left.largest)
+    }
 }
 
 /// Refuses an answer without digits.
@@ -98,59 +104,4 @@ fn required(contact: SmoothRingsContact) -> Result<SmoothRingsContact, Error> {
     }
     let iterations = contact.modes();
     Err(fredholm::Error::NotConverged { iterations, residual, tolerance: WORST }.into())
-}
-
-/// The zones with few modes.
-fn find_zones(base: &Base<'_>) -> Result<Vec<Zone>, Error> {
-    let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
-    let valleys: Vec<f64> = valleys::valleys(&base.samples).collect();
-    let counts = (0..TOPOLOGIES).map(|power| base.cells() * 4usize.pow(power as u32));
-    let most = base.cells().max(topology::MOST_CELLS);
-    let mut counts: Vec<usize> = counts.map(|count| count.min(most)).collect();
-    counts.dedup();
-    for count in counts {
-        let zones = topology::find(base, count).and_then(|intervals| {
-            require_shown(&intervals, &valleys, count, MOST_RINGS)?;
-            Ok(intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect())
-        });
-        match zones.and_then(|zones| corrected_zones(base, zones)) {
-            Ok(zones) => return Ok(zones),
-            Err(error @ Error::TooManyZones { .. }) => return Err(error),
-            // What is left of an attempt says more than why the next had none.
-            Err(error) => {
-                let is_attempt = matches!(last, Error::NotComplementary { penetration, .. } if penetration.is_finite());
-                if !is_attempt || matches!(error, Error::NotComplementary { .. }) {
-                    last = error;
-                }
-            }
-        }
-    }
-    Err(last)
-}
-
-fn corrected_zones(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Vec<Zone>, Error> {
-    let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
-    let mut narrowing = Narrowing::new();
-    for _ in 0..CORRECTIONS {
-        if zones.is_empty() {
-            break;
-        }
-        require_few(&zones, MOST_RINGS)?;
-        let solved = edges::settle(base, &zones, COARSE)?;
-        let left = check(base, &solved, COARSELY_ALLOWED);
-        if left.is_clean() {
-            return Ok(solved.zones);
-        }
-        let Check { tension, penetration, .. } = left;
-        last = Error::NotComplementary { tension, penetration };
-        let Some(width) = narrowing.next(left.penetration) else { break };
-        zones = amended(base, &solved, &left, width);
-    }
-    Err(last)
-}
-
-/// The zones without tension and with what penetrates, in zones of this share.
-fn amended(base: &Base<'_>, solved: &Solved, left: &Check, width: f64) -> Vec<Zone> {
-    let intervals = corrected(&solved.zones, &left.pulling, &left.narrowed(width));
-    intervals.iter().map(|[left, right]| base.zone(*left, *right)).collect()
 }
