@@ -71,6 +71,7 @@ mod parse;
 mod periodic;
 mod program;
 mod rise;
+mod taylor;
 mod token;
 
 #[cfg(test)]
@@ -84,6 +85,7 @@ pub use error::{Arity, ErrorReason, ExpressionError};
 pub use finite::{Defect, SAMPLES, Verdict};
 pub use interval::Interval;
 pub use line::Line;
+pub(crate) use taylor::{Scale, Series, Taylor};
 
 use derivative::Dual;
 use evaluate::run;

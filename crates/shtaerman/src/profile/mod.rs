@@ -1,7 +1,12 @@
 //! The base of the punch.
 
+mod cubic;
+mod enclosure;
 mod measured;
 mod spline;
+
+#[cfg(test)]
+mod tests;
 
 pub use measured::{CsvOptions, read_csv};
 
