@@ -3,13 +3,11 @@
 use fredholm::basis::Function;
 
 use crate::error::{finite, require};
-use crate::expression::Defect;
+use crate::expression::{Defect, Reflection};
 use crate::{Error, Frame, Load, Profile, Rotational, Vertical};
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
 const POINTS_PER_SAMPLE: usize = 4;
-/// Points at which a profile is compared with its mirror image: an odd degree, so that none is its own.
-const SYMMETRY_POINTS: usize = 129;
 
 /// The method that solves the equation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -170,18 +168,20 @@ impl Problem {
         self.frame.scaling().map_or(rise, |scaling| rise / scaling.displacement())
     }
 
-    /// Whether base and load are their own mirror images.
+    /// Whether the base is proved to be its own mirror image, or its negative.
+    pub(crate) fn reflection(&self) -> Reflection {
+        self.profile.reflection(self.frame.half_width())
+    }
+
+    /// Whether base and load are proved to be their own mirror images.
     pub(crate) fn is_symmetric(&self) -> bool {
         let level = match self.load.rotational {
             Rotational::Moment(value)
             | Rotational::Eccentricity(value)
             | Rotational::Tilt(value) => value == 0.0,
         };
-        let height = |xi| self.dimensionless_profile(xi);
-        let points = fredholm::basis::chebyshev::points(SYMMETRY_POINTS);
-        // Those of the other half are their mirror images.
-        let half = points.len() / 2;
-        level && points.into_iter().take(half).all(|xi| height(xi) == height(-xi))
+        // A circular base is a body of revolution, or refused.
+        level && (self.frame.is_circular() || self.reflection().is_even)
     }
 
     /// Whether the base fills the whole period of a row.

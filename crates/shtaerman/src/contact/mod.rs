@@ -16,6 +16,7 @@ mod linearised;
 mod nearly_smooth;
 mod plan;
 mod potential;
+mod revolution;
 mod smooth;
 mod solution;
 mod solved;

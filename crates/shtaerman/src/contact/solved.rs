@@ -89,6 +89,7 @@ impl Contact {
             warnings: Vec::new(),
         };
         contact.require_finite()?;
+        contact.warn(Warning::evenness_not_proved(problem));
         let (peak, tension) = {
             let (places, pressures) = contact.solution.sample(problem);
             let sampled = Sampled::new(|xi| contact.pressure0(xi), places, pressures);

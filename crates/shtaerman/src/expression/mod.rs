@@ -70,7 +70,9 @@ mod line;
 mod parse;
 mod periodic;
 mod program;
+mod reflection;
 mod rise;
+mod terms;
 mod token;
 
 #[cfg(test)]
@@ -84,6 +86,7 @@ pub use error::{Arity, ErrorReason, ExpressionError};
 pub use finite::{Defect, SAMPLES, Verdict};
 pub use interval::Interval;
 pub use line::Line;
+pub use reflection::Reflection;
 
 use derivative::Dual;
 use evaluate::run;

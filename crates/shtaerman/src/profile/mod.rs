@@ -1,5 +1,6 @@
 //! The base of the punch.
 
+mod evenness;
 mod measured;
 mod spline;
 

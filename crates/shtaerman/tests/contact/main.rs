@@ -14,4 +14,5 @@ mod random;
 mod references;
 mod smooth_limit;
 mod surface;
+mod symmetry;
 mod units;
