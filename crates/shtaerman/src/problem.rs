@@ -148,6 +148,18 @@ impl Problem {
         Ok(Self { solver, ..self.clone() })
     }
 
+    /// The same problem with heights and settlement counted from the level of the base, and the height of that level in the units of the problem; none where that
+    /// makes no difference.
+    pub(crate) fn lowered(&self) -> Option<(Self, f64)> {
+        let (profile, level) = self.profile.lowered(self.frame.half_width())?;
+        let vertical = match self.load.vertical {
+            Vertical::Force(force) => Vertical::Force(force),
+            Vertical::Settlement(settlement) => Vertical::Settlement(settlement - level),
+        };
+        let load = Load { vertical, ..self.load };
+        Some((Self { profile, load, ..self.clone() }, level))
+    }
+
     /// `f0(xi) = f(a xi)/(chi E)`, for a dimensionless problem the profile itself.
     #[must_use]
     pub fn dimensionless_profile(&self, xi: f64) -> f64 {

@@ -9,6 +9,7 @@ mod collocated;
 mod cross_check;
 mod draft;
 mod extremes;
+mod heights;
 mod intensity;
 mod intervals;
 mod kinks;

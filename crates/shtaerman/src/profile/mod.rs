@@ -1,6 +1,7 @@
 //! The base of the punch.
 
 mod evenness;
+mod level;
 mod measured;
 mod spline;
 

@@ -34,6 +34,11 @@ impl Spline {
         &self.abscissas
     }
 
+    /// Ordinates of the points.
+    pub(super) fn ordinates(&self) -> &[f64] {
+        &self.ordinates
+    }
+
     /// Number of points.
     pub(super) fn len(&self) -> usize {
         self.abscissas.len()

@@ -5,6 +5,7 @@
 mod support;
 
 mod equilibrium;
+mod heights;
 mod hostile;
 mod invariance;
 mod layer_limit;
