@@ -119,7 +119,7 @@ fn rounding_of_heights_is_stated_whatever_the_way() {
     for (frame, texts, solver) in [
         (plane(0.0), bowl, Solver::bilateral()),
         (plane(1.0), bowl, Solver::bilateral()),
-        (plane(1.0), bowl, Solver::spectral(64)),
+        (plane(1.0), bowl, Solver::spectral(4096)),
         (plane(1.0), arch, Solver::default()),
         (plane(30.0), arch, Solver::default()),
         (plane(1.0), narrow, Solver::default()),
@@ -129,7 +129,7 @@ fn rounding_of_heights_is_stated_whatever_the_way() {
         let (difference, stated) = spoilt(&frame, texts, 0.2, solver);
         assert!(difference <= stated, "{frame:?} {texts:?}: {difference:e} > {stated:e}");
         assert!(
-            stated < 1e-8 && difference > 1e-15,
+            stated < 1e-6 && difference > 1e-15,
             "{frame:?} {texts:?}: {difference:e} {stated:e}"
         );
     }
