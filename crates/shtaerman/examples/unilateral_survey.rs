@@ -11,7 +11,9 @@ use random::{Ending, Random, judge, problem};
 fn main() {
     let mut arguments = std::env::args().skip(1).map(|text| text.parse::<u64>().ok());
     let count = arguments.next().flatten().unwrap_or(10_000);
-    let mut random = Random::new(arguments.next().flatten().unwrap_or(20));
+    let seed = arguments.next().flatten().unwrap_or(20);
+    println!("seed {seed}");
+    let mut random = Random::new(seed);
     let numbers: Vec<u64> = arguments.flatten().collect();
     let (mut solved, mut refused, mut failed, mut several) = (0, 0, 0, 0);
     let (mut largest_residual, mut over, mut loose) = (0.0f64, 0, 0);

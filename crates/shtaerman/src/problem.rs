@@ -3,13 +3,11 @@
 use fredholm::basis::Function;
 
 use crate::error::{finite, require};
-use crate::expression::{Defect, Interval};
+use crate::expression::{Defect, Interval, Reflection};
 use crate::{Error, Frame, Load, Profile, Rotational, Vertical};
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
 const POINTS_PER_SAMPLE: usize = 4;
-/// Points at which a profile is compared with its mirror image: an odd degree, so that none is its own.
-const SYMMETRY_POINTS: usize = 129;
 
 /// The method that solves the equation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -150,6 +148,18 @@ impl Problem {
         Ok(Self { solver, ..self.clone() })
     }
 
+    /// The same problem with heights and settlement counted from the level of the base, and the height of that level in the units of the problem; none where that
+    /// makes no difference.
+    pub(crate) fn lowered(&self) -> Option<(Self, f64)> {
+        let (profile, level) = self.profile.lowered(self.frame.half_width())?;
+        let vertical = match self.load.vertical {
+            Vertical::Force(force) => Vertical::Force(force),
+            Vertical::Settlement(settlement) => Vertical::Settlement(settlement - level),
+        };
+        let load = Load { vertical, ..self.load };
+        Some((Self { profile, load, ..self.clone() }, level))
+    }
+
     /// `f0(xi) = f(a xi)/(chi E)`, for a dimensionless problem the profile itself.
     #[must_use]
     pub fn dimensionless_profile(&self, xi: f64) -> f64 {
@@ -205,18 +215,20 @@ impl Problem {
         })
     }
 
-    /// Whether base and load are their own mirror images.
+    /// Whether the base is proved to be its own mirror image, or its negative.
+    pub(crate) fn reflection(&self) -> Reflection {
+        self.profile.reflection(self.frame.half_width())
+    }
+
+    /// Whether base and load are proved to be their own mirror images.
     pub(crate) fn is_symmetric(&self) -> bool {
         let level = match self.load.rotational {
             Rotational::Moment(value)
             | Rotational::Eccentricity(value)
             | Rotational::Tilt(value) => value == 0.0,
         };
-        let height = |xi| self.dimensionless_profile(xi);
-        let points = fredholm::basis::chebyshev::points(SYMMETRY_POINTS);
-        // Those of the other half are their mirror images.
-        let half = points.len() / 2;
-        level && points.into_iter().take(half).all(|xi| height(xi) == height(-xi))
+        // A circular base is a body of revolution, or refused.
+        level && (self.frame.is_circular() || self.reflection().is_even)
     }
 
     /// Whether the base fills the whole period of a row.

@@ -1,12 +1,11 @@
 //! Eigenpairs computed where no spectral relation is known.
 
 use super::{
-    EndExponents, Expansion, Gram, Kernel, Moments, Pair, Parity, Singularity, SpectralRelation,
-    Split,
+    EndExponents, Expansion, Gram, Kernel, Moments, Parity, SpectralRelation, forward_kernel,
 };
 use crate::collocation::{Eigenpairs, Place};
 use crate::linear::dot;
-use crate::{Error, Interval, SincOperator};
+use crate::{Error, SincOperator};
 
 /// Default of the largest defect of the pairs, relative to the largest eigenvalue.
 const TOLERANCE: f64 = 1e-12;
@@ -213,45 +212,7 @@ fn finite(f: &dyn Fn(f64) -> f64, x: f64) -> Result<f64, Error> {
 }
 
 impl<K: Kernel> Kernel for ComputedRelation<K> {
-    fn interval(&self) -> Interval {
-        self.kernel.interval()
-    }
-
-    fn extent(&self) -> Interval {
-        self.kernel.extent()
-    }
-
-    fn singularity(&self) -> Singularity {
-        self.kernel.singularity()
-    }
-
-    fn split(&self, x: f64, s: f64, distance: f64) -> Split {
-        self.kernel.split(x, s, distance)
-    }
-
-    fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
-        self.kernel.pair(x, s, distance)
-    }
-
-    fn is_even(&self) -> bool {
-        self.kernel.is_even()
-    }
-
-    fn measure(&self, s: f64) -> f64 {
-        self.kernel.measure(s)
-    }
-
-    fn mass_function(&self, x: f64) -> f64 {
-        self.kernel.mass_function(x)
-    }
-
-    fn end_exponent(&self) -> f64 {
-        self.kernel.end_exponent()
-    }
-
-    fn value(&self, x: f64, s: f64) -> f64 {
-        self.kernel.value(x, s)
-    }
+    forward_kernel!(self => self.kernel);
 }
 
 impl<K: Kernel> SpectralRelation for ComputedRelation<K> {

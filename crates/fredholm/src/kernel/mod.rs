@@ -145,45 +145,62 @@ pub trait Kernel {
     }
 }
 
+/// Every method of [`Kernel`] handed on to another kernel: what has a default is forgotten too easily when it is written out.
+macro_rules! forward_kernel {
+    ($this:ident => $kernel:expr) => {
+        fn interval(&$this) -> $crate::Interval {
+            $kernel.interval()
+        }
+
+        fn extent(&$this) -> $crate::Interval {
+            $kernel.extent()
+        }
+
+        fn singularity(&$this) -> $crate::kernel::Singularity {
+            $kernel.singularity()
+        }
+
+        fn split(&$this, x: f64, s: f64, distance: f64) -> $crate::kernel::Split {
+            $kernel.split(x, s, distance)
+        }
+
+        fn pair(&$this, x: f64, s: f64, distance: f64) -> $crate::kernel::Pair {
+            $kernel.pair(x, s, distance)
+        }
+
+        fn is_even(&$this) -> bool {
+            $kernel.is_even()
+        }
+
+        fn measure(&$this, s: f64) -> f64 {
+            $kernel.measure(s)
+        }
+
+        fn mass_function(&$this, x: f64) -> f64 {
+            $kernel.mass_function(x)
+        }
+
+        fn end_exponent(&$this) -> f64 {
+            $kernel.end_exponent()
+        }
+
+        fn settled(&$this) -> f64 {
+            $kernel.settled()
+        }
+
+        fn first_half_count(&$this) -> f64 {
+            $kernel.first_half_count()
+        }
+
+        fn value(&$this, x: f64, s: f64) -> f64 {
+            $kernel.value(x, s)
+        }
+    };
+}
+
+pub(crate) use forward_kernel;
+
 /// A kernel behind a reference is that kernel.
 impl<K: Kernel + ?Sized> Kernel for &K {
-    fn interval(&self) -> Interval {
-        (**self).interval()
-    }
-
-    fn extent(&self) -> Interval {
-        (**self).extent()
-    }
-
-    fn singularity(&self) -> Singularity {
-        (**self).singularity()
-    }
-
-    fn split(&self, x: f64, s: f64, distance: f64) -> Split {
-        (**self).split(x, s, distance)
-    }
-
-    fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
-        (**self).pair(x, s, distance)
-    }
-
-    fn is_even(&self) -> bool {
-        (**self).is_even()
-    }
-
-    fn measure(&self, s: f64) -> f64 {
-        (**self).measure(s)
-    }
-
-    fn mass_function(&self, x: f64) -> f64 {
-        (**self).mass_function(x)
-    }
-
-    fn end_exponent(&self) -> f64 {
-        (**self).end_exponent()
-    }
-
-    fn value(&self, x: f64, s: f64) -> f64 {
-        (**self).value(x, s)
-    }
+    forward_kernel!(self => (**self));
 }

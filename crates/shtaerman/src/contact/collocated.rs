@@ -9,6 +9,7 @@ use super::balance::Balance;
 use super::potential::{Potential, between_nodes};
 use super::solved::{Method, Stiffness};
 use super::{Draft, Target};
+use crate::expression::Reflection;
 use crate::{Error, Load, Problem, Rotational, Vertical};
 
 /// Growth of the number of nodes from one resolution to the next.
@@ -85,7 +86,7 @@ impl Level {
                 coupling: 0.0,
                 moment_tilt: tilted.integral(|xi| xi),
             },
-            free: free(&profile, &heights),
+            free: free(&profile, problem.reflection()),
         };
         let state = balance.state(&problem.dimensionless_load());
         let combined: Vec<f64> = (positions.iter().zip(&heights))
@@ -161,14 +162,11 @@ impl Level {
     }
 }
 
-/// Force and moment of the response to the profile; exactly zero where its symmetry says so.
-fn free(profile: &SincSolution, heights: &[f64]) -> [f64; 2] {
-    let mirrored = || heights.iter().zip(heights.iter().rev());
-    let even = mirrored().all(|(left, right)| left == right);
-    let odd = mirrored().all(|(left, right)| *left == -right);
+/// Force and moment of the response to the profile; exactly zero where its symmetry is proved.
+fn free(profile: &SincSolution, reflection: Reflection) -> [f64; 2] {
     [
-        if odd { 0.0 } else { profile.integral(|_| 1.0) },
-        if even { 0.0 } else { profile.integral(|xi| xi) },
+        if reflection.is_odd { 0.0 } else { profile.integral(|_| 1.0) },
+        if reflection.is_even { 0.0 } else { profile.integral(|xi| xi) },
     ]
 }
 

@@ -31,11 +31,13 @@ impl Problem {
     /// Those of [`Problem::solve`] but for an explicit tolerance, which the other method need not meet.
     pub fn cross_check(&self, contact: &Contact) -> Result<CrossCheck, Error> {
         let Some(draft) = contact.draft() else { return Err(Error::NoOtherMethodForZones) };
+        // The draft is that of the problem as it was solved.
+        let problem = self.lowered().map_or_else(|| self.clone(), |(lowered, _)| lowered);
         let target = Target { tolerance: plan::AIM, is_explicit: false };
         let other = if contact.method().name == "sinc" {
-            spectral::solve_adaptively(self, &self.resolved_profile()?, target)?
+            spectral::solve_adaptively(&problem, &problem.resolved_profile()?, target)?
         } else {
-            collocated::solve(self, &self.breaks(), target)?
+            collocated::solve(&problem, &problem.breaks(), target)?
         };
         let difference = draft.difference(&other);
         Ok(CrossCheck {

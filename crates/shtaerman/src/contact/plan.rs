@@ -78,6 +78,16 @@ impl Problem {
     /// pressure on the base can balance, [`Error::NoContact`] for displacements that leave the base clear of the body;
     /// [`Error::NotComplementary`] when no zones were found.
     pub fn solve(&self) -> Result<Contact, Error> {
+        let Some((lowered, level)) = self.lowered() else { return self.solve_as_given() };
+        let level0 = self.frame().scaling().map_or(level, |scaling| level / scaling.displacement());
+        match lowered.solve_as_given() {
+            Ok(contact) => Ok(contact.with_level(self, level0)),
+            Err(error) => Err(error.with_level(level, level0)),
+        }
+    }
+
+    /// The solution with heights as they are.
+    fn solve_as_given(&self) -> Result<Contact, Error> {
         if self.is_smooth_plane() {
             return self.draw_up(Arc::new(self.solve_smooth()?));
         }
@@ -115,7 +125,9 @@ impl Problem {
 
     /// The answer that zones amount to, if it keeps an explicit tolerance.
     fn draw_up(&self, solution: Arc<dyn Solution>) -> Result<Contact, Error> {
-        let reached = solution.relative_error();
+        let sizes = solution.state().sizes(solution.size());
+        let of_heights = self.stated(solution.as_ref()).map_or(0.0, |error| error.relative(&sizes));
+        let reached = solution.relative_error().max(of_heights);
         let Method { name, n } = solution.method();
         if let Some(tolerance) = self.solver().tolerance.filter(|tolerance| reached > *tolerance) {
             let State { settlement: settlement0, tilt: tilt0, .. } = solution.state();
@@ -186,6 +198,9 @@ impl Problem {
                 }
                 (MethodChoice::Auto, None) => self.choose(target)?,
             };
+        let mut solution = FullBase { draft, profile_degree };
+        solution.draft.accuracy = self.stated(&solution);
+        let draft = &solution.draft;
         let fell_short = (!draft.meets(self, target.tolerance)).then(|| draft.relative_error(self));
         if let Some(reached) = fell_short.filter(|_| target.is_explicit) {
             return Err(Error::ToleranceNotMet {
@@ -198,7 +213,7 @@ impl Problem {
             });
         }
         let fixed = solver.degree.is_some();
-        let mut contact = Contact::new(self, Arc::new(FullBase { draft, profile_degree }), reason)?;
+        let mut contact = Contact::new(self, Arc::new(solution), reason)?;
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
         if let Some(reached) = fell_short.filter(|_| !fixed) {
             contact.warn(Some(Warning::tolerance_not_met(target.tolerance, reached)));

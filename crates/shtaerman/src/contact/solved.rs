@@ -61,7 +61,12 @@ const MOST_BREAKS: usize = 64;
 #[derive(Debug, Clone)]
 pub struct Contact {
     problem: Problem,
+    /// The problem with heights from the level of the base, which was solved.
+    solved: Problem,
+    /// The height of that level, without dimensions.
+    level: f64,
     solution: Arc<dyn Solution>,
+    accuracy: Option<Accuracy>,
     reason: String,
     /// Whether tilt and moment are zero, by symmetry or because a wave has none.
     is_level: bool,
@@ -80,6 +85,9 @@ impl Contact {
     ) -> Result<Self, Error> {
         let mut contact = Self {
             problem: problem.clone(),
+            solved: problem.clone(),
+            level: 0.0,
+            accuracy: problem.stated(solution.as_ref()),
             reason,
             is_level: problem.is_symmetric() || problem.is_wave(),
             peak: (0.0, 0.0),
@@ -89,6 +97,7 @@ impl Contact {
             warnings: Vec::new(),
         };
         contact.require_finite()?;
+        contact.warn(Warning::evenness_not_proved(problem));
         let (peak, tension) = {
             let (places, pressures) = contact.solution.sample(problem);
             let sampled = Sampled::new(|xi| contact.pressure0(xi), places, pressures);
@@ -103,6 +112,12 @@ impl Contact {
             contact.tension = tension;
         }
         Ok(contact)
+    }
+
+    /// The answer to the problem whose base lies higher by a level.
+    pub(super) fn with_level(self, problem: &Problem, level: f64) -> Self {
+        let accuracy = self.accuracy.map(|accuracy| accuracy.with_level(level));
+        Self { problem: problem.clone(), level, accuracy, ..self }
     }
 
     /// The largest pressure, or that under a break of the base if it is larger: a cusp is too narrow for a search.
@@ -152,7 +167,7 @@ impl Contact {
     /// `delta0 = delta/(chi E)`.
     #[must_use]
     pub fn settlement0(&self) -> f64 {
-        self.solution.state().settlement
+        self.solution.state().settlement + self.level
     }
 
     /// `alpha0 = a alpha/(chi E)`.
@@ -167,7 +182,7 @@ impl Contact {
     #[must_use]
     pub fn pressure0(&self, xi: f64) -> f64 {
         let xi = xi.clamp(-1.0, 1.0);
-        self.singular_pressure(xi).unwrap_or_else(|| self.solution.pressure(&self.problem, xi))
+        self.singular_pressure(xi).unwrap_or_else(|| self.solution.pressure(&self.solved, xi))
     }
 
     /// Force per unit length `P` (N/m); where it is prescribed, as given.
@@ -226,7 +241,7 @@ impl Contact {
         for place in &mut on_base {
             *place = self.on_base(*place)?;
         }
-        let mut pressures = self.solution.pressures(&self.problem, &on_base);
+        let mut pressures = self.solution.pressures(&self.solved, &on_base);
         for (pressure, xi) in pressures.iter_mut().zip(&on_base) {
             *pressure = self.singular_pressure(*xi).unwrap_or(*pressure);
         }
@@ -237,7 +252,7 @@ impl Contact {
 
     /// `p0` in a zone of [`edges0`](Self::edges0) by the distances from both of its ends.
     pub(crate) fn pressure_beside0(&self, zone: usize, from_left: f64, from_right: f64) -> f64 {
-        self.solution.pressure_beside(&self.problem, zone, from_left, from_right)
+        self.solution.pressure_beside(&self.solved, zone, from_left, from_right)
     }
 
     /// The `xi` of a point on the closed base.
@@ -373,7 +388,7 @@ impl Contact {
     /// The error of the answer without dimensions, where the method tells one.
     #[must_use]
     pub fn accuracy(&self) -> Option<&Accuracy> {
-        self.solution.accuracy()
+        self.accuracy.as_ref()
     }
 
     /// What a user should know.
@@ -414,7 +429,7 @@ impl Contact {
     /// The largest error relative to its size; infinite where the method tells none.
     #[must_use]
     pub fn relative_error(&self) -> f64 {
-        let (_, pressures) = self.solution.sample(&self.problem);
+        let (_, pressures) = self.solution.sample(&self.solved);
         let largest = pressures.into_iter().fold(0.0f64, |most, p| most.max(p.abs()));
         let sizes = self.solution.state().sizes(largest);
         self.accuracy().map_or(f64::INFINITY, |accuracy| accuracy.relative(&sizes))
@@ -428,6 +443,11 @@ impl Contact {
     /// Whether tilt and moment are zero.
     pub(super) fn is_level(&self) -> bool {
         self.is_level
+    }
+
+    /// The problem as it was solved, with heights from the level of the base.
+    pub(super) fn solved(&self) -> &Problem {
+        &self.solved
     }
 
     pub(super) fn solution(&self) -> &dyn Solution {

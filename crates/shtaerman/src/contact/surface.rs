@@ -29,7 +29,8 @@ impl Contact {
     }
 
     fn base_depth0(&self, xi: f64) -> f64 {
-        self.settlement0() - self.tilt0() * xi - self.problem().dimensionless_profile(xi)
+        let height = self.solved().dimensionless_profile(xi);
+        self.solution().state().settlement - self.tilt0() * xi - height
     }
 
     /// The gap `f0 + alpha0 xi - delta0 + theta0 int ln(1/|xi - eta|) p0(eta) deta` between base and body outside the zones; 0 in them.

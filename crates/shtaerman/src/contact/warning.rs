@@ -23,6 +23,8 @@ pub enum WarningCode {
     SingularEdge,
     /// Smooth surface: the pressure is infinite under a kink of the base.
     SingularKink,
+    /// Circular punch: the base is not proved to be even.
+    EvennessNotProved,
     /// The kernel of an equation is not square-summable.
     NotSquareSummable,
     /// The integral of the solution of an equation does not exist.

@@ -4,7 +4,7 @@ use super::error::Arity;
 use super::token::Operator;
 
 /// One argument.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Unary {
     Negate,
     Square,
@@ -36,7 +36,7 @@ pub(super) enum Unary {
 }
 
 /// Two arguments.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(super) enum Binary {
     Add,
     Subtract,

@@ -58,6 +58,7 @@
 //! is `+inf` at 0 whatever the sign bit.
 
 mod breakpoint;
+mod constant;
 mod derivative;
 mod enclose;
 mod error;
@@ -70,8 +71,10 @@ mod line;
 mod parse;
 mod periodic;
 mod program;
+mod reflection;
 mod rise;
 mod taylor;
+mod terms;
 mod token;
 
 #[cfg(test)]
@@ -86,6 +89,7 @@ pub use finite::{Defect, SAMPLES, Verdict};
 pub use interval::Interval;
 pub use line::Line;
 pub(crate) use taylor::{Scale, Series, Taylor};
+pub use reflection::Reflection;
 
 use derivative::Dual;
 use evaluate::run;

@@ -2,6 +2,8 @@
 
 mod cubic;
 mod enclosure;
+mod evenness;
+mod level;
 mod measured;
 mod spline;
 

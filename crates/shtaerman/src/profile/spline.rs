@@ -1,5 +1,7 @@
 //! The cubic spline through measured points.
 
+use crate::expression::Reflection;
+
 /// A twice continuously differentiable cubic spline, not-a-knot at both ends; through three points a parabola, through two a line.
 ///
 /// A piecewise linear curve would make every measured point a kink of the pressure; the spline has none. (C. de Boor, *A Practical Guide
@@ -37,9 +39,25 @@ impl Spline {
         [self.abscissas[index], self.ordinates[index], self.slopes[index]]
     }
 
+    /// Ordinates of the points.
+    pub(super) fn ordinates(&self) -> &[f64] {
+        &self.ordinates
+    }
+
     /// Number of points.
     pub(super) fn len(&self) -> usize {
         self.abscissas.len()
+    }
+
+    /// Whether the points are mirror images of each other about zero.
+    pub(super) fn reflection(&self) -> Reflection {
+        let is_odd = |values: &[f64]| values.iter().zip(values.iter().rev()).all(|(a, b)| *a == -b);
+        let is_even = |values: &[f64]| values.iter().zip(values.iter().rev()).all(|(a, b)| a == b);
+        let is_mirrored = is_odd(&self.abscissas);
+        Reflection {
+            is_even: is_mirrored && is_even(&self.ordinates),
+            is_odd: is_mirrored && is_odd(&self.ordinates),
+        }
     }
 
     /// The value at `x`; beyond the points the end pieces go on.

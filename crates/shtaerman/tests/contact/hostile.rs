@@ -44,17 +44,35 @@ fn loads() -> Vec<Load> {
     loads
 }
 
+/// Whether nothing about a load is extreme.
+fn is_ordinary(load: &Load) -> bool {
+    let (Vertical::Force(one) | Vertical::Settlement(one)) = load.vertical;
+    let (Rotational::Moment(other) | Rotational::Tilt(other) | Rotational::Eccentricity(other)) =
+        load.rotational;
+    one.abs() <= 1.0 && other.abs() <= 1.0
+}
+
+/// An answer is finite; only what is beyond double precision is refused, and not what `is_due`.
+fn check(result: Result<Contact, Error>, is_due: bool, what: &str) {
+    match result {
+        Ok(contact) => assert!(is_finite(&contact), "{what}: {contact:?}"),
+        Err(error) => {
+            let is_reason = matches!(error, Error::Overflow { .. } | Error::InvalidValue { .. });
+            assert!(is_reason && !is_due, "{what}: {error}");
+        }
+    }
+}
+
 #[test]
 fn extreme_dimensionless_problems_answer_or_say_why() {
     for theta0 in [0.0, 1e-300, 1e-12, 1.0, 1e8, 1e300] {
-        for profile in ["0", "1e300*xi^2", "1e-300*xi", "xi"] {
+        for (profile, height) in
+            [("0", 0.0), ("1e300*xi^2", 1e300), ("1e-300*xi", 1e-300), ("xi", 1.0)]
+        {
             for load in loads() {
-                if let Ok(contact) = try_solve(Frame::dimensionless(theta0), profile, load) {
-                    assert!(
-                        is_finite(&contact),
-                        "theta0 = {theta0}, f0 = {profile}, {load:?}: {contact:?}"
-                    );
-                }
+                let is_due = theta0 <= 1e8 && height <= 1.0 && is_ordinary(&load);
+                let result = try_solve(Frame::dimensionless(theta0), profile, load);
+                check(result, is_due, &format!("theta0 = {theta0}, f0 = {profile}, {load:?}"));
             }
         }
     }
@@ -65,6 +83,8 @@ fn extreme_physical_problems_answer_or_say_why() {
     for modulus in [1e-300, 1.0, 2e11, 1e300] {
         for roughness in [1e-300, 1e-14, 1e300] {
             for half_width in [1e-300, 1e-12, 5e-3, 1e300] {
+                let is_body = (1.0..=2e11).contains(&modulus) && roughness == 1e-14;
+                let is_punch = (1e-12..1.0).contains(&half_width);
                 for load in [
                     force_and_moment(1e300, 0.0),
                     force_and_moment(1.0, 1e-3),
@@ -72,12 +92,10 @@ fn extreme_physical_problems_answer_or_say_why() {
                 ] {
                     let steel = Elastic::new(modulus, 0.3).unwrap();
                     let frame = Frame::physical(steel, roughness, half_width, None);
-                    if let Ok(contact) = try_solve(frame, "x^2", load) {
-                        assert!(
-                            is_finite(&contact),
-                            "E = {modulus}, chi = {roughness}, a = {half_width}, {load:?}: {contact:?}"
-                        );
-                    }
+                    let what =
+                        format!("E = {modulus}, chi = {roughness}, a = {half_width}, {load:?}");
+                    let is_due = is_body && is_punch && is_ordinary(&load);
+                    check(try_solve(frame, "x^2", load), is_due, &what);
                 }
             }
         }

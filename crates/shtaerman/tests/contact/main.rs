@@ -5,6 +5,7 @@
 mod support;
 
 mod equilibrium;
+mod heights;
 mod hostile;
 mod invariance;
 mod layer_limit;
@@ -14,4 +15,5 @@ mod random;
 mod references;
 mod smooth_limit;
 mod surface;
+mod symmetry;
 mod units;

@@ -146,6 +146,25 @@ fn bases_that_are_no_bodies_of_revolution_are_refused() {
     }
 }
 
+#[test]
+fn one_half_may_not_hide_what_the_other_lacks() {
+    let profile = "xi^2 + 1e-2*exp(-((xi - 0.37003)/1e-6)^2)";
+    for theta0 in [1.0, 30.0] {
+        let refused = attempt((DISK, theta0, 1.0), profile, pressed(1.0), Solver::default());
+        assert!(refused.unwrap_err().to_string().contains("even in x"));
+    }
+    let codes = |profile: &str| {
+        let contact = solve((DISK, 1.0, 1.0), profile, pressed(1.0));
+        contact.warnings().iter().map(|warning| warning.code).collect::<Vec<_>>()
+    };
+    assert_eq!(codes("0.1*((xi - 1)^2 + (xi + 1)^2)"), []);
+    assert_eq!(codes("where(xi < 0, -xi, xi)^1.5"), []);
+    // Even, though its form does not show it; and not even, by less than is found.
+    for profile in ["xi*(xi + 1) - xi", "xi^2 + 1e-5*exp(-((xi - 0.37003)/1e-8)^2)"] {
+        assert_eq!(codes(profile), [shtaerman::WarningCode::EvennessNotProved], "{profile}");
+    }
+}
+
 /// `W(r, s) = 1/agm(r + s, |r - s|)`.
 fn kernel(r: f64, s: f64, between: f64) -> f64 {
     let (mut one, mut two) = (r + s, between);

@@ -44,6 +44,8 @@ fn loads() {
 fn bases() {
     let refused = attempt("x^2 + x", pressed(1.0)).unwrap_err();
     assert!(refused.to_string().contains("even in x"), "{refused}");
+    let refused = attempt("x^2 + 1e-6*exp(-((x - 1.7003e-3)/1e-9)^2)", pressed(1.0)).unwrap_err();
+    assert!(refused.to_string().contains("even in x"), "{refused}");
     let step = Profile::expression("where(abs(x) < 0.003, 0, 0.001)").unwrap();
     let load = (Vertical::Force(1.0), Rotational::Moment(0.0));
     let refused = problem(step, 0.0, load, Solver::bilateral()).solve();

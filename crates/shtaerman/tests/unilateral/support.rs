@@ -26,6 +26,14 @@ pub(crate) fn solve(theta0: f64, profile: &str, load: Load) -> Contact {
     attempt(theta0, profile, load).unwrap()
 }
 
+/// The contact of the whole base, which may pull.
+#[track_caller]
+pub(crate) fn bilateral(theta0: f64, profile: &str, load: Load) -> Contact {
+    let frame = Frame::dimensionless(theta0).unwrap();
+    let profile = Profile::expression(profile).unwrap();
+    Problem::new(frame, profile, load, Solver::bilateral()).unwrap().solve().unwrap()
+}
+
 /// `int_left^right f(d) dxi` by the double-exponential rule, exact for logarithms at both ends.
 pub(crate) fn integral(left: f64, right: f64, f: impl Fn(f64) -> f64) -> f64 {
     const HALF_COUNT: i32 = 250;

@@ -2,9 +2,13 @@
 
 use crate::random::{Ending, Random, judge, problem};
 
+/// Not that of the example: what was mended there is not all that there is.
+const SEED: u64 = 1_207;
+
 #[test]
 fn random_problems_are_solved_or_refused_with_reason() {
-    let mut random = Random::new(20);
+    let mut random = Random::new(SEED);
+    println!("seed {SEED}");
     let (mut solved, mut several) = (0, 0);
     let mut faults = Vec::new();
     for index in 0..200 {
@@ -21,6 +25,6 @@ fn random_problems_are_solved_or_refused_with_reason() {
             Ending::Failed(reason) => faults.push(format!("{index}: {reason}: {words}")),
         }
     }
-    assert!(faults.is_empty(), "{}", faults.join("\n"));
-    assert!(solved > 150 && several > 10, "{solved} {several}");
+    assert!(faults.is_empty(), "seed {SEED}\n{}", faults.join("\n"));
+    assert!(solved > 150 && several > 10, "seed {SEED}: {solved} {several}");
 }

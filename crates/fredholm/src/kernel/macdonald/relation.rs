@@ -4,10 +4,10 @@ use super::Macdonald;
 use super::spheroidal::Spheroidal;
 use crate::basis::expansion::{Rule, expand_by_rule};
 use crate::kernel::{
-    EndExponents, Expansion, Gram, Kernel, Pair, Parity, Singularity, SpectralRelation, Split,
+    EndExponents, Expansion, Gram, Kernel, Parity, SpectralRelation, forward_kernel,
 };
 use crate::quadrature::gauss_jacobi;
-use crate::{Error, Interval, memory};
+use crate::{Error, memory};
 
 /// Most eigenfunctions.
 const MOST: usize = 4096;
@@ -79,29 +79,7 @@ impl MacdonaldRelation {
 }
 
 impl Kernel for MacdonaldRelation {
-    fn interval(&self) -> Interval {
-        self.kernel.interval()
-    }
-
-    fn singularity(&self) -> Singularity {
-        self.kernel.singularity()
-    }
-
-    fn split(&self, x: f64, s: f64, distance: f64) -> Split {
-        self.kernel.split(x, s, distance)
-    }
-
-    fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
-        self.kernel.pair(x, s, distance)
-    }
-
-    fn is_even(&self) -> bool {
-        true
-    }
-
-    fn first_half_count(&self) -> f64 {
-        self.kernel.first_half_count()
-    }
+    forward_kernel!(self => self.kernel);
 }
 
 impl SpectralRelation for MacdonaldRelation {

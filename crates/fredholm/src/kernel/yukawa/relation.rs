@@ -4,15 +4,14 @@ use std::f64::consts::FRAC_1_PI;
 
 use super::Yukawa;
 use super::eigenvalues::eigenvalues;
+use crate::Error;
 use crate::basis::expansion::{Rule, expand_by_rule};
 use crate::basis::legendre::strengths;
 use crate::basis::spheroidal::Spheroidal;
 use crate::kernel::{
-    EndExponents, Expansion, Gram, Kernel, Moments, Pair, Parity, Singularity, SpectralRelation,
-    Split,
+    EndExponents, Expansion, Gram, Kernel, Moments, Parity, SpectralRelation, forward_kernel,
 };
 use crate::quadrature::gauss_legendre;
-use crate::{Error, Interval};
 
 /// Most doublings of the rule for moments.
 const DOUBLINGS: usize = 4;
@@ -109,33 +108,7 @@ impl YukawaRelation {
 }
 
 impl Kernel for YukawaRelation {
-    fn interval(&self) -> Interval {
-        self.kernel.interval()
-    }
-
-    fn singularity(&self) -> Singularity {
-        self.kernel.singularity()
-    }
-
-    fn split(&self, x: f64, s: f64, distance: f64) -> Split {
-        self.kernel.split(x, s, distance)
-    }
-
-    fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
-        self.kernel.pair(x, s, distance)
-    }
-
-    fn measure(&self, s: f64) -> f64 {
-        self.kernel.measure(s)
-    }
-
-    fn mass_function(&self, x: f64) -> f64 {
-        self.kernel.mass_function(x)
-    }
-
-    fn value(&self, x: f64, s: f64) -> f64 {
-        self.kernel.value(x, s)
-    }
+    forward_kernel!(self => self.kernel);
 }
 
 impl SpectralRelation for YukawaRelation {

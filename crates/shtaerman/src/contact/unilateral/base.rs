@@ -9,6 +9,7 @@ use super::power::reference_pressure;
 use super::topology;
 use super::zones::Zone;
 use crate::contact::cells::mean_height;
+use crate::contact::revolution::require_even;
 use crate::contact::valleys;
 use crate::error::require;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
@@ -23,8 +24,6 @@ const BESIDE: f64 = 1e-9;
 const JUMP: f64 = 1e-6;
 /// Width of the slit at which a wave without gaps is cut.
 const SEAM: f64 = 1e-9;
-/// Difference of the two halves of a circular punch, relative to the heights, that makes its base no body of revolution.
-const UNEVEN: f64 = 1e-9;
 
 /// A dimensionless problem with what is worth knowing about its profile.
 #[derive(Clone)]
@@ -51,26 +50,6 @@ pub(super) struct Base<'p> {
     pub(super) is_mirrored: bool,
     /// Where heights are counted from.
     pub(super) anchor: Option<Anchor>,
-}
-
-/// Refuses the base of a circular punch that is no body of revolution; samples `(xi, f0)` of its right half.
-pub(in crate::contact) fn require_even(
-    problem: &Problem,
-    samples: &[(f64, f64)],
-) -> Result<(), Error> {
-    let (mut difference, mut largest) = (0.0f64, 0.0f64);
-    for &(xi, height) in samples {
-        let other = problem.finite_profile(-xi)?;
-        difference = difference.max((other - height).abs());
-        largest = largest.max(height.abs());
-    }
-    require(
-        difference <= UNEVEN * largest,
-        "profile",
-        difference,
-        "even in x, f(-x) = f(x), for a circular punch: its base is a body of revolution, x the distance from the axis",
-    )?;
-    Ok(())
 }
 
 impl<'p> Base<'p> {
@@ -291,7 +270,7 @@ impl<'p> Base<'p> {
     /// Refuses what a geometry does not know, and leaves out of the load what it answers elsewhere.
     fn require_geometry(&mut self) -> Result<(), Error> {
         if self.medium.is_disk() {
-            require_even(self.problem, &self.samples)?;
+            require_even(self.problem)?;
             // Tilt and moment belong to another harmonic.
             self.load.rotational = Rotational::Tilt(0.0);
         }

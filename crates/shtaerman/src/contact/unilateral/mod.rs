@@ -35,7 +35,6 @@ mod zones;
 
 pub use answer::Complementarity;
 pub(super) use answer::UnilateralContact;
-pub(super) use base::require_even;
 pub(super) use medium::mean_power;
 pub(super) use near::KnownZone;
 

@@ -7,6 +7,7 @@ mod finiteness;
 mod grammar;
 mod hostile;
 mod magnitudes;
+mod reflections;
 mod rises;
 mod taylor;
 mod trees;

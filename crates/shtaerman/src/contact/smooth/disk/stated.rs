@@ -6,15 +6,14 @@ use super::{SmoothDisk, SmoothDiskContact, rings};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
 use crate::contact::linearised::Linearised;
+use crate::contact::revolution::require_even;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
-use crate::contact::unilateral::{Complementarity, require_even};
+use crate::contact::unilateral::Complementarity;
 use crate::{ContactKind, Error, Problem, Rotational, Scaling, Vertical};
 
 /// To this share integrals of a measured profile are taken: the third derivative of its spline jumps at every point.
 const MEASURED: f64 = 1e-10;
-/// Samples that show whether a base is a body of revolution.
-const SAMPLES: usize = 512;
 
 impl Problem {
     /// Solves a circular punch on a smooth body.
@@ -23,11 +22,7 @@ impl Problem {
     /// Those of [`SmoothDisk::solve`] and of [`SmoothDisk::solve_rings`], which takes over where the contact is no single disk, with values in the units of
     /// the problem; [`Error::InvalidValue`] for a base that is no body of revolution.
     pub(in crate::contact) fn solve_smooth_disk(&self) -> Result<Arc<dyn Solution>, Error> {
-        let samples: Result<Vec<(f64, f64)>, Error> = (0..=SAMPLES)
-            .map(|i| i as f64 / SAMPLES as f64)
-            .map(|xi| Ok((xi, self.finite_profile(xi)?)))
-            .collect();
-        require_even(self, &samples?)?;
+        require_even(self)?;
         let disk = self.smooth_disk();
         let rings = || disk.solve_rings().map(|contact| -> Arc<dyn Solution> { Arc::new(contact) });
         let mut tried = rings::are_likely(&disk).then(rings);

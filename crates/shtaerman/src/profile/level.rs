@@ -1,0 +1,65 @@
+//! Heights counted from the level of the base, and what rounding leaves of them.
+
+use super::spline::Spline;
+use super::{Profile, Shape, line};
+use crate::expression::Interval;
+
+/// Places at which heights are compared with their range.
+const PLACES: usize = 33;
+/// What a level must take off the largest height to be worth it.
+const SHARE: f64 = 0.5;
+/// Rounding of a measured height, of which some are added up.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
+
+impl Profile {
+    /// The base counted from a level, and the height of that level, where a constant is larger than all heights above it: it would take their digits. None
+    /// where there is nothing to gain.
+    pub(crate) fn lowered(&self, half_width: f64) -> Option<(Self, f64)> {
+        let [lowest, highest] = self.extremes(half_width);
+        let nearest = if lowest > 0.0 { lowest } else { highest };
+        if lowest * highest <= 0.0 || nearest.abs() <= highest - lowest {
+            return None;
+        }
+        let (shape, level) = match &self.shape {
+            Shape::Flat => return None,
+            Shape::Expression(expression) => {
+                let (rest, level) = expression.without_constant();
+                (Shape::Expression(rest), level)
+            }
+            Shape::Measured(spline) => {
+                let heights = spline.ordinates().iter().map(|height| height - nearest).collect();
+                (Shape::Measured(Spline::through(spline.abscissas().to_vec(), heights)), nearest)
+            }
+        };
+        let rest = Self { shape };
+        let size = |[lowest, highest]: [f64; 2]| lowest.abs().max(highest.abs());
+        let is_less = size(rest.extremes(half_width)) <= SHARE * size([lowest, highest]);
+        (level.is_finite() && is_less).then_some((rest, level))
+    }
+
+    /// The lowest and the highest height at a few places, of a measured profile at its points.
+    fn extremes(&self, half_width: f64) -> [f64; 2] {
+        let places = (0..PLACES).map(|i| (2 * i) as f64 / (PLACES - 1) as f64 - 1.0);
+        let points = match &self.shape {
+            Shape::Measured(spline) => spline.ordinates(),
+            Shape::Flat | Shape::Expression(_) => &[],
+        };
+        let heights = places.map(|xi| self.height(xi, half_width)).chain(points.iter().copied());
+        heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[lowest, highest], height| {
+            [lowest.min(height), highest.max(height)]
+        })
+    }
+
+    /// What rounding may make of the height at `xi`: the width of an enclosure of all that the formula may come out as there.
+    pub(crate) fn rounding(&self, xi: f64, half_width: f64) -> f64 {
+        match &self.shape {
+            Shape::Flat => 0.0,
+            Shape::Measured(spline) => ROUNDING * spline.evaluate(half_width * xi).abs(),
+            Shape::Expression(expression) => {
+                let Some(place) = Interval::point(xi) else { return f64::NAN };
+                let values = expression.enclose_along(&line(half_width), place).interval;
+                values.upper() - values.lower()
+            }
+        }
+    }
+}

@@ -1,0 +1,145 @@
+//! A constant in the profile moves the punch and nothing else, and heights that rounding has spoilt are not said to be better than they are.
+
+use shtaerman::{
+    Contact, CrossCheck, Elastic, Error, Frame, Geometry, Load, Problem, Profile, Rotational,
+    Solver, Vertical,
+};
+
+use crate::support::{force_and_moment, load};
+
+const PLACES: [f64; 5] = [-1.0, -0.4, 0.0, 0.7, 1.0];
+
+fn ground_punch(profile: Profile, load: Load, solver: Solver) -> Result<Contact, Error> {
+    let steel = Elastic::new(200e9, 0.3).unwrap();
+    let frame = Frame::physical(steel, 1.2e-14, 5e-3, None).unwrap();
+    Problem::new(frame, profile, load, solver)?.solve()
+}
+
+fn expression(text: &str) -> Profile {
+    Profile::expression(text).unwrap()
+}
+
+fn tight(solver: Solver) -> Solver {
+    Solver { tolerance: Some(1e-12), ..solver }
+}
+
+#[test]
+fn a_metre_of_offset_costs_no_digit() {
+    let pressed = force_and_moment(0.8e6, 300.0);
+    for solver in [Solver::default(), Solver::bilateral()].map(tight) {
+        let plain = ground_punch(expression("x^2/(2*20)"), pressed, solver).unwrap();
+        for (text, offset) in [
+            ("x^2/(2*20) + 1", 1.0),
+            ("-(3 - (x^2 + 40)/40)", -2.0),
+            ("2*(x^2/80 - 4) + 0.5", -7.5),
+        ] {
+            let raised = ground_punch(expression(text), pressed, solver).unwrap();
+            for xi in PLACES {
+                let [one, other] = [&plain, &raised].map(|contact| contact.pressure0(xi));
+                assert!((one / other - 1.0).abs() < 1e-12, "{text} at {xi}: {one} {other}");
+            }
+            assert!(
+                (raised.settlement() - offset - plain.settlement()).abs() < 1e-15 * offset.abs()
+            );
+            assert!((raised.tilt() / plain.tilt() - 1.0).abs() < 1e-12, "{text}");
+            let depth = |contact: &Contact| contact.base_depth(2e-3);
+            assert!((depth(&raised) - depth(&plain)).abs() < 1e-18, "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_measured_base_may_lie_anywhere() {
+    let points = |offset: f64| {
+        let positions: Vec<f64> = (-8..=8).map(|i| f64::from(i) / 1600.0).collect();
+        // Powers of two, so that the offset leaves the heights as they are.
+        let heights = (-8..=8).map(|i| offset + f64::from(i * i) / 2f64.powi(27)).collect();
+        Profile::measured(positions, heights).unwrap()
+    };
+    let pressed = force_and_moment(0.8e6, 0.0);
+    let [plain, raised] = [0.0, 1024.0]
+        .map(|offset| ground_punch(points(offset), pressed, tight(Solver::default())).unwrap());
+    for xi in PLACES {
+        assert!((plain.pressure0(xi) / raised.pressure0(xi) - 1.0).abs() < 1e-12, "{xi}");
+    }
+    assert_eq!(raised.tilt(), 0.0);
+}
+
+#[test]
+fn a_prescribed_settlement_is_counted_from_where_the_heights_are() {
+    let sunk = |by: f64| load(Vertical::Settlement(by), Rotational::Tilt(0.0));
+    // Both settlements are the same number of steps of 2^-30 m above their offsets.
+    let deep = 3200.0 / 2f64.powi(30);
+    let plain = ground_punch(expression("x^2/(2*20)"), sunk(deep), tight(Solver::default()));
+    let raised =
+        ground_punch(expression("x^2/(2*20) + 1"), sunk(1.0 + deep), tight(Solver::default()));
+    let (plain, raised) = (plain.unwrap(), raised.unwrap());
+    assert_eq!(raised.settlement(), 1.0 + deep);
+    assert!((plain.force() / raised.force() - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn a_layer_alone_has_the_pressure_of_its_base() {
+    // p0 = delta0 - xi^2 with the mean 1/2.
+    let frame = Frame::dimensionless(0.0).unwrap();
+    let level = load(Vertical::Force(1.0), Rotational::Tilt(0.0));
+    let problem =
+        Problem::new(frame, expression("xi^2 + 1e12"), level, tight(Solver::bilateral())).unwrap();
+    let contact = problem.solve().unwrap();
+    for xi in PLACES {
+        assert!((contact.pressure0(xi) - (5.0 / 6.0 - xi * xi)).abs() < 1e-14, "{xi}");
+    }
+    let check: CrossCheck = problem.cross_check(&contact).unwrap();
+    assert!(check.pressure_sup < 1e-13 && check.settlement < 1e-13, "{check:?}");
+}
+
+/// The pressures of a base in a form that loses digits and in one that does not, with the error that is stated.
+fn spoilt(frame: &Frame, texts: [&str; 2], force: f64, solver: Solver) -> (f64, f64) {
+    let pressed = load(Vertical::Force(force), Rotational::Moment(0.0));
+    let [lossy, exact] = texts.map(|text| {
+        let profile = expression(text);
+        Problem::new(frame.clone(), profile, pressed, solver).unwrap().solve().unwrap()
+    });
+    let [left, right] = exact.edges0()[0].map(|edge| 0.98 * edge);
+    let difference = (0..=200)
+        .map(|i| left + (right - left) * f64::from(i) / 200.0)
+        .map(|xi| (lossy.pressure0(xi) - exact.pressure0(xi)).abs())
+        .fold(0.0, f64::max);
+    (difference, lossy.accuracy().unwrap().pressure)
+}
+
+#[test]
+fn rounding_of_heights_is_stated_whatever_the_way() {
+    let bowl = ["1e3 - sqrt(1e6 - xi^2)", "xi^2/(1e3 + sqrt(1e6 - xi^2))"];
+    let arch = ["1e5*(cosh(1e-3*xi) - 1)", "2e5*sinh(5e-4*xi)^2"];
+    let narrow = ["1e5 - sqrt(1e10 - 1e6*xi^2)", "1e6*xi^2/(1e5 + sqrt(1e10 - 1e6*xi^2))"];
+    let plane = |theta0| Frame::dimensionless(theta0).unwrap();
+    let in_geometry =
+        |geometry, exponent| Frame::dimensionless_in(geometry, 1.0, exponent).unwrap();
+    for (frame, texts, solver) in [
+        (plane(0.0), bowl, Solver::bilateral()),
+        (plane(1.0), bowl, Solver::bilateral()),
+        (plane(1.0), bowl, Solver::spectral(4096)),
+        (plane(1.0), arch, Solver::default()),
+        (plane(30.0), arch, Solver::default()),
+        (plane(1.0), narrow, Solver::default()),
+        (in_geometry(Geometry::Circular, 1.0), bowl, Solver::default()),
+        (in_geometry(Geometry::Plane, 0.5), arch, Solver::default()),
+    ] {
+        let (difference, stated) = spoilt(&frame, texts, 0.2, solver);
+        assert!(difference <= stated, "{frame:?} {texts:?}: {difference:e} > {stated:e}");
+        assert!(
+            stated < 1e-6 && difference > 1e-15,
+            "{frame:?} {texts:?}: {difference:e} {stated:e}"
+        );
+    }
+}
+
+#[test]
+fn a_tolerance_below_the_rounding_of_heights_is_not_met() {
+    let pressed = force_and_moment(0.8e6, 0.0);
+    for solver in [Solver::default(), Solver::bilateral()].map(tight) {
+        let refused = ground_punch(expression("20 - sqrt(20^2 - x^2)"), pressed, solver);
+        assert!(matches!(refused, Err(Error::ToleranceNotMet { .. })), "{refused:?}");
+    }
+}
