@@ -147,7 +147,7 @@ impl Problem {
         };
         let reason = match name {
             "panels" => format!(
-                "{zones} with exact edges on panels between the bends of the base, which are too many for one dense matrix, or where collocation did not find the zones"
+                "{zones} with exact edges on panels between the bends of the base, for which collocation is not made, or where it did not find the zones"
             ),
             "cells" => format!(
                 "{zones} on equal cells, as collocation, on zones or on panels, did not serve"

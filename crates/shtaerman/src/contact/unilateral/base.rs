@@ -158,6 +158,11 @@ impl<'p> Base<'p> {
         self.walls[side].iter().copied().find(near)
     }
 
+    /// Whether the base has a step here.
+    pub(super) fn is_step(&self, at: f64) -> bool {
+        self.walls.iter().flatten().any(|wall| *wall == at)
+    }
+
     /// Whether this is the axis of a circular punch.
     pub(super) fn is_axis(&self, at: f64) -> bool {
         self.medium.is_disk() && at == 0.0
@@ -205,7 +210,12 @@ impl<'p> Base<'p> {
 
     /// Whether this is one punch on a half-plane with a linear layer.
     pub(super) fn is_plain(&self) -> bool {
-        matches!(self.medium, Medium::Line) && self.pieces.len() == 1 && self.layer.is_linear()
+        self.is_line() && self.pieces.len() == 1
+    }
+
+    /// Whether the kernel is the logarithm, and the layer linear: of one punch or of two.
+    pub(super) fn is_line(&self) -> bool {
+        matches!(self.medium, Medium::Line) && self.layer.is_linear()
     }
 
     /// Zones to begin with, found on about this many cells.

@@ -19,7 +19,7 @@ pub(super) fn zones(base: &Base<'_>, fine: &Fine) -> Vec<Zone> {
     positive(&pressure, &at, &values, 0.0)
 }
 
-/// Where a function with these values at places from edge to edge of the punch is positive; values up to `none` are zero.
+/// Where a function with these values at places from end to end of a piece of the base is positive; values up to `none` are zero.
 pub(in crate::contact::unilateral) fn positive(
     pressure: &impl Fn(f64) -> f64,
     at: &[f64],
@@ -36,17 +36,17 @@ pub(in crate::contact::unilateral) fn positive(
             edges.push(edge(pressure, (at[i], values[i]), (at[i + 1], values[i + 1]), none));
         }
     }
-    paired(edges, values[0] > 0.0)
+    paired(edges, values[0] > 0.0, [at[0], at[at.len() - 1]])
 }
 
 /// Edges in turn open and close a zone.
-fn paired(mut edges: Vec<f64>, begins_inside: bool) -> Vec<Zone> {
+fn paired(mut edges: Vec<f64>, begins_inside: bool, [first, last]: [f64; 2]) -> Vec<Zone> {
     edges.sort_by(f64::total_cmp);
     if begins_inside {
-        edges.insert(0, -1.0);
+        edges.insert(0, first);
     }
     if edges.len() % 2 == 1 {
-        edges.push(1.0);
+        edges.push(last);
     }
     edges
         .chunks_exact(2)

@@ -6,10 +6,9 @@ use crate::contact::accuracy::{Accuracy, ErrorKind};
 
 /// Places on each panel where levels are compared.
 const PLACES: [f64; 2] = [0.11, 0.63];
-/// Differences that fall by less have not begun to.
+/// Differences that fall by less have not begun to, and what is stated over them.
 const SLOW: f64 = 0.5;
-/// However fast they fall at first, what the ends of zones leave does not fall faster than with the third power of the panels there, which are halved.
-const FASTEST: f64 = 0.125;
+const SAFETY: f64 = 2.0;
 
 /// Differences between two levels.
 struct Change {
@@ -39,30 +38,29 @@ pub(super) fn estimate(levels: &[Level; 3]) -> (Accuracy, f64) {
     let size = fine.size();
     let state = &fine.state;
     let carried = state.force.abs() + state.moment.abs();
-    let of = |part: fn(&Change) -> f64, size: f64| {
-        let (one, two) = (part(&before), part(&change));
+    // Of two that belong together one may agree by chance.
+    let of = |part: fn(&Change) -> f64, other: fn(&Change) -> f64, size: f64| {
+        let both = |change: &Change| part(change).max(other(change));
         // What is prescribed does not change at all.
-        let is_given = one == 0.0 && two == 0.0;
-        if is_given { 0.0 } else { left(one, two).max(ROUNDING * size) }
+        let is_given = part(&before) == 0.0 && part(&change) == 0.0;
+        if is_given { 0.0 } else { left(both(&before), both(&change)).max(ROUNDING * size) }
     };
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
         pressure: left(before.pressure, change.pressure).max(ROUNDING * size),
-        settlement: of(|c| c.settlement, size),
-        tilt: of(|c| c.tilt, size),
-        force: of(|c| c.force, carried),
-        moment: of(|c| c.moment, carried),
+        settlement: of(|c| c.settlement, |c| c.tilt, size),
+        tilt: of(|c| c.tilt, |c| c.settlement, size),
+        force: of(|c| c.force, |c| c.moment, carried),
+        moment: of(|c| c.moment, |c| c.force, carried),
     };
     // By rounding an edge is off as the pressure over its slope.
     let rounding = ROUNDING * size / fine.gentlest();
     (accuracy, left(before.edge, change.edge).max(rounding).max(ROUNDING))
 }
 
-/// What the finest level is off, by the differences between the three: less than the last of them, and more than if the next were smaller in the same ratio.
-/// The first difference is that of what is smooth, the last that of the ends of zones.
+/// What the finest level is off: its difference from the level before, which is far coarser. A rate is not assumed, as that of the ends of zones and that of what is smooth differ.
 fn left(before: f64, change: f64) -> f64 {
-    let rate = change / before;
-    if rate <= SLOW { change * rate.sqrt().max(FASTEST) } else { change.max(before) }
+    if change <= SLOW * before { change } else { SAFETY * change.max(before) }
 }
 
 /// The pressure with the profile taken out.
@@ -94,11 +92,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_left_lies_between_the_last_difference_and_the_next() {
-        assert!((left(1e-4, 4e-6) / 8e-7 - 1.0).abs() < 1e-12);
-        assert!((left(1e-4, 1e-8) / 1.25e-9 - 1.0).abs() < 1e-12);
-        assert_eq!(left(1e-8, 2e-8), 2e-8);
-        assert_eq!(left(1e-8, 0.9e-8), 1e-8);
+    fn a_difference_is_no_less_than_what_is_left() {
+        assert_eq!(left(1e-4, 4e-6), 4e-6);
+        assert_eq!(left(1e-8, 2e-8), 4e-8);
+        assert_eq!(left(1e-8, 0.9e-8), 2e-8);
         assert_eq!(left(1e-8, 0.0), 0.0);
     }
 }

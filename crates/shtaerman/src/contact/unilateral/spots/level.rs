@@ -35,6 +35,13 @@ pub(in crate::contact::unilateral) struct Level {
     theta: f64,
 }
 
+/// Pressures at places of a piece of the base from end to end, beside the zones minus the gap.
+#[derive(Debug, Clone)]
+pub(super) struct Sampled {
+    pub(super) at: Vec<f64>,
+    pub(super) values: Vec<f64>,
+}
+
 /// How well the equation is to be solved.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Effort {
@@ -169,20 +176,24 @@ impl Level {
         ends.map(|end| self.pressure_at(end.at, base.height(end.at)).abs()).fold(0.0, f64::max)
     }
 
-    /// Places from edge to edge of the punch that show every bend of the profile, with what the pressure is there.
-    pub(super) fn sampled(&self, base: &Base<'_>, joints: &[f64]) -> (Vec<f64>, Vec<f64>) {
+    /// Places of each piece of the base, from end to end, that show every bend of the profile, with what the pressure is there.
+    pub(super) fn sampled(&self, base: &Base<'_>, joints: &[f64]) -> Vec<Sampled> {
+        (base.pieces.iter()).map(|piece| self.sampled_on(base, joints, *piece)).collect()
+    }
+
+    fn sampled_on(&self, base: &Base<'_>, joints: &[f64], [from, to]: [f64; 2]) -> Sampled {
         let mut at: Vec<f64> = Vec::new();
-        for zone in &self.zones {
+        for zone in self.zones.iter().filter(|zone| zone.left() >= from && zone.right() <= to) {
             at.extend([zone.left(), 0.5 * (zone.left() + zone.right()), zone.right()]);
         }
-        let cuts: Vec<f64> =
-            [-1.0].into_iter().chain(joints.iter().copied()).chain([1.0]).collect();
+        let inside = joints.iter().copied().filter(|at| *at > from && *at < to);
+        let cuts: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
         for pair in cuts.windows(2) {
             let share = 0.5 * (pair[1] - pair[0]) * FEWEST_SAMPLES as f64;
             let parts = (share.ceil() as usize).max(SAMPLES);
             at.extend((0..parts).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / parts as f64));
         }
-        at.push(1.0);
+        at.push(to);
         at.sort_by(f64::total_cmp);
         at.dedup();
         let value = |xi: &f64| {
@@ -191,18 +202,14 @@ impl Level {
             inside.unwrap_or_else(|| self.pressure_at(*xi, base.height(*xi)))
         };
         let values = at.iter().map(value).collect();
-        (at, values)
+        Sampled { at, values }
     }
 
     /// Where the pressure and the gap tell that the zones are; pressures up to `none` are zero.
-    pub(super) fn next_zones(
-        &self,
-        base: &Base<'_>,
-        sampled: &(Vec<f64>, Vec<f64>),
-        none: f64,
-    ) -> Vec<Zone> {
+    pub(super) fn next_zones(&self, base: &Base<'_>, sampled: &[Sampled], none: f64) -> Vec<Zone> {
         let pressure = |xi: f64| self.pressure_at(xi, base.height(xi));
-        let mut zones = positive(&pressure, &sampled.0, &sampled.1, none);
+        let on_piece = |piece: &Sampled| positive(&pressure, &piece.at, &piece.values, none);
+        let mut zones: Vec<Zone> = sampled.iter().flat_map(on_piece).collect();
         for zone in &mut zones {
             for (side, end) in zone.ends.iter_mut().enumerate() {
                 let inwards = if side == 0 { BESIDE } else { -BESIDE };

@@ -1,20 +1,23 @@
-//! Panels of the zones: cut where the profile bends, and ever shorter towards the ends of the zones.
+//! Panels of the zones: cut where the profile bends, and ever shorter towards the ends of the zones and towards those bends.
 
 use crate::contact::unilateral::base::Base;
 use crate::contact::unilateral::zones::Zone;
 
-/// Length of a panel over its distance from a free end of its zone, and from a corner.
-const GROWTH: f64 = 2.0;
-const CORNER_GROWTH: f64 = 1.0;
-/// Longest panels: of the base, and in units of the length `1/theta0` of the layer.
+/// Length of a panel over its distance from a free end of its zone, from a corner or a kink, and from a measured point.
+const GROWTH: f64 = 0.8;
+const CORNER_GROWTH: f64 = 0.6;
+const POINT_GROWTH: f64 = 0.6;
+/// Longest panels of the base.
 const LONGEST: f64 = 1.0 / 32.0;
-const LAYER: f64 = 0.1;
-/// The panel at a free end, where the pressure goes on as `d^2 ln d`: the square of its length over that of the zone, in lengths of the layer. In longer zones than this the
+/// The panel at a measured point, where the third derivative jumps and the pressure goes on as `d^4 ln d`, in lengths `1/theta0` of the layer.
+const POINT: f64 = 0.1;
+/// The panel at a free end, where it goes on as `d^2 ln d`: the square of its length over that of the zone, in lengths of the layer. In longer zones than this the
 /// slope of the pressure at the end has nothing to do with their length.
-const FREE: f64 = 1e-4;
+const FREE: f64 = 1e-6;
 const LONG: f64 = 1.0 / 16.0;
-/// The panel at a corner, where it goes on as `d ln d`, in lengths of the layer.
+/// The panel at a corner, where it goes on as `d ln d`, and at a kink, where it does as `d^2 ln d`, in lengths of the layer.
 const CORNER: f64 = 1e-10;
+const KINK: f64 = 1e-6;
 /// Shortest panels, over the distance from the middle of the base.
 const SHORTEST: f64 = 1e-14;
 /// Rounding of lengths that are just right.
@@ -28,8 +31,34 @@ const STRAIGHT: f64 = 1e-14;
 pub(super) struct Fineness {
     /// Nodes of a panel.
     pub(super) order: usize,
-    /// Factor of the lengths of the panels at the ends of zones.
+    /// Factor of the lengths of the panels at the ends of zones and at kinks.
     pub(super) ends: f64,
+}
+
+/// A place towards which panels get shorter.
+#[derive(Debug, Clone, Copy)]
+struct Anchor {
+    at: f64,
+    /// Whether the panels lie on its right.
+    is_left: bool,
+    /// The panel at the place.
+    shortest: f64,
+    /// Length of a panel over its distance from the place.
+    growth: f64,
+}
+
+impl Anchor {
+    /// The longest panel between these places.
+    fn allowed(&self, [left, right]: [f64; 2]) -> f64 {
+        let distance = if self.is_left { left - self.at } else { self.at - right };
+        (self.growth * distance).max(self.shortest)
+    }
+
+    /// Where the panel that reaches to the far one of these places may begin.
+    fn cut(&self, [left, right]: [f64; 2]) -> f64 {
+        let far = if self.is_left { right } else { left };
+        self.at + (far - self.at) / (1.0 + self.growth)
+    }
 }
 
 /// The panels of all zones from left to right; none where they are too many.
@@ -45,63 +74,80 @@ pub(super) fn panels(
     for zone in zones {
         let inside = joints.partition_point(|at| *at <= zone.left())
             ..joints.partition_point(|at| *at < zone.right());
+        let ends = ends(base, zone, fineness);
         let mut left = zone.left();
         for right in joints[inside].iter().copied().chain([zone.right()]) {
             // Beside a joint by rounding there is no panel.
             if right - left > SHORTEST || right == zone.right() {
+                let mut anchors = ends.to_vec();
+                if left > zone.left() {
+                    anchors.push(bend(base, [left, right], true, fineness));
+                }
+                if right < zone.right() {
+                    anchors.push(bend(base, [left, right], false, fineness));
+                }
                 let mut pieces = vec![[left, right]];
                 if !is_measured {
                     pieces = resolved(base, [left, right], fineness.order);
                 }
                 for piece in pieces {
-                    graded(base, zone, piece, fineness, &mut panels);
+                    graded(&anchors, piece, &mut panels);
                 }
                 left = right;
             }
-        }
-        if panels.len() * fineness.order > most {
-            return None;
+            if panels.len() * fineness.order > most {
+                return None;
+            }
         }
     }
     Some(panels)
 }
 
-/// Cuts a piece so that its parts grow with their distances from the ends of the zone.
-fn graded(
-    base: &Base<'_>,
-    zone: &Zone,
-    piece: [f64; 2],
-    fineness: Fineness,
-    panels: &mut Vec<[f64; 2]>,
-) {
-    let layer = 1.0 / base.theta.max(1.0);
-    let [shortest, growth] = [0, 1].map(|what| {
-        zone.ends.map(|end| {
-            let least = if end.is_free {
-                (FREE * zone.length().min(LONG) * layer).sqrt()
-            } else {
-                CORNER * layer
-            };
-            let growth = if end.is_free { GROWTH } else { CORNER_GROWTH };
-            if what == 0 { (fineness.ends * least).max(SHORTEST) } else { growth }
-        })
-    });
-    let longest = LONGEST.min(LAYER * layer);
+/// The length of the layer.
+fn layer(base: &Base<'_>) -> f64 {
+    1.0 / base.theta.max(1.0)
+}
+
+/// Both ends of a zone.
+fn ends(base: &Base<'_>, zone: &Zone, fineness: Fineness) -> [Anchor; 2] {
+    let layer = layer(base);
+    [0, 1].map(|side| {
+        let end = zone.ends[side];
+        let (least, growth) = if end.is_free {
+            ((FREE * zone.length().min(LONG) * layer).sqrt(), GROWTH)
+        } else {
+            (CORNER * layer, CORNER_GROWTH)
+        };
+        let shortest = (fineness.ends * least).max(SHORTEST);
+        Anchor { at: end.at, is_left: side == 0, shortest, growth }
+    })
+}
+
+/// The bend of the profile at the left or right end of a piece.
+fn bend(base: &Base<'_>, piece: [f64; 2], is_left: bool, fineness: Fineness) -> Anchor {
+    let layer = layer(base);
+    let at = if is_left { piece[0] } else { piece[1] };
+    let (shortest, growth) = if base.problem.profile().measured_points().is_some() {
+        (POINT * layer, POINT_GROWTH)
+    } else if base.is_step(at) {
+        (fineness.ends * CORNER * layer, CORNER_GROWTH)
+    } else {
+        (fineness.ends * KINK * layer, CORNER_GROWTH)
+    };
+    Anchor { at, is_left, shortest: shortest.max(SHORTEST), growth }
+}
+
+/// Cuts a piece so that its parts grow with their distances from all of these places.
+fn graded(anchors: &[Anchor], piece: [f64; 2], panels: &mut Vec<[f64; 2]>) {
     let mut left_to_do = vec![piece];
     while let Some([left, right]) = left_to_do.pop() {
         let length = right - left;
-        let allowed = |side: usize| {
-            let distance = if side == 0 { left - zone.left() } else { zone.right() - right };
-            (growth[side] * distance).max(shortest[side])
-        };
-        let cut = if length > SLACK * allowed(0) && allowed(0) <= allowed(1) {
-            zone.left() + (right - zone.left()) / (1.0 + growth[0])
-        } else if length > SLACK * allowed(1) {
-            zone.right() - (zone.right() - left) / (1.0 + growth[1])
-        } else if length > longest {
-            0.5 * (left + right)
-        } else {
-            right
+        let tightest = (anchors.iter().map(|anchor| (anchor.allowed([left, right]), anchor)))
+            .min_by(|(one, _), (other, _)| one.total_cmp(other));
+        let cut = match tightest {
+            Some((allowed, anchor)) if length > SLACK * allowed => anchor.cut([left, right]),
+            _ if length > LONGEST => 0.5 * (left + right),
+            _ => right,
         };
         if cut > left && cut < right {
             left_to_do.extend([[cut, right], [left, cut]]);

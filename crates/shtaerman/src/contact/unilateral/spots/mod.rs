@@ -23,7 +23,7 @@ use super::zones::Zone;
 use crate::Error;
 use crate::contact::solution::Solution;
 use estimate::estimate;
-use level::{Effort, Level, System};
+use level::{Effort, Level, Sampled, System};
 use mesh::Fineness;
 use responses::Responses;
 
@@ -32,8 +32,8 @@ const ROUNDS: usize = 12;
 /// Panels on which the zones are found, those whose answer is compared, and those of the answer: with the relative residuals.
 const LADDER: [Effort; 3] = [
     Effort { fineness: Fineness { order: 4, ends: 4.0 }, residual: 1e-6, has_responses: false },
-    Effort { fineness: Fineness { order: 7, ends: 2.0 }, residual: 1e-11, has_responses: true },
-    Effort { fineness: Fineness { order: 10, ends: 1.0 }, residual: 1e-14, has_responses: true },
+    Effort { fineness: Fineness { order: 10, ends: 2.0 }, residual: 1e-11, has_responses: true },
+    Effort { fineness: Fineness { order: 13, ends: 1.0 }, residual: 1e-14, has_responses: true },
 ];
 /// Pressure at free edges over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off.
 const GOOD: [f64; 3] = [1e-4, 1e-6, 1e-7];
@@ -45,11 +45,19 @@ const MOST_ZONES: usize = 2000;
 /// Answers with larger relative errors leave the problem to others.
 const ROUGHEST: f64 = 1e-3;
 
-/// The answer on panels; none where the zones are not found or too many.
+/// The answer on panels; none where they do not serve: where the zones are not found or too many.
 pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
+    if !base.is_line() {
+        return Ok(None);
+    }
     let zones = match base.settlement_at_eccentricity() {
-        Some((settlement, e)) => lever::first_zones(base, settlement, e)?,
-        None => fine::first_zones(base)?,
+        Some((settlement, e)) if base.is_plain() => lever::first_zones(base, settlement, e)?,
+        Some(_) => None,
+        None => match fine::first_zones(base)? {
+            Some(zones) => Some(zones),
+            // Where equal cells do not serve those that grow shorter at the ends of zones may.
+            None => Some(base.first_zones(base.cells())?),
+        },
     };
     let Some(zones) = zones else { return Ok(None) };
     solve_from(base, zones)
@@ -117,9 +125,10 @@ fn settle(
 }
 
 /// Tension in the zones and penetration beside them.
-fn complementarity(level: &Level, (at, values): &(Vec<f64>, Vec<f64>)) -> Complementarity {
+fn complementarity(level: &Level, sampled: &[Sampled]) -> Complementarity {
     let (mut tension, mut penetration) = (0.0f64, 0.0f64);
-    let inside = at.iter().zip(values).filter(|(xi, _)| level.end_at(**xi).is_none());
+    let all = sampled.iter().flat_map(|piece| piece.at.iter().zip(&piece.values));
+    let inside = all.filter(|(xi, _)| level.end_at(**xi).is_none());
     for (xi, pressure) in inside {
         if level.touches(*xi) {
             tension = tension.max(-pressure);
