@@ -102,6 +102,9 @@ pub struct SolveArguments {
     /// Solve by both methods and report their differences.
     #[arg(long)]
     pub cross_check: bool,
+    /// Leave out the audit: errors are then those that the method states of itself.
+    #[arg(long)]
+    pub no_audit: bool,
     /// Places for the pressure, separated by commas: metres or with a unit; xi for a dimensionless file.
     #[arg(long, value_name = "X1,X2,...", allow_hyphen_values = true)]
     pub at: Option<String>,
@@ -272,6 +275,9 @@ pub struct StressArguments {
     #[command(flatten)]
     /// The problem.
     pub problem: ProblemArguments,
+    /// Leave out the audit: errors are then those that the method states of itself.
+    #[arg(long)]
+    pub no_audit: bool,
     /// Format of the result.
     #[arg(long, value_enum, default_value = "table", value_name = "FORMAT")]
     pub format: StressFormat,

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::audit::{Audit, Unaudited};
 use crate::contact::Stiffness;
 use crate::{
     Complementarity, Contact, CrossCheck, Error, ErrorKind, Law, RelativeSettlement, Rotational,
@@ -35,6 +36,9 @@ pub struct Answer {
     pub method: MethodReport,
     /// How sure the answer is.
     pub error: Option<ErrorReport>,
+    /// The audit of the answer, where it was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub audit: Option<AuditReport>,
     /// What a unilateral answer leaves of tension and penetration, relative to their scales.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub complementarity: Option<Complementarity>,
@@ -54,6 +58,49 @@ pub struct MethodReport {
     pub n: usize,
     /// Why this method.
     pub reason: String,
+}
+
+/// What an audit says, or why there is none.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct AuditReport {
+    /// `bound`, `estimate` or `none`.
+    pub kind: &'static str,
+    /// What it rests on, or why there is none.
+    pub reason: String,
+    /// What was found.
+    #[serde(flatten)]
+    pub found: Option<AuditFigures>,
+}
+
+/// The figures of an audit.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct AuditFigures {
+    /// The error of the pressure `p/E` in the mean square over the base.
+    pub mean_square: f64,
+    /// The norm of the residual.
+    pub residual: f64,
+    /// Panels of the resampled pressure.
+    pub panels: usize,
+    /// Windows on which the residual was bounded.
+    pub windows: usize,
+}
+
+impl AuditReport {
+    fn new(audit: &Result<Audit, Unaudited>) -> Self {
+        match audit {
+            Ok(audit) => Self {
+                kind: audit.kind.name(),
+                reason: audit.reason.to_owned(),
+                found: Some(AuditFigures {
+                    mean_square: audit.mean_square,
+                    residual: audit.residual,
+                    panels: audit.panels,
+                    windows: audit.windows,
+                }),
+            },
+            Err(reason) => Self { kind: "none", reason: reason.to_string(), found: None },
+        }
+    }
 }
 
 /// The error of an answer: without dimensions, with a twin in SI units. Only what the load leaves unknown has an entry.
@@ -298,6 +345,7 @@ impl Answer {
                 reason: contact.reason().to_owned(),
             },
             error: ErrorReport::new(contact),
+            audit: contact.audited_by().map(AuditReport::new),
             complementarity: contact.complementarity(),
             cross_check: None,
             warnings: contact.warnings().to_vec(),

@@ -75,6 +75,13 @@ pub enum Error {
         tilt0: f64,
     },
 
+    /// The audit found the answer wrong.
+    #[error("no answer was found that stands the audit: {reason}")]
+    AuditFailed {
+        /// What is wrong with it.
+        reason: String,
+    },
+
     /// The force of a unilateral contact acts beyond the base.
     #[error(
         "{field} = {value}: tips the punch over: its magnitude must be less than {name} = {limit}, or no pressure on the base balances it"
@@ -171,6 +178,22 @@ pub enum Error {
         zones: usize,
         /// Most that are solved.
         most: usize,
+    },
+
+    /// An answer with an error that nobody asked for.
+    #[error(
+        "the {method} method with n = {n} reached a relative error of {reached:.1e}, and answers beyond {most:e} are none unless that is asked for: \
+         allow more by `tolerance`, or resolve what the profile shows by fewer kinks, steps or measured points"
+    )]
+    NotAccurate {
+        /// The relative error reached.
+        reached: f64,
+        /// The largest that needs no permission.
+        most: f64,
+        /// Method that reached it.
+        method: &'static str,
+        /// Its size.
+        n: usize,
     },
 
     /// Zones of a smooth contact, or of neighbouring punches, that come too close for the modes that can be kept.
@@ -310,6 +333,8 @@ impl Error {
             Self::ToleranceNotMet { .. }
                 | Self::NotComplementary { .. }
                 | Self::TooManyZones { .. }
+                | Self::NotAccurate { .. }
+                | Self::AuditFailed { .. }
                 | Self::ZonesTooClose { .. }
                 | Self::EquationTolerance { .. }
                 | Self::EquationUnsolved { .. }

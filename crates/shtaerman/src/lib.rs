@@ -29,6 +29,7 @@
 
 mod answer;
 pub mod asperities;
+mod audit;
 mod columns;
 mod contact;
 pub mod convergence;
@@ -57,8 +58,10 @@ mod surface_curve;
 mod variation;
 
 pub use answer::{
-    Answer, Dimensionless, ErrorReport, Errors, MethodReport, Physical, PressureCurve, SCHEMA,
+    Answer, AuditFigures, AuditReport, Dimensionless, ErrorReport, Errors, MethodReport, Physical,
+    PressureCurve, SCHEMA,
 };
+pub use audit::{Audit, Unaudited};
 pub use contact::{
     AIM, Accuracy, Complementarity, Contact, CrossCheck, Curve, ErrorKind, Method, SmoothContact,
     SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem, SmoothProfile, SmoothRingsContact,

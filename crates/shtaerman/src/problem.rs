@@ -231,6 +231,15 @@ impl Problem {
         level && (self.frame.is_circular() || self.reflection().is_even)
     }
 
+    /// The relative error that is aimed at where no tolerance is given: `1e-12 max(1, theta0/10)`, of measured profiles `1e-10 max(1, theta0/100)`: rounding grows with `theta0`.
+    pub(crate) fn aim(&self) -> f64 {
+        let theta0 = self.frame.theta0();
+        if self.profile.measured_points().is_some() {
+            return 1e-10 * (theta0 / 100.0).max(1.0);
+        }
+        crate::AIM * (theta0 / 10.0).max(1.0)
+    }
+
     /// Whether the base fills the whole period of a row.
     pub(crate) fn is_wave(&self) -> bool {
         self.frame.geometry().is_wave(self.frame.half_width())

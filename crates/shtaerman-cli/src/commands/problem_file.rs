@@ -3,6 +3,7 @@
 use std::io::Read;
 use std::path::Path;
 
+use shtaerman::Contact;
 use shtaerman::document::MAXIMUM_BYTES;
 use shtaerman::equation::EquationFile;
 use shtaerman::file::{AnyFile, ProblemFile};
@@ -57,4 +58,13 @@ fn standard_input() -> Result<Vec<u8>, Failure> {
 /// What to call the file in messages.
 pub(super) fn name(path: &Path) -> String {
     if path == Path::new("-") { "standard input".to_owned() } else { path.display().to_string() }
+}
+
+/// Solves the problem, with its audit if that is wanted.
+pub(super) fn solve(file: &ProblemFile, is_audited: bool) -> Result<Contact, Failure> {
+    let contact = file.solve()?;
+    if !is_audited {
+        return Ok(contact);
+    }
+    Ok(contact.audited().map_err(|error| file.locate(error))?)
 }

@@ -31,7 +31,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let places =
         arguments.at.as_deref().map(|text| parse_places(text, file.problem())).transpose()?;
     let extras = Extras::new(arguments, file.problem())?;
-    let contact = file.solve()?;
+    let contact = problem_file::solve(&file, !arguments.no_audit)?;
     let curve = match places {
         Some(places) => PressureCurve::at(&contact, places)?,
         None => PressureCurve::along(&contact, arguments.points)?,

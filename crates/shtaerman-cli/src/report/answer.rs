@@ -4,8 +4,7 @@ use std::fmt::Write;
 
 use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
 use shtaerman::{
-    Answer, Contact, CrossCheck, Dimensionless, ErrorKind, ErrorReport, Geometry, Physical,
-    PressureCurve,
+    Answer, Contact, CrossCheck, Dimensionless, ErrorReport, Geometry, Physical, PressureCurve,
 };
 
 use super::{Table, significant};
@@ -40,6 +39,9 @@ pub(crate) fn answer_table(
     if let Some(error) = &answer.error {
         text.push_str(&error_line(contact, error));
     }
+    if let Some(audit) = &answer.audit {
+        let _ = writeln!(text, "audit ({}): {}", audit.kind, audit.reason);
+    }
     if let Some(left) = &answer.complementarity {
         let _ = writeln!(
             text,
@@ -68,10 +70,7 @@ pub(crate) fn answer_table(
 /// The error of the answer on one line.
 fn error_line(contact: &Contact, error: &ErrorReport) -> String {
     let units = LoadUnits::of(contact);
-    let kind = match error.kind {
-        ErrorKind::Bound => "bound",
-        ErrorKind::Estimate => "estimate",
-    };
+    let kind = error.kind.name();
     let errors = error.physical.as_ref().unwrap_or(&error.dimensionless);
     let physical = error.physical.is_some();
     let shown = |value: f64, unit: DisplayUnit| {

@@ -12,6 +12,17 @@ pub enum ErrorKind {
     Estimate,
 }
 
+impl ErrorKind {
+    /// Name as in answers.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Bound => "bound",
+            Self::Estimate => "estimate",
+        }
+    }
+}
+
 /// The error of an answer, without dimensions; zero for what the load prescribes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Accuracy {

@@ -8,7 +8,8 @@ use super::extremes::{Extreme, Sampled};
 use super::kinks::{Kink, kinks};
 use super::solution::Solution;
 use super::unilateral::Complementarity;
-use super::warning::Warning;
+use super::warning::{Warning, WarningCode};
+use crate::audit::{Audit, Unaudited};
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Problem, Rotational, Scaling, Vertical};
 
@@ -51,6 +52,8 @@ impl Stiffness {
     }
 }
 
+/// Answers with larger relative errors are none, unless a tolerance or a degree says otherwise.
+const ROUGHEST: f64 = 0.01;
 /// At most so many breaks of a base are looked at for the largest pressure.
 const MOST_BREAKS: usize = 64;
 
@@ -74,6 +77,7 @@ pub struct Contact {
     kinks: Vec<Kink>,
     tension: Vec<[f64; 2]>,
     warnings: Vec<Warning>,
+    audit: Option<Result<Audit, Unaudited>>,
 }
 
 impl Contact {
@@ -95,6 +99,7 @@ impl Contact {
             solution,
             tension: Vec::new(),
             warnings: Vec::new(),
+            audit: None,
         };
         contact.require_finite()?;
         contact.warn(Warning::evenness_not_proved(problem));
@@ -338,7 +343,7 @@ impl Contact {
     /// The estimated error of the edges, in `xi`; none where they are known.
     #[must_use]
     pub fn edge_error0(&self) -> Option<f64> {
-        self.solution.edge_error()
+        self.found_audit().map_or_else(|| self.solution.edge_error(), |audit| audit.edges)
     }
 
     /// What a unilateral answer leaves of tension and penetration; none for a bilateral one.
@@ -388,7 +393,54 @@ impl Contact {
     /// The error of the answer without dimensions, where the method tells one.
     #[must_use]
     pub fn accuracy(&self) -> Option<&Accuracy> {
-        self.accuracy.as_ref()
+        self.found_audit().map_or(self.accuracy.as_ref(), |audit| Some(&audit.accuracy))
+    }
+
+    /// The audit that was carried out, or why there is none; none where nobody asked for it.
+    #[must_use]
+    pub fn audited_by(&self) -> Option<&Result<Audit, Unaudited>> {
+        self.audit.as_ref()
+    }
+
+    fn found_audit(&self) -> Option<&Audit> {
+        self.audit.as_ref()?.as_ref().ok()
+    }
+
+    /// Takes the errors of an audit in place of those that the method states.
+    pub(crate) fn set_audit(&mut self, audit: Result<Audit, Unaudited>) {
+        self.audit = Some(audit);
+    }
+
+    /// Holds the audited errors against the tolerance; without one, against what is aimed at.
+    pub(crate) fn require_tolerance(&mut self) -> Result<(), Error> {
+        if self.found_audit().is_none() {
+            return Ok(());
+        }
+        let reached = self.relative_error();
+        let Method { name: method, n } = self.method();
+        let solver = *self.problem.solver();
+        let exceeds = |most: f64| reached.is_nan() || reached > most;
+        if let Some(tolerance) = solver.tolerance.filter(|tolerance| exceeds(*tolerance)) {
+            let (settlement0, tilt0) = (self.settlement0(), self.tilt0());
+            return Err(Error::ToleranceNotMet {
+                tolerance,
+                reached,
+                method,
+                n,
+                settlement0,
+                tilt0,
+            });
+        }
+        if solver.tolerance.is_some() || solver.degree.is_some() {
+            return Ok(());
+        }
+        if exceeds(ROUGHEST) {
+            return Err(Error::NotAccurate { reached, most: ROUGHEST, method, n });
+        }
+        self.warnings.retain(|warning| warning.code != WarningCode::ToleranceNotMet);
+        let aim = self.problem.aim();
+        self.warn(exceeds(aim).then(|| Warning::tolerance_not_met(aim, reached)));
+        Ok(())
     }
 
     /// What a user should know.

@@ -88,8 +88,8 @@ pub use error::{Arity, ErrorReason, ExpressionError};
 pub use finite::{Defect, SAMPLES, Verdict};
 pub use interval::Interval;
 pub use line::Line;
-pub(crate) use taylor::{Scale, Series, Taylor};
 pub use reflection::Reflection;
+pub(crate) use taylor::{Scale, Series, Taylor};
 
 use derivative::Dual;
 use evaluate::run;

@@ -37,7 +37,7 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
         arguments.at.as_deref().map(|text| section::parse_places(text, units)).transpose()?;
     let limit = yield_stress(arguments, &file)?;
 
-    let contact = file.solve()?;
+    let contact = problem_file::solve(&file, !arguments.no_audit)?;
     let field = StressField::new(&contact, Some(ratio)).map_err(|error| file.locate(error))?;
     let load = [contact.force(), contact.moment()];
     let peaks = [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];

@@ -1,0 +1,625 @@
+//! From the residual of an answer to the errors of its parts.
+
+use crate::Profile;
+use crate::density::{Density, Panel};
+use crate::kernel::Kernel;
+use crate::residual::{Bounded, Residual};
+use crate::sample::{adjusted, negative_part, panels, range_on};
+
+/// Most panels and windows: beyond them an answer is not audited.
+const MOST_PANELS: usize = 60_000;
+const MOST_WINDOWS: usize = 20_000;
+/// A pressure is resampled to this many roundings of what it is computed from.
+const RESOLVED: f64 = 0.5;
+/// Unit of rounding.
+const UNIT: f64 = 0.5 * f64::EPSILON;
+/// Roundings of an integral of the pressure in units of the integral of its size: compensated sums of products of three computed factors.
+const SUMMED: f64 = 48.0;
+/// Places of a panel where the answer is compared with its resampled pressure, between the nodes of both.
+const COMPARED: [f64; 2] = [0.271_828, 0.914_159];
+
+/// What the load prescribes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Prescribed {
+    /// The force `P`; else the settlement is as the answer has it.
+    pub force: Option<f64>,
+    /// The moment `M`; else the tilt is as the answer has it.
+    pub moment: Option<f64>,
+}
+
+/// A contact problem without dimensions.
+pub struct Problem<'a> {
+    /// The kernel.
+    pub kernel: Kernel,
+    /// `theta >= 0`.
+    pub theta: f64,
+    /// What the numbers given for `theta`, the profile and the load may be off by, relative to their sizes: they were scaled.
+    pub scaled: f64,
+    /// The intervals of the base, from left to right, within `[-1, 1]`.
+    pub pieces: &'a [[f64; 2]],
+    /// Whether the pressure may pull, and the whole base is in contact.
+    pub is_bilateral: bool,
+    /// The load.
+    pub prescribed: Prescribed,
+    /// The base.
+    pub profile: &'a dyn Profile,
+    /// Places where the pressure bends: panels are cut there. None needs to be known.
+    pub cuts: &'a [f64],
+}
+
+/// An answer.
+pub struct Answer<'a> {
+    /// The zones of contact, from left to right.
+    pub zones: &'a [[f64; 2]],
+    /// The pressure at places of the zones.
+    pub pressure: &'a dyn Fn(f64) -> f64,
+    /// `delta`.
+    pub settlement: f64,
+    /// `alpha`.
+    pub tilt: f64,
+    /// `P`.
+    pub force: f64,
+    /// `M`.
+    pub moment: f64,
+}
+
+/// Guaranteed bounds of the errors of an answer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bound {
+    /// Of the pressure in the mean square, `||p - q||` in `L2` of the base.
+    pub mean_square: f64,
+    /// Of the pressure at any number of the machine on the base.
+    pub pressure: f64,
+    /// Of the settlement; 0 where it is prescribed.
+    pub settlement: f64,
+    /// Of the tilt; 0 where it is prescribed.
+    pub tilt: f64,
+    /// Of the force; 0 where it is prescribed.
+    pub force: f64,
+    /// Of the moment; 0 where it is prescribed.
+    pub moment: f64,
+    /// Of the free ends of the zones; none where the contact may have other zones, or no end is free.
+    pub ends: Option<f64>,
+    /// The norm of the residual.
+    pub residual: f64,
+    /// Panels of the resampled pressure.
+    pub panels: usize,
+    /// Windows on which the residual was bounded.
+    pub windows: usize,
+}
+
+/// Why there is no bound.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Refusal {
+    /// The pressure has no zone, or is not finite.
+    NoPressure,
+    /// The pressure needs more panels than are kept.
+    TooManyPanels,
+    /// The residual needs more windows than are kept; it was last looked at here.
+    TooManyWindows {
+        /// The place.
+        at: f64,
+    },
+    /// The answer is far from the force or moment that is prescribed.
+    LoadNotMet,
+}
+
+/// Bounds the errors of an answer.
+///
+/// # Errors
+/// [`Refusal`] where no bound was found: nothing is then known of the answer.
+pub fn audit(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Bound, Refusal> {
+    let sampled = resample(problem, answer)?;
+    let (sampled, shape) = restored(problem, sampled)?;
+    let density = Density::new(problem.kernel, sampled);
+    let mut audit =
+        Audit { problem, answer, density, shape, settlement: answer.settlement, tilt: answer.tilt };
+    audit.settle();
+    audit.bound()
+}
+
+/// Panels of the pressure on all zones.
+fn resample(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Vec<Panel>, Refusal> {
+    let mut scale = 0.0f64;
+    for [left, right] in answer.zones {
+        for i in 0..32 {
+            let x = left + (right - left) * (f64::from(i) + 0.5) / 32.0;
+            scale = scale.max((answer.pressure)(x).abs());
+        }
+    }
+    if scale.is_nan() || scale <= 0.0 || scale.is_infinite() {
+        return Err(Refusal::NoPressure);
+    }
+    let tolerance = RESOLVED * UNIT * (4.0 + problem.theta) * scale;
+    let mut found = Vec::new();
+    for zone in answer.zones {
+        let is_done = panels(
+            answer.pressure,
+            *zone,
+            problem.cuts,
+            (tolerance, scale),
+            MOST_PANELS,
+            &mut found,
+        );
+        if !is_done {
+            return Err(Refusal::TooManyPanels);
+        }
+    }
+    let is_finite = found.iter().all(|panel| panel.largest.is_finite());
+    if is_finite && !found.is_empty() { Ok(found) } else { Err(Refusal::NoPressure) }
+}
+
+/// Integrals of the pressure.
+#[derive(Debug, Clone, Copy)]
+struct Shape {
+    /// `<1, q>`, the mean place `m`, and `<(x - m)^2, q>`; of bilateral contact those of 1 instead of `q`.
+    mass: f64,
+    mean: f64,
+    square: f64,
+    /// The largest `|x - m|` in the zones.
+    reach: f64,
+    /// `<1, q>` and `<x, q>`.
+    force: f64,
+    moment: f64,
+    /// Of `psi = q`, or 1 in bilateral contact: `||psi||`, `||(x - m) psi||` and `int |q|`.
+    norm: f64,
+    leaning: f64,
+    total: f64,
+    /// Length of the zones.
+    length: f64,
+}
+
+impl Shape {
+    fn new(panels: &[Panel], is_bilateral: bool) -> Self {
+        let weight = |q: f64| if is_bilateral { 1.0 } else { q };
+        let integral = |u: &dyn Fn(f64, f64) -> f64| -> f64 {
+            let mut sum = Sum::default();
+            for panel in panels {
+                for ((x, length), q) in panel.nodes().zip(panel.at_nodes()) {
+                    sum.add(length * u(x, q));
+                }
+            }
+            sum.value()
+        };
+        let mass = integral(&|_, q| weight(q));
+        let mean = integral(&|x, q| x * weight(q)) / mass;
+        let (first, last) = (panels[0].left, panels[panels.len() - 1].right);
+        Self {
+            mass,
+            mean,
+            square: integral(&|x, q| (x - mean) * (x - mean) * weight(q)),
+            reach: (mean - first).abs().max((last - mean).abs()),
+            force: integral(&|_, q| q),
+            moment: integral(&|x, q| x * q),
+            norm: integral(&|_, q| weight(q) * weight(q)).sqrt(),
+            leaning: integral(&|x, q| ((x - mean) * weight(q)).powi(2)).sqrt(),
+            total: integral(&|_, q| q.abs()),
+            length: panels.iter().map(|panel| panel.right - panel.left).sum(),
+        }
+    }
+}
+
+/// A sum with what its additions lose (A. Neumaier, ZAMM 54 (1974) 39).
+#[derive(Default)]
+struct Sum {
+    value: f64,
+    lost: f64,
+}
+
+impl Sum {
+    fn add(&mut self, term: f64) {
+        let sum = self.value + term;
+        self.lost += if self.value.abs() >= term.abs() {
+            (self.value - sum) + term
+        } else {
+            (term - sum) + self.value
+        };
+        self.value = sum;
+    }
+
+    fn value(&self) -> f64 {
+        self.value + self.lost
+    }
+}
+
+/// The pressure multiplied by `1 + a + b (x - m)`, of bilateral contact with `a + b (x - m)` added, so that it has the prescribed force and moment to rounding.
+fn restored(problem: &Problem<'_>, sampled: Vec<Panel>) -> Result<(Vec<Panel>, Shape), Refusal> {
+    let shape = Shape::new(&sampled, problem.is_bilateral);
+    let Prescribed { force, moment } = problem.prescribed;
+    let a = force.map_or(0.0, |force| (force - shape.force) / shape.mass);
+    // What the first correction does to the moment.
+    let turned = shape.moment + a * shape.mass * shape.mean;
+    let b = moment.map_or(0.0, |moment| (moment - turned) / shape.square);
+    let change = a.abs() + b.abs() * shape.reach;
+    let largest = sampled.iter().fold(0.0f64, |most, panel| most.max(panel.largest));
+    let most = if problem.is_bilateral { 0.5 * largest } else { 0.5 };
+    if !(change <= most) {
+        return Err(Refusal::LoadNotMet);
+    }
+    let line = [a - b * shape.mean, b];
+    let panels: Vec<Panel> = (sampled.iter())
+        .map(|panel| {
+            if problem.is_bilateral {
+                adjusted(panel, [1.0, 0.0], line)
+            } else {
+                adjusted(panel, [1.0 + line[0], line[1]], [0.0; 2])
+            }
+        })
+        .collect();
+    let shape = Shape::new(&panels, problem.is_bilateral);
+    Ok((panels, shape))
+}
+
+/// Sums over windows.
+#[derive(Debug, Clone, Copy, Default)]
+struct Norms {
+    /// `||w~||` squared, and `||w~||_1` in the zones, without what could not be resolved.
+    square: f64,
+    sum: f64,
+    /// `||w~||_1`, `||w~||` squared of that, and the potential it can have.
+    narrow_sum: f64,
+    narrow_square: f64,
+    narrow_potential: f64,
+    /// The largest `|w~|` at numbers of the machine.
+    largest: f64,
+}
+
+struct Audit<'a> {
+    problem: &'a Problem<'a>,
+    answer: &'a Answer<'a>,
+    density: Density,
+    shape: Shape,
+    /// Numbers for settlement and tilt: those prescribed, or any.
+    settlement: f64,
+    tilt: f64,
+}
+
+/// What is known of the distance between the true pressure and the resampled one.
+#[derive(Debug, Clone, Copy)]
+struct Distance {
+    /// `||w~||`, of the density that is admissible to the last digit.
+    residual: f64,
+    /// `||p - q||`.
+    mean_square: f64,
+    /// What else the pressure at a place is off by, beside the free displacements.
+    pressure: f64,
+    /// `theta |K (p - q)|` at any place.
+    potential: f64,
+    /// `||w~||_1`.
+    sum: f64,
+}
+
+impl Audit<'_> {
+    fn residual(&self) -> Residual<'_> {
+        Residual {
+            density: &self.density,
+            profile: self.problem.profile,
+            theta: self.problem.theta,
+            settlement: self.settlement,
+            tilt: self.tilt,
+            scaled: self.problem.scaled,
+        }
+    }
+
+    /// The free ones of settlement and tilt that leave the least residual at the middles of the panels.
+    fn settle(&mut self) {
+        let Prescribed { force, moment } = self.problem.prescribed;
+        let residual = self.residual();
+        let places: Vec<(f64, f64, f64)> = (self.density.panels.iter())
+            .map(|panel| (panel.middle(), panel.right - panel.left))
+            .map(|(x, weight)| (x, weight, residual.at(x).0))
+            .collect();
+        let sum = |u: &dyn Fn(f64, f64) -> f64| -> f64 {
+            places.iter().map(|(x, weight, w)| weight * u(*x, *w)).sum()
+        };
+        let length = sum(&|_, _| 1.0);
+        let middle = if force.is_some() { sum(&|x, _| x) / length } else { 0.0 };
+        // w falls by d - a x.
+        let d = if force.is_some() { sum(&|_, w| w) / length } else { 0.0 };
+        let square = sum(&|x, _| (x - middle) * (x - middle));
+        let a = if moment.is_some() && square > 0.0 {
+            -sum(&|x, w| (w - d) * (x - middle)) / square
+        } else {
+            0.0
+        };
+        if d.is_finite() && a.is_finite() {
+            self.settlement += d + a * middle;
+            self.tilt += a;
+        }
+    }
+
+    /// The intervals of the base outside the zones.
+    fn gaps(&self) -> Vec<[f64; 2]> {
+        let mut gaps = Vec::new();
+        for [left, right] in self.problem.pieces {
+            let mut from = *left;
+            for zone in self.answer.zones {
+                if zone[1] < *left || zone[0] > *right {
+                    continue;
+                }
+                if zone[0] > from {
+                    gaps.push([from, zone[0]]);
+                }
+                from = from.max(zone[1]);
+            }
+            if from < *right {
+                gaps.push([from, *right]);
+            }
+        }
+        gaps
+    }
+
+    fn bound(&self) -> Result<Bound, Refusal> {
+        let residual = self.residual();
+        let (mut zones, mut gaps) = (Vec::new(), Vec::new());
+        let refused =
+            |error: crate::residual::TooManyWindows| Refusal::TooManyWindows { at: error.at };
+        for zone in self.answer.zones {
+            residual.in_zone(*zone, MOST_WINDOWS, &mut zones).map_err(refused)?;
+        }
+        for gap in self.gaps() {
+            residual.beside_zones(gap, MOST_WINDOWS, &mut gaps).map_err(refused)?;
+        }
+        let distance = self.distance(&zones, &gaps);
+        let [d, a] = self.displacements(&distance, &zones, &gaps);
+        let kernel = self.problem.kernel;
+        let twice = if kernel.doubles(self.problem.theta) { 2.0 } else { 1.0 };
+        let pressure = twice * (distance.pressure + d + a) + distance.potential;
+        let contact = self.contact_length(&gaps, distance.potential + d + a).sqrt();
+        let moved = contact * distance.mean_square + distance.sum;
+        let Prescribed { force, moment } = self.problem.prescribed;
+        let off = |given: bool, value: f64| if given { 0.0 } else { value };
+        Ok(Bound {
+            mean_square: distance.mean_square,
+            pressure: pressure + self.resampled(),
+            settlement: off(force.is_none(), d + (self.settlement - self.answer.settlement).abs()),
+            tilt: off(moment.is_none(), a + (self.tilt - self.answer.tilt).abs()),
+            force: off(force.is_some(), moved + (self.answer.force - self.shape.force).abs()),
+            moment: off(moment.is_some(), moved + (self.answer.moment - self.shape.moment).abs()),
+            ends: self.ends(&gaps, pressure, distance.potential + d + a),
+            residual: distance.residual,
+            panels: self.density.panels.len(),
+            windows: zones.len() + gaps.len(),
+        })
+    }
+
+    /// How far the answer's pressure is from the resampled one between the nodes.
+    fn resampled(&self) -> f64 {
+        let places = self.density.panels.iter().flat_map(|panel| {
+            COMPARED.map(|t| (panel, panel.left + t * (panel.right - panel.left)))
+        });
+        places
+            .map(|(panel, x)| (panel.evaluate(x) - (self.answer.pressure)(x)).abs())
+            .fold(0.0, f64::max)
+    }
+
+    fn norms(&self, windows: impl Iterator<Item = Bounded>) -> Norms {
+        let mut norms = Norms::default();
+        let mu = self.problem.kernel.singularity().exponent();
+        for window in windows {
+            let width = window.right - window.left;
+            norms.largest = norms.largest.max(window.at_numbers);
+            if window.is_narrow {
+                norms.narrow_sum += window.largest * width;
+                norms.narrow_square += window.largest * window.largest * width;
+                norms.narrow_potential += window.largest
+                    * if mu == 0.0 {
+                        width * (3.0 + width.ln().abs())
+                    } else {
+                        4.0 * width.powf(1.0 - mu) / (1.0 - mu)
+                    };
+            } else {
+                norms.square += window.norm * window.norm;
+                norms.sum += window.largest * width;
+            }
+        }
+        norms
+    }
+
+    /// The theorem, with what keeps the density from being admissible to the last digit.
+    fn distance(&self, zones: &[Bounded], gaps: &[Bounded]) -> Distance {
+        let (kernel, theta) = (self.problem.kernel, self.problem.theta);
+        let norms = self.norms(zones.iter().chain(gaps).copied());
+        // What is negative is cut off.
+        let [mut square, mut sum, mut depth] = [0.0f64; 3];
+        if !self.problem.is_bilateral {
+            for panel in &self.density.panels {
+                let [a, b, c] = negative_part(panel);
+                (square, sum, depth) = (square + a, sum + b, depth.max(c));
+            }
+        }
+        let negative = square.sqrt();
+        // On windows that could not be resolved the density is what its own potential makes it: a change by w~ there.
+        let absorbed = theta
+            * (norms.narrow_sum * kernel.row_norm())
+                .min(norms.narrow_square.sqrt() * kernel.mass());
+        // Force and moment are met by a last correction.
+        let shape = &self.shape;
+        let rounding = SUMMED * UNIT * shape.total + norms.narrow_sum + sum;
+        let defect = |prescribed: Option<f64>, found: f64| {
+            prescribed.map_or(0.0, |value| {
+                (value - found).abs() + rounding + self.problem.scaled * value.abs()
+            })
+        };
+        let Prescribed { force, moment } = self.problem.prescribed;
+        let [off, turned] = [defect(force, shape.force), defect(moment, shape.moment)];
+        let level = off / shape.mass;
+        let lean = (turned + off * shape.mean.abs()) / shape.square;
+        let corrected = level * shape.norm + lean * shape.leaning;
+        let largest = if self.problem.is_bilateral { 1.0 } else { self.density.largest() };
+        let highest = largest * (level + lean * shape.reach);
+        let strength = 1.0 + theta * kernel.mass();
+        let residual = norms.square.sqrt() + absorbed + strength * (negative + corrected);
+        let beside = theta * (norms.narrow_potential + kernel.mass() * (depth + highest));
+        Distance {
+            residual,
+            mean_square: residual + negative + corrected,
+            pressure: norms.largest + depth + highest,
+            potential: kernel.smoothing(theta) * residual + beside,
+            sum: norms.sum + norms.narrow_sum + sum,
+        }
+    }
+
+    /// Length of the zones and of what may be in contact beside them.
+    fn contact_length(&self, gaps: &[Bounded], margin: f64) -> f64 {
+        let open = gaps.iter().filter(|window| window.least <= margin);
+        self.shape.length + open.map(|window| window.right - window.left).sum::<f64>()
+    }
+
+    /// `||h||` over the zones and what may be in contact beside them, `h = delta - alpha x - f` less what is orthogonal to every change of the pressure.
+    fn height_norm(&self, gaps: &[Bounded], margin: f64) -> f64 {
+        let Prescribed { force, moment } = self.problem.prescribed;
+        let height = |x: f64| {
+            let [low, high] = self.problem.profile.height(x);
+            self.settlement - self.tilt * x - 0.5 * (low + high)
+        };
+        let shape = &self.shape;
+        let [first, last] = [shape.mean - 0.5 * shape.reach, shape.mean + 0.5 * shape.reach];
+        let slope = if moment.is_some() && last > first {
+            (height(last) - height(first)) / (last - first)
+        } else {
+            0.0
+        };
+        let level =
+            if force.is_some() { 0.5 * (height(first) + height(last)) } else { slope * shape.mean };
+        let mut square = 0.0;
+        let mut add = |left: f64, right: f64| {
+            let [low, high] = self.problem.profile.range([left, right]);
+            let line = |x: f64| self.settlement - self.tilt * x - level - slope * (x - shape.mean);
+            let (one, other) = (line(left), line(right));
+            let most = (one.max(other) - low).abs().max((one.min(other) - high).abs());
+            square += most * most * (right - left);
+        };
+        for panel in &self.density.panels {
+            add(panel.left, panel.right);
+        }
+        for window in gaps.iter().filter(|window| window.least <= margin) {
+            add(window.left, window.right);
+        }
+        square.sqrt()
+    }
+
+    /// Bounds of what the free ones of settlement and tilt are off by, `[|d|, |a|]`.
+    fn displacements(&self, distance: &Distance, _zones: &[Bounded], gaps: &[Bounded]) -> [f64; 2] {
+        let Prescribed { force, moment } = self.problem.prescribed;
+        if force.is_none() && moment.is_none() {
+            return [0.0; 2];
+        }
+        let shape = &self.shape;
+        let (e, w) = (distance.mean_square, distance.residual);
+        let strength = (1.0 + self.problem.theta * self.problem.kernel.mass()).sqrt();
+        // <psi, w> and <psi, A e>, the latter by the energies of both: <A e, e> <= w e.
+        let energy = strength * (e * w).sqrt();
+        let plain = shape.norm * w + 2.0 * e * w;
+        let turned = 2.0 * plain + energy * (shape.norm + shape.leaning / shape.reach);
+        let mut margin = 4.0 * distance.potential;
+        let mut found = [f64::INFINITY; 2];
+        for _ in 0..60 {
+            // <A q, e> = <w, e> + <h, e>
+            let by_height = self.height_norm(gaps, margin) * e;
+            let level = if self.problem.is_bilateral {
+                plain + energy * shape.norm
+            } else {
+                plain + by_height.min(energy * shape.norm)
+            };
+            found = self.from_tests(level, turned + level, [force.is_some(), moment.is_some()]);
+            let needed = distance.potential + found[0] + found[1];
+            if needed <= margin || self.problem.is_bilateral {
+                break;
+            }
+            margin = 4.0 * needed;
+        }
+        found
+    }
+
+    /// `|d|`, `|a|` from `|d mass - a moment| <= level` and the same with weights that lean to either side.
+    fn from_tests(&self, level: f64, turned: f64, [is_d_free, is_a_free]: [bool; 2]) -> [f64; 2] {
+        let shape = &self.shape;
+        let lever = shape.square / shape.reach;
+        match (is_d_free, is_a_free) {
+            (true, false) => [level / shape.mass, 0.0],
+            (true, true) => {
+                let a = (level + turned) / lever;
+                [(level + a * (shape.mass * shape.mean).abs()) / shape.mass, a]
+            }
+            _ => {
+                let arm = (shape.mass * shape.mean).abs();
+                let leaning = if lever > arm { turned / (lever - arm) } else { f64::INFINITY };
+                [0.0, leaning.min(level / arm)]
+            }
+        }
+    }
+
+    /// A bound of how far free ends are off: inside of it the resampled pressure exceeds what it is off by, beyond it the residual what it may be.
+    fn ends(&self, gaps: &[Bounded], pressure: f64, margin: f64) -> Option<f64> {
+        let is_end = |x: f64| self.problem.pieces.iter().flatten().any(|end| *end == x);
+        let mut worst: Option<f64> = None;
+        // Windows that may be in contact have to touch a free end.
+        let mut open: Vec<(f64, f64, bool)> = gaps
+            .iter()
+            .filter(|window| window.least <= margin)
+            .map(|window| (window.left, window.right, false))
+            .collect();
+        for zone in self.answer.zones {
+            for (side, at) in zone.iter().copied().enumerate().filter(|(_, at)| !is_end(*at)) {
+                let inside = self.inside(*zone, side, pressure)?;
+                let mut outside = at;
+                let mut is_growing = true;
+                while is_growing {
+                    is_growing = false;
+                    for (left, right, used) in open.iter_mut().filter(|window| !window.2) {
+                        let touches = if side == 1 { *left == outside } else { *right == outside };
+                        if touches {
+                            outside = if side == 1 { *right } else { *left };
+                            *used = true;
+                            is_growing = true;
+                        }
+                    }
+                }
+                worst = Some(worst.unwrap_or(0.0).max(inside).max((outside - at).abs()));
+            }
+        }
+        if open.iter().any(|window| !window.2) { None } else { worst }
+    }
+
+    /// The distance from an end of a zone from which on the pressure exceeds what it may be off by, as far as the middle; none where it does not.
+    fn inside(&self, zone: [f64; 2], side: usize, pressure: f64) -> Option<f64> {
+        let half = 0.5 * (zone[1] - zone[0]);
+        let mut known: Option<f64> = None;
+        // From the middle outwards, each step half as far from the end.
+        let mut far = half;
+        for _ in 0..60 {
+            let near = 0.5 * far;
+            let interval = if side == 0 {
+                [zone[0] + near, zone[0] + far]
+            } else {
+                [zone[1] - far, zone[1] - near]
+            };
+            if interval[0] >= interval[1] || self.least_on(interval) <= pressure {
+                break;
+            }
+            known = Some(near);
+            far = near;
+        }
+        known
+    }
+
+    /// A lower bound of the resampled pressure on an interval.
+    fn least_on(&self, [left, right]: [f64; 2]) -> f64 {
+        let first = self.density.panels.partition_point(|panel| panel.right <= left);
+        let parts = self.density.panels[first..].iter().take_while(|panel| panel.left < right);
+        parts
+            .map(|panel| least(panel, panel.left.max(left), panel.right.min(right), 6))
+            .fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// A lower bound of a polynomial, by halves where it is poor.
+fn least(panel: &Panel, left: f64, right: f64, depth: usize) -> f64 {
+    let (low, _) = range_on(panel, left, right);
+    let middle = 0.5 * (left + right);
+    if low > 0.0 || depth == 0 || middle <= left || middle >= right {
+        return low;
+    }
+    least(panel, left, middle, depth - 1).min(least(panel, middle, right, depth - 1))
+}

@@ -1,0 +1,74 @@
+//! Interpolation at Chebyshev nodes on `[-1, 1]`.
+
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+/// Largest number of nodes.
+pub(crate) const MOST: usize = 48;
+
+/// Nodes and the cosines that take values to coefficients.
+pub(crate) struct Nodes {
+    /// The nodes, rising.
+    pub(crate) places: Vec<f64>,
+    cosines: Vec<f64>,
+}
+
+static ALL: LazyLock<Vec<Nodes>> = LazyLock::new(|| (0..=MOST).map(Nodes::new).collect());
+
+/// So many nodes, at most [`MOST`].
+pub(crate) fn nodes(count: usize) -> &'static Nodes {
+    &ALL[count.min(MOST)]
+}
+
+impl Nodes {
+    fn new(count: usize) -> Self {
+        let angle = |j: usize| PI * (1.0 - (j as f64 + 0.5) / count as f64);
+        let places = (0..count).map(|j| angle(j).cos()).collect();
+        let mut cosines = Vec::with_capacity(count * count);
+        for k in 0..count {
+            let factor = if k == 0 { 1.0 } else { 2.0 } / count as f64;
+            cosines.extend((0..count).map(|j| factor * (k as f64 * angle(j)).cos()));
+        }
+        Self { places, cosines }
+    }
+
+    /// Coefficients of the polynomial through values at the nodes.
+    pub(crate) fn coefficients<'a>(&'a self, values: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+        let count = self.places.len().max(1);
+        self.cosines.chunks(count).map(move |row| row.iter().zip(values).map(|(a, b)| a * b).sum())
+    }
+}
+
+/// A bound of the Lebesgue constant of so many Chebyshev nodes (T. J. Rivlin, *The Chebyshev Polynomials*, 1974, sec. 1.3: `2/pi ln n + 1`).
+pub(crate) fn lebesgue(count: usize) -> f64 {
+    1.0 + 2.0 / PI * (count as f64).ln()
+}
+
+/// `sum c_k T_k(t)`.
+pub(crate) fn evaluate(coefficients: &[f64], t: f64) -> f64 {
+    let (mut next, mut after) = (0.0, 0.0);
+    for c in coefficients.iter().skip(1).rev() {
+        (next, after) = (c + 2.0 * t * next - after, next);
+    }
+    coefficients.first().map_or(0.0, |c| c + t * next - after)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn interpolation_gives_the_function() {
+        for count in [1, 2, 7, 24, 48] {
+            let at = nodes(count);
+            let f =
+                |t: f64| if count < 20 { 1.0 + t.powi(count as i32 - 1) } else { (3.0 * t).sin() };
+            let values: Vec<f64> = at.places.iter().map(|t| f(*t)).collect();
+            let coefficients: Vec<f64> = at.coefficients(&values).collect();
+            for i in 0..=30 {
+                let t = f64::from(i) / 15.0 - 1.0;
+                assert!((evaluate(&coefficients, t) - f(t)).abs() < 1e-13, "{count} {t}");
+            }
+        }
+    }
+}

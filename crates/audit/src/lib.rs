@@ -1,0 +1,36 @@
+//! How far an answer is from the truth, whatever way it was found.
+//!
+//! The contact pressure `p` on a base within `[-1, 1]` solves, with `A = 1 + theta K`, `theta >= 0`, and a symmetric, positive semidefinite kernel `K`,
+//!
+//! `A p = delta - alpha x - f` where `p > 0`, `A p >= delta - alpha x - f` where `p = 0`, `p >= 0` (unilateral), or the equation on the whole base (bilateral),
+//!
+//! with the force `P = int p dx` or the settlement `delta` given, and the moment `M = int x p dx` or the tilt `alpha`. Of any answer this crate bounds the distance from `p` by its
+//! residual alone: it shares nothing with the ways of finding answers.
+//!
+//! The density is resampled by polynomials on panels; their potentials have closed forms; the profile is enclosed, not sampled, and the residual is bounded between the places where
+//! it is computed. Rounding is inside the bound. The chapter *The audit* of the book has the proofs.
+
+mod bound;
+mod chebyshev;
+mod density;
+mod kernel;
+mod legendre;
+mod residual;
+mod sample;
+#[cfg(test)]
+mod tests;
+
+pub use bound::{Answer, Bound, Prescribed, Problem, Refusal, audit};
+pub use kernel::Kernel;
+
+/// The base `f(x)`, enclosed.
+pub trait Profile {
+    /// A lower and an upper bound of `f(x)`.
+    fn height(&self, x: f64) -> [f64; 2];
+
+    /// The same for all places of an interval but finitely many.
+    fn range(&self, interval: [f64; 2]) -> [f64; 2];
+
+    /// Bounds of `|f^(n)|/n!` on an interval for `n` from 0 to `order`, infinite where none is known; fewer where the profile gives no more.
+    fn taylor_bounds(&self, interval: [f64; 2], order: usize) -> Vec<f64>;
+}

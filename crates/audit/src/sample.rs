@@ -1,0 +1,128 @@
+//! The density resampled: panels cut where it needs them.
+
+use crate::density::Panel;
+use crate::legendre::{ORDER, RULE};
+
+/// The last coefficients, whose size tells whether a panel resolves the density.
+const TAIL: usize = 3;
+/// A panel at the end of a zone is cut this far from the end: densities bend there as `d ln d`.
+const CUT: f64 = 0.25;
+/// Panels are at most this long: far parts of a row are integrated on their nodes.
+const LONGEST: f64 = 0.5;
+/// What is left of the tail after a cut, from which on it is noise, where it is below this share of the density.
+const STAGNANT: f64 = 0.5;
+const NOISE: f64 = 1e-7;
+/// Panels are not cut below this many units of the machine.
+const FINEST: f64 = 16.0 * f64::EPSILON;
+
+/// A part of a zone that is to be resolved.
+struct Part {
+    left: f64,
+    right: f64,
+    /// Whether it ends where the zone does.
+    is_end: [bool; 2],
+    /// The tail of the part that it was cut from.
+    tail: f64,
+}
+
+/// Panels of a zone from left to right on which the density is a polynomial to `tolerance`; none where they would be more than `most`.
+pub(crate) fn panels(
+    density: &dyn Fn(f64) -> f64,
+    zone: [f64; 2],
+    cuts: &[f64],
+    (tolerance, scale): (f64, f64),
+    most: usize,
+    found: &mut Vec<Panel>,
+) -> bool {
+    let mut ends: Vec<f64> = vec![zone[0]];
+    ends.extend(cuts.iter().copied().filter(|at| zone[0] < *at && *at < zone[1]));
+    ends.push(zone[1]);
+    let mut stack: Vec<Part> = (ends.windows(2).rev())
+        .map(|pair| Part { left: pair[0], right: pair[1], is_end: [true; 2], tail: f64::INFINITY })
+        .collect();
+    while let Some(part) = stack.pop() {
+        let (panel, tail) = sampled(density, part.left, part.right);
+        let width = part.right - part.left;
+        let finest = FINEST * part.left.abs().max(part.right.abs());
+        let is_noise = tail > STAGNANT * part.tail && tail < NOISE * scale;
+        let is_done = tail <= tolerance || is_noise || width <= finest;
+        if is_done && width <= LONGEST {
+            found.push(panel);
+        } else {
+            let share = match part.is_end {
+                [true, false] => CUT,
+                [false, true] => 1.0 - CUT,
+                _ => 0.5,
+            };
+            let cut = part.left + share * width;
+            let [left, right] = part.is_end;
+            stack.push(Part { left: cut, right: part.right, is_end: [false, right], tail });
+            stack.push(Part { left: part.left, right: cut, is_end: [left, false], tail });
+        }
+        if found.len() + stack.len() > most {
+            return false;
+        }
+    }
+    true
+}
+
+fn sampled(density: &dyn Fn(f64) -> f64, left: f64, right: f64) -> (Panel, f64) {
+    let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+    let mut values = [0.0; ORDER];
+    for (value, t) in values.iter_mut().zip(&RULE.nodes) {
+        *value = density((middle + half * t).clamp(left, right));
+    }
+    let coefficients = RULE.expand(&values);
+    let tail = coefficients[ORDER - TAIL..].iter().fold(0.0f64, |most, c| most.max(c.abs()));
+    (Panel::new(left, right, coefficients), tail)
+}
+
+/// The panel with its polynomial multiplied by `a + b x` plus `c + d x`, resampled at its nodes.
+pub(crate) fn adjusted(panel: &Panel, [a, b]: [f64; 2], [c, d]: [f64; 2]) -> Panel {
+    let mut values = [0.0; ORDER];
+    for (value, (x, _)) in values.iter_mut().zip(panel.nodes()) {
+        *value = panel.evaluate(x) * (a + b * x) + c + d * x;
+    }
+    Panel::new(panel.left, panel.right, RULE.expand(&values))
+}
+
+/// A lower bound of a panel's polynomial on a part of it, and an upper bound of its size there.
+pub(crate) fn range_on(panel: &Panel, left: f64, right: f64) -> (f64, f64) {
+    let (part, _) = sampled(&|x| panel.evaluate(x), left, right);
+    let rounding = 32.0 * f64::EPSILON * panel.largest;
+    (part.coefficients[0] - part.swing - rounding, part.largest + rounding)
+}
+
+/// Bounds of `||min(q, 0)||` squared, of its integral and of its size on a panel.
+pub(crate) fn negative_part(panel: &Panel) -> [f64; 3] {
+    let mut sums = [0.0f64; 3];
+    if panel.coefficients[0] >= panel.swing {
+        return sums;
+    }
+    let mut stack = vec![(panel.left, panel.right)];
+    let width = panel.right - panel.left;
+    while let Some((left, right)) = stack.pop() {
+        let (least, _) = range_on(panel, left, right);
+        let middle = 0.5 * (left + right);
+        let depth = (-least).max(0.0);
+        // What is left when halves are below rounding of the panel is counted in full.
+        let is_small = depth <= 64.0 * f64::EPSILON * panel.largest;
+        if least >= 0.0 {
+            continue;
+        }
+        if is_small
+            || right - left <= 1e-9 * width
+            || middle <= left
+            || middle >= right
+            || stack.len() > 60
+        {
+            sums[0] += depth * depth * (right - left);
+            sums[1] += depth * (right - left);
+            sums[2] = sums[2].max(depth);
+        } else {
+            stack.push((left, middle));
+            stack.push((middle, right));
+        }
+    }
+    sums
+}

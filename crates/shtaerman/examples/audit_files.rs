@@ -1,0 +1,29 @@
+//! Prints what answers state and what their audit bounds: `cargo run --example audit_files -- FILE.toml ..`.
+use std::time::Instant;
+
+fn main() {
+    for path in std::env::args().skip(1) {
+        let problem = match shtaerman::file::open(std::path::Path::new(&path), &[]) {
+            Ok(problem) => problem,
+            Err(error) => {
+                println!("{path}: {error}");
+                continue;
+            }
+        };
+        let start = Instant::now();
+        let contact = match problem.solve() {
+            Ok(contact) => contact,
+            Err(error) => {
+                println!("{path}: {error}");
+                continue;
+            }
+        };
+        let solved = start.elapsed();
+        let start = Instant::now();
+        let audit = contact.audit();
+        let audited = start.elapsed();
+        println!("{path}: solve {solved:?}, audit {audited:?}");
+        println!("  stated {:?} edges {:?}", contact.accuracy(), contact.edge_error0());
+        println!("  peak {:?} {audit:?}", contact.peak_pressure0());
+    }
+}

@@ -1,0 +1,233 @@
+//! The audit of an answer: its errors from its own residual, whatever way it was found.
+//!
+//! The book's chapter *The audit* has the theorem and its proof; the crate `shtaerman-audit` carries it out on plain numbers. Here a contact is handed to it.
+
+use serde::Serialize;
+use shtaerman_audit::{Answer, Kernel, Prescribed, Profile, Refusal};
+
+use crate::contact::{Accuracy, ErrorKind};
+use crate::roughness::Law;
+use crate::{Contact, ContactKind, Error, Geometry, Load, Problem, Rotational, Vertical};
+
+/// What scaling by moduli and widths may do to `theta0`, heights and loads, relative to their sizes: some ten roundings.
+const SCALED: f64 = 4.0 * f64::EPSILON;
+/// The same of the constants of graded ground, which hold gamma functions, times `1 - mu` (tested against 30 digits).
+const GRADED: f64 = 8e-15;
+
+/// What the audit found.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Audit {
+    /// Bound or estimate.
+    pub kind: ErrorKind,
+    /// The error of the pressure in the mean square over the base, without dimensions.
+    pub mean_square: f64,
+    /// The norm of the residual.
+    pub residual: f64,
+    /// Panels of the resampled pressure.
+    pub panels: usize,
+    /// Windows on which the residual was bounded.
+    pub windows: usize,
+    /// What it rests on, in one sentence.
+    pub reason: &'static str,
+    /// The errors of the answer.
+    #[serde(skip)]
+    pub accuracy: Accuracy,
+    /// The error of the free ends of the zones in `xi`; none where no end is free or another zone cannot be excluded.
+    #[serde(skip)]
+    pub edges: Option<f64>,
+}
+
+/// Why an answer has no audit.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Unaudited {
+    /// The theorem does not hold for it.
+    NotCovered(&'static str),
+    /// No bound was found.
+    Refused(Refusal),
+}
+
+impl std::fmt::Display for Unaudited {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::NotCovered(reason) => formatter.write_str(reason),
+            Self::Refused(Refusal::NoPressure) => formatter.write_str("the pressure is not finite"),
+            Self::Refused(Refusal::TooManyPanels) => {
+                formatter.write_str("the pressure bends at more places than the audit follows")
+            }
+            Self::Refused(Refusal::TooManyWindows { at }) => {
+                write!(
+                    formatter,
+                    "the residual near xi = {at} changes faster than the audit follows"
+                )
+            }
+            Self::Refused(Refusal::LoadNotMet) => {
+                formatter.write_str("the pressure is far from the prescribed force or moment")
+            }
+        }
+    }
+}
+
+/// The base of a problem, enclosed.
+struct Base<'a>(&'a Problem);
+
+impl Profile for Base<'_> {
+    fn height(&self, x: f64) -> [f64; 2] {
+        (self.0.dimensionless_enclosure_at(x))
+            .map_or([f64::NEG_INFINITY, f64::INFINITY], |range| [range.lower(), range.upper()])
+    }
+
+    fn range(&self, interval: [f64; 2]) -> [f64; 2] {
+        (self.0.dimensionless_enclosure(interval))
+            .map_or([f64::NEG_INFINITY, f64::INFINITY], |range| [range.lower(), range.upper()])
+    }
+
+    fn taylor_bounds(&self, interval: [f64; 2], order: usize) -> Vec<f64> {
+        let found = self.0.dimensionless_taylor(interval, order).unwrap_or_default();
+        found.iter().map(|range| range.lower().abs().max(range.upper().abs())).collect()
+    }
+}
+
+/// The kernel of a contact, or why it has no audit.
+fn kernel(problem: &Problem) -> Result<(Kernel, f64), Unaudited> {
+    let frame = problem.frame();
+    match frame.law() {
+        Law::Linear => {}
+        Law::Smooth => {
+            return Err(Unaudited::NotCovered(
+                "a smooth surface has no layer, and without it the residual bounds nothing in the mean square",
+            ));
+        }
+        Law::Power(_) => {
+            return Err(Unaudited::NotCovered(
+                "a layer with a power law stiffens with the pressure, and the theorem is for a linear one",
+            ));
+        }
+    }
+    let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
+    Ok(match frame.geometry().scaled(frame.half_width()) {
+        Geometry::Circular => {
+            return Err(Unaudited::NotCovered(
+                "potentials of circular punches are not enclosed yet",
+            ));
+        }
+        Geometry::Periodic { period } => (Kernel::Row { period }, SCALED),
+        Geometry::Plane | Geometry::Pair { .. } if exponent > 0.0 => {
+            (Kernel::Power { exponent }, SCALED + GRADED / (1.0 - exponent))
+        }
+        Geometry::Plane | Geometry::Pair { .. } => (Kernel::Logarithm, SCALED),
+    })
+}
+
+impl Contact {
+    /// Bounds the errors of this answer by its residual: nothing is asked of the way it was found.
+    ///
+    /// Guaranteed for plane contact of one punch, a pair and a row and for graded ground, with a linear layer, bilateral or not; with a settlement and an eccentricity prescribed
+    /// together it holds for the contact under the answer's own force and moment, and is an estimate.
+    ///
+    /// # Errors
+    /// [`Unaudited`] with the reason.
+    pub fn audit(&self) -> Result<Audit, Unaudited> {
+        let problem = self.problem();
+        let (kernel, scaled) = kernel(problem)?;
+        let scaled = if problem.frame().scaling().is_some() { scaled } else { 0.0 };
+        let frame = problem.frame();
+        let load = problem.dimensionless_load();
+        let (prescribed, is_load_own) = prescribed(&load, self.force0(), self.moment0());
+        // A wave cannot tilt, and what is its own mirror image does not.
+        let is_level = problem.is_wave() || problem.is_symmetric();
+        let prescribed =
+            if is_level { Prescribed { moment: None, ..prescribed } } else { prescribed };
+        let zones = self.edges0();
+        let cuts = problem.profile().joints(frame.half_width());
+        let pieces = frame.pieces();
+        let posed = shtaerman_audit::Problem {
+            kernel,
+            theta: frame.theta0(),
+            scaled,
+            pieces: &pieces,
+            is_bilateral: problem.solver().contact == ContactKind::Bilateral,
+            prescribed,
+            profile: &Base(problem),
+            cuts: &cuts,
+        };
+        let pressure = |xi: f64| self.pressure0(xi);
+        let answer = Answer {
+            zones: &zones,
+            pressure: &pressure,
+            settlement: self.settlement0(),
+            tilt: self.tilt0(),
+            force: self.force0(),
+            moment: self.moment0(),
+        };
+        let bound = shtaerman_audit::audit(&posed, &answer).map_err(Unaudited::Refused)?;
+        let kind = if is_load_own { ErrorKind::Estimate } else { ErrorKind::Bound };
+        let reason = if is_load_own {
+            "the residual of the answer, resampled: a bound for the contact under its own force and moment, an estimate for the settlement prescribed"
+        } else {
+            "the residual of the answer, resampled and bounded between all places, with rounding: it holds whatever way the answer was found"
+        };
+        Ok(Audit {
+            kind,
+            mean_square: bound.mean_square,
+            residual: bound.residual,
+            panels: bound.panels,
+            windows: bound.windows,
+            reason,
+            accuracy: Accuracy {
+                kind,
+                pressure: bound.pressure,
+                settlement: bound.settlement,
+                tilt: bound.tilt,
+                force: bound.force,
+                moment: bound.moment,
+            },
+            edges: bound.ends,
+        })
+    }
+}
+
+impl Contact {
+    /// The answer with the errors of its [audit](Contact::audit) in place of those its method states, where the theorem covers it; otherwise as it is, with the reason kept.
+    ///
+    /// # Errors
+    /// [`Error::ToleranceNotMet`] where the audited error is above an explicit tolerance, [`Error::NotAccurate`] where it is above 1 % and neither a tolerance nor a degree was
+    /// given, or no bound was found because the pressure does not carry the load.
+    pub fn audited(mut self) -> Result<Self, Error> {
+        let audit = self.audit();
+        if let Err(Unaudited::Refused(refusal @ (Refusal::NoPressure | Refusal::LoadNotMet))) =
+            audit
+        {
+            return Err(Error::AuditFailed { reason: Unaudited::Refused(refusal).to_string() });
+        }
+        self.set_audit(audit);
+        self.require_tolerance()?;
+        Ok(self)
+    }
+}
+
+/// What the load prescribes; of a settlement with an eccentricity the answer's own force and moment instead, which is told.
+fn prescribed(load: &Load, force: f64, moment: f64) -> (Prescribed, bool) {
+    match (load.vertical, load.rotational) {
+        (Vertical::Force(force), Rotational::Moment(moment)) => {
+            (Prescribed { force: Some(force), moment: Some(moment) }, false)
+        }
+        (Vertical::Force(force), Rotational::Eccentricity(e)) => {
+            (Prescribed { force: Some(force), moment: Some(e * force) }, false)
+        }
+        (Vertical::Force(force), Rotational::Tilt(_)) => {
+            (Prescribed { force: Some(force), moment: None }, false)
+        }
+        (Vertical::Settlement(_), Rotational::Moment(moment)) => {
+            (Prescribed { force: None, moment: Some(moment) }, false)
+        }
+        (Vertical::Settlement(_), Rotational::Tilt(_)) => {
+            (Prescribed { force: None, moment: None }, false)
+        }
+        (Vertical::Settlement(_), Rotational::Eccentricity(e)) if e == 0.0 => {
+            (Prescribed { force: None, moment: Some(0.0) }, false)
+        }
+        (Vertical::Settlement(_), Rotational::Eccentricity(_)) => {
+            (Prescribed { force: Some(force), moment: Some(moment) }, true)
+        }
+    }
+}
