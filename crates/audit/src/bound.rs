@@ -10,7 +10,7 @@ use crate::sample::{adjusted, negative_part, panels, range_on};
 const MOST_PANELS: usize = 60_000;
 const MOST_WINDOWS: usize = 20_000;
 /// A pressure is resampled to this many roundings of what it is computed from.
-const RESOLVED: f64 = 0.5;
+const RESOLVED: f64 = 4.0;
 /// Unit of rounding.
 const UNIT: f64 = 0.5 * f64::EPSILON;
 /// Roundings of an integral of the pressure in units of the integral of its size: compensated sums of products of three computed factors.

@@ -91,6 +91,7 @@ struct Cluster {
     centre: f64,
     radius: f64,
     moments: [f64; MOMENTS],
+    weighted: [f64; MOMENTS],
     mass: f64,
     largest: f64,
     children: Option<[usize; 2]>,
@@ -128,6 +129,7 @@ impl Density {
             centre,
             radius,
             moments: [0.0; MOMENTS],
+            weighted: [0.0; MOMENTS],
             mass: self.panels[first..last].iter().map(Panel::mass).sum(),
             largest: self.panels[first..last].iter().fold(0.0, |most, p| most.max(p.largest)),
             children: None,
@@ -156,6 +158,7 @@ impl Density {
                 );
             }
         }
+        cluster.weighted = Cluster::weighted(&cluster.moments, self.kernel.singularity());
         self.clusters.push(cluster);
         self.clusters.len() - 1
     }
@@ -320,29 +323,38 @@ fn shift(moments: &[f64; MOMENTS], ratio: f64, offset: f64, into: &mut [f64; MOM
 }
 
 impl Cluster {
+    /// The moments with the factors of the expansion of the kernel: `1/k` of the logarithm, `(mu)_k/k!` of the power.
+    fn weighted(moments: &[f64; MOMENTS], singularity: Singularity) -> [f64; MOMENTS] {
+        let mut factor = 1.0;
+        let mut weighted = *moments;
+        for (k, entry) in weighted.iter_mut().enumerate().skip(1) {
+            let n = k as f64;
+            match singularity {
+                Singularity::Logarithm => factor = 1.0 / n,
+                Singularity::Power(mu) => factor *= (mu + n - 1.0) / n,
+            }
+            *entry *= factor;
+        }
+        weighted
+    }
+
     /// Its potential by moments at `z` radii, the distance `d`, from its centre.
     fn from_afar(&self, singularity: Singularity, z: f64, d: f64) -> (f64, f64) {
         let inverse = 1.0 / z;
         let terms = ((37.0 / z.abs().ln()).ceil() as usize).clamp(2, MOMENTS - 1);
+        let mut sum = 0.0;
+        for moment in self.weighted[1..=terms].iter().rev() {
+            sum = inverse * (moment + sum);
+        }
         match singularity {
             Singularity::Logarithm => {
                 let scale = d.ln();
-                let mut sum = 0.0;
-                for k in (1..=terms).rev() {
-                    sum = inverse * (self.moments[k] / k as f64 + sum);
-                }
                 let error = self.mass * (2.0 * scale.abs() + 4.0);
                 (self.moments[0] * scale - sum, UNIT * error)
             }
             Singularity::Power(mu) => {
                 let scale = d.powf(-mu);
-                // (1 - t/z)^-mu = sum (mu)_k/k! (t/z)^k
-                let mut sum = 0.0;
-                for k in (0..=terms).rev() {
-                    let n = k as f64;
-                    sum = self.moments[k] + (mu + n) / (n + 1.0) * inverse * sum;
-                }
-                (scale * sum, UNIT * scale * self.mass * 8.0)
+                (scale * (self.moments[0] + sum), UNIT * scale * self.mass * 8.0)
             }
         }
     }

@@ -23,7 +23,7 @@ const FINE: f64 = 0.2;
 /// Share of the residual that remainders may have.
 const SHARE: f64 = 0.15;
 /// Jumps of the density that a window may have in its remainders, in jumps: its residual has about as much.
-const JUMPS: f64 = 8.0;
+const JUMPS: f64 = 16.0;
 /// Windows are at least this wide, relative to their distance from the origin: some units of the machine.
 const FINEST: f64 = 4.0 * f64::EPSILON;
 /// Unit of rounding.

@@ -45,70 +45,114 @@ fn graded([l, r]: [f64; 2], levels: i32) -> Vec<[f64; 2]> {
     ends.windows(2).map(|pair| [pair[0], pair[1]]).collect()
 }
 
-/// The pressure on a zone under a force and a moment by collocation at the nodes of panels: panels, settlement, tilt.
-fn solved(
+/// Responses of the pressure on zones to settlement, tilt and profile by collocation at the nodes of panels: `p = delta p_1 - alpha p_x - p_f`.
+struct Reference {
     kernel: Kernel,
     theta: f64,
-    zone: [f64; 2],
-    f: &dyn Fn(f64) -> f64,
-    load: [f64; 2],
-) -> (Vec<Panel>, f64, f64) {
-    let cells = graded(zone, 44);
-    let n = cells.len() * ORDER;
-    let place = |i: usize| {
-        let [l, r] = cells[i / ORDER];
-        (
-            0.5 * (l + r) + 0.5 * (r - l) * RULE.nodes[i % ORDER],
-            0.5 * (r - l) * RULE.weights[i % ORDER],
-        )
-    };
-    let size = n + 2;
-    let mut a = vec![0.0; size * size];
-    let mut b = vec![0.0; size];
-    let singularity = kernel.singularity();
-    for i in 0..n {
-        let (x, weight) = place(i);
-        for (j, [l, r]) in cells.iter().enumerate() {
-            let half = 0.5 * (r - l);
-            let at = Seen {
-                z: ((x - l) - (r - x)) / (2.0 * half),
-                from_left: (x - l) / half,
-                to_right: (r - x) / half,
-            };
-            let moments =
-                if at.z.abs() < 3.0 { potentials(singularity, at) } else { far(kernel, at.z) };
-            for node in 0..ORDER {
-                let mut unit = [0.0; ORDER];
-                unit[node] = 1.0;
-                let c = RULE.expand(&unit);
-                let sum: f64 = c.iter().zip(&moments).map(|(a, b)| a * b).sum();
-                a[i * size + j * ORDER + node] = theta
-                    * match kernel {
+    cells: Vec<[f64; 2]>,
+    /// Values at the nodes.
+    responses: [Vec<f64>; 3],
+}
+
+impl Reference {
+    fn new(kernel: Kernel, theta: f64, zones: &[[f64; 2]], f: &dyn Fn(f64) -> f64) -> Self {
+        let cells: Vec<[f64; 2]> = zones.iter().flat_map(|zone| graded(*zone, 40)).collect();
+        let n = cells.len() * ORDER;
+        let mut a = vec![0.0; n * n];
+        let singularity = kernel.singularity();
+        for i in 0..n {
+            let x = node(&cells, i).0;
+            for (j, [l, r]) in cells.iter().enumerate() {
+                let half = 0.5 * (r - l);
+                let at = Seen {
+                    z: ((x - l) - (r - x)) / (2.0 * half),
+                    from_left: (x - l) / half,
+                    to_right: (r - x) / half,
+                };
+                let moments =
+                    if at.z.abs() < 3.0 { potentials(singularity, at) } else { far(kernel, at.z) };
+                for m in 0..ORDER {
+                    let mut unit = [0.0; ORDER];
+                    unit[m] = 1.0;
+                    let c = RULE.expand(&unit);
+                    let sum: f64 = c.iter().zip(&moments).map(|(a, b)| a * b).sum();
+                    let singular = match kernel {
                         Kernel::Power { exponent } => half.powf(1.0 - exponent) * sum,
                         _ => -(half * sum + 2.0 * half * c[0] * half.ln()),
                     };
+                    let (s, weight) = node(&cells, j * ORDER + m);
+                    let regular = match kernel {
+                        Kernel::Row { period } if s != x => {
+                            let d = (x - s).abs();
+                            -(2.0 * (std::f64::consts::PI * d / period).sin() / d).ln() * weight
+                        }
+                        Kernel::Row { period } => -(std::f64::consts::TAU / period).ln() * weight,
+                        _ => 0.0,
+                    };
+                    a[i * n + j * ORDER + m] = theta * (singular + regular);
+                }
             }
+            a[i * n + i] += 1.0;
         }
-        a[i * size + i] += 1.0;
-        a[i * size + n] = -1.0;
-        a[i * size + n + 1] = x;
-        b[i] = -f(x);
-        a[n * size + i] = weight;
-        a[(n + 1) * size + i] = weight * x;
+        let places: Vec<f64> = (0..n).map(|i| node(&cells, i).0).collect();
+        let right = [vec![1.0; n], places.clone(), places.iter().map(|x| f(*x)).collect()];
+        let responses = eliminate(a, right);
+        Self { kernel, theta, cells, responses }
     }
-    b[n] = load[0];
-    b[n + 1] = load[1];
-    let s = eliminate(a, b);
-    let panels = cells
-        .iter()
-        .enumerate()
-        .map(|(j, [l, r])| {
-            let mut values = [0.0; ORDER];
-            values.copy_from_slice(&s[j * ORDER..(j + 1) * ORDER]);
-            Panel::new(*l, *r, RULE.expand(&values))
-        })
-        .collect();
-    (panels, s[n], s[n + 1])
+
+    fn panels(&self, settlement: f64, tilt: f64) -> Vec<Panel> {
+        let [one, x, f] = &self.responses;
+        (self.cells.iter().enumerate())
+            .map(|(j, [l, r])| {
+                let mut values = [0.0; ORDER];
+                for (m, value) in values.iter_mut().enumerate() {
+                    let i = j * ORDER + m;
+                    *value = settlement * one[i] - tilt * x[i] - f[i];
+                }
+                Panel::new(*l, *r, RULE.expand(&values))
+            })
+            .collect()
+    }
+
+    /// `int u p` of each response.
+    fn integrals(&self, u: &dyn Fn(f64) -> f64) -> [f64; 3] {
+        let sum = |values: &Vec<f64>| -> f64 {
+            values
+                .iter()
+                .enumerate()
+                .map(|(i, p)| {
+                    let (x, weight) = node(&self.cells, i);
+                    weight * u(x) * p
+                })
+                .sum()
+        };
+        [sum(&self.responses[0]), sum(&self.responses[1]), sum(&self.responses[2])]
+    }
+
+    /// Settlement and tilt under a force and a moment.
+    fn loaded(&self, force: f64, moment: f64) -> [f64; 2] {
+        let [a, b, c] = self.integrals(&|_| 1.0);
+        let [d, e, f] = self.integrals(&|x| x);
+        solve_two([[a, -b], [d, -e]], [force + c, moment + f])
+    }
+
+    /// Settlement and tilt with which the pressure vanishes at both ends, by the first and the last node.
+    fn free(&self) -> [f64; 2] {
+        let n = self.responses[0].len() - 1;
+        let [one, x, f] = &self.responses;
+        solve_two([[one[0], -x[0]], [one[n], -x[n]]], [f[0], f[n]])
+    }
+}
+
+fn solve_two([[a, b], [c, d]]: [[f64; 2]; 2], [e, f]: [f64; 2]) -> [f64; 2] {
+    let determinant = a * d - b * c;
+    [(e * d - b * f) / determinant, (a * f - c * e) / determinant]
+}
+
+fn node(cells: &[[f64; 2]], i: usize) -> (f64, f64) {
+    let [l, r] = cells[i / ORDER];
+    let half = 0.5 * (r - l);
+    (0.5 * (l + r) + half * RULE.nodes[i % ORDER], half * RULE.weights[i % ORDER])
 }
 
 /// The same as [`potentials`] far from the panel, by Gauss quadrature.
@@ -123,69 +167,139 @@ fn far(kernel: Kernel, z: f64) -> [f64; ORDER] {
     found
 }
 
-fn eliminate(mut a: Vec<f64>, mut b: Vec<f64>) -> Vec<f64> {
-    let n = b.len();
+fn eliminate(mut a: Vec<f64>, mut right: [Vec<f64>; 3]) -> [Vec<f64>; 3] {
+    let n = right[0].len();
+    // A is close to a positive matrix in a weighted norm: its diagonal serves as pivots.
     for k in 0..n {
-        let pivot =
-            (k..n).max_by(|i, j| a[i * n + k].abs().total_cmp(&a[j * n + k].abs())).unwrap();
-        if pivot != k {
-            for j in 0..n {
-                a.swap(k * n + j, pivot * n + j);
-            }
-            b.swap(k, pivot);
-        }
         let (top, rest) = a.split_at_mut((k + 1) * n);
         let row = &top[k * n..];
         for i in 0..n - k - 1 {
             let factor = rest[i * n + k] / row[k];
             if factor != 0.0 {
-                for j in k..n {
-                    rest[i * n + j] -= factor * row[j];
+                for (entry, known) in rest[i * n + k..(i + 1) * n].iter_mut().zip(&row[k..]) {
+                    *entry -= factor * known;
                 }
-                b[k + 1 + i] -= factor * b[k];
+                for b in &mut right {
+                    b[k + 1 + i] -= factor * b[k];
+                }
             }
         }
     }
-    for k in (0..n).rev() {
-        let sum: f64 = (k + 1..n).map(|j| a[k * n + j] * b[j]).sum();
-        b[k] = (b[k] - sum) / a[k * n + k];
+    for b in &mut right {
+        for k in (0..n).rev() {
+            let sum: f64 = (k + 1..n).map(|j| a[k * n + j] * b[j]).sum();
+            b[k] = (b[k] - sum) / a[k * n + k];
+        }
     }
-    b
+    right
+}
+
+/// An answer that is off by `size` in its own way, and what is known of it: bounds hold, and are not idle.
+fn check(
+    reference: &Reference,
+    profile: &Parabola,
+    pieces: &[[f64; 2]],
+    zones: &[[f64; 2]],
+    [settlement, tilt]: [f64; 2],
+    size: f64,
+) -> crate::Bound {
+    let truth = Density::new(reference.kernel, reference.panels(settlement, tilt));
+    let sums = |u: &dyn Fn(f64) -> f64| {
+        let [a, b, c] = reference.integrals(u);
+        settlement * a - tilt * b - c
+    };
+    let (force, moment) = (sums(&|_| 1.0), sums(&|x| x));
+    let pressure = |x: f64| truth.evaluate(x) * (1.0 + size * (3.0 * x + 0.4).cos());
+    let is_full = zones == pieces;
+    let problem = Problem {
+        kernel: reference.kernel,
+        theta: reference.theta,
+        scaled: 0.0,
+        pieces,
+        is_bilateral: false,
+        prescribed: Prescribed { force: Some(force), moment: Some(moment) },
+        profile,
+        cuts: &[],
+    };
+    let answer = Answer {
+        zones,
+        pressure: &pressure,
+        settlement: settlement + size,
+        tilt: tilt - 0.7 * size,
+        force,
+        moment,
+    };
+    let start = std::time::Instant::now();
+    let bound = audit(&problem, &answer).unwrap();
+    println!(
+        "{:?} theta {} full {is_full} size {size:e}: {:?} {bound:?}",
+        reference.kernel,
+        reference.theta,
+        start.elapsed()
+    );
+    let mut worst = 0.0f64;
+    for panel in &truth.panels {
+        for (x, _) in panel.nodes() {
+            worst = worst.max((pressure(x) - truth.evaluate(x)).abs());
+        }
+    }
+    // The reference's own error is some roundings.
+    let slack = 1e-13 * (1.0 + reference.theta) * truth.largest();
+    assert!(bound.pressure >= worst - slack, "pressure {worst:e} {bound:?}");
+    assert!(bound.settlement >= size - slack && bound.tilt >= 0.7 * size - slack, "{bound:?}");
+    if size > 1e-9 {
+        assert!(
+            bound.pressure <= 300.0 * (1.0 + reference.theta) * worst,
+            "idle: {worst:e} {bound:?}"
+        );
+    }
+    bound
 }
 
 #[test]
-fn full_contact_of_a_parabola() {
+fn full_contact() {
     for (theta, kernel) in [
         (1.0, Kernel::Logarithm),
         (60.0, Kernel::Logarithm),
+        (5.0, Kernel::Row { period: 3.0 }),
         (2.0, Kernel::Power { exponent: 0.3 }),
     ] {
-        let profile = Parabola { c: 0.5, s: 0.1 };
-        let f = |x: f64| 0.5 * x * x + 0.1 * x;
-        let (panels, settlement, tilt) = solved(kernel, theta, [-1.0, 1.0], &f, [3.0, 0.1]);
-        let density = Density::new(kernel, panels);
-        let pressure = |x: f64| density.evaluate(x);
-        let start = std::time::Instant::now();
-        let bound = audit(
-            &Problem {
-                kernel,
-                theta,
-                scaled: 0.0,
-                pieces: &[[-1.0, 1.0]],
-                is_bilateral: false,
-                prescribed: Prescribed { force: Some(3.0), moment: Some(0.1) },
-                profile: &profile,
-                cuts: &[],
-            },
-            &Answer {
-                zones: &[[-1.0, 1.0]],
-                pressure: &pressure,
-                settlement,
-                tilt,
-                force: 3.0,
-                moment: 0.1,
-            },
-        );
-        println!("{theta} {kernel:?} {:?} {bound:?}", start.elapsed());
+        let profile = Parabola { c: 0.2, s: 0.1 };
+        let base = [[-1.0, 1.0]];
+        let reference = Reference::new(kernel, theta, &base, &|x| 0.2 * x * x + 0.1 * x);
+        let state = reference.loaded(3.0, 0.1);
+        for size in [0.0, 1e-8, 1e-4] {
+            check(&reference, &profile, &base, &base, state, size);
+        }
+    }
+}
+
+#[test]
+fn contact_that_lifts_off() {
+    for (theta, kernel) in [
+        (1.0, Kernel::Logarithm),
+        (40.0, Kernel::Logarithm),
+        (3.0, Kernel::Row { period: 2.5 }),
+        (2.0, Kernel::Power { exponent: 0.3 }),
+    ] {
+        let profile = Parabola { c: 0.5, s: 0.0 };
+        let zone = [[-0.4, 0.6]];
+        let reference = Reference::new(kernel, theta, &zone, &|x| 0.5 * x * x);
+        let state = reference.free();
+        for size in [0.0, 1e-8, 1e-4] {
+            let bound = check(&reference, &profile, &[[-1.0, 1.0]], &zone, state, size);
+            assert!(bound.ends.is_some_and(|ends| ends < 0.1), "{bound:?}");
+        }
+    }
+}
+
+#[test]
+fn a_pair() {
+    let profile = Parabola { c: 0.1, s: 0.0 };
+    let pieces = [[-1.0, -0.3], [0.3, 1.0]];
+    let reference = Reference::new(Kernel::Logarithm, 7.0, &pieces, &|x| 0.1 * x * x);
+    let state = reference.loaded(2.0, 0.2);
+    for size in [0.0, 1e-7] {
+        check(&reference, &profile, &pieces, &pieces, state, size);
     }
 }
