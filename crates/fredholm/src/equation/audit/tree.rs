@@ -8,7 +8,7 @@ use crate::{Error, Interval};
 /// Most panels.
 const MOST_PANELS: usize = 3000;
 /// What the panels at the ends may leave of the mean square, relative to the largest value.
-const END: f64 = 1e-14;
+const END: f64 = 1e-17;
 /// Shortest panels at ends and at breakpoints, as shares of the interval.
 const SHORTEST: f64 = 1e-14;
 const SHORTEST_INSIDE: f64 = 1e-7;
