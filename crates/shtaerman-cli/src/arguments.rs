@@ -398,6 +398,9 @@ pub struct EquationArguments {
     /// Solve by the other method as well; exit code 1 if they differ by more than both errors.
     #[arg(long)]
     pub cross_check: bool,
+    /// Leave out the audit, which looks at the residual of the solution by quadrature of its own.
+    #[arg(long)]
+    pub no_audit: bool,
     /// Places for the solution, separated by commas.
     #[arg(long, value_name = "X1,X2,...", allow_hyphen_values = true)]
     pub at: Option<String>,

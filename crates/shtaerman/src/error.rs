@@ -275,10 +275,11 @@ pub enum Error {
         n: usize,
     },
 
-    /// The method failed: the error of the solution is as large as the solution.
+    /// The method failed: the error of the solution is no longer small beside the solution.
     #[error(
-        "no digit of the solution is certain: the {method} method with n = {n} states a relative error of {reached:.1e}; \
-         the right-hand side is too rough, grows too fast, or is none that the first kind can have"
+        "{}: the {method} method with n = {n} states a relative error of {reached:.1e}; \
+         the right-hand side is too rough, grows too fast, or is none that the first kind can have; \
+         with method = \"spectral\" an n of one's own is solved whatever its error, and a tolerance says which error would do", unsolved(*reached)
     )]
     EquationUnsolved {
         /// The relative error.
@@ -287,6 +288,30 @@ pub enum Error {
         method: &'static str,
         /// Its size.
         n: usize,
+    },
+
+    /// The other method of a cross-check failed, so that any difference would be allowed.
+    #[error(
+        "nothing to compare with: the {method} method with n = {n}, which is to check the answer, states a relative error of {reached:.1e} itself; \
+         method = \"spectral\" with a larger n is checked by collocation"
+    )]
+    CheckUnsolved {
+        /// The relative error.
+        reached: f64,
+        /// Method that reached it.
+        method: &'static str,
+        /// Its size.
+        n: usize,
+    },
+
+    /// A right-hand side of the first kind on a disk comes to a point at the centre.
+    #[error(
+        "the right-hand side is a cone at the centre, its slope at x = 0 is {slope}: the solution of the first kind is infinite there, which no sum of eigenfunctions is; \
+         one that is smooth on the disk depends on x^2 there, and the second kind takes any"
+    )]
+    Cone {
+        /// Its slope at the centre.
+        slope: f64,
     },
 
     /// A second method was asked for where there is one only.
@@ -314,6 +339,11 @@ pub enum Error {
     Equation(fredholm::Error),
 }
 
+/// What is left of an equation with this relative error.
+fn unsolved(reached: f64) -> &'static str {
+    if reached < 1.0 { "no answer to two digits" } else { "no digit of the solution is certain" }
+}
+
 /// How far the search for zones came.
 fn attempt(tension: f64, penetration: f64) -> String {
     if tension.is_nan() {
@@ -338,6 +368,7 @@ impl Error {
                 | Self::ZonesTooClose { .. }
                 | Self::EquationTolerance { .. }
                 | Self::EquationUnsolved { .. }
+                | Self::CheckUnsolved { .. }
                 | Self::Equation(
                     fredholm::Error::NotPositiveDefinite { .. }
                         | fredholm::Error::NotConverged { .. }

@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::kernel::{Expansion, SpectralRelation};
+use crate::quadrature::places::places;
 
 /// Fewest and most terms tried.
 const COUNTS: [usize; 2] = [32, 1024];
@@ -18,7 +19,7 @@ pub(crate) struct Rule<Node = f64> {
 }
 
 /// Expands `f` in the eigenfunctions of a relation; `rule(count)` integrates the products of `phi_0 .. phi_{count-1}` with the weight exactly. The number of
-/// terms doubles until the sum agrees with `f` at the nodes of the next rule.
+/// terms doubles until the sum agrees with `f` at the nodes of the next rule, and at thousands of places that no rule has.
 ///
 /// # Errors
 /// [`Error::NotFinite`] with the place when `f` is not finite at a node; those of the rule.
@@ -57,7 +58,10 @@ pub(crate) fn expand_at_nodes<Node>(
             .zip(&checks)
             .map(|(node, value)| (relation.sum(&coefficients, place(node)) - value).abs())
             .fold(0.0, f64::max);
-        let error = if largest > 0.0 { error / largest } else { 0.0 };
+        let mut error = if largest > 0.0 { error / largest } else { 0.0 };
+        if error <= RESOLVED || count == most {
+            error = error.max(misfit(relation, f, &coefficients)?);
+        }
         let resolved = error <= RESOLVED;
         if resolved || count == most {
             return Ok(Expansion { coefficients, error, resolved });
@@ -65,6 +69,23 @@ pub(crate) fn expand_at_nodes<Node>(
         count = (2 * count).min(most);
         (current, values) = (next, checks);
     }
+}
+
+/// The largest difference between nodes, relative to the largest value there.
+///
+/// # Errors
+/// [`Error::NotFinite`] where `f` is not finite.
+pub(crate) fn misfit(
+    relation: &(impl SpectralRelation + ?Sized),
+    f: &dyn Fn(f64) -> f64,
+    coefficients: &[f64],
+) -> Result<f64, Error> {
+    let places = places(relation.extent());
+    let values = sample(f, places.iter().copied())?;
+    let largest = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
+    let sum = relation.combination(coefficients);
+    let worst = (places.iter().zip(&values)).map(|(&x, value)| (sum(x) - value).abs());
+    Ok(if largest > 0.0 { worst.fold(0.0, f64::max) / largest } else { 0.0 })
 }
 
 /// The coefficients, without the trailing ones that are rounding of a function with this largest value.

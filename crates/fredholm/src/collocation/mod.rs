@@ -34,6 +34,7 @@ mod mesh;
 mod modes;
 mod operator;
 mod points;
+mod resolution;
 mod solution;
 mod spectrum;
 mod sweep;

@@ -9,6 +9,9 @@ use crate::kernel::Kernel;
 /// `phi + parameter K phi = f` to a tolerance relative to the largest value of the solution, by collocation on growing numbers of nodes; `breakpoints` are where `f` has kinks
 /// or jumps.
 ///
+/// `f` is looked at between the nodes of collocation, and what they miss of it is resolved or stated; what it can hide all the same is told at
+/// [`solve_adaptive`](crate::collocation::solve_adaptive).
+///
 /// # Errors
 /// As [`solve_adaptive_with_breaks`]; [`Error::Singular`] where `-1/parameter` is an eigenvalue. A tolerance out of reach is no error: see [`Solution::converged`].
 pub fn collocate<'a>(
@@ -18,7 +21,7 @@ pub fn collocate<'a>(
     breakpoints: &[f64],
     tolerance: f64,
 ) -> Result<Solution<'a>, Error> {
-    let AdaptiveSolution { solution, estimate, converged, half_count } =
+    let AdaptiveSolution { solution, estimate, converged, .. } =
         solve_adaptive_with_breaks(kernel, breakpoints, parameter, f, tolerance)?;
     let integral = solution.integral(|x| kernel.mass_function(x));
     let largest = solution.values().iter().fold(0.0f64, |most, value| most.max(value.abs()));
@@ -30,7 +33,7 @@ pub fn collocate<'a>(
             integral: estimate.integral,
         },
         method: Method::Sinc,
-        count: (2 * half_count + 1) * (breakpoints.len() + 1),
+        count: solution.values().len(),
         converged,
         largest,
         value: Box::new(move |x| solution.evaluate(x, f(x))),

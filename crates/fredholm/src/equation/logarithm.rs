@@ -10,7 +10,8 @@ use crate::{DegenerateSolver, Error};
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// `phi + parameter K phi = f` on the logarithmic kernel by the degenerate kernel of degree `degree`, `parameter >= 0`, with **bounds** of its error: for exact arithmetic, and where
-/// `f` is its Chebyshev series; otherwise they are estimates. On intervals longer than twice the gauge the kernel is not positive; the rank-one step beside the positive
+/// `f` is its Chebyshev series; otherwise they are estimates. That it is its series is seen from values at the nodes and at thousands of places between them: a feature that is hidden from all of
+/// these is not in the bound. On intervals longer than twice the gauge the kernel is not positive; the rank-one step beside the positive
 /// kernel keeps the bounds, but where its denominator may vanish there is none: the error is infinite then.
 ///
 /// # Errors

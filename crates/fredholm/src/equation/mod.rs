@@ -21,6 +21,7 @@
 //! # Ok::<(), fredholm::Error>(())
 //! ```
 
+mod audit;
 mod collocated;
 mod first_kind;
 mod half_line;
@@ -28,6 +29,7 @@ mod logarithm;
 mod residual;
 mod truncated;
 
+pub use audit::{Audit, audit};
 pub use collocated::collocate;
 pub use first_kind::first_kind;
 pub use half_line::collocate_half_line;

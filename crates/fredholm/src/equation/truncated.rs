@@ -4,6 +4,7 @@ use super::residual::residual;
 use super::{ErrorStatement, Method, Solution, checks};
 use crate::bounds::Kind;
 use crate::kernel::SpectralRelation;
+use crate::quadrature::places::Sampled;
 use crate::quadrature::{Node, double_exponential};
 use crate::{DegenerateSolution, DegenerateSolver, Error};
 
@@ -19,6 +20,9 @@ const TAIL: usize = 4;
 const RESIDUAL: f64 = 2.0;
 /// Rounding, in units of the last place of the terms.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// So many moments are taken again, and the places at which their functions are measured are so far apart.
+const LOW: usize = 6;
+const STRIDE: usize = 60;
 /// An error below this share of the solution is an answer.
 const USEFUL: f64 = 0.1;
 
@@ -26,7 +30,8 @@ const USEFUL: f64 = 0.1;
 ///
 /// The error is estimated from the degrees `degree`, `degree/2` and `degree/4`: the last difference, continued as it falls or as the singularity of the
 /// kernel makes it fall at the ends, `degree^{-2(1-q)}`, whichever is slower, times 4; or twice the residual at the ends and
-/// a few other points, where that is larger. For the logarithm [`degenerate_logarithm`](super::degenerate_logarithm) has guaranteed bounds.
+/// a few other points, where that is larger. The first moments are taken again on panels that are cut wherever `f` asks for it at 6000 places, so that a narrow feature between the
+/// nodes of their rule shows, and is stated; one narrower than about a 4000th of the interval may be hidden from all of these. For the logarithm [`degenerate_logarithm`](super::degenerate_logarithm) has guaranteed bounds.
 ///
 /// # Errors
 /// [`Error::InvalidParameter`] for a degree below 8; those of [`DegenerateSolver::new`] and of the moments.
@@ -48,8 +53,10 @@ pub fn degenerate<'a>(
         |degree: usize| DegenerateSolver::new(relation, parameter, degree)?.solve(&moments.values);
     let levels = [solve(degree / 4)?, solve(degree / 2)?, solve(degree)?];
     let sizes = Sizes::new(relation, f, &levels[2], moments.error);
+    let hidden = hidden(relation, parameter, f, &moments.values)?;
     let unresolved = RESIDUAL * residual_of(relation, parameter, f, &levels[2], degree);
-    let error = solution_error(relation, &levels).max(unresolved) + sizes.rounding;
+    let error =
+        solution_error(relation, &levels).max(unresolved).max(hidden.solution) + sizes.rounding;
     let functional = Integral::new(relation, degree);
     let integrals = levels.each_ref().map(|solution| functional.of(relation, f, solution));
     let integral_error = match integrals {
@@ -58,7 +65,7 @@ pub fn degenerate<'a>(
                 extrapolate((i2 - i1).abs(), (i3 - i2).abs(), slowest_rate(relation));
             // A layer at an end is no wider than what the last term resolves there.
             let layer = unresolved * sizes.functional / (degree as f64).powi(2);
-            extrapolated.max(layer) + sizes.rounding_of_integral(i3)
+            extrapolated.max(layer) + hidden.mass + sizes.rounding_of_integral(i3)
         }
         _ => f64::INFINITY,
     };
@@ -75,6 +82,55 @@ pub fn degenerate<'a>(
             Box::new(move |x| f(x) - correction(x))
         },
     })
+}
+
+/// What the moments miss of a right-hand side that has features between the nodes of their rule.
+struct Hidden {
+    /// Of `int u f dm`, or more.
+    mass: f64,
+    /// Of the solution, where the feature is.
+    solution: f64,
+}
+
+/// The first moments again, by panels that are cut wherever values at thousands of places ask for it.
+fn hidden<K: SpectralRelation + ?Sized>(
+    relation: &K,
+    parameter: f64,
+    f: &dyn Fn(f64) -> f64,
+    moments: &[f64],
+) -> Result<Hidden, Error> {
+    let nothing = Hidden { mass: 0.0, solution: 0.0 };
+    if !relation.interval().is_finite() {
+        return Ok(nothing);
+    }
+    let sampled = Sampled::new(relation.interval(), f)?;
+    let functions: Vec<Box<dyn Fn(f64) -> f64>> = (0..LOW.min(moments.len()))
+        .map(|n| {
+            let mut unit = vec![0.0; n + 1];
+            unit[n] = 1.0;
+            let phi = relation.combination(&unit);
+            Box::new(move |x: f64| phi(x) * relation.measure(x)) as Box<dyn Fn(f64) -> f64>
+        })
+        .collect();
+    let references: Vec<&dyn Fn(f64) -> f64> = functions.iter().map(|phi| &**phi).collect();
+    let Some(again) = sampled.integral_with(f, &[], &references) else { return Ok(nothing) };
+    let size = |phi: &dyn Fn(f64) -> f64| {
+        sampled.places.iter().step_by(STRIDE).map(|&x| phi(x).abs()).fold(0.0, f64::max)
+    };
+    let shares = again.iter().zip(moments).zip(&references).map(|((again, moment), phi)| {
+        let size = size(phi);
+        if size > 0.0 { (again - moment).abs() / size } else { 0.0 }
+    });
+    let length = 2.0 * relation.interval().half_length();
+    let mass = shares.fold(0.0, f64::max);
+    if mass <= ROUNDING * length * sampled.largest {
+        return Ok(nothing);
+    }
+    let near = relation.singularity().value(length / (sampled.places.len() as f64)).abs();
+    let centre = relation.interval().centre();
+    let factor = relation.split(centre, centre, 0.0);
+    let peak = factor.factor.abs() * near + factor.rest.abs();
+    Ok(Hidden { mass: SAFETY * mass, solution: SAFETY * parameter.abs() * mass * peak })
 }
 
 /// Sizes against which errors are held.

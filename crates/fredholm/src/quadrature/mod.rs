@@ -1,6 +1,8 @@
 //! Quadrature that does not mind what happens at the ends.
 
 pub(crate) mod panels;
+pub(crate) mod partition;
+pub(crate) mod places;
 
 use crate::basis::expansion::Rule;
 use crate::basis::jacobi::{Argument, Jacobi};

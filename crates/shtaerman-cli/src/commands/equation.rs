@@ -30,6 +30,11 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
     let asked = arguments.at.as_deref().map(|text| parse_places(text, &file)).transpose()?;
     let reach = asked.iter().flatten().copied().fold(0.0, f64::max);
     let solved = file.equation().solve_to(reach).map_err(|error| file.locate(error))?;
+    let solved = if arguments.no_audit {
+        solved
+    } else {
+        solved.audited().map_err(|error| file.locate(error))?
+    };
     let points = match asked {
         Some(points) => points,
         None => solved.places(arguments.points)?,

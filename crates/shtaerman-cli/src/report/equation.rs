@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use shtaerman::ErrorKind;
-use shtaerman::equation::{EquationAnswer, EquationCheck, SolvedEquation};
+use shtaerman::equation::{EquationAnswer, EquationAudit, EquationCheck, SolvedEquation};
 
 use super::{Table, significant};
 use crate::Failure;
@@ -52,6 +52,9 @@ pub(crate) fn equation_table(
         answer.method.name, answer.method.n, answer.method.reason
     );
     text.push_str(&error_line(answer));
+    if let Some(audit) = &answer.audit {
+        text.push_str(&audit_line(audit));
+    }
     if let Some(check) = &answer.cross_check {
         text.push_str(&check_line(check));
     }
@@ -89,6 +92,28 @@ fn error_line(answer: &EquationAnswer<'_>) -> String {
     }
     line.push('\n');
     line
+}
+
+fn audit_line(audit: &EquationAudit) -> String {
+    let mut parts = Vec::new();
+    let named = [
+        ("phi", audit.solution_sup),
+        ("integral", audit.integral),
+        ("in the mean square", audit.mean_square),
+    ];
+    for (name, value) in named {
+        if let Some(value) = value {
+            parts.push(format!("{name} {}", significant(value, 2)));
+        }
+    }
+    match (&audit.reason, parts.is_empty()) {
+        (Some(reason), true) => format!("no audit: {reason}\n"),
+        (Some(reason), false) => format!(
+            "audit (estimate) by the residual, at most: {}; phi not audited: {reason}\n",
+            parts.join(", ")
+        ),
+        (None, _) => format!("audit (estimate) by the residual, at most: {}\n", parts.join(", ")),
+    }
 }
 
 fn check_line(check: &EquationCheck) -> String {

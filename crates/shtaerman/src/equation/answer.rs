@@ -3,7 +3,7 @@
 use fredholm::bounds;
 use serde::Serialize;
 
-use super::{EQUATION_SCHEMA, EquationCheck, Kind, NamedKernel, SolvedEquation};
+use super::{EQUATION_SCHEMA, EquationAudit, EquationCheck, Kind, NamedKernel, SolvedEquation};
 use crate::{Error, ErrorKind, MethodReport, Warning};
 
 /// A solved equation at chosen points.
@@ -29,6 +29,9 @@ pub struct EquationAnswer<'a> {
     pub method: MethodReport,
     /// How sure the answer is.
     pub error: EquationErrors,
+    /// What an audit found, where it was asked for; the error is the larger one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub audit: Option<EquationAudit>,
     /// Differences from the other method, where asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub cross_check: Option<EquationCheck>,
@@ -85,6 +88,7 @@ impl<'a> SolvedEquation<'a> {
                 reason: self.reason().to_owned(),
             },
             error: EquationErrors::new(self),
+            audit: self.audit_report().cloned(),
             cross_check: None,
             warnings: self.warnings(),
         })

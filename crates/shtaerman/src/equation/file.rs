@@ -258,9 +258,9 @@ fn locate(document: &Document, error: Error) -> Error {
     let key = match &error {
         Error::File(_) => return error,
         numerical if numerical.is_numerical() => return error,
-        Error::RightHandSide { .. } | Error::Equation(fredholm::Error::NotFinite { .. }) => {
-            "equation.rhs"
-        }
+        Error::RightHandSide { .. }
+        | Error::Cone { .. }
+        | Error::Equation(fredholm::Error::NotFinite { .. }) => "equation.rhs",
         Error::Equation(
             fredholm::Error::TooLarge { .. }
             | fredholm::Error::TooFew { .. }

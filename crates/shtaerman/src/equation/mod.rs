@@ -33,6 +33,7 @@
 //! ```
 
 mod answer;
+mod audit;
 mod catalogue;
 mod cross_check;
 mod family;
@@ -47,6 +48,7 @@ use fredholm::Interval;
 use fredholm::kernel::SpectralRelation;
 
 pub use answer::{EquationAnswer, EquationErrors, Samples};
+pub use audit::EquationAudit;
 pub use cross_check::EquationCheck;
 pub use family::{Family, KernelError, NamedKernel, Parameter};
 pub use file::{EquationFile, is_equation};

@@ -8,6 +8,7 @@ use fredholm::kernel::SpectralRelation;
 use super::family::Route;
 use super::{Equation, Kind, MOST_BREAKS, SolvedEquation};
 use crate::contact::AIM;
+use crate::expression::Line;
 use crate::{Error, MethodChoice, Warning, WarningCode};
 
 /// Degree of the degenerate kernel where none is given.
@@ -18,8 +19,13 @@ const PREPARED_DEGREE: usize = 200;
 const TERMS: usize = 1024;
 /// The same where the eigenfunctions are computed.
 const PREPARED_TERMS: usize = 200;
+/// A slope below this share of the right-hand side is rounding.
+const ROUNDING: f64 = 1e-14;
 /// Strength of a singularity from which on a kernel is not square-summable.
 const SQUARE_SUMMABLE: f64 = 0.5;
+
+/// A relative error above this is no answer, unless it was asked for.
+const USEFUL: f64 = 0.01;
 
 /// A solution with the reason for its method.
 pub(super) struct Draft<'a> {
@@ -31,11 +37,20 @@ pub(super) struct Draft<'a> {
 }
 
 impl Draft<'_> {
-    /// The error over the largest value of the solution.
     fn relative_error(&self) -> f64 {
-        let (error, largest) = (self.solution.error.solution, self.solution.largest);
-        if error == 0.0 { 0.0 } else { error / largest }
+        relative_error(&self.solution)
     }
+}
+
+/// The error over the largest value of the solution.
+fn relative_error(solution: &Solution<'_>) -> f64 {
+    let (error, largest) = (solution.error.solution, solution.largest);
+    if error == 0.0 { 0.0 } else { error / largest }
+}
+
+/// False for NaN.
+fn is_useful(reached: f64) -> bool {
+    reached <= USEFUL
 }
 
 impl Equation {
@@ -103,6 +118,9 @@ impl Equation {
     }
 
     fn first_kind(&self) -> Result<Draft<'_>, Error> {
+        if let Some(slope) = self.cone() {
+            return Err(Error::Cone { slope });
+        }
         let solution = first_kind(self.relation()?, self.function(), self.terms())?;
         Ok(Draft {
             solution,
@@ -110,6 +128,21 @@ impl Equation {
             warnings: Vec::new(),
             is_truncated: self.solver().degree.is_some(),
         })
+    }
+
+    /// The slope at the centre of a disk where it makes the solution of the first kind infinite there: the inverse operator takes `x` to `x^(2 gamma)`, to `ln x` for `gamma = 0`.
+    fn cone(&self) -> Option<f64> {
+        let kernel = self.kernel();
+        let value = |name: &str| kernel.parameter(name);
+        let is_disk = kernel.family().measure == "s ds";
+        let is_mean = value("mu").or(value("m")) == Some(0.0);
+        if !(is_disk && is_mean && value("gamma").unwrap_or(0.0) <= 0.0) {
+            return None;
+        }
+        let (at_centre, slope) = self.right_hand_side().derivative_along(&Line::identity(), 0.0);
+        let radius = self.shown()[1];
+        let largest = (self.function())(radius).abs().max(at_centre.abs());
+        (slope.is_finite() && slope.abs() * radius > ROUNDING * largest).then_some(slope)
     }
 
     fn truncated(&self, lambda: f64) -> Result<Draft<'_>, Error> {
@@ -168,25 +201,44 @@ impl Equation {
         }
     }
 
-    /// An explicit tolerance is met or the solve fails; the error that is aimed at otherwise is met or warned of.
+    /// An explicit tolerance is met or the solve fails, and so it does where nothing is left; the error that is aimed at otherwise is met or warned of.
     fn judge(&self, draft: &mut Draft<'_>) -> Result<(), Error> {
+        self.require_error(&draft.solution)?;
+        if self.solver().tolerance.is_some() {
+            return Ok(());
+        }
         let reached = draft.relative_error();
-        let (method, n) = (super::solved::name(draft.solution.method), draft.solution.count);
-        if let Some(tolerance) = self.solver().tolerance {
-            if reached <= tolerance {
-                return Ok(());
-            }
-            return Err(Error::EquationTolerance { tolerance, reached, method, n });
-        }
-        if !draft.is_truncated && reached >= 1.0 {
-            return Err(Error::EquationUnsolved { reached, method, n });
-        }
-        let fell_short =
-            if draft.is_truncated { !draft.solution.converged } else { reached > self.aim() };
+        let fell_short = if draft.is_truncated {
+            !is_useful(reached) || !draft.solution.converged
+        } else {
+            reached > self.aim()
+        };
         if fell_short {
             draft.warnings.push(Warning::tolerance_not_met(self.aim(), reached));
         }
         Ok(())
+    }
+
+    /// Refuses an error above an explicit tolerance, or above 1 % where neither a tolerance nor a size was asked for.
+    pub(super) fn require_error(&self, solution: &Solution<'_>) -> Result<(), Error> {
+        let reached = relative_error(solution);
+        let (method, n) = (super::solved::name(solution.method), solution.count);
+        match self.solver().tolerance {
+            Some(tolerance) if reached <= tolerance => Ok(()),
+            Some(tolerance) => Err(Error::EquationTolerance { tolerance, reached, method, n }),
+            None if is_useful(reached) || self.solver().degree.is_some() => Ok(()),
+            None => Err(Error::EquationUnsolved { reached, method, n }),
+        }
+    }
+
+    /// Refuses the other method of a cross-check where it is no answer: any difference would be within its error.
+    pub(super) fn require_comparable(&self, draft: &Draft<'_>) -> Result<(), Error> {
+        let reached = draft.relative_error();
+        if reached <= self.solver().tolerance.unwrap_or(USEFUL).max(USEFUL) {
+            return Ok(());
+        }
+        let (method, n) = (super::solved::name(draft.solution.method), draft.solution.count);
+        Err(Error::CheckUnsolved { reached, method, n })
     }
 
     fn add_notes(&self, draft: &mut Draft<'_>) {

@@ -1,9 +1,10 @@
 //! A solved equation.
 
+use fredholm::bounds;
 use fredholm::equation::{ErrorStatement, Method, Solution};
 
 use super::plan::Draft;
-use super::{Equation, Kind};
+use super::{Equation, EquationAudit, Kind};
 use crate::error::require;
 use crate::{Error, Warning};
 
@@ -15,6 +16,7 @@ pub struct SolvedEquation<'a> {
     reason: String,
     warnings: Vec<Warning>,
     reach: f64,
+    audit: Option<EquationAudit>,
 }
 
 /// `spectral` or `sinc`, as everywhere.
@@ -36,7 +38,34 @@ impl<'a> SolvedEquation<'a> {
                 return Err(Error::EquationOverflow { quantity, value });
             }
         }
-        Ok(Self { equation, solution, reason, warnings, reach })
+        Ok(Self { equation, solution, reason, warnings, reach, audit: None })
+    }
+
+    pub(super) fn solution(&self) -> &Solution<'a> {
+        &self.solution
+    }
+
+    /// Takes over the errors of an audit where they are larger; they are estimates then.
+    pub(super) fn raise(&mut self, audit: &EquationAudit) {
+        let error = &mut self.solution.error;
+        let pairs =
+            [(&mut error.solution, audit.solution_sup), (&mut error.integral, audit.integral)];
+        for (own, audited) in pairs {
+            if let Some(audited) = audited.filter(|audited| *audited > *own) {
+                *own = audited;
+                error.kind = bounds::Kind::Estimate;
+            }
+        }
+    }
+
+    pub(super) fn keep(&mut self, audit: EquationAudit) {
+        self.audit = Some(audit);
+    }
+
+    /// What the audit found, of a solution that is [audited](Self::audited).
+    #[must_use]
+    pub fn audit_report(&self) -> Option<&EquationAudit> {
+        self.audit.as_ref()
     }
 
     /// What was solved.

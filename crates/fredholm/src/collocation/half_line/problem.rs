@@ -1,11 +1,13 @@
 //! An equation on the half-line, solved on growing numbers of nodes and on sections of different lengths.
 
 use super::integral::over_half_line;
-use super::section::{Layout, Section};
+use super::misfit::Misfit;
+use super::section::{Layout, Section, taper};
 use super::solution::{HalfLineEstimate, HalfLineSolution};
-use crate::Error;
 use crate::collocation::estimate::extrapolate;
 use crate::kernel::{Kernel, MacdonaldHalfLine};
+use crate::quadrature::places::{Sampled, dominant};
+use crate::{Error, Interval};
 
 /// Length of the section beyond `x_max` in units of the length of decay.
 const ROOM: f64 = 46.0;
@@ -27,6 +29,10 @@ const ROUNDING: f64 = 24.0 * f64::EPSILON;
 const POINTS: usize = 500;
 /// Differences that no longer fall and are below this share of the solution are rounding.
 const STAGNANT: f64 = 1e-9;
+/// Safety on what the nodes do not see of the right-hand side.
+const SEEN: f64 = 2.0;
+/// Agreement of two quadratures of the right-hand side on a section.
+const SECTION_ROUNDING: f64 = 1e-12;
 /// Safety on the exponential law of the section.
 const SAFETY: f64 = 10.0;
 
@@ -45,6 +51,8 @@ pub(super) struct Problem<'p> {
     far: f64,
     /// The step of `t` of the third solution.
     step: f64,
+    /// The right-hand side on the section, between the nodes of any grid; places in decay lengths.
+    sampled: Sampled,
 }
 
 /// One solution, and what is compared.
@@ -54,6 +62,11 @@ struct Run {
     product: f64,
     /// The largest values of `phi` up to the end and of `lambda K phi` on the section.
     largest: [f64; 2],
+    misfit: Misfit,
+    /// `int f chi dx` with the taper of the section, by its nodes, in decay lengths.
+    tapered: f64,
+    /// Length of the section, in decay lengths.
+    length: f64,
 }
 
 /// Differences of two solutions.
@@ -94,7 +107,9 @@ impl<'p> Problem<'p> {
         let step = step(strength.abs(), end_exponent);
         let unit_parameter = parameter * kernel.unit_scale();
         let far = 1.0 / (1.0 + strength);
-        Ok(Self { kernel, parameter, unit_parameter, f, end, fall, far, step })
+        let section = Interval::new(0.0, end + ROOM * fall)?;
+        let sampled = Sampled::new(section, &|xi| f(xi / kernel.decay()))?;
+        Ok(Self { kernel, parameter, unit_parameter, f, end, fall, far, step, sampled })
     }
 
     /// The solution with its estimates.
@@ -108,7 +123,7 @@ impl<'p> Problem<'p> {
             estimate.section = section_error(&self.difference(&shorter, &run), &run);
         }
         estimate.solution = estimate.nodes.max(estimate.section).max(run.rounding());
-        self.integrate(&mut run.solution, run.product, &mut estimate);
+        self.integrate(&mut run, &mut estimate);
         run.solution.estimate = estimate;
         run.solution.converged = estimate.solution <= tolerance * run.largest[0];
         Ok(run.solution)
@@ -127,11 +142,14 @@ impl<'p> Problem<'p> {
             let difference = self.difference(&previous.run, &run);
             let scale = run.largest[0];
             let rounding = run.rounding();
-            let nodes = extrapolate(before.solution, difference.solution, scale, RATIO);
-            let product = extrapolate(before.product, difference.product, run.product.abs(), RATIO);
+            let hidden = self.hidden(&run);
+            let nodes = extrapolate(before.solution, difference.solution, scale, RATIO)
+                .max(SEEN * hidden.solution);
+            let product = extrapolate(before.product, difference.product, run.product.abs(), RATIO)
+                .max(SEEN * hidden.product);
             let stagnant = difference.solution > 0.5 * before.solution;
             let out_of_reach = rounding > tolerance * scale;
-            let settled = difference.solution <= rounding
+            let settled = (difference.solution <= rounding && hidden.solution <= tolerance * scale)
                 || (stagnant && (out_of_reach || difference.solution <= STAGNANT * scale));
             refinements += 1;
             let full = !self.layout(step / RATIO, ROOM).fits();
@@ -143,6 +161,33 @@ impl<'p> Problem<'p> {
             previous = Reference { run, step };
             before = difference;
         }
+    }
+
+    /// What the nodes miss of the right-hand side, as a misfit between them shows it: `lambda K delta` up to the end, and `int T delta` as it is at most.
+    fn hidden(&self, run: &Run) -> Difference {
+        let places = self.sampled.places.iter().zip(&self.sampled.values);
+        let differences: Vec<f64> = places.map(|(&xi, f)| run.misfit.at(xi, *f)).collect();
+        let Some(density) = dominant(&differences, self.sampled.largest) else {
+            return Difference { solution: 0.0, product: 0.0 };
+        };
+        let profile = self.kernel.unit_profile();
+        let potential = |x: f64| {
+            let term = |(index, delta): &(usize, f64)| {
+                let (s, cell) = (self.sampled.places[*index], self.sampled.cells[*index]);
+                // Within its own cell a singular function has its mean at about a quarter of it.
+                delta * cell * profile.pair((x - s).abs().max(0.25 * cell)).value
+            };
+            density.iter().map(term).sum::<f64>().abs()
+        };
+        let known = density.iter().filter(|(index, _)| self.sampled.places[*index] <= self.end);
+        let top = known.max_by(|one, two| one.1.abs().total_cmp(&two.1.abs()));
+        let top = top.map_or(self.end, |(index, _)| self.sampled.places[*index]);
+        let worst = [0.0, top, self.end].into_iter().map(potential).fold(0.0, f64::max);
+        // (1 + lambda K)^-1 lambda K is at most 1 for a positive kernel, however large lambda is.
+        let most = density.iter().fold(0.0f64, |most, (_, delta)| most.max(delta.abs()));
+        let solution = (self.unit_parameter.abs() * worst).min(most) * self.far.max(1.0);
+        let cells = density.iter().map(|(index, delta)| delta * self.sampled.cells[*index]);
+        Difference { solution, product: cells.sum::<f64>().abs() }
     }
 
     fn layout(&self, step: f64, room: f64) -> Layout {
@@ -167,12 +212,15 @@ impl<'p> Problem<'p> {
         let tails = section.tails(profile)?;
         let product = tails.iter().zip(&nodal.masses).map(|(t, m)| t * m).sum();
         let ends = [self.end, layout.length];
+        let misfit = Misfit::new(&section, &f, layout.length);
+        let tapered = section.integral(&f);
         let solution = HalfLineSolution::new(&section, &nodal, self.kernel, self.parameter, ends);
         let known = section.positions.iter().take_while(|x| **x <= self.end).count().max(1);
         let values = f.iter().zip(&nodal.potential).map(|(f, u)| (f - parameter * u).abs());
         let potential = nodal.potential.iter().fold(0.0, |most: f64, u| most.max(u.abs()));
         let largest = values.take(known).fold(0.0, f64::max);
-        Ok(Run { solution, product, largest: [largest, parameter.abs() * potential] })
+        let largest = [largest, parameter.abs() * potential];
+        Ok(Run { solution, product, largest, misfit, tapered, length: layout.length })
     }
 
     /// Of the solutions at points between the nodes of either, and of the products.
@@ -193,25 +241,30 @@ impl<'p> Problem<'p> {
     }
 
     /// `(1 + lambda G^(0)) int phi = int f + lambda int T phi`.
-    fn integrate(
-        &self,
-        solution: &mut HalfLineSolution,
-        product: f64,
-        estimate: &mut HalfLineEstimate,
-    ) {
+    fn integrate(&self, run: &mut Run, estimate: &mut HalfLineEstimate) {
         let scale = self.fall / self.kernel.decay();
         let Some([whole, error]) = over_half_line(self.f, scale) else {
             estimate.integral = f64::INFINITY;
             return;
         };
+        // A quadrature settles without a feature between all its nodes; on the section there is a second one, with other nodes.
+        let on_section = |x: f64| (self.f)(x) * taper(self.kernel.decay() * x, run.length);
+        let error = match over_half_line(&on_section, scale) {
+            Some([again, own]) => {
+                let difference = (again - run.tapered / self.kernel.decay()).abs();
+                let rounding = SECTION_ROUNDING * (whole.abs() + error);
+                if difference > rounding + own { error + difference } else { error }
+            }
+            None => error,
+        };
         // Both in decay lengths but for the integral of f.
         let unit = self.unit_parameter / self.kernel.decay();
-        let correction = unit * product;
+        let correction = unit * run.product;
         let integral = self.far * (whole + correction);
         // 1 + lambda G^(0) may be a small difference.
         let condition = (1.0 / self.far - 1.0).abs() * integral.abs();
         let rounding = ROUNDING * (whole.abs() + correction.abs() + condition);
-        solution.integral = Some(integral);
+        run.solution.integral = Some(integral);
         estimate.integral = self.far * (error + unit.abs() * estimate.integral + rounding);
     }
 }

@@ -120,6 +120,11 @@ impl Section {
         Nodal { potential, at_origin, masses }
     }
 
+    /// `int f chi dx` for the values of `f` at the nodes.
+    pub(super) fn integral(&self, f: &[f64]) -> f64 {
+        self.roots.iter().zip(f).map(|(root, f)| root * root * f).sum()
+    }
+
     /// `int_x^inf K(u) du` of the kernel as a function of the distance, at the nodes.
     pub(super) fn tails(&self, kernel: &MacdonaldProfile) -> Result<Vec<f64>, Error> {
         let rule = gauss_jacobi(BETWEEN, 0.0, 0.0)?;
@@ -144,7 +149,7 @@ fn first(end_exponent: f64) -> f64 {
 }
 
 /// The smooth end of a section, 1 to rounding until `TAPER` before it.
-fn taper(x: f64, length: f64) -> f64 {
+pub(super) fn taper(x: f64, length: f64) -> f64 {
     0.5 * libm::erfc(SHARPNESS * (2.0 * (x - length) / TAPER + 1.0))
 }
 

@@ -1,0 +1,107 @@
+//! Whether the nodes see a function: what it does between them.
+//!
+//! A solution of collocation knows its right-hand side at the nodes only, and a feature that lies between the nodes of *every* grid changes no difference of two
+//! solutions. So the function is asked for its values at [`places`](crate::quadrature::places) that have nothing to do with any grid, and compared with its own sinc interpolation there. What
+//! is left, `delta`, the collocation has solved without: the solution lacks about `lambda K delta`.
+
+use super::mesh::Mesh;
+use super::points::sinc_row;
+use crate::Error;
+use crate::kernel::Kernel;
+use crate::quadrature::places::{Sampled, dominant};
+
+/// A function less its sinc interpolation.
+pub(super) struct Misfit<'m> {
+    mesh: &'m Mesh,
+    sampled: &'m Sampled,
+    differences: Vec<f64>,
+}
+
+/// What a solution may lack for a misfit.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Missed {
+    /// The largest `|K delta|`, and the largest `|delta|`.
+    pub(super) potential: f64,
+    pub(super) largest: f64,
+    /// `|int u delta dm|` with the mass function.
+    pub(super) integral: f64,
+    /// `|int (x - c) delta dx|`.
+    pub(super) first_moment: f64,
+}
+
+impl<'m> Misfit<'m> {
+    /// # Errors
+    /// [`Error::NotFinite`] where the function is not finite at a node.
+    pub(super) fn new(
+        mesh: &'m Mesh,
+        f: &dyn Fn(f64) -> f64,
+        sampled: &'m Sampled,
+    ) -> Result<Self, Error> {
+        let interpolant = Interpolant::new(mesh, f)?;
+        let pairs = sampled.places.iter().zip(&sampled.values);
+        let differences = pairs.map(|(&x, value)| value - interpolant.evaluate(x)).collect();
+        Ok(Self { mesh, sampled, differences })
+    }
+
+    /// `int |delta| dx`.
+    pub(super) fn mean(&self) -> f64 {
+        self.differences.iter().zip(&self.sampled.cells).map(|(d, cell)| d.abs() * cell).sum()
+    }
+
+    /// What solutions lack.
+    pub(super) fn missed(&self, kernel: &(impl Kernel + ?Sized)) -> Missed {
+        let Some(density) = dominant(&self.differences, self.sampled.largest) else {
+            return Missed::default();
+        };
+        let boundaries = self.mesh.boundaries();
+        let (left, right) = (boundaries[0], boundaries[boundaries.len() - 1]);
+        let centre = left.midpoint(right);
+        let potential = self.sampled.potential(kernel, &density, &[left, right]);
+        let integral = |u: &dyn Fn(f64) -> f64| self.sampled.integral(kernel, &density, u).abs();
+        Missed {
+            potential,
+            largest: density.iter().fold(0.0, |most, (_, delta)| most.max(delta.abs())),
+            integral: integral(&|x| kernel.mass_function(x)),
+            first_moment: integral(&|x| x - centre),
+        }
+    }
+}
+
+/// A function through its values at the nodes: on each panel the straight line through the values at the outermost nodes, and sinc functions of `t` for the rest.
+struct Interpolant<'m> {
+    mesh: &'m Mesh,
+    /// Values at the ends of each panel.
+    ends: Vec<[f64; 2]>,
+    bubble: Vec<f64>,
+}
+
+impl<'m> Interpolant<'m> {
+    fn new(mesh: &'m Mesh, f: &dyn Fn(f64) -> f64) -> Result<Self, Error> {
+        let value = |x: f64| {
+            let value = f(x);
+            let what = "right-hand side";
+            if value.is_finite() { Ok(value) } else { Err(Error::NotFinite { what, at: x, value }) }
+        };
+        let mut bubble: Vec<f64> =
+            mesh.places().map(|place| value(place.position)).collect::<Result<_, _>>()?;
+        let count = mesh.panel_count();
+        let ends: Vec<[f64; 2]> =
+            bubble.chunks_exact(count).map(|values| [values[0], values[count - 1]]).collect();
+        for (value, place) in bubble.iter_mut().zip(mesh.places()) {
+            *value -= line(ends[place.panel], place.from_left, place.from_right);
+        }
+        Ok(Self { mesh, ends, bubble })
+    }
+
+    fn evaluate(&self, x: f64) -> f64 {
+        let place = self.mesh.locate(x);
+        let count = self.mesh.panel_count();
+        let bubble = &self.bubble[place.panel * count..(place.panel + 1) * count];
+        let sum: f64 = sinc_row(self.mesh, place).zip(bubble).map(|(s, v)| s * v).sum();
+        line(self.ends[place.panel], place.from_left, place.from_right) + sum
+    }
+}
+
+fn line(ends: [f64; 2], from_left: f64, from_right: f64) -> f64 {
+    (ends[0] * from_right + ends[1] * from_left) / (from_left + from_right)
+}

@@ -1,0 +1,145 @@
+//! Places to look at a function that can only be asked for values.
+//!
+//! A function is known where it was asked, and nowhere else: whoever knows it at nodes alone has to look between them, at places that no grid has. A feature that is
+//! narrower than the gaps between these places too may still be overlooked; only who has a formula can exclude it.
+
+use crate::kernel::Kernel;
+use crate::{Error, Interval};
+
+/// How many places there are from end to end, evenly spread: a feature is seen that covers a 2000th of the interval.
+const EVEN: usize = 4093;
+/// How many there are crowded at the ends as cosines.
+const CROWDED: usize = 2039;
+/// Steps of both sequences: irrational, so that they keep step with no grid, and not of one field, so that they do not with each other.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+const SILVER: f64 = std::f64::consts::SQRT_2 - 1.0;
+/// Differences below this share of the largest value are rounding.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// Of a misfit, so many places at most count in a potential.
+const DOMINANT: usize = 600;
+/// A misfit below this share of the largest does not count while there are larger ones.
+const SHARE: f64 = 1e-3;
+
+/// The places, from left to right.
+pub(crate) fn places(interval: Interval) -> Vec<f64> {
+    let (left, right) = (interval.left(), interval.right());
+    let (centre, half) = (interval.centre(), interval.half_length());
+    let even = (1..=EVEN).map(|i| 2.0 * (i as f64 * GOLDEN).fract() - 1.0);
+    let crowded =
+        (1..=CROWDED).map(|i| -(std::f64::consts::PI * (i as f64 * SILVER).fract()).cos());
+    let mut places: Vec<f64> = even
+        .chain(crowded)
+        .map(|xi| centre + half * xi)
+        .filter(|x| left < *x && *x < right)
+        .collect();
+    places.sort_by(f64::total_cmp);
+    places
+}
+
+/// A function at those places.
+pub(crate) struct Sampled {
+    pub(crate) interval: Interval,
+    pub(crate) places: Vec<f64>,
+    pub(crate) values: Vec<f64>,
+    /// Length of what is nearer to a place than to others.
+    pub(crate) cells: Vec<f64>,
+    /// The largest value.
+    pub(crate) largest: f64,
+}
+
+impl Sampled {
+    /// # Errors
+    /// [`Error::NotFinite`] where the function is not finite.
+    pub(crate) fn new(interval: Interval, f: &dyn Fn(f64) -> f64) -> Result<Self, Error> {
+        let places = places(interval);
+        let value = |x: &f64| {
+            let value = f(*x);
+            let what = "right-hand side";
+            if value.is_finite() {
+                Ok(value)
+            } else {
+                Err(Error::NotFinite { what, at: *x, value })
+            }
+        };
+        let values: Vec<f64> = places.iter().map(value).collect::<Result<_, _>>()?;
+        let largest = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
+        let last = places.len() - 1;
+        let border = |i: usize| match i {
+            0 => interval.left(),
+            i if i > last => interval.right(),
+            i => places[i - 1].midpoint(places[i]),
+        };
+        let cells = (0..=last).map(|i| border(i + 1) - border(i)).collect();
+        Ok(Self { interval, places, values, cells, largest })
+    }
+
+    /// The largest `|K delta|` at the extremes of a density and at some more places.
+    pub(crate) fn potential(
+        &self,
+        kernel: &(impl Kernel + ?Sized),
+        density: &[(usize, f64)],
+        more: &[f64],
+    ) -> f64 {
+        let extremes = [1.0, -1.0].map(|sign: f64| {
+            density.iter().max_by(|one, two| (sign * one.1).total_cmp(&(sign * two.1)))
+        });
+        let tops = extremes.into_iter().flatten().map(|(index, _)| self.places[*index]);
+        let at = |x: f64| {
+            let term = |(index, value): &(usize, f64)| {
+                let (s, cell) = (self.places[*index], self.cells[*index]);
+                let distance = (x - s).abs();
+                let k = if distance < cell {
+                    // The mean of a singular function over its cell is met at about a quarter of it.
+                    let near = 0.25 * cell;
+                    kernel.split(s, s, 0.0).value(kernel.singularity(), near)
+                } else {
+                    kernel.pair(x, s, distance).value
+                };
+                k * value * cell * kernel.measure(s)
+            };
+            density.iter().map(term).sum::<f64>().abs()
+        };
+        tops.chain(more.iter().copied()).map(at).fold(0.0, f64::max)
+    }
+
+    /// `int u delta dm`.
+    pub(crate) fn integral(
+        &self,
+        kernel: &(impl Kernel + ?Sized),
+        density: &[(usize, f64)],
+        u: &dyn Fn(f64) -> f64,
+    ) -> f64 {
+        let term = |(index, value): &(usize, f64)| {
+            let s = self.places[*index];
+            u(s) * kernel.measure(s) * value * self.cells[*index]
+        };
+        density.iter().map(term).sum()
+    }
+}
+
+/// The differences that matter, with their indices; none where all are rounding of a function with this largest value. Of too many every other, or third, with twice the weight, or three times.
+pub(crate) fn dominant(differences: &[f64], largest: f64) -> Option<Vec<(usize, f64)>> {
+    let most = differences.iter().fold(0.0f64, |most, d| most.max(d.abs()));
+    if most <= ROUNDING * largest {
+        return None;
+    }
+    let chosen: Vec<(usize, f64)> = (differences.iter().copied().enumerate())
+        .filter(|(_, difference)| difference.abs() > SHARE * most)
+        .collect();
+    let stride = chosen.len().div_ceil(DOMINANT).max(1);
+    Some(chosen.into_iter().step_by(stride).map(|(i, d)| (i, d * stride as f64)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_leave_no_wide_gap() {
+        let sampled = Sampled::new(Interval::unit(), &|x| x).unwrap();
+        let widest = sampled.cells.iter().fold(0.0f64, |most, cell| most.max(*cell));
+        assert!(widest < 1e-3, "{widest}");
+        let length: f64 = sampled.cells.iter().sum();
+        assert!((length - 2.0).abs() < 1e-12);
+    }
+}
