@@ -173,6 +173,34 @@ pub enum Error {
         most: usize,
     },
 
+    /// More smooth parts of a profile than are solved together.
+    #[error(
+        "the profile falls into {parts} parts between its kinks, steps and narrow features, and at most {most} are solved together: a linear layer (roughness > 0) under one plane punch, or two, \
+         on homogeneous ground allows hundreds"
+    )]
+    TooManyParts {
+        /// Parts of the base.
+        parts: usize,
+        /// Most that are solved.
+        most: usize,
+    },
+
+    /// An answer with an error that nobody asked for.
+    #[error(
+        "the {method} method with n = {n} reached a relative error of {reached:.1e}, and answers beyond {most:e} are none unless that is asked for: \
+         allow more by `tolerance`, or resolve what the profile shows by fewer kinks, steps or measured points"
+    )]
+    NotAccurate {
+        /// The relative error reached.
+        reached: f64,
+        /// The largest that needs no permission.
+        most: f64,
+        /// Method that reached it.
+        method: &'static str,
+        /// Its size.
+        n: usize,
+    },
+
     /// Zones of a smooth contact, or of neighbouring punches, that come too close for the modes that can be kept.
     #[error(
         "the zones of contact come within {gap:.1e} of the half-width: on a smooth surface that is too close to be resolved; \
@@ -310,6 +338,8 @@ impl Error {
             Self::ToleranceNotMet { .. }
                 | Self::NotComplementary { .. }
                 | Self::TooManyZones { .. }
+                | Self::TooManyParts { .. }
+                | Self::NotAccurate { .. }
                 | Self::ZonesTooClose { .. }
                 | Self::EquationTolerance { .. }
                 | Self::EquationUnsolved { .. }

@@ -35,7 +35,7 @@ impl Problem {
         let other = if contact.method().name == "sinc" {
             spectral::solve_adaptively(self, &self.resolved_profile()?, target)?
         } else {
-            collocated::solve(self, &self.breaks(), target)?
+            collocated::solve(self, &self.collocated_parts(), target)?
         };
         let difference = draft.difference(&other);
         Ok(CrossCheck {
