@@ -180,6 +180,18 @@ pub enum Error {
         most: usize,
     },
 
+    /// More smooth parts of a profile than are solved together.
+    #[error(
+        "the profile falls into {parts} parts between its kinks, steps and narrow features, and at most {most} are solved together: a linear layer (roughness > 0) under one plane punch, or two, \
+         on homogeneous ground allows hundreds"
+    )]
+    TooManyParts {
+        /// Parts of the base.
+        parts: usize,
+        /// Most that are solved.
+        most: usize,
+    },
+
     /// An answer with an error that nobody asked for.
     #[error(
         "the {method} method with n = {n} reached a relative error of {reached:.1e}, and answers beyond {most:e} are none unless that is asked for: \
@@ -365,6 +377,7 @@ impl Error {
                 | Self::TooManyZones { .. }
                 | Self::NotAccurate { .. }
                 | Self::AuditFailed { .. }
+                | Self::TooManyParts { .. }
                 | Self::ZonesTooClose { .. }
                 | Self::EquationTolerance { .. }
                 | Self::EquationUnsolved { .. }

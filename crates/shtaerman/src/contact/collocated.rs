@@ -1,12 +1,14 @@
 //! Bilateral contact by sinc collocation, independent of the spectral relation.
 
-use fredholm::collocation::{extrapolate, first_half_count, rounding};
+use fredholm::collocation::{first_half_count, rounding};
 use fredholm::kernel::Logarithm;
 use fredholm::{SincOperator, SincSolution};
 
 use super::accuracy::{Accuracy, ErrorKind};
 use super::balance::Balance;
+use super::parts::Parts;
 use super::potential::{Potential, between_nodes};
+use super::resolutions::Trust;
 use super::solved::{Method, Stiffness};
 use super::{Draft, Target};
 use crate::expression::Reflection;
@@ -33,8 +35,9 @@ struct Level {
     count: usize,
 }
 
-/// Refines the nodes, on panels between the breakpoints `breaks`, until the estimate meets the target or rounding is reached.
-pub(super) fn solve(problem: &Problem, breaks: &[f64], target: Target) -> Result<Draft, Error> {
+/// Refines the nodes, on panels of these parts, until the estimate meets the target or rounding is reached.
+pub(super) fn solve(problem: &Problem, parts: &Parts, target: Target) -> Result<Draft, Error> {
+    let breaks = &parts.joints;
     let start = first_half_count(problem.frame().theta0());
     let most = MOST_HALF_COUNT / (breaks.len() + 1);
     let half_count = |power: i32| ((start * RATIO.powi(power)).round() as usize).clamp(4, most);
@@ -48,7 +51,7 @@ pub(super) fn solve(problem: &Problem, breaks: &[f64], target: Target) -> Result
         (coarse, fine) = (fine, finer);
         let difference = fine.difference(&coarse);
         let floor = rounding(&fine.solution);
-        let accuracy = fine.accuracy(&load, &before, &difference, floor);
+        let accuracy = fine.accuracy(&load, [&before, &difference], floor, parts.is_proved);
         let met = fine.meets(&accuracy, target.tolerance);
         // Past the rounding floor more nodes only add noise.
         let settled = difference.pressure <= 2.0 * floor
@@ -121,12 +124,15 @@ impl Level {
     fn accuracy(
         &self,
         load: &Load,
-        before: &Accuracy,
-        difference: &Accuracy,
+        [before, difference]: [&Accuracy; 2],
         floor: f64,
+        is_proved: bool,
     ) -> Accuracy {
-        let of = |unknown: bool, part: fn(&Accuracy) -> f64, scale: f64| {
-            let estimate = extrapolate(part(before), part(difference), scale, RATIO);
+        let largest = largest(&self.solution);
+        let pressures = [before.pressure, difference.pressure];
+        let trust = Trust::new(is_proved, RATIO, pressures, floor, largest);
+        let of = |unknown: bool, part: fn(&Accuracy) -> f64, scale: f64, share: f64| {
+            let estimate = trust.left_of_one([part(before), part(difference)], scale, share);
             if unknown { estimate.max(ROUNDING * scale) } else { 0.0 }
         };
         let displacement = self.state.settlement.abs().max(self.state.tilt.abs());
@@ -134,14 +140,16 @@ impl Level {
         let by_force = matches!(load.vertical, Vertical::Force(_));
         let by_tilt = matches!(load.rotational, Rotational::Tilt(_));
         let by_moment = matches!(load.rotational, Rotational::Moment(_));
-        let largest = largest(&self.solution);
+        // Symmetry makes one of the two vanish without a word about the other.
+        let displaced = |a: &Accuracy| a.settlement.max(a.tilt);
+        let carried = |a: &Accuracy| a.force.max(a.moment);
         Accuracy {
             kind: ErrorKind::Estimate,
-            pressure: extrapolate(before.pressure, difference.pressure, largest, RATIO).max(floor),
-            settlement: of(by_force, |a| a.settlement, displacement),
-            tilt: of(!by_tilt, |a| a.tilt, displacement),
-            force: of(!by_force, |a| a.force, force),
-            moment: of(!by_moment, |a| a.moment, force),
+            pressure: trust.left(pressures, largest).max(floor),
+            settlement: of(by_force, displaced, displacement, 1.0),
+            tilt: of(!by_tilt, displaced, displacement, 1.0),
+            force: of(!by_force, carried, force, 2.0),
+            moment: of(!by_moment, carried, force, 2.0),
         }
     }
 

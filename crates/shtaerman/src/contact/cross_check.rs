@@ -37,7 +37,7 @@ impl Problem {
         let other = if contact.method().name == "sinc" {
             spectral::solve_adaptively(&problem, &problem.resolved_profile()?, target)?
         } else {
-            collocated::solve(&problem, &problem.breaks(), target)?
+            collocated::solve(&problem, &problem.collocated_parts(), target)?
         };
         let difference = draft.difference(&other);
         Ok(CrossCheck {

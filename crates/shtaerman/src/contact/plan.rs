@@ -5,8 +5,10 @@ use std::sync::Arc;
 use fredholm::basis::Function;
 
 use super::balance::State;
+use super::parts::Parts;
 use super::solution::{FullBase, Solution};
 use super::solved::Method;
+use super::unilateral::Complementarity;
 use super::warning::Warning;
 use super::{Contact, Draft, collocated, spectral};
 use crate::roughness::Law;
@@ -18,8 +20,11 @@ pub const AIM: f64 = 1e-12;
 const LARGEST_COLLOCATED_DEGREE: usize = 256;
 /// Profiles up to this degree are tried by collocation, too, where the degenerate kernel falls short.
 const LARGEST_TRIED_DEGREE: usize = 2048;
-/// Most breakpoints that get panels of their own.
-const MOST_BREAKS: usize = 15;
+/// Answers with larger relative errors are none unless that is asked for.
+const ROUGHEST: f64 = 1e-2;
+/// Tension and penetration over the relative error that explains them, and what rounding explains.
+const EXPLAINED: f64 = 8.0;
+const UNSEEN: f64 = 1e-9;
 
 /// The relative error to reach.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,7 +64,10 @@ impl Route {
 pub(super) fn solve_rough(problem: &Problem) -> Result<Contact, Error> {
     match problem.solver().contact {
         ContactKind::Unilateral => problem.draw_up(problem.solve_unilateral()?),
-        ContactKind::Bilateral if problem.is_plain() => problem.solve_full_base(),
+        ContactKind::Bilateral if problem.is_plain() => match problem.solve_full_on_panels()? {
+            Some(solution) => problem.draw_up(solution),
+            None => problem.solve_full_base(),
+        },
         ContactKind::Bilateral => problem.draw_up(problem.solve_full_contact()?),
     }
 }
@@ -141,6 +149,8 @@ impl Problem {
                 tilt0,
             });
         }
+        self.require_accurate(reached, solution.method())?;
+        require_explained(solution.as_ref(), reached)?;
         let zones = match solution.zones().len() {
             1 => "one zone".to_owned(),
             count => format!("{count} zones"),
@@ -193,7 +203,7 @@ impl Problem {
                     Route::spectral(draft, &function, SPECTRAL_REASON)
                 }
                 (MethodChoice::Sinc, _) => {
-                    let draft = collocated::solve(self, &self.breaks(), target)?;
+                    let draft = collocated::solve(self, &self.collocated_parts(), target)?;
                     Route::collocated(draft, "asked for".to_owned())
                 }
                 (MethodChoice::Auto, None) => self.choose(target)?,
@@ -213,6 +223,9 @@ impl Problem {
             });
         }
         let fixed = solver.degree.is_some();
+        if !fixed {
+            self.require_accurate(draft.relative_error(self), draft.method)?;
+        }
         let mut contact = Contact::new(self, Arc::new(solution), reason)?;
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
         if let Some(reached) = fell_short.filter(|_| !fixed) {
@@ -238,11 +251,12 @@ impl Problem {
     }
 
     fn choose(&self, target: Target) -> Result<Route, Error> {
-        let breaks = self.breaks();
+        let parts = self.parts();
+        let breaks = &parts.joints;
         let mut candidates = Vec::new();
         // Resolving a profile with a kink takes long and leads nowhere: panels are tried first.
-        if !breaks.is_empty() {
-            let draft = collocated::solve(self, &breaks, target)?;
+        if !breaks.is_empty() && !parts.are_many() {
+            let draft = collocated::solve(self, &parts, target)?;
             let reason = format!(
                 "the profile has {} breakpoint(s): collocation on the panels between them",
                 breaks.len()
@@ -255,7 +269,7 @@ impl Problem {
         let function = self.resolved_profile()?;
         let degree = function.series().degree();
         if function.is_resolved() && degree <= LARGEST_COLLOCATED_DEGREE {
-            let draft = collocated::solve(self, &[], target)?;
+            let draft = collocated::solve(self, &Parts::whole(parts.is_proved), target)?;
             let reason = "the profile is smooth: collocation converges exponentially".to_owned();
             return Ok(Route::collocated(draft, reason));
         }
@@ -268,7 +282,7 @@ impl Problem {
         );
         candidates.push(Route::spectral(draft, &function, &reason));
         if !met && function.is_resolved() && degree <= LARGEST_TRIED_DEGREE {
-            let draft = collocated::solve(self, &[], target)?;
+            let draft = collocated::solve(self, &Parts::whole(parts.is_proved), target)?;
             let reason = "the profile oscillates: collocation on many nodes came closer than the degenerate kernel";
             candidates.push(Route::collocated(draft, reason.to_owned()));
         }
@@ -279,9 +293,44 @@ impl Problem {
             .map_or_else(|| unreachable!("the spectral route is always a candidate"), Ok)
     }
 
-    /// Breakpoints of the profile strictly inside the base, as `xi`; none when there are more than can have panels.
-    pub(super) fn breaks(&self) -> Vec<f64> {
-        let breaks = self.profile().breakpoints(self.frame().half_width());
-        if breaks.len() <= MOST_BREAKS { breaks } else { Vec::new() }
+    /// The parts of the base as collocation takes them: uncut where there are more than can have panels.
+    pub(super) fn collocated_parts(&self) -> Parts {
+        let parts = self.parts();
+        if parts.are_many() { Parts::whole(false) } else { parts }
     }
+
+    /// The whole base on panels, where nobody asked for another method and it falls into more parts than are collocated.
+    fn solve_full_on_panels(&self) -> Result<Option<Arc<dyn Solution>>, Error> {
+        let solver = self.solver();
+        let is_free = solver.method == MethodChoice::Auto && solver.degree.is_none();
+        if !is_free || !self.parts().are_many() {
+            return Ok(None);
+        }
+        self.solve_full_contact_on_panels()
+    }
+
+    /// Refuses a relative error that nobody asked for.
+    fn require_accurate(
+        &self,
+        reached: f64,
+        Method { name: method, n }: Method,
+    ) -> Result<(), Error> {
+        let is_allowed = self.solver().tolerance.is_some() || self.solver().degree.is_some();
+        // What is not a number is no error that could be kept.
+        if is_allowed || reached <= ROUGHEST {
+            return Ok(());
+        }
+        Err(Error::NotAccurate { reached, most: ROUGHEST, method, n })
+    }
+}
+
+/// Refuses tension and penetration beyond what the error of the answer explains.
+fn require_explained(solution: &dyn Solution, reached: f64) -> Result<(), Error> {
+    let Some(Complementarity { tension, penetration }) = solution.complementarity() else {
+        return Ok(());
+    };
+    if tension.max(penetration) <= (EXPLAINED * reached).max(UNSEEN) {
+        return Ok(());
+    }
+    Err(Error::NotComplementary { tension, penetration })
 }

@@ -10,3 +10,4 @@ mod refusals;
 mod small_zones;
 mod support;
 mod survey;
+mod traces;

@@ -46,7 +46,7 @@ impl Companions {
         let smooth = companion(problem, Roughness::Smooth)?.solve_smooth().ok()?;
         let breaks = problem.profile().breakpoints(problem.frame().half_width());
         // More than can have panels of their own.
-        if breaks.len() != problem.breaks().len() {
+        if problem.parts().are_many() {
             return None;
         }
         let zones = smooth.zones();

@@ -204,10 +204,12 @@ impl Solution for UnilateralContact {
             0.0
         };
         let [_, image] = self.images(place);
-        let height = match &self.anchor {
-            Some(anchor) => anchor.rise(problem, image + shift),
-            None => problem.dimensionless_profile(image + shift),
+        let height = |step: f64| match &self.anchor {
+            Some(anchor) => anchor.rise(problem, image + step * shift),
+            None => problem.dimensionless_profile(image + step * shift),
         };
+        // On a steep base the distance alone would show.
+        let height = if shift == 0.0 { height(0.0) } else { 2.0 * height(1.0) - height(2.0) };
         let pressure = self.solved.pressure_at(place, height);
         let sign = if xi < 0.0 { -1.0 } else { 1.0 };
         pressure + self.tilted.as_ref().map_or(0.0, |tilted| sign * tilted.pressure(place))

@@ -40,8 +40,10 @@ pub(super) struct Base<'p> {
     pub(super) pieces: Vec<[f64; 2]>,
     /// The middle of the base: where it has no gaps, of the part of the wave that is looked at.
     pub(super) origin: f64,
-    /// Breakpoints of the profile.
+    /// Where the profile is cut into smooth parts.
     pub(super) breaks: Vec<f64>,
+    /// Whether these are proved to be smooth.
+    pub(super) is_proved: bool,
     /// Where a left or a right edge of the contact can rest under pressure: the edges of the punch, and steps of the profile.
     walls: [Vec<f64>; 2],
     /// Samples `(xi, f0)` from edge to edge.
@@ -73,6 +75,7 @@ impl<'p> Base<'p> {
                 samples.push((xi, problem.finite_profile(xi)?));
             }
         }
+        let parts = problem.parts();
         let mut base = Self {
             problem,
             load: problem.dimensionless_load(),
@@ -80,7 +83,8 @@ impl<'p> Base<'p> {
             layer: Layer::new(problem)?,
             is_bilateral: kind == ContactKind::Bilateral,
             origin: 0.0,
-            breaks: problem.breaks(),
+            is_proved: parts.is_proved,
+            breaks: parts.joints,
             walls: [0, 1].map(|side| pieces.iter().map(|piece| piece[side]).collect()),
             medium,
             pieces,

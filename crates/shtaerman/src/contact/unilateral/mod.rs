@@ -79,9 +79,22 @@ impl Problem {
         })
     }
 
+    /// The whole base in contact, where the pressure may pull, on panels; none where they do not serve.
+    pub(super) fn solve_full_contact_on_panels(&self) -> Result<Option<Arc<dyn Solution>>, Error> {
+        let base = Base::new(self, ContactKind::Bilateral)?;
+        let solution = spots::solve_whole(&base)?;
+        Ok(solution.map(|contact| Arc::new(contact) as Arc<dyn Solution>))
+    }
+
     /// The same with the whole base in contact, where the pressure may pull: by the equations of the zones, in every geometry and for every layer but a smooth one.
     pub(super) fn solve_full_contact(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
+        if fine::suits(&base)
+            && let Some(contact) = spots::solve_whole(&base)?
+        {
+            return Ok(Arc::new(contact));
+        }
+        self.parts().require_few()?;
         Ok(Arc::new(full(&base)?))
     }
 }
@@ -127,6 +140,9 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
 
 /// The answer where the base may lift off.
 fn lifting(base: Base<'_>) -> Result<Answer, Error> {
+    if !base.is_line() {
+        base.problem.parts().require_few()?;
+    }
     if !base.medium.is_closed() {
         return open(&base).map_err(|error| match error {
             // That of cells, where heights are known to rounding alone; and 1 + theta0 K is positive, whatever rounding makes of it.
@@ -159,6 +175,7 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
     {
         return Ok(answer);
     }
+    base.problem.parts().require_few()?;
     match anchored(base, complementary(base)) {
         Err(
             error @ (Error::NotComplementary { .. }

@@ -1,6 +1,6 @@
 //! The answer on growing numbers of nodes, with its error.
 
-use fredholm::collocation::{extrapolate, first_half_count};
+use fredholm::collocation::first_half_count;
 
 use super::base::Base;
 use super::edges;
@@ -10,6 +10,7 @@ use super::zones::Zone;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::plan::AIM;
 use crate::contact::potential::between_nodes;
+use crate::contact::resolutions::Trust;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys; and most of them.
@@ -142,8 +143,11 @@ fn difference(base: &Base<'_>, fine: &Solved, coarse: &Solved) -> Change {
 /// The error of the finest of three resolutions, and that of its edges; none for what the load prescribes.
 fn estimate(base: &Base<'_>, fine: &Solved, before: &Change, change: &Change) -> (Accuracy, f64) {
     let Load { vertical, rotational } = base.load;
-    let of = |unknown: bool, part: fn(&Change) -> f64, scale: f64| {
-        let estimate = extrapolate(part(before), part(change), scale, RATIO);
+    let largest = fine.largest();
+    let pressures = [before.pressure, change.pressure];
+    let trust = Trust::new(base.is_proved, RATIO, pressures, fine.pressure_rounding(), largest);
+    let of = |unknown: bool, part: fn(&Change) -> f64, scale: f64, share: f64| {
+        let estimate = trust.left_of_one([part(before), part(change)], scale, share);
         if unknown { estimate.max(ROUNDING * scale) } else { 0.0 }
     };
     let state = &fine.state;
@@ -152,15 +156,18 @@ fn estimate(base: &Base<'_>, fine: &Solved, before: &Change, change: &Change) ->
     let by_force = matches!(vertical, Vertical::Force(_));
     let by_tilt = matches!(rotational, Rotational::Tilt(_));
     let by_moment = matches!(rotational, Rotational::Moment(_));
-    let largest = fine.largest();
-    let pressure = extrapolate(before.pressure, change.pressure, largest, RATIO);
+    let length: f64 = fine.zones.iter().map(Zone::length).sum();
+    // Of two that belong together one may agree by chance.
+    let displaced = |change: &Change| change.settlement.max(change.tilt);
+    let carried = |change: &Change| change.force.max(change.moment);
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
-        pressure: pressure.max(fine.pressure_rounding()),
-        settlement: of(by_force, |c| c.settlement, displacement),
-        tilt: of(!by_tilt, |c| c.tilt, displacement),
-        force: of(!by_force, |c| c.force, force),
-        moment: of(!by_moment, |c| c.moment, force),
+        pressure: trust.left(pressures, largest).max(fine.pressure_rounding()),
+        settlement: of(by_force, displaced, displacement, 1.0),
+        tilt: of(!by_tilt, displaced, displacement, 1.0),
+        force: of(!by_force, carried, force, length),
+        moment: of(!by_moment, carried, force, length),
     };
-    (accuracy, of(true, |c| c.edge, 1.0).max(fine.edge_rounding()))
+    let edge = of(true, |c| c.edge, 1.0, length / largest.max(f64::MIN_POSITIVE));
+    (accuracy, edge.max(fine.edge_rounding()))
 }

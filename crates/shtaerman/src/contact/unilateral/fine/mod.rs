@@ -18,6 +18,7 @@ use super::base::Base;
 use super::zones::Zone;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
+use crate::contact::parts::MOST_BREAKS;
 use crate::contact::solution::Solution;
 use crate::contact::solved::Stiffness;
 use crate::{Error, Rotational, Vertical};
@@ -33,9 +34,10 @@ const STIFFEST: f64 = 1.0;
 /// Answers with larger relative errors are none.
 const ROUGHEST: f64 = 0.05;
 
-/// Whether the third derivative of the base jumps at measured points, where collocation loses its digits.
+/// Whether the third derivative of the base jumps at measured points, where collocation loses its digits, or the base falls into more parts than it has panels for.
 pub(super) fn suits(base: &Base<'_>) -> bool {
-    base.is_line() && base.problem.profile().measured_points().is_some()
+    let is_measured = base.problem.profile().measured_points().is_some();
+    base.is_line() && (is_measured || base.breaks.len() > MOST_BREAKS)
 }
 
 /// The answer on cells; `None` where cells do not serve: for a settlement with an eccentricity, a layer too thin for them, an error too large.

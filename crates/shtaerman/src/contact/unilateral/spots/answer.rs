@@ -21,7 +21,15 @@ pub(in crate::contact::unilateral) struct SpotContact {
     pub(super) responses: [Responses; 2],
     pub(super) accuracy: Accuracy,
     pub(super) edge_error: f64,
-    pub(super) complementarity: Complementarity,
+    /// None where the whole base was kept in contact.
+    pub(super) complementarity: Option<Complementarity>,
+}
+
+impl SpotContact {
+    /// No tension, where the base may lift off.
+    fn kept(&self, pressure: f64) -> f64 {
+        if self.complementarity.is_some() { pressure.max(0.0) } else { pressure }
+    }
 }
 
 impl Solution for SpotContact {
@@ -50,13 +58,22 @@ impl Solution for SpotContact {
         if xi.is_nan() || !self.level.touches(xi) {
             return if xi.is_nan() { xi } else { 0.0 };
         }
-        let inside = match self.level.end_at(xi) {
+        let inwards = match self.level.end_at(xi) {
             Some((_, end)) if end.is_free => return 0.0,
             // At a step of the base the height is that under pressure.
-            Some((side, _)) if xi.abs() < 1.0 => xi + if side == 0 { INSIDE } else { -INSIDE },
-            _ => xi,
+            Some((side, _)) if xi.abs() < 1.0 => {
+                if side == 0 {
+                    INSIDE
+                } else {
+                    -INSIDE
+                }
+            }
+            _ => 0.0,
         };
-        self.level.pressure_at(xi, problem.dimensionless_profile(inside)).max(0.0)
+        let height = |step: f64| problem.dimensionless_profile(xi + step * inwards);
+        // On a steep base the distance alone would show.
+        let height = if inwards == 0.0 { height(0.0) } else { 2.0 * height(1.0) - height(2.0) };
+        self.kept(self.level.pressure_at(xi, height))
     }
 
     fn displacement(&self, xi: f64) -> f64 {
@@ -66,7 +83,7 @@ impl Solution for SpotContact {
     /// The nodes, both ends of the base and of the zones.
     fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
         let panels = self.level.field.panels();
-        let pressures = self.level.pressures.iter().map(|p| p.max(0.0));
+        let pressures = self.level.pressures.iter().map(|p| self.kept(*p));
         let known = panels.nodes().iter().copied().zip(pressures);
         let ends = self.zones().into_iter().flatten().chain([-1.0, 1.0]);
         let ends = ends.map(|xi| (xi, self.pressure(problem, xi)));
@@ -90,7 +107,7 @@ impl Solution for SpotContact {
     }
 
     fn complementarity(&self) -> Option<Complementarity> {
-        Some(self.complementarity)
+        self.complementarity
     }
 
     fn linearised(&self, problem: &Problem, peak: f64) -> Option<Linearised> {

@@ -167,7 +167,7 @@ impl Level {
 
     /// The largest pressure at the nodes.
     pub(super) fn largest(&self) -> f64 {
-        self.pressures.iter().fold(0.0, |most, p| most.max(*p))
+        self.pressures.iter().fold(0.0, |most, p| most.max(p.abs()))
     }
 
     /// Largest pressure, of either sign, at the free ends.

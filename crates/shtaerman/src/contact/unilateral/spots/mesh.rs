@@ -15,9 +15,11 @@ const POINT: f64 = 0.1;
 /// slope of the pressure at the end has nothing to do with their length.
 const FREE: f64 = 1e-6;
 const LONG: f64 = 1.0 / 16.0;
-/// The panel at a corner, where it goes on as `d ln d`, and at a kink, where it does as `d^2 ln d`, in lengths of the layer.
+/// The panel at a corner, where it goes on as `d ln d`, at a step, where it does as well but is hardly asked for so near, and at a kink, where it goes on as `d^2 ln d`, in lengths of
+/// the layer.
 const CORNER: f64 = 1e-10;
-const KINK: f64 = 1e-6;
+const STEP: f64 = 1e-8;
+const KINK: f64 = 1e-4;
 /// Shortest panels, over the distance from the middle of the base.
 const SHORTEST: f64 = 1e-14;
 /// Rounding of lengths that are just right.
@@ -130,7 +132,7 @@ fn bend(base: &Base<'_>, piece: [f64; 2], is_left: bool, fineness: Fineness) -> 
     let (shortest, growth) = if base.problem.profile().measured_points().is_some() {
         (POINT * layer, POINT_GROWTH)
     } else if base.is_step(at) {
-        (fineness.ends * CORNER * layer, CORNER_GROWTH)
+        (fineness.ends * STEP * layer, CORNER_GROWTH)
     } else {
         (fineness.ends * KINK * layer, CORNER_GROWTH)
     };

@@ -19,7 +19,7 @@ pub(super) use answer::SpotContact;
 use super::answer::Complementarity;
 use super::base::Base;
 use super::fine;
-use super::zones::Zone;
+use super::zones::{End, Zone};
 use crate::Error;
 use crate::contact::solution::Solution;
 use estimate::estimate;
@@ -63,10 +63,19 @@ pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
     solve_from(base, zones)
 }
 
+/// The answer on the whole base; none where panels do not serve.
+pub(super) fn solve_whole(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
+    if !base.is_line() {
+        return Ok(None);
+    }
+    let end = |at: f64| End { at, is_free: false };
+    let zones = base.pieces.iter().map(|piece| Zone { ends: piece.map(end) }).collect();
+    solve_from(base, zones)
+}
+
 /// The answer from zones that are nearly right.
 fn solve_from(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Option<SpotContact>, Error> {
-    let mut joints = base.problem.profile().joints(base.problem.frame().half_width());
-    joints.sort_by(f64::total_cmp);
+    let joints = joints(base);
     let mut levels: Vec<Level> = Vec::new();
     let mut responses: Vec<Responses> = Vec::new();
     let mut left = None;
@@ -88,8 +97,19 @@ fn solve_from(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Option<SpotContac
     };
     let (accuracy, edge_error) = estimate(&levels);
     let [_, _, level] = levels;
+    let complementarity = (!base.is_bilateral).then_some(complementarity);
     let contact = SpotContact { level, responses, accuracy, edge_error, complementarity };
     Ok((contact.relative_error() <= ROUGHEST).then_some(contact))
+}
+
+/// Where the profile bends.
+fn joints(base: &Base<'_>) -> Vec<f64> {
+    if base.problem.profile().measured_points().is_none() {
+        return base.breaks.clone();
+    }
+    let mut joints = base.problem.profile().joints(base.problem.frame().half_width());
+    joints.sort_by(f64::total_cmp);
+    joints
 }
 
 /// The zones that agree with their own pressure, and what is left of tension and penetration.
@@ -109,6 +129,10 @@ fn settle(
         let Some((mut level, system)) = Level::new(base, joints, &zones, effort, known)? else {
             return Ok(None);
         };
+        if base.is_bilateral {
+            let none = Complementarity { tension: 0.0, penetration: 0.0 };
+            return Ok(Some((level, system, none)));
+        }
         let sampled = level.sampled(base, joints);
         let next = level.next_zones(base, &sampled, NONE * level.size());
         let is_same = next.len() == zones.len();

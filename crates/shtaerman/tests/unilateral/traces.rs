@@ -1,0 +1,98 @@
+//! Measured traces of any length against product integration (`data/traces.py`).
+
+use serde::Deserialize;
+use shtaerman::{Contact, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical};
+
+#[derive(Deserialize)]
+struct Data {
+    rows: Vec<Row>,
+}
+
+#[derive(Deserialize)]
+struct Row {
+    theta0: f64,
+    load: Given,
+    xi: Vec<f64>,
+    heights: Vec<f64>,
+    inner_half_gap: Option<f64>,
+    answer: Answer,
+}
+
+#[derive(Deserialize)]
+struct Given {
+    force: Option<f64>,
+    settlement: Option<f64>,
+    moment: Option<f64>,
+    tilt: Option<f64>,
+    eccentricity: Option<f64>,
+}
+
+#[derive(Deserialize)]
+struct Answer {
+    zones: Vec<[f64; 2]>,
+    settlement: f64,
+    tilt: f64,
+    force: f64,
+    moment: f64,
+    places: Vec<f64>,
+    pressures: Vec<f64>,
+}
+
+fn rows() -> Vec<Row> {
+    serde_json::from_str::<Data>(include_str!("../data/traces.json")).unwrap().rows
+}
+
+fn solve(row: &Row) -> Contact {
+    let vertical = match (row.load.force, row.load.settlement) {
+        (Some(force), _) => Vertical::Force(force),
+        (None, settlement) => Vertical::Settlement(settlement.unwrap()),
+    };
+    let rotational = match (row.load.moment, row.load.eccentricity) {
+        (Some(moment), _) => Rotational::Moment(moment),
+        (_, Some(e)) => Rotational::Eccentricity(e),
+        _ => Rotational::Tilt(row.load.tilt.unwrap()),
+    };
+    let load = Load::new(vertical, rotational).unwrap();
+    let profile = Profile::measured(row.xi.clone(), row.heights.clone()).unwrap();
+    let geometry = row
+        .inner_half_gap
+        .map_or(Geometry::Plane, |inner_half_gap| Geometry::Pair { inner_half_gap });
+    let frame = Frame::dimensionless_in(geometry, row.theta0, 1.0).unwrap();
+    Problem::new(frame, profile, load, Solver::default()).unwrap().solve().unwrap()
+}
+
+#[test]
+fn short_traces_are_as_exact_as_stated_and_that_is_exact() {
+    let mut counts = Vec::new();
+    for row in rows() {
+        let (contact, truth) = (solve(&row), &row.answer);
+        let head = format!("theta0 = {}, {} points", row.theta0, row.xi.len());
+        let error = contact.accuracy().unwrap();
+        let largest = truth.pressures.iter().fold(0.0f64, |most, p| most.max(*p));
+        let aim = 1e-10 * (row.theta0 / 100.0).max(1.0);
+        assert!(error.pressure <= aim * largest, "{head}: {:e}", error.pressure);
+        // The truth is rounded, too.
+        let rounding = 2e-14 * (1.0 + truth.settlement.abs());
+        for (name, found, known, stated) in [
+            ("settlement", contact.settlement0(), truth.settlement, error.settlement),
+            ("tilt", contact.tilt0(), truth.tilt, error.tilt),
+            ("force", contact.force0(), truth.force, error.force),
+            ("moment", contact.moment0(), truth.moment, error.moment),
+        ] {
+            let off = (found - known).abs();
+            assert!(off <= stated + rounding, "{head}: {name} {off:e} {stated:e}");
+        }
+        for (xi, known) in truth.places.iter().zip(&truth.pressures) {
+            let off = (contact.pressure0(*xi) - known).abs();
+            let stated = error.pressure;
+            assert!(off <= stated + rounding, "{head}: pressure at {xi} {off:e} {stated:e}");
+        }
+        assert_eq!(contact.edges0().len(), truth.zones.len(), "{head}");
+        let edges = contact.edges0();
+        for (one, other) in edges.iter().flatten().zip(truth.zones.iter().flatten()) {
+            assert!((one - other).abs() < 1e-12, "{head}: {one} {other}");
+        }
+        counts.push(truth.zones.len());
+    }
+    assert!(counts.contains(&1) && counts.iter().any(|count| *count >= 6), "{counts:?}");
+}
