@@ -289,6 +289,27 @@ struct Distance {
     sum: f64,
 }
 
+/// Bounds of a line `d - a x`.
+#[derive(Debug, Clone, Copy)]
+struct Line {
+    /// Of its value at the middle.
+    level: f64,
+    /// Of its slope.
+    slope: f64,
+    middle: f64,
+}
+
+impl Line {
+    /// Of its values on `[-1, 1]`.
+    fn largest(&self) -> f64 {
+        self.level + self.slope * (1.0 + self.middle.abs())
+    }
+
+    fn at_origin(&self) -> f64 {
+        self.level + self.slope * self.middle.abs()
+    }
+}
+
 impl Audit<'_> {
     fn residual(&self) -> Residual<'_> {
         Residual {
@@ -361,22 +382,26 @@ impl Audit<'_> {
             residual.beside_zones(gap, MOST_WINDOWS, &mut gaps).map_err(refused)?;
         }
         let distance = self.distance(&zones, &gaps);
-        let [d, a] = self.displacements(&distance, &zones, &gaps);
+        let line = self.displacements(&distance);
+        let free = line.largest();
         let kernel = self.problem.kernel;
         let twice = if kernel.doubles(self.problem.theta) { 2.0 } else { 1.0 };
-        let pressure = twice * (distance.pressure + d + a) + distance.potential;
-        let contact = self.contact_length(&gaps, distance.potential + d + a).sqrt();
+        let pressure = twice * (distance.pressure + free) + distance.potential;
+        let contact = self.contact_length(&gaps, distance.potential + free).sqrt();
         let moved = contact * distance.mean_square + distance.sum;
         let Prescribed { force, moment } = self.problem.prescribed;
         let off = |given: bool, value: f64| if given { 0.0 } else { value };
         Ok(Bound {
             mean_square: distance.mean_square,
             pressure: pressure + self.resampled(),
-            settlement: off(force.is_none(), d + (self.settlement - self.answer.settlement).abs()),
-            tilt: off(moment.is_none(), a + (self.tilt - self.answer.tilt).abs()),
+            settlement: off(
+                force.is_none(),
+                line.at_origin() + (self.settlement - self.answer.settlement).abs(),
+            ),
+            tilt: off(moment.is_none(), line.slope + (self.tilt - self.answer.tilt).abs()),
             force: off(force.is_some(), moved + (self.answer.force - self.shape.force).abs()),
             moment: off(moment.is_some(), moved + (self.answer.moment - self.shape.moment).abs()),
-            ends: self.ends(&gaps, pressure, distance.potential + d + a),
+            ends: self.ends(&gaps, pressure, distance.potential + free),
             residual: distance.residual,
             panels: self.density.panels.len(),
             windows: zones.len() + gaps.len(),
@@ -466,87 +491,58 @@ impl Audit<'_> {
         self.shape.length + open.map(|window| window.right - window.left).sum::<f64>()
     }
 
-    /// `||h||` over the zones and what may be in contact beside them, `h = delta - alpha x - f` less what is orthogonal to every change of the pressure.
-    fn height_norm(&self, gaps: &[Bounded], margin: f64) -> f64 {
+    /// Bounds of what the free ones of settlement and tilt are off by: `[|d - a m|, |a|]` about a place `m` of the zones, and `m`.
+    ///
+    /// Where both pressures are positive `d - a x = e + w + theta K e`: a line whose norm there is known. Where `p` vanishes, `e = -q`, so that this can only be where `q` is small,
+    /// but for a set of the measure `(||e||/t)^2` on `q >= t`.
+    fn displacements(&self, distance: &Distance) -> Line {
         let Prescribed { force, moment } = self.problem.prescribed;
-        let height = |x: f64| {
-            let [low, high] = self.problem.profile.height(x);
-            self.settlement - self.tilt * x - 0.5 * (low + high)
-        };
-        let shape = &self.shape;
-        let [first, last] = [shape.mean - 0.5 * shape.reach, shape.mean + 0.5 * shape.reach];
-        let slope = if moment.is_some() && last > first {
-            (height(last) - height(first)) / (last - first)
-        } else {
-            0.0
-        };
-        let level =
-            if force.is_some() { 0.5 * (height(first) + height(last)) } else { slope * shape.mean };
-        let mut square = 0.0;
-        let mut add = |left: f64, right: f64| {
-            let [low, high] = self.problem.profile.range([left, right]);
-            let line = |x: f64| self.settlement - self.tilt * x - level - slope * (x - shape.mean);
-            let (one, other) = (line(left), line(right));
-            let most = (one.max(other) - low).abs().max((one.min(other) - high).abs());
-            square += most * most * (right - left);
-        };
-        for panel in &self.density.panels {
-            add(panel.left, panel.right);
-        }
-        for window in gaps.iter().filter(|window| window.least <= margin) {
-            add(window.left, window.right);
-        }
-        square.sqrt()
-    }
-
-    /// Bounds of what the free ones of settlement and tilt are off by, `[|d|, |a|]`.
-    fn displacements(&self, distance: &Distance, _zones: &[Bounded], gaps: &[Bounded]) -> [f64; 2] {
-        let Prescribed { force, moment } = self.problem.prescribed;
+        let mut line = Line { level: 0.0, slope: 0.0, middle: 0.0 };
         if force.is_none() && moment.is_none() {
-            return [0.0; 2];
+            return line;
         }
-        let shape = &self.shape;
-        let (e, w) = (distance.mean_square, distance.residual);
-        let strength = (1.0 + self.problem.theta * self.problem.kernel.mass()).sqrt();
-        // <psi, w> and <psi, A e>, the latter by the energies of both: <A e, e> <= w e.
-        let energy = strength * (e * w).sqrt();
-        let plain = shape.norm * w + 2.0 * e * w;
-        let turned = 2.0 * plain + energy * (shape.norm + shape.leaning / shape.reach);
-        let mut margin = 4.0 * distance.potential;
-        let mut found = [f64::INFINITY; 2];
-        for _ in 0..60 {
-            // <A q, e> = <w, e> + <h, e>
-            let by_height = self.height_norm(gaps, margin) * e;
-            let level = if self.problem.is_bilateral {
-                plain + energy * shape.norm
-            } else {
-                plain + by_height.min(energy * shape.norm)
-            };
-            found = self.from_tests(level, turned + level, [force.is_some(), moment.is_some()]);
-            let needed = distance.potential + found[0] + found[1];
-            if needed <= margin || self.problem.is_bilateral {
-                break;
-            }
-            margin = 4.0 * needed;
-        }
-        found
+        let (theta, mass) = (self.problem.theta, self.problem.kernel.mass());
+        let norm = distance.mean_square + distance.residual * (1.0 + 0.5 * (theta * mass).sqrt());
+        let [length, middle, square, lost] = self.firm_part(distance.mean_square);
+        // A line about the origin where only one of both is free.
+        let about = if force.is_some() && moment.is_some() { middle } else { 0.0 };
+        let square = square + length * (middle - about) * (middle - about);
+        let reach = (middle - about).abs() + self.shape.reach + (middle - self.shape.mean).abs();
+        let share = match (force.is_some(), moment.is_some()) {
+            (true, true) => 2.0 * lost * (1.0 / length + reach * reach / square),
+            (true, false) => lost / length,
+            _ => lost * reach * reach / square,
+        };
+        let norm = if share < 0.5 { norm / (1.0 - share).sqrt() } else { f64::INFINITY };
+        line.middle = about;
+        line.level = if force.is_some() { norm / length.sqrt() } else { 0.0 };
+        line.slope = if moment.is_some() { norm / square.sqrt() } else { 0.0 };
+        line
     }
 
-    /// `|d|`, `|a|` from `|d mass - a moment| <= level` and the same with weights that lean to either side.
-    fn from_tests(&self, level: f64, turned: f64, [is_d_free, is_a_free]: [bool; 2]) -> [f64; 2] {
-        let shape = &self.shape;
-        let lever = shape.square / shape.reach;
-        match (is_d_free, is_a_free) {
-            (true, false) => [level / shape.mass, 0.0],
-            (true, true) => {
-                let a = (level + turned) / lever;
-                [(level + a * (shape.mass * shape.mean).abs()) / shape.mass, a]
+    /// Length, middle and second moment about it of panels where the pressure is firmly positive, and the measure on them where the true one may vanish.
+    fn firm_part(&self, off: f64) -> [f64; 4] {
+        let whole: f64 = self.shape.length;
+        let mut least =
+            if self.problem.is_bilateral { -f64::INFINITY } else { self.density.largest() };
+        loop {
+            least *= 0.25;
+            let panels =
+                || self.density.panels.iter().filter(|p| p.coefficients[0] - p.swing >= least);
+            let sum = |u: &dyn Fn(&Panel) -> f64| -> f64 { panels().map(u).sum() };
+            let length = sum(&|p| p.right - p.left);
+            let is_last = least < f64::MIN_POSITIVE;
+            if length < 0.5 * whole && !is_last {
+                continue;
             }
-            _ => {
-                let arm = (shape.mass * shape.mean).abs();
-                let leaning = if lever > arm { turned / (lever - arm) } else { f64::INFINITY };
-                [0.0, leaning.min(level / arm)]
-            }
+            let middle = sum(&|p| (p.right - p.left) * p.middle()) / length;
+            let square = sum(&|p| {
+                let half = p.half();
+                2.0 * half * ((p.middle() - middle).powi(2) + half * half / 3.0)
+            });
+            // The pressure that has force and moment to the last digit is at least half as large.
+            let lost = if self.problem.is_bilateral { 0.0 } else { (2.0 * off / least).powi(2) };
+            return [length, middle, square, lost];
         }
     }
 
