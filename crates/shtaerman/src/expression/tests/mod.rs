@@ -7,6 +7,7 @@ mod finiteness;
 mod grammar;
 mod hostile;
 mod magnitudes;
+mod resolutions;
 mod rises;
 mod taylor;
 mod trees;

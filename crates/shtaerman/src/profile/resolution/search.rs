@@ -11,7 +11,7 @@ const MOST_ENCLOSURES: usize = 2000;
 const MOST_OPERATIONS: usize = 100_000;
 /// Enclosures used at most to find the range of heights.
 const MOST_FOR_RANGE: usize = 400;
-/// Evenly spaced heights that are looked at first, on each segment.
+/// Evenly spaced heights that are looked at first, inside each segment: the value at an end may be that of a jump.
 const SAMPLES: u32 = 16;
 /// Parts are not halved below some roundings of the half-width.
 const SHORTEST: f64 = 64.0 * f64::EPSILON;
@@ -145,8 +145,8 @@ impl Queue {
     }
 
     fn push(&mut self, part: Interval) {
-        let middle = part.lower().midpoint(part.upper());
-        let index = (0.5 * (middle + 1.0) * STRETCHES as f64).clamp(0.0, STRETCHES as f64 - 1.0);
+        let index =
+            (0.5 * (middle(part) + 1.0) * STRETCHES as f64).clamp(0.0, STRETCHES as f64 - 1.0);
         self.stretches[index as usize].waiting.push(Waiting { rank: part.length(), part });
     }
 
@@ -159,8 +159,12 @@ impl Queue {
     }
 }
 
+fn middle(part: Interval) -> f64 {
+    part.lower().midpoint(part.upper())
+}
+
 fn halves(part: Interval) -> [Interval; 2] {
-    let middle = part.lower().midpoint(part.upper());
+    let middle = middle(part);
     [Interval::ends(part.lower(), middle), Interval::ends(middle, part.upper())]
 }
 
@@ -197,10 +201,10 @@ impl<'a> Search<'a> {
             Interval::point(value).filter(|value| value.is_bounded())
         };
         let sample = |part: Interval, step: u32| {
-            let share = f64::from(step) / f64::from(SAMPLES);
+            let share = (f64::from(step) + 0.5) / f64::from(SAMPLES);
             height((1.0 - share) * part.lower() + share * part.upper())
         };
-        let samples = segments.iter().flat_map(|&part| (0..=SAMPLES).map(move |step| (part, step)));
+        let samples = segments.iter().flat_map(|&part| (0..SAMPLES).map(move |step| (part, step)));
         let samples = samples.filter_map(|(part, step)| sample(part, step));
         let mut met = samples.reduce(Interval::hull).unwrap_or(Interval::ZERO);
         let mut waiting: BinaryHeap<_> =
@@ -215,7 +219,7 @@ impl<'a> Search<'a> {
                 continue;
             }
             for half in halves(part) {
-                met = height(half.lower()).map_or(met, |value| met.hull(value));
+                met = height(middle(half)).map_or(met, |value| met.hull(value));
                 waiting.push(self.overshoot(half, met));
             }
         }
