@@ -4,6 +4,7 @@ use fredholm::basis::Function;
 
 use crate::error::{finite, require};
 use crate::expression::{Defect, Interval, Reflection};
+use crate::profile::Resolution;
 use crate::{Error, Frame, Load, Profile, Rotational, Vertical};
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
@@ -205,6 +206,13 @@ impl Problem {
     pub fn dimensionless_taylor_bound(&self, interval: [f64; 2], order: usize) -> f64 {
         let bound = self.profile.taylor_bound(interval, order, self.frame.half_width());
         self.scaled(Interval::ends(0.0, bound)).upper()
+    }
+
+    /// Where the base has to be cut so that polynomials of a degree resolve the profile, as [`Profile::resolve`] has it.
+    #[must_use]
+    pub fn resolution(&self, degree: usize, tolerance: f64) -> Resolution {
+        let half_width = self.frame.half_width();
+        self.profile.resolve(&self.frame.pieces(), half_width, degree, tolerance)
     }
 
     /// Heights without dimensions.

@@ -168,6 +168,11 @@ impl Expression {
         self.operations.contains(&Operation::Variable(variable))
     }
 
+    /// Number of operations.
+    pub(crate) fn length(&self) -> usize {
+        self.operations.len()
+    }
+
     /// The value for these variables. A variable that is not given counts as NaN.
     pub fn evaluate(&self, variables: &[f64]) -> f64 {
         run(&self.operations, self.height, |index| given(variables, index)).0

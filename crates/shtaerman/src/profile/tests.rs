@@ -2,23 +2,24 @@
 
 use super::Profile;
 use crate::expression::Interval;
+use crate::{Elastic, Frame, Load, Problem, Rotational, Solver, Vertical};
 
 /// Numbers between 0 and 1 from a linear congruential generator.
-struct Random(u64);
+pub(super) struct Random(pub(super) u64);
 
 impl Random {
-    fn next(&mut self) -> f64 {
+    pub(super) fn next(&mut self) -> f64 {
         self.0 =
             self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
-    fn between(&mut self, lower: f64, upper: f64) -> f64 {
+    pub(super) fn between(&mut self, lower: f64, upper: f64) -> f64 {
         lower + (upper - lower) * self.next()
     }
 }
 
-fn profile(text: &str) -> Profile {
+pub(super) fn profile(text: &str) -> Profile {
     Profile::expression(text).unwrap()
 }
 
@@ -169,4 +170,54 @@ fn a_cubic_is_enclosed_closely() {
     // An interval between two points is a single cubic, whatever its ends round to.
     assert_eq!(profile.taylor_bound([0.25, 0.5], 4, 1.0), 0.0);
     assert_eq!(profile.taylor_bound([0.25, 0.75], 4, 1.0), f64::INFINITY);
+}
+
+#[test]
+fn what_cannot_be_told_from_a_pole_is_refused() {
+    for (text, place) in [
+        ("1/(xi-0.3)", 0.3),
+        ("tan(2*xi)", -std::f64::consts::FRAC_PI_4),
+        ("1e-9/((xi-0.3)^2)", 0.3),
+        ("1e-30/((xi-0.3123456)^2)", 0.3123456),
+        ("1e-20/(xi^3-0.1)^2", 0.1_f64.cbrt()),
+        ("1e-9/(sin(3*xi)-0.5)^2", std::f64::consts::PI / 18.0),
+        // Double roots that cancellation hides from the values themselves.
+        ("1e-9/(xi^2-0.6*xi+0.09)", 0.3),
+        ("1e-9/(cos(xi-0.3)-1)", 0.3),
+        ("x^2 + 1e-12/(exp(xi-0.3)-1-(xi-0.3))", 0.3),
+    ] {
+        let found = profile(text).find_not_finite(1.0);
+        assert!(found.is_some_and(|(at, _)| (at - place).abs() < 2e-7), "{text}: {found:?}");
+    }
+    // High and narrow, but finite.
+    for text in [
+        "1/(xi^2 - 0.6*xi + 0.09 + 1e-13)",
+        "1e-9/((xi-0.3)^2+1e-20)",
+        "1e-3/(1.000001-cos(xi-0.3))",
+    ] {
+        assert_eq!(profile(text).find_not_finite(1.0), None, "{text}");
+    }
+}
+
+#[test]
+fn heights_without_dimensions_are_those_over_their_scale() {
+    let steel = Elastic::new(200e9, 0.3).unwrap();
+    let frame = Frame::physical(steel, 1.2e-14, 5e-3, None).unwrap();
+    let load = Load::new(Vertical::Force(0.8e6), Rotational::Moment(0.0)).unwrap();
+    let problem = Problem::new(frame, profile("x^2/(2*0.8)"), load, Solver::default()).unwrap();
+    // chi E = 2.4e-3 m; f0 = a^2 xi^2/(2 R chi E).
+    let curvature = 25e-6 / (1.6 * 2.4e-3);
+    let at = problem.dimensionless_enclosure_at(0.7).unwrap();
+    assert!(at.contains(problem.dimensionless_profile(0.7)) && width(at) < 1e-17, "{at:?}");
+    let near = |value: f64, exact: f64| (value - exact).abs() < 1e-14;
+    let range = problem.dimensionless_enclosure([0.5, 1.0]).unwrap();
+    assert!(near(range.lower(), 0.25 * curvature) && near(range.upper(), curvature), "{range:?}");
+    let [_, slope, bend] = problem.dimensionless_taylor([0.5, 1.0], 2).unwrap()[..] else {
+        panic!()
+    };
+    assert!(near(slope.lower(), curvature) && near(slope.upper(), 2.0 * curvature));
+    assert!(near(bend.lower(), curvature) && near(bend.upper(), curvature));
+    assert!(near(problem.dimensionless_taylor_bound([0.5, 1.0], 2), curvature));
+    assert_eq!(problem.dimensionless_taylor_bound([0.5, 1.0], 3), 0.0);
+    assert_eq!(problem.resolution(64, 1e-12), super::Resolution::default());
 }

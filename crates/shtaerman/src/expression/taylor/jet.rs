@@ -1,5 +1,7 @@
 //! A function on an interval: the range of its values, its values at the two ends, its Taylor coefficients.
 
+use std::cell::Cell;
+
 use super::super::enclose::Enclosure;
 use super::super::evaluate::Value;
 use super::super::function::{Binary, Unary};
@@ -45,20 +47,28 @@ enum Side {
 }
 
 /// Computes with jets of one interval.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) struct Arithmetic {
     order: usize,
     /// Length of the interval and slack at its ends, in the scale of the coefficients.
     length: f64,
     slack: f64,
     scale: f64,
+    /// Whether something switches at the left and at the right end.
+    switches: Cell<[bool; 2]>,
 }
 
 impl Arithmetic {
     pub(super) fn new(order: usize, interval: Interval, scale: f64, slack: f64) -> Self {
         let length = (interval.length() / scale).next_up();
         // Between the slacks most of the interval is left.
-        Self { order, length, slack: (slack / scale).min(length / 16.0), scale }
+        let slack = (slack / scale).min(length / 16.0);
+        Self { order, length, slack, scale, switches: Cell::default() }
+    }
+
+    /// Whether something that was followed to the inside switches at the left and at the right end.
+    pub(super) fn switches(&self) -> [bool; 2] {
+        self.switches.get()
     }
 
     /// A variable that grows by `slope` with the parameter.
@@ -84,11 +94,9 @@ impl Arithmetic {
         let switched = match function {
             Unary::Abs => Some(self.magnitude(u, range.interval)),
             Unary::Sign | Unary::Step => {
-                return self.stair(range, || self.side(u).map(|side| function.value(side.sign())));
+                return self.stair(range, u, |side| function.value(side.sign()));
             }
-            Unary::Floor | Unary::Ceil => {
-                return self.stair(range, || self.step(u).map(|middle| function.value(middle)));
-            }
+            Unary::Floor | Unary::Ceil => return self.staircase(function, range, u),
             _ => None,
         };
         let series = switched.unwrap_or_else(|| {
@@ -118,8 +126,8 @@ impl Arithmetic {
             Binary::Hypot => self.distance(&u.series, &v.series, first),
             Binary::Atan2 => self.angle(&u.series, &v.series, first),
             Binary::Less | Binary::LessEqual | Binary::Greater | Binary::GreaterEqual => {
-                let side = || self.side(&self.binary(Binary::Subtract, u, v));
-                return self.stair(range, || side().map(|side| function.value(side.sign(), 0.0)));
+                let difference = self.binary(Binary::Subtract, u, v);
+                return self.stair(range, &difference, |side| function.value(side.sign(), 0.0));
             }
         };
         self.tight(range, ends, series)
@@ -133,7 +141,7 @@ impl Arithmetic {
         if is_fixed(condition.range) {
             return fails.clone();
         }
-        if !condition.range.interval.contains(0.0) || self.side(condition).is_some() {
+        if self.side(condition).is_some() {
             return holds.clone();
         }
         let range = Enclosure::choose(condition.range, holds.range, fails.range);
@@ -180,43 +188,82 @@ impl Arithmetic {
         let gap = |end: Enclosure| {
             least * self.slack + end.interval.length().min(least * self.length / 16.0)
         };
-        match (low.interval.lower() >= -gap(low), high.interval.upper() <= gap(high)) {
-            (true, false) => Some(Side::Above),
-            (false, true) => Some(Side::Below),
-            _ => None,
-        }
+        let side = match (low.interval.lower() >= -gap(low), high.interval.upper() <= gap(high)) {
+            (true, false) => Side::Above,
+            (false, true) => Side::Below,
+            _ => return None,
+        };
+        self.note_switch(u);
+        Some(side)
     }
 
-    /// A number between the same two whole numbers as the values inside.
-    fn step(&self, u: &Jet) -> Option<f64> {
+    /// Notes the ends at which a function that decides may be zero.
+    fn note_switch(&self, u: &Jet) {
         let range = u.range.interval;
-        let below = range.lower().midpoint(range.upper()).floor();
-        let side = |whole: f64| self.side(&self.binary(Binary::Subtract, u, &Jet::constant(whole)));
-        let is_between = side(below) == Some(Side::Above) && side(below + 1.0) == Some(Side::Below);
-        is_between.then_some(below + 0.5)
+        if range.lower() > 0.0 || range.upper() < 0.0 || u.series.is_constant() {
+            return;
+        }
+        let reach = u.series.get(1).size() * self.slack;
+        let is_zero = |end: Enclosure| {
+            end.may_be_undefined || end.interval.lower() <= reach && end.interval.upper() >= -reach
+        };
+        let [left, right] = self.switches.get();
+        self.switches.set([left || is_zero(u.ends[0]), right || is_zero(u.ends[1])]);
     }
 
-    /// A function that is constant but for jumps, given its value inside if that is known.
-    fn stair(&self, range: Enclosure, inside: impl Fn() -> Option<f64>) -> Jet {
+    /// Steps at whole numbers.
+    fn staircase(&self, function: Unary, range: Enclosure, u: &Jet) -> Jet {
+        let values = u.range.interval;
+        let below = values.lower().midpoint(values.upper()).floor();
+        let [above_it, below_next] = [below, below + 1.0]
+            .map(|whole| self.binary(Binary::Subtract, u, &Jet::constant(whole)));
+        // The step that belongs to the whole number itself may be touched for long, the other one must not be.
+        let is_between = if function == Unary::Floor {
+            self.is_side(&above_it, Side::Above) && self.side(&below_next) == Some(Side::Below)
+        } else {
+            self.side(&above_it) == Some(Side::Above) && self.is_side(&below_next, Side::Below)
+        };
+        if is_between && !range.may_be_undefined {
+            return Jet::constant(function.value(below + 0.5));
+        }
+        Self::jumping(range)
+    }
+
+    /// Something that is constant but for a jump where `u` changes its sign.
+    fn stair(&self, range: Enclosure, u: &Jet, value: impl Fn(Side) -> f64) -> Jet {
         if range.may_be_undefined {
             return Jet { range, ..Jet::unknown() };
         }
         if range.interval.is_point() {
+            self.note_switch(u);
             return Jet::same_everywhere(range);
         }
-        inside().map_or_else(
-            || Jet { range, ends: [range; 2], series: Series::cut(vec![range.interval]) },
-            Jet::constant,
-        )
+        self.side(u).map_or_else(|| Self::jumping(range), |side| Jet::constant(value(side)))
+    }
+
+    fn jumping(range: Enclosure) -> Jet {
+        Jet { range, ends: [range; 2], series: Series::cut(vec![range.interval]) }
+    }
+
+    /// Whether a function lies on a side, or at most touches zero.
+    fn is_side(&self, u: &Jet, side: Side) -> bool {
+        let range = u.range.interval;
+        let touches = match side {
+            Side::Above => range.lower() >= 0.0,
+            Side::Below => range.upper() <= 0.0,
+        };
+        if touches && !u.range.may_be_undefined {
+            self.note_switch(u);
+            return true;
+        }
+        self.side(u) == Some(side)
     }
 
     fn magnitude(&self, u: &Jet, first: Interval) -> Series {
-        let range = u.range.interval;
-        let side = self.side(u);
-        if range.lower() >= 0.0 || side == Some(Side::Above) {
+        if self.is_side(u, Side::Above) {
             return u.series.clone().with_first(first);
         }
-        if range.upper() <= 0.0 || side == Some(Side::Below) {
+        if self.is_side(u, Side::Below) {
             return u.series.negated().with_first(first);
         }
         let slope = u.series.get(1);
@@ -225,10 +272,8 @@ impl Arithmetic {
 
     fn extreme(&self, function: Binary, u: &Jet, v: &Jet, first: Interval) -> Series {
         let difference = self.binary(Binary::Subtract, u, v);
-        let range = difference.range.interval;
-        let side = self.side(&difference);
-        let is_below = range.upper() <= 0.0 || side == Some(Side::Below);
-        if is_below || range.lower() >= 0.0 || side == Some(Side::Above) {
+        let is_below = self.is_side(&difference, Side::Below);
+        if is_below || self.is_side(&difference, Side::Above) {
             let chosen = if is_below == (function == Binary::Minimum) { u } else { v };
             return chosen.series.clone().with_first(first.common(chosen.range.interval));
         }

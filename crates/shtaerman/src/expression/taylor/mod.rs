@@ -33,13 +33,13 @@ pub(crate) struct Taylor {
     series: Series,
     range: Enclosure,
     exponent: i32,
-    half_length: f64,
+    switches: [bool; 2],
 }
 
 impl Taylor {
     /// Scaled coefficients, as [`Scale`] has them, and the range of values.
     pub(crate) fn new(series: Series, range: Enclosure, scale: Scale) -> Self {
-        Self { series, range, exponent: scale.exponent, half_length: scale.half_length }
+        Self { series, range, exponent: scale.exponent, switches: [false; 2] }
     }
 
     /// The values, unless one may be undefined or infinite.
@@ -55,14 +55,15 @@ impl Taylor {
         self.series.get(k).shifted(-self.exponent.saturating_mul(k as i32))
     }
 
-    /// Orders whose coefficients are bounded, up to the one that was asked for.
-    pub(crate) fn known(&self) -> usize {
-        self.series.stored()
+    /// Binary logarithm of the largest `|f^(k)/k!|`, which may itself be out of the range of numbers.
+    pub(crate) fn logarithm(&self, k: usize) -> f64 {
+        self.series.get(k).size().log2() - f64::from(self.exponent) * k as f64
     }
 
-    /// `|f^(k)/k!| scale^k`, the scale a power of two near half the length of the interval.
-    pub(crate) fn scaled(&self, k: usize) -> f64 {
-        self.series.get(k).size()
+    /// Whether something that was followed to the inside switches at the left and at the right end: coefficients on either side of such an end say
+    /// nothing of what happens there.
+    pub(crate) fn switches(&self) -> [bool; 2] {
+        self.switches
     }
 }
 
@@ -70,16 +71,14 @@ impl Taylor {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Scale {
     exponent: i32,
-    half_length: f64,
 }
 
 impl Scale {
     /// The power of two nearest to half the length of an interval; one for a point.
     pub(crate) fn of(interval: Interval) -> Self {
-        let half_length = 0.5 * interval.length();
-        let exponent = half_length.log2().round();
+        let exponent = (0.5 * interval.length()).log2().round();
         let is_usual = exponent.abs() <= 1000.0;
-        Self { exponent: if is_usual { exponent as i32 } else { 0 }, half_length }
+        Self { exponent: if is_usual { exponent as i32 } else { 0 } }
     }
 
     pub(crate) fn value(self) -> f64 {
@@ -109,7 +108,7 @@ impl Expression {
             arithmetic.variable(values, [left, right], line.slope(index))
         };
         let jet = self.jet(&arithmetic, variable);
-        Taylor::new(jet.series, jet.range, scale)
+        Taylor { switches: arithmetic.switches(), ..Taylor::new(jet.series, jet.range, scale) }
     }
 
     fn jet(&self, arithmetic: &Arithmetic, variable: impl Fn(usize) -> Jet) -> Jet {

@@ -23,6 +23,11 @@ impl Series {
         if is_whole && self.stored() == 2 && self.is_polynomial() {
             return self.power_of_line(p, first, order);
         }
+        // A polynomial remains one if its degree is looked at in full.
+        let degree = p * self.stored().saturating_sub(1) as f64;
+        if is_whole && self.is_polynomial() && degree <= order as f64 {
+            return self.multiplied_out(p as u32, order).with_first(first);
+        }
         if !base.contains(0.0) {
             return self.power_recurrence(p, 1.0, first, order);
         }

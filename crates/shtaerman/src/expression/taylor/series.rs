@@ -146,7 +146,7 @@ impl Series {
         for j in (k + 1).saturating_sub(self.stored())..k.div_ceil(2) {
             sum.add(2.0, self.get(j), self.get(k - j));
         }
-        if k % 2 == 0 {
+        if k.is_multiple_of(2) {
             sum.add_one(1.0, self.get(k / 2).square());
         }
         sum.total()

@@ -8,6 +8,7 @@ mod grammar;
 mod hostile;
 mod magnitudes;
 mod reflections;
+mod resolutions;
 mod rises;
 mod taylor;
 mod trees;
