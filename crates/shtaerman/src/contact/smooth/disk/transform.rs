@@ -17,8 +17,8 @@ const MOST_PANELS: usize = 128;
 /// Last coefficients relative to the largest value that count as resolved, and that are noise if they do not fall.
 const RESOLVED: f64 = 4e-16;
 const NOISE: f64 = 1e-11;
-/// Last coefficients below this share of the largest are none.
-const ROUNDING: f64 = 0.5 * f64::EPSILON;
+/// Last coefficients below this share of the largest are rounding of the values: their derivatives would blow it up.
+const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Length of a step in the logarithm of `s`, and in the angle, within which polynomials of `s` are integrated exactly.
 const STEP: f64 = 1.0;
 const TURN: f64 = 0.5;
@@ -88,7 +88,7 @@ impl Panel {
     }
 
     fn blown(&self, size: f64) -> f64 {
-        8.0 * f64::EPSILON * (ORDER * ORDER) as f64 * size / self.length()
+        24.0 * f64::EPSILON * (self.count * self.count) as f64 * size / self.length()
     }
 }
 
@@ -235,11 +235,27 @@ impl Segment {
         if slope.abs() > HARMLESS * largest && !falls {
             return f64::INFINITY.copysign(slope);
         }
-        let mut sum = integral(0.0, first.ends[1], |s| (first.slope(s) - slope) / s);
+        let mut sum = self
+            .beside_power()
+            .unwrap_or_else(|| integral(0.0, first.ends[1], |s| (first.slope(s) - slope) / s));
         for panel in &self.panels[1..] {
             sum += stepwise(panel.ends.map(f64::ln), STEP, |y| panel.slope(y.exp()));
         }
         sum
+    }
+
+    /// `int dG/s` over the first panel where it is there for a power `s^k`, which shows in the rises over the next ones: `k/(k-1)` times the rise over the
+    /// length. None where it is smooth.
+    fn beside_power(&self) -> Option<f64> {
+        let [first, second, third, ..] = self.panels.as_slice() else { return None };
+        let to = first.ends[1];
+        let rise = |panel: &Panel| panel.value(panel.ends[1]) - panel.value(panel.ends[0]);
+        let doubles = third.ends[1] == 4.0 * to && second.ends[1] == 2.0 * to;
+        let is_short = to < SHORT * leg(self.ends[1], self.ends[0]);
+        let ratio = rise(third) / rise(second);
+        let power = ratio.log2();
+        let over_length = rise(second) / ((ratio - 1.0) * to);
+        (is_short && doubles && power > 1.0).then_some(power / (power - 1.0) * over_length)
     }
 
     fn largest_slope(&self) -> f64 {
