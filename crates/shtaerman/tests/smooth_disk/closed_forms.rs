@@ -153,7 +153,7 @@ const POWERS: [(f64, f64); 9] = [
 #[test]
 fn blunt_and_sharp_powers_are_as_good_as_stated() {
     // As above; p(0) = (E*/pi) k delta/((k - 1) c) for k > 1, infinite below.
-    for i in 0..5 {
+    for i in 0..2 {
         let [share, other] =
             [0.618_033_988_7, 0.754_877_666_2].map(|step| (step * f64::from(i + 1)).fract());
         for (k, factor) in POWERS {
@@ -165,15 +165,6 @@ fn blunt_and_sharp_powers_are_as_good_as_stated() {
             let [pressure, settlement, _, edge] = stated(&contact);
             let middle = contact.pressure_mid();
             let exact = MODULUS / PI * k * delta / ((k - 1.0) * c);
-            println!(
-                "{k} {c:.3e} settlement {:.1e} stated {:.1e}; edge {:.1e} {:.1e}; middle {:.1e} stated {:.1e}",
-                (contact.settlement() - delta).abs() / delta,
-                settlement / delta,
-                (contact.edges()[0][1] - c).abs() / c,
-                edge / c,
-                (middle - exact).abs() / exact,
-                pressure / exact
-            );
             honest(settlement, contact.settlement() - delta, delta, 1e-11, &format!("{k}"));
             honest(edge, contact.edges()[0][1] - c, c, 1e-9, &format!("edge of {k}"));
             if k > 1.0 {

@@ -17,8 +17,8 @@ const MOST_PANELS: usize = 128;
 /// Last coefficients relative to the largest value that count as resolved, and that are noise if they do not fall.
 const RESOLVED: f64 = 4e-16;
 const NOISE: f64 = 1e-11;
-/// Last coefficients below this share of the largest are rounding of the values: their derivatives would blow it up.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// The coefficient of the degree `n` is rounding of the values below this share of the largest, `2 n + 1` times: derivatives of the last ones would blow it up.
+const ROUNDING: f64 = f64::EPSILON;
 /// Length of a step in the logarithm of `s`, and in the angle, within which polynomials of `s` are integrated exactly.
 const STEP: f64 = 1.0;
 const TURN: f64 = 0.5;
@@ -45,9 +45,9 @@ struct Panel {
 impl Panel {
     fn new(ends: [f64; 2], mut values: [f64; ORDER]) -> Self {
         let half = 0.5 * (ends[1] - ends[0]);
-        let size = values.iter().fold(0.0f64, |most, c| most.max(c.abs()));
-        let is_more = |c: &f64| c.abs() > ROUNDING * size;
-        let count = values.iter().rposition(is_more).map_or(0, |last| last + 1);
+        let size = largest(&values);
+        let is_more = |n: &usize| values[*n].abs() > ROUNDING * (2 * n + 1) as f64 * size;
+        let count = (0..ORDER).rev().find(is_more).map_or(0, |last| last + 1);
         values[count..].fill(0.0);
         Self { ends, values, slopes: derivative(&values).map(|c| c / half), count }
     }
@@ -79,8 +79,7 @@ impl Panel {
 
     /// The derivative of a series blows the rounding of its coefficients up by the square of their number.
     fn slope_rounding(&self) -> f64 {
-        let size = self.values.iter().fold(0.0f64, |most, c| most.max(c.abs()));
-        self.blown(size)
+        self.blown(largest(&self.values))
     }
 
     fn length(&self) -> f64 {
@@ -105,6 +104,10 @@ struct Sampled {
 fn sample(shape: &Shape<'_>, kink: f64, [from, to]: [f64; 2]) -> [f64; ORDER] {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     RULE.coefficients(&RULE.nodes.map(|u| shape.transform_beyond(kink, middle + half * u)))
+}
+
+fn largest(values: &[f64; ORDER]) -> f64 {
+    values.iter().fold(0.0, |most, c| most.max(c.abs()))
 }
 
 fn tail(values: &[f64; ORDER]) -> f64 {
@@ -132,13 +135,17 @@ impl Segment {
             Sampled { ends: own, values, depth, tail: tail(&values), before }
         };
         let first = sampled([0.0, leg(ends[1], ends[0])], 0, f64::INFINITY);
-        let size = first.values.iter().fold(size, |most, c| most.max(c.abs()));
+        let size = size.max(largest(&first.values));
         let rounded = shape.noise * if shape.part == Part::Odd { 1.0 } else { ends[1] };
-        let resolved = shape.tolerance.max(RESOLVED) * size + rounded;
+        let resolved = |own: f64| shape.tolerance.max(RESOLVED) * own + rounded;
         let noise = (10.0 * shape.tolerance).max(NOISE) * size + rounded;
         let is_open = |panel: &Sampled| {
             let is_noise = panel.tail >= 0.5 * panel.before && panel.tail <= noise;
-            panel.tail > resolved && !is_noise && panel.depth < DEEPEST && panel.tail.is_finite()
+            // Beside the axis G is as small as the power of the base has it, and its slope is divided by the distance.
+            let is_beside_axis = ends[0] == 0.0 && panel.ends[0] == 0.0;
+            let own = if is_beside_axis { largest(&panel.values) } else { size };
+            let is_settled = panel.tail <= resolved(own) || is_noise;
+            !is_settled && panel.depth < DEEPEST && panel.tail.is_finite()
         };
         let mut panels = vec![first];
         while panels.len() < MOST_PANELS {
