@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::{Contact, Error, Problem, Vertical};
+use crate::{Contact, ContactKind, Error, Geometry, Law, Problem, Solver, Vertical};
 
 /// The first degree.
 pub const FIRST_DEGREE: usize = 8;
@@ -73,7 +73,8 @@ impl Convergence {
     /// Solves the problem for `n = 8, 16, ..., ` up to `last`.
     ///
     /// # Errors
-    /// [`Error::InvalidValue`] unless `last >= 32` (three degrees, one order); whatever [`Problem::solve`] gives.
+    /// [`Error::InvalidValue`] unless `last >= 32` (three degrees, one order); [`Error::NoDegenerateKernel`] for what that does not solve: another geometry, a
+    /// surface that is smooth or bends, graded ground, a punch that lifts off; whatever [`Problem::solve`] gives.
     pub fn study(problem: &Problem, last: usize) -> Result<Self, Error> {
         crate::error::require(
             last >= 4 * FIRST_DEGREE,
@@ -82,6 +83,7 @@ impl Convergence {
             "at least 32: an order takes three degrees",
         )?;
         crate::error::require(last <= MOST_DEGREE, "max_n", last as f64, "at most 4194304")?;
+        require_degenerate_kernel(problem)?;
         let unknown = match problem.load().vertical {
             Vertical::Force(_) => Quantity::Settlement,
             Vertical::Settlement(_) => Quantity::Force,
@@ -109,6 +111,36 @@ impl Convergence {
         }
         Ok(Self { quantities, rows })
     }
+}
+
+/// Refuses what is not solved by the degenerate kernel.
+fn require_degenerate_kernel(problem: &Problem) -> Result<(), Error> {
+    let frame = problem.frame();
+    let solve = "solve it instead, its error is part of every answer";
+    let refused = if frame.geometry() != Geometry::Plane {
+        Some(("the geometry is another", solve))
+    } else if frame.grading().is_some() {
+        Some(("the ground is graded", solve))
+    } else if frame.law() == Law::Smooth {
+        Some(("the surface is smooth", "give a roughness greater than zero"))
+    } else if frame.law() != Law::Linear {
+        Some(("the layer follows a power law", solve))
+    } else if problem.solver().contact == ContactKind::Unilateral && lifts_off(problem)? {
+        let keep = "contact = \"bilateral\" keeps the full base in contact, and more force may";
+        Some(("the punch lifts off", keep))
+    } else {
+        None
+    };
+    match refused {
+        Some((found, remedy)) => Err(Error::NoDegenerateKernel { found, remedy }),
+        None => Ok(()),
+    }
+}
+
+/// Whether a unilateral contact is less than the full base.
+fn lifts_off(problem: &Problem) -> Result<bool, Error> {
+    let solver = Solver { tolerance: None, ..Solver::default() };
+    Ok(problem.with_solver(solver).solve()?.edges0() != problem.frame().pieces())
 }
 
 impl Entry {

@@ -338,6 +338,17 @@ pub enum Error {
     )]
     NoOtherMethodForZones,
 
+    /// The degenerate kernel is not what solves the problem, so that there is no convergence to study.
+    #[error(
+        "the study of convergence is one of the degenerate kernel, which solves one plane punch on a linear layer with its full base in contact: here {found}; {remedy}"
+    )]
+    NoDegenerateKernel {
+        /// What the problem has instead.
+        found: &'static str,
+        /// What would be right.
+        remedy: &'static str,
+    },
+
     /// An inverse problem has no answer.
     #[error(transparent)]
     Inverse(#[from] crate::inverse::InverseError),

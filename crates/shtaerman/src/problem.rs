@@ -149,6 +149,11 @@ impl Problem {
         Ok(Self { solver, ..self.clone() })
     }
 
+    /// The same problem solved otherwise.
+    pub(crate) fn with_solver(&self, solver: Solver) -> Self {
+        Self { solver, ..self.clone() }
+    }
+
     /// The same problem with heights and settlement counted from the level of the base, and the height of that level in the units of the problem; none where that
     /// makes no difference.
     pub(crate) fn lowered(&self) -> Option<(Self, f64)> {

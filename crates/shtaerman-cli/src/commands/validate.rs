@@ -1,8 +1,8 @@
 //! `shtaerman validate`.
 
-use shtaerman::Problem;
 use shtaerman::equation::{Equation, Kind};
 use shtaerman::file::AnyFile;
+use shtaerman::{Law, Problem};
 
 use super::problem_file;
 use crate::Failure;
@@ -24,7 +24,13 @@ pub(super) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
 fn problem(problem: &Problem) -> String {
     let kind = if problem.frame().scaling().is_some() { "physical" } else { "dimensionless" };
     let degree = problem.solver().degree.map_or(String::new(), |n| format!(", n = {n}"));
-    format!("{kind} problem, theta0 = {}{degree}", significant(problem.frame().theta0(), 8))
+    let surface = match problem.frame().law() {
+        Law::Smooth => "smooth surface".to_owned(),
+        Law::Linear | Law::Power(_) => {
+            format!("theta0 = {}", significant(problem.frame().theta0(), 8))
+        }
+    };
+    format!("{kind} problem, {surface}{degree}")
 }
 
 fn equation(equation: &Equation) -> String {

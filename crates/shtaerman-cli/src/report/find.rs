@@ -44,7 +44,12 @@ impl Shown {
     }
 
     fn force(self) -> DisplayUnit {
-        if self.is_circular { Dimension::FORCE } else { Dimension::FORCE_PER_LENGTH }.into()
+        // A force has the dimension of a moment per length, whose symbol it must not take.
+        if self.is_circular {
+            DisplayUnit::prefixed("N")
+        } else {
+            Dimension::FORCE_PER_LENGTH.into()
+        }
     }
 
     fn moment(self) -> DisplayUnit {

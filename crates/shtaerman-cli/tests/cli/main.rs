@@ -18,6 +18,7 @@ mod overrides;
 mod places;
 mod references;
 mod roughness;
+mod schemas;
 mod spectrum;
 mod stress;
 mod support;

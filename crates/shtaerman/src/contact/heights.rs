@@ -1,9 +1,9 @@
 //! Heights of the base: counted from its level, and known to their rounding only.
 
-use super::accuracy::Accuracy;
+use super::accuracy::{Accuracy, Sizes};
 use super::solution::Solution;
 use crate::roughness::Law;
-use crate::{Error, Problem};
+use crate::{Error, Problem, Scaling};
 
 /// Places in all zones at which the rounding of heights is looked at, at least one in each, and where in its step each lies: an irrational share keeps clear of jumps.
 const PLACES: usize = 128;
@@ -13,32 +13,40 @@ const GROWTH: f64 = 2.0;
 /// Rounding of the level that is added to the settlement.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
+/// Errors that the rounding of heights makes, and the sizes against which they are held.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OfHeights {
+    accuracy: Accuracy,
+    sizes: Sizes,
+}
+
 impl Problem {
-    /// The largest rounding of the dimensionless heights in the zones of contact.
-    fn height_rounding(&self, zones: &[[f64; 2]]) -> f64 {
+    /// The largest rounding of the dimensionless heights in the zones of contact, and the largest of these.
+    fn height_rounding(&self, zones: &[[f64; 2]]) -> [f64; 2] {
         let steps = (PLACES / zones.len().max(1)).max(1);
-        let half_width = self.frame().half_width();
-        let mut largest = 0.0f64;
+        let (profile, half_width) = (self.profile(), self.frame().half_width());
+        let [mut rounding, mut largest] = [0.0f64; 2];
         for [left, right] in zones {
             for i in 0..steps {
                 let xi = left + (right - left) * (i as f64 + ASIDE) / steps as f64;
-                let rounding = self.profile().rounding(xi.clamp(-1.0, 1.0), half_width);
-                if rounding.is_finite() {
-                    largest = largest.max(rounding);
+                let xi = xi.clamp(-1.0, 1.0);
+                largest = largest.max(profile.height(xi, half_width).abs());
+                let here = profile.rounding(xi, half_width);
+                if here.is_finite() {
+                    rounding = rounding.max(here);
                 }
             }
         }
-        self.frame().scaling().map_or(largest, |scaling| largest / scaling.displacement())
+        let scale = self.frame().scaling().map_or(1.0, Scaling::displacement);
+        [rounding / scale, largest / scale]
     }
 
-    /// The error of a solution, at least what the rounding of heights makes of it.
-    pub(super) fn stated(&self, solution: &dyn Solution) -> Option<Accuracy> {
-        let accuracy = *solution.accuracy()?;
+    /// What the rounding of heights makes of a solution; none where the method tells no error.
+    pub(super) fn of_heights(&self, solution: &dyn Solution) -> Option<OfHeights> {
+        let known = *solution.accuracy()?;
         let zones = solution.zones();
-        let (Some([left, _]), Some([_, right])) = (zones.first(), zones.last()) else {
-            return Some(accuracy);
-        };
-        let rounding = self.height_rounding(&zones);
+        let (left, right) = (zones.first()?[0], zones.last()?[1]);
+        let [rounding, height] = self.height_rounding(&zones);
         let (half, middle) = (0.5 * (right - left), 0.5 * (right + left).abs());
         let steepness = match self.frame().law() {
             // The pressure follows from slopes.
@@ -49,17 +57,42 @@ impl Problem {
             }
         };
         let stiffness = solution.stiffness().force_settlement.abs();
-        let turn = GROWTH * rounding / half.max(f64::MIN_POSITIVE);
-        let raised = |known: f64, to: f64| if known == 0.0 { 0.0 } else { known.max(to) };
         let force = if stiffness.is_finite() { stiffness * rounding } else { 0.0 };
-        Some(Accuracy {
-            kind: accuracy.kind,
-            pressure: accuracy.pressure.max(GROWTH * steepness * rounding),
-            settlement: raised(accuracy.settlement, rounding + middle * turn),
-            tilt: raised(accuracy.tilt, turn),
-            force: raised(accuracy.force, force),
-            moment: raised(accuracy.moment, (middle + half) * force),
-        })
+        let turn = GROWTH * rounding / half.max(f64::MIN_POSITIVE);
+        // What is prescribed or zero by symmetry stays exact.
+        let unless_exact = |known: f64, error: f64| if known == 0.0 { 0.0 } else { error };
+        let accuracy = Accuracy {
+            kind: known.kind,
+            pressure: GROWTH * steepness * rounding,
+            settlement: unless_exact(known.settlement, rounding + middle * turn),
+            tilt: unless_exact(known.tilt, turn),
+            force: unless_exact(known.force, force),
+            moment: unless_exact(known.moment, (middle + half) * force),
+        };
+        let sizes = solution.state().sizes(solution.size());
+        // A settlement may be next to nothing where heights above and below cancel.
+        let sizes = Sizes { displacement: sizes.displacement.max(height), ..sizes };
+        Some(OfHeights { accuracy, sizes })
+    }
+}
+
+impl OfHeights {
+    /// The largest error relative to its size.
+    pub(super) fn relative(&self) -> f64 {
+        self.accuracy.relative(&self.sizes)
+    }
+
+    /// The larger one of an error and this.
+    pub(super) fn or(&self, known: &Accuracy) -> Accuracy {
+        let own = &self.accuracy;
+        Accuracy {
+            kind: known.kind,
+            pressure: known.pressure.max(own.pressure),
+            settlement: known.settlement.max(own.settlement),
+            tilt: known.tilt.max(own.tilt),
+            force: known.force.max(own.force),
+            moment: known.moment.max(own.moment),
+        }
     }
 }
 

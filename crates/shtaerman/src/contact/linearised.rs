@@ -78,13 +78,15 @@ impl Contact {
     /// The error of the solution relative to its size; 0 where the method tells none.
     pub(crate) fn known_to(&self) -> f64 {
         let (peak, _) = self.peak_pressure0();
-        match self.accuracy() {
+        let solution = self.solution();
+        let solved = match solution.accuracy() {
             Some(accuracy) if peak.is_finite() => {
-                accuracy.relative(&self.solution().state().sizes(peak.abs()))
+                accuracy.relative(&solution.state().sizes(peak.abs()))
             }
-            Some(_) => self.solution().relative_error(),
+            Some(_) => solution.relative_error(),
             None => 0.0,
-        }
+        };
+        solved.max(self.of_heights())
     }
 
     /// The first-order change, where the method has one.

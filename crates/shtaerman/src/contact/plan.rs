@@ -133,8 +133,7 @@ impl Problem {
 
     /// The answer that zones amount to, if it keeps an explicit tolerance.
     fn draw_up(&self, solution: Arc<dyn Solution>) -> Result<Contact, Error> {
-        let sizes = solution.state().sizes(solution.size());
-        let of_heights = self.stated(solution.as_ref()).map_or(0.0, |error| error.relative(&sizes));
+        let of_heights = self.of_heights(solution.as_ref()).map_or(0.0, |error| error.relative());
         let reached = solution.relative_error().max(of_heights);
         let Method { name, n } = solution.method();
         if let Some(tolerance) = self.solver().tolerance.filter(|tolerance| reached > *tolerance) {
@@ -208,10 +207,11 @@ impl Problem {
                 }
                 (MethodChoice::Auto, None) => self.choose(target)?,
             };
-        let mut solution = FullBase { draft, profile_degree };
-        solution.draft.accuracy = self.stated(&solution);
+        let solution = FullBase { draft, profile_degree };
         let draft = &solution.draft;
-        let fell_short = (!draft.meets(self, target.tolerance)).then(|| draft.relative_error(self));
+        let of_heights = self.of_heights(&solution).map_or(0.0, |error| error.relative());
+        let reached = draft.relative_error(self).max(of_heights);
+        let fell_short = (reached > target.tolerance).then_some(reached);
         if let Some(reached) = fell_short.filter(|_| target.is_explicit) {
             return Err(Error::ToleranceNotMet {
                 tolerance: target.tolerance,
@@ -240,12 +240,15 @@ impl Problem {
 
     /// The plain degenerate kernel of a given degree, without an estimate of its error, and its iterated pressure at the right edge, in the units of the problem.
     pub(crate) fn solve_iterated(&self, degree: usize) -> Result<(Contact, f64), Error> {
-        let function = self.resolved_profile()?;
-        let draft = spectral::solve(self, &function, degree)?;
-        let [_, edge] = spectral::iterated_edges(self, &function, &draft);
+        let (problem, level) = self.lowered().unwrap_or_else(|| (self.clone(), 0.0));
+        let function = problem.resolved_profile()?;
+        let draft = spectral::solve(&problem, &function, degree)?;
+        let [_, edge] = spectral::iterated_edges(&problem, &function, &draft);
         let profile_degree = function.series().degree();
         let solution = Arc::new(FullBase { draft, profile_degree });
-        let contact = Contact::new(self, solution, "a given degree".to_owned())?;
+        let contact = Contact::new(&problem, solution, "a given degree".to_owned())?;
+        let displacement = self.frame().scaling().map_or(1.0, crate::Scaling::displacement);
+        let contact = contact.with_level(self, level / displacement);
         let scale = self.frame().scaling().map_or(1.0, crate::Scaling::pressure);
         Ok((contact, edge * scale))
     }

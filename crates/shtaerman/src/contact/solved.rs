@@ -70,6 +70,8 @@ pub struct Contact {
     level: f64,
     solution: Arc<dyn Solution>,
     accuracy: Option<Accuracy>,
+    /// The error that the rounding of heights makes, relative to its size.
+    of_heights: f64,
     reason: String,
     /// Whether tilt and moment are zero, by symmetry or because a wave has none.
     is_level: bool,
@@ -87,11 +89,13 @@ impl Contact {
         solution: Arc<dyn Solution>,
         reason: String,
     ) -> Result<Self, Error> {
+        let of_heights = problem.of_heights(solution.as_ref());
         let mut contact = Self {
             problem: problem.clone(),
             solved: problem.clone(),
             level: 0.0,
-            accuracy: problem.stated(solution.as_ref()),
+            accuracy: of_heights.zip(solution.accuracy()).map(|(own, known)| own.or(known)),
+            of_heights: of_heights.map_or(0.0, |own| own.relative()),
             reason,
             is_level: problem.is_symmetric() || problem.is_wave(),
             peak: (0.0, 0.0),
@@ -484,7 +488,9 @@ impl Contact {
         let (_, pressures) = self.solution.sample(&self.solved);
         let largest = pressures.into_iter().fold(0.0f64, |most, p| most.max(p.abs()));
         let sizes = self.solution.state().sizes(largest);
-        self.accuracy().map_or(f64::INFINITY, |accuracy| accuracy.relative(&sizes))
+        let solved =
+            self.solution.accuracy().map_or(f64::INFINITY, |accuracy| accuracy.relative(&sizes));
+        solved.max(self.of_heights)
     }
 
     /// A bound of `|p + E f0|` on the base (Pa).
@@ -495,6 +501,11 @@ impl Contact {
     /// Whether tilt and moment are zero.
     pub(super) fn is_level(&self) -> bool {
         self.is_level
+    }
+
+    /// The error that the rounding of heights makes, relative to its size.
+    pub(super) fn of_heights(&self) -> f64 {
+        self.of_heights
     }
 
     /// The problem as it was solved, with heights from the level of the base.

@@ -137,6 +137,45 @@ fn powers_of_the_distance() {
     }
 }
 
+/// `k` and [`factor`] of it (mpmath, 30 digits).
+const POWERS: [(f64, f64); 9] = [
+    (0.05, 1.034_238_511_318_322_2),
+    (0.2, 1.132_308_697_521_575_4),
+    (0.5, 1.311_028_777_146_06),
+    (0.8, 1.471_637_592_162_352_3),
+    (1.2, 1.664_701_151_090_433_4),
+    (1.5, 1.797_210_352_103_388_3),
+    (2.0, 2.0),
+    (2.7, 2.255_005_588_094_481_4),
+    (4.0, 8.0 / 3.0),
+];
+
+#[test]
+fn blunt_and_sharp_powers_are_as_good_as_stated() {
+    // As above; p(0) = (E*/pi) k delta/((k - 1) c) for k > 1, infinite below.
+    for i in 0..2 {
+        let [share, other] =
+            [0.618_033_988_7, 0.754_877_666_2].map(|step| (step * f64::from(i + 1)).fract());
+        for (k, factor) in POWERS {
+            let c = A * (0.05 + 0.9 * share);
+            let b = 10f64.powf(-7.0 + 2.0 * other) / A.powf(k);
+            let delta = b * factor * c.powf(k);
+            let force = 2.0 * MODULUS * k / (k + 1.0) * delta * c;
+            let contact = solve(&format!("{b:e}*abs(x)^{k}"), pressed(force));
+            let [pressure, settlement, _, edge] = stated(&contact);
+            let middle = contact.pressure_mid();
+            let exact = MODULUS / PI * k * delta / ((k - 1.0) * c);
+            honest(settlement, contact.settlement() - delta, delta, 1e-11, &format!("{k}"));
+            honest(edge, contact.edges()[0][1] - c, c, 1e-9, &format!("edge of {k}"));
+            if k > 1.0 {
+                honest(pressure, middle - exact, exact, 1e-10, &format!("middle of {k}"));
+            } else {
+                assert_eq!(middle, f64::INFINITY);
+            }
+        }
+    }
+}
+
 #[test]
 fn a_parabola_pressed_to_its_corner() {
     // d(x) = delta - x^2/R: F = 2 E* (delta a - a^3/(3R)), p = (E*/pi)[(delta - a^2/R)/w + 2 w/R]

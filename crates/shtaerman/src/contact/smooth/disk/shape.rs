@@ -5,6 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use crate::contact::smooth::Curve;
 use crate::contact::smooth::ground::Ground;
+use crate::contact::smooth::legendre::integral;
 
 /// Panels are halved at most this often; to this share integrals agree when their panels are halved.
 const DEEPEST: u32 = 40;
@@ -14,6 +15,10 @@ const NOISE: f64 = 1e-11;
 /// Panels of an integral at most, and its accuracy over that of what is made of it.
 const MOST_PANELS: usize = 512;
 const INNER: f64 = 1e-2;
+
+/// A panel at the axis that does not settle in so many halvings is integrated by the logarithm of the distance, this far.
+const BESIDE_AXIS: u32 = 8;
+const FARTHEST: f64 = 500.0;
 
 /// What the slope is multiplied by, `r = x cos t`, besides `sin^mu t`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -141,8 +146,11 @@ impl Shape<'_> {
             let is_noise =
                 difference >= 0.5 * panel.before && difference <= NOISE * size + self.noise;
             let is_last = panel.depth >= DEEPEST || halved >= MOST_PANELS;
+            let is_beside_axis = panel.ends[1] == FRAC_PI_2 && panel.depth >= BESIDE_AXIS;
             if difference <= agreed || is_noise || is_last || !difference.is_finite() {
                 sum += both;
+            } else if is_beside_axis {
+                sum += self.beside_axis(x, FRAC_PI_2 - panel.ends[0], weight, agreed);
             } else {
                 halved += 1;
                 panels.extend(halves.map(|half| Panel { before: difference, ..half }));
@@ -150,6 +158,39 @@ impl Shape<'_> {
         }
         sum
     }
+
+    /// `int_0^turn h(x sin u) w(pi/2 - u) du`, where a power of `u` leaves no digits to halves of the interval: in `ln u` it is smooth.
+    fn beside_axis(&self, x: f64, turn: f64, weight: Weight, agreed: f64) -> f64 {
+        let f = |z: f64| {
+            let u = turn * (-z).exp();
+            (self.slope)(x * u.sin()) * self.weight(weight, FRAC_PI_2 - u) * u
+        };
+        let sum = adaptive([0.0, FARTHEST], agreed, &f);
+        // What is left falls as a power.
+        let last = f(FARTHEST);
+        let power = (f(FARTHEST - 1.0) / last).ln();
+        if power > 0.0 && last != 0.0 { sum + last / power } else { sum }
+    }
+}
+
+/// Gauss's rule on halves of an interval until they agree, or so many panels have been halved.
+fn adaptive(ends: [f64; 2], agreed: f64, f: &dyn Fn(f64) -> f64) -> f64 {
+    let of = |[from, to]: [f64; 2]| (integral(from, to, f), [from, to]);
+    let mut panels = VecDeque::from([of(ends)]);
+    let (mut sum, mut halved) = (0.0, 0);
+    while let Some((whole, [from, to])) = panels.pop_front() {
+        let middle = 0.5 * (from + to);
+        let halves = [of([from, middle]), of([middle, to])];
+        let both = halves[0].0 + halves[1].0;
+        let difference = (both - whole).abs();
+        if difference <= agreed || halved >= MOST_PANELS || !difference.is_finite() {
+            sum += both;
+        } else {
+            halved += 1;
+            panels.extend(halves);
+        }
+    }
+    sum
 }
 
 /// An interval of the angle with its integral.

@@ -17,8 +17,8 @@ const MOST_PANELS: usize = 128;
 /// Last coefficients relative to the largest value that count as resolved, and that are noise if they do not fall.
 const RESOLVED: f64 = 4e-16;
 const NOISE: f64 = 1e-11;
-/// Last coefficients below this share of the largest are none.
-const ROUNDING: f64 = 0.5 * f64::EPSILON;
+/// The coefficient of the degree `n` is rounding of the values below this share of the largest, `2 n + 1` times: derivatives of the last ones would blow it up.
+const ROUNDING: f64 = f64::EPSILON;
 /// Length of a step in the logarithm of `s`, and in the angle, within which polynomials of `s` are integrated exactly.
 const STEP: f64 = 1.0;
 const TURN: f64 = 0.5;
@@ -45,9 +45,9 @@ struct Panel {
 impl Panel {
     fn new(ends: [f64; 2], mut values: [f64; ORDER]) -> Self {
         let half = 0.5 * (ends[1] - ends[0]);
-        let size = values.iter().fold(0.0f64, |most, c| most.max(c.abs()));
-        let is_more = |c: &f64| c.abs() > ROUNDING * size;
-        let count = values.iter().rposition(is_more).map_or(0, |last| last + 1);
+        let size = largest(&values);
+        let is_more = |n: &usize| values[*n].abs() > ROUNDING * (2 * n + 1) as f64 * size;
+        let count = (0..ORDER).rev().find(is_more).map_or(0, |last| last + 1);
         values[count..].fill(0.0);
         Self { ends, values, slopes: derivative(&values).map(|c| c / half), count }
     }
@@ -79,8 +79,7 @@ impl Panel {
 
     /// The derivative of a series blows the rounding of its coefficients up by the square of their number.
     fn slope_rounding(&self) -> f64 {
-        let size = self.values.iter().fold(0.0f64, |most, c| most.max(c.abs()));
-        self.blown(size)
+        self.blown(largest(&self.values))
     }
 
     fn length(&self) -> f64 {
@@ -88,7 +87,7 @@ impl Panel {
     }
 
     fn blown(&self, size: f64) -> f64 {
-        8.0 * f64::EPSILON * (ORDER * ORDER) as f64 * size / self.length()
+        24.0 * f64::EPSILON * (self.count * self.count) as f64 * size / self.length()
     }
 }
 
@@ -105,6 +104,10 @@ struct Sampled {
 fn sample(shape: &Shape<'_>, kink: f64, [from, to]: [f64; 2]) -> [f64; ORDER] {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     RULE.coefficients(&RULE.nodes.map(|u| shape.transform_beyond(kink, middle + half * u)))
+}
+
+fn largest(values: &[f64; ORDER]) -> f64 {
+    values.iter().fold(0.0, |most, c| most.max(c.abs()))
 }
 
 fn tail(values: &[f64; ORDER]) -> f64 {
@@ -132,13 +135,17 @@ impl Segment {
             Sampled { ends: own, values, depth, tail: tail(&values), before }
         };
         let first = sampled([0.0, leg(ends[1], ends[0])], 0, f64::INFINITY);
-        let size = first.values.iter().fold(size, |most, c| most.max(c.abs()));
+        let size = size.max(largest(&first.values));
         let rounded = shape.noise * if shape.part == Part::Odd { 1.0 } else { ends[1] };
-        let resolved = shape.tolerance.max(RESOLVED) * size + rounded;
+        let resolved = |own: f64| shape.tolerance.max(RESOLVED) * own + rounded;
         let noise = (10.0 * shape.tolerance).max(NOISE) * size + rounded;
         let is_open = |panel: &Sampled| {
             let is_noise = panel.tail >= 0.5 * panel.before && panel.tail <= noise;
-            panel.tail > resolved && !is_noise && panel.depth < DEEPEST && panel.tail.is_finite()
+            // Beside the axis G is as small as the power of the base has it, and its slope is divided by the distance.
+            let is_beside_axis = ends[0] == 0.0 && panel.ends[0] == 0.0;
+            let own = if is_beside_axis { largest(&panel.values) } else { size };
+            let is_settled = panel.tail <= resolved(own) || is_noise;
+            !is_settled && panel.depth < DEEPEST && panel.tail.is_finite()
         };
         let mut panels = vec![first];
         while panels.len() < MOST_PANELS {
@@ -235,11 +242,27 @@ impl Segment {
         if slope.abs() > HARMLESS * largest && !falls {
             return f64::INFINITY.copysign(slope);
         }
-        let mut sum = integral(0.0, first.ends[1], |s| (first.slope(s) - slope) / s);
+        let mut sum = self
+            .beside_power()
+            .unwrap_or_else(|| integral(0.0, first.ends[1], |s| (first.slope(s) - slope) / s));
         for panel in &self.panels[1..] {
             sum += stepwise(panel.ends.map(f64::ln), STEP, |y| panel.slope(y.exp()));
         }
         sum
+    }
+
+    /// `int dG/s` over the first panel where it is there for a power `s^k`, which shows in the rises over the next ones: `k/(k-1)` times the rise over the
+    /// length. None where it is smooth.
+    fn beside_power(&self) -> Option<f64> {
+        let [first, second, third, ..] = self.panels.as_slice() else { return None };
+        let to = first.ends[1];
+        let rise = |panel: &Panel| panel.value(panel.ends[1]) - panel.value(panel.ends[0]);
+        let doubles = third.ends[1] == 4.0 * to && second.ends[1] == 2.0 * to;
+        let is_short = to < SHORT * leg(self.ends[1], self.ends[0]);
+        let ratio = rise(third) / rise(second);
+        let power = ratio.log2();
+        let over_length = rise(second) / ((ratio - 1.0) * to);
+        (is_short && doubles && power > 1.0).then_some(power / (power - 1.0) * over_length)
     }
 
     fn largest_slope(&self) -> f64 {
