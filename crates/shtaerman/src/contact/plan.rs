@@ -254,7 +254,7 @@ impl Problem {
         let function = self.resolved_profile()?;
         let degree = function.series().degree();
         if function.is_resolved() && degree <= LARGEST_COLLOCATED_DEGREE {
-            let draft = collocated::solve(self, &Parts::whole(parts.is_proved), target)?;
+            let draft = collocated::solve(self, &parts.uncut(), target)?;
             let reason = "the profile is smooth: collocation converges exponentially".to_owned();
             return Ok(Route::collocated(draft, reason));
         }
@@ -267,7 +267,7 @@ impl Problem {
         );
         candidates.push(Route::spectral(draft, &function, &reason));
         if !met && function.is_resolved() && degree <= LARGEST_TRIED_DEGREE {
-            let draft = collocated::solve(self, &Parts::whole(parts.is_proved), target)?;
+            let draft = collocated::solve(self, &parts.uncut(), target)?;
             let reason = "the profile oscillates: collocation on many nodes came closer than the degenerate kernel";
             candidates.push(Route::collocated(draft, reason.to_owned()));
         }
@@ -281,7 +281,7 @@ impl Problem {
     /// The parts of the base as collocation takes them: uncut where there are more than can have panels.
     pub(super) fn collocated_parts(&self) -> Parts {
         let parts = self.parts();
-        if parts.are_many() { Parts::whole(false) } else { parts }
+        if parts.are_many() { parts.uncut() } else { parts }
     }
 
     /// The whole base on panels, where nobody asked for another method and it falls into more parts than are collocated.

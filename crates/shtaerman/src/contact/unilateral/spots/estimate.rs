@@ -3,6 +3,9 @@
 use super::ROUNDING;
 use super::level::Level;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
+use crate::contact::parts::Smoothness;
+use crate::contact::resolutions::UNKNOWN;
+use crate::contact::unilateral::base::Base;
 
 /// Places on each panel where levels are compared.
 const PLACES: [f64; 2] = [0.11, 0.63];
@@ -21,7 +24,7 @@ struct Change {
 }
 
 /// The error of the last level, and that of its edges.
-pub(super) fn estimate(levels: &[Level; 3]) -> (Accuracy, f64) {
+pub(super) fn estimate(base: &Base<'_>, levels: &[Level; 3]) -> (Accuracy, f64) {
     let [first, coarse, fine] = levels;
     let bounds = fine.field.panels().bounds();
     let places: Vec<f64> = (bounds.iter())
@@ -35,6 +38,8 @@ pub(super) fn estimate(levels: &[Level; 3]) -> (Accuracy, f64) {
     let [u0, u1, u2] = &displacements;
     let before = difference(coarse, first, pressure(u1, u0));
     let change = difference(fine, coarse, pressure(u2, u1));
+    let is_unknown = base.smoothness == Smoothness::Unknown;
+    let rounding = if is_unknown { UNKNOWN } else { ROUNDING };
     let size = fine.size();
     let state = &fine.state;
     let carried = state.force.abs() + state.moment.abs();
@@ -43,11 +48,11 @@ pub(super) fn estimate(levels: &[Level; 3]) -> (Accuracy, f64) {
         let both = |change: &Change| part(change).max(other(change));
         // What is prescribed does not change at all.
         let is_given = part(&before) == 0.0 && part(&change) == 0.0;
-        if is_given { 0.0 } else { left(both(&before), both(&change)).max(ROUNDING * size) }
+        if is_given { 0.0 } else { left(both(&before), both(&change)).max(rounding * size) }
     };
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
-        pressure: left(before.pressure, change.pressure).max(ROUNDING * size),
+        pressure: left(before.pressure, change.pressure).max(rounding * size),
         settlement: of(|c| c.settlement, |c| c.tilt, size),
         tilt: of(|c| c.tilt, |c| c.settlement, size),
         force: of(|c| c.force, |c| c.moment, carried),

@@ -95,7 +95,7 @@ fn solve_from(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Option<SpotContac
     else {
         return Ok(None);
     };
-    let (accuracy, edge_error) = estimate(&levels);
+    let (accuracy, edge_error) = estimate(base, &levels);
     let [_, _, level] = levels;
     let complementarity = (!base.is_bilateral).then_some(complementarity);
     let contact = SpotContact { level, responses, accuracy, edge_error, complementarity };
