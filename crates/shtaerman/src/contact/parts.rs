@@ -8,13 +8,15 @@ const MOST_CUTS: usize = 40;
 /// Degree of the polynomials that show each part, and how well, as a share of the range of the heights.
 const DEGREE: usize = 128;
 const RESOLVED: f64 = 1e-12;
+/// The shortest of parts that are alike, over the mean.
+const ALIKE: f64 = 0.25;
 
 /// What is known of the profile between the places where it is cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Smoothness {
     /// Proved to be what polynomials show, but for singular places at the cuts.
     Proved,
-    /// A spline, whose third derivative jumps.
+    /// A spline, whose third derivative jumps, or waves that are not cut.
     Bent,
     /// Nothing: there may be features that no sample shows.
     Unknown,
@@ -54,6 +56,12 @@ pub(super) fn require_few(joints: &[f64]) -> Result<(), Error> {
     Ok(())
 }
 
+/// Whether no part is much shorter than the others.
+fn are_alike(joints: &[f64]) -> bool {
+    let mean = 2.0 / (joints.len() + 1) as f64;
+    joints.windows(2).all(|pair| pair[1] - pair[0] >= ALIKE * mean)
+}
+
 impl Problem {
     /// The parts of the base; one of a measured profile, whose points are cuts only where that is asked for.
     pub(super) fn parts(&self) -> Parts {
@@ -62,7 +70,16 @@ impl Problem {
         }
         let found = self.resolution(DEGREE, RESOLVED);
         let smoothness = if found.is_complete() { Smoothness::Proved } else { Smoothness::Unknown };
-        Parts { joints: found.joints, smoothness }
+        let parts = Parts { joints: found.joints, smoothness };
+        if smoothness == Smoothness::Proved && parts.are_many() && are_alike(&parts.joints) {
+            // Waves all over the base are seen by samples, and need no cuts of their own.
+            let mut joints = self.profile().breakpoints(self.frame().half_width());
+            joints.extend(found.singular.iter().filter(|at| parts.joints.contains(at)));
+            joints.sort_by(f64::total_cmp);
+            joints.dedup();
+            return Parts { joints, smoothness: Smoothness::Bent };
+        }
+        parts
     }
 
     /// The same with the points of a measured profile as cuts, where these are few.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use fredholm::basis::Function;
 
 use super::balance::State;
-use super::parts::Parts;
+use super::parts::{Parts, Smoothness};
 use super::solution::{FullBase, Solution};
 use super::solved::Method;
 use super::unilateral::Complementarity;
@@ -162,6 +162,7 @@ impl Problem {
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
         contact.warn(Warning::singular_edge(self.frame(), &contact.singular_corners()));
         contact.warn(Warning::singular_kink(self.frame(), contact.kinks()));
+        contact.warn(Warning::profile_not_proved(self.has_unknown_layer()));
         if self.solver().tolerance.is_none() && reached > AIM {
             contact.warn(Some(Warning::tolerance_not_met(AIM, reached)));
         }
@@ -196,6 +197,8 @@ impl Problem {
                 }
                 (MethodChoice::Auto, None) => self.choose(target)?,
             };
+        let is_unknown = self.has_unknown_layer();
+        let draft = if is_unknown { draft.of_the_unknown(self) } else { draft };
         let fell_short = (!draft.meets(self, target.tolerance)).then(|| draft.relative_error(self));
         if let Some(reached) = fell_short.filter(|_| target.is_explicit) {
             return Err(Error::ToleranceNotMet {
@@ -213,6 +216,7 @@ impl Problem {
         }
         let mut contact = Contact::new(self, Arc::new(FullBase { draft, profile_degree }), reason)?;
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
+        contact.warn(Warning::profile_not_proved(is_unknown));
         if let Some(reached) = fell_short.filter(|_| !fixed) {
             contact.warn(Some(Warning::tolerance_not_met(target.tolerance, reached)));
         }
@@ -282,6 +286,11 @@ impl Problem {
     pub(super) fn collocated_parts(&self) -> Parts {
         let parts = self.parts();
         if parts.are_many() { parts.uncut() } else { parts }
+    }
+
+    /// Whether the surface is rough and nothing is proved of the profile between samples.
+    fn has_unknown_layer(&self) -> bool {
+        self.frame().law() != Law::Smooth && self.parts().smoothness == Smoothness::Unknown
     }
 
     /// The whole base on panels, where nobody asked for another method and it falls into more parts than are collocated.

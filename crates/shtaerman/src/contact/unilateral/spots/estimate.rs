@@ -38,8 +38,6 @@ pub(super) fn estimate(base: &Base<'_>, levels: &[Level; 3]) -> (Accuracy, f64) 
     let [u0, u1, u2] = &displacements;
     let before = difference(coarse, first, pressure(u1, u0));
     let change = difference(fine, coarse, pressure(u2, u1));
-    let is_unknown = base.smoothness == Smoothness::Unknown;
-    let rounding = if is_unknown { UNKNOWN } else { ROUNDING };
     let size = fine.size();
     let state = &fine.state;
     let carried = state.force.abs() + state.moment.abs();
@@ -48,16 +46,19 @@ pub(super) fn estimate(base: &Base<'_>, levels: &[Level; 3]) -> (Accuracy, f64) 
         let both = |change: &Change| part(change).max(other(change));
         // What is prescribed does not change at all.
         let is_given = part(&before) == 0.0 && part(&change) == 0.0;
-        if is_given { 0.0 } else { left(both(&before), both(&change)).max(rounding * size) }
+        if is_given { 0.0 } else { left(both(&before), both(&change)).max(ROUNDING * size) }
     };
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
-        pressure: left(before.pressure, change.pressure).max(rounding * size),
+        pressure: left(before.pressure, change.pressure).max(ROUNDING * size),
         settlement: of(|c| c.settlement, |c| c.tilt, size),
         tilt: of(|c| c.tilt, |c| c.settlement, size),
         force: of(|c| c.force, |c| c.moment, carried),
         moment: of(|c| c.moment, |c| c.force, carried),
     };
+    let is_unknown = base.smoothness == Smoothness::Unknown;
+    let sizes = state.sizes(fine.largest());
+    let accuracy = if is_unknown { accuracy.of_the_unknown(UNKNOWN, &sizes) } else { accuracy };
     // By rounding an edge is off as the pressure over its slope.
     let rounding = ROUNDING * size / fine.gentlest();
     (accuracy, left(before.edge, change.edge).max(rounding).max(ROUNDING))

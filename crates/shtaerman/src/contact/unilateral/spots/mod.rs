@@ -43,7 +43,7 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Most zones.
 const MOST_ZONES: usize = 2000;
 /// Answers with larger relative errors leave the problem to others.
-const ROUGHEST: f64 = 1e-3;
+const ROUGHEST: f64 = 1e-2;
 
 /// The answer on panels; none where they do not serve: where the zones are not found or too many.
 pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
