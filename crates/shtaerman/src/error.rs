@@ -192,6 +192,17 @@ pub enum Error {
         most: usize,
     },
 
+    /// A wave in full contact with features narrower than its nodes show.
+    #[error(
+        "the profile has a part {width:.1e} of the half-width wide, and where a wave keeps in contact over its whole period parts of {least:.1e} and more are resolved: leave narrow features out"
+    )]
+    TooNarrow {
+        /// Width of the part, `xi`.
+        width: f64,
+        /// Width that is resolved.
+        least: f64,
+    },
+
     /// An answer with an error that nobody asked for.
     #[error(
         "the {method} method with n = {n} reached a relative error of {reached:.1e}, and answers beyond {most:e} are none unless that is asked for: \
@@ -389,6 +400,7 @@ impl Error {
                 | Self::NotAccurate { .. }
                 | Self::AuditFailed { .. }
                 | Self::TooManyParts { .. }
+                | Self::TooNarrow { .. }
                 | Self::ZonesTooClose { .. }
                 | Self::EquationTolerance { .. }
                 | Self::EquationUnsolved { .. }

@@ -6,7 +6,7 @@ use fredholm::{SincOperator, SincSolution};
 
 use super::accuracy::{Accuracy, ErrorKind};
 use super::balance::Balance;
-use super::parts::Parts;
+use super::parts::{Parts, Smoothness};
 use super::potential::{Potential, between_nodes};
 use super::resolutions::Trust;
 use super::solved::{Method, Stiffness};
@@ -51,7 +51,7 @@ pub(super) fn solve(problem: &Problem, parts: &Parts, target: Target) -> Result<
         (coarse, fine) = (fine, finer);
         let difference = fine.difference(&coarse);
         let floor = rounding(&fine.solution);
-        let accuracy = fine.accuracy(&load, [&before, &difference], floor, parts.is_proved);
+        let accuracy = fine.accuracy(&load, [&before, &difference], floor, parts.smoothness);
         let met = fine.meets(&accuracy, target.tolerance);
         // Past the rounding floor more nodes only add noise.
         let settled = difference.pressure <= 2.0 * floor
@@ -126,11 +126,11 @@ impl Level {
         load: &Load,
         [before, difference]: [&Accuracy; 2],
         floor: f64,
-        is_proved: bool,
+        smoothness: Smoothness,
     ) -> Accuracy {
         let largest = largest(&self.solution);
         let pressures = [before.pressure, difference.pressure];
-        let trust = Trust::new(is_proved, RATIO, pressures, floor, largest);
+        let trust = Trust::new(smoothness, RATIO, pressures, floor, largest);
         let of = |unknown: bool, part: fn(&Accuracy) -> f64, scale: f64, share: f64| {
             let estimate = trust.left_of_one([part(before), part(difference)], scale, share);
             if unknown { estimate.max(ROUNDING * scale) } else { 0.0 }

@@ -5,6 +5,7 @@ use fredholm::basis::chebyshev;
 use super::accuracy::{Accuracy, ErrorKind, Sizes};
 use super::balance::{Balance, State};
 use super::potential::Potential;
+use super::resolutions::UNKNOWN;
 use super::solved::Method;
 use crate::Problem;
 
@@ -87,6 +88,15 @@ impl Draft {
         let largest = pressures.into_iter().fold(0.0f64, |most, p| most.max(p.abs()));
         self.accuracy
             .map_or(f64::INFINITY, |accuracy| accuracy.relative(&self.state.sizes(largest)))
+    }
+
+    /// The same with no small error stated.
+    pub(super) fn of_the_unknown(self, problem: &Problem) -> Self {
+        let (_, pressures) = self.sample(problem, 0);
+        let largest = pressures.into_iter().fold(0.0f64, |most, p| most.max(p.abs()));
+        let sizes = self.state.sizes(largest);
+        let accuracy = self.accuracy.map(|accuracy| accuracy.of_the_unknown(UNKNOWN, &sizes));
+        Self { accuracy, ..self }
     }
 
     pub(super) fn meets(&self, problem: &Problem, tolerance: f64) -> bool {

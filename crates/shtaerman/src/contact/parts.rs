@@ -5,41 +5,91 @@ use crate::{Error, Problem};
 /// Most cuts of the whole base that are collocated, and most of one that lifts off or stands on other ground than a half-plane, where nothing else serves.
 pub(super) const MOST_BREAKS: usize = 15;
 const MOST_CUTS: usize = 40;
+/// Degree of the polynomials that show each part, and how well, as a share of the range of the heights.
+const DEGREE: usize = 128;
+const RESOLVED: f64 = 1e-12;
+/// The shortest of parts that are alike, over the mean.
+const ALIKE: f64 = 0.25;
+
+/// What is known of the profile between the places where it is cut.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Smoothness {
+    /// Proved to be what polynomials show, but for singular places at the cuts.
+    Proved,
+    /// A spline, whose third derivative jumps, or waves that are not cut.
+    Bent,
+    /// Nothing: there may be features that no sample shows.
+    Unknown,
+}
 
 /// Where the base is cut.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Parts {
     /// Places strictly inside the base, as `xi` in increasing order: kinks, steps, and places beside features that are narrow.
     pub(super) joints: Vec<f64>,
-    /// Whether the profile is proved to be smooth between them.
-    pub(super) is_proved: bool,
+    /// What the parts between them are.
+    pub(super) smoothness: Smoothness,
 }
 
 impl Parts {
-    /// Without any cut.
-    pub(super) fn whole(is_proved: bool) -> Self {
-        Self { joints: Vec::new(), is_proved }
+    /// The same without any cut.
+    pub(super) fn uncut(&self) -> Self {
+        let is_whole = self.joints.is_empty();
+        let smoothness = match self.smoothness {
+            Smoothness::Proved if !is_whole => Smoothness::Bent,
+            known => known,
+        };
+        Self { joints: Vec::new(), smoothness }
     }
 
     /// Whether there are more cuts than collocation should have panels for.
     pub(super) fn are_many(&self) -> bool {
         self.joints.len() > MOST_BREAKS
     }
+}
 
-    /// Refuses more cuts than collocation can have panels for.
-    pub(super) fn require_few(&self) -> Result<(), Error> {
-        let parts = self.joints.len() + 1;
-        if self.joints.len() > MOST_CUTS {
-            return Err(Error::TooManyParts { parts, most: MOST_CUTS + 1 });
-        }
-        Ok(())
+/// Refuses more cuts than collocation can have panels for.
+pub(super) fn require_few(joints: &[f64]) -> Result<(), Error> {
+    if joints.len() > MOST_CUTS {
+        return Err(Error::TooManyParts { parts: joints.len() + 1, most: MOST_CUTS + 1 });
     }
+    Ok(())
+}
+
+/// Whether no part is much shorter than the others.
+fn are_alike(joints: &[f64]) -> bool {
+    let mean = 2.0 / (joints.len() + 1) as f64;
+    joints.windows(2).all(|pair| pair[1] - pair[0] >= ALIKE * mean)
 }
 
 impl Problem {
-    /// The parts of the base.
+    /// The parts of the base; one of a measured profile, whose points are cuts only where that is asked for.
     pub(super) fn parts(&self) -> Parts {
-        let joints = self.profile().breakpoints(self.frame().half_width());
-        Parts { joints, is_proved: self.profile().measured_points().is_none() }
+        if self.profile().measured_points().is_some() {
+            return Parts { joints: Vec::new(), smoothness: Smoothness::Bent };
+        }
+        let found = self.resolution(DEGREE, RESOLVED);
+        let smoothness = if found.is_complete() { Smoothness::Proved } else { Smoothness::Unknown };
+        let parts = Parts { joints: found.joints, smoothness };
+        if smoothness == Smoothness::Proved && parts.are_many() && are_alike(&parts.joints) {
+            // Waves all over the base are seen by samples, and need no cuts of their own.
+            let mut joints = self.profile().breakpoints(self.frame().half_width());
+            joints.extend(found.singular.iter().filter(|at| parts.joints.contains(at)));
+            joints.sort_by(f64::total_cmp);
+            joints.dedup();
+            return Parts { joints, smoothness: Smoothness::Bent };
+        }
+        parts
+    }
+
+    /// The same with the points of a measured profile as cuts, where these are few.
+    pub(super) fn parts_between_points(&self) -> Parts {
+        let points = self.profile().measured_points().unwrap_or(0);
+        if points == 0 || points > MOST_CUTS {
+            return self.parts();
+        }
+        let mut joints = self.profile().joints(self.frame().half_width());
+        joints.sort_by(f64::total_cmp);
+        Parts { joints, smoothness: Smoothness::Proved }
     }
 }

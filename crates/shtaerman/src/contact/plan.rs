@@ -5,7 +5,7 @@ use std::sync::Arc;
 use fredholm::basis::Function;
 
 use super::balance::State;
-use super::parts::Parts;
+use super::parts::{Parts, Smoothness};
 use super::solution::{FullBase, Solution};
 use super::solved::Method;
 use super::unilateral::Complementarity;
@@ -173,6 +173,7 @@ impl Problem {
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
         contact.warn(Warning::singular_edge(self.frame(), &contact.singular_corners()));
         contact.warn(Warning::singular_kink(self.frame(), contact.kinks()));
+        contact.warn(Warning::profile_not_proved(self.has_unknown_layer()));
         if self.solver().tolerance.is_none() && reached > AIM {
             contact.warn(Some(Warning::tolerance_not_met(AIM, reached)));
         }
@@ -207,6 +208,8 @@ impl Problem {
                 }
                 (MethodChoice::Auto, None) => self.choose(target)?,
             };
+        let is_unknown = self.has_unknown_layer();
+        let draft = if is_unknown { draft.of_the_unknown(self) } else { draft };
         let solution = FullBase { draft, profile_degree };
         let draft = &solution.draft;
         let of_heights = self.of_heights(&solution).map_or(0.0, |error| error.relative());
@@ -228,6 +231,7 @@ impl Problem {
         }
         let mut contact = Contact::new(self, Arc::new(solution), reason)?;
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
+        contact.warn(Warning::profile_not_proved(is_unknown));
         if let Some(reached) = fell_short.filter(|_| !fixed) {
             contact.warn(Some(Warning::tolerance_not_met(target.tolerance, reached)));
         }
@@ -272,7 +276,7 @@ impl Problem {
         let function = self.resolved_profile()?;
         let degree = function.series().degree();
         if function.is_resolved() && degree <= LARGEST_COLLOCATED_DEGREE {
-            let draft = collocated::solve(self, &Parts::whole(parts.is_proved), target)?;
+            let draft = collocated::solve(self, &parts.uncut(), target)?;
             let reason = "the profile is smooth: collocation converges exponentially".to_owned();
             return Ok(Route::collocated(draft, reason));
         }
@@ -285,7 +289,7 @@ impl Problem {
         );
         candidates.push(Route::spectral(draft, &function, &reason));
         if !met && function.is_resolved() && degree <= LARGEST_TRIED_DEGREE {
-            let draft = collocated::solve(self, &Parts::whole(parts.is_proved), target)?;
+            let draft = collocated::solve(self, &parts.uncut(), target)?;
             let reason = "the profile oscillates: collocation on many nodes came closer than the degenerate kernel";
             candidates.push(Route::collocated(draft, reason.to_owned()));
         }
@@ -299,7 +303,12 @@ impl Problem {
     /// The parts of the base as collocation takes them: uncut where there are more than can have panels.
     pub(super) fn collocated_parts(&self) -> Parts {
         let parts = self.parts();
-        if parts.are_many() { Parts::whole(false) } else { parts }
+        if parts.are_many() { parts.uncut() } else { parts }
+    }
+
+    /// Whether the surface is rough and nothing is proved of the profile between samples.
+    fn has_unknown_layer(&self) -> bool {
+        self.frame().law() != Law::Smooth && self.parts().smoothness == Smoothness::Unknown
     }
 
     /// The whole base on panels, where nobody asked for another method and it falls into more parts than are collocated.

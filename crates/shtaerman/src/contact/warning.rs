@@ -136,6 +136,16 @@ impl Warning {
         Self { code: WarningCode::ProfileNotResolved, message }
     }
 
+    /// Nothing is proved of the profile between samples; none where it is.
+    pub(super) fn profile_not_proved(is_unknown: bool) -> Option<Self> {
+        is_unknown.then(|| Self {
+            code: WarningCode::ProfileNotResolved,
+            message: "too fast an oscillation, or too many features: what the profile does between samples is not proved, and features narrower than these may be missed; no \
+                      relative error below 1e-3 is stated"
+                .to_owned(),
+        })
+    }
+
     /// The degree does not resolve the boundary layers; none if it does.
     pub(super) fn low_degree(degree: usize, theta0: f64) -> Option<Self> {
         if degree as f64 >= LAYER_DEGREES * theta0 {

@@ -4,6 +4,7 @@
 
 mod closed_forms;
 mod conditions;
+mod hidden;
 mod many_zones;
 mod random;
 mod refusals;

@@ -9,6 +9,7 @@ use super::power::reference_pressure;
 use super::topology;
 use super::zones::Zone;
 use crate::contact::cells::mean_height;
+use crate::contact::parts::Smoothness;
 use crate::contact::revolution::require_even;
 use crate::contact::valleys;
 use crate::error::require;
@@ -17,6 +18,9 @@ use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 /// Samples that show the ups and downs of a profile, at least and at most.
 const SAMPLES: usize = 512;
 const MOST_SAMPLES: usize = 8192;
+/// Parts shorter than so many steps have samples of their own, so many.
+const SHORT: f64 = 8.0;
+const SAMPLES_A_PART: usize = 16;
 /// Most cells.
 pub(super) const MOST_CELLS: usize = 3072;
 /// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a jump.
@@ -42,16 +46,31 @@ pub(super) struct Base<'p> {
     pub(super) origin: f64,
     /// Where the profile is cut into smooth parts.
     pub(super) breaks: Vec<f64>,
-    /// Whether these are proved to be smooth.
-    pub(super) is_proved: bool,
+    /// What these are.
+    pub(super) smoothness: Smoothness,
     /// Where a left or a right edge of the contact can rest under pressure: the edges of the punch, and steps of the profile.
     walls: [Vec<f64>; 2],
     /// Samples `(xi, f0)` from edge to edge.
     pub(super) samples: Vec<(f64, f64)>,
+    /// More of them in parts that fall between those.
+    beside: Vec<(f64, f64)>,
     /// Whether base and load are their own mirror images; not asked of a base without bends on a linear layer, where nothing comes of it.
     pub(super) is_mirrored: bool,
     /// Where heights are counted from.
     pub(super) anchor: Option<Anchor>,
+}
+
+/// Samples of the parts that are shorter than a few steps.
+fn beside(problem: &Problem, joints: &[f64], step: f64) -> Result<Vec<(f64, f64)>, Error> {
+    let mut samples = Vec::new();
+    let parts = joints.windows(2).filter(|part| part[1] - part[0] < SHORT * step);
+    for part in parts {
+        for i in 0..=SAMPLES_A_PART {
+            let xi = part[0] + (part[1] - part[0]) * i as f64 / SAMPLES_A_PART as f64;
+            samples.push((xi, problem.finite_profile(xi)?));
+        }
+    }
+    Ok(samples)
 }
 
 impl<'p> Base<'p> {
@@ -75,7 +94,8 @@ impl<'p> Base<'p> {
                 samples.push((xi, problem.finite_profile(xi)?));
             }
         }
-        let parts = problem.parts();
+        let parts = problem.parts_between_points();
+        let beside = beside(problem, &parts.joints, length / count as f64)?;
         let mut base = Self {
             problem,
             load: problem.dimensionless_load(),
@@ -83,12 +103,13 @@ impl<'p> Base<'p> {
             layer: Layer::new(problem)?,
             is_bilateral: kind == ContactKind::Bilateral,
             origin: 0.0,
-            is_proved: parts.is_proved,
+            smoothness: parts.smoothness,
             breaks: parts.joints,
             walls: [0, 1].map(|side| pieces.iter().map(|piece| piece[side]).collect()),
             medium,
             pieces,
             samples,
+            beside,
             is_mirrored: false,
             anchor: None,
         };
@@ -265,7 +286,7 @@ impl<'p> Base<'p> {
 
     /// Difference of the largest and the smallest height.
     fn range(&self) -> f64 {
-        let heights = || self.samples.iter().map(|sample| sample.1);
+        let heights = || self.samples.iter().chain(&self.beside).map(|sample| sample.1);
         heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min)
     }
 
@@ -320,6 +341,6 @@ impl<'p> Base<'p> {
 
     /// Whether the prescribed displacements leave the base clear of the body.
     pub(super) fn touches_nowhere(&self) -> bool {
-        self.load.keeps_clear(self.samples.iter())
+        self.load.keeps_clear(self.samples.iter().chain(&self.beside))
     }
 }

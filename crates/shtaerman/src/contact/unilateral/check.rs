@@ -90,14 +90,19 @@ pub(super) fn outside(base: &Base<'_>, solved: &Solved) -> Vec<[f64; 2]> {
     intervals
 }
 
-/// Both ends and points between, closer near the ends, dense enough for the samples of the profile.
+/// Both ends of every part and points between, closer near the ends, dense enough for the samples of the profile.
 fn points(base: &Base<'_>, left: f64, right: f64) -> Vec<f64> {
-    let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
-    let samples = (half * base.samples.len() as f64 / 4.0) as usize;
-    let reach = half * (1.0 - INSIDE);
-    let mut points: Vec<f64> = between_nodes(POINTS.max(samples))
-        .map(|y| (middle + reach * y).clamp(left, right))
-        .collect();
+    let mut cuts = vec![left];
+    cuts.extend(base.breaks.iter().filter(|at| **at > left && **at < right));
+    cuts.push(right);
+    let mut points: Vec<f64> = Vec::new();
+    for pair in cuts.windows(2) {
+        let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
+        let samples = (half * base.samples.len() as f64 / 4.0) as usize;
+        let reach = half * (1.0 - INSIDE);
+        let between = between_nodes(POINTS.max(samples));
+        points.extend(between.map(|y| (middle + reach * y).clamp(pair[0], pair[1])));
+    }
     points.sort_by(f64::total_cmp);
     points
 }

@@ -40,6 +40,7 @@ pub(super) use near::KnownZone;
 
 use std::sync::Arc;
 
+use super::parts::require_few;
 use super::solution::Solution;
 use crate::{ContactKind, Error, Problem};
 use base::Base;
@@ -94,7 +95,7 @@ impl Problem {
         {
             return Ok(Arc::new(contact));
         }
-        self.parts().require_few()?;
+        require_few(&base.breaks)?;
         Ok(Arc::new(full(&base)?))
     }
 }
@@ -141,7 +142,7 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
 /// The answer where the base may lift off.
 fn lifting(base: Base<'_>) -> Result<Answer, Error> {
     if !base.is_line() {
-        base.problem.parts().require_few()?;
+        require_few(&base.breaks)?;
     }
     if !base.medium.is_closed() {
         return open(&base).map_err(|error| match error {
@@ -175,7 +176,7 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
     {
         return Ok(answer);
     }
-    base.problem.parts().require_few()?;
+    require_few(&base.breaks)?;
     match anchored(base, complementary(base)) {
         Err(
             error @ (Error::NotComplementary { .. }

@@ -145,7 +145,7 @@ fn estimate(base: &Base<'_>, fine: &Solved, before: &Change, change: &Change) ->
     let Load { vertical, rotational } = base.load;
     let largest = fine.largest();
     let pressures = [before.pressure, change.pressure];
-    let trust = Trust::new(base.is_proved, RATIO, pressures, fine.pressure_rounding(), largest);
+    let trust = Trust::new(base.smoothness, RATIO, pressures, fine.pressure_rounding(), largest);
     let of = |unknown: bool, part: fn(&Change) -> f64, scale: f64, share: f64| {
         let estimate = trust.left_of_one([part(before), part(change)], scale, share);
         if unknown { estimate.max(ROUNDING * scale) } else { 0.0 }

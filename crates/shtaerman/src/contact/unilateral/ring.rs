@@ -23,6 +23,8 @@ use crate::{Error, Vertical};
 const FEWEST: usize = 32;
 const MOST: usize = 4096;
 const MOST_BENDING: usize = 512;
+/// Nodes in the shortest part of the profile.
+const NODES_A_PART: f64 = 4.0;
 /// Change from one number of nodes to the next, relative to the size of what is added up, that is rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Tension relative to the largest pressure that is no error of a few nodes.
@@ -122,7 +124,7 @@ impl Ring {
 /// Full contact over the period, on growing numbers of nodes, and its estimated errors.
 pub(super) fn solve(base: &Base<'_>) -> Result<(Solved, Accuracy), Error> {
     let most = if base.layer.is_linear() { MOST } else { MOST_BENDING };
-    let mut count = FEWEST;
+    let mut count = fewest(base, most)?;
     let mut known = level(base, count)?;
     loop {
         count *= 2;
@@ -141,7 +143,12 @@ pub(super) fn solve(base: &Base<'_>) -> Result<(Solved, Accuracy), Error> {
             let accuracy = Accuracy {
                 kind: ErrorKind::Estimate,
                 pressure: change.max(next.pressure_rounding()),
-                settlement: if by_force { settlement.max(next.rounding()) } else { 0.0 },
+                // A single number may agree by chance where the pressure does not.
+                settlement: if by_force {
+                    settlement.max(change).max(next.rounding())
+                } else {
+                    0.0
+                },
                 tilt: 0.0,
                 force: if by_force { 0.0 } else { force.max(2.0 * next.pressure_rounding()) },
                 moment: 0.0,
@@ -150,6 +157,22 @@ pub(super) fn solve(base: &Base<'_>) -> Result<(Solved, Accuracy), Error> {
         }
         known = next;
     }
+}
+
+/// Nodes to begin with, that show the shortest part of the profile.
+fn fewest(base: &Base<'_>, most: usize) -> Result<usize, Error> {
+    let cuts: Vec<f64> =
+        [-1.0].into_iter().chain(base.breaks.iter().copied()).chain([1.0]).collect();
+    let width = cuts.windows(2).fold(2.0f64, |least, pair| least.min(pair[1] - pair[0]));
+    let wanted = 2.0 * NODES_A_PART / width;
+    // Between measured points nothing is narrow.
+    if base.problem.profile().measured_points().is_some() {
+        return Ok(FEWEST);
+    }
+    if wanted > most as f64 {
+        return Err(Error::TooNarrow { width, least: 2.0 * NODES_A_PART / most as f64 });
+    }
+    Ok((wanted as usize).next_power_of_two().clamp(FEWEST, most / 4))
 }
 
 /// Whether full contact would pull so much that it need not be known better.

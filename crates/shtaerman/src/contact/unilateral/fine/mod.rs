@@ -18,7 +18,8 @@ use super::base::Base;
 use super::zones::Zone;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
-use crate::contact::parts::MOST_BREAKS;
+use crate::contact::parts::{MOST_BREAKS, Smoothness};
+use crate::contact::resolutions::UNKNOWN;
 use crate::contact::solution::Solution;
 use crate::contact::solved::Stiffness;
 use crate::{Error, Rotational, Vertical};
@@ -243,7 +244,9 @@ fn estimate(base: &Base<'_>, fine: &Fine, coarse: &Fine) -> (Accuracy, f64) {
         force: (one.force - other.force).abs(),
         moment: (one.moment - other.moment).abs(),
     };
-    (accuracy, edge)
+    let is_unknown = base.smoothness == Smoothness::Unknown;
+    let sizes = one.sizes(fine.largest());
+    (if is_unknown { accuracy.of_the_unknown(UNKNOWN, &sizes) } else { accuracy }, edge)
 }
 
 /// Tension in the zones and penetration beside them.

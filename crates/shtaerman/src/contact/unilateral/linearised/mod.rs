@@ -99,7 +99,9 @@ impl Problem {
         profile_degree: usize,
         peak: f64,
     ) -> Option<Linearised> {
-        let base = Base::new(self, ContactKind::Bilateral).ok()?;
+        let mut base = Base::new(self, ContactKind::Bilateral).ok()?;
+        // As the solution itself was cut.
+        base.breaks = self.collocated_parts().joints;
         let panels = base.breaks.len() + 1;
         let half_count = if method.name == "sinc" {
             method.n / panels / 2

@@ -3,6 +3,9 @@
 use super::ROUNDING;
 use super::level::Level;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
+use crate::contact::parts::Smoothness;
+use crate::contact::resolutions::UNKNOWN;
+use crate::contact::unilateral::base::Base;
 
 /// Places on each panel where levels are compared.
 const PLACES: [f64; 2] = [0.11, 0.63];
@@ -21,7 +24,7 @@ struct Change {
 }
 
 /// The error of the last level, and that of its edges.
-pub(super) fn estimate(levels: &[Level; 3]) -> (Accuracy, f64) {
+pub(super) fn estimate(base: &Base<'_>, levels: &[Level; 3]) -> (Accuracy, f64) {
     let [first, coarse, fine] = levels;
     let bounds = fine.field.panels().bounds();
     let places: Vec<f64> = (bounds.iter())
@@ -53,6 +56,9 @@ pub(super) fn estimate(levels: &[Level; 3]) -> (Accuracy, f64) {
         force: of(|c| c.force, |c| c.moment, carried),
         moment: of(|c| c.moment, |c| c.force, carried),
     };
+    let is_unknown = base.smoothness == Smoothness::Unknown;
+    let sizes = state.sizes(fine.largest());
+    let accuracy = if is_unknown { accuracy.of_the_unknown(UNKNOWN, &sizes) } else { accuracy };
     // By rounding an edge is off as the pressure over its slope.
     let rounding = ROUNDING * size / fine.gentlest();
     (accuracy, left(before.edge, change.edge).max(rounding).max(ROUNDING))

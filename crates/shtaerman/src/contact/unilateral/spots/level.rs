@@ -20,8 +20,9 @@ const MOST_GROUPS: f64 = 400.0;
 const BESIDE: f64 = 1e-12;
 /// Rounding of the right-hand side.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// Samples between joints, and at least.
+/// Samples between measured points, between other joints, and at least.
 const SAMPLES: usize = 4;
+const SAMPLES_A_PART: usize = 24;
 const FEWEST_SAMPLES: usize = 4096;
 
 /// The contact on given zones.
@@ -188,9 +189,11 @@ impl Level {
         }
         let inside = joints.iter().copied().filter(|at| *at > from && *at < to);
         let cuts: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
+        let is_measured = base.problem.profile().measured_points().is_some();
+        let fewest = if is_measured { SAMPLES } else { SAMPLES_A_PART };
         for pair in cuts.windows(2) {
             let share = 0.5 * (pair[1] - pair[0]) * FEWEST_SAMPLES as f64;
-            let parts = (share.ceil() as usize).max(SAMPLES);
+            let parts = (share.ceil() as usize).max(fewest);
             at.extend((0..parts).map(|i| pair[0] + (pair[1] - pair[0]) * i as f64 / parts as f64));
         }
         at.push(to);

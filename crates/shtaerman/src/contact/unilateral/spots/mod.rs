@@ -43,7 +43,7 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Most zones.
 const MOST_ZONES: usize = 2000;
 /// Answers with larger relative errors leave the problem to others.
-const ROUGHEST: f64 = 1e-3;
+const ROUGHEST: f64 = 1e-2;
 
 /// The answer on panels; none where they do not serve: where the zones are not found or too many.
 pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
@@ -95,7 +95,7 @@ fn solve_from(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Option<SpotContac
     else {
         return Ok(None);
     };
-    let (accuracy, edge_error) = estimate(&levels);
+    let (accuracy, edge_error) = estimate(base, &levels);
     let [_, _, level] = levels;
     let complementarity = (!base.is_bilateral).then_some(complementarity);
     let contact = SpotContact { level, responses, accuracy, edge_error, complementarity };
