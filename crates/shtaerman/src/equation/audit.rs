@@ -85,7 +85,8 @@ impl SolvedEquation<'_> {
         };
         let kernel = equation.kernel().kernel();
         let breaks = equation.breakpoints();
-        match audit(kernel, lambda, equation.function(), &breaks, self.solution()) {
+        let places = [&breaks[..], &equation.parts().cuts[..]];
+        match audit(kernel, lambda, equation.function(), places, self.solution()) {
             Ok(found) => {
                 let finite = |value: f64| Some(value).filter(|value| value.is_finite());
                 let is_mild = kernel.singularity().exponent() < SQUARE_SUMMABLE;
