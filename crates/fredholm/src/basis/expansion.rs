@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::kernel::{Expansion, SpectralRelation};
-use crate::quadrature::places::places;
+use crate::quadrature::places::places_in_parts;
 
 /// Fewest and most terms tried.
 const COUNTS: [usize; 2] = [32, 1024];
@@ -60,7 +60,7 @@ pub(crate) fn expand_at_nodes<Node>(
             .fold(0.0, f64::max);
         let mut error = if largest > 0.0 { error / largest } else { 0.0 };
         if error <= RESOLVED || count == most {
-            error = error.max(misfit(relation, f, &coefficients)?);
+            error = error.max(misfit(relation, f, &coefficients, &[])?);
         }
         let resolved = error <= RESOLVED;
         if resolved || count == most {
@@ -71,7 +71,7 @@ pub(crate) fn expand_at_nodes<Node>(
     }
 }
 
-/// The largest difference between nodes, relative to the largest value there.
+/// The largest difference between nodes, and in every part between the cuts, relative to the largest value there.
 ///
 /// # Errors
 /// [`Error::NotFinite`] where `f` is not finite.
@@ -79,8 +79,9 @@ pub(crate) fn misfit(
     relation: &(impl SpectralRelation + ?Sized),
     f: &dyn Fn(f64) -> f64,
     coefficients: &[f64],
+    cuts: &[f64],
 ) -> Result<f64, Error> {
-    let places = places(relation.extent());
+    let places = places_in_parts(relation.extent(), cuts);
     let values = sample(f, places.iter().copied())?;
     let largest = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
     let sum = relation.combination(coefficients);

@@ -84,6 +84,37 @@ pub fn solve_adaptive_with_breaks(
     f: impl Fn(f64) -> f64,
     tolerance: f64,
 ) -> Result<AdaptiveSolution, Error> {
+    solve_adaptive_in_parts(kernel, breaks, &[], parameter, f, tolerance)
+}
+
+/// [`solve_adaptive_with_breaks`] for a right-hand side of which more is known than its values: that it is nearly a polynomial of a degree below 32 on each of the parts into which cuts, in any
+/// order, divide the interval. It is looked at in every part, so that nothing is hidden.
+///
+/// ```
+/// use fredholm::collocation::solve_adaptive_in_parts;
+/// use fredholm::kernel::Logarithm;
+///
+/// // So narrow that no sample meets it; the cuts say where to look.
+/// let (centre, width) = (0.1234, 1e-7);
+/// let f = |x: f64| 1.0 + (-((x - centre) / width).powi(2)).exp();
+/// let cuts: Vec<f64> = (-6..=6).map(|i| centre + f64::from(i) * width).collect();
+/// let found = solve_adaptive_in_parts(&Logarithm::unit(), &[], &cuts, 1.0, f, 1e-11)?;
+/// let without = solve_adaptive_in_parts(&Logarithm::unit(), &[], &[], 1.0, |_| 1.0, 1e-11)?;
+/// let difference = found.solution.evaluate(centre, 2.0) - without.solution.evaluate(centre, 1.0);
+/// assert!((difference - 1.0).abs() > 1e-6);
+/// # Ok::<(), fredholm::Error>(())
+/// ```
+///
+/// # Errors
+/// As [`solve_adaptive_with_breaks`].
+pub fn solve_adaptive_in_parts(
+    kernel: &(impl Kernel + ?Sized),
+    breaks: &[f64],
+    cuts: &[f64],
+    parameter: f64,
+    f: impl Fn(f64) -> f64,
+    tolerance: f64,
+) -> Result<AdaptiveSolution, Error> {
     require_finite_parameter(parameter)?;
     if !(tolerance > 0.0 && tolerance.is_finite()) {
         return Err(Error::InvalidParameter {
@@ -96,7 +127,7 @@ pub fn solve_adaptive_with_breaks(
         .max(kernel.first_half_count());
     // A bad interval or breakpoint is refused before the function is asked for thousands of values.
     Mesh::new(grid(kernel, start)?, kernel.interval(), breaks)?;
-    let sampled = Sampled::new(kernel.interval(), &f)?;
+    let sampled = Sampled::new(kernel.interval(), &f, cuts)?;
     let problem = Problem { kernel, parameter, f: &f, tolerance, sampled: &sampled };
     let breaks = problem.with_joints(breaks, start)?;
     problem.resolved(&breaks, start)

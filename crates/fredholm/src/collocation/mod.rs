@@ -42,13 +42,16 @@ mod weighted;
 mod weights;
 
 pub use adaptive::{
-    AdaptiveSolution, first_half_count, solve_adaptive, solve_adaptive_with_breaks,
+    AdaptiveSolution, first_half_count, solve_adaptive, solve_adaptive_in_parts,
+    solve_adaptive_with_breaks,
 };
 pub(crate) use eigenpairs::Eigenpairs;
 pub use estimate::{Estimate, extrapolate, rounding};
 pub use factor::SincFactor;
 pub use grid::SincGrid;
-pub use half_line::{HalfLineEstimate, HalfLineSolution, solve_half_line};
+pub use half_line::{
+    HalfLineEstimate, HalfLineSolution, solve_half_line, solve_half_line_in_parts,
+};
 pub use mesh::Place;
 pub use operator::SincOperator;
 pub use points::PointSet;

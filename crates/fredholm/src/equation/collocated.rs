@@ -3,7 +3,7 @@
 use super::{ErrorStatement, Method, Solution};
 use crate::Error;
 use crate::bounds::Kind;
-use crate::collocation::{AdaptiveSolution, solve_adaptive_with_breaks};
+use crate::collocation::{AdaptiveSolution, solve_adaptive_in_parts};
 use crate::kernel::Kernel;
 
 /// `phi + parameter K phi = f` to a tolerance relative to the largest value of the solution, by collocation on growing numbers of nodes; `breakpoints` are where `f` has kinks
@@ -13,7 +13,7 @@ use crate::kernel::Kernel;
 /// [`solve_adaptive`](crate::collocation::solve_adaptive).
 ///
 /// # Errors
-/// As [`solve_adaptive_with_breaks`]; [`Error::Singular`] where `-1/parameter` is an eigenvalue. A tolerance out of reach is no error: see [`Solution::converged`].
+/// As [`solve_adaptive_in_parts`]; [`Error::Singular`] where `-1/parameter` is an eigenvalue. A tolerance out of reach is no error: see [`Solution::converged`].
 pub fn collocate<'a>(
     kernel: &(impl Kernel + ?Sized),
     parameter: f64,
@@ -21,8 +21,24 @@ pub fn collocate<'a>(
     breakpoints: &[f64],
     tolerance: f64,
 ) -> Result<Solution<'a>, Error> {
+    collocate_in_parts(kernel, parameter, f, [breakpoints, &[]], tolerance)
+}
+
+/// [`collocate`] for a right-hand side that is known to be nearly a polynomial of a degree below 32 on each of the parts into which cuts divide the interval
+/// ([`solve_adaptive_in_parts`]); `places` are the breakpoints and the cuts.
+///
+/// # Errors
+/// As [`collocate`].
+pub fn collocate_in_parts<'a>(
+    kernel: &(impl Kernel + ?Sized),
+    parameter: f64,
+    f: &'a dyn Fn(f64) -> f64,
+    places: [&[f64]; 2],
+    tolerance: f64,
+) -> Result<Solution<'a>, Error> {
+    let [breakpoints, cuts] = places;
     let AdaptiveSolution { solution, estimate, converged, .. } =
-        solve_adaptive_with_breaks(kernel, breakpoints, parameter, f, tolerance)?;
+        solve_adaptive_in_parts(kernel, breakpoints, cuts, parameter, f, tolerance)?;
     let integral = solution.integral(|x| kernel.mass_function(x));
     let largest = solution.values().iter().fold(0.0f64, |most, value| most.max(value.abs()));
     Ok(Solution {

@@ -31,6 +31,19 @@ pub fn first_kind<'a>(
     f: &dyn Fn(f64) -> f64,
     count: usize,
 ) -> Result<Solution<'a>, Error> {
+    first_kind_in_parts(relation, f, &[], count)
+}
+
+/// [`first_kind`] for a right-hand side that is known to be nearly a polynomial of a degree below 32 on each of the parts into which cuts divide the interval: it is looked at in every part.
+///
+/// # Errors
+/// As [`first_kind`].
+pub fn first_kind_in_parts<'a>(
+    relation: &'a (impl SpectralRelation + ?Sized),
+    f: &dyn Fn(f64) -> f64,
+    cuts: &[f64],
+    count: usize,
+) -> Result<Solution<'a>, Error> {
     if count == 0 {
         return Err(Error::InvalidParameter {
             name: "count",
@@ -40,7 +53,7 @@ pub fn first_kind<'a>(
     }
     let Expansion { mut coefficients, mut error, resolved } = relation.expand(f)?;
     if resolved {
-        error = error.max(misfit(relation, f, &coefficients)?);
+        error = error.max(misfit(relation, f, &coefficients, cuts)?);
     }
     let complete = resolved && error <= RESOLVED && coefficients.len() <= count;
     coefficients.truncate(count);

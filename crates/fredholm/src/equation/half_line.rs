@@ -2,7 +2,7 @@
 
 use super::{ErrorStatement, Method, Solution, checks};
 use crate::bounds::Kind;
-use crate::collocation::solve_half_line;
+use crate::collocation::solve_half_line_in_parts;
 use crate::kernel::MacdonaldHalfLine;
 use crate::{Error, Interval};
 
@@ -13,7 +13,7 @@ const CHECKS: usize = 257;
 /// The integral is that over the whole half-line, where it exists.
 ///
 /// # Errors
-/// As [`solve_half_line`].
+/// As [`solve_half_line`](crate::collocation::solve_half_line).
 pub fn collocate_half_line<'a>(
     kernel: &MacdonaldHalfLine,
     parameter: f64,
@@ -21,7 +21,22 @@ pub fn collocate_half_line<'a>(
     reach: f64,
     tolerance: f64,
 ) -> Result<Solution<'a>, Error> {
-    let solution = solve_half_line(kernel, parameter, f, reach, tolerance)?;
+    collocate_half_line_in_parts(kernel, parameter, f, &[], [reach, tolerance])
+}
+
+/// [`collocate_half_line`] for a right-hand side that is known to be nearly a polynomial of a degree below 32 on each of the parts into which cuts divide the section that is solved: it is looked
+/// at in every part. The limits are `reach` and `tolerance`.
+///
+/// # Errors
+/// As [`collocate_half_line`].
+pub fn collocate_half_line_in_parts<'a>(
+    kernel: &MacdonaldHalfLine,
+    parameter: f64,
+    f: &'a dyn Fn(f64) -> f64,
+    cuts: &[f64],
+    [reach, tolerance]: [f64; 2],
+) -> Result<Solution<'a>, Error> {
+    let solution = solve_half_line_in_parts(kernel, parameter, f, cuts, [reach, tolerance])?;
     let estimate = *solution.estimate();
     let largest = if reach > 0.0 {
         checks(Interval::new(0.0, reach)?, CHECKS)

@@ -3,11 +3,15 @@
 use super::{ErrorStatement, Method, Solution};
 use crate::basis::{ChebyshevSeries, Function};
 use crate::bounds::{Given, Kind, ResidualOperator, Responses};
-use crate::kernel::{Logarithm, SpectralRelation};
+use crate::kernel::{Kernel, Logarithm, SpectralRelation};
+use crate::quadrature::places::places_in_parts;
 use crate::{DegenerateSolver, Error};
 
 /// Rounding beside a bound, in units of the last place of the terms.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A series that is this close to its function, relative to the largest value, is the function.
+const SEEN: f64 = 1e-12;
 
 /// `phi + parameter K phi = f` on the logarithmic kernel by the degenerate kernel of degree `degree`, `parameter >= 0`, with **bounds** of its error: for exact arithmetic, and where
 /// `f` is its Chebyshev series; otherwise they are estimates. That it is its series is seen from values at the nodes and at thousands of places between them: a feature that is hidden from all of
@@ -22,9 +26,25 @@ pub fn degenerate_logarithm<'a>(
     f: &'a dyn Fn(f64) -> f64,
     degree: usize,
 ) -> Result<Solution<'a>, Error> {
+    degenerate_logarithm_in_parts(kernel, parameter, f, &[], degree)
+}
+
+/// [`degenerate_logarithm`] for a right-hand side that is known to be nearly a polynomial of a degree below 32 on each of the parts into which cuts divide the interval: it is looked at in every
+/// part, and where it is not its Chebyshev series there the errors are estimates.
+///
+/// # Errors
+/// As [`degenerate_logarithm`].
+pub fn degenerate_logarithm_in_parts<'a>(
+    kernel: &Logarithm,
+    parameter: f64,
+    f: &'a dyn Fn(f64) -> f64,
+    cuts: &[f64],
+    degree: usize,
+) -> Result<Solution<'a>, Error> {
     let half_length = kernel.half_length();
     let function = Function::resolve(&|xi| f(half_length * xi))?;
-    let resolved = function.is_resolved();
+    let hidden = hidden(kernel, f, &function, cuts);
+    let resolved = function.is_resolved() && hidden == 0.0;
     let kind = if resolved { Kind::Bound } else { Kind::Estimate };
     // On (-1, 1): phi + theta K phi + theta ln(l/a) int phi = f, K the plain logarithm; the operator of the bounds wants -f.
     let theta = parameter * half_length;
@@ -47,7 +67,7 @@ pub fn degenerate_logarithm<'a>(
     let values = series.values(series.degree().max(1));
     let largest = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
     let size = function.largest() + largest;
-    let unresolved = function.error() * function.largest();
+    let unresolved = function.error() * function.largest() + hidden;
     let integral = half_length * approximation.moments()[0];
     let projection = combination.projections()[0];
     let integral_error = half_length * projection.error_of(approximation.moments()[0])
@@ -68,4 +88,17 @@ pub fn degenerate_logarithm<'a>(
             series.evaluate(xi) + missed
         }),
     })
+}
+
+/// The largest difference of the function and its series over the parts between the cuts, where it is more than rounding.
+fn hidden(kernel: &Logarithm, f: &dyn Fn(f64) -> f64, function: &Function, cuts: &[f64]) -> f64 {
+    if cuts.is_empty() {
+        return 0.0;
+    }
+    let half_length = kernel.half_length();
+    let worst = places_in_parts(kernel.interval(), cuts)
+        .into_iter()
+        .map(|x| (f(x) - function.series().evaluate(x / half_length)).abs())
+        .fold(0.0, f64::max);
+    if worst <= (SEEN + 4.0 * function.error()) * function.largest() { 0.0 } else { worst }
 }

@@ -30,11 +30,11 @@ mod residual;
 mod truncated;
 
 pub use audit::{Audit, audit};
-pub use collocated::collocate;
-pub use first_kind::first_kind;
-pub use half_line::collocate_half_line;
-pub use logarithm::degenerate_logarithm;
-pub use truncated::degenerate;
+pub use collocated::{collocate, collocate_in_parts};
+pub use first_kind::{first_kind, first_kind_in_parts};
+pub use half_line::{collocate_half_line, collocate_half_line_in_parts};
+pub use logarithm::{degenerate_logarithm, degenerate_logarithm_in_parts};
+pub use truncated::{degenerate, degenerate_in_parts};
 
 use crate::bounds::Kind;
 

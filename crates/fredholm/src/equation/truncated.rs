@@ -3,9 +3,9 @@
 use super::residual::residual;
 use super::{ErrorStatement, Method, Solution, checks};
 use crate::bounds::Kind;
-use crate::kernel::SpectralRelation;
+use crate::kernel::{Moments, SpectralRelation};
 use crate::quadrature::places::Sampled;
-use crate::quadrature::{Node, double_exponential};
+use crate::quadrature::{Node, double_exponential, gauss_legendre};
 use crate::{DegenerateSolution, DegenerateSolver, Error};
 
 /// Intervals between the points at which solutions are compared.
@@ -20,9 +20,14 @@ const TAIL: usize = 4;
 const RESIDUAL: f64 = 2.0;
 /// Rounding, in units of the last place of the terms.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// So many moments are taken again, and the places at which their functions are measured are so far apart.
+/// So many moments are taken again.
 const LOW: usize = 6;
-const STRIDE: usize = 60;
+/// Agreement of moments, relative to the largest that they can be.
+const AGREED: f64 = 1e-12;
+/// Nodes of a panel.
+const PANEL_NODES: usize = 16;
+/// Longest panel in `arccos`, over the inverse of the highest degree.
+const RADIANS: f64 = 10.0;
 /// An error below this share of the solution is an answer.
 const USEFUL: f64 = 0.1;
 
@@ -31,7 +36,7 @@ const USEFUL: f64 = 0.1;
 /// The error is estimated from the degrees `degree`, `degree/2` and `degree/4`: the last difference, continued as it falls or as the singularity of the
 /// kernel makes it fall at the ends, `degree^{-2(1-q)}`, whichever is slower, times 4; or twice the residual at the ends and
 /// a few other points, where that is larger. The first moments are taken again on panels that are cut wherever `f` asks for it at 6000 places, so that a narrow feature between the
-/// nodes of their rule shows, and is stated; one narrower than about a 4000th of the interval may be hidden from all of these. For the logarithm [`degenerate_logarithm`](super::degenerate_logarithm) has guaranteed bounds.
+/// nodes of their rule shows, and all are taken from these panels then; one narrower than about a 4000th of the interval may be hidden from all of these. For the logarithm [`degenerate_logarithm`](super::degenerate_logarithm) has guaranteed bounds.
 ///
 /// # Errors
 /// [`Error::InvalidParameter`] for a degree below 8; those of [`DegenerateSolver::new`] and of the moments.
@@ -41,6 +46,20 @@ pub fn degenerate<'a>(
     f: &'a dyn Fn(f64) -> f64,
     degree: usize,
 ) -> Result<Solution<'a>, Error> {
+    degenerate_in_parts(relation, parameter, f, &[], degree)
+}
+
+/// [`degenerate`] for a right-hand side that is known to be nearly a polynomial of a degree below 32 on each of the parts into which cuts divide the interval: it is looked at in every part.
+///
+/// # Errors
+/// As [`degenerate`].
+pub fn degenerate_in_parts<'a>(
+    relation: &'a (impl SpectralRelation + ?Sized),
+    parameter: f64,
+    f: &'a dyn Fn(f64) -> f64,
+    cuts: &[f64],
+    degree: usize,
+) -> Result<Solution<'a>, Error> {
     if degree < 8 {
         return Err(Error::InvalidParameter {
             name: "degree",
@@ -48,15 +67,13 @@ pub fn degenerate<'a>(
             requirement: "at least 8: the error is judged from a quarter of it",
         });
     }
-    let moments = relation.moments(f, degree + 1)?;
+    let moments = moments_of(relation, f, cuts, degree + 1)?;
     let solve =
         |degree: usize| DegenerateSolver::new(relation, parameter, degree)?.solve(&moments.values);
     let levels = [solve(degree / 4)?, solve(degree / 2)?, solve(degree)?];
     let sizes = Sizes::new(relation, f, &levels[2], moments.error);
-    let hidden = hidden(relation, parameter, f, &moments.values)?;
     let unresolved = RESIDUAL * residual_of(relation, parameter, f, &levels[2], degree);
-    let error =
-        solution_error(relation, &levels).max(unresolved).max(hidden.solution) + sizes.rounding;
+    let error = solution_error(relation, &levels).max(unresolved) + sizes.rounding;
     let functional = Integral::new(relation, degree);
     let integrals = levels.each_ref().map(|solution| functional.of(relation, f, solution));
     let integral_error = match integrals {
@@ -65,7 +82,7 @@ pub fn degenerate<'a>(
                 extrapolate((i2 - i1).abs(), (i3 - i2).abs(), slowest_rate(relation));
             // A layer at an end is no wider than what the last term resolves there.
             let layer = unresolved * sizes.functional / (degree as f64).powi(2);
-            extrapolated.max(layer) + hidden.mass + sizes.rounding_of_integral(i3)
+            extrapolated.max(layer) + sizes.rounding_of_integral(i3)
         }
         _ => f64::INFINITY,
     };
@@ -84,53 +101,73 @@ pub fn degenerate<'a>(
     })
 }
 
-/// What the moments miss of a right-hand side that has features between the nodes of their rule.
-struct Hidden {
-    /// Of `int u f dm`, or more.
-    mass: f64,
-    /// Of the solution, where the feature is.
-    solution: f64,
+/// The moments of the right-hand side: those of the relation where they are right, else by panels that are cut wherever the values of `f` ask for it.
+fn moments_of<K: SpectralRelation + ?Sized>(
+    relation: &K,
+    f: &dyn Fn(f64) -> f64,
+    cuts: &[f64],
+    count: usize,
+) -> Result<Moments, Error> {
+    let given = relation.moments(f, count)?;
+    if !relation.interval().is_finite() {
+        return Ok(given);
+    }
+    let sampled = Sampled::new(relation.interval(), f, cuts)?;
+    let few = |count, share| panel_moments(relation, f, &sampled, (count, share));
+    let Some(low) = few(LOW.min(count), 1.0) else { return Ok(given) };
+    let scale = sampled.largest * functional_size(relation);
+    let differs = |one: &[f64], other: &[f64]| {
+        one.iter().zip(other).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max)
+    };
+    if given.resolved && differs(&low, &given.values) <= AGREED * scale {
+        return Ok(given);
+    }
+    let (Some(values), Some(finer)) = (few(count, 1.0), few(count, 0.6)) else { return Ok(given) };
+    let change = if scale > 0.0 { differs(&values, &finer) / scale } else { 0.0 };
+    let error = change + f64::EPSILON;
+    // Where even panels do not settle, the relation's own moments may be the better ones, with their own error.
+    if error > given.error {
+        return Ok(given);
+    }
+    Ok(Moments { values: finer, error, resolved: error <= AGREED })
 }
 
-/// The first moments again, by panels that are cut wherever values at thousands of places ask for it.
-fn hidden<K: SpectralRelation + ?Sized>(
+/// `int f phi_k dm` by panels on which both `f` and the eigenfunctions, which oscillate evenly in `arccos`, are resolved.
+fn panel_moments<K: SpectralRelation + ?Sized>(
     relation: &K,
-    parameter: f64,
     f: &dyn Fn(f64) -> f64,
-    moments: &[f64],
-) -> Result<Hidden, Error> {
-    let nothing = Hidden { mass: 0.0, solution: 0.0 };
-    if !relation.interval().is_finite() {
-        return Ok(nothing);
+    sampled: &Sampled,
+    (count, share): (usize, f64),
+) -> Option<Vec<f64>> {
+    let mut panels = sampled.partition(f, &[], 0.0)?;
+    let (centre, half) = (relation.interval().centre(), relation.interval().half_length());
+    let angle = |x: f64| ((centre - x) / half).clamp(-1.0, 1.0).acos();
+    let rule = gauss_legendre(PANEL_NODES).ok()?;
+    let longest = share * RADIANS / count as f64;
+    let mut values = vec![0.0; count];
+    let mut functions = vec![0.0; count];
+    panels.sort_by(|one, two| one.0.total_cmp(&two.0));
+    for (left, right) in panels {
+        let (from, to) = (angle(left), angle(right));
+        let pieces = ((to - from) / longest).ceil().max(1.0);
+        for piece in 0..pieces as usize {
+            let step = (to - from) / pieces;
+            // A panel that is short to the last digit keeps its ends.
+            let ends = if pieces == 1.0 {
+                [left, right]
+            } else {
+                [piece, piece + 1].map(|i| centre - half * (from + i as f64 * step).cos())
+            };
+            let (middle, radius) = (ends[0].midpoint(ends[1]), 0.5 * (ends[1] - ends[0]));
+            for (t, weight) in rule.nodes.iter().zip(&rule.weights) {
+                let x = (middle + radius * t).clamp(left, right);
+                relation.eigenfunctions(x, &mut functions);
+                let factor = radius * weight * f(x) * relation.measure(x);
+                values.iter_mut().zip(&functions).for_each(|(value, phi)| *value += factor * phi);
+            }
+        }
     }
-    let sampled = Sampled::new(relation.interval(), f)?;
-    let functions: Vec<Box<dyn Fn(f64) -> f64>> = (0..LOW.min(moments.len()))
-        .map(|n| {
-            let mut unit = vec![0.0; n + 1];
-            unit[n] = 1.0;
-            let phi = relation.combination(&unit);
-            Box::new(move |x: f64| phi(x) * relation.measure(x)) as Box<dyn Fn(f64) -> f64>
-        })
-        .collect();
-    let references: Vec<&dyn Fn(f64) -> f64> = functions.iter().map(|phi| &**phi).collect();
-    let Some(again) = sampled.integral_with(f, &[], &references) else { return Ok(nothing) };
-    let size = |phi: &dyn Fn(f64) -> f64| {
-        sampled.places.iter().step_by(STRIDE).map(|&x| phi(x).abs()).fold(0.0, f64::max)
-    };
-    let shares = again.iter().zip(moments).zip(&references).map(|((again, moment), phi)| {
-        let size = size(phi);
-        if size > 0.0 { (again - moment).abs() / size } else { 0.0 }
-    });
-    let length = 2.0 * relation.interval().half_length();
-    let mass = shares.fold(0.0, f64::max);
-    if mass <= ROUNDING * length * sampled.largest {
-        return Ok(nothing);
-    }
-    let near = relation.singularity().value(length / (sampled.places.len() as f64)).abs();
-    let centre = relation.interval().centre();
-    let factor = relation.split(centre, centre, 0.0);
-    let peak = factor.factor.abs() * near + factor.rest.abs();
-    Ok(Hidden { mass: SAFETY * mass, solution: SAFETY * parameter.abs() * mass * peak })
+    Some(values)
 }
 
 /// Sizes against which errors are held.

@@ -1,7 +1,7 @@
 //! Panels on which polynomials of low degree resolve a function, and the places where such panels are narrow.
 
 use super::gauss_legendre;
-use super::places::Sampled;
+use super::places::{Sampled, with_ends};
 
 /// Nodes of a panel.
 const NODES: usize = 16;
@@ -90,27 +90,6 @@ impl Sampled {
         Vec::new()
     }
 
-    /// `int f g dx` by panels on which polynomials resolve `f`; none where those are too many. `g` is to be smooth.
-    pub(crate) fn integral_with(
-        &self,
-        f: &dyn Fn(f64) -> f64,
-        known: &[f64],
-        gs: &[&dyn Fn(f64) -> f64],
-    ) -> Option<Vec<f64>> {
-        let panels = self.partition(f, known, 0.0)?;
-        let rule = gauss_legendre(2 * NODES).ok()?;
-        let mut integrals = vec![0.0; gs.len()];
-        for (left, right) in panels {
-            let (centre, half) = (left.midpoint(right), 0.5 * (right - left));
-            for (t, weight) in rule.nodes.iter().zip(&rule.weights) {
-                let x = centre + half * t;
-                let share = half * weight * f(x);
-                integrals.iter_mut().zip(gs).for_each(|(integral, g)| *integral += share * g(x));
-            }
-        }
-        Some(integrals)
-    }
-
     /// Whether polynomials resolve the function on a panel to rounding, as far as its values show; also where the panel is too short to be cut.
     pub(crate) fn is_smooth(&self, f: &dyn Fn(f64) -> f64, panel: (f64, f64)) -> bool {
         let (left, right) = panel;
@@ -127,14 +106,15 @@ impl Sampled {
         boundaries
     }
 
-    /// Panels between the known places, halved until polynomials resolve the function on each; none if those are too many.
-    fn partition(
+    /// Panels between the known places and the cuts, halved until polynomials resolve the function on each; none if those are too many.
+    pub(crate) fn partition(
         &self,
         f: &dyn Fn(f64) -> f64,
         known: &[f64],
         tolerance: f64,
     ) -> Option<Vec<(f64, f64)>> {
-        let boundaries = self.boundaries(known);
+        let all: Vec<f64> = known.iter().chain(&self.cuts).copied().collect();
+        let boundaries = with_ends(self.interval, &all);
         let ends = boundaries.iter().zip(boundaries.iter().skip(1));
         let mut open: Vec<(f64, f64)> = ends.map(|(left, right)| (*left, *right)).collect();
         let length = self.interval.right() - self.interval.left();
@@ -147,7 +127,7 @@ impl Sampled {
         let mut tried = 0;
         while let Some((left, right)) = open.pop() {
             tried += 1;
-            if tried > MOST_PANELS {
+            if tried > MOST_PANELS + 2 * boundaries.len() {
                 return None;
             }
             if right - left <= shortest((left, right))
@@ -226,7 +206,8 @@ mod tests {
     use crate::Interval;
 
     fn joints(f: &dyn Fn(f64) -> f64) -> Vec<f64> {
-        let [mut joints, sides] = Sampled::new(Interval::unit(), f).unwrap().joints(f, &[], 1e-12);
+        let [mut joints, sides] =
+            Sampled::new(Interval::unit(), f, &[]).unwrap().joints(f, &[], 1e-12);
         assert_eq!(joints.is_empty(), sides.is_empty());
         joints.sort_by(f64::total_cmp);
         joints

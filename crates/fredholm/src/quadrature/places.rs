@@ -36,9 +36,43 @@ pub(crate) fn places(interval: Interval) -> Vec<f64> {
     places
 }
 
+/// Places in every part between neighbouring cuts.
+const IN_PART: usize = 33;
+
+/// The places, and those in every part of the interval between neighbouring cuts.
+pub(crate) fn places_in_parts(interval: Interval, cuts: &[f64]) -> Vec<f64> {
+    let mut places = places(interval);
+    if cuts.is_empty() {
+        return places;
+    }
+    let ends = with_ends(interval, cuts);
+    for (left, right) in ends.iter().zip(ends.iter().skip(1)) {
+        let (centre, half) = (left.midpoint(*right), 0.5 * (right - left));
+        let inside = (1..=IN_PART)
+            .map(|i| centre - half * (std::f64::consts::PI * (i as f64 * SILVER).fract()).cos())
+            .filter(|x| left < x && x < right);
+        places.extend(inside);
+    }
+    places.sort_by(f64::total_cmp);
+    places.dedup();
+    places
+}
+
+/// The cuts inside an interval between its ends, from left to right.
+pub(crate) fn with_ends(interval: Interval, cuts: &[f64]) -> Vec<f64> {
+    let (left, right) = (interval.left(), interval.right());
+    let mut all: Vec<f64> = cuts.iter().copied().filter(|x| left < *x && *x < right).collect();
+    all.extend([left, right]);
+    all.sort_by(f64::total_cmp);
+    all.dedup();
+    all
+}
+
 /// A function at those places.
 pub(crate) struct Sampled {
     pub(crate) interval: Interval,
+    /// Between these the function is known to be nearly a polynomial.
+    pub(crate) cuts: Vec<f64>,
     pub(crate) places: Vec<f64>,
     pub(crate) values: Vec<f64>,
     /// Length of what is nearer to a place than to others.
@@ -50,8 +84,12 @@ pub(crate) struct Sampled {
 impl Sampled {
     /// # Errors
     /// [`Error::NotFinite`] where the function is not finite.
-    pub(crate) fn new(interval: Interval, f: &dyn Fn(f64) -> f64) -> Result<Self, Error> {
-        let places = places(interval);
+    pub(crate) fn new(
+        interval: Interval,
+        f: &dyn Fn(f64) -> f64,
+        cuts: &[f64],
+    ) -> Result<Self, Error> {
+        let places = places_in_parts(interval, cuts);
         let value = |x: &f64| {
             let value = f(*x);
             let what = "right-hand side";
@@ -70,7 +108,7 @@ impl Sampled {
             i => places[i - 1].midpoint(places[i]),
         };
         let cells = (0..=last).map(|i| border(i + 1) - border(i)).collect();
-        Ok(Self { interval, places, values, cells, largest })
+        Ok(Self { interval, cuts: cuts.to_vec(), places, values, cells, largest })
     }
 
     /// The largest `|K delta|` at the extremes of a density and at some more places.
@@ -136,7 +174,7 @@ mod tests {
 
     #[test]
     fn places_leave_no_wide_gap() {
-        let sampled = Sampled::new(Interval::unit(), &|x| x).unwrap();
+        let sampled = Sampled::new(Interval::unit(), &|x| x, &[]).unwrap();
         let widest = sampled.cells.iter().fold(0.0f64, |most, cell| most.max(*cell));
         assert!(widest < 1e-3, "{widest}");
         let length: f64 = sampled.cells.iter().sum();

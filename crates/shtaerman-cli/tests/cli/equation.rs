@@ -418,3 +418,83 @@ fn validate_init_and_the_other_command() {
     assert!(run.stderr.contains("solved by `shtaerman solve`"), "{}", run.stderr);
     assert!(folder.run(&["validate", "punch.toml"]).answer().contains("physical problem"));
 }
+
+/// A dent a thousandth of the interval wide lies between the nodes of collocation; one a millionth wide between all samples, and it is proved where it is.
+#[test]
+fn narrow_features_are_seen() {
+    let dented = |height: f64, width: f64| {
+        let rhs = format!("1+{height}*exp(-((x+0.6686)/{width:e})^2)");
+        let json = answer(&file(Some(4.08), &rhs, "name = \"log\"\na = 1.0"), &[0.4], &[]);
+        assert_eq!(json["warnings"], serde_json::json!([]), "{json}");
+        assert!(number(&json, "/error/solution_sup") < 1e-9, "{json}");
+        number(&json, "/integral")
+    };
+    let plain = dented(0.0, 1.0);
+    let (narrow, narrower) = (dented(0.3, 0.000_997), dented(0.3, 0.997e-6));
+    // int phi = <A^-1 1, f>: a smooth function times a dent, to first order the value at the dent times its mass.
+    let (first, second) = (narrow - plain, narrower - plain);
+    assert!(first.abs() > 5e-5, "{first:e}");
+    assert!((second / first - 1e-3).abs() < 1e-6, "{first:e} {second:e}");
+}
+
+/// Every kernel whose residual bounds the error is audited, the others say why not.
+#[test]
+fn audits_and_reasons() {
+    for kernel in KERNELS {
+        let is_half_line = kernel.contains("half-line");
+        let rhs = if is_half_line { "x*exp(-x)" } else { "x*(1 + x^2/3)" };
+        let text = file(Some(0.7), rhs, kernel);
+        let json = answer(&text, &[0.6], &[]);
+        assert_eq!(json["audit"]["kind"].is_null(), is_half_line, "{json}");
+        assert_eq!(json["audit"]["reason"].is_null(), !is_half_line, "{json}");
+        if !is_half_line {
+            for key in ["solution_sup", "integral"] {
+                let [stated, audited] =
+                    ["error", "audit"].map(|part| number(&json, &format!("/{part}/{key}")));
+                assert!(stated >= audited, "{json}");
+            }
+        }
+        assert!(answer(&text, &[0.6], &["--no-audit"]).get("audit").is_none());
+    }
+    let log = |lambda: f64, a: f64| {
+        let text = file(Some(lambda), "1", &format!("name = \"log\"\na = {a}"));
+        answer(&text, &[0.1], &[])["audit"]["reason"].as_str().unwrap_or_default().to_owned()
+    };
+    assert!(log(-0.1, 1.0).contains("negative"));
+    assert!(log(0.1, 3.0).contains("not positive"));
+    assert_eq!(log(0.1, 1.9), "");
+    let strong = file(Some(1.0), "1", "name = \"power\"\na = 1.0\nmu = 0.7");
+    let json = answer(&strong, &[0.1], &[]);
+    assert!(json["audit"]["solution_sup"].is_null() && number(&json, "/audit/integral") < 1e-9);
+}
+
+/// An answer with an error above 1 % is none unless its size or its tolerance was asked for, and it is nothing to compare with.
+#[test]
+fn less_than_two_digits_are_no_answer() {
+    let half_line = "name = \"macdonald\"\ninterval = \"half-line\"\nmu = 0.0\nkappa = 1.0";
+    let folder = Folder::new();
+    folder.write("e.toml", file(Some(30.0), "cos(x)", half_line));
+    folder.run(&["equation", "e.toml"]).answer();
+    let run = folder.run(&["equation", "e.toml", "--cross-check"]);
+    assert_eq!(run.code, Some(3), "{}", run.stdout);
+    assert!(run.stderr.contains("nothing to compare with"), "{}", run.stderr);
+    let spectral = ["equation", "e.toml", "--set", "solver.method=spectral"];
+    assert_eq!(folder.run(&spectral).code, Some(3));
+    let size = [&spectral[..], &["--set", "solver.n=100"]].concat();
+    assert!(folder.run(&size).answer().contains("warning"));
+}
+
+/// On a disk `1 + x` is a cone: of the first kind its solution is infinite at the centre. `1 + x^2` is smooth, and the second kind takes both.
+#[test]
+fn cones_are_named() {
+    let disk = "name = \"weber-sonine\"\na = 1.0\nmu = 0.0\ngamma = 0.0";
+    let folder = Folder::new();
+    folder.write("e.toml", file(None, "1 + x", disk));
+    let run = folder.run(&["equation", "e.toml"]);
+    assert_eq!(run.code, Some(2), "{}", run.stderr);
+    assert!(run.stderr.contains("cone") && run.stderr.contains("equation.rhs"), "{}", run.stderr);
+    folder.write("e.toml", file(None, "1 + x^2", disk));
+    folder.run(&["equation", "e.toml"]).answer();
+    folder.write("e.toml", file(Some(1.0), "1 + x", disk));
+    folder.run(&["equation", "e.toml"]).answer();
+}

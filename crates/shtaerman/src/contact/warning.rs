@@ -29,6 +29,8 @@ pub enum WarningCode {
     NotSquareSummable,
     /// The integral of the solution of an equation does not exist.
     NoIntegral,
+    /// Of the right-hand side of an equation nothing was proved somewhere.
+    NotProved,
 }
 
 /// A warning with its text.

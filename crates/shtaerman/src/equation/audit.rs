@@ -26,6 +26,9 @@ pub struct EquationAudit {
     pub panels: Option<usize>,
     /// Why there is no audit, or none of the largest error; `null` where all of it is audited.
     pub reason: Option<String>,
+    /// What the largest error is at least: a smaller one, even a bound, is not believed.
+    #[serde(skip)]
+    pub(super) least: f64,
 }
 
 impl EquationAudit {
@@ -37,6 +40,7 @@ impl EquationAudit {
             mean_square: None,
             panels: None,
             reason: Some(reason.into()),
+            least: 0.0,
         }
     }
 }
@@ -81,13 +85,15 @@ impl SolvedEquation<'_> {
         };
         let kernel = equation.kernel().kernel();
         let breaks = equation.breakpoints();
-        match audit(kernel, lambda, equation.function(), &breaks, self.solution()) {
+        let places = [&breaks[..], &equation.parts().cuts[..]];
+        match audit(kernel, lambda, equation.function(), places, self.solution()) {
             Ok(found) => {
                 let finite = |value: f64| Some(value).filter(|value| value.is_finite());
                 let is_mild = kernel.singularity().exponent() < SQUARE_SUMMABLE;
                 let reason = "the kernel is not square-summable: the end values depend on what lies closer to the ends than places can be told apart";
                 EquationAudit {
                     kind: Some(ErrorKind::Estimate),
+                    least: found.least,
                     solution_sup: finite(found.solution).filter(|_| is_mild),
                     integral: self.integral().and_then(|_| finite(found.integral)),
                     mean_square: finite(found.mean_square),

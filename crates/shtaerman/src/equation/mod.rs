@@ -38,6 +38,7 @@ mod catalogue;
 mod cross_check;
 mod family;
 mod file;
+mod parts;
 mod plan;
 mod solved;
 mod spectrum;
@@ -54,6 +55,8 @@ pub use family::{Family, KernelError, NamedKernel, Parameter};
 pub use file::{EquationFile, is_equation};
 pub use solved::SolvedEquation;
 pub use spectrum::{CheckReport, Spectrum, SpectrumCheck};
+
+use parts::Parts;
 
 use crate::error::require;
 use crate::expression::{self, Expression, Line};
@@ -96,6 +99,8 @@ pub struct Equation {
     function: Box<dyn Fn(f64) -> f64>,
     /// The spectral relation, once a method has asked for it.
     relation: OnceCell<Box<dyn SpectralRelation>>,
+    /// What is proved of the right-hand side, once it was asked for.
+    parts: OnceCell<Parts>,
 }
 
 impl std::fmt::Debug for Equation {
@@ -134,7 +139,15 @@ impl Equation {
         check_solver(kind, &solver)?;
         let compiled = rhs.clone();
         let function = Box::new(move |x: f64| compiled.evaluate(&[x]));
-        let equation = Self { kind, kernel, rhs, solver, function, relation: OnceCell::new() };
+        let equation = Self {
+            kind,
+            kernel,
+            rhs,
+            solver,
+            function,
+            relation: OnceCell::new(),
+            parts: OnceCell::new(),
+        };
         equation.check_right_hand_side()?;
         Ok(equation)
     }

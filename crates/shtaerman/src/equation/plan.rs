@@ -1,7 +1,8 @@
 //! Which method solves an equation.
 
 use fredholm::equation::{
-    Solution, collocate, collocate_half_line, degenerate, degenerate_logarithm, first_kind,
+    Solution, collocate_half_line_in_parts, collocate_in_parts, degenerate_in_parts,
+    degenerate_logarithm_in_parts, first_kind_in_parts,
 };
 use fredholm::kernel::SpectralRelation;
 
@@ -121,7 +122,12 @@ impl Equation {
         if let Some(slope) = self.cone() {
             return Err(Error::Cone { slope });
         }
-        let solution = first_kind(self.relation()?, self.function(), self.terms())?;
+        let solution = first_kind_in_parts(
+            self.relation()?,
+            self.function(),
+            &self.parts().cuts,
+            self.terms(),
+        )?;
         Ok(Draft {
             solution,
             reason: "the first kind: straight from the spectral relation".to_owned(),
@@ -146,7 +152,7 @@ impl Equation {
     }
 
     fn truncated(&self, lambda: f64) -> Result<Draft<'_>, Error> {
-        let degree = self.degree();
+        let (degree, cuts) = (self.degree(), &self.parts().cuts);
         let reason = match self.solver().method {
             MethodChoice::Spectral => "asked for",
             MethodChoice::Auto | MethodChoice::Sinc => {
@@ -160,12 +166,14 @@ impl Equation {
             is_truncated: true,
         };
         if let (Route::Bounds(kernel), true) = (&self.kernel().operator().route, lambda >= 0.0) {
-            let solution = degenerate_logarithm(kernel, lambda, self.function(), degree)?;
+            let solution =
+                degenerate_logarithm_in_parts(kernel, lambda, self.function(), cuts, degree)?;
             if solution.error.solution.is_finite() && solution.error.integral.is_finite() {
                 return Ok(draft(solution, reason));
             }
         }
-        let solution = degenerate(self.relation()?, lambda, self.function(), degree)?;
+        let solution =
+            degenerate_in_parts(self.relation()?, lambda, self.function(), cuts, degree)?;
         Ok(draft(solution, reason))
     }
 
@@ -175,12 +183,15 @@ impl Equation {
             breaks.clear();
         }
         let (kernel, f, aim) = (self.kernel().kernel(), self.function(), self.aim());
+        let cuts = &self.parts().cuts;
         let solution = match &self.kernel().operator().route {
             Route::HalfLine(kernel) => {
                 breaks.clear();
-                collocate_half_line(kernel, lambda, f, reach, aim)?
+                collocate_half_line_in_parts(kernel, lambda, f, cuts, [reach, aim])?
             }
-            Route::General | Route::Bounds(_) => collocate(kernel, lambda, f, &breaks, aim)?,
+            Route::General | Route::Bounds(_) => {
+                collocate_in_parts(kernel, lambda, f, [&breaks, cuts], aim)?
+            }
         };
         let reason = match (self.solver().method, breaks.len()) {
             (MethodChoice::Sinc, _) => "asked for".to_owned(),
@@ -249,6 +260,15 @@ impl Equation {
                 message: format!(
                     "the kernel is as singular as |x - s|^-{strength}: not square-summable (that takes less than 1/2), yet compact, so that the equation \
                      is solved all the same; collocation takes more nodes and the degenerate kernel converges slowly"
+                ),
+            });
+        }
+        if let Some([left, right]) = self.parts().unproved.first() {
+            draft.warnings.push(Warning {
+                code: WarningCode::NotProved,
+                message: format!(
+                    "between x = {left} and x = {right} nothing could be proved of the right-hand side: it was looked at in thousands of places, and what is narrower \
+                     than their distances may be hidden there from every error that is stated"
                 ),
             });
         }

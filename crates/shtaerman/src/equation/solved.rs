@@ -48,6 +48,10 @@ impl<'a> SolvedEquation<'a> {
     /// Takes over the errors of an audit where they are larger; they are estimates then.
     pub(super) fn raise(&mut self, audit: &EquationAudit) {
         let error = &mut self.solution.error;
+        // A bound is proved, and smaller than what the residual alone says, unless the residual contradicts it.
+        if error.kind == bounds::Kind::Bound && audit.least <= error.solution {
+            return;
+        }
         let pairs =
             [(&mut error.solution, audit.solution_sup), (&mut error.integral, audit.integral)];
         for (own, audited) in pairs {

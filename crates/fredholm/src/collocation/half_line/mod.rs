@@ -65,6 +65,21 @@ pub fn solve_half_line(
     x_max: f64,
     tolerance: f64,
 ) -> Result<HalfLineSolution, Error> {
+    solve_half_line_in_parts(kernel, parameter, f, &[], [x_max, tolerance])
+}
+
+/// [`solve_half_line`] for a right-hand side that is known to be nearly a polynomial of a degree below 32 on each of the parts into which cuts divide the section: it is looked at in every part. The
+/// limits are `x_max` and `tolerance`.
+///
+/// # Errors
+/// As [`solve_half_line`].
+pub fn solve_half_line_in_parts(
+    kernel: &MacdonaldHalfLine,
+    parameter: f64,
+    f: impl Fn(f64) -> f64,
+    cuts: &[f64],
+    [x_max, tolerance]: [f64; 2],
+) -> Result<HalfLineSolution, Error> {
     require_finite_parameter(parameter)?;
     let end = kernel.decay() * x_max;
     require(
@@ -74,7 +89,7 @@ pub fn solve_half_line(
         "finite and positive",
     )?;
     require("x_max", x_max, end >= 0.0 && end.is_finite(), "finite and not negative")?;
-    Problem::new(kernel, parameter, &f, end)?.solve(tolerance)
+    Problem::new(kernel, parameter, &f, (end, cuts))?.solve(tolerance)
 }
 
 fn require(

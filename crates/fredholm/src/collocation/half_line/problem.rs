@@ -81,7 +81,7 @@ impl<'p> Problem<'p> {
         kernel: &'p MacdonaldHalfLine,
         parameter: f64,
         f: &'p dyn Fn(f64) -> f64,
-        end: f64,
+        (end, cuts): (f64, &[f64]),
     ) -> Result<Self, Error> {
         let top = kernel.symbol_at_zero();
         let strength = parameter * top;
@@ -108,7 +108,8 @@ impl<'p> Problem<'p> {
         let unit_parameter = parameter * kernel.unit_scale();
         let far = 1.0 / (1.0 + strength);
         let section = Interval::new(0.0, end + ROOM * fall)?;
-        let sampled = Sampled::new(section, &|xi| f(xi / kernel.decay()))?;
+        let cuts: Vec<f64> = cuts.iter().map(|x| kernel.decay() * x).collect();
+        let sampled = Sampled::new(section, &|xi| f(xi / kernel.decay()), &cuts)?;
         Ok(Self { kernel, parameter, unit_parameter, f, end, fall, far, step, sampled })
     }
 

@@ -17,7 +17,9 @@ const WIDE: [f64; 4] = [-0.905, -0.38, 0.27, 0.86];
 const SHORT: [f64; 2] = [-0.523, 0.925];
 /// A panel below this share of the interval is short.
 const SHARE: f64 = 2e-3;
-/// Safety on a mean square that is known at these places only.
+/// Lengths of intervals that can be audited.
+const LENGTHS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
+/// Safety on what is known at these places only: the mean square, and the largest error.
 const SAFETY: f64 = 1.5;
 
 /// What an [`audit`] found: an **estimate** of the error of a solution.
@@ -31,6 +33,8 @@ pub struct Audit {
     pub mean_square: f64,
     /// The largest residual that was met.
     pub residual: f64,
+    /// What the largest error of the solution is at least, with that residual: a statement below it is wrong.
+    pub least: f64,
     /// Number of panels.
     pub panels: usize,
 }
@@ -47,7 +51,7 @@ pub struct Audit {
 /// `|phi - q| (1 - parameter ||K||_1) <= |r| + parameter ||K||_2 ||r||`
 ///
 /// with the norms of `K(x, .)` within `h` of `x` and beyond it; or, where that is less, `|phi - q| <= |r| + C ||r||` from the continuity of `parameter K (phi - q)`, whose mean square is at most `||r||`. Norms are those of values at places, so that it is an estimate: a feature of `f` that is hidden from all
-/// of these is hidden from it.
+/// of these is hidden from it. `places` are the breakpoints of `f`, and cuts between which `f` is known to be nearly a polynomial of a degree below 32: it is looked at between all of them.
 ///
 /// ```
 /// use fredholm::equation::{audit, collocate};
@@ -55,7 +59,7 @@ pub struct Audit {
 ///
 /// let kernel = LogarithmRatioLimit::new(1.0)?;
 /// let solution = collocate(&kernel, 3.0, &|x| x, &[], 1e-12)?;
-/// let audit = audit(&kernel, 3.0, &|x| x, &[], &solution)?;
+/// let audit = audit(&kernel, 3.0, &|x| x, [&[], &[]], &solution)?;
 /// assert!(audit.solution < 1e-11);
 /// # Ok::<(), fredholm::Error>(())
 /// ```
@@ -67,9 +71,10 @@ pub fn audit(
     kernel: &(impl Kernel + ?Sized),
     parameter: f64,
     f: &dyn Fn(f64) -> f64,
-    breakpoints: &[f64],
+    places: [&[f64]; 2],
     solution: &Solution<'_>,
 ) -> Result<Audit, Error> {
+    let [breakpoints, cuts] = places;
     if !(parameter >= 0.0 && parameter.is_finite()) {
         let requirement =
             "finite and not negative: only then are solutions bounded by their residuals";
@@ -81,7 +86,13 @@ pub fn audit(
         let value = interval.right();
         return Err(Error::InvalidParameter { name: "right end", value, requirement });
     }
-    let sampled = Sampled::new(interval, f)?;
+    let length = interval.right() - interval.left();
+    if !LENGTHS.contains(&length) {
+        let requirement =
+            "between 1e-100 and 1e100: beyond that squares leave the range of numbers";
+        return Err(Error::InvalidParameter { name: "length", value: length, requirement });
+    }
+    let sampled = Sampled::new(interval, f, cuts)?;
     let tree = Tree::new(kernel, &sampled, f, breakpoints, &|x| solution.evaluate(x))?;
     let found = Residuals::new(&tree, parameter, f, solution)?;
     let mean_square = SAFETY * found.square.sqrt();
@@ -95,10 +106,11 @@ pub fn audit(
     let smooth =
         norms.continuity(kernel, parameter).map(|factor| found.largest + factor * mean_square);
     Ok(Audit {
-        solution: smooth.map_or(plain, |smooth| smooth.min(plain)),
+        solution: SAFETY * smooth.map_or(plain, |smooth| smooth.min(plain)),
         integral,
         mean_square,
         residual: found.largest,
+        least: norms.least_error(parameter, found.largest, found.misfit),
         panels: tree.leaves(),
     })
 }

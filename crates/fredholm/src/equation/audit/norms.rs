@@ -23,6 +23,8 @@ const STRONG: f64 = 10.0;
 
 /// For each place and each shell: `int |K| dm` within it, and the root of `int K^2 dm` beyond it.
 pub(super) struct Norms {
+    /// The largest `int |K| dm`.
+    whole: f64,
     near: Vec<[f64; SHELLS]>,
     far: Vec<[f64; SHELLS]>,
 }
@@ -31,7 +33,7 @@ impl Norms {
     pub(super) fn new(kernel: &(impl Kernel + ?Sized)) -> Self {
         let interval = kernel.interval();
         let length = interval.right() - interval.left();
-        let (mut near, mut far) = (Vec::new(), Vec::new());
+        let (mut near, mut far, mut whole) = (Vec::new(), Vec::new(), 0.0f64);
         for place in PLACES {
             let x = interval.left() + place * length;
             let shells = shells(kernel, x, length);
@@ -49,10 +51,17 @@ impl Norms {
                 inside[index] = sum;
                 sum += shells[index][0];
             }
+            whole = whole.max(sum);
             near.push(inside);
             far.push(outside);
         }
-        Self { near, far }
+        Self { whole, near, far }
+    }
+
+    /// The largest error has to be so large for a residual of this size: `|r| <= |phi - q| (1 + lambda ||K||_1)`, less what resampling may have changed of it.
+    pub(super) fn least_error(&self, parameter: f64, residual: f64, misfit: f64) -> f64 {
+        let strength = parameter * self.whole;
+        ((residual - strength * misfit) / (1.0 + strength)).max(0.0)
     }
 
     /// The factor of `||r||` in a bound of `parameter |K e|`. As `parameter K` and its sum with 1 have one spectrum apart from that 1, `||parameter K e|| <= ||r||`, so that its mean within `h` of a point is at most

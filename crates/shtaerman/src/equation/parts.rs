@@ -1,0 +1,44 @@
+//! What is proved of a right-hand side between all samples.
+
+use super::Equation;
+use crate::Profile;
+
+/// Degree of the polynomials that are to resolve a right-hand side on its parts.
+const DEGREE: usize = 24;
+/// How closely, relative to its range.
+const TOLERANCE: f64 = 1e-12;
+
+/// The parts of the interval on which the right-hand side is proved to be nearly a polynomial.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Parts {
+    /// Places between them.
+    pub(super) cuts: Vec<f64>,
+    /// Where nothing was proved.
+    pub(super) unproved: Vec<[f64; 2]>,
+}
+
+impl Equation {
+    /// The parts, found once; on a half-line those of the range on which the right-hand side must be finite.
+    pub(super) fn parts(&self) -> &Parts {
+        self.parts.get_or_init(|| self.find_parts())
+    }
+
+    fn find_parts(&self) -> Parts {
+        let range = self.range();
+        let (left, right) = (range.left(), range.right());
+        let half_width = left.abs().max(right.abs());
+        let piece = [left / half_width, right / half_width];
+        let Ok(profile) = Profile::expression(self.right_hand_side().text()) else {
+            return Parts { cuts: Vec::new(), unproved: vec![[left, right]] };
+        };
+        let found = profile.resolve(&[piece], half_width, DEGREE, TOLERANCE);
+        let place = |xi: f64| (half_width * xi).clamp(left, right);
+        let singular = found.singular.iter();
+        let mut cuts: Vec<f64> = found.joints.iter().chain(singular).map(|xi| place(*xi)).collect();
+        cuts.extend(found.unresolved.iter().flatten().map(|xi| place(*xi)));
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup();
+        let unproved = found.unresolved.iter().map(|ends| ends.map(place)).collect();
+        Parts { cuts, unproved }
+    }
+}
