@@ -7,6 +7,7 @@ use fredholm::basis::Function;
 use super::balance::State;
 use super::solution::{FullBase, Solution};
 use super::solved::Method;
+use super::unilateral::Complementarity;
 use super::warning::Warning;
 use super::{Contact, Draft, collocated, spectral};
 use crate::roughness::Law;
@@ -14,6 +15,11 @@ use crate::{ContactKind, Error, Geometry, MethodChoice, Problem};
 
 /// Relative error that is aimed at where no tolerance is given.
 pub const AIM: f64 = 1e-12;
+/// Relative error above which there is no answer, unless a tolerance or a degree was given.
+const WORST: f64 = 1e-2;
+/// Tension and penetration of a smooth contact, relative to their scales, that are rounding, and the share of the stated error that explains more.
+const COMPLEMENTARY: f64 = 1e-9;
+const EXPLAINED: f64 = 4.0;
 /// Profiles of a higher Chebyshev degree than this oscillate faster than collocation should follow.
 const LARGEST_COLLOCATED_DEGREE: usize = 256;
 /// Profiles up to this degree are tried by collocation, too, where the degenerate kernel falls short.
@@ -113,11 +119,33 @@ impl Problem {
         frame.geometry() == Geometry::Plane && frame.law() == Law::Linear && is_homogeneous
     }
 
+    /// The relative error above which there is no answer: the tolerance, or [`WORST`]; none where a given degree fixes the error.
+    fn largest_error(&self) -> Option<f64> {
+        let implicit = self.solver().degree.is_none().then_some(WORST);
+        self.solver().tolerance.or(implicit)
+    }
+
+    /// Refuses a unilateral contact of a smooth surface that pulls or penetrates by more than its error.
+    fn require_complementary(&self, solution: &dyn Solution, error: f64) -> Result<(), Error> {
+        let is_asked =
+            self.frame().law() == Law::Smooth && self.solver().contact == ContactKind::Unilateral;
+        let Some(left) = solution.complementarity().filter(|_| is_asked) else { return Ok(()) };
+        let Complementarity { tension, penetration } = left;
+        let allowed = COMPLEMENTARY.max(EXPLAINED * error);
+        if tension <= allowed && penetration <= allowed {
+            return Ok(());
+        }
+        Err(Error::NotComplementary { tension, penetration })
+    }
+
     /// The answer that zones amount to, if it keeps an explicit tolerance.
     fn draw_up(&self, solution: Arc<dyn Solution>) -> Result<Contact, Error> {
         let reached = solution.relative_error();
+        self.require_complementary(solution.as_ref(), reached)?;
         let Method { name, n } = solution.method();
-        if let Some(tolerance) = self.solver().tolerance.filter(|tolerance| reached > *tolerance) {
+        if let Some(tolerance) =
+            self.largest_error().filter(|most| reached.is_nan() || reached > *most)
+        {
             let State { settlement: settlement0, tilt: tilt0, .. } = solution.state();
             let method = name;
             return Err(Error::ToleranceNotMet {
@@ -187,9 +215,10 @@ impl Problem {
                 (MethodChoice::Auto, None) => self.choose(target)?,
             };
         let fell_short = (!draft.meets(self, target.tolerance)).then(|| draft.relative_error(self));
-        if let Some(reached) = fell_short.filter(|_| target.is_explicit) {
+        let most = self.largest_error().unwrap_or(f64::INFINITY);
+        if let Some(reached) = fell_short.filter(|reached| reached.is_nan() || *reached > most) {
             return Err(Error::ToleranceNotMet {
-                tolerance: target.tolerance,
+                tolerance: most,
                 reached,
                 method: draft.method.name,
                 n: draft.method.n,
