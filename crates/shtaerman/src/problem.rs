@@ -3,7 +3,8 @@
 use fredholm::basis::Function;
 
 use crate::error::{finite, require};
-use crate::expression::Defect;
+use crate::expression::{Defect, Interval};
+use crate::profile::Resolution;
 use crate::{Error, Frame, Load, Profile, Rotational, Vertical};
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
@@ -168,6 +169,48 @@ impl Problem {
     pub(crate) fn dimensionless_rise(&self, c: f64, xi: f64) -> f64 {
         let rise = self.profile.rise(c, xi - c, self.frame.half_width());
         self.frame.scaling().map_or(rise, |scaling| rise / scaling.displacement())
+    }
+
+    /// Encloses `f0(xi)` on an interval, as [`Profile::enclose`] does.
+    #[must_use]
+    pub fn dimensionless_enclosure(&self, interval: [f64; 2]) -> Option<Interval> {
+        self.profile.enclose(interval, self.frame.half_width()).map(|range| self.scaled(range))
+    }
+
+    /// Encloses the exact and the computed `f0(xi)` at one place, as [`Profile::enclose_at`] does.
+    #[must_use]
+    pub fn dimensionless_enclosure_at(&self, xi: f64) -> Option<Interval> {
+        let range = self.profile.enclose_at(xi, self.frame.half_width());
+        range.map(|range| self.scaled(range))
+    }
+
+    /// Encloses `f0^(k)/k!` for `k` from 0 to `order` on an interval, as [`Profile::taylor`] does.
+    #[must_use]
+    pub fn dimensionless_taylor(&self, interval: [f64; 2], order: usize) -> Option<Vec<Interval>> {
+        let terms = self.profile.taylor(interval, order, self.frame.half_width())?;
+        Some(terms.into_iter().map(|term| self.scaled(term)).collect())
+    }
+
+    /// Bounds `|f0^(n)|/n!` on an interval, as [`Profile::taylor_bound`] does.
+    #[must_use]
+    pub fn dimensionless_taylor_bound(&self, interval: [f64; 2], order: usize) -> f64 {
+        let bound = self.profile.taylor_bound(interval, order, self.frame.half_width());
+        self.scaled(Interval::ends(0.0, bound)).upper()
+    }
+
+    /// Where the base has to be cut so that polynomials of a degree resolve the profile, as [`Profile::resolve`] has it.
+    #[must_use]
+    pub fn resolution(&self, degree: usize, tolerance: f64) -> Resolution {
+        let half_width = self.frame.half_width();
+        self.profile.resolve(&self.frame.pieces(), half_width, degree, tolerance)
+    }
+
+    /// Heights without dimensions.
+    fn scaled(&self, heights: Interval) -> Interval {
+        self.frame.scaling().map_or(heights, |scaling| {
+            let displacement = scaling.displacement();
+            heights.over(Interval::ends(displacement, displacement)).0
+        })
     }
 
     /// Whether base and load are their own mirror images.

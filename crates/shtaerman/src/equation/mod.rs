@@ -54,7 +54,7 @@ pub use solved::SolvedEquation;
 pub use spectrum::{CheckReport, Spectrum, SpectrumCheck};
 
 use crate::error::require;
-use crate::expression::{self, Expression, Line, Verdict};
+use crate::expression::{self, Expression, Line};
 use crate::{Error, MethodChoice, Solver};
 
 /// Version of the layout of an [`EquationAnswer`]; the JSON Schema `schema/equation.schema.json` describes it.
@@ -219,9 +219,9 @@ impl Equation {
         let Some(range) = expression::Interval::new(interval.left(), interval.right()) else {
             return Ok(());
         };
-        match self.rhs.finiteness(&Line::identity(), range) {
-            Verdict::NotFinite { at, defect } => Err(Error::RightHandSide { at, defect }),
-            Verdict::ProvedFinite | Verdict::Undecided => Ok(()),
+        match self.rhs.find_not_finite(&Line::identity(), range) {
+            Some((at, defect)) => Err(Error::RightHandSide { at, defect }),
+            None => Ok(()),
         }
     }
 }

@@ -34,7 +34,7 @@ pub enum Defect {
     Undefined,
     /// The value is infinite there: a quotient by zero, the logarithm of zero, an overflow.
     Infinite,
-    /// Finite values grow beyond bounds towards a pole between two floating-point numbers.
+    /// Finite values grow beyond bounds towards a pole between two floating-point numbers, or cannot be told from such values for their rounding.
     Unbounded,
 }
 
@@ -57,6 +57,9 @@ const PIECES: u32 = 64;
 const MOST_ENCLOSURES: usize = 100_000;
 /// Operations executed at most (about a second of work), so that long programs end as well.
 const MOST_OPERATIONS: usize = 20_000_000;
+/// Enclosures with slopes computed at most, and the shortest part for which one is, over the largest parameter.
+const MOST_TIGHT: usize = 20_000;
+const SHORTEST: f64 = 64.0 * f64::EPSILON;
 /// Halvings by the mean before halving by count.
 const HALVINGS_BY_MEAN: u32 = 40;
 
@@ -94,6 +97,38 @@ impl Expression {
             },
             Err(found) => found.into(),
         }
+    }
+
+    /// A place of a bounded range at which the expression is not finite, and how, if there is one. Where [`finiteness`](Self::finiteness) leaves it
+    /// undecided, what rounding cannot tell from a pole counts as one, such as the double root in `1/(xi^2 - 0.6*xi + 0.09)`.
+    pub(crate) fn find_not_finite(&self, line: &Line, range: Interval) -> Option<(f64, Defect)> {
+        match self.finiteness(line, range) {
+            Verdict::ProvedFinite => None,
+            Verdict::NotFinite { at, defect } => Some((at, defect)),
+            Verdict::Undecided => {
+                self.find_not_enclosed(line, range).map(|at| (at, Defect::Unbounded))
+            }
+        }
+    }
+
+    /// The middle of a part of a few roundings on which values are not bounded, if one is met: bounds of slopes make enclosures of short parts
+    /// narrow in spite of cancellation.
+    fn find_not_enclosed(&self, line: &Line, range: Interval) -> Option<f64> {
+        let shortest = SHORTEST * range.size();
+        let mut waiting = vec![range];
+        for _ in 0..(MOST_OPERATIONS / self.operations.len().max(1)).min(MOST_TIGHT) {
+            let part = waiting.pop()?;
+            if self.taylor_along(line, part, 1, 0.0).range().is_some() {
+                continue;
+            }
+            let middle = part.lower().midpoint(part.upper());
+            if part.length() <= shortest {
+                return Some(middle);
+            }
+            waiting.push(Interval::ends(middle, part.upper()));
+            waiting.push(Interval::ends(part.lower(), middle));
+        }
+        None
     }
 }
 

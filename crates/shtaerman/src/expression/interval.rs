@@ -11,6 +11,9 @@ impl Interval {
     /// All numbers.
     pub const WHOLE: Interval = Interval { lower: f64::NEG_INFINITY, upper: f64::INFINITY };
 
+    pub(crate) const ZERO: Interval = Interval { lower: 0.0, upper: 0.0 };
+    pub(crate) const ONE: Interval = Interval { lower: 1.0, upper: 1.0 };
+
     /// From `lower` to `upper`; `None` if an end is NaN or the ends are in the wrong order.
     pub fn new(lower: f64, upper: f64) -> Option<Self> {
         (lower <= upper).then_some(Interval { lower, upper })
@@ -42,16 +45,16 @@ impl Interval {
     }
 
     /// Ends that are known to be in order; anything else makes the whole line.
-    pub(super) fn ends(lower: f64, upper: f64) -> Self {
+    pub(crate) fn ends(lower: f64, upper: f64) -> Self {
         Self::new(lower, upper).unwrap_or(Self::WHOLE)
     }
 
-    pub(super) fn hull(self, other: Self) -> Self {
+    pub(crate) fn hull(self, other: Self) -> Self {
         Self::ends(self.lower.min(other.lower), self.upper.max(other.upper))
     }
 
     /// The part between two limits; `None` if there is none.
-    pub(super) fn within(self, lower: f64, upper: f64) -> Option<Self> {
+    pub(crate) fn within(self, lower: f64, upper: f64) -> Option<Self> {
         Self::new(self.lower.max(lower), self.upper.min(upper))
     }
 
@@ -61,27 +64,58 @@ impl Interval {
         Self::ends(finite(self.lower), finite(self.upper))
     }
 
-    pub(super) fn is_point(self) -> bool {
+    pub(crate) fn is_point(self) -> bool {
         self.lower == self.upper
+    }
+
+    pub(crate) fn is_zero(self) -> bool {
+        self.lower == 0.0 && self.upper == 0.0
+    }
+
+    /// Largest magnitude.
+    pub(crate) fn size(self) -> f64 {
+        self.lower.abs().max(self.upper.abs())
+    }
+
+    /// No less than the distance of the ends.
+    pub(crate) fn length(self) -> f64 {
+        if self.is_point() { 0.0 } else { add_up(self.upper, -self.lower) }
+    }
+
+    /// What two intervals have in common; the first where rounding leaves nothing.
+    pub(crate) fn common(self, other: Self) -> Self {
+        self.within(other.lower, other.upper).unwrap_or(self)
+    }
+
+    /// `2^exponent` times the interval.
+    pub(crate) fn shifted(self, exponent: i32) -> Self {
+        let upper = shift_up(self.upper, exponent);
+        Self::ends(-shift_up(-self.lower, exponent), upper)
+    }
+
+    /// All values of `slope s + curvature s^2` for `s` in an interval around zero.
+    pub(crate) fn quadratic(slope: Self, curvature: Self, s: Self) -> Self {
+        let upper = quadratic_up(slope, curvature.upper, s);
+        Self::ends(-quadratic_up(slope.negated(), -curvature.lower, s), upper)
     }
 
     fn has_infinity(self) -> bool {
         !self.is_bounded()
     }
 
-    pub(super) fn negated(self) -> Self {
+    pub(crate) fn negated(self) -> Self {
         Self::ends(-self.upper, -self.lower)
     }
 
     /// Numbers of either sign that are this large.
-    pub(super) fn magnitude(self) -> Self {
+    pub(crate) fn magnitude(self) -> Self {
         let far = self.lower.abs().max(self.upper.abs());
         let near = if self.contains(0.0) { 0.0 } else { self.lower.abs().min(self.upper.abs()) };
         Self::ends(near, far)
     }
 
     /// Sum, and whether it may be undefined (`inf - inf`).
-    pub(super) fn plus(self, other: Self) -> (Self, bool) {
+    pub(crate) fn plus(self, other: Self) -> (Self, bool) {
         let undefined = (self.upper == f64::INFINITY && other.lower == f64::NEG_INFINITY)
             || (self.lower == f64::NEG_INFINITY && other.upper == f64::INFINITY);
         let lower = -add_up(-self.lower, -other.lower);
@@ -89,13 +123,13 @@ impl Interval {
     }
 
     /// Product, and whether it may be undefined (`0 * inf`).
-    pub(super) fn times(self, other: Self) -> (Self, bool) {
+    pub(crate) fn times(self, other: Self) -> (Self, bool) {
         let undefined = (self.contains(0.0) && other.has_infinity())
             || (other.contains(0.0) && self.has_infinity());
         (corners(self, other, multiply_up), undefined)
     }
 
-    pub(super) fn square(self) -> Self {
+    pub(crate) fn square(self) -> Self {
         let size = self.magnitude();
         let lower = -multiply_up(-size.lower, size.lower);
         Self::ends(lower, multiply_up(size.upper, size.upper))
@@ -104,7 +138,7 @@ impl Interval {
     /// Quotient, and whether it may be undefined (`0 / 0`, `inf / inf`).
     ///
     /// A quotient by zero is infinite with the sign of the numerator, as the evaluation has it.
-    pub(super) fn over(self, other: Self) -> (Self, bool) {
+    pub(crate) fn over(self, other: Self) -> (Self, bool) {
         let by_zero = other.contains(0.0);
         let undefined =
             (by_zero && self.contains(0.0)) || (self.has_infinity() && other.has_infinity());
@@ -141,6 +175,36 @@ fn corners(u: Interval, v: Interval, up: fn(f64, f64) -> f64) -> Interval {
         }
     }
     Interval::ends(lower, upper)
+}
+
+/// `2^exponent u`, in steps that neither overflow nor underflow before the result does.
+fn shift_up(u: f64, exponent: i32) -> f64 {
+    const STEP: i32 = 512;
+    let (mut value, mut left) = (u, exponent);
+    while left != 0 && value != 0.0 && value.is_finite() {
+        let step = left.clamp(-STEP, STEP);
+        value *= f64::from(step).exp2();
+        left -= step;
+    }
+    let is_exact = u == 0.0 || u.is_infinite() || value.abs() >= f64::MIN_POSITIVE;
+    let value = if is_exact { overflow_up(value, u.is_infinite()) } else { value.next_up() };
+    keep_sign(value, u < 0.0)
+}
+
+/// Upper bound of `b s + c s^2` for `b` in `slope`, `s` in an interval around zero: at an end of it or at a vertex inside.
+fn quadratic_up(slope: Interval, c: f64, s: Interval) -> f64 {
+    let mut most = 0.0_f64;
+    for b in [slope.lower, slope.upper] {
+        let vertex = (-0.5 * b / c).clamp(s.lower, s.upper);
+        for place in [s.lower, s.upper, vertex] {
+            most = most.max(place * (b + c * place));
+        }
+    }
+    let size = s.size();
+    // Twice the rounding of the two products and the sum; a vertex that is a little off loses far less.
+    let lost = 4.0 * f64::EPSILON * size * (slope.size() + c.abs() * size);
+    let bound = (most + lost).next_up();
+    if bound.is_nan() { f64::INFINITY } else { bound }
 }
 
 /// A bound from above, given the rounded result and the sign of what rounding left out.

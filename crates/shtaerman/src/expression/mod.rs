@@ -71,6 +71,7 @@ mod parse;
 mod periodic;
 mod program;
 mod rise;
+mod taylor;
 mod token;
 
 #[cfg(test)]
@@ -84,6 +85,7 @@ pub use error::{Arity, ErrorReason, ExpressionError};
 pub use finite::{Defect, SAMPLES, Verdict};
 pub use interval::Interval;
 pub use line::Line;
+pub(crate) use taylor::{Scale, Series, Taylor};
 
 use derivative::Dual;
 use evaluate::run;
@@ -160,6 +162,11 @@ impl Expression {
     /// Whether the variable at a position occurs in the expression.
     pub fn uses(&self, variable: usize) -> bool {
         self.operations.contains(&Operation::Variable(variable))
+    }
+
+    /// Number of operations.
+    pub(crate) fn length(&self) -> usize {
+        self.operations.len()
     }
 
     /// The value for these variables. A variable that is not given counts as NaN.

@@ -7,7 +7,7 @@ use fredholm::kernel::Logarithm;
 use fredholm::{SincOperator, SincSolution};
 
 use super::InverseError;
-use crate::expression::{Expression, Interval, Line, Verdict};
+use crate::expression::{Expression, Interval, Line};
 use crate::profile::VARIABLES;
 use crate::quantity::{Dimension, engineering};
 use crate::roughness::Law;
@@ -104,7 +104,7 @@ impl<'p> Prescription<'p> {
         let half_width = frame.half_width();
         let line = Line::new(&[(0.0, half_width), (0.0, 1.0), (half_width, 0.0)]);
         if let Some(base) = Interval::new(-1.0, 1.0)
-            && let Verdict::NotFinite { at, defect } = expression.finiteness(&line, base)
+            && let Some((at, defect)) = expression.find_not_finite(&line, base)
         {
             let place = Self::place(problem, at);
             return Err(fault(format!("{defect} at {place}: it must be finite")));

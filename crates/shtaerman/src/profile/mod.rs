@@ -1,13 +1,20 @@
 //! The base of the punch.
 
+mod cubic;
+mod enclosure;
 mod measured;
+mod resolution;
 mod spline;
 
+#[cfg(test)]
+mod tests;
+
 pub use measured::{CsvOptions, read_csv};
+pub use resolution::Resolution;
 
 use crate::Error;
 use crate::error::require;
-use crate::expression::{Defect, Expression, ExpressionError, Interval, Line, Verdict};
+use crate::expression::{Defect, Expression, ExpressionError, Interval, Line};
 use spline::Spline;
 
 /// Names an expression may use: `x` (metres; in a dimensionless problem the same as `xi`), `xi = x/a`, and the half-width `a`.
@@ -119,15 +126,12 @@ impl Profile {
     }
 
     /// A `xi` in `[-1, 1]` at which the profile is not finite, and how, if there is one: proven for an expression where interval
-    /// arithmetic can, so that a pole between all samples is found.
+    /// arithmetic can, so that a pole between all samples is found. What rounding cannot tell from a pole counts as one.
     #[must_use]
     pub fn find_not_finite(&self, half_width: f64) -> Option<(f64, Defect)> {
         let Shape::Expression(expression) = &self.shape else { return None };
         let base = Interval::new(-1.0, 1.0)?;
-        match expression.finiteness(&line(half_width), base) {
-            Verdict::NotFinite { at, defect } => Some((at, defect)),
-            Verdict::ProvedFinite | Verdict::Undecided => None,
-        }
+        expression.find_not_finite(&line(half_width), base)
     }
 
     /// Places strictly inside `(-1, 1)`, as `xi`, where an expression switches (`abs`, `max`, `where`, ..) and so has a kink or a jump; a

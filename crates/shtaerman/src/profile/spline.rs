@@ -32,6 +32,11 @@ impl Spline {
         &self.abscissas
     }
 
+    /// Abscissa, ordinate and slope at a point.
+    pub(super) fn point(&self, index: usize) -> [f64; 3] {
+        [self.abscissas[index], self.ordinates[index], self.slopes[index]]
+    }
+
     /// Number of points.
     pub(super) fn len(&self) -> usize {
         self.abscissas.len()

@@ -8,6 +8,7 @@ mod grammar;
 mod hostile;
 mod magnitudes;
 mod rises;
+mod taylor;
 mod trees;
 
 use super::{Expression, ExpressionError, Interval, Line};

@@ -1,0 +1,123 @@
+//! What a profile does between all samples: enclosures of its values and of its Taylor coefficients on intervals of `xi`.
+//!
+//! Meant are exact values: those of the formula with its numbers and constant parts rounded, or of the cubics between measured points.
+
+use super::{Profile, Shape, line};
+use crate::expression::{Enclosure, Interval, Scale, Series, Taylor};
+
+/// Switches are known to a few roundings of the base, and count as lying at the end of an interval that they are so close to.
+const SLACK: f64 = 8.0 * f64::EPSILON;
+
+impl Profile {
+    /// Encloses `f(a xi)` for all `xi` of an interval, for a punch of half-width `a`; `None` where a value may be undefined or infinite.
+    ///
+    /// On a short interval the enclosure is about as wide as the values are apart. The value at an end that is a jump is left out.
+    ///
+    /// ```
+    /// let profile = shtaerman::Profile::expression("xi - xi^2")?;
+    /// let range = profile.enclose([0.5, 0.75], 1.0).unwrap();
+    /// assert!(range.lower() <= 0.1875 && 0.25 <= range.upper());
+    /// assert!(range.upper() - range.lower() < 0.0626);
+    /// # Ok::<(), shtaerman::expression::ExpressionError>(())
+    /// ```
+    #[must_use]
+    pub fn enclose(&self, interval: [f64; 2], half_width: f64) -> Option<Interval> {
+        let interval = Interval::new(interval[0], interval[1])?;
+        let whole = self.expansion(interval, 2, half_width);
+        let range = whole.range();
+        let bend = whole.coefficient(2);
+        let middle = interval.lower().midpoint(interval.upper());
+        if !bend.is_bounded() || !interval.contains(middle) {
+            return range;
+        }
+        let tangent = self.expansion(Interval::point(middle)?, 1, half_width);
+        let Some(value) = tangent.range() else { return range };
+        let around = interval.plus(Interval::point(-middle)?).0;
+        let change = Interval::quadratic(tangent.coefficient(1), bend, around);
+        Some(range?.common(value.plus(change).0))
+    }
+
+    /// Encloses the exact and the computed `f(a xi)` at one place; `None` where it may be undefined or infinite.
+    #[must_use]
+    pub fn enclose_at(&self, xi: f64, half_width: f64) -> Option<Interval> {
+        let place = Interval::point(xi)?;
+        let computed = Interval::point(self.height(xi, half_width))?;
+        let exact = match &self.shape {
+            Shape::Expression(expression) => {
+                let values = expression.enclose_along(&line(half_width), place);
+                values.is_finite().then_some(values.interval)
+            }
+            Shape::Flat | Shape::Measured(_) => self.expansion(place, 0, half_width).range(),
+        };
+        exact.map(|exact| exact.hull(computed)).filter(|value| value.is_bounded())
+    }
+
+    /// Encloses `f^(k)/k!`, derivatives with respect to `xi`, for `k` from 0 to `order` on an interval of `xi`; `None` where a value may be undefined or
+    /// infinite.
+    ///
+    /// A coefficient `k` that is bounded says that the derivative of order `k - 1` is Lipschitz continuous inside the interval, and encloses
+    /// that of order `k` wherever it exists, which is almost everywhere. It is unbounded where the profile is not known to be that smooth. What
+    /// switches at an end to rounding is followed to the inside.
+    ///
+    /// ```
+    /// let profile = shtaerman::Profile::expression("abs(x)^3")?;
+    /// let [_, slope, bend, third] = profile.taylor([0.0, 0.5], 3, 2.0).unwrap()[..] else { panic!() };
+    /// assert!(slope.contains(0.0) && slope.contains(6.0) && slope.upper() < 6.1);
+    /// assert!(bend.contains(12.0) && third.contains(8.0));
+    /// // Across the middle the third derivative jumps, so that there is no fourth one.
+    /// let across = profile.taylor([-0.5, 0.5], 4, 2.0).unwrap();
+    /// assert!(!across[4].is_bounded());
+    /// # Ok::<(), shtaerman::expression::ExpressionError>(())
+    /// ```
+    #[must_use]
+    pub fn taylor(
+        &self,
+        interval: [f64; 2],
+        order: usize,
+        half_width: f64,
+    ) -> Option<Vec<Interval>> {
+        let interval = Interval::new(interval[0], interval[1])?;
+        let expansion = self.expansion(interval, order, half_width);
+        expansion.range()?;
+        Some((0..=order).map(|k| expansion.coefficient(k)).collect())
+    }
+
+    /// Bounds `|f^(n)|/n!`, the derivative with respect to `xi`, on an interval; infinite where it is not known to be that smooth.
+    ///
+    /// Interpolation at `n` Chebyshev points on an interval of half-length `r` is off by at most `2 (r/2)^n` times that.
+    #[must_use]
+    pub fn taylor_bound(&self, interval: [f64; 2], order: usize, half_width: f64) -> f64 {
+        Interval::new(interval[0], interval[1]).map_or(f64::INFINITY, |interval| {
+            self.expansion(interval, order, half_width).coefficient(order).size()
+        })
+    }
+
+    /// The same coefficients in a scale in which they do not overflow.
+    pub(crate) fn expansion(&self, interval: Interval, order: usize, half_width: f64) -> Taylor {
+        let scale = Scale::of(interval);
+        match &self.shape {
+            Shape::Flat => {
+                let zero = Enclosure { interval: Interval::ZERO, may_be_undefined: false };
+                Taylor::new(Series::polynomial(vec![Interval::ZERO]), zero, scale)
+            }
+            Shape::Expression(expression) => {
+                expression.taylor_along(&line(half_width), interval, order, SLACK)
+            }
+            Shape::Measured(spline) => {
+                let factor = Interval::ends(half_width, half_width);
+                let (mut terms, is_single) =
+                    spline.enclose(interval.times(factor).0, SLACK * half_width);
+                let unit = factor.times(Interval::ends(scale.value(), scale.value())).0;
+                let mut power = unit;
+                for term in &mut terms[1..] {
+                    *term = term.times(power).0;
+                    power = power.times(unit).0;
+                }
+                let range = Enclosure { interval: terms[0], may_be_undefined: false };
+                let terms = terms.to_vec();
+                let series = if is_single { Series::polynomial(terms) } else { Series::cut(terms) };
+                Taylor::new(series, range, scale)
+            }
+        }
+    }
+}
