@@ -55,7 +55,7 @@ pub enum Error {
         value: f64,
     },
 
-    /// An explicit tolerance was not met.
+    /// An explicit tolerance, or one hundredth where none is given, was not met.
     #[error(
         "the tolerance {tolerance:e} was not met: the {method} method with n = {n} reached a relative error of {reached:.1e} \
          (delta0 = {settlement0}, alpha0 = {tilt0}); double precision allows about 1e-12 to 1e-14, and less at large theta0"

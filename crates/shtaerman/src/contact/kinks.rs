@@ -1,12 +1,17 @@
 //! Kinks of the base on a smooth surface, under which the pressure is infinite.
 
 use super::Contact;
-use crate::Problem;
 use crate::roughness::Law;
+use crate::{ContactKind, Problem};
 
 /// Offsets at which slopes beside a breakpoint are compared, and the share of the jump at the farther that is there at the nearer: where slopes only bend steeply it vanishes.
 const BESIDE: [f64; 2] = [1e-8, 1e-12];
 const KEPT: f64 = 0.9;
+/// The same where there is more of it the nearer.
+const GROWN: f64 = 1.1;
+
+/// `xi` from one end of a base to the other.
+const PERIOD: f64 = 2.0;
 
 /// A kink this close to an end of its zone, as a share of the zone, lies on it.
 const AT_END: f64 = 1e-8;
@@ -18,10 +23,22 @@ const AT_KINK: f64 = 1e-5;
 pub(super) struct Kink {
     pub(super) xi: f64,
     /// A place this close is, to rounding, the kink.
-    pub(super) rounding: f64,
+    rounding: f64,
+    /// The period of a base that repeats without gaps.
+    period: Option<f64>,
     /// `+inf` where the base has an edge towards the body, `-inf` where it is hollow: with a jump `J` of `df0/dxi` the pressure goes as
-    /// `p0 ~ J/(pi^2 theta0) ln(1/|d|)` at the distance `d`, as the kernel has the symbol `pi/|k|`.
+    /// `p0 ~ J/(pi^2 theta0) ln(1/|d|)` at the distance `d`, as the kernel has the symbol `pi/|k|`. 0 where a hollow base lifts off, in a gap that is
+    /// narrower than rounding.
     pub(super) pressure: f64,
+    /// Whether the slope has no bounds there, and the pressure goes as it does, as a power of the distance.
+    pub(super) is_cusp: bool,
+}
+
+impl Kink {
+    fn is_at(&self, xi: f64) -> bool {
+        let images = [0.0, -1.0, 1.0].map(|m| m * self.period.unwrap_or(0.0));
+        images.into_iter().any(|shift| (self.xi + shift - xi).abs() <= self.rounding)
+    }
 }
 
 /// The kinks inside zones of a smooth, homogeneous body; none on graded ground, where the pressure is `|d|^mu` more regular, or under a layer.
@@ -30,27 +47,45 @@ pub(super) fn kinks(problem: &Problem, zones: &[[f64; 2]]) -> Vec<Kink> {
     if frame.law() != Law::Smooth || frame.grading().is_some() {
         return Vec::new();
     }
-    let half_width = frame.half_width();
+    let period = problem.is_wave().then_some(PERIOD);
+    let is_unilateral = problem.solver().contact == ContactKind::Unilateral;
     let kink = |xi: f64| {
+        // A zone of a wave may reach over the seam, and full contact has no ends.
+        let images = [0.0, -1.0, 1.0].map(|m| xi + m * period.unwrap_or(0.0));
         let [left, right] = zones.iter().find(|[left, right]| {
             let margin = AT_END * (right - left);
-            left + margin < xi && xi < right - margin
+            let is_full = period.is_some_and(|period| right - left >= period);
+            is_full || images.iter().any(|xi| left + margin < *xi && *xi < right - margin)
         })?;
-        let pressure = f64::INFINITY.copysign(jump(problem, xi)?);
+        let Jump { size, is_cusp } = jump(problem, xi)?;
+        let pressure = f64::INFINITY.copysign(size);
+        let pressure = if is_unilateral { pressure.max(0.0) } else { pressure };
         // A zone may be narrower than the rounding of a whole half-width.
         let rounding = f64::EPSILON * xi.abs().max(right - left);
-        Some(Kink { xi, rounding, pressure })
+        Some(Kink { xi, rounding, period, pressure, is_cusp })
     };
-    problem.profile().breakpoints(half_width).into_iter().filter_map(kink).collect()
+    let places = problem.profile().breakpoints(frame.half_width());
+    places.into_iter().chain(period.map(|_| 1.0)).filter_map(kink).collect()
+}
+
+/// A jump of the slope.
+struct Jump {
+    size: f64,
+    /// Whether it grows without bounds the nearer the sides are.
+    is_cusp: bool,
 }
 
 /// The jump of the slope, if there is one.
-fn jump(problem: &Problem, xi: f64) -> Option<f64> {
+fn jump(problem: &Problem, xi: f64) -> Option<Jump> {
     let half_width = problem.frame().half_width();
-    let at = |xi: f64| problem.profile().slope(xi, half_width);
+    let at = |xi: f64| {
+        let beyond_seam = problem.is_wave() && xi > 1.0;
+        problem.profile().slope(if beyond_seam { xi - PERIOD } else { xi }, half_width)
+    };
     let [far, near] = BESIDE.map(|offset| Some(at(xi + offset)? - at(xi - offset)?));
     let (far, near) = (far?, near?);
-    (near.is_finite() && near != 0.0 && near / far > KEPT).then_some(near)
+    let is_cusp = near / far > GROWN;
+    (near.is_finite() && near != 0.0 && near / far > KEPT).then_some(Jump { size: near, is_cusp })
 }
 
 impl Contact {
@@ -66,9 +101,6 @@ impl Contact {
 
     /// The pressure at `xi` if that is, to rounding, a kink where it is infinite.
     pub(super) fn singular_pressure(&self, xi: f64) -> Option<f64> {
-        self.kinks()
-            .iter()
-            .find(|kink| (kink.xi - xi).abs() <= kink.rounding)
-            .map(|kink| kink.pressure)
+        self.kinks().iter().find(|kink| kink.is_at(xi)).map(|kink| kink.pressure)
     }
 }

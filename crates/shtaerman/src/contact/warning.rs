@@ -113,6 +113,7 @@ impl Warning {
 
     /// The pressure is infinite under these kinks; none if there are none.
     pub(super) fn singular_kink(frame: &Frame, kinks: &[Kink]) -> Option<Self> {
+        let kinks: Vec<&Kink> = kinks.iter().filter(|kink| kink.pressure.is_infinite()).collect();
         if kinks.is_empty() {
             return None;
         }
@@ -122,8 +123,12 @@ impl Warning {
         if let Some(more) = kinks.len().checked_sub(MOST_PLACES).filter(|more| *more > 0) {
             places.push(format!("{more} more places"));
         }
+        let growth = match kinks.iter().any(|kink| kink.is_cusp) {
+            true => "as a power of the distance where the base has a cusp, else as its logarithm",
+            false => "as the logarithm of the distance",
+        };
         let message = format!(
-            "the pressure of a smooth surface is infinite under the kink of the base at {}, as the logarithm of the distance: a roughness or a radius there makes it finite",
+            "the pressure of a smooth surface is infinite under the kink of the base at {}, {growth}: a roughness or a radius there makes it finite",
             places.join(" and ")
         );
         Some(Self { code: WarningCode::SingularKink, message })

@@ -89,7 +89,7 @@ fn a_wave_just_short_of_full_contact() {
     assert!(contact.gap0(at + 1.0) > 0.0);
     // A gap that is too short is said to be, or as good as none.
     let narrow =
-        punch(1.0, move |x| -LIMIT * (PI * (x - at)).cos(), level(2.0 * LIMIT * (1.0 - 1e-7)))
+        punch(1.0, move |x| -LIMIT * (PI * (x - at)).cos(), level(2.0 * LIMIT * (1.0 - 1e-9)))
             .slope(move |x| LIMIT * PI * (PI * (x - at)).sin())
             .period(2.0);
     assert!(matches!(narrow.refused(), Error::ZonesTooClose { gap } if gap < 1e-3));

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{With, level, punch};
-use shtaerman::{Load, Rotational, SmoothContact, Vertical};
+use crate::support::{With, holds, level, punch};
+use shtaerman::{Error, Load, Rotational, SmoothContact, Vertical};
 
 /// Amplitudes and phases of the harmonics.
 type Wave = Vec<(f64, f64)>;
@@ -106,4 +106,60 @@ fn a_bump_that_samples_of_the_slope_miss_is_seen() {
     let contact = punch(1.0, height, level(1e-3)).slope(slope).period(2.0).solved();
     assert!(contact.is_contact(0.25) && !contact.is_contact(-0.25));
     assert!(contact.complementarity().penetration < 1e-9);
+}
+
+/// `x^2` repeated with the period 2: hollow at the seam, where full contact would take an infinite tension. With the weight `sin psi/sqrt(sin^2 B - sin^2 psi)`, `psi = pi x/2`,
+/// of a single zone (of one cosine it gives Westergaard's) the force is `8/(pi^2 theta0) ln(1/cos B)`.
+#[test]
+fn a_hollow_kink_at_the_seam_opens_at_every_force() {
+    for (force, tolerance) in [(0.01, 1e-13), (1.0, 1e-12), (4.0, 1e-11), (5.5, 1e-9)] {
+        let contact = punch(1.0, |x| x * x, level(force)).slope(|x| 2.0 * x).period(2.0).solved();
+        let exact = 2.0 / PI * (-PI * PI * force / 8.0).exp().acos();
+        let [zone] = contact.zones().try_into().unwrap();
+        for (end, side) in zone.ends.into_iter().zip([-1.0, 1.0]) {
+            assert!((side * end - exact).abs() < tolerance, "{force}: {end} {exact}");
+            assert!((side * end - exact).abs() <= contact.edge_error0() + 1e-15, "{force}: {end}");
+        }
+        assert!(contact.pressure0(1.0) == 0.0 && contact.pressure0(-1.0) == 0.0);
+        if force < 2.0 {
+            holds(&contact, 1e-9, &format!("{force}"));
+        }
+    }
+}
+
+#[test]
+fn a_gap_that_no_modes_resolve_is_refused() {
+    let wave = punch(1.0, |x| x * x, level(12.0)).slope(|x| 2.0 * x).period(2.0);
+    assert!(matches!(wave.refused(), Error::ZonesTooClose { .. }));
+    // A gap of e^-123 periods is narrower than rounding.
+    let wave = punch(1.0, |x| x * x, level(100.0)).slope(|x| 2.0 * x).period(2.0);
+    let contact = wave.solved();
+    assert_eq!([-1.0, 1.0].map(|xi| contact.pressure0(xi)), [0.0; 2]);
+    assert!(contact.pressure0(0.999_999) > 0.0 && contact.complementarity().tension == 0.0);
+    // Bilateral contact pulls there.
+    let wave = punch(1.0, |x| x * x, level(12.0)).slope(|x| 2.0 * x).period(2.0).bilateral();
+    let contact = wave.solved();
+    assert_eq!([-1.0, 1.0].map(|xi| contact.pressure0(xi)), [f64::NEG_INFINITY; 2]);
+}
+
+/// Westergaard's `sin^2(pi b/2) = P0/(2 h/theta0)`, a little short of full contact, with the crest anywhere.
+#[test]
+fn narrow_gaps_of_turned_cosines() {
+    for crest in [0.0, 0.2, 0.06, 0.246, -0.9] {
+        for (short, tolerance) in [(1e-3, 1e-9), (1e-5, 1e-7), (1e-6, 1e-5)] {
+            let load = level(2.0 * (1.0 - short));
+            let height = move |x: f64| -(PI * (x - crest)).cos();
+            let slope = move |x: f64| PI * (PI * (x - crest)).sin();
+            let contact = punch(1.0, height, load).slope(slope).period(2.0).solved();
+            let half = 1.0 - 2.0 / PI * f64::sqrt(short).asin();
+            let [zone] = contact.zones().try_into().unwrap();
+            let found = 0.5 * (zone.ends[1] - zone.ends[0]);
+            let what = format!("{crest} {short}: {found} {half}");
+            assert!((found - half).abs() < tolerance, "{what}");
+            assert!((found - half).abs() <= contact.edge_error0(), "{what}");
+            let middle = 0.5 * (zone.ends[1] + zone.ends[0]) - crest;
+            let middle = middle - 2.0 * (0.5 * middle).round();
+            assert!(middle.abs() <= contact.edge_error0(), "{what}: middle {middle:e}");
+        }
+    }
 }

@@ -252,6 +252,11 @@ impl SmoothContact {
     #[must_use]
     pub fn pressure0(&self, xi: f64) -> f64 {
         match &self.solution {
+            // In a gap narrower than rounding that a hollow kink opens.
+            Solution::Full(full) if self.problem.is_unilateral => {
+                let pressure = full.pressure(wrapped(xi));
+                if pressure == f64::NEG_INFINITY { 0.0 } else { pressure }
+            }
             Solution::Full(full) => full.pressure(wrapped(xi)),
             Solution::Zones(solved) => solved.pressure_at(self.local(solved, xi)),
         }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::harmonics::Harmonics;
 use super::problem::{Sample, SmoothProblem};
 use super::slopes::Slopes;
 use super::wave::Turn;
@@ -44,20 +45,14 @@ impl Band {
         Some(Self { slopes, samples })
     }
 
-    /// The sample next to a place, as its number; the last where it might be the first, from which nothing has to be turned.
-    pub(super) fn nearest(&self, place: f64) -> usize {
-        let last = self.samples.len() - 1;
-        match (0.5 * (place + 1.0) * last as f64).round() as usize {
-            0 => last,
-            number => number.min(last),
-        }
-    }
-
-    /// The samples seen from the one with this number, which becomes `-1` and `1`.
-    pub(super) fn turned(&self, first: usize) -> Vec<Sample> {
-        let period = self.samples.len() - 1;
-        let height = |i: usize| self.samples[(first + i) % period].1;
-        self.samples.iter().enumerate().map(|(i, (xi, _))| (*xi, height(i))).collect()
+    /// Samples of the profile seen from a place, which becomes `-1` and `1`.
+    pub(super) fn turned(&self, place: f64) -> Vec<Sample> {
+        let series = self.slopes.series().map(Harmonics::heights);
+        let height = |xi: f64| match &series {
+            Some(series) => self.slopes.mean() + series.conjugate(PI * (xi - 1.0 + place)),
+            None => f64::NAN,
+        };
+        self.samples.iter().map(|(xi, _)| (*xi, height(*xi))).collect()
     }
 }
 
@@ -94,14 +89,10 @@ mod tests {
         );
         let band = Band::of(&problem).unwrap();
         assert!((band.slopes.mean() - 0.2).abs() < 1e-15);
-        let first = band.nearest(0.25);
-        let turned = band.turned(first);
-        for (xi, height) in &turned {
-            let place = xi + 1.25;
-            let exact = (problem.profile.height)(place);
+        for (xi, height) in band.turned(0.2345) {
+            let exact = (problem.profile.height)(xi + 1.2345);
             assert!((height - exact).abs() < 1e-14, "{xi}");
         }
-        assert_eq!(turned[0].1, turned[turned.len() - 1].1);
     }
 
     #[test]

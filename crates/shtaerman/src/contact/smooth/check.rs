@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::COARSELY_ALLOWED;
 use super::problem::Base;
-use super::system::{Place, Solved};
+use super::system::{Part, Place, Solved};
 use super::zones::Zone;
 
 /// A penetration that changes by less than this share is the same again; how zones that vanished are narrowed for the next attempt, and how far.
@@ -14,6 +14,8 @@ const NARROWEST: f64 = 1e-4;
 /// Points of a zone and of an interval outside the zones, at least and at most.
 pub(super) const POINTS: usize = 48;
 const MOST_POINTS: usize = 1500;
+/// Tenths of tenths of half a zone to which places close in on a kink.
+const CLOSING: i32 = 12;
 
 /// What is left of tension and penetration.
 #[derive(Debug, Clone, PartialEq)]
@@ -139,7 +141,10 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
 fn along(base: &Base<'_>, solved: &Solved, j: usize) -> Along {
     let zone = solved.parts[j].zone;
     let points = points(zone.ends, base.cells(), POINTS);
-    let points = points[1..points.len() - 1].to_vec();
+    let mut points = points[1..points.len() - 1].to_vec();
+    points.extend(beside_hollows(&solved.parts[j]));
+    points.sort_by(f64::total_cmp);
+    points.dedup();
     let pressures = points.iter().map(|&xi| {
         let place = Place { from_left: xi - zone.left(), from_right: zone.right() - xi };
         solved.pressure(j, place)
@@ -148,6 +153,15 @@ fn along(base: &Base<'_>, solved: &Solved, j: usize) -> Along {
     let floor = 4.0 * solved.rounding(j) / (solved.theta0 * (first * zone.length()).sqrt());
     let pressures = pressures.collect();
     Along { points, pressures, floor }
+}
+
+/// Places that close in on the hollow kinks of a zone from either side: under these the pressure falls below all bounds, but as slowly as a logarithm.
+fn beside_hollows(part: &Part) -> Vec<f64> {
+    let Zone { ends: [left, right], .. } = part.zone;
+    let kinks = part.slopes.hollows().map(|(angle, _)| part.centre() + part.half() * angle.cos());
+    let offsets = || (1..=CLOSING).flat_map(|k| [-1.0, 1.0].map(|side| side * 0.1f64.powi(k)));
+    let beside = kinks.flat_map(|kink| offsets().map(move |offset| kink + offset * part.half()));
+    beside.filter(|xi| left < *xi && *xi < right).collect()
 }
 
 /// The intervals of the pieces of a base beside zones.

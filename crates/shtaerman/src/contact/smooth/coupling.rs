@@ -1,7 +1,8 @@
 //! What zones do to one another: the coupled modes.
 
-use std::f64::consts::{FRAC_PI_2, LN_2, PI};
+use std::f64::consts::{FRAC_PI_2, LN_2, LN_10, PI};
 
+use super::FINE;
 use super::kernel::{Remainder, SmoothKernel};
 use super::linear::Symmetric;
 use super::zones::Zone;
@@ -10,6 +11,8 @@ use crate::Error;
 /// Most modes of a zone, and of all together.
 const MOST_OF_A_ZONE: f64 = 800.0;
 const MOST_MODES: usize = 4000;
+/// Fewest digits to which the modes of an answer are kept.
+const FEWEST_DIGITS: f64 = 8.0;
 
 /// The coefficients `theta0 gamma_k` of three densities, zone by zone: their displacements are `1`, `xi - middle` and `f0`.
 pub(super) struct Coupled {
@@ -18,7 +21,8 @@ pub(super) struct Coupled {
     pub(super) profile: Vec<Vec<f64>>,
 }
 
-/// Number of modes for each zone: the field of what lies nearest is a series that falls as `rho^-k`, `rho` set by the distance.
+/// Number of modes for each zone: the field of what lies nearest is a series that falls as `rho^-k`, `rho` set by the distance. Where zones are close all
+/// digits take more modes than can be had, and every detail gets the same share of its own, so that comparing two of them still tells the error.
 pub(super) fn modes(
     kernel: SmoothKernel,
     zones: &[Zone],
@@ -39,14 +43,12 @@ pub(super) fn modes(
         // The remainder of the periodic kernel ends two periods away.
         let reach = period.map_or(f64::INFINITY, |period| 2.0 * period - 2.0);
         let e = gap.min(reach) / (0.5 * zone.length());
-        let wanted = if e.is_infinite() {
-            2.0
-        } else {
-            (digits * std::f64::consts::LN_10 / (e + (e * (2.0 + e)).sqrt()).ln_1p()).ceil() + 3.0
-        };
-        if wanted.is_nan() || wanted > MOST_OF_A_ZONE {
+        let each = LN_10 / (e + (e * (2.0 + e)).sqrt()).ln_1p();
+        let share = (MOST_OF_A_ZONE / (FINE.digits * each)).min(1.0);
+        if share.is_nan() || share * FINE.digits < FEWEST_DIGITS {
             return Err(Error::ZonesTooClose { gap: gap.max(0.0) });
         }
+        let wanted = if e.is_infinite() { 2.0 } else { (share * digits * each).ceil() + 3.0 };
         counts.push(wanted as usize);
     }
     if counts.iter().sum::<usize>() > MOST_MODES {

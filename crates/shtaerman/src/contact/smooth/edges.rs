@@ -25,6 +25,10 @@ impl FreeEnds for Solved {
         self.modes()
     }
 
+    fn panels(&self) -> usize {
+        self.panels()
+    }
+
     fn carried(&self, zone: usize) -> f64 {
         self.parts[zone].force()
     }

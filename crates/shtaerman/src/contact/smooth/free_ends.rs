@@ -9,12 +9,16 @@ use crate::Error;
 const STEPS: usize = 120;
 /// A density at a free end below this share of the largest is as good as none, if it does not fall any more.
 const SMALL: f64 = 1e-8;
+/// A density that keeps this share in a step does not fall: in a row that is nearly closed steps converge by a half only.
+const FALLING: f64 = 0.9;
 /// Share of a zone, or of a gap, that an edge may cross in one step.
 pub(super) const STRIDE: f64 = 0.4;
 /// Zones shorter than this share of the longest are none.
 pub(super) const VANISHING: f64 = 1e-9;
 /// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends.
 const MOST_WORK: f64 = 4e10;
+/// What a panel costs in the same unit.
+const A_PANEL: f64 = 2e4;
 /// Zones closer than this share of the shorter one are one.
 const CLOSE: f64 = 1e-5;
 
@@ -23,12 +27,12 @@ const CLOSE: f64 = 1e-5;
 pub(super) struct Work(Cell<f64>);
 
 impl Work {
-    /// Adds the solution of so many equations.
+    /// Adds the solution of so many equations, on so many panels.
     ///
     /// # Errors
     /// [`Error::NotComplementary`] if that was too much.
-    fn spend(&self, modes: usize) -> Result<(), Error> {
-        self.0.set(self.0.get() + (modes as f64).powi(3));
+    fn spend(&self, modes: usize, panels: usize) -> Result<(), Error> {
+        self.0.set(self.0.get() + (modes as f64).powi(3) + A_PANEL * panels as f64);
         if self.0.get() <= MOST_WORK {
             return Ok(());
         }
@@ -40,6 +44,11 @@ impl Work {
 pub(super) trait FreeEnds {
     /// Number of unknowns.
     fn modes(&self) -> usize;
+
+    /// Number of panels of the slopes.
+    fn panels(&self) -> usize {
+        0
+    }
 
     /// Force of a zone, or a multiple of it.
     fn carried(&self, zone: usize) -> f64;
@@ -72,7 +81,7 @@ pub(super) fn settle<S: FreeEnds>(
     let mut best: Option<(f64, S)> = None;
     for _ in 0..STEPS {
         let solved = solve(&zones)?;
-        work.spend(solved.modes())?;
+        work.spend(solved.modes(), solved.panels())?;
         if drop_idle(&mut zones, &solved) {
             best = None;
             continue;
@@ -82,7 +91,7 @@ pub(super) fn settle<S: FreeEnds>(
         let none = solved.none();
         let is_small = worst <= SMALL && !released;
         if is_small && let Some((before, known)) = best.take() {
-            if worst >= 0.5 * before || worst <= none {
+            if worst >= FALLING * before || worst <= none {
                 return Ok(if before <= worst { known } else { solved });
             }
         } else if worst <= none && !released {

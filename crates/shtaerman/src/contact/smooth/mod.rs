@@ -25,6 +25,7 @@ mod linear;
 mod linearised;
 mod panels;
 mod problem;
+mod roots;
 mod search;
 mod slopes;
 mod stated;

@@ -3,11 +3,19 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::legendre::{ORDER, RULE, cauchy, derivative, polynomials};
-use super::slopes::Angular;
+use super::slopes::{Angular, ROUNDINGS};
 
 /// Panels are halved at most this often, and there are at most so many.
 const DEEPEST: u32 = 44;
 const MOST_PANELS: usize = 40_000;
+/// The nodes next to the ends of a panel are this share of it away from them, less rounding.
+const BLURRED: f64 = 1e3;
+/// A last coefficient that keeps this share when a panel is halved does not fall.
+const STAYS: f64 = 0.6;
+/// Roundings of a place in the last coefficients of a panel, at most.
+const BLURS: f64 = 64.0;
+/// Half of a panel so short that what is left is noise if it is the same in both halves.
+const FASTEST: f64 = 1e-4;
 /// Coefficients this small that do not fall when a panel is halved are noise.
 const NOISE: f64 = 1e-11;
 /// A pole so many half-lengths from the middle of a panel is far.
@@ -48,7 +56,7 @@ impl Panel {
     }
 
     /// `g` at both ends.
-    fn ends(&self) -> [f64; 2] {
+    pub(super) fn ends(&self) -> [f64; 2] {
         let even: f64 = self.coefficients.iter().step_by(2).sum();
         let odd: f64 = self.coefficients.iter().skip(1).step_by(2).sum();
         [even - odd, even + odd]
@@ -65,6 +73,11 @@ impl Panel {
     pub(super) fn at(&self, angle: f64) -> f64 {
         let u = (angle - self.middle()) / self.half();
         polynomials(u).iter().zip(&self.coefficients).map(|(p, c)| p * c).sum()
+    }
+
+    /// Whether nothing shorter would show more.
+    pub(super) fn is_blurred(&self, blur: f64) -> bool {
+        self.half() <= BLURRED * blur
     }
 
     /// `int g(t) atan(sin t/(excess + 1 - side cos t)) dt` by the nodes.
@@ -136,23 +149,30 @@ fn without_pole(z: f64) -> f64 {
         + s * (1.0 / 360.0 + s * (1.0 / 15120.0 + s * (1.0 / 604_800.0 + s / 23_950_080.0))))
 }
 
-/// Makes neighbours meet where they nearly do, and tells where they do not; an odd slope vanishes at both ends.
-pub(super) fn join(panels: &mut [Panel], is_odd: bool, threshold: f64) -> Vec<(f64, f64)> {
+/// Makes neighbours meet but for the angles where the slope jumps, and tells how it jumps there; an odd slope vanishes at both ends, if it nearly does.
+pub(super) fn join(
+    panels: &mut [Panel],
+    is_odd: bool,
+    threshold: f64,
+    is_jump: impl Fn(f64) -> bool,
+) -> Vec<(f64, f64)> {
     let mut jumps = Vec::new();
     let count = panels.len();
     let mut changes = vec![[0.0; 2]; count];
     for i in 0..count {
         let next = (i + 1) % count;
         let [last, first] = [panels[i].ends()[1], panels[next].ends()[0]];
-        let is_seam = next == 0;
-        let [to_last, to_first] =
-            if is_seam && is_odd { [0.0; 2] } else { [0.5 * (last + first); 2] };
-        if (last - to_last).abs() <= threshold && (first - to_first).abs() <= threshold {
-            changes[i][1] = to_last - last;
-            changes[next][0] = to_first - first;
-        } else if !is_seam || !is_odd {
-            jumps.push((panels[i].end, first - last));
+        let is_end = next == 0 && is_odd;
+        let size = if is_end { last.abs().max(first.abs()) } else { (first - last).abs() };
+        if size > threshold && (is_end || is_jump(panels[i].end)) {
+            if !is_end {
+                jumps.push((panels[i].end, first - last));
+            }
+            continue;
         }
+        let [to_last, to_first] = if is_end { [0.0; 2] } else { [0.5 * (last + first); 2] };
+        changes[i][1] = to_last - last;
+        changes[next][0] = to_first - first;
     }
     for (panel, [left, right]) in panels.iter_mut().zip(changes) {
         let mut coefficients = panel.coefficients;
@@ -177,6 +197,8 @@ pub(super) struct Builder<'p> {
     /// Largest `|f|` and `|g|`.
     pub(super) scale: [f64; 2],
     pub(super) tolerance: f64,
+    /// Rounding of angles: shorter panels than [`BLURRED`] times that show nothing else.
+    pub(super) blur: f64,
 }
 
 /// What samples of an interval tell.
@@ -208,9 +230,12 @@ impl Builder<'_> {
         let integral = half * heights.iter().zip(&RULE.weights).map(|(h, w)| h * w).sum::<f64>();
         let slopes = angles.map(|angle| self.profile.slope(angle));
         let is_slope = slopes.iter().all(Option::is_some);
+        // Where a formula loses its slope at a place, as that of asin(sin(x)) at a crest, it is that of the panel.
+        let secant = (self.profile.height(end) - self.profile.height(start)) / (end - start);
+        let known = |slope: Option<f64>| slope.filter(|slope| slope.is_finite()).unwrap_or(secant);
         let largest = |values: &[f64]| values.iter().fold(0.0f64, |most, v| most.max(v.abs()));
         let (coefficients, tail) = if is_slope {
-            let coefficients = RULE.coefficients(&slopes.map(|slope| slope.unwrap_or(0.0)));
+            let coefficients = RULE.coefficients(&slopes.map(known));
             (coefficients, largest(&coefficients[ORDER - 2..]))
         } else {
             // About its middle value: small panels have small rounding.
@@ -235,31 +260,61 @@ impl Builder<'_> {
         depth: u32,
         before: f64,
     ) {
-        let Sampled { coefficients, integral, sizes, tail, is_slope } = *sampled;
         let half = 0.5 * (end - start);
-        let (scale, rounding, error) = if is_slope {
-            (self.scale[1], 0.0, tail)
-        } else {
-            let bent = self.scale[1] * half / ORDER as f64;
-            (bent, f64::EPSILON * sizes[0], tail * ORDER as f64 / half)
-        };
-        let met = tail <= (self.tolerance * scale).max(rounding);
-        let noise = NOISE * if is_slope { self.scale[1] } else { self.scale[0] };
-        let is_noise = depth > 1 && tail >= 0.6 * before && tail <= noise;
-        let last = depth >= DEEPEST || self.panels.len() >= MOST_PANELS || !tail.is_finite();
-        if met || is_noise || last {
-            // What a panel adds to F is about its error times its length over the distance.
-            self.worst = self.worst.max(error * half.min(1.0));
-            self.sum += integral;
-            self.heights = self.heights.max(sizes[0]);
-            self.is_by_heights |= !is_slope;
-            self.panels.push(Panel::new(start, end, coefficients));
+        let is_short = half <= BLURRED * self.blur || depth >= DEEPEST;
+        let is_full = self.panels.len() >= MOST_PANELS;
+        if self.is_met(sampled, half) || is_short || is_full || !sampled.tail.is_finite() {
+            self.push([start, end], sampled);
             return;
         }
         let middle = 0.5 * (start + end);
-        for [start, end] in [[start, middle], [middle, end]] {
-            let sampled = self.sample(start, end);
-            self.add([start, end], &sampled, depth + 1, tail);
+        let halves = [[start, middle], [middle, end]].map(|[a, b]| ([a, b], self.sample(a, b)));
+        // A kink stays in one half, and what is smooth falls in both.
+        let stays = if sampled.is_slope {
+            halves.iter().all(|(_, part)| part.tail >= STAYS * sampled.tail)
+        } else {
+            sampled.tail >= STAYS * before
+        };
+        if depth > 0 && stays && self.may_be_noise(sampled, half) {
+            self.push([start, end], sampled);
+            return;
         }
+        for (ends, part) in halves {
+            self.add(ends, &part, depth + 1, sampled.tail);
+        }
+    }
+
+    fn is_met(&self, sampled: &Sampled, half: f64) -> bool {
+        let (scale, rounding) = if sampled.is_slope {
+            (self.scale[1], f64::EPSILON * ROUNDINGS * self.profile.taken_slope())
+        } else {
+            (self.scale[1] * half / ORDER as f64, f64::EPSILON * sampled.sizes[0])
+        };
+        sampled.tail <= (self.tolerance * scale).max(rounding)
+    }
+
+    /// Whether last coefficients that no halving makes smaller are rounding: small ones, those that rounded places make, or those of panels so short that nothing of
+    /// the profile is as fast.
+    fn may_be_noise(&self, sampled: &Sampled, half: f64) -> bool {
+        if !sampled.is_slope {
+            return sampled.tail <= NOISE * self.scale[0];
+        }
+        let noise = NOISE * self.scale[1].max(self.profile.taken_slope());
+        let bend: f64 = sampled.coefficients[1..].iter().map(|c| c.abs()).sum();
+        let blurred = BLURS * self.blur / half * bend;
+        sampled.tail <= noise.max(blurred) || half <= FASTEST
+    }
+
+    fn push(&mut self, [start, end]: [f64; 2], sampled: &Sampled) {
+        let half = 0.5 * (end - start);
+        let Sampled { coefficients, integral, sizes, tail, is_slope } = *sampled;
+        let error = if is_slope { tail } else { tail * ORDER as f64 / half };
+        // What a panel adds to F is about its error times its length over the distance.
+        let own = if self.panels.len() < MOST_PANELS { error * half.min(1.0) } else { sizes[1] };
+        self.worst = self.worst.max(own);
+        self.sum += integral;
+        self.heights = self.heights.max(sizes[0]);
+        self.is_by_heights |= !is_slope;
+        self.panels.push(Panel::new(start, end, coefficients));
     }
 }

@@ -13,6 +13,7 @@ use std::sync::OnceLock;
 use super::harmonics::{Harmonics, Resolved};
 use super::legendre::{ORDER, RULE};
 use super::panels::{Builder, Panel, join};
+use super::roots::{Local, Root};
 
 /// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding.
 const REMOTE: f64 = 0.48;
@@ -23,6 +24,10 @@ const SAMPLED: f64 = 32.0;
 const RESOLVED: f64 = 3e-16;
 /// Panels whose ends differ by less than this share of the largest slope are made to meet: a jump of rounding would be a pole.
 const JOINED: f64 = 1e-9;
+/// Powers of the distance below this are none: the slope jumps.
+const CONSTANT: f64 = 1.5e-3;
+/// A cut this near a bend, in roundings of angles, makes a panel that shows nothing.
+const NEAR: f64 = 1e4;
 /// Roundings of a height.
 pub(super) const ROUNDINGS: f64 = 4.0;
 
@@ -36,6 +41,14 @@ pub(super) trait Angular {
     }
     /// `df/dt`, where it is known better than by differences.
     fn slope(&self, angle: f64) -> Option<f64>;
+    /// Size of what is taken away from slopes, and leaves its rounding in them.
+    fn taken_slope(&self) -> f64 {
+        0.0
+    }
+    /// Rounding of angles.
+    fn blur(&self) -> f64 {
+        f64::EPSILON
+    }
 }
 
 /// `g` on panels, over the half turn of a zone (odd beyond it) or over the whole turn of a wave.
@@ -45,6 +58,10 @@ pub(super) struct Slopes {
     is_odd: bool,
     /// Where `g` jumps, and how it does: there `F` is infinite.
     jumps: Vec<(f64, f64)>,
+    /// Where the profile may bend.
+    bends: Vec<f64>,
+    /// Where `g` goes as a power of the distance, which no panels resolve.
+    roots: Vec<Root>,
     /// Mean of `f` over the angle.
     mean: f64,
     /// Estimated error of `F`.
@@ -86,6 +103,8 @@ impl Slopes {
             panels: Vec::new(),
             is_odd,
             jumps: Vec::new(),
+            bends: Vec::new(),
+            roots: Vec::new(),
             mean,
             error,
             end_error: error,
@@ -109,9 +128,15 @@ impl Slopes {
         let width = PI / panels as f64;
         let mut cuts: Vec<f64> = (0..=count).map(|i| start + width * i as f64).collect();
         cuts[count] = PI;
+        let ends = [cuts[0], PI];
         cuts.extend(bends.iter().filter(|bend| **bend > start && **bend < PI));
         cuts.sort_by(f64::total_cmp);
-        cuts.dedup_by(|next, last| *next - *last < 1e-15);
+        // A cut by a bend is where it bends, to the last bit.
+        let blur = profile.blur();
+        let is_apart =
+            |cut: &f64| bends.iter().all(|bend| bend == cut || (bend - cut).abs() > NEAR * blur);
+        cuts.retain(|cut| ends.contains(cut) || is_apart(cut));
+        cuts.dedup();
         let tolerance = tolerance.max(RESOLVED);
         let (panels, scale) = (Vec::new(), [0.0; 2]);
         let mut builder = Builder {
@@ -123,6 +148,7 @@ impl Slopes {
             is_by_heights: false,
             scale,
             tolerance,
+            blur: profile.blur(),
         };
         for (pair, sampled) in cuts.windows(2).zip(builder.first(&cuts)) {
             builder.add([pair[0], pair[1]], &sampled, 0, f64::INFINITY);
@@ -140,7 +166,18 @@ impl Slopes {
         }
         // By parts the heights at the ends of the panels remain, extrapolated from the nodes, each with its own rounding.
         let mode_error = rounding * ORDER as f64 * (panels.len() as f64).sqrt();
-        let jumps = join(&mut panels, is_odd, JOINED * scale[1]);
+        let local = Local { profile, is_odd };
+        let is_bend = |at: f64| bends.contains(&at) || !is_odd && at == PI;
+        // By heights what is no jump is rounding, and spreads where it is made to meet.
+        let may_jump = |at: f64| match local.power(at) {
+            Some((_, power)) => is_bend(at) && power < CONSTANT,
+            None => is_by_heights || is_bend(at),
+        };
+        let jumps = join(&mut panels, is_odd, JOINED * scale[1], may_jump);
+        let plain = bends.iter().filter(|at| jumps.iter().all(|(jump, _)| jump != *at));
+        let roots: Vec<Root> =
+            plain.filter_map(|at| Root::of(&panels, &local, *at, JOINED * scale[1])).collect();
+        worst += roots.iter().map(|root| root.error).fold(0.0, f64::max);
         let largest =
             panels.iter().flat_map(|p| p.values).fold(0.0f64, |most, v| most.max(v.abs()));
         let mean = sum / (PI - start);
@@ -148,6 +185,8 @@ impl Slopes {
             panels,
             is_odd,
             jumps,
+            bends: bends.to_vec(),
+            roots,
             mean,
             error: worst,
             end_error,
@@ -156,10 +195,16 @@ impl Slopes {
             series: None,
             first: OnceLock::new(),
         };
-        if slopes.jumps.is_empty() {
+        if slopes.jumps.is_empty() && slopes.roots.is_empty() {
             slopes.series = Harmonics::short(&slopes);
         }
         slopes
+    }
+
+    /// The angles at which `g` falls at once, and by how much: there `F` is plus infinity.
+    pub(super) fn hollows(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let is_bend = |at: f64| self.bends.contains(&at) || !self.is_odd && at == PI;
+        self.jumps.iter().copied().filter(move |(at, jump)| *jump < 0.0 && is_bend(*at))
     }
 
     /// Nodes with their values of `g` and weights.
@@ -170,6 +215,11 @@ impl Slopes {
                 (middle + half * RULE.nodes[i], panel.values[i], half * RULE.weights[i])
             })
         })
+    }
+
+    /// Number of panels.
+    pub(super) fn panels(&self) -> usize {
+        self.panels.len()
     }
 
     pub(super) fn is_odd(&self) -> bool {
@@ -214,11 +264,15 @@ impl Slopes {
 
     /// `F(phi)`.
     pub(super) fn conjugate(&self, angle: f64) -> f64 {
-        if let Some((_, jump)) = self.jumps.iter().find(|(at, _)| *at == angle) {
+        let is_at = |at: f64| at == angle || !self.is_odd && at == angle + TAU;
+        if let Some((_, jump)) = self.jumps.iter().find(|(at, _)| is_at(*at)) {
             return -jump * f64::INFINITY;
         }
         if let Some(series) = &self.series {
             return series.conjugate(angle);
+        }
+        if let Some(root) = self.roots.iter().find(|root| (root.at - angle).abs() <= root.reach) {
+            return root.conjugate;
         }
         let sum: f64 = if self.is_odd {
             // g(-t) cot((-t - phi)/2) = g(t) cot((t + phi)/2)

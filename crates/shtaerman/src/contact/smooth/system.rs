@@ -22,6 +22,9 @@ use crate::contact::balance::State;
 use crate::contact::solved::Stiffness;
 use crate::{Error, Load, Rotational, Vertical};
 
+/// `1/sqrt(3)`.
+const GAUSS: f64 = 0.577_350_269_189_625_8;
+
 /// A place by its distances from the ends of a zone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Place {
@@ -175,7 +178,8 @@ impl OnZone<'_, '_> {
     fn mean_slope(&self) -> f64 {
         let at = |angle: f64| self.position(angle);
         let mean = match &self.base.problem.profile.slope {
-            Some(slope) => slope(at(FRAC_PI_2)),
+            // By Gauss's two places: in the middle may be a kink or a cusp.
+            Some(slope) => 0.5 * (slope(at(GAUSS.acos())) + slope(at(PI - GAUSS.acos()))),
             None => (self.base.height(at(0.0)) - self.base.height(at(PI))) / self.zone.length(),
         };
         if mean.is_finite() { mean } else { 0.0 }
@@ -202,6 +206,15 @@ impl Angular for OnZone<'_, '_> {
         let steepest = self.mean.abs() + 2.0 * slope / self.zone.length();
         let farthest = self.zone.left().abs().max(self.zone.right().abs());
         f64::EPSILON * ROUNDINGS * (height + steepest * farthest)
+    }
+
+    fn taken_slope(&self) -> f64 {
+        self.mean.abs() * 0.5 * self.zone.length()
+    }
+
+    fn blur(&self) -> f64 {
+        let farthest = self.zone.left().abs().max(self.zone.right().abs());
+        f64::EPSILON * (1.0 + farthest / self.zone.length())
     }
 
     fn slope(&self, angle: f64) -> Option<f64> {
@@ -403,8 +416,10 @@ impl Solved {
         let sum: f64 = part.smooth.iter().map(|s| s.abs()).sum();
         // The ends are rounded in xi, not in lengths of their zone.
         let remote = 1.0 + part.zone.left().abs().max(part.zone.right().abs()) / part.half();
+        // Near full contact of a row a pressure that is even moves next to nothing.
+        let condition = self.theta0 * self.stiffness.force_settlement.abs();
         // Each mode answers to a sum over nodes of sums over modes.
-        let terms = ROUNDINGS * (remote + 2.0 * part.smooth.len() as f64);
+        let terms = ROUNDINGS * (remote + 2.0 * part.smooth.len() as f64 + condition);
         f64::EPSILON * terms * sum
     }
 
@@ -415,6 +430,11 @@ impl Solved {
             let tilt = own / part.half();
             [level.max(own + tilt * part.centre().abs()), turn.max(tilt)]
         })
+    }
+
+    /// Number of panels of all zones.
+    pub(super) fn panels(&self) -> usize {
+        self.parts.iter().map(|part| part.slopes.panels()).sum()
     }
 
     /// Number of modes of all zones.

@@ -16,20 +16,20 @@ const SEAM: f64 = 1e-9;
 /// Points at which the pressure of full contact is looked at, at least and at most.
 const POINTS: usize = 256;
 const MOST_POINTS: usize = 3072;
+/// How near a kink the pressure is looked at.
+const BESIDE: f64 = 1e-12;
 /// Newton steps for a settlement.
 const SETTLEMENTS: usize = 60;
 /// Rounding of pressures and forces.
 const ROUNDING: f64 = 1e-14;
 /// Points at which two resolutions are compared.
 const COMPARISONS: usize = 65;
-/// Steps towards the ends of the first zone.
-const CROSSINGS: usize = 5;
 /// Twice the share of its bend by which the bottom of a valley can lie below the lowest of equally spaced places.
 const VALLEY: f64 = 0.25;
 /// Parabolas towards the bottom of a valley, and how much closer the places of each are.
 const BOTTOMS: usize = 6;
 const CLOSER: f64 = 0.1;
-/// Halvings of a step on the way out of a gap.
+/// Halvings of a way out of a gap.
 const HALVINGS: usize = 30;
 /// Panels of the integral for the moment.
 const PANELS: usize = 32;
@@ -107,6 +107,15 @@ impl FullWave {
         points.map(|xi| (xi, self.pressure(xi))).collect()
     }
 
+    /// The pressure right beside the kink where the base is most hollow, with the place of that kink: at the kink itself it is minus infinity,
+    /// and where it pulls no farther from it than rounding there is nothing to open.
+    fn beside_kink(&self) -> Option<(f64, f64)> {
+        let deepest = self.slopes.hollows().min_by(|one, two| one.1.total_cmp(&two.1))?;
+        let kink = deepest.0 / PI;
+        let beside = [-BESIDE, BESIDE].map(|offset| self.pressure(wrapped(kink + offset)));
+        Some((kink, beside[0].min(beside[1])))
+    }
+
     /// The least pressure in the valleys between equally spaced places that might reach below zero, with its place: a gap about to open is shorter than their distance.
     fn lowest(&self, along: &[(f64, f64)]) -> Option<(f64, f64)> {
         let count = along.len();
@@ -144,46 +153,47 @@ impl FullWave {
     }
 
     /// A zone for a force: where the pressure of full contact is above its largest value less twice the mean. Of one cosine that is the zone itself,
-    /// as Westergaard's half-width has `sin^2 = P0/(2 p*)`. None where it is in several parts.
-    /// A gap between the places is that about the lowest.
+    /// as Westergaard's half-width has `sin^2 = P0/(2 p*)`. On panels, where there may be a kink, it is where full contact does not pull: a gap that a kink opens is
+    /// about as wide. None where it is in several parts.
     fn first_zone(
         &self,
         along: &[(f64, f64)],
-        lowest: Option<(f64, f64)>,
+        (bottom, least): (f64, f64),
         force: f64,
     ) -> Option<[f64; 2]> {
-        // On panels rounding is that of heights, and cells come as near.
-        if !self.slopes.is_sampled() {
+        let count = along.len();
+        let at = |i: usize| along[i % count].1;
+        let step = 2.0 / count as f64;
+        let level = if self.slopes.is_sampled() {
+            self.top(along) - force
+        } else {
+            0.5 * (self.force - force)
+        };
+        let is_inside = |i: usize| at(i) > level;
+        let rises = (0..count).filter(|&i| !is_inside(i) && is_inside(i + 1)).count();
+        if rises > 1 || least >= level {
             return None;
         }
-        let count = along.len();
-        let top = (0..count).max_by(|&i, &j| along[i].1.total_cmp(&along[j].1))?;
-        let at = |i: usize| along[i % count].1;
-        let (before, peak, after) = (at(top + count - 1), at(top), at(top + 1));
-        // The top of the parabola through three places.
-        let bend = 2.0 * peak - before - after;
-        let step = 2.0 / count as f64;
-        let beside = if bend > 0.0 { 0.5 * (after - before) / bend } else { 0.0 };
-        let level = peak.max(self.pressure(wrapped(along[top].0 + beside * step))) - force;
-        if let Some((bottom, least)) = lowest
-            && (0..count).all(|i| at(i) > level)
-            && least < level
-        {
-            let [left, right] = [-step, step].map(|step| self.climbed(bottom, step, level));
-            return Some([right, left + 2.0]);
-        }
-        let is_inside = |i: usize| at(i) > level;
-        let rises: Vec<usize> = (0..count).filter(|&i| !is_inside(i) && is_inside(i + 1)).collect();
-        let falls = (0..count).find(|&i| is_inside(i) && !is_inside(i + 1));
-        let ([rise], Some(fall)) = (rises.as_slice(), falls) else { return None };
-        let crossing = |i: usize| self.crossing(along[i].0, step, level);
-        let (left, right) = (crossing(*rise), crossing(fall));
-        Some([left, if right > left { right } else { right + 2.0 }])
+        let outside = (0..count).filter(|&i| !is_inside(i)).count();
+        let width = step * (outside + 1) as f64;
+        let [left, right] = [-width, width].map(|width| self.climbed(bottom, width, level));
+        Some([right, left + 2.0])
     }
 
-    /// Where the pressure rises to a value within a step from the bottom of a valley, by halving.
-    fn climbed(&self, bottom: f64, step: f64, level: f64) -> f64 {
-        let (mut below, mut above) = (0.0, step);
+    /// The largest pressure, by a parabola through three places.
+    fn top(&self, along: &[(f64, f64)]) -> f64 {
+        let count = along.len();
+        let at = |i: usize| along[i % count].1;
+        let top = (0..count).fold(0, |top, i| if at(i) > at(top) { i } else { top });
+        let (before, peak, after) = (at(top + count - 1), at(top), at(top + 1));
+        let bend = 2.0 * peak - before - after;
+        let beside = if bend > 0.0 { (after - before) / (bend * count as f64) } else { 0.0 };
+        peak.max(self.pressure(wrapped(along[top].0 + beside)))
+    }
+
+    /// Where the pressure rises to a value this far from the bottom of a valley at most, by halving.
+    fn climbed(&self, bottom: f64, width: f64, level: f64) -> f64 {
+        let (mut below, mut above) = (0.0, width);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (below + above);
             if self.pressure(wrapped(bottom + middle)) < level {
@@ -193,21 +203,6 @@ impl FullWave {
             }
         }
         bottom + 0.5 * (below + above)
-    }
-
-    /// About where the pressure takes a value between a place and the next, by secants.
-    fn crossing(&self, at: f64, step: f64, level: f64) -> f64 {
-        let excess = |xi: f64| self.pressure(wrapped(xi)) - level;
-        let (mut one, mut two) = ((at, excess(at)), (at + step, excess(at + step)));
-        for _ in 0..CROSSINGS {
-            if one.1 == two.1 {
-                break;
-            }
-            let next = two.0 - two.1 * (two.0 - one.0) / (two.1 - one.1);
-            let next = next.clamp(at, at + step);
-            (one, two) = (two, (next, excess(next)));
-        }
-        two.0
     }
 }
 
@@ -248,9 +243,12 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     let along = full.along((4 * base.cells()).clamp(POINTS, MOST_POINTS));
     let (place, least, size) = least(&along);
     let pulls = |p: f64| problem.is_unilateral && p < -ALLOWED * size;
-    let is_partial = matches!(vertical, Vertical::Force(_)) && pulls(least);
-    let lowest = if is_partial { None } else { full.lowest(&along) };
-    let (place, least) = lowest.filter(|lowest| lowest.1 < least).unwrap_or((place, least));
+    let lowest = full.lowest(&along);
+    let lower = |one: (f64, f64), two: (f64, f64)| if two.1 < one.1 { two } else { one };
+    let (place, least) = lowest.into_iter().chain(full.beside_kink()).fold((place, least), lower);
+    // The seam is best left where it is as deep in the valley.
+    let is_seam = full.pressure(-1.0) <= least + ROUNDING * size;
+    let place = if is_seam { 1.0 } else { place };
     let turned = || Turned::new(problem, band.as_ref(), place);
     if let Vertical::Settlement(settlement) = vertical {
         let requirement = "less than the mean height of the profile: in full contact it is that mean, whatever the force";
@@ -258,7 +256,7 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
         require(partial, "settlement", settlement, requirement)?;
         // Without force the least pressure is minus that which closes all gaps.
         let turned = turned();
-        let first = |force: f64| full.first_zone(&along, lowest, force);
+        let first = |force: f64| full.first_zone(&along, (place, least), force);
         return sunk(&turned, first, settlement, -2.0 * least)
             .map(|contact| contact.turned(problem, turned.place));
     }
@@ -267,7 +265,7 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     }
     let turned = turned();
     turned
-        .solve(&turned.problem, full.first_zone(&along, lowest, force))
+        .solve(&turned.problem, full.first_zone(&along, (place, least), force))
         .map(|contact| contact.turned(problem, turned.place))
 }
 
@@ -318,9 +316,7 @@ impl Turned {
             let seam = Some(1.0);
             return Self { problem: moved(problem, place, seam), place, samples: None };
         };
-        let first = band.nearest(place);
-        let (place, _) = band.samples[first];
-        let samples = Some(band.turned(first));
+        let samples = Some(band.turned(place));
         Self { problem: moved(problem, place, None), place, samples }
     }
 
