@@ -62,7 +62,11 @@ proptest! {
             is_singular || found.unresolved.iter().any(|[from, to]| *from < part[1] && part[0] < *to)
         };
         let parts: Vec<[f64; 2]> = cuts.windows(2).filter(|part| !is_rough(part)).map(|part| [part[0], part[1]]).collect();
-        let (mut least, mut most, mut rounding) = (f64::INFINITY, f64::NEG_INFINITY, 0.0_f64);
+        // The range of heights is that of the whole base, resolved or not.
+        let heights = || places().map(|xi| profile.height(xi, HALF_WIDTH));
+        let mut least = heights().fold(f64::INFINITY, f64::min);
+        let mut most = heights().fold(f64::NEG_INFINITY, f64::max);
+        let mut rounding = 0.0_f64;
         let mut worst = (0.0_f64, 0.0);
         for &part in &parts {
             let interpolant = Interpolant::of(&profile, part);
