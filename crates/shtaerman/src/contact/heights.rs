@@ -8,8 +8,8 @@ use crate::{Error, Problem, Scaling};
 /// Places in all zones at which the rounding of heights is looked at, at least one in each, and where in its step each lies: an irrational share keeps clear of jumps.
 const PLACES: usize = 128;
 const ASIDE: f64 = 0.381_966;
-/// Growth of a disturbance of the heights on its way to the pressure of the layer: the inverse of `I + theta0 K` has a norm near one, and the balance adds as much again.
-const GROWTH: f64 = 2.0;
+/// Of a disturbance of the heights on its way to the tilt, in half-widths of the contact.
+const TURN: f64 = 2.0;
 /// Rounding of the level that is added to the settlement.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
@@ -58,12 +58,12 @@ impl Problem {
         };
         let stiffness = solution.stiffness().force_settlement.abs();
         let force = if stiffness.is_finite() { stiffness * rounding } else { 0.0 };
-        let turn = GROWTH * rounding / half.max(f64::MIN_POSITIVE);
+        let turn = TURN * rounding / half.max(f64::MIN_POSITIVE);
         // What is prescribed or zero by symmetry stays exact.
         let unless_exact = |known: f64, error: f64| if known == 0.0 { 0.0 } else { error };
         let accuracy = Accuracy {
             kind: known.kind,
-            pressure: GROWTH * steepness * rounding,
+            pressure: solution.growth() * steepness * rounding,
             settlement: unless_exact(known.settlement, rounding + middle * turn),
             tilt: unless_exact(known.tilt, turn),
             force: unless_exact(known.force, force),

@@ -64,6 +64,12 @@ pub(super) trait Solution: Debug + Send + Sync {
     /// The error, where the method tells one.
     fn accuracy(&self) -> Option<&Accuracy>;
 
+    /// What a disturbance of the heights grows to in the pressure of a linear layer: the inverse of `I + theta0 K` has a norm near one, and the balance adds as much
+    /// again.
+    fn growth(&self) -> f64 {
+        2.0
+    }
+
     /// The largest error relative to its size; infinite where the method tells none.
     fn relative_error(&self) -> f64 {
         let sizes = self.state().sizes(self.size());

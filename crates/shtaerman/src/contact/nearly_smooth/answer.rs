@@ -183,6 +183,11 @@ impl Solution for NearlySmooth {
         (places, pressures)
     }
 
+    /// The pressure is interpolated between solved nodes, and of `n` of them the kernel has no eigenvalue below about `1/n`.
+    fn growth(&self) -> f64 {
+        2.0 * (self.method().n as f64 / self.pressure.theta0).min(1.0)
+    }
+
     fn method(&self) -> Method {
         Method { name: "expansion", n: self.pressure.direct.contact.node_count() }
     }
