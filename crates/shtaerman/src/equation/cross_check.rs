@@ -31,7 +31,7 @@ impl SolvedEquation<'_> {
     /// Solves the equation by the method that did not solve it, and compares.
     ///
     /// # Errors
-    /// [`Error::NoOtherMethod`] for the first kind, which has one method only; [`Error::CheckUnsolved`] where the other method states a relative error above 1 % and above the
+    /// [`Error::NoOtherMethod`] for the first kind, which has one method only; [`Error::CheckUnsolved`] where the other method states a relative error above 10 % and above the
     /// tolerance, so that hardly any difference would be too large; those of [`super::Equation::solve`] but for an explicit tolerance.
     pub fn cross_check(&self) -> Result<EquationCheck, Error> {
         let other = self.equation().solve_otherwise(self.method(), self.reach())?;

@@ -27,6 +27,8 @@ const SQUARE_SUMMABLE: f64 = 0.5;
 
 /// A relative error above this is no answer, unless it was asked for.
 const USEFUL: f64 = 0.01;
+/// A relative error above this is nothing to compare with: under jumps the degenerate kernel has little more than a digit, and still shows whether collocation is right.
+const COMPARABLE: f64 = 0.1;
 
 /// A solution with the reason for its method.
 pub(super) struct Draft<'a> {
@@ -245,7 +247,7 @@ impl Equation {
     /// Refuses the other method of a cross-check where it is no answer: any difference would be within its error.
     pub(super) fn require_comparable(&self, draft: &Draft<'_>) -> Result<(), Error> {
         let reached = draft.relative_error();
-        if reached <= self.solver().tolerance.unwrap_or(USEFUL).max(USEFUL) {
+        if reached <= self.solver().tolerance.unwrap_or(COMPARABLE).max(COMPARABLE) {
             return Ok(());
         }
         let (method, n) = (super::solved::name(draft.solution.method), draft.solution.count);
