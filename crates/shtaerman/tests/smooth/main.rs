@@ -7,6 +7,7 @@ mod conditions;
 mod one_punch;
 mod pair;
 mod periodic;
+mod powers;
 mod refusals;
 mod stated;
 mod support;

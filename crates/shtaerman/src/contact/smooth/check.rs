@@ -17,6 +17,9 @@ const MOST_POINTS: usize = 1500;
 /// Tenths of tenths of half a zone to which places close in on a kink.
 const CLOSING: i32 = 12;
 
+/// Parts of an interval between two breaks.
+const BETWEEN: usize = 8;
+
 /// What is left of tension and penetration.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Check {
@@ -128,7 +131,10 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
     for ends in outside(&base.problem.pieces, &zones()) {
         // Of few modes every other place is enough: all are looked at with all modes.
         let fewest = if allowed >= COARSELY_ALLOWED { POINTS / 2 } else { POINTS };
-        let points = points(ends, base.cells(), fewest);
+        let mut points = points(ends, base.cells(), fewest);
+        points.extend(between_breaks(base, ends));
+        points.sort_by(f64::total_cmp);
+        points.dedup();
         check.look_beside(
             &points,
             |xi| depth(xi) - solved.displacement_outside(xi),
@@ -143,6 +149,7 @@ fn along(base: &Base<'_>, solved: &Solved, j: usize) -> Along {
     let points = points(zone.ends, base.cells(), POINTS);
     let mut points = points[1..points.len() - 1].to_vec();
     points.extend(beside_hollows(&solved.parts[j]));
+    points.extend(between_breaks(base, zone.ends));
     points.sort_by(f64::total_cmp);
     points.dedup();
     let pressures = points.iter().map(|&xi| {
@@ -162,6 +169,17 @@ fn beside_hollows(part: &Part) -> Vec<f64> {
     let offsets = || (1..=CLOSING).flat_map(|k| [-1.0, 1.0].map(|side| side * 0.1f64.powi(k)));
     let beside = kinks.flat_map(|kink| offsets().map(move |offset| kink + offset * part.half()));
     beside.filter(|xi| left < *xi && *xi < right).collect()
+}
+
+/// Places between the breaks of a profile, which may lie close about a narrow feature.
+fn between_breaks(base: &Base<'_>, [left, right]: [f64; 2]) -> Vec<f64> {
+    let inside = |xi: &f64| left < *xi && *xi < right;
+    let breaks: Vec<f64> = base.problem.profile.breaks.iter().copied().filter(inside).collect();
+    let part = |pair: &[f64]| {
+        let [from, to] = [pair[0], pair[1]];
+        (1..BETWEEN).map(move |i| from + (to - from) * i as f64 / BETWEEN as f64)
+    };
+    breaks.windows(2).flat_map(part).collect()
 }
 
 /// The intervals of the pieces of a base beside zones.

@@ -18,7 +18,7 @@ pub(super) const VANISHING: f64 = 1e-9;
 /// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends.
 const MOST_WORK: f64 = 4e10;
 /// What a panel costs in the same unit.
-const A_PANEL: f64 = 2e4;
+const A_PANEL: f64 = 6e4;
 /// Zones closer than this share of the shorter one are one.
 const CLOSE: f64 = 1e-5;
 

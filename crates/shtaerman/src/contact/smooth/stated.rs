@@ -14,6 +14,9 @@ use crate::{ContactKind, Error, Geometry, Problem, Rotational, Scaling, Vertical
 
 /// To this share the slope of a measured profile is resolved: the third derivative of its spline jumps at every point.
 const MEASURED: f64 = 1e-10;
+/// Degree of a polynomial that the first samples of a zone tell, and the share of the range of the heights to which it is the profile.
+const DEGREE: usize = 64;
+const RESOLVED: f64 = 1e-10;
 /// Places of a zone, and of an interval beside it, that show extremes.
 const PLACES: usize = 64;
 const MOST_PLACES: usize = 1024;
@@ -47,7 +50,7 @@ impl Problem {
         });
         let measured = self.profile().measured_points().is_some();
         let tolerance = if measured { MEASURED } else { 0.0 };
-        let breaks = self.profile().breakpoints(half_width);
+        let breaks = self.smooth_breaks();
         let mut load = self.dimensionless_load();
         let is_wave = matches!(kernel, SmoothKernel::Periodic { period } if period <= 2.0);
         if is_wave && matches!(load.rotational, Rotational::Moment(m) if m == 0.0) {
@@ -62,6 +65,17 @@ impl Problem {
             profile: SmoothProfile { height, slope, breaks, tolerance },
             is_unilateral: self.solver().contact == ContactKind::Unilateral,
         }
+    }
+
+    /// Where the panels of slopes, the cells and the places that are looked at are cut: kinks, and the surroundings of features that are narrower than samples.
+    /// On graded ground every one would be a kink.
+    fn smooth_breaks(&self) -> Vec<f64> {
+        let (frame, profile) = (self.frame(), self.profile());
+        let half_width = frame.half_width();
+        if profile.measured_points().is_some() || frame.grading().is_some() {
+            return profile.breakpoints(half_width);
+        }
+        profile.resolve(&frame.pieces(), half_width, DEGREE, RESOLVED).joints
     }
 
     /// An error with its value as the problem states it.

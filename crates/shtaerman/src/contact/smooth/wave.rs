@@ -16,6 +16,8 @@ const SEAM: f64 = 1e-9;
 /// Points at which the pressure of full contact is looked at, at least and at most.
 const POINTS: usize = 256;
 const MOST_POINTS: usize = 3072;
+/// By this share of the pressure the bottom of a valley is no deeper than another place.
+const AS_DEEP: f64 = 1e-12;
 /// How near a kink the pressure is looked at.
 const BESIDE: f64 = 1e-12;
 /// Newton steps for a settlement.
@@ -247,7 +249,8 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     let lower = |one: (f64, f64), two: (f64, f64)| if two.1 < one.1 { two } else { one };
     let (place, least) = lowest.into_iter().chain(full.beside_kink()).fold((place, least), lower);
     // The seam is best left where it is as deep in the valley.
-    let is_seam = full.pressure(-1.0) <= least + ROUNDING * size;
+    let bottom = place;
+    let is_seam = full.pressure(-1.0) <= least + AS_DEEP * size;
     let place = if is_seam { 1.0 } else { place };
     let turned = || Turned::new(problem, band.as_ref(), place);
     if let Vertical::Settlement(settlement) = vertical {
@@ -256,7 +259,7 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
         require(partial, "settlement", settlement, requirement)?;
         // Without force the least pressure is minus that which closes all gaps.
         let turned = turned();
-        let first = |force: f64| full.first_zone(&along, (place, least), force);
+        let first = |force: f64| full.first_zone(&along, (bottom, least), force);
         return sunk(&turned, first, settlement, -2.0 * least)
             .map(|contact| contact.turned(problem, turned.place));
     }
@@ -265,7 +268,7 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     }
     let turned = turned();
     turned
-        .solve(&turned.problem, full.first_zone(&along, (place, least), force))
+        .solve(&turned.problem, full.first_zone(&along, (bottom, least), force))
         .map(|contact| contact.turned(problem, turned.place))
 }
 

@@ -1,0 +1,47 @@
+//! `f = |x - c|^n`: `theta0 P = n a^n/pi int_-1^1 |t|^n/sqrt(1 - t^2) dt`, and flat punches put one on another give the pressure
+//! `int_d^a n P b^(n-1)/(a^n pi sqrt(b^2 - d^2)) db`, in the middle `n P/((n-1) pi a)` for `n > 1`, infinite below.
+
+use std::f64::consts::PI;
+
+use crate::support::{With, integral, level, punch};
+
+fn half(n: f64, force: f64) -> f64 {
+    (PI * force / (n * moments(n))).powf(1.0 / n)
+}
+
+/// `int_0^pi |cos|^n` with its cusp at an end of either half.
+fn moments(n: f64) -> f64 {
+    2.0 * integral(PI / 2.0, |from, _| from.sin().powf(n))
+}
+
+fn solved(n: f64, c: f64, force: f64) -> shtaerman::SmoothContact {
+    let height = move |x: f64| (x - c).abs().powf(n);
+    let slope = move |x: f64| n * (x - c).signum() * (x - c).abs().powf(n - 1.0);
+    punch(1.0, height, level(force)).slope(slope).breaks(&[c]).solved()
+}
+
+#[test]
+fn powers_have_closed_forms() {
+    for c in [0.0, 0.6] {
+        for (n, force) in [(0.8, 0.01), (0.8, 0.1), (1.3, 0.001), (1.5, 1e-5), (1.5, 0.05)] {
+            let contact = solved(n, c, force);
+            let (a, what) = (half(n, force), format!("n = {n}, c = {c}, P = {force}"));
+            let [zone] = contact.zones().try_into().unwrap();
+            for (end, exact) in zone.ends.into_iter().zip([c - a, c + a]) {
+                let allowed = 1e-10 * a + 1e-15 + contact.edge_error0();
+                assert!((end - exact).abs() < allowed, "{what}: {end} {exact}");
+            }
+            let middle = contact.pressure0(c);
+            if n < 1.0 {
+                assert_eq!(middle, f64::INFINITY, "{what}");
+            } else {
+                let exact = n * force / ((n - 1.0) * PI * a);
+                let allowed = contact.relative_error().max(1e-12);
+                assert!(
+                    (middle / exact - 1.0).abs() <= allowed,
+                    "{what}: {middle} {exact} {allowed:e}"
+                );
+            }
+        }
+    }
+}
