@@ -90,8 +90,7 @@ fn cases() -> Vec<Case> {
 impl Case {
     fn problem(&self) -> Problem {
         let frame = Frame::dimensionless(self.theta0).unwrap();
-        let load =
-            Load::new(Vertical::Force(self.force), Rotational::Moment(self.moment)).unwrap();
+        let load = Load::new(Vertical::Force(self.force), Rotational::Moment(self.moment)).unwrap();
         let solver = Solver { contact: self.contact, ..Solver::default() };
         Problem::new(frame, self.profile.clone(), load, solver).unwrap()
     }
