@@ -8,7 +8,7 @@ use crate::sample::{adjusted, negative_part, panels, range_on};
 
 /// Most panels and windows: beyond them an answer is not audited.
 const MOST_PANELS: usize = 60_000;
-const MOST_WINDOWS: usize = 20_000;
+const MOST_WINDOWS: usize = 200_000;
 /// A pressure is resampled to this many roundings of what it is computed from.
 const RESOLVED: f64 = 4.0;
 /// Unit of rounding.
@@ -383,6 +383,15 @@ impl Audit<'_> {
         }
         let distance = self.distance(&zones, &gaps);
         let line = self.displacements(&distance);
+        if std::env::var("DBGW").is_ok() {
+            let mut top: Vec<_> = zones.iter().chain(&gaps).collect();
+            top.sort_by(|a, b| b.norm.total_cmp(&a.norm));
+            for w in top.iter().take(12) {
+                let (mid, err) = residual.at(0.5 * (w.left + w.right));
+                eprintln!("{w:?} mid {mid:e} err {err:e}");
+            }
+            eprintln!("{distance:?} {line:?} {:?}", self.shape);
+        }
         let free = line.largest();
         let kernel = self.problem.kernel;
         let twice = if kernel.doubles(self.problem.theta) { 2.0 } else { 1.0 };

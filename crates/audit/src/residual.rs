@@ -24,6 +24,8 @@ const FINE: f64 = 0.2;
 const SHARE: f64 = 0.15;
 /// Jumps of the density that a window may have in its remainders, in jumps: its residual has about as much.
 const JUMPS: f64 = 16.0;
+/// Larger jumps, relative to the density, are no noise: windows shrink to them.
+const NOISE: f64 = 1e-8;
 /// Windows are at least this wide, relative to their distance from the origin: some units of the machine.
 const FINEST: f64 = 4.0 * f64::EPSILON;
 /// Unit of rounding.
@@ -127,18 +129,25 @@ impl Residual<'_> {
     /// A window of some units of the machine: its numbers one by one, and between them what can be at most.
     fn narrow(&self, [left, right]: [f64; 2]) -> Bounded {
         let is_inside = self.density.panel_at(0.5 * (left + right)).is_some();
-        let (mut largest, mut least, mut x) = (0.0f64, f64::INFINITY, left);
+        let [low, high] = self.profile.range([left, right]);
+        let (mut largest, mut least, mut at_numbers) = (0.0f64, f64::INFINITY, 0.0f64);
+        let mut x = left;
         while x <= right {
             let (w, error) = self.at(x);
-            let size = if is_inside { w.abs() } else { (-w).max(0.0) };
-            largest = largest.max(size + error);
+            let size = |w: f64| if is_inside { w.abs() } else { (-w).max(0.0) };
+            largest = largest.max(size(w) + error);
             least = least.min(w - error);
+            // Where the base jumps its height is that of either side.
+            let [f, _] = self.profile.height(x);
+            let [lower, upper] = [w + (low - f).min(0.0), w + (high - f).max(0.0)];
+            let nearest = if lower > 0.0 { lower } else { upper.min(0.0) };
+            at_numbers = at_numbers.max(size(nearest) + error);
             x = x.next_up();
         }
         let crude = largest + self.variation([left, right]);
         let least = least - self.variation([left, right]);
         let norm = crude * (right - left).sqrt();
-        Bounded { left, right, largest: crude, norm, at_numbers: largest, least, is_narrow: true }
+        Bounded { left, right, largest: crude, norm, at_numbers, least, is_narrow: true }
     }
 
     /// A bound of how much `w` changes in a narrow window.
@@ -192,7 +201,7 @@ impl Residual<'_> {
         let fitted = self.fit(c, disk);
         let singularity = self.density.kernel.singularity();
         // Where panels meet the density jumps by what it is off by: windows cannot know it better.
-        let noise = JUMPS * fitted.jump.max(UNIT * fitted.largest);
+        let noise = JUMPS * fitted.jump.min(NOISE * fitted.largest).max(UNIT * fitted.largest);
         let budget = (SHARE * middle.abs()).max(2.0 * error).max(noise);
         let missed = fitted.missed * (1.0 + self.theta * local_mass(singularity, disk));
         if missed > budget {

@@ -9,8 +9,8 @@ const TAIL: usize = 3;
 const CUT: f64 = 0.25;
 /// Panels are at most this long: far parts of a row are integrated on their nodes.
 const LONGEST: f64 = 0.5;
-/// What is left of the tail after a cut, from which on it is noise, where it is below this share of the density.
-const STAGNANT: f64 = 0.5;
+/// What is left of the tail after a cut, from which on it is noise, where it is below this share of the density: a kink leaves a half.
+const STAGNANT: f64 = 0.75;
 const NOISE: f64 = 1e-7;
 /// Panels are not cut below this many units of the machine.
 const FINEST: f64 = 16.0 * f64::EPSILON;

@@ -14,6 +14,10 @@ const SCALED: f64 = 4.0 * f64::EPSILON;
 /// The same of the constants of graded ground, which hold gamma functions, times `1 - mu` (tested against 30 digits).
 const GRADED: f64 = 8e-15;
 
+/// The profile is cut where polynomials of this degree do not resolve it to this share of its heights; what is not found costs panels only.
+const RESOLVED_DEGREE: usize = 64;
+const RESOLVED: f64 = 1e-12;
+
 /// What the audit found.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Audit {
@@ -127,7 +131,9 @@ impl Contact {
     /// # Errors
     /// [`Unaudited`] with the reason.
     pub fn audit(&self) -> Result<Audit, Unaudited> {
-        let problem = self.problem();
+        // Heights are counted from the level from which they were solved: that loses no digits, and changes nothing but the settlement.
+        let problem = self.solved();
+        let (settlement, level) = self.solved_settlement0();
         let (kernel, scaled) = kernel(problem)?;
         let scaled = if problem.frame().scaling().is_some() { scaled } else { 0.0 };
         let frame = problem.frame();
@@ -138,7 +144,10 @@ impl Contact {
         let prescribed =
             if is_level { Prescribed { moment: None, ..prescribed } } else { prescribed };
         let zones = self.edges0();
-        let cuts = problem.profile().joints(frame.half_width());
+        let mut cuts = problem.profile().joints(frame.half_width());
+        cuts.extend(problem.resolution(RESOLVED_DEGREE, RESOLVED).joints);
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup();
         let pieces = frame.pieces();
         let posed = shtaerman_audit::Problem {
             kernel,
@@ -154,7 +163,7 @@ impl Contact {
         let answer = Answer {
             zones: &zones,
             pressure: &pressure,
-            settlement: self.settlement0(),
+            settlement,
             tilt: self.tilt0(),
             force: self.force0(),
             moment: self.moment0(),
@@ -166,6 +175,17 @@ impl Contact {
         } else {
             "the residual of the answer, resampled and bounded between all places, with rounding: it holds whatever way the answer was found"
         };
+        let accuracy = Accuracy {
+            kind,
+            pressure: bound.pressure,
+            settlement: bound.settlement,
+            tilt: bound.tilt,
+            force: bound.force,
+            moment: bound.moment,
+        };
+        if !accuracy.is_finite() {
+            return Err(Unaudited::Refused(Refusal::NoPressure));
+        }
         Ok(Audit {
             kind,
             mean_square: bound.mean_square,
@@ -173,14 +193,7 @@ impl Contact {
             panels: bound.panels,
             windows: bound.windows,
             reason,
-            accuracy: Accuracy {
-                kind,
-                pressure: bound.pressure,
-                settlement: bound.settlement,
-                tilt: bound.tilt,
-                force: bound.force,
-                moment: bound.moment,
-            },
+            accuracy: accuracy.with_level(level),
             edges: bound.ends,
         })
     }

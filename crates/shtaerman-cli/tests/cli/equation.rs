@@ -308,7 +308,10 @@ fn kinks_and_jumps() {
         let json = answer(&text, &[-1.0, -0.5, 0.9], &["--cross-check"]);
         assert_eq!(json["warnings"], serde_json::json!([]), "{rhs}");
         assert!(json["method"]["reason"].as_str().unwrap().contains("1 breakpoint"), "{json}");
-        assert!(number(&json, "/error/solution_sup") < 1e-11, "{rhs}");
+        // The audit looks at the residual beside a jump by a quadrature of its own, which rounds there.
+        assert!(number(&json, "/error/solution_sup") < 1e-10, "{rhs}");
+        let unaudited = answer(&text, &[-1.0, -0.5, 0.9], &["--no-audit"]);
+        assert!(number(&unaudited, "/error/solution_sup") < 1e-11, "{rhs}");
     }
     let many = file(Some(1.0), "abs(sin(40*x))", "name = \"log\"\na = 1.0");
     let json = answer(&many, &[0.0], &[]);

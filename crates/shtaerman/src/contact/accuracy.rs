@@ -98,7 +98,7 @@ impl Accuracy {
         }
     }
 
-    pub(super) fn is_finite(&self) -> bool {
+    pub(crate) fn is_finite(&self) -> bool {
         let parts = [self.pressure, self.settlement, self.tilt, self.force, self.moment];
         parts.into_iter().all(f64::is_finite)
     }

@@ -98,7 +98,7 @@ impl OfHeights {
 
 impl Accuracy {
     /// With the rounding of a level that is added to the settlement.
-    pub(super) fn with_level(self, level: f64) -> Self {
+    pub(crate) fn with_level(self, level: f64) -> Self {
         let known = self.settlement;
         let settlement = if known == 0.0 { 0.0 } else { known + ROUNDING * level.abs() };
         Self { settlement, ..self }
@@ -107,7 +107,7 @@ impl Accuracy {
 
 impl Error {
     /// The same with settlements counted from where the heights are, not from a level, in the units of the problem and without dimensions.
-    pub(super) fn with_level(self, level: f64, level0: f64) -> Self {
+    pub(crate) fn with_level(self, level: f64, level0: f64) -> Self {
         match self {
             Self::SettlementOutOfReach { value, eccentricity, limit, bound } => {
                 let (value, limit) = (value + level, limit + level);

@@ -488,6 +488,9 @@ impl Contact {
         let (_, pressures) = self.solution.sample(&self.solved);
         let largest = pressures.into_iter().fold(0.0f64, |most, p| most.max(p.abs()));
         let sizes = self.solution.state().sizes(largest);
+        if let Some(audit) = self.found_audit() {
+            return audit.accuracy.relative(&sizes);
+        }
         let solved =
             self.solution.accuracy().map_or(f64::INFINITY, |accuracy| accuracy.relative(&sizes));
         solved.max(self.of_heights)
@@ -509,8 +512,13 @@ impl Contact {
     }
 
     /// The problem as it was solved, with heights from the level of the base.
-    pub(super) fn solved(&self) -> &Problem {
+    pub(crate) fn solved(&self) -> &Problem {
         &self.solved
+    }
+
+    /// The settlement of the problem as it was solved, and the height of its level.
+    pub(crate) fn solved_settlement0(&self) -> (f64, f64) {
+        (self.solution.state().settlement, self.level)
     }
 
     pub(super) fn solution(&self) -> &dyn Solution {

@@ -16,6 +16,8 @@ const STAYS: f64 = 0.6;
 const BLURS: f64 = 64.0;
 /// Half of a panel so short that what is left is noise if it is the same in both halves.
 const FASTEST: f64 = 1e-4;
+/// Roundings of the largest slope in the last coefficients: of these it is enough that one half keeps them.
+const ROUNDED: f64 = 16.0;
 /// Coefficients this small that do not fall when a panel is halved are noise.
 const NOISE: f64 = 1e-11;
 /// A pole so many half-lengths from the middle of a panel is far.
@@ -270,8 +272,12 @@ impl Builder<'_> {
         let middle = 0.5 * (start + end);
         let halves = [[start, middle], [middle, end]].map(|[a, b]| ([a, b], self.sample(a, b)));
         // A kink stays in one half, and what is smooth falls in both.
-        let stays = if sampled.is_slope {
-            halves.iter().all(|(_, part)| part.tail >= STAYS * sampled.tail)
+        let keeps = |part: &Sampled| part.tail >= STAYS * sampled.tail;
+        let is_rounding = sampled.tail <= f64::EPSILON * ROUNDED * self.scale[1];
+        let stays = if sampled.is_slope && is_rounding {
+            halves.iter().any(|(_, part)| keeps(part))
+        } else if sampled.is_slope {
+            halves.iter().all(|(_, part)| keeps(part))
         } else {
             sampled.tail >= STAYS * before
         };
