@@ -383,15 +383,6 @@ impl Audit<'_> {
         }
         let distance = self.distance(&zones, &gaps);
         let line = self.displacements(&distance);
-        if std::env::var("DBGW").is_ok() {
-            let mut top: Vec<_> = zones.iter().chain(&gaps).collect();
-            top.sort_by(|a, b| b.norm.total_cmp(&a.norm));
-            for w in top.iter().take(12) {
-                let (mid, err) = residual.at(0.5 * (w.left + w.right));
-                eprintln!("{w:?} mid {mid:e} err {err:e}");
-            }
-            eprintln!("{distance:?} {line:?} {:?}", self.shape);
-        }
         let free = line.largest();
         let kernel = self.problem.kernel;
         let twice = if kernel.doubles(self.problem.theta) { 2.0 } else { 1.0 };

@@ -311,11 +311,12 @@ impl Problem {
         self.frame().law() != Law::Smooth && self.parts().smoothness == Smoothness::Unknown
     }
 
-    /// The whole base on panels, where nobody asked for another method and it falls into more parts than are collocated.
+    /// The whole base on panels, where nobody asked for another method and it was measured, or falls into more parts than are collocated.
     fn solve_full_on_panels(&self) -> Result<Option<Arc<dyn Solution>>, Error> {
         let solver = self.solver();
         let is_free = solver.method == MethodChoice::Auto && solver.degree.is_none();
-        if !is_free || !self.parts().are_many() {
+        let is_measured = self.profile().measured_points().is_some();
+        if !is_free || !(is_measured || self.parts().are_many()) {
             return Ok(None);
         }
         self.solve_full_contact_on_panels()
