@@ -3,7 +3,7 @@
 use crate::Profile;
 use crate::density::{Density, Panel};
 use crate::kernel::Kernel;
-use crate::residual::{Bounded, Residual};
+use crate::residual::{Bounded, Residual, blur};
 use crate::sample::{adjusted, negative_part, panels, range_on};
 
 /// Most panels and windows: beyond them an answer is not audited.
@@ -264,6 +264,15 @@ struct Norms {
     largest: f64,
 }
 
+/// A bound of the potential of a density of size one on an interval of this width.
+fn narrow_potential(width: f64, mu: f64) -> f64 {
+    if mu == 0.0 {
+        width * (3.0 + width.ln().abs())
+    } else {
+        4.0 * width.powf(1.0 - mu) / (1.0 - mu)
+    }
+}
+
 struct Audit<'a> {
     problem: &'a Problem<'a>,
     answer: &'a Answer<'a>,
@@ -427,12 +436,7 @@ impl Audit<'_> {
             if window.is_narrow {
                 norms.narrow_sum += window.largest * width;
                 norms.narrow_square += window.largest * window.largest * width;
-                norms.narrow_potential += window.largest
-                    * if mu == 0.0 {
-                        width * (3.0 + width.ln().abs())
-                    } else {
-                        4.0 * width.powf(1.0 - mu) / (1.0 - mu)
-                    };
+                norms.narrow_potential += window.largest * narrow_potential(width, mu);
             } else {
                 norms.square += window.norm * window.norm;
                 norms.sum += window.largest * width;
@@ -441,10 +445,24 @@ impl Audit<'_> {
         norms
     }
 
+    /// Jumps of the base lie within some roundings of where windows have them.
+    fn add_jumps(&self, norms: &mut Norms) {
+        let mu = self.problem.kernel.singularity().exponent();
+        for cut in self.problem.cuts.iter().filter(|cut| self.density.panel_at(**cut).is_some()) {
+            let blur = blur(cut.abs());
+            let [low, high] = self.problem.profile.range([cut - blur, cut + blur]);
+            let (jump, width) = (high - low, 2.0 * blur);
+            norms.narrow_sum += jump * width;
+            norms.narrow_square += jump * jump * width;
+            norms.narrow_potential += jump * narrow_potential(width, mu);
+        }
+    }
+
     /// The theorem, with what keeps the density from being admissible to the last digit.
     fn distance(&self, zones: &[Bounded], gaps: &[Bounded]) -> Distance {
         let (kernel, theta) = (self.problem.kernel, self.problem.theta);
-        let norms = self.norms(zones.iter().chain(gaps).copied());
+        let mut norms = self.norms(zones.iter().chain(gaps).copied());
+        self.add_jumps(&mut norms);
         // What is negative is cut off.
         let [mut square, mut sum, mut depth] = [0.0f64; 3];
         if !self.problem.is_bilateral {

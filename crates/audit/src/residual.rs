@@ -28,8 +28,17 @@ const JUMPS: f64 = 16.0;
 const NOISE: f64 = 1e-8;
 /// Windows are at least this wide, relative to their distance from the origin: some units of the machine.
 const FINEST: f64 = 4.0 * f64::EPSILON;
+/// Beside the origin, where numbers are as fine as one likes, they are at least that of this share of the whole.
+const SMALLEST: f64 = 1e-3;
+/// Numbers of a window that are looked at one by one.
+const MOST_NUMBERS: usize = 32;
 /// Unit of rounding.
 const UNIT: f64 = 0.5 * f64::EPSILON;
+
+/// How far a jump of the base may lie from where its formula jumps: some roundings of its place.
+pub(crate) fn blur(x: f64) -> f64 {
+    4.0 * FINEST * x.max(SMALLEST)
+}
 
 /// What is known of the residual on a window.
 #[derive(Debug, Clone, Copy)]
@@ -110,7 +119,7 @@ impl Residual<'_> {
         let mut stack = vec![whole];
         while let Some([left, right]) = stack.pop() {
             let middle = 0.5 * (left + right);
-            let size = left.abs().max(right.abs());
+            let size = left.abs().max(right.abs()).max(SMALLEST * (whole[1] - whole[0]));
             if right - left <= FINEST * size || middle <= left || middle >= right {
                 found.push(self.narrow([left, right]));
             } else if let Some(window) = bound([left, right]) {
@@ -129,10 +138,14 @@ impl Residual<'_> {
     /// A window of some units of the machine: its numbers one by one, and between them what can be at most.
     fn narrow(&self, [left, right]: [f64; 2]) -> Bounded {
         let is_inside = self.density.panel_at(0.5 * (left + right)).is_some();
-        let [low, high] = self.profile.range([left, right]);
+        // Jumps of the base are known to some roundings of their places.
+        let blur = blur(left.abs().max(right.abs()));
+        let [low, high] = self.profile.range([left - blur, right + blur]);
         let (mut largest, mut least, mut at_numbers) = (0.0f64, f64::INFINITY, 0.0f64);
         let mut x = left;
-        while x <= right {
+        let mut looked_at = 0;
+        while x <= right && looked_at < MOST_NUMBERS {
+            looked_at += 1;
             let (w, error) = self.at(x);
             let size = |w: f64| if is_inside { w.abs() } else { (-w).max(0.0) };
             largest = largest.max(size(w) + error);
@@ -145,6 +158,8 @@ impl Residual<'_> {
             x = x.next_up();
         }
         let crude = largest + self.variation([left, right]);
+        // Beside the origin there are more than can be looked at.
+        let at_numbers = if x <= right { crude } else { at_numbers };
         let least = least - self.variation([left, right]);
         let norm = crude * (right - left).sqrt();
         Bounded { left, right, largest: crude, norm, at_numbers, least, is_narrow: true }
@@ -201,7 +216,8 @@ impl Residual<'_> {
         let fitted = self.fit(c, disk);
         let singularity = self.density.kernel.singularity();
         // Where panels meet the density jumps by what it is off by: windows cannot know it better.
-        let noise = JUMPS * fitted.jump.min(NOISE * fitted.largest).max(UNIT * fitted.largest);
+        let noise =
+            JUMPS * fitted.jump.min(NOISE * fitted.largest).max(4.0 * UNIT * fitted.largest);
         let budget = (SHARE * middle.abs()).max(2.0 * error).max(noise);
         let missed = fitted.missed * (1.0 + self.theta * local_mass(singularity, disk));
         if missed > budget {

@@ -48,12 +48,15 @@ pub enum Unaudited {
     NotCovered(&'static str),
     /// No bound was found.
     Refused(Refusal),
+    /// The bound leaves the range of double precision.
+    NotFinite,
 }
 
 impl std::fmt::Display for Unaudited {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::NotCovered(reason) => formatter.write_str(reason),
+            Self::NotFinite => formatter.write_str("its bound is not finite"),
             Self::Refused(Refusal::NoPressure) => formatter.write_str("the pressure is not finite"),
             Self::Refused(Refusal::TooManyPanels) => {
                 formatter.write_str("the pressure bends at more places than the audit follows")
@@ -184,7 +187,7 @@ impl Contact {
             moment: bound.moment,
         };
         if !accuracy.is_finite() {
-            return Err(Unaudited::Refused(Refusal::NoPressure));
+            return Err(Unaudited::NotFinite);
         }
         Ok(Audit {
             kind,
@@ -204,13 +207,19 @@ impl Contact {
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`] where the audited error is above an explicit tolerance, [`Error::NotAccurate`] where it is above 1 % and neither a tolerance nor a degree was
-    /// given, or no bound was found because the pressure does not carry the load.
+    /// given, [`Error::AuditFailed`] where the pressure does not carry the load,
+    /// [`Error::Overflow`] where a bound leaves the range of double precision.
     pub fn audited(mut self) -> Result<Self, Error> {
         let audit = self.audit();
-        if let Err(Unaudited::Refused(refusal @ (Refusal::NoPressure | Refusal::LoadNotMet))) =
-            audit
-        {
-            return Err(Error::AuditFailed { reason: Unaudited::Refused(refusal).to_string() });
+        match audit {
+            Err(Unaudited::NotFinite | Unaudited::Refused(Refusal::NoPressure)) => {
+                let quantity = "bound of the error of the pressure";
+                return Err(Error::Overflow { quantity, value: f64::INFINITY });
+            }
+            Err(refused @ Unaudited::Refused(Refusal::LoadNotMet)) => {
+                return Err(Error::AuditFailed { reason: refused.to_string() });
+            }
+            Ok(_) | Err(_) => {}
         }
         self.set_audit(audit);
         self.require_tolerance()?;

@@ -345,7 +345,8 @@ pub enum Error {
 
     /// A cross-check was asked for where there is one method only.
     #[error(
-        "a unilateral contact has one method, collocation on its zones; contact = \"bilateral\" has two that can check each other"
+        "a cross-check compares the degenerate kernel with collocation, and both solve one plane punch in full contact (contact = \"bilateral\") on homogeneous ground with a linear layer; \
+         this contact has one method, and its audit (solve without --no-audit) is what checks it"
     )]
     NoOtherMethodForZones,
 

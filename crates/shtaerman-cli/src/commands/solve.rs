@@ -64,7 +64,13 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
             say(&format!("warning: {}\n", warning.message));
         }
     }
-    Ok(())
+    match &answer.cross_check {
+        Some(check) if !check.agrees => Err(Failure::Check(format!(
+            "the {} method differs by more than both methods state: pressure {:.1e}, settlement {:.1e}, tilt {:.1e}, without dimensions",
+            check.method, check.pressure_sup, check.settlement, check.tilt
+        ))),
+        _ => Ok(()),
+    }
 }
 
 /// What was asked for beside the answer.

@@ -2,8 +2,12 @@
 
 use serde::Serialize;
 
-use super::{Contact, Target, collocated, plan, spectral};
+use super::accuracy::Accuracy;
+use super::{Contact, Draft, Target, collocated, plan, spectral};
 use crate::{Error, Problem};
+
+/// Roundings of a difference, relative to what is subtracted.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Differences between the answers of the two independent methods, without dimensions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -22,6 +26,8 @@ pub struct CrossCheck {
     pub force: f64,
     /// Difference of `M0`.
     pub moment: f64,
+    /// Whether no difference is larger than what both methods state of their errors together.
+    pub agrees: bool,
 }
 
 impl Problem {
@@ -40,6 +46,20 @@ impl Problem {
             collocated::solve(&problem, &problem.collocated_parts(), target)?
         };
         let difference = draft.difference(&other);
+        let allowed = |part: fn(&Accuracy) -> f64, size: f64| {
+            let of = |draft: &Draft| draft.accuracy.as_ref().map_or(f64::INFINITY, part);
+            of(draft) + of(&other) + ROUNDING * size
+        };
+        let sizes = draft.state.sizes(draft.potential.size());
+        let agrees = [
+            (difference.pressure, allowed(|a| a.pressure, sizes.pressure)),
+            (difference.settlement, allowed(|a| a.settlement, sizes.displacement)),
+            (difference.tilt, allowed(|a| a.tilt, sizes.displacement)),
+            (difference.force, allowed(|a| a.force, sizes.force)),
+            (difference.moment, allowed(|a| a.moment, sizes.force)),
+        ]
+        .into_iter()
+        .all(|(found, allowed)| found <= allowed);
         Ok(CrossCheck {
             method: other.method.name,
             n: other.method.n,
@@ -48,6 +68,7 @@ impl Problem {
             tilt: difference.tilt,
             force: difference.force,
             moment: difference.moment,
+            agrees,
         })
     }
 }
