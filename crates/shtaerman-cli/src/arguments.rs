@@ -159,6 +159,9 @@ pub struct FindForceArguments {
     /// The width of contact wanted, such as "2 mm"; in half-widths for a dimensionless file.
     #[arg(long, value_name = "WIDTH", allow_hyphen_values = true)]
     pub contact_width: Option<String>,
+    /// Leave out the audit: errors are then those that the method states of itself.
+    #[arg(long)]
+    pub no_audit: bool,
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
@@ -180,6 +183,9 @@ pub struct FindRoughnessArguments {
     /// The largest pressure measured under the load, such as "350 MPa".
     #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
     pub peak_pressure: Option<String>,
+    /// Leave out the audit: errors are then those that the method states of itself.
+    #[arg(long)]
+    pub no_audit: bool,
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
@@ -194,6 +200,9 @@ pub struct FindCrownArguments {
     /// The limit of the peak pressure, such as "350 MPa"; without it the radius of the lowest peak alone.
     #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
     pub peak_pressure: Option<String>,
+    /// Leave out the audit: errors are then those that the method states of itself.
+    #[arg(long)]
+    pub no_audit: bool,
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,

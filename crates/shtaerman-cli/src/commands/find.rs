@@ -4,7 +4,7 @@ use std::path::Path;
 
 use shtaerman::Error;
 use shtaerman::file::ProblemFile;
-use shtaerman::inverse::{self, Goal, Normalisation};
+use shtaerman::inverse::{self, Found, Goal, Normalisation};
 use shtaerman::quantity::Dimension;
 
 use super::{places, problem_file};
@@ -29,6 +29,7 @@ fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
     let file = read(&arguments.problem, &arguments.output)?;
     let goal = goal(&file, [&arguments.peak_pressure, &arguments.contact_width, &None])?;
     let found = located(&file, inverse::force(file.problem(), goal))?;
+    let found = audited(&file, found, arguments.no_audit)?;
     let name = problem_file::name(&arguments.problem.file);
     let report = FoundReport::force(file.problem(), &found);
     write(
@@ -44,6 +45,7 @@ fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
     let FindRoughnessArguments { peak_pressure, contact_width, settlement, .. } = arguments;
     let goal = goal(&file, [peak_pressure, contact_width, settlement])?;
     let found = located(&file, inverse::roughness(file.problem(), goal))?;
+    let found = audited(&file, found, arguments.no_audit)?;
     let name = problem_file::name(&arguments.problem.file);
     let report = FoundReport::roughness(file.problem(), &found);
     write(
@@ -61,7 +63,14 @@ fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
         .as_deref()
         .map(|text| positive(&file, "--peak-pressure", text, Dimension::PRESSURE))
         .transpose()?;
-    let crown = located(&file, inverse::crown(file.problem(), limit))?;
+    let mut crown = located(&file, inverse::crown(file.problem(), limit))?;
+    if !arguments.no_audit {
+        for crowned in
+            std::iter::once(&mut crown.best).chain(&mut crown.least).chain(&mut crown.largest)
+        {
+            crowned.contact = located(&file, crowned.contact.clone().audited())?;
+        }
+    }
     let name = problem_file::name(&arguments.problem.file);
     let report = CrownReport::new(&crown);
     write(
@@ -100,6 +109,15 @@ fn read(problem: &ProblemArguments, output: &OutputArguments) -> Result<ProblemF
 
 fn located<T>(file: &ProblemFile, result: Result<T, Error>) -> Result<T, Failure> {
     result.map_err(|error| file.locate(error).into())
+}
+
+/// What was found with the audit of its contact.
+fn audited(file: &ProblemFile, found: Found, is_left_out: bool) -> Result<Found, Failure> {
+    if is_left_out {
+        return Ok(found);
+    }
+    let contact = located(file, found.contact.audited())?;
+    Ok(Found { contact, ..found })
 }
 
 /// The one of peak pressure, contact width and settlement that is wanted.

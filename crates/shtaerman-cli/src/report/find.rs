@@ -43,6 +43,14 @@ impl Shown {
         engineering_with_digits(value, unit, DIGITS)
     }
 
+    fn few_digits(self, value: f64, unit: impl Into<DisplayUnit>) -> String {
+        if self.is_physical {
+            engineering_with_digits(value, unit, 2)
+        } else {
+            significant(value, 2)
+        }
+    }
+
     fn force(self) -> DisplayUnit {
         // A force has the dimension of a moment per length, whose symbol it must not take.
         if self.is_circular {
@@ -78,6 +86,34 @@ struct Summary {
     pressure_max_at: f64,
     contact_width: f64,
     edges: Vec<[f64; 2]>,
+    error: Option<SummaryError>,
+}
+
+/// How sure the contact is, in the units of the problem: by its audit, where it has one.
+#[derive(Debug, Serialize)]
+struct SummaryError {
+    kind: &'static str,
+    pressure_sup: f64,
+    settlement: f64,
+    tilt: f64,
+    force: f64,
+    moment: f64,
+}
+
+impl SummaryError {
+    fn new(contact: &Contact) -> Option<Self> {
+        let accuracy = contact.accuracy()?;
+        let scale =
+            |unit: fn(&Scaling) -> f64| contact.problem().frame().scaling().map_or(1.0, unit);
+        Some(Self {
+            kind: accuracy.kind.name(),
+            pressure_sup: accuracy.pressure * scale(Scaling::pressure),
+            settlement: accuracy.settlement * scale(Scaling::displacement),
+            tilt: accuracy.tilt * scale(Scaling::angle),
+            force: accuracy.force * scale(Scaling::force),
+            moment: accuracy.moment * scale(Scaling::moment),
+        })
+    }
 }
 
 impl Summary {
@@ -92,6 +128,7 @@ impl Summary {
             pressure_max_at,
             contact_width: contact.contact_width(),
             edges: contact.edges(),
+            error: SummaryError::new(contact),
         }
     }
 
@@ -111,6 +148,11 @@ impl Summary {
             count => format!("{count} zones"),
         };
         row("contact width", length(self.contact_width), zones);
+        if let Some(error) = &self.error {
+            let name = format!("error ({})", error.kind);
+            let value = shown.few_digits(error.pressure_sup, Dimension::PRESSURE);
+            row(&name, value, "of the pressure, at most".to_owned());
+        }
     }
 }
 
