@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::accuracy::Accuracy;
+use super::accuracy::{Accuracy, Sizes};
 use super::draft::Draft;
 use super::extremes::{Extreme, Sampled};
 use super::kinks::{Kink, kinks};
@@ -489,7 +489,9 @@ impl Contact {
         let largest = pressures.into_iter().fold(0.0f64, |most, p| most.max(p.abs()));
         let sizes = self.solution.state().sizes(largest);
         if let Some(audit) = self.found_audit() {
-            return audit.accuracy.relative(&sizes);
+            // Its settlement is that of the problem itself, counted from no level.
+            let displacement = sizes.displacement.max(self.settlement0().abs());
+            return audit.accuracy.relative(&Sizes { displacement, ..sizes });
         }
         let solved =
             self.solution.accuracy().map_or(f64::INFINITY, |accuracy| accuracy.relative(&sizes));

@@ -165,3 +165,21 @@ fn loads_of_every_kind_enclose_the_same_contact() {
         assert!((other.moment0() - 0.03).abs() <= allowed + b.moment);
     }
 }
+
+#[test]
+fn a_constant_in_the_profile_moves_the_settlement_alone() {
+    let steel = shtaerman::Elastic::new(200e9, 0.3).unwrap();
+    let frame = Frame::physical(steel, 1.2e-14, 5e-3, None).unwrap();
+    let load = Load::new(Vertical::Force(0.8e6), Rotational::Moment(0.0)).unwrap();
+    let solver = Solver { tolerance: Some(1e-12), ..Solver::default() };
+    let solve = |text| {
+        let profile = Profile::expression(text).unwrap();
+        Problem::new(frame.clone(), profile, load, solver).unwrap().solve().unwrap().audited()
+    };
+    let (plain, raised) = (solve("x^2/40").unwrap(), solve("x^2/40 + 1").unwrap());
+    let allowed = plain.accuracy().unwrap().pressure + raised.accuracy().unwrap().pressure;
+    for xi in [-1.0, -0.3, 0.0, 0.8, 1.0] {
+        assert!((plain.pressure0(xi) - raised.pressure0(xi)).abs() <= allowed, "{xi}");
+    }
+    assert!((raised.settlement() - plain.settlement() - 1.0).abs() < 4.0 * f64::EPSILON);
+}
