@@ -110,7 +110,7 @@ pub enum Refusal {
 /// [`Refusal`] where no bound was found: nothing is then known of the answer.
 pub fn audit(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Bound, Refusal> {
     let sampled = resample(problem, answer)?;
-    let (sampled, shape) = restored(problem, sampled)?;
+    let (sampled, shape) = restored(problem, &sampled)?;
     let density = Density::new(problem.kernel, sampled);
     let mut audit =
         Audit { problem, answer, density, shape, settlement: answer.settlement, tilt: answer.tilt };
@@ -172,12 +172,14 @@ struct Shape {
 impl Shape {
     fn new(panels: &[Panel], is_bilateral: bool) -> Self {
         let weight = |q: f64| if is_bilateral { 1.0 } else { q };
+        let nodes: Vec<(f64, f64, f64)> = (panels.iter())
+            .flat_map(|panel| panel.nodes().zip(panel.at_nodes()))
+            .map(|((x, length), q)| (x, length, q))
+            .collect();
         let integral = |u: &dyn Fn(f64, f64) -> f64| -> f64 {
             let mut sum = Sum::default();
-            for panel in panels {
-                for ((x, length), q) in panel.nodes().zip(panel.at_nodes()) {
-                    sum.add(length * u(x, q));
-                }
+            for &(x, length, q) in &nodes {
+                sum.add(length * u(x, q));
             }
             sum.value()
         };
@@ -223,8 +225,8 @@ impl Sum {
 }
 
 /// The pressure multiplied by `1 + a + b (x - m)`, of bilateral contact with `a + b (x - m)` added, so that it has the prescribed force and moment to rounding.
-fn restored(problem: &Problem<'_>, sampled: Vec<Panel>) -> Result<(Vec<Panel>, Shape), Refusal> {
-    let shape = Shape::new(&sampled, problem.is_bilateral);
+fn restored(problem: &Problem<'_>, sampled: &[Panel]) -> Result<(Vec<Panel>, Shape), Refusal> {
+    let shape = Shape::new(sampled, problem.is_bilateral);
     let Prescribed { force, moment } = problem.prescribed;
     let a = force.map_or(0.0, |force| (force - shape.force) / shape.mass);
     // What the first correction does to the moment.
@@ -233,7 +235,7 @@ fn restored(problem: &Problem<'_>, sampled: Vec<Panel>) -> Result<(Vec<Panel>, S
     let change = a.abs() + b.abs() * shape.reach;
     let largest = sampled.iter().fold(0.0f64, |most, panel| most.max(panel.largest));
     let most = if problem.is_bilateral { 0.5 * largest } else { 0.5 };
-    if !(change <= most) {
+    if change.is_nan() || change > most {
         return Err(Refusal::LoadNotMet);
     }
     let line = [a - b * shape.mean, b];

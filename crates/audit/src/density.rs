@@ -181,57 +181,61 @@ impl Density {
 
     /// `int K(x, t) q(t) dt` and a bound of its rounding.
     pub(crate) fn potential(&self, x: f64) -> (f64, f64) {
+        let mut found = [(0.0, 0.0)];
+        self.potentials(&[x], &mut found);
+        found[0]
+    }
+
+    /// The same at places that lie together, which costs less than one by one.
+    pub(crate) fn potentials(&self, places: &[f64], found: &mut [(f64, f64)]) {
+        found.fill((0.0, 0.0));
         if self.panels.is_empty() {
-            return (0.0, 0.0);
+            return;
         }
         match self.kernel {
-            Kernel::Logarithm => {
-                let (value, error) = self.singular(x);
-                (-value, error)
-            }
-            Kernel::Power { .. } => self.singular(x),
+            Kernel::Logarithm => self.add_singular(places, -1.0, found),
+            Kernel::Power { .. } => self.add_singular(places, 1.0, found),
             Kernel::Row { period } => {
-                let (mut value, mut error) = (0.0, 0.0);
-                for image in [x, x - period, x + period] {
-                    let (part, rounding) = self.singular(image);
-                    value -= part;
-                    error += rounding;
+                for image in [0.0, -period, period] {
+                    let images: Vec<f64> = places.iter().map(|x| x + image).collect();
+                    self.add_singular(&images, -1.0, found);
                 }
-                let (part, rounding) = self.regular_at(x);
-                (value + part, error + rounding)
+                for (entry, x) in found.iter_mut().zip(places) {
+                    let (value, rounding) = self.regular_at(*x);
+                    *entry = (entry.0 + value, entry.1 + rounding);
+                }
             }
         }
     }
 
-    /// `int sigma(|x - t|) q(t) dt`.
-    fn singular(&self, x: f64) -> (f64, f64) {
+    /// Adds `sign int sigma(|x - t|) q(t) dt`.
+    fn add_singular(&self, places: &[f64], sign: f64, found: &mut [(f64, f64)]) {
         let singularity = self.kernel.singularity();
-        let (mut sum, mut error) = (0.0, 0.0);
-        let mut stack = [0usize; 64];
-        let mut depth = 1;
-        stack[0] = self.clusters.len() - 1;
-        while depth > 0 {
-            depth -= 1;
-            let cluster = &self.clusters[stack[depth]];
-            let z = (x - cluster.centre) / cluster.radius;
-            if z.abs() >= FAR {
-                let (value, rounding) =
-                    cluster.from_afar(singularity, z, (x - cluster.centre).abs());
-                sum += value;
-                error += rounding;
+        let first = places.iter().copied().fold(f64::INFINITY, f64::min);
+        let last = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let mut scratch = Scratch::default();
+        let mut stack = vec![self.clusters.len() - 1];
+        while let Some(index) = stack.pop() {
+            let cluster = &self.clusters[index];
+            let distance = (first - cluster.centre).max(cluster.centre - last);
+            if distance >= FAR * cluster.radius {
+                cluster.add_from_afar(singularity, places, distance, sign, (&mut scratch, found));
             } else if let Some(children) = cluster.children {
-                stack[depth] = children[0];
-                stack[depth + 1] = children[1];
-                depth += 2;
+                stack.extend(children);
             } else {
                 for panel in &self.panels[cluster.first..cluster.last] {
-                    let (value, rounding) = panel.potential(singularity, x);
-                    sum += value;
-                    error += rounding;
+                    for (entry, x) in found.iter_mut().zip(places) {
+                        let z = (x - cluster.centre).abs();
+                        let (value, rounding) = if z >= FAR * cluster.radius {
+                            cluster.potential_afar(singularity, *x, &mut scratch)
+                        } else {
+                            panel.potential(singularity, *x)
+                        };
+                        *entry = (entry.0 + sign * value, entry.1 + rounding);
+                    }
                 }
             }
         }
-        (sum, error)
     }
 
     /// Calls `visit(distance, mass, largest, length)` for parts of the density, with the least distance of `x` from each; parts nearer than their own length are single panels.
@@ -338,24 +342,62 @@ impl Cluster {
         weighted
     }
 
-    /// Its potential by moments at `z` radii, the distance `d`, from its centre.
-    fn from_afar(&self, singularity: Singularity, z: f64, d: f64) -> (f64, f64) {
-        let inverse = 1.0 / z;
-        let terms = ((37.0 / z.abs().ln()).ceil() as usize).clamp(2, MOMENTS - 1);
-        let mut sum = 0.0;
+    /// Adds its potential by moments at places that are at least this far from its centre.
+    fn add_from_afar(
+        &self,
+        singularity: Singularity,
+        places: &[f64],
+        distance: f64,
+        sign: f64,
+        (scratch, found): (&mut Scratch, &mut [(f64, f64)]),
+    ) {
+        let least = distance / self.radius;
+        let terms = ((37.0 / least.ln()).ceil() as usize).clamp(2, MOMENTS - 1);
+        let Scratch { inverses, sums } = scratch;
+        inverses.clear();
+        inverses.extend(places.iter().map(|x| self.radius / (x - self.centre)));
+        sums.clear();
+        sums.resize(places.len(), 0.0);
+        // All places advance together: their sums do not wait for each other.
         for moment in self.weighted[1..=terms].iter().rev() {
-            sum = inverse * (moment + sum);
+            for (sum, inverse) in sums.iter_mut().zip(inverses.iter()) {
+                *sum = inverse * (moment + *sum);
+            }
         }
-        match singularity {
-            Singularity::Logarithm => {
-                let scale = d.ln();
-                let error = self.mass * (2.0 * scale.abs() + 4.0);
-                (self.moments[0] * scale - sum, UNIT * error)
-            }
-            Singularity::Power(mu) => {
-                let scale = d.powf(-mu);
-                (scale * (self.moments[0] + sum), UNIT * scale * self.mass * 8.0)
-            }
+        for ((entry, x), sum) in found.iter_mut().zip(places).zip(sums.iter()) {
+            let d = (x - self.centre).abs();
+            let (value, rounding) = match singularity {
+                Singularity::Logarithm => {
+                    let scale = d.ln();
+                    let error = self.mass * (2.0 * scale.abs() + 4.0);
+                    (self.moments[0] * scale - sum, UNIT * error)
+                }
+                Singularity::Power(mu) => {
+                    let scale = d.powf(-mu);
+                    (scale * (self.moments[0] + sum), UNIT * scale * self.mass * 8.0)
+                }
+            };
+            *entry = (entry.0 + sign * value, entry.1 + rounding);
         }
     }
+
+    /// The same at one place.
+    fn potential_afar(
+        &self,
+        singularity: Singularity,
+        x: f64,
+        scratch: &mut Scratch,
+    ) -> (f64, f64) {
+        let mut found = [(0.0, 0.0)];
+        let distance = (x - self.centre).abs();
+        self.add_from_afar(singularity, &[x], distance, 1.0, (scratch, &mut found));
+        found[0]
+    }
+}
+
+/// Sums of many places, kept between clusters.
+#[derive(Default)]
+struct Scratch {
+    inverses: Vec<f64>,
+    sums: Vec<f64>,
 }

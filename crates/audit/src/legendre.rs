@@ -269,10 +269,10 @@ mod tests {
                 for (k, value) in found.iter().enumerate() {
                     // Far enough from the singularity for Gauss quadrature on pieces.
                     let mut truth = 0.0;
-                    let pieces = 400;
+                    let pieces = 400u32;
                     for piece in 0..pieces {
-                        let l = -1.0 + 2.0 * piece as f64 / pieces as f64;
-                        let r = l + 2.0 / pieces as f64;
+                        let l = -1.0 + 2.0 * f64::from(piece) / f64::from(pieces);
+                        let r = l + 2.0 / f64::from(pieces);
                         for (t, w) in RULE.nodes.iter().zip(&RULE.weights) {
                             let s = 0.5 * (l + r) + 0.5 * (r - l) * t;
                             truth += 0.5

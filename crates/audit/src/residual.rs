@@ -77,8 +77,11 @@ pub(crate) struct Residual<'a> {
 impl Residual<'_> {
     /// `w(x)` and a bound of its rounding.
     pub(crate) fn at(&self, x: f64) -> (f64, f64) {
+        self.with_potential(x, self.density.potential(x))
+    }
+
+    fn with_potential(&self, x: f64, (potential, rounding): (f64, f64)) -> (f64, f64) {
         let q = self.density.evaluate(x);
-        let (potential, rounding) = self.density.potential(x);
         let [low, high] = self.profile.height(x);
         let height = 0.5 * (low + high);
         let value = q + self.theta * potential - (self.settlement - self.tilt * x - height);
@@ -288,10 +291,13 @@ impl Residual<'_> {
     }
 
     fn values(&self, c: f64, r: f64, count: usize) -> (Vec<f64>, f64) {
+        let places: Vec<f64> = nodes(count).places.iter().map(|t| c + r * t).collect();
+        let mut potentials = vec![(0.0, 0.0); count];
+        self.density.potentials(&places, &mut potentials);
         let mut largest = 0.0f64;
-        let values = (nodes(count).places.iter())
-            .map(|t| {
-                let (w, error) = self.at(c + r * t);
+        let values = (places.iter().zip(potentials))
+            .map(|(x, potential)| {
+                let (w, error) = self.with_potential(*x, potential);
                 largest = largest.max(error);
                 w
             })
