@@ -1,5 +1,7 @@
 //! The audit of solutions of the second kind against differences of methods that share nothing with it.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 use fredholm::equation::{Solution, audit, collocate, degenerate};
 use fredholm::kernel::{
     Kernel, Logarithm, LogarithmRatio, LogarithmRatioLimit, LogarithmSine, LogarithmSquare,

@@ -1,4 +1,4 @@
-//! Prints what answers state and what their audit bounds: `cargo run --example audit_files -- FILE.toml ..`.
+//! Prints what answers state of themselves and what their audit bounds, with the times of both: `cargo run --release -p shtaerman --example audit_files -- FILE.toml ..`
 use std::time::Instant;
 
 fn main() {

@@ -245,7 +245,7 @@ fn prescribed(load: &Load, force: f64, moment: f64) -> (Prescribed, bool) {
         (Vertical::Settlement(_), Rotational::Tilt(_)) => {
             (Prescribed { force: None, moment: None }, false)
         }
-        (Vertical::Settlement(_), Rotational::Eccentricity(e)) if e == 0.0 => {
+        (Vertical::Settlement(_), Rotational::Eccentricity(0.0)) => {
             (Prescribed { force: None, moment: Some(0.0) }, false)
         }
         (Vertical::Settlement(_), Rotational::Eccentricity(_)) => {

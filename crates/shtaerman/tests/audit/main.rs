@@ -1,7 +1,9 @@
 //! Audited answers against product integration on graded panels, which shares no code with the program.
 //!
-//! The references are from a NumPy program: Legendre panels of 14 nodes, graded by 1/2 towards the ends of the base and to every knot, kink and step, with exact moments of the
+//! The references are from a `NumPy` program: Legendre panels of 14 nodes, graded by 1/2 towards the ends of the base and to every knot, kink and step, with exact moments of the
 //! logarithm; good to about `1e-13` of the pressure, seen by changing nodes and grading.
+
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use shtaerman::{
     ContactKind, ErrorKind, Frame, Load, Problem, Profile, Rotational, Solver, Vertical,

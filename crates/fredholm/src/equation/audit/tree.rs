@@ -241,7 +241,7 @@ impl<'k, K: Kernel + ?Sized> Tree<'k, K> {
             let is_far = (branch.left - x).max(x - branch.right) >= FAR * length;
             if is_far && length <= self.scale {
                 let is_leaf = matches!(branch.content, Content::Leaf(_));
-                if let Some(afar) = self.from_afar(branch, x, is_leaf) {
+                if let Some(afar) = self.potential_afar(branch, x, is_leaf) {
                     sum += afar;
                     continue;
                 }
@@ -259,7 +259,7 @@ impl<'k, K: Kernel + ?Sized> Tree<'k, K> {
     }
 
     /// The share of a branch in the potential, where the kernel is smooth over it.
-    fn from_afar(&self, branch: &Branch, x: f64, is_leaf: bool) -> Option<f64> {
+    fn potential_afar(&self, branch: &Branch, x: f64, is_leaf: bool) -> Option<f64> {
         let value = |s: f64| self.kernel.pair(x, s, (x - s).abs()).value;
         let mut values = [0.0; NODES];
         values.iter_mut().zip(&branch.places).for_each(|(k, s)| *k = value(*s));

@@ -10,6 +10,7 @@ mod magnitudes;
 mod reflections;
 mod resolutions;
 mod rises;
+#[allow(clippy::excessive_precision, reason = "references with all their digits")]
 mod taylor;
 mod trees;
 
