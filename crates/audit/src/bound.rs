@@ -4,7 +4,8 @@ use crate::Profile;
 use crate::density::{Density, Panel};
 use crate::kernel::Kernel;
 use crate::residual::{Bounded, Residual, blur};
-use crate::sample::{adjusted, negative_part, panels, range_on};
+use crate::sample::{negative_part, panels};
+use crate::shape::{Shape, restored};
 
 /// Most panels and windows: beyond them an answer is not audited.
 const MOST_PANELS: usize = 60_000;
@@ -149,109 +150,6 @@ fn resample(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Vec<Panel>, Re
     if is_finite && !found.is_empty() { Ok(found) } else { Err(Refusal::NoPressure) }
 }
 
-/// Integrals of the pressure.
-#[derive(Debug, Clone, Copy)]
-struct Shape {
-    /// `<1, q>`, the mean place `m`, and `<(x - m)^2, q>`; of bilateral contact those of 1 instead of `q`.
-    mass: f64,
-    mean: f64,
-    square: f64,
-    /// The largest `|x - m|` in the zones.
-    reach: f64,
-    /// `<1, q>` and `<x, q>`.
-    force: f64,
-    moment: f64,
-    /// Of `psi = q`, or 1 in bilateral contact: `||psi||`, `||(x - m) psi||` and `int |q|`.
-    norm: f64,
-    leaning: f64,
-    total: f64,
-    /// Length of the zones.
-    length: f64,
-}
-
-impl Shape {
-    fn new(panels: &[Panel], is_bilateral: bool) -> Self {
-        let weight = |q: f64| if is_bilateral { 1.0 } else { q };
-        let nodes: Vec<(f64, f64, f64)> = (panels.iter())
-            .flat_map(|panel| panel.nodes().zip(panel.at_nodes()))
-            .map(|((x, length), q)| (x, length, q))
-            .collect();
-        let integral = |u: &dyn Fn(f64, f64) -> f64| -> f64 {
-            let mut sum = Sum::default();
-            for &(x, length, q) in &nodes {
-                sum.add(length * u(x, q));
-            }
-            sum.value()
-        };
-        let mass = integral(&|_, q| weight(q));
-        let mean = integral(&|x, q| x * weight(q)) / mass;
-        let (first, last) = (panels[0].left, panels[panels.len() - 1].right);
-        Self {
-            mass,
-            mean,
-            square: integral(&|x, q| (x - mean) * (x - mean) * weight(q)),
-            reach: (mean - first).abs().max((last - mean).abs()),
-            force: integral(&|_, q| q),
-            moment: integral(&|x, q| x * q),
-            norm: integral(&|_, q| weight(q) * weight(q)).sqrt(),
-            leaning: integral(&|x, q| ((x - mean) * weight(q)).powi(2)).sqrt(),
-            total: integral(&|_, q| q.abs()),
-            length: panels.iter().map(|panel| panel.right - panel.left).sum(),
-        }
-    }
-}
-
-/// A sum with what its additions lose (A. Neumaier, ZAMM 54 (1974) 39).
-#[derive(Default)]
-struct Sum {
-    value: f64,
-    lost: f64,
-}
-
-impl Sum {
-    fn add(&mut self, term: f64) {
-        let sum = self.value + term;
-        self.lost += if self.value.abs() >= term.abs() {
-            (self.value - sum) + term
-        } else {
-            (term - sum) + self.value
-        };
-        self.value = sum;
-    }
-
-    fn value(&self) -> f64 {
-        self.value + self.lost
-    }
-}
-
-/// The pressure multiplied by `1 + a + b (x - m)`, of bilateral contact with `a + b (x - m)` added, so that it has the prescribed force and moment to rounding.
-fn restored(problem: &Problem<'_>, sampled: &[Panel]) -> Result<(Vec<Panel>, Shape), Refusal> {
-    let shape = Shape::new(sampled, problem.is_bilateral);
-    let Prescribed { force, moment } = problem.prescribed;
-    let a = force.map_or(0.0, |force| (force - shape.force) / shape.mass);
-    // What the first correction does to the moment.
-    let turned = shape.moment + a * shape.mass * shape.mean;
-    let b = moment.map_or(0.0, |moment| (moment - turned) / shape.square);
-    let change = a.abs() + b.abs() * shape.reach;
-    let largest = sampled.iter().fold(0.0f64, |most, panel| most.max(panel.largest));
-    let most = if problem.is_bilateral { 0.5 * largest } else { 0.5 };
-    if change.is_nan() || change > most {
-        return Err(Refusal::LoadNotMet);
-    }
-    let line = [a - b * shape.mean, b];
-    let panels: Vec<Panel> = (sampled.iter())
-        .map(|panel| {
-            if problem.is_bilateral {
-                adjusted(panel, [1.0, 0.0], line)
-            } else {
-                adjusted(panel, [1.0 + line[0], line[1]], [0.0; 2])
-            }
-        })
-        .collect();
-    let shape = Shape::new(&panels, problem.is_bilateral);
-    Ok((panels, shape))
-}
-
 /// Sums over windows.
 #[derive(Debug, Clone, Copy, Default)]
 struct Norms {
@@ -275,10 +173,10 @@ fn narrow_potential(width: f64, mu: f64) -> f64 {
     }
 }
 
-struct Audit<'a> {
-    problem: &'a Problem<'a>,
-    answer: &'a Answer<'a>,
-    density: Density,
+pub(crate) struct Audit<'a> {
+    pub(crate) problem: &'a Problem<'a>,
+    pub(crate) answer: &'a Answer<'a>,
+    pub(crate) density: Density,
     shape: Shape,
     /// Numbers for settlement and tilt: those prescribed, or any.
     settlement: f64,
@@ -565,77 +463,4 @@ impl Audit<'_> {
             return [length, middle, square, lost];
         }
     }
-
-    /// A bound of how far free ends are off: inside of it the resampled pressure exceeds what it is off by, beyond it the residual what it may be.
-    fn ends(&self, gaps: &[Bounded], pressure: f64, margin: f64) -> Option<f64> {
-        let is_end = |x: f64| self.problem.pieces.iter().flatten().any(|end| *end == x);
-        let mut worst: Option<f64> = None;
-        // Windows that may be in contact have to touch a free end.
-        let mut open: Vec<(f64, f64, bool)> = gaps
-            .iter()
-            .filter(|window| window.least <= margin)
-            .map(|window| (window.left, window.right, false))
-            .collect();
-        for zone in self.answer.zones {
-            for (side, at) in zone.iter().copied().enumerate().filter(|(_, at)| !is_end(*at)) {
-                let inside = self.inside(*zone, side, pressure)?;
-                let mut outside = at;
-                let mut is_growing = true;
-                while is_growing {
-                    is_growing = false;
-                    for (left, right, used) in open.iter_mut().filter(|window| !window.2) {
-                        let touches = if side == 1 { *left == outside } else { *right == outside };
-                        if touches {
-                            outside = if side == 1 { *right } else { *left };
-                            *used = true;
-                            is_growing = true;
-                        }
-                    }
-                }
-                worst = Some(worst.unwrap_or(0.0).max(inside).max((outside - at).abs()));
-            }
-        }
-        if open.iter().any(|window| !window.2) { None } else { worst }
-    }
-
-    /// The distance from an end of a zone from which on the pressure exceeds what it may be off by, as far as the middle; none where it does not.
-    fn inside(&self, zone: [f64; 2], side: usize, pressure: f64) -> Option<f64> {
-        let half = 0.5 * (zone[1] - zone[0]);
-        let mut known: Option<f64> = None;
-        // From the middle outwards, each step half as far from the end.
-        let mut far = half;
-        for _ in 0..60 {
-            let near = 0.5 * far;
-            let interval = if side == 0 {
-                [zone[0] + near, zone[0] + far]
-            } else {
-                [zone[1] - far, zone[1] - near]
-            };
-            if interval[0] >= interval[1] || self.least_on(interval) <= pressure {
-                break;
-            }
-            known = Some(near);
-            far = near;
-        }
-        known
-    }
-
-    /// A lower bound of the resampled pressure on an interval.
-    fn least_on(&self, [left, right]: [f64; 2]) -> f64 {
-        let first = self.density.panels.partition_point(|panel| panel.right <= left);
-        let parts = self.density.panels[first..].iter().take_while(|panel| panel.left < right);
-        parts
-            .map(|panel| least(panel, panel.left.max(left), panel.right.min(right), 6))
-            .fold(f64::INFINITY, f64::min)
-    }
-}
-
-/// A lower bound of a polynomial, by halves where it is poor.
-fn least(panel: &Panel, left: f64, right: f64, depth: usize) -> f64 {
-    let (low, _) = range_on(panel, left, right);
-    let middle = 0.5 * (left + right);
-    if low > 0.0 || depth == 0 || middle <= left || middle >= right {
-        return low;
-    }
-    least(panel, left, middle, depth - 1).min(least(panel, middle, right, depth - 1))
 }

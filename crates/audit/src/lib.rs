@@ -13,10 +13,12 @@
 mod bound;
 mod chebyshev;
 mod density;
+mod ends;
 mod kernel;
 mod legendre;
 mod residual;
 mod sample;
+mod shape;
 #[cfg(test)]
 mod tests;
 
