@@ -85,10 +85,9 @@ impl Residual<'_> {
         let [low, high] = self.profile.height(x);
         let height = 0.5 * (low + high);
         let value = q + self.theta * potential - (self.settlement - self.tilt * x - height);
-        let size = 32.0 * q.abs()
-            + 4.0 * self.theta * potential.abs()
-            + 4.0 * (self.settlement.abs() + self.tilt.abs() + height.abs());
-        let scaled = self.scaled * (self.theta * potential.abs() + height.abs());
+        let given = self.settlement.abs() + self.tilt.abs() + height.abs();
+        let size = 32.0 * q.abs() + 4.0 * self.theta * potential.abs() + 4.0 * given;
+        let scaled = self.scaled * (self.theta * potential.abs() + given);
         (value, self.theta * rounding + (high - low) + UNIT * size + scaled)
     }
 

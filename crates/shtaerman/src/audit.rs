@@ -186,6 +186,12 @@ impl Contact {
             force: bound.force,
             moment: bound.moment,
         };
+        let accuracy = match load.rotational {
+            Rotational::Eccentricity(e) if is_load_own => {
+                self.at_settlement(accuracy, bound.settlement, e)
+            }
+            _ => accuracy,
+        };
         if !accuracy.is_finite() {
             return Err(Unaudited::NotFinite);
         }
@@ -199,6 +205,25 @@ impl Contact {
             accuracy: accuracy.with_level(level),
             edges: bound.ends,
         })
+    }
+}
+
+impl Contact {
+    /// What the errors of the contact under the answer's own force become at the settlement prescribed, from which that contact is off by `missed`: to first order, by the tangent
+    /// stiffness along `M = e P`, `-alpha = -(k12 - e k11)/(k22 - e k12) delta`. An estimate.
+    fn at_settlement(&self, under_own_force: Accuracy, missed: f64, e: f64) -> Accuracy {
+        let [[k11, k12], [_, k22]] = self.stiffness0().matrix();
+        let turn = (k12 - e * k11) / (k22 - e * k12);
+        let force = missed * (k11 - k12 * turn).abs();
+        let largest = self.peak_pressure0().0.abs();
+        Accuracy {
+            pressure: under_own_force.pressure + largest * force / self.force0().abs(),
+            settlement: 0.0,
+            tilt: under_own_force.tilt + missed * turn.abs(),
+            force,
+            moment: e.abs() * force,
+            ..under_own_force
+        }
     }
 }
 

@@ -185,3 +185,23 @@ fn a_constant_in_the_profile_moves_the_settlement_alone() {
     }
     assert!((raised.settlement() - plain.settlement() - 1.0).abs() < 4.0 * f64::EPSILON);
 }
+
+#[test]
+fn settlement_with_eccentricity_states_the_force_that_it_finds() {
+    // The force of a contact, handed back by its settlement: the errors of both must cover what comes out differently.
+    let profile = || Profile::expression("0.5*xi^2").unwrap();
+    let frame = || Frame::dimensionless(3.0).unwrap();
+    let solve = |vertical| {
+        let load = Load::new(vertical, Rotational::Eccentricity(0.1)).unwrap();
+        let problem = Problem::new(frame(), profile(), load, Solver::default()).unwrap();
+        problem.solve().unwrap().audited().unwrap()
+    };
+    let first = solve(Vertical::Force(0.08));
+    let second = solve(Vertical::Settlement(first.settlement0()));
+    let accuracy = second.accuracy().unwrap();
+    assert_eq!(accuracy.kind, ErrorKind::Estimate);
+    let handed_over = first.accuracy().unwrap().settlement;
+    assert!(accuracy.force > 0.0 && accuracy.moment > 0.0);
+    assert!((second.force0() - 0.08).abs() <= accuracy.force + handed_over, "{accuracy:?}");
+    assert!((second.moment0() - 0.008).abs() <= accuracy.moment + handed_over, "{accuracy:?}");
+}
