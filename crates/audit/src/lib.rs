@@ -10,15 +10,30 @@
 //! The density is resampled by polynomials on panels; their potentials have closed forms; the profile is enclosed, not sampled, and the residual is bounded between the places where
 //! it is computed. Rounding is inside the bound. The chapter *The audit* of the book has the proofs.
 
+mod allowance;
 mod bound;
 mod chebyshev;
 mod density;
+mod displacements;
+mod distance;
 mod ends;
+mod far;
+mod fitted;
+mod heights;
 mod kernel;
 mod legendre;
+mod narrow;
+mod near;
+mod norms;
+mod remainders;
 mod residual;
+mod row;
 mod sample;
 mod shape;
+#[cfg(test)]
+mod slow;
+mod sum;
+mod windows;
 #[cfg(test)]
 mod tests;
 

@@ -2,7 +2,8 @@
 
 use crate::density::{Density, Panel};
 use crate::kernel::Kernel;
-use crate::legendre::{ORDER, RULE, Seen, potentials};
+use crate::legendre::{ORDER, RULE};
+use crate::slow::{Seen, potentials};
 use crate::{Answer, Prescribed, Problem, Profile, audit};
 
 /// `c x^2 + s x`, with derivatives as they are.
