@@ -193,6 +193,7 @@ impl Audit<'_> {
             density: &self.density,
             pressure: self.answer.pressure,
             profile: self.problem.profile,
+            cuts: self.problem.cuts,
             theta: self.problem.theta,
             settlement: self.settlement,
             tilt: self.tilt,

@@ -10,8 +10,27 @@ const MOST_NUMBERS: usize = 40;
 const VICINITY: f64 = 64.0;
 
 impl Residual<'_> {
+    /// Adds a window of some units of the machine: what is about a jump of the base for itself, since only there it is large.
+    pub(crate) fn narrow_parts(&self, [left, right]: [f64; 2], found: &mut Vec<Bounded>) {
+        let first = self.cuts.partition_point(|cut| *cut <= left);
+        let mut from = left;
+        for cut in self.cuts[first..].iter().take_while(|cut| **cut < right) {
+            let blur = blur(cut.abs());
+            for to in [cut - blur, cut + blur] {
+                let to = to.clamp(from, right);
+                if to > from {
+                    found.push(self.narrow([from, to]));
+                }
+                from = to;
+            }
+        }
+        if right > from {
+            found.push(self.narrow([from, right]));
+        }
+    }
+
     /// A window of some units of the machine: its numbers one by one, and between them what can be at most.
-    pub(crate) fn narrow(&self, [left, right]: [f64; 2]) -> Bounded {
+    fn narrow(&self, [left, right]: [f64; 2]) -> Bounded {
         let is_inside = self.density.panel_at(0.5 * (left + right)).is_some();
         // Jumps of the base are known to some roundings of their places.
         let blur = blur(left.abs().max(right.abs()));

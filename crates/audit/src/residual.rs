@@ -14,9 +14,12 @@ pub(crate) const FINEST: f64 = 16.0 * f64::EPSILON;
 /// Beside the origin, where numbers are as fine as one likes, they are at least that of this share of the whole.
 pub(crate) const SMALLEST: f64 = 1e-3;
 
+/// Places of jumps are as exact as this, relative to them: a quotient or product of two numbers, or the root of what a formula compares.
+const BLURRED: f64 = 4.0 * f64::EPSILON;
+
 /// How far a jump of the base may lie from where its formula jumps: some roundings of its place.
 pub(crate) fn blur(x: f64) -> f64 {
-    FINEST * x.max(SMALLEST)
+    BLURRED * x.max(SMALLEST)
 }
 
 /// What is known of the residual on a window.
@@ -48,6 +51,8 @@ pub(crate) struct Residual<'a> {
     /// The answer's own pressure.
     pub(crate) pressure: &'a dyn Fn(f64) -> f64,
     pub(crate) profile: &'a dyn Profile,
+    /// Places where the base may jump.
+    pub(crate) cuts: &'a [f64],
     pub(crate) theta: f64,
     pub(crate) settlement: f64,
     pub(crate) tilt: f64,
@@ -120,7 +125,7 @@ impl Residual<'_> {
             let middle = 0.5 * (left + right);
             let size = left.abs().max(right.abs()).max(SMALLEST * (whole[1] - whole[0]));
             if right - left <= FINEST * size || middle <= left || middle >= right {
-                found.push(self.narrow([left, right]));
+                self.narrow_parts([left, right], found);
             } else if let Some(window) = bound([left, right]) {
                 found.push(window);
             } else {
