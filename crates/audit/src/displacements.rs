@@ -94,8 +94,8 @@ impl Audit<'_> {
             return Some(Line { level, slope: 0.0, middle: 0.0 });
         }
         let square = 2.0 / 3.0 * h.powi(3);
-        let slope = (w * (square.sqrt() + 0.5 * slope.sqrt()) + h * rest)
-            / (square - h * h * missing);
+        let slope =
+            (w * (square.sqrt() + 0.5 * slope.sqrt()) + h * rest) / (square - h * h * missing);
         // Each also has a part of the other on what is missing.
         let share = h * missing / (whole - missing);
         let other = h * missing / (square - h * h * missing);

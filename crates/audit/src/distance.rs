@@ -119,15 +119,28 @@ impl Audit<'_> {
         let negative = square.sqrt();
         // On windows that could not be resolved the density is what its own potential makes it: a change by w~ there.
         let absorbed = theta
-            * (norms.narrow_sum * row_norm(kernel)).min(norms.narrow_square.sqrt() * mass(kernel, 1.0));
-        let corrected = self.corrected(windows, reach, (norms.square.sqrt(), norms.narrow_sum + sum));
+            * (norms.narrow_sum * row_norm(kernel))
+                .min(norms.narrow_square.sqrt() * mass(kernel, 1.0));
+        let corrected =
+            self.corrected(windows, reach, (norms.square.sqrt(), norms.narrow_sum + sum));
         let residual = norms.square.sqrt()
             + absorbed
             + (1.0 + reach.strength()) * negative
             + corrected.residual;
-        let beside =
-            theta * (norms.narrow_potential + mass(kernel, reach.half) * (depth + corrected.highest));
-        if std::env::var("DEBUG_AUDIT").is_ok() { let top = self.density.largest(); eprintln!("    square {:.1e} absorbed {:.1e} negative {:.1e} corrected {:.1e} C {:.1} half {:.2}", norms.square.sqrt()/top, absorbed/top, (1.0+reach.strength())*negative/top, corrected.residual/top, reach.smoothing(), reach.half); }
+        let beside = theta
+            * (norms.narrow_potential + mass(kernel, reach.half) * (depth + corrected.highest));
+        if std::env::var("DEBUG_AUDIT").is_ok() {
+            let top = self.density.largest();
+            eprintln!(
+                "    square {:.1e} absorbed {:.1e} negative {:.1e} corrected {:.1e} C {:.1} half {:.2}",
+                norms.square.sqrt() / top,
+                absorbed / top,
+                (1.0 + reach.strength()) * negative / top,
+                corrected.residual / top,
+                reach.smoothing(),
+                reach.half
+            );
+        }
         Distance {
             residual,
             mean_square: residual + negative + corrected.norm,

@@ -7,8 +7,8 @@ use crate::sum::{Sum, two_product, two_sum};
 
 /// Clusters farther from a place than this many of their radii are seen by their moments.
 pub(crate) const FAR: f64 = 3.0;
-/// Terms are left out where they have fallen by `exp(-SMALL)`.
-const SMALL: f64 = 37.0;
+/// Terms are left out where they have fallen by `exp(-SMALL)`, for the logarithm relative to the mass of all panels instead of this cluster's.
+const SMALL: f64 = 40.0;
 /// Moments that are summed over the panels with compensation: the others are shifted from cluster to cluster, and count for 3^-4 at most.
 const DIRECT: usize = 4;
 
@@ -77,17 +77,23 @@ impl Cluster {
     /// `ln|x - t| = ln|d| - sum (y/d)^k/k` and `|x - t|^-mu = |d|^-mu sum (mu)_k/k! (y/d)^k`, `d = x - c`, `y = t - c`.
     ///
     /// Roundings in units of the machine: of the mass and its logarithm `3 ln|d| + 1`; of the first moments 5 each, of the others as many as there were shifts (at most
-    /// sixteen), three for a degree, all with `3^-k/k`: together less than 4, and what is left out 1; of Horner's scheme 5 times its value.
+    /// sixteen), three for a degree, all with `3^-k/k`: together less than 5; of Horner's scheme 5 times its value.
     pub(crate) fn add(
         &self,
         singularity: Singularity,
         (places, distance): (&[f64], f64),
-        sign: f64,
+        (sign, total): (f64, f64),
         scratch: &mut Scratch,
         into: &mut Potentials,
     ) {
         let least = distance / self.radius;
-        let terms = ((SMALL / least.ln()).ceil() as usize).clamp(2, MOMENTS - 1);
+        let fallen = match singularity {
+            Singularity::Logarithm => SMALL + (self.mass / total).ln(),
+            Singularity::Power(_) => SMALL,
+        };
+        let terms = ((fallen / least.ln()).ceil() as usize).clamp(2, MOMENTS - 1);
+        // The sum of q^-k over k > n is q^-n/(q - 1), q >= 3.
+        let left_out = 0.5 * self.mass * least.powi(-(terms as i32)) / UNIT;
         let Scratch { inverses, sums } = scratch;
         inverses.clear();
         inverses.extend(places.iter().map(|x| self.radius / (x - self.centre)));
@@ -104,13 +110,14 @@ impl Cluster {
             let (value, rounding) = match singularity {
                 Singularity::Logarithm => {
                     let scale = d.ln();
-                    let rounding = self.mass * (3.0 * scale.abs() + 6.0) + 5.0 * sum.abs();
+                    let rounding =
+                        self.mass * (3.0 * scale.abs() + 6.0) + 5.0 * sum.abs() + left_out;
                     (self.moments[0] * scale + (self.lost * scale - sum), rounding)
                 }
                 Singularity::Power(mu) => {
                     let scale = d.powf(-mu);
                     let whole = self.moments[0] + (self.lost + sum);
-                    (scale * whole, scale * (6.0 * whole.abs() + 9.0 * self.mass))
+                    (scale * whole, scale * (6.0 * whole.abs() + 9.0 * self.mass + left_out))
                 }
             };
             into.add(index, sign * value, UNIT * rounding);

@@ -27,7 +27,9 @@ pub(crate) struct Fitted {
 impl Fitted {
     /// The sum of the sizes of its coefficients, each times a weight.
     pub(crate) fn sum(&self, weight: impl Fn(i32) -> f64) -> f64 {
-        (self.coefficients.iter().zip(0..)).map(|(c, k)| (c.abs() + self.rounding) * weight(k)).sum()
+        (self.coefficients.iter().zip(0..))
+            .map(|(c, k)| (c.abs() + self.rounding) * weight(k))
+            .sum()
     }
 }
 
@@ -38,8 +40,7 @@ pub(crate) fn fit(density: &Density, c: f64, disk: f64) -> Fitted {
     let last = all.partition_point(|panel| panel.left < c + disk);
     let panels = &all[first..last];
     let at = nodes(if panels.len() == 1 { ORDER } else { DENSITY_NODES });
-    let values: Vec<f64> =
-        at.places.iter().map(|t| density.evaluate(c + disk * t)).collect();
+    let values: Vec<f64> = at.places.iter().map(|t| density.evaluate(c + disk * t)).collect();
     let coefficients: Vec<f64> = at.coefficients(&values).collect();
     let largest = panels.iter().fold(0.0f64, |most, panel| most.max(panel.largest));
     let evaluated = panels.iter().fold(0.0f64, |most, panel| most.max(panel.evaluated));
@@ -49,10 +50,8 @@ pub(crate) fn fit(density: &Density, c: f64, disk: f64) -> Fitted {
         let rounding = UNIT * (2.0 * (count + 2.0) * largest + 2.0 * evaluated);
         return Fitted { coefficients, rounding, missed: 0.0, jump: 0.0, largest };
     }
-    let missed = panels
-        .iter()
-        .map(|panel| difference(panel, &coefficients, c, disk))
-        .fold(0.0, f64::max);
+    let missed =
+        panels.iter().map(|panel| difference(panel, &coefficients, c, disk)).fold(0.0, f64::max);
     // Both are evaluated with rounding.
     let rounding = FACTOR * UNIT * (evaluated + chebyshev::evaluated(&coefficients));
     let jump = (panels.windows(2))

@@ -6,18 +6,23 @@ use crate::chebyshev::lebesgue;
 /// Orders of derivatives of the profile that are asked for together: high ones are dear.
 const ORDERS: [usize; 3] = [15, 23, 40];
 
-/// Bounds of the derivatives of the profile on intervals that contain the window at hand: windows are looked at from left to right and from the large to the small, so that those of a window
-/// serve for its parts.
+/// Between intervals on which derivatives are bounded are so many halvings, at most: what does not serve on the larger one may on the smaller.
+const HALVINGS: usize = 3;
+
+/// An interval, with bounds of the derivatives of the profile once they were asked for.
+type Interval = ([f64; 2], Option<Vec<f64>>);
+
+/// The intervals that were halved until the window at hand: bounds on them serve for it and for those to come.
 #[derive(Debug, Default)]
 pub(crate) struct Known {
-    intervals: Vec<([f64; 2], Vec<f64>)>,
+    intervals: Vec<Interval>,
 }
 
 /// What is known of the profile on a window.
 pub(crate) struct Heights<'a> {
     profile: &'a dyn Profile,
     window: [f64; 2],
-    known: &'a mut Known,
+    intervals: &'a mut [Interval],
 }
 
 impl Known {
@@ -27,7 +32,10 @@ impl Known {
         while self.intervals.last().is_some_and(|([from, to], _)| left < *from || *to < right) {
             self.intervals.pop();
         }
-        Heights { profile, window, known: self }
+        if self.intervals.last().is_none_or(|(last, _)| *last != window) {
+            self.intervals.push((window, None));
+        }
+        Heights { profile, window, intervals: &mut self.intervals }
     }
 }
 
@@ -35,25 +43,28 @@ impl Heights<'_> {
     /// What interpolation at so many Chebyshev nodes misses; not looked into further where it is at most `wanted`.
     pub(crate) fn missed(&mut self, count: usize, wanted: f64) -> f64 {
         let r = 0.5 * (self.window[1] - self.window[0]);
-        let on = |bounds: &[f64]| missed(bounds, r, count);
-        let known = (self.known.intervals.iter())
-            .map(|(_, bounds)| on(bounds))
-            .fold(f64::INFINITY, f64::min);
-        if known <= wanted {
-            return known;
+        let on = |bounds: &Vec<f64>| missed(bounds, r, count);
+        let known = self.intervals.iter().filter_map(|(_, bounds)| bounds.as_ref().map(on));
+        let mut known = known.fold(f64::INFINITY, f64::min);
+        let own = self.intervals.len() - 1;
+        let mut next = self.intervals.iter().rposition(|(_, bounds)| bounds.is_some());
+        while known > wanted && next != Some(own) {
+            let index = next.map_or(0, |index| (index + HALVINGS).min(own));
+            let order = ORDERS.into_iter().find(|order| *order >= count).unwrap_or(count);
+            let bounds = self.profile.taylor_bounds(self.intervals[index].0, order);
+            known = known.min(on(&bounds));
+            self.intervals[index].1 = Some(bounds);
+            next = Some(index);
         }
-        let own = self.known.intervals.last().filter(|(interval, _)| *interval == self.window);
-        if own.is_some_and(|(_, bounds)| bounds.len() > count) {
-            return known;
+        if known > wanted
+            && self.intervals[own].1.as_ref().is_some_and(|bounds| bounds.len() <= count)
+        {
+            let order = ORDERS.into_iter().find(|order| *order >= count).unwrap_or(count);
+            let bounds = self.profile.taylor_bounds(self.window, order);
+            known = known.min(on(&bounds));
+            self.intervals[own].1 = Some(bounds);
         }
-        let order = ORDERS.into_iter().find(|order| *order >= count).unwrap_or(count);
-        let bounds = self.profile.taylor_bounds(self.window, order);
-        let found = on(&bounds);
-        if own.is_some() {
-            self.known.intervals.pop();
-        }
-        self.known.intervals.push((self.window, bounds));
-        found.min(known)
+        known
     }
 }
 

@@ -2,7 +2,6 @@
 
 use std::sync::LazyLock;
 
-
 /// Nodes of a panel, and coefficients of the density on it.
 pub(crate) const ORDER: usize = 16;
 /// Moments that stand for a panel or a cluster far away, the mass included.

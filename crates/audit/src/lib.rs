@@ -33,9 +33,9 @@ mod shape;
 #[cfg(test)]
 mod slow;
 mod sum;
-mod windows;
 #[cfg(test)]
 mod tests;
+mod windows;
 
 pub use bound::{Answer, Bound, Prescribed, Problem, Refusal, audit};
 pub use kernel::Kernel;

@@ -47,9 +47,15 @@ pub(crate) struct Reach {
 }
 
 impl Reach {
-    pub(crate) fn new(kernel: Kernel, theta: f64, [left, right]: [f64; 2], is_neutral: bool) -> Self {
+    pub(crate) fn new(
+        kernel: Kernel,
+        theta: f64,
+        [left, right]: [f64; 2],
+        is_neutral: bool,
+    ) -> Self {
         // Half a unit more than rounding may take away.
-        let half = (0.5 * (right - left) * (1.0 + 4.0 * f64::EPSILON)).clamp(f64::MIN_POSITIVE, 1.0);
+        let half =
+            (0.5 * (right - left) * (1.0 + 4.0 * f64::EPSILON)).clamp(f64::MIN_POSITIVE, 1.0);
         Self { kernel, theta, middle: 0.5 * (left + right), half, is_neutral }
     }
 
@@ -148,7 +154,8 @@ impl Reach {
             Kernel::Row { .. } => None,
             Kernel::Power { exponent: mu } => {
                 let first = PI / (0.5 * PI * mu).cos();
-                let whole = PI.sqrt() * libm::tgamma(0.5 * (1.0 + mu)) / libm::tgamma(1.0 + 0.5 * mu);
+                let whole =
+                    PI.sqrt() * libm::tgamma(0.5 * (1.0 + mu)) / libm::tgamma(1.0 + 0.5 * mu);
                 let power = |n: f64| 2f64.powf(n - mu);
                 let ones = 2.0 * power(2.0) / ((1.0 - mu) * (2.0 - mu));
                 let places = 2.0 / (1.0 - mu)
@@ -187,8 +194,8 @@ fn power_smoothing(mu: f64, theta: f64) -> (f64, bool) {
         best = if plain < best.0 + 1.0 { (plain, false) } else { best };
         for step in 0..SPLITS {
             let split = 2f64.powi(step);
-            let beta = theta * c * (0.5 * PI).powf(0.25) * split.powf(0.5 * mu - 0.25)
-                / (0.25 - 0.5 * mu);
+            let beta =
+                theta * c * (0.5 * PI).powf(0.25) * split.powf(0.5 * mu - 0.25) / (0.25 - 0.5 * mu);
             let sum = 0.5 * (beta + (alpha(split).powi(2) + beta * beta).sqrt());
             if sum < best.0 {
                 best = (sum, false);

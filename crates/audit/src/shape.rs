@@ -54,15 +54,15 @@ impl Shape {
         let total = integral(&|_, q| q.abs());
         let mut mean = moment / force;
         let spread = |mean: f64| {
-            [integral(&|x, q| (x - mean) * (x - mean) * q), integral(&|x, q| (x - mean) * (x - mean) * q.abs())]
+            [
+                integral(&|x, q| (x - mean) * (x - mean) * q),
+                integral(&|x, q| (x - mean) * (x - mean) * q.abs()),
+            ]
         };
         let [around, size] = spread(mean);
         let is_one_sign = force.abs() >= ONE_SIGN * total && around.abs() >= ONE_SIGN * size;
-        let correction = if is_one_sign || !is_bilateral {
-            Correction::Proportional
-        } else {
-            Correction::Line
-        };
+        let correction =
+            if is_one_sign || !is_bilateral { Correction::Proportional } else { Correction::Line };
         let psi = |q: f64| if correction == Correction::Line { 1.0 } else { q };
         let mass = integral(&|_, q| psi(q));
         if correction == Correction::Line {

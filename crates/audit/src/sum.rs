@@ -16,8 +16,8 @@ pub(crate) fn two_product(a: f64, b: f64) -> (f64, f64) {
         (high, x - high)
     };
     let ((high, low), (other_high, other_low)) = (split(a), split(b));
-    let error = ((high * other_high - product) + high * other_low + low * other_high)
-        + low * other_low;
+    let error =
+        ((high * other_high - product) + high * other_low + low * other_high) + low * other_low;
     (product, error)
 }
 

@@ -4,7 +4,7 @@ use crate::allowance::allowance;
 use crate::chebyshev::{lebesgue, nodes};
 use crate::density::Potentials;
 use crate::fitted::fit;
-use crate::heights::Known;
+use crate::heights::{Heights, Known};
 use crate::remainders::{Part, local_mass, local_potential, outside};
 use crate::residual::{Bounded, Residual};
 
@@ -20,7 +20,7 @@ const CROWDED: f64 = 1000.0 * f64::EPSILON;
 /// Numbers of nodes on a window.
 const COUNTS: [usize; 10] = [5, 7, 9, 12, 15, 19, 23, 28, 33, 40];
 /// Share of the budget for interpolation: a few nodes more make it small.
-const FINE: f64 = 0.2;
+const FINE: f64 = 0.4;
 /// Share of the residual that remainders may have.
 const SHARE: f64 = 0.15;
 /// Jumps of the density that a window may have in its remainders, in jumps: a polynomial cannot follow them closer than one and a half, and their potential may have as much.
@@ -38,6 +38,7 @@ impl Residual<'_> {
         known: &mut Known,
     ) -> Option<Bounded> {
         let (c, r) = (0.5 * (left + right), 0.5 * (right - left));
+        let mut heights = known.on(self.profile, [left, right]);
         let disk = (DISK * r).min(INSIDE * (c - zone[0]).min(zone[1] - c));
         if disk < LEAST_DISK * r || disk < PLACED * c.abs() {
             return None;
@@ -60,7 +61,7 @@ impl Residual<'_> {
         let minor = (axis * axis - 1.0).sqrt() * r / disk;
         let gamma = minor + (1.0 + minor * minor).sqrt();
         let parts = self.parts(c, disk);
-        let (count, remainder) = self.count([left, right], budget, known, |count| {
+        let (count, remainder) = count_with(&mut heights, budget, |count| {
             let fallen = 4.0 * rho.powi(1 - count as i32) / (rho - 1.0);
             let plain = 1.0 + self.lebesgue(c, r, count);
             let potential = fitted.sum(|k| {
@@ -104,28 +105,6 @@ impl Residual<'_> {
         crowded * lebesgue(count)
     }
 
-    /// The smallest number of nodes with which all remainders are within the budget, and the remainder.
-    fn count(
-        &self,
-        window: [f64; 2],
-        budget: f64,
-        known: &mut Known,
-        remainder: impl Fn(usize) -> f64,
-    ) -> Option<(usize, f64)> {
-        let mut heights = known.on(self.profile, window);
-        for count in COUNTS {
-            let own = remainder(count);
-            if own > FINE * budget {
-                continue;
-            }
-            let total = own + heights.missed(count, FINE * budget - own);
-            if total <= FINE * budget {
-                return Some((count, total));
-            }
-        }
-        None
-    }
-
     fn values(&self, c: f64, r: f64, count: usize) -> (Vec<f64>, f64) {
         let places: Vec<f64> = nodes(count).places.iter().map(|t| c + r * t).collect();
         let mut potentials = Potentials::default();
@@ -156,6 +135,7 @@ impl Residual<'_> {
         known: &mut Known,
     ) -> Option<Bounded> {
         let (c, r) = (0.5 * (left + right), 0.5 * (right - left));
+        let mut heights = known.on(self.profile, [left, right]);
         let (middle, error) = self.at(c);
         let singularity = self.density.kernel.singularity();
         let parts = self.parts(c, LEAST_DISK * r);
@@ -169,7 +149,7 @@ impl Residual<'_> {
         }
         let allowed = allowance(self.theta, right - left) * self.density.largest();
         let budget = (SHARE * middle.abs()).max(2.0 * error).max(allowed);
-        let (count, remainder) = self.count([left, right], budget, known, |count| {
+        let (count, remainder) = count_with(&mut heights, budget, |count| {
             self.theta * outside(&parts, singularity, r, count)
         })?;
         let (values, error) = self.values(c, r, count);
@@ -189,4 +169,23 @@ impl Residual<'_> {
         let norm = largest * (right - left).sqrt();
         Some(Bounded { left, right, largest, norm, at_numbers: largest, least, is_narrow: false })
     }
+}
+
+/// The smallest number of nodes with which all remainders are within the budget, and the remainder.
+fn count_with(
+    heights: &mut Heights<'_>,
+    budget: f64,
+    remainder: impl Fn(usize) -> f64,
+) -> Option<(usize, f64)> {
+    for count in COUNTS {
+        let own = remainder(count);
+        if own > FINE * budget {
+            continue;
+        }
+        let total = own + heights.missed(count, FINE * budget - own);
+        if total <= FINE * budget {
+            return Some((count, total));
+        }
+    }
+    None
 }
