@@ -299,37 +299,6 @@ impl Audit<'_> {
 
     fn stated(&self, windows: &Windows<'_>, found: &Errors) -> Bound {
         let Errors { distance, line, .. } = found;
-        if std::env::var("DEBUG_AUDIT").is_ok() {
-            let top = self.density.largest();
-            let t =
-                windows.zones.iter().max_by(|a, b| a.at_numbers.total_cmp(&b.at_numbers)).unwrap();
-            eprintln!(
-                "    zones {:?} top window {:e} {:e} width {:.1e} at_numbers {:.1e} narrow {} zone windows {} narrow {} gap windows {} cuts {}",
-                self.answer.zones.len(),
-                t.left,
-                t.right,
-                t.right - t.left,
-                t.at_numbers / top,
-                t.is_narrow,
-                windows.zones.len(),
-                windows.zones.iter().filter(|z| z.is_narrow).count(),
-                windows.gaps.len(),
-                self.problem.cuts.len()
-            );
-            eprintln!(
-                "    rel/aim {:.2} theta {:.3}: place {:.1e} free {:.1e} potential {:.1e} residual {:.1e} level {:.1e} slope {:.1e} resampled {:.1e} panels {}",
-                found.pressure() / top / (1e-12 * (0.1 * self.problem.theta).max(1.0)),
-                self.problem.theta,
-                distance.pressure / top,
-                line.largest() / top,
-                distance.potential / top,
-                distance.residual / top,
-                line.level / top,
-                line.slope / top,
-                self.resampled() / top,
-                self.density.panels.len()
-            );
-        }
         let (margin, pressure) = (found.margin(), found.pressure());
         let open: f64 = windows.open(margin).map(|window| window.right - window.left).sum();
         let moved = (self.shape.length + open).sqrt() * distance.mean_square + distance.sum;

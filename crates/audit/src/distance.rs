@@ -129,18 +129,6 @@ impl Audit<'_> {
             + corrected.residual;
         let beside = theta
             * (norms.narrow_potential + mass(kernel, reach.half) * (depth + corrected.highest));
-        if std::env::var("DEBUG_AUDIT").is_ok() {
-            let top = self.density.largest();
-            eprintln!(
-                "    square {:.1e} absorbed {:.1e} negative {:.1e} corrected {:.1e} C {:.1} half {:.2}",
-                norms.square.sqrt() / top,
-                absorbed / top,
-                (1.0 + reach.strength()) * negative / top,
-                corrected.residual / top,
-                reach.smoothing(),
-                reach.half
-            );
-        }
         Distance {
             residual,
             mean_square: residual + negative + corrected.norm,

@@ -224,10 +224,13 @@ impl Recurrence {
                 (scale, scale, 2.0 / (1.0 - mu))
             }
         };
-        for i in 0..batch.count {
-            let value = scale * sums[i] + plain * batch.plain[i];
-            let rounding = scale * size * loss + plain * batch.rounding[i] + 2.0 * value.abs();
-            into.add(batch.index[i], sign * value, UNIT * rounding);
+        let parts = batch.plain.iter().zip(&batch.rounding);
+        for ((index, sum), (own, rounding)) in
+            batch.index[..batch.count].iter().zip(sums).zip(parts)
+        {
+            let value = scale * sum + plain * own;
+            let rounding = scale * size * loss + plain * rounding + 2.0 * value.abs();
+            into.add(*index, sign * value, UNIT * rounding);
         }
     }
 }

@@ -146,7 +146,8 @@ impl Contact {
         let is_level = problem.is_wave() || problem.is_symmetric();
         let prescribed =
             if is_level { Prescribed { moment: None, ..prescribed } } else { prescribed };
-        let zones = self.edges0();
+        let zones =
+            if problem.is_wave() { within_period(&self.edges0()) } else { self.edges0() };
         let mut cuts = problem.profile().joints(frame.half_width());
         cuts.extend(problem.resolution(RESOLVED_DEGREE, RESOLVED).joints);
         cuts.sort_by(f64::total_cmp);
@@ -206,6 +207,23 @@ impl Contact {
             edges: bound.ends,
         })
     }
+}
+
+/// Zones of a wave within its period, `[-1, 1]`, from left to right: the solution lets them reach across the seam.
+fn within_period(zones: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut found = Vec::new();
+    for [left, right] in zones {
+        let back = 2.0 * (0.5 * (left + 1.0)).floor();
+        let [left, right] = [left - back, right - back];
+        if right > 1.0 {
+            found.extend([[left, 1.0], [-1.0, right - 2.0]]);
+        } else {
+            found.push([left, right]);
+        }
+    }
+    found.retain(|[left, right]| left < right);
+    found.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    found
 }
 
 impl Contact {
