@@ -8,7 +8,7 @@ use crate::distance::{Distance, Windows};
 use crate::kernel::Kernel;
 use crate::norms::Reach;
 use crate::residual::Residual;
-use crate::sample::panels;
+use crate::sample::{halves, panels};
 use crate::shape::{Shape, restored};
 
 /// Most panels and windows: beyond them an answer is not audited.
@@ -112,8 +112,25 @@ pub enum Refusal {
 /// # Errors
 /// [`Refusal`] where no bound was found: nothing is then known of the answer.
 pub fn audit(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Bound, Refusal> {
-    let sampled = resample(problem, answer)?;
-    let (sampled, shape) = restored(problem, &sampled)?;
+    resample(problem, answer).and_then(|panels| bound(problem, answer, &panels))
+}
+
+/// The same on panels half as long: a second bound from other numbers, with which the first can be compared.
+///
+/// # Errors
+/// Those of [`audit`].
+pub fn audit_on_halved_panels(
+    problem: &Problem<'_>,
+    answer: &Answer<'_>,
+) -> Result<Bound, Refusal> {
+    let panels = resample(problem, answer)?;
+    let halved: Vec<Panel> =
+        panels.iter().flat_map(|panel| halves(answer.pressure, panel)).collect();
+    bound(problem, answer, &halved)
+}
+
+fn bound(problem: &Problem<'_>, answer: &Answer<'_>, sampled: &[Panel]) -> Result<Bound, Refusal> {
+    let (sampled, shape) = restored(problem, sampled)?;
     let density = Density::new(problem.kernel, sampled);
     let mut audit =
         Audit { problem, answer, density, shape, settlement: answer.settlement, tilt: answer.tilt };

@@ -37,7 +37,7 @@ mod sum;
 mod tests;
 mod windows;
 
-pub use bound::{Answer, Bound, Prescribed, Problem, Refusal, audit};
+pub use bound::{Answer, Bound, Prescribed, Problem, Refusal, audit, audit_on_halved_panels};
 pub use kernel::Kernel;
 
 /// The base `f(x)`, enclosed.

@@ -204,3 +204,185 @@ fn power_smoothing(mu: f64, theta: f64) -> (f64, bool) {
     }
     best
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::density::{Density, Panel};
+    use crate::legendre::{ORDER, RULE};
+
+    /// A density with these values on equal panels.
+    fn steps(kernel: Kernel, [left, right]: [f64; 2], values: &[f64]) -> Density {
+        let width = (right - left) / values.len() as f64;
+        let panels = (values.iter().zip(0..))
+            .map(|(value, i)| {
+                let mut coefficients = [0.0; ORDER];
+                coefficients[0] = *value;
+                let at = left + width * f64::from(i);
+                Panel::new(at, at + width, coefficients)
+            })
+            .collect();
+        Density::new(kernel, panels)
+    }
+
+    /// `||e||`, `<K e, e>` and the largest `|K e|` at Gauss nodes.
+    fn measured(density: &Density) -> [f64; 3] {
+        let (mut square, mut energy, mut largest) = (0.0, 0.0, 0.0f64);
+        for panel in &density.panels {
+            let e = panel.coefficients[0];
+            square += e * e * 2.0 * panel.half();
+            for (x, weight) in panel.nodes() {
+                let potential = density.potential(x).0;
+                energy += weight * e * potential;
+                largest = largest.max(potential.abs());
+            }
+        }
+        [square.sqrt(), energy, largest]
+    }
+
+    /// Densities from smooth to rough, without force.
+    fn drawn(count: usize, seed: u64) -> Vec<Vec<f64>> {
+        let mut state = seed;
+        let mut random = move || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1u64 << 53) as f64 - 0.5
+        };
+        (0..12)
+            .map(|kind| {
+                let mut values: Vec<f64> = (0..count)
+                    .map(|i| {
+                        let t = i as f64 / count as f64;
+                        match kind % 4 {
+                            0 => random(),
+                            1 => (f64::from(kind) * 3.0 * t + random()).cos(),
+                            // A spike, which is what the bound of the potential is sharpest for.
+                            2 => {
+                                if i == count / 2 {
+                                    1.0
+                                } else {
+                                    1e-3 * random()
+                                }
+                            }
+                            _ => {
+                                if i == 0 {
+                                    1.0
+                                } else {
+                                    -random() * t
+                                }
+                            }
+                        }
+                    })
+                    .collect();
+                let mean = values.iter().sum::<f64>() / count as f64;
+                values.iter_mut().for_each(|value| *value -= mean);
+                values
+            })
+            .collect()
+    }
+
+    #[test]
+    fn potentials_of_densities_without_force_stay_below_their_bounds() {
+        let kernels = [
+            Kernel::Logarithm,
+            Kernel::Row { period: 2.5 },
+            Kernel::Power { exponent: 0.3 },
+            Kernel::Power { exponent: 0.7 },
+        ];
+        let mut closest = 0.0f64;
+        for kernel in kernels {
+            for interval in [[-1.0, 1.0], [0.1, 0.2]] {
+                for theta in [0.3, 10.0, 1000.0] {
+                    let reach = Reach::new(kernel, theta, interval, true);
+                    for values in drawn(60, 7) {
+                        let density = steps(kernel, interval, &values);
+                        let [norm, energy, largest] = measured(&density);
+                        // The least ||w|| for which <(1 + theta K) e, e> <= ||w|| ||e||.
+                        let w = norm + theta * energy / norm;
+                        let mut allowed = reach.smoothing() * w;
+                        if reach.doubles() {
+                            let most = values.iter().fold(0.0f64, |most, e| most.max(e.abs()));
+                            allowed = 0.5 * (allowed + most);
+                        }
+                        closest = closest.max(theta * largest / allowed);
+                        assert!(
+                            theta * largest <= allowed,
+                            "{kernel:?} {interval:?} theta {theta}: {} {allowed}",
+                            theta * largest
+                        );
+                        assert!(energy >= -1e-9, "{kernel:?} {interval:?}: energy {energy}");
+                    }
+                }
+            }
+        }
+        println!("closest: {closest}");
+        assert!(closest > 0.1, "idle: {closest}");
+    }
+
+    /// `theta <K u, u>` with `u = 1 - c psi` against the same with `psi` on Gauss nodes after `x = sin t`, which takes its ends away.
+    #[test]
+    fn rest_energies() {
+        let theta = 3.0;
+        for (kernel, mu) in [
+            (Kernel::Logarithm, 0.0),
+            (Kernel::Power { exponent: 0.3 }, 0.3),
+            (Kernel::Power { exponent: 0.7 }, 0.7),
+        ] {
+            let reach = Reach::new(kernel, theta, [-0.25, 0.25], true);
+            let h: f64 = 0.25;
+            let found = reach.rest_energies().unwrap();
+            // <K u, u> = <K 1, 1> - <1, 1>^2 V with V the potential of the psi of mass one; for x with K psi = x: <K x, x> - <x, x>^2/<x, psi>.
+            let own = |power: usize| {
+                let mut coefficients = [0.0; ORDER];
+                coefficients[power] = if power == 0 { 1.0 } else { h };
+                let density = Density::new(kernel, vec![Panel::new(-h, h, coefficients)]);
+                // Graded towards the ends, where the potential is not smooth.
+                let mut sum = 0.0;
+                for level in 0..40 {
+                    let (far, near) = (h * 0.5f64.powi(level), h * 0.5f64.powi(level + 1));
+                    for (t, weight) in RULE.nodes.iter().zip(&RULE.weights) {
+                        let d = 0.5 * (far + near) + 0.5 * (far - near) * t;
+                        let x = h - d;
+                        sum += 2.0
+                            * 0.5
+                            * (far - near)
+                            * weight
+                            * x.powi(power as i32)
+                            * density.potential(x).0;
+                    }
+                }
+                sum
+            };
+            // Integrals of the weight (1 - y^2)^((mu - 1)/2) and of y^2 times it, by y = sin t.
+            let weighted = |power: i32| {
+                let n = 200_000;
+                let step = PI / f64::from(n);
+                (0..n)
+                    .map(|i| -0.5 * PI + step * (f64::from(i) + 0.5))
+                    .map(|t: f64| step * t.sin().powi(power) * t.cos().powf(mu))
+                    .sum::<f64>()
+            };
+            // K psi on the scaled interval.
+            let (first, second) = if mu == 0.0 {
+                (PI * LN_2, PI)
+            } else {
+                let value = PI / (0.5 * PI * mu).cos();
+                (value, mu * value)
+            };
+            let scale = if mu == 0.0 { 1.0 } else { h.powf(-mu) };
+            let constant = first / weighted(0) * scale - if mu == 0.0 { h.ln() } else { 0.0 };
+            let level = own(0) - 4.0 * h * h * constant;
+            let square = 2.0 / 3.0 * h.powi(3);
+            // psi = y w(y) on the scaled interval gives K psi = second scale h y = second scale x, and <x, psi> = h^2 int y^2 w.
+            let slope = own(1) - square * square * second * scale / (h * h * weighted(2));
+            for (found, truth) in found.iter().zip([level, slope]) {
+                assert!(
+                    (found / theta - truth).abs() < 2e-4 * truth,
+                    "{mu}: {found} {}",
+                    theta * truth
+                );
+            }
+        }
+    }
+}

@@ -97,6 +97,17 @@ fn sampled(density: &dyn Fn(f64) -> f64, left: f64, right: f64) -> (Panel, f64) 
     (Panel::new(left, right, coefficients), tail)
 }
 
+/// A panel as two, sampled anew; the panel itself where it is too short for that.
+pub(crate) fn halves(density: &dyn Fn(f64) -> f64, panel: &Panel) -> Vec<Panel> {
+    let middle = panel.middle();
+    if panel.right - panel.left <= FINEST * middle.abs() {
+        return vec![panel.clone()];
+    }
+    [[panel.left, middle], [middle, panel.right]]
+        .map(|[left, right]| sampled(density, left, right).0)
+        .to_vec()
+}
+
 /// What the density changes from one number of the machine to the next beside the ends of a panel: it cannot be told better.
 fn graininess(density: &dyn Fn(f64) -> f64, panel: &Panel) -> f64 {
     let after = panel.left.next_up();

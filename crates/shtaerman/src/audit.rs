@@ -3,7 +3,7 @@
 //! The book's chapter *The audit* has the theorem and its proof; the crate `shtaerman-audit` carries it out on plain numbers. Here a contact is handed to it.
 
 use serde::Serialize;
-use shtaerman_audit::{Answer, Kernel, Prescribed, Profile, Refusal};
+use shtaerman_audit::{Answer, Bound, Kernel, Prescribed, Profile, Refusal};
 
 use crate::contact::{Accuracy, ErrorKind};
 use crate::roughness::Law;
@@ -74,6 +74,9 @@ impl std::fmt::Display for Unaudited {
     }
 }
 
+/// A way to bound the errors of an answer.
+type Auditor = fn(&shtaerman_audit::Problem<'_>, &Answer<'_>) -> Result<Bound, Refusal>;
+
 /// The base of a problem, enclosed.
 struct Base<'a>(&'a Problem);
 
@@ -134,6 +137,18 @@ impl Contact {
     /// # Errors
     /// [`Unaudited`] with the reason.
     pub fn audit(&self) -> Result<Audit, Unaudited> {
+        self.audit_by(shtaerman_audit::audit)
+    }
+
+    /// The same on panels half as long: a second bound from other numbers, with which the first can be compared.
+    ///
+    /// # Errors
+    /// Those of [`Contact::audit`].
+    pub fn audit_on_halved_panels(&self) -> Result<Audit, Unaudited> {
+        self.audit_by(shtaerman_audit::audit_on_halved_panels)
+    }
+
+    fn audit_by(&self, bound: Auditor) -> Result<Audit, Unaudited> {
         // Heights are counted from the level from which they were solved: that loses no digits, and changes nothing but the settlement.
         let problem = self.solved();
         let (settlement, level) = self.solved_settlement0();
@@ -146,8 +161,7 @@ impl Contact {
         let is_level = problem.is_wave() || problem.is_symmetric();
         let prescribed =
             if is_level { Prescribed { moment: None, ..prescribed } } else { prescribed };
-        let zones =
-            if problem.is_wave() { within_period(&self.edges0()) } else { self.edges0() };
+        let zones = if problem.is_wave() { within_period(&self.edges0()) } else { self.edges0() };
         let mut cuts = problem.profile().joints(frame.half_width());
         cuts.extend(problem.resolution(RESOLVED_DEGREE, RESOLVED).joints);
         cuts.sort_by(f64::total_cmp);
@@ -172,7 +186,7 @@ impl Contact {
             force: self.force0(),
             moment: self.moment0(),
         };
-        let bound = shtaerman_audit::audit(&posed, &answer).map_err(Unaudited::Refused)?;
+        let bound = bound(&posed, &answer).map_err(Unaudited::Refused)?;
         let kind = if is_load_own { ErrorKind::Estimate } else { ErrorKind::Bound };
         let reason = if is_load_own {
             "the residual of the answer, resampled: a bound for the contact under its own force and moment, an estimate for the settlement prescribed"
