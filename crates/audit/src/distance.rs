@@ -39,10 +39,10 @@ pub(crate) struct Distance {
 /// Sums over windows.
 #[derive(Debug, Clone, Copy, Default)]
 struct Norms {
-    /// `||w~||` squared, and `||w~||_1` in the zones, without what could not be resolved.
+    /// `||w~||` squared, and `||w~||_1` in the zones, without what changes the density.
     square: f64,
     sum: f64,
-    /// `||w~||_1`, `||w~||` squared of that, and the potential it can have.
+    /// `||w~||_1`, `||w~||` squared where the density is changed by it, and the potential that has.
     narrow_sum: f64,
     narrow_square: f64,
     narrow_potential: f64,
@@ -51,7 +51,12 @@ struct Norms {
 }
 
 impl Norms {
-    fn add_narrow(&mut self, size: f64, width: f64, mu: f64) {
+    fn add_narrow(&mut self, size: f64, width: f64, (mu, is_absorbed): (f64, bool)) {
+        if !is_absorbed {
+            self.square += size * size * width;
+            self.sum += size * width;
+            return;
+        }
         self.narrow_sum += size * width;
         self.narrow_square += size * size * width;
         self.narrow_potential += size * narrow_potential(width, mu);
@@ -79,8 +84,11 @@ struct Corrected {
 }
 
 impl Audit<'_> {
-    fn mu(&self) -> f64 {
-        self.problem.kernel.singularity().exponent()
+    /// The exponent of the kernel, and whether a residual on so narrow a window costs less where the density is changed by it: `theta ||K w~||` instead of `||w~||`.
+    fn narrow(&self, width: f64) -> (f64, bool) {
+        let kernel = self.problem.kernel;
+        let is_absorbed = self.problem.theta * row_norm(kernel) * width.sqrt() < 1.0;
+        (kernel.singularity().exponent(), is_absorbed)
     }
 
     fn norms(&self, windows: &Windows<'_>) -> Norms {
@@ -89,7 +97,7 @@ impl Audit<'_> {
             let width = window.right - window.left;
             norms.largest = norms.largest.max(window.at_numbers);
             if window.is_narrow {
-                norms.add_narrow(window.largest, width, self.mu());
+                norms.add_narrow(window.largest, width, self.narrow(width));
             } else {
                 norms.square += window.norm * window.norm;
                 norms.sum += window.largest * width;
@@ -99,7 +107,7 @@ impl Audit<'_> {
         for cut in self.problem.cuts.iter().filter(|cut| self.density.panel_at(**cut).is_some()) {
             let blur = blur(cut.abs());
             let [low, high] = self.problem.profile.range([cut - blur, cut + blur]);
-            norms.add_narrow(high - low, 2.0 * blur, self.mu());
+            norms.add_narrow(high - low, 2.0 * blur, self.narrow(2.0 * blur));
         }
         norms
     }
@@ -117,7 +125,7 @@ impl Audit<'_> {
             }
         }
         let negative = square.sqrt();
-        // On windows that could not be resolved the density is what its own potential makes it: a change by w~ there.
+        // On absorbed windows the density is what its own potential makes it: a change by w~ there.
         let absorbed = theta
             * (norms.narrow_sum * row_norm(kernel))
                 .min(norms.narrow_square.sqrt() * mass(kernel, 1.0));
