@@ -165,9 +165,10 @@ struct Norms {
 }
 
 /// A bound of the potential of a density of size one on an interval of this width.
-fn narrow_potential(width: f64, mu: f64) -> f64 {
+fn narrow_potential(width: f64, kernel: Kernel) -> f64 {
+    let mu = kernel.singularity().exponent();
     if mu == 0.0 {
-        width * (3.0 + width.ln().abs())
+        width * (3.0 + width.ln().abs() + kernel.constant().abs())
     } else {
         4.0 * width.powf(1.0 - mu) / (1.0 - mu)
     }
@@ -329,14 +330,13 @@ impl Audit<'_> {
 
     fn norms(&self, windows: impl Iterator<Item = Bounded>) -> Norms {
         let mut norms = Norms::default();
-        let mu = self.problem.kernel.singularity().exponent();
         for window in windows {
             let width = window.right - window.left;
             norms.largest = norms.largest.max(window.at_numbers);
             if window.is_narrow {
                 norms.narrow_sum += window.largest * width;
                 norms.narrow_square += window.largest * window.largest * width;
-                norms.narrow_potential += window.largest * narrow_potential(width, mu);
+                norms.narrow_potential += window.largest * narrow_potential(width, self.problem.kernel);
             } else {
                 norms.square += window.norm * window.norm;
                 norms.sum += window.largest * width;
@@ -347,14 +347,13 @@ impl Audit<'_> {
 
     /// Jumps of the base lie within some roundings of where windows have them.
     fn add_jumps(&self, norms: &mut Norms) {
-        let mu = self.problem.kernel.singularity().exponent();
         for cut in self.problem.cuts.iter().filter(|cut| self.density.panel_at(**cut).is_some()) {
             let blur = blur(cut.abs());
             let [low, high] = self.problem.profile.range([cut - blur, cut + blur]);
             let (jump, width) = (high - low, 2.0 * blur);
             norms.narrow_sum += jump * width;
             norms.narrow_square += jump * jump * width;
-            norms.narrow_potential += jump * narrow_potential(width, mu);
+            norms.narrow_potential += jump * narrow_potential(width, self.problem.kernel);
         }
     }
 

@@ -194,6 +194,10 @@ impl Density {
         }
         match self.kernel {
             Kernel::Logarithm => self.add_singular(places, -1.0, found),
+            Kernel::ShiftedLogarithm { constant } => {
+                self.add_singular(places, -1.0, found);
+                self.add_constant(constant, found);
+            }
             Kernel::Power { .. } => self.add_singular(places, 1.0, found),
             Kernel::Row { period } => {
                 for image in [0.0, -period, period] {
@@ -238,6 +242,16 @@ impl Density {
         }
     }
 
+    /// Adds `constant int q`. Interpolation reproduces it, so that windows need not know of it.
+    fn add_constant(&self, constant: f64, found: &mut [(f64, f64)]) {
+        let Some(root) = self.clusters.last() else { return };
+        // Sums along a tree of at most 16 levels, products, and the constant itself.
+        let rounding = 32.0 * UNIT * constant.abs() * root.mass;
+        for entry in found {
+            *entry = (entry.0 + constant * root.moments[0], entry.1 + rounding);
+        }
+    }
+
     /// Calls `visit(distance, mass, largest, length)` for parts of the density, with the least distance of `x` from each; parts nearer than their own length are single panels.
     pub(crate) fn parts(&self, x: f64, visit: &mut impl FnMut(f64, f64, f64, f64)) {
         if self.panels.is_empty() {
@@ -245,7 +259,7 @@ impl Density {
         }
         let images: &[f64] = match self.kernel {
             Kernel::Row { period } => &[0.0, -period, period],
-            Kernel::Logarithm | Kernel::Power { .. } => &[0.0],
+            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Power { .. } => &[0.0],
         };
         for image in images {
             self.visit(self.clusters.len() - 1, x + image, visit);

@@ -33,6 +33,11 @@ impl Singularity {
 pub enum Kernel {
     /// `ln(1/|x - s|)`: positive on any set within an interval of length 2.
     Logarithm,
+    /// `ln(1/|x - s|) + c` with `c >= -ln 2`, below which it is not positive on `[-1, 1]`: the logarithm of an interval of half-length `a <= 2` that was scaled to 1, `c = -ln a`.
+    ShiftedLogarithm {
+        /// `c`.
+        constant: f64,
+    },
     /// `ln(1/(2 sin(pi|x - s|/L)))` with the period `L >= 2`: its modes are `L/(2 k)`, `k >= 1`, and 0 for the mean.
     Row {
         /// `L`.
@@ -48,8 +53,18 @@ pub enum Kernel {
 impl Kernel {
     pub(crate) fn singularity(self) -> Singularity {
         match self {
-            Self::Logarithm | Self::Row { .. } => Singularity::Logarithm,
+            Self::Logarithm | Self::ShiftedLogarithm { .. } | Self::Row { .. } => {
+                Singularity::Logarithm
+            }
             Self::Power { exponent } => Singularity::Power(exponent),
+        }
+    }
+
+    /// What is added to the singular part everywhere.
+    pub(crate) fn constant(self) -> f64 {
+        match self {
+            Self::ShiftedLogarithm { constant } => constant,
+            Self::Logarithm | Self::Row { .. } | Self::Power { .. } => 0.0,
         }
     }
 
@@ -58,9 +73,10 @@ impl Kernel {
     /// The logarithm: `F(1-x) + F(1+x)` with `F(t) = int_0^t |ln u| du` is largest in the middle, 2. The power: `2/(1-mu)` in the middle. The row: `int_0^(L/2)` twice of
     /// `|ln(2 sin)|`, `L/pi int_0^pi |ln(2 sin(u/2))| du / 1 <= 0.6461 L`, with what lies farther than half a period counted twice.
     #[must_use]
-    pub(crate) fn mass(self) -> f64 {
+    pub fn mass(self) -> f64 {
         match self {
             Self::Logarithm => 2.0,
+            Self::ShiftedLogarithm { constant } => 2.0 + 2.0 * constant.abs(),
             Self::Row { period } => 0.66 * period,
             Self::Power { exponent } => 2.0 / (1.0 - exponent),
         }
@@ -70,9 +86,12 @@ impl Kernel {
     ///
     /// The logarithm: `int_0^1 ln^2 u du = 2` to either side, in all 4, largest in the middle. The power: `2/(1 - 2 mu)`. The row: `L sum 1/(2 k^2) = L pi^2/12`.
     #[must_use]
-    pub(crate) fn row_norm(self) -> f64 {
+    pub fn row_norm(self) -> f64 {
         match self {
             Self::Logarithm => 2.0,
+            Self::ShiftedLogarithm { constant } => {
+                2.0 + std::f64::consts::SQRT_2 * constant.abs()
+            }
             Self::Row { period } => (period * std::f64::consts::PI.powi(2) / 12.0).sqrt(),
             Self::Power { exponent } if exponent < 0.5 => (2.0 / (1.0 - 2.0 * exponent)).sqrt(),
             Self::Power { .. } => f64::INFINITY,
@@ -95,8 +114,8 @@ impl Kernel {
             }
             let (energy, above) = match self {
                 // Modes (2/m) T_m, ln 2 the first; the unweighted norm of the rest is at most the weighted one.
-                Self::Logarithm => (
-                    std::f64::consts::LN_2 + 2.0 * harmonic,
+                Self::Logarithm | Self::ShiftedLogarithm { .. } => (
+                    self.constant() + std::f64::consts::LN_2 + 2.0 * harmonic,
                     (std::f64::consts::TAU / f64::from(n)).sqrt(),
                 ),
                 // sum cos(2 pi k d/L)/k
