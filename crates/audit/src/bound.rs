@@ -8,8 +8,8 @@ use crate::sample::{negative_part, panels};
 use crate::shape::{Shape, restored};
 
 /// Most panels and windows: beyond them an answer is not audited.
-const MOST_PANELS: usize = 60_000;
-const MOST_WINDOWS: usize = 200_000;
+pub(crate) const MOST_PANELS: usize = 60_000;
+pub(crate) const MOST_WINDOWS: usize = 200_000;
 /// A pressure is resampled to this many roundings of what it is computed from.
 const RESOLVED: f64 = 4.0;
 /// Unit of rounding.
@@ -336,7 +336,8 @@ impl Audit<'_> {
             if window.is_narrow {
                 norms.narrow_sum += window.largest * width;
                 norms.narrow_square += window.largest * window.largest * width;
-                norms.narrow_potential += window.largest * narrow_potential(width, self.problem.kernel);
+                norms.narrow_potential +=
+                    window.largest * narrow_potential(width, self.problem.kernel);
             } else {
                 norms.square += window.norm * window.norm;
                 norms.sum += window.largest * width;

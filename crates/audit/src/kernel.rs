@@ -89,9 +89,7 @@ impl Kernel {
     pub fn row_norm(self) -> f64 {
         match self {
             Self::Logarithm => 2.0,
-            Self::ShiftedLogarithm { constant } => {
-                2.0 + std::f64::consts::SQRT_2 * constant.abs()
-            }
+            Self::ShiftedLogarithm { constant } => 2.0 + std::f64::consts::SQRT_2 * constant.abs(),
             Self::Row { period } => (period * std::f64::consts::PI.powi(2) / 12.0).sqrt(),
             Self::Power { exponent } if exponent < 0.5 => (2.0 / (1.0 - 2.0 * exponent)).sqrt(),
             Self::Power { .. } => f64::INFINITY,

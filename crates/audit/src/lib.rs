@@ -13,16 +13,20 @@
 mod bound;
 mod chebyshev;
 mod density;
+mod disk;
 mod ends;
 mod kernel;
+mod layer;
 mod legendre;
 mod residual;
 mod sample;
+mod sampled;
 mod shape;
 #[cfg(test)]
 mod tests;
 
 pub use bound::{Answer, Bound, Prescribed, Problem, Refusal, audit};
+pub use disk::{DiskProblem, audit_disk};
 pub use kernel::Kernel;
 
 /// The base `f(x)`, enclosed.

@@ -384,19 +384,19 @@ impl Residual<'_> {
 }
 
 /// What interpolation of the profile misses on a window.
-struct ProfileRemainder<'a> {
+pub(crate) struct ProfileRemainder<'a> {
     profile: &'a dyn Profile,
     window: [f64; 2],
     bounds: Vec<f64>,
 }
 
 impl<'a> ProfileRemainder<'a> {
-    fn new(profile: &'a dyn Profile, window: [f64; 2]) -> Self {
+    pub(crate) fn new(profile: &'a dyn Profile, window: [f64; 2]) -> Self {
         Self { profile, window, bounds: Vec::new() }
     }
 
     /// At `n` Chebyshev nodes `f^(n)/n! 2 (r/2)^n`; or what fewer miss, times one more than Lebesgue's constant.
-    fn at_nodes(&mut self, count: usize, r: f64) -> f64 {
+    pub(crate) fn at_nodes(&mut self, count: usize, r: f64) -> f64 {
         if self.bounds.len() <= count {
             // High orders are dear: only as many as may be needed.
             let order = ORDERS.into_iter().find(|order| *order >= count).unwrap_or(count);
