@@ -1,7 +1,9 @@
 //! The residual of one harmonic.
 
+use super::kernel::mass;
 use super::potential::Radial;
 use super::{COMPARED, DiskProblem, UNIT};
+use crate::density::Panel;
 use crate::sampled::Field;
 use crate::{Profile, layer};
 
@@ -25,14 +27,29 @@ impl<'a> Resampled<'a> {
         Self { density, own, changed, total }
     }
 
-    /// How far the panels are from the pressure between the nodes.
-    fn misfit(&self) -> f64 {
+    /// The potential of what the panels miss of the pressure between the nodes.
+    fn misfit(&self, exponent: f64) -> f64 {
+        let missed = |panel: &Panel| {
+            let places = COMPARED.map(|t| panel.left + t * (panel.right - panel.left));
+            places
+                .map(|r| (panel.evaluate(r) - (self.own)(r)).abs())
+                .into_iter()
+                .fold(0.0, f64::max)
+        };
         let panels = self.density.panels().iter();
-        let places = panels.flat_map(|panel| {
-            COMPARED.map(|t| (panel, panel.left + t * (panel.right - panel.left)))
-        });
-        places.map(|(panel, r)| (panel.evaluate(r) - (self.own)(r)).abs()).fold(0.0, f64::max)
+        panels.map(|panel| missed(panel) * ring(2.0 * panel.half(), exponent)).sum()
     }
+}
+
+/// A bound of the potential of a density of size one on a ring of this width.
+fn ring(width: f64, exponent: f64) -> f64 {
+    let whole = mass(exponent);
+    let narrow = if exponent == 0.0 {
+        width * (6.0 + 2.0 * width.ln().abs())
+    } else {
+        whole * 4.0 * width.powf(1.0 - exponent)
+    };
+    whole.min(narrow)
 }
 
 /// A harmonic with its residual `w = q^kappa + theta K q - (delta - alpha r - f)`.
@@ -60,9 +77,9 @@ impl<'a> Part<'a> {
         [settlement, tilt]: [f64; 2],
         profile: Option<&'a dyn Profile>,
     ) -> Self {
-        let misfit = resampled.misfit();
+        let misfit = resampled.misfit(problem.exponent);
         Self {
-            mass: super::kernel::mass(problem.exponent),
+            mass: mass(problem.exponent),
             settlement,
             tilt,
             total: resampled.total,
@@ -135,7 +152,7 @@ impl Field for Part<'_> {
         let given = self.settlement.abs() + self.tilt.abs() * r + height.abs();
         let size = 4.0 * (layer.abs() + self.theta * potential.abs() + given);
         let scaled = self.scaled * (self.theta * potential.abs() + given);
-        let noise = self.theta * (rounding + self.mass * self.misfit);
+        let noise = self.theta * (rounding + self.misfit);
         (value, noise + (high - low) + UNIT * size + scaled)
     }
 

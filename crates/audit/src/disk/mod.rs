@@ -4,6 +4,8 @@ mod edges;
 mod field;
 mod kernel;
 mod potential;
+#[cfg(test)]
+mod tests;
 
 use crate::bound::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Refusal};
 use crate::density::Panel;
