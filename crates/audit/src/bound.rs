@@ -120,7 +120,7 @@ pub fn audit(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Bound, Refusa
 }
 
 /// Panels of the pressure on all zones.
-fn resample(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Vec<Panel>, Refusal> {
+pub(crate) fn resample(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Vec<Panel>, Refusal> {
     let mut scale = 0.0f64;
     for [left, right] in answer.zones {
         for i in 0..32 {

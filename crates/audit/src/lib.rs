@@ -10,14 +10,18 @@
 //! The density is resampled by polynomials on panels; their potentials have closed forms; the profile is enclosed, not sampled, and the residual is bounded between the places where
 //! it is computed. Rounding is inside the bound. The chapter *The audit* of the book has the proofs.
 
+mod bent;
 mod bound;
 mod chebyshev;
+#[cfg(test)]
+mod closed;
 mod density;
 mod disk;
 mod ends;
 mod kernel;
 mod layer;
 mod legendre;
+mod open;
 mod residual;
 mod sample;
 mod sampled;
@@ -25,6 +29,7 @@ mod shape;
 #[cfg(test)]
 mod tests;
 
+pub use bent::audit_bent;
 pub use bound::{Answer, Bound, Prescribed, Problem, Refusal, audit};
 pub use disk::{DiskProblem, audit_disk};
 pub use kernel::Kernel;

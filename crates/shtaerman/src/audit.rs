@@ -96,10 +96,21 @@ impl Profile for Base<'_> {
 
 /// What a contact asks of the audit.
 enum Posed {
-    /// A plane contact with a linear layer: the kernel, and what scaling may do to the numbers.
-    Plane(Kernel, f64),
+    /// A plane contact: the kernel, what scaling may do to the numbers, and the exponent of the layer.
+    Plane(Kernel, f64, f64),
     /// A circular punch: the exponent of the ground and that of the layer.
     Disk(f64, f64),
+}
+
+/// A wave on a power law under a settlement: its force is bounded by nothing.
+const NOT_ESTIMATED: Unaudited =
+    Unaudited::NotCovered("the residual says nothing of its errors: the estimate is not finite");
+
+impl Posed {
+    /// Whether the residual is bounded between all places.
+    fn is_bound(&self) -> bool {
+        matches!(self, Self::Plane(_, _, layer) if *layer == 1.0)
+    }
 }
 
 /// What a contact asks of the audit, or why it has none.
@@ -119,17 +130,12 @@ fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
     if geometry == Geometry::Circular {
         return Ok(Posed::Disk(exponent, layer));
     }
-    if layer < 1.0 {
-        return Err(Unaudited::NotCovered(
-            "a layer with a power law stiffens with the pressure, and the theorem is for a linear one",
-        ));
-    }
     Ok(match geometry {
-        Geometry::Periodic { period } => Posed::Plane(Kernel::Row { period }, SCALED),
+        Geometry::Periodic { period } => Posed::Plane(Kernel::Row { period }, SCALED, layer),
         _ if exponent > 0.0 => {
-            Posed::Plane(Kernel::Power { exponent }, SCALED + GRADED / (1.0 - exponent))
+            Posed::Plane(Kernel::Power { exponent }, SCALED + GRADED / (1.0 - exponent), layer)
         }
-        _ => Posed::Plane(Kernel::Logarithm, SCALED),
+        _ => Posed::Plane(Kernel::Logarithm, SCALED, layer),
     })
 }
 
@@ -175,10 +181,10 @@ impl Contact {
         let (bound, is_bound) = self.bound(&posed, prescribed, &cuts, &answer)?;
         let is_bound = is_bound && !is_load_own;
         let kind = if is_bound { ErrorKind::Bound } else { ErrorKind::Estimate };
-        let reason = match posed {
-            Posed::Disk(..) => SAMPLED,
-            Posed::Plane(..) if is_load_own => OWN_LOAD,
-            Posed::Plane(..) => BOUND,
+        let reason = match posed.is_bound() {
+            false => SAMPLED,
+            true if is_load_own => OWN_LOAD,
+            true => BOUND,
         };
         let accuracy = Accuracy {
             kind,
@@ -195,7 +201,7 @@ impl Contact {
             _ => accuracy,
         };
         if !accuracy.is_finite() {
-            return Err(Unaudited::NotFinite);
+            return Err(if posed.is_bound() { Unaudited::NotFinite } else { NOT_ESTIMATED });
         }
         Ok(Audit {
             kind,
@@ -225,7 +231,7 @@ impl Contact {
         let is_bilateral = problem.solver().contact == ContactKind::Bilateral;
         let profile = &Base(problem);
         let found = match *posed {
-            Posed::Plane(kernel, size) => {
+            Posed::Plane(kernel, size, layer) => {
                 let pieces = frame.pieces();
                 let posed = shtaerman_audit::Problem {
                     kernel,
@@ -237,7 +243,12 @@ impl Contact {
                     profile,
                     cuts,
                 };
-                shtaerman_audit::audit(&posed, answer)
+                if layer < 1.0 {
+                    let stiffness = self.stiffness0().matrix();
+                    shtaerman_audit::audit_bent(&posed, layer, stiffness, answer)
+                } else {
+                    shtaerman_audit::audit(&posed, answer)
+                }
             }
             Posed::Disk(exponent, layer) => {
                 let posed = DiskProblem {
@@ -254,7 +265,7 @@ impl Contact {
             }
         };
         let bound = found.map_err(Unaudited::Refused)?;
-        Ok((bound, matches!(posed, Posed::Plane(..))))
+        Ok((bound, posed.is_bound()))
     }
 
     /// What the errors of the contact under the answer's own force become at the settlement prescribed, from which that contact is off by `missed`: to first order, by the tangent

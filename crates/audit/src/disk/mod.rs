@@ -1,6 +1,5 @@
 //! How far an answer is from the truth under a circular punch: an **estimate**, as potentials are computed at samples.
 
-mod edges;
 mod field;
 mod kernel;
 mod potential;
@@ -9,6 +8,7 @@ mod tests;
 
 use crate::bound::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Refusal};
 use crate::density::Panel;
+use crate::open::free_ends;
 use crate::sample;
 use crate::sampled::{Seen, cover};
 use crate::{Profile, layer};
@@ -288,11 +288,17 @@ impl<'a> Audit<'a> {
                 moment.is_some() || self.lean.is_none(),
                 moment_off + (answer.moment - own_moment).abs(),
             ),
-            ends: self.ends(gaps, off + resampled, margin + settled),
+            ends: self.ends(gaps, [off + resampled, margin + settled]),
             residual,
             panels: self.panels,
             windows,
         }
+    }
+
+    fn ends(&self, gaps: &[Seen], limits: [f64; 2]) -> Option<f64> {
+        let ends = self.zones.iter().flat_map(|[left, right]| [[*left, *right], [*right, *left]]);
+        let free: Vec<[f64; 2]> = ends.filter(|[end, _]| *end > 0.0 && *end < 1.0).collect();
+        free_ends(&free, gaps, &|r| self.level.density.evaluate(r), limits)
     }
 
     /// What the settlement is off by: as much as the largest residual, or by the norm of a constant where the pressure is firm.

@@ -2,62 +2,18 @@
 
 use std::f64::consts::PI;
 
-use crate::{Answer, Bound, DiskProblem, Prescribed, Profile, audit_disk};
-
-/// The base under which the pressure is that, in a layer `p^kappa`: `-(c^2 - r^2)^(kappa/2) + theta pi^2/8 r^2`.
-struct Base {
-    c: f64,
-    theta: f64,
-    kappa: f64,
-}
-
-impl Base {
-    fn layer(&self, r: f64) -> f64 {
-        ((self.c - r) * (self.c + r)).max(0.0).powf(0.5 * self.kappa)
-    }
-
-    fn bend(&self) -> f64 {
-        self.theta * PI * PI / 8.0
-    }
-}
-
-impl Profile for Base {
-    fn height(&self, r: f64) -> [f64; 2] {
-        let f = self.bend() * r * r - self.layer(r);
-        let error = 4.0 * f64::EPSILON * (self.layer(r) + self.bend() * r * r);
-        [f - error, f + error]
-    }
-
-    fn range(&self, [left, right]: [f64; 2]) -> [f64; 2] {
-        let ends = [left, right].map(|r| r.clamp(0.0, 1.0));
-        let [[low, _], [_, high]] = ends.map(|r| self.height(r));
-        [low, high]
-    }
-
-    /// Cauchy's estimate in the circle that reaches half way to the edge.
-    fn taylor_bounds(&self, [left, right]: [f64; 2], order: usize) -> Vec<f64> {
-        let distance = if left >= self.c { 1.0 } else { 0.5 * (self.c - right).max(0.0) };
-        let largest =
-            if left >= self.c { 0.0 } else { (3.0 * self.c * self.c).powf(0.5 * self.kappa) };
-        (0..=order)
-            .map(|n| {
-                let own = if largest == 0.0 { 0.0 } else { largest / distance.powi(n as i32) };
-                let parabola = [self.bend(), 2.0 * self.bend(), self.bend()];
-                own + parabola.get(n).copied().unwrap_or(0.0)
-            })
-            .collect()
-    }
-}
+use crate::closed::Base;
+use crate::{Answer, Bound, DiskProblem, Prescribed, audit_disk};
 
 /// What is stated of an answer that is off by `size` in its own way, beside what is true.
-fn judged(base: &Base, size: f64, by_force: bool) -> (Bound, [f64; 3]) {
+fn judged(base: &Base, theta: f64, size: f64, by_force: bool) -> (Bound, [f64; 3]) {
     let exact = |r: f64| ((base.c - r) * (base.c + r)).max(0.0).sqrt();
     let pressure = |r: f64| exact(r.abs()) * (1.0 + size * (3.0 * r.abs() + 0.4).cos());
-    let settlement = 2.0 * base.bend() * base.c * base.c;
+    let settlement = 2.0 * base.bend * base.c * base.c;
     let force = 2.0 * PI / 3.0 * base.c.powi(3);
     let problem = DiskProblem {
         exponent: 0.0,
-        theta: base.theta,
+        theta,
         layer: base.kappa,
         scaled: 0.0,
         is_bilateral: false,
@@ -101,10 +57,10 @@ fn disturbed_answers_are_found_out() {
         (1.0, 3.0, 0.5),
         (0.7, 3.0, 0.8),
     ] {
-        let base = Base { c, theta, kappa };
+        let base = Base { c, bend: theta * PI * PI / 8.0, kappa };
         for by_force in [true, false] {
             for size in [0.0, 1e-9, 1e-4] {
-                let (bound, [pressure, settlement, force]) = judged(&base, size, by_force);
+                let (bound, [pressure, settlement, force]) = judged(&base, theta, size, by_force);
                 println!(
                     "{c} {theta} {kappa} {by_force} {size:e}: {pressure:e} {force:e} {bound:?}"
                 );
@@ -126,7 +82,7 @@ fn disturbed_answers_are_found_out() {
 
 #[test]
 fn edges_are_near_where_they_are() {
-    let base = Base { c: 0.6, theta: 2.0, kappa: 1.0 };
-    let (bound, _) = judged(&base, 0.0, true);
+    let base = Base { c: 0.6, bend: 2.0 * PI * PI / 8.0, kappa: 1.0 };
+    let (bound, _) = judged(&base, 2.0, 0.0, true);
     assert!(bound.ends.is_some_and(|ends| ends < 1e-7), "{bound:?}");
 }
