@@ -111,16 +111,16 @@ fn principle(kernel: Kernel) -> [f64; 2] {
 }
 
 impl Audit<'_> {
-    /// The potential of what the panels miss of the pressure between the nodes.
+    /// An estimate of the potential of what the panels miss of the pressure between the nodes: it changes its sign on each, so that squares are added.
     fn misfit(&self) -> f64 {
         let panels = self.density.panels.iter();
         let missed = panels.map(|panel| {
             let places = COMPARED.map(|t| panel.left + t * (panel.right - panel.left));
             let differences = places.map(|x| (panel.evaluate(x) - (self.answer.pressure)(x)).abs());
             let largest = differences.into_iter().fold(0.0, f64::max);
-            largest * narrow(2.0 * panel.half(), self.problem.kernel)
+            (largest * narrow(2.0 * panel.half(), self.problem.kernel)).powi(2)
         });
-        missed.sum()
+        missed.sum::<f64>().sqrt()
     }
 
     /// The free ones of settlement and tilt that leave the least residual at the middles of the panels.

@@ -27,7 +27,7 @@ impl<'a> Resampled<'a> {
         Self { density, own, changed, total }
     }
 
-    /// The potential of what the panels miss of the pressure between the nodes.
+    /// An estimate of the potential of what the panels miss of the pressure between the nodes: it changes its sign on each, so that squares are added.
     fn misfit(&self, exponent: f64) -> f64 {
         let missed = |panel: &Panel| {
             let places = COMPARED.map(|t| panel.left + t * (panel.right - panel.left));
@@ -37,7 +37,8 @@ impl<'a> Resampled<'a> {
                 .fold(0.0, f64::max)
         };
         let panels = self.density.panels().iter();
-        panels.map(|panel| missed(panel) * ring(2.0 * panel.half(), exponent)).sum()
+        let parts = panels.map(|panel| missed(panel) * ring(2.0 * panel.half(), exponent));
+        parts.map(|part| part * part).sum::<f64>().sqrt()
     }
 }
 

@@ -174,7 +174,7 @@ impl<'a> Audit<'a> {
         if !scale.is_finite() || zones.is_empty() {
             return Err(Refusal::NoPressure);
         }
-        let tolerance = RESOLVED * UNIT * (4.0 + problem.theta) * scale;
+        let tolerance = RESOLVED * UNIT * (4.0 + problem.theta.sqrt()) * scale;
         let mut found = Vec::new();
         for zone in zones {
             let limits = (tolerance, scale);

@@ -6,9 +6,10 @@ use crate::legendre::RULE;
 
 /// Each shell about a place ends at this share of its distance: 16 nodes integrate what is singular there to `3^-32`.
 const SHRINK: f64 = 0.25;
-/// What is nearer to the place is taken by the leading term of the kernel, which is off by the square of this share of the radius, but for its power.
-const ROUNDING: f64 = 1e-17;
-/// Beside the axis shells end here, so that powers stay in range.
+/// What is nearer to the place is taken by the leading term of the kernel, which is off by this times the change of the pressure on its way from 0 to the radius.
+const ROUNDING: f64 = 1e-24;
+/// Beside the axis shells end at this share of the kernel, and here, so that powers stay in range.
+const SHALLOW: f64 = 1e-17;
 const SMALLEST: f64 = 1e-150;
 
 /// A density `q(r) cos(m phi)` by its panels from the axis outwards.
@@ -81,8 +82,8 @@ impl Radial {
         (sum, size): (&mut f64, &mut f64),
     ) {
         let mu = self.exponent;
-        let least = (r * ROUNDING.powf(1.0 / (2.0 - mu)))
-            .max(ROUNDING.powf(1.0 / (1.0 - mu)).max(SMALLEST));
+        let least =
+            (r * ROUNDING.powf(1.0 / (2.0 - mu))).max(SHALLOW.powf(1.0 / (1.0 - mu)).max(SMALLEST));
         let at = |d: f64| {
             // At the axis rounding may step beyond it.
             let s = (r + side * d).max(0.0);
