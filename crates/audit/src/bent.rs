@@ -4,7 +4,7 @@ use crate::bound::{Answer, Bound, MOST_WINDOWS, Prescribed, Problem, Refusal, re
 use crate::density::Density;
 use crate::kernel::Kernel;
 use crate::open::free_ends;
-use crate::sampled::{Field, Seen, cover};
+use crate::sampled::{Field, Seen, cover, largest};
 use crate::shape::Shape;
 use crate::{Profile, layer};
 
@@ -165,13 +165,15 @@ impl Audit<'_> {
     fn stated(&self, stiffness: [[f64; 2]; 2], zones: &[Seen], gaps: &[Seen]) -> Bound {
         let Prescribed { force, moment } = self.problem.prescribed;
         let seen = || zones.iter().chain(gaps);
-        let largest = seen().fold(0.0f64, |most, window| most.max(window.largest));
         let residual = seen().map(|window| window.square).sum::<f64>().sqrt();
         let [constant, energy] = principle(self.problem.kernel);
         // A force that is not prescribed is off, which is as good as a settlement.
         let of_force = if force.is_some() { 1.0 } else { 1.0 + constant / energy };
         let highest = self.density.largest();
         let softest = layer::softest(self.kappa, highest);
+        let together: Vec<Seen> = seen().copied().collect();
+        let potential = |width: f64| self.problem.theta * narrow(width, self.problem.kernel);
+        let largest = largest(&together, softest, potential);
         let given = SUMMED * UNIT * self.shape.total;
         let missing = |prescribed: Option<f64>, own: f64| {
             prescribed.map_or(0.0, |value| (value - own).abs() + given)
@@ -193,7 +195,8 @@ impl Audit<'_> {
         };
         let shift = settled + tilted;
         let margin = of_force * (largest + shift);
-        let off = layer::pressure_error(self.kappa, highest, margin + largest + shift);
+        let off = seen().map(|window| self.pressure_error(window, margin + shift));
+        let off = off.fold(0.0, f64::max);
         let open = gaps.iter().filter(|gap| gap.least <= margin + shift);
         let length = self.shape.length + open.map(|gap| gap.right - gap.left).sum::<f64>();
         let moved = length * off + given;
@@ -213,6 +216,13 @@ impl Audit<'_> {
             panels: self.density.panels.len(),
             windows: zones.len() + gaps.len(),
         }
+    }
+
+    /// What the pressure in a window may be off by where potential and displacements may be by this.
+    fn pressure_error(&self, window: &Seen, off: f64) -> f64 {
+        let pressure = |x: f64| (self.answer.pressure)(x).abs();
+        let highest = pressure(window.left).max(pressure(window.right));
+        layer::pressure_error(self.kappa, highest, window.largest + off)
     }
 
     fn ends(&self, gaps: &[Seen], limits: [f64; 2]) -> Option<f64> {

@@ -34,6 +34,25 @@ pub(crate) struct Seen {
     pub(crate) least: f64,
 }
 
+/// Windows below this width can be taken out: there the density is what its own potential makes it.
+const NARROW: f64 = 1e-9;
+
+/// The largest `|w~|` that counts for potentials: on narrow windows the density is changed by `w~` times `dp/dv`, which changes the residual elsewhere by the potential of that only,
+/// `potential(width)` of a density of size one.
+pub(crate) fn largest(seen: &[Seen], softest: f64, potential: impl Fn(f64) -> f64) -> f64 {
+    let (mut bulk, mut narrow, mut whole) = (0.0f64, 0.0f64, 0.0f64);
+    for window in seen {
+        let width = window.right - window.left;
+        whole = whole.max(window.largest);
+        if width <= NARROW {
+            narrow += softest * window.largest * potential(width);
+        } else {
+            bulk = bulk.max(window.largest);
+        }
+    }
+    whole.min(bulk + narrow)
+}
+
 /// Windows that cover an interval in a zone or beside zones.
 pub(crate) fn cover(
     field: &impl Field,

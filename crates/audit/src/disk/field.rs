@@ -43,7 +43,7 @@ impl<'a> Resampled<'a> {
 }
 
 /// A bound of the potential of a density of size one on a ring of this width.
-fn ring(width: f64, exponent: f64) -> f64 {
+pub(super) fn ring(width: f64, exponent: f64) -> f64 {
     let whole = mass(exponent);
     let narrow = if exponent == 0.0 {
         width * (6.0 + 2.0 * width.ln().abs())

@@ -10,7 +10,7 @@ use crate::bound::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Refusal
 use crate::density::Panel;
 use crate::open::free_ends;
 use crate::sample;
-use crate::sampled::{Seen, cover};
+use crate::sampled::{Seen, cover, largest};
 use crate::{Profile, layer};
 use field::{Part, Resampled};
 use kernel::Harmonic;
@@ -71,17 +71,19 @@ struct Audit<'a> {
 /// What was seen of a part.
 #[derive(Debug, Clone, Copy, Default)]
 struct Norms {
-    /// The largest `|w~|`.
+    /// The largest `|w~|`, and that which counts for potentials.
+    anywhere: f64,
     largest: f64,
     /// `int w~^2 r dr`.
     square: f64,
 }
 
-fn norms(seen: &[Seen]) -> Norms {
-    seen.iter().fold(Norms::default(), |sum, window| Norms {
-        largest: sum.largest.max(window.largest),
-        square: sum.square + window.right * window.square,
-    })
+fn norms(seen: &[Seen], softest: f64, potential: impl Fn(f64) -> f64) -> Norms {
+    Norms {
+        anywhere: seen.iter().fold(0.0, |most, window| most.max(window.largest)),
+        largest: largest(seen, softest, potential),
+        square: seen.iter().map(|window| window.right * window.square).sum(),
+    }
 }
 
 impl<'a> Audit<'a> {
@@ -238,11 +240,33 @@ impl<'a> Audit<'a> {
             }
         }
         let windows = zones.len() + gaps.len() + leans.len();
-        let level = norms(&[&zones[..], &gaps[..]].concat());
-        Ok(self.stated(level, norms(&leans), &gaps, windows))
+        let problem = self.problem;
+        let softest = layer::softest(problem.layer, self.highest());
+        let potential = |width: f64| problem.theta * field::ring(width, problem.exponent);
+        let seen = [&zones[..], &gaps[..]].concat();
+        let level = norms(&seen, softest, potential);
+        Ok(self.stated([level, norms(&leans, softest, potential)], &seen, &gaps, windows))
     }
 
-    fn stated(&self, level: Norms, lean: Norms, gaps: &[Seen], windows: usize) -> Bound {
+    /// The largest pressure.
+    fn highest(&self) -> f64 {
+        self.level.density.panels().iter().fold(0.0, |most, panel| most.max(panel.largest))
+    }
+
+    /// What the pressure in a window may be off by where potential and displacements may be by this.
+    fn pressure_error(&self, window: &Seen, off: f64) -> f64 {
+        let pressure = |r: f64| (self.answer.pressure)(r).abs();
+        let highest = pressure(window.left).max(pressure(window.right));
+        layer::pressure_error(self.problem.layer, highest, window.largest + off)
+    }
+
+    fn stated(
+        &self,
+        [level, lean]: [Norms; 2],
+        seen: &[Seen],
+        gaps: &[Seen],
+        windows: usize,
+    ) -> Bound {
         use std::f64::consts::{PI, TAU};
         let (problem, answer) = (self.problem, self.answer);
         let Prescribed { force, moment } = problem.prescribed;
@@ -256,16 +280,16 @@ impl<'a> Audit<'a> {
         let shift = settled + tilted;
         // In the layer's law, and of the pressure.
         let margin = largest + shift;
-        let highest = self.level.density.panels().iter().map(|panel| panel.largest);
-        let highest = highest.fold(0.0, f64::max);
-        let off = layer::pressure_error(problem.layer, highest, 2.0 * margin);
+        let off =
+            seen.iter().map(|window| self.pressure_error(window, lean.anywhere + margin + shift));
+        let off = off.fold(0.0, f64::max);
         let resampled = self.level.changed() + self.lean.as_ref().map_or(0.0, Part::changed);
         let area: f64 = PI
             * ((self.zones.iter()).map(|[left, right]| right * right - left * left).sum::<f64>()
                 + (gaps.iter().filter(|gap| gap.least <= margin + settled))
                     .map(|gap| gap.right * gap.right - gap.left * gap.left)
                     .sum::<f64>());
-        let mean_square = residual * layer::softest(problem.layer, highest + off);
+        let mean_square = residual * layer::softest(problem.layer, self.highest() + off);
         let rounding = 64.0 * UNIT * TAU * self.level.density.integral(|_| 1.0).abs();
         let moved = (area.sqrt() * mean_square).min(area * off) + rounding;
         let [own_force, own_moment] =
