@@ -12,8 +12,8 @@ use crate::sample::{halves, panels};
 use crate::shape::{Shape, restored};
 
 /// Most panels and windows: beyond them an answer is not audited.
-const MOST_PANELS: usize = 60_000;
-const MOST_WINDOWS: usize = 50_000;
+pub(crate) const MOST_PANELS: usize = 60_000;
+pub(crate) const MOST_WINDOWS: usize = 50_000;
 /// A pressure is resampled to this share of what is allowed.
 const RESOLVED: f64 = 0.3;
 /// Places of a zone where the size of the pressure is looked at.
@@ -139,7 +139,7 @@ fn bound(problem: &Problem<'_>, answer: &Answer<'_>, sampled: &[Panel]) -> Resul
 }
 
 /// Panels of the pressure on all zones.
-fn resample(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Vec<Panel>, Refusal> {
+pub(crate) fn resample(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Vec<Panel>, Refusal> {
     let mut scale = 0.0f64;
     for [left, right] in answer.zones {
         for i in 0..=SAMPLES {

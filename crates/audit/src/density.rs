@@ -91,6 +91,11 @@ impl Potentials {
         }
     }
 
+    /// Number of places.
+    fn len(&self) -> usize {
+        self.values.len()
+    }
+
     /// Adds a part of the potential at one of the places.
     pub(crate) fn add(&mut self, index: usize, value: f64, rounding: f64) {
         let (sum, lost) = two_sum(self.values[index], value);
@@ -125,7 +130,7 @@ impl Density {
     pub(crate) fn new(kernel: Kernel, panels: Vec<Panel>) -> Self {
         let regular = match kernel {
             Kernel::Row { period } => Regular::new(&panels, period),
-            Kernel::Logarithm | Kernel::Power { .. } => Regular::default(),
+            _ => Regular::default(),
         };
         let recurrence = Recurrence::new(kernel.singularity());
         let mut density = Self { kernel, panels, clusters: Vec::new(), recurrence, regular };
@@ -186,6 +191,10 @@ impl Density {
         }
         match self.kernel {
             Kernel::Logarithm => self.add_singular(places, -1.0, found),
+            Kernel::ShiftedLogarithm { constant } => {
+                self.add_singular(places, -1.0, found);
+                self.add_constant(constant, found);
+            }
             Kernel::Power { .. } => self.add_singular(places, 1.0, found),
             Kernel::Row { period } => {
                 let mut images = [0.0; MOST];
@@ -226,6 +235,17 @@ impl Density {
         }
     }
 
+    /// Adds `constant int q`. Interpolation gives it back, so that windows need not know of it.
+    fn add_constant(&self, constant: f64, found: &mut Potentials) {
+        let Some(root) = self.clusters.last() else { return };
+        let value = constant * root.integral();
+        // Of the constant, the product and the integral.
+        let rounding = 4.0 * UNIT * constant.abs() * root.mass;
+        for index in 0..found.len() {
+            found.add(index, value, rounding);
+        }
+    }
+
     /// Calls `visit(distance, mass, largest, length)` for parts of the density, with the least distance of `x` from each; parts nearer than their own length are single panels.
     pub(crate) fn parts(&self, x: f64, visit: &mut impl FnMut(f64, f64, f64, f64)) {
         if self.panels.is_empty() {
@@ -233,7 +253,7 @@ impl Density {
         }
         let images: &[f64] = match self.kernel {
             Kernel::Row { period } => &[0.0, -period, period],
-            Kernel::Logarithm | Kernel::Power { .. } => &[0.0],
+            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Power { .. } => &[0.0],
         };
         for image in images {
             self.visit(self.clusters.len() - 1, x + image, visit);

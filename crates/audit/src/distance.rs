@@ -1,6 +1,7 @@
 //! From the windows of the residual to the distance between the resampled pressure and the true one.
 
 use crate::bound::{Audit, Prescribed};
+use crate::kernel::Kernel;
 use crate::norms::{Reach, mass, row_norm};
 use crate::residual::{Bounded, blur};
 use crate::sample::negative_part;
@@ -51,7 +52,7 @@ struct Norms {
 }
 
 impl Norms {
-    fn add_narrow(&mut self, size: f64, width: f64, (mu, is_absorbed): (f64, bool)) {
+    fn add_narrow(&mut self, size: f64, width: f64, (kernel, is_absorbed): (Kernel, bool)) {
         if !is_absorbed {
             self.square += size * size * width;
             self.sum += size * width;
@@ -59,14 +60,15 @@ impl Norms {
         }
         self.narrow_sum += size * width;
         self.narrow_square += size * size * width;
-        self.narrow_potential += size * narrow_potential(width, mu);
+        self.narrow_potential += size * narrow_potential(width, kernel);
     }
 }
 
 /// A bound of the potential of a density of size one on an interval of this width.
-fn narrow_potential(width: f64, mu: f64) -> f64 {
+fn narrow_potential(width: f64, kernel: Kernel) -> f64 {
+    let mu = kernel.singularity().exponent();
     if mu == 0.0 {
-        width * (3.0 + width.ln().abs())
+        width * (3.0 + width.ln().abs() + kernel.constant().abs())
     } else {
         4.0 * width.powf(1.0 - mu) / (1.0 - mu)
     }
@@ -84,11 +86,11 @@ struct Corrected {
 }
 
 impl Audit<'_> {
-    /// The exponent of the kernel, and whether a residual on so narrow a window costs less where the density is changed by it: `theta ||K w~||` instead of `||w~||`.
-    fn narrow(&self, width: f64) -> (f64, bool) {
+    /// The kernel, and whether a residual on so narrow a window costs less where the density is changed by it: `theta ||K w~||` instead of `||w~||`.
+    fn narrow(&self, width: f64) -> (Kernel, bool) {
         let kernel = self.problem.kernel;
         let is_absorbed = self.problem.theta * row_norm(kernel) * width.sqrt() < 1.0;
-        (kernel.singularity().exponent(), is_absorbed)
+        (kernel, is_absorbed)
     }
 
     fn norms(&self, windows: &Windows<'_>) -> Norms {

@@ -72,6 +72,11 @@ impl Cluster {
         }
     }
 
+    /// `int q`.
+    pub(crate) fn integral(&self) -> f64 {
+        self.moments[0] + self.lost
+    }
+
     /// Adds `sign` times its potential at places that are at least `distance >= FAR r` from its centre.
     ///
     /// `ln|x - t| = ln|d| - sum (y/d)^k/k` and `|x - t|^-mu = |d|^-mu sum (mu)_k/k! (y/d)^k`, `d = x - c`, `y = t - c`.

@@ -11,9 +11,13 @@
 //! it is computed. Rounding is inside the bound. The chapter *The audit* of the book has the proofs.
 
 mod allowance;
+mod bent;
 mod bound;
 mod chebyshev;
+#[cfg(test)]
+mod closed;
 mod density;
+mod disk;
 mod displacements;
 mod distance;
 mod ends;
@@ -21,14 +25,17 @@ mod far;
 mod fitted;
 mod heights;
 mod kernel;
+mod layer;
 mod legendre;
 mod narrow;
 mod near;
 mod norms;
+mod open;
 mod remainders;
 mod residual;
 mod row;
 mod sample;
+mod sampled;
 mod shape;
 #[cfg(test)]
 mod slow;
@@ -37,7 +44,9 @@ mod sum;
 mod tests;
 mod windows;
 
+pub use bent::audit_bent;
 pub use bound::{Answer, Bound, Prescribed, Problem, Refusal, audit, audit_on_halved_panels};
+pub use disk::{DiskProblem, audit_disk};
 pub use kernel::Kernel;
 
 /// The base `f(x)`, enclosed.

@@ -44,12 +44,13 @@ impl Residual<'_> {
             let size = |w: f64| if is_inside { w.abs() } else { (-w).max(0.0) };
             largest = largest.max(size(w) + error);
             least = least.min(w - error);
-            // The answer's own pressure counts at a place, not the resampled one, which may bend there; where the base jumps its height is that of either side.
+            // The answer's own pressure counts at a place, not the resampled one, which may bend there; where the base jumps its height is that of either side, also where rounding leaves open of which.
             let w = if is_inside { w + (self.pressure)(x) - self.density.evaluate(x) } else { w };
-            let [f, _] = self.profile.height(x);
+            let [f_low, f_high] = self.profile.height(x);
+            let f = 0.5 * (f_low + f_high);
             let [lower, upper] = [w + (low - f).min(0.0), w + (high - f).max(0.0)];
             let nearest = if lower > 0.0 { lower } else { upper.min(0.0) };
-            at_numbers = at_numbers.max(size(nearest) + error);
+            at_numbers = at_numbers.max(size(nearest) + (error - (f_high - f_low)));
             x = x.next_up();
         }
         let crude = largest + self.variation([left, right]);

@@ -1,6 +1,6 @@
 //! Norms of the kernels on the part of the base where an answer and the truth can differ.
 
-use std::f64::consts::{LN_2, PI, TAU};
+use std::f64::consts::{LN_2, PI, SQRT_2, TAU};
 
 use crate::kernel::Kernel;
 
@@ -16,7 +16,9 @@ const SPLITS: i32 = 128;
 #[must_use]
 pub(crate) fn mass(kernel: Kernel, half: f64) -> f64 {
     match kernel {
-        Kernel::Logarithm => 2.0 * half * (1.0 - half.ln()),
+        Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } => {
+            2.0 * half * (1.0 - half.ln() + kernel.constant().abs())
+        }
         Kernel::Row { period } => 0.66 * period,
         Kernel::Power { exponent } => 2.0 * half.powf(1.0 - exponent) / (1.0 - exponent),
     }
@@ -28,7 +30,9 @@ pub(crate) fn mass(kernel: Kernel, half: f64) -> f64 {
 #[must_use]
 pub(crate) fn row_norm(kernel: Kernel) -> f64 {
     match kernel {
-        Kernel::Logarithm => 2.0,
+        Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } => {
+            2.0 + SQRT_2 * kernel.constant().abs()
+        }
         Kernel::Row { period } => (period * PI.powi(2) / 12.0).sqrt(),
         Kernel::Power { exponent } if exponent < 0.5 => (2.0 / (1.0 - 2.0 * exponent)).sqrt(),
         Kernel::Power { .. } => f64::INFINITY,
@@ -67,7 +71,9 @@ impl Reach {
     /// Of the kernel that is left where constants count for nothing, `ln(h/|x - s|)`.
     fn neutral_mass(&self) -> f64 {
         match self.kernel {
-            Kernel::Logarithm if self.is_neutral => 2.0 * self.half,
+            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } if self.is_neutral => {
+                2.0 * self.half
+            }
             kernel => mass(kernel, self.half),
         }
     }
@@ -75,7 +81,7 @@ impl Reach {
     /// `theta` of the interval scaled to half-length 1; a row keeps its scale.
     fn scaled_theta(&self) -> f64 {
         match self.kernel {
-            Kernel::Logarithm => self.theta * self.half,
+            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } => self.theta * self.half,
             Kernel::Row { .. } => self.theta,
             Kernel::Power { exponent } => self.theta * self.half.powf(1.0 - exponent),
         }
@@ -83,13 +89,19 @@ impl Reach {
 
     /// `max_x ||theta K(x, .)||` of the scaled interval.
     fn row_norm(&self) -> f64 {
-        self.scaled_theta() * (row_norm(self.kernel) + 2f64.sqrt() * self.constant())
+        let norm = match self.kernel {
+            Kernel::ShiftedLogarithm { .. } => row_norm(Kernel::Logarithm),
+            kernel => row_norm(kernel),
+        };
+        self.scaled_theta() * (norm + SQRT_2 * self.constant().abs())
     }
 
-    /// The constant `ln(1/h)` of the logarithm that counts.
+    /// The constant `ln(1/h)` of the logarithm, and its own, where they count.
     fn constant(&self) -> f64 {
         match self.kernel {
-            Kernel::Logarithm if !self.is_neutral => -self.half.ln(),
+            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } if !self.is_neutral => {
+                self.kernel.constant() - self.half.ln()
+            }
             _ => 0.0,
         }
     }
@@ -125,7 +137,9 @@ impl Reach {
     fn scale(&self) -> f64 {
         match self.kernel {
             Kernel::Row { .. } => 1.0,
-            Kernel::Logarithm | Kernel::Power { .. } => self.half.sqrt(),
+            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Power { .. } => {
+                self.half.sqrt()
+            }
         }
     }
 
@@ -133,7 +147,7 @@ impl Reach {
     pub(crate) fn doubles(&self) -> bool {
         match self.kernel {
             Kernel::Power { exponent } => power_smoothing(exponent, self.scaled_theta()).1,
-            Kernel::Logarithm | Kernel::Row { .. } => false,
+            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Row { .. } => false,
         }
     }
 
@@ -148,7 +162,7 @@ impl Reach {
         let h = self.half;
         match self.kernel {
             // 6 - 4 ln 2 - 4 ln 2 and 1 - 8/9
-            Kernel::Logarithm => {
+            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } => {
                 Some([self.theta * h * h * (6.0 - 8.0 * LN_2), self.theta * h.powi(4) / 9.0])
             }
             Kernel::Row { .. } => None,

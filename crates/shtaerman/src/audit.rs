@@ -3,7 +3,7 @@
 //! The book's chapter *The audit* has the theorem and its proof; the crate `shtaerman-audit` carries it out on plain numbers. Here a contact is handed to it.
 
 use serde::Serialize;
-use shtaerman_audit::{Answer, Bound, Kernel, Prescribed, Profile, Refusal};
+use shtaerman_audit::{Answer, Bound, DiskProblem, Kernel, Prescribed, Profile, Refusal};
 
 use crate::contact::{Accuracy, ErrorKind};
 use crate::roughness::Law;
@@ -112,36 +112,55 @@ impl Profile for Base<'_> {
     }
 }
 
-/// The kernel of a contact, or why it has no audit.
-fn kernel(problem: &Problem) -> Result<(Kernel, f64), Unaudited> {
+/// What a contact asks of the audit.
+enum Posed {
+    /// A plane contact: the kernel, what scaling may do to the numbers, and the exponent of the layer.
+    Plane(Kernel, f64, f64),
+    /// A circular punch: the exponent of the ground and that of the layer.
+    Disk(f64, f64),
+}
+
+/// A wave on a power law under a settlement: its force is bounded by nothing.
+const NOT_ESTIMATED: Unaudited =
+    Unaudited::NotCovered("the residual says nothing of its errors: the estimate is not finite");
+
+impl Posed {
+    /// Whether the residual is bounded between all places.
+    fn is_bound(&self) -> bool {
+        matches!(self, Self::Plane(_, _, layer) if *layer == 1.0)
+    }
+}
+
+/// What a contact asks of the audit, or why it has none.
+fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
     let frame = problem.frame();
-    match frame.law() {
-        Law::Linear => {}
+    let layer = match frame.law() {
+        Law::Linear => 1.0,
+        Law::Power(exponent) => exponent,
         Law::Smooth => {
             return Err(Unaudited::NotCovered(
                 "a smooth surface has no layer, and without it the residual bounds nothing in the mean square",
             ));
         }
-        Law::Power(_) => {
-            return Err(Unaudited::NotCovered(
-                "a layer with a power law stiffens with the pressure, and the theorem is for a linear one",
-            ));
-        }
-    }
+    };
     let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
-    Ok(match frame.geometry().scaled(frame.half_width()) {
-        Geometry::Circular => {
-            return Err(Unaudited::NotCovered(
-                "potentials of circular punches are not enclosed yet",
-            ));
+    let geometry = frame.geometry().scaled(frame.half_width());
+    if geometry == Geometry::Circular {
+        return Ok(Posed::Disk(exponent, layer));
+    }
+    Ok(match geometry {
+        Geometry::Periodic { period } => Posed::Plane(Kernel::Row { period }, SCALED, layer),
+        _ if exponent > 0.0 => {
+            Posed::Plane(Kernel::Power { exponent }, SCALED + GRADED / (1.0 - exponent), layer)
         }
-        Geometry::Periodic { period } => (Kernel::Row { period }, SCALED),
-        Geometry::Plane | Geometry::Pair { .. } if exponent > 0.0 => {
-            (Kernel::Power { exponent }, SCALED + GRADED / (1.0 - exponent))
-        }
-        Geometry::Plane | Geometry::Pair { .. } => (Kernel::Logarithm, SCALED),
+        _ => Posed::Plane(Kernel::Logarithm, SCALED, layer),
     })
 }
+
+/// A bound of plane contact, or an estimate of another.
+const BOUND: &str = "the residual of the answer, resampled and bounded between all places, with rounding: it holds whatever way the answer was found";
+const OWN_LOAD: &str = "the residual of the answer, resampled: a bound for the contact under its own force and moment, an estimate for the settlement prescribed";
+const SAMPLED: &str = "the residual of the answer at places of its own: the profile is enclosed between them, the potential is not";
 
 impl Contact {
     /// Bounds the errors of this answer by its residual: nothing is asked of the way it was found.
@@ -163,12 +182,11 @@ impl Contact {
         self.audit_by(shtaerman_audit::audit_on_halved_panels)
     }
 
-    fn audit_by(&self, bound: Auditor) -> Result<Audit, Unaudited> {
+    fn audit_by(&self, auditor: Auditor) -> Result<Audit, Unaudited> {
         // Heights are counted from the level from which they were solved: that loses no digits, and changes nothing but the settlement.
         let problem = self.solved();
         let (settlement, level) = self.solved_settlement0();
-        let (kernel, scaled) = kernel(problem)?;
-        let scaled = if problem.frame().scaling().is_some() { scaled } else { 0.0 };
+        let posed = posed(problem)?;
         let frame = problem.frame();
         let load = problem.dimensionless_load();
         let (prescribed, is_load_own) = prescribed(&load, self.force0(), self.moment0());
@@ -181,17 +199,6 @@ impl Contact {
         cuts.extend(problem.resolution(RESOLVED_DEGREE, RESOLVED).joints);
         cuts.sort_by(f64::total_cmp);
         cuts.dedup();
-        let pieces = frame.pieces();
-        let posed = shtaerman_audit::Problem {
-            kernel,
-            theta: frame.theta0(),
-            scaled,
-            pieces: &pieces,
-            is_bilateral: problem.solver().contact == ContactKind::Bilateral,
-            prescribed,
-            profile: &Base(problem),
-            cuts: &cuts,
-        };
         let pressure = |xi: f64| self.pressure0(xi);
         let answer = Answer {
             zones: &zones,
@@ -201,18 +208,13 @@ impl Contact {
             force: self.force0(),
             moment: self.moment0(),
         };
-        let bound = bound(&posed, &answer).map_err(Unaudited::Refused)?;
-        let largest = self.peak_pressure0().0.abs();
-        let mean_square = bound.mean_square / largest;
-        let is_sharp = matches!(kernel, Kernel::Power { exponent } if exponent >= SHARP);
-        if is_sharp && bound.pressure > AT_A_PLACE * largest && mean_square < IN_THE_MEAN {
-            return Err(Unaudited::InTheMeanOnly { mean_square });
-        }
-        let kind = if is_load_own { ErrorKind::Estimate } else { ErrorKind::Bound };
-        let reason = if is_load_own {
-            "the residual of the answer, resampled: a bound for the contact under its own force and moment, an estimate for the settlement prescribed"
-        } else {
-            "the residual of the answer, resampled and bounded between all places, with rounding: it holds whatever way the answer was found"
+        let (bound, is_bound) = self.bound(auditor, &posed, prescribed, (&cuts, &answer))?;
+        let is_bound = is_bound && !is_load_own;
+        let kind = if is_bound { ErrorKind::Bound } else { ErrorKind::Estimate };
+        let reason = match posed.is_bound() {
+            false => SAMPLED,
+            true if is_load_own => OWN_LOAD,
+            true => BOUND,
         };
         let accuracy = Accuracy {
             kind,
@@ -229,7 +231,7 @@ impl Contact {
             _ => accuracy,
         };
         if !accuracy.is_finite() {
-            return Err(Unaudited::NotFinite);
+            return Err(if posed.is_bound() { Unaudited::NotFinite } else { NOT_ESTIMATED });
         }
         Ok(Audit {
             kind,
@@ -262,6 +264,64 @@ fn within_period(zones: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 impl Contact {
+    /// The audit of what was posed, and whether it is a bound.
+    fn bound(
+        &self,
+        auditor: Auditor,
+        posed: &Posed,
+        prescribed: Prescribed,
+        (cuts, answer): (&[f64], &Answer<'_>),
+    ) -> Result<(Bound, bool), Unaudited> {
+        let problem = self.solved();
+        let frame = problem.frame();
+        let scaled = |size: f64| if frame.scaling().is_some() { size } else { 0.0 };
+        let is_bilateral = problem.solver().contact == ContactKind::Bilateral;
+        let profile = &Base(problem);
+        let found = match *posed {
+            Posed::Plane(kernel, size, layer) => {
+                let pieces = frame.pieces();
+                let posed = shtaerman_audit::Problem {
+                    kernel,
+                    theta: frame.theta0(),
+                    scaled: scaled(size),
+                    pieces: &pieces,
+                    is_bilateral,
+                    prescribed,
+                    profile,
+                    cuts,
+                };
+                if layer < 1.0 {
+                    let stiffness = self.stiffness0().matrix();
+                    shtaerman_audit::audit_bent(&posed, layer, stiffness, answer)
+                } else {
+                    auditor(&posed, answer)
+                }
+            }
+            Posed::Disk(exponent, layer) => {
+                let posed = DiskProblem {
+                    exponent,
+                    theta: frame.theta0(),
+                    layer,
+                    scaled: scaled(SCALED + GRADED * exponent.min(1.0)),
+                    is_bilateral,
+                    prescribed,
+                    profile,
+                    cuts,
+                };
+                shtaerman_audit::audit_disk(&posed, answer)
+            }
+        };
+        let bound = found.map_err(Unaudited::Refused)?;
+        let largest = self.peak_pressure0().0.abs();
+        let mean_square = bound.mean_square / largest;
+        let is_sharp =
+            matches!(posed, Posed::Plane(Kernel::Power { exponent }, _, 1.0) if *exponent >= SHARP);
+        if is_sharp && bound.pressure > AT_A_PLACE * largest && mean_square < IN_THE_MEAN {
+            return Err(Unaudited::InTheMeanOnly { mean_square });
+        }
+        Ok((bound, posed.is_bound()))
+    }
+
     /// What the errors of the contact under the answer's own force become at the settlement prescribed, from which that contact is off by `missed`: to first order, by the tangent
     /// stiffness along `M = e P`, `-alpha = -(k12 - e k11)/(k22 - e k12) delta`. An estimate.
     fn at_settlement(&self, under_own_force: Accuracy, missed: f64, e: f64) -> Accuracy {

@@ -106,13 +106,14 @@ fn audit_line(audit: &EquationAudit) -> String {
             parts.push(format!("{name} {}", significant(value, 2)));
         }
     }
+    let kind = audit.kind.map_or("none", ErrorKind::name);
     match (&audit.reason, parts.is_empty()) {
         (Some(reason), true) => format!("no audit: {reason}\n"),
         (Some(reason), false) => format!(
-            "audit (estimate) by the residual, at most: {}; phi not audited: {reason}\n",
+            "audit ({kind}) by the residual, at most: {}; phi not audited: {reason}\n",
             parts.join(", ")
         ),
-        (None, _) => format!("audit (estimate) by the residual, at most: {}\n", parts.join(", ")),
+        (None, _) => format!("audit ({kind}) by the residual, at most: {}\n", parts.join(", ")),
     }
 }
 

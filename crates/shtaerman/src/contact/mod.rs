@@ -18,6 +18,7 @@ mod nearly_smooth;
 mod parts;
 mod plan;
 mod potential;
+mod promise;
 mod resolutions;
 mod revolution;
 mod smooth;

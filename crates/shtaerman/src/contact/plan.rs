@@ -6,9 +6,8 @@ use fredholm::basis::Function;
 
 use super::balance::State;
 use super::parts::{Parts, Smoothness};
+use super::promise::{Reached, require_explained};
 use super::solution::{FullBase, Solution};
-use super::solved::Method;
-use super::unilateral::Complementarity;
 use super::warning::Warning;
 use super::{Contact, Draft, collocated, spectral};
 use crate::roughness::Law;
@@ -20,12 +19,6 @@ pub const AIM: f64 = 1e-12;
 const LARGEST_COLLOCATED_DEGREE: usize = 256;
 /// Profiles up to this degree are tried by collocation, too, where the degenerate kernel falls short.
 const LARGEST_TRIED_DEGREE: usize = 2048;
-/// Answers with larger relative errors are none unless that is asked for.
-const ROUGHEST: f64 = 1e-2;
-/// Tension and penetration over the relative error that explains them, and what rounding explains.
-const EXPLAINED: f64 = 8.0;
-const UNSEEN: f64 = 1e-9;
-
 /// The relative error to reach.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Target {
@@ -135,21 +128,12 @@ impl Problem {
     fn draw_up(&self, solution: Arc<dyn Solution>) -> Result<Contact, Error> {
         let of_heights = self.of_heights(solution.as_ref()).map_or(0.0, |error| error.relative());
         let reached = solution.relative_error().max(of_heights);
-        let Method { name, n } = solution.method();
-        if let Some(tolerance) = self.solver().tolerance.filter(|tolerance| reached > *tolerance) {
-            let State { settlement: settlement0, tilt: tilt0, .. } = solution.state();
-            let method = name;
-            return Err(Error::ToleranceNotMet {
-                tolerance,
-                reached,
-                method,
-                n,
-                settlement0,
-                tilt0,
-            });
-        }
-        self.require_accurate(reached, solution.method())?;
-        require_explained(solution.as_ref(), reached)?;
+        let State { settlement, tilt, .. } = solution.state();
+        let method = solution.method();
+        let displacements = [settlement, tilt];
+        Reached { error: reached, method, displacements }.require_kept(self.solver())?;
+        require_explained(solution.complementarity(), reached)?;
+        let name = method.name;
         let zones = match solution.zones().len() {
             1 => "one zone".to_owned(),
             count => format!("{count} zones"),
@@ -214,21 +198,10 @@ impl Problem {
         let draft = &solution.draft;
         let of_heights = self.of_heights(&solution).map_or(0.0, |error| error.relative());
         let reached = draft.relative_error(self).max(of_heights);
-        let fell_short = (reached > target.tolerance).then_some(reached);
-        if let Some(reached) = fell_short.filter(|_| target.is_explicit) {
-            return Err(Error::ToleranceNotMet {
-                tolerance: target.tolerance,
-                reached,
-                method: draft.method.name,
-                n: draft.method.n,
-                settlement0: draft.state.settlement,
-                tilt0: draft.state.tilt,
-            });
-        }
+        let displacements = [draft.state.settlement, draft.state.tilt];
+        Reached { error: reached, method: draft.method, displacements }.require_kept(solver)?;
         let fixed = solver.degree.is_some();
-        if !fixed {
-            self.require_accurate(draft.relative_error(self), draft.method)?;
-        }
+        let fell_short = (reached > target.tolerance).then_some(reached);
         let mut contact = Contact::new(self, Arc::new(solution), reason)?;
         contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
         contact.warn(Warning::profile_not_proved(is_unknown));
@@ -321,29 +294,4 @@ impl Problem {
         }
         self.solve_full_contact_on_panels()
     }
-
-    /// Refuses a relative error that nobody asked for.
-    fn require_accurate(
-        &self,
-        reached: f64,
-        Method { name: method, n }: Method,
-    ) -> Result<(), Error> {
-        let is_allowed = self.solver().tolerance.is_some() || self.solver().degree.is_some();
-        // What is not a number is no error that could be kept.
-        if is_allowed || reached <= ROUGHEST {
-            return Ok(());
-        }
-        Err(Error::NotAccurate { reached, most: ROUGHEST, method, n })
-    }
-}
-
-/// Refuses tension and penetration beyond what the error of the answer explains.
-fn require_explained(solution: &dyn Solution, reached: f64) -> Result<(), Error> {
-    let Some(Complementarity { tension, penetration }) = solution.complementarity() else {
-        return Ok(());
-    };
-    if tension.max(penetration) <= (EXPLAINED * reached).max(UNSEEN) {
-        return Ok(());
-    }
-    Err(Error::NotComplementary { tension, penetration })
 }

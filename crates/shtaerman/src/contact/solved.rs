@@ -6,6 +6,7 @@ use super::accuracy::{Accuracy, Sizes};
 use super::draft::Draft;
 use super::extremes::{Extreme, Sampled};
 use super::kinks::{Kink, kinks};
+use super::promise::Reached;
 use super::solution::Solution;
 use super::unilateral::Complementarity;
 use super::warning::{Warning, WarningCode};
@@ -52,8 +53,6 @@ impl Stiffness {
     }
 }
 
-/// Answers with larger relative errors are none, unless a tolerance or a degree says otherwise.
-const ROUGHEST: f64 = 0.01;
 /// At most so many breaks of a base are looked at for the largest pressure.
 const MOST_BREAKS: usize = 64;
 
@@ -421,29 +420,15 @@ impl Contact {
             return Ok(());
         }
         let reached = self.relative_error();
-        let Method { name: method, n } = self.method();
+        let displacements = [self.settlement0(), self.tilt0()];
         let solver = *self.problem.solver();
-        let exceeds = |most: f64| reached.is_nan() || reached > most;
-        if let Some(tolerance) = solver.tolerance.filter(|tolerance| exceeds(*tolerance)) {
-            let (settlement0, tilt0) = (self.settlement0(), self.tilt0());
-            return Err(Error::ToleranceNotMet {
-                tolerance,
-                reached,
-                method,
-                n,
-                settlement0,
-                tilt0,
-            });
-        }
+        Reached { error: reached, method: self.method(), displacements }.require_kept(&solver)?;
         if solver.tolerance.is_some() || solver.degree.is_some() {
             return Ok(());
         }
-        if exceeds(ROUGHEST) {
-            return Err(Error::NotAccurate { reached, most: ROUGHEST, method, n });
-        }
         self.warnings.retain(|warning| warning.code != WarningCode::ToleranceNotMet);
         let aim = self.problem.aim();
-        self.warn(exceeds(aim).then(|| Warning::tolerance_not_met(aim, reached)));
+        self.warn((reached > aim).then(|| Warning::tolerance_not_met(aim, reached)));
         Ok(())
     }
 

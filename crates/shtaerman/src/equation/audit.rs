@@ -3,6 +3,7 @@
 use fredholm::equation::audit;
 use serde::Serialize;
 
+use super::bounded::Bounds;
 use super::family::Route;
 use super::{Equation, Kind, SolvedEquation};
 use crate::{Error, ErrorKind};
@@ -11,10 +12,10 @@ use crate::{Error, ErrorKind};
 const SQUARE_SUMMABLE: f64 = 0.5;
 
 /// What the audit says of a solution: for a kernel that is positive semidefinite and `lambda >= 0` the error is at most the residual in the mean square, whatever way the solution was found
-/// ([`fredholm::equation::audit`]).
+/// ([`fredholm::equation::audit`]). For the kernels `log`, `log-sine`, `log-square` and `power` the residual is enclosed between all places, rounding included, so that it is a bound.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EquationAudit {
-    /// `estimate`; `null` where there is no audit.
+    /// `bound` or `estimate`; `null` where there is no audit.
     pub kind: Option<ErrorKind>,
     /// Largest error of `phi` on the closed interval; `null` where the audit says nothing of it.
     pub solution_sup: Option<f64>,
@@ -32,6 +33,18 @@ pub struct EquationAudit {
 }
 
 impl EquationAudit {
+    fn bound(found: &Bounds, has_integral: bool) -> Self {
+        Self {
+            kind: Some(ErrorKind::Bound),
+            solution_sup: Some(found.solution),
+            integral: Some(found.integral).filter(|_| has_integral),
+            mean_square: Some(found.mean_square),
+            panels: Some(found.panels),
+            reason: None,
+            least: 0.0,
+        }
+    }
+
     fn missing(reason: impl Into<String>) -> Self {
         Self {
             kind: None,
@@ -73,7 +86,8 @@ impl Equation {
 }
 
 impl SolvedEquation<'_> {
-    /// Audits the solution, without a change of what it states; a solution with [`audited`](Self::audited) errors states the larger ones.
+    /// Audits the solution, without a change of what it states; a solution with [`audited`](Self::audited) errors states the audit's bounds, or the larger ones where the audit
+    /// estimates.
     #[must_use]
     pub fn audit(&self) -> EquationAudit {
         let equation = self.equation();
@@ -83,6 +97,9 @@ impl SolvedEquation<'_> {
         let Kind::Second { lambda } = equation.kind() else {
             return EquationAudit::missing("an equation of the first kind");
         };
+        if let Some(found) = self.bounds() {
+            return EquationAudit::bound(&found, self.integral().is_some());
+        }
         let kernel = equation.kernel().kernel();
         let breaks = equation.breakpoints();
         let places = [&breaks[..], &equation.parts().cuts[..]];
@@ -105,7 +122,7 @@ impl SolvedEquation<'_> {
         }
     }
 
-    /// The same solution with an audit: it states the larger of its own errors and those of the audit.
+    /// The same solution with an audit: it states the bounds of the audit, or where that estimates the larger of its own errors and those of the audit.
     ///
     /// # Errors
     /// [`Error::EquationTolerance`] where an explicit tolerance is not met by the larger error, [`Error::EquationUnsolved`] where that leaves no answer.
@@ -113,6 +130,9 @@ impl SolvedEquation<'_> {
         let audit = self.audit();
         self.raise(&audit);
         self.equation().require_error(self.solution())?;
+        if audit.kind == Some(ErrorKind::Bound) {
+            self.warn_again();
+        }
         self.keep(audit);
         Ok(self)
     }

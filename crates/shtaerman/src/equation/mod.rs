@@ -34,6 +34,7 @@
 
 mod answer;
 mod audit;
+mod bounded;
 mod catalogue;
 mod cross_check;
 mod family;

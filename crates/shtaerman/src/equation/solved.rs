@@ -5,8 +5,9 @@ use fredholm::equation::{ErrorStatement, Method, Solution};
 
 use super::plan::Draft;
 use super::{Equation, EquationAudit, Kind};
+use crate::contact::AIM;
 use crate::error::require;
-use crate::{Error, Warning};
+use crate::{Error, ErrorKind, Warning, WarningCode};
 
 /// A solution with its equation: a function with an integral, an error and warnings.
 #[derive(Debug)]
@@ -45,9 +46,15 @@ impl<'a> SolvedEquation<'a> {
         &self.solution
     }
 
-    /// Takes over the errors of an audit where they are larger; they are estimates then.
+    /// Takes over the bounds of an audit; where it estimates, its errors if they are larger, as estimates.
     pub(super) fn raise(&mut self, audit: &EquationAudit) {
         let error = &mut self.solution.error;
+        if let (Some(ErrorKind::Bound), Some(solution)) = (audit.kind, audit.solution_sup) {
+            error.kind = bounds::Kind::Bound;
+            error.solution = solution;
+            error.integral = audit.integral.unwrap_or(error.integral);
+            return;
+        }
         // A bound is proved, and smaller than what the residual alone says, unless the residual contradicts it.
         if error.kind == bounds::Kind::Bound && audit.least <= error.solution {
             return;
@@ -59,6 +66,17 @@ impl<'a> SolvedEquation<'a> {
                 *own = audited;
                 error.kind = bounds::Kind::Estimate;
             }
+        }
+    }
+
+    /// Holds the bound of an audit against what is aimed at, which grows with the strength of the kernel as rounding does.
+    pub(super) fn warn_again(&mut self) {
+        self.warnings.retain(|warning| warning.code != WarningCode::ToleranceNotMet);
+        let solver = self.equation.solver();
+        let aim = AIM * (0.1 * self.equation.strength()).max(1.0);
+        let reached = self.solution.error.solution / self.solution.largest;
+        if solver.tolerance.is_none() && reached > aim {
+            self.warnings.push(Warning::tolerance_not_met(aim, reached));
         }
     }
 

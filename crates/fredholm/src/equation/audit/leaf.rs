@@ -142,7 +142,7 @@ impl Rule {
 }
 
 /// `P_k(t)`, `k < 20`.
-fn legendre(t: f64) -> [f64; NODES] {
+pub(super) fn legendre(t: f64) -> [f64; NODES] {
     let mut values = [1.0; NODES];
     values[1] = t;
     for k in 2..NODES {

@@ -2,6 +2,7 @@
 
 mod leaf;
 mod norms;
+mod residuals;
 mod tree;
 
 use super::Solution;
@@ -9,18 +10,11 @@ use crate::Error;
 use crate::kernel::Kernel;
 use crate::quadrature::places::Sampled;
 use norms::Norms;
-use tree::{Leaf, Tree};
+use residuals::Residuals;
+use tree::Tree;
 
-/// Shares of half a panel, from its middle, at which residuals are looked at: between the nodes.
-const WIDE: [f64; 4] = [-0.905, -0.38, 0.27, 0.86];
-/// The same on panels that are short beside the interval, where little of the mean square is.
-const SHORT: [f64; 2] = [-0.523, 0.925];
-/// A panel below this share of the interval is short.
-const SHARE: f64 = 2e-3;
 /// Lengths of intervals that can be audited.
 const LENGTHS: std::ops::RangeInclusive<f64> = 1e-100..=1e100;
-/// Safety on what is known at these places only: the mean square, and the largest error.
-const SAFETY: f64 = 1.5;
 
 /// What an [`audit`] found: an **estimate** of the error of a solution.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,7 +40,7 @@ pub struct Audit {
 /// `||phi - q|| <= ||r||`,
 ///
 /// whatever way `q` was found. Nothing of that way is used: `q` is sampled on panels of the audit's own, graded to the ends, to the breakpoints and to wherever `f` asks for it; `K q` is integrated as the split
-/// `K = A sigma + B` asks for it, with exact moments of `sigma`, so that nothing but values of the kernel is shared with the solvers. The residual is looked at between the nodes. At a point, with any distance `h`,
+/// `K = A sigma + B` asks for it, with exact moments of `sigma`, so that nothing but values of the kernel is shared with the solvers. The residual is looked at until polynomials resolve it. At a point, with any distance `h`,
 ///
 /// `|phi - q| (1 - parameter ||K||_1) <= |r| + parameter ||K||_2 ||r||`
 ///
@@ -95,7 +89,7 @@ pub fn audit(
     let sampled = Sampled::new(interval, f, cuts)?;
     let tree = Tree::new(kernel, &sampled, f, breakpoints, &|x| solution.evaluate(x))?;
     let found = Residuals::new(&tree, parameter, f, solution)?;
-    let mean_square = SAFETY * found.square.sqrt();
+    let mean_square = found.square.sqrt();
     let norms = Norms::new(kernel);
     let integral = solution.integral.map_or(f64::INFINITY, |integral| {
         let own = tree.integral(&|x| kernel.mass_function(x));
@@ -106,60 +100,11 @@ pub fn audit(
     let smooth =
         norms.continuity(kernel, parameter).map(|factor| found.largest + factor * mean_square);
     Ok(Audit {
-        solution: SAFETY * smooth.map_or(plain, |smooth| smooth.min(plain)),
+        solution: smooth.map_or(plain, |smooth| smooth.min(plain)),
         integral,
         mean_square,
         residual: found.largest,
         least: norms.least_error(parameter, found.largest, found.misfit),
         panels: tree.leaves(),
     })
-}
-
-/// Residuals at the places between the nodes.
-struct Residuals {
-    /// `int r^2 dm` for the resampled solution.
-    square: f64,
-    /// The largest `|f - phi - parameter K q|` for the solution itself.
-    largest: f64,
-    /// The largest difference of the solution and its resampling.
-    misfit: f64,
-}
-
-impl Residuals {
-    fn new<K: Kernel + ?Sized>(
-        tree: &Tree<'_, K>,
-        parameter: f64,
-        f: &dyn Fn(f64) -> f64,
-        solution: &Solution<'_>,
-    ) -> Result<Self, Error> {
-        let (left, right) = (tree.interval().left(), tree.interval().right());
-        let mut found = Self { square: 0.0, largest: 0.0, misfit: 0.0 };
-        let mut at = |leaf: &Leaf, x: f64, weight: f64| {
-            let (value, own, resampled) = (f(x), solution.evaluate(x), tree.evaluate(leaf, x));
-            let rest = value - parameter * tree.potential(x);
-            let residual = rest - resampled;
-            if !residual.is_finite() {
-                return Err(Error::NotFinite { what: "residual", at: x, value: residual });
-            }
-            found.square += weight * residual * residual;
-            found.largest = found.largest.max((rest - own).abs());
-            found.misfit = found.misfit.max((own - resampled).abs());
-            Ok(())
-        };
-        for leaf in tree.panels() {
-            let places: &[f64] =
-                if leaf.length() < SHARE * (right - left) { &SHORT } else { &WIDE };
-            for share in places {
-                let x = leaf.at(*share);
-                at(leaf, x, leaf.length() * tree.measure(x) / places.len() as f64)?;
-            }
-        }
-        // The ends count for the largest residual only: the axis of a disk has no measure.
-        for (leaf, x) in [(tree.panels().next(), left), (tree.panels().last(), right)] {
-            if let (Some(leaf), true) = (leaf, tree.measure(x) > 0.0) {
-                at(leaf, x, 0.0)?;
-            }
-        }
-        Ok(found)
-    }
 }

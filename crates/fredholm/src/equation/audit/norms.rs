@@ -3,7 +3,7 @@
 use crate::kernel::Kernel;
 
 /// Shares of the interval at which norms are taken, the ends nearly so.
-const PLACES: [f64; 5] = [1e-6, 0.25, 0.5, 0.75, 1.0 - 1e-6];
+const PLACES: [f64; 9] = [1e-6, 0.03, 0.125, 0.25, 0.5, 0.75, 0.875, 0.97, 1.0 - 1e-6];
 /// Shells about a place: each has half the width of the one before.
 const SHELLS: usize = 44;
 /// Nodes and weights of Gauss and Legendre on `(0, 1)`.
