@@ -12,7 +12,7 @@ use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::Complementarity;
 use crate::{ContactKind, Error, Geometry, Problem, Rotational, Scaling, Vertical};
 
-/// To this share the slope of a measured profile is resolved: the third derivative of its spline jumps at every point.
+/// To this share the slope of a measured profile is resolved on graded ground: the third derivative of its spline jumps at every point.
 const MEASURED: f64 = 1e-10;
 /// Degree of a polynomial that the first samples of a zone tell, and the share of the range of the heights to which it is the profile.
 const DEGREE: usize = 64;
@@ -49,8 +49,14 @@ impl Problem {
             Arc::new(move |xi| slope(xi) / scale) as Curve
         });
         let measured = self.profile().measured_points().is_some();
-        let tolerance = if measured { MEASURED } else { 0.0 };
-        let breaks = self.smooth_breaks();
+        let (breaks, mut joints) = (self.smooth_breaks(), Vec::new());
+        let mut tolerance = 0.0;
+        if measured && frame.grading().is_some() {
+            tolerance = MEASURED;
+        } else if measured {
+            joints = self.profile().joints(half_width);
+            joints.sort_by(f64::total_cmp);
+        }
         let mut load = self.dimensionless_load();
         let is_wave = matches!(kernel, SmoothKernel::Periodic { period } if period <= 2.0);
         if is_wave && matches!(load.rotational, Rotational::Moment(m) if m == 0.0) {
@@ -62,7 +68,7 @@ impl Problem {
             kernel,
             theta0: frame.theta0(),
             load,
-            profile: SmoothProfile { height, slope, breaks, tolerance },
+            profile: SmoothProfile { height, slope, breaks, joints, tolerance },
             is_unilateral: self.solver().contact == ContactKind::Unilateral,
         }
     }
