@@ -102,9 +102,11 @@ impl Ring {
 
     /// `int xi p0 dxi` over the period: of `b sin m y` it is `-2 (-1)^m b/(m pi)`.
     fn moment(&self) -> f64 {
-        let signed = self.series.iter().enumerate().skip(1).map(|(m, [_, b])| {
-            if m % 2 == 0 { -b } else { *b }
-        });
+        let signed = self.series.iter().enumerate().skip(1).map(
+            |(m, [_, b])| {
+                if m % 2 == 0 { -b } else { *b }
+            },
+        );
         2.0 / (PI * PI) * signed.sum::<f64>()
     }
 
