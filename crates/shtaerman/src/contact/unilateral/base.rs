@@ -129,6 +129,11 @@ impl<'p> Base<'p> {
         slope.unwrap_or(f64::NAN) / scale
     }
 
+    /// The same base with all of it in contact, where the pressure may pull.
+    pub(super) fn kept(&self) -> Self {
+        Self { is_bilateral: true, ..self.clone() }
+    }
+
     /// The same base under another load.
     pub(super) fn under(&self, load: Load) -> Self {
         Self { load, ..self.clone() }
@@ -241,6 +246,11 @@ impl<'p> Base<'p> {
     /// Whether the kernel is the logarithm, and the layer linear: of one punch or of two.
     pub(super) fn is_line(&self) -> bool {
         matches!(self.medium, Medium::Line) && self.layer.is_linear()
+    }
+
+    /// Whether panels serve: for a linear layer on any ground but a disk.
+    pub(super) fn has_panels(&self) -> bool {
+        !self.medium.is_disk() && self.layer.is_linear()
     }
 
     /// Zones to begin with, found on about this many cells.
