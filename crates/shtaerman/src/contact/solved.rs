@@ -499,9 +499,7 @@ impl Contact {
             let displacement = sizes.displacement.max(self.settlement0().abs());
             return audit.accuracy.relative(&Sizes { displacement, ..sizes });
         }
-        let solved =
-            self.solution.accuracy().map_or(f64::INFINITY, |accuracy| accuracy.relative(&sizes));
-        solved.max(self.of_heights)
+        self.solution.relative_error().max(self.of_heights)
     }
 
     /// A bound of `|p + E f0|` on the base (Pa).
