@@ -176,11 +176,6 @@ impl<'p> Base<'p> {
         if self.medium.is_closed() && xi.abs() > 1.0 { xi - 2.0 * (0.5 * xi).round() } else { xi }
     }
 
-    /// Whether an end of the base lies here, which the contact cannot pass.
-    pub(super) fn is_end(&self, side: usize, at: f64) -> bool {
-        self.pieces.iter().any(|piece| piece[side] == at)
-    }
-
     /// The wall for a left (0) or right (1) edge this close outwards of a place.
     pub(super) fn wall_near(&self, side: usize, at: f64, distance: f64) -> Option<f64> {
         let outwards = |wall: f64| if side == 0 { at - wall } else { wall - at };
