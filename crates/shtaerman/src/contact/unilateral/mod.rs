@@ -8,7 +8,7 @@ mod answer;
 mod base;
 mod check;
 mod coarse;
-mod damping;
+pub(super) mod damping;
 mod eccentric;
 mod edges;
 mod elimination;
