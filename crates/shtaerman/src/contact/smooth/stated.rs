@@ -75,7 +75,7 @@ impl Problem {
 
     /// Where the panels of slopes, the cells and the places that are looked at are cut: kinks, and the surroundings of features that are narrower than samples.
     /// On graded ground every one would be a kink.
-    fn smooth_breaks(&self) -> Vec<f64> {
+    pub(super) fn smooth_breaks(&self) -> Vec<f64> {
         let (frame, profile) = (self.frame(), self.profile());
         let half_width = frame.half_width();
         if profile.measured_points().is_some() || frame.grading().is_some() {
