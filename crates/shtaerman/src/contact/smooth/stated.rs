@@ -17,6 +17,8 @@ const MEASURED: f64 = 1e-10;
 /// Degree of a polynomial that the first samples of a zone tell, and the share of the range of the heights to which it is the profile.
 const DEGREE: usize = 64;
 const RESOLVED: f64 = 1e-10;
+/// Places closer than this are one.
+const SAME: f64 = 1e-12;
 /// Places of a zone, and of an interval beside it, that show extremes.
 const PLACES: usize = 64;
 const MOST_PLACES: usize = 1024;
@@ -51,11 +53,15 @@ impl Problem {
         let measured = self.profile().measured_points().is_some();
         let (breaks, mut joints) = (self.smooth_breaks(), Vec::new());
         let mut tolerance = 0.0;
-        if measured && frame.grading().is_some() {
-            tolerance = MEASURED;
-        } else if measured {
+        if measured {
             joints = self.profile().joints(half_width);
             joints.sort_by(f64::total_cmp);
+        } else if frame.grading().is_some() {
+            joints = self.profile().resolve(&frame.pieces(), half_width, DEGREE, RESOLVED).joints;
+            joints.retain(|at| breaks.iter().all(|known| (known - at).abs() > SAME));
+        }
+        if measured && frame.grading().is_some() {
+            tolerance = MEASURED;
         }
         let mut load = self.dimensionless_load();
         let is_wave = matches!(kernel, SmoothKernel::Periodic { period } if period <= 2.0);
@@ -74,7 +80,7 @@ impl Problem {
     }
 
     /// Where the panels of slopes, the cells and the places that are looked at are cut: kinks, and the surroundings of features that are narrower than samples.
-    /// On graded ground every one would be a kink.
+    /// On graded ground, where each would be a kink, the kinks alone.
     pub(super) fn smooth_breaks(&self) -> Vec<f64> {
         let (frame, profile) = (self.frame(), self.profile());
         let half_width = frame.half_width();
