@@ -1,0 +1,3 @@
+//! Potentials and solutions against closed forms.
+
+mod potentials;
