@@ -7,11 +7,19 @@
 //!
 //! It shares no code with the other crates of this workspace.
 
+mod grid;
 mod kernel;
 mod panel;
+mod problem;
+mod reference;
+mod rough;
 mod rule;
 #[cfg(test)]
 mod tests;
+mod zones;
 
+pub use grid::Break;
 pub use kernel::Kernel;
 pub use panel::potential;
+pub use problem::{Layer, Problem, Refusal, Rotational, Vertical};
+pub use reference::{Errors, Reference};

@@ -1,3 +1,4 @@
 //! Potentials and solutions against closed forms.
 
 mod potentials;
+mod rough;

@@ -1,0 +1,174 @@
+//! Panels that shrink towards the ends of zones and the breaks of the base.
+
+use crate::kernel::Kernel;
+use crate::panel::{Chart, Panel, Place, visit};
+use crate::rule::Rule;
+
+/// Panels of a zone are halved at most so often to resolve the base.
+const MOST_HALVINGS: usize = 60;
+/// Places of a panel, between the nodes, at which the base is compared with the polynomial through them.
+const COMPARED: [f64; 5] = [-0.93, -0.41, 0.087, 0.56, 0.871];
+
+/// A place where the base bends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Break {
+    /// Its `x`.
+    pub at: f64,
+    /// Whether the height or the slope jumps there, or less than that is known; else panels end there and do not shrink: a knot of a spline, or the surroundings of a narrow feature.
+    pub is_sharp: bool,
+}
+
+/// How fine panels are.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Fineness {
+    /// Nodes of a panel.
+    pub(crate) nodes: usize,
+    /// The shortest panel, relative to the zone over `1 + theta`.
+    pub(crate) shortest: f64,
+    /// The base is resolved to that share of its heights.
+    pub(crate) resolved: f64,
+}
+
+/// Panels with their nodes.
+#[derive(Debug, Clone)]
+pub(crate) struct Grid {
+    pub(crate) panels: Vec<Panel>,
+    pub(crate) rule: Rule,
+    /// Of integrals with the kernel.
+    quadrature: Rule,
+}
+
+impl Grid {
+    pub(crate) fn new(panels: Vec<Panel>, nodes: usize) -> Self {
+        Self { panels, rule: Rule::new(nodes), quadrature: Rule::new(24) }
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        self.panels.len() * self.rule.nodes.len()
+    }
+
+    /// The nodes with their weights, in the order of the unknowns.
+    pub(crate) fn nodes(&self) -> Vec<(Place, f64)> {
+        let of_panel = |panel: &Panel| {
+            let panel = *panel;
+            (self.rule.nodes.iter().zip(&self.rule.weights))
+                .map(move |(t, weight)| (panel.at(*t), panel.half() * weight))
+        };
+        self.panels.iter().flat_map(of_panel).collect()
+    }
+
+    /// Weights of the values at the nodes in the potential at a target.
+    pub(crate) fn row(&self, kernel: &Kernel, target: Place) -> Vec<f64> {
+        let n = self.rule.nodes.len();
+        let mut row = vec![0.0; self.len()];
+        let mut cardinals = vec![0.0; n];
+        let mut sums = vec![0.0; n];
+        for (panel, entries) in self.panels.iter().zip(row.chunks_mut(n)) {
+            visit(kernel, panel, target, &self.quadrature, &mut |part| {
+                sums.fill(0.0);
+                for [t, weight] in part {
+                    self.rule.cardinals(*t, &mut cardinals);
+                    sums.iter_mut().zip(&cardinals).for_each(|(sum, value)| *sum += weight * value);
+                }
+                entries.iter_mut().zip(&sums).for_each(|(entry, sum)| *entry += sum);
+            });
+        }
+        row
+    }
+}
+
+/// Panels of zones, from left to right, in `x`.
+pub(crate) fn panels(
+    kernel: &Kernel,
+    theta: f64,
+    zones: &[[f64; 2]],
+    breaks: &[Break],
+    base: &dyn Fn(f64) -> f64,
+    fineness: Fineness,
+) -> Vec<Panel> {
+    let rule = Rule::new(fineness.nodes);
+    let heights: Vec<f64> = zones
+        .iter()
+        .flat_map(|[l, r]| (0..=64).map(move |i| l + (r - l) * f64::from(i) / 64.0))
+        .map(base)
+        .collect();
+    let range = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+        - heights.iter().copied().fold(f64::INFINITY, f64::min);
+    // Heights below their own rounding are noise.
+    let rounding = heights.iter().fold(0.0f64, |most, h| most.max(h.abs())) * 1e-14;
+    let allowed = (fineness.resolved * range).max(rounding);
+    let mut found = vec![];
+    for &[left, right] in zones {
+        let least = (right - left) * fineness.shortest / (1.0 + theta);
+        let least = least.powf(1.0 / (1.0 - kernel.exponent())).max(1e-26);
+        let mut cuts = vec![(left, true)];
+        cuts.extend(
+            breaks
+                .iter()
+                .filter(|cut| left < cut.at && cut.at < right)
+                .map(|cut| (cut.at, cut.is_sharp)),
+        );
+        cuts.push((right, true));
+        for pair in cuts.windows(2) {
+            let [(from, starts), (to, ends)] = [pair[0], pair[1]];
+            let half = 0.5 * (to - from);
+            let mut add = |anchor: f64, from: f64, to: f64| {
+                let panel = Panel { chart: Chart::Line, anchor, from, to };
+                resolve(&rule, panel, base, allowed, &mut found);
+            };
+            if !starts && !ends {
+                add(from, 0.0, 2.0 * half);
+                continue;
+            }
+            let levels = |is_sharp: bool| {
+                if is_sharp { (half / least).log2().max(1.0) as usize } else { 0 }
+            };
+            for (lower, upper) in halvings(half, levels(starts)) {
+                add(from, lower, upper);
+            }
+            for (lower, upper) in halvings(half, levels(ends)).into_iter().rev() {
+                add(to, -upper, -lower);
+            }
+        }
+    }
+    found
+}
+
+/// Intervals from 0 to `half` that halve towards 0, the smallest first.
+fn halvings(half: f64, levels: usize) -> Vec<(f64, f64)> {
+    let at = |k: usize| half * 0.5f64.powi(k as i32);
+    let mut found = vec![(0.0, at(levels))];
+    found.extend((0..levels).rev().map(|k| (at(k + 1), at(k))));
+    found
+}
+
+/// Halves a panel until the polynomial through the nodes is the base, to what is allowed.
+fn resolve(
+    rule: &Rule,
+    whole: Panel,
+    base: &dyn Fn(f64) -> f64,
+    allowed: f64,
+    found: &mut Vec<Panel>,
+) {
+    let n = rule.nodes.len();
+    let mut cardinals = vec![0.0; n];
+    let mut waiting = vec![(whole, 0)];
+    while let Some((panel, depth)) = waiting.pop() {
+        let at = |t: f64| base(panel.at(t).x());
+        let heights: Vec<f64> = rule.nodes.iter().map(|t| at(*t)).collect();
+        let tail = rule.expand(&heights)[n - 2..].iter().fold(0.0f64, |most, c| most.max(c.abs()));
+        let missed = COMPARED.iter().fold(tail, |most, t| {
+            rule.cardinals(*t, &mut cardinals);
+            let between: f64 = heights.iter().zip(&cardinals).map(|(h, c)| h * c).sum();
+            most.max((between - at(*t)).abs())
+        });
+        let is_short = panel.half() < 4.0 * f64::EPSILON * panel.anchor.abs().max(1e-3);
+        if missed <= allowed || depth == MOST_HALVINGS || is_short || found.len() > 4000 {
+            found.push(panel);
+            continue;
+        }
+        let middle = 0.5 * (panel.from + panel.to);
+        waiting.push((Panel { from: middle, ..panel }, depth + 1));
+        waiting.push((Panel { to: middle, ..panel }, depth + 1));
+    }
+}
