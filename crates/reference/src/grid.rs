@@ -6,6 +6,10 @@ use crate::rule::Rule;
 
 /// Panels of a zone are halved at most so often to resolve the base.
 const MOST_HALVINGS: usize = 60;
+/// Panels that are shorter, relative to where they are, are not halved for the base: it would be its rounding that is resolved.
+const SHORT: f64 = 1e-9;
+/// Beyond so many panels a base is left as it is: there are too many unknowns anyway.
+const MOST_PANELS: usize = 2000;
 /// Places of a panel, between the nodes, at which the base is compared with the polynomial through them.
 const COMPARED: [f64; 5] = [-0.93, -0.41, 0.087, 0.56, 0.871];
 
@@ -77,7 +81,86 @@ impl Grid {
     }
 }
 
-/// Panels of zones, from left to right, in `x`.
+/// Cuts panels to resolve a base.
+pub(crate) struct Cutter<'a> {
+    rule: Rule,
+    base: &'a dyn Fn(f64) -> f64,
+    allowed: f64,
+    pub(crate) found: Vec<Panel>,
+}
+
+impl<'a> Cutter<'a> {
+    /// Resolves the base on zones to a share of its heights there.
+    pub(crate) fn new(
+        zones: &[[f64; 2]],
+        base: &'a dyn Fn(f64) -> f64,
+        fineness: Fineness,
+    ) -> Self {
+        let places = |[l, r]: &[f64; 2]| {
+            let (l, r) = (*l, *r);
+            (0..=64).map(move |i| l + (r - l) * f64::from(i) / 64.0)
+        };
+        let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+        for x in zones.iter().flat_map(places) {
+            least = least.min(base(x));
+            most = most.max(base(x));
+        }
+        // Heights below their own rounding are noise.
+        let rounding = 1e-14 * most.abs().max(least.abs());
+        let allowed = (fineness.resolved * (most - least)).max(rounding);
+        Self { rule: Rule::new(fineness.nodes), base, allowed, found: vec![] }
+    }
+
+    /// Panels between cuts of a chart, rising, each with the size of the panel beside it; none where panels need not shrink towards it.
+    pub(crate) fn cut(&mut self, chart: Chart, cuts: &[(f64, Option<f64>)]) {
+        for pair in cuts.windows(2) {
+            let [(from, first), (to, last)] = [pair[0], pair[1]];
+            let half = 0.5 * (to - from);
+            if first.is_none() && last.is_none() {
+                self.resolve(Panel { chart, anchor: from, from: 0.0, to: 2.0 * half });
+                continue;
+            }
+            let levels = |least: Option<f64>| {
+                least.map_or(0, |least| (half / least).log2().clamp(1.0, 400.0) as usize)
+            };
+            for (lower, upper) in halvings(half, levels(first)) {
+                self.resolve(Panel { chart, anchor: from, from: lower, to: upper });
+            }
+            for (lower, upper) in halvings(half, levels(last)).into_iter().rev() {
+                self.resolve(Panel { chart, anchor: to, from: -upper, to: -lower });
+            }
+        }
+    }
+
+    /// Halves a panel until the polynomial through the nodes is the base, to what is allowed.
+    fn resolve(&mut self, whole: Panel) {
+        let n = self.rule.nodes.len();
+        let mut cardinals = vec![0.0; n];
+        let mut waiting = vec![(whole, 0)];
+        while let Some((panel, depth)) = waiting.pop() {
+            let at = |t: f64| (self.base)(panel.at(t).x());
+            let heights: Vec<f64> = self.rule.nodes.iter().map(|t| at(*t)).collect();
+            let last = &self.rule.expand(&heights)[n - 2..];
+            let tail = last.iter().fold(0.0f64, |most, c| most.max(c.abs()));
+            let missed = COMPARED.iter().fold(tail, |most, t| {
+                self.rule.cardinals(*t, &mut cardinals);
+                let between: f64 = heights.iter().zip(&cardinals).map(|(h, c)| h * c).sum();
+                most.max((between - at(*t)).abs())
+            });
+            let is_short = panel.half() < SHORT * (1e-3 + panel.anchor.abs());
+            let is_enough = missed <= self.allowed || depth == MOST_HALVINGS || is_short;
+            if is_enough || self.found.len() > MOST_PANELS {
+                self.found.push(panel);
+                continue;
+            }
+            let middle = 0.5 * (panel.from + panel.to);
+            waiting.push((Panel { from: middle, ..panel }, depth + 1));
+            waiting.push((Panel { to: middle, ..panel }, depth + 1));
+        }
+    }
+}
+
+/// Panels of the zones of a rough layer, from left to right.
 pub(crate) fn panels(
     kernel: &Kernel,
     theta: f64,
@@ -86,52 +169,17 @@ pub(crate) fn panels(
     base: &dyn Fn(f64) -> f64,
     fineness: Fineness,
 ) -> Vec<Panel> {
-    let rule = Rule::new(fineness.nodes);
-    let heights: Vec<f64> = zones
-        .iter()
-        .flat_map(|[l, r]| (0..=64).map(move |i| l + (r - l) * f64::from(i) / 64.0))
-        .map(base)
-        .collect();
-    let range = heights.iter().copied().fold(f64::NEG_INFINITY, f64::max)
-        - heights.iter().copied().fold(f64::INFINITY, f64::min);
-    // Heights below their own rounding are noise.
-    let rounding = heights.iter().fold(0.0f64, |most, h| most.max(h.abs())) * 1e-14;
-    let allowed = (fineness.resolved * range).max(rounding);
-    let mut found = vec![];
+    let mut cutter = Cutter::new(zones, base, fineness);
     for &[left, right] in zones {
         let least = (right - left) * fineness.shortest / (1.0 + theta);
         let least = least.powf(1.0 / (1.0 - kernel.exponent())).max(1e-26);
-        let mut cuts = vec![(left, true)];
-        cuts.extend(
-            breaks
-                .iter()
-                .filter(|cut| left < cut.at && cut.at < right)
-                .map(|cut| (cut.at, cut.is_sharp)),
-        );
-        cuts.push((right, true));
-        for pair in cuts.windows(2) {
-            let [(from, starts), (to, ends)] = [pair[0], pair[1]];
-            let half = 0.5 * (to - from);
-            let mut add = |anchor: f64, from: f64, to: f64| {
-                let panel = Panel { chart: Chart::Line, anchor, from, to };
-                resolve(&rule, panel, base, allowed, &mut found);
-            };
-            if !starts && !ends {
-                add(from, 0.0, 2.0 * half);
-                continue;
-            }
-            let levels = |is_sharp: bool| {
-                if is_sharp { (half / least).log2().max(1.0) as usize } else { 0 }
-            };
-            for (lower, upper) in halvings(half, levels(starts)) {
-                add(from, lower, upper);
-            }
-            for (lower, upper) in halvings(half, levels(ends)).into_iter().rev() {
-                add(to, -upper, -lower);
-            }
-        }
+        let mut cuts = vec![(left, Some(least))];
+        let inside = breaks.iter().filter(|cut| left < cut.at && cut.at < right);
+        cuts.extend(inside.map(|cut| (cut.at, cut.is_sharp.then_some(least))));
+        cuts.push((right, Some(least)));
+        cutter.cut(Chart::Line, &cuts);
     }
-    found
+    cutter.found
 }
 
 /// Intervals from 0 to `half` that halve towards 0, the smallest first.
@@ -140,35 +188,4 @@ fn halvings(half: f64, levels: usize) -> Vec<(f64, f64)> {
     let mut found = vec![(0.0, at(levels))];
     found.extend((0..levels).rev().map(|k| (at(k + 1), at(k))));
     found
-}
-
-/// Halves a panel until the polynomial through the nodes is the base, to what is allowed.
-fn resolve(
-    rule: &Rule,
-    whole: Panel,
-    base: &dyn Fn(f64) -> f64,
-    allowed: f64,
-    found: &mut Vec<Panel>,
-) {
-    let n = rule.nodes.len();
-    let mut cardinals = vec![0.0; n];
-    let mut waiting = vec![(whole, 0)];
-    while let Some((panel, depth)) = waiting.pop() {
-        let at = |t: f64| base(panel.at(t).x());
-        let heights: Vec<f64> = rule.nodes.iter().map(|t| at(*t)).collect();
-        let tail = rule.expand(&heights)[n - 2..].iter().fold(0.0f64, |most, c| most.max(c.abs()));
-        let missed = COMPARED.iter().fold(tail, |most, t| {
-            rule.cardinals(*t, &mut cardinals);
-            let between: f64 = heights.iter().zip(&cardinals).map(|(h, c)| h * c).sum();
-            most.max((between - at(*t)).abs())
-        });
-        let is_short = panel.half() < 4.0 * f64::EPSILON * panel.anchor.abs().max(1e-3);
-        if missed <= allowed || depth == MOST_HALVINGS || is_short || found.len() > 4000 {
-            found.push(panel);
-            continue;
-        }
-        let middle = 0.5 * (panel.from + panel.to);
-        waiting.push((Panel { from: middle, ..panel }, depth + 1));
-        waiting.push((Panel { to: middle, ..panel }, depth + 1));
-    }
 }

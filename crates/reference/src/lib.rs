@@ -14,6 +14,7 @@ mod problem;
 mod reference;
 mod rough;
 mod rule;
+mod smooth;
 #[cfg(test)]
 mod tests;
 mod zones;

@@ -20,6 +20,14 @@ impl Chart {
         }
     }
 
+    /// `u` of a position.
+    pub(crate) fn variable(self, x: f64) -> f64 {
+        match self {
+            Self::Line => x,
+            Self::Angle { centre, half } => ((centre - x) / half).clamp(-1.0, 1.0).acos(),
+        }
+    }
+
     /// `s(u + e) - s(u)` with the digits of `e`.
     fn step(self, u: f64, e: f64) -> f64 {
         match self {

@@ -4,15 +4,20 @@ use crate::grid::Fineness;
 use crate::panel::Place;
 use crate::problem::{Layer, Problem, Refusal, Rotational, Vertical};
 use crate::rough::Solved;
+use crate::smooth;
 use crate::zones::{places, settle};
 
 const SEARCH: Fineness = Fineness { nodes: 6, shortest: 1e-2, resolved: 1e-3 };
 const COARSE: Fineness = Fineness { nodes: 16, shortest: 1e-6, resolved: 1e-12 };
-const FINE: Fineness = Fineness { nodes: 20, shortest: 2e-8, resolved: 1e-14 };
+const FINE: Fineness = Fineness { nodes: 20, shortest: 2e-8, resolved: 1e-13 };
 /// To what free ends are found with them.
-const SETTLED: [f64; 3] = [1e-4, 1e-10, 1e-12];
+const SETTLED: [f64; 3] = [1e-4, 1e-12, 1e-12];
 /// Roundings of a potential relative to the sum of the sizes of its parts.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Roundings of the pressure of a smooth surface, relative to it.
+const FIRST_KIND: f64 = 1024.0 * f64::EPSILON;
+/// Tension and penetration beyond that share of the displacements mean that the zones are others.
+const VIOLATED: f64 = 1e-8;
 
 /// Errors of a reference, stated from the difference of two resolutions.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,14 +65,15 @@ impl<'a> Problem<'a> {
     /// # Errors
     /// [`Refusal`].
     pub fn solve(&'a self, start: Option<&[[f64; 2]]>) -> Result<Reference<'a>, Refusal> {
-        if self.layer == Layer::None {
-            return Err(Refusal::NotCovered("it solves no smooth surfaces yet"));
-        }
-        let start = start.unwrap_or(self.pieces);
-        let (_, zones) = settle(self, start, SEARCH, SETTLED[0])?;
-        let (coarse, zones) = settle(self, &zones, COARSE, SETTLED[1])?;
-        let before = zones.clone();
-        let (fine, zones) = settle(self, &zones, FINE, SETTLED[2])?;
+        let [(coarse, before), (fine, zones)] = if self.layer == Layer::None {
+            smooth::settle(self, start, [COARSE, FINE])?
+        } else {
+            let start = start.unwrap_or(self.pieces);
+            let (_, zones) = settle(self, start, SEARCH, SETTLED[0])?;
+            let (coarse, zones) = settle(self, &zones, COARSE, SETTLED[1])?;
+            let (fine, settled) = settle(self, &zones, FINE, SETTLED[2])?;
+            [(coarse, zones), (fine, settled)]
+        };
         if before.len() != zones.len() {
             return Err(Refusal::ZonesNotFound);
         }
@@ -93,6 +99,10 @@ impl<'a> Problem<'a> {
             Vertical::Force(force) => force,
             Vertical::Settlement(_) => second[0],
         };
+        let violation = self.violation(&fine, &zones);
+        if violation.iter().any(|v| *v > VIOLATED * rounding / ROUNDING) {
+            return Err(Refusal::ZonesNotFound);
+        }
         Ok(Reference {
             problem: self,
             rounding,
@@ -106,7 +116,7 @@ impl<'a> Problem<'a> {
             },
             errors,
             unknowns: fine.grid.len(),
-            violation: self.violation(&fine, &zones),
+            violation,
             zones,
             coarse,
             fine,
@@ -126,6 +136,14 @@ impl<'a> Problem<'a> {
 
     /// The size of what is added up in the equation.
     fn size(&self, solved: &Solved, zones: &[[f64; 2]]) -> f64 {
+        if self.layer == Layer::None {
+            // There the potential is the depth.
+            return zones.iter().flatten().fold(0.0f64, |most, x| {
+                let [level, arm] = self.kernel.lifts(*x);
+                let depth = (solved.settlement * level).abs() + (solved.tilt * arm).abs();
+                most.max(2.0 * (depth + self.height(x.min(1.0)).abs()))
+            });
+        }
         let of_zone = |[left, right]: &[f64; 2]| {
             [0.013, 0.31, 0.5, 0.77, 0.991].map(|share| left + (right - left) * share)
         };
@@ -139,24 +157,44 @@ impl<'a> Problem<'a> {
     }
 
     fn violation(&self, solved: &Solved, zones: &[[f64; 2]]) -> [f64; 2] {
-        if self.is_bilateral {
-            return [0.0; 2];
-        }
         let mut worst = [0.0f64; 2];
+        if self.is_bilateral {
+            return worst;
+        }
+        let is_smooth = self.layer == Layer::None;
+        // A wave's zone may reach beyond the seam.
+        let zone_of = |x: f64| zones.iter().find(|[left, right]| *left <= x && x <= *right);
         for x in places(self, zones, 9) {
-            let v = solved.layer(self, x);
-            let is_inside = zones.iter().any(|[left, right]| *left <= x && x <= *right);
-            let k = usize::from(!is_inside);
-            worst[k] = worst[k].max(if is_inside { -v } else { v });
+            let beyond =
+                if is_smooth { zone_of(x + 2.0).map(|zone| (x + 2.0, zone)) } else { None };
+            match zone_of(x).map(|zone| (x, zone)).or(beyond) {
+                Some((at, [left, right])) if is_smooth => {
+                    // At ends the pressure is a density over sin phi.
+                    let sine = 2.0 * ((at - left) * (right - at)).sqrt() / (right - left);
+                    worst[0] = worst[0].max(-smooth::pressure(self, solved, x) * sine);
+                }
+                Some(_) => worst[0] = worst[0].max(-solved.layer(self, x)),
+                None => worst[1] = worst[1].max(solved.layer(self, x)),
+            }
         }
         worst
     }
 }
 
 impl Reference<'_> {
-    /// The pressure at a place of the base and its error.
+    /// The pressure at a place of the base and its error; on a smooth surface infinite at corners and kinks.
     #[must_use]
     pub fn pressure(&self, x: f64) -> [f64; 2] {
+        if self.problem.layer == Layer::None {
+            let [one, two] =
+                [&self.coarse, &self.fine].map(|solved| smooth::pressure(self.problem, solved, x));
+            return [
+                two,
+                2.0 * (one - two).abs()
+                    + FIRST_KIND * two.abs()
+                    + self.rounding / self.problem.theta,
+            ];
+        }
         let layers = [&self.coarse, &self.fine].map(|solved| solved.layer(self.problem, x));
         let at = |v: f64| self.problem.pressure(v)[0];
         let [one, two] = layers.map(at);

@@ -11,8 +11,8 @@ const MOST_STEPS: usize = 60;
 /// A step is halved at most so often.
 const MOST_HALVINGS: usize = 8;
 
-/// What the layer gives under a pressure `v`, and the other way round: `p = max(v, 0)^(1/kappa)`; under a bilateral contact without the maximum.
 impl Problem<'_> {
+    /// The pressure under which the layer gives by `v`, and its derivative: `p = max(v, 0)^(1/kappa)`, of a bilateral contact without the maximum.
     pub(crate) fn pressure(&self, v: f64) -> [f64; 2] {
         match self.layer {
             Layer::Linear if v < 0.0 && !self.is_bilateral => [0.0, 0.0],
@@ -58,7 +58,7 @@ impl Problem<'_> {
     }
 }
 
-/// Pressures at the nodes, settlement and tilt.
+/// Pressures at the nodes, with respect to the variable of their chart, settlement and tilt.
 #[derive(Debug, Clone)]
 pub(crate) struct Solved {
     pub(crate) grid: Grid,
@@ -108,7 +108,7 @@ pub(crate) fn solve(problem: &Problem<'_>, grid: Grid) -> Result<Solved, Refusal
         let moved = step
             .iter()
             .zip(&unknowns)
-            .all(|(s, _)| s.abs() * share <= 1e-13 * system.scale(&unknowns));
+            .all(|(s, _)| s.abs() * share <= 1e-10 * system.scale(&unknowns));
         if moved && share == 1.0 || system.norm(&residual) <= 1e-16 * system.scale(&unknowns) {
             break;
         }

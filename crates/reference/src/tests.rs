@@ -2,3 +2,4 @@
 
 mod potentials;
 mod rough;
+mod smooth;
