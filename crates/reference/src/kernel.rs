@@ -32,6 +32,19 @@ impl Kernel {
     /// The value, with what the measure adds.
     #[must_use]
     pub fn value(&self, x: f64, d: f64) -> f64 {
+        self.value_with(&self.constants(), x, d)
+    }
+
+    /// What does not depend on the places.
+    pub(crate) fn constants(&self) -> [f64; 3] {
+        match *self {
+            Self::Disk { exponent, harmonic } if exponent > 0.0 => constants(exponent, harmonic),
+            _ => [1.0; 3],
+        }
+    }
+
+    /// The value with the constants known.
+    pub(crate) fn value_with(&self, constants: &[f64; 3], x: f64, d: f64) -> f64 {
         match *self {
             Self::Logarithm => -d.abs().ln(),
             Self::Row { period } => -(2.0 * (PI * d / period).sin().abs()).ln(),
@@ -41,7 +54,7 @@ impl Kernel {
                     * if exponent == 0.0 {
                         circle(x, d, harmonic)
                     } else {
-                        graded(x, d, exponent, harmonic)
+                        graded(constants, x, d, exponent, harmonic)
                     }
             }
         }
@@ -111,11 +124,10 @@ fn circle(x: f64, d: f64, harmonic: u8) -> f64 {
 }
 
 /// `pi int_0^inf t^mu J_m(x t) J_m(s t) dt`, the mean over the angle of `C |x - s e^(i phi)|^-2a cos(m phi)`, `2a = 1 + mu`, by hypergeometric series: of `k^2` below 1/2, of `1 - k^2` above.
-fn graded(x: f64, d: f64, mu: f64, harmonic: u8) -> f64 {
+fn graded(constants: &[f64; 3], x: f64, d: f64, mu: f64, harmonic: u8) -> f64 {
+    let [strength, near, far] = constants;
     let (small, large) = if d < 0.0 { (x + d, x) } else { (x, x + d) };
-    let m = f64::from(harmonic);
-    let half = 0.5 * (1.0 + mu);
-    let strength = PI * mu.exp2() * tgamma(half) / tgamma(0.5 * (1.0 - mu));
+    let (half, m) = (0.5 * (1.0 + mu), f64::from(harmonic));
     let k = small / large;
     let lead = if harmonic == 0 { 1.0 } else { half * k };
     // The defect 1 - k^2 without a loss of digits.
@@ -124,13 +136,21 @@ fn graded(x: f64, d: f64, mu: f64, harmonic: u8) -> f64 {
     let value = if defect > 0.5 {
         series(a, b, c, k * k)
     } else {
-        // c - a - b = -mu (Abramowitz & Stegun 15.3.6)
-        let near = tgamma(c) * tgamma(-mu) / (tgamma(c - a) * tgamma(c - b));
-        let far = tgamma(c) * tgamma(mu) / (tgamma(a) * tgamma(b));
         near * series(a, b, 1.0 + mu, defect)
             + far * defect.powf(-mu) * series(c - a, c - b, 1.0 - mu, defect)
     };
     strength * lead * value * large.powf(-2.0 * half)
+}
+
+/// `pi C`, and the factors of both series in `1 - k^2`, where `c - a - b = -mu` (Abramowitz & Stegun 15.3.6).
+fn constants(mu: f64, harmonic: u8) -> [f64; 3] {
+    let (half, m) = (0.5 * (1.0 + mu), f64::from(harmonic));
+    let (a, b, c) = (half, half + m, 1.0 + m);
+    [
+        PI * mu.exp2() * tgamma(half) / tgamma(0.5 * (1.0 - mu)),
+        tgamma(c) * tgamma(-mu) / (tgamma(c - a) * tgamma(c - b)),
+        tgamma(c) * tgamma(mu) / (tgamma(a) * tgamma(b)),
+    ]
 }
 
 /// The hypergeometric series, `0 <= z <= 1/2`.

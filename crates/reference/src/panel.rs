@@ -91,6 +91,7 @@ impl Panel {
 /// A panel seen from a target.
 struct View<'a> {
     kernel: &'a Kernel,
+    constants: [f64; 3],
     panel: &'a Panel,
     target: Place,
     x: f64,
@@ -142,7 +143,11 @@ impl View<'_> {
             .map(|(node, weight)| {
                 let e = 0.5 * (start + end) + half * node;
                 let t = ((e - self.ends[0]) - (self.ends[1] - e)) / (2.0 * whole);
-                [t, half * weight * self.kernel.value(self.x, self.distance(e))]
+                [
+                    t,
+                    half * weight
+                        * self.kernel.value_with(&self.constants, self.x, self.distance(e)),
+                ]
             })
             .collect();
         take(&part);
@@ -164,7 +169,8 @@ pub(crate) fn visit(
     // What is left out of int d^-mu is least^(1-mu).
     let least = 1e-18f64.powf(1.0 / (1.0 - kernel.exponent())).max(1e-280);
     let least = least * (panel.to - panel.from);
-    let view = View { kernel, panel, target, x: target.x(), is_near, ends, least, rule };
+    let constants = kernel.constants();
+    let view = View { kernel, constants, panel, target, x: target.x(), is_near, ends, least, rule };
     view.visit(ends, take);
 }
 

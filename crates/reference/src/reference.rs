@@ -16,6 +16,8 @@ const SETTLED: [f64; 3] = [1e-4, 1e-12, 1e-12];
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Roundings of the pressure of a smooth surface, relative to it.
 const FIRST_KIND: f64 = 1024.0 * f64::EPSILON;
+/// Roundings of a place.
+const PLACE: f64 = 8.0 * f64::EPSILON;
 /// Tension and penetration beyond that share of the displacements mean that the zones are others.
 const VIOLATED: f64 = 1e-8;
 
@@ -188,12 +190,16 @@ impl Reference<'_> {
         if self.problem.layer == Layer::None {
             let [one, two] =
                 [&self.coarse, &self.fine].map(|solved| smooth::pressure(self.problem, solved, x));
-            return [
-                two,
-                2.0 * (one - two).abs()
-                    + FIRST_KIND * two.abs()
-                    + self.rounding / self.problem.theta,
-            ];
+            let zone = self.zones.iter().find(|[left, right]| *left <= x && x <= *right);
+            let square = zone.map_or(1.0, |[left, right]| {
+                4.0 * (x - left) * (right - x) / (right - left).powi(2)
+            });
+            // Near an end the rounding of the place counts as well.
+            let place =
+                zone.map_or(0.0, |[left, right]| PLACE * (x.abs() + right - left) / (right - left));
+            let relative = FIRST_KIND + place / square.max(f64::EPSILON);
+            let rounded = relative * two.abs() + self.rounding / self.problem.theta;
+            return [two, 2.0 * (one - two).abs() + rounded];
         }
         let layers = [&self.coarse, &self.fine].map(|solved| solved.layer(self.problem, x));
         let at = |v: f64| self.problem.pressure(v)[0];

@@ -7,8 +7,10 @@ use crate::kernel::Kernel;
 use crate::panel::Chart;
 use crate::problem::{Layer, Problem, Refusal, Rotational, Vertical};
 use crate::rough::{Solved, solve_dense};
-use crate::zones::{self, MOST_UNKNOWNS};
+use crate::zones;
 
+/// Most unknowns: free ends are searched by solving many times.
+const MOST_UNKNOWNS: usize = 1600;
 /// The rough layer that leads to the zones, against `theta`.
 const COMPANION: f64 = 0.01;
 const SEARCH: Fineness = Fineness { nodes: 6, shortest: 1e-1, resolved: 1e-3 };

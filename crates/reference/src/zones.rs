@@ -5,7 +5,7 @@ use crate::problem::{Problem, Refusal};
 use crate::rough::{Solved, solve};
 
 /// Most unknowns.
-pub(crate) const MOST_UNKNOWNS: usize = 4000;
+const MOST_UNKNOWNS: usize = 4000;
 /// Most changes of the zones at one fineness.
 const MOST_CHANGES: usize = 40;
 /// Zones and gaps narrower than that are none.

@@ -8,7 +8,7 @@ use shtaerman_reference::{
 
 use super::{Accuracy, Contact, ErrorKind};
 use crate::roughness::Law;
-use crate::{ContactKind, Error, Geometry, Load, Problem, Rotational, Vertical};
+use crate::{ContactKind, Error, Geometry, Load, Problem, Rotational, Scaling, Vertical};
 
 /// Polynomials of this degree resolve the profile to this share of its heights between the cuts.
 const RESOLVED_DEGREE: usize = 64;
@@ -16,6 +16,8 @@ const RESOLVED: f64 = 1e-12;
 /// Places at which pressures are compared: evenly over the base, and beside each end of a zone.
 const EVENLY: u32 = 96;
 const BESIDE: u32 = 12;
+/// The same on a smooth surface, where the rounding of a place is a large share of its distance from an end.
+const BESIDE_SINGULAR: u32 = 4;
 /// Jumps of the base are known to roundings only: this close to one no pressures are compared.
 const BESIDE_JUMP: f64 = 1e-13;
 /// Where the reference is this much less certain than the answer, it is said.
@@ -68,9 +70,11 @@ impl Problem {
     /// # Errors
     /// [`Error::NoReference`] with the reason.
     pub fn cross_check(&self, contact: &Contact) -> Result<CrossCheck, Error> {
-        let problem = contact.solved();
+        let (problem, level) = self.lowered().unwrap_or_else(|| (self.clone(), 0.0));
+        let displacement = self.frame().scaling().map_or(1.0, Scaling::displacement);
         let height = |xi: f64| problem.dimensionless_profile(xi);
-        let posing = Posing::new(problem, &height).map_err(Error::no_reference)?;
+        let posing =
+            Posing::new(&problem, level / displacement, &height).map_err(Error::no_reference)?;
         posing.compare(contact).map_err(Error::no_reference)
     }
 }
@@ -90,6 +94,8 @@ struct Posing<'a> {
     breaks: Vec<Break>,
     is_bilateral: bool,
     load: Load,
+    /// From which heights and settlement are counted.
+    level: f64,
     height: &'a dyn Fn(f64) -> f64,
 }
 
@@ -137,7 +143,7 @@ struct Found<'a> {
 }
 
 impl<'a> Posing<'a> {
-    fn new(problem: &Problem, height: &'a dyn Fn(f64) -> f64) -> Result<Self, Refusal> {
+    fn new(problem: &Problem, level: f64, height: &'a dyn Fn(f64) -> f64) -> Result<Self, Refusal> {
         let frame = problem.frame();
         let layer = match frame.law() {
             Law::Linear => Layer::Linear,
@@ -168,6 +174,7 @@ impl<'a> Posing<'a> {
             pieces,
             is_bilateral: problem.solver().contact == ContactKind::Bilateral,
             load,
+            level,
             height,
         })
     }
@@ -263,7 +270,8 @@ impl<'a> Posing<'a> {
             own,
             size,
         };
-        let settlement = found.settlement - contact.solved_settlement0().0;
+        let (settlement, level) = contact.solved_settlement0();
+        let settlement = (found.settlement - settlement) + (self.level - level);
         let (pressure, is_pressure_right) = self.pressures(contact, found, stated.pressure);
         let parts = [
             pressure,
@@ -316,7 +324,8 @@ impl<'a> Posing<'a> {
             .collect();
         for [left, right] in contact.edges0() {
             let half = 0.5 * (right - left);
-            let beside = (0..=BESIDE).map(|k| half * 0.1f64.powi(k as i32));
+            let nearest = if self.layer == Layer::None { BESIDE_SINGULAR } else { BESIDE };
+            let beside = (0..=nearest).map(|k| half * 0.1f64.powi(k as i32));
             places.extend(beside.flat_map(|d| [left + d, right - d]));
             places.extend([left, right]);
         }
@@ -376,7 +385,11 @@ fn breaks(problem: &Problem, pieces: &[[f64; 2]]) -> Vec<Break> {
             found.push(Break { at, is_sharp: false });
         }
     }
-    found.retain(|cut| pieces.iter().any(|[left, right]| *left < cut.at && cut.at < *right));
+    // The tip of a cone is a break of a disk.
+    let is_tip = |at: f64| at == 0.0 && pieces[0][0] == 0.0;
+    found.retain(|cut| {
+        is_tip(cut.at) || pieces.iter().any(|[left, right]| *left < cut.at && cut.at < *right)
+    });
     found.sort_by(|one, two| one.at.total_cmp(&two.at));
     found.dedup_by(|later, earlier| later.at - earlier.at < BESIDE_JUMP);
     found
