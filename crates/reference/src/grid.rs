@@ -8,6 +8,8 @@ use crate::rule::Rule;
 const MOST_HALVINGS: usize = 60;
 /// Panels that are shorter, relative to where they are, are not halved for the base: it would be its rounding that is resolved.
 const SHORT: f64 = 1e-9;
+/// Neighbours differ in length by no more than that.
+const UNLIKE: f64 = 2.5;
 /// Beyond so many panels a base is left as it is: there are too many unknowns anyway.
 const MOST_PANELS: usize = 2000;
 /// Places of a panel, between the nodes, at which the base is compared with the polynomial through them.
@@ -113,6 +115,7 @@ impl<'a> Cutter<'a> {
 
     /// Panels between cuts of a chart, rising, each with the size of the panel beside it; none where panels need not shrink towards it.
     pub(crate) fn cut(&mut self, chart: Chart, cuts: &[(f64, Option<f64>)]) {
+        let start = self.found.len();
         for pair in cuts.windows(2) {
             let [(from, first), (to, last)] = [pair[0], pair[1]];
             let half = 0.5 * (to - from);
@@ -130,6 +133,8 @@ impl<'a> Cutter<'a> {
                 self.resolve(Panel { chart, anchor: to, from: -upper, to: -lower });
             }
         }
+        let own = self.found.split_off(start);
+        self.found.extend(balanced(own));
     }
 
     /// Halves a panel until the polynomial through the nodes is the base, to what is allowed.
@@ -157,6 +162,25 @@ impl<'a> Cutter<'a> {
             waiting.push((Panel { from: middle, ..panel }, depth + 1));
             waiting.push((Panel { to: middle, ..panel }, depth + 1));
         }
+    }
+}
+
+/// Halves panels beside far shorter ones: what bends there bends the potential as far as it is wide.
+fn balanced(mut panels: Vec<Panel>) -> Vec<Panel> {
+    loop {
+        let is_long = |i: usize, j: usize| panels[i].half() > UNLIKE * panels[j].half();
+        let long: Vec<bool> = (0..panels.len())
+            .map(|i| i > 0 && is_long(i, i - 1) || i + 1 < panels.len() && is_long(i, i + 1))
+            .collect();
+        if !long.contains(&true) || panels.len() > MOST_PANELS {
+            return panels;
+        }
+        let halves = |(panel, is_long): (Panel, bool)| {
+            let middle = 0.5 * (panel.from + panel.to);
+            let (first, second) = (Panel { to: middle, ..panel }, Panel { from: middle, ..panel });
+            if is_long { vec![first, second] } else { vec![panel] }
+        };
+        panels = panels.into_iter().zip(long).flat_map(halves).collect();
     }
 }
 

@@ -1,6 +1,7 @@
 //! Two solutions, and what their difference says.
 
 use crate::grid::Fineness;
+use crate::kernel::Kernel;
 use crate::panel::Place;
 use crate::problem::{Layer, Problem, Refusal, Rotational, Vertical};
 use crate::rough::Solved;
@@ -14,10 +15,10 @@ const FINE: Fineness = Fineness { nodes: 20, shortest: 2e-8, resolved: 1e-13 };
 const SETTLED: [f64; 3] = [1e-4, 1e-12, 1e-12];
 /// Roundings of a potential relative to the sum of the sizes of its parts.
 const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Roundings count more without a layer, which damps them.
+const UNDAMPED: f64 = 8.0;
 /// Roundings of the pressure of a smooth surface, relative to it.
 const FIRST_KIND: f64 = 1024.0 * f64::EPSILON;
-/// Roundings of a place.
-const PLACE: f64 = 8.0 * f64::EPSILON;
 /// Tension and penetration beyond that share of the displacements mean that the zones are others.
 const VIOLATED: f64 = 1e-8;
 
@@ -43,6 +44,8 @@ pub struct Reference<'a> {
     fine: Solved,
     /// What rounding does to the equation.
     rounding: f64,
+    /// The errors of the ends.
+    moved: Vec<[f64; 2]>,
     /// The zones of contact.
     pub zones: Vec<[f64; 2]>,
     /// `delta`.
@@ -79,10 +82,13 @@ impl<'a> Problem<'a> {
         if before.len() != zones.len() {
             return Err(Refusal::ZonesNotFound);
         }
-        let moved = before.iter().flatten().zip(zones.iter().flatten());
-        let ends = moved.fold(0.0f64, |most, (one, two)| most.max((one - two).abs()));
+        let moved: Vec<[f64; 2]> = (before.iter().zip(&zones))
+            .map(|(one, two)| [0, 1].map(|side| 2.0 * (one[side] - two[side]).abs()))
+            .collect();
+        let ends = moved.iter().flatten().fold(0.0f64, |most, end| most.max(*end));
         let (first, second) = (self.load(&coarse), self.load(&fine));
-        let rounding = ROUNDING * self.size(&fine, &zones);
+        let amplified = if self.layer == Layer::None { UNDAMPED } else { 1.0 };
+        let rounding = amplified * ROUNDING * self.size(&fine, &zones);
         let error = |one: f64, two: f64, is_free: bool, size: f64| {
             if is_free { 2.0 * (one - two).abs() + size } else { 0.0 }
         };
@@ -91,7 +97,7 @@ impl<'a> Problem<'a> {
         let is_tilt_free = !matches!(self.rotational, Rotational::Tilt(_));
         let width: f64 = self.pieces.iter().map(|[left, right]| right - left).sum();
         let errors = Errors {
-            ends: 2.0 * ends,
+            ends,
             settlement: error(coarse.settlement, fine.settlement, !is_force_free, rounding),
             tilt: error(coarse.tilt, fine.tilt, is_tilt_free, rounding / width),
             force: error(first[0], second[0], is_force_free, width * rounding),
@@ -102,12 +108,13 @@ impl<'a> Problem<'a> {
             Vertical::Settlement(_) => second[0],
         };
         let violation = self.violation(&fine, &zones);
-        if violation.iter().any(|v| *v > VIOLATED * rounding / ROUNDING) {
+        if violation.iter().any(|v| *v > VIOLATED * rounding / (amplified * ROUNDING)) {
             return Err(Refusal::ZonesNotFound);
         }
         Ok(Reference {
             problem: self,
             rounding,
+            moved,
             settlement: fine.settlement,
             tilt: fine.tilt,
             force,
@@ -190,14 +197,18 @@ impl Reference<'_> {
         if self.problem.layer == Layer::None {
             let [one, two] =
                 [&self.coarse, &self.fine].map(|solved| smooth::pressure(self.problem, solved, x));
-            let zone = self.zones.iter().find(|[left, right]| *left <= x && x <= *right);
-            let square = zone.map_or(1.0, |[left, right]| {
-                4.0 * (x - left) * (right - x) / (right - left).powi(2)
-            });
-            // Near an end the rounding of the place counts as well.
-            let place =
-                zone.map_or(0.0, |[left, right]| PLACE * (x.abs() + right - left) / (right - left));
-            let relative = FIRST_KIND + place / square.max(f64::EPSILON);
+            // Near an end, where the pressure goes as a root, what place and end are off by counts.
+            let of_zone = |x: f64| {
+                let j = self.zones.iter().position(|[left, right]| *left <= x && x <= *right)?;
+                let ([left, right], [first, last]) = (self.zones[j], self.moved[j]);
+                let off =
+                    |d: f64, end: f64| (f64::EPSILON * x.abs() + end) / d.max(f64::MIN_POSITIVE);
+                let is_disk = matches!(self.problem.kernel, Kernel::Disk { .. });
+                let of_left = if is_disk && left == 0.0 { 0.0 } else { off(x - left, first) };
+                Some(of_left + off(right - x, last))
+            };
+            let off = of_zone(x).or_else(|| of_zone(x + 2.0)).unwrap_or(0.0);
+            let relative = FIRST_KIND + off;
             let rounded = relative * two.abs() + self.rounding / self.problem.theta;
             return [two, 2.0 * (one - two).abs() + rounded];
         }

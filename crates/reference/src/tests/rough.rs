@@ -186,3 +186,18 @@ fn refuses_what_is_too_large() {
     let clear = Problem { vertical: Vertical::Settlement(-1.0), base: &level, ..posed };
     assert!(matches!(clear.solve(None), Err(Refusal::NoContact | Refusal::ZonesNotFound)));
 }
+
+#[test]
+fn a_dent_bends_the_pressure_beside_it() {
+    // Panels beside the dent must be as short: otherwise two resolutions agree on what is wrong. With the dent in two halves, cut in its middle or not, the answers are alike.
+    let base = |x: f64| 3.0 * (x * x + 0.07 * (-((x + 0.49752) / 2.47e-4).powi(2)).exp());
+    let mild = |places: &[f64]| -> Vec<Break> {
+        places.iter().map(|at| Break { at: *at, is_sharp: false }).collect()
+    };
+    let (one, other) = (mild(&[-0.499, -0.49752, -0.496]), mild(&[-0.51, -0.4985, -0.4972]));
+    let (force, moment) = (Vertical::Force(0.7), Rotational::Moment(-0.4));
+    let posed = problem(Kernel::Logarithm, 10.0, &base, force, moment);
+    let [first, second] =
+        [&one, &other].map(|breaks| Problem { breaks, ..posed }.solve(None).unwrap().settlement);
+    near(first, second, 1e-12);
+}
