@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use super::accuracy::{Accuracy, Sizes};
-use super::draft::Draft;
 use super::extremes::{Extreme, Sampled};
 use super::kinks::{Kink, kinks};
 use super::promise::Reached;
@@ -514,10 +513,6 @@ impl Contact {
 
     pub(super) fn solution(&self) -> &dyn Solution {
         self.solution.as_ref()
-    }
-
-    pub(super) fn draft(&self) -> Option<&Draft> {
-        self.solution.full_base()
     }
 
     pub(super) fn tension0(&self) -> &[[f64; 2]] {
