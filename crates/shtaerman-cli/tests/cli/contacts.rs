@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{Folder, UNILATERAL};
+use crate::support::{Folder, UNILATERAL, assert_valid, schema};
 
 fn near(value: &serde_json::Value, exact: f64, tolerance: f64) {
     let value = value.as_f64().unwrap();
@@ -117,4 +117,24 @@ fn a_lifted_punch_reports_its_zone() {
     near(&json["physical"]["pressure_left"], 0.0, 0.0);
     let table = folder.run(&["solve", "punch.toml"]).answer();
     assert!(table.contains("lifted on the left") && table.contains("unilateral"), "{table}");
+}
+
+#[test]
+fn cross_checks_say_how_far_the_reference_reaches() {
+    let folder = Folder::with(
+        "[dimensionless]\ntheta0 = 2\nprofile = \"xi^2\"\nforce = 0.2\nmoment = 0.02\n",
+    );
+    let json = folder.run(&["solve", "punch.toml", "--cross-check", "--format", "json"]).json();
+    assert_valid(&schema("answer"), &json, "cross-check");
+    let check = &json["cross_check"];
+    assert_eq!((&check["method"], &check["agrees"]), (&"product_integration".into(), &true.into()));
+    let table = folder.run(&["solve", "punch.toml", "--cross-check"]).answer();
+    assert!(table.contains("cross-check by product integration") && table.contains("agrees"));
+    // Too many waves for the reference: no answer to compare with is no agreement.
+    let folder = Folder::with(
+        "[dimensionless]\ntheta0 = 2\nprofile = \"0.001*cos(900*xi)\"\nforce = 1\nmoment = 0\n[solver]\ncontact = \"bilateral\"\n",
+    );
+    let run = folder.run(&["solve", "punch.toml", "--cross-check"]);
+    assert_eq!(run.code, Some(3));
+    assert!(run.stderr.contains("nothing to compare with"), "{}", run.stderr);
 }

@@ -3,10 +3,10 @@
 use std::fmt::Write;
 
 /// A generator of numbers: Weyl's sequence, mixed (G. Steele, D. Lea, C. Flood, OOPSLA 2014).
-pub(crate) struct Random(u64);
+struct Random(u64);
 
 impl Random {
-    pub(crate) fn new(seed: u64) -> Self {
+    fn new(seed: u64) -> Self {
         Self(seed)
     }
 
@@ -57,6 +57,12 @@ pub(crate) struct Case {
     pub(crate) is_equation: bool,
     /// Where it bends, of equations.
     pub(crate) bends: Vec<(f64, bool)>,
+}
+
+/// The problem with a number; each has a generator of its own, so that none depends on those before it.
+pub(crate) fn case(seed: u64, index: u64) -> Case {
+    let mut random = Random::new(seed ^ index.wrapping_mul(0xd134_2543_de82_ef95));
+    if index % 8 == 7 { equation(&mut random) } else { contact(&mut random, index) }
 }
 
 /// A function in a variable, with the places where it bends and whether it does so sharply.
@@ -265,7 +271,7 @@ fn physical(name: &'static str, is_disk: bool, ground: &str, roughness: f64) -> 
 }
 
 /// A contact, as far as a file tells it; some have no answer.
-pub(crate) fn contact(random: &mut Random, index: u64) -> Case {
+fn contact(random: &mut Random, index: u64) -> Case {
     let setting = setting(random);
     let is_bilateral = !setting.is_smooth && random.chance(0.3);
     let height = setting.height * random.power(-2.0, 0.7);
@@ -283,7 +289,15 @@ pub(crate) fn contact(random: &mut Random, index: u64) -> Case {
         );
         ("trace", format!("{{ csv = \"{name}\" }}"), Some(scaled))
     } else {
-        let drawn = if setting.is_disk { radial(random) } else { shape(random, "xi", -1.0) };
+        let shift = random.rounded(-1.0, 1.0);
+        let drawn = if setting.is_disk {
+            radial(random)
+        } else if setting.is_wave {
+            // Periodic, as a wave should be.
+            shape(random, &format!("cos(pi*(xi-({shift})))"), -1.0)
+        } else {
+            shape(random, "xi", -1.0)
+        };
         let offset = if random.chance(0.1) {
             format!(" + {:.4e}", random.power(0.0, 6.0) * height)
         } else {
@@ -328,7 +342,7 @@ fn load(random: &mut Random, setting: &Setting, height: f64, is_high: bool) -> S
 }
 
 /// An equation of the second kind.
-pub(crate) fn equation(random: &mut Random) -> Case {
+fn equation(random: &mut Random) -> Case {
     let lambda = random.power(-1.0, 2.0);
     let (name, keys, ends) = match random.below(10) {
         0 | 1 => ("log", "a = 1".to_owned(), [-1.0, 1.0]),

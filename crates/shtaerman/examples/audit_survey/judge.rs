@@ -91,7 +91,9 @@ fn refused(error: &Error) -> Outcome {
             | Error::SettlementOutOfReach { .. }
             | Error::LiftsOff { .. }
     );
-    if is_limit { Outcome::Limit(text) } else { Outcome::Refused(text) }
+    // A layer with a power law does not pull: a bilateral contact that would is none.
+    let is_pulled = text.contains("known for compression only");
+    if is_limit || is_pulled { Outcome::Limit(text) } else { Outcome::Refused(text) }
 }
 
 /// The answer beside the reference. An audit with doubled panels would be a second opinion where the reference is too large; the audit has no such switch yet.

@@ -11,7 +11,7 @@ use std::path::PathBuf;
 use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
-use draw::{Case, Random};
+use draw::Case;
 use judge::{Outcome, judge};
 use report::Report;
 
@@ -44,12 +44,6 @@ fn arguments() -> Option<Arguments> {
     Some(found)
 }
 
-/// The problem with a number; each has a generator of its own, so that none depends on those before it.
-fn case(seed: u64, index: u64) -> Case {
-    let mut random = Random::new(seed ^ index.wrapping_mul(0xd134_2543_de82_ef95));
-    if index % 8 == 7 { draw::equation(&mut random) } else { draw::contact(&mut random, index) }
-}
-
 fn main() {
     let Some(arguments) = arguments() else {
         eprintln!("audit_survey SEED COUNT [--reference N] [--only INDEX]");
@@ -72,7 +66,7 @@ fn main() {
             continue;
         }
         let is_checked = index < arguments.checked || arguments.only.is_some();
-        let case = case(arguments.seed, index);
+        let case = draw::case(arguments.seed, index);
         if let Some(rows) = &case.csv {
             let written = std::fs::write(folder.join(format!("trace_{index}.csv")), rows);
             if let Err(error) = written {

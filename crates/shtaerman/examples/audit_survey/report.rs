@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::draw::Case;
-use crate::judge::Outcome;
+use crate::judge::{Answered, Outcome};
 
 #[derive(Default)]
 struct Class {
@@ -13,6 +13,24 @@ struct Class {
     limits: usize,
     refused: usize,
     slow: usize,
+}
+
+impl Class {
+    fn add(&mut self, outcome: Option<&Outcome>) {
+        match outcome {
+            None => self.slow += 1,
+            Some(Outcome::NoProblem(_)) => {}
+            Some(Outcome::Limit(_)) => self.limits += 1,
+            Some(Outcome::Refused(_)) => self.refused += 1,
+            Some(Outcome::Answered(answered)) => {
+                self.answered += 1;
+                if let Some(checked) = &answered.checked {
+                    self.checked += 1;
+                    self.violations += usize::from(checked.violation.is_some());
+                }
+            }
+        }
+    }
 }
 
 /// What became of all problems.
@@ -32,46 +50,44 @@ pub(crate) struct Report {
 
 impl Report {
     pub(crate) fn add(&mut self, index: u64, case: &Case, outcome: Option<Outcome>, time: f64) {
-        // The geometry or kernel, and the base.
-        let class = self.classes.entry(case.class.clone()).or_default();
+        // Counted by geometry or kernel, and by the base.
+        let (setting, base) = case.class.split_once(", ").unwrap_or((&case.class, "any base"));
+        let keys = [setting.to_owned(), format!("  {base}")];
+        for key in keys {
+            self.classes.entry(key).or_default().add(outcome.as_ref());
+        }
         let name = format!("{index} ({})", case.class);
         match outcome {
             None => {
-                class.slow += 1;
                 self.refusals.push(format!("{name}: no answer in 20 s"));
                 println!("SLOW {name}\n{}", case.toml);
             }
             Some(Outcome::NoProblem(reason)) => count(&mut self.no_problem, &reason),
-            Some(Outcome::Limit(reason)) => {
-                class.limits += 1;
-                count(&mut self.limits, &reason);
-            }
+            Some(Outcome::Limit(reason)) => count(&mut self.limits, &reason),
             Some(Outcome::Refused(reason)) => {
-                class.refused += 1;
                 println!("REFUSED {name}: {reason}\n{}", case.toml);
                 self.refusals.push(format!("{name}: {reason}"));
             }
-            Some(Outcome::Answered(answered)) => {
-                class.answered += 1;
-                *self.audits.entry(answered.audit).or_default() += 1;
-                let [reached, aim] = answered.reached;
-                self.reached.push(reached / aim);
-                let [solve, audit] = answered.times;
-                if audit > 0.0 && !case.is_equation {
-                    self.costs.push(audit / solve);
-                }
-                self.times.push((solve + audit, index, case.class.clone()));
-                if let Some(reason) = answered.unchecked {
-                    count(&mut self.unchecked, &reason);
-                }
-                if let Some(checked) = answered.checked {
-                    class.checked += 1;
-                    self.ratios.extend(checked.ratios);
-                    if let Some(violation) = checked.violation {
-                        class.violations += 1;
-                        println!("VIOLATION {name} after {time:.1} s: {violation}\n{}", case.toml);
-                    }
-                }
+            Some(Outcome::Answered(answered)) => self.answered(index, case, &name, *answered, time),
+        }
+    }
+
+    fn answered(&mut self, index: u64, case: &Case, name: &str, answered: Answered, time: f64) {
+        *self.audits.entry(answered.audit).or_default() += 1;
+        let [reached, aim] = answered.reached;
+        self.reached.push(reached / aim);
+        let [solve, audit] = answered.times;
+        if audit > 0.0 && answered.audit != "none" && !case.is_equation {
+            self.costs.push(audit / solve);
+        }
+        self.times.push((solve + audit, index, case.class.clone()));
+        if let Some(reason) = answered.unchecked {
+            count(&mut self.unchecked, &reason);
+        }
+        if let Some(checked) = answered.checked {
+            self.ratios.extend(checked.ratios);
+            if let Some(violation) = checked.violation {
+                println!("VIOLATION {name} after {time:.1} s: {violation}\n{}", case.toml);
             }
         }
     }
@@ -83,17 +99,20 @@ impl Report {
     pub(crate) fn print(&mut self) {
         println!("\n{:44} answered checked violations limits refused slow", "class");
         let mut total = Class::default();
+        let is_setting = |name: &str| !name.starts_with(' ');
         for (name, class) in &self.classes {
             let Class { answered, checked, violations, limits, refused, slow } = class;
             println!(
                 "{name:44} {answered:8} {checked:7} {violations:10} {limits:6} {refused:7} {slow:4}"
             );
-            total.answered += answered;
-            total.checked += checked;
-            total.violations += violations;
-            total.limits += limits;
-            total.refused += refused;
-            total.slow += slow;
+            if is_setting(name) {
+                total.answered += answered;
+                total.checked += checked;
+                total.violations += violations;
+                total.limits += limits;
+                total.refused += refused;
+                total.slow += slow;
+            }
         }
         let Class { answered, checked, violations, limits, refused, slow } = total;
         println!(

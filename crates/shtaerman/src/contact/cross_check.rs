@@ -32,6 +32,8 @@ pub struct CrossCheck {
     pub n: usize,
     /// Largest difference of the pressures `p0` over many places of the base.
     pub pressure_sup: f64,
+    /// Where the pressures differ most beside what both state there, as `xi`.
+    pub pressure_sup_at: f64,
     /// Difference of `delta0`.
     pub settlement: f64,
     /// Difference of `alpha0`.
@@ -272,7 +274,7 @@ impl<'a> Posing<'a> {
         };
         let (settlement, level) = contact.solved_settlement0();
         let settlement = (found.settlement - settlement) + (self.level - level);
-        let (pressure, is_pressure_right) = self.pressures(contact, found, stated.pressure);
+        let (pressure, pressure_sup_at) = self.pressures(contact, found, stated.pressure);
         let parts = [
             pressure,
             part("settlement", settlement, stated.settlement, own.settlement, moved),
@@ -285,19 +287,20 @@ impl<'a> Posing<'a> {
             method: "product_integration",
             n: found.n,
             pressure_sup: pressure.difference,
+            pressure_sup_at: pressure_sup_at.0,
             settlement: settlement.difference,
             tilt: tilt.difference,
             force: force.difference,
             moment: moment.difference,
             reference_error: ReferenceError { pressure_sup: pressure.own, ..*own },
-            agrees: is_pressure_right && parts[1..].iter().all(Part::agrees),
+            agrees: pressure_sup_at.1 <= 1.0 && parts[1..].iter().all(Part::agrees),
             limits: limits(&parts),
         }
     }
 
-    /// The pressures at many places, and whether they differ at none by more than both errors there.
-    fn pressures(&self, contact: &Contact, found: &Found<'_>, stated: f64) -> (Part, bool) {
-        let mut agrees = true;
+    /// The pressures at many places; and where they differ most beside both errors there, with the difference over those.
+    fn pressures(&self, contact: &Contact, found: &Found<'_>, stated: f64) -> (Part, (f64, f64)) {
+        let mut worst = (0.0, 0.0);
         let mut part = Part { name: "pressure", difference: 0.0, stated, own: 0.0, size: 0.0 };
         for xi in self.places(contact) {
             let [p, own] = (found.pressure)(xi);
@@ -311,9 +314,14 @@ impl<'a> Posing<'a> {
             part.difference = part.difference.max(difference);
             part.own = part.own.max(own * share);
             part.size = part.size.max(p.abs() * share);
-            agrees &= difference <= stated + own * share;
+            let allowed = stated + own * share;
+            let over = if difference == 0.0 { 0.0 } else { difference / allowed };
+            // What is not a number is within nothing.
+            if over.is_nan() || over > worst.1 {
+                worst = (xi, if over.is_nan() { f64::INFINITY } else { over });
+            }
         }
-        (part, agrees)
+        (part, worst)
     }
 
     /// Where pressures are compared.

@@ -1,0 +1,49 @@
+//! A small survey of random problems; `examples/audit_survey` runs larger ones.
+
+use crate::draw::case;
+use crate::judge::{Outcome, judge};
+
+/// Another seed than examples and reports have.
+const SEED: u64 = 5_150_927;
+const COUNT: u64 = 72;
+/// So many answers are held against the reference, which takes seconds.
+const CHECKED: usize = 8;
+/// Longer traces take too long for a test.
+const MOST_ROWS: usize = 100;
+
+#[test]
+fn stated_errors_hold() {
+    println!("seed {SEED}");
+    let folder = std::env::temp_dir().join(format!("shtaerman_survey_{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let (mut answered, mut checked, mut refused) = (0, 0, 0);
+    for index in 0..COUNT {
+        let case = case(SEED, index);
+        if let Some(rows) = &case.csv {
+            if rows.lines().count() > MOST_ROWS {
+                continue;
+            }
+            std::fs::write(folder.join(format!("trace_{index}.csv")), rows).unwrap();
+        }
+        let outcome = judge(&case, &folder, checked < CHECKED);
+        match outcome {
+            Outcome::NoProblem(reason) => {
+                panic!("{index} ({}): {reason}\n{}", case.class, case.toml)
+            }
+            Outcome::Limit(_) => {}
+            Outcome::Refused(reason) => {
+                println!("{index} ({}): {reason}\n{}", case.class, case.toml);
+                refused += 1;
+            }
+            Outcome::Answered(found) => {
+                answered += 1;
+                let Some(check) = found.checked else { continue };
+                checked += 1;
+                assert!(check.violation.is_none(), "{index}: {:?}\n{}", check.violation, case.toml);
+            }
+        }
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
+    println!("{answered} answered, {checked} held against the reference, {refused} refused");
+    assert!(checked >= CHECKED && answered > 40, "{answered} answered, {checked} checked");
+}
