@@ -11,6 +11,9 @@ const FORWARD: f64 = 1.05;
 const DIGITS: f64 = 37.0;
 /// Beyond this many lengths of the longer interval the middles of two stand for them.
 const FAR: f64 = 12.0;
+/// Gauss's rule of three nodes for means.
+const GAUSS_NODE: f64 = 0.774_596_669_241_483_4;
+const GAUSS_WEIGHTS: [f64; 2] = [5.0 / 18.0, 4.0 / 9.0];
 /// Most moments.
 const MOST: usize = super::rule::MOST;
 
@@ -95,19 +98,34 @@ impl PanelKernel {
         match self {
             Self::Logarithm => mean_logarithm(left, right),
             Self::Sine => {
-                // Both logarithms taken out, the near one and the one through the seam.
-                let d = 0.5 * (right[0] + right[1] - left[0] - left[1]);
-                let ratio = if d == 0.0 {
-                    FRAC_PI_2
-                } else {
-                    2.0 * (FRAC_PI_2 * d).sin() / (d * (2.0 - d))
-                };
+                // Both logarithms taken out, the near one and the one through the seam; the rest by Gauss's rule, as a constant has to give nothing over the whole circle.
                 let image = left.map(|end| end + 2.0);
-                mean_logarithm(left, right) + mean_logarithm(right, image) - ratio.ln()
+                mean_logarithm(left, right) + mean_logarithm(right, image) - mean_ratio(left, right)
             }
             Self::Power { exponent } => mean_power(left, right, exponent),
         }
     }
+}
+
+/// The mean of `ln [2 sin(pi d/2)/(d (2 - d))]` over two intervals.
+fn mean_ratio(left: [f64; 2], right: [f64; 2]) -> f64 {
+    let logarithm = |d: f64| {
+        if d == 0.0 {
+            return FRAC_PI_2.ln();
+        }
+        (2.0 * (FRAC_PI_2 * d).sin() / (d * (2.0 - d))).ln()
+    };
+    let nodes = |[from, to]: [f64; 2]| {
+        [(-GAUSS_NODE, GAUSS_WEIGHTS[0]), (0.0, GAUSS_WEIGHTS[1]), (GAUSS_NODE, GAUSS_WEIGHTS[0])]
+            .map(|(u, weight)| (0.5 * (from + to) + 0.5 * (to - from) * u, weight))
+    };
+    let mut sum = 0.0;
+    for (x, one) in nodes(left) {
+        for (s, other) in nodes(right) {
+            sum += one * other * logarithm(s - x);
+        }
+    }
+    sum
 }
 
 /// The mean of `|x - s|^-mu` over two intervals, the first the same or left of the second.

@@ -318,6 +318,21 @@ mod tests {
     use crate::kernel::Logarithm;
 
     #[test]
+    fn on_a_circle_the_inverse_of_groups_is_positive() {
+        // A constant gives nothing over the whole circle, of which rounded means must not make less.
+        let cuts: Vec<f64> = (0..=100).map(|i| f64::from(i) / 50.0 - 1.0).collect();
+        let bounds = cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        let panels = Panels::new(bounds, 8).unwrap();
+        for (theta, longest) in [(1.0, 0.5), (1e3, 0.1), (1e5, 0.02)] {
+            let groups = Groups::new(PanelKernel::Sine, &panels, theta, longest).unwrap();
+            let ones = vec![1.0; panels.count()];
+            for value in groups.roughly_inverted(&panels, &ones) {
+                assert!((value - 1.0).abs() < 0.05, "{theta}: {value}");
+            }
+        }
+    }
+
+    #[test]
     fn the_flat_punch_agrees_with_sinc_collocation() {
         // Panels that close in on both ends, where the solution has d ln d.
         let mut cuts: Vec<f64> = (-19..=19).map(|i| f64::from(i) * 0.05).collect();

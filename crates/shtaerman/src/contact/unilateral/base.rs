@@ -248,6 +248,11 @@ impl<'p> Base<'p> {
         !self.medium.is_disk() && self.layer.is_linear()
     }
 
+    /// Whether a zone is the whole circle of a wave without gaps.
+    pub(super) fn is_joined(&self, zone: &Zone) -> bool {
+        self.medium.is_closed() && zone.length() >= 2.0
+    }
+
     /// Zones to begin with, found on about this many cells.
     pub(super) fn first_zones(&self, cells: usize) -> Result<Vec<Zone>, Error> {
         if self.is_plain() { topology::find(self, cells) } else { coarse::find(self, cells) }

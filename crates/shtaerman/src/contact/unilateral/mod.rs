@@ -179,12 +179,13 @@ fn bent_wave(base: &Base<'_>) -> Result<Option<Answer>, Error> {
     if !base.has_panels() || !is_measured && base.breaks.is_empty() {
         return Ok(None);
     }
-    let Some(full) = spots::solve_whole(&base.kept())? else { return Ok(None) };
+    // Where panels do not serve series may.
+    let Ok(Some(full)) = spots::solve_whole(&base.kept()) else { return Ok(None) };
     let Some(least) = full.pulls_most() else {
         return Ok(Some(Answer::Spots(Box::new(full.lifting()))));
     };
     let cut = coarse::gap(base, base.cells())?.unwrap_or(least);
-    open(&base.clone().shifted(cut)).map(Some)
+    Ok(open(&base.clone().shifted(cut)).ok())
 }
 
 /// The answer by the method that suits the profile, or by the other.

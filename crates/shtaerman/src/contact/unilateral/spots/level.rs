@@ -17,6 +17,9 @@ const MOST_NODES: usize = 400_000;
 /// Longest groups, in lengths of the layer, and about the most groups beyond the number of zones.
 const GROUP: f64 = 0.25;
 const MOST_GROUPS: f64 = 400.0;
+/// How panels that are too long are shortened, and how far.
+const SHORTER: f64 = 0.25;
+const SHORTEST: f64 = 1e-3;
 /// Edges this close to a wall are there.
 const BESIDE: f64 = 1e-12;
 /// Rounding of the right-hand side.
@@ -83,15 +86,10 @@ impl Level {
         effort: Effort,
         known: Option<&Self>,
     ) -> Result<Option<(Self, System)>, Error> {
-        let bounds = panels(base, joints, zones, effort.fineness, MOST_NODES);
-        let (Some(chart), Some(bounds)) = (Chart::new(base), bounds) else { return Ok(None) };
-        let local = |xi: f64| chart.local(xi).clamp(-1.0, 1.0);
-        let bounds: Vec<[f64; 2]> = bounds.into_iter().map(|panel| panel.map(local)).collect();
-        if bounds.iter().any(|[left, right]| left >= right) {
+        let Some(chart) = Chart::new(base) else { return Ok(None) };
+        let Some(operator) = operator(base, &chart, joints, zones, effort.fineness)? else {
             return Ok(None);
-        }
-        let panels = Panels::new(bounds, effort.fineness.order)?;
-        let operator = PanelOperator::new(chart.kernel, panels)?;
+        };
         let panels = operator.panels();
         let parameter = base.theta * chart.half();
         let total = zones.iter().map(Zone::length).sum::<f64>() / chart.half();
@@ -240,6 +238,33 @@ impl Level {
             }
         }
         zones
+    }
+}
+
+/// The operator on panels of these zones; none where there are too many nodes. Where they crowd beside long panels, whose neighbours all act directly, those are cut.
+fn operator(
+    base: &Base<'_>,
+    chart: &Chart,
+    joints: &[f64],
+    zones: &[Zone],
+    mut fineness: Fineness,
+) -> Result<Option<PanelOperator>, Error> {
+    loop {
+        let Some(bounds) = panels(base, joints, zones, fineness, MOST_NODES) else {
+            return Ok(None);
+        };
+        let local = |xi: f64| chart.local(xi).clamp(-1.0, 1.0);
+        let bounds: Vec<[f64; 2]> = bounds.into_iter().map(|panel| panel.map(local)).collect();
+        if bounds.iter().any(|[left, right]| left >= right) {
+            return Ok(None);
+        }
+        let panels = Panels::new(bounds, fineness.order)?;
+        match PanelOperator::new(chart.kernel, panels) {
+            Err(fredholm::Error::TooLarge { .. }) if fineness.longest > SHORTEST => {
+                fineness.longest *= SHORTER;
+            }
+            operator => return Ok(Some(operator?)),
+        }
     }
 }
 

@@ -7,8 +7,8 @@ use crate::contact::unilateral::zones::Zone;
 const GROWTH: f64 = 0.8;
 const CORNER_GROWTH: f64 = 0.6;
 const POINT_GROWTH: f64 = 0.6;
-/// Longest panels of the base.
-const LONGEST: f64 = 1.0 / 32.0;
+/// Longest panels of the base, from the first to be tried.
+pub(super) const LONGEST: f64 = 1.0 / 32.0;
 /// All of them for the logarithm: on graded ground `ln d` is a power `d^-mu`, and the panels have the lengths that make as much of it.
 /// The panel at a measured point, where the third derivative jumps and the pressure goes on as `d^4 ln d`, in lengths `1/theta0` of the layer.
 const POINT: f64 = 0.1;
@@ -36,6 +36,8 @@ pub(super) struct Fineness {
     pub(super) order: usize,
     /// Factor of the lengths of the panels at the ends of zones and at kinks.
     pub(super) ends: f64,
+    /// Longest panels of the base.
+    pub(super) longest: f64,
 }
 
 /// A place towards which panels get shorter.
@@ -91,10 +93,10 @@ pub(super) fn panels(
                 }
                 let mut pieces = vec![[left, right]];
                 if !is_measured {
-                    pieces = resolved(base, [left, right], fineness.order);
+                    pieces = resolved(base, [left, right], fineness);
                 }
                 for piece in pieces {
-                    graded(&anchors, piece, &mut panels);
+                    graded(&anchors, piece, fineness.longest, &mut panels);
                 }
                 left = right;
             }
@@ -121,7 +123,10 @@ fn ends(base: &Base<'_>, zone: &Zone, fineness: Fineness) -> [Anchor; 2] {
     let layer = layer(base);
     [0, 1].map(|side| {
         let end = zone.ends[side];
-        let (least, growth) = if end.is_free {
+        let (least, growth) = if base.is_joined(zone) {
+            // The seam of a wave that touches all over is no corner.
+            (share(base, KINK, 2.0) * layer, CORNER_GROWTH)
+        } else if end.is_free {
             let root = (zone.length().min(LONG) * layer).sqrt();
             (share(base, FREE.sqrt(), 2.0) * root, GROWTH)
         } else {
@@ -147,7 +152,7 @@ fn bend(base: &Base<'_>, piece: [f64; 2], is_left: bool, fineness: Fineness) -> 
 }
 
 /// Cuts a piece so that its parts grow with their distances from all of these places.
-fn graded(anchors: &[Anchor], piece: [f64; 2], panels: &mut Vec<[f64; 2]>) {
+fn graded(anchors: &[Anchor], piece: [f64; 2], longest: f64, panels: &mut Vec<[f64; 2]>) {
     let mut left_to_do = vec![piece];
     while let Some([left, right]) = left_to_do.pop() {
         let length = right - left;
@@ -155,7 +160,7 @@ fn graded(anchors: &[Anchor], piece: [f64; 2], panels: &mut Vec<[f64; 2]>) {
             .min_by(|(one, _), (other, _)| one.total_cmp(other));
         let cut = match tightest {
             Some((allowed, anchor)) if length > SLACK * allowed => anchor.cut([left, right]),
-            _ if length > LONGEST => 0.5 * (left + right),
+            _ if length > longest => 0.5 * (left + right),
             _ => right,
         };
         if cut > left && cut < right {
@@ -167,12 +172,13 @@ fn graded(anchors: &[Anchor], piece: [f64; 2], panels: &mut Vec<[f64; 2]>) {
 }
 
 /// Halves of a piece until the profile is a polynomial on each.
-fn resolved(base: &Base<'_>, piece: [f64; 2], order: usize) -> Vec<[f64; 2]> {
+fn resolved(base: &Base<'_>, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2]> {
+    let Fineness { order, longest, .. } = fineness;
     let mut pieces = Vec::new();
     let mut left_to_do = vec![(piece, 0)];
     while let Some(([left, right], halvings)) = left_to_do.pop() {
         let middle = 0.5 * (left + right);
-        let is_long = right - left > LONGEST;
+        let is_long = right - left > longest;
         if halvings < HALVINGS && (is_long || !is_polynomial(base, [left, right], order)) {
             left_to_do.extend([([middle, right], halvings + 1), ([left, middle], halvings + 1)]);
         } else {

@@ -25,16 +25,28 @@ use crate::Error;
 use crate::contact::solution::Solution;
 use estimate::estimate;
 use level::{Effort, Level, Sampled, System};
-use mesh::Fineness;
+use mesh::{Fineness, LONGEST};
 use responses::Responses;
 
 /// Most rounds on the way to the zones.
 const ROUNDS: usize = 12;
 /// Panels on which the zones are found, those whose answer is compared, and those of the answer: with the relative residuals.
 const LADDER: [Effort; 3] = [
-    Effort { fineness: Fineness { order: 4, ends: 4.0 }, residual: 1e-6, has_responses: false },
-    Effort { fineness: Fineness { order: 10, ends: 2.0 }, residual: 1e-11, has_responses: true },
-    Effort { fineness: Fineness { order: 13, ends: 1.0 }, residual: 1e-14, has_responses: true },
+    Effort {
+        fineness: Fineness { order: 4, ends: 4.0, longest: LONGEST },
+        residual: 1e-6,
+        has_responses: false,
+    },
+    Effort {
+        fineness: Fineness { order: 10, ends: 2.0, longest: LONGEST },
+        residual: 1e-11,
+        has_responses: true,
+    },
+    Effort {
+        fineness: Fineness { order: 13, ends: 1.0, longest: LONGEST },
+        residual: 1e-14,
+        has_responses: true,
+    },
 ];
 /// Pressure at free edges over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off.
 const GOOD: [f64; 3] = [1e-4, 1e-6, 1e-7];
