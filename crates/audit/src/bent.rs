@@ -2,7 +2,9 @@
 
 use crate::bound::{Answer, Bound, MOST_WINDOWS, Prescribed, Problem, Refusal, resample};
 use crate::density::Density;
+use crate::distance::narrow_potential;
 use crate::kernel::Kernel;
+use crate::norms::mass;
 use crate::open::free_ends;
 use crate::sampled::{Field, Seen, cover, largest};
 use crate::shape::Shape;
@@ -10,8 +12,6 @@ use crate::{Profile, layer};
 
 /// Unit of rounding.
 const UNIT: f64 = 0.5 * f64::EPSILON;
-/// Roundings of an integral of the pressure in units of the integral of its size.
-const SUMMED: f64 = 48.0;
 /// Places of a panel where the answer is compared with its resampled pressure.
 const COMPARED: [f64; 3] = [0.071_828, 0.371_828, 0.914_159];
 
@@ -86,13 +86,7 @@ impl Field for Audit<'_> {
 
 /// A bound of the potential of a density of size one on an interval of this width.
 fn narrow(width: f64, kernel: Kernel) -> f64 {
-    let mu = kernel.singularity().exponent();
-    let own = if mu == 0.0 {
-        width * (3.0 + width.ln().abs())
-    } else {
-        4.0 * width.powf(1.0 - mu) / (1.0 - mu)
-    };
-    own.min(kernel.mass())
+    narrow_potential(width, kernel).min(mass(kernel, 1.0))
 }
 
 /// The constant after whose addition the kernel has the complete maximum principle, and the energy `V` of the equilibrium without it.
@@ -174,7 +168,7 @@ impl Audit<'_> {
         let together: Vec<Seen> = seen().copied().collect();
         let potential = |width: f64| self.problem.theta * narrow(width, self.problem.kernel);
         let largest = largest(&together, softest, potential);
-        let given = SUMMED * UNIT * self.shape.total;
+        let given = self.shape.rounding[0].max(self.shape.rounding[1]);
         let missing = |prescribed: Option<f64>, own: f64| {
             prescribed.map_or(0.0, |value| (value - own).abs() + given)
         };

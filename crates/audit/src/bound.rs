@@ -1,21 +1,23 @@
 //! From the residual of an answer to the errors of its parts.
 
 use crate::Profile;
+use crate::allowance::allowance;
 use crate::density::{Density, Panel};
+use crate::displacements::Line;
+use crate::distance::{Distance, Windows};
 use crate::kernel::Kernel;
-use crate::residual::{Bounded, Residual, blur};
-use crate::sample::{negative_part, panels};
+use crate::norms::Reach;
+use crate::residual::{Bounded, Residual};
+use crate::sample::{halves, panels};
 use crate::shape::{Shape, restored};
 
 /// Most panels and windows: beyond them an answer is not audited.
 pub(crate) const MOST_PANELS: usize = 60_000;
-pub(crate) const MOST_WINDOWS: usize = 200_000;
-/// A pressure is resampled to this many roundings of what it is computed from.
-const RESOLVED: f64 = 4.0;
-/// Unit of rounding.
-const UNIT: f64 = 0.5 * f64::EPSILON;
-/// Roundings of an integral of the pressure in units of the integral of its size: compensated sums of products of three computed factors.
-const SUMMED: f64 = 48.0;
+pub(crate) const MOST_WINDOWS: usize = 50_000;
+/// A pressure is resampled to this share of what is allowed.
+const RESOLVED: f64 = 0.3;
+/// Places of a zone where the size of the pressure is looked at.
+const SAMPLES: u32 = 32;
 /// Places of a panel where the answer is compared with its resampled pressure, between the nodes of both.
 const COMPARED: [f64; 2] = [0.271_828, 0.914_159];
 
@@ -110,8 +112,25 @@ pub enum Refusal {
 /// # Errors
 /// [`Refusal`] where no bound was found: nothing is then known of the answer.
 pub fn audit(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Bound, Refusal> {
-    let sampled = resample(problem, answer)?;
-    let (sampled, shape) = restored(problem, &sampled)?;
+    resample(problem, answer).and_then(|panels| bound(problem, answer, &panels))
+}
+
+/// The same on panels half as long: a second bound from other numbers, with which the first can be compared.
+///
+/// # Errors
+/// Those of [`audit`].
+pub fn audit_on_halved_panels(
+    problem: &Problem<'_>,
+    answer: &Answer<'_>,
+) -> Result<Bound, Refusal> {
+    let panels = resample(problem, answer)?;
+    let halved: Vec<Panel> =
+        panels.iter().flat_map(|panel| halves(answer.pressure, panel)).collect();
+    bound(problem, answer, &halved)
+}
+
+fn bound(problem: &Problem<'_>, answer: &Answer<'_>, sampled: &[Panel]) -> Result<Bound, Refusal> {
+    let (sampled, shape) = restored(problem, sampled)?;
     let density = Density::new(problem.kernel, sampled);
     let mut audit =
         Audit { problem, answer, density, shape, settlement: answer.settlement, tilt: answer.tilt };
@@ -123,22 +142,22 @@ pub fn audit(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Bound, Refusa
 pub(crate) fn resample(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Vec<Panel>, Refusal> {
     let mut scale = 0.0f64;
     for [left, right] in answer.zones {
-        for i in 0..32 {
-            let x = left + (right - left) * (f64::from(i) + 0.5) / 32.0;
+        for i in 0..=SAMPLES {
+            let x = left + (right - left) * f64::from(i) / f64::from(SAMPLES);
             scale = scale.max((answer.pressure)(x).abs());
         }
     }
     if scale.is_nan() || scale <= 0.0 || scale.is_infinite() {
         return Err(Refusal::NoPressure);
     }
-    let tolerance = RESOLVED * UNIT * (4.0 + problem.theta) * scale;
+    let tolerance = |width: f64| RESOLVED * scale * allowance(problem.theta, width);
     let mut found = Vec::new();
     for zone in answer.zones {
         let is_done = panels(
             answer.pressure,
             *zone,
             problem.cuts,
-            (tolerance, scale),
+            (&tolerance, scale),
             MOST_PANELS,
             &mut found,
         );
@@ -150,73 +169,38 @@ pub(crate) fn resample(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Vec
     if is_finite && !found.is_empty() { Ok(found) } else { Err(Refusal::NoPressure) }
 }
 
-/// Sums over windows.
-#[derive(Debug, Clone, Copy, Default)]
-struct Norms {
-    /// `||w~||` squared, and `||w~||_1` in the zones, without what could not be resolved.
-    square: f64,
-    sum: f64,
-    /// `||w~||_1`, `||w~||` squared of that, and the potential it can have.
-    narrow_sum: f64,
-    narrow_square: f64,
-    narrow_potential: f64,
-    /// The largest `|w~|` at numbers of the machine.
-    largest: f64,
-}
-
-/// A bound of the potential of a density of size one on an interval of this width.
-fn narrow_potential(width: f64, kernel: Kernel) -> f64 {
-    let mu = kernel.singularity().exponent();
-    if mu == 0.0 {
-        width * (3.0 + width.ln().abs() + kernel.constant().abs())
-    } else {
-        4.0 * width.powf(1.0 - mu) / (1.0 - mu)
-    }
-}
-
 pub(crate) struct Audit<'a> {
     pub(crate) problem: &'a Problem<'a>,
     pub(crate) answer: &'a Answer<'a>,
     pub(crate) density: Density,
-    shape: Shape,
+    pub(crate) shape: Shape,
     /// Numbers for settlement and tilt: those prescribed, or any.
-    settlement: f64,
-    tilt: f64,
+    pub(crate) settlement: f64,
+    pub(crate) tilt: f64,
 }
 
-/// What is known of the distance between the true pressure and the resampled one.
-#[derive(Debug, Clone, Copy)]
-struct Distance {
-    /// `||w~||`, of the density that is admissible to the last digit.
-    residual: f64,
-    /// `||p - q||`.
-    mean_square: f64,
-    /// What else the pressure at a place is off by, beside the free displacements.
-    pressure: f64,
-    /// `theta |K (p - q)|` at any place.
-    potential: f64,
-    /// `||w~||_1`.
-    sum: f64,
+/// What is known of the errors.
+struct Errors {
+    distance: Distance,
+    line: Line,
+    doubles: bool,
 }
 
-/// Bounds of a line `d - a x`.
-#[derive(Debug, Clone, Copy)]
-struct Line {
-    /// Of its value at the middle.
-    level: f64,
-    /// Of its slope.
-    slope: f64,
-    middle: f64,
-}
-
-impl Line {
-    /// Of its values on `[-1, 1]`.
-    fn largest(&self) -> f64 {
-        self.level + self.slope * (1.0 + self.middle.abs())
+impl Errors {
+    /// Of the pressure at a place, beside what its own potential leaves to it.
+    fn place(&self) -> f64 {
+        self.distance.pressure + self.line.largest()
     }
 
-    fn at_origin(&self) -> f64 {
-        self.level + self.slope * self.middle.abs()
+    /// Of what the residual is off by outside the zones.
+    fn margin(&self) -> f64 {
+        let left = if self.doubles { self.place() } else { 0.0 };
+        left + self.distance.potential + self.line.largest()
+    }
+
+    fn pressure(&self) -> f64 {
+        let twice = if self.doubles { 2.0 } else { 1.0 };
+        twice * self.place() + self.distance.potential
     }
 }
 
@@ -224,11 +208,17 @@ impl Audit<'_> {
     fn residual(&self) -> Residual<'_> {
         Residual {
             density: &self.density,
+            pressure: self.answer.pressure,
             profile: self.problem.profile,
+            cuts: self.problem.cuts,
             theta: self.problem.theta,
             settlement: self.settlement,
             tilt: self.tilt,
             scaled: self.problem.scaled,
+            free: [
+                self.problem.prescribed.force.is_some(),
+                self.problem.prescribed.moment.is_some(),
+            ],
         }
     }
 
@@ -291,176 +281,77 @@ impl Audit<'_> {
         for gap in self.gaps() {
             residual.beside_zones(gap, MOST_WINDOWS, &mut gaps).map_err(refused)?;
         }
-        let distance = self.distance(&zones, &gaps);
-        let line = self.displacements(&distance);
-        let free = line.largest();
-        let kernel = self.problem.kernel;
-        let twice = if kernel.doubles(self.problem.theta) { 2.0 } else { 1.0 };
-        let pressure = twice * (distance.pressure + free) + distance.potential;
-        let contact = self.contact_length(&gaps, distance.potential + free).sqrt();
-        let moved = contact * distance.mean_square + distance.sum;
-        let Prescribed { force, moment } = self.problem.prescribed;
-        let off = |given: bool, value: f64| if given { 0.0 } else { value };
-        Ok(Bound {
-            mean_square: distance.mean_square,
-            pressure: pressure + self.resampled(),
-            settlement: off(
-                force.is_none(),
-                line.at_origin() + (self.settlement - self.answer.settlement).abs(),
-            ),
-            tilt: off(moment.is_none(), line.slope + (self.tilt - self.answer.tilt).abs()),
-            force: off(force.is_some(), moved + (self.answer.force - self.shape.force).abs()),
-            moment: off(moment.is_some(), moved + (self.answer.moment - self.shape.moment).abs()),
-            ends: self.ends(&gaps, pressure, distance.potential + free),
-            residual: distance.residual,
-            panels: self.density.panels.len(),
-            windows: zones.len() + gaps.len(),
-        })
+        let windows = Windows { zones: &zones, gaps: &gaps };
+        // First with all of the base, then with what of it may be in contact.
+        let whole = self.hull(&windows, f64::INFINITY);
+        let found = self.errors(&windows, whole);
+        let near = self.hull(&windows, found.margin());
+        let found = if near[1] - near[0] < whole[1] - whole[0] {
+            self.errors(&windows, near)
+        } else {
+            found
+        };
+        Ok(self.stated(&windows, &found))
     }
 
-    /// How far the answer's pressure is from the resampled one between the nodes.
-    fn resampled(&self) -> f64 {
+    /// The interval of the zones and of the windows beside them where the residual is at most `margin`.
+    fn hull(&self, windows: &Windows<'_>, margin: f64) -> [f64; 2] {
+        let zones = self.answer.zones.iter().copied();
+        let open = windows.open(margin).map(|window| [window.left, window.right]);
+        zones
+            .chain(open)
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[first, last], [left, right]| {
+                [first.min(left), last.max(right)]
+            })
+    }
+
+    /// All errors, where the difference from the truth lives in an interval.
+    fn errors(&self, windows: &Windows<'_>, interval: [f64; 2]) -> Errors {
+        let is_neutral = self.problem.prescribed.force.is_some();
+        let reach = Reach::new(self.problem.kernel, self.problem.theta, interval, is_neutral);
+        let distance = self.distance(windows, &reach);
+        let line = self.displacements(&distance, &reach);
+        Errors { distance, line, doubles: reach.doubles() }
+    }
+
+    fn stated(&self, windows: &Windows<'_>, found: &Errors) -> Bound {
+        let Errors { distance, line, .. } = found;
+        let (margin, pressure) = (found.margin(), found.pressure());
+        let open: f64 = windows.open(margin).map(|window| window.right - window.left).sum();
+        let moved = (self.shape.length + open).sqrt() * distance.mean_square + distance.sum;
+        let Prescribed { force, moment } = self.problem.prescribed;
+        let off = |given: bool, value: f64| if given { 0.0 } else { value };
+        // Settlement and tilt also take up what a last correction and the scaling do to them.
+        let taken = distance.taken + self.problem.scaled;
+        let settlement =
+            (self.settlement - self.answer.settlement).abs() + taken * self.settlement.abs();
+        let tilt = (self.tilt - self.answer.tilt).abs() + taken * self.tilt.abs();
+        Bound {
+            mean_square: distance.mean_square,
+            pressure: pressure + self.resampled(windows.zones),
+            settlement: off(force.is_none(), line.at_origin() + settlement),
+            tilt: off(moment.is_none(), line.slope + tilt),
+            force: off(force.is_some(), moved + (self.answer.force - self.shape.force).abs()),
+            moment: off(moment.is_some(), moved + (self.answer.moment - self.shape.moment).abs()),
+            ends: self.ends(windows.gaps, pressure, margin),
+            residual: distance.residual,
+            panels: self.density.panels.len(),
+            windows: windows.zones.len() + windows.gaps.len(),
+        }
+    }
+
+    /// How far the answer's pressure is from the resampled one between the nodes; in windows of some units of the machine that counts at each of its numbers already.
+    fn resampled(&self, zones: &[Bounded]) -> f64 {
+        let is_resolved = |x: f64| {
+            let window = zones.get(zones.partition_point(|window| window.right < x));
+            !window.is_some_and(|window| window.is_narrow && window.left <= x)
+        };
         let places = self.density.panels.iter().flat_map(|panel| {
             COMPARED.map(|t| (panel, panel.left + t * (panel.right - panel.left)))
         });
         places
+            .filter(|(_, x)| is_resolved(*x))
             .map(|(panel, x)| (panel.evaluate(x) - (self.answer.pressure)(x)).abs())
             .fold(0.0, f64::max)
-    }
-
-    fn norms(&self, windows: impl Iterator<Item = Bounded>) -> Norms {
-        let mut norms = Norms::default();
-        for window in windows {
-            let width = window.right - window.left;
-            norms.largest = norms.largest.max(window.at_numbers);
-            if window.is_narrow {
-                norms.narrow_sum += window.largest * width;
-                norms.narrow_square += window.largest * window.largest * width;
-                norms.narrow_potential +=
-                    window.largest * narrow_potential(width, self.problem.kernel);
-            } else {
-                norms.square += window.norm * window.norm;
-                norms.sum += window.largest * width;
-            }
-        }
-        norms
-    }
-
-    /// Jumps of the base lie within some roundings of where windows have them.
-    fn add_jumps(&self, norms: &mut Norms) {
-        for cut in self.problem.cuts.iter().filter(|cut| self.density.panel_at(**cut).is_some()) {
-            let blur = blur(cut.abs());
-            let [low, high] = self.problem.profile.range([cut - blur, cut + blur]);
-            let (jump, width) = (high - low, 2.0 * blur);
-            norms.narrow_sum += jump * width;
-            norms.narrow_square += jump * jump * width;
-            norms.narrow_potential += jump * narrow_potential(width, self.problem.kernel);
-        }
-    }
-
-    /// The theorem, with what keeps the density from being admissible to the last digit.
-    fn distance(&self, zones: &[Bounded], gaps: &[Bounded]) -> Distance {
-        let (kernel, theta) = (self.problem.kernel, self.problem.theta);
-        let mut norms = self.norms(zones.iter().chain(gaps).copied());
-        self.add_jumps(&mut norms);
-        // What is negative is cut off.
-        let [mut square, mut sum, mut depth] = [0.0f64; 3];
-        if !self.problem.is_bilateral {
-            for panel in &self.density.panels {
-                let [a, b, c] = negative_part(panel);
-                (square, sum, depth) = (square + a, sum + b, depth.max(c));
-            }
-        }
-        let negative = square.sqrt();
-        // On windows that could not be resolved the density is what its own potential makes it: a change by w~ there.
-        let absorbed = theta
-            * (norms.narrow_sum * kernel.row_norm())
-                .min(norms.narrow_square.sqrt() * kernel.mass());
-        // Force and moment are met by a last correction.
-        let shape = &self.shape;
-        let rounding = SUMMED * UNIT * shape.total + norms.narrow_sum + sum;
-        let defect = |prescribed: Option<f64>, found: f64| {
-            prescribed.map_or(0.0, |value| {
-                (value - found).abs() + rounding + self.problem.scaled * value.abs()
-            })
-        };
-        let Prescribed { force, moment } = self.problem.prescribed;
-        let [off, turned] = [defect(force, shape.force), defect(moment, shape.moment)];
-        let level = off / shape.mass;
-        let lean = (turned + off * shape.mean.abs()) / shape.square;
-        let corrected = level * shape.norm + lean * shape.leaning;
-        let largest = if self.problem.is_bilateral { 1.0 } else { self.density.largest() };
-        let highest = largest * (level + lean * shape.reach);
-        let strength = 1.0 + theta * kernel.mass();
-        let residual = norms.square.sqrt() + absorbed + strength * (negative + corrected);
-        let beside = theta * (norms.narrow_potential + kernel.mass() * (depth + highest));
-        Distance {
-            residual,
-            mean_square: residual + negative + corrected,
-            pressure: norms.largest + depth + highest,
-            potential: kernel.smoothing(theta) * residual + beside,
-            sum: norms.sum + norms.narrow_sum + sum,
-        }
-    }
-
-    /// Length of the zones and of what may be in contact beside them.
-    fn contact_length(&self, gaps: &[Bounded], margin: f64) -> f64 {
-        let open = gaps.iter().filter(|window| window.least <= margin);
-        self.shape.length + open.map(|window| window.right - window.left).sum::<f64>()
-    }
-
-    /// Bounds of what the free ones of settlement and tilt are off by: `[|d - a m|, |a|]` about a place `m` of the zones, and `m`.
-    ///
-    /// Where both pressures are positive `d - a x = e + w + theta K e`: a line whose norm there is known. Where `p` vanishes, `e = -q`, so that this can only be where `q` is small,
-    /// but for a set of the measure `(||e||/t)^2` on `q >= t`.
-    fn displacements(&self, distance: &Distance) -> Line {
-        let Prescribed { force, moment } = self.problem.prescribed;
-        let mut line = Line { level: 0.0, slope: 0.0, middle: 0.0 };
-        if force.is_none() && moment.is_none() {
-            return line;
-        }
-        let (theta, mass) = (self.problem.theta, self.problem.kernel.mass());
-        let norm = distance.mean_square + distance.residual * (1.0 + 0.5 * (theta * mass).sqrt());
-        let [length, middle, square, lost] = self.firm_part(distance.mean_square);
-        // A line about the origin where only one of both is free.
-        let about = if force.is_some() && moment.is_some() { middle } else { 0.0 };
-        let square = square + length * (middle - about) * (middle - about);
-        let reach = (middle - about).abs() + self.shape.reach + (middle - self.shape.mean).abs();
-        let share = match (force.is_some(), moment.is_some()) {
-            (true, true) => 2.0 * lost * (1.0 / length + reach * reach / square),
-            (true, false) => lost / length,
-            _ => lost * reach * reach / square,
-        };
-        let norm = if share < 0.5 { norm / (1.0 - share).sqrt() } else { f64::INFINITY };
-        line.middle = about;
-        line.level = if force.is_some() { norm / length.sqrt() } else { 0.0 };
-        line.slope = if moment.is_some() { norm / square.sqrt() } else { 0.0 };
-        line
-    }
-
-    /// Length, middle and second moment about it of panels where the pressure is firmly positive, and the measure on them where the true one may vanish.
-    fn firm_part(&self, off: f64) -> [f64; 4] {
-        let whole: f64 = self.shape.length;
-        let mut least =
-            if self.problem.is_bilateral { -f64::INFINITY } else { self.density.largest() };
-        loop {
-            least *= 0.25;
-            let panels =
-                || self.density.panels.iter().filter(|p| p.coefficients[0] - p.swing >= least);
-            let sum = |u: &dyn Fn(&Panel) -> f64| -> f64 { panels().map(u).sum() };
-            let length = sum(&|p| p.right - p.left);
-            let is_last = least < f64::MIN_POSITIVE;
-            if length < 0.5 * whole && !is_last {
-                continue;
-            }
-            let middle = sum(&|p| (p.right - p.left) * p.middle()) / length;
-            let square = sum(&|p| {
-                let half = p.half();
-                2.0 * half * ((p.middle() - middle).powi(2) + half * half / 3.0)
-            });
-            // The pressure that has force and moment to the last digit is at least half as large.
-            let lost = if self.problem.is_bilateral { 0.0 } else { (2.0 * off / least).powi(2) };
-            return [length, middle, square, lost];
-        }
     }
 }

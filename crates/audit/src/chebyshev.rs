@@ -53,6 +53,19 @@ pub(crate) fn evaluate(coefficients: &[f64], t: f64) -> f64 {
     coefficients.first().map_or(0.0, |c| c + t * next - after)
 }
 
+/// Roundings of [`evaluate`] at a place that is itself off by four units, in units of the machine.
+///
+/// A step of Clenshaw's scheme is off by `2 |c_k| + 6 |b_(k+1)| + 2 |b_(k+2)|`, and the value by the sum of that with `|T_k| <= 1`; `b_k = sum c_j U_(j-k)`, `|U_n| <= n + 1`. The place:
+/// `|T_k'| <= k^2`.
+pub(crate) fn evaluated(coefficients: &[f64]) -> f64 {
+    (coefficients.iter().enumerate())
+        .map(|(k, c)| {
+            let k = k as f64;
+            c.abs() * (2.0 + 3.0 * k * (k + 1.0) + k * (k - 1.0) + 4.0 * k * k)
+        })
+        .sum()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -10,6 +10,7 @@
 //! The density is resampled by polynomials on panels; their potentials have closed forms; the profile is enclosed, not sampled, and the residual is bounded between the places where
 //! it is computed. Rounding is inside the bound. The chapter *The audit* of the book has the proofs.
 
+mod allowance;
 mod bent;
 mod bound;
 mod chebyshev;
@@ -17,20 +18,34 @@ mod chebyshev;
 mod closed;
 mod density;
 mod disk;
+mod displacements;
+mod distance;
 mod ends;
+mod far;
+mod fitted;
+mod heights;
 mod kernel;
 mod layer;
 mod legendre;
+mod narrow;
+mod near;
+mod norms;
 mod open;
+mod remainders;
 mod residual;
+mod row;
 mod sample;
 mod sampled;
 mod shape;
 #[cfg(test)]
+mod slow;
+mod sum;
+#[cfg(test)]
 mod tests;
+mod windows;
 
 pub use bent::audit_bent;
-pub use bound::{Answer, Bound, Prescribed, Problem, Refusal, audit};
+pub use bound::{Answer, Bound, Prescribed, Problem, Refusal, audit, audit_on_halved_panels};
 pub use disk::{DiskProblem, audit_disk};
 pub use kernel::Kernel;
 

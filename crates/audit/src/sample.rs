@@ -1,7 +1,7 @@
 //! The density resampled: panels cut where it needs them.
 
 use crate::density::Panel;
-use crate::legendre::{ORDER, RULE};
+use crate::legendre::{ORDER, RULE, evaluate};
 
 /// The last coefficients, whose size tells whether a panel resolves the density.
 const TAIL: usize = 3;
@@ -12,8 +12,12 @@ const LONGEST: f64 = 0.5;
 /// What is left of the tail after a cut, from which on it is noise, where it is below this share of the density: a kink leaves a half.
 const STAGNANT: f64 = 0.75;
 const NOISE: f64 = 1e-7;
-/// Panels are not cut below this many units of the machine.
-const FINEST: f64 = 16.0 * f64::EPSILON;
+/// Panels are not cut below this many units of the machine, and below `COARSE` times that where the density changes as much from number to number.
+const FINEST: f64 = 64.0 * f64::EPSILON;
+const COARSE: f64 = 1e6;
+/// Panels shorter than this share of their distance from the origin have nodes that are rounded noticeably; so many corrections take that away.
+const ROUNDED: f64 = 1e-6;
+const CORRECTIONS: usize = 3;
 
 /// A part of a zone that is to be resolved.
 struct Part {
@@ -25,12 +29,12 @@ struct Part {
     tail: f64,
 }
 
-/// Panels of a zone from left to right on which the density is a polynomial to `tolerance`; none where they would be more than `most`.
+/// Panels of a zone from left to right on which the density is a polynomial to a tolerance for their widths; none where they would be more than `most`.
 pub(crate) fn panels(
     density: &dyn Fn(f64) -> f64,
     zone: [f64; 2],
     cuts: &[f64],
-    (tolerance, scale): (f64, f64),
+    (tolerance, scale): (&dyn Fn(f64) -> f64, f64),
     most: usize,
     found: &mut Vec<Panel>,
 ) -> bool {
@@ -45,7 +49,10 @@ pub(crate) fn panels(
         let width = part.right - part.left;
         let finest = FINEST * part.left.abs().max(part.right.abs());
         let is_noise = tail > STAGNANT * part.tail && tail < NOISE * scale;
-        let is_done = tail <= tolerance || is_noise || width <= finest;
+        let is_done = tail <= tolerance(width)
+            || is_noise
+            || width <= finest
+            || (width <= COARSE * finest && tail <= graininess(density, &panel));
         if is_done && width <= LONGEST {
             found.push(panel);
         } else {
@@ -68,13 +75,46 @@ pub(crate) fn panels(
 
 fn sampled(density: &dyn Fn(f64) -> f64, left: f64, right: f64) -> (Panel, f64) {
     let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
-    let mut values = [0.0; ORDER];
-    for (value, t) in values.iter_mut().zip(&RULE.nodes) {
-        *value = density((middle + half * t).clamp(left, right));
+    let (mut values, mut places) = ([0.0; ORDER], [0.0; ORDER]);
+    for ((value, place), t) in values.iter_mut().zip(&mut places).zip(&RULE.nodes) {
+        let x = (middle + half * t).clamp(left, right);
+        *value = density(x);
+        *place = ((x - left) - (right - x)) / (right - left);
     }
-    let coefficients = RULE.expand(&values);
+    let mut coefficients = RULE.expand(&values);
+    // Places are rounded: on short panels that matters where the density is steep. The polynomial is to have the values where they were taken.
+    if half < ROUNDED * middle.abs() {
+        for _ in 0..CORRECTIONS {
+            let mut missed = values;
+            for (value, t) in missed.iter_mut().zip(&places) {
+                *value -= evaluate(&coefficients, *t);
+            }
+            let change = RULE.expand(&missed);
+            coefficients.iter_mut().zip(change).for_each(|(c, change)| *c += change);
+        }
+    }
     let tail = coefficients[ORDER - TAIL..].iter().fold(0.0f64, |most, c| most.max(c.abs()));
     (Panel::new(left, right, coefficients), tail)
+}
+
+/// A panel as two, sampled anew; the panel itself where it is too short for that.
+pub(crate) fn halves(density: &dyn Fn(f64) -> f64, panel: &Panel) -> Vec<Panel> {
+    let middle = panel.middle();
+    if panel.right - panel.left <= FINEST * middle.abs() {
+        return vec![panel.clone()];
+    }
+    [[panel.left, middle], [middle, panel.right]]
+        .map(|[left, right]| sampled(density, left, right).0)
+        .to_vec()
+}
+
+/// What the density changes from one number of the machine to the next beside the ends of a panel: it cannot be told better.
+fn graininess(density: &dyn Fn(f64) -> f64, panel: &Panel) -> f64 {
+    let after = panel.left.next_up();
+    let before = panel.right.next_down();
+    let first = (density(after.next_up()) - density(after)).abs();
+    let last = (density(before) - density(before.next_down())).abs();
+    first.max(last)
 }
 
 /// The panel with its polynomial multiplied by `a + b x` plus `c + d x`, resampled at its nodes.

@@ -1,85 +1,108 @@
 //! Integrals of the resampled pressure, and the correction that gives it the prescribed force and moment.
 
 use crate::bound::{Prescribed, Problem, Refusal};
-use crate::density::Panel;
+use crate::density::{Panel, UNIT};
 use crate::sample::adjusted;
+use crate::sum::{Sum, two_product, two_sum};
+
+/// Roundings of the parts of a moment, and of their compensated sum.
+const SUMMED: f64 = 5.0;
+/// A pressure of both signs is corrected in proportion to itself where its integral is at least this share of that of its size; else by a line.
+const ONE_SIGN: f64 = 0.5;
+
+/// What a last correction adds to the pressure: `psi (a + b (x - m))`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Correction {
+    /// `psi = q`.
+    Proportional,
+    /// `psi = 1`.
+    Line,
+}
 
 /// Integrals of the pressure.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Shape {
-    /// `<1, q>`, the mean place `m`, and `<(x - m)^2, q>`; of bilateral contact those of 1 instead of `q`.
+    /// How force and moment are met.
+    pub(crate) correction: Correction,
+    /// `<1, psi>`, the mean place `m`, and `<(x - m)^2, psi>`.
     pub(crate) mass: f64,
     pub(crate) mean: f64,
     pub(crate) square: f64,
     /// The largest `|x - m|` in the zones.
     pub(crate) reach: f64,
-    /// `<1, q>` and `<x, q>`.
+    /// `<1, q>` and `<x, q>`, and bounds of their roundings.
     pub(crate) force: f64,
     pub(crate) moment: f64,
-    /// Of `psi = q`, or 1 in bilateral contact: `||psi||`, `||(x - m) psi||` and `int |q|`.
+    pub(crate) rounding: [f64; 2],
+    /// `||psi||` and `||(x - m) psi||`.
     pub(crate) norm: f64,
     pub(crate) leaning: f64,
-    pub(crate) total: f64,
     /// Length of the zones.
     pub(crate) length: f64,
 }
 
 impl Shape {
     pub(crate) fn new(panels: &[Panel], is_bilateral: bool) -> Self {
-        let weight = |q: f64| if is_bilateral { 1.0 } else { q };
         let nodes: Vec<(f64, f64, f64)> = (panels.iter())
             .flat_map(|panel| panel.nodes().zip(panel.at_nodes()))
             .map(|((x, length), q)| (x, length, q))
             .collect();
         let integral = |u: &dyn Fn(f64, f64) -> f64| -> f64 {
-            let mut sum = Sum::default();
-            for &(x, length, q) in &nodes {
-                sum.add(length * u(x, q));
-            }
-            sum.value()
+            nodes.iter().map(|(x, length, q)| length * u(*x, *q)).sum()
         };
-        let mass = integral(&|_, q| weight(q));
-        let mean = integral(&|x, q| x * weight(q)) / mass;
+        let ([force, moment], turned) = loads(panels);
+        let total = integral(&|_, q| q.abs());
+        let mut mean = moment / force;
+        let spread = |mean: f64| {
+            [
+                integral(&|x, q| (x - mean) * (x - mean) * q),
+                integral(&|x, q| (x - mean) * (x - mean) * q.abs()),
+            ]
+        };
+        let [around, size] = spread(mean);
+        let is_one_sign = force.abs() >= ONE_SIGN * total && around.abs() >= ONE_SIGN * size;
+        let correction =
+            if is_one_sign || !is_bilateral { Correction::Proportional } else { Correction::Line };
+        let psi = |q: f64| if correction == Correction::Line { 1.0 } else { q };
+        let mass = integral(&|_, q| psi(q));
+        if correction == Correction::Line {
+            mean = integral(&|x, _| x) / mass;
+        }
         let (first, last) = (panels[0].left, panels[panels.len() - 1].right);
         Self {
+            correction,
             mass,
             mean,
-            square: integral(&|x, q| (x - mean) * (x - mean) * weight(q)),
+            square: integral(&|x, q| (x - mean) * (x - mean) * psi(q)),
             reach: (mean - first).abs().max((last - mean).abs()),
-            force: integral(&|_, q| q),
-            moment: integral(&|x, q| x * q),
-            norm: integral(&|_, q| weight(q) * weight(q)).sqrt(),
-            leaning: integral(&|x, q| ((x - mean) * weight(q)).powi(2)).sqrt(),
-            total: integral(&|_, q| q.abs()),
+            force,
+            moment,
+            rounding: [2.0 * UNIT * force.abs() + UNIT * UNIT * total, SUMMED * UNIT * turned],
+            norm: integral(&|_, q| psi(q) * psi(q)).sqrt(),
+            leaning: integral(&|x, q| ((x - mean) * psi(q)).powi(2)).sqrt(),
             length: panels.iter().map(|panel| panel.right - panel.left).sum(),
         }
     }
 }
 
-/// A sum with what its additions lose (A. Neumaier, ZAMM 54 (1974) 39).
-#[derive(Default)]
-struct Sum {
-    value: f64,
-    lost: f64,
+/// `<1, q>` and `<x, q>` from the coefficients, `int P_0 = 2` and `int t P_1 = 2/3`; and the sizes of the parts of the moment.
+fn loads(panels: &[Panel]) -> ([f64; 2], f64) {
+    let (mut force, mut moment, mut size) = (Sum::default(), Sum::default(), 0.0);
+    for panel in panels {
+        let c = &panel.coefficients;
+        let (width, lost) = two_sum(panel.right, -panel.left);
+        let (product, error) = two_product(c[0], width);
+        force.add(product);
+        force.add(error + c[0] * lost);
+        for part in [panel.middle() * product, width * width * c[1] / 6.0] {
+            moment.add(part);
+            size += part.abs();
+        }
+    }
+    ([force.value(), moment.value()], size)
 }
 
-impl Sum {
-    fn add(&mut self, term: f64) {
-        let sum = self.value + term;
-        self.lost += if self.value.abs() >= term.abs() {
-            (self.value - sum) + term
-        } else {
-            (term - sum) + self.value
-        };
-        self.value = sum;
-    }
-
-    fn value(&self) -> f64 {
-        self.value + self.lost
-    }
-}
-
-/// The pressure multiplied by `1 + a + b (x - m)`, of bilateral contact with `a + b (x - m)` added, so that it has the prescribed force and moment to rounding.
+/// The pressure with `psi (a + b (x - m))` added, so that it has the prescribed force and moment to rounding.
 pub(crate) fn restored(
     problem: &Problem<'_>,
     sampled: &[Panel],
@@ -92,18 +115,15 @@ pub(crate) fn restored(
     let b = moment.map_or(0.0, |moment| (moment - turned) / shape.square);
     let change = a.abs() + b.abs() * shape.reach;
     let largest = sampled.iter().fold(0.0f64, |most, panel| most.max(panel.largest));
-    let most = if problem.is_bilateral { 0.5 * largest } else { 0.5 };
+    let most = if shape.correction == Correction::Line { 0.5 * largest } else { 0.5 };
     if change.is_nan() || change > most {
         return Err(Refusal::LoadNotMet);
     }
     let line = [a - b * shape.mean, b];
     let panels: Vec<Panel> = (sampled.iter())
-        .map(|panel| {
-            if problem.is_bilateral {
-                adjusted(panel, [1.0, 0.0], line)
-            } else {
-                adjusted(panel, [1.0 + line[0], line[1]], [0.0; 2])
-            }
+        .map(|panel| match shape.correction {
+            Correction::Line => adjusted(panel, [1.0, 0.0], line),
+            Correction::Proportional => adjusted(panel, [1.0 + line[0], line[1]], [0.0; 2]),
         })
         .collect();
     let shape = Shape::new(&panels, problem.is_bilateral);

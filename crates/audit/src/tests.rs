@@ -2,8 +2,9 @@
 
 use crate::density::{Density, Panel};
 use crate::kernel::Kernel;
-use crate::legendre::{ORDER, RULE, Seen, potentials};
-use crate::{Answer, Prescribed, Problem, Profile, audit};
+use crate::legendre::{ORDER, RULE};
+use crate::slow::{Seen, potentials};
+use crate::{Answer, Prescribed, Problem, Profile, audit, audit_on_halved_panels};
 
 /// `c x^2 + s x`, with derivatives as they are.
 struct Parabola {
@@ -243,9 +244,12 @@ fn check(
             worst = worst.max((pressure(x) - truth.evaluate(x)).abs());
         }
     }
+    let halved = audit_on_halved_panels(&problem, &answer).unwrap();
+    assert!(halved.panels > bound.panels);
     // The reference's own error is some roundings.
     let slack = 1e-13 * (1.0 + reference.theta) * truth.largest();
     assert!(bound.pressure >= worst - slack, "pressure {worst:e} {bound:?}");
+    assert!(halved.pressure >= worst - slack, "pressure {worst:e} {halved:?}");
     assert!(bound.settlement >= size - slack && bound.tilt >= 0.7 * size - slack, "{bound:?}");
     if size > 1e-9 {
         assert!(

@@ -74,6 +74,9 @@ impl std::fmt::Display for Unaudited {
     }
 }
 
+/// A way to bound the errors of an answer.
+type Auditor = fn(&shtaerman_audit::Problem<'_>, &Answer<'_>) -> Result<Bound, Refusal>;
+
 /// The base of a problem, enclosed.
 struct Base<'a>(&'a Problem);
 
@@ -153,6 +156,18 @@ impl Contact {
     /// # Errors
     /// [`Unaudited`] with the reason.
     pub fn audit(&self) -> Result<Audit, Unaudited> {
+        self.audit_by(shtaerman_audit::audit)
+    }
+
+    /// The same on panels half as long: a second bound from other numbers, with which the first can be compared.
+    ///
+    /// # Errors
+    /// Those of [`Contact::audit`].
+    pub fn audit_on_halved_panels(&self) -> Result<Audit, Unaudited> {
+        self.audit_by(shtaerman_audit::audit_on_halved_panels)
+    }
+
+    fn audit_by(&self, auditor: Auditor) -> Result<Audit, Unaudited> {
         // Heights are counted from the level from which they were solved: that loses no digits, and changes nothing but the settlement.
         let problem = self.solved();
         let (settlement, level) = self.solved_settlement0();
@@ -164,7 +179,7 @@ impl Contact {
         let is_level = problem.is_wave() || problem.is_symmetric();
         let prescribed =
             if is_level { Prescribed { moment: None, ..prescribed } } else { prescribed };
-        let zones = self.edges0();
+        let zones = if problem.is_wave() { within_period(&self.edges0()) } else { self.edges0() };
         let mut cuts = problem.profile().joints(frame.half_width());
         cuts.extend(problem.resolution(RESOLVED_DEGREE, RESOLVED).joints);
         cuts.sort_by(f64::total_cmp);
@@ -178,7 +193,7 @@ impl Contact {
             force: self.force0(),
             moment: self.moment0(),
         };
-        let (bound, is_bound) = self.bound(&posed, prescribed, &cuts, &answer)?;
+        let (bound, is_bound) = self.bound(auditor, &posed, (prescribed, &cuts), &answer)?;
         let is_bound = is_bound && !is_load_own;
         let kind = if is_bound { ErrorKind::Bound } else { ErrorKind::Estimate };
         let reason = match posed.is_bound() {
@@ -216,13 +231,30 @@ impl Contact {
     }
 }
 
+/// Zones of a wave within its period, `[-1, 1]`, from left to right: the solution lets them reach across the seam.
+fn within_period(zones: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let mut found = Vec::new();
+    for [left, right] in zones {
+        let back = 2.0 * (0.5 * (left + 1.0)).floor();
+        let [left, right] = [left - back, right - back];
+        if right > 1.0 {
+            found.extend([[left, 1.0], [-1.0, right - 2.0]]);
+        } else {
+            found.push([left, right]);
+        }
+    }
+    found.retain(|[left, right]| left < right);
+    found.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    found
+}
+
 impl Contact {
     /// The audit of what was posed, and whether it is a bound.
     fn bound(
         &self,
+        auditor: Auditor,
         posed: &Posed,
-        prescribed: Prescribed,
-        cuts: &[f64],
+        (prescribed, cuts): (Prescribed, &[f64]),
         answer: &Answer<'_>,
     ) -> Result<(Bound, bool), Unaudited> {
         let problem = self.solved();
@@ -247,7 +279,7 @@ impl Contact {
                     let stiffness = self.stiffness0().matrix();
                     shtaerman_audit::audit_bent(&posed, layer, stiffness, answer)
                 } else {
-                    shtaerman_audit::audit(&posed, answer)
+                    auditor(&posed, answer)
                 }
             }
             Posed::Disk(exponent, layer) => {

@@ -179,7 +179,7 @@ impl<'a> Audit<'a> {
         let tolerance = RESOLVED * UNIT * (4.0 + problem.theta.sqrt()) * scale;
         let mut found = Vec::new();
         for zone in zones {
-            let limits = (tolerance, scale);
+            let limits: (&dyn Fn(f64) -> f64, f64) = (&|_| tolerance, scale);
             if !sample::panels(density, *zone, problem.cuts, limits, MOST_PANELS, &mut found) {
                 return Err(Refusal::TooManyPanels);
             }

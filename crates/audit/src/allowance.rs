@@ -1,0 +1,18 @@
+//! How exact parts of the audit have to be for it to reach its aim.
+
+/// Unit of rounding.
+pub(crate) const UNIT: f64 = 0.5 * f64::EPSILON;
+
+/// In the mean square: three roundings of `theta q`, so that some ten times that, which is what the theorem makes of it, is below the aim.
+const MEAN_SQUARE: f64 = 1.0;
+/// At a place: a twentieth of the aim.
+const AT_A_PLACE: f64 = 25.0;
+/// Below this `theta` the aim does not fall.
+const LEAST: f64 = 40.0;
+
+/// What an interval of this width may add to the residual, relative to the largest pressure.
+///
+/// The aim is `1e-12 max(1, theta/10)` at every place, 9000 roundings. The mean square of the whole is more dear, since the theorem multiplies it; short intervals hardly count in it.
+pub(crate) fn allowance(theta: f64, width: f64) -> f64 {
+    UNIT * theta.max(LEAST) * (MEAN_SQUARE / width.sqrt()).min(AT_A_PLACE)
+}

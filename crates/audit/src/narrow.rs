@@ -1,0 +1,124 @@
+//! Windows of some units of the machine, which cannot be resolved further.
+
+use crate::density::Density;
+use crate::kernel::Singularity;
+use crate::residual::{Bounded, Residual, blur};
+
+/// Numbers of a window that are looked at one by one.
+const MOST_NUMBERS: usize = 40;
+/// In so many widths about a window the density is taken as a constant and what it differs from that.
+const VICINITY: f64 = 64.0;
+
+impl Residual<'_> {
+    /// Adds a window of some units of the machine: what is about a jump of the base for itself, since only there it is large.
+    pub(crate) fn narrow_parts(&self, [left, right]: [f64; 2], found: &mut Vec<Bounded>) {
+        let first = self.cuts.partition_point(|cut| *cut <= left);
+        let mut from = left;
+        for cut in self.cuts[first..].iter().take_while(|cut| **cut < right) {
+            let blur = blur(cut.abs());
+            for to in [cut - blur, cut + blur] {
+                let to = to.clamp(from, right);
+                if to > from {
+                    found.push(self.narrow([from, to]));
+                }
+                from = to;
+            }
+        }
+        if right > from {
+            found.push(self.narrow([from, right]));
+        }
+    }
+
+    /// A window of some units of the machine: its numbers one by one, and between them what can be at most.
+    fn narrow(&self, [left, right]: [f64; 2]) -> Bounded {
+        let is_inside = self.density.panel_at(0.5 * (left + right)).is_some();
+        // Jumps of the base are known to some roundings of their places.
+        let blur = blur(left.abs().max(right.abs()));
+        let [low, high] = self.profile.range([left - blur, right + blur]);
+        let (mut largest, mut least, mut at_numbers) = (0.0f64, f64::INFINITY, 0.0f64);
+        let mut x = left;
+        let mut looked_at = 0;
+        while x <= right && looked_at < MOST_NUMBERS {
+            looked_at += 1;
+            let (w, error) = self.at(x);
+            let size = |w: f64| if is_inside { w.abs() } else { (-w).max(0.0) };
+            largest = largest.max(size(w) + error);
+            least = least.min(w - error);
+            // The answer's own pressure counts at a place, not the resampled one, which may bend there; where the base jumps its height is that of either side.
+            let w = if is_inside { w + (self.pressure)(x) - self.density.evaluate(x) } else { w };
+            // Which side may be left open by rounding, too.
+            let [f_low, f_high] = self.profile.height(x);
+            let f = 0.5 * (f_low + f_high);
+            let [lower, upper] = [w + (low - f).min(0.0), w + (high - f).max(0.0)];
+            let nearest = if lower > 0.0 { lower } else { upper.min(0.0) };
+            at_numbers = at_numbers.max(size(nearest) + (error - (f_high - f_low)));
+            x = x.next_up();
+        }
+        let crude = largest + self.variation([left, right]);
+        // Beside the origin there are more than can be looked at.
+        let at_numbers = if x <= right { crude } else { at_numbers };
+        let least = least - self.variation([left, right]);
+        let norm = crude * (right - left).sqrt();
+        Bounded { left, right, largest: crude, norm, at_numbers, least, is_narrow: true }
+    }
+
+    /// A bound of how much `w` changes in a narrow window.
+    fn variation(&self, [left, right]: [f64; 2]) -> f64 {
+        let [low, high] = self.profile.range([left, right]);
+        (high - low)
+            + self.theta * self.potential_variation([left, right])
+            + self.tilt.abs() * (right - left)
+            + density_variation(self.density, [left, right])
+    }
+
+    /// A bound of how much the potential changes.
+    ///
+    /// Of the density in the vicinity, of the half-length `D`, a constant changes it by `2 w |sigma'(D)| w`, and what differs from the constant by at most `e` by
+    /// `e int |sigma(|x - t|) - sigma(|y - t|)| dt`. What is farther: by `w int q |sigma'|`.
+    fn potential_variation(&self, [left, right]: [f64; 2]) -> f64 {
+        let (c, width) = (0.5 * (left + right), right - left);
+        let vicinity = [c - VICINITY * width, c + VICINITY * width];
+        let singularity = self.density.kernel.singularity();
+        let whole = vicinity.map(|x| self.density.panel_at(x).is_some());
+        let steady = self.density.evaluate(c).abs();
+        let unsteady = density_variation(self.density, vicinity);
+        let unsteady = if whole == [true; 2] { unsteady } else { unsteady + 2.0 * steady };
+        let far = (VICINITY - 1.0) * width;
+        let mut farther = 0.0;
+        self.density.parts(c, &mut |distance, mass, largest, length| {
+            let gap = far.max(distance - width);
+            let (slope, sum) = match singularity {
+                Singularity::Logarithm => (1.0 / gap, (1.0 + length / gap).ln()),
+                Singularity::Power(mu) => (mu * gap.powf(-1.0 - mu), gap.powf(-mu)),
+            };
+            farther += width * (mass * slope).min(2.0 * largest * sum);
+        });
+        let (slope, sum) = match singularity {
+            Singularity::Logarithm => {
+                (1.0 / far, 2.0 * width * (3.0 + (1.0 + 2.0 * VICINITY).ln()))
+            }
+            Singularity::Power(mu) => {
+                (mu * far.powf(-1.0 - mu), 8.0 * width.powf(1.0 - mu) / (1.0 - mu))
+            }
+        };
+        steady * 2.0 * width * width * slope + unsteady * sum + farther
+    }
+}
+
+/// A bound of how much the density changes between the ends of the panels that an interval touches.
+fn density_variation(density: &Density, [left, right]: [f64; 2]) -> f64 {
+    let first = density.panels.partition_point(|panel| panel.right < left);
+    let (mut change, mut before) = (0.0, None);
+    for panel in density.panels[first..].iter().take_while(|panel| panel.left <= right) {
+        let share = (right.min(panel.right) - left.max(panel.left)) / panel.half();
+        // |P_k'| <= k (k + 1)/2
+        let slope: f64 = (panel.coefficients.iter().enumerate())
+            .map(|(k, c)| 0.5 * (k * (k + 1)) as f64 * c.abs())
+            .sum();
+        change += (slope * share).min(2.0 * panel.swing);
+        let start = panel.evaluate(panel.left);
+        change += before.map_or(0.0, |end: f64| (start - end).abs());
+        before = Some(panel.evaluate(panel.right));
+    }
+    change
+}

@@ -1,0 +1,62 @@
+//! What interpolation on a window misses of potentials.
+
+use crate::kernel::Singularity;
+
+/// `int |sigma|` over a disk's diameter from any of its points; the logarithm relative to the disk's radius, since interpolation gives back the constant that this leaves.
+pub(crate) fn local_mass(singularity: Singularity, disk: f64) -> f64 {
+    match singularity {
+        Singularity::Logarithm => 2.0 * disk,
+        Singularity::Power(mu) => 4.0 * disk.powf(1.0 - mu) / (1.0 - mu),
+    }
+}
+
+/// A bound of the potential of a density of size one on the diameter, continued into the disk: along straight paths from either end, the logarithm relative to the disk's radius.
+pub(crate) fn local_potential(singularity: Singularity, disk: f64) -> f64 {
+    match singularity {
+        Singularity::Logarithm => 13.2 * disk,
+        Singularity::Power(mu) => 2.0 * (2.0 * disk).powf(1.0 - mu) / (1.0 - mu),
+    }
+}
+
+/// A part of the density outside the disk of a window.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Part {
+    /// The least distance from the middle of the window.
+    distance: f64,
+    mass: f64,
+    /// What the mass within a tenth of the distance, say, cannot exceed: its largest density, on as many sides as it may lie.
+    dense: f64,
+}
+
+impl Part {
+    /// A part at a distance; what of it is inside the disk is seen to otherwise.
+    pub(crate) fn new(distance: f64, disk: f64, mass: f64, largest: f64) -> Self {
+        let sides = if distance < disk { 2.0 } else { 1.0 };
+        Self { distance: distance.max(disk), mass, dense: sides * largest }
+    }
+}
+
+/// What interpolation of the potential of parts of the density misses.
+///
+/// `ln|x - t| = const - 2 sum rho^-k T_k(x)/k` and `|x - t|^-mu = (r rho/2)^-mu sum C_k^mu(x) rho^-k`, with `rho = D + sqrt(D^2 - 1)`, `D = |t - c|/r`: nodes alias each term to at most
+/// its own size. These fall at least as `D^-n`, so that of a part that begins at the distance `d` the mass counts at most as `d/(n - 1)` times its density. The images of a row that are more
+/// than one period away add less than a tenth.
+pub(crate) fn outside(parts: &[Part], singularity: Singularity, r: f64, count: usize) -> f64 {
+    let n = count as f64;
+    let mut sum = 0.0;
+    for part in parts {
+        let d = part.distance / r;
+        let inverse = 1.0 / (d + (d * d - 1.0).max(0.0).sqrt());
+        let fallen = inverse.powi(count as i32);
+        let mass = part.mass.min(part.dense * part.distance / (n - 1.0));
+        sum += mass
+            * match singularity {
+                Singularity::Logarithm => 4.0 * fallen / (n * (1.0 - inverse)),
+                Singularity::Power(mu) => {
+                    let rest = (n + 1.0) / (1.0 - inverse) + inverse / (1.0 - inverse).powi(2);
+                    2.0 * (0.5 * r / inverse).powf(-mu) * fallen * rest
+                }
+            };
+    }
+    1.1 * sum
+}

@@ -1,0 +1,191 @@
+//! The residual on a window that can be resolved: interpolation of what is analytic in the disk about it, and bounds of the rest.
+
+use crate::allowance::allowance;
+use crate::chebyshev::{lebesgue, nodes};
+use crate::density::Potentials;
+use crate::fitted::fit;
+use crate::heights::{Heights, Known};
+use crate::remainders::{Part, local_mass, local_potential, outside};
+use crate::residual::{Bounded, Residual};
+
+/// Radius of the disk in radii of the window, if nothing is in the way; and below which a window is halved instead.
+const DISK: f64 = 1.8;
+const LEAST_DISK: f64 = 1.3;
+/// The largest ellipse of analyticity that is used, in radii of the disk.
+const INSIDE: f64 = 0.97;
+/// Ends of disks are rounded: below this share of their distance from the origin they are off by more than `1 - INSIDE` of the radius.
+const PLACED: f64 = 17.0 * f64::EPSILON;
+/// Below this share of the distance from the origin nodes are rounded by a noticeable part of their distances, and Lebesgue's constant is counted twice.
+const CROWDED: f64 = 1000.0 * f64::EPSILON;
+/// Numbers of nodes on a window.
+const COUNTS: [usize; 10] = [5, 7, 9, 12, 15, 19, 23, 28, 33, 40];
+/// Share of the budget for interpolation: a few nodes more make it small.
+const FINE: f64 = 0.4;
+/// Share of the residual that remainders may have.
+const SHARE: f64 = 0.15;
+/// Jumps of the density that a window may have in its remainders, in jumps: a polynomial cannot follow them closer than one and a half, and their potential may have as much.
+const JUMPS: f64 = 3.0;
+const SPREAD: f64 = 2.0;
+/// Larger jumps, relative to the density, are no noise: windows shrink to them.
+const NOISE: f64 = 1e-8;
+
+impl Residual<'_> {
+    /// A bound of `|w|` on a window of a zone; none where it has to be halved.
+    pub(crate) fn window_in_zone(
+        &self,
+        [left, right]: [f64; 2],
+        zone: [f64; 2],
+        known: &mut Known,
+    ) -> Option<Bounded> {
+        let (c, r) = (0.5 * (left + right), 0.5 * (right - left));
+        let mut heights = known.on(self.profile, [left, right]);
+        let disk = (DISK * r).min(INSIDE * (c - zone[0]).min(zone[1] - c));
+        if disk < LEAST_DISK * r || disk < PLACED * c.abs() {
+            return None;
+        }
+        let fitted = fit(self.density, c, disk);
+        let singularity = self.density.kernel.singularity();
+        let allowed = allowance(self.theta, 2.0 * r) * self.density.largest();
+        // Where panels meet the density jumps by what it is off by: windows cannot know it better.
+        let spread = 1.0 + self.theta * local_mass(singularity, disk);
+        let jump = JUMPS * spread.min(SPREAD) * fitted.jump.min(NOISE * fitted.largest);
+        let (middle, error) = self.at(c);
+        let budget = (SHARE * middle.abs()).max(2.0 * error).max(jump).max(allowed);
+        let missed = fitted.missed * spread;
+        if missed > budget {
+            return None;
+        }
+        // The ellipse about the window with the foci at its ends and this half-axis has its rho; the one about the disk that contains it its gamma.
+        let axis = INSIDE * disk / r;
+        let rho = axis + (axis * axis - 1.0).sqrt();
+        let minor = (axis * axis - 1.0).sqrt() * r / disk;
+        let gamma = minor + (1.0 + minor * minor).sqrt();
+        let parts = self.parts(c, disk);
+        let (count, remainder) = count_with(&mut heights, budget, |count| {
+            let fallen = 4.0 * rho.powi(1 - count as i32) / (rho - 1.0);
+            let plain = 1.0 + self.lebesgue(c, r, count);
+            let potential = fitted.sum(|k| {
+                let analytic = fallen * gamma.powi(k) * local_potential(singularity, disk);
+                analytic.min(plain * local_mass(singularity, disk))
+            });
+            let own = fitted.sum(|k| {
+                if (k as usize) < count { 0.0 } else { (fallen * gamma.powi(k)).min(plain) }
+            });
+            own + self.theta * (potential + outside(&parts, singularity, r, count))
+        })?;
+        let (values, error) = self.values(c, r, count);
+        let rest = remainder + missed;
+        let largest = self.sup(&values, self.lebesgue(c, r, count), error + missed) + rest;
+        // The square of a polynomial of degree n - 1 is integrated exactly against (1 - t^2)^(-1/2) >= 1 by the sum over n nodes times pi/n.
+        let squares: f64 = values.iter().map(|w| (w.abs() + error + missed).powi(2)).sum();
+        let norm =
+            (std::f64::consts::PI * r * squares / count as f64).sqrt() + rest * (2.0 * r).sqrt();
+        Some(Bounded {
+            left,
+            right,
+            largest,
+            norm,
+            at_numbers: largest,
+            least: -largest,
+            is_narrow: false,
+        })
+    }
+
+    fn parts(&self, c: f64, disk: f64) -> Vec<Part> {
+        let mut parts = Vec::new();
+        self.density.parts(c, &mut |distance, mass, largest, _| {
+            parts.push(Part::new(distance, disk, mass, largest));
+        });
+        parts
+    }
+
+    /// A bound of Lebesgue's constant of the nodes of a window.
+    fn lebesgue(&self, c: f64, r: f64, count: usize) -> f64 {
+        let crowded = if r < CROWDED * c.abs() { 2.0 } else { 1.0 };
+        crowded * lebesgue(count)
+    }
+
+    fn values(&self, c: f64, r: f64, count: usize) -> (Vec<f64>, f64) {
+        let places: Vec<f64> = nodes(count).places.iter().map(|t| c + r * t).collect();
+        let mut potentials = Potentials::default();
+        self.density.potentials(&places, &mut potentials);
+        let mut largest = 0.0f64;
+        let values = (places.iter().zip(potentials.finished()))
+            .map(|(x, potential)| {
+                let (w, error) = self.with_potential(*x, potential);
+                largest = largest.max(error);
+                w
+            })
+            .collect();
+        (values, largest)
+    }
+
+    /// A bound of the polynomial through values that are off by `error` each.
+    fn sup(&self, values: &[f64], lebesgue: f64, error: f64) -> f64 {
+        let count = values.len();
+        let largest = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
+        let sum: f64 = nodes(count).coefficients(values).map(f64::abs).sum();
+        (lebesgue * largest).min(sum) + lebesgue * error
+    }
+
+    /// A lower bound of `w` on a window beside the zones; none where it has to be halved.
+    pub(crate) fn window_in_gap(
+        &self,
+        [left, right]: [f64; 2],
+        known: &mut Known,
+    ) -> Option<Bounded> {
+        let (c, r) = (0.5 * (left + right), 0.5 * (right - left));
+        let mut heights = known.on(self.profile, [left, right]);
+        let (middle, error) = self.at(c);
+        let singularity = self.density.kernel.singularity();
+        let parts = self.parts(c, LEAST_DISK * r);
+        // A panel that reaches into the window's own disk may touch the window.
+        let mut is_near = false;
+        self.density.parts(c, &mut |distance, mass, _, _| {
+            is_near |= mass > 0.0 && distance < LEAST_DISK * r;
+        });
+        if is_near {
+            return None;
+        }
+        let allowed = allowance(self.theta, right - left) * self.density.largest();
+        let budget = (SHARE * middle.abs()).max(2.0 * error).max(allowed);
+        let (count, remainder) = count_with(&mut heights, budget, |count| {
+            self.theta * outside(&parts, singularity, r, count)
+        })?;
+        let (values, error) = self.values(c, r, count);
+        let mut swing = 0.0;
+        let mut mean = 0.0;
+        for (k, a) in nodes(count).coefficients(&values).enumerate() {
+            if k == 0 { mean = a } else { swing += a.abs() }
+        }
+        let rounding = (1.0 + self.lebesgue(c, r, count)) * error;
+        let least = mean - swing - rounding - remainder;
+        let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
+        // Smaller windows do not help where rounding or the values themselves are at fault.
+        if least < -(2.0 * rounding).max(-2.0 * lowest).max(allowed) {
+            return None;
+        }
+        let largest = (-least).max(0.0);
+        let norm = largest * (right - left).sqrt();
+        Some(Bounded { left, right, largest, norm, at_numbers: largest, least, is_narrow: false })
+    }
+}
+
+/// The smallest number of nodes with which all remainders are within the budget, and the remainder.
+fn count_with(
+    heights: &mut Heights<'_>,
+    budget: f64,
+    remainder: impl Fn(usize) -> f64,
+) -> Option<(usize, f64)> {
+    for count in COUNTS {
+        let own = remainder(count);
+        if own > FINE * budget {
+            continue;
+        }
+        let total = own + heights.missed(count, FINE * budget - own);
+        if total <= FINE * budget {
+            return Some((count, total));
+        }
+    }
+    None
+}
