@@ -198,6 +198,7 @@ impl Audit<'_> {
         Bound {
             mean_square: residual * layer::softest(self.kappa, highest + off),
             pressure: off,
+            highest: Some(crate::highest::highest(&self.density.panels, off) + off),
             settlement: unless(force.is_none(), settled + self.shift[0].abs()),
             tilt: unless(moment.is_none(), tilted + self.shift[1].abs()),
             force: unless(force.is_some(), moved + (self.answer.force - self.shape.force).abs()),

@@ -5,6 +5,7 @@ use crate::allowance::allowance;
 use crate::density::{Density, Panel};
 use crate::displacements::Line;
 use crate::distance::{Distance, Windows};
+use crate::highest::highest;
 use crate::kernel::Kernel;
 use crate::norms::Reach;
 use crate::residual::{Bounded, Residual};
@@ -73,6 +74,8 @@ pub struct Bound {
     pub mean_square: f64,
     /// Of the pressure at any number of the machine on the base.
     pub pressure: f64,
+    /// What the largest pressure is at most; none where it is not known.
+    pub highest: Option<f64>,
     /// Of the settlement; 0 where it is prescribed.
     pub settlement: f64,
     /// Of the tilt; 0 where it is prescribed.
@@ -329,6 +332,8 @@ impl Audit<'_> {
         Bound {
             mean_square: distance.mean_square,
             pressure: pressure + self.resampled(windows.zones),
+            // Beside the ends the panels may miss the pressure by more.
+            highest: Some(highest(&self.density.panels, pressure) + pressure + self.resampled(&[])),
             settlement: off(force.is_none(), line.at_origin() + settlement),
             tilt: off(moment.is_none(), line.slope + tilt),
             force: off(force.is_some(), moved + (self.answer.force - self.shape.force).abs()),

@@ -36,6 +36,9 @@ pub struct Audit {
     /// The errors of the answer.
     #[serde(skip)]
     pub accuracy: Accuracy,
+    /// What the largest `p0` is at most, where that is known.
+    #[serde(skip)]
+    pub highest: Option<f64>,
     /// The error of the free ends of the zones in `xi`; none where no end is free or another zone cannot be excluded.
     #[serde(skip)]
     pub edges: Option<f64>,
@@ -226,6 +229,7 @@ impl Contact {
             windows: bound.windows,
             reason,
             accuracy: accuracy.with_level(level),
+            highest: bound.highest,
             edges: bound.ends,
         })
     }

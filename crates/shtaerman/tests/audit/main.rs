@@ -5,6 +5,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+mod equations;
+
 use shtaerman::{
     ContactKind, ErrorKind, Frame, Load, Problem, Profile, Rotational, Solver, Vertical,
 };
