@@ -5,9 +5,10 @@ use crate::allowance::allowance;
 use crate::density::{Density, Panel};
 use crate::displacements::Line;
 use crate::distance::{Distance, Windows};
+use crate::highest::highest;
 use crate::kernel::Kernel;
 use crate::norms::Reach;
-use crate::residual::Residual;
+use crate::residual::{Bounded, Residual};
 use crate::sample::{halves, panels};
 use crate::shape::{Shape, restored};
 
@@ -73,6 +74,8 @@ pub struct Bound {
     pub mean_square: f64,
     /// Of the pressure at any number of the machine on the base.
     pub pressure: f64,
+    /// What the largest pressure is at most; none where it is not known.
+    pub highest: Option<f64>,
     /// Of the settlement; 0 where it is prescribed.
     pub settlement: f64,
     /// Of the tilt; 0 where it is prescribed.
@@ -328,7 +331,9 @@ impl Audit<'_> {
         let tilt = (self.tilt - self.answer.tilt).abs() + taken * self.tilt.abs();
         Bound {
             mean_square: distance.mean_square,
-            pressure: pressure + self.resampled(),
+            pressure: pressure + self.resampled(windows.zones),
+            // Beside the ends the panels may miss the pressure by more.
+            highest: Some(highest(&self.density.panels, pressure) + pressure + self.resampled(&[])),
             settlement: off(force.is_none(), line.at_origin() + settlement),
             tilt: off(moment.is_none(), line.slope + tilt),
             force: off(force.is_some(), moved + (self.answer.force - self.shape.force).abs()),
@@ -340,12 +345,17 @@ impl Audit<'_> {
         }
     }
 
-    /// How far the answer's pressure is from the resampled one between the nodes.
-    fn resampled(&self) -> f64 {
+    /// How far the answer's pressure is from the resampled one between the nodes; in windows of some units of the machine that counts at each of its numbers already.
+    fn resampled(&self, zones: &[Bounded]) -> f64 {
+        let is_resolved = |x: f64| {
+            let window = zones.get(zones.partition_point(|window| window.right < x));
+            !window.is_some_and(|window| window.is_narrow && window.left <= x)
+        };
         let places = self.density.panels.iter().flat_map(|panel| {
             COMPARED.map(|t| (panel, panel.left + t * (panel.right - panel.left)))
         });
         places
+            .filter(|(_, x)| is_resolved(*x))
             .map(|(panel, x)| (panel.evaluate(x) - (self.answer.pressure)(x)).abs())
             .fold(0.0, f64::max)
     }

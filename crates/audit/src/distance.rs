@@ -52,8 +52,9 @@ struct Norms {
 }
 
 impl Norms {
-    fn add_narrow(&mut self, size: f64, width: f64, (kernel, is_absorbed): (Kernel, bool)) {
-        if !is_absorbed {
+    /// Where the density is not changed by it, the residual counts as it is: there it would cost more, `theta ||K w~||` instead of `||w~||`.
+    fn add_narrow(&mut self, size: f64, width: f64, (kernel, theta): (Kernel, f64)) {
+        if theta * row_norm(kernel) * width.sqrt() >= 1.0 {
             self.square += size * size * width;
             self.sum += size * width;
             return;
@@ -65,7 +66,7 @@ impl Norms {
 }
 
 /// A bound of the potential of a density of size one on an interval of this width.
-fn narrow_potential(width: f64, kernel: Kernel) -> f64 {
+pub(crate) fn narrow_potential(width: f64, kernel: Kernel) -> f64 {
     let mu = kernel.singularity().exponent();
     if mu == 0.0 {
         width * (3.0 + width.ln().abs() + kernel.constant().abs())
@@ -86,20 +87,14 @@ struct Corrected {
 }
 
 impl Audit<'_> {
-    /// The kernel, and whether a residual on so narrow a window costs less where the density is changed by it: `theta ||K w~||` instead of `||w~||`.
-    fn narrow(&self, width: f64) -> (Kernel, bool) {
-        let kernel = self.problem.kernel;
-        let is_absorbed = self.problem.theta * row_norm(kernel) * width.sqrt() < 1.0;
-        (kernel, is_absorbed)
-    }
-
     fn norms(&self, windows: &Windows<'_>) -> Norms {
         let mut norms = Norms::default();
+        let about = (self.problem.kernel, self.problem.theta);
         for window in windows.zones.iter().chain(windows.gaps) {
             let width = window.right - window.left;
             norms.largest = norms.largest.max(window.at_numbers);
             if window.is_narrow {
-                norms.add_narrow(window.largest, width, self.narrow(width));
+                norms.add_narrow(window.largest, width, about);
             } else {
                 norms.square += window.norm * window.norm;
                 norms.sum += window.largest * width;
@@ -109,7 +104,7 @@ impl Audit<'_> {
         for cut in self.problem.cuts.iter().filter(|cut| self.density.panel_at(**cut).is_some()) {
             let blur = blur(cut.abs());
             let [low, high] = self.problem.profile.range([cut - blur, cut + blur]);
-            norms.add_narrow(high - low, 2.0 * blur, self.narrow(2.0 * blur));
+            norms.add_narrow(high - low, 2.0 * blur, about);
         }
         norms
     }

@@ -24,6 +24,7 @@ mod ends;
 mod far;
 mod fitted;
 mod heights;
+mod highest;
 mod kernel;
 mod layer;
 mod legendre;

@@ -373,7 +373,9 @@ fn main() -> ExitCode {
             continue;
         }
         let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
-        (0..100).for_each(|_| drop(random.unit()));
+        for _ in 0..100 {
+            random.unit();
+        }
         let (mut refused, mut broken, mut bounds) = (0, 0, 0);
         let mut worst = [0.0f64; 2];
         let mut sharpness = Vec::new();

@@ -120,6 +120,9 @@ pub struct ErrorReport {
 pub struct Errors {
     /// Largest error of the pressure on the closed base.
     pub pressure_sup: f64,
+    /// Error of the largest pressure, where an audit bounds it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_max: Option<f64>,
     /// Error of the settlement.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub settlement: Option<f64>,
@@ -384,6 +387,7 @@ impl ErrorReport {
         let by_moment = matches!(load.rotational, Rotational::Moment(_));
         let dimensionless = Errors {
             pressure_sup: accuracy.pressure,
+            pressure_max: contact.peak_error0(),
             settlement: by_force.then_some(accuracy.settlement),
             tilt: (!by_tilt).then_some(accuracy.tilt),
             force: (!by_force).then_some(accuracy.force),
@@ -401,6 +405,7 @@ impl Errors {
     fn scaled(&self, scaling: &Scaling) -> Self {
         Self {
             pressure_sup: self.pressure_sup * scaling.pressure(),
+            pressure_max: self.pressure_max.map(|error| error * scaling.pressure()),
             settlement: self.settlement.map(|error| error * scaling.displacement()),
             tilt: self.tilt.map(|error| error * scaling.angle()),
             force: self.force.map(|error| error * scaling.force()),

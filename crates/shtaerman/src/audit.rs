@@ -42,6 +42,9 @@ pub struct Audit {
     /// The errors of the answer.
     #[serde(skip)]
     pub accuracy: Accuracy,
+    /// What the largest `p0` is at most, where that is known.
+    #[serde(skip)]
+    pub highest: Option<f64>,
     /// The error of the free ends of the zones in `xi`; none where no end is free or another zone cannot be excluded.
     #[serde(skip)]
     pub edges: Option<f64>,
@@ -208,7 +211,7 @@ impl Contact {
             force: self.force0(),
             moment: self.moment0(),
         };
-        let (bound, is_bound) = self.bound(auditor, &posed, prescribed, (&cuts, &answer))?;
+        let (bound, is_bound) = self.bound(auditor, &posed, (prescribed, &cuts), &answer)?;
         let is_bound = is_bound && !is_load_own;
         let kind = if is_bound { ErrorKind::Bound } else { ErrorKind::Estimate };
         let reason = match posed.is_bound() {
@@ -241,6 +244,7 @@ impl Contact {
             windows: bound.windows,
             reason,
             accuracy: accuracy.with_level(level),
+            highest: bound.highest,
             edges: bound.ends,
         })
     }
@@ -269,8 +273,8 @@ impl Contact {
         &self,
         auditor: Auditor,
         posed: &Posed,
-        prescribed: Prescribed,
-        (cuts, answer): (&[f64], &Answer<'_>),
+        (prescribed, cuts): (Prescribed, &[f64]),
+        answer: &Answer<'_>,
     ) -> Result<(Bound, bool), Unaudited> {
         let problem = self.solved();
         let frame = problem.frame();

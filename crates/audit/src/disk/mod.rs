@@ -305,6 +305,9 @@ impl<'a> Audit<'a> {
         Bound {
             mean_square,
             pressure: off + resampled,
+            highest: self.lean.is_none().then(|| {
+                crate::highest::highest(self.level.density.panels(), off) + off + resampled
+            }),
             settlement: unless(force.is_none(), settled + settlement_off),
             tilt: unless(moment.is_none(), tilted + tilt_off),
             force: unless(force.is_some(), moved + (answer.force - own_force).abs()),

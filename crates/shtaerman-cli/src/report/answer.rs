@@ -78,7 +78,8 @@ fn error_line(contact: &Contact, error: &ErrorReport) -> String {
     };
     let mut parts =
         vec![format!("pressure {}", shown(errors.pressure_sup, Dimension::PRESSURE.into()))];
-    let unknowns: [(&str, Option<f64>, DisplayUnit); 5] = [
+    let unknowns: [(&str, Option<f64>, DisplayUnit); 6] = [
+        ("largest pressure", errors.pressure_max, Dimension::PRESSURE.into()),
         ("settlement", errors.settlement, Dimension::LENGTH.into()),
         ("tilt", errors.tilt, DisplayUnit::angle()),
         ("force", errors.force, units.force),

@@ -346,7 +346,8 @@ fn outputs() {
     for said in [
         "e.toml: phi + lambda int K phi = f, lambda = 1, f = 1 + x",
         "int phi dx",
-        "error (estimate)",
+        "error (bound)",
+        "audit (bound)",
         "plot: e.svg",
     ] {
         assert!(table.contains(said), "{table}");

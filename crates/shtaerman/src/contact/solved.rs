@@ -354,6 +354,15 @@ impl Contact {
         self.found_audit().map_or_else(|| self.solution.edge_error(), |audit| audit.edges)
     }
 
+    /// The error of the [largest pressure](Self::peak_pressure0), without dimensions; none without an audit that bounds it.
+    #[must_use]
+    pub fn peak_error0(&self) -> Option<f64> {
+        let audit = self.found_audit()?;
+        // Where it was found the true pressure is no less than that, and nowhere more than this.
+        let above = audit.highest? - self.peak_pressure0().0;
+        Some(audit.accuracy.pressure.max(above)).filter(|error| error.is_finite())
+    }
+
     /// What a unilateral answer leaves of tension and penetration; none for a bilateral one.
     #[must_use]
     pub fn complementarity(&self) -> Option<Complementarity> {

@@ -33,18 +33,6 @@ pub struct EquationAudit {
 }
 
 impl EquationAudit {
-    fn bound(found: &Bounds, has_integral: bool) -> Self {
-        Self {
-            kind: Some(ErrorKind::Bound),
-            solution_sup: Some(found.solution),
-            integral: Some(found.integral).filter(|_| has_integral),
-            mean_square: Some(found.mean_square),
-            panels: Some(found.panels),
-            reason: None,
-            least: 0.0,
-        }
-    }
-
     fn missing(reason: impl Into<String>) -> Self {
         Self {
             kind: None,
@@ -85,7 +73,28 @@ impl Equation {
     }
 }
 
+/// Why the largest error is not audited.
+const NOT_SQUARE_SUMMABLE: &str = "the kernel is not square-summable: the end values depend on what lies closer to the ends than places can be told apart";
+
 impl SolvedEquation<'_> {
+    /// Whether the solution near the ends is one that places can tell apart.
+    fn is_mild(&self) -> bool {
+        self.equation().kernel().kernel().singularity().exponent() < SQUARE_SUMMABLE
+    }
+
+    fn bound_by(&self, found: &Bounds) -> EquationAudit {
+        let is_mild = self.is_mild();
+        EquationAudit {
+            kind: Some(ErrorKind::Bound),
+            solution_sup: Some(found.solution).filter(|_| is_mild),
+            integral: Some(found.integral).filter(|_| self.integral().is_some()),
+            mean_square: Some(found.mean_square),
+            panels: Some(found.panels),
+            reason: (!is_mild).then(|| NOT_SQUARE_SUMMABLE.to_owned()),
+            least: 0.0,
+        }
+    }
+
     /// Audits the solution, without a change of what it states; a solution with [`audited`](Self::audited) errors states the audit's bounds, or the larger ones where the audit
     /// estimates.
     #[must_use]
@@ -98,7 +107,7 @@ impl SolvedEquation<'_> {
             return EquationAudit::missing("an equation of the first kind");
         };
         if let Some(found) = self.bounds() {
-            return EquationAudit::bound(&found, self.integral().is_some());
+            return self.bound_by(&found);
         }
         let kernel = equation.kernel().kernel();
         let breaks = equation.breakpoints();
@@ -106,8 +115,7 @@ impl SolvedEquation<'_> {
         match audit(kernel, lambda, equation.function(), places, self.solution()) {
             Ok(found) => {
                 let finite = |value: f64| Some(value).filter(|value| value.is_finite());
-                let is_mild = kernel.singularity().exponent() < SQUARE_SUMMABLE;
-                let reason = "the kernel is not square-summable: the end values depend on what lies closer to the ends than places can be told apart";
+                let is_mild = self.is_mild();
                 EquationAudit {
                     kind: Some(ErrorKind::Estimate),
                     least: found.least,
@@ -115,7 +123,7 @@ impl SolvedEquation<'_> {
                     integral: self.integral().and_then(|_| finite(found.integral)),
                     mean_square: finite(found.mean_square),
                     panels: Some(found.panels),
-                    reason: (!is_mild).then(|| reason.to_owned()),
+                    reason: (!is_mild).then(|| NOT_SQUARE_SUMMABLE.to_owned()),
                 }
             }
             Err(error) => EquationAudit::missing(error.to_string()),
@@ -130,7 +138,7 @@ impl SolvedEquation<'_> {
         let audit = self.audit();
         self.raise(&audit);
         self.equation().require_error(self.solution())?;
-        if audit.kind == Some(ErrorKind::Bound) {
+        if audit.kind == Some(ErrorKind::Bound) && audit.solution_sup.is_some() {
             self.warn_again();
         }
         self.keep(audit);

@@ -105,6 +105,12 @@ impl Equation {
 }
 
 impl Posed {
+    /// `max_x ||K(x, .)||` of the row, `L sum 1/(2 k^2)`.
+    fn row_norm(&self) -> f64 {
+        let Kernel::Row { period } = self.kernel else { return 0.0 };
+        (period * std::f64::consts::PI.powi(2) / 12.0).sqrt()
+    }
+
     /// What rounding of the period may change of the potential of a density of size one: its logarithm has a pole one period away.
     fn of_period(&self) -> f64 {
         let Kernel::Row { period } = self.kernel else { return 0.0 };
@@ -172,7 +178,7 @@ impl SolvedEquation<'_> {
         let bound = shtaerman_audit::audit(&problem, &answer).ok()?;
         // The kernel of the row is that of a period which is off by rounding.
         let moved = posed.theta * posed.of_period() * (self.solution().largest + bound.pressure);
-        let strength = 1.0 + posed.theta * posed.kernel.row_norm();
+        let strength = 1.0 + posed.theta * posed.row_norm();
         let mean_square = bound.mean_square + std::f64::consts::SQRT_2 * moved;
         let found = Bounds {
             solution: bound.pressure + if moved > 0.0 { 2.0 * strength * moved } else { 0.0 },

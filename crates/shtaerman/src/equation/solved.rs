@@ -9,6 +9,9 @@ use crate::contact::AIM;
 use crate::error::require;
 use crate::{Error, ErrorKind, Warning, WarningCode};
 
+/// What bounds know of a solution beside its ends, in changes from one number to the next.
+const BESIDE_ENDS: f64 = 16.0;
+
 /// A solution with its equation: a function with an integral, an error and warnings.
 #[derive(Debug)]
 pub struct SolvedEquation<'a> {
@@ -69,11 +72,14 @@ impl<'a> SolvedEquation<'a> {
         }
     }
 
-    /// Holds the bound of an audit against what is aimed at, which grows with the strength of the kernel as rounding does.
+    /// Holds the bound of an audit against what is aimed at, which grows with the strength of the kernel as rounding does, and with its singularity: beside the ends solutions change by
+    /// some `eps^(1-mu)` from one number to the next.
     pub(super) fn warn_again(&mut self) {
         self.warnings.retain(|warning| warning.code != WarningCode::ToleranceNotMet);
         let solver = self.equation.solver();
-        let aim = AIM * (0.1 * self.equation.strength()).max(1.0);
+        let smoothness = 1.0 - self.equation.kernel().kernel().singularity().exponent();
+        let aim = (AIM * (0.1 * self.equation.strength()).max(1.0))
+            .max(BESIDE_ENDS * f64::EPSILON.powf(smoothness));
         let reached = self.solution.error.solution / self.solution.largest;
         if solver.tolerance.is_none() && reached > aim {
             self.warnings.push(Warning::tolerance_not_met(aim, reached));
