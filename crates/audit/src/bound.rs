@@ -19,6 +19,9 @@ pub(crate) const MOST_WINDOWS: usize = 50_000;
 const RESOLVED: f64 = 0.3;
 /// Places of a zone where the size of the pressure is looked at.
 const SAMPLES: u32 = 32;
+/// A bound above this share of the pressure is looked into: a single window beside the zones with so much of the residual is told.
+const NO_SMALL_SHARE: f64 = 1e-2;
+const MOST_OF_IT: f64 = 0.3;
 /// Places of a panel where the answer is compared with its resampled pressure, between the nodes of both.
 const COMPARED: [f64; 2] = [0.271_828, 0.914_159];
 
@@ -108,6 +111,11 @@ pub enum Refusal {
     },
     /// The answer is far from the force or moment that is prescribed.
     LoadNotMet,
+    /// The base penetrates where the answer has no contact: the bound is no small one, and most of it comes from here.
+    Penetrates {
+        /// The place.
+        at: f64,
+    },
 }
 
 /// Bounds the errors of an answer.
@@ -294,7 +302,18 @@ impl Audit<'_> {
         } else {
             found
         };
-        Ok(self.stated(&windows, &found))
+        match self.penetration(&windows, &found) {
+            Some(at) => Err(Refusal::Penetrates { at }),
+            None => Ok(self.stated(&windows, &found)),
+        }
+    }
+
+    /// Where the base penetrates most, if that makes the bound what it is and no small one.
+    fn penetration(&self, windows: &Windows<'_>, found: &Errors) -> Option<f64> {
+        let is_small = found.pressure() <= NO_SMALL_SHARE * self.density.largest();
+        let worst = windows.gaps.iter().max_by(|a, b| a.norm.total_cmp(&b.norm))?;
+        let is_cause = worst.norm >= MOST_OF_IT * found.distance.residual;
+        (!is_small && is_cause).then_some(0.5 * (worst.left + worst.right))
     }
 
     /// The interval of the zones and of the windows beside them where the residual is at most `margin`.

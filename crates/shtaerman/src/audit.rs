@@ -85,6 +85,12 @@ impl std::fmt::Display for Unaudited {
                     "the residual near xi = {at} changes faster than the audit follows"
                 )
             }
+            Self::Refused(Refusal::Penetrates { at }) => {
+                write!(
+                    formatter,
+                    "the base penetrates near xi = {at:.6}, where the answer has no contact"
+                )
+            }
             Self::Refused(Refusal::LoadNotMet) => {
                 formatter.write_str("the pressure is far from the prescribed force or moment")
             }
@@ -358,7 +364,7 @@ impl Contact {
                 let quantity = "bound of the error of the pressure";
                 return Err(Error::Overflow { quantity, value: f64::INFINITY });
             }
-            Err(refused @ Unaudited::Refused(Refusal::LoadNotMet)) => {
+            Err(refused @ Unaudited::Refused(Refusal::LoadNotMet | Refusal::Penetrates { .. })) => {
                 return Err(Error::AuditFailed { reason: refused.to_string() });
             }
             Ok(_) | Err(_) => {}
