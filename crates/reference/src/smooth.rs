@@ -32,6 +32,8 @@ struct Zone {
 }
 
 type Found = (Solved, Vec<[f64; 2]>);
+/// A solution with the number of the first panel of each zone.
+type Started = (Solved, Vec<usize>);
 
 /// Two solutions with their zones, of the finenesses given.
 pub(crate) fn settle(
@@ -340,7 +342,7 @@ fn columns(
     zones: &[Zone],
     fineness: Fineness,
     moving: &[(usize, usize)],
-    change: &dyn Fn(&(Solved, Vec<usize>)) -> Vec<f64>,
+    change: &dyn Fn(&Started) -> Vec<f64>,
 ) -> Result<Vec<Vec<f64>>, Refusal> {
     let column = |(j, side): &(usize, usize)| {
         let mut tried = zones.to_vec();

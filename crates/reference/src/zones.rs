@@ -118,7 +118,7 @@ fn positive(
                 if zone[0] - last[1] < NARROWEST
                     && !problem.pieces.iter().any(|piece| piece[0] == zone[0]) =>
             {
-                last[1] = zone[1]
+                last[1] = zone[1];
             }
             _ => joined.push(zone),
         }

@@ -3,6 +3,7 @@ use std::f64::consts::PI;
 use crate::{Kernel, potential};
 
 /// `x`, `d`, `mu`, `m`, value: mpmath 1.3, 30 digits, `2^mu Gamma((1+mu)/2)/Gamma((1-mu)/2)` times the integral over the angle from 0 to pi of `|x - s e^(i phi)|^-(1+mu) cos(m phi)`.
+#[allow(clippy::excessive_precision, reason = "digits as the other program printed them")]
 const KERNELS: [(f64, f64, f64, u8, f64); 10] = [
     (0.3, 0.2, 0.0, 0, 7.00301521166301005),
     (0.3, 0.2, 0.0, 1, 2.21780272311352187),

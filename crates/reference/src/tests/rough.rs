@@ -40,7 +40,7 @@ fn even(found: &Reference<'_>, pressure: f64) {
 fn bases_that_press_evenly() {
     // The base is less by the potential of an even pressure.
     let linear = Vertical::Settlement(5.0);
-    for theta in [8.0] {
+    for theta in [0.3, 8.0] {
         let part = |y: f64| if y > 0.0 { y * y.ln() } else { 0.0 };
         let line = |x: f64| 4.0 - theta * (2.0 - part(1.0 + x) - part(1.0 - x));
         let plane = problem(Kernel::Logarithm, theta, &line, linear, Rotational::Tilt(0.0));
