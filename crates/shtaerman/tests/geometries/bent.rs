@@ -21,8 +21,8 @@ fn a_wave_with_kinks_in_full_contact() {
     let load = (Vertical::Force(2.0), Rotational::Tilt(0.0));
     let contact = attempt((WAVE, 3.0, 1.0), "abs(xi)", load, Solver::default()).unwrap();
     assert_near(contact.pressure0(0.0), 1.161188112791802, 1e-12);
-    assert_near(contact.pressure0(1.0), 0.838811888207198, 1e-12);
-    assert_near(contact.pressure0(-1.0), 0.838811888207198, 1e-12);
+    assert_near(contact.pressure0(1.0), 0.838811887208198, 1e-12);
+    assert_near(contact.pressure0(-1.0), 0.838811887208198, 1e-12);
     assert_near(contact.settlement0(), 1.5, 1e-13);
     assert!(contact.relative_error() < 1e-11, "{:e}", contact.relative_error());
 }

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 mod accuracy;
+mod bent;
 mod conditions;
 mod one_punch;
 mod pair;

@@ -5,6 +5,7 @@
 mod disk;
 mod kinks;
 mod limits;
+mod narrow;
 mod plane;
 mod refusals;
 mod sensitivities;

@@ -220,7 +220,7 @@ mod tests {
     fn harmonics_have_their_own_conjugates() {
         // Of cos(k t + a) it is k cos(k t + a).
         // A bend that is none keeps the panels.
-        let slopes = Slopes::resolve(&Wave, &[0.7], [8, 2], 0.0);
+        let slopes = Slopes::resolve(&Wave, [&[0.7], &[]], [8, 2], 0.0);
         let series = Harmonics::short(&slopes).unwrap();
         let sampled = Harmonics::sampled(&Wave, false).unwrap();
         assert!(sampled.mean.abs() < 1e-15);

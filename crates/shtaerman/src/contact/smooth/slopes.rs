@@ -79,20 +79,21 @@ pub(super) struct Slopes {
 }
 
 impl Slopes {
-    /// Resolves a profile over one half turn `0 .. pi`, or over two `-pi .. pi`, between given angles where it bends, to a relative `tolerance`;
+    /// Resolves a profile over one half turn `0 .. pi`, or over two `-pi .. pi`, between given angles where it bends, and others where only higher derivatives jump, to a relative `tolerance`;
     /// with at first so many `[panels, half turns]`.
     pub(super) fn resolve(
         profile: &dyn Angular,
-        bends: &[f64],
+        [bends, joints]: [&[f64]; 2],
         [panels, turns]: [usize; 2],
         tolerance: f64,
     ) -> Self {
         if bends.is_empty()
+            && joints.is_empty()
             && let Some(sampled) = Self::sampled(profile, turns == 1)
         {
             return sampled;
         }
-        Self::on_panels(profile, bends, [panels, turns], tolerance)
+        Self::on_panels(profile, [bends, joints], [panels, turns], tolerance)
     }
 
     /// The slope as a short series by equally spaced samples, if it is one.
@@ -118,7 +119,7 @@ impl Slopes {
     /// The slope on panels.
     pub(super) fn on_panels(
         profile: &dyn Angular,
-        bends: &[f64],
+        [bends, joints]: [&[f64]; 2],
         [panels, turns]: [usize; 2],
         tolerance: f64,
     ) -> Self {
@@ -129,12 +130,13 @@ impl Slopes {
         let mut cuts: Vec<f64> = (0..=count).map(|i| start + width * i as f64).collect();
         cuts[count] = PI;
         let ends = [cuts[0], PI];
-        cuts.extend(bends.iter().filter(|bend| **bend > start && **bend < PI));
+        let own = || bends.iter().chain(joints);
+        cuts.extend(own().filter(|bend| **bend > start && **bend < PI));
         cuts.sort_by(f64::total_cmp);
         // A cut by a bend is where it bends, to the last bit.
         let blur = profile.blur();
         let is_apart =
-            |cut: &f64| bends.iter().all(|bend| bend == cut || (bend - cut).abs() > NEAR * blur);
+            |cut: &f64| own().all(|bend| bend == cut || (bend - cut).abs() > NEAR * blur);
         cuts.retain(|cut| ends.contains(cut) || is_apart(cut));
         cuts.dedup();
         let tolerance = tolerance.max(RESOLVED);
@@ -388,7 +390,7 @@ mod tests {
 
     fn gives_itself(has_slope: bool, tolerance: f64) {
         let series = Series(vec![0.3, -1.0, 0.5, 0.25, 0.0, 0.0, 0.0, 2.0], has_slope);
-        let slopes = Slopes::resolve(&series, &[0.7], [8, 1], 0.0);
+        let slopes = Slopes::resolve(&series, [&[0.7], &[1.9]], [8, 1], 0.0);
         for angle in [0.0, 1e-9, 0.01, 0.391, 0.7, 1.5, 3.0, 3.139, PI] {
             let exact: f64 = (series.0.iter().enumerate())
                 .map(|(k, f)| k as f64 * f * (k as f64 * angle).cos())
@@ -422,7 +424,7 @@ mod tests {
                 Some(3.0 * (3.0 * t).cos() - 0.5 * t.sin())
             }
         }
-        let slopes = Slopes::resolve(&Wave, &[], [8, 2], 0.0);
+        let slopes = Slopes::resolve(&Wave, [&[], &[]], [8, 2], 0.0);
         for t in [-PI, -1.0, 0.0, 0.2, 3.0] {
             let exact = 3.0 * (3.0 * t).sin() + 0.5 * t.cos();
             assert!((slopes.conjugate(t) - exact).abs() < 1e-13);

@@ -470,14 +470,15 @@ fn resolved(base: &Base<'_>, zone: Zone, panels: usize) -> (Arc<Slopes>, f64) {
     let inside = |at: &&f64| zone.left() < **at && **at < zone.right();
     let angle =
         |at: &f64| Place { from_left: at - zone.left(), from_right: zone.right() - at }.angle();
-    let bends: Vec<f64> = profile.cuts().iter().filter(inside).map(angle).collect();
+    let angles = |places: &[f64]| -> Vec<f64> { places.iter().filter(inside).map(angle).collect() };
+    let [bends, joints] = [&profile.breaks, &profile.joints].map(|places| angles(places));
     let mut on_zone = OnZone { base, zone, mean: 0.0 };
     on_zone.mean = on_zone.mean_slope();
     // Places rounded to doubles leave the slope of a short zone far off the middle no more digits.
     let nearest = zone.left().max(-zone.right()).max(0.0);
     let rounding = f64::EPSILON * ROUNDINGS * nearest / zone.length();
     let tolerance = profile.tolerance.max(rounding);
-    let slopes = Slopes::resolve(&on_zone, &bends, [panels, 1], tolerance);
+    let slopes = Slopes::resolve(&on_zone, [&bends, &joints], [panels, 1], tolerance);
     (Arc::new(slopes), on_zone.mean)
 }
 

@@ -36,9 +36,10 @@ fn cells(base: &Base<'_>, count: usize) -> Cells {
         let mut cuts = valleys::cuts(&valleys, [left, right], count as usize);
         cuts.extend(&base.problem.profile.breaks);
         // Cells show what lies between measured points, but not what is narrower than they are.
-        let joints = &base.problem.profile.joints;
-        if joints.len() < count as usize / 2 {
-            cuts.extend(joints);
+        let joints = base.problem.profile.joints.windows(2);
+        let narrow = joints.filter(|pair| pair[1] - pair[0] < width);
+        if narrow.clone().count() < count as usize / 2 {
+            cuts.extend(narrow.flatten());
         }
         cuts.extend(closing_in(base.problem.load, width, LIMITS.shortest));
         ([left, right], cuts)

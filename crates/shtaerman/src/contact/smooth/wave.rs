@@ -67,9 +67,10 @@ impl FullWave {
             let error = [slopes.error(), 0.0];
             return Self { slopes: Arc::new(slopes.clone()), theta0, force, error };
         }
-        let bends: Vec<f64> = profile.cuts().iter().map(|at| at * PI).collect();
+        let angles = |places: &[f64]| -> Vec<f64> { places.iter().map(|at| at * PI).collect() };
+        let [bends, joints] = [&profile.breaks, &profile.joints].map(|places| angles(places));
         let resolved = |panels: usize| {
-            Slopes::on_panels(&Turn(profile), &bends, [panels, 2], profile.tolerance)
+            Slopes::on_panels(&Turn(profile), [&bends, &joints], [panels, 2], profile.tolerance)
         };
         let (slopes, other) = (Arc::new(resolved(FINE.panels)), resolved(COMPARED.panels));
         let difference = (0..COMPARISONS)

@@ -50,7 +50,7 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
     let mut check = Check::none();
     for panel in &solved.panels {
         let points = points(base, panel.left, panel.right);
-        let values: Vec<f64> = points.iter().map(|&xi| -solved.layer(base, xi)).collect();
+        let (points, values) = with_tops(&points, |xi| -solved.layer(base, xi));
         check.tension = values.iter().fold(check.tension, |most, t| most.max(t / largest));
         let found = above(&points, &values, allowed * largest + floor);
         check.pulling.extend(found.into_iter().map(|[left, _, right]| [left, right]));
@@ -64,8 +64,8 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
             * solved.solution.potential().iter().fold(0.0f64, |most, u| most.max(u.abs()));
     for [left, right] in outside(base, solved) {
         let points = points(base, left, right);
-        let values: Vec<f64> =
-            points.iter().map(|&xi| depth(xi) - solved.displacement_outside(xi)).collect();
+        let (points, values) =
+            with_tops(&points, |xi| depth(xi) - solved.displacement_outside(xi));
         check.penetration = values.iter().fold(check.penetration, |most, g| most.max(g / scale));
         check.deepest.extend(above(&points, &values, allowed * scale + floor));
     }
@@ -98,13 +98,32 @@ fn points(base: &Base<'_>, left: f64, right: f64) -> Vec<f64> {
     let mut points: Vec<f64> = Vec::new();
     for pair in cuts.windows(2) {
         let (middle, half) = (0.5 * (pair[0] + pair[1]), 0.5 * (pair[1] - pair[0]));
-        let samples = (half * base.samples.len() as f64 / 4.0) as usize;
+        let samples = (half * base.samples.len() as f64 / 2.0) as usize;
         let reach = half * (1.0 - INSIDE);
         let between = between_nodes(POINTS.max(samples));
         points.extend(between.map(|y| (middle + reach * y).clamp(pair[0], pair[1])));
     }
     points.sort_by(f64::total_cmp);
     points
+}
+
+/// Values at points, with the top of the parabola through each three of which the middle one is the largest: what exceeds little may do so between the points only.
+fn with_tops(points: &[f64], value: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<f64>) {
+    let values: Vec<f64> = points.iter().map(|&xi| value(xi)).collect();
+    let mut found: Vec<(f64, f64)> = points.iter().copied().zip(values.iter().copied()).collect();
+    for (x, v) in points.windows(3).zip(values.windows(3)) {
+        if v[1] < v[0] || v[1] < v[2] {
+            continue;
+        }
+        let [before, after] = [(v[1] - v[0]) / (x[1] - x[0]), (v[2] - v[1]) / (x[2] - x[1])];
+        let curvature = (after - before) / (x[2] - x[0]);
+        let top = 0.5 * (x[0] + x[1]) - 0.5 * before / curvature;
+        if x[0] < top && top < x[2] && top != x[1] {
+            found.push((top, value(top)));
+        }
+    }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.into_iter().unzip()
 }
 
 /// The intervals around points where the values exceed a threshold, to halfway to the nearest points where they do not, with the place of the largest
@@ -133,6 +152,18 @@ fn above(points: &[f64], values: &[f64], threshold: f64) -> Vec<[f64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A narrow top between points that are all below the threshold.
+    #[test]
+    fn tops_between_points_are_seen() {
+        let points: Vec<f64> = (0..11).map(|i| f64::from(i) * 0.1).collect();
+        let value = |x: f64| 1.0 - 400.0 * (x - 0.55).powi(2);
+        let (points, values) = with_tops(&points, value);
+        assert_eq!(above(&points[..5], &values[..5], 0.9).len(), 0);
+        let found = above(&points, &values, 0.9);
+        assert_eq!(found.len(), 1);
+        assert!((found[0][1] - 0.55).abs() < 1e-12);
+    }
 
     #[test]
     fn intervals_surround_what_exceeds() {

@@ -323,7 +323,7 @@ impl Profiles {
         let slopes: Vec<Slopes> = (rings.iter().zip(&bends))
             .map(|(ring, bends)| {
                 let on_ring = OnRing { base, ring: *ring, reference };
-                Slopes::resolve(&on_ring, bends, [detail.panels, 1], shape.tolerance)
+                Slopes::resolve(&on_ring, [bends, &[]], [detail.panels, 1], shape.tolerance)
             })
             .collect();
         let most = if detail.digits > DIGITS { MODES_OF_BASE } else { FEWER_MODES };
