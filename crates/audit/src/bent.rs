@@ -2,9 +2,7 @@
 
 use crate::bound::{Answer, Bound, MOST_WINDOWS, Prescribed, Problem, Refusal, resample};
 use crate::density::Density;
-use crate::distance::narrow_potential;
 use crate::kernel::Kernel;
-use crate::norms::mass;
 use crate::open::free_ends;
 use crate::sampled::{Field, Seen, cover, largest};
 use crate::shape::Shape;
@@ -86,7 +84,13 @@ impl Field for Audit<'_> {
 
 /// A bound of the potential of a density of size one on an interval of this width.
 fn narrow(width: f64, kernel: Kernel) -> f64 {
-    narrow_potential(width, kernel).min(mass(kernel, 1.0))
+    let mu = kernel.singularity().exponent();
+    let own = if mu == 0.0 {
+        width * (3.0 + width.ln().abs())
+    } else {
+        4.0 * width.powf(1.0 - mu) / (1.0 - mu)
+    };
+    own.min(kernel.mass())
 }
 
 /// The constant after whose addition the kernel has the complete maximum principle, and the energy `V` of the equilibrium without it.
@@ -168,15 +172,16 @@ impl Audit<'_> {
         let together: Vec<Seen> = seen().copied().collect();
         let potential = |width: f64| self.problem.theta * narrow(width, self.problem.kernel);
         let largest = largest(&together, softest, potential);
-        let given = self.shape.rounding[0].max(self.shape.rounding[1]);
-        let missing = |prescribed: Option<f64>, own: f64| {
-            prescribed.map_or(0.0, |value| (value - own).abs() + given)
+        let missing = |prescribed: Option<f64>, own: f64, rounding: f64| {
+            prescribed.map_or(0.0, |value| (value - own).abs() + rounding)
         };
         // What force and moment are off by where settlement and tilt are as they are, and what that makes of these.
         let moved = 2.0 * of_force * largest * softest * self.shape.length;
         let [[k11, k12], [_, k22]] = stiffness;
-        let [off_force, off_moment] =
-            [missing(force, self.shape.force), missing(moment, self.shape.moment)];
+        let [off_force, off_moment] = [
+            missing(force, self.shape.force, self.shape.rounding[0]),
+            missing(moment, self.shape.moment, self.shape.rounding[1]),
+        ];
         let [settled, tilted] = match (force, moment) {
             (Some(_), Some(_)) => {
                 let determinant = k11 * k22 - k12 * k12;
@@ -193,7 +198,7 @@ impl Audit<'_> {
         let off = off.fold(0.0, f64::max);
         let open = gaps.iter().filter(|gap| gap.least <= margin + shift);
         let length = self.shape.length + open.map(|gap| gap.right - gap.left).sum::<f64>();
-        let moved = length * off + given;
+        let moved = length * off + self.shape.rounding[0] + self.shape.rounding[1];
         let unless = |given: bool, value: f64| if given { 0.0 } else { value };
         Bound {
             mean_square: residual * layer::softest(self.kappa, highest + off),

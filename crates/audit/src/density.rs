@@ -91,6 +91,11 @@ impl Potentials {
         }
     }
 
+    /// Number of places.
+    fn len(&self) -> usize {
+        self.values.len()
+    }
+
     /// Adds a part of the potential at one of the places.
     pub(crate) fn add(&mut self, index: usize, value: f64, rounding: f64) {
         let (sum, lost) = two_sum(self.values[index], value);
@@ -125,9 +130,7 @@ impl Density {
     pub(crate) fn new(kernel: Kernel, panels: Vec<Panel>) -> Self {
         let regular = match kernel {
             Kernel::Row { period } => Regular::new(&panels, period),
-            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Power { .. } => {
-                Regular::default()
-            }
+            _ => Regular::default(),
         };
         let recurrence = Recurrence::new(kernel.singularity());
         let mut density = Self { kernel, panels, clusters: Vec::new(), recurrence, regular };
@@ -190,7 +193,7 @@ impl Density {
             Kernel::Logarithm => self.add_singular(places, -1.0, found),
             Kernel::ShiftedLogarithm { constant } => {
                 self.add_singular(places, -1.0, found);
-                self.add_constant(constant, found, places.len());
+                self.add_constant(constant, found);
             }
             Kernel::Power { .. } => self.add_singular(places, 1.0, found),
             Kernel::Row { period } => {
@@ -232,13 +235,14 @@ impl Density {
         }
     }
 
-    /// Adds `constant int q`. Interpolation reproduces it, so that windows need not know of it.
-    fn add_constant(&self, constant: f64, found: &mut Potentials, count: usize) {
+    /// Adds `constant int q`. Interpolation gives it back, so that windows need not know of it.
+    fn add_constant(&self, constant: f64, found: &mut Potentials) {
         let Some(root) = self.clusters.last() else { return };
-        // The integral is compensated; the constant is a rounded logarithm.
-        let rounding = 8.0 * UNIT * constant.abs() * root.mass;
-        for index in 0..count {
-            found.add(index, constant * root.integral(), rounding);
+        let value = constant * root.integral();
+        // Of the constant, the product and the integral.
+        let rounding = 4.0 * UNIT * constant.abs() * root.mass;
+        for index in 0..found.len() {
+            found.add(index, value, rounding);
         }
     }
 

@@ -40,10 +40,10 @@ pub(crate) struct Distance {
 /// Sums over windows.
 #[derive(Debug, Clone, Copy, Default)]
 struct Norms {
-    /// `||w~||` squared, and `||w~||_1` in the zones, without what could not be resolved.
+    /// `||w~||` squared, and `||w~||_1` in the zones, without what changes the density.
     square: f64,
     sum: f64,
-    /// `||w~||_1`, `||w~||` squared of that, and the potential it can have.
+    /// `||w~||_1`, `||w~||` squared where the density is changed by it, and the potential that has.
     narrow_sum: f64,
     narrow_square: f64,
     narrow_potential: f64,
@@ -52,7 +52,12 @@ struct Norms {
 }
 
 impl Norms {
-    fn add_narrow(&mut self, size: f64, width: f64, kernel: Kernel) {
+    fn add_narrow(&mut self, size: f64, width: f64, (kernel, is_absorbed): (Kernel, bool)) {
+        if !is_absorbed {
+            self.square += size * size * width;
+            self.sum += size * width;
+            return;
+        }
         self.narrow_sum += size * width;
         self.narrow_square += size * size * width;
         self.narrow_potential += size * narrow_potential(width, kernel);
@@ -60,7 +65,7 @@ impl Norms {
 }
 
 /// A bound of the potential of a density of size one on an interval of this width.
-pub(crate) fn narrow_potential(width: f64, kernel: Kernel) -> f64 {
+fn narrow_potential(width: f64, kernel: Kernel) -> f64 {
     let mu = kernel.singularity().exponent();
     if mu == 0.0 {
         width * (3.0 + width.ln().abs() + kernel.constant().abs())
@@ -81,13 +86,20 @@ struct Corrected {
 }
 
 impl Audit<'_> {
+    /// The kernel, and whether a residual on so narrow a window costs less where the density is changed by it: `theta ||K w~||` instead of `||w~||`.
+    fn narrow(&self, width: f64) -> (Kernel, bool) {
+        let kernel = self.problem.kernel;
+        let is_absorbed = self.problem.theta * row_norm(kernel) * width.sqrt() < 1.0;
+        (kernel, is_absorbed)
+    }
+
     fn norms(&self, windows: &Windows<'_>) -> Norms {
         let mut norms = Norms::default();
         for window in windows.zones.iter().chain(windows.gaps) {
             let width = window.right - window.left;
             norms.largest = norms.largest.max(window.at_numbers);
             if window.is_narrow {
-                norms.add_narrow(window.largest, width, self.problem.kernel);
+                norms.add_narrow(window.largest, width, self.narrow(width));
             } else {
                 norms.square += window.norm * window.norm;
                 norms.sum += window.largest * width;
@@ -97,7 +109,7 @@ impl Audit<'_> {
         for cut in self.problem.cuts.iter().filter(|cut| self.density.panel_at(**cut).is_some()) {
             let blur = blur(cut.abs());
             let [low, high] = self.problem.profile.range([cut - blur, cut + blur]);
-            norms.add_narrow(high - low, 2.0 * blur, self.problem.kernel);
+            norms.add_narrow(high - low, 2.0 * blur, self.narrow(2.0 * blur));
         }
         norms
     }
@@ -115,7 +127,7 @@ impl Audit<'_> {
             }
         }
         let negative = square.sqrt();
-        // On windows that could not be resolved the density is what its own potential makes it: a change by w~ there.
+        // On absorbed windows the density is what its own potential makes it: a change by w~ there.
         let absorbed = theta
             * (norms.narrow_sum * row_norm(kernel))
                 .min(norms.narrow_square.sqrt() * mass(kernel, 1.0));

@@ -1,5 +1,7 @@
 //! The kernels whose operators are positive.
 
+use crate::norms;
+
 /// What a kernel does where its points meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Singularity {
@@ -66,5 +68,17 @@ impl Kernel {
             Self::ShiftedLogarithm { constant } => constant,
             Self::Logarithm | Self::Row { .. } | Self::Power { .. } => 0.0,
         }
+    }
+
+    /// A bound of `max_x int |K(x, s)| ds` over `[-1, 1]`, and so of the norm of `K` in `L2` and between bounded functions.
+    #[must_use]
+    pub fn mass(self) -> f64 {
+        norms::mass(self, 1.0)
+    }
+
+    /// A bound of `max_x ||K(x, .)||` in `L2` of `[-1, 1]`; infinite for powers from 1/2 on.
+    #[must_use]
+    pub fn row_norm(self) -> f64 {
+        norms::row_norm(self)
     }
 }

@@ -44,9 +44,8 @@ impl Residual<'_> {
             let size = |w: f64| if is_inside { w.abs() } else { (-w).max(0.0) };
             largest = largest.max(size(w) + error);
             least = least.min(w - error);
-            // The answer's own pressure counts at a place, not the resampled one, which may bend there; where the base jumps its height is that of either side.
+            // The answer's own pressure counts at a place, not the resampled one, which may bend there; where the base jumps its height is that of either side, also where rounding leaves open of which.
             let w = if is_inside { w + (self.pressure)(x) - self.density.evaluate(x) } else { w };
-            // Which side may be left open by rounding, too.
             let [f_low, f_high] = self.profile.height(x);
             let f = 0.5 * (f_low + f_high);
             let [lower, upper] = [w + (low - f).min(0.0), w + (high - f).max(0.0)];

@@ -1,6 +1,6 @@
 //! Norms of the kernels on the part of the base where an answer and the truth can differ.
 
-use std::f64::consts::{LN_2, PI, TAU};
+use std::f64::consts::{LN_2, PI, SQRT_2, TAU};
 
 use crate::kernel::Kernel;
 
@@ -26,12 +26,12 @@ pub(crate) fn mass(kernel: Kernel, half: f64) -> f64 {
 
 /// A bound of `max_x ||K(x, .)||` in `L2` of an interval of half-length 1; infinite for powers from 1/2 on.
 ///
-/// The logarithm: `int_0^1 ln^2 u du = 2` to either side, in all 4, largest in the middle; a constant besides its own. The power: `2/(1 - 2 mu)`. The row: `L sum 1/(2 k^2) = L pi^2/12`.
+/// The logarithm: `int_0^1 ln^2 u du = 2` to either side, in all 4, largest in the middle. The power: `2/(1 - 2 mu)`. The row: `L sum 1/(2 k^2) = L pi^2/12`.
 #[must_use]
 pub(crate) fn row_norm(kernel: Kernel) -> f64 {
     match kernel {
         Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } => {
-            2.0 + 2f64.sqrt() * kernel.constant().abs()
+            2.0 + SQRT_2 * kernel.constant().abs()
         }
         Kernel::Row { period } => (period * PI.powi(2) / 12.0).sqrt(),
         Kernel::Power { exponent } if exponent < 0.5 => (2.0 / (1.0 - 2.0 * exponent)).sqrt(),
@@ -89,14 +89,14 @@ impl Reach {
 
     /// `max_x ||theta K(x, .)||` of the scaled interval.
     fn row_norm(&self) -> f64 {
-        let own = match self.kernel {
+        let norm = match self.kernel {
             Kernel::ShiftedLogarithm { .. } => row_norm(Kernel::Logarithm),
             kernel => row_norm(kernel),
         };
-        self.scaled_theta() * (own + 2f64.sqrt() * self.constant().abs())
+        self.scaled_theta() * (norm + SQRT_2 * self.constant().abs())
     }
 
-    /// The constant `ln(1/h)` of the logarithm that counts, with its own.
+    /// The constant `ln(1/h)` of the logarithm, and its own, where they count.
     fn constant(&self) -> f64 {
         match self.kernel {
             Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } if !self.is_neutral => {

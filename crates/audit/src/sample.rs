@@ -15,6 +15,8 @@ const NOISE: f64 = 1e-7;
 /// Panels are not cut below this many units of the machine, and below `COARSE` times that where the density changes as much from number to number.
 const FINEST: f64 = 64.0 * f64::EPSILON;
 const COARSE: f64 = 1e6;
+/// On a panel beside a corner the density is so many times steeper at the near end than at the far one.
+const STEEPER: f64 = 4.0;
 /// Panels shorter than this share of their distance from the origin have nodes that are rounded noticeably; so many corrections take that away.
 const ROUNDED: f64 = 1e-6;
 const CORRECTIONS: usize = 3;
@@ -108,13 +110,13 @@ pub(crate) fn halves(density: &dyn Fn(f64) -> f64, panel: &Panel) -> Vec<Panel> 
         .to_vec()
 }
 
-/// What the density changes from one number of the machine to the next beside the ends of a panel: it cannot be told better.
+/// What the density changes from one number of the machine to the next beside that end of a panel where it is less steep, several times: it cannot be told better. At the other end it may have a corner.
 fn graininess(density: &dyn Fn(f64) -> f64, panel: &Panel) -> f64 {
     let after = panel.left.next_up();
     let before = panel.right.next_down();
     let first = (density(after.next_up()) - density(after)).abs();
     let last = (density(before) - density(before.next_down())).abs();
-    first.max(last)
+    STEEPER * first.min(last)
 }
 
 /// The panel with its polynomial multiplied by `a + b x` plus `c + d x`, resampled at its nodes.

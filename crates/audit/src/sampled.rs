@@ -63,14 +63,13 @@ pub(crate) fn cover(
     found: &mut Vec<Seen>,
 ) -> Result<(), TooManyWindows> {
     let mut stack = vec![whole];
-    let mut known = Known::default();
     while let Some([left, right]) = stack.pop() {
         let middle = 0.5 * (left + right);
         let size = left.abs().max(right.abs()).max(SMALLEST * (whole[1] - whole[0]));
         let is_finest = right - left <= FINEST * size || middle <= left || middle >= right;
         if is_finest {
             found.push(narrow(field, [left, right], is_zone));
-        } else if let Some(seen) = window(field, [left, right], is_zone, &mut known) {
+        } else if let Some(seen) = window(field, [left, right], is_zone) {
             found.push(seen);
         } else {
             stack.push([middle, right]);
@@ -84,18 +83,14 @@ pub(crate) fn cover(
 }
 
 /// What is seen on a window; none where it has to be halved.
-fn window(
-    field: &impl Field,
-    [left, right]: [f64; 2],
-    is_zone: bool,
-    known: &mut Known,
-) -> Option<Seen> {
+fn window(field: &impl Field, [left, right]: [f64; 2], is_zone: bool) -> Option<Seen> {
     let (c, r) = (0.5 * (left + right), 0.5 * (right - left));
     let (middle, noise) = field.residual(c);
     let budget = (SHARE * middle.abs()).max(2.0 * noise);
     let (count, of_profile) = match field.profile() {
         None => (COUNTS[0], 0.0),
         Some(profile) => {
+            let mut known = Known::default();
             let mut heights = known.on(profile, [left, right]);
             let mut tried = COUNTS.into_iter().map(|count| (count, heights.missed(count, budget)));
             tried.find(|(_, missed)| *missed <= budget)?

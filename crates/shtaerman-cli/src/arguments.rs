@@ -99,7 +99,7 @@ pub struct SolveArguments {
     /// Draw pressure and deformed surface to this file (.svg or .png).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
-    /// Solve by both methods and report their differences.
+    /// Solve again by a reference method that shares no code with the others, and report the differences; exit code 1 where they are larger than both state.
     #[arg(long)]
     pub cross_check: bool,
     /// Leave out the audit: errors are then those that the method states of itself.

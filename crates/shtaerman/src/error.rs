@@ -343,12 +343,14 @@ pub enum Error {
     )]
     NoOtherMethod,
 
-    /// A cross-check was asked for where there is one method only.
+    /// The reference that is to check an answer was not found.
     #[error(
-        "a cross-check compares the degenerate kernel with collocation, and both solve one plane punch in full contact (contact = \"bilateral\") on homogeneous ground with a linear layer; \
-         this contact has one method, and its audit (solve without --no-audit) is what checks it"
+        "nothing to compare with: the reference, product integration on graded panels, does not solve this contact: {reason}; the audit (solve without --no-audit) checks it otherwise"
     )]
-    NoOtherMethodForZones,
+    NoReference {
+        /// Why.
+        reason: shtaerman_reference::Refusal,
+    },
 
     /// The degenerate kernel is not what solves the problem, so that there is no convergence to study.
     #[error(
@@ -406,6 +408,7 @@ impl Error {
                 | Self::EquationTolerance { .. }
                 | Self::EquationUnsolved { .. }
                 | Self::CheckUnsolved { .. }
+                | Self::NoReference { .. }
                 | Self::Equation(
                     fredholm::Error::NotPositiveDefinite { .. }
                         | fredholm::Error::NotConverged { .. }

@@ -63,9 +63,9 @@ pub use answer::{
 };
 pub use audit::{Audit, Unaudited};
 pub use contact::{
-    AIM, Accuracy, Complementarity, Contact, CrossCheck, Curve, ErrorKind, Method, SmoothContact,
-    SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem, SmoothProfile, SmoothRingsContact,
-    SmoothZone, Stiffness, Warning, WarningCode,
+    AIM, Accuracy, Complementarity, Contact, CrossCheck, Curve, ErrorKind, Method, ReferenceError,
+    SmoothContact, SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem, SmoothProfile,
+    SmoothRingsContact, SmoothZone, Stiffness, Warning, WarningCode,
 };
 pub use convergence::Convergence;
 pub use datum::{Datum, RelativeSettlement};

@@ -1,8 +1,8 @@
 //! An approximate inverse of the operator: exact for means over groups of panels.
 
+use super::kernel::PanelKernel;
 use super::panels::Panels;
 use crate::Error;
-use crate::complementarity::mean_logarithm;
 use crate::linear::Cholesky;
 
 /// Groups of neighbouring panels without gaps, and the operator `1 + theta K` on functions that are constant on each.
@@ -19,7 +19,12 @@ impl Groups {
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`] where rounding makes the matrix of the groups not positive.
-    pub fn new(panels: &Panels, theta: f64, longest: f64) -> Result<Self, Error> {
+    pub fn new(
+        kernel: PanelKernel,
+        panels: &Panels,
+        theta: f64,
+        longest: f64,
+    ) -> Result<Self, Error> {
         let mut firsts: Vec<usize> = Vec::new();
         let mut intervals: Vec<[f64; 2]> = Vec::new();
         for (k, [left, right]) in panels.bounds().iter().copied().enumerate() {
@@ -36,7 +41,7 @@ impl Groups {
         let factor = Cholesky::new(intervals.len(), |i, j| {
             let [left, right] = [intervals[i.min(j)], intervals[i.max(j)]];
             let layer = if i == j { lengths[i] } else { 0.0 };
-            layer + theta * lengths[i] * lengths[j] * mean_logarithm(left, right)
+            layer + theta * lengths[i] * lengths[j] * kernel.mean(left, right)
         })?;
         Ok(Self { starts: firsts, lengths, factor })
     }

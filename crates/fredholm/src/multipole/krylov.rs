@@ -1,7 +1,7 @@
 //! The equation of the second kind with conditions, by GMRES.
 
 use super::groups::Groups;
-use super::operator::PanelLogarithm;
+use super::operator::PanelOperator;
 use crate::Error;
 use crate::linear::vector::add;
 
@@ -15,7 +15,7 @@ const STAGNANT: f64 = 0.5;
 #[derive(Debug)]
 pub struct PanelEquation<'a> {
     /// `K`.
-    pub operator: &'a PanelLogarithm,
+    pub operator: &'a PanelOperator,
     /// `theta >= 0`.
     pub parameter: f64,
     /// The approximate inverse, for the same panels or others of the same number.
@@ -312,7 +312,7 @@ fn weighted(weights: &[f64], u: &[f64], v: &[f64]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::Panels;
+    use super::super::{PanelKernel, Panels};
     use super::*;
     use crate::SincOperator;
     use crate::kernel::Logarithm;
@@ -328,9 +328,11 @@ mod tests {
         cuts.extend([-1.0, 1.0]);
         cuts.sort_by(f64::total_cmp);
         let bounds = cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-        let operator = PanelLogarithm::new(Panels::new(bounds, 16).unwrap()).unwrap();
+        let operator =
+            PanelOperator::new(PanelKernel::Logarithm, Panels::new(bounds, 16).unwrap()).unwrap();
         for theta in [0.5, 30.0] {
-            let groups = Groups::new(operator.panels(), theta, 0.05).unwrap();
+            let groups =
+                Groups::new(PanelKernel::Logarithm, operator.panels(), theta, 0.05).unwrap();
             let equation = PanelEquation { operator: &operator, parameter: theta, groups: &groups };
             let nodes = operator.panels().nodes();
             let (ones, zero) = (vec![1.0; nodes.len()], vec![0.0; nodes.len()]);

@@ -1,10 +1,11 @@
-//! The logarithm on very many panels: collocation at Gauss nodes, products in time proportional to their number by a fast multipole method (V. Rokhlin, *Rapid solution of
+//! The logarithm, on a line or a circle, and powers on very many panels: collocation at Gauss nodes, products in time proportional to their number by a fast multipole method (V. Rokhlin, *Rapid solution of
 //! integral equations of classical potential theory*, J. Comput. Phys. 60 (1985) 187; here with interpolation at Chebyshev points, W. Fong and E. Darve, J. Comput. Phys. 228
 //! (2009) 8712), and the equation of the second kind by GMRES with the means over groups of panels solved exactly.
 //!
 //! For densities that bend at thousands of places, where [sinc collocation](crate::collocation) of a dense matrix would not fit.
 
 mod groups;
+mod kernel;
 mod krylov;
 mod operator;
 mod panels;
@@ -12,6 +13,7 @@ mod rule;
 mod tree;
 
 pub use groups::Groups;
+pub use kernel::PanelKernel;
 pub use krylov::{PanelCondition, PanelEquation, PanelSolution};
-pub use operator::{PanelField, PanelLogarithm};
+pub use operator::{PanelField, PanelOperator};
 pub use panels::Panels;

@@ -1,7 +1,9 @@
-//! Products of the logarithm with functions on panels.
+//! Products of a kernel with functions on panels.
 
+use std::ops::Range;
 use std::sync::Arc;
 
+use super::kernel::PanelKernel;
 use super::panels::Panels;
 use super::tree::{Locals, Tree, interpolate};
 use crate::Error;
@@ -14,10 +16,11 @@ const MOST_ENTRIES: usize = 60_000_000;
 /// Longest panel, as a share of `[-1, 1]`: it must lie in a leaf and its neighbours with all places that it is near to.
 pub(super) const LONGEST: f64 = 0.05;
 
-/// `phi -> int ln(1/|x - s|) phi(s) ds` for functions on [`Panels`]: near panels by exact moments of the polynomials, far ones through a tree of boxes, in time
+/// `phi -> int K(x - s) phi(s) ds` for functions on [`Panels`]: near panels by exact moments of the polynomials, far ones through a tree of boxes, in time
 /// proportional to the number of nodes.
 #[derive(Debug)]
-pub struct PanelLogarithm {
+pub struct PanelOperator {
+    kernel: PanelKernel,
     panels: Arc<Panels>,
     tree: Arc<Tree>,
     /// The matrices of the leaves, one after the other.
@@ -25,12 +28,13 @@ pub struct PanelLogarithm {
     near_starts: Vec<usize>,
 }
 
-impl PanelLogarithm {
+impl PanelOperator {
     /// For these panels, none of which may be longer than 0.1.
     ///
     /// # Errors
-    /// [`Error::InvalidParameter`] for longer panels, [`Error::TooLarge`] where the nodes crowd so much that the near part does not fit into memory.
-    pub fn new(panels: Panels) -> Result<Self, Error> {
+    /// [`Error::InvalidParameter`] for longer panels and exponents that are not between 0 and 1, [`Error::TooLarge`] where the nodes crowd so much that the near part does not fit into memory.
+    pub fn new(kernel: PanelKernel, panels: Panels) -> Result<Self, Error> {
+        kernel.check()?;
         let longest =
             panels.bounds.iter().fold(0.0f64, |most, [left, right]| most.max(right - left));
         if longest > 2.0 * LONGEST {
@@ -41,10 +45,10 @@ impl PanelLogarithm {
             });
         }
         let reach = 0.5 * (panels.rule.far + 1.0) * longest;
-        let tree = Tree::new(panels.nodes(), reach, CROWD);
+        let tree = Tree::new(kernel, panels.nodes(), reach, CROWD);
         let mut near_starts = vec![0];
         for leaf in 0..tree.leaves() {
-            let entries = tree.nodes_of(leaf, leaf).len() * tree.near(leaf).len();
+            let entries = tree.nodes_of(leaf, leaf).len() * count(&tree.near(leaf));
             near_starts.push(near_starts[leaf] + entries);
         }
         let entries = near_starts[tree.leaves()];
@@ -56,11 +60,12 @@ impl PanelLogarithm {
             });
         }
         let mut near = vec![0.0; entries];
+        let own = panels.rule.own(kernel);
         for leaf in 0..tree.leaves() {
             let block = &mut near[near_starts[leaf]..near_starts[leaf + 1]];
-            fill_near(&panels, &tree, leaf, block);
+            fill_near(kernel, &panels, &tree, leaf, &own, block);
         }
-        Ok(Self { panels: Arc::new(panels), tree: Arc::new(tree), near, near_starts })
+        Ok(Self { kernel, panels: Arc::new(panels), tree: Arc::new(tree), near, near_starts })
     }
 
     /// The panels.
@@ -80,10 +85,16 @@ impl PanelLogarithm {
         for leaf in 0..self.tree.leaves() {
             let near = self.tree.near(leaf);
             let block = &self.near[self.near_starts[leaf]..self.near_starts[leaf + 1]];
-            let rows = block.chunks_exact(near.len().max(1));
+            let rows = block.chunks_exact(count(&near).max(1));
             for (node, row) in self.tree.nodes_of(leaf, leaf).zip(rows) {
-                result[node] =
-                    dot(row, &values[near.clone()]) + self.tree.at_node(&locals, leaf, node);
+                let mut sum = self.tree.at_node(&locals, leaf, node);
+                let mut row = row;
+                for part in &near {
+                    let (own, rest) = row.split_at(part.len());
+                    sum += dot(own, &values[part.clone()]);
+                    row = rest;
+                }
+                result[node] = sum;
             }
         }
         result
@@ -107,45 +118,76 @@ impl PanelLogarithm {
             self.panels.rule.coefficients(v, c);
         }
         let (panels, tree) = (Arc::clone(&self.panels), Arc::clone(&self.tree));
-        PanelField { panels, tree, locals, charges, coefficients }
+        PanelField { kernel: self.kernel, panels, tree, locals, charges, coefficients }
     }
 }
 
-/// The rows of the nodes of a leaf, for the nodes near to it.
-fn fill_near(panels: &Panels, tree: &Tree, leaf: usize, block: &mut [f64]) {
+/// Number of nodes of both parts.
+fn count(near: &[Range<usize>; 2]) -> usize {
+    near.iter().map(Range::len).sum()
+}
+
+/// The rows of the nodes of a leaf, for the nodes near to it; `own` are the weights of a panel for its own nodes.
+fn fill_near(
+    kernel: PanelKernel,
+    panels: &Panels,
+    tree: &Tree,
+    leaf: usize,
+    own: &[f64],
+    block: &mut [f64],
+) {
     let near = tree.near(leaf);
-    let order = panels.order();
-    let mut exact = vec![0.0; order];
-    let rows = block.chunks_exact_mut(near.len().max(1));
+    let rows = block.chunks_exact_mut(count(&near).max(1));
     for (node, row) in tree.nodes_of(leaf, leaf).zip(rows) {
-        let x = panels.nodes()[node];
-        for panel in near.start / order..near.end.div_ceil(order) {
-            let all = panel * order..(panel + 1) * order;
-            let (middle, half) = panels.middle(panel);
-            let z = (x - middle) / half;
-            if z.abs() < panels.rule.far {
-                if all.contains(&node) {
-                    let own = (node - all.start) * order;
-                    exact.copy_from_slice(&panels.rule.own[own..own + order]);
-                } else {
-                    panels.rule.weights_at(z, &mut exact);
-                }
-                let level = -half.ln();
-                for (k, j) in all.enumerate().filter(|(_, j)| near.contains(j)) {
-                    row[j - near.start] = half * (exact[k] + level * panels.rule.weights[k]);
-                }
-            } else {
-                for j in all.filter(|j| near.contains(j)) {
-                    row[j - near.start] = -panels.weights()[j] * (x - panels.nodes()[j]).abs().ln();
-                }
-            }
+        let mut row = row;
+        for part in &near {
+            let (entries, rest) = row.split_at_mut(part.len());
+            fill_row(kernel, panels, own, (node, part), entries);
+            row = rest;
         }
     }
 }
 
-/// `int ln(1/|x - s|) phi(s) ds` at any place.
+/// The entries of a node for others.
+fn fill_row(
+    kernel: PanelKernel,
+    panels: &Panels,
+    own: &[f64],
+    (node, near): (usize, &Range<usize>),
+    row: &mut [f64],
+) {
+    let order = panels.order();
+    let mut exact = [0.0; super::rule::MOST];
+    let exact = &mut exact[..order];
+    let x = panels.nodes()[node];
+    for panel in near.start / order..near.end.div_ceil(order) {
+        let all = panel * order..(panel + 1) * order;
+        let (middle, half) = panels.middle(panel);
+        let z = kernel.shortest(x - middle) / half;
+        let is_close = z.abs() < panels.rule.far;
+        if is_close && all.contains(&node) {
+            let start = (node - all.start) * order;
+            exact.copy_from_slice(&own[start..start + order]);
+        } else if is_close {
+            panels.rule.weights_at(kernel, z, exact);
+        }
+        let [factor, level] = kernel.scale(half);
+        for (k, j) in all.enumerate().filter(|(_, j)| near.contains(j)) {
+            let d = x - panels.nodes()[j];
+            row[j - near.start] = if is_close {
+                let added = level + kernel.remainder(d);
+                factor * exact[k] + added * panels.weights()[j]
+            } else {
+                panels.weights()[j] * kernel.value(d)
+            };
+        }
+    }
+}
+
+/// `int K(x - s) phi(s) ds` at any place.
 #[derive(Debug, Clone)]
 pub struct PanelField {
+    kernel: PanelKernel,
     panels: Arc<Panels>,
     tree: Arc<Tree>,
     locals: Locals,
@@ -160,20 +202,22 @@ impl PanelField {
         &self.panels
     }
 
-    /// The potential at a place, inside the panels or beside them; beyond `[-1, 1]` by the sum over all panels.
+    /// The potential at a place, inside the panels or beside them; beyond `[-1, 1]` by the sum over all panels, on a circle that of its image.
     #[must_use]
     pub fn at(&self, x: f64) -> f64 {
+        let x = self.kernel.shortest(x);
         if x.is_nan() || x.abs() > 1.0 {
             return self.direct(x, 0..self.panels.count());
         }
         let leaf = self.tree.leaf(x);
         let points = super::tree::POINTS;
         let local = &self.locals[leaf * points..(leaf + 1) * points];
-        interpolate(local, self.tree.inside(leaf, x)) + self.direct(x, self.tree.near(leaf))
+        let near: f64 = self.tree.near(leaf).into_iter().map(|part| self.direct(x, part)).sum();
+        interpolate(local, self.tree.inside(leaf, x)) + near
     }
 
     /// The potential of some nodes.
-    fn direct(&self, x: f64, nodes: std::ops::Range<usize>) -> f64 {
+    fn direct(&self, x: f64, nodes: Range<usize>) -> f64 {
         let order = self.panels.order();
         let mut moments = [0.0; super::rule::MOST];
         let moments = &mut moments[..order];
@@ -181,18 +225,28 @@ impl PanelField {
         for panel in nodes.start / order..nodes.end.div_ceil(order) {
             let all = panel * order..(panel + 1) * order;
             let (middle, half) = self.panels.middle(panel);
-            let z = (x - middle) / half;
-            if z.abs() < self.panels.rule.far {
-                super::rule::logarithm_moments(z, moments);
+            let z = self.kernel.shortest(x - middle) / half;
+            let is_close = z.abs() < self.panels.rule.far;
+            let part = if is_close {
+                all.clone()
+            } else {
+                all.start.max(nodes.start)..all.end.min(nodes.end)
+            };
+            if is_close {
+                self.kernel.moments(z, moments);
                 let c = &self.coefficients[all];
                 let moment: f64 = moments.iter().zip(c).map(|(m, c)| m * c).sum();
-                sum += half * (moment - half.ln() * 2.0 * c[0]);
-            } else {
-                let part = all.start.max(nodes.start)..all.end.min(nodes.end);
-                let places = &self.panels.nodes()[part.clone()];
-                for (node, charge) in places.iter().zip(&self.charges[part]) {
-                    sum -= charge * (x - node).abs().ln();
-                }
+                let [factor, level] = self.kernel.scale(half);
+                sum += factor * moment + half * level * 2.0 * c[0];
+            }
+            if is_close && !self.kernel.is_closed() {
+                continue;
+            }
+            let places = &self.panels.nodes()[part.clone()];
+            for (node, charge) in places.iter().zip(&self.charges[part]) {
+                let d = x - node;
+                let value = if is_close { self.kernel.remainder(d) } else { self.kernel.value(d) };
+                sum += charge * value;
             }
         }
         sum
@@ -203,8 +257,8 @@ impl PanelField {
 mod tests {
     use super::*;
 
-    /// Panels of very different lengths, with gaps.
-    fn uneven() -> Vec<[f64; 2]> {
+    /// Panels of very different lengths, with gaps, the last ones ever shorter.
+    fn uneven(closing: i32) -> Vec<[f64; 2]> {
         let mut bounds = Vec::new();
         let mut left = -1.0;
         for i in 0..400 {
@@ -215,7 +269,7 @@ mod tests {
                 left += 0.01;
             }
         }
-        for i in 0..20 {
+        for i in 0..closing {
             let [from, to] = [1.0 - 0.1 * 0.4f64.powi(i), 1.0 - 0.1 * 0.4f64.powi(i + 1)];
             bounds.push([from, to]);
         }
@@ -225,8 +279,8 @@ mod tests {
     #[test]
     fn products_agree_with_those_in_closed_form() {
         // phi = 2 + x: int ln(1/|x - s|) (2 + s) ds by its primitive on each panel
-        let panels = Panels::new(uneven(), 6).unwrap();
-        let operator = PanelLogarithm::new(panels).unwrap();
+        let panels = Panels::new(uneven(20), 6).unwrap();
+        let operator = PanelOperator::new(PanelKernel::Logarithm, panels).unwrap();
         let primitive = |x: f64, s: f64| {
             let d = s - x;
             if d == 0.0 {
@@ -247,6 +301,64 @@ mod tests {
         for i in -60..=60 {
             let x = f64::from(i) / 57.3;
             assert!((field.at(x) - exact(x)).abs() < 2e-13, "{x}: {} {}", field.at(x), exact(x));
+        }
+    }
+
+    #[test]
+    fn products_with_powers_agree_with_those_in_closed_form() {
+        for exponent in [0.05, 0.5, 0.8] {
+            // Beside the singularity rounded distances show in what the primitive gives.
+            let panels = Panels::new(uneven(8), 6).unwrap();
+            let operator = PanelOperator::new(PanelKernel::Power { exponent }, panels).unwrap();
+            // phi = 2 + x by its primitive on each panel
+            let power = 1.0 - exponent;
+            let primitive = |x: f64, s: f64| {
+                let d = s - x;
+                let near = d.abs().powf(power).copysign(d);
+                (2.0 + x) * near / power + near * d / (1.0 + power)
+            };
+            let exact = |x: f64| -> f64 {
+                let bounds = operator.panels().bounds();
+                bounds.iter().map(|[left, right]| primitive(x, *right) - primitive(x, *left)).sum()
+            };
+            let values: Vec<f64> = operator.panels().nodes().iter().map(|x| 2.0 + x).collect();
+            let size = 4.0 / power;
+            for (x, found) in operator.panels().nodes().iter().zip(operator.potential(&values)) {
+                assert!((found - exact(*x)).abs() < 2e-13 * size, "{exponent} {x}: {found}");
+            }
+            let field = operator.field(&values);
+            for i in -60..=60 {
+                let x = f64::from(i) / 57.3;
+                let found = field.at(x);
+                assert!((found - exact(x)).abs() < 2e-13 * size, "{exponent} {x}: {found}");
+            }
+        }
+        let panels = || Panels::new(uneven(8), 6).unwrap();
+        for exponent in [0.0, 1.0, f64::NAN] {
+            assert!(PanelOperator::new(PanelKernel::Power { exponent }, panels()).is_err());
+        }
+    }
+
+    #[test]
+    fn on_a_circle_waves_are_divided_by_their_number() {
+        // ln 1/(2 sin(y/2)) = sum cos(m y)/m: over the whole turn cos(m pi s) becomes cos(m pi x)/m.
+        let mut cuts: Vec<f64> = (0..=60).map(|i| f64::from(i) / 30.0 - 1.0).collect();
+        cuts.extend((1..12).map(|i| 1.0 - 0.03 * 0.4f64.powi(i)));
+        cuts.sort_by(f64::total_cmp);
+        let bounds = cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        let panels = Panels::new(bounds, 13).unwrap();
+        let operator = PanelOperator::new(PanelKernel::Sine, panels).unwrap();
+        let pi = std::f64::consts::PI;
+        for m in [1.0, 2.0, 5.0] {
+            let wave = |x: f64| (m * pi * x + 0.3).cos();
+            let values: Vec<f64> = operator.panels().nodes().iter().map(|x| wave(*x)).collect();
+            for (x, found) in operator.panels().nodes().iter().zip(operator.potential(&values)) {
+                assert!((found - wave(*x) / m).abs() < 1e-13, "{m} {x}: {found}");
+            }
+            let field = operator.field(&values);
+            for x in [-1.7, -1.0, -0.99, -0.3, 0.0, 0.77, 1.0, 2.4] {
+                assert!((field.at(x) - wave(x) / m).abs() < 1e-13, "{m} {x}: {}", field.at(x));
+            }
         }
     }
 }

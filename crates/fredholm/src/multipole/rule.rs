@@ -1,5 +1,6 @@
 //! Gauss nodes of a panel and the moments of the logarithm over it.
 
+use super::kernel::PanelKernel;
 use crate::Error;
 use crate::quadrature::gauss_legendre;
 
@@ -18,8 +19,6 @@ pub(super) struct PanelRule {
     pub(super) weights: Vec<f64>,
     /// Legendre coefficients from values, row by row.
     analysis: Vec<f64>,
-    /// `int ln(1/|y_i - y|) phi(y) dy` from values, row by row.
-    pub(super) own: Vec<f64>,
     barycentric: Vec<f64>,
     /// Derivatives at the nodes from values, row by row.
     slopes: Vec<f64>,
@@ -49,14 +48,7 @@ impl PanelRule {
         let rho = (FAR_DIGITS / (2.0 * order as f64)).exp();
         let far = (0.5 * (rho + 1.0 / rho)).min(FARTHEST);
         let slopes = slopes(&nodes, &barycentric);
-        let own = Vec::new();
-        let mut rule = Self { nodes, weights, analysis, own, barycentric, slopes, far };
-        let mut own = vec![0.0; order * order];
-        for (row, y) in own.chunks_exact_mut(order).zip(&rule.nodes) {
-            rule.weights_at(*y, row);
-        }
-        rule.own = own;
-        Ok(rule)
+        Ok(Self { nodes, weights, analysis, barycentric, slopes, far })
     }
 
     pub(super) fn order(&self) -> usize {
@@ -70,12 +62,21 @@ impl PanelRule {
         }
     }
 
-    /// The weights of `int_{-1}^{1} ln(1/|z - y|) phi(y) dy` for values of a polynomial at the nodes.
-    pub(super) fn weights_at(&self, z: f64, weights: &mut [f64]) {
+    /// `int K(y_i - y) phi(y) dy` from values, row by row.
+    pub(super) fn own(&self, kernel: PanelKernel) -> Vec<f64> {
+        let mut own = vec![0.0; self.order() * self.order()];
+        for (row, y) in own.chunks_exact_mut(self.order()).zip(&self.nodes) {
+            self.weights_at(kernel, *y, row);
+        }
+        own
+    }
+
+    /// The weights of `int_{-1}^{1} K(z - y) phi(y) dy`, but for the remainder of the kernel, for values of a polynomial at the nodes.
+    pub(super) fn weights_at(&self, kernel: PanelKernel, z: f64, weights: &mut [f64]) {
         let order = self.order();
         let mut moments = [0.0; MOST + 1];
         let moments = &mut moments[..order];
-        logarithm_moments(z, moments);
+        kernel.moments(z, moments);
         weights.fill(0.0);
         for (moment, row) in moments.iter().zip(self.analysis.chunks_exact(order)) {
             weights.iter_mut().zip(row).for_each(|(w, a)| *w += moment * a);

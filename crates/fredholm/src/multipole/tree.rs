@@ -1,6 +1,9 @@
-//! The far part of the logarithmic potential: boxes of halved lengths whose charges act on each other through interpolation at Chebyshev points.
+//! The far part of a potential: boxes of halved lengths whose charges act on each other through interpolation at Chebyshev points.
 
 use std::f64::consts::PI;
+use std::ops::Range;
+
+use super::kernel::PanelKernel;
 
 /// Chebyshev points of a box. Boxes that act on each other lie at least a box apart: interpolation converges by `(3 + sqrt 8)^-1` with each point.
 pub(super) const POINTS: usize = 18;
@@ -20,8 +23,10 @@ pub(super) struct Tree {
     starts: Vec<usize>,
     /// Values of the cardinal polynomials of its leaf at each node.
     cardinal: Vec<f64>,
-    /// `-ln |t_i - (2 offset + t_k)|` for the offsets.
-    across: [Square; 4],
+    /// Whether the first box is a neighbour of the last.
+    is_closed: bool,
+    /// `K(h (t_i - (2 offset + t_k)))` for the offsets, level by level, `h` half of a box.
+    across: Vec<[Square; 4]>,
     /// Values of the parent's cardinal polynomials at the points of the left and right child.
     halves: [Square; 2],
 }
@@ -31,7 +36,7 @@ pub(super) type Locals = Vec<f64>;
 
 impl Tree {
     /// For nodes from left to right, with leaves of at least `length` and about `crowd` nodes.
-    pub(super) fn new(nodes: &[f64], length: f64, crowd: usize) -> Self {
+    pub(super) fn new(kernel: PanelKernel, nodes: &[f64], length: f64, crowd: usize) -> Self {
         let covered = nodes.len().div_ceil(crowd).max(1) as f64;
         let depth = (2.0 / length).min(covered).log2().ceil().clamp(0.0, f64::from(DEEPEST)) as u32;
         let mut depth = depth.max(SHALLOWEST);
@@ -49,9 +54,13 @@ impl Tree {
             *start = next;
         }
         let points = points();
-        let across = OFFSETS.map(|offset| {
-            square(|i, k| -(points[i] - (2.0 * offset as f64 + points[k])).abs().ln())
+        let across = (SHALLOWEST..=depth).map(|level| {
+            let half = 1.0 / f64::from(1u32 << level);
+            OFFSETS.map(|offset| {
+                square(|i, k| kernel.value(half * (points[i] - (2.0 * offset as f64 + points[k]))))
+            })
         });
+        let across = across.collect();
         let halves = [-1.0, 1.0].map(|side| {
             let mut matrix = vec![0.0; POINTS * POINTS];
             for (row, t) in matrix.chunks_exact_mut(POINTS).zip(&points) {
@@ -59,7 +68,8 @@ impl Tree {
             }
             matrix
         });
-        let mut tree = Self { depth, starts, cardinal: Vec::new(), across, halves };
+        let is_closed = kernel.is_closed();
+        let mut tree = Self { depth, starts, cardinal: Vec::new(), is_closed, across, halves };
         let mut values = vec![0.0; POINTS * nodes.len()];
         for leaf in 0..leaves {
             for j in tree.nodes_of(leaf, leaf) {
@@ -81,13 +91,20 @@ impl Tree {
     }
 
     /// The nodes of leaves from the first to the last.
-    pub(super) fn nodes_of(&self, first: usize, last: usize) -> std::ops::Range<usize> {
+    pub(super) fn nodes_of(&self, first: usize, last: usize) -> Range<usize> {
         self.starts[first]..self.starts[last + 1]
     }
 
-    /// The nodes of a leaf and its neighbours, which act directly.
-    pub(super) fn near(&self, leaf: usize) -> std::ops::Range<usize> {
-        self.nodes_of(leaf.saturating_sub(1), (leaf + 1).min(self.leaves() - 1))
+    /// The nodes of a leaf and its neighbours, which act directly; the second part are those across the seam of a circle.
+    pub(super) fn near(&self, leaf: usize) -> [Range<usize>; 2] {
+        let last = self.leaves() - 1;
+        let beside = self.nodes_of(leaf.saturating_sub(1), (leaf + 1).min(last));
+        let across = match leaf {
+            0 if self.is_closed => self.nodes_of(last, last),
+            leaf if self.is_closed && leaf == last => self.nodes_of(0, 0),
+            _ => 0..0,
+        };
+        [beside, across]
     }
 
     /// The place in a leaf, from -1 to 1.
@@ -108,7 +125,6 @@ impl Tree {
         for level in SHALLOWEST..=self.depth {
             let boxes = 1usize << level;
             let span = self.leaves() / boxes;
-            let scale = -(1.0 / boxes as f64).ln();
             let moments = &levels[(level - SHALLOWEST) as usize];
             let mut locals = vec![0.0; POINTS * boxes];
             for (b, local) in locals.chunks_exact_mut(POINTS).enumerate() {
@@ -123,30 +139,43 @@ impl Tree {
                         *value += dot(row, parent);
                     }
                 }
-                self.gather_far(moments, b, boxes, scale, local);
+                self.gather_far(moments, b, level, local);
             }
             above = locals;
         }
         above
     }
 
-    /// What the boxes in reach of this one give.
-    fn gather_far(&self, moments: &[f64], b: usize, boxes: usize, scale: f64, local: &mut [f64]) {
-        for (offset, matrix) in OFFSETS.iter().zip(&self.across) {
-            let Some(other) = b.checked_add_signed(*offset).filter(|other| *other < boxes) else {
+    /// What the boxes in reach of this one give: children of neighbours of the parent that are no neighbours themselves.
+    fn gather_far(&self, moments: &[f64], b: usize, level: u32, local: &mut [f64]) {
+        let boxes = 1usize << level;
+        let across = &self.across[(level - SHALLOWEST) as usize];
+        let mut seen = None;
+        for (offset, matrix) in OFFSETS.iter().zip(across) {
+            let other = b as isize + offset;
+            let other = if self.is_closed { other.rem_euclid(boxes as isize) } else { other };
+            let Some(other) = usize::try_from(other).ok().filter(|other| *other < boxes) else {
                 continue;
             };
-            // Of children of neighbours: an even box has three to its right.
-            let is_child = (b / 2).abs_diff(other / 2) <= 1;
+            // Of a circle of four boxes the opposite one is met twice, and three boxes on is the neighbour.
+            let is_reached = self.distance(b, other, boxes) >= 2
+                && self.distance(b / 2, other / 2, boxes / 2) <= 1
+                && seen != Some(other);
             let source = &moments[other * POINTS..(other + 1) * POINTS];
-            if !is_child || source.iter().all(|m| *m == 0.0) {
+            if !is_reached || source.iter().all(|m| *m == 0.0) {
                 continue;
             }
-            let level = scale * source.iter().sum::<f64>();
+            seen = Some(other);
             for (value, row) in local.iter_mut().zip(matrix.chunks_exact(POINTS)) {
-                *value += dot(row, source) + level;
+                *value += dot(row, source);
             }
         }
+    }
+
+    /// Number of boxes from one to another, by the shorter way.
+    fn distance(&self, one: usize, other: usize, boxes: usize) -> usize {
+        let steps = one.abs_diff(other);
+        if self.is_closed { steps.min(boxes - steps) } else { steps }
     }
 
     /// The charges at the points of the boxes, from the coarsest level to the leaves.

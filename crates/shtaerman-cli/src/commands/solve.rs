@@ -66,8 +66,13 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     }
     match &answer.cross_check {
         Some(check) if !check.agrees => Err(Failure::Check(format!(
-            "the {} method differs by more than both methods state: pressure {:.1e}, settlement {:.1e}, tilt {:.1e}, without dimensions",
-            check.method, check.pressure_sup, check.settlement, check.tilt
+            "the reference, {}, differs by more than it and the answer state: pressure {:.1e}, settlement {:.1e}, tilt {:.1e}, force {:.1e}, moment {:.1e}, without dimensions",
+            check.method.replace('_', " "),
+            check.pressure_sup,
+            check.settlement,
+            check.tilt,
+            check.force,
+            check.moment
         ))),
         _ => Ok(()),
     }

@@ -92,18 +92,30 @@ fn error_line(contact: &Contact, error: &ErrorReport) -> String {
     format!("error ({kind}), at most: {}\n", parts.join(", "))
 }
 
-/// The differences from the other method on one line.
+/// The differences from the reference and its own errors.
 fn cross_check_line(check: &CrossCheck) -> String {
-    format!(
-        "cross-check by the {} method with n = {}: differences without dimensions: pressure {}, settlement {}, tilt {}, force {}, moment {}\n",
-        check.method,
+    let own = &check.reference_error;
+    let parts = [
+        ("pressure", check.pressure_sup, own.pressure_sup),
+        ("settlement", check.settlement, own.settlement),
+        ("tilt", check.tilt, own.tilt),
+        ("force", check.force, own.force),
+        ("moment", check.moment, own.moment),
+    ]
+    .map(|(name, found, own)| {
+        format!("{name} {} (+-{})", significant(found, 2), significant(own, 2))
+    });
+    let mut text = format!(
+        "cross-check by {} with n = {}: {}; differences (and errors of the reference) without dimensions: {}\n",
+        check.method.replace('_', " "),
         check.n,
-        significant(check.pressure_sup, 2),
-        significant(check.settlement, 2),
-        significant(check.tilt, 2),
-        significant(check.force, 2),
-        significant(check.moment, 2)
-    )
+        if check.agrees { "agrees" } else { "DIFFERS by more than both state" },
+        parts.join(", ")
+    );
+    if let Some(limits) = &check.limits {
+        let _ = writeln!(text, "cross-check: the reference knows {limits}");
+    }
+    text
 }
 
 fn physical_table(contact: &Contact, physical: &Physical) -> Table {

@@ -1,22 +1,36 @@
-//! The same problem by the other method.
+//! The same problem by a method that shares no code with those that solve it.
 
 use serde::Serialize;
+use shtaerman_reference::{
+    Break, Kernel, Layer, Problem as Posed, Reference, Refusal, Rotational as Turned,
+    Vertical as Pressed,
+};
 
-use super::accuracy::Accuracy;
-use super::{Contact, Draft, Target, collocated, plan, spectral};
-use crate::{Error, Problem};
+use super::{Accuracy, Contact, ErrorKind};
+use crate::roughness::Law;
+use crate::{ContactKind, Error, Geometry, Load, Problem, Rotational, Scaling, Vertical};
 
-/// Roundings of a difference, relative to what is subtracted.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Polynomials of this degree resolve the profile to this share of its heights between the cuts.
+const RESOLVED_DEGREE: usize = 64;
+const RESOLVED: f64 = 1e-12;
+/// Places at which pressures are compared: evenly over the base, and beside each end of a zone.
+const EVENLY: u32 = 96;
+const BESIDE: u32 = 12;
+/// The same on a smooth surface, where the rounding of a place is a large share of its distance from an end.
+const BESIDE_SINGULAR: u32 = 4;
+/// Jumps of the base are known to roundings only: this close to one no pressures are compared.
+const BESIDE_JUMP: f64 = 1e-13;
+/// Where the reference is this much less certain than the answer, it is said.
+const CERTAIN: f64 = 10.0;
 
-/// Differences between the answers of the two independent methods, without dimensions.
+/// Differences between an answer and the reference, without dimensions, with what the reference states of its own errors.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CrossCheck {
-    /// Name of the other method.
+    /// `product_integration`.
     pub method: &'static str,
-    /// Its size.
+    /// Unknowns of its finest solution.
     pub n: usize,
-    /// Largest difference of the pressures `p0` over the base.
+    /// Largest difference of the pressures `p0` over many places of the base.
     pub pressure_sup: f64,
     /// Difference of `delta0`.
     pub settlement: f64,
@@ -26,49 +40,368 @@ pub struct CrossCheck {
     pub force: f64,
     /// Difference of `M0`.
     pub moment: f64,
-    /// Whether no difference is larger than what both methods state of their errors together.
+    /// What the reference states of its own errors.
+    pub reference_error: ReferenceError,
+    /// Whether no difference is larger than what both state of their errors together, at any of the places.
     pub agrees: bool,
+    /// What could not be checked to the digits that the answer states, and how far it was; none where all was.
+    pub limits: Option<String>,
+}
+
+/// Errors of a reference, without dimensions; zero for what the load prescribes.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct ReferenceError {
+    /// Of the pressure, largest over the places compared.
+    pub pressure_sup: f64,
+    /// Of `delta0`.
+    pub settlement: f64,
+    /// Of `alpha0`.
+    pub tilt: f64,
+    /// Of `P0`.
+    pub force: f64,
+    /// Of `M0`.
+    pub moment: f64,
 }
 
 impl Problem {
-    /// Solves the problem by the method that `contact` was not solved by, and compares.
+    /// Solves the problem by product integration on graded panels, which shares no code with the methods of this library but the numbers of the problem, and compares. It searches the
+    /// zones by itself, from the full base; where it does not find them, from those of the answer.
     ///
     /// # Errors
-    /// Those of [`Problem::solve`] but for an explicit tolerance, which the other method need not meet.
+    /// [`Error::NoReference`] with the reason.
     pub fn cross_check(&self, contact: &Contact) -> Result<CrossCheck, Error> {
-        let Some(draft) = contact.draft() else { return Err(Error::NoOtherMethodForZones) };
-        // The draft is that of the problem as it was solved.
-        let problem = self.lowered().map_or_else(|| self.clone(), |(lowered, _)| lowered);
-        let target = Target { tolerance: plan::AIM, is_explicit: false };
-        let other = if contact.method().name == "sinc" {
-            spectral::solve_adaptively(&problem, &problem.resolved_profile()?, target)?
+        let (problem, level) = self.lowered().unwrap_or_else(|| (self.clone(), 0.0));
+        let displacement = self.frame().scaling().map_or(1.0, Scaling::displacement);
+        let height = |xi: f64| problem.dimensionless_profile(xi);
+        let posing =
+            Posing::new(&problem, level / displacement, &height).map_err(Error::no_reference)?;
+        posing.compare(contact).map_err(Error::no_reference)
+    }
+}
+
+impl Error {
+    fn no_reference(reason: Refusal) -> Self {
+        Self::NoReference { reason }
+    }
+}
+
+/// A problem as the reference takes it.
+struct Posing<'a> {
+    kernel: Kernel,
+    theta: f64,
+    layer: Layer,
+    pieces: Vec<[f64; 2]>,
+    breaks: Vec<Break>,
+    is_bilateral: bool,
+    load: Load,
+    /// From which heights and settlement are counted.
+    level: f64,
+    height: &'a dyn Fn(f64) -> f64,
+}
+
+/// The error of an answer whose method states none.
+const UNKNOWN: Accuracy = Accuracy {
+    kind: ErrorKind::Estimate,
+    pressure: f64::INFINITY,
+    settlement: f64::INFINITY,
+    tilt: f64::INFINITY,
+    force: f64::INFINITY,
+    moment: f64::INFINITY,
+};
+
+/// A quantity that is compared, with the error stated by the answer, the reference's own, and the size of such quantities.
+struct Part {
+    name: &'static str,
+    difference: f64,
+    stated: f64,
+    own: f64,
+    size: f64,
+}
+
+impl Part {
+    fn agrees(&self) -> bool {
+        self.difference <= self.stated + self.own
+    }
+}
+
+/// `sin phi` of a place `c + b cos phi` in its zone: on a smooth surface the error of the pressure is stated for the middle and grows as one over that; 1 beside the zones.
+fn middle(contact: &Contact, xi: f64) -> f64 {
+    let zones = contact.edges0();
+    let zone = zones.iter().find(|[left, right]| *left <= xi && xi <= *right);
+    zone.map_or(1.0, |[left, right]| 2.0 * ((xi - left) * (right - xi)).sqrt() / (right - left))
+}
+
+/// What is compared.
+struct Found<'a> {
+    settlement: f64,
+    tilt: f64,
+    force: f64,
+    moment: f64,
+    errors: ReferenceError,
+    n: usize,
+    pressure: &'a dyn Fn(f64) -> [f64; 2],
+}
+
+impl<'a> Posing<'a> {
+    fn new(problem: &Problem, level: f64, height: &'a dyn Fn(f64) -> f64) -> Result<Self, Refusal> {
+        let frame = problem.frame();
+        let layer = match frame.law() {
+            Law::Linear => Layer::Linear,
+            Law::Power(exponent) => Layer::Power { exponent },
+            Law::Smooth => Layer::None,
+        };
+        let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
+        let (kernel, pieces) = match frame.geometry().scaled(frame.half_width()) {
+            Geometry::Circular => (Kernel::Disk { exponent, harmonic: 0 }, vec![[0.0, 1.0]]),
+            Geometry::Periodic { period } => (Kernel::Row { period }, frame.pieces()),
+            Geometry::Plane | Geometry::Pair { .. } if exponent > 0.0 => {
+                (Kernel::Power { exponent }, frame.pieces())
+            }
+            Geometry::Plane | Geometry::Pair { .. } => (Kernel::Logarithm, frame.pieces()),
+        };
+        let load = problem.dimensionless_load();
+        // A wave cannot tilt.
+        let load = if problem.is_wave() {
+            Load { rotational: Rotational::Tilt(0.0), ..load }
         } else {
-            collocated::solve(&problem, &problem.collocated_parts(), target)?
+            load
         };
-        let difference = draft.difference(&other);
-        let allowed = |part: fn(&Accuracy) -> f64, size: f64| {
-            let of = |draft: &Draft| draft.accuracy.as_ref().map_or(f64::INFINITY, part);
-            of(draft) + of(&other) + ROUNDING * size
-        };
-        let sizes = draft.state.sizes(draft.potential.size());
-        let agrees = [
-            (difference.pressure, allowed(|a| a.pressure, sizes.pressure)),
-            (difference.settlement, allowed(|a| a.settlement, sizes.displacement)),
-            (difference.tilt, allowed(|a| a.tilt, sizes.displacement)),
-            (difference.force, allowed(|a| a.force, sizes.force)),
-            (difference.moment, allowed(|a| a.moment, sizes.force)),
-        ]
-        .into_iter()
-        .all(|(found, allowed)| found <= allowed);
-        Ok(CrossCheck {
-            method: other.method.name,
-            n: other.method.n,
-            pressure_sup: difference.pressure,
-            settlement: difference.settlement,
-            tilt: difference.tilt,
-            force: difference.force,
-            moment: difference.moment,
-            agrees,
+        Ok(Self {
+            kernel,
+            theta: frame.theta0(),
+            layer,
+            breaks: breaks(problem, &pieces),
+            pieces,
+            is_bilateral: problem.solver().contact == ContactKind::Bilateral,
+            load,
+            level,
+            height,
         })
     }
+
+    fn posed(&self) -> Posed<'_> {
+        Posed {
+            kernel: self.kernel,
+            theta: self.theta,
+            layer: self.layer,
+            pieces: &self.pieces,
+            is_bilateral: self.is_bilateral,
+            vertical: match self.load.vertical {
+                Vertical::Force(force) => Pressed::Force(force),
+                Vertical::Settlement(settlement) => Pressed::Settlement(settlement),
+            },
+            rotational: match self.load.rotational {
+                Rotational::Moment(moment) => Turned::Moment(moment),
+                Rotational::Eccentricity(e) => Turned::Eccentricity(e),
+                Rotational::Tilt(tilt) => Turned::Tilt(tilt),
+            },
+            base: self.height,
+            breaks: &self.breaks,
+        }
+    }
+
+    fn compare(&self, contact: &Contact) -> Result<CrossCheck, Refusal> {
+        let posed = self.posed();
+        let Kernel::Disk { exponent, .. } = self.kernel else {
+            let found = solve(&posed, &contact.edges0())?;
+            return Ok(self.judge(contact, &Found::new(&found, &|xi| found.pressure(xi))));
+        };
+        let zones: Vec<[f64; 2]> = (contact.edges0().into_iter())
+            .filter(|[_, right]| *right > 0.0)
+            .map(|[left, right]| [left.max(0.0), right])
+            .collect();
+        let round = Posed { rotational: Turned::Tilt(0.0), ..posed };
+        let even = solve(&round, &zones)?;
+        let is_level = matches!(
+            self.load.rotational,
+            Rotational::Moment(0.0) | Rotational::Eccentricity(0.0) | Rotational::Tilt(0.0)
+        );
+        if is_level {
+            return Ok(self.judge(contact, &Found::new(&even, &|xi| even.pressure(xi.abs()))));
+        }
+        let turned = match self.load.rotational {
+            Rotational::Moment(moment) => Turned::Moment(moment),
+            Rotational::Eccentricity(e) => Turned::Moment(e * even.force),
+            Rotational::Tilt(tilt) => Turned::Tilt(tilt),
+        };
+        let tilted = Posed {
+            kernel: Kernel::Disk { exponent, harmonic: 1 },
+            is_bilateral: true,
+            vertical: Pressed::Settlement(0.0),
+            rotational: turned,
+            ..self.posed()
+        };
+        let odd = solve(&tilted, &self.pieces)?;
+        let lifts = |xi: f64| even.pressure(xi)[0] < odd.pressure(xi)[0].abs();
+        if even.zones != self.pieces
+            || !self.is_bilateral && (0..=64).any(|i| lifts(f64::from(i) / 64.0))
+        {
+            return Err(Refusal::NotCovered(
+                "a tilted disk that lifts off is no body of revolution",
+            ));
+        }
+        if self.layer != Layer::Linear && self.layer != Layer::None {
+            return Err(Refusal::NotCovered("a power law mixes the harmonics of a tilted disk"));
+        }
+        let pressure = |xi: f64| {
+            let [[p, one], [q, other]] = [even.pressure(xi.abs()), odd.pressure(xi.abs())];
+            [p + q.copysign(q * xi), one + other]
+        };
+        let mut found = Found::new(&even, &pressure);
+        (found.tilt, found.moment) = (odd.tilt, odd.moment);
+        (found.errors.tilt, found.errors.moment) = (odd.errors.tilt, odd.errors.moment);
+        if let Rotational::Eccentricity(e) = self.load.rotational {
+            found.errors.moment += e.abs() * even.errors.force;
+            found.errors.tilt += (odd.tilt / even.force).abs() * even.errors.force;
+        }
+        Ok(self.judge(contact, &found))
+    }
+
+    /// Holds the differences against what both state.
+    fn judge(&self, contact: &Contact, found: &Found<'_>) -> CrossCheck {
+        let stated = contact.accuracy().copied().unwrap_or(UNKNOWN);
+        let own = &found.errors;
+        let moved = found.settlement.abs().max(found.tilt.abs());
+        let pressed = found.force.abs().max(found.moment.abs());
+        let part = |name, difference: f64, stated, own, size| Part {
+            name,
+            difference: difference.abs(),
+            stated,
+            own,
+            size,
+        };
+        let (settlement, level) = contact.solved_settlement0();
+        let settlement = (found.settlement - settlement) + (self.level - level);
+        let (pressure, is_pressure_right) = self.pressures(contact, found, stated.pressure);
+        let parts = [
+            pressure,
+            part("settlement", settlement, stated.settlement, own.settlement, moved),
+            part("tilt", found.tilt - contact.tilt0(), stated.tilt, own.tilt, moved),
+            part("force", found.force - contact.force0(), stated.force, own.force, pressed),
+            part("moment", found.moment - contact.moment0(), stated.moment, own.moment, pressed),
+        ];
+        let [pressure, settlement, tilt, force, moment] = &parts;
+        CrossCheck {
+            method: "product_integration",
+            n: found.n,
+            pressure_sup: pressure.difference,
+            settlement: settlement.difference,
+            tilt: tilt.difference,
+            force: force.difference,
+            moment: moment.difference,
+            reference_error: ReferenceError { pressure_sup: pressure.own, ..*own },
+            agrees: is_pressure_right && parts[1..].iter().all(Part::agrees),
+            limits: limits(&parts),
+        }
+    }
+
+    /// The pressures at many places, and whether they differ at none by more than both errors there.
+    fn pressures(&self, contact: &Contact, found: &Found<'_>, stated: f64) -> (Part, bool) {
+        let mut agrees = true;
+        let mut part = Part { name: "pressure", difference: 0.0, stated, own: 0.0, size: 0.0 };
+        for xi in self.places(contact) {
+            let [p, own] = (found.pressure)(xi);
+            let known = contact.pressure0(xi);
+            // A corner or a kink of a smooth surface.
+            if known.is_infinite() || p.is_infinite() {
+                continue;
+            }
+            let share = if self.layer == Layer::None { middle(contact, xi) } else { 1.0 };
+            let difference = (p - known).abs() * share;
+            part.difference = part.difference.max(difference);
+            part.own = part.own.max(own * share);
+            part.size = part.size.max(p.abs() * share);
+            agrees &= difference <= stated + own * share;
+        }
+        (part, agrees)
+    }
+
+    /// Where pressures are compared.
+    fn places(&self, contact: &Contact) -> Vec<f64> {
+        let (first, last) = (-1.0, 1.0);
+        let mut places: Vec<f64> = (0..=EVENLY)
+            .map(|i| first + (last - first) * f64::from(i) / f64::from(EVENLY))
+            .collect();
+        for [left, right] in contact.edges0() {
+            let half = 0.5 * (right - left);
+            let nearest = if self.layer == Layer::None { BESIDE_SINGULAR } else { BESIDE };
+            let beside = (0..=nearest).map(|k| half * 0.1f64.powi(k as i32));
+            places.extend(beside.flat_map(|d| [left + d, right - d]));
+            places.extend([left, right]);
+        }
+        for cut in &self.breaks {
+            places.extend([cut.at - 1e-6, cut.at + 1e-6]);
+        }
+        let is_jump = |xi: f64| {
+            let xi = if matches!(self.kernel, Kernel::Disk { .. }) { xi.abs() } else { xi };
+            self.breaks.iter().any(|cut| cut.is_sharp && (cut.at - xi).abs() < BESIDE_JUMP)
+        };
+        let pieces = contact.problem().frame().pieces();
+        places.retain(|xi| {
+            pieces.iter().any(|[left, right]| left <= xi && xi <= right) && !is_jump(*xi)
+        });
+        places
+    }
+}
+
+impl<'a> Found<'a> {
+    fn new(reference: &Reference<'_>, pressure: &'a dyn Fn(f64) -> [f64; 2]) -> Self {
+        let errors = reference.errors;
+        Self {
+            settlement: reference.settlement,
+            tilt: reference.tilt,
+            force: reference.force,
+            moment: reference.moment,
+            errors: ReferenceError {
+                pressure_sup: 0.0,
+                settlement: errors.settlement,
+                tilt: errors.tilt,
+                force: errors.force,
+                moment: errors.moment,
+            },
+            n: reference.unknowns,
+            pressure,
+        }
+    }
+}
+
+/// The reference, from zones of its own; where it does not find them, from those of the answer.
+fn solve<'p>(posed: &'p Posed<'p>, zones: &[[f64; 2]]) -> Result<Reference<'p>, Refusal> {
+    match posed.solve(None) {
+        Err(Refusal::ZonesNotFound | Refusal::NoContact) => posed.solve(Some(zones)),
+        found => found,
+    }
+}
+
+/// Where panels end: the switches and hidden kinks of the profile, its measured points, and the surroundings of what no sample may show.
+fn breaks(problem: &Problem, pieces: &[[f64; 2]]) -> Vec<Break> {
+    let half_width = problem.frame().half_width();
+    let resolution = problem.resolution(RESOLVED_DEGREE, RESOLVED);
+    let sharp = problem.profile().breakpoints(half_width).into_iter().chain(resolution.singular);
+    let mut found: Vec<Break> = sharp.map(|at| Break { at, is_sharp: true }).collect();
+    let mild = problem.profile().joints(half_width).into_iter().chain(resolution.joints);
+    for at in mild {
+        if !found.iter().any(|known| (known.at - at).abs() < BESIDE_JUMP) {
+            found.push(Break { at, is_sharp: false });
+        }
+    }
+    // The tip of a cone is a break of a disk.
+    let is_tip = |at: f64| at == 0.0 && pieces[0][0] == 0.0;
+    found.retain(|cut| {
+        is_tip(cut.at) || pieces.iter().any(|[left, right]| *left < cut.at && cut.at < *right)
+    });
+    found.sort_by(|one, two| one.at.total_cmp(&two.at));
+    found.dedup_by(|later, earlier| later.at - earlier.at < BESIDE_JUMP);
+    found
+}
+
+/// What the reference knows less well than the answer states, by more than rounding.
+fn limits(parts: &[Part]) -> Option<String> {
+    let unchecked: Vec<String> = (parts.iter())
+        .filter(|part| part.own > CERTAIN * part.stated && part.own > RESOLVED * part.size)
+        .map(|Part { name, stated, own, .. }| {
+            format!("{name} to {own:.1e} only, of which the answer states {stated:.1e}")
+        })
+        .collect();
+    (!unchecked.is_empty()).then(|| unchecked.join("; "))
 }

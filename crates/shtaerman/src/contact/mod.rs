@@ -31,7 +31,7 @@ mod valleys;
 mod warning;
 
 pub use accuracy::{Accuracy, ErrorKind};
-pub use cross_check::CrossCheck;
+pub use cross_check::{CrossCheck, ReferenceError};
 pub(crate) use linearised::{Linearised, Rates};
 pub use plan::AIM;
 pub use smooth::{

@@ -98,11 +98,6 @@ pub(super) trait Solution: Debug + Send + Sync {
 
     /// A bound of the size of `p0 + f0`, for the check that an answer is finite.
     fn size(&self) -> f64;
-
-    /// The solution of one of the two methods for the full base.
-    fn full_base(&self) -> Option<&Draft> {
-        None
-    }
 }
 
 /// The draft with the Chebyshev degree that shows the features of the profile.
@@ -155,9 +150,5 @@ impl Solution for FullBase {
     fn size(&self) -> f64 {
         let state = &self.draft.state;
         state.settlement.abs() + state.tilt.abs() + self.draft.potential.size()
-    }
-
-    fn full_base(&self) -> Option<&Draft> {
-        Some(&self.draft)
     }
 }

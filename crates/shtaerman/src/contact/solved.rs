@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use super::accuracy::{Accuracy, Sizes};
-use super::draft::Draft;
 use super::extremes::{Extreme, Sampled};
 use super::kinks::{Kink, kinks};
 use super::promise::Reached;
@@ -74,6 +73,8 @@ pub struct Contact {
     reason: String,
     /// Whether tilt and moment are zero, by symmetry or because a wave has none.
     is_level: bool,
+    /// Whether base and load are their own mirror images.
+    is_symmetric: bool,
     peak: (f64, f64),
     kinks: Vec<Kink>,
     tension: Vec<[f64; 2]>,
@@ -89,6 +90,7 @@ impl Contact {
         reason: String,
     ) -> Result<Self, Error> {
         let of_heights = problem.of_heights(solution.as_ref());
+        let is_symmetric = problem.is_symmetric();
         let mut contact = Self {
             problem: problem.clone(),
             solved: problem.clone(),
@@ -96,7 +98,8 @@ impl Contact {
             accuracy: of_heights.zip(solution.accuracy()).map(|(own, known)| own.or(known)),
             of_heights: of_heights.map_or(0.0, |own| own.relative()),
             reason,
-            is_level: problem.is_symmetric() || problem.is_wave(),
+            is_level: is_symmetric || problem.is_wave(),
+            is_symmetric,
             peak: (0.0, 0.0),
             kinks: kinks(problem, &solution.zones()),
             solution,
@@ -166,10 +169,10 @@ impl Contact {
         self.solution.state().force
     }
 
-    /// `M0 = M/(a^2 E)`.
+    /// `M0 = M/(a^2 E)`; of a wave without gaps `int xi p0 dxi` over the period from `-1` to 1, whatever the load says: a moment cannot turn it.
     #[must_use]
     pub fn moment0(&self) -> f64 {
-        if self.is_level { 0.0 } else { self.solution.state().moment }
+        if self.is_symmetric { 0.0 } else { self.solution.state().moment }
     }
 
     /// `delta0 = delta/(chi E)`.
@@ -206,9 +209,11 @@ impl Contact {
     #[must_use]
     pub fn moment(&self) -> f64 {
         match self.problem.load().rotational {
-            Rotational::Moment(prescribed) => prescribed,
-            Rotational::Eccentricity(eccentricity) => eccentricity * self.force(),
-            Rotational::Tilt(_) => self.moment0() * self.scale(Scaling::moment),
+            Rotational::Moment(prescribed) if !self.problem.is_wave() => prescribed,
+            Rotational::Eccentricity(eccentricity) if !self.problem.is_wave() => {
+                eccentricity * self.force()
+            }
+            _ => self.moment0() * self.scale(Scaling::moment),
         }
     }
 
@@ -487,9 +492,7 @@ impl Contact {
             let displacement = sizes.displacement.max(self.settlement0().abs());
             return audit.accuracy.relative(&Sizes { displacement, ..sizes });
         }
-        let solved =
-            self.solution.accuracy().map_or(f64::INFINITY, |accuracy| accuracy.relative(&sizes));
-        solved.max(self.of_heights)
+        self.solution.relative_error().max(self.of_heights)
     }
 
     /// A bound of `|p + E f0|` on the base (Pa).
@@ -519,10 +522,6 @@ impl Contact {
 
     pub(super) fn solution(&self) -> &dyn Solution {
         self.solution.as_ref()
-    }
-
-    pub(super) fn draft(&self) -> Option<&Draft> {
-        self.solution.full_base()
     }
 
     pub(super) fn tension0(&self) -> &[[f64; 2]] {

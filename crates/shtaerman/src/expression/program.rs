@@ -1,6 +1,11 @@
 //! The compiled form: operations in postfix order.
 
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
 use super::function::{Binary, Unary};
+
+/// Most operations so far of a program in which a wave is folded back: its operand is written twice.
+const LONGEST_FOLDED: usize = 256;
 
 /// One step of a program; operands are on a stack.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,6 +26,28 @@ impl Operation {
             Operation::Unary(_) => 1,
             Operation::Binary(_) => 2,
             Operation::Where => 3,
+        }
+    }
+}
+
+/// An inverse of a wave applied to that wave: a zigzag or a saw.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Fold {
+    /// `asin(sin(u))`.
+    Sine,
+    /// `acos(cos(u))`.
+    Cosine,
+    /// `atan(tan(u))`.
+    Tangent,
+}
+
+impl Fold {
+    fn of(outer: Unary, inner: Unary) -> Option<Self> {
+        match (outer, inner) {
+            (Unary::Asin, Unary::Sin) => Some(Self::Sine),
+            (Unary::Acos, Unary::Cos) => Some(Self::Cosine),
+            (Unary::Atan, Unary::Tan) => Some(Self::Tangent),
+            _ => None,
         }
     }
 }
@@ -54,7 +81,52 @@ impl Builder {
                 let value = function.value(*u);
                 self.fold(Operation::Unary(function), value);
             }
+            [operand @ .., Operation::Unary(inner)] => match Fold::of(function, *inner) {
+                Some(fold) if operand.len() <= LONGEST_FOLDED => self.fold_back(fold),
+                _ => self.operations.push(Operation::Unary(function)),
+            },
             _ => self.operations.push(Operation::Unary(function)),
+        }
+    }
+
+    /// The operand of the last operation folded back: the formula as it is written loses half of its digits where it bends, and its slope all of them.
+    fn fold_back(&mut self, fold: Fold) {
+        self.operations.pop();
+        let end = self.operations.len();
+        let operand = self.operations[operand_start(&self.operations, end)..].to_vec();
+        let (shift, period) = match fold {
+            Fold::Sine => (FRAC_PI_2, TAU),
+            Fold::Cosine => (PI, TAU),
+            Fold::Tangent => (FRAC_PI_2, PI),
+        };
+        if fold == Fold::Cosine {
+            self.unary(Unary::Abs);
+        }
+        // u - period floor((u + shift)/period)
+        self.operations.extend(operand);
+        if fold == Fold::Cosine {
+            self.unary(Unary::Abs);
+        }
+        self.constant(shift);
+        self.binary(Binary::Add);
+        self.constant(period);
+        self.binary(Binary::Divide);
+        self.unary(Unary::Floor);
+        self.constant(period);
+        self.binary(Binary::Multiply);
+        self.binary(Binary::Subtract);
+        match fold {
+            Fold::Tangent => {}
+            Fold::Cosine => self.unary(Unary::Abs),
+            Fold::Sine => {
+                // pi/2 - |u - pi/2|
+                self.constant(FRAC_PI_2);
+                self.binary(Binary::Subtract);
+                self.unary(Unary::Abs);
+                self.unary(Unary::Negate);
+                self.constant(FRAC_PI_2);
+                self.binary(Binary::Add);
+            }
         }
     }
 

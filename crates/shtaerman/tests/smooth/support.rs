@@ -32,6 +32,7 @@ pub(crate) fn punch(
             height: Arc::new(height),
             slope: None,
             breaks: Vec::new(),
+            joints: Vec::new(),
             tolerance: 0.0,
         },
         is_unilateral: true,

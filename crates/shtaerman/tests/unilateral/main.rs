@@ -9,6 +9,7 @@ mod many_zones;
 mod random;
 mod refusals;
 mod small_zones;
+mod steps;
 mod support;
 mod survey;
 mod traces;

@@ -84,8 +84,41 @@ pub(in crate::contact) fn solve_thin(
     theta: f64,
     height: impl Fn(f64) -> f64,
 ) -> Result<Vec<f64>, Error> {
-    let loaded = Loaded::new(cells, roots, load, LAYER / theta, height);
+    let [level, slope] = resting(cells, load, &height);
+    let above = |x: f64| height(x) - (level + slope * x);
+    let loaded = Loaded::new(cells, roots, load, LAYER / theta, above);
     Ok(loaded.solve(cells, matrix, LAYER)?.values)
+}
+
+/// The line on which the base would rest on rigid ground under the force, `level + slope x`: heights counted from it keep their digits where the base is nearly flat against what is
+/// beside, and the pressure is the same. None but zero where it is not free to move there.
+fn resting(cells: &Cells, load: Load, height: &impl Fn(f64) -> f64) -> [f64; 2] {
+    let Vertical::Force(force) = load.vertical else { return [0.0; 2] };
+    let arm = match load.rotational {
+        Rotational::Moment(moment) => moment / force,
+        Rotational::Eccentricity(e) => e,
+        Rotational::Tilt(_) => return [0.0; 2],
+    };
+    // The lower hull of the heights, from left to right.
+    let mut hull: Vec<[f64; 2]> = Vec::new();
+    for cell in cells.cells() {
+        let next = [cell.centre(), cell.mean(height)];
+        while let [.., before, last] = hull[..]
+            && (last[1] - before[1]) * (next[0] - before[0])
+                >= (next[1] - before[1]) * (last[0] - before[0])
+        {
+            hull.pop();
+        }
+        hull.push(next);
+    }
+    let beside = hull.partition_point(|[x, _]| *x < arm).clamp(1, hull.len().max(2) - 1);
+    match hull.get(beside - 1..=beside) {
+        Some([left, right]) => {
+            let slope = (right[1] - left[1]) / (right[0] - left[0]);
+            [left[1] - slope * left[0], slope]
+        }
+        _ => [0.0; 2],
+    }
 }
 
 /// Boundaries that close in on an edge of the base from cells of this width, until a cell fits between it and the line of the force.

@@ -10,7 +10,7 @@ use super::system::{Part, Place, Solved};
 use super::wave::{FullWave, wrapped};
 use super::zones::Zone;
 use super::{COMPARED, legendre};
-use crate::contact::accuracy::{Accuracy, ErrorKind};
+use crate::contact::accuracy::{Accuracy, ErrorKind, Sizes};
 use crate::contact::balance::State;
 use crate::contact::solved::Stiffness;
 use crate::contact::unilateral::Complementarity;
@@ -48,6 +48,8 @@ pub struct SmoothContact {
     edge_error: f64,
     complementarity: Complementarity,
     largest: f64,
+    /// Difference of the largest and the smallest height.
+    range: f64,
     tension: Vec<[f64; 2]>,
 }
 
@@ -86,6 +88,7 @@ impl SmoothContact {
             edge_error,
             complementarity,
             largest: left.largest,
+            range: base.range(),
             tension: left.pulling.clone(),
         })
     }
@@ -131,6 +134,7 @@ impl SmoothContact {
             edge_error: 0.0,
             complementarity: Complementarity { tension: most / largest, penetration: 0.0 },
             largest,
+            range: base.range(),
             tension,
         }
     }
@@ -379,7 +383,10 @@ impl SmoothContact {
     /// The largest estimated error relative to its size; of the pressure the largest between the singular ends.
     #[must_use]
     pub fn relative_error(&self) -> f64 {
-        self.accuracy.relative(&self.state.sizes(self.largest))
+        let sizes = self.state.sizes(self.largest);
+        // The settlement of a wave in full contact is the mean of its heights, which may be nothing.
+        let displacement = sizes.displacement.max(self.range);
+        self.accuracy.relative(&Sizes { displacement, ..sizes })
     }
 
     /// Number of coupled modes in all zones.

@@ -69,6 +69,7 @@ mod tests {
             height: Arc::new(height),
             slope: Some(Arc::new(slope)),
             breaks: Vec::new(),
+            joints: Vec::new(),
             tolerance: 0.0,
         };
         SmoothProblem {

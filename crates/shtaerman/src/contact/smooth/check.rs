@@ -132,7 +132,7 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
         // Of few modes every other place is enough: all are looked at with all modes.
         let fewest = if allowed >= COARSELY_ALLOWED { POINTS / 2 } else { POINTS };
         let mut points = points(ends, base.cells(), fewest);
-        points.extend(between_breaks(base, ends));
+        points.extend(between_breaks(&base.problem.profile.breaks, ends));
         points.sort_by(f64::total_cmp);
         points.dedup();
         check.look_beside(
@@ -149,7 +149,7 @@ fn along(base: &Base<'_>, solved: &Solved, j: usize) -> Along {
     let points = points(zone.ends, base.cells(), POINTS);
     let mut points = points[1..points.len() - 1].to_vec();
     points.extend(beside_hollows(&solved.parts[j]));
-    points.extend(between_breaks(base, zone.ends));
+    points.extend(between_breaks(&base.problem.profile.breaks, zone.ends));
     points.sort_by(f64::total_cmp);
     points.dedup();
     let pressures = points.iter().map(|&xi| {
@@ -172,9 +172,9 @@ fn beside_hollows(part: &Part) -> Vec<f64> {
 }
 
 /// Places between the breaks of a profile, which may lie close about a narrow feature.
-fn between_breaks(base: &Base<'_>, [left, right]: [f64; 2]) -> Vec<f64> {
+pub(super) fn between_breaks(breaks: &[f64], [left, right]: [f64; 2]) -> Vec<f64> {
     let inside = |xi: &f64| left < *xi && *xi < right;
-    let breaks: Vec<f64> = base.problem.profile.breaks.iter().copied().filter(inside).collect();
+    let breaks: Vec<f64> = breaks.iter().copied().filter(inside).collect();
     let part = |pair: &[f64]| {
         let [from, to] = [pair[0], pair[1]];
         (1..BETWEEN).map(move |i| from + (to - from) * i as f64 / BETWEEN as f64)

@@ -32,16 +32,19 @@ pub struct SmoothProfile {
     pub slope: Option<Curve>,
     /// Where the profile has kinks or jumps, increasing.
     pub breaks: Vec<f64>,
+    /// Where only higher derivatives jump, as at measured points, increasing: no polynomial shows the slope across them.
+    pub joints: Vec<f64>,
     /// Relative accuracy to which the slope is resolved; 0 for the best, about `1e-10` for measured points.
     pub tolerance: f64,
 }
 
 impl fmt::Debug for SmoothProfile {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { breaks, tolerance, .. } = self;
+        let Self { breaks, joints, tolerance, .. } = self;
         formatter
             .debug_struct("SmoothProfile")
             .field("breaks", breaks)
+            .field("joints", joints)
             .field("tolerance", tolerance)
             .finish_non_exhaustive()
     }
@@ -64,6 +67,16 @@ pub struct SmoothProblem {
     pub profile: SmoothProfile,
     /// Whether the zones are part of the answer, with the pressure nowhere negative.
     pub is_unilateral: bool,
+}
+
+impl SmoothProfile {
+    /// All places where the profile has to be cut for polynomials, increasing.
+    pub(super) fn cuts(&self) -> Vec<f64> {
+        let mut cuts: Vec<f64> = self.breaks.iter().chain(&self.joints).copied().collect();
+        cuts.sort_by(f64::total_cmp);
+        cuts.dedup();
+        cuts
+    }
 }
 
 impl SmoothProblem {

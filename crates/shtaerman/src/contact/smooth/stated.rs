@@ -12,11 +12,13 @@ use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::Complementarity;
 use crate::{ContactKind, Error, Geometry, Problem, Rotational, Scaling, Vertical};
 
-/// To this share the slope of a measured profile is resolved: the third derivative of its spline jumps at every point.
+/// To this share the slope of a measured profile is resolved on graded ground: the third derivative of its spline jumps at every point.
 const MEASURED: f64 = 1e-10;
 /// Degree of a polynomial that the first samples of a zone tell, and the share of the range of the heights to which it is the profile.
 const DEGREE: usize = 64;
 const RESOLVED: f64 = 1e-10;
+/// Places closer than this are one.
+const SAME: f64 = 1e-12;
 /// Places of a zone, and of an interval beside it, that show extremes.
 const PLACES: usize = 64;
 const MOST_PLACES: usize = 1024;
@@ -49,8 +51,18 @@ impl Problem {
             Arc::new(move |xi| slope(xi) / scale) as Curve
         });
         let measured = self.profile().measured_points().is_some();
-        let tolerance = if measured { MEASURED } else { 0.0 };
-        let breaks = self.smooth_breaks();
+        let (breaks, mut joints) = (self.smooth_breaks(), Vec::new());
+        let mut tolerance = 0.0;
+        if measured {
+            joints = self.profile().joints(half_width);
+            joints.sort_by(f64::total_cmp);
+        } else if frame.grading().is_some() {
+            joints = self.profile().resolve(&frame.pieces(), half_width, DEGREE, RESOLVED).joints;
+            joints.retain(|at| breaks.iter().all(|known| (known - at).abs() > SAME));
+        }
+        if measured && frame.grading().is_some() {
+            tolerance = MEASURED;
+        }
         let mut load = self.dimensionless_load();
         let is_wave = matches!(kernel, SmoothKernel::Periodic { period } if period <= 2.0);
         if is_wave && matches!(load.rotational, Rotational::Moment(m) if m == 0.0) {
@@ -62,14 +74,14 @@ impl Problem {
             kernel,
             theta0: frame.theta0(),
             load,
-            profile: SmoothProfile { height, slope, breaks, tolerance },
+            profile: SmoothProfile { height, slope, breaks, joints, tolerance },
             is_unilateral: self.solver().contact == ContactKind::Unilateral,
         }
     }
 
     /// Where the panels of slopes, the cells and the places that are looked at are cut: kinks, and the surroundings of features that are narrower than samples.
-    /// On graded ground every one would be a kink.
-    fn smooth_breaks(&self) -> Vec<f64> {
+    /// On graded ground, where each would be a kink, the kinks alone.
+    pub(super) fn smooth_breaks(&self) -> Vec<f64> {
         let (frame, profile) = (self.frame(), self.profile());
         let half_width = frame.half_width();
         if profile.measured_points().is_some() || frame.grading().is_some() {

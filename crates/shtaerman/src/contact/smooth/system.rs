@@ -470,7 +470,7 @@ fn resolved(base: &Base<'_>, zone: Zone, panels: usize) -> (Arc<Slopes>, f64) {
     let inside = |at: &&f64| zone.left() < **at && **at < zone.right();
     let angle =
         |at: &f64| Place { from_left: at - zone.left(), from_right: zone.right() - at }.angle();
-    let bends: Vec<f64> = profile.breaks.iter().filter(inside).map(angle).collect();
+    let bends: Vec<f64> = profile.cuts().iter().filter(inside).map(angle).collect();
     let mut on_zone = OnZone { base, zone, mean: 0.0 };
     on_zone.mean = on_zone.mean_slope();
     // Places rounded to doubles leave the slope of a short zone far off the middle no more digits.

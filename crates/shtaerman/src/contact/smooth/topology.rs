@@ -35,6 +35,11 @@ fn cells(base: &Base<'_>, count: usize) -> Cells {
         let valleys: Vec<f64> = valleys::valleys(samples).collect();
         let mut cuts = valleys::cuts(&valleys, [left, right], count as usize);
         cuts.extend(&base.problem.profile.breaks);
+        // Cells show what lies between measured points, but not what is narrower than they are.
+        let joints = &base.problem.profile.joints;
+        if joints.len() < count as usize / 2 {
+            cuts.extend(joints);
+        }
         cuts.extend(closing_in(base.problem.load, width, LIMITS.shortest));
         ([left, right], cuts)
     });

@@ -67,7 +67,7 @@ impl FullWave {
             let error = [slopes.error(), 0.0];
             return Self { slopes: Arc::new(slopes.clone()), theta0, force, error };
         }
-        let bends: Vec<f64> = profile.breaks.iter().map(|at| at * PI).collect();
+        let bends: Vec<f64> = profile.cuts().iter().map(|at| at * PI).collect();
         let resolved = |panels: usize| {
             Slopes::on_panels(&Turn(profile), &bends, [panels, 2], profile.tolerance)
         };
@@ -348,14 +348,18 @@ fn moved(problem: &SmoothProblem, place: f64, seam: Option<f64>) -> SmoothProble
     // The place becomes +-1.
     let shift = place - 1.0;
     let turned = move |xi: f64| wrapped(xi + shift);
-    let SmoothProfile { height, slope, breaks, tolerance } = problem.profile.clone();
-    let mut breaks: Vec<f64> =
-        breaks.into_iter().chain(seam).map(|at| wrapped(at - shift)).collect();
-    breaks.sort_by(f64::total_cmp);
+    let SmoothProfile { height, slope, breaks, joints, tolerance } = problem.profile.clone();
+    let moved = |places: Vec<f64>, seam: Option<f64>| {
+        let places = places.into_iter().chain(seam).map(|at| wrapped(at - shift));
+        let mut places: Vec<f64> = places.collect();
+        places.sort_by(f64::total_cmp);
+        places
+    };
     let profile = SmoothProfile {
         height: Arc::new(move |xi| height(turned(xi))),
         slope: slope.map(|slope| Arc::new(move |xi| slope(turned(xi))) as super::Curve),
-        breaks,
+        breaks: moved(breaks, seam),
+        joints: moved(joints, None),
         tolerance,
     };
     SmoothProblem { profile, ..problem.clone() }

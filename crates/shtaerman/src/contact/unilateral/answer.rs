@@ -139,7 +139,7 @@ impl UnilateralContact {
 }
 
 /// The images of the zones of a wave whose middles lie on the base, from left to right.
-fn on_the_base(zones: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+pub(super) fn on_the_base(zones: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
     let mut images: Vec<[f64; 2]> = zones
         .map(|[left, right]| {
             let periods = 2.0 * (0.25 * (left + right)).round();

@@ -129,6 +129,11 @@ impl<'p> Base<'p> {
         slope.unwrap_or(f64::NAN) / scale
     }
 
+    /// The same base with all of it in contact, where the pressure may pull.
+    pub(super) fn kept(&self) -> Self {
+        Self { is_bilateral: true, ..self.clone() }
+    }
+
     /// The same base under another load.
     pub(super) fn under(&self, load: Load) -> Self {
         Self { load, ..self.clone() }
@@ -169,11 +174,6 @@ impl<'p> Base<'p> {
     /// The place on the base: a wave without gaps goes on beyond its period.
     pub(super) fn on_base(&self, xi: f64) -> f64 {
         if self.medium.is_closed() && xi.abs() > 1.0 { xi - 2.0 * (0.5 * xi).round() } else { xi }
-    }
-
-    /// Whether an end of the base lies here, which the contact cannot pass.
-    pub(super) fn is_end(&self, side: usize, at: f64) -> bool {
-        self.pieces.iter().any(|piece| piece[side] == at)
     }
 
     /// The wall for a left (0) or right (1) edge this close outwards of a place.
@@ -241,6 +241,11 @@ impl<'p> Base<'p> {
     /// Whether the kernel is the logarithm, and the layer linear: of one punch or of two.
     pub(super) fn is_line(&self) -> bool {
         matches!(self.medium, Medium::Line) && self.layer.is_linear()
+    }
+
+    /// Whether panels serve: for a linear layer on any ground but a disk.
+    pub(super) fn has_panels(&self) -> bool {
+        !self.medium.is_disk() && self.layer.is_linear()
     }
 
     /// Zones to begin with, found on about this many cells.

@@ -139,13 +139,13 @@ fn excess(zones: &[Zone], solved: &Solved) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Ends of the base hold the contact until they pull, and the axis of a circular punch always does.
+/// Walls, steps of the base too, hold the contact until they pull: where the pressure rises towards one a free end would be led away from it. The axis of a circular punch always holds.
 fn rest(base: &Base<'_>, zones: &mut [Zone]) {
     for zone in zones {
         for (side, end) in zone.ends.iter_mut().enumerate() {
             // The check looks just inside a wall.
             if let Some(wall) = base.wall_near(side, end.at, BESIDE) {
-                *end = End { at: wall, is_free: !base.is_end(side, wall) };
+                *end = End { at: wall, is_free: false };
             } else {
                 end.is_free |= end.at.abs() >= 1.0;
             }

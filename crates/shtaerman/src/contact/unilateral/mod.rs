@@ -8,7 +8,7 @@ mod answer;
 mod base;
 mod check;
 mod coarse;
-mod damping;
+pub(super) mod damping;
 mod eccentric;
 mod edges;
 mod elimination;
@@ -90,7 +90,8 @@ impl Problem {
     /// The same with the whole base in contact, where the pressure may pull: by the equations of the zones, in every geometry and for every layer but a smooth one.
     pub(super) fn solve_full_contact(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
-        if fine::suits(&base)
+        let is_bent_wave = base.medium.is_closed() && !base.breaks.is_empty();
+        if (fine::suits(&base) || is_bent_wave)
             && let Some(contact) = spots::solve_whole(&base)?
         {
             return Ok(Arc::new(contact));
@@ -141,7 +142,7 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
 
 /// The answer where the base may lift off.
 fn lifting(base: Base<'_>) -> Result<Answer, Error> {
-    if !base.is_line() {
+    if !base.has_panels() {
         require_few(&base.breaks)?;
     }
     if !base.medium.is_closed() {
@@ -152,6 +153,9 @@ fn lifting(base: Base<'_>) -> Result<Answer, Error> {
             }
             other => other,
         });
+    }
+    if let Some(answer) = bent_wave(&base)? {
+        return Ok(answer);
     }
     let (solved, accuracy) = ring::solve(&base)?;
     let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
@@ -167,6 +171,20 @@ fn lifting(base: Base<'_>) -> Result<Answer, Error> {
         None => ring::least(&solved),
     };
     complementary(&base.shifted(cut)).map(Answer::zones)
+}
+
+/// The answer for a wave without gaps whose profile bends, of which no Fourier series is short: in full contact or cut where that pulls most; none where panels do not serve.
+fn bent_wave(base: &Base<'_>) -> Result<Option<Answer>, Error> {
+    let is_measured = base.problem.profile().measured_points().is_some();
+    if !base.has_panels() || !is_measured && base.breaks.is_empty() {
+        return Ok(None);
+    }
+    let Some(full) = spots::solve_whole(&base.kept())? else { return Ok(None) };
+    let Some(least) = full.pulls_most() else {
+        return Ok(Some(Answer::Spots(Box::new(full.lifting()))));
+    };
+    let cut = coarse::gap(base, base.cells())?.unwrap_or(least);
+    open(&base.clone().shifted(cut)).map(Some)
 }
 
 /// The answer by the method that suits the profile, or by the other.

@@ -100,6 +100,16 @@ impl Ring {
         angles.zip(&self.masses).map(|(y, mass)| u(y) * mass).sum()
     }
 
+    /// `int xi p0 dxi` over the period: of `b sin m y` it is `-2 (-1)^m b/(m pi)`.
+    fn moment(&self) -> f64 {
+        let signed = self.series.iter().enumerate().skip(1).map(
+            |(m, [_, b])| {
+                if m % 2 == 0 { -b } else { *b }
+            },
+        );
+        2.0 / (PI * PI) * signed.sum::<f64>()
+    }
+
     pub(super) fn at(&self, angle: f64, right_hand_side: f64) -> f64 {
         // Clenshaw's recurrence for both series.
         let twice = 2.0 * angle.cos();
@@ -151,7 +161,8 @@ pub(super) fn solve(base: &Base<'_>) -> Result<(Solved, Accuracy), Error> {
                 },
                 tilt: 0.0,
                 force: if by_force { 0.0 } else { force.max(2.0 * next.pressure_rounding()) },
-                moment: 0.0,
+                // The largest moment of a pressure that is off by so much everywhere.
+                moment: change.max(next.pressure_rounding()),
             };
             return Ok((next, accuracy));
         }
@@ -205,9 +216,9 @@ fn level(base: &Base<'_>, count: usize) -> Result<Solved, Error> {
         layer: base.layer,
         hull: Hull { centre: 0.0, half: 1.0 / PI },
         positions: angles(count).map(|y| y / PI).collect(),
-        solution: Field::Ring(ring),
         local: [settlement, 0.0],
-        state: State { settlement, tilt: 0.0, force, moment: 0.0 },
+        state: State { settlement, tilt: 0.0, force, moment: ring.moment() },
+        solution: Field::Ring(ring),
         stiffness: Stiffness { force_settlement: stiffness, coupling: 0.0, moment_tilt: 0.0 },
     })
 }

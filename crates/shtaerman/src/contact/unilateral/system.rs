@@ -329,11 +329,21 @@ impl<'b, 'p> System<'b, 'p> {
         let Hull { centre, half } = self.hull;
         let force =
             self.medium.area() * self.medium.measure(&self.hull) * solution.integral(|_| 1.0);
-        // Rings have no moment, nor has a wave that goes on.
+        // Rings have no moment, and a wave that goes on has none that could turn it.
         if self.medium.is_disk() || self.medium.is_closed() {
             return [force, 0.0];
         }
         [force, centre * force + half * half * solution.integral(|y| y)]
+    }
+
+    /// `int xi p0 dxi` over the period `-1 .. 1` of a wave that is cut elsewhere; where it is joined there is an end of a panel.
+    fn moment_of_a_period(&self, solution: &SincSolution) -> f64 {
+        let Hull { centre, half } = self.hull;
+        let lever = |y: f64| {
+            let xi = centre + half * y;
+            xi - 2.0 * (0.5 * xi).round()
+        };
+        self.medium.measure(&self.hull) * solution.integral(lever)
     }
 
     /// A solution for a right-hand side, with what it adds to `D` and `beta`.
@@ -404,6 +414,7 @@ impl<'b, 'p> System<'b, 'p> {
         let moment = match self.base.load.rotational {
             Rotational::Moment(moment) => moment,
             Rotational::Eccentricity(e) => e * force,
+            Rotational::Tilt(_) if self.medium.is_closed() => self.moment_of_a_period(solution),
             Rotational::Tilt(_) => turned,
         };
         // Adding zero turns a negative zero into a plain one.

@@ -4,6 +4,7 @@ mod breakpoints;
 mod derivatives;
 mod enclosures;
 mod finiteness;
+mod folds;
 mod grammar;
 mod hostile;
 mod magnitudes;

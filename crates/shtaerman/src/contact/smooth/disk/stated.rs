@@ -55,7 +55,7 @@ impl Problem {
             load: self.dimensionless_load(),
             height,
             slope: Arc::new(slope),
-            breaks: self.profile().breakpoints(half_width),
+            breaks: self.smooth_breaks(),
             tolerance: if measured { MEASURED } else { 0.0 },
             is_unilateral: self.solver().contact == ContactKind::Unilateral,
         }

@@ -3,12 +3,14 @@
 use std::f64::consts::PI;
 
 use super::field::{Field, displacement_outside};
-use crate::contact::smooth::check::above;
+use crate::contact::smooth::check::{above, between_breaks};
 use crate::contact::smooth::problem::Base;
 
 /// Points between two bends, and beside a zone, at least and at most.
 const POINTS: usize = 96;
 const POINTS_BESIDE: usize = 48;
+/// The same where the zone is cut at places that are no bends.
+const POINTS_A_PART: usize = 12;
 const MOST_POINTS: usize = 1500;
 /// Tension and penetration, relative to their scales, that are rounding.
 const ALLOWED: f64 = 2e-10;
@@ -68,7 +70,10 @@ impl Check {
         for [from, to] in outside(base, fields) {
             let mut points = vec![from];
             points.extend(between(from, to, points_of(base, to - from, POINTS_BESIDE)));
+            points.extend(between_breaks(&base.problem.profile.cuts(), [from, to]));
             points.push(to);
+            points.sort_by(f64::total_cmp);
+            points.dedup();
             let depths: Vec<f64> = (points.iter())
                 .map(|&xi| {
                     let depth = state.settlement - state.tilt * xi - base.height(xi);
@@ -99,9 +104,11 @@ fn worst(start: f64, values: &[f64]) -> f64 {
 fn inner(base: &Base<'_>, field: &Field) -> Vec<f64> {
     let [left, right] = field.strip.zone.ends;
     let mut cuts = vec![left];
-    cuts.extend(&field.breaks);
+    cuts.extend(base.problem.profile.cuts().iter().filter(|at| left < **at && **at < right));
     cuts.push(right);
-    let count = if cuts.len() > POINTS { 2 } else { points_of(base, right - left, POINTS) };
+    let parts = cuts.len() - field.breaks.len() - 1;
+    let each = (points_of(base, right - left, POINTS) / parts).max(POINTS_A_PART);
+    let count = if cuts.len() > POINTS { 2 } else { each };
     cuts.windows(2).flat_map(|pair| between(pair[0], pair[1], count)).collect()
 }
 

@@ -9,6 +9,7 @@ use crate::Error;
 use crate::contact::smooth::edges::moved;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::zones::Zone;
+use crate::contact::unilateral::damping::{Damping, Edge};
 
 /// Most Newton steps.
 const STEPS: usize = 160;
@@ -28,6 +29,7 @@ pub(super) fn settle(
 ) -> Result<Vec<Settled>, Error> {
     let mut zones = start.to_vec();
     let mut best: Option<(f64, Vec<Settled>)> = None;
+    let mut damping = Damping::default();
     for _ in 0..STEPS {
         let mut settled = fixed(base, ground, &zones)?;
         if drop_idle(&mut zones, &settled) {
@@ -51,12 +53,12 @@ pub(super) fn settle(
         {
             break;
         }
-        let slopes: Vec<[f64; 2]> = settled.iter().map(|settled| slopes(ground, settled)).collect();
+        let (steps, edges): (Vec<f64>, Vec<Edge>) =
+            settled.iter().flat_map(|settled| own_steps(ground, settled)).unzip();
+        let steps = damping.damped(steps, &edges);
         zones = moved(base, &zones, |j, side| {
-            let strip = &settled[j].strip;
-            let (density, slope) = (strip.end_density(side), slopes[j][side]);
-            let step = density / slope / strip.zone.length();
-            if slope > 0.0 && step.is_finite() { step } else { STRIDE.copysign(density) }
+            let end = 2 * j + side;
+            edges[end].outwards * steps[end] / settled[j].strip.zone.length()
         });
         best = is_small.then_some((worst, settled));
     }
@@ -64,6 +66,25 @@ pub(super) fn settle(
         Some((_, settled)) => Ok(settled),
         None => Err(Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN }),
     }
+}
+
+/// The steps of both ends to the right, with what is known there; none of an end that is not free.
+fn own_steps(ground: &Ground, settled: &Settled) -> [(f64, Edge); 2] {
+    let (strip, slopes) = (&settled.strip, slopes(ground, settled));
+    let length = strip.zone.length();
+    [(0, -1.0), (1, 1.0)].map(|(side, outwards)| {
+        let (density, slope) = (strip.end_density(side), slopes[side]);
+        let step = density / slope;
+        let step = if !strip.zone.is_free[side] {
+            0.0
+        } else if slope > 0.0 && step.is_finite() {
+            step.clamp(-STRIDE * length, STRIDE * length)
+        } else {
+            STRIDE.copysign(density) * length
+        };
+        let edge = Edge { at: strip.zone.ends[side], outwards, layer: density };
+        (outwards * step, edge)
+    })
 }
 
 /// Drops zones without force, if there are others; whether there were any.

@@ -76,8 +76,13 @@ impl Parts {
         };
         let clamped: Curve =
             Arc::new(move |xi: f64| slope(xi.max(left.next_up()).min(right.next_down())));
-        let inner = profile.breaks.iter().filter(|at| left < **at && **at < right);
-        let cuts: Vec<f64> = inner.copied().collect();
+        let inside = |at: &f64| left < *at && *at < right;
+        let bends: Vec<f64> = profile.breaks.iter().copied().filter(inside).collect();
+        let mut cuts = profile.cuts();
+        cuts.retain(inside);
+        if cuts.len() > MOST_BREAKS {
+            cuts.clone_from(&bends);
+        }
         let steepest = (0..2 * SAMPLES).fold(0.0f64, |most, i| {
             let share = (i as f64 + 0.5) / (2 * SAMPLES) as f64;
             most.max(clamped(left + (right - left) * share).abs())
@@ -86,11 +91,13 @@ impl Parts {
         let remote = left.abs().max(right.abs()) / half;
         let noise = 2.0 * f64::EPSILON * (1.0 + remote);
         let known = cuts.len() <= MOST_BREAKS;
-        let kinks = if known { kinks(&clamped, zone, &cuts, steepest) } else { Vec::new() };
+        let kinks = if known { kinks(&clamped, zone, &bends, steepest) } else { Vec::new() };
+        // Between the nodes of a short series may be what the cuts are for.
+        let is_short = known && cuts.len() == bends.len();
         let rest = Arc::new(without(&clamped, zone, &kinks));
         let by_place =
             |y: f64| rest(if y < 0.0 { left + half * (1.0 + y) } else { right - half * (1.0 - y) });
-        let rest = match known.then(|| Series::new(ground, half, noise, &by_place)).flatten() {
+        let rest = match is_short.then(|| Series::new(ground, half, noise, &by_place)).flatten() {
             Some(series) => Rest::Smooth(series),
             None => Rest::Bent(halves(base, zone, &cuts, rest, noise * steepest)),
         };

@@ -38,7 +38,7 @@ const ROUGHEST: f64 = 0.05;
 /// Whether the third derivative of the base jumps at measured points, where collocation loses its digits, or the base falls into more parts than it has panels for.
 pub(super) fn suits(base: &Base<'_>) -> bool {
     let is_measured = base.problem.profile().measured_points().is_some();
-    base.is_line() && (is_measured || base.breaks.len() > MOST_BREAKS)
+    base.has_panels() && (is_measured || base.breaks.len() > MOST_BREAKS)
 }
 
 /// The answer on cells; `None` where cells do not serve: for a settlement with an eccentricity, a layer too thin for them, an error too large.

@@ -2,14 +2,16 @@
 
 use super::level::Level;
 use super::responses::{Responses, linearised};
-use crate::Problem;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
 use crate::contact::linearised::Linearised;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::Complementarity;
+use crate::{Problem, Rotational};
 
+/// Tension over the largest pressure that is none.
+const PULLING: f64 = 1e-10;
 /// Beside a step.
 const INSIDE: f64 = 1e-12;
 
@@ -26,6 +28,20 @@ pub(in crate::contact::unilateral) struct SpotContact {
 }
 
 impl SpotContact {
+    /// Where full contact pulls most; none where it does so no more than rounding.
+    pub(in crate::contact::unilateral) fn pulls_most(&self) -> Option<f64> {
+        let nodes = self.level.field.panels().nodes().iter().zip(&self.level.pressures);
+        let (y, least) = nodes.min_by(|one, two| one.1.total_cmp(two.1))?;
+        let allowed = self.accuracy.pressure.max(PULLING * self.level.largest());
+        (*least < -allowed).then(|| self.level.chart.place(*y))
+    }
+
+    /// The same as contact that might lift off, and does not.
+    pub(in crate::contact::unilateral) fn lifting(self) -> Self {
+        let complementarity = Some(Complementarity { tension: 0.0, penetration: 0.0 });
+        Self { complementarity, ..self }
+    }
+
     /// No tension, where the base may lift off.
     fn kept(&self, pressure: f64) -> f64 {
         if self.complementarity.is_some() { pressure.max(0.0) } else { pressure }
@@ -47,21 +63,24 @@ impl Solution for SpotContact {
     }
 
     fn zones(&self) -> Vec<[f64; 2]> {
-        self.level.zones.iter().map(|zone| [zone.left(), zone.right()]).collect()
+        let zones = self.level.zones.iter().map(|zone| [zone.left(), zone.right()]);
+        self.level.chart.zones_on_base(zones)
     }
 
     fn touches(&self, xi: f64) -> bool {
-        self.level.touches(xi)
+        self.level.touches(self.level.chart.located(xi))
     }
 
-    fn pressure(&self, problem: &Problem, xi: f64) -> f64 {
+    fn pressure(&self, problem: &Problem, place: f64) -> f64 {
+        let chart = &self.level.chart;
+        let xi = chart.located(place);
         if xi.is_nan() || !self.level.touches(xi) {
             return if xi.is_nan() { xi } else { 0.0 };
         }
         let inwards = match self.level.end_at(xi) {
             Some((_, end)) if end.is_free => return 0.0,
             // At a step of the base the height is that under pressure.
-            Some((side, _)) if xi.abs() < 1.0 => {
+            Some((side, _)) if place.abs() < 1.0 => {
                 if side == 0 {
                     INSIDE
                 } else {
@@ -70,22 +89,24 @@ impl Solution for SpotContact {
             }
             _ => 0.0,
         };
-        let height = |step: f64| problem.dimensionless_profile(xi + step * inwards);
+        let height = |step: f64| problem.dimensionless_profile(place + step * inwards);
         // On a steep base the distance alone would show.
         let height = if inwards == 0.0 { height(0.0) } else { 2.0 * height(1.0) - height(2.0) };
         self.kept(self.level.pressure_at(xi, height))
     }
 
     fn displacement(&self, xi: f64) -> f64 {
-        self.level.displacement(xi)
+        self.level.displacement(self.level.chart.located(xi))
     }
 
     /// The nodes, both ends of the base and of the zones.
     fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
         let panels = self.level.field.panels();
         let pressures = self.level.pressures.iter().map(|p| self.kept(*p));
-        let known = panels.nodes().iter().copied().zip(pressures);
-        let ends = self.zones().into_iter().flatten().chain([-1.0, 1.0]);
+        let chart = &self.level.chart;
+        let known = panels.nodes().iter().map(|y| chart.on_base(chart.place(*y))).zip(pressures);
+        let zones = self.level.zones.iter().flat_map(|zone| [zone.left(), zone.right()]);
+        let ends = zones.map(|xi| chart.on_base(xi)).chain([-1.0, 1.0]);
         let ends = ends.map(|xi| (xi, self.pressure(problem, xi)));
         let mut samples: Vec<(f64, f64)> = known.chain(ends).collect();
         samples.sort_by(|one, two| one.0.total_cmp(&two.0));
@@ -111,7 +132,12 @@ impl Solution for SpotContact {
     }
 
     fn linearised(&self, problem: &Problem, peak: f64) -> Option<Linearised> {
-        Some(linearised(&self.responses, &problem.dimensionless_load(), peak))
+        let mut load = problem.dimensionless_load();
+        if self.level.chart.is_closed() {
+            // That no moment is asked for means that a wave cannot tilt.
+            load.rotational = Rotational::Tilt(0.0);
+        }
+        Some(linearised(&self.responses, &load, self.level.chart.located(peak)))
     }
 
     fn size(&self) -> f64 {

@@ -26,7 +26,7 @@ struct Change {
 /// The error of the last level, and that of its edges.
 pub(super) fn estimate(base: &Base<'_>, levels: &[Level; 3]) -> (Accuracy, f64) {
     let [first, coarse, fine] = levels;
-    let bounds = fine.field.panels().bounds();
+    let bounds = fine.bounds();
     let places: Vec<f64> = (bounds.iter())
         .flat_map(|[left, right]| PLACES.map(|share| left + share * (right - left)))
         .collect();

@@ -1,9 +1,10 @@
 //! The pressure on given zones, and where what it tells is positive.
 
 use fredholm::multipole::{
-    Groups, PanelCondition, PanelEquation, PanelField, PanelLogarithm, Panels,
+    Groups, PanelCondition, PanelEquation, PanelField, PanelOperator, Panels,
 };
 
+use super::chart::Chart;
 use super::mesh::{Fineness, panels};
 use crate::contact::balance::State;
 use crate::contact::unilateral::base::Base;
@@ -33,7 +34,9 @@ pub(in crate::contact::unilateral) struct Level {
     pub(super) field: PanelField,
     /// Pressures at the nodes.
     pub(super) pressures: Vec<f64>,
-    theta: f64,
+    pub(super) chart: Chart,
+    /// `theta0` by the coordinates of the panels.
+    parameter: f64,
 }
 
 /// Pressures at places of a piece of the base from end to end, beside the zones minus the gap.
@@ -56,16 +59,18 @@ pub(super) struct Effort {
 /// The operator of a level with its approximate inverse.
 #[derive(Debug)]
 pub(super) struct System {
-    pub(super) operator: PanelLogarithm,
+    pub(super) operator: PanelOperator,
     pub(super) groups: Groups,
-    pub(super) theta: f64,
+    pub(super) chart: Chart,
+    /// `theta0` by the coordinates of the panels.
+    pub(super) parameter: f64,
     /// `theta0 K p0` at the nodes.
     pub(super) displacements: Vec<f64>,
 }
 
 impl System {
     pub(super) fn equation(&self) -> PanelEquation<'_> {
-        PanelEquation { operator: &self.operator, parameter: self.theta, groups: &self.groups }
+        PanelEquation { operator: &self.operator, parameter: self.parameter, groups: &self.groups }
     }
 }
 
@@ -78,20 +83,27 @@ impl Level {
         effort: Effort,
         known: Option<&Self>,
     ) -> Result<Option<(Self, System)>, Error> {
-        let Some(bounds) = panels(base, joints, zones, effort.fineness, MOST_NODES) else {
+        let bounds = panels(base, joints, zones, effort.fineness, MOST_NODES);
+        let (Some(chart), Some(bounds)) = (Chart::new(base), bounds) else { return Ok(None) };
+        let local = |xi: f64| chart.local(xi).clamp(-1.0, 1.0);
+        let bounds: Vec<[f64; 2]> = bounds.into_iter().map(|panel| panel.map(local)).collect();
+        if bounds.iter().any(|[left, right]| left >= right) {
             return Ok(None);
-        };
-        let operator = PanelLogarithm::new(Panels::new(bounds, effort.fineness.order)?)?;
+        }
+        let panels = Panels::new(bounds, effort.fineness.order)?;
+        let operator = PanelOperator::new(chart.kernel, panels)?;
         let panels = operator.panels();
-        let total: f64 = zones.iter().map(Zone::length).sum();
-        let longest = (GROUP / base.theta).max(total / MOST_GROUPS);
-        let groups = Groups::new(panels, base.theta, longest)?;
-        let equation =
-            PanelEquation { operator: &operator, parameter: base.theta, groups: &groups };
+        let parameter = base.theta * chart.half();
+        let total = zones.iter().map(Zone::length).sum::<f64>() / chart.half();
+        let layer = (GROUP / parameter).powf(1.0 / (1.0 - base.medium.exponent()));
+        let longest = layer.max(total / MOST_GROUPS);
+        let groups = Groups::new(chart.kernel, panels, parameter, longest)?;
+        let equation = PanelEquation { operator: &operator, parameter, groups: &groups };
         let start: Vec<f64> = (panels.nodes().iter())
-            .map(|x| known.and_then(|known| known.inside(*x)).unwrap_or(0.0))
+            .map(|y| known.and_then(|known| known.field.panels().interpolate(&known.pressures, *y)))
+            .map(|value| value.unwrap_or(0.0))
             .collect();
-        let given = Given::new(base, panels);
+        let given = Given::new(base, &chart, panels);
         let norm = |values: &[f64]| {
             let squares: Vec<f64> = values.iter().map(|value| value * value).collect();
             panels.integral(&squares, |_| 1.0).sqrt()
@@ -102,21 +114,21 @@ impl Level {
         let carried = carried.into_iter().find(|size| *size > 0.0).unwrap_or(1.0);
         let tolerance = (effort.residual * carried).max(ROUNDING * depth);
         let solution = equation.solve(&given.right, &given.conditions, &start, tolerance)?;
-        let theta = base.theta;
         let level = Self {
             zones: zones.to_vec(),
-            state: balanced(base, panels, &solution.values, &solution.multipliers),
+            state: balanced(base, &chart, panels, &solution.values, &solution.multipliers),
             field: operator.field(&solution.values),
             pressures: solution.values,
-            theta,
+            chart,
+            parameter,
         };
-        let displacements = solution.potential.iter().map(|u| theta * u).collect();
-        Ok(Some((level, System { operator, groups, theta, displacements })))
+        let displacements = solution.potential.iter().map(|u| parameter * u).collect();
+        Ok(Some((level, System { operator, groups, chart, parameter, displacements })))
     }
 
     /// The pressure in the zones, from the values at the nodes.
     pub(super) fn inside(&self, xi: f64) -> Option<f64> {
-        self.field.panels().interpolate(&self.pressures, xi)
+        self.field.panels().interpolate(&self.pressures, self.chart.local(xi))
     }
 
     /// `delta0 - alpha0 xi - f0 - theta0 K p0`, given the height: the pressure in a zone, minus the gap beside.
@@ -124,9 +136,9 @@ impl Level {
         self.state.settlement - self.state.tilt * xi - height - self.displacement(xi)
     }
 
-    /// `theta0 int ln(1/|xi - eta|) p0(eta) deta`.
+    /// `theta0 int K p0 deta`.
     pub(super) fn displacement(&self, xi: f64) -> f64 {
-        self.theta * self.field.at(xi)
+        self.parameter * self.field.at(self.chart.local(xi))
     }
 
     /// Whether the place lies in a zone.
@@ -142,9 +154,15 @@ impl Level {
         ends.into_iter().enumerate().find(|(_, end)| end.at == xi)
     }
 
+    /// The panels as intervals of `xi`.
+    pub(super) fn bounds(&self) -> Vec<[f64; 2]> {
+        let bounds = self.field.panels().bounds().iter();
+        bounds.map(|panel| panel.map(|y| self.chart.place(y))).collect()
+    }
+
     /// The least slope of the pressure at a free end.
     pub(super) fn gentlest(&self) -> f64 {
-        let bounds = self.field.panels().bounds();
+        let bounds = self.bounds();
         let first = |at: f64| bounds.partition_point(|[_, right]| *right <= at);
         let mut least = f64::INFINITY;
         for zone in &self.zones {
@@ -234,8 +252,10 @@ struct Given {
 }
 
 impl Given {
-    fn new(base: &Base<'_>, panels: &Panels) -> Self {
-        let nodes = panels.nodes();
+    fn new(base: &Base<'_>, chart: &Chart, panels: &Panels) -> Self {
+        let places: Vec<f64> = panels.nodes().iter().map(|y| chart.place(*y)).collect();
+        let nodes = &places;
+        let half = chart.half();
         let mut right: Vec<f64> = nodes.iter().map(|x| -base.height(*x)).collect();
         let mut add = |f: &dyn Fn(f64) -> f64| {
             right.iter_mut().zip(nodes).for_each(|(value, x)| *value += f(*x));
@@ -243,21 +263,21 @@ impl Given {
         let mut conditions = Vec::new();
         let force = match base.load.vertical {
             Vertical::Force(value) => {
-                conditions.push(PanelCondition::symmetric(vec![1.0; nodes.len()], value));
-                value
+                conditions.push(PanelCondition::symmetric(vec![1.0; nodes.len()], value / half));
+                value / half
             }
             Vertical::Settlement(settlement) => {
                 add(&|_| settlement);
                 0.0
             }
         };
-        let column = nodes.to_vec();
+        let column = nodes.clone();
         match (base.load.vertical, base.load.rotational) {
             (_, Rotational::Moment(moment)) => {
-                conditions.push(PanelCondition::symmetric(column, moment));
+                conditions.push(PanelCondition::symmetric(column, moment / half));
             }
             (Vertical::Force(force), Rotational::Eccentricity(e)) => {
-                conditions.push(PanelCondition::symmetric(column, e * force));
+                conditions.push(PanelCondition::symmetric(column, e * force / half));
             }
             (Vertical::Settlement(_), Rotational::Eccentricity(e)) => {
                 let row = nodes.iter().map(|x| x - e).collect();
@@ -270,16 +290,23 @@ impl Given {
 }
 
 /// Settlement, tilt, force and moment from multipliers and pressures.
-fn balanced(base: &Base<'_>, panels: &Panels, pressures: &[f64], multipliers: &[f64]) -> State {
+fn balanced(
+    base: &Base<'_>,
+    chart: &Chart,
+    panels: &Panels,
+    pressures: &[f64],
+    multipliers: &[f64],
+) -> State {
     let mut multipliers = multipliers.iter().copied();
+    let carried = |lever: &dyn Fn(f64) -> f64| chart.half() * panels.integral(pressures, lever);
     let (force, settlement) = match base.load.vertical {
         Vertical::Force(force) => (force, multipliers.next().unwrap_or(0.0)),
-        Vertical::Settlement(settlement) => (panels.integral(pressures, |_| 1.0), settlement),
+        Vertical::Settlement(settlement) => (carried(&|_| 1.0), settlement),
     };
     let (moment, tilt) = match base.load.rotational {
         Rotational::Moment(moment) => (moment, -multipliers.next().unwrap_or(0.0)),
         Rotational::Eccentricity(e) => (e * force, -multipliers.next().unwrap_or(0.0)),
-        Rotational::Tilt(tilt) => (panels.integral(pressures, |x| x), tilt),
+        Rotational::Tilt(tilt) => (carried(&|y| chart.lever(y)), tilt),
     };
     // Adding zero turns a negative zero into a plain one.
     State {

@@ -9,6 +9,7 @@ const CORNER_GROWTH: f64 = 0.6;
 const POINT_GROWTH: f64 = 0.6;
 /// Longest panels of the base.
 const LONGEST: f64 = 1.0 / 32.0;
+/// All of them for the logarithm: on graded ground `ln d` is a power `d^-mu`, and the panels have the lengths that make as much of it.
 /// The panel at a measured point, where the third derivative jumps and the pressure goes on as `d^4 ln d`, in lengths `1/theta0` of the layer.
 const POINT: f64 = 0.1;
 /// The panel at a free end, where it goes on as `d^2 ln d`: the square of its length over that of the zone, in lengths of the layer. In longer zones than this the
@@ -107,7 +108,12 @@ pub(super) fn panels(
 
 /// The length of the layer.
 fn layer(base: &Base<'_>) -> f64 {
-    1.0 / base.theta.max(1.0)
+    base.theta.max(1.0).powf(-1.0 / (1.0 - base.medium.exponent()))
+}
+
+/// A share of lengths for a pressure that goes on as `d^power ln d`, for one that goes on as `d^(power - mu)`.
+fn share(base: &Base<'_>, share: f64, power: f64) -> f64 {
+    share.powf(power / (power - base.medium.exponent()))
 }
 
 /// Both ends of a zone.
@@ -116,9 +122,10 @@ fn ends(base: &Base<'_>, zone: &Zone, fineness: Fineness) -> [Anchor; 2] {
     [0, 1].map(|side| {
         let end = zone.ends[side];
         let (least, growth) = if end.is_free {
-            ((FREE * zone.length().min(LONG) * layer).sqrt(), GROWTH)
+            let root = (zone.length().min(LONG) * layer).sqrt();
+            (share(base, FREE.sqrt(), 2.0) * root, GROWTH)
         } else {
-            (CORNER * layer, CORNER_GROWTH)
+            (share(base, CORNER, 1.0) * layer, CORNER_GROWTH)
         };
         let shortest = (fineness.ends * least).max(SHORTEST);
         Anchor { at: end.at, is_left: side == 0, shortest, growth }
@@ -132,9 +139,9 @@ fn bend(base: &Base<'_>, piece: [f64; 2], is_left: bool, fineness: Fineness) -> 
     let (shortest, growth) = if base.problem.profile().measured_points().is_some() {
         (POINT * layer, POINT_GROWTH)
     } else if base.is_step(at) {
-        (fineness.ends * STEP * layer, CORNER_GROWTH)
+        (fineness.ends * share(base, STEP, 1.0) * layer, CORNER_GROWTH)
     } else {
-        (fineness.ends * KINK * layer, CORNER_GROWTH)
+        (fineness.ends * share(base, KINK, 2.0) * layer, CORNER_GROWTH)
     };
     Anchor { at, is_left, shortest: shortest.max(SHORTEST), growth }
 }

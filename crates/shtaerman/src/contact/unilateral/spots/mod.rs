@@ -6,6 +6,7 @@
 //! by `e` changes the rest by `e^2` only, and this is Newton's method. Cells give the zones to begin with.
 
 mod answer;
+mod chart;
 mod estimate;
 mod level;
 mod lever;
@@ -47,7 +48,7 @@ const ROUGHEST: f64 = 1e-2;
 
 /// The answer on panels; none where they do not serve: where the zones are not found or too many.
 pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
-    if !base.is_line() {
+    if !base.has_panels() {
         return Ok(None);
     }
     let zones = match base.settlement_at_eccentricity() {
@@ -65,7 +66,7 @@ pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
 
 /// The answer on the whole base; none where panels do not serve.
 pub(super) fn solve_whole(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
-    if !base.is_line() {
+    if !base.has_panels() {
         return Ok(None);
     }
     let end = |at: f64| End { at, is_free: false };

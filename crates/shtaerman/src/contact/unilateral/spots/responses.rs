@@ -5,6 +5,7 @@
 
 use fredholm::multipole::PanelField;
 
+use super::chart::Chart;
 use super::level::{Level, System};
 use crate::contact::linearised::{Linearised, Rates};
 use crate::contact::solved::Stiffness;
@@ -25,7 +26,8 @@ const BESIDE: f64 = 1e-3;
 #[derive(Debug, Clone)]
 pub(super) struct Responses {
     parts: [Response; 3],
-    theta: f64,
+    chart: Chart,
+    parameter: f64,
 }
 
 /// The response to one right-hand side.
@@ -54,9 +56,9 @@ enum Given {
 }
 
 impl Given {
-    fn at(&self, theta: f64, xi: f64) -> f64 {
+    fn at(&self, chart: &Chart, parameter: f64, xi: f64) -> f64 {
         match self {
-            Self::Body(field) => -theta * field.at(xi),
+            Self::Body(field) => -parameter * field.at(chart.local(xi)),
             Self::Level => 1.0,
             Self::Turn => xi,
         }
@@ -65,8 +67,8 @@ impl Given {
 
 impl Response {
     /// `q(xi)`, from the equation.
-    fn at(&self, theta: f64, xi: f64) -> f64 {
-        self.given.at(theta, xi) - theta * self.field.at(xi)
+    fn at(&self, chart: &Chart, parameter: f64, xi: f64) -> f64 {
+        self.given.at(chart, parameter, xi) - parameter * self.field.at(chart.local(xi))
     }
 }
 
@@ -79,6 +81,8 @@ impl Responses {
         known: Option<&Self>,
     ) -> Result<Self, Error> {
         let panels = system.operator.panels();
+        let chart = system.chart;
+        let lever: Vec<f64> = panels.nodes().iter().map(|y| chart.place(*y)).collect();
         let residual = RESIDUALS[usize::from(known.is_some())];
         let start = |k: usize| -> Vec<f64> {
             let part = known.map(|known| &known.parts[k]);
@@ -89,17 +93,17 @@ impl Responses {
         let body: Vec<f64> = system.displacements.iter().map(|u| -u).collect();
         let (body_q, body_left) = solved(system, &body, &start(0), residual)?;
         let (level_q, level_left) = solved(system, &ones, &start(1), residual)?;
-        let (turn_q, turn_left) = solved(system, panels.nodes(), &start(2), residual)?;
+        let (turn_q, turn_left) = solved(system, &lever, &start(2), residual)?;
         let product = |one: &[f64], other: &[f64]| {
             let products: Vec<f64> = one.iter().zip(other).map(|(a, b)| a * b).collect();
-            panels.integral(&products, |_| 1.0)
+            chart.half() * panels.integral(&products, |_| 1.0)
         };
         // The operator is symmetric: what is left of a residual counts by its square.
         let carried = |q: &[f64], left: &[f64]| {
             let force = product(&ones, q) + product(&level_q, left);
-            [force, product(panels.nodes(), q) + product(&turn_q, left)]
+            [force, product(&lever, q) + product(&turn_q, left)]
         };
-        let theta = base.theta;
+        let parameter = system.parameter;
         let edges = edges(base, level, system);
         let inverse: f64 = edges.iter().map(|[_, rise]| rise.abs().recip()).sum();
         let response = |given: Given, right: &[f64], q: &[f64], left: &[f64]| {
@@ -112,15 +116,16 @@ impl Responses {
                 width: 0.0,
                 noise: [noise, noise * inverse],
             };
-            response.width = edges.iter().map(|[at, rise]| response.at(theta, *at) / rise).sum();
+            response.width =
+                edges.iter().map(|[at, rise]| response.at(&chart, parameter, *at) / rise).sum();
             response
         };
         let parts = [
             response(Given::Body(level.field.clone()), &body, &body_q, &body_left),
             response(Given::Level, &ones, &level_q, &level_left),
-            response(Given::Turn, panels.nodes(), &turn_q, &turn_left),
+            response(Given::Turn, &lever, &turn_q, &turn_left),
         ];
-        Ok(Self { parts, theta })
+        Ok(Self { parts, chart, parameter })
     }
 
     /// `d(P0, M0)/d(delta0, -alpha0)`.
@@ -170,7 +175,7 @@ impl Responses {
             parts().map(|(part, factor)| factor * of(part)).sum()
         };
         let noise = |k: usize| parts().map(|(part, factor)| factor.abs() * part.noise[k]).sum();
-        let pressure = sum(&|part| part.at(self.theta, peak));
+        let pressure = sum(&|part| part.at(&self.chart, self.parameter, peak));
         let force = sum(&|part| part.carried[0]);
         [
             [raise, force, -turn, pressure, sum(&|part| part.width)],
@@ -208,19 +213,22 @@ fn solved(
     let size = panels.integral(&squares, |_| 1.0).sqrt();
     let solution = system.equation().solve(right, &[], start, residual * size)?;
     let left = (right.iter().zip(&solution.values).zip(&solution.potential))
-        .map(|((b, v), u)| b - v - system.theta * u)
+        .map(|((b, v), u)| b - v - system.parameter * u)
         .collect();
     Ok((solution.values, left))
 }
 
-/// The free edges with `dp0/dxi` inwards: `-alpha0 - f0' - theta0 (K p0)'`, and `(K p0)' = K p0' - sum [p0] ln|xi - s|` over the places where the pressure jumps.
+/// The free edges with `dp0/dxi` inwards: `-alpha0 - f0' - theta0 (K p0)'`, and `(K p0)' = K p0' + sum [p0] K(xi - s)` over the places where the pressure jumps.
 fn edges(base: &Base<'_>, level: &Level, system: &System) -> Vec<[f64; 2]> {
     let panels = system.operator.panels();
     let bent = system.operator.field(&panels.derivatives(&level.pressures));
     let jumps = jumps(level, system);
+    let chart = &system.chart;
     let slope = |xi: f64| {
-        let jumped: f64 = jumps.iter().map(|[at, jump]| jump * (xi - at).abs().ln()).sum();
-        -level.state.tilt - base.slope(xi) - system.theta * (bent.at(xi) - jumped)
+        let y = chart.local(xi);
+        let jumped: f64 = jumps.iter().map(|[at, jump]| jump * chart.kernel.value(y - at)).sum();
+        let bent = system.parameter / chart.half() * (bent.at(y) + jumped);
+        -level.state.tilt - base.slope(xi) - bent
     };
     let ends = level.zones.iter().flat_map(|zone| zone.ends.into_iter().enumerate());
     ends.filter(|(_, end)| end.is_free)
@@ -228,7 +236,7 @@ fn edges(base: &Base<'_>, level: &Level, system: &System) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Where the pressure jumps, and by how much: corners and steps of the base.
+/// Where the pressure jumps, in the coordinates of the panels, and by how much: corners and steps of the base.
 fn jumps(level: &Level, system: &System) -> Vec<[f64; 2]> {
     let panels = system.operator.panels();
     let limits = panels.limits(&level.pressures);
@@ -244,7 +252,7 @@ fn jumps(level: &Level, system: &System) -> Vec<[f64; 2]> {
         before = [*right, last];
     }
     jumps.push([before[0], -before[1]]);
-    jumps.retain(|[at, jump]| jump.abs() > none && !is_free(&level.zones, *at));
+    jumps.retain(|[at, jump]| jump.abs() > none && !is_free(&level.zones, level.chart.place(*at)));
     jumps
 }
 

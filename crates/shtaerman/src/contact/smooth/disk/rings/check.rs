@@ -2,7 +2,7 @@
 
 use super::base::Base;
 use super::system::Solved;
-use crate::contact::smooth::check::{Along, Check, POINTS, outside, points};
+use crate::contact::smooth::check::{Along, Check, POINTS, between_breaks, outside, points};
 
 /// Tension and penetration beyond `allowed`, relative to their scales, are listed for correction.
 pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
@@ -14,11 +14,20 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
     let settlement = solved.state.settlement;
     let scale = settlement.abs() + base.range() + solved.state.force.abs() * solved.theta0;
     for [left, right] in outside(&[[0.0, 1.0]], &solved.zones.iter()) {
-        let points = points([left, right], 2 * base.cells(), POINTS);
+        let points = looked_at(base, [left, right]);
         let depth = |r: f64| settlement - base.height(beside(r, left, right));
         check.look_beside(&points, |r| depth(r) - solved.displacement_outside(r), [scale, allowed]);
     }
     check
+}
+
+/// Both ends and places between that show every feature of the profile.
+fn looked_at(base: &Base<'_>, ends: [f64; 2]) -> Vec<f64> {
+    let mut points = points(ends, 2 * base.cells(), POINTS);
+    points.extend(between_breaks(&base.problem.breaks, ends));
+    points.sort_by(f64::total_cmp);
+    points.dedup();
+    points
 }
 
 /// At a step the height is that of this side.
@@ -30,7 +39,7 @@ fn beside(r: f64, left: f64, right: f64) -> f64 {
 
 fn along(base: &Base<'_>, solved: &Solved, j: usize) -> Along {
     let zone = solved.zones[j];
-    let points = points(zone.ends, 2 * base.cells(), POINTS);
+    let points = looked_at(base, zone.ends);
     let points = points[1..points.len() - 1].to_vec();
     let pressures: Vec<f64> = (points.iter())
         .map(|&r| solved.pressure_beside(j, r - zone.left(), zone.right() - r))

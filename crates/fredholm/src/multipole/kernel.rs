@@ -1,0 +1,243 @@
+//! The kernels that panels serve: their values, their means over intervals, and their moments over a panel.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use super::rule::logarithm_moments;
+use crate::Error;
+use crate::complementarity::mean_logarithm;
+
+/// Beyond this many half-lengths from the middle moments of a power are computed downwards, and the decimals in the logarithm of what that leaves out.
+const FORWARD: f64 = 1.05;
+const DIGITS: f64 = 37.0;
+/// Beyond this many lengths of the longer interval the middles of two stand for them.
+const FAR: f64 = 12.0;
+/// Most moments.
+const MOST: usize = super::rule::MOST;
+
+/// A kernel `K(x - s)` on `[-1, 1]`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PanelKernel {
+    /// `ln 1/|x - s|`.
+    Logarithm,
+    /// `ln 1/(2 sin(pi |x - s|/2))`: the logarithm on a circle of which `[-1, 1]` is the whole turn.
+    Sine,
+    /// `|x - s|^-mu`.
+    Power {
+        /// `mu`, between 0 and 1.
+        exponent: f64,
+    },
+}
+
+impl PanelKernel {
+    pub(super) fn check(self) -> Result<(), Error> {
+        match self {
+            Self::Power { exponent } if !(exponent > 0.0 && exponent < 1.0) => {
+                Err(Error::InvalidParameter {
+                    name: "exponent of a kernel",
+                    value: exponent,
+                    requirement: "between 0 and 1",
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// `K(d)` for a distance that is not zero.
+    #[must_use]
+    pub fn value(self, d: f64) -> f64 {
+        match self {
+            Self::Logarithm => -d.abs().ln(),
+            Self::Sine => -(2.0 * (FRAC_PI_2 * self.shortest(d)).sin().abs()).ln(),
+            Self::Power { exponent } => d.abs().powf(-exponent),
+        }
+    }
+
+    /// Whether the ends of `[-1, 1]` are one place.
+    pub(super) fn is_closed(self) -> bool {
+        self == Self::Sine
+    }
+
+    /// A difference of two places by the shorter way.
+    pub(super) fn shortest(self, d: f64) -> f64 {
+        if self.is_closed() { d - 2.0 * (0.5 * d).round() } else { d }
+    }
+
+    /// What is left of the kernel without the part that [`Self::moments`] has.
+    pub(super) fn remainder(self, d: f64) -> f64 {
+        match self {
+            Self::Sine => {
+                let angle = FRAC_PI_2 * self.shortest(d).abs();
+                let ratio = if angle == 0.0 { 1.0 } else { angle.sin() / angle };
+                -(PI * ratio).ln()
+            }
+            Self::Logarithm | Self::Power { .. } => 0.0,
+        }
+    }
+
+    /// `int_{-1}^{1} K(z - y) P_k(y) dy` without the remainder.
+    pub(super) fn moments(self, z: f64, moments: &mut [f64]) {
+        match self {
+            Self::Logarithm | Self::Sine => logarithm_moments(z, moments),
+            Self::Power { exponent } => power_moments(exponent, z, moments),
+        }
+    }
+
+    /// Factor of the moments on a panel of this half-length, and what is added to the kernel there.
+    pub(super) fn scale(self, half: f64) -> [f64; 2] {
+        match self {
+            Self::Logarithm | Self::Sine => [half, -half.ln()],
+            Self::Power { exponent } => [half.powf(1.0 - exponent), 0.0],
+        }
+    }
+
+    /// The mean over two intervals, the first the same or left of the second.
+    pub(super) fn mean(self, left: [f64; 2], right: [f64; 2]) -> f64 {
+        match self {
+            Self::Logarithm => mean_logarithm(left, right),
+            Self::Sine => {
+                // Both logarithms taken out, the near one and the one through the seam.
+                let d = 0.5 * (right[0] + right[1] - left[0] - left[1]);
+                let ratio = if d == 0.0 {
+                    FRAC_PI_2
+                } else {
+                    2.0 * (FRAC_PI_2 * d).sin() / (d * (2.0 - d))
+                };
+                let image = left.map(|end| end + 2.0);
+                mean_logarithm(left, right) + mean_logarithm(right, image) - ratio.ln()
+            }
+            Self::Power { exponent } => mean_power(left, right, exponent),
+        }
+    }
+}
+
+/// The mean of `|x - s|^-mu` over two intervals, the first the same or left of the second.
+fn mean_power(left: [f64; 2], right: [f64; 2], exponent: f64) -> f64 {
+    let (h, k) = (left[1] - left[0], right[1] - right[0]);
+    let divisor = (1.0 - exponent) * (2.0 - exponent);
+    if left == right {
+        return 2.0 * h.powf(-exponent) / divisor;
+    }
+    let gap = (right[0] - left[1]).max(0.0);
+    let distance = gap + 0.5 * (h + k);
+    if distance > FAR * h.max(k) {
+        return distance.powf(-exponent);
+    }
+    // Second difference of G(d) = d^(2-mu)/((1-mu)(2-mu)), G'' = d^-mu
+    let g = |d: f64| d.powf(2.0 - exponent);
+    (g(gap + h + k) - g(gap + h) - g(gap + k) + g(gap)) / (divisor * h * k)
+}
+
+/// `M_k(z) = int_{-1}^{1} |z - y|^-mu P_k(y) dy`. From `(2k+1) P_k = P'_(k+1) - P'_(k-1)` by parts
+///
+/// `(k + 2 - mu) M_(k+1) = (2k+1) z M_k - (k - 1 + mu) M_(k-1)`, `k >= 1`,
+///
+/// upwards between the ends and downwards beyond them, where the moments are the solution that decays.
+fn power_moments(exponent: f64, z: f64, moments: &mut [f64]) {
+    let count = moments.len();
+    let x = z.abs();
+    let power = 1.0 - exponent;
+    let signed = |d: f64| d.abs().powf(power).copysign(d);
+    let zeroth = (signed(1.0 + x) + signed(1.0 - x)) / power;
+    let even = |d: f64| d.abs().powf(power + 1.0);
+    let first = x * zeroth + (even(1.0 - x) - even(1.0 + x)) / (power + 1.0);
+    let mut all = [0.0; MOST + 1];
+    if x < FORWARD {
+        (all[0], all[1]) = (zeroth, first);
+        for k in 1..count.max(2) - 1 {
+            let n = k as f64;
+            all[k + 1] =
+                ((2.0 * n + 1.0) * x * all[k] - (n - power) * all[k - 1]) / (n + 1.0 + power);
+        }
+    } else {
+        let beyond = (0.5 * DIGITS / x.acosh()).ceil() as usize;
+        let (mut after, mut here) = (0.0, f64::MIN_POSITIVE.sqrt());
+        for k in (1..=count + beyond).rev() {
+            if k < count {
+                all[k] = here;
+            }
+            let n = k as f64;
+            let before = ((2.0 * n + 1.0) * x * here - (n + 1.0 + power) * after) / (n - power);
+            (after, here) = (here, before);
+        }
+        all[0] = here;
+        let scale = zeroth / here;
+        all.iter_mut().for_each(|moment| *moment *= scale);
+    }
+    moments.copy_from_slice(&all[..count]);
+    if z < 0.0 {
+        moments.iter_mut().skip(1).step_by(2).for_each(|moment| *moment = -*moment);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quadrature::double_exponential;
+
+    #[test]
+    fn moments_of_powers_agree_with_quadrature() {
+        for exponent in [0.05, 0.5, 0.9] {
+            for z in [0.0, 0.3, -0.7, 0.999, 1.0, -1.0, 1.0001, 1.04, 1.06, -1.3, 2.0, -9.0] {
+                let mut found = [0.0; 13];
+                power_moments(exponent, z, &mut found);
+                for (k, found) in found.iter().enumerate() {
+                    let exact = by_quadrature(exponent, z, k);
+                    let size = 2.0 / (1.0 - exponent);
+                    let error = (found - exact).abs();
+                    assert!(error < 2e-13 * size, "{exponent} {z} {k}: {found} {exact}");
+                }
+            }
+        }
+    }
+
+    /// The moment from the place, or the nearer end, to both ends by the double exponential rule.
+    fn by_quadrature(exponent: f64, z: f64, k: usize) -> f64 {
+        let legendre = |y: f64| {
+            let (mut before, mut here) = (0.0, 1.0);
+            for k in 0..k {
+                let k = k as f64;
+                (before, here) = (here, ((2.0 * k + 1.0) * y * here - k * before) / (k + 1.0));
+            }
+            here
+        };
+        let cut = z.clamp(-1.0, 1.0);
+        // u = d^(1-mu) of the distance d takes the singularity away.
+        let power = 1.0 - exponent;
+        let part = |to: f64| -> f64 {
+            let [near, far] = [(z - cut).abs(), (z - to).abs()];
+            let [from, end] = [near, far].map(|d| d.powf(power));
+            let half = 0.5 * (end - from);
+            double_exponential(120)
+                .map(|node| {
+                    let distance = (from + half * node.from_left).powf(1.0 / power);
+                    let y = cut + (distance - near).copysign(to - cut);
+                    half * node.weight / power * legendre(y)
+                })
+                .sum()
+        };
+        part(-1.0) + part(1.0)
+    }
+
+    #[test]
+    fn remainders_and_means_make_up_the_kernel() {
+        let kernel = PanelKernel::Sine;
+        for d in [1e-9, 0.3, -0.9, 1.4] {
+            let short = kernel.shortest(d).abs();
+            let sum = kernel.remainder(d) - short.ln();
+            assert!((sum - kernel.value(d)).abs() < 1e-14, "{d}: {sum}");
+        }
+        // Means of far intervals are values, and those of one piece are means of those of its halves.
+        for kernel in
+            [PanelKernel::Logarithm, PanelKernel::Sine, PanelKernel::Power { exponent: 0.4 }]
+        {
+            let far = kernel.mean([-0.4001, -0.4], [0.3, 0.3001]);
+            assert!((far - kernel.value(0.7)).abs() < 2e-3, "{kernel:?}: {far}");
+            let [whole, left, right] = [[0.1, 0.2], [0.1, 0.15], [0.15, 0.2]];
+            let halves = 0.25
+                * (kernel.mean(left, left)
+                    + 2.0 * kernel.mean(left, right)
+                    + kernel.mean(right, right));
+            assert!((kernel.mean(whole, whole) / halves - 1.0).abs() < 1e-3, "{kernel:?}");
+        }
+    }
+}

@@ -1,0 +1,84 @@
+//! Gauss-Legendre quadrature and the polynomials through its nodes.
+
+use std::f64::consts::PI;
+
+/// The rule with `n` nodes on `[-1, 1]`.
+#[derive(Debug, Clone)]
+pub(crate) struct Rule {
+    pub(crate) nodes: Vec<f64>,
+    pub(crate) weights: Vec<f64>,
+    /// Barycentric weights of the nodes.
+    barycentric: Vec<f64>,
+}
+
+impl Rule {
+    pub(crate) fn new(n: usize) -> Self {
+        let mut rule = Self { nodes: vec![], weights: vec![], barycentric: vec![] };
+        let halves: Vec<[f64; 2]> = (0..n.div_ceil(2)).map(|i| node(n, i)).collect();
+        for i in 0..n {
+            let [y, weight] = halves[i.min(n - 1 - i)];
+            let x = if 2 * i + 1 == n { 0.0 } else { 1.0 - y };
+            rule.nodes.push(if 2 * i < n { -x } else { x });
+            rule.weights.push(weight);
+            let sign = if i % 2 == 0 { 1.0 } else { -1.0 };
+            rule.barycentric.push(sign * (y * (2.0 - y) * weight).sqrt());
+        }
+        // Roundings of the slopes are of one sign.
+        let sum: f64 = rule.weights.iter().sum();
+        rule.weights.iter_mut().for_each(|weight| *weight *= 2.0 / sum);
+        rule
+    }
+
+    /// The polynomials that are 1 at one node and 0 at the others, at `t`.
+    pub(crate) fn cardinals(&self, t: f64, values: &mut [f64]) {
+        let mut sum = 0.0;
+        for (i, value) in values.iter_mut().enumerate() {
+            let distance = t - self.nodes[i];
+            if distance == 0.0 {
+                values.fill(0.0);
+                values[i] = 1.0;
+                return;
+            }
+            *value = self.barycentric[i] / distance;
+            sum += *value;
+        }
+        values.iter_mut().for_each(|value| *value /= sum);
+    }
+
+    /// Legendre coefficients of the polynomial with these values at the nodes.
+    pub(crate) fn expand(&self, values: &[f64]) -> Vec<f64> {
+        let mut found = vec![0.0; values.len()];
+        for ((x, weight), value) in self.nodes.iter().zip(&self.weights).zip(values) {
+            let (mut before, mut p) = (0.0, 1.0);
+            for (k, entry) in found.iter_mut().enumerate() {
+                *entry += (k as f64 + 0.5) * weight * value * p;
+                (before, p) = (p, next(k, *x, before, p));
+            }
+        }
+        found
+    }
+}
+
+/// `P_(k+1)` from `P_(k-1)` and `P_k`.
+fn next(k: usize, x: f64, before: f64, p: f64) -> f64 {
+    let k = k as f64;
+    ((2.0 * k + 1.0) * x * p - k * before) / (k + 1.0)
+}
+
+/// The distance `y = 1 - x` of the `i`-th largest root of `P_n` from 1, by Newton's method, and its weight: in `x` itself the digits of `1 - x^2` would be lost.
+fn node(n: usize, i: usize) -> [f64; 2] {
+    let mut y = 2.0 * (0.5 * PI * (i as f64 + 0.75) / (n as f64 + 0.5)).sin().powi(2);
+    let mut slope = 1.0;
+    for _ in 0..8 {
+        // P_(k+1) - P_k from P_k - P_(k-1)
+        let (mut p, mut rise) = (1.0, 0.0);
+        for k in 0..n {
+            let k = k as f64;
+            rise = (k * rise - (2.0 * k + 1.0) * y * p) / (k + 1.0);
+            p += rise;
+        }
+        slope = n as f64 * (y * p - rise) / (y * (2.0 - y));
+        y += p / slope;
+    }
+    [y, 2.0 / (y * (2.0 - y) * slope * slope)]
+}

@@ -1,0 +1,5 @@
+//! Potentials and solutions against closed forms.
+
+mod potentials;
+mod rough;
+mod smooth;

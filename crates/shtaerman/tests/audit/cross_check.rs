@@ -1,0 +1,95 @@
+//! The reference agrees with answers of every geometry and kind of contact, and disagrees with disturbed ones.
+
+use shtaerman::{CrossCheck, Problem};
+
+fn problem(toml: &str) -> Problem {
+    shtaerman::file::parse(toml, "test").unwrap()
+}
+
+fn checked(toml: &str) -> CrossCheck {
+    let problem = problem(toml);
+    let contact = problem.solve().unwrap().audited().unwrap();
+    problem.cross_check(&contact).unwrap()
+}
+
+/// Physical files with all units one.
+fn ground(foundation: &str, punch: &str, load: &str) -> String {
+    format!("[foundation]\npoisson_ratio = 0.3\n{foundation}\n[punch]\n{punch}\n[load]\n{load}\n")
+}
+
+#[test]
+fn every_geometry_agrees() {
+    let plain = |keys: &str| format!("[dimensionless]\n{keys}\n");
+    let files = [
+        plain("theta0 = 2\nprofile = \"xi^2\"\nforce = 0.2\nmoment = 0.02"),
+        plain(
+            "theta0 = 2\nprofile = \"abs(xi)\"\nforce = 1\neccentricity = 0.2\n[solver]\ncontact = \"bilateral\"",
+        ),
+        plain(
+            "theta0 = 3\nprofile = \"xi^2\"\nsettlement = 2\ntilt = 0.1\ngeometry = \"pair\"\ninner_half_gap = 0.4",
+        ),
+        plain(
+            "theta0 = 3\nprofile = \"cos(3*xi)\"\nforce = 0.5\nmoment = 0.1\ngeometry = \"periodic\"\nperiod = 3",
+        ),
+        plain(
+            "theta0 = 3\nprofile = \"cos(pi*xi)\"\nforce = 0.5\nmoment = 0\ngeometry = \"periodic\"\nperiod = 2",
+        ),
+        plain("theta0 = 3\nprofile = \"rho^2\"\nforce = 0.5\nmoment = 0\ngeometry = \"circular\""),
+        plain(
+            "theta0 = 3\nprofile = \"0.1*rho^2\"\nforce = 3\nmoment = 0.3\ngeometry = \"circular\"",
+        ),
+        plain("theta0 = 3\nprofile = \"xi^2\"\nforce = 0.5\nmoment = 0.1\nexponent = 0.5"),
+        ground(
+            "grading_exponent = 0.3\ngrading_modulus = 1\nroughness = 0.5",
+            "half_width = 1\nprofile = \"x^2\"",
+            "force = 0.3\nmoment = 0.03",
+        ),
+        ground(
+            "young_modulus = 1\nroughness = 0",
+            "half_width = 1\nprofile = \"x^2\"",
+            "force = 0.3\nmoment = 0.05",
+        ),
+        ground(
+            "young_modulus = 1\nroughness = 0",
+            "half_width = 1\ngeometry = \"periodic\"\nperiod = 3\nprofile = \"x^2\"",
+            "force = 0.3\nmoment = 0.05",
+        ),
+        ground(
+            "young_modulus = 1\nroughness = 0",
+            "radius = 1\ngeometry = \"circular\"\nprofile = \"x^2\"",
+            "force = 0.3\nmoment = 0",
+        ),
+    ];
+    for toml in files {
+        let check = checked(&toml);
+        assert!(check.agrees, "{toml}\n{check:?}");
+        assert!(check.reference_error.pressure_sup < 1e-10, "{toml}\n{check:?}");
+        assert_eq!(check.method, "product_integration");
+    }
+}
+
+#[test]
+fn disturbed_answers_are_found_out() {
+    for (keys, by) in [
+        ("theta0 = 2\nforce = 0.2\nmoment = 0.02\n", 1e-9),
+        ("theta0 = 3\nforce = 0.5\nmoment = 0\ngeometry = \"circular\"\n", 1e-9),
+        ("theta0 = 3\nforce = 0.5\nmoment = 0.1\nexponent = 0.5\n", 1e-9),
+    ] {
+        let file =
+            |profile: &str| problem(&format!("[dimensionless]\n{keys}profile = \"{profile}\"\n"));
+        let disturbed = file(&format!("xi^2 + {by}*cos(4*xi)"));
+        let contact = disturbed.solve().unwrap().audited().unwrap();
+        let check = file("xi^2").cross_check(&contact).unwrap();
+        assert!(!check.agrees && check.pressure_sup > 0.1 * by, "{keys} {check:?}");
+    }
+}
+
+#[test]
+fn what_is_too_large_is_refused_with_the_reason() {
+    let many = problem(
+        "[dimensionless]\ntheta0 = 2\nprofile = \"0.001*cos(900*xi)\"\nforce = 1\nmoment = 0\n[solver]\ncontact = \"bilateral\"\n",
+    );
+    let error = many.cross_check(&many.solve().unwrap()).unwrap_err();
+    assert!(error.is_numerical(), "{error}");
+    assert!(error.to_string().contains("unknowns, and at most"), "{error}");
+}

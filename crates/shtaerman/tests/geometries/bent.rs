@@ -1,0 +1,104 @@
+//! Bases that bend at many places, on panels: waves with kinks, traces in a row and on graded ground.
+
+use std::f64::consts::PI;
+
+use shtaerman::{
+    Contact, Error, Frame, Geometry, Grading, Load, Problem, Profile, Rotational, Solver, Vertical,
+};
+
+use crate::support::{assert_near, attempt};
+
+const WAVE: Geometry = Geometry::Periodic { period: 2.0 };
+
+fn solved(frame: Frame, profile: Profile, load: (Vertical, Rotational)) -> Result<Contact, Error> {
+    let load = Load::new(load.0, load.1)?;
+    Problem::new(frame, profile, load, Solver::default())?.solve()
+}
+
+#[test]
+fn a_wave_with_kinks_in_full_contact() {
+    // |xi| = 1/2 - (4/pi^2) sum_(m odd) cos(m pi xi)/m^2, and p_m = -f_m/(1 + 3/m): at crest and valley 1 +- (2/(3 pi^2)) (psi(2) - psi(1/2)), by mpmath.
+    let load = (Vertical::Force(2.0), Rotational::Tilt(0.0));
+    let contact = attempt((WAVE, 3.0, 1.0), "abs(xi)", load, Solver::default()).unwrap();
+    assert_near(contact.pressure0(0.0), 1.161188112791802, 1e-12);
+    assert_near(contact.pressure0(1.0), 0.838811888207198, 1e-12);
+    assert_near(contact.pressure0(-1.0), 0.838811888207198, 1e-12);
+    assert_near(contact.settlement0(), 1.5, 1e-13);
+    assert!(contact.relative_error() < 1e-11, "{:e}", contact.relative_error());
+}
+
+#[test]
+fn the_moment_of_a_wave_is_that_of_its_pressure() {
+    // p0 = P0/2 - c sin(pi xi)/(1 + theta0), and int xi sin(pi xi) dxi = 2/pi.
+    let theta0 = 4.0;
+    for rotational in [Rotational::Tilt(0.0), Rotational::Moment(0.0)] {
+        let load = (Vertical::Force(2.0), rotational);
+        let body = (WAVE, theta0, 1.0);
+        let contact = attempt(body, "0.7*sin(pi*xi)", load, Solver::default()).unwrap();
+        assert_near(contact.moment0(), -0.7 / (1.0 + theta0) * 2.0 / PI, 1e-14);
+        let audited = contact.audited().unwrap();
+        assert!(audited.relative_error() < 1e-10, "{:e}", audited.relative_error());
+        // Lifting off, and seen from elsewhere: by a sum over the period.
+        let light = attempt(body, "9*sin(pi*xi+0.8)+2*cos(2*pi*xi)", load, Solver::default());
+        let light = light.unwrap();
+        let [[left, right]] = light.edges0()[..] else { panic!("{:?}", light.edges0()) };
+        let count = 20_000;
+        let sum: f64 = (0..count)
+            .map(|i| 2.0 * (f64::from(i) + 0.5) / f64::from(count) - 1.0)
+            .map(|xi| xi * light.pressure0(xi) * 2.0 / f64::from(count))
+            .sum();
+        assert!(right - left < 1.9);
+        assert_near(light.moment0(), sum, 1e-6);
+    }
+}
+
+/// A trace through points of a cubic, which its spline is, and the cubic.
+fn cubic(points: i32, scale: f64) -> [Profile; 2] {
+    let place = |i: i32| 2.0 * f64::from(i) / f64::from(points - 1) - 1.0;
+    let positions: Vec<f64> = (0..points).map(place).collect();
+    let heights = positions.iter().map(|x| scale * (x * x + 0.3 * x.powi(3))).collect();
+    let formula = format!("{scale}*(x^2 + 0.3*x^3)");
+    [Profile::measured(positions, heights).unwrap(), Profile::expression(&formula).unwrap()]
+}
+
+#[test]
+fn traces_agree_with_formulas_in_rows_and_on_graded_ground() {
+    // Formulas are collocated, traces are solved on panels.
+    let row = Frame::dimensionless_in(Geometry::Periodic { period: 2.3 }, 20.0, 1.0).unwrap();
+    let pair = Frame::dimensionless_in(Geometry::Pair { inner_half_gap: 0.2 }, 20.0, 1.0).unwrap();
+    let graded = [0.1, 0.6].map(|exponent| {
+        let grading = Grading::new(exponent, 1.0).unwrap();
+        let chi = grading.response(0.3, 1.0, false) / 8.0;
+        Frame::physical_graded(Geometry::Plane, grading, 0.3, chi, 1.0).unwrap()
+    });
+    let [first, second] = graded;
+    for (frame, scale) in [(row, 1.0), (pair, 1.0), (first, 0.2), (second, 0.2)] {
+        for (scale, moment) in [(0.3 * scale, 0.02), (30.0 * scale, -0.2)] {
+            let load = (Vertical::Force(0.5), Rotational::Moment(moment));
+            let [trace, formula] = cubic(60, scale);
+            let on_panels = solved(frame.clone(), trace, load).unwrap();
+            let known = solved(frame.clone(), formula, load).unwrap();
+            assert_eq!(on_panels.method().name, "panels");
+            assert_eq!(known.method().name, "sinc");
+            let size = known.peak_pressure0().0;
+            let (one, other) = (on_panels.edges0(), known.edges0());
+            for (a, b) in one.iter().flatten().zip(other.iter().flatten()) {
+                assert_near(*a, *b, 1e-10);
+            }
+            let displacement = known.settlement0().abs().max(known.tilt0().abs());
+            assert_near(on_panels.settlement0(), known.settlement0(), 1e-11 * displacement);
+            assert_near(on_panels.tilt0(), known.tilt0(), 1e-11 * displacement);
+            for i in -20..=20 {
+                let xi = 0.0499 * f64::from(i);
+                assert_near(on_panels.pressure0(xi), known.pressure0(xi), 1e-10 * size);
+            }
+            let (one, other) = (on_panels.stiffness0(), known.stiffness0());
+            let size = other.force_settlement;
+            assert_near(one.force_settlement, other.force_settlement, 1e-7 * size);
+            assert_near(one.coupling, other.coupling, 1e-7 * size);
+            assert_near(one.moment_tilt, other.moment_tilt, 1e-7 * size);
+            let accuracy = on_panels.relative_error();
+            assert!(accuracy < 2e-8, "{accuracy:e}");
+        }
+    }
+}
