@@ -5,7 +5,14 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+mod cross_check;
+#[path = "../../examples/audit_survey/draw.rs"]
+mod draw;
 mod equations;
+#[allow(dead_code, reason = "the example reports more than the test asks for")]
+#[path = "../../examples/audit_survey/judge.rs"]
+mod judge;
+mod survey;
 
 use shtaerman::{
     ContactKind, ErrorKind, Frame, Load, Problem, Profile, Rotational, Solver, Vertical,
