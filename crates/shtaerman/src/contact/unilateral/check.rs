@@ -64,8 +64,7 @@ pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
             * solved.solution.potential().iter().fold(0.0f64, |most, u| most.max(u.abs()));
     for [left, right] in outside(base, solved) {
         let points = points(base, left, right);
-        let (points, values) =
-            with_tops(&points, |xi| depth(xi) - solved.displacement_outside(xi));
+        let (points, values) = with_tops(&points, |xi| depth(xi) - solved.displacement_outside(xi));
         check.penetration = values.iter().fold(check.penetration, |most, g| most.max(g / scale));
         check.deepest.extend(above(&points, &values, allowed * scale + floor));
     }
