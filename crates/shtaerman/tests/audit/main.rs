@@ -183,6 +183,10 @@ fn estimates_hold_against_closed_forms() {
             }
         }
         assert!(stated.pressure < 1e-5, "idle");
+        // The largest pressure is that in the middle, c.
+        let off = (contact.peak_pressure0().0 - c).abs();
+        let peak = contact.peak_error0().unwrap();
+        assert!(off <= peak + 1e-15 && peak <= 2.0 * stated.pressure + 1e-13, "{off:e} {peak:e}");
     }
 }
 
