@@ -35,6 +35,9 @@ pub(crate) struct Fineness {
     pub(crate) resolved: f64,
 }
 
+/// What the places of joints of panels are off by: some units of the machine on `[-1, 1]`.
+pub(crate) const JOINED: f64 = 4.0 * f64::EPSILON;
+
 /// Panels with their nodes.
 #[derive(Debug, Clone)]
 pub(crate) struct Grid {
@@ -47,6 +50,12 @@ pub(crate) struct Grid {
 impl Grid {
     pub(crate) fn new(panels: Vec<Panel>, nodes: usize) -> Self {
         Self { panels, rule: Rule::new(nodes), quadrature: Rule::new(24) }
+    }
+
+    /// Whether a place is within some units of the machine of where two panels meet: by so much these are off to either side.
+    pub(crate) fn is_beside_joint(&self, x: f64) -> bool {
+        let ends = self.panels.iter().flat_map(|panel| [panel.at(-1.0).x(), panel.at(1.0).x()]);
+        ends.into_iter().any(|end| (end - x).abs() <= JOINED)
     }
 
     pub(crate) fn len(&self) -> usize {

@@ -1,6 +1,6 @@
 //! Two solutions, and what their difference says.
 
-use crate::grid::Fineness;
+use crate::grid::{Fineness, JOINED};
 use crate::kernel::Kernel;
 use crate::panel::Place;
 use crate::problem::{Layer, Problem, Refusal, Rotational, Vertical};
@@ -215,7 +215,15 @@ impl Reference<'_> {
         let layers = [&self.coarse, &self.fine].map(|solved| solved.layer(self.problem, x));
         let at = |v: f64| self.problem.pressure(v)[0];
         let [one, two] = layers.map(at);
-        let rounded = (at(layers[1] + self.rounding) - at(layers[1] - self.rounding)).abs();
+        // Where panels meet a gap or an overlap of some units of the machine remains, which a power kernel weighs by its own power.
+        let rest = 1.0 - self.problem.kernel.exponent();
+        let joined = if self.fine.grid.is_beside_joint(x) || self.coarse.grid.is_beside_joint(x) {
+            self.problem.theta * at(layers[1]).abs() * 2.0 * JOINED.powf(rest) / rest
+        } else {
+            0.0
+        };
+        let off = self.rounding + joined;
+        let rounded = (at(layers[1] + off) - at(layers[1] - off)).abs();
         [two, 2.0 * (one - two).abs() + rounded]
     }
 }

@@ -75,6 +75,26 @@ impl Tree {
         }
     }
 
+    /// Whether an inverse is applied to its wave anywhere: that is a zigzag or a saw without the digits that the definition loses, see the tests of folds.
+    fn is_folded(&self) -> bool {
+        let inverse = |call: usize| match CALLS[call].0 {
+            "asin" => "sin",
+            "acos" => "cos",
+            "atan" => "tan",
+            _ => "",
+        };
+        match self {
+            Tree::Number(_) | Tree::X | Tree::Xi => false,
+            Tree::Call(call, u) => {
+                matches!(&**u, Tree::Call(inner, _) if CALLS[*inner].0 == inverse(*call))
+                    || u.is_folded()
+            }
+            Tree::Negate(u) => u.is_folded(),
+            Tree::Where(u, v, w) => u.is_folded() || v.is_folded() || w.is_folded(),
+            Tree::Infix(_, u, v) | Tree::Pair(_, u, v) => u.is_folded() || v.is_folded(),
+        }
+    }
+
     /// The value, straight from the definition.
     pub(super) fn at(&self, x: f64, xi: f64) -> f64 {
         match self {
@@ -185,6 +205,7 @@ proptest! {
 
     #[test]
     fn values_are_those_of_the_definition(tree in tree(), x in -3.0..3.0_f64, xi in -1.0..1.0_f64) {
+        prop_assume!(!tree.is_folded());
         let expected = tree.at(x, xi);
         for text in [tree.text(), tree.full_text()] {
             let found = parsed(&text).evaluate(&[x, xi]);
