@@ -336,7 +336,7 @@ fn load(random: &mut Random, setting: &Setting, height: f64, is_high: bool) -> S
         0 => "moment = 0".to_owned(),
         1 if vertical.starts_with("force") => format!("moment = {:.5e}", force * turn),
         2 => format!("tilt = {:.5e}", height * turn),
-        _ => format!("eccentricity = {:.5e}", turn),
+        _ => format!("eccentricity = {turn:.5e}"),
     };
     format!("{vertical}\n{rotational}\n")
 }

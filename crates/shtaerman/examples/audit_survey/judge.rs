@@ -218,7 +218,7 @@ fn judge_equation(case: &Case, is_checked: bool) -> Outcome {
                 worst = worst.max(off);
                 uncertain = uncertain.max(own);
                 // What is not a number is within nothing.
-                if !(off <= stated.solution + own) {
+                if off.is_nan() || off > stated.solution + own {
                     violation = Some(format!(
                         "phi({x}) off by {off:e}, stated {:e}, reference {own:e}",
                         stated.solution
