@@ -218,7 +218,8 @@ fn judge_equation(case: &Case, is_checked: bool) -> Outcome {
                 worst = worst.max(off);
                 uncertain = uncertain.max(own);
                 // What is not a number is within nothing.
-                if off.is_nan() || off > stated.solution + own {
+                let is_within = off <= stated.solution + own;
+                if !is_within {
                     violation = Some(format!(
                         "phi({x}) off by {off:e}, stated {:e}, reference {own:e}",
                         stated.solution
