@@ -340,7 +340,8 @@ impl Audit<'_> {
         let Errors { distance, line, .. } = found;
         let (margin, pressure) = (found.margin(), found.pressure());
         let open: f64 = windows.open(margin).map(|window| window.right - window.left).sum();
-        let moved = (self.shape.length + open).sqrt() * distance.mean_square + distance.sum;
+        let moved = (self.shape.length + open).sqrt() * (distance.mean_square + distance.changed)
+            + distance.sum;
         let Prescribed { force, moment } = self.problem.prescribed;
         let off = |given: bool, value: f64| if given { 0.0 } else { value };
         // Settlement and tilt also take up what a last correction and the scaling do to them.
@@ -349,7 +350,7 @@ impl Audit<'_> {
             (self.settlement - self.answer.settlement).abs() + taken * self.settlement.abs();
         let tilt = (self.tilt - self.answer.tilt).abs() + taken * self.tilt.abs();
         Bound {
-            mean_square: distance.mean_square,
+            mean_square: distance.mean_square + distance.changed,
             pressure: pressure + self.resampled(windows.zones),
             // Beside the ends the panels may miss the pressure by more.
             highest: Some(highest(&self.density.panels, pressure) + pressure + self.resampled(&[])),

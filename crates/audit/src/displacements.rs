@@ -54,7 +54,7 @@ impl Audit<'_> {
             return line;
         }
         let norm = distance.mean_square + distance.residual * (1.0 + reach.moved());
-        let Firm { length, middle, square, lost } = self.firm(distance.mean_square, 0.5);
+        let Firm { length, middle, square, lost } = self.firm(distance, 0.5);
         // A line about the origin where only one of both is free.
         let about = if force.is_some() && moment.is_some() { middle } else { 0.0 };
         let square = square + length * (middle - about) * (middle - about);
@@ -82,7 +82,7 @@ impl Audit<'_> {
         let Prescribed { moment, .. } = self.problem.prescribed;
         let [level, slope] = reach.rest_energies()?;
         let (h, whole) = (reach.half, 2.0 * reach.half);
-        let firm = self.firm(distance.mean_square, 1.0 - MOSTLY);
+        let firm = self.firm(distance, 1.0 - MOSTLY);
         let missing = (whole - firm.length).max(0.0) + firm.lost;
         if missing > MOSTLY * whole {
             return None;
@@ -108,13 +108,19 @@ impl Audit<'_> {
     }
 
     /// Panels on which the pressure is firmly positive: of those that make up this share of the zones the ones with the least measure left out or lost.
-    fn firm(&self, off: f64, share: f64) -> Firm {
+    fn firm(&self, distance: &Distance, share: f64) -> Firm {
+        let off = distance.mean_square;
         if self.problem.is_bilateral {
-            return self.firm_above(f64::NEG_INFINITY, 0.0);
+            let firm = self.firm_above(f64::NEG_INFINITY, 0.0);
+            return Firm { lost: distance.changed_width, ..firm };
         }
         let whole = self.shape.length;
         let levels = (1..=LEVELS as i32).map(|n| self.density.largest() * 0.25f64.powi(n));
-        let found = levels.map(|least| self.firm_above(least, off));
+        // Where the density was changed nothing is known of it.
+        let found = levels.map(|least| {
+            let firm = self.firm_above(least, off);
+            Firm { lost: firm.lost + distance.changed_width, ..firm }
+        });
         let missing = |firm: &Firm| {
             let is_enough = firm.length >= share * whole;
             (!is_enough, whole - firm.length + firm.lost)

@@ -16,7 +16,7 @@ pub(crate) struct Windows<'a> {
 impl Windows<'_> {
     /// Windows beside the zones that may be in contact.
     pub(crate) fn open(&self, margin: f64) -> impl Iterator<Item = &Bounded> {
-        self.gaps.iter().filter(move |window| window.least <= margin)
+        self.gaps.iter().filter(move |window| margin.is_nan() || window.least <= margin)
     }
 }
 
@@ -25,8 +25,11 @@ impl Windows<'_> {
 pub(crate) struct Distance {
     /// `||w~||`, of the density that is admissible to the last digit.
     pub(crate) residual: f64,
-    /// `||p - q||`.
+    /// `||p - q'||`, `q'` the density with what is changed on windows that were not resolved; and that change.
     pub(crate) mean_square: f64,
+    pub(crate) changed: f64,
+    /// The measure of these windows.
+    pub(crate) changed_width: f64,
     /// What else the pressure at a place is off by, beside the free displacements.
     pub(crate) pressure: f64,
     /// `theta |K (p - q)|` at any place.
@@ -43,9 +46,10 @@ struct Norms {
     /// `||w~||` squared, and `||w~||_1` in the zones, without what changes the density.
     square: f64,
     sum: f64,
-    /// `||w~||_1`, `||w~||` squared where the density is changed by it, and the potential that has.
+    /// `||w~||_1`, `||w~||` squared where the density is changed by it, and their measure; the potential that `w~` has on all windows that were not resolved.
     narrow_sum: f64,
     narrow_square: f64,
+    narrow_width: f64,
     narrow_potential: f64,
     /// The largest `|w~|` at numbers of the machine.
     largest: f64,
@@ -54,14 +58,15 @@ struct Norms {
 impl Norms {
     /// Where the density is not changed by it, the residual counts as it is: there it would cost more, `theta ||K w~||` instead of `||w~||`.
     fn add_narrow(&mut self, size: f64, width: f64, (kernel, theta): (Kernel, f64)) {
+        self.narrow_potential += size * narrow_potential(width, kernel);
         if theta * row_norm(kernel) * width.sqrt() >= 1.0 {
             self.square += size * size * width;
             self.sum += size * width;
             return;
         }
+        self.narrow_width += width;
         self.narrow_sum += size * width;
         self.narrow_square += size * size * width;
-        self.narrow_potential += size * narrow_potential(width, kernel);
     }
 }
 
@@ -69,7 +74,12 @@ impl Norms {
 pub(crate) fn narrow_potential(width: f64, kernel: Kernel) -> f64 {
     let mu = kernel.singularity().exponent();
     if mu == 0.0 {
-        width * (3.0 + width.ln().abs() + kernel.constant().abs())
+        // A row is ln(L/(2 pi d)) at short distances.
+        let period = match kernel {
+            Kernel::Row { period } => (0.25 * period).ln().max(0.0),
+            _ => 0.0,
+        };
+        width * (3.0 + width.ln().abs() + kernel.constant().abs() + period)
     } else {
         4.0 * width.powf(1.0 - mu) / (1.0 - mu)
     }
@@ -137,8 +147,11 @@ impl Audit<'_> {
         Distance {
             residual,
             mean_square: residual + negative + corrected.norm,
+            changed: norms.narrow_square.sqrt(),
+            changed_width: norms.narrow_width,
             pressure: norms.largest + depth + corrected.highest,
-            potential: reach.smoothing() * residual + beside,
+            potential: reach.smoothing() * residual
+                + if reach.doubles() { 2.0 * beside } else { beside },
             sum: norms.sum + norms.narrow_sum + sum,
             taken: corrected.taken,
         }
@@ -168,10 +181,15 @@ impl Audit<'_> {
             Correction::Proportional => self.density.largest(),
             Correction::Line => 1.0,
         };
+        // Else it would pull.
+        let is_admissible = self.problem.is_bilateral || a + b * shape.reach <= 0.5;
+        let unless = if is_admissible { 0.0 } else { f64::INFINITY };
         Corrected {
             norm: a * shape.norm + b * shape.leaning,
             highest: largest * (a + b * shape.reach),
-            residual: a * image.min(proportional) + b * (1.0 + reach.strength()) * shape.leaning,
+            residual: unless
+                + a * image.min(proportional)
+                + b * (1.0 + reach.strength()) * shape.leaning,
             taken: if proportional < image { a } else { 0.0 },
         }
     }

@@ -47,7 +47,11 @@ pub(crate) fn fit(density: &Density, c: f64, disk: f64) -> Fitted {
     if panels.len() == 1 {
         // The panel's own polynomial: its coefficients are sums of as many products of computed values.
         let count = ORDER as f64;
-        let rounding = UNIT * (2.0 * (count + 2.0) * largest + 2.0 * evaluated);
+        // The places of values are rounded, too; |T_k'| <= k^2.
+        let slope: f64 =
+            coefficients.iter().zip(0u32..).map(|(a, k)| f64::from(k * k) * a.abs()).sum();
+        let rounding =
+            UNIT * (2.0 * (count + 2.0) * largest + 2.0 * evaluated + slope * c.abs() / disk);
         return Fitted { coefficients, rounding, missed: 0.0, jump: 0.0, largest };
     }
     let missed =

@@ -32,34 +32,47 @@ impl Residual<'_> {
     /// A window of some units of the machine: its numbers one by one, and between them what can be at most.
     fn narrow(&self, [left, right]: [f64; 2]) -> Bounded {
         let is_inside = self.density.panel_at(0.5 * (left + right)).is_some();
-        // Jumps of the base are known to some roundings of their places.
-        let blur = blur(left.abs().max(right.abs()));
-        let [low, high] = self.profile.range([left - blur, right + blur]);
         let (mut largest, mut least, mut at_numbers) = (0.0f64, f64::INFINITY, 0.0f64);
         let mut x = left;
         let mut looked_at = 0;
         while x <= right && looked_at < MOST_NUMBERS {
             looked_at += 1;
             let (w, error) = self.at(x);
-            let size = |w: f64| if is_inside { w.abs() } else { (-w).max(0.0) };
-            largest = largest.max(size(w) + error);
+            // Of what may be off by the error.
+            let size = |w: f64, error: f64| {
+                if is_inside { w.abs() + error } else { (error - w).max(0.0) }
+            };
+            largest = largest.max(size(w, error));
             least = least.min(w - error);
-            // The answer's own pressure counts at a place, not the resampled one, which may bend there; where the base jumps its height is that of either side.
+            // The answer's own pressure counts at a place, not the resampled one, which may bend there.
             let w = if is_inside { w + (self.pressure)(x) - self.density.evaluate(x) } else { w };
-            // Which side may be left open by rounding, too.
-            let [f_low, f_high] = self.profile.height(x);
-            let f = 0.5 * (f_low + f_high);
-            let [lower, upper] = [w + (low - f).min(0.0), w + (high - f).max(0.0)];
-            let nearest = if lower > 0.0 { lower } else { upper.min(0.0) };
-            at_numbers = at_numbers.max(size(nearest) + (error - (f_high - f_low)));
+            at_numbers = at_numbers.max(self.at_number(x, w, error, &size));
             x = x.next_up();
         }
-        let crude = largest + self.variation([left, right]);
+        let variation = self.variation([left, right]);
+        let least = least - variation;
+        let crude = if is_inside { largest + variation } else { (-least).max(0.0) };
         // Beside the origin there are more than can be looked at.
         let at_numbers = if x <= right { crude } else { at_numbers };
-        let least = least - self.variation([left, right]);
         let norm = crude * (right - left).sqrt();
         Bounded { left, right, largest: crude, norm, at_numbers, least, is_narrow: true }
+    }
+
+    /// What counts of `w` at a number: beside a jump of the base, as far as its place is known, its height is that of either side, also where rounding leaves open of which.
+    fn at_number(&self, x: f64, w: f64, error: f64, size: &dyn Fn(f64, f64) -> f64) -> f64 {
+        let after = self.cuts.partition_point(|cut| *cut < x);
+        let nearest = [after.checked_sub(1), Some(after)].into_iter().flatten();
+        let cut = nearest
+            .filter_map(|index| self.cuts.get(index))
+            .find(|cut| (x - **cut).abs() <= blur(cut.abs()));
+        let Some(cut) = cut else { return size(w, error) };
+        let blur = blur(cut.abs());
+        let [low, high] = self.profile.range([cut - blur, cut + blur]);
+        let [f_low, f_high] = self.profile.height(x);
+        let f = 0.5 * (f_low + f_high);
+        let [lower, upper] = [w + (low - f).min(0.0), w + (high - f).max(0.0)];
+        let nearest = if lower > 0.0 { lower } else { upper.min(0.0) };
+        size(nearest, (error - (f_high - f_low)).max(0.0))
     }
 
     /// A bound of how much `w` changes in a narrow window.
@@ -82,7 +95,12 @@ impl Residual<'_> {
         let whole = vicinity.map(|x| self.density.panel_at(x).is_some());
         let steady = self.density.evaluate(c).abs();
         let unsteady = density_variation(self.density, vicinity);
-        let unsteady = if whole == [true; 2] { unsteady } else { unsteady + 2.0 * steady };
+        // Beside an end of a zone the density falls to nothing.
+        let touching = self.density.panels.iter();
+        let touching =
+            touching.filter(|panel| panel.left <= vicinity[1] && panel.right >= vicinity[0]);
+        let drop = touching.fold(0.0f64, |most, panel| most.max(panel.largest));
+        let unsteady = if whole == [true; 2] { unsteady } else { unsteady + 2.0 * steady + drop };
         let far = (VICINITY - 1.0) * width;
         let mut farther = 0.0;
         self.density.parts(c, &mut |distance, mass, largest, length| {

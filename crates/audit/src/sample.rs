@@ -9,6 +9,8 @@ const TAIL: usize = 3;
 const CUT: f64 = 0.25;
 /// Panels are at most this long: far parts of a row are integrated on their nodes.
 const LONGEST: f64 = 0.5;
+/// And this share of their zone: beside a free end the pressure is nowhere firmly positive on the whole panel.
+const LONGEST_OF_ZONE: f64 = 0.25;
 /// What is left of the tail after a cut, from which on it is noise, where it is below this share of the density: a kink leaves a half.
 const STAGNANT: f64 = 0.75;
 const NOISE: f64 = 1e-7;
@@ -43,6 +45,7 @@ pub(crate) fn panels(
     let mut ends: Vec<f64> = vec![zone[0]];
     ends.extend(cuts.iter().copied().filter(|at| zone[0] < *at && *at < zone[1]));
     ends.push(zone[1]);
+    let longest = LONGEST.min(LONGEST_OF_ZONE * (zone[1] - zone[0]));
     let mut stack: Vec<Part> = (ends.windows(2).rev())
         .map(|pair| Part { left: pair[0], right: pair[1], is_end: [true; 2], tail: f64::INFINITY })
         .collect();
@@ -55,7 +58,7 @@ pub(crate) fn panels(
             || is_noise
             || width <= finest
             || (width <= COARSE * finest && tail <= graininess(density, &panel));
-        if is_done && width <= LONGEST {
+        if is_done && width <= longest {
             found.push(panel);
         } else {
             let share = match part.is_end {

@@ -1,6 +1,6 @@
 //! The residual on a window that can be resolved: interpolation of what is analytic in the disk about it, and bounds of the rest.
 
-use crate::allowance::allowance;
+use crate::allowance::{UNIT, allowance};
 use crate::chebyshev::{lebesgue, nodes};
 use crate::density::Potentials;
 use crate::fitted::fit;
@@ -15,10 +15,12 @@ const LEAST_DISK: f64 = 1.3;
 const INSIDE: f64 = 0.97;
 /// Ends of disks are rounded: below this share of their distance from the origin they are off by more than `1 - INSIDE` of the radius.
 const PLACED: f64 = 17.0 * f64::EPSILON;
-/// Below this share of the distance from the origin nodes are rounded by a noticeable part of their distances, and Lebesgue's constant is counted twice.
-const CROWDED: f64 = 1000.0 * f64::EPSILON;
+/// Nodes of short windows are rounded. By Markov's inequality a polynomial changes by `s = n^2 u |c|/r` of its size for that; beyond this share so many nodes do not serve.
+const CROWDED: f64 = 0.5;
+/// Roundings of the cosine sums of a window, for each node squared.
+const COSINES: f64 = 3.0;
 /// Numbers of nodes on a window.
-const COUNTS: [usize; 10] = [5, 7, 9, 12, 15, 19, 23, 28, 33, 40];
+const COUNTS: [usize; 11] = [3, 5, 7, 9, 12, 15, 19, 23, 28, 33, 40];
 /// Share of the budget for interpolation: a few nodes more make it small.
 const FINE: f64 = 0.4;
 /// Share of the residual that remainders may have.
@@ -61,7 +63,7 @@ impl Residual<'_> {
         let minor = (axis * axis - 1.0).sqrt() * r / disk;
         let gamma = minor + (1.0 + minor * minor).sqrt();
         let parts = self.parts(c, disk);
-        let (count, remainder) = count_with(&mut heights, budget, |count| {
+        let (count, remainder) = count_with(&mut heights, (budget, c, r), |count| {
             let fallen = 4.0 * rho.powi(1 - count as i32) / (rho - 1.0);
             let plain = 1.0 + self.lebesgue(c, r, count);
             let potential = fitted.sum(|k| {
@@ -75,11 +77,12 @@ impl Residual<'_> {
         })?;
         let (values, error) = self.values(c, r, count);
         let rest = remainder + missed;
-        let largest = self.sup(&values, self.lebesgue(c, r, count), error + missed) + rest;
+        let crowded = crowded(c, r, count);
+        let largest = crowded * self.sup(&values, lebesgue(count), error + missed) + rest;
         // The square of a polynomial of degree n - 1 is integrated exactly against (1 - t^2)^(-1/2) >= 1 by the sum over n nodes times pi/n.
         let squares: f64 = values.iter().map(|w| (w.abs() + error + missed).powi(2)).sum();
-        let norm =
-            (std::f64::consts::PI * r * squares / count as f64).sqrt() + rest * (2.0 * r).sqrt();
+        let norm = crowded * (std::f64::consts::PI * r * squares / count as f64).sqrt()
+            + rest * (2.0 * r).sqrt();
         Some(Bounded {
             left,
             right,
@@ -101,8 +104,7 @@ impl Residual<'_> {
 
     /// A bound of Lebesgue's constant of the nodes of a window.
     fn lebesgue(&self, c: f64, r: f64, count: usize) -> f64 {
-        let crowded = if r < CROWDED * c.abs() { 2.0 } else { 1.0 };
-        crowded * lebesgue(count)
+        crowded(c, r, count) * lebesgue(count)
     }
 
     fn values(&self, c: f64, r: f64, count: usize) -> (Vec<f64>, f64) {
@@ -149,7 +151,7 @@ impl Residual<'_> {
         }
         let allowed = allowance(self.theta, right - left) * self.density.largest();
         let budget = (SHARE * middle.abs()).max(2.0 * error).max(allowed);
-        let (count, remainder) = count_with(&mut heights, budget, |count| {
+        let (count, remainder) = count_with(&mut heights, (budget, c, r), |count| {
             self.theta * outside(&parts, singularity, r, count)
         })?;
         let (values, error) = self.values(c, r, count);
@@ -158,8 +160,12 @@ impl Residual<'_> {
         for (k, a) in nodes(count).coefficients(&values).enumerate() {
             if k == 0 { mean = a } else { swing += a.abs() }
         }
-        let rounding = (1.0 + self.lebesgue(c, r, count)) * error;
-        let least = mean - swing - rounding - remainder;
+        let size = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
+        let crowded = crowded(c, r, count);
+        let cosines = COSINES * (count * count) as f64 * UNIT * size;
+        let placed = (crowded - 1.0) * lebesgue(count) * size;
+        let rounding = (1.0 + crowded * lebesgue(count)) * error + cosines;
+        let least = mean - swing - rounding - placed - remainder;
         let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
         // Smaller windows do not help where rounding or the values themselves are at fault.
         if least < -(2.0 * rounding).max(-2.0 * lowest).max(allowed) {
@@ -174,10 +180,10 @@ impl Residual<'_> {
 /// The smallest number of nodes with which all remainders are within the budget, and the remainder.
 fn count_with(
     heights: &mut Heights<'_>,
-    budget: f64,
+    (budget, c, r): (f64, f64, f64),
     remainder: impl Fn(usize) -> f64,
 ) -> Option<(usize, f64)> {
-    for count in COUNTS {
+    for count in COUNTS.into_iter().filter(|count| crowded(c, r, *count).is_finite()) {
         let own = remainder(count);
         if own > FINE * budget {
             continue;
@@ -188,4 +194,10 @@ fn count_with(
         }
     }
     None
+}
+
+/// What rounded nodes make of bounds of the polynomial through values at them; infinite where so many do not serve.
+fn crowded(c: f64, r: f64, count: usize) -> f64 {
+    let moved = (count * count) as f64 * UNIT * c.abs() / r;
+    if moved > CROWDED { f64::INFINITY } else { 1.0 / (1.0 - moved) }
 }
