@@ -340,8 +340,8 @@ impl Audit<'_> {
         let Errors { distance, line, .. } = found;
         let (margin, pressure) = (found.margin(), found.pressure());
         let open: f64 = windows.open(margin).map(|window| window.right - window.left).sum();
-        let moved = (self.shape.length + open).sqrt() * (distance.mean_square + distance.changed)
-            + distance.sum;
+        // What was changed on windows that were not resolved is in the sum.
+        let moved = (self.shape.length + open).sqrt() * distance.mean_square + distance.sum;
         let Prescribed { force, moment } = self.problem.prescribed;
         let off = |given: bool, value: f64| if given { 0.0 } else { value };
         // Settlement and tilt also take up what a last correction and the scaling do to them.
