@@ -53,6 +53,18 @@ pub(crate) fn evaluate(coefficients: &[f64], t: f64) -> f64 {
     coefficients.first().map_or(0.0, |c| c + t * next - after)
 }
 
+/// The same at several places, which advance together.
+pub(crate) fn evaluate_at<const N: usize>(coefficients: &[f64], places: &[f64; N]) -> [f64; N] {
+    let (mut next, mut after) = ([0.0; N], [0.0; N]);
+    for c in coefficients.iter().skip(1).rev() {
+        for ((next, after), t) in next.iter_mut().zip(&mut after).zip(places) {
+            (*next, *after) = (c + 2.0 * t * *next - *after, *next);
+        }
+    }
+    let first = coefficients.first().copied().unwrap_or_default();
+    std::array::from_fn(|i| first + places[i] * next[i] - after[i])
+}
+
 /// Roundings of [`evaluate`] at a place that is itself off by four units, in units of the machine.
 ///
 /// A step of Clenshaw's scheme is off by `2 |c_k| + 6 |b_(k+1)| + 2 |b_(k+2)|`, and the value by the sum of that with `|T_k| <= 1`; `b_k = sum c_j U_(j-k)`, `|U_n| <= n + 1`. The place:

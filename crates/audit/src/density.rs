@@ -10,6 +10,9 @@ use crate::sum::two_sum;
 
 pub(crate) use crate::allowance::UNIT;
 
+/// The last coefficients, whose size tells whether a panel resolves the density.
+const TAIL: usize = 3;
+
 /// A polynomial on `[left, right]`.
 #[derive(Debug, Clone)]
 pub(crate) struct Panel {
@@ -42,6 +45,11 @@ impl Panel {
 
     pub(crate) fn middle(&self) -> f64 {
         0.5 * (self.left + self.right)
+    }
+
+    /// The last coefficients: what the panel cannot resolve is about as large.
+    pub(crate) fn tail(&self) -> f64 {
+        self.coefficients[ORDER - TAIL..].iter().fold(0.0, |most, c| most.max(c.abs()))
     }
 
     pub(crate) fn half(&self) -> f64 {

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 /// Nodes of a panel, and coefficients of the density on it.
-pub(crate) const ORDER: usize = 16;
+pub(crate) const ORDER: usize = 24;
 /// Moments that stand for a panel or a cluster far away, the mass included.
 pub(crate) const MOMENTS: usize = 34;
 
@@ -71,15 +71,37 @@ pub(crate) fn polynomials(t: f64) -> [f64; ORDER] {
     p
 }
 
+/// Factors of Clenshaw's scheme, `b_k = c_k + (2k+1)/(k+1) t b_(k+1) - (k+1)/(k+2) b_(k+2)`.
+const CLENSHAW: [[f64; 2]; ORDER] = {
+    let mut factors = [[0.0; 2]; ORDER];
+    let mut k = 0;
+    while k < ORDER {
+        let n = k as f64;
+        factors[k] = [(2.0 * n + 1.0) / (n + 1.0), (n + 1.0) / (n + 2.0)];
+        k += 1;
+    }
+    factors
+};
+
 /// `sum c_k P_k(t)`.
 pub(crate) fn evaluate(coefficients: &[f64; ORDER], t: f64) -> f64 {
-    // Clenshaw: b_k = c_k + (2k+1)/(k+1) t b_(k+1) - (k+1)/(k+2) b_(k+2)
     let (mut next, mut after) = (0.0, 0.0);
-    for k in (0..ORDER).rev() {
-        let n = k as f64;
-        let here = coefficients[k] + (2.0 * n + 1.0) / (n + 1.0) * t * next
-            - (n + 1.0) / (n + 2.0) * after;
-        (next, after) = (here, next);
+    for (c, [a, b]) in coefficients.iter().zip(&CLENSHAW).rev() {
+        (next, after) = (c + a * t * next - b * after, next);
+    }
+    next
+}
+
+/// The same at several places, which advance together.
+pub(crate) fn evaluate_at<const N: usize>(
+    coefficients: &[f64; ORDER],
+    places: &[f64; N],
+) -> [f64; N] {
+    let (mut next, mut after) = ([0.0; N], [0.0; N]);
+    for (c, [a, b]) in coefficients.iter().zip(&CLENSHAW).rev() {
+        for ((next, after), t) in next.iter_mut().zip(&mut after).zip(places) {
+            (*next, *after) = (c + a * t * *next - b * *after, *next);
+        }
     }
     next
 }
@@ -156,13 +178,13 @@ mod tests {
         let coefficients = RULE.expand(&values);
         for i in 0..=20 {
             let t = f64::from(i) / 10.0 - 1.0;
-            assert!((evaluate(&coefficients, t) - t.exp()).abs() < 1e-14, "{t}");
+            assert!((evaluate(&coefficients, t) - t.exp()).abs() < 3e-14, "{t}");
         }
         // int_{-1}^1 e^t t^j dt for j = 0, 1, 2
         let (e, inverse) = (1f64.exp(), (-1f64).exp());
         let exact = [e - inverse, 2.0 * inverse, e - 5.0 * inverse];
         for (found, exact) in RULE.moments(&coefficients).iter().zip(exact) {
-            assert!((found - exact).abs() < 1e-14, "{found} {exact}");
+            assert!((found - exact).abs() < 3e-14, "{found} {exact}");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Windows of some units of the machine, which cannot be resolved further.
 
-use crate::density::Density;
+use crate::density::{Density, Potentials};
 use crate::kernel::Singularity;
 use crate::residual::{Bounded, Residual, blur};
 
@@ -12,9 +12,9 @@ const VICINITY: f64 = 64.0;
 impl Residual<'_> {
     /// Adds a window of some units of the machine: what is about a jump of the base for itself, since only there it is large.
     pub(crate) fn narrow_parts(&self, [left, right]: [f64; 2], found: &mut Vec<Bounded>) {
-        let first = self.cuts.partition_point(|cut| *cut <= left);
+        let first = self.cuts.partition_point(|cut| *cut < left);
         let mut from = left;
-        for cut in self.cuts[first..].iter().take_while(|cut| **cut < right) {
+        for cut in self.cuts[first..].iter().take_while(|cut| **cut <= right) {
             let blur = blur(cut.abs());
             for to in [cut - blur, cut + blur] {
                 let to = to.clamp(from, right);
@@ -33,11 +33,17 @@ impl Residual<'_> {
     fn narrow(&self, [left, right]: [f64; 2]) -> Bounded {
         let is_inside = self.density.panel_at(0.5 * (left + right)).is_some();
         let (mut largest, mut least, mut at_numbers) = (0.0f64, f64::INFINITY, 0.0f64);
-        let mut x = left;
-        let mut looked_at = 0;
-        while x <= right && looked_at < MOST_NUMBERS {
-            looked_at += 1;
-            let (w, error) = self.at(x);
+        let numbers: Vec<f64> = std::iter::successors(Some(left), |x| Some(x.next_up()))
+            .take_while(|x| *x <= right)
+            .take(MOST_NUMBERS + 1)
+            .collect();
+        // Beside the origin there are more than can be looked at.
+        let is_all = numbers.len() <= MOST_NUMBERS;
+        let numbers = &numbers[..numbers.len().min(MOST_NUMBERS)];
+        let mut potentials = Potentials::default();
+        self.density.potentials(numbers, &mut potentials);
+        for (&x, potential) in numbers.iter().zip(potentials.finished()) {
+            let (w, error) = self.with_potential(x, potential);
             // Of what may be off by the error.
             let size = |w: f64, error: f64| {
                 if is_inside { w.abs() + error } else { (error - w).max(0.0) }
@@ -47,13 +53,11 @@ impl Residual<'_> {
             // The answer's own pressure counts at a place, not the resampled one, which may bend there.
             let w = if is_inside { w + (self.pressure)(x) - self.density.evaluate(x) } else { w };
             at_numbers = at_numbers.max(self.at_number(x, w, error, &size));
-            x = x.next_up();
         }
         let variation = self.variation([left, right]);
         let least = least - variation;
         let crude = if is_inside { largest + variation } else { (-least).max(0.0) };
-        // Beside the origin there are more than can be looked at.
-        let at_numbers = if x <= right { crude } else { at_numbers };
+        let at_numbers = if is_all { at_numbers } else { crude };
         let norm = crude * (right - left).sqrt();
         Bounded { left, right, largest: crude, norm, at_numbers, least, is_narrow: true }
     }

@@ -13,7 +13,8 @@ use crate::legendre::ORDER;
 
 /// Up to this place beyond an end of the panel the recurrence runs forward: rounding grows there by 2 for each degree, and coefficients fall faster.
 const FORWARD: f64 = 1.25;
-/// Backward it starts this many degrees up: what is neglected falls by `2 ln 2` a degree, and has fallen by `exp(-38)`.
+/// Backward it starts so far up that what is neglected has fallen by `exp(-FALLEN)`: by `2 ln rho` a degree, `rho = |z| + sqrt(z^2 - 1)`, which is 2 for the nearest places.
+const FALLEN: f64 = 38.0;
 const LAST: usize = ORDER + 28;
 
 /// Roundings of the potential of a Legendre polynomial of degree `k >= 1` in units of the machine, `FIRST + STEP k` on the panel and `BESIDE` beyond: steps of the recurrence add five each,
@@ -54,8 +55,9 @@ struct Batch {
     /// The part of the constant, for the logarithm with its scale, and its roundings.
     plain: [f64; MOST],
     rounding: [f64; MOST],
-    /// The largest `|z|`.
+    /// The largest and the least `|z|`.
     farthest: f64,
+    nearest: f64,
 }
 
 impl Batch {
@@ -69,6 +71,7 @@ impl Batch {
             plain: [0.0; MOST],
             rounding: [0.0; MOST],
             farthest: 0.0,
+            nearest: f64::INFINITY,
         }
     }
 }
@@ -128,6 +131,7 @@ impl Recurrence {
         batch.index[i] = index;
         batch.z[i] = z;
         batch.farthest = batch.farthest.max(z.abs());
+        batch.nearest = batch.nearest.min(z.abs());
         let half = panel.half();
         let (left, right) = (from_left / half, to_right / half);
         match self.singularity {
@@ -193,7 +197,9 @@ impl Recurrence {
         let n = batch.count;
         let (mut above, mut here) = ([0.0; MOST], [1.0; MOST]);
         sums[..n].fill(0.0);
-        for k in (2..=LAST).rev() {
+        let rho = batch.nearest + (batch.nearest * batch.nearest - 1.0).sqrt();
+        let beyond = (0.5 * FALLEN / rho.ln()).ceil() as usize;
+        for k in (2..=LAST.min(ORDER + beyond)).rev() {
             let [a, b] = self.backward[k];
             let own = if k < ORDER { c[k] } else { 0.0 };
             for i in 0..n {

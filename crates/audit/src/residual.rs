@@ -14,6 +14,9 @@ pub(crate) const FINEST: f64 = 16.0 * f64::EPSILON;
 /// Beside the origin, where numbers are as fine as one likes, they are at least that of this share of the whole.
 pub(crate) const SMALLEST: f64 = 1e-3;
 
+/// An interval beside a bend is cut at this share of its length: the longer part has a disk of 1.6 times its half-length about it.
+const BESIDE_A_BEND: f64 = 0.25;
+
 /// Places of jumps are as exact as this, relative to them: a quotient or product of two numbers, or the root of what a formula compares.
 const BLURRED: f64 = 4.0 * f64::EPSILON;
 
@@ -120,22 +123,51 @@ impl Residual<'_> {
         found: &mut Vec<Bounded>,
         bound: &mut dyn FnMut([f64; 2]) -> Option<Bounded>,
     ) -> Result<(), TooManyWindows> {
-        let mut stack = vec![whole];
-        while let Some([left, right]) = stack.pop() {
-            let middle = 0.5 * (left + right);
+        let mut stack: Vec<Open> = (self.cut(whole).windows(2).rev())
+            .map(|pair| Open { left: pair[0], right: pair[1], is_end: [true; 2] })
+            .collect();
+        while let Some(open) = stack.pop() {
+            let Open { left, right, is_end } = open;
+            let middle = open.cut();
             let size = left.abs().max(right.abs()).max(SMALLEST * (whole[1] - whole[0]));
             if right - left <= FINEST * size || middle <= left || middle >= right {
                 self.narrow_parts([left, right], found);
             } else if let Some(window) = bound([left, right]) {
                 found.push(window);
             } else {
-                stack.push([middle, right]);
-                stack.push([left, middle]);
+                stack.push(Open { left: middle, right, is_end: [false, is_end[1]] });
+                stack.push(Open { left, right: middle, is_end: [is_end[0], false] });
             }
             if found.len() + stack.len() > most {
                 return Err(TooManyWindows { at: middle });
             }
         }
         Ok(())
+    }
+
+    /// The ends of an interval, and the places between where the base may bend: windows shrink to these from either side.
+    fn cut(&self, [left, right]: [f64; 2]) -> Vec<f64> {
+        let inside = self.cuts.iter().copied().filter(|cut| left < *cut && *cut < right);
+        std::iter::once(left).chain(inside).chain([right]).collect()
+    }
+}
+
+/// An interval that is still to be covered.
+struct Open {
+    left: f64,
+    right: f64,
+    /// Whether the residual may bend at that end.
+    is_end: [bool; 2],
+}
+
+impl Open {
+    /// Where it is cut: a window may be three times as long as it is away from a bend.
+    fn cut(&self) -> f64 {
+        let share = match self.is_end {
+            [true, false] => BESIDE_A_BEND,
+            [false, true] => 1.0 - BESIDE_A_BEND,
+            _ => 0.5,
+        };
+        self.left + share * (self.right - self.left)
     }
 }

@@ -3,10 +3,9 @@
 use crate::density::Panel;
 use crate::legendre::{ORDER, RULE, evaluate};
 
-/// The last coefficients, whose size tells whether a panel resolves the density.
-const TAIL: usize = 3;
-/// A panel at the end of a zone is cut this far from the end: densities bend there as `d ln d`.
-const CUT: f64 = 0.25;
+/// A panel at an end of a part is cut this far from the end, or nearer where that leaves a panel that is resolved: densities bend there as `d ln d`, with which short panels need to
+/// be less exact.
+const CUTS: [f64; 3] = [1.0 / 64.0, 1.0 / 16.0, 0.25];
 /// Panels are at most this long: far parts of a row are integrated on their nodes.
 const LONGEST: f64 = 0.5;
 /// And this share of their zone: beside a free end the pressure is nowhere firmly positive on the whole panel.
@@ -31,6 +30,28 @@ struct Part {
     is_end: [bool; 2],
     /// The tail of the part that it was cut from.
     tail: f64,
+}
+
+impl Part {
+    /// Where to cut it: as near to an end as what is beyond is resolved.
+    fn cut(&self, is_resolved: impl Fn(f64, f64) -> bool) -> f64 {
+        let width = self.right - self.left;
+        let place = |share: f64| match self.is_end {
+            [true, false] => self.left + share * width,
+            [false, true] => self.right - share * width,
+            _ => self.left + 0.5 * width,
+        };
+        if self.is_end[0] == self.is_end[1] {
+            return place(0.5);
+        }
+        let beyond = |at: f64| if self.is_end[0] { [at, self.right] } else { [self.left, at] };
+        let [nearest @ .., farthest] = CUTS;
+        let found = nearest.into_iter().map(place).find(|at| {
+            let [left, right] = beyond(*at);
+            is_resolved(left, right)
+        });
+        found.unwrap_or_else(|| place(farthest))
+    }
 }
 
 /// Panels of a zone from left to right on which the density is a polynomial to a tolerance for their widths; none where they would be more than `most`.
@@ -61,12 +82,10 @@ pub(crate) fn panels(
         if is_done && width <= longest {
             found.push(panel);
         } else {
-            let share = match part.is_end {
-                [true, false] => CUT,
-                [false, true] => 1.0 - CUT,
-                _ => 0.5,
-            };
-            let cut = part.left + share * width;
+            let cut = part.cut(|left, right| {
+                sampled(density, left, right).1 <= tolerance(right - left)
+                    && right - left <= longest
+            });
             let [left, right] = part.is_end;
             stack.push(Part { left: cut, right: part.right, is_end: [false, right], tail });
             stack.push(Part { left: part.left, right: cut, is_end: [left, false], tail });
@@ -98,8 +117,9 @@ fn sampled(density: &dyn Fn(f64) -> f64, left: f64, right: f64) -> (Panel, f64) 
             coefficients.iter_mut().zip(change).for_each(|(c, change)| *c += change);
         }
     }
-    let tail = coefficients[ORDER - TAIL..].iter().fold(0.0f64, |most, c| most.max(c.abs()));
-    (Panel::new(left, right, coefficients), tail)
+    let panel = Panel::new(left, right, coefficients);
+    let tail = panel.tail();
+    (panel, tail)
 }
 
 /// A panel as two, sampled anew; the panel itself where it is too short for that.

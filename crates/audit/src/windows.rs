@@ -22,7 +22,7 @@ const COSINES: f64 = 3.0;
 /// Numbers of nodes on a window.
 const COUNTS: [usize; 11] = [3, 5, 7, 9, 12, 15, 19, 23, 28, 33, 40];
 /// Share of the budget for interpolation: a few nodes more make it small.
-const FINE: f64 = 0.4;
+const FINE: f64 = 0.6;
 /// Share of the residual that remainders may have.
 const SHARE: f64 = 0.15;
 /// Jumps of the density that a window may have in its remainders, in jumps: a polynomial cannot follow them closer than one and a half, and their potential may have as much.
@@ -66,13 +66,15 @@ impl Residual<'_> {
         let (count, remainder) = count_with(&mut heights, (budget, c, r), |count| {
             let fallen = 4.0 * rho.powi(1 - count as i32) / (rho - 1.0);
             let plain = 1.0 + self.lebesgue(c, r, count);
-            let potential = fitted.sum(|k| {
-                let analytic = fallen * gamma.powi(k) * local_potential(singularity, disk);
-                analytic.min(plain * local_mass(singularity, disk))
-            });
-            let own = fitted.sum(|k| {
-                if (k as usize) < count { 0.0 } else { (fallen * gamma.powi(k)).min(plain) }
-            });
+            let whole = plain * local_mass(singularity, disk);
+            let potential = fitted.sum(
+                |k| (fallen * gamma.powi(k) * local_potential(singularity, disk)).min(whole),
+                whole,
+            );
+            let own = fitted.sum(
+                |k| if (k as usize) < count { 0.0 } else { (fallen * gamma.powi(k)).min(plain) },
+                plain,
+            );
             own + self.theta * (potential + outside(&parts, singularity, r, count))
         })?;
         let (values, error) = self.values(c, r, count);

@@ -1,6 +1,6 @@
 """Makes potentials.csv and functions.csv with 60 digits (mpmath): python make.py
 
-The density has on panel j the Legendre coefficients (1 + j/64) (-1)^(k(k+1)/2) 8^-k, k < 16, exact numbers of the machine, as are the ends of the panels.
+The density has on panel j the Legendre coefficients (1 + j/64) (-1)^(k(k+1)/2) 8^-k, k < 24, exact numbers of the machine, as are the ends of the panels.
 potentials.csv: mu (0: ln|x - t|, else |x - t|^-mu), x, the integral of the kernel times the density, and the density at x.
 functions.csv: x, ln x, x^0.3, x^1.7.
 """
@@ -10,7 +10,7 @@ import random
 from mpmath import mp, mpf, log
 
 mp.dps = 60
-ORDER = 16
+ORDER = 24
 ends = [-1.0, *[-1 + 2.0**-k for k in range(40, 0, -2)], 0.0, 0.5, *[1 - 2.0**-k for k in range(2, 41, 2)], 1.0]
 
 
