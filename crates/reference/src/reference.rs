@@ -19,6 +19,8 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 const UNDAMPED: f64 = 8.0;
 /// Roundings of the pressure of a smooth surface, relative to it.
 const FIRST_KIND: f64 = 1024.0 * f64::EPSILON;
+/// What places are off by in their panels, relative to them.
+const PLACED: f64 = 4.0 * f64::EPSILON;
 /// Tension and penetration beyond that share of the displacements mean that the zones are others.
 const VIOLATED: f64 = 1e-8;
 
@@ -195,8 +197,20 @@ impl Reference<'_> {
     #[must_use]
     pub fn pressure(&self, x: f64) -> [f64; 2] {
         if self.problem.layer == Layer::None {
-            let [one, two] =
-                [&self.coarse, &self.fine].map(|solved| smooth::pressure(self.problem, solved, x));
+            let both = |x: f64| {
+                [&self.coarse, &self.fine].map(|solved| smooth::pressure(self.problem, solved, x))
+            };
+            let two = both(x)[1];
+            let differ = |x: f64| {
+                let [one, two] = both(x);
+                (one - two).abs()
+            };
+            let beside = smooth::beside(self.problem, &self.fine, x);
+            let differs = beside.into_iter().map(differ).fold(differ(x), f64::max);
+            // Beside a kink, where the pressure goes as a logarithm, so does what the place is off by.
+            let placed = PLACED * x.abs();
+            let [before, after] = [x - placed, x + placed].map(|x| both(x)[1]);
+            let grainy = (before - two).abs().max((after - two).abs());
             // Near an end, where the pressure goes as a root, what place and end are off by counts.
             let of_zone = |x: f64| {
                 let j = self.zones.iter().position(|[left, right]| *left <= x && x <= *right)?;
@@ -210,7 +224,7 @@ impl Reference<'_> {
             let off = of_zone(x).or_else(|| of_zone(x + 2.0)).unwrap_or(0.0);
             let relative = FIRST_KIND + off;
             let rounded = relative * two.abs() + self.rounding / self.problem.theta;
-            return [two, 2.0 * (one - two).abs() + rounded];
+            return [two, 2.0 * differs + grainy + rounded];
         }
         let layers = [&self.coarse, &self.fine].map(|solved| solved.layer(self.problem, x));
         let at = |v: f64| self.problem.pressure(v)[0];

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::grid::{Cutter, Fineness, Grid};
 use crate::kernel::Kernel;
-use crate::panel::Chart;
+use crate::panel::{Chart, Panel};
 use crate::problem::{Layer, Problem, Refusal, Rotational, Vertical};
 use crate::rough::{Solved, solve_dense};
 use crate::zones;
@@ -23,6 +23,9 @@ const MOST_EXCHANGES: usize = 6;
 const STEP: f64 = 1e-5;
 /// Ends this close to one of the base or to a break are held there.
 const AT_WALL: f64 = 1e-9;
+
+/// Places of a panel at which two resolutions are compared: between its nodes and towards its ends, where they differ most.
+const BESIDE: [f64; 6] = [-0.997, -0.93, -0.4, 0.41, 0.94, 0.998];
 
 /// A zone with what is known of its ends: the axis of a disk is no end.
 #[derive(Debug, Clone, Copy)]
@@ -67,8 +70,17 @@ pub(crate) fn settle(
 /// The pressure at a place.
 pub(crate) fn pressure(problem: &Problem<'_>, solved: &Solved, x: f64) -> f64 {
     let n = solved.grid.rule.nodes.len();
+    find(problem, solved, x).map_or(0.0, |(index, t, x)| {
+        let panel = &solved.grid.panels[index];
+        let values = &solved.pressures[n * index..n * (index + 1)];
+        value(solved, values, t) / panel.chart.rate(panel.chart.variable(x))
+    })
+}
+
+/// The panel of a place, with the place as the panel has it and on the line.
+fn find(problem: &Problem<'_>, solved: &Solved, x: f64) -> Option<(usize, f64, f64)> {
     for x in [x, x + shift(problem)] {
-        for (panel, values) in solved.grid.panels.iter().zip(solved.pressures.chunks(n)) {
+        for (index, panel) in solved.grid.panels.iter().enumerate() {
             let u = panel.chart.variable(x);
             let t = ((u - panel.anchor - panel.from) - (panel.to - (u - panel.anchor)))
                 / (2.0 * panel.half());
@@ -77,11 +89,18 @@ pub(crate) fn pressure(problem: &Problem<'_>, solved: &Solved, x: f64) -> f64 {
                 Chart::Angle { centre, half } => (x - centre).abs() <= half,
             };
             if is_there && t.abs() <= 1.0 {
-                return value(solved, values, t) / panel.chart.rate(u);
+                return Some((index, t, x));
             }
         }
     }
-    0.0
+    None
+}
+
+/// Places of the panel of a place: two resolutions may meet at one of them by chance, but not at all.
+pub(crate) fn beside(problem: &Problem<'_>, solved: &Solved, x: f64) -> Vec<f64> {
+    let panel = find(problem, solved, x).map(|(index, ..)| solved.grid.panels[index]);
+    let places = |panel: Panel| BESIDE.map(|t| panel.at(t).x()).to_vec();
+    panel.map_or_else(Vec::new, places)
 }
 
 fn value(solved: &Solved, values: &[f64], t: f64) -> f64 {

@@ -42,10 +42,19 @@ pub(crate) struct Checked {
     pub(crate) ratios: Vec<f64>,
 }
 
+/// What an answer is held against.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Against {
+    /// The method that shares no code.
+    Reference,
+    /// Its audit on halved panels.
+    SecondAudit,
+}
+
 /// Solves a case and judges it; `folder` has its measured base.
-pub(crate) fn judge(case: &Case, folder: &Path, is_checked: bool) -> Outcome {
+pub(crate) fn judge(case: &Case, folder: &Path, against: Option<Against>) -> Outcome {
     if case.is_equation {
-        return judge_equation(case, is_checked);
+        return judge_equation(case, against == Some(Against::Reference));
     }
     let problem = match shtaerman::file::from_bytes(case.toml.as_bytes(), "survey", folder, &[]) {
         Ok(problem) => problem,
@@ -62,7 +71,11 @@ pub(crate) fn judge(case: &Case, folder: &Path, is_checked: bool) -> Outcome {
         Err(error) => return refused(&error),
     };
     let times = [solved, start.elapsed().as_secs_f64() - solved];
-    let (checked, unchecked) = if is_checked { held(&problem, &contact) } else { (None, None) };
+    let (checked, unchecked) = match against {
+        Some(Against::Reference) => held(&problem, &contact),
+        Some(Against::SecondAudit) => (twice_audited(&contact), None),
+        None => (None, None),
+    };
     let audit = match contact.audited_by() {
         Some(Ok(audit)) => audit.kind.name(),
         Some(Err(_)) | None => "none",

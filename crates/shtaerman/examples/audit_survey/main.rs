@@ -1,7 +1,7 @@
 //! Holds the stated errors of random problems against a reference that shares no code with the program:
 //! `cargo run --release -p shtaerman --example audit_survey -- SEED COUNT [--reference N] [--only INDEX]`
 //!
-//! `--reference N` compares the first `N` problems only (all without it), `--only INDEX` prints and solves one. Bases, geometries, loads and equations are drawn from the seed alone.
+//! `--reference N` compares the first `N` problems only (all without it) and audits the others a second time on halved panels, `--only INDEX` prints and solves one. Bases, geometries, loads and equations are drawn from the seed alone.
 
 mod draw;
 mod judge;
@@ -12,7 +12,7 @@ use std::sync::mpsc;
 use std::time::{Duration, Instant};
 
 use draw::Case;
-use judge::{Outcome, judge};
+use judge::{Against, Outcome, judge};
 use report::Report;
 
 /// A problem that takes longer has no answer; its thread is left behind.
@@ -98,19 +98,18 @@ fn guarded(case: &Case, folder: PathBuf, is_checked: bool) -> Option<Outcome> {
         ..*case
     };
     std::thread::spawn(move || {
-        // Without a check first, so that the guard is for the answer alone.
-        let outcome = judge(&copy, &folder, false);
+        // The answer first, so that the guard is for it alone.
+        let outcome = judge(&copy, &folder, None);
         let is_answered = matches!(outcome, Outcome::Answered(_));
         let _ = sender.send(outcome);
-        if is_answered && is_checked {
-            let _ = sender.send(judge(&copy, &folder, true));
+        if is_answered {
+            let against = if is_checked { Against::Reference } else { Against::SecondAudit };
+            let _ = sender.send(judge(&copy, &folder, Some(against)));
         }
     });
     let first = receiver.recv_timeout(LONGEST).ok()?;
     match first {
-        Outcome::Answered(_) if is_checked => {
-            Some(receiver.recv_timeout(LONGEST_CHECK).unwrap_or(first))
-        }
+        Outcome::Answered(_) => Some(receiver.recv_timeout(LONGEST_CHECK).unwrap_or(first)),
         other => Some(other),
     }
 }

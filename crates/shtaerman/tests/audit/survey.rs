@@ -1,7 +1,7 @@
 //! A small survey of random problems; `examples/audit_survey` runs larger ones.
 
 use crate::draw::case;
-use crate::judge::{Outcome, judge};
+use crate::judge::{Against, Outcome, judge};
 
 /// Another seed than examples and reports have.
 const SEED: u64 = 5_150_927;
@@ -16,7 +16,7 @@ fn stated_errors_hold() {
     println!("seed {SEED}");
     let folder = std::env::temp_dir().join(format!("shtaerman_survey_{}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
-    let (mut answered, mut checked, mut refused) = (0, 0, 0);
+    let (mut answered, mut referred, mut checked, mut refused) = (0, 0, 0, 0);
     for index in 0..COUNT {
         let case = case(SEED, index);
         if let Some(rows) = &case.csv {
@@ -25,7 +25,9 @@ fn stated_errors_hold() {
             }
             std::fs::write(folder.join(format!("trace_{index}.csv")), rows).unwrap();
         }
-        let outcome = judge(&case, &folder, checked < CHECKED);
+        let is_referred = referred < CHECKED;
+        let against = if is_referred { Against::Reference } else { Against::SecondAudit };
+        let outcome = judge(&case, &folder, Some(against));
         match outcome {
             Outcome::NoProblem(reason) => {
                 panic!("{index} ({}): {reason}\n{}", case.class, case.toml)
@@ -39,11 +41,18 @@ fn stated_errors_hold() {
                 answered += 1;
                 let Some(check) = found.checked else { continue };
                 checked += 1;
+                referred += usize::from(is_referred);
                 assert!(check.violation.is_none(), "{index}: {:?}\n{}", check.violation, case.toml);
             }
         }
     }
     std::fs::remove_dir_all(&folder).unwrap();
-    println!("{answered} answered, {checked} held against the reference, {refused} refused");
-    assert!(checked >= CHECKED && answered > 40, "{answered} answered, {checked} checked");
+    println!(
+        "{answered} answered, {referred} held against the reference and {} against a second audit, {refused} refused",
+        checked - referred
+    );
+    assert!(
+        referred >= CHECKED && checked > 2 * CHECKED && answered > 40,
+        "{answered} answered, {checked} checked"
+    );
 }
