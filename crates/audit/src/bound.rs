@@ -9,7 +9,7 @@ use crate::highest::highest;
 use crate::kernel::Kernel;
 use crate::norms::Reach;
 use crate::residual::{Bounded, Residual};
-use crate::sample::{halves, panels};
+use crate::sample::{compared, halves, panels};
 use crate::shape::{Shape, restored};
 
 /// Most panels and windows: beyond them an answer is not audited.
@@ -22,8 +22,6 @@ const SAMPLES: u32 = 32;
 /// A bound above this share of the pressure is looked into: a single window beside the zones with so much of the residual is told.
 const NO_SMALL_SHARE: f64 = 1e-2;
 const MOST_OF_IT: f64 = 0.3;
-/// Places of a panel where the answer is compared with its resampled pressure, between the nodes of both.
-const COMPARED: [f64; 2] = [0.271_828, 0.914_159];
 
 /// What the load prescribes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -371,12 +369,11 @@ impl Audit<'_> {
             let window = zones.get(zones.partition_point(|window| window.right < x));
             !window.is_some_and(|window| window.is_narrow && window.left <= x)
         };
-        let places = self.density.panels.iter().flat_map(|panel| {
-            COMPARED.map(|t| (panel, panel.left + t * (panel.right - panel.left)))
-        });
-        places
-            .filter(|(_, x)| is_resolved(*x))
-            .map(|(panel, x)| (panel.evaluate(x) - (self.answer.pressure)(x)).abs())
+        let panels = self.density.panels.iter();
+        panels
+            .flat_map(|panel| compared(panel, self.answer.pressure))
+            .filter(|(x, _)| is_resolved(*x))
+            .map(|(_, off)| off)
             .fold(0.0, f64::max)
     }
 }

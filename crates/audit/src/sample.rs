@@ -142,6 +142,22 @@ fn graininess(density: &dyn Fn(f64) -> f64, panel: &Panel) -> f64 {
     STEEPER * first.min(last)
 }
 
+/// Places of a panel where an answer is compared with its resampled pressure, between the nodes of both, and towards its ends, where an answer may have a layer of its own that no node
+/// of a panel sees.
+const COMPARED: [f64; 9] =
+    [1e-6, 1e-4, 1e-2, 0.071_828, 0.371_828, 0.914_159, 1.0 - 1e-2, 1.0 - 1e-4, 1.0 - 1e-6];
+
+/// Places at which an answer is compared with a panel, and how far it is from it there.
+pub(crate) fn compared(
+    panel: &Panel,
+    pressure: &dyn Fn(f64) -> f64,
+) -> impl Iterator<Item = (f64, f64)> {
+    COMPARED.into_iter().map(move |t| {
+        let x = panel.left + t * (panel.right - panel.left);
+        (x, (panel.evaluate(x) - pressure(x)).abs())
+    })
+}
+
 /// The panel with its polynomial multiplied by `a + b x` plus `c + d x`, resampled at its nodes.
 pub(crate) fn adjusted(panel: &Panel, [a, b]: [f64; 2], [c, d]: [f64; 2]) -> Panel {
     let mut values = [0.0; ORDER];

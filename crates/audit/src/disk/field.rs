@@ -2,8 +2,8 @@
 
 use super::kernel::mass;
 use super::potential::Radial;
-use super::{COMPARED, DiskProblem, UNIT};
-use crate::density::Panel;
+use super::{DiskProblem, UNIT};
+use crate::sample::compared;
 use crate::sampled::Field;
 use crate::{Profile, layer};
 
@@ -27,18 +27,15 @@ impl<'a> Resampled<'a> {
         Self { density, own, changed, total }
     }
 
-    /// An estimate of the potential of what the panels miss of the pressure between the nodes: it changes its sign on each, so that squares are added.
-    fn misfit(&self, exponent: f64) -> f64 {
-        let missed = |panel: &Panel| {
-            let places = COMPARED.map(|t| panel.left + t * (panel.right - panel.left));
-            places
-                .map(|r| (panel.evaluate(r) - (self.own)(r)).abs())
-                .into_iter()
-                .fold(0.0, f64::max)
-        };
-        let panels = self.density.panels().iter();
-        let parts = panels.map(|panel| missed(panel) * ring(2.0 * panel.half(), exponent));
-        parts.map(|part| part * part).sum::<f64>().sqrt()
+    /// What the panels miss of the pressure between the nodes, and an estimate of its potential: it changes its sign on each, so that squares are added.
+    fn misfit(&self, exponent: f64) -> [f64; 2] {
+        let (mut most, mut squares) = (0.0f64, 0.0);
+        for panel in self.density.panels() {
+            let missed = compared(panel, &*self.own).fold(0.0f64, |most, (_, off)| most.max(off));
+            most = most.max(missed);
+            squares += (missed * ring(2.0 * panel.half(), exponent)).powi(2);
+        }
+        [most, squares.sqrt()]
     }
 }
 
@@ -78,7 +75,7 @@ impl<'a> Part<'a> {
         [settlement, tilt]: [f64; 2],
         profile: Option<&'a dyn Profile>,
     ) -> Self {
-        let misfit = resampled.misfit(problem.exponent);
+        let [missed, misfit] = resampled.misfit(problem.exponent);
         Self {
             mass: mass(problem.exponent),
             settlement,
@@ -91,7 +88,7 @@ impl<'a> Part<'a> {
             layer: problem.layer,
             scaled: problem.scaled,
             is_bilateral: problem.is_bilateral,
-            changed: resampled.changed,
+            changed: resampled.changed + missed,
             misfit,
         }
     }

@@ -20,8 +20,6 @@ use potential::Radial;
 const UNIT: f64 = 0.5 * f64::EPSILON;
 /// A pressure is resampled to this many roundings of what it is computed from.
 const RESOLVED: f64 = 4.0;
-/// Places of a panel where the answer is compared with its resampled pressure.
-const COMPARED: [f64; 3] = [0.071_828, 0.371_828, 0.914_159];
 
 /// A contact under a circular punch of radius 1 without dimensions: `p^kappa + theta K p = delta - alpha x - f` where `p > 0`, with the kernel `(G/2) |x - y|^-(1+mu)` on the disk.
 pub struct DiskProblem<'a> {
