@@ -201,15 +201,21 @@ impl Errors {
         self.distance.pressure + self.line.largest()
     }
 
+    /// `theta |K (p - q)|` by the principle for potentials.
+    fn principle(&self) -> f64 {
+        self.distance.principle + self.line.largest()
+    }
+
     /// Of what the residual is off by outside the zones.
     fn margin(&self) -> f64 {
         let left = if self.doubles { self.place() } else { 0.0 };
-        left + self.distance.potential + self.line.largest()
+        (left + self.distance.potential).min(self.principle()) + self.line.largest()
     }
 
     fn pressure(&self) -> f64 {
         let twice = if self.doubles { 2.0 } else { 1.0 };
-        twice * self.place() + self.distance.potential
+        let by_norm = twice * self.place() + self.distance.potential;
+        by_norm.min(self.place() + self.principle())
     }
 }
 

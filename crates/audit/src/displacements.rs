@@ -68,6 +68,10 @@ impl Audit<'_> {
         line.middle = about;
         line.level = if force.is_some() { norm / length.sqrt() } else { 0.0 };
         line.slope = if moment.is_some() { norm / square.sqrt() } else { 0.0 };
+        if moment.is_none() {
+            // Forces grow with the right-hand side: a settlement alone moves by no more than that.
+            line.level = line.level.min(distance.principle);
+        }
         match self.tested(distance, reach) {
             Some(other) if other.largest() < line.largest() => other,
             _ => line,

@@ -34,6 +34,8 @@ pub(crate) struct Distance {
     pub(crate) pressure: f64,
     /// `theta |K (p - q)|` at any place.
     pub(crate) potential: f64,
+    /// The same without what free displacements do to it, by the complete maximum principle: no larger than the largest residual; infinite where the kernel has it not.
+    pub(crate) principle: f64,
     /// `||w~||_1`.
     pub(crate) sum: f64,
     /// What free displacements take up, relative to them.
@@ -51,8 +53,9 @@ struct Norms {
     narrow_square: f64,
     narrow_width: f64,
     narrow_potential: f64,
-    /// The largest `|w~|` at numbers of the machine.
+    /// The largest `|w~|` at numbers of the machine; and anywhere, but where the density is changed by it.
     largest: f64,
+    anywhere: f64,
 }
 
 impl Norms {
@@ -62,6 +65,7 @@ impl Norms {
         if theta * row_norm(kernel) * width.sqrt() >= 1.0 {
             self.square += size * size * width;
             self.sum += size * width;
+            self.anywhere = self.anywhere.max(size);
             return;
         }
         self.narrow_width += width;
@@ -108,6 +112,7 @@ impl Audit<'_> {
             } else {
                 norms.square += window.norm * window.norm;
                 norms.sum += window.largest * width;
+                norms.anywhere = norms.anywhere.max(window.largest);
             }
         }
         // Jumps of the base lie within some roundings of where windows have them.
@@ -144,6 +149,8 @@ impl Audit<'_> {
             + corrected.residual;
         let beside = theta
             * (norms.narrow_potential + mass(kernel, reach.half) * (depth + corrected.highest));
+        // What is cut off or added changes the residual, too; where the density is changed, elsewhere by the potential of that.
+        let uniform = norms.anywhere + depth + corrected.highest + 2.0 * beside;
         Distance {
             residual,
             mean_square: residual + negative + corrected.norm,
@@ -152,8 +159,18 @@ impl Audit<'_> {
             pressure: norms.largest + depth + corrected.highest,
             potential: reach.smoothing() * residual
                 + if reach.doubles() { 2.0 * beside } else { beside },
+            principle: if self.has_principle() { uniform } else { f64::INFINITY },
             sum: norms.sum + norms.narrow_sum + sum,
             taken: corrected.taken,
+        }
+    }
+
+    /// Whether the kernel has the complete maximum principle: the logarithm and the row have it but for a constant, of which differences without force know nothing.
+    fn has_principle(&self) -> bool {
+        match self.problem.kernel {
+            Kernel::Power { .. } => true,
+            Kernel::Logarithm | Kernel::Row { .. } => self.problem.prescribed.force.is_some(),
+            Kernel::ShiftedLogarithm { .. } => false,
         }
     }
 

@@ -142,6 +142,12 @@ fn graininess(density: &dyn Fn(f64) -> f64, panel: &Panel) -> f64 {
     STEEPER * first.min(last)
 }
 
+/// Whether a panel may be left unresolved: beside a corner it is not cut further.
+pub(crate) fn is_short(panel: &Panel) -> bool {
+    let size = panel.left.abs().max(panel.right.abs());
+    panel.right - panel.left <= COARSE * FINEST * size
+}
+
 /// Places of a panel where an answer is compared with its resampled pressure, between the nodes of both, and towards its ends, where an answer may have a layer of its own that no node
 /// of a panel sees.
 const COMPARED: [f64; 9] =

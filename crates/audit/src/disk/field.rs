@@ -3,7 +3,7 @@
 use super::kernel::mass;
 use super::potential::Radial;
 use super::{DiskProblem, UNIT};
-use crate::sample::compared;
+use crate::sample::{compared, is_short};
 use crate::sampled::Field;
 use crate::{Profile, layer};
 
@@ -27,12 +27,13 @@ impl<'a> Resampled<'a> {
         Self { density, own, changed, total }
     }
 
-    /// What the panels miss of the pressure between the nodes, and an estimate of its potential: it changes its sign on each, so that squares are added.
+    /// What the panels miss of the pressure between the nodes where they resolve it, and an estimate of its potential: it changes its sign on each, so that squares are added.
     fn misfit(&self, exponent: f64) -> [f64; 2] {
         let (mut most, mut squares) = (0.0f64, 0.0);
         for panel in self.density.panels() {
             let missed = compared(panel, &*self.own).fold(0.0f64, |most, (_, off)| most.max(off));
-            most = most.max(missed);
+            // At the places where the residual is formed the pressure is the answer's own.
+            most = most.max(if is_short(panel) { 0.0 } else { missed });
             squares += (missed * ring(2.0 * panel.half(), exponent)).powi(2);
         }
         [most, squares.sqrt()]

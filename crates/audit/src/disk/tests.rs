@@ -86,3 +86,34 @@ fn edges_are_near_where_they_are() {
     let (bound, _) = judged(&base, 2.0, 0.0, true);
     assert!(bound.ends.is_some_and(|ends| ends < 1e-7), "{bound:?}");
 }
+
+/// An answer that is off in a layer beside the axis, where no node of a panel lies: it has no weight in any integral.
+#[test]
+fn layers_beside_the_axis_are_seen() {
+    let (theta, off) = (2.0, 1e-9);
+    let base = Base { c: 1.0, bend: theta * PI * PI / 8.0, kappa: 1.0 };
+    for width in [1e-6, 1e-5] {
+        let layer = |r: f64| off * (-(r / width).powi(2)).exp();
+        let pressure = |r: f64| ((1.0 - r) * (1.0 + r)).max(0.0).sqrt() + layer(r);
+        let problem = DiskProblem {
+            exponent: 0.0,
+            theta,
+            layer: base.kappa,
+            scaled: 0.0,
+            is_bilateral: false,
+            prescribed: Prescribed { force: None, moment: None },
+            profile: &base,
+            cuts: &[],
+        };
+        let answer = Answer {
+            zones: &[[-1.0, 1.0]],
+            pressure: &pressure,
+            settlement: 2.0 * base.bend,
+            tilt: 0.0,
+            force: 2.0 * PI / 3.0,
+            moment: 0.0,
+        };
+        let bound = audit_disk(&problem, &answer).unwrap();
+        assert!(bound.pressure >= 0.9 * off && bound.pressure < 30.0 * off, "{width:e}: {bound:?}");
+    }
+}
