@@ -1,4 +1,4 @@
-//! Times of unilateral contact on one thread: `cargo bench --workspace --bench unilateral`.
+//! Times of unilateral contact and of its audit on one thread: `cargo bench --workspace --bench unilateral`.
 
 #![allow(clippy::unwrap_used, reason = "a benchmark may fail by panicking")]
 #![allow(missing_docs, reason = "a benchmark has no readers")]
@@ -11,7 +11,7 @@ use shtaerman::{
 };
 
 fn main() {
-    println!("{:<58} {:>12}", "one thread, best of many", "milliseconds");
+    println!("{:<58} {:>12} {:>12}", "one thread, best of many, milliseconds", "solve", "audit");
     let force = Vertical::Force(1.0);
     let centric = Rotational::Moment(0.0);
     // Rough parabola with chi E*/a_H = 1: theta0 = 2 a/(pi a_H), f0 = 2 theta0 P0 (a/a_H)^2 xi^2, here with a = 4 a_H.
@@ -101,22 +101,32 @@ fn time(name: &str, problem: &Problem) {
     if wanted.next().is_some_and(|part| !name.contains(&part)) {
         return;
     }
+    let solve = best(&|| drop(black_box(problem.solve().unwrap())));
+    let contact = problem.solve().unwrap();
+    let audited = match contact.audit() {
+        Ok(_) => format!("{:>12.3}", 1e3 * best(&|| drop(black_box(contact.audit())))),
+        Err(_) => format!("{:>12}", "none"),
+    };
+    println!(
+        "{name:<58} {:>12.3} {audited}   {} zones, {}, error {:.0e}",
+        1e3 * solve,
+        contact.edges0().len(),
+        contact.method().name,
+        contact.relative_error()
+    );
+}
+
+/// Seconds of the quickest of the calls that a second has room for.
+fn best(call: &dyn Fn()) -> f64 {
     let (mut best, mut spent) = (f64::INFINITY, 0.0);
     while spent < 1.0 {
         let start = Instant::now();
-        black_box(problem.solve().unwrap());
+        call();
         let time = start.elapsed().as_secs_f64();
         best = best.min(time);
         spent += time;
     }
-    let contact = problem.solve().unwrap();
-    let zones = contact.edges0().len();
-    println!(
-        "{name:<58} {:>12.3}   {zones} zones, {}, error {:.0e}",
-        best * 1e3,
-        contact.method().name,
-        contact.relative_error()
-    );
+    best
 }
 
 fn problem(theta0: f64, profile: Profile, load: Load) -> Problem {
