@@ -407,4 +407,53 @@ mod tests {
             assert!((arm - 0.1).abs() < 1e-13, "{arm}");
         }
     }
+
+    #[test]
+    fn a_weight_agrees_with_weighted_sinc_collocation() {
+        let mut cuts: Vec<f64> = (-19..=19).map(|i| f64::from(i) * 0.05).collect();
+        for i in 1..28 {
+            let at = 1.0 - 0.05 * 0.4f64.powi(i);
+            cuts.extend([at, -at]);
+        }
+        cuts.extend([-1.0, 1.0]);
+        cuts.sort_by(f64::total_cmp);
+        let bounds = cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        let operator =
+            PanelOperator::new(PanelKernel::Logarithm, Panels::new(bounds, 16).unwrap()).unwrap();
+        let nodes = operator.panels().nodes();
+        // Nothing at one end, as beside a free edge.
+        let weight_at = |x: f64| (1.0 + x) * (1.3 - x);
+        let weight: Vec<f64> = nodes.iter().map(|x| weight_at(*x)).collect();
+        for theta in [0.5, 30.0] {
+            let groups =
+                Groups::new(PanelKernel::Logarithm, operator.panels(), theta, 0.05, Some(&weight))
+                    .unwrap();
+            let equation = PanelEquation {
+                operator: &operator,
+                parameter: theta,
+                weight: Some(&weight),
+                groups: &groups,
+            };
+            let (ones, zero) = (vec![1.0; nodes.len()], vec![0.0; nodes.len()]);
+            let found = equation.solve(&ones, &[], &zero, 1e-14).unwrap();
+            let sinc = SincOperator::new(&Logarithm::unit(), 60).unwrap();
+            let weights: Vec<f64> = sinc.positions().map(weight_at).collect();
+            let factor = sinc.factor_weighted(theta, &weights).unwrap();
+            let known = factor.solve(&vec![1.0; sinc.count()]).unwrap();
+            for x in [-0.999, -0.3, 0.02, 0.77] {
+                let value = operator.panels().interpolate(&found.values, x).unwrap();
+                assert!((value - known.evaluate(x, 1.0)).abs() < 1e-11, "{theta} {x}: {value}");
+            }
+            // The force is that of the weighted values.
+            let carried: Vec<f64> = weight.iter().zip(&found.values).map(|(w, v)| w * v).collect();
+            let force = operator.panels().integral(&carried, |_| 1.0);
+            let conditions = [PanelCondition::symmetric(ones.clone(), force)];
+            let again = equation.solve(&zero, &conditions, &ones, 1e-14).unwrap();
+            assert!((again.multipliers[0] - 1.0).abs() < 1e-11, "{:?}", again.multipliers);
+        }
+        let short = [1.0; 3];
+        let panels = operator.panels();
+        let groups = Groups::new(PanelKernel::Logarithm, panels, 1.0, 0.05, Some(&short));
+        assert!(matches!(groups, Err(Error::WrongLength { found: 3, .. })));
+    }
 }
