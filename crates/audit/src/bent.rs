@@ -410,7 +410,7 @@ mod tests {
         }
     }
 
-    /// The same with a free tilt. Stiffnesses by collocation of `kappa p^(kappa-1) + theta K` on 3000 cells in NumPy, whose digits agree with those on 1500 cells.
+    /// The same with a free tilt. Stiffnesses by collocation of `kappa p^(kappa-1) + theta K` on 3000 cells in `NumPy`, whose digits agree with those on 1500 cells.
     #[test]
     fn a_free_tilt_is_off_as_the_residual_is() {
         for (c, theta, kappa, [level, turn]) in [
