@@ -47,9 +47,18 @@ impl Panel {
         0.5 * (self.left + self.right)
     }
 
-    /// The last coefficients: what the panel cannot resolve is about as large.
+    /// The largest of the last coefficients: what the panel cannot resolve is about as large.
     pub(crate) fn tail(&self) -> f64 {
-        self.coefficients[ORDER - TAIL..].iter().fold(0.0, |most, c| most.max(c.abs()))
+        self.largest_of(ORDER - TAIL..ORDER)
+    }
+
+    /// The largest of as many before these.
+    pub(crate) fn before_tail(&self) -> f64 {
+        self.largest_of(ORDER - 2 * TAIL..ORDER - TAIL)
+    }
+
+    fn largest_of(&self, range: std::ops::Range<usize>) -> f64 {
+        self.coefficients[range].iter().fold(0.0, |most, c| most.max(c.abs()))
     }
 
     pub(crate) fn half(&self) -> f64 {

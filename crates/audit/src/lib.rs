@@ -41,6 +41,7 @@ mod shape;
 #[cfg(test)]
 mod slow;
 mod sum;
+mod tangent;
 #[cfg(test)]
 mod tests;
 mod windows;

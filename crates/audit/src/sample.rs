@@ -13,6 +13,8 @@ const LONGEST_OF_ZONE: f64 = 0.25;
 /// What is left of the tail after a cut, from which on it is noise, where it is below this share of the density: a kink leaves a half.
 const STAGNANT: f64 = 0.75;
 const NOISE: f64 = 1e-7;
+/// The coefficients of noise do not fall either: its tail is at least this share of those before. Of `d^(1/2)` at an end it is less.
+const FLAT: f64 = 0.6;
 /// Panels are not cut below this many units of the machine, and below `COARSE` times that where the density changes as much from number to number.
 const FINEST: f64 = 64.0 * f64::EPSILON;
 const COARSE: f64 = 1e6;
@@ -72,9 +74,10 @@ pub(crate) fn panels(
         .collect();
     while let Some(part) = stack.pop() {
         let (panel, tail) = sampled(density, part.left, part.right);
+        let before = panel.before_tail();
         let width = part.right - part.left;
         let finest = FINEST * part.left.abs().max(part.right.abs());
-        let is_noise = tail > STAGNANT * part.tail && tail < NOISE * scale;
+        let is_noise = tail > STAGNANT * part.tail && tail < NOISE * scale && tail > FLAT * before;
         let is_done = tail <= tolerance(width)
             || is_noise
             || width <= finest

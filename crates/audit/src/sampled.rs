@@ -9,6 +9,8 @@ use crate::residual::{TooManyWindows, blur};
 const COUNTS: [usize; 3] = [8, 12, 17];
 /// Share of the residual that may be missed.
 const SHARE: f64 = 0.15;
+/// What a window may have missed beside zones, in roundings of the residual: of the profile and of the last coefficients two each, and the rounding itself.
+const MISSED: f64 = 6.0;
 /// Windows are at least this wide, relative to their distance from the origin, and beside it to that of this share of the whole.
 const FINEST: f64 = 16.0 * f64::EPSILON;
 const SMALLEST: f64 = 1e-3;
@@ -126,7 +128,8 @@ fn window(
     }
     let least = series[0] - swing - missed;
     let lowest = values.iter().copied().fold(f64::INFINITY, f64::min);
-    if least < -(2.0 * missed).max(-2.0 * lowest) {
+    // What was missed is no penetration: only what the samples show, or rounding, ends the halving.
+    if least < -(MISSED * noise).max(-2.0 * lowest) {
         return None;
     }
     let largest = (-least).max(0.0);

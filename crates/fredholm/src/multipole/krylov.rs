@@ -11,18 +11,20 @@ const MOST_CONDITIONS: usize = 2;
 /// A residual that has fallen to no less than this share is rounding.
 const STAGNANT: f64 = 0.5;
 
-/// `phi + theta K phi - sum_k mu_k c_k = b`, `int r_k phi = v_k`.
+/// `phi + theta K w phi - sum_k mu_k c_k = b`, `int r_k w phi = v_k`, with a weight `w >= 0`: the modulus of a law that bends.
 #[derive(Debug)]
 pub struct PanelEquation<'a> {
     /// `K`.
     pub operator: &'a PanelOperator,
     /// `theta >= 0`.
     pub parameter: f64,
+    /// `w` at the nodes; none for 1.
+    pub weight: Option<&'a [f64]>,
     /// The approximate inverse, for the same panels or others of the same number.
     pub groups: &'a Groups,
 }
 
-/// A condition `int r phi = v` and the column that goes with its multiplier.
+/// A condition `int r w phi = v` and the column that goes with its multiplier.
 #[derive(Debug, Clone)]
 pub struct PanelCondition {
     /// `r` at the nodes.
@@ -40,7 +42,7 @@ pub struct PanelSolution {
     pub values: Vec<f64>,
     /// `mu`, one for each condition.
     pub multipliers: Vec<f64>,
-    /// `K phi` at the nodes.
+    /// `K w phi` at the nodes.
     pub potential: Vec<f64>,
     /// Root of the integral of the squared residual.
     pub residual: f64,
@@ -57,7 +59,7 @@ struct Border<'c> {
 }
 
 impl PanelCondition {
-    /// `int c phi = v` with the multiplier of `c` itself.
+    /// `int c w phi = v` with the multiplier of `c` itself.
     #[must_use]
     pub fn symmetric(column: Vec<f64>, value: f64) -> Self {
         Self { row: column.clone(), column, value }
@@ -79,11 +81,11 @@ impl PanelEquation<'_> {
         self.check(right, conditions, start)?;
         let border = self.border(conditions)?;
         let (mut values, mut multipliers) = (start.to_vec(), vec![0.0; conditions.len()]);
-        let mut potential = self.operator.potential(&values);
+        let mut potential = self.potential(&values);
         let mut residual = self.residual(right, conditions, &values, &multipliers, &potential);
         // The first step meets the conditions, later ones keep them.
         let mut missing: Vec<f64> =
-            conditions.iter().map(|c| c.value - self.product(&c.row, &values)).collect();
+            conditions.iter().map(|c| c.value - self.carried(&c.row, &values)).collect();
         let (mut products, mut before) = (1, f64::INFINITY);
         let mut direction = residual;
         loop {
@@ -91,7 +93,7 @@ impl PanelEquation<'_> {
             missing.fill(0.0);
             add(&mut values, 1.0, &step);
             add(&mut multipliers, 1.0, &shift);
-            potential = self.operator.potential(&values);
+            potential = self.potential(&values);
             products += 1;
             residual = self.residual(right, conditions, &values, &multipliers, &potential);
             let norm = self.product(&residual, &residual).sqrt();
@@ -118,7 +120,8 @@ impl PanelEquation<'_> {
         start: &[f64],
     ) -> Result<(), Error> {
         let expected = self.operator.panels().count();
-        let lists = [("right-hand side", right.len()), ("start", start.len())];
+        let weight = self.weight.map_or(expected, <[f64]>::len);
+        let lists = [("right-hand side", right.len()), ("start", start.len()), ("weight", weight)];
         let rows = conditions.iter().map(|c| ("row of a condition", c.row.len()));
         let columns = conditions.iter().map(|c| ("column of a condition", c.column.len()));
         for (what, found) in lists.into_iter().chain(rows).chain(columns) {
@@ -139,6 +142,22 @@ impl PanelEquation<'_> {
         weighted(self.operator.panels().weights(), u, v)
     }
 
+    /// `int u w v`.
+    fn carried(&self, u: &[f64], v: &[f64]) -> f64 {
+        match self.weight {
+            None => self.product(u, v),
+            Some(weight) => self.product(u, &times(weight, v)),
+        }
+    }
+
+    /// `K w v`.
+    fn potential(&self, values: &[f64]) -> Vec<f64> {
+        match self.weight {
+            None => self.operator.potential(values),
+            Some(weight) => self.operator.potential(&times(weight, values)),
+        }
+    }
+
     fn residual(
         &self,
         right: &[f64],
@@ -157,10 +176,9 @@ impl PanelEquation<'_> {
     }
 
     fn border<'c>(&self, conditions: &'c [PanelCondition]) -> Result<Border<'c>, Error> {
-        let panels = self.operator.panels();
         let responses: Vec<Vec<f64>> =
-            conditions.iter().map(|c| self.groups.roughly_inverted(panels, &c.column)).collect();
-        let entry = |i: usize, j: usize| self.product(&conditions[i].row, &responses[j]);
+            conditions.iter().map(|c| self.groups.roughly_inverted(&c.column)).collect();
+        let entry = |i: usize, j: usize| self.carried(&conditions[i].row, &responses[j]);
         let inverse = match conditions.len() {
             0 => Vec::new(),
             1 => vec![1.0 / entry(0, 0)],
@@ -187,9 +205,9 @@ impl PanelEquation<'_> {
         right: &[f64],
         integrals: &[f64],
     ) -> (Vec<f64>, Vec<f64>) {
-        let mut values = self.groups.roughly_inverted(self.operator.panels(), right);
+        let mut values = self.groups.roughly_inverted(right);
         let lacking: Vec<f64> = (border.conditions.iter().zip(integrals))
-            .map(|(condition, integral)| integral - self.product(&condition.row, &values))
+            .map(|(condition, integral)| integral - self.carried(&condition.row, &values))
             .collect();
         let multipliers: Vec<f64> = (border.inverse.chunks_exact(lacking.len().max(1)))
             .map(|row| row.iter().zip(&lacking).map(|(a, b)| a * b).sum())
@@ -215,7 +233,7 @@ impl PanelEquation<'_> {
         while least.residual().abs() > 0.5 * tolerance && basis.len() <= STEPS {
             let last = &basis[basis.len() - 1];
             let (step, shift) = self.roughly_inverted(border, last, &none);
-            let mut next = self.operator.potential(&step);
+            let mut next = self.potential(&step);
             next.iter_mut().zip(&step).for_each(|(u, v)| *u = v + self.parameter * *u);
             for (condition, mu) in border.conditions.iter().zip(&shift) {
                 add(&mut next, -mu, &condition.column);
@@ -295,6 +313,10 @@ impl LeastSquares {
     }
 }
 
+fn times(weight: &[f64], values: &[f64]) -> Vec<f64> {
+    weight.iter().zip(values).map(|(w, v)| w * v).collect()
+}
+
 fn weighted(weights: &[f64], u: &[f64], v: &[f64]) -> f64 {
     const LANES: usize = 8;
     let mut sums = [0.0; LANES];
@@ -324,9 +346,9 @@ mod tests {
         let bounds = cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
         let panels = Panels::new(bounds, 8).unwrap();
         for (theta, longest) in [(1.0, 0.5), (1e3, 0.1), (1e5, 0.02)] {
-            let groups = Groups::new(PanelKernel::Sine, &panels, theta, longest).unwrap();
+            let groups = Groups::new(PanelKernel::Sine, &panels, theta, longest, None).unwrap();
             let ones = vec![1.0; panels.count()];
-            for value in groups.roughly_inverted(&panels, &ones) {
+            for value in groups.roughly_inverted(&ones) {
                 assert!((value - 1.0).abs() < 0.05, "{theta}: {value}");
             }
         }
@@ -347,8 +369,13 @@ mod tests {
             PanelOperator::new(PanelKernel::Logarithm, Panels::new(bounds, 16).unwrap()).unwrap();
         for theta in [0.5, 30.0] {
             let groups =
-                Groups::new(PanelKernel::Logarithm, operator.panels(), theta, 0.05).unwrap();
-            let equation = PanelEquation { operator: &operator, parameter: theta, groups: &groups };
+                Groups::new(PanelKernel::Logarithm, operator.panels(), theta, 0.05, None).unwrap();
+            let equation = PanelEquation {
+                operator: &operator,
+                parameter: theta,
+                weight: None,
+                groups: &groups,
+            };
             let nodes = operator.panels().nodes();
             let (ones, zero) = (vec![1.0; nodes.len()], vec![0.0; nodes.len()]);
             let found = equation.solve(&ones, &[], &zero, 1e-14).unwrap();
@@ -379,5 +406,54 @@ mod tests {
             let arm = of(&tilted.values, |x| x) / of(&tilted.values, |_| 1.0);
             assert!((arm - 0.1).abs() < 1e-13, "{arm}");
         }
+    }
+
+    #[test]
+    fn a_weight_agrees_with_weighted_sinc_collocation() {
+        let mut cuts: Vec<f64> = (-19..=19).map(|i| f64::from(i) * 0.05).collect();
+        for i in 1..28 {
+            let at = 1.0 - 0.05 * 0.4f64.powi(i);
+            cuts.extend([at, -at]);
+        }
+        cuts.extend([-1.0, 1.0]);
+        cuts.sort_by(f64::total_cmp);
+        let bounds = cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        let operator =
+            PanelOperator::new(PanelKernel::Logarithm, Panels::new(bounds, 16).unwrap()).unwrap();
+        let nodes = operator.panels().nodes();
+        // Nothing at one end, as beside a free edge.
+        let weight_at = |x: f64| (1.0 + x) * (1.3 - x);
+        let weight: Vec<f64> = nodes.iter().map(|x| weight_at(*x)).collect();
+        for theta in [0.5, 30.0] {
+            let groups =
+                Groups::new(PanelKernel::Logarithm, operator.panels(), theta, 0.05, Some(&weight))
+                    .unwrap();
+            let equation = PanelEquation {
+                operator: &operator,
+                parameter: theta,
+                weight: Some(&weight),
+                groups: &groups,
+            };
+            let (ones, zero) = (vec![1.0; nodes.len()], vec![0.0; nodes.len()]);
+            let found = equation.solve(&ones, &[], &zero, 1e-14).unwrap();
+            let sinc = SincOperator::new(&Logarithm::unit(), 60).unwrap();
+            let weights: Vec<f64> = sinc.positions().map(weight_at).collect();
+            let factor = sinc.factor_weighted(theta, &weights).unwrap();
+            let known = factor.solve(&vec![1.0; sinc.count()]).unwrap();
+            for x in [-0.999, -0.3, 0.02, 0.77] {
+                let value = operator.panels().interpolate(&found.values, x).unwrap();
+                assert!((value - known.evaluate(x, 1.0)).abs() < 1e-11, "{theta} {x}: {value}");
+            }
+            // The force is that of the weighted values.
+            let carried: Vec<f64> = weight.iter().zip(&found.values).map(|(w, v)| w * v).collect();
+            let force = operator.panels().integral(&carried, |_| 1.0);
+            let conditions = [PanelCondition::symmetric(ones.clone(), force)];
+            let again = equation.solve(&zero, &conditions, &ones, 1e-14).unwrap();
+            assert!((again.multipliers[0] - 1.0).abs() < 1e-11, "{:?}", again.multipliers);
+        }
+        let short = [1.0; 3];
+        let panels = operator.panels();
+        let groups = Groups::new(PanelKernel::Logarithm, panels, 1.0, 0.05, Some(&short));
+        assert!(matches!(groups, Err(Error::WrongLength { found: 3, .. })));
     }
 }

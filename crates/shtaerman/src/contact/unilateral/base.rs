@@ -243,9 +243,9 @@ impl<'p> Base<'p> {
         matches!(self.medium, Medium::Line) && self.layer.is_linear()
     }
 
-    /// Whether panels serve: for a linear layer on any ground but a disk.
+    /// Whether panels serve: on any ground but a disk; for a layer that bends where the base has ends.
     pub(super) fn has_panels(&self) -> bool {
-        !self.medium.is_disk() && self.layer.is_linear()
+        !self.medium.is_disk() && (self.layer.is_linear() || !self.medium.is_closed())
     }
 
     /// Whether a zone is the whole circle of a wave without gaps.

@@ -23,9 +23,36 @@ const TANGENT: f64 = 0.05;
 
 /// The zones of contact to about a cell.
 pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<Zone>, Error> {
+    Ok(loaded(base, count)?.zones)
+}
+
+/// What cells tell.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Coarse {
+    pub(super) zones: Vec<Zone>,
+    ends: Vec<[f64; 2]>,
+    pressures: Vec<f64>,
+}
+
+impl Coarse {
+    /// The pressure of the cell of a place; none beside all cells.
+    pub(super) fn pressure(&self, xi: f64) -> Option<f64> {
+        let cell = self.ends.partition_point(|[_, right]| *right < xi);
+        self.ends.get(cell).filter(|[left, _]| *left <= xi).map(|_| self.pressures[cell])
+    }
+}
+
+/// Zones and pressures to about a cell.
+pub(super) fn loaded(base: &Base<'_>, count: usize) -> Result<Coarse, Error> {
     let mut cells = cells(base, count);
-    cells.settle(|cells| pressures(base, cells))?;
-    Ok(topology::zones(&cells))
+    let mut found = Coarse::default();
+    cells.settle(|cells| {
+        found.pressures = pressures(base, cells)?;
+        found.ends = cells.cells().iter().map(Cell::ends).collect();
+        Ok(found.pressures.clone())
+    })?;
+    found.zones = topology::zones(&cells);
+    Ok(found)
 }
 
 /// The middle of the longest gap of a wave that is one with its images; none where all cells touch.

@@ -137,10 +137,12 @@ impl Solution for SpotContact {
             // That no moment is asked for means that a wave cannot tilt.
             load.rotational = Rotational::Tilt(0.0);
         }
-        Some(linearised(&self.responses, &load, self.level.chart.located(peak)))
+        let peak = self.level.chart.located(peak);
+        let given = self.level.inside(peak).unwrap_or(0.0);
+        Some(linearised(&self.responses, &load, (peak, self.level.layer.slope(given))))
     }
 
     fn size(&self) -> f64 {
-        self.level.largest()
+        self.level.highest()
     }
 }

@@ -30,8 +30,9 @@ pub(super) fn estimate(base: &Base<'_>, levels: &[Level; 3]) -> (Accuracy, f64) 
     let places: Vec<f64> = (bounds.iter())
         .flat_map(|[left, right]| PLACES.map(|share| left + share * (right - left)))
         .collect();
-    let displacements =
-        levels.each_ref().map(|level| places.iter().map(|xi| displaced(level, *xi)).collect());
+    let displacements = levels
+        .each_ref()
+        .map(|level| places.iter().map(|xi| displaced(base, level, *xi)).collect());
     let pressure = |one: &Vec<f64>, other: &Vec<f64>| {
         one.iter().zip(other).fold(0.0f64, |most, (a, b)| most.max((a - b).abs()))
     };
@@ -39,6 +40,7 @@ pub(super) fn estimate(base: &Base<'_>, levels: &[Level; 3]) -> (Accuracy, f64) 
     let before = difference(coarse, first, pressure(u1, u0));
     let change = difference(fine, coarse, pressure(u2, u1));
     let size = fine.size();
+    let firmest = fine.layer.slope(fine.largest());
     let state = &fine.state;
     let carried = state.force.abs() + state.moment.abs();
     // Of two that belong together one may agree by chance.
@@ -50,14 +52,14 @@ pub(super) fn estimate(base: &Base<'_>, levels: &[Level; 3]) -> (Accuracy, f64) 
     };
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
-        pressure: left(before.pressure, change.pressure).max(ROUNDING * size),
+        pressure: left(before.pressure, change.pressure).max(ROUNDING * size * firmest),
         settlement: of(|c| c.settlement, |c| c.tilt, size),
         tilt: of(|c| c.tilt, |c| c.settlement, size),
         force: of(|c| c.force, |c| c.moment, carried),
         moment: of(|c| c.moment, |c| c.force, carried),
     };
     let is_unknown = base.smoothness == Smoothness::Unknown;
-    let sizes = state.sizes(fine.largest());
+    let sizes = state.sizes(fine.highest());
     let accuracy = if is_unknown { accuracy.of_the_unknown(UNKNOWN, &sizes) } else { accuracy };
     // By rounding an edge is off as the pressure over its slope.
     let rounding = ROUNDING * size / fine.gentlest();
@@ -69,9 +71,10 @@ fn left(before: f64, change: f64) -> f64 {
     if change <= SLOW * before { change } else { SAFETY * change.max(before) }
 }
 
-/// The pressure with the profile taken out.
-fn displaced(level: &Level, xi: f64) -> f64 {
-    level.pressure_at(xi, 0.0)
+/// The pressure, of a linear layer with the profile taken out.
+fn displaced(base: &Base<'_>, level: &Level, xi: f64) -> f64 {
+    let height = if level.layer.is_linear() { 0.0 } else { base.height(xi) };
+    level.pressure_at(xi, height)
 }
 
 fn difference(one: &Level, other: &Level, pressure: f64) -> Change {

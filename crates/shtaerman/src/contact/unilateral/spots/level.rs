@@ -4,11 +4,14 @@ use fredholm::multipole::{
     Groups, PanelCondition, PanelEquation, PanelField, PanelOperator, Panels,
 };
 
+use super::bent;
 use super::chart::Chart;
 use super::mesh::{Fineness, panels};
 use crate::contact::balance::State;
 use crate::contact::unilateral::base::Base;
+use crate::contact::unilateral::coarse::Coarse;
 use crate::contact::unilateral::fine::edges::positive;
+use crate::contact::unilateral::layer::Layer;
 use crate::contact::unilateral::zones::{End, Zone};
 use crate::{Error, Rotational, Vertical};
 
@@ -29,6 +32,13 @@ const SAMPLES: usize = 4;
 const SAMPLES_A_PART: usize = 24;
 const FEWEST_SAMPLES: usize = 4096;
 
+/// What is known before: other zones or panels, or cells.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Known<'k> {
+    pub(super) level: Option<&'k Level>,
+    pub(super) coarse: Option<&'k Coarse>,
+}
+
 /// The contact on given zones.
 #[derive(Debug, Clone)]
 pub(in crate::contact::unilateral) struct Level {
@@ -37,12 +47,15 @@ pub(in crate::contact::unilateral) struct Level {
     pub(super) field: PanelField,
     /// Pressures at the nodes.
     pub(super) pressures: Vec<f64>,
+    /// What the layer gives at the nodes: of a linear one the pressures.
+    pub(super) given: Vec<f64>,
+    pub(super) layer: Layer,
     pub(super) chart: Chart,
     /// `theta0` by the coordinates of the panels.
     parameter: f64,
 }
 
-/// Pressures at places of a piece of the base from end to end, beside the zones minus the gap.
+/// What the layer gives at places of a piece of the base from end to end, beside the zones minus the gap.
 #[derive(Debug, Clone)]
 pub(super) struct Sampled {
     pub(super) at: Vec<f64>,
@@ -69,11 +82,26 @@ pub(super) struct System {
     pub(super) parameter: f64,
     /// `theta0 K p0` at the nodes.
     pub(super) displacements: Vec<f64>,
+    /// `dp0/dv` at the nodes; none for a linear layer.
+    pub(super) modulus: Option<Vec<f64>>,
 }
 
 impl System {
     pub(super) fn equation(&self) -> PanelEquation<'_> {
-        PanelEquation { operator: &self.operator, parameter: self.parameter, groups: &self.groups }
+        PanelEquation {
+            operator: &self.operator,
+            parameter: self.parameter,
+            weight: self.modulus.as_deref(),
+            groups: &self.groups,
+        }
+    }
+
+    /// The pressures of small changes of the layer.
+    pub(super) fn pressures(&self, changes: &[f64]) -> Vec<f64> {
+        match &self.modulus {
+            None => changes.to_vec(),
+            Some(modulus) => modulus.iter().zip(changes).map(|(w, v)| w * v).collect(),
+        }
     }
 }
 
@@ -84,7 +112,7 @@ impl Level {
         joints: &[f64],
         zones: &[Zone],
         effort: Effort,
-        known: Option<&Self>,
+        known: Known<'_>,
     ) -> Result<Option<(Self, System)>, Error> {
         let Some(chart) = Chart::new(base) else { return Ok(None) };
         let Some(operator) = operator(base, &chart, joints, zones, effort.fineness)? else {
@@ -92,46 +120,51 @@ impl Level {
         };
         let panels = operator.panels();
         let parameter = base.theta * chart.half();
-        let total = zones.iter().map(Zone::length).sum::<f64>() / chart.half();
-        let layer = (GROUP / parameter).powf(1.0 / (1.0 - base.medium.exponent()));
-        let longest = layer.max(total / MOST_GROUPS);
-        let groups = Groups::new(chart.kernel, panels, parameter, longest)?;
-        let equation = PanelEquation { operator: &operator, parameter, groups: &groups };
-        let start: Vec<f64> = (panels.nodes().iter())
-            .map(|y| known.and_then(|known| known.field.panels().interpolate(&known.pressures, *y)))
-            .map(|value| value.unwrap_or(0.0))
-            .collect();
         let given = Given::new(base, &chart, panels);
-        let norm = |values: &[f64]| {
-            let squares: Vec<f64> = values.iter().map(|value| value * value).collect();
-            panels.integral(&squares, |_| 1.0).sqrt()
+        let total = zones.iter().map(Zone::length).sum::<f64>() / chart.half();
+        let task = Task { base, operator: &operator, parameter, given: &given, total, effort };
+        let start: Vec<Option<f64>> = (panels.nodes().iter())
+            .map(|y| {
+                known.level.and_then(|known| known.field.panels().interpolate(&known.given, *y))
+            })
+            .collect();
+        let found = if base.layer.is_linear() {
+            Some(task.linear(&chart, &start)?)
+        } else {
+            bent::solve(&task, &chart, &start, known)?
         };
-        let depth = norm(&given.right);
-        // At least the norm of a uniform pressure.
-        let carried = [norm(&start), given.force / total.sqrt(), depth];
-        let carried = carried.into_iter().find(|size| *size > 0.0).unwrap_or(1.0);
-        let tolerance = (effort.residual * carried).max(ROUNDING * depth);
-        let solution = equation.solve(&given.right, &given.conditions, &start, tolerance)?;
+        let Some(Found { given, pressures, multipliers, potential, modulus, groups }) = found
+        else {
+            return Ok(None);
+        };
         let level = Self {
             zones: zones.to_vec(),
-            state: balanced(base, &chart, panels, &solution.values, &solution.multipliers),
-            field: operator.field(&solution.values),
-            pressures: solution.values,
+            state: balanced(base, &chart, panels, &pressures, &multipliers),
+            field: operator.field(&pressures),
+            pressures,
+            given,
+            layer: base.layer,
             chart,
             parameter,
         };
-        let displacements = solution.potential.iter().map(|u| parameter * u).collect();
-        Ok(Some((level, System { operator, groups, chart, parameter, displacements })))
+        let displacements = potential.iter().map(|u| parameter * u).collect();
+        let system = System { operator, groups, chart, parameter, displacements, modulus };
+        Ok(Some((level, system)))
     }
 
-    /// The pressure in the zones, from the values at the nodes.
+    /// What the layer gives in the zones, from the values at the nodes.
     pub(super) fn inside(&self, xi: f64) -> Option<f64> {
-        self.field.panels().interpolate(&self.pressures, self.chart.local(xi))
+        self.field.panels().interpolate(&self.given, self.chart.local(xi))
     }
 
-    /// `delta0 - alpha0 xi - f0 - theta0 K p0`, given the height: the pressure in a zone, minus the gap beside.
-    pub(super) fn pressure_at(&self, xi: f64, height: f64) -> f64 {
+    /// `delta0 - alpha0 xi - f0 - theta0 K p0`, given the height: what the layer gives in a zone, of a linear one the pressure; minus the gap beside.
+    pub(super) fn layer_at(&self, xi: f64, height: f64) -> f64 {
         self.state.settlement - self.state.tilt * xi - height - self.displacement(xi)
+    }
+
+    /// The pressure of that.
+    pub(super) fn pressure_at(&self, xi: f64, height: f64) -> f64 {
+        self.layer.pressure(self.layer_at(xi, height))
     }
 
     /// `theta0 int K p0 deta`.
@@ -158,7 +191,7 @@ impl Level {
         bounds.map(|panel| panel.map(|y| self.chart.place(y))).collect()
     }
 
-    /// The least slope of the pressure at a free end.
+    /// The least slope of what the layer gives at a free end.
     pub(super) fn gentlest(&self) -> f64 {
         let bounds = self.bounds();
         let first = |at: f64| bounds.partition_point(|[_, right]| *right <= at);
@@ -169,28 +202,33 @@ impl Level {
                 let Some([left, right]) = bounds.get(panel) else { continue };
                 let middle = 0.5 * (left + right);
                 let distance = (middle - end.at).abs();
-                if let Some(pressure) = self.inside(middle).filter(|_| distance > 0.0) {
-                    least = least.min(pressure.abs() / distance);
+                if let Some(given) = self.inside(middle).filter(|_| distance > 0.0) {
+                    least = least.min(given.abs() / distance);
                 }
             }
         }
         least
     }
 
-    /// A bound of what is added up in a pressure.
+    /// A bound of what is added up in what the layer gives.
     pub(super) fn size(&self) -> f64 {
         self.largest() + self.state.settlement.abs() + self.state.tilt.abs()
     }
 
-    /// The largest pressure at the nodes.
+    /// The most that the layer gives at the nodes.
     pub(super) fn largest(&self) -> f64 {
+        self.given.iter().fold(0.0, |most, v| most.max(v.abs()))
+    }
+
+    /// The largest pressure at the nodes.
+    pub(super) fn highest(&self) -> f64 {
         self.pressures.iter().fold(0.0, |most, p| most.max(p.abs()))
     }
 
-    /// Largest pressure, of either sign, at the free ends.
+    /// The most that the layer gives, of either sign, at the free ends.
     pub(super) fn at_ends(&self, base: &Base<'_>) -> f64 {
         let ends = self.zones.iter().flat_map(|zone| zone.ends).filter(|end| end.is_free);
-        ends.map(|end| self.pressure_at(end.at, base.height(end.at)).abs()).fold(0.0, f64::max)
+        ends.map(|end| self.layer_at(end.at, base.height(end.at)).abs()).fold(0.0, f64::max)
     }
 
     /// Places of each piece of the base, from end to end, that show every bend of the profile, with what the pressure is there.
@@ -218,7 +256,7 @@ impl Level {
         let value = |xi: &f64| {
             // At an end the polynomials are least exact, and beside it the same function goes on.
             let inside = if self.end_at(*xi).is_some() { None } else { self.inside(*xi) };
-            inside.unwrap_or_else(|| self.pressure_at(*xi, base.height(*xi)))
+            inside.unwrap_or_else(|| self.layer_at(*xi, base.height(*xi)))
         };
         let values = at.iter().map(value).collect();
         Sampled { at, values }
@@ -226,8 +264,8 @@ impl Level {
 
     /// Where the pressure and the gap tell that the zones are; pressures up to `none` are zero.
     pub(super) fn next_zones(&self, base: &Base<'_>, sampled: &[Sampled], none: f64) -> Vec<Zone> {
-        let pressure = |xi: f64| self.pressure_at(xi, base.height(xi));
-        let on_piece = |piece: &Sampled| positive(&pressure, &piece.at, &piece.values, none);
+        let given = |xi: f64| self.layer_at(xi, base.height(xi));
+        let on_piece = |piece: &Sampled| positive(&given, &piece.at, &piece.values, none);
         let mut zones: Vec<Zone> = sampled.iter().flat_map(on_piece).collect();
         for zone in &mut zones {
             for (side, end) in zone.ends.iter_mut().enumerate() {
@@ -268,10 +306,77 @@ fn operator(
     }
 }
 
+/// What is found on given panels.
+pub(super) struct Found {
+    /// What the layer gives, and the pressure.
+    pub(super) given: Vec<f64>,
+    pub(super) pressures: Vec<f64>,
+    pub(super) multipliers: Vec<f64>,
+    /// `K p0`.
+    pub(super) potential: Vec<f64>,
+    pub(super) modulus: Option<Vec<f64>>,
+    pub(super) groups: Groups,
+}
+
+/// The equation on given panels.
+pub(super) struct Task<'t, 'b, 'p> {
+    pub(super) base: &'b Base<'p>,
+    pub(super) operator: &'t PanelOperator,
+    /// `theta0` by the coordinates of the panels.
+    pub(super) parameter: f64,
+    pub(super) given: &'t Given,
+    /// The length of all zones in those coordinates.
+    total: f64,
+    effort: Effort,
+}
+
+impl Task<'_, '_, '_> {
+    /// Groups of a quarter of the layer where the modulus is largest.
+    pub(super) fn groups(&self, chart: &Chart, modulus: Option<&[f64]>) -> Result<Groups, Error> {
+        let firmest = modulus.map_or(1.0, |w| w.iter().fold(0.0f64, |most, w| most.max(*w)));
+        let strength = (self.parameter * firmest).max(f64::MIN_POSITIVE);
+        let layer = (GROUP / strength).powf(1.0 / (1.0 - self.base.medium.exponent()));
+        let longest = layer.max(self.total / MOST_GROUPS);
+        let panels = self.operator.panels();
+        Ok(Groups::new(chart.kernel, panels, self.parameter, longest, modulus)?)
+    }
+
+    /// Root of the integral of the square.
+    pub(super) fn norm(&self, values: &[f64]) -> f64 {
+        let squares: Vec<f64> = values.iter().map(|value| value * value).collect();
+        self.operator.panels().integral(&squares, |_| 1.0).sqrt()
+    }
+
+    /// The residual that is small enough for a layer of this norm.
+    pub(super) fn tolerance(&self, size: f64) -> f64 {
+        (self.effort.residual * size).max(ROUNDING * self.norm(&self.given.right))
+    }
+
+    fn linear(&self, chart: &Chart, start: &[Option<f64>]) -> Result<Found, Error> {
+        let groups = self.groups(chart, None)?;
+        let (operator, parameter) = (self.operator, self.parameter);
+        let equation = PanelEquation { operator, parameter, weight: None, groups: &groups };
+        let start: Vec<f64> = start.iter().map(|value| value.unwrap_or(0.0)).collect();
+        let Given { right, conditions, force } = self.given;
+        // At least the norm of a uniform pressure.
+        let carried = [self.norm(&start), force / self.total.sqrt(), self.norm(right)];
+        let carried = carried.into_iter().find(|size| *size > 0.0).unwrap_or(1.0);
+        let solution = equation.solve(right, conditions, &start, self.tolerance(carried))?;
+        Ok(Found {
+            given: solution.values.clone(),
+            pressures: solution.values,
+            multipliers: solution.multipliers,
+            potential: solution.potential,
+            modulus: None,
+            groups,
+        })
+    }
+}
+
 /// What the load and the profile prescribe at the nodes.
-struct Given {
-    right: Vec<f64>,
-    conditions: Vec<PanelCondition>,
+pub(super) struct Given {
+    pub(super) right: Vec<f64>,
+    pub(super) conditions: Vec<PanelCondition>,
     /// The prescribed force, or none.
     force: f64,
 }

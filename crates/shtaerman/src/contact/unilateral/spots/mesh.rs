@@ -21,6 +21,8 @@ const LONG: f64 = 1.0 / 16.0;
 const CORNER: f64 = 1e-10;
 const STEP: f64 = 1e-8;
 const KINK: f64 = 1e-4;
+/// The same where a layer bends and the pressure begins as `d^(1/kappa)`: the share of its zone with what it adds to the potential.
+const BENT: f64 = 1e-11;
 /// Shortest panels, over the distance from the middle of the base.
 const SHORTEST: f64 = 1e-14;
 /// Rounding of lengths that are just right.
@@ -75,21 +77,22 @@ pub(super) fn panels(
     most: usize,
 ) -> Option<Vec<[f64; 2]>> {
     let mut panels = Vec::new();
+    let layer = layer(base);
     let is_measured = base.problem.profile().measured_points().is_some();
     for zone in zones {
         let inside = joints.partition_point(|at| *at <= zone.left())
             ..joints.partition_point(|at| *at < zone.right());
-        let ends = ends(base, zone, fineness);
+        let ends = ends(base, zone, layer, fineness);
         let mut left = zone.left();
         for right in joints[inside].iter().copied().chain([zone.right()]) {
             // Beside a joint by rounding there is no panel.
             if right - left > SHORTEST || right == zone.right() {
                 let mut anchors = ends.to_vec();
                 if left > zone.left() {
-                    anchors.push(bend(base, [left, right], true, fineness));
+                    anchors.push(bend(base, [left, right], true, (layer, fineness)));
                 }
                 if right < zone.right() {
-                    anchors.push(bend(base, [left, right], false, fineness));
+                    anchors.push(bend(base, [left, right], false, (layer, fineness)));
                 }
                 let mut pieces = vec![[left, right]];
                 if !is_measured {
@@ -108,9 +111,11 @@ pub(super) fn panels(
     Some(panels)
 }
 
-/// The length of the layer.
+/// The length of the layer, of one that bends under about the mean pressure.
 fn layer(base: &Base<'_>) -> f64 {
-    base.theta.max(1.0).powf(-1.0 / (1.0 - base.medium.exponent()))
+    let strength =
+        if base.layer.is_linear() { base.theta } else { base.steepness() / base.medium.strength() };
+    strength.max(1.0).powf(-1.0 / (1.0 - base.medium.exponent()))
 }
 
 /// A share of lengths for a pressure that goes on as `d^power ln d`, for one that goes on as `d^(power - mu)`.
@@ -119,8 +124,7 @@ fn share(base: &Base<'_>, share: f64, power: f64) -> f64 {
 }
 
 /// Both ends of a zone.
-fn ends(base: &Base<'_>, zone: &Zone, fineness: Fineness) -> [Anchor; 2] {
-    let layer = layer(base);
+fn ends(base: &Base<'_>, zone: &Zone, layer: f64, fineness: Fineness) -> [Anchor; 2] {
     [0, 1].map(|side| {
         let end = zone.ends[side];
         let (least, growth) = if base.is_joined(zone) {
@@ -128,7 +132,10 @@ fn ends(base: &Base<'_>, zone: &Zone, fineness: Fineness) -> [Anchor; 2] {
             (share(base, KINK, 2.0) * layer, CORNER_GROWTH)
         } else if end.is_free {
             let root = (zone.length().min(LONG) * layer).sqrt();
-            (share(base, FREE.sqrt(), 2.0) * root, GROWTH)
+            let kappa = base.layer.exponent();
+            let bent = zone.length() * BENT.powf(kappa / (1.0 + kappa));
+            let least = share(base, FREE.sqrt(), 2.0) * root;
+            (if base.layer.is_linear() { least } else { least.min(bent) }, GROWTH)
         } else {
             (share(base, CORNER, 1.0) * layer, CORNER_GROWTH)
         };
@@ -138,8 +145,12 @@ fn ends(base: &Base<'_>, zone: &Zone, fineness: Fineness) -> [Anchor; 2] {
 }
 
 /// The bend of the profile at the left or right end of a piece.
-fn bend(base: &Base<'_>, piece: [f64; 2], is_left: bool, fineness: Fineness) -> Anchor {
-    let layer = layer(base);
+fn bend(
+    base: &Base<'_>,
+    piece: [f64; 2],
+    is_left: bool,
+    (layer, fineness): (f64, Fineness),
+) -> Anchor {
     let at = if is_left { piece[0] } else { piece[1] };
     let (shortest, growth) = if base.problem.profile().measured_points().is_some() {
         (POINT * layer, POINT_GROWTH)

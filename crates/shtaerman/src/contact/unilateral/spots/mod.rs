@@ -6,6 +6,7 @@
 //! by `e` changes the rest by `e^2` only, and this is Newton's method. Cells give the zones to begin with.
 
 mod answer;
+mod bent;
 mod chart;
 mod estimate;
 mod level;
@@ -19,12 +20,13 @@ pub(super) use answer::SpotContact;
 
 use super::answer::Complementarity;
 use super::base::Base;
+use super::coarse::{self, Coarse};
 use super::fine;
 use super::zones::{End, Zone};
 use crate::Error;
 use crate::contact::solution::Solution;
 use estimate::estimate;
-use level::{Effort, Level, Sampled, System};
+use level::{Effort, Known, Level, Sampled, System};
 use mesh::{Fineness, LONGEST};
 use responses::Responses;
 
@@ -63,6 +65,13 @@ pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
     if !base.has_panels() {
         return Ok(None);
     }
+    if !base.layer.is_linear() {
+        return if base.settlement_at_eccentricity().is_some() {
+            Ok(None)
+        } else {
+            solve_bent(base)
+        };
+    }
     let zones = match base.settlement_at_eccentricity() {
         Some((settlement, e)) if base.is_plain() => lever::first_zones(base, settlement, e)?,
         Some(_) => None,
@@ -73,27 +82,41 @@ pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
         },
     };
     let Some(zones) = zones else { return Ok(None) };
-    solve_from(base, zones)
+    solve_from(base, zones, None)
 }
 
-/// The answer on the whole base; none where panels do not serve.
+/// The answer for a layer that bends, from what cells find, or where they find nothing from the whole base: it has no pressure where it would pull.
+fn solve_bent(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
+    let coarse = coarse::loaded(base, base.cells()).ok().filter(|found| !found.zones.is_empty());
+    let zones = coarse.as_ref().map_or_else(|| whole(base), |found| found.zones.clone());
+    solve_from(base, zones, coarse.as_ref())
+}
+
+fn whole(base: &Base<'_>) -> Vec<Zone> {
+    let end = |at: f64| End { at, is_free: false };
+    base.pieces.iter().map(|piece| Zone { ends: piece.map(end) }).collect()
+}
+
+/// The answer on the whole base; none where panels do not serve: a layer that bends does not pull.
 pub(super) fn solve_whole(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
-    if !base.has_panels() {
+    if !base.has_panels() || !base.layer.is_linear() {
         return Ok(None);
     }
-    let end = |at: f64| End { at, is_free: false };
-    let zones = base.pieces.iter().map(|piece| Zone { ends: piece.map(end) }).collect();
-    solve_from(base, zones)
+    solve_from(base, whole(base), None)
 }
 
 /// The answer from zones that are nearly right.
-fn solve_from(base: &Base<'_>, mut zones: Vec<Zone>) -> Result<Option<SpotContact>, Error> {
+fn solve_from(
+    base: &Base<'_>,
+    mut zones: Vec<Zone>,
+    coarse: Option<&Coarse>,
+) -> Result<Option<SpotContact>, Error> {
     let joints = joints(base);
     let mut levels: Vec<Level> = Vec::new();
     let mut responses: Vec<Responses> = Vec::new();
     let mut left = None;
     for (effort, good) in LADDER.into_iter().zip(GOOD) {
-        let settled = settle(base, &joints, zones, (effort, good), levels.last())?;
+        let settled = settle(base, &joints, zones, (effort, good), (levels.last(), coarse))?;
         let Some((level, system, complementarity)) = settled else { return Ok(None) };
         if effort.has_responses {
             let found = Responses::new(base, &level, &system, responses.last())?;
@@ -131,14 +154,14 @@ fn settle(
     joints: &[f64],
     mut zones: Vec<Zone>,
     (effort, good): (Effort, f64),
-    start: Option<&Level>,
+    (start, coarse): (Option<&Level>, Option<&Coarse>),
 ) -> Result<Option<(Level, System, Complementarity)>, Error> {
     let mut latest: Option<Level> = None;
     for _ in 0..ROUNDS {
         if zones.is_empty() || zones.len() > MOST_ZONES {
             return Ok(None);
         }
-        let known = latest.as_ref().or(start);
+        let known = Known { level: latest.as_ref().or(start), coarse };
         let Some((mut level, system)) = Level::new(base, joints, &zones, effort, known)? else {
             return Ok(None);
         };

@@ -1,6 +1,6 @@
 //! What the pressure on panels answers to `ln theta0`, settlement and tilt, on zones that stay.
 //!
-//! `q + theta0 K q = b` for `b = -theta0 K p0`, 1 and `xi`, by the operator of the last zones. A free edge moves by `-q/(dp0/dxi)`. These `q` have `d ln d` at free edges, for which
+//! `q + theta0 K (dp0/dv q) = b` for `b = -theta0 K p0`, 1 and `xi`, by the operator of the last zones, `q` what the layer gives more: of a linear one the pressure. A free edge moves by `-q/(dv/dxi)`. These `q` have `d ln d` at free edges, for which
 //! the panels are not made: the error is told by two levels of panels.
 
 use fredholm::multipole::PanelField;
@@ -35,10 +35,10 @@ pub(super) struct Responses {
 struct Response {
     /// The right-hand side.
     given: Given,
-    /// `q` at the nodes, and `K q`.
+    /// `q` at the nodes, and `K (dp0/dv q)`.
     values: Vec<f64>,
     field: PanelField,
-    /// Force and moment of `q`.
+    /// Force and moment of its pressure.
     carried: [f64; 2],
     /// By how much all zones together grow.
     width: f64,
@@ -99,20 +99,22 @@ impl Responses {
             chart.half() * panels.integral(&products, |_| 1.0)
         };
         // The operator is symmetric: what is left of a residual counts by its square.
-        let carried = |q: &[f64], left: &[f64]| {
-            let force = product(&ones, q) + product(&level_q, left);
-            [force, product(&lever, q) + product(&turn_q, left)]
+        let [level_p, turn_p] = [&level_q, &turn_q].map(|q| system.pressures(q));
+        let carried = |p: &[f64], left: &[f64]| {
+            let force = product(&ones, p) + product(&level_p, left);
+            [force, product(&lever, p) + product(&turn_p, left)]
         };
         let parameter = system.parameter;
         let edges = edges(base, level, system);
         let inverse: f64 = edges.iter().map(|[_, rise]| rise.abs().recip()).sum();
         let response = |given: Given, right: &[f64], q: &[f64], left: &[f64]| {
             let noise = residual * right.iter().fold(0.0f64, |most, b| most.max(b.abs()));
+            let p = system.pressures(q);
             let mut response = Response {
                 given,
                 values: q.to_vec(),
-                field: system.operator.field(q),
-                carried: carried(q, left),
+                field: system.operator.field(&p),
+                carried: carried(&p, left),
                 width: 0.0,
                 noise: [noise, noise * inverse],
             };
@@ -147,7 +149,7 @@ impl Responses {
     }
 
     /// The rates by `ln theta0` and by what is prescribed, and what residuals leave of each.
-    fn rates(&self, load: &Load, peak: f64) -> [[Rates; 2]; 3] {
+    fn rates(&self, load: &Load, peak: (f64, f64)) -> [[Rates; 2]; 3] {
         let [body, _, _] = &self.parts;
         let [force, moment] = body.carried;
         let by_body = [
@@ -167,7 +169,13 @@ impl Responses {
     }
 
     /// This share of the response to the body, with settlement and tilt such that these are the changes of what the load prescribes.
-    fn combined(&self, load: &Load, share: f64, prescribed: [f64; 2], peak: f64) -> [Rates; 2] {
+    fn combined(
+        &self,
+        load: &Load,
+        share: f64,
+        prescribed: [f64; 2],
+        (peak, modulus): (f64, f64),
+    ) -> [Rates; 2] {
         let [raise, turn] = self.stiffness().displaced(load, prescribed);
         let factors = [share, raise, turn];
         let parts = || self.parts.iter().zip(factors);
@@ -175,17 +183,21 @@ impl Responses {
             parts().map(|(part, factor)| factor * of(part)).sum()
         };
         let noise = |k: usize| parts().map(|(part, factor)| factor.abs() * part.noise[k]).sum();
-        let pressure = sum(&|part| part.at(&self.chart, self.parameter, peak));
+        let pressure = modulus * sum(&|part| part.at(&self.chart, self.parameter, peak));
         let force = sum(&|part| part.carried[0]);
         [
             [raise, force, -turn, pressure, sum(&|part| part.width)],
-            [0.0, 0.0, 0.0, noise(0), noise(1)],
+            [0.0, 0.0, 0.0, modulus * noise(0), noise(1)],
         ]
     }
 }
 
-/// The first-order change on the last panels; its errors are the differences from those on the panels before.
-pub(super) fn linearised([coarse, fine]: &[Responses; 2], load: &Load, peak: f64) -> Linearised {
+/// The first-order change on the last panels, given the peak and `dp0/dv` there; its errors are the differences from those on the panels before.
+pub(super) fn linearised(
+    [coarse, fine]: &[Responses; 2],
+    load: &Load,
+    peak: (f64, f64),
+) -> Linearised {
     let (coarse, fine) = (coarse.rates(load, peak), fine.rates(load, peak));
     let errors = std::array::from_fn(|input| {
         let ([rates, noise], [before, _]) = (fine[input], coarse[input]);
@@ -240,7 +252,7 @@ fn edges(base: &Base<'_>, level: &Level, system: &System) -> Vec<[f64; 2]> {
 fn jumps(level: &Level, system: &System) -> Vec<[f64; 2]> {
     let panels = system.operator.panels();
     let limits = panels.limits(&level.pressures);
-    let none = JUMP * level.largest();
+    let none = JUMP * level.highest();
     let mut jumps: Vec<[f64; 2]> = Vec::new();
     let mut before = [f64::NEG_INFINITY, 0.0];
     for ([left, right], [first, last]) in panels.bounds().iter().zip(limits) {

@@ -4,7 +4,7 @@ use super::super::base::Base;
 use super::super::{UnilateralContact, complementary};
 use super::*;
 use crate::contact::balance::State;
-use crate::{ContactKind, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+use crate::{ContactKind, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical};
 
 fn problem(theta0: f64, profile: Profile, vertical: Vertical, rotational: Rotational) -> Problem {
     let load = Load::new(vertical, rotational).unwrap();
@@ -14,6 +14,14 @@ fn problem(theta0: f64, profile: Profile, vertical: Vertical, rotational: Rotati
 fn expression(theta0: f64, profile: &str, moment: f64) -> Problem {
     let profile = Profile::expression(profile).unwrap();
     problem(theta0, profile, Vertical::Force(1.0), Rotational::Moment(moment))
+}
+
+/// The same on a layer `p^exponent`.
+fn bent(theta0: f64, exponent: f64, profile: &str, moment: f64) -> Problem {
+    let frame = Frame::dimensionless_in(Geometry::Plane, theta0, exponent).unwrap();
+    let load = Load::new(Vertical::Force(1.0), Rotational::Moment(moment)).unwrap();
+    let profile = Profile::expression(profile).unwrap();
+    Problem::new(frame, profile, load, Solver::default()).unwrap()
 }
 
 /// A trace with waves of many lengths.
@@ -122,6 +130,21 @@ fn states_what_it_is_off(problem: &Problem, found: &SpotContact, exact: &Unilate
                 "{input} {k}: {a} {b} {stated:e}"
             );
         }
+    }
+}
+
+#[test]
+fn a_layer_that_bends_agrees_with_collocation() {
+    // Free ends on both sides, one, none; kinks; several zones; soft and firm ground.
+    for (theta0, exponent, profile, moment, zones) in [
+        (2.0, 0.5, "xi^2", 0.05, 1),
+        (0.3, 0.7, "abs(xi - 0.2)", 0.1, 1),
+        (5.0, 0.3, "3*cos(9*xi) + xi^2", 0.0, 4),
+        (40.0, 0.9, "60*xi^2 + 3*abs(xi)", 0.0, 1),
+        (1.0, 0.4, "0.1*xi^2", 0.1, 1),
+    ] {
+        let found = agrees(&bent(theta0, exponent, profile, moment));
+        assert_eq!(found, Some(zones), "{theta0} {exponent} {profile}");
     }
 }
 
