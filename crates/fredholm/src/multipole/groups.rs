@@ -1,21 +1,74 @@
-//! An approximate inverse of the operator: exact for means over groups of panels.
+//! An approximate inverse of the operator: exact for means over groups of panels, and on each group by itself for what deviates from them.
+//!
+//! What deviates from its mean over a group is felt by other groups as a dipole only. Means and deviations, each solved by themselves, leave a condition that grows as the logarithm of the number of
+//! panels of a group (T. Tran, E. P. Stephan, *Additive Schwarz methods for the h-version boundary element method*, Appl. Anal. 60 (1996) 63).
+
+use std::ops::Range;
 
 use super::kernel::PanelKernel;
+use super::operator::fill_row;
 use super::panels::Panels;
 use crate::Error;
-use crate::linear::Cholesky;
+use crate::linear::{Cholesky, Factored, dot};
 
-/// Groups of neighbouring panels without gaps, and the operator `1 + theta K` on functions that are constant on each.
+/// `theta K` on half a group up to which deviations from the mean are as good as solved: as they are.
+const THIN: f64 = 0.25;
+/// Most nodes of a longer group: its matrix is dense.
+const MOST_NODES: usize = 128;
+
+/// Groups of neighbouring panels without gaps, the operator `1 + theta K` on functions that are constant on each, and on each of them.
 #[derive(Debug)]
 pub struct Groups {
     /// First node of each group, and the number of nodes.
     starts: Vec<usize>,
     lengths: Vec<f64>,
     factor: Cholesky,
+    /// The operator on the groups that are not thin.
+    deviations: Vec<Option<Deviations>>,
+}
+
+/// `1 + theta K` on a group, for functions whose mean is zero.
+#[derive(Debug)]
+struct Deviations {
+    factored: Factored,
+    /// What the constant 1 leads to, over its integral.
+    response: Vec<f64>,
+}
+
+impl Deviations {
+    /// None where rounding makes the matrix of the group singular.
+    fn new(
+        kernel: PanelKernel,
+        panels: &Panels,
+        theta: f64,
+        own: &[f64],
+        part: Range<usize>,
+    ) -> Option<Self> {
+        let count = part.len();
+        let mut rows = vec![0.0; count * count];
+        for (node, row) in part.clone().zip(rows.chunks_exact_mut(count)) {
+            fill_row(kernel, panels, own, (node, &part), row);
+        }
+        let columns: Vec<f64> =
+            (0..count * count).map(|k| rows[k % count * count + k / count]).collect();
+        let factored = Factored::indefinite(&columns, count, theta).ok()?;
+        let mut response = vec![1.0; count];
+        factored.solve(&mut response);
+        let integral = dot(&response, &panels.weights()[part]);
+        response.iter_mut().for_each(|value| *value /= integral);
+        (integral > 0.0 && integral.is_finite()).then_some(Self { factored, response })
+    }
+
+    /// Overwrites values with the function of mean zero that they, but for a constant, are of.
+    fn solve(&self, weights: &[f64], values: &mut [f64]) {
+        self.factored.solve(values);
+        let integral = dot(values, weights);
+        values.iter_mut().zip(&self.response).for_each(|(value, r)| *value -= integral * r);
+    }
 }
 
 impl Groups {
-    /// Groups no longer than `longest`, at least one for each run of panels without gaps.
+    /// Groups no longer than `longest`, at least one for each run of panels without gaps; those longer than the layer have few nodes.
     ///
     /// # Errors
     /// [`Error::NotPositiveDefinite`] where rounding makes the matrix of the groups not positive.
@@ -27,9 +80,16 @@ impl Groups {
     ) -> Result<Self, Error> {
         let mut firsts: Vec<usize> = Vec::new();
         let mut intervals: Vec<[f64; 2]> = Vec::new();
+        let is_thin =
+            |[left, right]: [f64; 2]| theta * kernel.scale(0.5 * (right - left))[0] <= THIN;
         for (k, [left, right]) in panels.bounds().iter().copied().enumerate() {
+            let nodes = |firsts: &[usize]| (k + 1) * panels.order() - firsts.last().unwrap_or(&0);
+            let fits = |from: f64| {
+                let is_short = right - from <= longest;
+                is_short && (nodes(&firsts) <= MOST_NODES || is_thin([from, right]))
+            };
             match intervals.last_mut() {
-                Some(last) if last[1] == left && right - last[0] <= longest => last[1] = right,
+                Some(last) if last[1] == left && fits(last[0]) => last[1] = right,
                 _ => {
                     firsts.push(k * panels.order());
                     intervals.push([left, right]);
@@ -43,7 +103,14 @@ impl Groups {
             let layer = if i == j { lengths[i] } else { 0.0 };
             layer + theta * lengths[i] * lengths[j] * kernel.mean(left, right)
         })?;
-        Ok(Self { starts: firsts, lengths, factor })
+        let own = panels.rule.own(kernel);
+        let deviations = (firsts.windows(2).zip(&intervals))
+            .map(|(pair, interval)| {
+                let part = (!is_thin(*interval)).then_some(pair[0]..pair[1])?;
+                Deviations::new(kernel, panels, theta, &own, part)
+            })
+            .collect();
+        Ok(Self { starts: firsts, lengths, factor, deviations })
     }
 
     /// Number of groups.
@@ -52,7 +119,7 @@ impl Groups {
         self.lengths.len()
     }
 
-    /// About `(1 + theta K)^-1 phi`: the means through the matrix, what deviates from them as it is.
+    /// About `(1 + theta K)^-1 phi`: the means through the matrix, what deviates from them group by group.
     pub(super) fn roughly_inverted(&self, panels: &Panels, values: &[f64]) -> Vec<f64> {
         let parts = || self.starts.windows(2).map(|pair| pair[0]..pair[1]);
         let sums: Vec<f64> = parts()
@@ -64,9 +131,16 @@ impl Groups {
         let mut solved = sums.clone();
         self.factor.solve(&mut solved);
         let mut result = values.to_vec();
-        for (k, part) in parts().enumerate() {
-            let shift = solved[k] - sums[k] / self.lengths[k];
-            result[part].iter_mut().for_each(|value| *value += shift);
+        for ((k, part), deviations) in parts().enumerate().zip(&self.deviations) {
+            let values = &mut result[part.clone()];
+            let mean = match deviations {
+                Some(deviations) => {
+                    deviations.solve(&panels.weights()[part], values);
+                    0.0
+                }
+                None => sums[k] / self.lengths[k],
+            };
+            values.iter_mut().for_each(|value| *value += solved[k] - mean);
         }
         result
     }
