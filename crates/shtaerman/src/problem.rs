@@ -104,6 +104,9 @@ impl Problem {
             let scaled = scaling.load(&load);
             Load::new(scaled.vertical, scaled.rotational)?;
         }
+        let half_width = frame.half_width();
+        let is_wave = frame.geometry().is_wave(half_width);
+        let profile = if is_wave { profile.repeating(half_width) } else { profile };
         let problem = Self { frame, profile, load, solver };
         problem.check_profile()?;
         Ok(problem)

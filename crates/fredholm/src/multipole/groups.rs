@@ -1,11 +1,22 @@
-//! An approximate inverse of the operator: exact for means over groups of panels.
+//! An approximate inverse of the operator: exact for means over groups of panels, and on each group by itself for what deviates from them.
+//!
+//! What deviates from its mean over a group is felt by other groups as a dipole only. Means and deviations, each solved by themselves, leave a condition that grows as the logarithm of the number of
+//! panels of a group (T. Tran, E. P. Stephan, *Additive Schwarz methods for the h-version boundary element method*, Appl. Anal. 60 (1996) 63).
+
+use std::ops::Range;
 
 use super::kernel::PanelKernel;
+use super::operator::fill_row;
 use super::panels::Panels;
 use crate::Error;
-use crate::linear::Cholesky;
+use crate::linear::{Cholesky, Factored, dot};
 
-/// Groups of neighbouring panels without gaps, and the operator `1 + theta K w` on functions that are constant on each.
+/// `theta K` on half a group up to which deviations from the mean are as good as solved: as they are.
+const THIN: f64 = 0.25;
+/// Most nodes of a longer group: its matrix is dense.
+const MOST_NODES: usize = 128;
+
+/// Groups of neighbouring panels without gaps, the operator `1 + theta K w` on functions that are constant on each, and on each of them.
 #[derive(Debug)]
 pub struct Groups {
     /// First node of each group, and the number of nodes.
@@ -16,10 +27,55 @@ pub struct Groups {
     weights: Vec<f64>,
     /// Of `1 + theta sqrt(mass_i mass_j) K_ij`.
     factor: Cholesky,
+    /// The operator on the groups that are not thin.
+    deviations: Vec<Option<Deviations>>,
+}
+
+/// `1 + theta K w` on a group, for functions whose weighted mean is zero.
+#[derive(Debug)]
+struct Deviations {
+    factored: Factored,
+    /// What the constant 1 leads to, over its integral.
+    response: Vec<f64>,
+}
+
+impl Deviations {
+    /// None where rounding makes the matrix of the group singular.
+    fn new(
+        kernel: PanelKernel,
+        panels: &Panels,
+        theta: f64,
+        (own, weight, weights): (&[f64], Option<&[f64]>, &[f64]),
+        part: Range<usize>,
+    ) -> Option<Self> {
+        let count = part.len();
+        let mut rows = vec![0.0; count * count];
+        for (node, row) in part.clone().zip(rows.chunks_exact_mut(count)) {
+            fill_row(kernel, panels, own, (node, &part), row);
+            if let Some(weight) = weight {
+                row.iter_mut().zip(&weight[part.clone()]).for_each(|(entry, w)| *entry *= w);
+            }
+        }
+        let columns: Vec<f64> =
+            (0..count * count).map(|k| rows[k % count * count + k / count]).collect();
+        let factored = Factored::indefinite(&columns, count, theta).ok()?;
+        let mut response = vec![1.0; count];
+        factored.solve(&mut response);
+        let integral = dot(&response, &weights[part]);
+        response.iter_mut().for_each(|value| *value /= integral);
+        (integral > 0.0 && integral.is_finite()).then_some(Self { factored, response })
+    }
+
+    /// Overwrites values with the function of mean zero that they, but for a constant, are of.
+    fn solve(&self, weights: &[f64], values: &mut [f64]) {
+        self.factored.solve(values);
+        let integral = dot(values, weights);
+        values.iter_mut().zip(&self.response).for_each(|(value, r)| *value -= integral * r);
+    }
 }
 
 impl Groups {
-    /// Groups no longer than `longest`, at least one for each run of panels without gaps, for a weight `w >= 0` at the nodes or 1.
+    /// Groups no longer than `longest`, at least one for each run of panels without gaps, for a weight `w >= 0` at the nodes or 1; those longer than the layer have few nodes.
     ///
     /// # Errors
     /// [`Error::WrongLength`] for a weight that does not fit the nodes, [`Error::NotPositiveDefinite`] where rounding makes the matrix of the groups not positive.
@@ -36,9 +92,18 @@ impl Groups {
         }
         let mut firsts: Vec<usize> = Vec::new();
         let mut intervals: Vec<[f64; 2]> = Vec::new();
+        let heaviest = weight.map_or(1.0, |weight| weight.iter().fold(0.0, |a, b| b.max(a)));
+        let strength = theta * heaviest;
+        let is_thin =
+            |[left, right]: [f64; 2]| strength * kernel.scale(0.5 * (right - left))[0] <= THIN;
         for (k, [left, right]) in panels.bounds().iter().copied().enumerate() {
+            let nodes = |firsts: &[usize]| (k + 1) * panels.order() - firsts.last().unwrap_or(&0);
+            let fits = |from: f64| {
+                let is_short = right - from <= longest;
+                is_short && (nodes(&firsts) <= MOST_NODES || is_thin([from, right]))
+            };
             match intervals.last_mut() {
-                Some(last) if last[1] == left && right - last[0] <= longest => last[1] = right,
+                Some(last) if last[1] == left && fits(last[0]) => last[1] = right,
                 _ => {
                     firsts.push(k * panels.order());
                     intervals.push([left, right]);
@@ -57,7 +122,14 @@ impl Groups {
             let layer = if i == j { 1.0 } else { 0.0 };
             layer + theta * roots[i] * roots[j] * kernel.mean(left, right)
         })?;
-        Ok(Self { starts: firsts, masses, weights, factor })
+        let own = panels.rule.own(kernel);
+        let deviations = (firsts.windows(2).zip(&intervals))
+            .map(|(pair, interval)| {
+                let part = (!is_thin(*interval)).then_some(pair[0]..pair[1])?;
+                Deviations::new(kernel, panels, theta, (&own, weight, &weights), part)
+            })
+            .collect();
+        Ok(Self { starts: firsts, masses, weights, factor, deviations })
     }
 
     /// Number of groups.
@@ -66,7 +138,7 @@ impl Groups {
         self.masses.len()
     }
 
-    /// About `(1 + theta K w)^-1 phi`: the weighted means through the matrix, what deviates from them as it is.
+    /// About `(1 + theta K w)^-1 phi`: the weighted means through the matrix, what deviates from them group by group.
     pub(super) fn roughly_inverted(&self, values: &[f64]) -> Vec<f64> {
         let parts = || self.starts.windows(2).map(|pair| pair[0]..pair[1]);
         let roots: Vec<f64> = self.masses.iter().map(|mass| mass.sqrt()).collect();
@@ -82,9 +154,18 @@ impl Groups {
         let mut solved = sums.clone();
         self.factor.solve(&mut solved);
         let mut result = values.to_vec();
-        for ((k, part), root) in parts().enumerate().zip(&roots) {
-            let shift = if *root > 0.0 { (solved[k] - sums[k]) / root } else { 0.0 };
-            result[part].iter_mut().for_each(|value| *value += shift);
+        for (((k, part), deviations), root) in parts().enumerate().zip(&self.deviations).zip(&roots)
+        {
+            let values = &mut result[part.clone()];
+            let mean = match deviations {
+                Some(deviations) => {
+                    deviations.solve(&self.weights[part], values);
+                    0.0
+                }
+                None => sums[k],
+            };
+            let shift = if *root > 0.0 { (solved[k] - mean) / root } else { 0.0 };
+            values.iter_mut().for_each(|value| *value += shift);
         }
         result
     }

@@ -355,6 +355,40 @@ mod tests {
     }
 
     #[test]
+    fn a_thin_layer_takes_no_more_products() {
+        // cos(m pi s) leads to cos(m pi x)/m over the whole turn; panels that close in on one place, in groups of many layers.
+        let mut cuts: Vec<f64> = (0..=100).map(|i| f64::from(i) / 50.0 - 1.0).collect();
+        cuts.extend((1..20).flat_map(|i| [0.31, 0.29].map(|at| 0.3 + (at - 0.3) * 0.5f64.powi(i))));
+        cuts.push(0.3);
+        cuts.sort_by(f64::total_cmp);
+        let bounds = cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+        let panels = Panels::new(bounds, 10).unwrap();
+        let operator = PanelOperator::new(PanelKernel::Sine, panels).unwrap();
+        let pi = std::f64::consts::PI;
+        let wave = |m: f64, x: f64| (m * pi * x + 0.3).cos();
+        let nodes = operator.panels().nodes();
+        for theta in [1e3, 1e5] {
+            let groups =
+                Groups::new(PanelKernel::Sine, operator.panels(), theta, 0.1, None).unwrap();
+            let equation = PanelEquation {
+                operator: &operator,
+                parameter: theta,
+                groups: &groups,
+                weight: None,
+            };
+            let right: Vec<f64> = nodes.iter().map(|x| wave(3.0, *x) + wave(40.0, *x)).collect();
+            let zero = vec![0.0; nodes.len()];
+            let found = equation.solve(&right, &[], &zero, 1e-12).unwrap();
+            assert!(found.products < 60, "{theta}: {}", found.products);
+            for (x, value) in nodes.iter().zip(&found.values) {
+                let exact = [3.0, 40.0].map(|m| wave(m, *x) / (1.0 + theta / m));
+                let difference = (value - exact[0] - exact[1]).abs();
+                assert!(difference < 1e-9, "{theta} {x}: {difference}");
+            }
+        }
+    }
+
+    #[test]
     fn the_flat_punch_agrees_with_sinc_collocation() {
         // Panels that close in on both ends, where the solution has d ln d.
         let mut cuts: Vec<f64> = (-19..=19).map(|i| f64::from(i) * 0.05).collect();

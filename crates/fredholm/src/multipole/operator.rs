@@ -149,7 +149,7 @@ fn fill_near(
 }
 
 /// The entries of a node for others.
-fn fill_row(
+pub(super) fn fill_row(
     kernel: PanelKernel,
     panels: &Panels,
     own: &[f64],

@@ -1,6 +1,5 @@
 //! Heights counted from the level of the base, and what rounding leaves of them.
 
-use super::spline::Spline;
 use super::{Profile, Shape, line};
 use crate::expression::Interval;
 
@@ -26,10 +25,7 @@ impl Profile {
                 let (rest, level) = expression.without_constant();
                 (Shape::Expression(rest), level)
             }
-            Shape::Measured(spline) => {
-                let heights = spline.ordinates().iter().map(|height| height - nearest).collect();
-                (Shape::Measured(Spline::through(spline.abscissas().to_vec(), heights)), nearest)
-            }
+            Shape::Measured(spline) => (Shape::Measured(spline.lowered(nearest)), nearest),
         };
         let rest = Self { shape };
         let size = |[lowest, highest]: [f64; 2]| lowest.abs().max(highest.abs());

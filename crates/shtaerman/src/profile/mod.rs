@@ -22,6 +22,9 @@ use spline::Spline;
 /// Names an expression may use: `x` (metres; in a dimensionless problem the same as `xi`), `xi = x/a`, and the half-width `a`.
 pub const VARIABLES: [&str; 3] = ["x", "xi", "a"];
 
+/// Rounding of the ends of a period, relative to its half.
+const END: f64 = 1e-12;
+
 /// Further names for a body of revolution, with the variables that they are the magnitude of.
 const RADIAL: [(&str, usize); 2] = [("r", 0), ("rho", 1)];
 
@@ -87,6 +90,20 @@ impl Profile {
             )?;
         }
         Ok(Self { shape: Shape::Measured(Spline::through(positions, heights)) })
+    }
+
+    /// The profile of a base of which `[-a, a]` is one period: a measured one from end to end whose last height is the first is a spline without a kink where it repeats.
+    pub(crate) fn repeating(self, half_width: f64) -> Self {
+        let is_whole = |spline: &Spline| {
+            spline.range().iter().all(|end| (end.abs() / half_width - 1.0).abs() <= END)
+        };
+        match &self.shape {
+            Shape::Measured(spline) if is_whole(spline) => {
+                let closed = spline.closed().map(|spline| Self { shape: Shape::Measured(spline) });
+                closed.unwrap_or(self)
+            }
+            _ => self,
+        }
     }
 
     /// `f(a xi)` for a punch of half-width `a`; taken at `xi`, whose ends are exact.

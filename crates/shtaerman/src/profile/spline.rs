@@ -2,7 +2,8 @@
 
 use crate::expression::Reflection;
 
-/// A twice continuously differentiable cubic spline, not-a-knot at both ends; through three points a parabola, through two a line.
+/// A twice continuously differentiable cubic spline, not-a-knot at both ends, through three points a parabola, through two a line; or one that repeats, twice continuously
+/// differentiable across its ends too.
 ///
 /// A piecewise linear curve would make every measured point a kink of the pressure; the spline has none. (C. de Boor, *A Practical Guide
 /// to Splines*, ch. IV.)
@@ -11,6 +12,8 @@ pub(super) struct Spline {
     abscissas: Vec<f64>,
     ordinates: Vec<f64>,
     slopes: Vec<f64>,
+    /// Whether it repeats.
+    is_closed: bool,
 }
 
 impl Spline {
@@ -21,7 +24,21 @@ impl Spline {
             3 => parabola_slopes(&abscissas, &ordinates),
             _ => not_a_knot_slopes(&abscissas, &ordinates),
         };
-        Self { abscissas, ordinates, slopes }
+        Self { abscissas, ordinates, slopes, is_closed: false }
+    }
+
+    /// The same points repeated from end to end; none unless the last ordinate is the first.
+    pub(super) fn closed(&self) -> Option<Self> {
+        let (x, y) = (&self.abscissas, &self.ordinates);
+        let slopes = (y[0] == y[y.len() - 1]).then(|| closed_slopes(x, y))?;
+        Some(Self { slopes, is_closed: true, ..self.clone() })
+    }
+
+    /// The same spline less a constant.
+    pub(super) fn lowered(&self, by: f64) -> Self {
+        let ordinates = self.ordinates.iter().map(|y| y - by).collect();
+        let lowered = Self::through(self.abscissas.clone(), ordinates);
+        if self.is_closed { lowered.closed().unwrap_or(lowered) } else { lowered }
     }
 
     /// Abscissas of the first and last point.
@@ -153,6 +170,61 @@ fn not_a_knot_slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
     slopes
 }
 
+/// Slopes from continuity of the second derivative at all points, the first and last of which are one: a tridiagonal system but for its corners, which are one product of two vectors (J. Sherman and
+/// W. J. Morrison, Ann. Math. Statist. 21 (1950) 124).
+fn closed_slopes(x: &[f64], y: &[f64]) -> Vec<f64> {
+    let n = x.len() - 1;
+    let width = |i: usize| x[i + 1] - x[i];
+    let rows = (0..n).map(|i| {
+        let before = if i == 0 { n - 1 } else { i - 1 };
+        let (h0, h1) = (width(before), width(i));
+        let right = 3.0 * (h1 * chord(x, y, before) + h0 * chord(x, y, i));
+        [h1, 2.0 * (h0 + h1), h0, right]
+    });
+    let mut rows: Vec<[f64; 4]> = rows.collect();
+    let mut slopes = match n {
+        1 => vec![0.0],
+        2 => {
+            // Both neighbours of either point are the other.
+            let ([a, d, b, one], other) = (rows[0], rows[1][3]);
+            let determinant = d * d - (a + b) * (a + b);
+            [(one, other), (other, one)].map(|(u, v)| (d * u - (a + b) * v) / determinant).to_vec()
+        }
+        _ => {
+            let [below, above] = [rows[0][0], rows[n - 1][2]];
+            // With corners g v, g = (-d, 0, .., above), v = (1, 0, .., below/-d).
+            let first = -rows[0][1];
+            rows[0][1] -= first;
+            rows[n - 1][1] -= above * below / first;
+            let right: Vec<f64> = rows.iter().map(|row| row[3]).collect();
+            let mut corner = vec![0.0; n];
+            (corner[0], corner[n - 1]) = (first, above);
+            let (plain, turned) = (tridiagonal(&rows, right), tridiagonal(&rows, corner));
+            let ends = |z: &[f64]| z[0] + below / first * z[n - 1];
+            let factor = ends(&plain) / (1.0 + ends(&turned));
+            plain.iter().zip(&turned).map(|(one, other)| one - factor * other).collect()
+        }
+    };
+    slopes.push(slopes[0]);
+    slopes
+}
+
+/// Solves rows `[below, diagonal, above, _]` by elimination without pivoting: they are diagonally dominant.
+fn tridiagonal(rows: &[[f64; 4]], mut right: Vec<f64>) -> Vec<f64> {
+    let n = rows.len();
+    let mut diagonal: Vec<f64> = rows.iter().map(|row| row[1]).collect();
+    for i in 1..n {
+        let factor = rows[i][0] / diagonal[i - 1];
+        diagonal[i] -= factor * rows[i - 1][2];
+        right[i] -= factor * right[i - 1];
+    }
+    for i in (0..n).rev() {
+        let next = if i + 1 < n { rows[i][2] * right[i + 1] } else { 0.0 };
+        right[i] = (right[i] - next) / diagonal[i];
+    }
+    right
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -205,5 +277,28 @@ mod tests {
         };
         let order = (error(41) / error(81)).log2();
         assert!(order > 3.7, "{order}");
+    }
+
+    #[test]
+    fn what_repeats_is_smooth_across_its_ends() {
+        // Truth: the middle of many periods one after the other, of which the ends are far away.
+        for count in [2, 3, 4, 5, 9] {
+            let x = uneven(count);
+            let mut y: Vec<f64> = x.iter().map(|x| (3.0 * x).sin() - 0.2 * x * x).collect();
+            y[count - 1] = y[0];
+            let length = x[count - 1] - x[0];
+            let many = |values: &[f64], step: f64| -> Vec<f64> {
+                let period = |k: i32| values[1..].iter().map(move |v| v + step * f64::from(k));
+                [values[0] - step * 20.0].into_iter().chain((-20..=20).flat_map(period)).collect()
+            };
+            let long = Spline::through(many(&x, length), many(&y, 0.0));
+            let closed = Spline::through(x.clone(), y).closed().unwrap().lowered(0.5);
+            for i in 0..=50 {
+                let at = x[0] + length * f64::from(i) / 50.0;
+                assert!((closed.evaluate(at) + 0.5 - long.evaluate(at)).abs() < 1e-11, "{count}");
+                assert!((closed.slope(at) - long.slope(at)).abs() < 1e-10, "{count} at {at}");
+            }
+        }
+        assert_eq!(Spline::through(vec![0.0, 1.0, 2.0], vec![0.0, 1.0, 0.1]).closed(), None);
     }
 }

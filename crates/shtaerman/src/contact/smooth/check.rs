@@ -100,17 +100,22 @@ impl Check {
 
     /// The intervals of penetration, narrowed by a factor towards their middles.
     pub(super) fn narrowed(&self, width: f64) -> Vec<[f64; 2]> {
-        let of = |&[left, right]: &[f64; 2]| {
-            let (middle, half) = (0.5 * (left + right), 0.5 * width * (right - left));
-            [(middle - half).max(left), (middle + half).min(right)]
-        };
-        self.penetrating.iter().map(of).collect()
+        narrowed(&self.penetrating, width)
     }
 
     /// Whether nothing is to be corrected.
     pub(super) fn is_clean(&self) -> bool {
         self.pulling.is_empty() && self.penetrating.is_empty()
     }
+}
+
+/// Intervals narrowed by a factor towards their middles.
+pub(super) fn narrowed(intervals: &[[f64; 2]], width: f64) -> Vec<[f64; 2]> {
+    let of = |&[left, right]: &[f64; 2]| {
+        let (middle, half) = (0.5 * (left + right), 0.5 * width * (right - left));
+        [(middle - half).max(left), (middle + half).min(right)]
+    };
+    intervals.iter().map(of).collect()
 }
 
 /// Points of a zone with their pressures, and the rounding of those.

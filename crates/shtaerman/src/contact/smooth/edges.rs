@@ -84,8 +84,10 @@ pub(super) fn moved(
 ) -> Vec<Zone> {
     let target = |j: usize, side: usize, gap: Option<[f64; 2]>| {
         let (at, length) = (zones[j].ends[side], zones[j].length());
-        let room = gap.map_or(f64::INFINITY, |[from, to]| 0.5 * (to - from));
-        let step = (outward(j, side) * length).clamp(-STRIDE * length, room.min(length));
+        let gap = gap.map_or(f64::INFINITY, |[from, to]| to - from);
+        // Beside a narrow gap densities change within it.
+        let (back, room) = (STRIDE * length.min(gap), 0.5 * gap);
+        let step = (outward(j, side) * length).clamp(-back, room.min(length));
         if side == 0 { at - step } else { at + step }
     };
     free_ends::moved(zones, |side, inside| base.wall(side, inside), target, |_| {})

@@ -16,7 +16,7 @@ pub(super) const STRIDE: f64 = 0.4;
 /// Zones shorter than this share of the longest are none.
 pub(super) const VANISHING: f64 = 1e-9;
 /// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends.
-const MOST_WORK: f64 = 4e10;
+const MOST_WORK: f64 = 1e11;
 /// What a panel costs in the same unit.
 const A_PANEL: f64 = 6e4;
 /// Zones closer than this share of the shorter one are one.

@@ -7,7 +7,7 @@ use super::answer::SmoothContact;
 use super::band::Band;
 use super::problem::{Base, Sample, SmoothProblem, SmoothProfile};
 use super::slopes::{Angular, Slopes};
-use super::{ALLOWED, COMPARED, FINE};
+use super::{ALLOWED, COMPARED, FINE, topology};
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 
@@ -253,30 +253,25 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     let bottom = place;
     let is_seam = full.pressure(-1.0) <= least + AS_DEEP * size;
     let place = if is_seam { 1.0 } else { place };
-    let turned = || Turned::new(problem, band.as_ref(), place);
+    let partial = || Partial::new(problem, band.as_ref(), place);
     if let Vertical::Settlement(settlement) = vertical {
         let requirement = "less than the mean height of the profile: in full contact it is that mean, whatever the force";
-        let partial = problem.is_unilateral && settlement < full.settlement();
-        require(partial, "settlement", settlement, requirement)?;
+        let is_partial = problem.is_unilateral && settlement < full.settlement();
+        require(is_partial, "settlement", settlement, requirement)?;
         // Without force the least pressure is minus that which closes all gaps.
-        let turned = turned();
         let first = |force: f64| full.first_zone(&along, (bottom, least), force);
-        return sunk(&turned, first, settlement, -2.0 * least)
-            .map(|contact| contact.turned(problem, turned.place));
+        return sunk(partial(), first, settlement, -2.0 * least);
     }
     if !pulls(least) {
         return Ok(SmoothContact::full(base, full));
     }
-    let turned = turned();
-    turned
-        .solve(&turned.problem, full.first_zone(&along, (bottom, least), force))
-        .map(|contact| contact.turned(problem, turned.place))
+    partial().solve(force, full.first_zone(&along, (bottom, least), force))
 }
 
 /// The force for a settlement, by Newton's method between bounds: a constant pressure moves nothing, so the equation for a given settlement is badly posed
 /// near full contact.
 fn sunk(
-    turned: &Turned,
+    mut partial: Partial<'_>,
     first: impl Fn(f64) -> Option<[f64; 2]>,
     settlement: f64,
     limit: f64,
@@ -285,9 +280,7 @@ fn sunk(
     let mut force = 0.3 * limit;
     let mut last = None;
     for _ in 0..SETTLEMENTS {
-        let load = Load { vertical: Vertical::Force(force), ..turned.problem.load };
-        let problem = SmoothProblem { load, ..turned.problem.clone() };
-        let contact = turned.solve(&problem, first(force))?;
+        let contact = partial.solve(force, first(force))?;
         let excess = contact.settlement0() - settlement;
         if excess > 0.0 {
             high = force;
@@ -305,7 +298,37 @@ fn sunk(
     last.ok_or(Error::NoContact)
 }
 
-/// A problem with its seam where the base pulls most.
+/// Partial contact of a wave, seen from where full contact pulls most.
+struct Partial<'p> {
+    problem: &'p SmoothProblem,
+    band: Option<&'p Band>,
+    turned: Turned,
+}
+
+impl<'p> Partial<'p> {
+    fn new(problem: &'p SmoothProblem, band: Option<&'p Band>, place: f64) -> Self {
+        Self { problem, band, turned: Turned::new(problem, band, place) }
+    }
+
+    /// The answer for a force; a zone to try first is one of the wave as it is.
+    fn solve(&mut self, force: f64, first: Option<[f64; 2]>) -> Result<SmoothContact, Error> {
+        let load = Load { vertical: Vertical::Force(force), ..self.problem.load };
+        let loaded = |turned: &Turned| SmoothProblem { load, ..turned.problem.clone() };
+        let problem = loaded(&self.turned);
+        let contact = match self.turned.solve(&problem, first) {
+            Ok(contact) => contact,
+            Err(error) => {
+                // Where full contact pulls most partial contact may touch.
+                let Some(gap) = self.turned.gap(&problem) else { return Err(error) };
+                self.turned = Turned::new(self.problem, self.band, gap);
+                self.turned.solve(&loaded(&self.turned), first)?
+            }
+        };
+        Ok(contact.turned(self.problem, self.turned.place))
+    }
+}
+
+/// A problem with its seam at another place.
 struct Turned {
     problem: SmoothProblem,
     /// The place that became `+-1`.
@@ -324,16 +347,27 @@ impl Turned {
         Self { problem: moved(problem, place, None), place, samples }
     }
 
+    fn base<'q>(&self, problem: &'q SmoothProblem) -> Result<Base<'q>, Error> {
+        match &self.samples {
+            Some(samples) => Base::with_samples(problem, vec![samples.clone()]),
+            None => Base::new(problem),
+        }
+    }
+
+    /// The middle of the longest gap on cells where these show contact on both sides of the seam, as a place of the wave as it is.
+    fn gap(&self, problem: &SmoothProblem) -> Option<f64> {
+        let base = self.base(problem).ok()?;
+        let intervals = topology::find(&base, base.cells()).ok()?;
+        gap_between(&intervals).map(|middle| wrapped(middle + self.place - 1.0))
+    }
+
     /// The answer for a problem that differs by its load only; a zone to try first is one of the profile before the turn.
     fn solve(
         &self,
         problem: &SmoothProblem,
         first: Option<[f64; 2]>,
     ) -> Result<SmoothContact, Error> {
-        let base = match &self.samples {
-            Some(samples) => Base::with_samples(problem, vec![samples.clone()])?,
-            None => Base::new(problem)?,
-        };
+        let base = self.base(problem)?;
         let zone = first.and_then(|[left, right]| {
             let middle = wrapped(0.5 * (left + right) - self.place + 1.0);
             let half = 0.5 * (right - left);
@@ -342,6 +376,15 @@ impl Turned {
         });
         super::solve_zones(&base, zone)
     }
+}
+
+/// The middle of the longest gap between intervals that touch both ends of the period; none where there is no gap, or no contact at the ends.
+fn gap_between(intervals: &[[f64; 2]]) -> Option<f64> {
+    let ([first, ..], [.., last]) = (intervals, intervals) else { return None };
+    let gaps = intervals.windows(2).map(|pair| [pair[0][1], pair[1][0]]);
+    let longest = gaps.max_by(|one, other| (one[1] - one[0]).total_cmp(&(other[1] - other[0])));
+    let touches = first[0] <= -1.0 && last[1] >= 1.0;
+    longest.filter(|_| touches).map(|[left, right]| 0.5 * (left + right))
 }
 
 /// The problem turned until a place is its seam; where it bends at its own seam, that is a break.

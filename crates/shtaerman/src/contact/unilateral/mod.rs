@@ -62,6 +62,8 @@ const CORRECTIONS: usize = 12;
 /// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything.
 const ALL_NOISE: f64 = 0.1;
 
+/// How near a cut of a wave it must not touch.
+const BESIDE: f64 = 1e-8;
 /// Relative errors from which on heights are counted from a tangent, and the length of base within which all zones must lie for that.
 const DIGITS_LOST: f64 = 1e-11;
 const SMALL_ZONES: f64 = 0.1;
@@ -115,6 +117,18 @@ impl Answer {
 
     fn cells(contact: CellContact) -> Self {
         Self::Cells(Box::new(contact))
+    }
+
+    /// Whether a wave that was cut here touches beside the cut.
+    fn touches_about(&self, cut: f64) -> bool {
+        let solution: &dyn Solution = match self {
+            Self::Zones(contact) => contact.as_ref(),
+            Self::Spots(contact) => contact.as_ref(),
+            Self::Cells(contact) => contact.as_ref(),
+        };
+        let beside = [-BESIDE, 0.0, 2.0 - BESIDE, BESIDE, 2.0 + BESIDE].map(|step| cut + step);
+        let mut on_base = beside.into_iter().filter(|xi| xi.abs() <= 1.0);
+        on_base.any(|xi| solution.touches(xi))
     }
 }
 
@@ -179,20 +193,29 @@ fn bent_wave(base: &Base<'_>) -> Result<Option<Answer>, Error> {
     if !base.has_panels() || !is_measured && base.breaks.is_empty() {
         return Ok(None);
     }
+    // Seen from the middle of a gap the wave is one more base with ends, and full contact need not be solved.
+    let gap = coarse::gap(base, base.cells()).ok().flatten();
+    if let Some(middle) = gap
+        && let Ok(answer) = open(&base.clone().shifted(middle))
+        && !answer.touches_about(middle)
+    {
+        return Ok(Some(answer));
+    }
     // Where panels do not serve series may.
     let Ok(Some(full)) = spots::solve_whole(&base.kept()) else { return Ok(None) };
     let Some(least) = full.pulls_most() else {
         return Ok(Some(Answer::Spots(Box::new(full.lifting()))));
     };
-    let cut = coarse::gap(base, base.cells())?.unwrap_or(least);
-    Ok(open(&base.clone().shifted(cut)).ok())
+    if gap.is_some() {
+        return Ok(None);
+    }
+    Ok(open(&base.clone().shifted(least)).ok())
 }
 
 /// The answer by the method that suits the profile, or by the other.
 fn open(base: &Base<'_>) -> Result<Answer, Error> {
-    if fine::suits(base)
-        && let Some(answer) = many(base)?
-    {
+    let is_tried = fine::suits(base);
+    if is_tried && let Some(answer) = many(base)? {
         return Ok(answer);
     }
     require_few(&base.breaks)?;
@@ -205,7 +228,8 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
             if let Some((settlement, e)) = base.settlement_at_eccentricity() {
                 return reached(base, settlement, e)?.map(Answer::zones).ok_or(error);
             }
-            many(base)?.ok_or(match error {
+            let answer = if is_tried { None } else { many(base)? };
+            answer.ok_or(match error {
                 // Not for their number.
                 Error::TooManyZones { .. } if base.is_plain() => {
                     Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN }

@@ -27,6 +27,7 @@ use field::Field;
 use settled::{Settled, fixed};
 use strip::Ground;
 
+use super::check::{Narrowing, narrowed};
 use super::problem::{Base, MOST_CELLS, SmoothProblem};
 use super::zones::{Zone, corrected, require_few};
 use super::{MOST_ZONES, topology};
@@ -63,18 +64,17 @@ fn solve(problem: &SmoothProblem, exponent: f64) -> Result<Solved, Error> {
     let mut base = Base::new(problem)?;
     base.grading = Some(exponent);
     let ground = Ground::new(exponent, problem.theta0)?;
-    let pieces = base.pieces();
     if !problem.is_unilateral {
-        return Ok(Solved::new(&base, &ground, &fixed(&base, &ground, &pieces)?));
+        return Ok(Solved::new(&base, &ground, &fixed(&base, &ground, &base.pieces())?));
     }
-    // What passes the check is the answer, from wherever it was found: most need no cells.
+    // What passes the check is the answer, from wherever it was found: a base with one valley needs no cells, and the transforms of one with many are long.
+    let is_simple = base.valleys().count() <= 1;
     let mut left = [f64::NAN; 2];
-    if let Ok(settled) = edges::settle(&base, &ground, &pieces) {
-        let solved = Solved::new(&base, &ground, &settled);
-        if solved.left.is_clean() {
-            return Ok(solved);
+    if is_simple {
+        match from_whole(&base, &ground) {
+            Ok(solved) => return Ok(solved),
+            Err(violation) => left = violation,
         }
-        left = [solved.left.tension, solved.left.penetration];
     }
     let mut refused = None;
     for power in 0..TOPOLOGIES {
@@ -82,6 +82,12 @@ fn solve(problem: &SmoothProblem, exponent: f64) -> Result<Solved, Error> {
             Ok(solved) => return Ok(solved),
             Err(error @ Error::TooManyZones { .. }) => return Err(error),
             Err(error) => refused = refused.or(Some(error)),
+        }
+    }
+    if !is_simple {
+        match from_whole(&base, &ground) {
+            Ok(solved) => return Ok(solved),
+            Err(violation) => left = violation,
         }
     }
     Err(match refused {
@@ -94,12 +100,23 @@ fn solve(problem: &SmoothProblem, exponent: f64) -> Result<Solved, Error> {
     })
 }
 
+/// The answer from the whole base; else what is left of tension and penetration.
+fn from_whole(base: &Base<'_>, ground: &Ground) -> Result<Solved, [f64; 2]> {
+    let Ok(settled) = edges::settle(base, ground, &base.pieces()) else {
+        return Err([f64::NAN; 2]);
+    };
+    let solved = Solved::new(base, ground, &settled);
+    let left = [solved.left.tension, solved.left.penetration];
+    if solved.left.is_clean() { Ok(solved) } else { Err(left) }
+}
+
 /// The answer from the zones that cells show, corrected where these were too coarse.
 fn from_cells(base: &Base<'_>, ground: &Ground, power: u32) -> Result<Solved, Error> {
     let count = (base.cells() * 4usize.pow(power)).min(MOST_CELLS);
     let mut intervals = topology::find(base, count)?;
     require_shown(&intervals, &base.valleys().collect::<Vec<f64>>(), count, MOST_ZONES)?;
     let mut last = Error::NoContact;
+    let mut narrowing = Narrowing::new();
     for _ in 0..CORRECTIONS {
         if intervals.is_empty() {
             break;
@@ -114,7 +131,8 @@ fn from_cells(base: &Base<'_>, ground: &Ground, power: u32) -> Result<Solved, Er
         let (tension, penetration) = (left.tension, left.penetration);
         last = Error::NotComplementary { tension, penetration };
         let zones: Vec<Zone> = solved.fields.iter().map(|field| field.strip.zone).collect();
-        intervals = corrected(&zones, &left.pulling, &left.penetrating);
+        let Some(width) = narrowing.next(penetration) else { break };
+        intervals = corrected(&zones, &left.pulling, &narrowed(&left.penetrating, width));
     }
     Err(last)
 }

@@ -27,9 +27,9 @@ const BENT: f64 = 1e-11;
 const SHORTEST: f64 = 1e-14;
 /// Rounding of lengths that are just right.
 const SLACK: f64 = 1.0 + 1e-6;
-/// Most halvings of a panel on which the profile is no polynomial, and the deviation relative to its size that is none.
+/// Most halvings of a panel on which the profile is no polynomial, and the deviation relative to its size that is rounding.
 const HALVINGS: u32 = 12;
-const STRAIGHT: f64 = 1e-14;
+pub(super) const STRAIGHT: f64 = 1e-14;
 
 /// How fine the panels are.
 #[derive(Debug, Clone, Copy)]
@@ -40,6 +40,8 @@ pub(super) struct Fineness {
     pub(super) ends: f64,
     /// Longest panels of the base.
     pub(super) longest: f64,
+    /// Deviation of the profile from a polynomial on each panel, relative to its size, that is none.
+    pub(super) straight: f64,
 }
 
 /// A place towards which panels get shorter.
@@ -184,13 +186,13 @@ fn graded(anchors: &[Anchor], piece: [f64; 2], longest: f64, panels: &mut Vec<[f
 
 /// Halves of a piece until the profile is a polynomial on each.
 fn resolved(base: &Base<'_>, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2]> {
-    let Fineness { order, longest, .. } = fineness;
+    let longest = fineness.longest;
     let mut pieces = Vec::new();
     let mut left_to_do = vec![(piece, 0)];
     while let Some(([left, right], halvings)) = left_to_do.pop() {
         let middle = 0.5 * (left + right);
         let is_long = right - left > longest;
-        if halvings < HALVINGS && (is_long || !is_polynomial(base, [left, right], order)) {
+        if halvings < HALVINGS && (is_long || !is_polynomial(base, [left, right], fineness)) {
             left_to_do.extend([([middle, right], halvings + 1), ([left, middle], halvings + 1)]);
         } else {
             pieces.push([left, right]);
@@ -200,7 +202,8 @@ fn resolved(base: &Base<'_>, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2
 }
 
 /// Whether the polynomial through so many Chebyshev points shows the profile between them.
-fn is_polynomial(base: &Base<'_>, [left, right]: [f64; 2], order: usize) -> bool {
+fn is_polynomial(base: &Base<'_>, [left, right]: [f64; 2], fineness: Fineness) -> bool {
+    let Fineness { order, straight, .. } = fineness;
     let place = |y: f64| base.height(0.5 * (left + right) + 0.5 * (right - left) * y);
     let points: Vec<f64> = (0..order)
         .map(|k| (std::f64::consts::PI * (k as f64 + 0.5) / order as f64).cos())
@@ -215,6 +218,6 @@ fn is_polynomial(base: &Base<'_>, [left, right]: [f64; 2], order: usize) -> bool
             above += weight * height;
             below += weight;
         }
-        (above / below - place(y)).abs() <= STRAIGHT * largest * order as f64
+        (above / below - place(y)).abs() <= straight * largest * order as f64
     })
 }

@@ -27,7 +27,7 @@ use crate::Error;
 use crate::contact::solution::Solution;
 use estimate::estimate;
 use level::{Effort, Known, Level, Sampled, System};
-use mesh::{Fineness, LONGEST};
+use mesh::{Fineness, LONGEST, STRAIGHT};
 use responses::Responses;
 
 /// Most rounds on the way to the zones.
@@ -35,17 +35,17 @@ const ROUNDS: usize = 12;
 /// Panels on which the zones are found, those whose answer is compared, and those of the answer: with the relative residuals.
 const LADDER: [Effort; 3] = [
     Effort {
-        fineness: Fineness { order: 4, ends: 4.0, longest: LONGEST },
+        fineness: Fineness { order: 4, ends: 4.0, longest: LONGEST, straight: 1e-8 },
         residual: 1e-6,
         has_responses: false,
     },
     Effort {
-        fineness: Fineness { order: 10, ends: 2.0, longest: LONGEST },
+        fineness: Fineness { order: 10, ends: 2.0, longest: LONGEST, straight: STRAIGHT },
         residual: 1e-11,
         has_responses: true,
     },
     Effort {
-        fineness: Fineness { order: 13, ends: 1.0, longest: LONGEST },
+        fineness: Fineness { order: 13, ends: 1.0, longest: LONGEST, straight: STRAIGHT },
         residual: 1e-14,
         has_responses: true,
     },
@@ -144,6 +144,12 @@ fn joints(base: &Base<'_>) -> Vec<f64> {
         return base.breaks.clone();
     }
     let mut joints = base.problem.profile().joints(base.problem.frame().half_width());
+    if base.medium.is_closed() {
+        // A wave is seen from elsewhere than it was measured, and bends at its seam as well.
+        joints.push(1.0);
+        let images = |at: &f64| [at - 2.0, *at, at + 2.0];
+        joints = joints.iter().flat_map(images).collect();
+    }
     joints.sort_by(f64::total_cmp);
     joints
 }
