@@ -353,11 +353,15 @@ impl Audit<'_> {
         let settlement =
             (self.settlement - self.answer.settlement).abs() + taken * self.settlement.abs();
         let tilt = (self.tilt - self.answer.tilt).abs() + taken * self.tilt.abs();
+        let resampled = self.resampled(windows.zones);
+        // Beside ends and jumps the panels may miss the pressure by more.
+        let narrowly = self.narrowly_highest(windows.zones);
         Bound {
             mean_square: distance.mean_square + distance.changed,
-            pressure: pressure + self.resampled(windows.zones),
-            // Beside the ends the panels may miss the pressure by more.
-            highest: Some(highest(&self.density.panels, pressure) + pressure + self.resampled(&[])),
+            pressure: pressure + resampled,
+            highest: Some(
+                highest(&self.density.panels, pressure).max(narrowly) + pressure + resampled,
+            ),
             settlement: off(force.is_none(), line.at_origin() + settlement),
             tilt: off(moment.is_none(), line.slope + tilt),
             force: off(force.is_some(), moved + (self.answer.force - self.shape.force).abs()),
@@ -371,15 +375,22 @@ impl Audit<'_> {
 
     /// How far the answer's pressure is from the resampled one between the nodes; in windows of some units of the machine that counts at each of its numbers already.
     fn resampled(&self, zones: &[Bounded]) -> f64 {
-        let is_resolved = |x: f64| {
-            let window = zones.get(zones.partition_point(|window| window.right < x));
-            !window.is_some_and(|window| window.is_narrow && window.left <= x)
-        };
-        let panels = self.density.panels.iter();
-        panels
-            .flat_map(|panel| compared(panel, self.answer.pressure))
-            .filter(|(x, _)| is_resolved(*x))
-            .map(|(_, off)| off)
-            .fold(0.0, f64::max)
+        let compared = self.compared().filter(|(x, _)| !is_narrow(zones, *x));
+        compared.map(|(_, off)| off).fold(0.0, f64::max)
     }
+
+    /// The largest pressure of the answer at the other places.
+    fn narrowly_highest(&self, zones: &[Bounded]) -> f64 {
+        let places = self.compared().filter(|(x, _)| is_narrow(zones, *x));
+        places.map(|(x, _)| (self.answer.pressure)(x).abs()).fold(0.0, f64::max)
+    }
+
+    fn compared(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.density.panels.iter().flat_map(|panel| compared(panel, self.answer.pressure))
+    }
+}
+
+fn is_narrow(windows: &[Bounded], x: f64) -> bool {
+    let window = windows.get(windows.partition_point(|window| window.right < x));
+    window.is_some_and(|window| window.is_narrow && window.left <= x)
 }

@@ -6,6 +6,8 @@ use crate::residual::{Bounded, Residual, blur};
 
 /// Numbers of a window that are looked at one by one.
 const MOST_NUMBERS: usize = 40;
+/// Within this distance of a jump a formula may leave open on which side of it a number lies: its parts are rounded, and none is much larger than the base.
+const OPEN: f64 = 256.0 * f64::EPSILON;
 /// In so many widths about a window the density is taken as a constant and what it differs from that.
 const VICINITY: f64 = 64.0;
 
@@ -66,13 +68,18 @@ impl Residual<'_> {
     fn at_number(&self, x: f64, w: f64, error: f64, size: &dyn Fn(f64, f64) -> f64) -> f64 {
         let after = self.cuts.partition_point(|cut| *cut < x);
         let nearest = [after.checked_sub(1), Some(after)].into_iter().flatten();
-        let cut = nearest
+        let mut beside = nearest
             .filter_map(|index| self.cuts.get(index))
-            .find(|cut| (x - **cut).abs() <= blur(cut.abs()));
-        let Some(cut) = cut else { return size(w, error) };
-        let blur = blur(cut.abs());
-        let [low, high] = self.profile.range([cut - blur, cut + blur]);
+            .filter(|cut| (x - **cut).abs() <= OPEN.max(blur(cut.abs())));
         let [f_low, f_high] = self.profile.height(x);
+        let either = beside.find_map(|cut| {
+            let reach = if (x - cut).abs() <= blur(cut.abs()) { blur(cut.abs()) } else { OPEN };
+            let [low, high] = self.profile.range([cut - reach, cut + reach]);
+            // Farther away only where the formula itself, with its roundings, says both.
+            let is_open = reach < OPEN || f_high - f_low >= 0.5 * (high - low);
+            is_open.then_some(if reach < OPEN { [low, high] } else { [f_low, f_high] })
+        });
+        let Some([low, high]) = either else { return size(w, error) };
         let f = 0.5 * (f_low + f_high);
         let [lower, upper] = [w + (low - f).min(0.0), w + (high - f).max(0.0)];
         let nearest = if lower > 0.0 { lower } else { upper.min(0.0) };

@@ -206,7 +206,11 @@ impl Reference<'_> {
                 (one - two).abs()
             };
             let beside = smooth::beside(self.problem, &self.fine, x);
-            let differs = beside.into_iter().map(differ).fold(differ(x), f64::max);
+            let differs = beside
+                .into_iter()
+                .map(|(place, share)| differ(place) * share)
+                .filter(|difference| difference.is_finite())
+                .fold(differ(x), f64::max);
             // Beside a kink, where the pressure goes as a logarithm, so does what the place is off by.
             let placed = PLACED * x.abs();
             let [before, after] = [x - placed, x + placed].map(|x| both(x)[1]);

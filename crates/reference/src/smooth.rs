@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::grid::{Cutter, Fineness, Grid};
 use crate::kernel::Kernel;
-use crate::panel::{Chart, Panel};
+use crate::panel::Chart;
 use crate::problem::{Layer, Problem, Refusal, Rotational, Vertical};
 use crate::rough::{Solved, solve_dense};
 use crate::zones;
@@ -96,11 +96,14 @@ fn find(problem: &Problem<'_>, solved: &Solved, x: f64) -> Option<(usize, f64, f
     None
 }
 
-/// Places of the panel of a place: two resolutions may meet at one of them by chance, but not at all.
-pub(crate) fn beside(problem: &Problem<'_>, solved: &Solved, x: f64) -> Vec<f64> {
-    let panel = find(problem, solved, x).map(|(index, ..)| solved.grid.panels[index]);
-    let places = |panel: Panel| BESIDE.map(|t| panel.at(t).x()).to_vec();
-    panel.map_or_else(Vec::new, places)
+/// Places of the panel of a place, each with what the pressure at the place has of the density there: two resolutions may meet at one of them by chance, but not at all.
+pub(crate) fn beside(problem: &Problem<'_>, solved: &Solved, x: f64) -> Vec<(f64, f64)> {
+    find(problem, solved, x).map_or_else(Vec::new, |(index, _, x)| {
+        let panel = &solved.grid.panels[index];
+        let rate = panel.chart.rate(panel.chart.variable(x));
+        let places = BESIDE.map(|t| panel.at(t));
+        places.map(|place| (place.x(), panel.chart.rate(place.u()) / rate)).to_vec()
+    })
 }
 
 fn value(solved: &Solved, values: &[f64], t: f64) -> f64 {
