@@ -64,21 +64,35 @@ impl Residual<'_> {
         Bounded { left, right, largest: crude, norm, at_numbers, least, is_narrow: true }
     }
 
-    /// What counts of `w` at a number: beside a jump of the base, as far as its place is known, its height is that of either side, also where rounding leaves open of which.
-    fn at_number(&self, x: f64, w: f64, error: f64, size: &dyn Fn(f64, f64) -> f64) -> f64 {
+    /// The nearest places where the base may jump, one on either side, if they are within a distance.
+    fn cuts_within(&self, x: f64, distance: f64) -> impl Iterator<Item = f64> + '_ {
         let after = self.cuts.partition_point(|cut| *cut < x);
         let nearest = [after.checked_sub(1), Some(after)].into_iter().flatten();
-        let mut beside = nearest
-            .filter_map(|index| self.cuts.get(index))
-            .filter(|cut| (x - **cut).abs() <= OPEN.max(blur(cut.abs())));
+        nearest
+            .filter_map(|index| self.cuts.get(index).copied())
+            .filter(move |cut| (x - cut).abs() <= distance)
+    }
+
+    /// Whether a formula, with its roundings, leaves open on which side of a jump a number lies: then its height is that of either side.
+    pub(crate) fn is_open(&self, x: f64) -> bool {
+        self.cuts_within(x, OPEN).any(|cut| {
+            let [low, high] = self.profile.range([cut - OPEN, cut + OPEN]);
+            let [f_low, f_high] = self.profile.height(x);
+            f_high - f_low > 0.5 * (high - low)
+        })
+    }
+
+    /// What counts of `w` at a number: beside a jump of the base, as far as its place is known, its height is that of either side, also where rounding leaves open of which.
+    fn at_number(&self, x: f64, w: f64, error: f64, size: &dyn Fn(f64, f64) -> f64) -> f64 {
         let [f_low, f_high] = self.profile.height(x);
-        let either = beside.find_map(|cut| {
-            let reach = if (x - cut).abs() <= blur(cut.abs()) { blur(cut.abs()) } else { OPEN };
-            let [low, high] = self.profile.range([cut - reach, cut + reach]);
-            // Farther away only where the formula itself, with its roundings, says both.
-            let is_open = reach < OPEN || f_high - f_low >= 0.5 * (high - low);
-            is_open.then_some(if reach < OPEN { [low, high] } else { [f_low, f_high] })
-        });
+        let blurred = self.cuts_within(x, OPEN).find(|cut| (x - cut).abs() <= blur(cut.abs()));
+        let either = match blurred {
+            Some(cut) => {
+                let blur = blur(cut.abs());
+                Some(self.profile.range([cut - blur, cut + blur]))
+            }
+            None => self.is_open(x).then_some([f_low, f_high]),
+        };
         let Some([low, high]) = either else { return size(w, error) };
         let f = 0.5 * (f_low + f_high);
         let [lower, upper] = [w + (low - f).min(0.0), w + (high - f).max(0.0)];

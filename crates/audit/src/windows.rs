@@ -41,8 +41,9 @@ impl Residual<'_> {
     ) -> Option<Bounded> {
         let (c, r) = (0.5 * (left + right), 0.5 * (right - left));
         let mut heights = known.on(self.profile, [left, right]);
+        let is_open = [left, c, right].into_iter().any(|x| self.is_open(x));
         let disk = (DISK * r).min(INSIDE * (c - zone[0]).min(zone[1] - c));
-        if disk < LEAST_DISK * r || disk < PLACED * c.abs() {
+        if disk < LEAST_DISK * r || disk < PLACED * c.abs() || is_open {
             return None;
         }
         let fitted = fit(self.density, c, disk);
@@ -143,12 +144,13 @@ impl Residual<'_> {
         let (middle, error) = self.at(c);
         let singularity = self.density.kernel.singularity();
         let parts = self.parts(c, LEAST_DISK * r);
+        let is_open = [left, c, right].into_iter().any(|x| self.is_open(x));
         // A panel that reaches into the window's own disk may touch the window.
         let mut is_near = false;
         self.density.parts(c, &mut |distance, mass, _, _| {
             is_near |= mass > 0.0 && distance < LEAST_DISK * r;
         });
-        if is_near {
+        if is_near || is_open {
             return None;
         }
         let allowed = allowance(self.theta, right - left) * self.density.largest();

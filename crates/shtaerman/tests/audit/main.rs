@@ -12,6 +12,7 @@ mod equations;
 #[allow(dead_code, reason = "the example reports more than the test asks for")]
 #[path = "../../examples/audit_survey/judge.rs"]
 mod judge;
+mod jumps;
 mod survey;
 
 use shtaerman::{
