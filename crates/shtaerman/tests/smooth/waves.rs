@@ -163,3 +163,29 @@ fn narrow_gaps_of_turned_cosines() {
         }
     }
 }
+
+/// Full contact of `A |sin(pi (x - s)/2)|`, kinks and all: `f_k = -4 A/(pi (4 k^2 - 1))`, `p_k = -(E*/2) k pi f_k`, and the moment is the sum of their moments.
+#[test]
+fn the_moment_of_a_wave_with_a_kink() {
+    for (height, place) in [(0.1, 0.3), (0.02, -0.77)] {
+        let toml = format!(
+            "[foundation]\nyoung_modulus = 1\npoisson_ratio = 0\nroughness = 0\n[punch]\ngeometry = \"periodic\"\nperiod = 2\nprofile = \"{height}*abs(sin(pi/2*(x-({place}))))\"\n[load]\nforce = 2\ntilt = 0\n"
+        );
+        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let sum: f64 = (1..4_000_000)
+            .rev()
+            .map(|k| {
+                let sign = if k % 2 == 1 { -1.0 } else { 1.0 };
+                let k = f64::from(k);
+                sign * (k * PI * place).sin() / (4.0 * k * k - 1.0)
+            })
+            .sum();
+        let exact = -4.0 * height / PI * sum;
+        let stated = contact.accuracy().unwrap().moment;
+        let off = (contact.moment0() - exact).abs();
+        println!("{exact} off by {off:e}, stated {stated:e}");
+        // The sum is off by some of its next term.
+        assert!(off <= stated + 1e-12 * height, "{off:e}");
+        assert!(stated < 1e-11, "{stated:e}");
+    }
+}

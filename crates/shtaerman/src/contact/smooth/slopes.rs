@@ -11,7 +11,7 @@ use std::f64::consts::{FRAC_2_PI, PI, TAU};
 use std::sync::OnceLock;
 
 use super::harmonics::{Harmonics, Resolved};
-use super::legendre::{ORDER, RULE};
+use super::legendre::{ORDER, RULE, integral};
 use super::panels::{Builder, Panel, join};
 use super::roots::{Local, Root};
 
@@ -28,6 +28,8 @@ const JOINED: f64 = 1e-9;
 const CONSTANT: f64 = 1.5e-3;
 /// A cut this near a bend, in roundings of angles, makes a panel that shows nothing.
 const NEAR: f64 = 1e4;
+/// Parts beside a pole of a logarithm are halved down to this length: the rest counts for its rounding only.
+const NOTHING: f64 = 1e-14;
 /// Roundings of a height.
 pub(super) const ROUNDINGS: f64 = 4.0;
 
@@ -283,6 +285,34 @@ impl Slopes {
             self.panels.iter().map(|panel| panel.cotangent(angle)).sum()
         };
         -sum / TAU
+    }
+
+    /// `int g(t) ln|2 cos(t/2)| dt` over a whole turn; none where panels do not resolve `g`.
+    ///
+    /// Parts of panels are no longer than they are away from `pi`, where the logarithm has its pole.
+    pub(super) fn turning(&self) -> Option<f64> {
+        if self.panels.is_empty() || !self.roots.is_empty() {
+            return None;
+        }
+        let mut sum = 0.0;
+        for panel in &self.panels {
+            let mut open = vec![[panel.start, panel.end]];
+            while let Some([start, end]) = open.pop() {
+                let middle = 0.5 * (start + end);
+                let away = (PI - end).min(PI + start);
+                if end - start <= away
+                    || middle <= start
+                    || middle >= end
+                    || away + end - start < NOTHING
+                {
+                    sum +=
+                        integral(start, end, |t| panel.at(t) * (2.0 * (0.5 * t).cos().abs()).ln());
+                } else {
+                    open.extend([[start, middle], [middle, end]]);
+                }
+            }
+        }
+        Some(sum)
     }
 
     /// `f_0 .. f_degree` over a half turn.

@@ -92,8 +92,11 @@ impl FullWave {
         self.slopes.mean()
     }
 
-    /// `int xi p0 dxi` over `-1 .. 1`.
+    /// `int xi p0 dxi` over `-1 .. 1`, of panels by what they make of `xi`: `2/pi^2 int f' ln|2 cos(pi xi/2)| dxi` is the integral of `xi F`, as the logarithm is the conjugate of `xi`.
     pub(super) fn moment(&self, breaks: &[f64]) -> f64 {
+        if let Some(turning) = self.slopes.turning() {
+            return -2.0 / (PI * PI * self.theta0) * turning;
+        }
         let mut cuts: Vec<f64> =
             (0..=PANELS).map(|i| 2.0 * i as f64 / PANELS as f64 - 1.0).collect();
         cuts.extend(breaks);
