@@ -1,8 +1,8 @@
 //! Panels that shrink towards the ends of zones and the breaks of the base.
 
 use crate::kernel::Kernel;
-use crate::panel::{Chart, Panel, Place, visit};
-use crate::rule::Rule;
+use crate::panel::{Chart, Panel, Place, QUADRATURE, visit};
+use crate::rule::{self, Rule};
 
 /// Panels of a zone are halved at most so often to resolve the base.
 const MOST_HALVINGS: usize = 60;
@@ -45,11 +45,18 @@ pub(crate) struct Grid {
     pub(crate) rule: Rule,
     /// Of integrals with the kernel.
     quadrature: Rule,
+    /// Legendre polynomials at the nodes of the quadrature, one degree after the other.
+    legendre: Vec<[f64; QUADRATURE]>,
 }
 
 impl Grid {
     pub(crate) fn new(panels: Vec<Panel>, nodes: usize) -> Self {
-        Self { panels, rule: Rule::new(nodes), quadrature: Rule::new(24) }
+        let quadrature = Rule::new(QUADRATURE);
+        let mut places = [0.0; QUADRATURE];
+        places.copy_from_slice(&quadrature.nodes);
+        let mut legendre = vec![];
+        degrees(&places, nodes, |_, values| legendre.push(*values));
+        Self { panels, rule: Rule::new(nodes), quadrature, legendre }
     }
 
     /// Whether a place is within some units of the machine of where two panels meet: by so much these are off to either side.
@@ -72,24 +79,54 @@ impl Grid {
         self.panels.iter().flat_map(of_panel).collect()
     }
 
-    /// Weights of the values at the nodes in the potential at a target.
+    /// Weights of the values at the nodes in the potential at a target: from the integrals of the kernel with the Legendre polynomials of each panel.
     pub(crate) fn row(&self, kernel: &Kernel, target: Place) -> Vec<f64> {
         let n = self.rule.nodes.len();
         let mut row = vec![0.0; self.len()];
-        let mut cardinals = vec![0.0; n];
-        let mut sums = vec![0.0; n];
+        let mut integrals = vec![0.0; n];
         for (panel, entries) in self.panels.iter().zip(row.chunks_mut(n)) {
+            integrals.fill(0.0);
             visit(kernel, panel, target, &self.quadrature, &mut |part| {
-                sums.fill(0.0);
-                for [t, weight] in part {
-                    self.rule.cardinals(*t, &mut cardinals);
-                    sums.iter_mut().zip(&cardinals).for_each(|(sum, value)| *sum += weight * value);
+                let mut add = |k: usize, values: &[f64; QUADRATURE]| {
+                    integrals[k] += dot(&part.weights, values);
+                };
+                if part.is_whole {
+                    self.legendre.iter().enumerate().for_each(|(k, values)| add(k, values));
+                } else {
+                    degrees(&part.places, n, add);
                 }
-                entries.iter_mut().zip(&sums).for_each(|(entry, sum)| *entry += sum);
             });
+            self.rule.collect(&integrals, entries);
         }
         row
     }
+}
+
+/// Hands over the Legendre polynomials below a degree at places.
+fn degrees(
+    places: &[f64; QUADRATURE],
+    degree: usize,
+    mut take: impl FnMut(usize, &[f64; QUADRATURE]),
+) {
+    let (mut before, mut values) = ([0.0; QUADRATURE], [1.0; QUADRATURE]);
+    for k in 0..degree {
+        take(k, &values);
+        let [rise, fall] = rule::recurrence(k);
+        for ((x, before), value) in places.iter().zip(&mut before).zip(&mut values) {
+            (*before, *value) = (*value, rise * x * *value - fall * *before);
+        }
+    }
+}
+
+/// Sums of every fourth product, then of those: as fast as the machine adds, and in one order.
+fn dot(one: &[f64; QUADRATURE], two: &[f64; QUADRATURE]) -> f64 {
+    let mut sums = [0.0; 4];
+    for (one, two) in one.chunks_exact(4).zip(two.chunks_exact(4)) {
+        for ((sum, a), b) in sums.iter_mut().zip(one).zip(two) {
+            *sum += a * b;
+        }
+    }
+    (sums[0] + sums[1]) + (sums[2] + sums[3])
 }
 
 /// Cuts panels to resolve a base.

@@ -114,7 +114,7 @@ impl View<'_> {
     }
 
     /// Hands over nodes `t` of the panel with their weights times the kernel, one subinterval of `e` from `start` to `end` after the other.
-    fn visit(&self, [start, end]: [f64; 2], take: &mut dyn FnMut(&[[f64; 2]])) {
+    fn visit(&self, [start, end]: [f64; 2], take: &mut dyn FnMut(&Part)) {
         if self.is_near && start < 0.0 && 0.0 < end {
             self.visit([start, 0.0], take);
             self.visit([0.0, end], take);
@@ -122,45 +122,71 @@ impl View<'_> {
         }
         let [near, far] = [self.distance(start), self.distance(end)];
         let [first, second] = self.kernel.images(self.x);
-        let gap = [0.0, first, second].into_iter().fold(f64::INFINITY, |least, place| {
+        let singular = [0.0, first, second];
+        let gap = singular.into_iter().fold(f64::INFINITY, |least, place| {
             least.min((near - place).max(place - far).max(0.0))
         });
-        let middle = 0.5 * (start + end);
+        let distance_of = |d: f64| {
+            singular.into_iter().fold(f64::INFINITY, |least, place| least.min((d - place).abs()))
+        };
+        let is_first_nearer = distance_of(near) < distance_of(far);
+        // What is left beside a singularity is then as long as it may be.
+        let share = 1.0 / (1.0 + LONGEST);
+        let cut = if is_first_nearer {
+            start + share * (end - start)
+        } else {
+            end - share * (end - start)
+        };
         // Beside an image of the target, which is no origin of e, subintervals end with the numbers of the machine.
-        let is_divisible = end - start > self.least && start < middle && middle < end;
-        if far - near > gap && is_divisible {
+        let is_divisible = end - start > self.least && start < cut && cut < end;
+        if far - near > LONGEST * gap && is_divisible {
             // Small parts first: sums lose fewer digits.
-            let mut parts = [[start, middle], [middle, end]];
-            if start.abs() > end.abs() {
+            let mut parts = [[start, cut], [cut, end]];
+            if !is_first_nearer {
                 parts.reverse();
             }
             parts.into_iter().for_each(|part| self.visit(part, take));
             return;
         }
         let half = 0.5 * (end - start);
-        let whole = 0.5 * (self.ends[1] - self.ends[0]);
-        let part: Vec<[f64; 2]> = (self.rule.nodes.iter().zip(&self.rule.weights))
-            .map(|(node, weight)| {
-                let e = 0.5 * (start + end) + half * node;
-                let t = ((e - self.ends[0]) - (self.ends[1] - e)) / (2.0 * whole);
-                [
-                    t,
-                    half * weight
-                        * self.kernel.value_with(&self.constants, self.x, self.distance(e)),
-                ]
-            })
-            .collect();
+        let whole = self.ends[1] - self.ends[0];
+        let mut part = Part {
+            places: [0.0; QUADRATURE],
+            weights: [0.0; QUADRATURE],
+            is_whole: [start, end] == self.ends,
+        };
+        for (i, (node, weight)) in self.rule.nodes.iter().zip(&self.rule.weights).enumerate() {
+            let e = 0.5 * (start + end) + half * node;
+            part.places[i] = ((e - self.ends[0]) - (self.ends[1] - e)) / whole;
+            let value = self.kernel.value_with(&self.constants, self.x, self.distance(e));
+            part.weights[i] = half * weight * value;
+        }
         take(&part);
     }
 }
 
-/// Hands over places `t` of a panel and weights with which a density there adds to the potential at a target, one subinterval after the other, to be summed one by one. `rule` has more nodes than the density has.
+/// Nodes of the quadrature on a subinterval.
+pub(crate) const QUADRATURE: usize = 24;
+/// Subintervals are no longer than so many times their distance from what is not smooth in the kernel.
+///
+/// At 2 that lies on the ellipse `rho = 2 + sqrt(3)` about the subinterval, so that 24 nodes integrate the kernel times a polynomial of degree 20 to `rho^(20 - 48) = 1e-16`.
+const LONGEST: f64 = 2.0;
+
+/// A subinterval of a panel: its nodes as places `t` in `[-1, 1]` of the panel, and their weights times the kernel.
+pub(crate) struct Part {
+    pub(crate) places: [f64; QUADRATURE],
+    pub(crate) weights: [f64; QUADRATURE],
+    /// Whether it is the whole panel.
+    pub(crate) is_whole: bool,
+}
+
+/// Hands over places `t` of a panel and weights with which a density there adds to the potential at a target, one subinterval after the other, to be summed one by one. `rule` is the quadrature, with more nodes than the density has.
 pub(crate) fn visit(
     kernel: &Kernel,
     panel: &Panel,
     target: Place,
     rule: &Rule,
-    take: &mut dyn FnMut(&[[f64; 2]]),
+    take: &mut dyn FnMut(&Part),
 ) {
     let is_near = panel.chart == target.chart;
     let start = (panel.anchor - target.anchor) + (panel.from - target.offset);
@@ -176,7 +202,7 @@ pub(crate) fn visit(
 
 /// The potential `int K(x, s) p(s) dm(s)` at any `x` of a density on panels given by their ends, on each of which it is as smooth as a polynomial of degree 20.
 ///
-/// Plain Gauss-Legendre quadrature with 24 nodes on subintervals that are no longer than their distance from `x` (and from its images in a row or a disk), so that an integrable
+/// Plain Gauss-Legendre quadrature with 24 nodes on subintervals that are no longer than twice their distance from `x` (and from its images in a row or a disk), so that an integrable
 /// singularity is integrated to rounding with nothing but values of the kernel.
 #[must_use]
 pub fn potential(
@@ -185,13 +211,18 @@ pub fn potential(
     density: &dyn Fn(f64) -> f64,
     x: f64,
 ) -> f64 {
-    let rule = Rule::new(24);
+    let rule = Rule::new(QUADRATURE);
     let of_panel = |[left, right]: &[f64; 2]| {
         let panel = Panel { chart: Chart::Line, anchor: *left, from: 0.0, to: right - left };
         let mut sum = 0.0;
         visit(kernel, &panel, Place::on_line(x), &rule, &mut |part| {
             let at = |t: f64| density(left + panel.half() * (1.0 + t));
-            sum += part.iter().map(|[t, weight]| weight * at(*t)).sum::<f64>();
+            sum += part
+                .places
+                .iter()
+                .zip(&part.weights)
+                .map(|(t, weight)| weight * at(*t))
+                .sum::<f64>();
         });
         sum
     };

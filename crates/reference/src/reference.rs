@@ -44,6 +44,8 @@ pub struct Reference<'a> {
     problem: &'a Problem<'a>,
     coarse: Solved,
     fine: Solved,
+    /// How far both differ on each panel of the finer one, in the density of a smooth surface.
+    differences: Vec<f64>,
     /// What rounding does to the equation.
     rounding: f64,
     /// The errors of the ends.
@@ -76,7 +78,11 @@ impl<'a> Problem<'a> {
             smooth::settle(self, start, [COARSE, FINE])?
         } else {
             let start = start.unwrap_or(self.pieces);
-            let (_, zones) = settle(self, start, SEARCH, SETTLED[0])?;
+            let zones = if self.is_bilateral {
+                start.to_vec()
+            } else {
+                settle(self, start, SEARCH, SETTLED[0])?.1
+            };
             let (coarse, zones) = settle(self, &zones, COARSE, SETTLED[1])?;
             let (fine, settled) = settle(self, &zones, FINE, SETTLED[2])?;
             [(coarse, zones), (fine, settled)]
@@ -113,8 +119,14 @@ impl<'a> Problem<'a> {
         if violation.iter().any(|v| *v > VIOLATED * rounding / (amplified * ROUNDING)) {
             return Err(Refusal::ZonesNotFound);
         }
+        let differences = if self.layer == Layer::None {
+            smooth::differences(self, &coarse, &fine)
+        } else {
+            vec![]
+        };
         Ok(Reference {
             problem: self,
+            differences,
             rounding,
             moved,
             settlement: fine.settlement,
@@ -197,38 +209,7 @@ impl Reference<'_> {
     #[must_use]
     pub fn pressure(&self, x: f64) -> [f64; 2] {
         if self.problem.layer == Layer::None {
-            let both = |x: f64| {
-                [&self.coarse, &self.fine].map(|solved| smooth::pressure(self.problem, solved, x))
-            };
-            let two = both(x)[1];
-            let differ = |x: f64| {
-                let [one, two] = both(x);
-                (one - two).abs()
-            };
-            let beside = smooth::beside(self.problem, &self.fine, x);
-            let differs = beside
-                .into_iter()
-                .map(|(place, share)| differ(place) * share)
-                .filter(|difference| difference.is_finite())
-                .fold(differ(x), f64::max);
-            // Beside a kink, where the pressure goes as a logarithm, so does what the place is off by.
-            let placed = PLACED * x.abs();
-            let [before, after] = [x - placed, x + placed].map(|x| both(x)[1]);
-            let grainy = (before - two).abs().max((after - two).abs());
-            // Near an end, where the pressure goes as a root, what place and end are off by counts.
-            let of_zone = |x: f64| {
-                let j = self.zones.iter().position(|[left, right]| *left <= x && x <= *right)?;
-                let ([left, right], [first, last]) = (self.zones[j], self.moved[j]);
-                let off =
-                    |d: f64, end: f64| (f64::EPSILON * x.abs() + end) / d.max(f64::MIN_POSITIVE);
-                let is_disk = matches!(self.problem.kernel, Kernel::Disk { .. });
-                let of_left = if is_disk && left == 0.0 { 0.0 } else { off(x - left, first) };
-                Some(of_left + off(right - x, last))
-            };
-            let off = of_zone(x).or_else(|| of_zone(x + 2.0)).unwrap_or(0.0);
-            let relative = FIRST_KIND + off;
-            let rounded = relative * two.abs() + self.rounding / self.problem.theta;
-            return [two, 2.0 * differs + grainy + rounded];
+            return self.smooth_pressure(x);
         }
         let layers = [&self.coarse, &self.fine].map(|solved| solved.layer(self.problem, x));
         let at = |v: f64| self.problem.pressure(v)[0];
@@ -243,5 +224,31 @@ impl Reference<'_> {
         let off = self.rounding + joined;
         let rounded = (at(layers[1] + off) - at(layers[1] - off)).abs();
         [two, 2.0 * (one - two).abs() + rounded]
+    }
+
+    fn smooth_pressure(&self, x: f64) -> [f64; 2] {
+        let at = |solved: &Solved, x: f64| smooth::pressure(self.problem, solved, x);
+        let found = smooth::find(self.problem, &self.fine, x);
+        let two = found.as_ref().map_or(0.0, smooth::Found::pressure);
+        let on_panel = found.map_or(0.0, |found| self.differences[found.index] / found.rate);
+        let differs = (at(&self.coarse, x) - two).abs().max(on_panel);
+        // Beside a kink, where the pressure goes as a logarithm, so does what the place is off by.
+        let placed = PLACED * x.abs();
+        let grainy = [x - placed, x + placed]
+            .map(|x| (at(&self.fine, x) - two).abs())
+            .into_iter()
+            .fold(0.0, f64::max);
+        // Near an end, where the pressure goes as a root, what place and end are off by counts.
+        let of_zone = |x: f64| {
+            let j = self.zones.iter().position(|[left, right]| *left <= x && x <= *right)?;
+            let ([left, right], [first, last]) = (self.zones[j], self.moved[j]);
+            let off = |d: f64, end: f64| (f64::EPSILON * x.abs() + end) / d.max(f64::MIN_POSITIVE);
+            let is_disk = matches!(self.problem.kernel, Kernel::Disk { .. });
+            let of_left = if is_disk && left == 0.0 { 0.0 } else { off(x - left, first) };
+            Some(of_left + off(right - x, last))
+        };
+        let off = of_zone(x).or_else(|| of_zone(x + 2.0)).unwrap_or(0.0);
+        let rounded = (FIRST_KIND + off) * two.abs() + self.rounding / self.problem.theta;
+        [two, 2.0 * differs + grainy + rounded]
     }
 }

@@ -9,11 +9,14 @@ pub(crate) struct Rule {
     pub(crate) weights: Vec<f64>,
     /// Barycentric weights of the nodes.
     barycentric: Vec<f64>,
+    /// `(k + 1/2) P_k(t_i)`, one degree after the other: what the coefficient of degree `k` has of the value at node `i`, but for its weight.
+    degrees: Vec<f64>,
 }
 
 impl Rule {
     pub(crate) fn new(n: usize) -> Self {
-        let mut rule = Self { nodes: vec![], weights: vec![], barycentric: vec![] };
+        let mut rule =
+            Self { nodes: vec![], weights: vec![], barycentric: vec![], degrees: vec![] };
         let halves: Vec<[f64; 2]> = (0..n.div_ceil(2)).map(|i| node(n, i)).collect();
         for i in 0..n {
             let [y, weight] = halves[i.min(n - 1 - i)];
@@ -26,6 +29,14 @@ impl Rule {
         // Roundings of the slopes are of one sign.
         let sum: f64 = rule.weights.iter().sum();
         rule.weights.iter_mut().for_each(|weight| *weight *= 2.0 / sum);
+        let (mut before, mut p) = (vec![0.0; n], vec![1.0; n]);
+        for k in 0..n {
+            rule.degrees.extend(p.iter().map(|p| (k as f64 + 0.5) * p));
+            let [rise, fall] = recurrence(k);
+            for ((x, before), p) in rule.nodes.iter().zip(&mut before).zip(&mut p) {
+                (*before, *p) = (*p, rise * x * *p - fall * *before);
+            }
+        }
         rule
     }
 
@@ -47,22 +58,26 @@ impl Rule {
 
     /// Legendre coefficients of the polynomial with these values at the nodes.
     pub(crate) fn expand(&self, values: &[f64]) -> Vec<f64> {
-        let mut found = vec![0.0; values.len()];
-        for ((x, weight), value) in self.nodes.iter().zip(&self.weights).zip(values) {
-            let (mut before, mut p) = (0.0, 1.0);
-            for (k, entry) in found.iter_mut().enumerate() {
-                *entry += (k as f64 + 0.5) * weight * value * p;
-                (before, p) = (p, next(k, *x, before, p));
-            }
+        let weighted: Vec<f64> = values.iter().zip(&self.weights).map(|(v, w)| v * w).collect();
+        let of_degree =
+            |degree: &[f64]| degree.iter().zip(&weighted).map(|(p, value)| p * value).sum();
+        self.degrees.chunks(values.len()).map(of_degree).collect()
+    }
+
+    /// Integrals with the cardinals from those with the Legendre polynomials.
+    pub(crate) fn collect(&self, integrals: &[f64], found: &mut [f64]) {
+        found.fill(0.0);
+        for (integral, degree) in integrals.iter().zip(self.degrees.chunks(found.len())) {
+            found.iter_mut().zip(degree).for_each(|(entry, p)| *entry += integral * p);
         }
-        found
+        found.iter_mut().zip(&self.weights).for_each(|(entry, weight)| *entry *= weight);
     }
 }
 
-/// `P_(k+1)` from `P_(k-1)` and `P_k`.
-fn next(k: usize, x: f64, before: f64, p: f64) -> f64 {
+/// Factors of `x P_k` and `P_(k-1)` in `P_(k+1)`.
+pub(crate) fn recurrence(k: usize) -> [f64; 2] {
     let k = k as f64;
-    ((2.0 * k + 1.0) * x * p - k * before) / (k + 1.0)
+    [(2.0 * k + 1.0) / (k + 1.0), k / (k + 1.0)]
 }
 
 /// The distance `y = 1 - x` of the `i`-th largest root of `P_n` from 1, by Newton's method, and its weight: in `x` itself the digits of `1 - x^2` would be lost.

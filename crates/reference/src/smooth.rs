@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::grid::{Cutter, Fineness, Grid};
 use crate::kernel::Kernel;
-use crate::panel::Chart;
+use crate::panel::{Chart, Panel};
 use crate::problem::{Layer, Problem, Refusal, Rotational, Vertical};
 use crate::rough::{Solved, solve_dense};
 use crate::zones;
@@ -34,7 +34,8 @@ struct Zone {
     is_free: [bool; 2],
 }
 
-type Found = (Solved, Vec<[f64; 2]>);
+/// A solution with its zones.
+type Settled = (Solved, Vec<[f64; 2]>);
 /// A solution with the number of the first panel of each zone.
 type Started = (Solved, Vec<usize>);
 
@@ -43,7 +44,7 @@ pub(crate) fn settle(
     problem: &Problem<'_>,
     start: Option<&[[f64; 2]]>,
     [coarse, fine]: [Fineness; 2],
-) -> Result<[Found; 2], Refusal> {
+) -> Result<[Settled; 2], Refusal> {
     let start = match start {
         Some(zones) => zones.to_vec(),
         None if problem.is_bilateral => problem.pieces.to_vec(),
@@ -67,43 +68,69 @@ pub(crate) fn settle(
     Err(Refusal::ZonesNotFound)
 }
 
-/// The pressure at a place.
-pub(crate) fn pressure(problem: &Problem<'_>, solved: &Solved, x: f64) -> f64 {
-    let n = solved.grid.rule.nodes.len();
-    find(problem, solved, x).map_or(0.0, |(index, t, x)| {
-        let panel = &solved.grid.panels[index];
-        let values = &solved.pressures[n * index..n * (index + 1)];
-        value(solved, values, t) / panel.chart.rate(panel.chart.variable(x))
-    })
+/// A place of the base in the panels of a solution.
+pub(crate) struct Found<'a> {
+    /// The number of its panel.
+    pub(crate) index: usize,
+    solved: &'a Solved,
+    /// The place in the panel, in `[-1, 1]`.
+    t: f64,
+    /// `ds/du` there.
+    pub(crate) rate: f64,
 }
 
-/// The panel of a place, with the place as the panel has it and on the line.
-fn find(problem: &Problem<'_>, solved: &Solved, x: f64) -> Option<(usize, f64, f64)> {
+impl Found<'_> {
+    /// The pressure.
+    pub(crate) fn pressure(&self) -> f64 {
+        let n = self.solved.grid.rule.nodes.len();
+        let values = &self.solved.pressures[n * self.index..n * (self.index + 1)];
+        value(self.solved, values, self.t) / self.rate
+    }
+}
+
+/// The pressure at a place, 0 outside of the zones.
+pub(crate) fn pressure(problem: &Problem<'_>, solved: &Solved, x: f64) -> f64 {
+    find(problem, solved, x).map_or(0.0, |found| found.pressure())
+}
+
+/// The panel of a place of the base.
+pub(crate) fn find<'a>(problem: &Problem<'_>, solved: &'a Solved, x: f64) -> Option<Found<'a>> {
     for x in [x, x + shift(problem)] {
+        let mut known = (Chart::Line, x);
         for (index, panel) in solved.grid.panels.iter().enumerate() {
-            let u = panel.chart.variable(x);
-            let t = ((u - panel.anchor - panel.from) - (panel.to - (u - panel.anchor)))
-                / (2.0 * panel.half());
             let is_there = match panel.chart {
                 Chart::Line => true,
                 Chart::Angle { centre, half } => (x - centre).abs() <= half,
             };
-            if is_there && t.abs() <= 1.0 {
-                return Some((index, t, x));
+            if !is_there {
+                continue;
+            }
+            if known.0 != panel.chart {
+                known = (panel.chart, panel.chart.variable(x));
+            }
+            let u = known.1;
+            let t = ((u - panel.anchor - panel.from) - (panel.to - (u - panel.anchor)))
+                / (2.0 * panel.half());
+            if t.abs() <= 1.0 {
+                return Some(Found { index, solved, t, rate: panel.chart.rate(u) });
             }
         }
     }
     None
 }
 
-/// Places of the panel of a place, each with what the pressure at the place has of the density there: two resolutions may meet at one of them by chance, but not at all.
-pub(crate) fn beside(problem: &Problem<'_>, solved: &Solved, x: f64) -> Vec<(f64, f64)> {
-    find(problem, solved, x).map_or_else(Vec::new, |(index, _, x)| {
-        let panel = &solved.grid.panels[index];
-        let rate = panel.chart.rate(panel.chart.variable(x));
-        let places = BESIDE.map(|t| panel.at(t));
-        places.map(|place| (place.x(), panel.chart.rate(place.u()) / rate)).to_vec()
-    })
+/// How far two solutions differ on each panel of the second, in the density with respect to its variable, at places all over the panel: at one they may meet by chance, at all of them not.
+pub(crate) fn differences(problem: &Problem<'_>, first: &Solved, second: &Solved) -> Vec<f64> {
+    let of_panel = |panel: &Panel| {
+        BESIDE.iter().fold(0.0f64, |most, t| {
+            let place = panel.at(*t);
+            // Beside an end x has lost digits of the angle, for both alike.
+            let [one, two] = [first, second].map(|solved| pressure(problem, solved, place.x()));
+            let difference = (one - two).abs() * panel.chart.rate(place.u());
+            if difference.is_finite() { most.max(difference) } else { most }
+        })
+    };
+    second.grid.panels.iter().map(of_panel).collect()
 }
 
 fn value(solved: &Solved, values: &[f64], t: f64) -> f64 {

@@ -12,7 +12,9 @@ pub(crate) mod laguerre_moments;
 pub(crate) mod legendre;
 pub(crate) mod spheroidal;
 mod supremum;
+mod table;
 pub(crate) mod transform;
 
 pub use chebyshev::ChebyshevSeries;
 pub use function::Function;
+pub use table::ChebyshevTable;

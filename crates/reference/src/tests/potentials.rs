@@ -36,9 +36,9 @@ fn of_constants() {
         }
         // The mean mode of a row is 0, the k-th is L/(2 k).
         let kernel = Kernel::Row { period: 2.0 };
-        close(potential(&kernel, &panels, &|_| 1.0, x), 0.0, 4e-15);
+        close(potential(&kernel, &panels, &|_| 1.0, x), 0.0, 6e-15);
         let wave = |s: f64| (2.0 * PI * s + 0.3).cos();
-        close(potential(&kernel, &panels, &wave, x), 0.5 * wave(x), 4e-15);
+        close(potential(&kernel, &panels, &wave, x), 0.5 * wave(x), 6e-15);
     }
 }
 

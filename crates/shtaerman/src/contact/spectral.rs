@@ -127,7 +127,7 @@ impl<'k> Truncated<'k> {
             theta0: problem.frame().theta0(),
             balance,
             state,
-            potential: Potential::Series(ChebyshevSeries::new(potential)),
+            potential: Potential::series_of(potential),
             method: Method { name: "spectral", n: degree },
             accuracy: None,
             edges: None,
