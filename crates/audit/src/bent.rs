@@ -364,6 +364,20 @@ mod tests {
     use super::*;
     use crate::closed::Base;
 
+    /// A base on the plane that may lift off.
+    fn problem(base: &Base, theta: f64, prescribed: Prescribed) -> Problem<'_> {
+        Problem {
+            kernel: Kernel::Logarithm,
+            theta,
+            scaled: 0.0,
+            pieces: &[[-1.0, 1.0]],
+            is_bilateral: false,
+            prescribed,
+            profile: base,
+            cuts: &[],
+        }
+    }
+
     /// `p = sqrt(c^2 - x^2)` has the potential `pi c^2/2 (ln(2/c) + 1/2) - pi/2 x^2` on `|x| < c`, and less beyond.
     #[test]
     fn disturbed_answers_are_found_out() {
@@ -377,16 +391,8 @@ mod tests {
             for by_force in [true, false] {
                 for size in [0.0, 1e-9, 1e-4] {
                     let pressure = |x: f64| exact(x) * (1.0 + size * (3.0 * x + 0.4).cos());
-                    let problem = Problem {
-                        kernel: Kernel::Logarithm,
-                        theta,
-                        scaled: 0.0,
-                        pieces: &[[-1.0, 1.0]],
-                        is_bilateral: false,
-                        prescribed: Prescribed { force: by_force.then_some(force), moment: None },
-                        profile: &base,
-                        cuts: &[],
-                    };
+                    let prescribed = Prescribed { force: by_force.then_some(force), moment: None };
+                    let problem = problem(&base, theta, prescribed);
                     let off = if by_force { size } else { 0.0 };
                     let answer = Answer {
                         zones: &[[-c, c]],
@@ -430,16 +436,8 @@ mod tests {
                 // Without force and moment.
                 let lean = |x: f64| size * x * (x * x - 0.5 * c * c) / (c * c * c);
                 let pressure = |x: f64| exact(x) * (1.0 + lean(x));
-                let problem = Problem {
-                    kernel: Kernel::Logarithm,
-                    theta,
-                    scaled: 0.0,
-                    pieces: &[[-1.0, 1.0]],
-                    is_bilateral: false,
-                    prescribed: Prescribed { force: Some(force), moment: Some(0.0) },
-                    profile: &base,
-                    cuts: &[],
-                };
+                let prescribed = Prescribed { force: Some(force), moment: Some(0.0) };
+                let problem = problem(&base, theta, prescribed);
                 let answer = Answer {
                     zones: &[[-c, c]],
                     pressure: &pressure,

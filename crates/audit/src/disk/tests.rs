@@ -5,22 +5,27 @@ use std::f64::consts::PI;
 use crate::closed::Base;
 use crate::{Answer, Bound, DiskProblem, Prescribed, audit_disk};
 
+/// A base on homogeneous ground that may lift off, under a force or a settlement.
+fn problem(base: &Base, theta: f64, force: Option<f64>) -> DiskProblem<'_> {
+    DiskProblem {
+        exponent: 0.0,
+        theta,
+        layer: base.kappa,
+        scaled: 0.0,
+        is_bilateral: false,
+        prescribed: Prescribed { force, moment: None },
+        profile: base,
+        cuts: &[],
+    }
+}
+
 /// What is stated of an answer that is off by `size` in its own way, beside what is true.
 fn judged(base: &Base, theta: f64, size: f64, by_force: bool) -> (Bound, [f64; 3]) {
     let exact = |r: f64| ((base.c - r) * (base.c + r)).max(0.0).sqrt();
     let pressure = |r: f64| exact(r.abs()) * (1.0 + size * (3.0 * r.abs() + 0.4).cos());
     let settlement = 2.0 * base.bend * base.c * base.c;
     let force = 2.0 * PI / 3.0 * base.c.powi(3);
-    let problem = DiskProblem {
-        exponent: 0.0,
-        theta,
-        layer: base.kappa,
-        scaled: 0.0,
-        is_bilateral: false,
-        prescribed: Prescribed { force: by_force.then_some(force), moment: None },
-        profile: base,
-        cuts: &[],
-    };
+    let problem = problem(base, theta, by_force.then_some(force));
     let off = if by_force { size } else { 0.0 };
     // The force of the disturbed pressure, by a rule of its own: r = c sin t.
     let count = 4000;
@@ -95,16 +100,7 @@ fn layers_beside_the_axis_are_seen() {
     for width in [1e-6, 1e-5] {
         let layer = |r: f64| off * (-(r / width).powi(2)).exp();
         let pressure = |r: f64| ((1.0 - r) * (1.0 + r)).max(0.0).sqrt() + layer(r);
-        let problem = DiskProblem {
-            exponent: 0.0,
-            theta,
-            layer: base.kappa,
-            scaled: 0.0,
-            is_bilateral: false,
-            prescribed: Prescribed { force: None, moment: None },
-            profile: &base,
-            cuts: &[],
-        };
+        let problem = problem(&base, theta, None);
         let answer = Answer {
             zones: &[[-1.0, 1.0]],
             pressure: &pressure,

@@ -388,9 +388,8 @@ mod tests {
         }
     }
 
-    #[test]
-    fn the_flat_punch_agrees_with_sinc_collocation() {
-        // Panels that close in on both ends, where the solution has d ln d.
+    /// Panels that close in on both ends, where the solution has `d ln d`.
+    fn graded() -> PanelOperator {
         let mut cuts: Vec<f64> = (-19..=19).map(|i| f64::from(i) * 0.05).collect();
         for i in 1..28 {
             let at = 1.0 - 0.05 * 0.4f64.powi(i);
@@ -399,8 +398,12 @@ mod tests {
         cuts.extend([-1.0, 1.0]);
         cuts.sort_by(f64::total_cmp);
         let bounds = cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-        let operator =
-            PanelOperator::new(PanelKernel::Logarithm, Panels::new(bounds, 16).unwrap()).unwrap();
+        PanelOperator::new(PanelKernel::Logarithm, Panels::new(bounds, 16).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn the_flat_punch_agrees_with_sinc_collocation() {
+        let operator = graded();
         for theta in [0.5, 30.0] {
             let groups =
                 Groups::new(PanelKernel::Logarithm, operator.panels(), theta, 0.05, None).unwrap();
@@ -444,16 +447,7 @@ mod tests {
 
     #[test]
     fn a_weight_agrees_with_weighted_sinc_collocation() {
-        let mut cuts: Vec<f64> = (-19..=19).map(|i| f64::from(i) * 0.05).collect();
-        for i in 1..28 {
-            let at = 1.0 - 0.05 * 0.4f64.powi(i);
-            cuts.extend([at, -at]);
-        }
-        cuts.extend([-1.0, 1.0]);
-        cuts.sort_by(f64::total_cmp);
-        let bounds = cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
-        let operator =
-            PanelOperator::new(PanelKernel::Logarithm, Panels::new(bounds, 16).unwrap()).unwrap();
+        let operator = graded();
         let nodes = operator.panels().nodes();
         // Nothing at one end, as beside a free edge.
         let weight_at = |x: f64| (1.0 + x) * (1.3 - x);
