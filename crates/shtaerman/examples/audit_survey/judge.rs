@@ -7,6 +7,7 @@ use shtaerman::equation::EquationFile;
 use shtaerman::{Accuracy, Contact, CrossCheck, Error, ErrorKind, Problem};
 use shtaerman_reference::{Break, Kernel, Layer, Rotational, Vertical};
 
+use crate::coarse;
 use crate::draw::Case;
 
 /// How an attempt ended.
@@ -21,6 +22,7 @@ pub(crate) enum Outcome {
 }
 
 /// An answer held against others.
+#[derive(Clone)]
 pub(crate) struct Answered {
     /// Seconds of the solve and of the audit.
     pub(crate) times: [f64; 2],
@@ -32,9 +34,12 @@ pub(crate) struct Answered {
     pub(crate) checked: Option<Checked>,
     /// Why the reference refused.
     pub(crate) unchecked: Option<String>,
+    /// Stated over true errors of answers that are off on purpose: of pressures, and of the rest.
+    pub(crate) coarse: [Vec<f64>; 2],
 }
 
 /// The answer and the reference.
+#[derive(Clone)]
 pub(crate) struct Checked {
     /// What both say, where they differ by more than they state together.
     pub(crate) violation: Option<String>,
@@ -51,10 +56,15 @@ pub(crate) enum Against {
     SecondAudit,
 }
 
-/// Solves a case and judges it; `folder` has its measured base.
-pub(crate) fn judge(case: &Case, folder: &Path, against: Option<Against>) -> Outcome {
+/// Solves a case, hands over its answer, and judges that; `folder` has its measured base.
+pub(crate) fn judge(
+    case: &Case,
+    folder: &Path,
+    against: Against,
+    is_answered: impl FnOnce(Answered),
+) -> Outcome {
     if case.is_equation {
-        return judge_equation(case, against == Some(Against::Reference));
+        return judge_equation(case, against == Against::Reference, is_answered);
     }
     let problem = match shtaerman::file::from_bytes(case.toml.as_bytes(), "survey", folder, &[]) {
         Ok(problem) => problem,
@@ -71,17 +81,30 @@ pub(crate) fn judge(case: &Case, folder: &Path, against: Option<Against>) -> Out
         Err(error) => return refused(&error),
     };
     let times = [solved, start.elapsed().as_secs_f64() - solved];
-    let (checked, unchecked) = match against {
-        Some(Against::Reference) => held(&problem, &contact),
-        Some(Against::SecondAudit) => (twice_audited(&contact), None),
-        None => (None, None),
-    };
     let audit = match contact.audited_by() {
         Some(Ok(audit)) => audit.kind.name(),
         Some(Err(_)) | None => "none",
     };
     let reached = [contact.relative_error(), aim(&problem)];
-    Outcome::Answered(Box::new(Answered { times, audit, reached, checked, unchecked }))
+    let mut answered = Answered {
+        times,
+        audit,
+        reached,
+        checked: None,
+        unchecked: None,
+        coarse: Default::default(),
+    };
+    is_answered(answered.clone());
+    (answered.checked, answered.unchecked) = match against {
+        Against::Reference => held(&problem, &contact),
+        Against::SecondAudit => (twice_audited(&contact), None),
+    };
+    let (ratios, violation) = coarse::ratios(case, folder, &contact);
+    answered.coarse = ratios;
+    if violation.is_some() {
+        answered.checked = Some(Checked { violation, ratios: vec![] });
+    }
+    Outcome::Answered(Box::new(answered))
 }
 
 /// What is aimed at by default.
@@ -114,12 +137,11 @@ const ALIKE: f64 = 100.0;
 
 /// The answer beside its audit on halved panels, where it has a bound: for answers too large for the reference.
 fn twice_audited(contact: &Contact) -> Option<Checked> {
-    let [first, second] = [contact.audit(), contact.audit_on_halved_panels()];
-    let (Ok(first), second) = (first, second) else { return None };
+    let Some(Ok(first)) = contact.audited_by() else { return None };
     if first.kind != ErrorKind::Bound {
         return None;
     }
-    let violation = match second {
+    let violation = match contact.audit_on_halved_panels() {
         Ok(second) if second.accuracy.pressure <= ALIKE * first.accuracy.pressure => None,
         second => Some(format!("on halved panels: {second:?}; first {first:?}")),
     };
@@ -167,7 +189,7 @@ fn ratios(contact: &Contact, stated: &Accuracy, check: &CrossCheck) -> Vec<f64> 
 }
 
 /// An equation beside bilateral contact under a base that is the right-hand side turned round, where the kernel is one of the reference's; else beside its other method.
-fn judge_equation(case: &Case, is_checked: bool) -> Outcome {
+fn judge_equation(case: &Case, is_checked: bool, is_answered: impl FnOnce(Answered)) -> Outcome {
     let file = match EquationFile::from_bytes(case.toml.as_bytes(), "survey", &[]) {
         Ok(file) => file,
         Err(error) => return Outcome::NoProblem(error.to_string()),
@@ -188,7 +210,9 @@ fn judge_equation(case: &Case, is_checked: bool) -> Outcome {
         reached: [stated.solution / size, 1e-12],
         checked: None,
         unchecked: None,
+        coarse: Default::default(),
     };
+    is_answered(answered.clone());
     if !is_checked {
         return Outcome::Answered(Box::new(answered));
     }

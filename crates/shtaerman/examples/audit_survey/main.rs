@@ -1,8 +1,10 @@
 //! Holds the stated errors of random problems against a reference that shares no code with the program:
 //! `cargo run --release -p shtaerman --example audit_survey -- SEED COUNT [--reference N] [--only INDEX]`
 //!
-//! `--reference N` compares the first `N` problems only (all without it) and audits the others a second time on halved panels, `--only INDEX` prints and solves one. Bases, geometries, loads and equations are drawn from the seed alone.
+//! `--reference N` compares the first `N` problems only (all without it) and audits the others a second time on halved panels, `--only INDEX` prints and solves one.
+//! Bilateral contacts are solved with a few degrees as well, so that the sharpness of bounds shows. Bases, geometries, loads and equations are drawn from the seed alone.
 
+mod coarse;
 mod draw;
 mod judge;
 mod report;
@@ -19,6 +21,9 @@ use report::Report;
 const LONGEST: Duration = Duration::from_secs(20);
 /// The reference may take longer.
 const LONGEST_CHECK: Duration = Duration::from_secs(240);
+
+/// A line of progress after so many problems.
+const PROGRESS: u64 = 100;
 
 struct Arguments {
     seed: u64,
@@ -80,6 +85,9 @@ fn main() {
         let start = Instant::now();
         let outcome = guarded(&case, folder.clone(), is_checked);
         report.add(index, &case, outcome, start.elapsed().as_secs_f64());
+        if (index + 1) % PROGRESS == 0 {
+            eprintln!("{} of {}: {}", index + 1, arguments.count, report.counts());
+        }
     }
     report.print();
     if report.has_violations() {
@@ -99,13 +107,11 @@ fn guarded(case: &Case, folder: PathBuf, is_checked: bool) -> Option<Outcome> {
     };
     std::thread::spawn(move || {
         // The answer first, so that the guard is for it alone.
-        let outcome = judge(&copy, &folder, None);
-        let is_answered = matches!(outcome, Outcome::Answered(_));
+        let against = if is_checked { Against::Reference } else { Against::SecondAudit };
+        let outcome = judge(&copy, &folder, against, |answered| {
+            let _ = sender.send(Outcome::Answered(Box::new(answered)));
+        });
         let _ = sender.send(outcome);
-        if is_answered {
-            let against = if is_checked { Against::Reference } else { Against::SecondAudit };
-            let _ = sender.send(judge(&copy, &folder, Some(against)));
-        }
     });
     let first = receiver.recv_timeout(LONGEST).ok()?;
     match first {

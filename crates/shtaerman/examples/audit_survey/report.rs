@@ -43,6 +43,7 @@ pub(crate) struct Report {
     unchecked: BTreeMap<String, usize>,
     audits: BTreeMap<&'static str, usize>,
     ratios: Vec<f64>,
+    coarse: [Vec<f64>; 2],
     reached: Vec<f64>,
     costs: Vec<f64>,
     times: Vec<(f64, u64, String)>,
@@ -81,6 +82,9 @@ impl Report {
             self.costs.push(audit / solve);
         }
         self.times.push((solve + audit, index, case.class.clone()));
+        for (all, own) in self.coarse.iter_mut().zip(answered.coarse) {
+            all.extend(own);
+        }
         if let Some(reason) = answered.unchecked {
             count(&mut self.unchecked, &reason);
         }
@@ -93,28 +97,41 @@ impl Report {
     }
 
     pub(crate) fn has_violations(&self) -> bool {
-        self.classes.values().any(|class| class.violations > 0)
+        self.total().violations > 0
+    }
+
+    /// Counts of every problem once.
+    fn total(&self) -> Class {
+        let mut total = Class::default();
+        let settings = self.classes.iter().filter(|(name, _)| !name.starts_with(' '));
+        for (_, class) in settings {
+            total.answered += class.answered;
+            total.checked += class.checked;
+            total.violations += class.violations;
+            total.limits += class.limits;
+            total.refused += class.refused;
+            total.slow += class.slow;
+        }
+        total
+    }
+
+    /// A line of progress.
+    pub(crate) fn counts(&self) -> String {
+        let Class { answered, checked, violations, refused, slow, .. } = self.total();
+        format!(
+            "{answered} answered, {checked} checked, {violations} violations, {refused} refused, {slow} slow"
+        )
     }
 
     pub(crate) fn print(&mut self) {
         println!("\n{:44} answered checked violations limits refused slow", "class");
-        let mut total = Class::default();
-        let is_setting = |name: &str| !name.starts_with(' ');
         for (name, class) in &self.classes {
             let Class { answered, checked, violations, limits, refused, slow } = class;
             println!(
                 "{name:44} {answered:8} {checked:7} {violations:10} {limits:6} {refused:7} {slow:4}"
             );
-            if is_setting(name) {
-                total.answered += answered;
-                total.checked += checked;
-                total.violations += violations;
-                total.limits += limits;
-                total.refused += refused;
-                total.slow += slow;
-            }
         }
-        let Class { answered, checked, violations, limits, refused, slow } = total;
+        let Class { answered, checked, violations, limits, refused, slow } = self.total();
         println!(
             "{:44} {answered:8} {checked:7} {violations:10} {limits:6} {refused:7} {slow:4}",
             "all"
@@ -140,6 +157,13 @@ impl Report {
             "stated over true error, where that is above 1e-11 of its size",
             &mut self.ratios,
         );
+        let names = ["pressures", "displacements and loads"];
+        for (name, values) in names.into_iter().zip(&mut self.coarse) {
+            quantiles(
+                &format!("the same of bilateral contacts with solver.n = 6, 20, 60, 180, {name}"),
+                values,
+            );
+        }
         quantiles("relative error stated over what is aimed at", &mut self.reached);
         quantiles("time of the audit over that of the solve", &mut self.costs);
         self.times.sort_by(|one, two| two.0.total_cmp(&one.0));

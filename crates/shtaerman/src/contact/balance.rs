@@ -36,7 +36,7 @@ impl Balance {
         }
     }
 
-    /// Settlement and tilt from the two conditions of the load.
+    /// Settlement and tilt from the two conditions of the load; what is prescribed comes back as given.
     fn displacements(&self, load: &Load) -> [f64; 2] {
         let Stiffness { force_settlement: c11, coupling: c12, moment_tilt: c22 } = self.stiffness;
         let [force, moment] = self.free;
@@ -51,10 +51,17 @@ impl Balance {
             Rotational::Eccentricity(e) => ([c12 - e * c11, e * c12 - c22], moment - e * force),
         };
         let determinant = row1[0] * row2[1] - row1[1] * row2[0];
-        [
-            (right1 * row2[1] - row1[1] * right2) / determinant,
-            (row1[0] * right2 - right1 * row2[0]) / determinant,
-        ]
+        let settlement = (right1 * row2[1] - row1[1] * right2) / determinant;
+        let tilt = (row1[0] * right2 - right1 * row2[0]) / determinant;
+        let settlement = match load.vertical {
+            Vertical::Settlement(prescribed) => prescribed,
+            Vertical::Force(_) => settlement,
+        };
+        let tilt = match load.rotational {
+            Rotational::Tilt(prescribed) => prescribed,
+            Rotational::Moment(_) | Rotational::Eccentricity(_) => tilt,
+        };
+        [settlement, tilt]
     }
 
     /// Force and moment; what is prescribed comes back as given.
@@ -70,5 +77,34 @@ impl Balance {
             Rotational::Tilt(_) => c12 * settlement - c22 * tilt - self.free[1],
         };
         [force, moment]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_prescribed_comes_back_as_given() {
+        // Divided by the determinant this tilt was one unit of the machine off, with an error of 0 stated.
+        let stiffness = Stiffness {
+            force_settlement: 1.188_761_992_637_466,
+            coupling: 0.1,
+            moment_tilt: 0.405_856_439_910_121_4,
+        };
+        let balance = Balance { stiffness, free: [0.3, -0.2] };
+        for i in 1..200 {
+            let value = 1.877_74 * f64::from(i) / 7.0;
+            let by_force =
+                Load { vertical: Vertical::Force(2.877_79), rotational: Rotational::Tilt(value) };
+            let state = balance.state(&by_force);
+            assert_eq!((state.force, state.tilt), (2.877_79, value));
+            let by_settlement =
+                Load { vertical: Vertical::Settlement(value), rotational: Rotational::Moment(0.4) };
+            let state = balance.state(&by_settlement);
+            assert_eq!((state.settlement, state.moment), (value, 0.4));
+            let carried = stiffness.force_settlement * value - stiffness.coupling * state.tilt;
+            assert!((state.force - (carried - 0.3)).abs() <= 1e-12 * value);
+        }
     }
 }

@@ -1,0 +1,73 @@
+//! Answers that are off on purpose: how sharp their bounds are. Answers by default are too near the truth to tell.
+
+use std::f64::consts::PI;
+use std::path::Path;
+
+use shtaerman::{Contact, ErrorKind};
+
+use crate::draw::Case;
+
+/// Degrees of the degenerate kernel.
+const DEGREES: [usize; 4] = [6, 20, 60, 180];
+/// Places at which pressures are compared, dense towards both ends.
+const PLACES: u32 = 401;
+/// An answer is the truth for another whose error is so many times its own.
+const SHARPER: f64 = 10.0;
+
+/// Stated over true errors where these are above `1e-11` of their size: of pressures, and of settlement, tilt, force and moment, whose errors fall as the square of the pressure's. Then what is
+/// larger than stated.
+pub(crate) fn ratios(
+    case: &Case,
+    folder: &Path,
+    exact: &Contact,
+) -> ([Vec<f64>; 2], Option<String>) {
+    let (mut found, mut violation) = ([vec![], vec![]], None);
+    let Some(sharp) = exact.accuracy().filter(|_| case.toml.contains("contact = \"bilateral\""))
+    else {
+        return (found, violation);
+    };
+    for n in DEGREES {
+        let text = case.toml.as_bytes();
+        let problem =
+            shtaerman::file::from_bytes(text, "survey", folder, &[format!("solver.n={n}")]);
+        let Some(coarse) = problem.ok().and_then(|p| p.solve().ok()?.audited().ok()) else {
+            continue;
+        };
+        let Some(stated) = coarse.accuracy().filter(|stated| stated.kind == ErrorKind::Bound)
+        else {
+            continue;
+        };
+        let pressure = |i: u32| {
+            let xi = -(PI * f64::from(i) / f64::from(PLACES - 1)).cos();
+            (coarse.pressure0(xi) - exact.pressure0(xi)).abs()
+        };
+        let displacement = exact.settlement0().abs().max(exact.tilt0().abs());
+        let force = exact.force0().abs().max(exact.moment0().abs());
+        let parts = [
+            (
+                stated.pressure,
+                (0..PLACES).map(pressure).fold(0.0, f64::max),
+                sharp.pressure,
+                exact.peak_pressure0().0.abs(),
+            ),
+            (
+                stated.settlement,
+                (coarse.settlement0() - exact.settlement0()).abs(),
+                sharp.settlement,
+                displacement,
+            ),
+            (stated.tilt, (coarse.tilt0() - exact.tilt0()).abs(), sharp.tilt, displacement),
+            (stated.force, (coarse.force0() - exact.force0()).abs(), sharp.force, force),
+            (stated.moment, (coarse.moment0() - exact.moment0()).abs(), sharp.moment, force),
+        ];
+        for (i, (stated, off, own, size)) in parts.into_iter().enumerate() {
+            if off > stated + own {
+                violation = Some(format!("solver.n = {n}: off by {off:e}, stated {stated:e}"));
+            }
+            if off > 1e-11 * size && off > SHARPER * own {
+                found[i.min(1)].push(stated / off);
+            }
+        }
+    }
+    (found, violation)
+}
