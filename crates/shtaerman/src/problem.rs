@@ -3,7 +3,7 @@
 use fredholm::basis::Function;
 
 use crate::error::{finite, require};
-use crate::expression::{Defect, Interval, Reflection};
+use crate::expression::{Defect, Interval, Reflection, remainder_of_sum};
 use crate::profile::Resolution;
 use crate::{Error, Frame, Load, Profile, Rotational, Vertical};
 
@@ -161,9 +161,13 @@ impl Problem {
     /// makes no difference.
     pub(crate) fn lowered(&self) -> Option<(Self, f64)> {
         let (profile, level) = self.profile.lowered(self.frame.half_width())?;
-        let vertical = match self.load.vertical {
-            Vertical::Force(force) => Vertical::Force(force),
-            Vertical::Settlement(settlement) => Vertical::Settlement(settlement - level),
+        let (vertical, profile) = match self.load.vertical {
+            Vertical::Force(force) => (Vertical::Force(force), profile),
+            // What rounding takes from the settlement is left to the heights.
+            Vertical::Settlement(settlement) => (
+                Vertical::Settlement(settlement - level),
+                profile.raised(-remainder_of_sum(settlement, -level)),
+            ),
         };
         let load = Load { vertical, ..self.load };
         Some((Self { profile, load, ..self.clone() }, level))

@@ -1,48 +1,103 @@
 //! The constant that is added to an expression.
 
 use super::Expression;
+use super::folding::remainder_of_sum;
 use super::function::{Binary, Unary};
-use super::program::{Operation, operand_start};
+use super::program::{Operation, operand_start, stack_height};
+
+/// A factor, and what rounding may have made of it relative to it.
+type Factor = (f64, f64);
+
+/// A sum of products with what its rounding leaves out: a known rest, and an error.
+#[derive(Debug, Default)]
+struct Total {
+    sum: f64,
+    rest: f64,
+    error: f64,
+}
+
+impl Total {
+    fn add(&mut self, (factor, relative): Factor, (value, error): (f64, f64)) {
+        let product = factor * value;
+        let remainder = factor.mul_add(value, -product) + remainder_of_sum(self.sum, product);
+        self.sum += product;
+        self.rest += remainder;
+        let of_rest = 2.0 * f64::EPSILON * (self.rest.abs() + remainder.abs());
+        self.error += factor.abs() * error + relative * product.abs() + of_rest;
+        // These sums are rounded as well.
+        self.error *= 1.0 + 8.0 * f64::EPSILON;
+    }
+}
 
 impl Expression {
     /// The expression without the constants added to it, and their sum: of `x^2/2 + 1` the parts `x^2/2` and 1, also under a sign and within products with
-    /// numbers. A large one would take the digits of what is added to it.
+    /// numbers. A large one would take the digits of what is added to it. What the sum lacks to rounding stays in the expression.
     pub(crate) fn without_constant(&self) -> (Self, f64) {
         let mut operations = self.operations.clone();
-        let mut sum = 0.0;
+        let mut total = Total::default();
         // From the last operation to the first, the factors with which operands to come are added; none where they are not.
-        let mut factors: Vec<Option<f64>> = vec![Some(1.0)];
+        let mut factors: Vec<Option<Factor>> = vec![Some((1.0, 0.0))];
         for index in (0..operations.len()).rev() {
             let Some(factor) = factors.pop() else { break };
-            match (operations[index], factor) {
-                (Operation::Constant(value), Some(factor)) => {
-                    sum += factor * value;
+            let operation = operations[index];
+            match (operation, factor) {
+                (Operation::Constant(_) | Operation::Rounded(..), Some(factor)) => {
+                    total.add(factor, operation.number().unwrap_or_default());
                     operations[index] = Operation::Constant(0.0);
                 }
                 (Operation::Binary(Binary::Add), Some(_)) => factors.extend([factor; 2]),
-                (Operation::Binary(Binary::Subtract), Some(by)) => {
-                    factors.extend([factor, Some(-by)]);
+                (Operation::Binary(Binary::Subtract), Some((by, relative))) => {
+                    factors.extend([factor, Some((-by, relative))]);
                 }
-                (Operation::Unary(Unary::Negate), Some(by)) => factors.push(Some(-by)),
+                (Operation::Unary(Unary::Negate), Some((by, relative))) => {
+                    factors.push(Some((-by, relative)));
+                }
                 (Operation::Binary(Binary::Multiply | Binary::Divide), Some(by)) => {
                     factors.extend(self.scaled(index, by));
                 }
                 (operation, _) => factors.extend(vec![None; operation.operands()]),
             }
         }
-        (Self { operations, ..self.clone() }, sum)
+        let rest = Self { operations, ..self.clone() };
+        (rest.plus(total.rest, total.error), total.sum)
+    }
+
+    /// The expression with a number added to it that is off by the error at most.
+    pub(crate) fn plus(self, value: f64, error: f64) -> Self {
+        if value == 0.0 && error == 0.0 {
+            return self;
+        }
+        let mut operations = self.operations;
+        operations.push(Operation::Rounded(value, error));
+        operations.push(Operation::Binary(Binary::Add));
+        let height = stack_height(&operations);
+        Self { operations, height, ..self }
     }
 
     /// The factors of both operands of a product or quotient, the left one first: that beside a number is scaled by it.
-    fn scaled(&self, index: usize, by: f64) -> [Option<f64>; 2] {
+    fn scaled(&self, index: usize, by: Factor) -> [Option<Factor>; 2] {
         let is_product = self.operations[index] == Operation::Binary(Binary::Multiply);
         let right = operand_start(&self.operations, index);
-        match (self.operations[right - 1], self.operations[right]) {
-            (_, Operation::Constant(value)) if right + 1 == index => {
-                [Some(if is_product { by * value } else { by / value }), None]
-            }
-            (Operation::Constant(value), _) if is_product => [None, Some(by * value)],
+        let (first, second) =
+            (self.operations[right - 1].number(), self.operations[right].number());
+        match (first, second) {
+            (_, Some(number)) if right + 1 == index => [Some(times(by, number, is_product)), None],
+            (Some(number), _) if is_product => [None, Some(times(by, number, true))],
             _ => [None, None],
         }
     }
+}
+
+/// The product or quotient of a factor and a number.
+fn times((by, relative): Factor, (value, error): (f64, f64), is_product: bool) -> Factor {
+    let result = if is_product { by * value } else { by / value };
+    let is_exact = if is_product {
+        by.mul_add(value, -result) == 0.0
+    } else {
+        result.mul_add(value, -by) == 0.0
+    };
+    let rounding = if is_exact { 0.0 } else { f64::EPSILON };
+    // Of a quotient to first order, and more than what is beyond.
+    let of_value = if error == 0.0 { 0.0 } else { 2.0 * error / value.abs() };
+    (result, (relative + of_value + rounding) * (1.0 + 8.0 * f64::EPSILON))
 }

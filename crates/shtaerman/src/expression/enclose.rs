@@ -42,6 +42,14 @@ impl Value for Enclosure {
         Interval::point(value).map_or(Enclosure::UNKNOWN, Enclosure::defined)
     }
 
+    fn rounded(value: f64, error: f64) -> Self {
+        if error == 0.0 {
+            return Self::constant(value);
+        }
+        let (lower, upper) = ((value - error).next_down(), (value + error).next_up());
+        Interval::new(lower, upper).map_or(Enclosure::UNKNOWN, Enclosure::defined)
+    }
+
     fn unary(function: Unary, u: Self) -> Self {
         let mut result = unary(function, u.interval);
         result.may_be_undefined |= u.may_be_undefined;

@@ -6,6 +6,10 @@ use super::program::Operation;
 /// What a program can compute with.
 pub(super) trait Value: Copy {
     fn constant(value: f64) -> Self;
+    /// A number computed from others, off by the error at most.
+    fn rounded(value: f64, _error: f64) -> Self {
+        Self::constant(value)
+    }
     fn unary(function: Unary, u: Self) -> Self;
     fn binary(function: Binary, u: Self, v: Self) -> Self;
     /// `holds` where the condition is not zero, `fails` where it is.
@@ -66,6 +70,10 @@ fn run_on<V: Value>(
             Operation::Constant(value) => {
                 top += 1;
                 stack[top] = V::constant(value);
+            }
+            Operation::Rounded(value, error) => {
+                top += 1;
+                stack[top] = V::rounded(value, error);
             }
             Operation::Variable(index) => {
                 top += 1;

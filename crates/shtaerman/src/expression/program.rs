@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
+use super::folding;
 use super::function::{Binary, Unary};
 
 /// Most operations so far of a program in which a wave is folded back: its operand is written twice.
@@ -11,6 +12,8 @@ const LONGEST_FOLDED: usize = 256;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Operation {
     Constant(f64),
+    /// A number computed from others, and what rounding may have made of it at most.
+    Rounded(f64, f64),
     Variable(usize),
     Unary(Unary),
     Binary(Binary),
@@ -22,10 +25,19 @@ impl Operation {
     /// How many operands it takes from the stack (and leaves one value).
     pub(super) fn operands(self) -> usize {
         match self {
-            Operation::Constant(_) | Operation::Variable(_) => 0,
+            Operation::Constant(_) | Operation::Rounded(..) | Operation::Variable(_) => 0,
             Operation::Unary(_) => 1,
             Operation::Binary(_) => 2,
             Operation::Where => 3,
+        }
+    }
+
+    /// The number that it is, and what rounding may have made of it.
+    pub(super) fn number(self) -> Option<(f64, f64)> {
+        match self {
+            Operation::Constant(value) => Some((value, 0.0)),
+            Operation::Rounded(value, error) => Some((value, error)),
+            _ => None,
         }
     }
 }
@@ -77,9 +89,9 @@ impl Builder {
 
     pub(super) fn unary(&mut self, function: Unary) {
         match self.operations.as_slice() {
-            [.., Operation::Constant(u)] => {
-                let value = function.value(*u);
-                self.fold(Operation::Unary(function), value);
+            [.., last] if last.number().is_some() => {
+                let known = last.number().and_then(|u| folding::unary(function, u));
+                self.fold(Operation::Unary(function), known);
             }
             [operand @ .., Operation::Unary(inner)] => match Fold::of(function, *inner) {
                 Some(fold) if operand.len() <= LONGEST_FOLDED => self.fold_back(fold),
@@ -132,9 +144,10 @@ impl Builder {
 
     pub(super) fn binary(&mut self, function: Binary) {
         match self.operations.as_slice() {
-            [.., Operation::Constant(u), Operation::Constant(v)] => {
-                let value = function.value(*u, *v);
-                self.fold(Operation::Binary(function), value);
+            [.., u, v] if u.number().is_some() && v.number().is_some() => {
+                let operands = u.number().zip(v.number());
+                let known = operands.and_then(|(u, v)| folding::binary(function, u, v));
+                self.fold(Operation::Binary(function), known);
             }
             // The square is exact to rounding and its enclosure knows that it is not negative.
             [.., Operation::Constant(2.0)] if function == Binary::Power => {
@@ -144,6 +157,12 @@ impl Builder {
                     self.operations.pop();
                 }
                 self.operations.push(Operation::Unary(Unary::Square));
+            }
+            // The exponent is the number of the machine next to what is written: between 1e-39 and 1e39 that changes a power by less than the accuracy assumed of it.
+            [kept @ .., Operation::Rounded(exponent, _)] if function == Binary::Power => {
+                let (end, exponent) = (kept.len(), *exponent);
+                self.operations[end] = Operation::Constant(exponent);
+                self.operations.push(Operation::Binary(function));
             }
             _ => self.operations.push(Operation::Binary(function)),
         }
@@ -167,14 +186,18 @@ impl Builder {
 
     /// Replaces constant operands by the value, unless it is not finite: such a value is reported
     /// with its place when the expression is checked.
-    fn fold(&mut self, operation: Operation, value: f64) {
-        if value.is_finite() {
-            let kept = self.operations.len() - operation.operands();
-            self.operations.truncate(kept);
-            self.operations.push(Operation::Constant(value));
-        } else {
+    fn fold(&mut self, operation: Operation, known: Option<(f64, f64)>) {
+        let Some((value, error)) = known else {
             self.operations.push(operation);
-        }
+            return;
+        };
+        let kept = self.operations.len() - operation.operands();
+        self.operations.truncate(kept);
+        self.operations.push(if error == 0.0 {
+            Operation::Constant(value)
+        } else {
+            Operation::Rounded(value, error)
+        });
     }
 }
 

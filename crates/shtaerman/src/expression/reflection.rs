@@ -55,7 +55,7 @@ impl Expression {
         let mut stack: Vec<Term> = Vec::new();
         for operation in &self.operations {
             let term = match *operation {
-                Operation::Constant(value) => terms.constant(value),
+                Operation::Constant(value) | Operation::Rounded(value, _) => terms.constant(value),
                 Operation::Variable(index) => variable(line, index, terms, is_mirrored)?,
                 Operation::Unary(function) => {
                     let u = stack.pop()?;

@@ -33,6 +33,16 @@ impl Profile {
         (level.is_finite() && is_less).then_some((rest, level))
     }
 
+    /// The base by a small height higher; a measured one as it is, whose heights are not known so well.
+    pub(crate) fn raised(self, by: f64) -> Self {
+        match self.shape {
+            Shape::Expression(expression) => {
+                Self { shape: Shape::Expression(expression.plus(by, 0.0)) }
+            }
+            Shape::Flat | Shape::Measured(_) => self,
+        }
+    }
+
     /// The lowest and the highest height at a few places, of a measured profile at its points.
     fn extremes(&self, half_width: f64) -> [f64; 2] {
         let places = (0..PLACES).map(|i| (2 * i) as f64 / (PLACES - 1) as f64 - 1.0);

@@ -5,6 +5,8 @@
 
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
+#[path = "../../examples/audit_survey/coarse.rs"]
+mod coarse;
 mod cross_check;
 #[path = "../../examples/audit_survey/draw.rs"]
 mod draw;
@@ -13,6 +15,7 @@ mod equations;
 #[path = "../../examples/audit_survey/judge.rs"]
 mod judge;
 mod jumps;
+mod numbers;
 mod survey;
 
 use shtaerman::{

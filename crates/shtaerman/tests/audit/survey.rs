@@ -27,7 +27,7 @@ fn stated_errors_hold() {
         }
         let is_referred = referred < CHECKED;
         let against = if is_referred { Against::Reference } else { Against::SecondAudit };
-        let outcome = judge(&case, &folder, Some(against));
+        let outcome = judge(&case, &folder, against, |_| {});
         match outcome {
             Outcome::NoProblem(reason) => {
                 panic!("{index} ({}): {reason}\n{}", case.class, case.toml)

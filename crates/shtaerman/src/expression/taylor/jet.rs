@@ -26,6 +26,10 @@ impl Jet {
         Self::same_everywhere(Enclosure::constant(value))
     }
 
+    pub(super) fn rounded(value: f64, error: f64) -> Self {
+        Self::same_everywhere(Enclosure::rounded(value, error))
+    }
+
     fn same_everywhere(value: Enclosure) -> Self {
         let series =
             if value.is_finite() { Series::constant(value.interval) } else { Series::unknown() };

@@ -117,6 +117,7 @@ impl Expression {
             let mut operand = || stack.pop().unwrap_or_else(Jet::unknown);
             let result = match *operation {
                 Operation::Constant(value) => Jet::constant(value),
+                Operation::Rounded(value, error) => Jet::rounded(value, error),
                 Operation::Variable(index) => variable(index),
                 Operation::Unary(function) => arithmetic.unary(function, &operand()),
                 Operation::Binary(function) => {

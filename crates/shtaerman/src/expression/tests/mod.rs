@@ -11,6 +11,7 @@ mod magnitudes;
 mod reflections;
 mod resolutions;
 mod rises;
+mod rounded;
 #[allow(clippy::excessive_precision, reason = "references with all their digits")]
 mod taylor;
 mod trees;
