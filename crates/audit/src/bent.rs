@@ -148,8 +148,9 @@ impl Audit<'_> {
     fn misfit(&self) -> [f64; 2] {
         let (mut most, mut squares) = (0.0f64, 0.0f64);
         for panel in &self.density.panels {
-            let missed =
-                compared(panel, self.answer.pressure).fold(0.0f64, |most, (_, off)| most.max(off));
+            let missed = compared(panel, self.answer.pressure)
+                .iter()
+                .fold(0.0f64, |most, (.., off)| most.max(*off));
             // At the places where the residual is formed the pressure is the answer's own.
             most = most.max(if is_short(panel) { 0.0 } else { missed });
             squares += (missed * narrow(2.0 * panel.half(), self.problem.kernel)).powi(2);

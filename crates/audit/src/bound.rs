@@ -353,9 +353,8 @@ impl Audit<'_> {
         let settlement =
             (self.settlement - self.answer.settlement).abs() + taken * self.settlement.abs();
         let tilt = (self.tilt - self.answer.tilt).abs() + taken * self.tilt.abs();
-        let resampled = self.resampled(windows.zones);
         // Beside ends and jumps the panels may miss the pressure by more.
-        let narrowly = self.narrowly_highest(windows.zones);
+        let [resampled, narrowly] = self.resampled(windows.zones);
         Bound {
             mean_square: distance.mean_square + distance.changed,
             pressure: pressure + resampled,
@@ -373,20 +372,20 @@ impl Audit<'_> {
         }
     }
 
-    /// How far the answer's pressure is from the resampled one between the nodes; in windows of some units of the machine that counts at each of its numbers already.
-    fn resampled(&self, zones: &[Bounded]) -> f64 {
-        let compared = self.compared().filter(|(x, _)| !is_narrow(zones, *x));
-        compared.map(|(_, off)| off).fold(0.0, f64::max)
-    }
-
-    /// The largest pressure of the answer at the other places.
-    fn narrowly_highest(&self, zones: &[Bounded]) -> f64 {
-        let places = self.compared().filter(|(x, _)| is_narrow(zones, *x));
-        places.map(|(x, _)| (self.answer.pressure)(x).abs()).fold(0.0, f64::max)
-    }
-
-    fn compared(&self) -> impl Iterator<Item = (f64, f64)> {
-        self.density.panels.iter().flat_map(|panel| compared(panel, self.answer.pressure))
+    /// How far the answer's pressure is from the resampled one between the nodes; in windows of some units of the machine that counts at each of its numbers already, and there its
+    /// largest pressure is found.
+    fn resampled(&self, zones: &[Bounded]) -> [f64; 2] {
+        let [mut largest, mut narrowly] = [0.0f64; 2];
+        for panel in &self.density.panels {
+            for (x, pressure, off) in compared(panel, self.answer.pressure) {
+                if is_narrow(zones, x) {
+                    narrowly = narrowly.max(pressure.abs());
+                } else {
+                    largest = largest.max(off);
+                }
+            }
+        }
+        [largest, narrowly]
     }
 }
 

@@ -1,7 +1,7 @@
 //! Interpolation at Chebyshev nodes on `[-1, 1]`.
 
 use std::f64::consts::PI;
-use std::sync::LazyLock;
+use std::sync::OnceLock;
 
 /// Largest number of nodes.
 pub(crate) const MOST: usize = 48;
@@ -10,14 +10,16 @@ pub(crate) const MOST: usize = 48;
 pub(crate) struct Nodes {
     /// The nodes, rising.
     pub(crate) places: Vec<f64>,
+    /// Of each node one after the other, for all coefficients.
     cosines: Vec<f64>,
 }
 
-static ALL: LazyLock<Vec<Nodes>> = LazyLock::new(|| (0..=MOST).map(Nodes::new).collect());
+static ALL: [OnceLock<Nodes>; MOST + 1] = [const { OnceLock::new() }; MOST + 1];
 
 /// So many nodes, at most [`MOST`].
 pub(crate) fn nodes(count: usize) -> &'static Nodes {
-    &ALL[count.min(MOST)]
+    let count = count.min(MOST);
+    ALL[count].get_or_init(|| Nodes::new(count))
 }
 
 impl Nodes {
@@ -25,17 +27,24 @@ impl Nodes {
         let angle = |j: usize| PI * (1.0 - (j as f64 + 0.5) / count as f64);
         let places = (0..count).map(|j| angle(j).cos()).collect();
         let mut cosines = Vec::with_capacity(count * count);
-        for k in 0..count {
-            let factor = if k == 0 { 1.0 } else { 2.0 } / count as f64;
-            cosines.extend((0..count).map(|j| factor * (k as f64 * angle(j)).cos()));
+        for j in 0..count {
+            let factor = |k: usize| if k == 0 { 1.0 } else { 2.0 } / count as f64;
+            cosines.extend((0..count).map(|k| factor(k) * (k as f64 * angle(j)).cos()));
         }
         Self { places, cosines }
     }
 
     /// Coefficients of the polynomial through values at the nodes.
-    pub(crate) fn coefficients<'a>(&'a self, values: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
-        let count = self.places.len().max(1);
-        self.cosines.chunks(count).map(move |row| row.iter().zip(values).map(|(a, b)| a * b).sum())
+    pub(crate) fn coefficients(&self, values: &[f64]) -> Vec<f64> {
+        let count = self.places.len();
+        let mut found = vec![0.0; count];
+        // All coefficients advance together: their sums do not wait for each other.
+        for (value, row) in values.iter().zip(self.cosines.chunks(count.max(1))) {
+            for (entry, cosine) in found.iter_mut().zip(row) {
+                *entry += cosine * value;
+            }
+        }
+        found
     }
 }
 
@@ -89,7 +98,7 @@ mod tests {
             let f =
                 |t: f64| if count < 20 { 1.0 + t.powi(count as i32 - 1) } else { (3.0 * t).sin() };
             let values: Vec<f64> = at.places.iter().map(|t| f(*t)).collect();
-            let coefficients: Vec<f64> = at.coefficients(&values).collect();
+            let coefficients = at.coefficients(&values);
             for i in 0..=30 {
                 let t = f64::from(i) / 15.0 - 1.0;
                 assert!((evaluate(&coefficients, t) - f(t)).abs() < 1e-13, "{count} {t}");

@@ -4,7 +4,7 @@ use crate::chebyshev::MOST;
 use crate::far::{Cluster, FAR, Scratch};
 use crate::kernel::Kernel;
 use crate::legendre::{self, ORDER, RULE};
-use crate::near::{Recurrence, rounded};
+use crate::near::{Batches, Recurrence, rounded};
 use crate::row::Regular;
 use crate::sum::two_sum;
 
@@ -87,8 +87,8 @@ impl Panel {
     }
 
     /// Values at the Gauss nodes.
-    pub(crate) fn at_nodes(&self) -> impl Iterator<Item = f64> {
-        RULE.nodes.iter().map(|t| legendre::evaluate(&self.coefficients, *t))
+    pub(crate) fn at_nodes(&self) -> [f64; ORDER] {
+        legendre::evaluate_at(&self.coefficients, &RULE.nodes)
     }
 }
 
@@ -190,6 +190,29 @@ impl Density {
         })
     }
 
+    /// The same at places from left to right.
+    pub(crate) fn values(&self, places: &[f64]) -> Vec<(f64, f64)> {
+        let mut found = Vec::with_capacity(places.len());
+        let mut own = [0.0; MOST];
+        let mut values = [0.0; MOST];
+        while let Some(x) = places.get(found.len()) {
+            let Some(index) = self.panel_at(*x) else {
+                found.push((0.0, 0.0));
+                continue;
+            };
+            let panel = &self.panels[index];
+            let rest = places[found.len()..].iter().take(MOST).take_while(|x| **x <= panel.right);
+            let mut count = 0;
+            for (own, x) in own.iter_mut().zip(rest) {
+                *own = panel.own(*x);
+                count += 1;
+            }
+            legendre::evaluate_all(&panel.coefficients, &own[..count], &mut values[..count]);
+            found.extend(values[..count].iter().map(|q| (*q, UNIT * panel.evaluated)));
+        }
+        found
+    }
+
     /// `int K(x, t) q(t) dt` and a bound of its rounding.
     pub(crate) fn potential(&self, x: f64) -> (f64, f64) {
         let mut found = Potentials::default();
@@ -233,17 +256,33 @@ impl Density {
         let last = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let total = self.clusters.last().map_or(0.0, |root| root.mass);
         let mut scratch = Scratch::default();
+        let mut batches = Batches::default();
         let mut stack = vec![self.clusters.len() - 1];
         while let Some(index) = stack.pop() {
             let cluster = &self.clusters[index];
             let distance = (first - cluster.centre).max(cluster.centre - last);
             if distance >= FAR * cluster.radius {
-                cluster.add(singularity, (places, distance), (sign, total), &mut scratch, found);
+                let places = (places, distance, 0);
+                cluster.add(singularity, places, (sign, total), &mut scratch, found);
             } else if let Some(children) = cluster.children {
                 stack.extend(children);
             } else {
-                for panel in &self.panels[cluster.first..cluster.last] {
-                    self.recurrence.add(panel, places, sign, found);
+                // Of a window that is longer than the panel some places are far from it.
+                let is_far = |x: &f64| (x - cluster.centre).abs() >= FAR * cluster.radius;
+                let mut from = 0;
+                for run in places.chunk_by(|x, y| is_far(x) == is_far(y)) {
+                    if is_far(&run[0]) {
+                        let distances = run.iter().map(|x| (x - cluster.centre).abs());
+                        let distance = distances.fold(f64::INFINITY, f64::min);
+                        let places = (run, distance, from);
+                        cluster.add(singularity, places, (sign, total), &mut scratch, found);
+                    } else {
+                        let places = (from..).zip(run.iter().copied());
+                        for panel in &self.panels[cluster.first..cluster.last] {
+                            self.recurrence.add(panel, places.clone(), sign, &mut batches, found);
+                        }
+                    }
+                    from += run.len();
                 }
             }
         }

@@ -215,13 +215,35 @@ impl Audit<'_> {
     fn heights(&self, windows: &Windows<'_>, a: f64) -> f64 {
         let Prescribed { moment, .. } = self.problem.prescribed;
         let given = if moment.is_none() { self.tilt.abs() } else { 0.0 };
-        let height = |window: &Bounded| {
-            let [low, high] = self.problem.profile.range([window.left, window.right]);
+        let height = |interval: [f64; 2]| {
+            let [low, high] = self.problem.profile.range(interval);
             low.abs().max(high.abs()) + given
         };
-        let zones = windows.zones.iter().map(height);
-        let gaps = windows.gaps.iter().map(|window| (window.least, height(window)));
-        let gaps = gaps.filter(|(least, height)| *least <= a * height).map(|(_, height)| height);
+        let zones = runs(windows.zones).map(|run| height(hull(run)));
+        let gaps = runs(windows.gaps).map(|run| {
+            let height = height(hull(run));
+            if run.iter().any(|window| window.least <= a * height) { height } else { 0.0 }
+        });
         zones.chain(gaps).fold(0.0, f64::max)
     }
+}
+
+/// Windows that follow each other and are together no longer than the longest of them may be: where they crowd beside a bend, heights are those of all of them.
+fn runs(windows: &[Bounded]) -> impl Iterator<Item = &[Bounded]> {
+    let widest = windows.iter().fold(0.0f64, |most, window| most.max(window.right - window.left));
+    let mut rest = windows;
+    std::iter::from_fn(move || {
+        let first = rest.first()?;
+        let joined = (rest.windows(2)).take_while(|pair| {
+            pair[0].right == pair[1].left && pair[1].right - first.left <= widest
+        });
+        let (run, others) = rest.split_at(1 + joined.count());
+        rest = others;
+        Some(run)
+    })
+}
+
+/// The interval of windows that follow each other.
+fn hull(run: &[Bounded]) -> [f64; 2] {
+    [run[0].left, run[run.len() - 1].right]
 }

@@ -77,7 +77,7 @@ impl Cluster {
         self.moments[0] + self.lost
     }
 
-    /// Adds `sign` times its potential at places that are at least `distance >= FAR r` from its centre.
+    /// Adds `sign` times its potential at places that are at least `distance >= FAR r` from its centre; `from` is the index of the first.
     ///
     /// `ln|x - t| = ln|d| - sum (y/d)^k/k` and `|x - t|^-mu = |d|^-mu sum (mu)_k/k! (y/d)^k`, `d = x - c`, `y = t - c`.
     ///
@@ -86,7 +86,7 @@ impl Cluster {
     pub(crate) fn add(
         &self,
         singularity: Singularity,
-        (places, distance): (&[f64], f64),
+        (places, distance, from): (&[f64], f64, usize),
         (sign, total): (f64, f64),
         scratch: &mut Scratch,
         into: &mut Potentials,
@@ -125,7 +125,7 @@ impl Cluster {
                     (scale * whole, scale * (6.0 * whole.abs() + 9.0 * self.mass + left_out))
                 }
             };
-            into.add(index, sign * value, UNIT * rounding);
+            into.add(from + index, sign * value, UNIT * rounding);
         }
     }
 }

@@ -12,6 +12,9 @@ const SAMPLES: usize = 42;
 /// A polynomial is nowhere more than `1/cos(pi degree/(2 n))` of its largest value at `n` Chebyshev nodes; degree 25 and 42 nodes give 1.69.
 const FACTOR: f64 = 1.7;
 
+/// A place that is another one moved is off by nine units instead of four: of the roundings of a value in [`legendre::evaluated`], `2 k (k + 1)` for each degree, these make `4.5 k (k + 1)`.
+const PLACED_TWICE: f64 = 1.5;
+
 /// A polynomial in a disk about a window.
 pub(crate) struct Fitted {
     /// Sizes of the Chebyshev coefficients on the diameter, with what rounding of their sums may add.
@@ -26,12 +29,17 @@ pub(crate) struct Fitted {
 }
 
 impl Fitted {
+    /// The number of its coefficients.
+    pub(crate) fn len(&self) -> usize {
+        self.sizes.len()
+    }
+
     /// The sum of the sizes of its coefficients, each times a weight; `whole` is the weight of any polynomial of size one.
     ///
     /// Values that are off by `e` change a coefficient by `2 e` at most, and the polynomial by `e` times Lebesgue's constant.
-    pub(crate) fn sum(&self, weight: impl Fn(i32) -> f64, whole: f64) -> f64 {
+    pub(crate) fn sum(&self, weight: impl Fn(usize) -> f64, whole: f64) -> f64 {
         let (mut own, mut weights) = (0.0, 0.0);
-        for (size, k) in self.sizes.iter().zip(0..) {
+        for (k, size) in self.sizes.iter().enumerate() {
             let weight = weight(k);
             own += size * weight;
             weights += weight;
@@ -40,19 +48,25 @@ impl Fitted {
     }
 }
 
-/// The polynomial that stands for the density in a disk.
-pub(crate) fn fit(density: &Density, c: f64, disk: f64) -> Fitted {
+/// The polynomial that stands for the density in a disk; none where the disk is so short that rounding carries its places out of the panel that holds it.
+pub(crate) fn fit(density: &Density, c: f64, disk: f64) -> Option<Fitted> {
     let all = &density.panels;
     let first = all.partition_point(|panel| panel.right <= c - disk);
     let last = all.partition_point(|panel| panel.left < c + disk);
     let panels = &all[first..last];
     let at = nodes(if panels.len() == 1 { ORDER } else { DENSITY_NODES });
-    let mut values: Vec<f64> = at.places.iter().map(|t| density.evaluate(c + disk * t)).collect();
+    let mut values = match panels {
+        [panel] => on_panel(panel, &at.places, c, disk)?,
+        _ => {
+            let places: Vec<f64> = at.places.iter().map(|t| c + disk * t).collect();
+            density.values(&places).into_iter().map(|(q, _)| q).collect()
+        }
+    };
     // Sums of cosines lose digits of what they sum: that is to be small.
     let mean = values[values.len() / 2];
     values.iter_mut().for_each(|value| *value -= mean);
     let swing = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
-    let mut coefficients: Vec<f64> = at.coefficients(&values).collect();
+    let mut coefficients = at.coefficients(&values);
     coefficients[0] += mean;
     let largest = panels.iter().fold(0.0f64, |most, panel| most.max(panel.largest));
     let evaluated = panels.iter().fold(0.0f64, |most, panel| most.max(panel.evaluated));
@@ -62,10 +76,8 @@ pub(crate) fn fit(density: &Density, c: f64, disk: f64) -> Fitted {
         let summed = UNIT * 2.0 * (count + 2.0) * swing;
         let mut sizes: Vec<f64> = coefficients.iter().map(|a| a.abs() + summed).collect();
         sizes[0] += 2.0 * UNIT * (largest + swing);
-        // The places of values are rounded, too; |T_k'| <= k^2.
-        let slope: f64 = sizes.iter().zip(0u32..).map(|(a, k)| f64::from(k * k) * a).sum();
-        let off = UNIT * (evaluated + swing + slope * c.abs() / disk);
-        return Fitted { sizes, off, missed: 0.0, jump: 0.0, largest };
+        let off = UNIT * (PLACED_TWICE * evaluated + swing);
+        return Some(Fitted { sizes, off, missed: 0.0, jump: 0.0, largest });
     }
     let missed =
         panels.iter().map(|panel| difference(panel, &coefficients, c, disk)).fold(0.0, f64::max);
@@ -77,7 +89,17 @@ pub(crate) fn fit(density: &Density, c: f64, disk: f64) -> Fitted {
     let noise = panels.iter().map(Panel::tail).fold(0.0, f64::max);
     let sizes = coefficients.iter().map(|a| a.abs()).collect();
     let jump = noise.max(jump);
-    Fitted { sizes, off: 0.0, missed: FACTOR * missed + rounding, jump, largest }
+    Some(Fitted { sizes, off: 0.0, missed: FACTOR * missed + rounding, jump, largest })
+}
+
+/// The polynomial of the panel that holds a disk at places of its diameter: these are those of its middle moved, since as numbers of the machine they would be rounded to the distance of the
+/// disk from the origin.
+fn on_panel(panel: &Panel, places: &[f64], c: f64, disk: f64) -> Option<Vec<f64>> {
+    let (middle, scale) = (panel.own(c), disk / panel.half());
+    let own: Vec<f64> = places.iter().map(|t| middle + scale * t).collect();
+    let mut values = vec![0.0; own.len()];
+    legendre::evaluate_all(&panel.coefficients, &own, &mut values);
+    own.iter().all(|t| t.abs() <= 1.0).then_some(values)
 }
 
 /// The largest difference of a panel's polynomial from another one at samples of its part of a disk.

@@ -13,7 +13,7 @@ pub(crate) struct Rule {
     pub(crate) nodes: [f64; ORDER],
     /// Their weights.
     pub(crate) weights: [f64; ORDER],
-    /// `coefficients[k][i]` takes values at the nodes to Legendre coefficients.
+    /// `coefficients[i][k]` takes values at the nodes to Legendre coefficients.
     coefficients: [[f64; ORDER]; ORDER],
     /// `int P_k(t) t^j dt`.
     moments: [[f64; MOMENTS]; ORDER],
@@ -27,7 +27,7 @@ impl Rule {
         let mut coefficients = [[0.0; ORDER]; ORDER];
         for (i, &node) in nodes.iter().enumerate() {
             for (k, value) in polynomials(node).into_iter().enumerate() {
-                coefficients[k][i] = (k as f64 + 0.5) * weights[i] * value;
+                coefficients[i][k] = (k as f64 + 0.5) * weights[i] * value;
             }
         }
         let mut moments = [[0.0; MOMENTS]; ORDER];
@@ -42,9 +42,15 @@ impl Rule {
     /// Legendre coefficients of the polynomial through these values at the nodes.
     pub(crate) fn expand(&self, values: &[f64; ORDER]) -> [f64; ORDER] {
         let mut expanded = [0.0; ORDER];
-        for (entry, row) in expanded.iter_mut().zip(&self.coefficients) {
-            *entry = row.iter().zip(values).map(|(a, b)| a * b).sum();
+        // Of a constant rounded weights leave some of all degrees.
+        let middle = values[ORDER / 2];
+        // All coefficients advance together: their sums do not wait for each other.
+        for (value, column) in values.iter().zip(&self.coefficients) {
+            for (entry, factor) in expanded.iter_mut().zip(column) {
+                *entry += factor * (value - middle);
+            }
         }
+        expanded[0] += middle;
         expanded
     }
 
@@ -106,6 +112,19 @@ pub(crate) fn evaluate_at<const N: usize>(
     next
 }
 
+/// Places that advance together.
+const TOGETHER: usize = 8;
+
+/// The same at any number of places.
+pub(crate) fn evaluate_all(coefficients: &[f64; ORDER], places: &[f64], values: &mut [f64]) {
+    for (places, values) in places.chunks(TOGETHER).zip(values.chunks_mut(TOGETHER)) {
+        let mut some = [0.0; TOGETHER];
+        some[..places.len()].copy_from_slice(places);
+        let found = evaluate_at(coefficients, &some);
+        values.copy_from_slice(&found[..values.len()]);
+    }
+}
+
 /// Roundings of [`evaluate`] at a place that is itself off by four units, in units of the machine.
 ///
 /// A step of Clenshaw's scheme is off by `2 |c_k| + 10 |b_(k+1)| + 3 |b_(k+2)|`, and the value by the sum of that with `|P_k| <= 1`; `b_k = sum c_j p_(j-k)` with the associated Legendre
@@ -141,16 +160,17 @@ fn gauss() -> ([f64; ORDER], [f64; ORDER]) {
     let (mut nodes, mut weights) = ([0.0; ORDER], [0.0; ORDER]);
     for i in 0..ORDER {
         let mut t = -(std::f64::consts::PI * (i as f64 + 0.75) / (n + 0.5)).cos();
-        let mut slope = 1.0;
         // Newton's method from this start has converged after five steps.
         for _ in 0..8 {
             let p = polynomials(t);
             let last = ((2.0 * n - 1.0) * t * p[ORDER - 1] - (n - 1.0) * p[ORDER - 2]) / n;
-            slope = n * (p[ORDER - 1] - t * last) / (1.0 - t * t);
+            let slope = n * (p[ORDER - 1] - t * last) / (1.0 - t * t);
             t -= last / slope;
         }
         nodes[i] = t;
-        weights[i] = 2.0 / ((1.0 - t * t) * slope * slope);
+        // The polynomials are orthonormal under these weights to rounding: no differences lose digits.
+        let squares = polynomials(t).into_iter().enumerate();
+        weights[i] = 1.0 / squares.map(|(k, p)| (k as f64 + 0.5) * p * p).sum::<f64>();
     }
     (nodes, weights)
 }

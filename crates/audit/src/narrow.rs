@@ -45,7 +45,8 @@ impl Residual<'_> {
         let mut potentials = Potentials::default();
         self.density.potentials(numbers, &mut potentials);
         for (&x, potential) in numbers.iter().zip(potentials.finished()) {
-            let (w, error) = self.with_potential(x, potential);
+            let (height, q) = (self.profile.height(x), self.density.value(x));
+            let (w, error) = self.formed(x, height, q, potential);
             // Of what may be off by the error.
             let size = |w: f64, error: f64| {
                 if is_inside { w.abs() + error } else { (error - w).max(0.0) }
@@ -53,8 +54,8 @@ impl Residual<'_> {
             largest = largest.max(size(w, error));
             least = least.min(w - error);
             // The answer's own pressure counts at a place, not the resampled one, which may bend there.
-            let w = if is_inside { w + (self.pressure)(x) - self.density.evaluate(x) } else { w };
-            at_numbers = at_numbers.max(self.at_number(x, w, error, &size));
+            let w = if is_inside { w + (self.pressure)(x) - q.0 } else { w };
+            at_numbers = at_numbers.max(self.at_number(x, height, (w, error), &size));
         }
         let variation = self.variation([left, right]);
         let least = least - variation;
@@ -83,8 +84,13 @@ impl Residual<'_> {
     }
 
     /// What counts of `w` at a number: beside a jump of the base, as far as its place is known, its height is that of either side, also where rounding leaves open of which.
-    fn at_number(&self, x: f64, w: f64, error: f64, size: &dyn Fn(f64, f64) -> f64) -> f64 {
-        let [f_low, f_high] = self.profile.height(x);
+    fn at_number(
+        &self,
+        x: f64,
+        [f_low, f_high]: [f64; 2],
+        (w, error): (f64, f64),
+        size: &dyn Fn(f64, f64) -> f64,
+    ) -> f64 {
         let blurred = self.cuts_within(x, OPEN).find(|cut| (x - cut).abs() <= blur(cut.abs()));
         let either = match blurred {
             Some(cut) => {

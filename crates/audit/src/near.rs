@@ -61,7 +61,16 @@ struct Batch {
 }
 
 impl Batch {
-    fn new() -> Self {
+    /// None yet: what is left of others is overwritten.
+    fn clear(&mut self) {
+        self.count = 0;
+        self.farthest = 0.0;
+        self.nearest = f64::INFINITY;
+    }
+}
+
+impl Default for Batch {
+    fn default() -> Self {
         Self {
             count: 0,
             index: [0; MOST],
@@ -74,6 +83,13 @@ impl Batch {
             nearest: f64::INFINITY,
         }
     }
+}
+
+/// Working memory of many panels.
+#[derive(Default)]
+pub(crate) struct Batches {
+    on: Batch,
+    beside: Batch,
 }
 
 impl Recurrence {
@@ -92,29 +108,37 @@ impl Recurrence {
         Self { singularity, forward, backward }
     }
 
-    /// Adds `sign int sigma(|x - t|) q(t) dt` of a panel at at most [`MOST`] places.
-    pub(crate) fn add(&self, panel: &Panel, places: &[f64], sign: f64, into: &mut Potentials) {
-        let (mut on, mut beside) = (Batch::new(), Batch::new());
-        for (index, x) in places.iter().enumerate() {
+    /// Adds `sign int sigma(|x - t|) q(t) dt` of a panel at at most [`MOST`] places, each with its index.
+    pub(crate) fn add(
+        &self,
+        panel: &Panel,
+        places: impl Iterator<Item = (usize, f64)>,
+        sign: f64,
+        Batches { on, beside }: &mut Batches,
+        into: &mut Potentials,
+    ) {
+        on.clear();
+        beside.clear();
+        for (index, x) in places {
             let (from_left, to_right) = (x - panel.left, panel.right - x);
             let z = 0.5 * (from_left - to_right) / panel.half();
-            let batch = if z.abs() <= FORWARD { &mut on } else { &mut beside };
+            let batch = if z.abs() <= FORWARD { &mut *on } else { &mut *beside };
             self.begin(panel, (from_left, to_right, z), index, batch);
         }
         let c = &panel.coefficients;
         let mut sums = [0.0; MOST];
         if on.count > 0 {
-            self.forward(c, &on, &mut sums);
+            self.forward(c, on, &mut sums);
             let size = if on.farthest <= 1.0 {
                 panel.rounded
             } else {
                 rounded(c, on.farthest + (on.farthest * on.farthest - 1.0).sqrt())
             };
-            self.finish(panel, size, sign, (&on, &sums), into);
+            self.finish(panel, size, sign, (on, &sums), into);
         }
         if beside.count > 0 {
-            self.backward(c, &beside, &mut sums);
-            self.finish(panel, BESIDE * panel.swing, sign, (&beside, &sums), into);
+            self.backward(c, beside, &mut sums);
+            self.finish(panel, BESIDE * panel.swing, sign, (beside, &sums), into);
         }
     }
 
@@ -167,15 +191,17 @@ impl Recurrence {
         let n = batch.count;
         let is_log = matches!(self.singularity, Singularity::Logarithm);
         let (mut before, mut here) = (batch.zeroth, batch.first);
-        for (sum, first) in sums[..n].iter_mut().zip(&batch.first) {
-            *sum = c[1] * first;
+        let (before, here) = (&mut before[..n], &mut here[..n]);
+        let (z, sums) = (&batch.z[..n], &mut sums[..n]);
+        for i in 0..n {
+            sums[i] = c[1] * here[i];
         }
         let mut k = 1;
         if is_log {
             // The recurrence begins at k = 2, from I_2 = z I_1 + 2/3.
             for i in 0..n {
                 before[i] = here[i];
-                here[i] = batch.z[i] * here[i] + 2.0 / 3.0;
+                here[i] = z[i] * here[i] + 2.0 / 3.0;
                 sums[i] += c[2] * here[i];
             }
             k = 2;
@@ -184,7 +210,7 @@ impl Recurrence {
             let [a, b] = self.forward[k];
             let next = c[k + 1];
             for i in 0..n {
-                let value = a * batch.z[i] * here[i] - b * before[i];
+                let value = a * z[i] * here[i] - b * before[i];
                 before[i] = here[i];
                 here[i] = value;
                 sums[i] += next * value;
@@ -196,7 +222,9 @@ impl Recurrence {
     fn backward(&self, c: &[f64; ORDER], batch: &Batch, sums: &mut [f64; MOST]) {
         let n = batch.count;
         let (mut above, mut here) = ([0.0; MOST], [1.0; MOST]);
-        sums[..n].fill(0.0);
+        let (above, here) = (&mut above[..n], &mut here[..n]);
+        let (z, sums) = (&batch.z[..n], &mut sums[..n]);
+        sums.fill(0.0);
         let rho = batch.nearest + (batch.nearest * batch.nearest - 1.0).sqrt();
         let beyond = (0.5 * FALLEN / rho.ln()).ceil() as usize;
         for k in (2..=LAST.min(ORDER + beyond)).rev() {
@@ -204,7 +232,7 @@ impl Recurrence {
             let own = if k < ORDER { c[k] } else { 0.0 };
             for i in 0..n {
                 sums[i] += own * here[i];
-                let value = a * batch.z[i] * here[i] - b * above[i];
+                let value = a * z[i] * here[i] - b * above[i];
                 above[i] = here[i];
                 here[i] = value;
             }

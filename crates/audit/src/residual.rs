@@ -14,7 +14,7 @@ pub(crate) const FINEST: f64 = 16.0 * f64::EPSILON;
 /// Beside the origin, where numbers are as fine as one likes, they are at least that of this share of the whole.
 pub(crate) const SMALLEST: f64 = 1e-3;
 
-/// An interval beside a bend is cut at this share of its length: the longer part has a disk of 1.6 times its half-length about it.
+/// An interval beside a bend is cut at this share of its length: the longer part has a disk of 1.29 times its half-length about it, as much as the bend is farther than the disk.
 const BESIDE_A_BEND: f64 = 0.25;
 
 /// Places of jumps are as exact as this, relative to them: a quotient or product of two numbers, or the root of what a formula compares.
@@ -68,12 +68,17 @@ pub(crate) struct Residual<'a> {
 impl Residual<'_> {
     /// `w(x)` and a bound of its rounding.
     pub(crate) fn at(&self, x: f64) -> (f64, f64) {
-        self.with_potential(x, self.density.potential(x))
+        self.formed(x, self.profile.height(x), self.density.value(x), self.density.potential(x))
     }
 
-    pub(crate) fn with_potential(&self, x: f64, (potential, rounding): (f64, f64)) -> (f64, f64) {
-        let (q, evaluated) = self.density.value(x);
-        let [low, high] = self.profile.height(x);
+    /// The same from bounds of `f(x)`, and from `q(x)` and its potential, each with a bound of its rounding.
+    pub(crate) fn formed(
+        &self,
+        x: f64,
+        [low, high]: [f64; 2],
+        (q, evaluated): (f64, f64),
+        (potential, rounding): (f64, f64),
+    ) -> (f64, f64) {
         let height = 0.5 * (low + high);
         let [turned, potential] = [self.tilt * x, self.theta * potential];
         let line = self.settlement - turned;

@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 
 use crate::chebyshev::{evaluate, nodes};
 use crate::density::{Panel, UNIT};
-use crate::legendre::{self, RULE};
 use crate::sum::Sum;
 
 /// Nodes of the regular part: `(2 + sqrt 3)^-NODES` is below rounding.
@@ -31,7 +30,7 @@ impl Regular {
         let mass: f64 = panels.iter().map(Panel::mass).sum();
         let largest = 3.0 * period.ln() + 2.0;
         let rounding = ROUNDED * UNIT * mass * largest;
-        Self { coefficients: at.coefficients(&values).collect(), rounding }
+        Self { coefficients: at.coefficients(&values), rounding }
     }
 
     /// The value at a place and a bound of its rounding.
@@ -43,8 +42,8 @@ impl Regular {
 fn integral_with(panels: &[Panel], kernel: impl Fn(f64) -> f64) -> f64 {
     let mut sum = Sum::default();
     for panel in panels {
-        for ((x, weight), t) in panel.nodes().zip(&RULE.nodes) {
-            sum.add(weight * legendre::evaluate(&panel.coefficients, *t) * kernel(x));
+        for ((x, weight), q) in panel.nodes().zip(panel.at_nodes()) {
+            sum.add(weight * q * kernel(x));
         }
     }
     sum.value()

@@ -1,7 +1,7 @@
 //! The density resampled: panels cut where it needs them.
 
 use crate::density::Panel;
-use crate::legendre::{ORDER, RULE, evaluate};
+use crate::legendre::{ORDER, RULE, evaluate_at};
 
 /// A panel at an end of a part is cut this far from the end, or nearer where that leaves a panel that is resolved: densities bend there as `d ln d`, with which short panels need to
 /// be less exact.
@@ -32,11 +32,16 @@ struct Part {
     is_end: [bool; 2],
     /// The tail of the part that it was cut from.
     tail: f64,
+    /// What was sampled of it when a place to cut was looked for.
+    known: Option<Sampled>,
 }
 
+/// A panel and its tail.
+type Sampled = (Panel, f64);
+
 impl Part {
-    /// Where to cut it: as near to an end as what is beyond is resolved.
-    fn cut(&self, is_resolved: impl Fn(f64, f64) -> bool) -> f64 {
+    /// Where to cut it: as near to an end as what is beyond is resolved; then with that.
+    fn cut(&self, resolved: impl Fn(f64, f64) -> Option<Sampled>) -> (f64, Option<Sampled>) {
         let width = self.right - self.left;
         let place = |share: f64| match self.is_end {
             [true, false] => self.left + share * width,
@@ -44,15 +49,15 @@ impl Part {
             _ => self.left + 0.5 * width,
         };
         if self.is_end[0] == self.is_end[1] {
-            return place(0.5);
+            return (place(0.5), None);
         }
         let beyond = |at: f64| if self.is_end[0] { [at, self.right] } else { [self.left, at] };
         let [nearest @ .., farthest] = CUTS;
-        let found = nearest.into_iter().map(place).find(|at| {
-            let [left, right] = beyond(*at);
-            is_resolved(left, right)
+        let mut tried = nearest.into_iter().map(place).map(|at| {
+            let [left, right] = beyond(at);
+            (at, resolved(left, right))
         });
-        found.unwrap_or_else(|| place(farthest))
+        tried.find(|(_, sampled)| sampled.is_some()).unwrap_or_else(|| (place(farthest), None))
     }
 }
 
@@ -70,29 +75,43 @@ pub(crate) fn panels(
     ends.push(zone[1]);
     let longest = LONGEST.min(LONGEST_OF_ZONE * (zone[1] - zone[0]));
     let mut stack: Vec<Part> = (ends.windows(2).rev())
-        .map(|pair| Part { left: pair[0], right: pair[1], is_end: [true; 2], tail: f64::INFINITY })
+        .map(|pair| Part {
+            left: pair[0],
+            right: pair[1],
+            is_end: [true; 2],
+            tail: f64::INFINITY,
+            known: None,
+        })
         .collect();
     while let Some(part) = stack.pop() {
-        let (panel, tail) = sampled(density, part.left, part.right);
-        let before = panel.before_tail();
-        let width = part.right - part.left;
-        let finest = FINEST * part.left.abs().max(part.right.abs());
-        let is_noise = tail > STAGNANT * part.tail && tail < NOISE * scale && tail > FLAT * before;
-        let is_done = tail <= tolerance(width)
-            || is_noise
-            || width <= finest
-            || (width <= COARSE * finest && tail <= graininess(density, &panel));
-        if is_done && width <= longest {
-            found.push(panel);
-        } else {
-            let cut = part.cut(|left, right| {
-                sampled(density, left, right).1 <= tolerance(right - left)
-                    && right - left <= longest
-            });
-            let [left, right] = part.is_end;
-            stack.push(Part { left: cut, right: part.right, is_end: [false, right], tail });
-            stack.push(Part { left: part.left, right: cut, is_end: [left, false], tail });
+        let Part { left, right, is_end, tail: before, ref known } = part;
+        let width = right - left;
+        let mut tail = f64::INFINITY;
+        // What is too long is not looked at.
+        if width <= longest {
+            let panel;
+            (panel, tail) = known.clone().unwrap_or_else(|| sampled(density, left, right));
+            let finest = FINEST * left.abs().max(right.abs());
+            let is_noise = tail > STAGNANT * before
+                && tail < NOISE * scale
+                && tail > FLAT * panel.before_tail();
+            let is_done = tail <= tolerance(width)
+                || is_noise
+                || width <= finest
+                || (width <= COARSE * finest && tail <= graininess(density, &panel));
+            if is_done {
+                found.push(panel);
+                continue;
+            }
         }
+        let (cut, beyond) = part.cut(|left, right| {
+            (right - left <= longest)
+                .then(|| sampled(density, left, right))
+                .filter(|(_, tail)| *tail <= tolerance(right - left))
+        });
+        let [first, last] = if is_end[0] { [None, beyond] } else { [beyond, None] };
+        stack.push(Part { left: cut, right, is_end: [false, is_end[1]], tail, known: last });
+        stack.push(Part { left, right: cut, is_end: [is_end[0], false], tail, known: first });
         if found.len() + stack.len() > most {
             return false;
         }
@@ -100,21 +119,23 @@ pub(crate) fn panels(
     true
 }
 
-fn sampled(density: &dyn Fn(f64) -> f64, left: f64, right: f64) -> (Panel, f64) {
+fn sampled(density: &dyn Fn(f64) -> f64, left: f64, right: f64) -> Sampled {
+    sampled_at(&|places: &[f64; ORDER]| places.map(density), left, right)
+}
+
+/// The same of what gives its values at all nodes together.
+fn sampled_at(density: &dyn Fn(&[f64; ORDER]) -> [f64; ORDER], left: f64, right: f64) -> Sampled {
     let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
-    let (mut values, mut places) = ([0.0; ORDER], [0.0; ORDER]);
-    for ((value, place), t) in values.iter_mut().zip(&mut places).zip(&RULE.nodes) {
-        let x = (middle + half * t).clamp(left, right);
-        *value = density(x);
-        *place = ((x - left) - (right - x)) / (right - left);
-    }
+    let nodes = RULE.nodes.map(|t| (middle + half * t).clamp(left, right));
+    let values = density(&nodes);
+    let places = nodes.map(|x| ((x - left) - (right - x)) / (right - left));
     let mut coefficients = RULE.expand(&values);
     // Places are rounded: on short panels that matters where the density is steep. The polynomial is to have the values where they were taken.
     if half < ROUNDED * middle.abs() {
         for _ in 0..CORRECTIONS {
             let mut missed = values;
-            for (value, t) in missed.iter_mut().zip(&places) {
-                *value -= evaluate(&coefficients, *t);
+            for (value, given) in missed.iter_mut().zip(evaluate_at(&coefficients, &places)) {
+                *value -= given;
             }
             let change = RULE.expand(&missed);
             coefficients.iter_mut().zip(change).for_each(|(c, change)| *c += change);
@@ -156,29 +177,35 @@ pub(crate) fn is_short(panel: &Panel) -> bool {
 const COMPARED: [f64; 9] =
     [1e-6, 1e-4, 1e-2, 0.071_828, 0.371_828, 0.914_159, 1.0 - 1e-2, 1.0 - 1e-4, 1.0 - 1e-6];
 
-/// Places at which an answer is compared with a panel, and how far it is from it there.
+/// Places at which an answer is compared with a panel, its pressure and how far it is from the panel there.
 pub(crate) fn compared(
     panel: &Panel,
     pressure: &dyn Fn(f64) -> f64,
-) -> impl Iterator<Item = (f64, f64)> {
-    COMPARED.into_iter().map(move |t| {
-        let x = panel.left + t * (panel.right - panel.left);
-        (x, (panel.evaluate(x) - pressure(x)).abs())
+) -> [(f64, f64, f64); COMPARED.len()] {
+    let places = COMPARED.map(|t| panel.left + t * (panel.right - panel.left));
+    let own = evaluate_at(&panel.coefficients, &places.map(|x| panel.own(x)));
+    std::array::from_fn(|i| {
+        let given = pressure(places[i]);
+        (places[i], given, (own[i] - given).abs())
     })
 }
 
 /// The panel with its polynomial multiplied by `a + b x` plus `c + d x`, resampled at its nodes.
 pub(crate) fn adjusted(panel: &Panel, [a, b]: [f64; 2], [c, d]: [f64; 2]) -> Panel {
-    let mut values = [0.0; ORDER];
-    for (value, (x, _)) in values.iter_mut().zip(panel.nodes()) {
-        *value = panel.evaluate(x) * (a + b * x) + c + d * x;
+    let (middle, half) = (panel.middle(), panel.half());
+    let nodes = RULE.nodes.map(|t| middle + half * t);
+    let mut values = evaluate_at(&panel.coefficients, &nodes.map(|x| panel.own(x)));
+    for (value, x) in values.iter_mut().zip(nodes) {
+        *value = *value * (a + b * x) + c + d * x;
     }
     Panel::new(panel.left, panel.right, RULE.expand(&values))
 }
 
 /// A lower bound of a panel's polynomial on a part of it, and an upper bound of its size there.
 pub(crate) fn range_on(panel: &Panel, left: f64, right: f64) -> (f64, f64) {
-    let (part, _) = sampled(&|x| panel.evaluate(x), left, right);
+    let own = |nodes: &[f64; ORDER]| nodes.map(|x| panel.own(x));
+    let values = |nodes: &[f64; ORDER]| evaluate_at(&panel.coefficients, &own(nodes));
+    let (part, _) = sampled_at(&values, left, right);
     let rounding = 32.0 * f64::EPSILON * panel.largest;
     (part.coefficients[0] - part.swing - rounding, part.largest + rounding)
 }

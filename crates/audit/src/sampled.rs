@@ -112,7 +112,7 @@ fn window(
             w
         })
         .collect();
-    let series: Vec<f64> = at.coefficients(&values).collect();
+    let series = at.coefficients(&values);
     let size = values.iter().fold(0.0f64, |most, w| most.max(w.abs()));
     let tail = series[count - 1].abs() + series[count - 2].abs();
     if tail > (SHARE * size).max(2.0 * noise) {

@@ -8,9 +8,10 @@ use crate::heights::{Heights, Known};
 use crate::remainders::{Part, local_mass, local_potential, outside};
 use crate::residual::{Bounded, Residual};
 
-/// Radius of the disk in radii of the window, if nothing is in the way; and below which a window is halved instead.
+/// Radius of the disk in radii of the window, if nothing is in the way; and below which a window is halved instead. Beside an end of a zone, where the density bends, it is as many times
+/// larger than the window as the end is farther than the disk: what stands for the density in it and what interpolates its potential then fall at one rate.
 const DISK: f64 = 1.8;
-const LEAST_DISK: f64 = 1.3;
+const LEAST_DISK: f64 = 1.25;
 /// The largest ellipse of analyticity that is used, in radii of the disk.
 const INSIDE: f64 = 0.97;
 /// Ends of disks are rounded: below this share of their distance from the origin they are off by more than `1 - INSIDE` of the radius.
@@ -41,43 +42,52 @@ impl Residual<'_> {
     ) -> Option<Bounded> {
         let (c, r) = (0.5 * (left + right), 0.5 * (right - left));
         let mut heights = known.on(self.profile, [left, right]);
-        let is_open = [left, c, right].into_iter().any(|x| self.is_open(x));
-        let disk = (DISK * r).min(INSIDE * (c - zone[0]).min(zone[1] - c));
-        if disk < LEAST_DISK * r || disk < PLACED * c.abs() || is_open {
+        let disk = (DISK * r).min((r * (c - zone[0]).min(zone[1] - c)).sqrt());
+        if disk < LEAST_DISK * r || disk < PLACED * c.abs() || self.is_open_at([left, c, right]) {
             return None;
         }
-        let fitted = fit(self.density, c, disk);
+        let fitted = fit(self.density, c, disk)?;
         let singularity = self.density.kernel.singularity();
         let allowed = allowance(self.theta, 2.0 * r) * self.density.largest();
         // Where panels meet the density jumps by what it is off by: windows cannot know it better.
         let spread = 1.0 + self.theta * local_mass(singularity, disk);
         let jump = JUMPS * spread.min(SPREAD) * fitted.jump.min(NOISE * fitted.largest);
-        let (middle, error) = self.at(c);
-        let budget = (SHARE * middle.abs()).max(2.0 * error).max(jump).max(allowed);
         let missed = fitted.missed * spread;
-        if missed > budget {
-            return None;
-        }
         // The ellipse about the window with the foci at its ends and this half-axis has its rho; the one about the disk that contains it its gamma.
         let axis = INSIDE * disk / r;
         let rho = axis + (axis * axis - 1.0).sqrt();
         let minor = (axis * axis - 1.0).sqrt() * r / disk;
         let gamma = minor + (1.0 + minor * minor).sqrt();
-        let parts = self.parts(c, disk);
-        let (count, remainder) = count_with(&mut heights, (budget, c, r), |count| {
+        let parts = self.parts(c, (disk, r));
+        let powers: Vec<f64> = std::iter::successors(Some(1.0), |power| Some(power * gamma))
+            .take(fitted.len())
+            .collect();
+        let (local_mass, local) =
+            (local_mass(singularity, disk), local_potential(singularity, disk));
+        let remainder = |count: usize, most: f64| {
             let fallen = 4.0 * rho.powi(1 - count as i32) / (rho - 1.0);
-            let plain = 1.0 + self.lebesgue(c, r, count);
-            let whole = plain * local_mass(singularity, disk);
-            let potential = fitted.sum(
-                |k| (fallen * gamma.powi(k) * local_potential(singularity, disk)).min(whole),
-                whole,
-            );
-            let own = fitted.sum(
-                |k| if (k as usize) < count { 0.0 } else { (fallen * gamma.powi(k)).min(plain) },
-                plain,
-            );
-            own + self.theta * (potential + outside(&parts, singularity, r, count))
-        })?;
+            let plain = 1.0 + crowded(c, r, count) * lebesgue(count);
+            let whole = plain * local_mass;
+            let potential = fitted.sum(|k| (fallen * powers[k] * local).min(whole), whole);
+            let own = |k: usize| if k < count { 0.0 } else { (fallen * powers[k]).min(plain) };
+            let inside = fitted.sum(own, plain) + self.theta * potential;
+            inside + self.theta * outside(&parts, singularity, count, most / self.theta)
+        };
+        // What the residual itself may hide is looked for only where that is needed.
+        let least = jump.max(allowed);
+        let found =
+            if missed <= least { count_with(&mut heights, (least, c, r), remainder) } else { None };
+        let (count, remainder) = match found {
+            Some(found) => found,
+            None => {
+                let (middle, error) = self.at(c);
+                let budget = (SHARE * middle.abs()).max(2.0 * error).max(least);
+                if missed > budget || budget <= least {
+                    return None;
+                }
+                count_with(&mut heights, (budget, c, r), remainder)?
+            }
+        };
         let (values, error) = self.values(c, r, count);
         let rest = remainder + missed;
         let crowded = crowded(c, r, count);
@@ -97,17 +107,18 @@ impl Residual<'_> {
         })
     }
 
-    fn parts(&self, c: f64, disk: f64) -> Vec<Part> {
-        let mut parts = Vec::new();
-        self.density.parts(c, &mut |distance, mass, largest, _| {
-            parts.push(Part::new(distance, disk, mass, largest));
-        });
-        parts
+    fn is_open_at(&self, places: [f64; 3]) -> bool {
+        !self.cuts.is_empty() && places.into_iter().any(|x| self.is_open(x))
     }
 
-    /// A bound of Lebesgue's constant of the nodes of a window.
-    fn lebesgue(&self, c: f64, r: f64, count: usize) -> f64 {
-        crowded(c, r, count) * lebesgue(count)
+    /// The density outside a disk about the middle of a window.
+    fn parts(&self, c: f64, (disk, r): (f64, f64)) -> Vec<Part> {
+        let singularity = self.density.kernel.singularity();
+        let mut parts = Vec::new();
+        self.density.parts(c, &mut |distance, mass, largest, _| {
+            parts.push(Part::new(singularity, (distance, disk, r), mass, largest));
+        });
+        parts
     }
 
     fn values(&self, c: f64, r: f64, count: usize) -> (Vec<f64>, f64) {
@@ -115,9 +126,9 @@ impl Residual<'_> {
         let mut potentials = Potentials::default();
         self.density.potentials(&places, &mut potentials);
         let mut largest = 0.0f64;
-        let values = (places.iter().zip(potentials.finished()))
-            .map(|(x, potential)| {
-                let (w, error) = self.with_potential(*x, potential);
+        let values = (places.iter().zip(self.density.values(&places)).zip(potentials.finished()))
+            .map(|((x, q), potential)| {
+                let (w, error) = self.formed(*x, self.profile.height(*x), q, potential);
                 largest = largest.max(error);
                 w
             })
@@ -129,7 +140,7 @@ impl Residual<'_> {
     fn sup(&self, values: &[f64], lebesgue: f64, error: f64) -> f64 {
         let count = values.len();
         let largest = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
-        let sum: f64 = nodes(count).coefficients(values).map(f64::abs).sum();
+        let sum: f64 = nodes(count).coefficients(values).iter().map(|c| c.abs()).sum();
         (lebesgue * largest).min(sum) + lebesgue * error
     }
 
@@ -141,27 +152,26 @@ impl Residual<'_> {
     ) -> Option<Bounded> {
         let (c, r) = (0.5 * (left + right), 0.5 * (right - left));
         let mut heights = known.on(self.profile, [left, right]);
-        let (middle, error) = self.at(c);
         let singularity = self.density.kernel.singularity();
-        let parts = self.parts(c, LEAST_DISK * r);
-        let is_open = [left, c, right].into_iter().any(|x| self.is_open(x));
+        let parts = self.parts(c, (LEAST_DISK * r, r));
         // A panel that reaches into the window's own disk may touch the window.
         let mut is_near = false;
         self.density.parts(c, &mut |distance, mass, _, _| {
             is_near |= mass > 0.0 && distance < LEAST_DISK * r;
         });
-        if is_near || is_open {
+        if is_near || self.is_open_at([left, c, right]) {
             return None;
         }
         let allowed = allowance(self.theta, right - left) * self.density.largest();
+        let (middle, error) = self.at(c);
         let budget = (SHARE * middle.abs()).max(2.0 * error).max(allowed);
-        let (count, remainder) = count_with(&mut heights, (budget, c, r), |count| {
-            self.theta * outside(&parts, singularity, r, count)
+        let (count, remainder) = count_with(&mut heights, (budget, c, r), |count, most| {
+            self.theta * outside(&parts, singularity, count, most / self.theta)
         })?;
         let (values, error) = self.values(c, r, count);
         let mut swing = 0.0;
         let mut mean = 0.0;
-        for (k, a) in nodes(count).coefficients(&values).enumerate() {
+        for (k, a) in nodes(count).coefficients(&values).into_iter().enumerate() {
             if k == 0 { mean = a } else { swing += a.abs() }
         }
         let size = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
@@ -181,14 +191,14 @@ impl Residual<'_> {
     }
 }
 
-/// The smallest number of nodes with which all remainders are within the budget, and the remainder.
+/// The smallest number of nodes with which all remainders are within the budget, and the remainder; of a larger one than is asked for any part will do.
 fn count_with(
     heights: &mut Heights<'_>,
     (budget, c, r): (f64, f64, f64),
-    remainder: impl Fn(usize) -> f64,
+    remainder: impl Fn(usize, f64) -> f64,
 ) -> Option<(usize, f64)> {
     for count in COUNTS.into_iter().filter(|count| crowded(c, r, *count).is_finite()) {
-        let own = remainder(count);
+        let own = remainder(count, FINE * budget);
         if own > FINE * budget {
             continue;
         }

@@ -31,7 +31,8 @@ impl<'a> Resampled<'a> {
     fn misfit(&self, exponent: f64) -> [f64; 2] {
         let (mut most, mut squares) = (0.0f64, 0.0);
         for panel in self.density.panels() {
-            let missed = compared(panel, &*self.own).fold(0.0f64, |most, (_, off)| most.max(off));
+            let missed =
+                compared(panel, &*self.own).iter().fold(0.0f64, |most, (.., off)| most.max(*off));
             // At the places where the residual is formed the pressure is the answer's own.
             most = most.max(if is_short(panel) { 0.0 } else { missed });
             squares += (missed * ring(2.0 * panel.half(), exponent)).powi(2);

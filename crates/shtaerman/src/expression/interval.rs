@@ -126,7 +126,7 @@ impl Interval {
     pub(crate) fn times(self, other: Self) -> (Self, bool) {
         let undefined = (self.contains(0.0) && other.has_infinity())
             || (other.contains(0.0) && self.has_infinity());
-        (corners(self, other, multiply_up), undefined)
+        (products(self, other), undefined)
     }
 
     pub(crate) fn square(self) -> Self {
@@ -143,7 +143,7 @@ impl Interval {
         let undefined =
             (by_zero && self.contains(0.0)) || (self.has_infinity() && other.has_infinity());
         if !by_zero {
-            return (corners(self, other, divide_up), undefined);
+            return (quotients(self, other), undefined);
         }
         let quotient = if other.lower == 0.0 && other.upper > 0.0 && self.lower >= 0.0 {
             Self::ends(-divide_up(-self.lower, other.upper), f64::INFINITY)
@@ -175,6 +175,40 @@ fn corners(u: Interval, v: Interval, up: fn(f64, f64) -> f64) -> Interval {
         }
     }
     Interval::ends(lower, upper)
+}
+
+/// All products: of a factor that has one sign and is bounded the ends are known.
+fn products(u: Interval, v: Interval) -> Interval {
+    if u.has_infinity() || v.has_infinity() {
+        return corners(u, v, multiply_up);
+    }
+    let by_positive = |u: Interval, v: Interval| {
+        let largest = if v.upper >= 0.0 { u.upper } else { u.lower };
+        let least = if v.lower >= 0.0 { u.lower } else { u.upper };
+        Interval::ends(-multiply_up(-least, v.lower), multiply_up(largest, v.upper))
+    };
+    if u.lower >= 0.0 {
+        by_positive(u, v)
+    } else if v.lower >= 0.0 {
+        by_positive(v, u)
+    } else if u.upper <= 0.0 {
+        by_positive(u.negated(), v.negated())
+    } else if v.upper <= 0.0 {
+        by_positive(v.negated(), u.negated())
+    } else {
+        corners(u, v, multiply_up)
+    }
+}
+
+/// All quotients by numbers of one sign.
+fn quotients(u: Interval, v: Interval) -> Interval {
+    if u.has_infinity() || v.has_infinity() {
+        return corners(u, v, divide_up);
+    }
+    let (u, v) = if v.upper < 0.0 { (u.negated(), v.negated()) } else { (u, v) };
+    let least = if u.lower >= 0.0 { v.upper } else { v.lower };
+    let largest = if u.upper >= 0.0 { v.lower } else { v.upper };
+    Interval::ends(-divide_up(-u.lower, least), divide_up(u.upper, largest))
 }
 
 /// `2^exponent u`, in steps that neither overflow nor underflow before the result does.

@@ -47,7 +47,12 @@ impl Profile {
                 let values = expression.enclose_along(&line(half_width), place);
                 values.is_finite().then_some(values.interval)
             }
-            Shape::Flat | Shape::Measured(_) => self.expansion(place, 0, half_width).range(),
+            Shape::Measured(spline) => {
+                let x = place.times(Interval::ends(half_width, half_width)).0;
+                let ([value, ..], _) = spline.enclose(x, SLACK * half_width);
+                Some(value)
+            }
+            Shape::Flat => Some(Interval::ZERO),
         };
         exact.map(|exact| exact.hull(computed)).filter(|value| value.is_bounded())
     }
