@@ -5,11 +5,14 @@ use super::operator::PanelOperator;
 use crate::Error;
 use crate::linear::vector::add;
 
-/// Most steps, and conditions.
+/// Most steps between two restarts, products altogether, and conditions.
 const STEPS: usize = 80;
+const MOST_PRODUCTS: usize = 5 * STEPS;
 const MOST_CONDITIONS: usize = 2;
-/// A residual that has fallen to no less than this share is rounding.
+/// A residual that a restart has left no less than this share of does not fall any more.
 const STAGNANT: f64 = 0.5;
+/// To this share of what is added up in it a residual is rounding: that of potentials, as the tests of the operator show.
+const ROUNDING: f64 = 256.0 * f64::EPSILON;
 
 /// `phi + theta K w phi - sum_k mu_k c_k = b`, `int r_k w phi = v_k`, with a weight `w >= 0`: the modulus of a law that bends.
 #[derive(Debug)]
@@ -70,7 +73,8 @@ impl PanelEquation<'_> {
     /// From a start, to a residual of the norm `tolerance` or to where rounding ends it.
     ///
     /// # Errors
-    /// [`Error::WrongLength`] for lists that do not fit the nodes or more than two conditions, [`Error::InvalidParameter`] for conditions that depend on each other.
+    /// [`Error::WrongLength`] for lists that do not fit the nodes or more than two conditions, [`Error::InvalidParameter`] for conditions that depend on each other,
+    /// [`Error::NotConverged`] where the residual stays above both, its numbers relative to what is added up in it.
     pub fn solve(
         &self,
         right: &[f64],
@@ -97,19 +101,24 @@ impl PanelEquation<'_> {
             products += 1;
             residual = self.residual(right, conditions, &values, &multipliers, &potential);
             let norm = self.product(&residual, &residual).sqrt();
-            if norm <= tolerance || norm > STAGNANT * before || products > STEPS {
-                return Ok(PanelSolution {
-                    values,
-                    multipliers,
-                    potential,
-                    residual: norm,
-                    products,
+            let falls = norm <= STAGNANT * before && products <= MOST_PRODUCTS;
+            if norm > tolerance && falls {
+                before = norm;
+                let steps;
+                (direction, steps) = self.krylov(&border, residual, norm, tolerance);
+                products += steps;
+                continue;
+            }
+            let size = self.size(right, conditions, &values, &multipliers, &potential);
+            if norm.is_nan() || norm > tolerance.max(ROUNDING * size) {
+                return Err(Error::NotConverged {
+                    iterations: products,
+                    residual: norm / size,
+                    tolerance: (tolerance / size).max(ROUNDING),
                 });
             }
-            before = norm;
-            let steps;
-            (direction, steps) = self.krylov(&border, residual, norm, tolerance);
-            products += steps;
+            let residual = norm;
+            return Ok(PanelSolution { values, multipliers, potential, residual, products });
         }
     }
 
@@ -173,6 +182,21 @@ impl PanelEquation<'_> {
             add(&mut residual, *mu, &condition.column);
         }
         residual
+    }
+
+    /// The norms of what is added up in the residual.
+    fn size(
+        &self,
+        right: &[f64],
+        conditions: &[PanelCondition],
+        values: &[f64],
+        multipliers: &[f64],
+        potential: &[f64],
+    ) -> f64 {
+        let norm = |list: &[f64]| self.product(list, list).sqrt();
+        let columns = conditions.iter().zip(multipliers);
+        let shifts: f64 = columns.map(|(c, mu)| mu.abs() * norm(&c.column)).sum();
+        norm(right) + norm(values) + self.parameter * norm(potential) + shifts
     }
 
     fn border<'c>(&self, conditions: &'c [PanelCondition]) -> Result<Border<'c>, Error> {
@@ -386,6 +410,24 @@ mod tests {
                 assert!(difference < 1e-9, "{theta} {x}: {difference}");
             }
         }
+    }
+
+    #[test]
+    fn what_does_not_converge_is_an_error() {
+        // Groups that know nothing of the operator leave a condition of the size of theta.
+        let left = |i: i32| f64::from(i) * 0.01 - 1.0;
+        let bounds = (0..200).map(|i| [left(i), left(i) + 0.0099]).collect();
+        let panels = Panels::new(bounds, 6).unwrap();
+        let operator = PanelOperator::new(PanelKernel::Logarithm, panels).unwrap();
+        let groups =
+            Groups::new(PanelKernel::Logarithm, operator.panels(), 0.0, 2.0, None).unwrap();
+        let equation =
+            PanelEquation { operator: &operator, parameter: 1e9, weight: None, groups: &groups };
+        let nodes = operator.panels().nodes();
+        let right: Vec<f64> = nodes.iter().map(|x| (700.0 * x).sin()).collect();
+        let found = equation.solve(&right, &[], &vec![0.0; nodes.len()], 1e-12);
+        let Err(Error::NotConverged { residual, tolerance, .. }) = found else { panic!() };
+        assert!(residual > tolerance && tolerance > 0.0, "{residual:e} {tolerance:e}");
     }
 
     #[test]
