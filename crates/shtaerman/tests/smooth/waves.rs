@@ -204,7 +204,8 @@ fn gaps_beside_a_narrow_crest_of_a_pressed_wave_are_found() {
         let cuts = [-8.0, -3.0, 3.0, 8.0].map(|widths| at + widths * width);
         let problem = punch(0.8, height, level(6.0)).slope(slope).breaks(&cuts).period(2.0);
         let contact = problem.solved();
-        assert!(!contact.zones().is_empty() && contact.gap0(at + 2.5 * width) > 0.0, "{at}");
+        let opens = (1..40).any(|i| contact.gap0(at + 0.1 * width * f64::from(i)) > 0.0);
+        assert!(opens, "{at}: {:?}", contact.zones());
         let left = contact.complementarity();
         assert!(left.tension < 1e-9 && left.penetration < 1e-9, "{left:?}");
     }
