@@ -136,7 +136,7 @@ impl Problem<'_> {
         let mut z = feasible.to_vec();
         let mut set: Vec<bool> = z.iter().map(|z| *z > 0.0).collect();
         let most = 20 * self.matrix.order + 100;
-        let mut fewest_added = self.matrix.order;
+        let mut left = f64::INFINITY;
         for iterations in 1..=most {
             let Some(Restricted { values, multipliers }) = self.restricted(&set)? else { break };
             // Those that came in at zero and would become negative are sent back at once.
@@ -170,10 +170,10 @@ impl Problem<'_> {
                 added.sort_by(|&i, &j| excess.values[i].total_cmp(&excess.values[j]));
                 added.truncate(1);
             }
-            fewest_added = fewest_added.min(added.len());
+            left = left.min(added.iter().fold(0.0, |most, &i| most.max(excess.below_by(i))));
             added.into_iter().for_each(|i| set[i] = true);
         }
-        Err(Error::NotConverged { iterations: most, residual: fewest_added as f64, tolerance: 0.0 })
+        Err(Error::NotConverged { iterations: most, residual: left, tolerance: NO_SIGN })
     }
 
     /// `w` with the size of its terms.
@@ -265,6 +265,11 @@ impl Excess {
     /// Whether a component penetrates beyond rounding.
     fn below(&self, i: usize) -> bool {
         self.values[i] < self.threshold
+    }
+
+    /// By how much, over the size of its terms.
+    fn below_by(&self, i: usize) -> f64 {
+        NO_SIGN * self.values[i] / self.threshold
     }
 }
 

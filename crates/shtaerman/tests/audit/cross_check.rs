@@ -122,3 +122,18 @@ fn a_trace_under_a_power_law_agrees() {
         assert!(contact.relative_error() < 1e-9, "{:e}", contact.relative_error());
     }
 }
+
+#[test]
+fn waves_under_thin_layers_agree() {
+    // Edges begin many lengths of the layer away from where they end.
+    let waves = "xi^2 + 0.04*sin(9*xi+1) + 0.01*cos(21*xi-0.4) + 0.004*sin(44*xi)";
+    for (theta0, load) in
+        [(3e3, "force = 2\nmoment = 0.1"), (2.2e4, "settlement = 6000\ntilt = 900")]
+    {
+        let scale = 0.4 * theta0;
+        let profile = format!("profile = \"{scale}*({waves})\"");
+        let file = format!("[dimensionless]\ntheta0 = {theta0}\n{profile}\n{load}\n");
+        let check = checked(&file);
+        assert!(check.agrees, "{theta0}: {check:?}");
+    }
+}

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use crate::support::{With, balanced, close, punch};
+use crate::support::{With, balanced, close, holds, punch};
 use shtaerman::{Load, Rotational, Vertical};
 
 #[test]
@@ -216,4 +216,22 @@ fn the_scale_of_stiffness_does_not_matter() {
         close(two.pressure0(x), one.pressure0(x), 1e-11, "pressure");
     }
     close(two.settlement0(), 1e7 * one.settlement0(), 1e-12, "settlement");
+}
+
+#[test]
+fn an_end_about_a_kink_is_found() {
+    // The base is flat up to a kink and rises beyond: the density at the free end has two slopes there, and the ends that steps of either lead to lie on the other's side.
+    for kink in [0.42, 0.6401] {
+        for force in [0.7, 1.1] {
+            for arm in [-0.61, -0.57, -0.5] {
+                let rising = move |x: f64| 0.97 * (x - kink).max(0.0);
+                let slope = move |x: f64| if x > kink { 0.97 } else { 0.0 };
+                let contact = punch(1.0, rising, balanced(force, arm * force))
+                    .slope(slope)
+                    .breaks(&[kink])
+                    .solved();
+                holds(&contact, 1e-9, &format!("{kink} {force} {arm}"));
+            }
+        }
+    }
 }

@@ -189,3 +189,23 @@ fn the_moment_of_a_wave_with_a_kink() {
         assert!(stated < 1e-11, "{stated:e}");
     }
 }
+
+#[test]
+fn gaps_beside_a_narrow_crest_of_a_pressed_wave_are_found() {
+    // Equally spaced places lie farther apart than the crest is wide.
+    let (at, width) = (0.4, 0.0011);
+    let crest = move |x: f64| (-((0.5 * PI * (x - at)).sin() / width).powi(2)).exp();
+    let height = move |x: f64| 0.5 * (PI * x).cos() - 0.05 * crest(x);
+    let slope = move |x: f64| {
+        let half = 0.5 * PI * (x - at);
+        let fall = PI * half.sin() * half.cos() / (width * width) * crest(x);
+        -0.5 * PI * (PI * x).sin() + 0.05 * fall
+    };
+    let cuts = [-8.0, -3.0, 3.0, 8.0].map(|widths| at + widths * width);
+    let problem = punch(0.8, height, level(6.0)).slope(slope).breaks(&cuts).period(2.0);
+    let contact = problem.solved();
+    let opens = (1..40).any(|i| contact.gap0(at + 0.1 * width * f64::from(i)) > 0.0);
+    assert!(opens, "{at}: {:?}", contact.zones());
+    let left = contact.complementarity();
+    assert!(left.tension < 1e-9 && left.penetration < 1e-9, "{left:?}");
+}

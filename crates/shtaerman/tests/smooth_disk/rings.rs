@@ -175,6 +175,29 @@ fn kinks() {
 }
 
 #[test]
+fn cones_that_open_at_the_axis() {
+    // Few modes leave a penetration beside the inner edge that all of them do not.
+    for (profile, load) in [
+        ("1.6e-5*max(x^2/2.5e-5, 0.71 - 0.03*abs(x)/5e-3)", 4e3),
+        ("5e-6*(abs(abs(x)/5e-3 - 0.45) + 0.6*x^2/2.5e-5)", 3e3),
+    ] {
+        let contact = solve(profile, pressed(load));
+        assert_eq!(contact.edges0().len(), 2, "{profile}: {:?}", contact.edges0());
+        let stated = contact.relative_error();
+        assert!(stated < 1e-3, "{profile}: {stated:e}");
+        is_contact(profile, &contact, load, stated.max(1e-10));
+    }
+}
+
+#[test]
+fn a_narrow_crest_parts_a_disk() {
+    let profile = "1.9e-6*x^2/2.5e-5 - 1.8e-7*exp(-((abs(x)/5e-3 - 0.911)/0.0031)^2)";
+    let contact = solve(profile, pressed(2.1e4));
+    assert_eq!(contact.edges0().len(), 5, "{:?}", contact.edges0());
+    is_contact(profile, &contact, 2.1e4, 1e-8);
+}
+
+#[test]
 fn flat_annuli() {
     // int_0^a (1 - D g)^2 dx/a, D g = d/dx int_0^x r g dr/sqrt(x^2 - r^2), is least over displacements g in the hole for F/(2 E* a delta), and
     // int_0^a (2 x - (1/x) d/dx int_0^x r^2 g dr/sqrt(x^2 - r^2))^2 dx/a^3 for the turning stiffness over E* a^3: by the method of Ritz, to the digits shown.

@@ -4,6 +4,7 @@ use std::cell::Cell;
 
 use super::zones::Zone;
 use crate::Error;
+use crate::contact::unilateral::damping::{Damping, Edge};
 
 /// Most Newton steps on the way to the edges.
 const STEPS: usize = 120;
@@ -15,8 +16,8 @@ const FALLING: f64 = 0.9;
 pub(super) const STRIDE: f64 = 0.4;
 /// Zones shorter than this share of the longest are none.
 pub(super) const VANISHING: f64 = 1e-9;
-/// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends.
-const MOST_WORK: f64 = 1e11;
+/// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends: about fifteen seconds.
+const MOST_WORK: f64 = 3e11;
 /// What a panel costs in the same unit.
 const A_PANEL: f64 = 6e4;
 /// Zones closer than this share of the shorter one are one.
@@ -79,6 +80,7 @@ pub(super) fn settle<S: FreeEnds>(
 ) -> Result<S, Error> {
     let mut zones = start.to_vec();
     let mut best: Option<(f64, S)> = None;
+    let mut damping = Damping::default();
     for _ in 0..STEPS {
         let solved = solve(&zones)?;
         work.spend(solved.modes(), solved.panels())?;
@@ -97,13 +99,44 @@ pub(super) fn settle<S: FreeEnds>(
         } else if worst <= none && !released {
             return Ok(solved);
         }
-        zones = moved(&solved, &zones);
+        zones = damped(&mut damping, &solved, &zones, moved(&solved, &zones));
         best = is_small.then_some((worst, solved));
     }
     match best {
         Some((_, solved)) => Ok(solved),
         None => solve(&zones),
     }
+}
+
+/// The next zones with shorter steps of those ends that go back and forth about a kink of the base; all as they are where an end was freed or held, or a zone has gone.
+fn damped(
+    damping: &mut Damping,
+    solved: &impl FreeEnds,
+    zones: &[Zone],
+    mut next: Vec<Zone>,
+) -> Vec<Zone> {
+    let is_same = zones.len() == next.len()
+        && zones.iter().zip(&next).all(|(zone, next)| zone.is_free == next.is_free);
+    if !is_same {
+        *damping = Damping::default();
+        return next;
+    }
+    let edge = |j: usize, side: usize| Edge {
+        at: zones[j].ends[side],
+        outwards: if side == 0 { -1.0 } else { 1.0 },
+        layer: solved.density_at(j, side),
+    };
+    let edges: Vec<Edge> = (0..zones.len()).flat_map(|j| [edge(j, 0), edge(j, 1)]).collect();
+    let pairs = zones.iter().zip(&next);
+    let steps = pairs.flat_map(|(zone, next)| [0, 1].map(|side| next.ends[side] - zone.ends[side]));
+    let wanted: Vec<f64> = steps.collect();
+    let steps = damping.damped(wanted.clone(), &edges);
+    for (end, (step, wanted)) in steps.into_iter().zip(wanted).enumerate() {
+        if step != wanted {
+            next[end / 2].ends[end % 2] = edges[end].at + step;
+        }
+    }
+    next
 }
 
 /// Drops zones without force, if there are others; whether there were any.

@@ -10,6 +10,8 @@ use crate::contact::valleys::require_shown;
 const CORRECTIONS: usize = 16;
 /// Numbers of cells, each four times the one before.
 const TOPOLOGIES: usize = 3;
+/// Below this a violation may come from too few modes.
+const DOUBTFUL: f64 = 1e-2;
 
 /// A base on which zones can be looked for.
 pub(super) trait Searched {
@@ -84,10 +86,11 @@ fn find_zones<B: Searched>(base: &B) -> Result<Vec<Zone>, Error> {
     let counts = (0..TOPOLOGIES).map(|power| first * 4usize.pow(power as u32));
     let mut counts: Vec<usize> = counts.map(|count| count.min(most)).collect();
     counts.dedup();
+    let mut doubtful = Doubtful { violation: DOUBTFUL, zones: None };
     for count in counts {
         let zones = base.intervals(count).and_then(|intervals| {
             require_shown(&intervals, &valleys, count, B::MOST_ZONES)?;
-            corrected_zones(base, zones(base, &intervals))
+            corrected_zones(base, zones(base, &intervals), &mut doubtful)
         });
         match zones {
             Ok(zones) => return Ok(zones),
@@ -97,14 +100,25 @@ fn find_zones<B: Searched>(base: &B) -> Result<Vec<Zone>, Error> {
             Err(error) => last = error,
         }
     }
-    Err(last)
+    // All modes tell whether there is anything left.
+    doubtful.zones.ok_or(last)
+}
+
+/// The zones with the least violation so small that all modes may show none.
+struct Doubtful {
+    violation: f64,
+    zones: Option<Vec<Zone>>,
 }
 
 fn is_attempt(error: &Error) -> bool {
     matches!(error, Error::NotComplementary { penetration, .. } if penetration.is_finite())
 }
 
-fn corrected_zones<B: Searched>(base: &B, mut zones: Vec<Zone>) -> Result<Vec<Zone>, Error> {
+fn corrected_zones<B: Searched>(
+    base: &B,
+    mut zones: Vec<Zone>,
+    doubtful: &mut Doubtful,
+) -> Result<Vec<Zone>, Error> {
     let mut last = Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN };
     let mut narrowing = Narrowing::new();
     for _ in 0..CORRECTIONS {
@@ -118,6 +132,10 @@ fn corrected_zones<B: Searched>(base: &B, mut zones: Vec<Zone>) -> Result<Vec<Zo
             return Ok(B::zones(&solved));
         }
         let Check { tension, penetration, .. } = left;
+        if tension.max(penetration) < doubtful.violation {
+            let zones = Some(B::zones(&solved));
+            *doubtful = Doubtful { violation: tension.max(penetration), zones };
+        }
         last = Error::NotComplementary { tension, penetration };
         let Some(width) = narrowing.next(penetration) else { break };
         zones = amended(base, &solved, &left, width);

@@ -18,6 +18,8 @@ const POINTS: usize = 256;
 const MOST_POINTS: usize = 3072;
 /// By this share of the pressure the bottom of a valley is no deeper than another place.
 const AS_DEEP: f64 = 1e-12;
+/// Parts of the stretch between two cuts of the profile.
+const BETWEEN: usize = 16;
 /// How near a kink the pressure is looked at.
 const BESIDE: f64 = 1e-12;
 /// Newton steps for a settlement.
@@ -138,6 +140,18 @@ impl FullWave {
             .min_by(|one, two| one.1.total_cmp(&two.1))
     }
 
+    /// The least pressure between cuts of the profile, which lie about narrow features that equally spaced places miss.
+    fn between(&self, cuts: &[f64]) -> Option<(f64, f64)> {
+        let places = cuts.windows(2).flat_map(|pair| {
+            let step = (pair[1] - pair[0]) / BETWEEN as f64;
+            (1..BETWEEN).map(move |i| (pair[0] + step * i as f64, step))
+        });
+        let lowest = places
+            .map(|(at, step)| (at, self.pressure(at), step))
+            .min_by(|one, two| one.1.total_cmp(&two.1));
+        lowest.map(|(at, _, step)| self.bottom(at, step))
+    }
+
     /// The bottom of the valley about a place by parabolas through ever closer places.
     fn bottom(&self, at: f64, step: f64) -> (f64, f64) {
         let pressure = |xi: f64| self.pressure(wrapped(xi));
@@ -251,7 +265,8 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     let pulls = |p: f64| problem.is_unilateral && p < -ALLOWED * size;
     let lowest = full.lowest(&along);
     let lower = |one: (f64, f64), two: (f64, f64)| if two.1 < one.1 { two } else { one };
-    let (place, least) = lowest.into_iter().chain(full.beside_kink()).fold((place, least), lower);
+    let others = [lowest, full.beside_kink(), full.between(&problem.profile.breaks)];
+    let (place, least) = others.into_iter().flatten().fold((place, least), lower);
     // The seam is best left where it is as deep in the valley.
     let bottom = place;
     let is_seam = full.pressure(-1.0) <= least + AS_DEEP * size;

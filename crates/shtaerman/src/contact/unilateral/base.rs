@@ -6,6 +6,7 @@ use super::layer::Layer;
 use super::medium::Medium;
 use super::mirror;
 use super::power::reference_pressure;
+use super::refinement::Effort;
 use super::topology;
 use super::zones::Zone;
 use crate::contact::cells::mean_height;
@@ -58,6 +59,8 @@ pub(super) struct Base<'p> {
     pub(super) is_mirrored: bool,
     /// Where heights are counted from.
     pub(super) anchor: Option<Anchor>,
+    /// How far collocation goes.
+    pub(super) effort: Effort,
 }
 
 /// Samples of the parts that are shorter than a few steps.
@@ -112,6 +115,7 @@ impl<'p> Base<'p> {
             beside,
             is_mirrored: false,
             anchor: None,
+            effort: Effort::MOST,
         };
         let serves = !base.breaks.is_empty() || !base.layer.is_linear();
         base.is_mirrored = serves && mirror::is_mirrored(&base);
@@ -256,6 +260,11 @@ impl<'p> Base<'p> {
     /// Zones to begin with, found on about this many cells.
     pub(super) fn first_zones(&self, cells: usize) -> Result<Vec<Zone>, Error> {
         if self.is_plain() { topology::find(self, cells) } else { coarse::find(self, cells) }
+    }
+
+    /// The same with little effort.
+    pub(super) fn with_little_effort(&self) -> Self {
+        Self { effort: Effort::LITTLE, ..self.clone() }
     }
 
     /// The pieces of the base as zones.

@@ -41,6 +41,7 @@ pub(super) use near::KnownZone;
 use std::sync::Arc;
 
 use super::parts::require_few;
+use super::plan::AIM;
 use super::solution::Solution;
 use crate::{ContactKind, Error, Problem};
 use base::Base;
@@ -61,6 +62,9 @@ const CORRECTIONS: usize = 12;
 
 /// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything.
 const ALL_NOISE: f64 = 0.1;
+
+/// Relative error aimed at for large `theta0`, over `theta0` and what is aimed at without a layer.
+const ROUNDED: f64 = 0.1;
 
 /// How near a cut of a wave it must not touch.
 const BESIDE: f64 = 1e-8;
@@ -142,7 +146,7 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
         let start = strength(base, &zones);
         let (coarse, _) =
             edges::settle(base, &Resolution::new(&base.medium, half_count(start, -1))?, &zones)?;
-        refined(base, &coarse, start)?
+        refined(base, &coarse, start, &mut 0.0)?
     };
     let left = check(base, &solved, ALLOWED);
     if !base.layer.is_linear() && !left.pulling.is_empty() {
@@ -184,7 +188,7 @@ fn lifting(base: Base<'_>) -> Result<Answer, Error> {
         Some(middle) => middle,
         None => ring::least(&solved),
     };
-    complementary(&base.shifted(cut)).map(Answer::zones)
+    open(&base.shifted(cut))
 }
 
 /// The answer for a wave without gaps whose profile bends, of which no Fourier series is short: in full contact or cut where that pulls most; none where panels do not serve.
@@ -219,6 +223,13 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
         return Ok(answer);
     }
     require_few(&base.breaks)?;
+    if !is_tried
+        && base.has_panels()
+        && base.settlement_at_eccentricity().is_none()
+        && let Some(answer) = quicker(base)
+    {
+        return Ok(answer);
+    }
     match anchored(base, complementary(base)) {
         Err(
             error @ (Error::NotComplementary { .. }
@@ -239,6 +250,39 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
         }
         ending => ending.map(Answer::zones),
     }
+}
+
+/// The answer on few nodes, or on panels; none where both miss what is aimed at, as more nodes may not.
+fn quicker(base: &Base<'_>) -> Option<Answer> {
+    // Rounding of the pressure grows with theta0.
+    let usual = AIM * (ROUNDED * base.theta).max(1.0);
+    let aim = base.problem.solver().tolerance.unwrap_or(usual);
+    let on_panels = || spots::solve(base).ok().flatten();
+    let error_of = |contact: &Option<SpotContact>| {
+        contact.as_ref().map_or(f64::INFINITY, Solution::relative_error)
+    };
+    let is_first = takes_many_steps(base);
+    let mut panels = if is_first { on_panels() } else { None };
+    let mut collocated = None;
+    let mut error = f64::INFINITY;
+    if error_of(&panels) > aim {
+        let little = base.with_little_effort();
+        collocated = anchored(&little, complementary(&little)).ok();
+        error = collocated.as_ref().map_or(f64::INFINITY, Solution::relative_error);
+        if error > aim && !is_first {
+            panels = on_panels();
+        }
+    }
+    let is_enough = error_of(&panels) <= aim || collocated.is_none();
+    match panels.filter(|contact| is_enough && contact.relative_error() < error) {
+        Some(contact) => Some(Answer::Spots(Box::new(contact))),
+        None => collocated.filter(|_| error <= aim).map(Answer::zones),
+    }
+}
+
+/// Whether edges of several zones begin many lengths of the layer away, as cells are longer than it is: steps then take them nearer by a half each, which dense equations make long.
+fn takes_many_steps(base: &Base<'_>) -> bool {
+    base.valleys() > 1 && 2.0 * base.steepness() > base.cells() as f64
 }
 
 /// The answer for many zones: with exact edges, or on cells.
@@ -326,8 +370,9 @@ fn finished(
     mut coarse: Solved,
     mut start: f64,
 ) -> Result<UnilateralContact, Error> {
+    let mut work = 0.0;
     for _ in 0..CORRECTIONS {
-        let (solved, accuracy, edge) = refined(base, &coarse, start)?;
+        let (solved, accuracy, edge) = refined(base, &coarse, start, &mut work)?;
         let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
         if noise > ALL_NOISE {
             break;
@@ -337,7 +382,7 @@ fn finished(
             return harmonic::answer(base, solved, accuracy, edge, &left);
         }
         let zones = corrected(&solved.zones, &left.pulling, &left.penetrating(1.0));
-        if zones.is_empty() {
+        if zones.is_empty() || work > base.effort.work {
             break;
         }
         start = strength(base, &zones);

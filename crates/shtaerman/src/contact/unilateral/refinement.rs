@@ -18,8 +18,20 @@ const NODES_A_VALLEY: f64 = 12.0;
 const MOST_FOR_VALLEYS: f64 = 160.0;
 /// Growth of the number of nodes from one resolution to the next.
 pub(super) const RATIO: f64 = std::f64::consts::SQRT_2;
-/// Most nodes of all panels together.
-pub(super) const MOST_NODES: usize = 2400;
+/// Most nodes of all panels together, and cubes of their numbers, added up over Newton steps.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Effort {
+    pub(super) nodes: usize,
+    pub(super) work: f64,
+}
+
+impl Effort {
+    /// About ten seconds.
+    pub(super) const MOST: Self = Self { nodes: 2400, work: 1e11 };
+    /// About half a second, as long as an answer on panels with fast products takes.
+    pub(super) const LITTLE: Self = Self { nodes: 900, work: 3e9 };
+}
+
 /// Differences that no longer fall and are below this share of the solution are rounding.
 const STAGNANT: f64 = 1e-9;
 /// A change of force and displacements, relative to their size, that is rounding.
@@ -49,22 +61,25 @@ pub(super) fn half_count(start: f64, power: i32) -> usize {
     ((start * RATIO.powi(power)).round() as usize).max(8)
 }
 
-/// The answer on growing numbers of nodes, from the one on the first.
+/// The answer on growing numbers of nodes, from the one on the first; `work` is what they have cost so far.
 pub(super) fn refined(
     base: &Base<'_>,
     coarse: &Solved,
     start: f64,
+    work: &mut f64,
 ) -> Result<(Solved, Accuracy, f64), Error> {
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
-    let level = |zones: &[Zone], power: i32| {
+    let mut level = |zones: &[Zone], power: i32| {
         let resolution = Resolution::new(&base.medium, half_count(start, power))?;
-        edges::settle(base, &resolution, zones).map(|(solved, _)| solved)
+        let (solved, iterations) = edges::settle(base, &resolution, zones)?;
+        *work += iterations as f64 * (solved.positions.len() as f64).powi(3);
+        Ok::<_, Error>((solved, *work))
     };
-    let mut fine = level(&coarse.zones, 0)?;
+    let (mut fine, _) = level(&coarse.zones, 0)?;
     let mut before = difference(base, &fine, coarse);
     let mut best: Option<(Solved, Accuracy, f64)> = None;
     for power in 1.. {
-        let finer = level(&fine.zones, power)?;
+        let (finer, work) = level(&fine.zones, power)?;
         let change = difference(base, &finer, &fine);
         let (accuracy, edge) = estimate(base, &finer, &before, &change);
         let sizes = finer.state.sizes(finer.largest());
@@ -74,7 +89,7 @@ pub(super) fn refined(
             || (change.pressure > 0.5 * before.pressure
                 && change.pressure <= STAGNANT * finer.largest());
         let next = half_count(start, power + 1) * 2 * finer.panels.len();
-        let last = next > MOST_NODES;
+        let last = next > base.effort.nodes || work > base.effort.work;
         fine = finer;
         if best.as_ref().is_none_or(|(_, known, _)| accuracy.pressure <= known.pressure) {
             best = Some((fine.clone(), accuracy, edge));

@@ -34,6 +34,8 @@ const COMPARED: usize = 200;
 /// Newton steps for a layer that bends, and how often one is halved.
 const STEPS: usize = 100;
 const CUTS: i32 = 30;
+/// A step below this share of what the layer gives under the load is rounding.
+const SETTLED: f64 = 8.0 * f64::EPSILON;
 
 /// A pressure on the whole circle.
 #[derive(Debug, Clone)]
@@ -292,13 +294,14 @@ impl Equations {
                     break;
                 }
             }
-            if share * largest <= 8.0 * f64::EPSILON * (scale + settlement.abs()) {
+            if share * largest <= SETTLED * (scale + settlement.abs()) {
                 let pressures: Vec<f64> = v.iter().map(|v| self.layer.pressure(*v)).collect();
                 return Ok((settlement, self.ring(settlement, &pressures), slopes));
             }
         }
         let residual = trial.merit(scale, pressure);
-        Err(fredholm::Error::NotConverged { iterations: STEPS, residual, tolerance: 0.0 }.into())
+        let (iterations, tolerance) = (STEPS, SETTLED);
+        Err(fredholm::Error::NotConverged { iterations, residual, tolerance }.into())
     }
 
     fn trial(&self, base: &Base<'_>, v: &[f64], settlement: f64) -> Trial {

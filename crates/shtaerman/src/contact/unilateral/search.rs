@@ -2,7 +2,7 @@
 
 use super::base::{Base, MOST_CELLS};
 use super::check::{Check, check};
-use super::refinement::{MOST_NODES, RATIO, half_count, strength};
+use super::refinement::{RATIO, half_count, strength};
 use super::solved::Solved;
 use super::system::Resolution;
 use super::zones::{Zone, corrected};
@@ -51,7 +51,7 @@ pub(super) fn find_zones(base: &Base<'_>) -> Result<(Solved, f64), Error> {
                 Attempt::Left(violation) => last = violation.or(last),
             }
         }
-        if work > MOST_WORK {
+        if work > MOST_WORK.min(base.effort.work) {
             break;
         }
     }
@@ -86,7 +86,8 @@ pub(super) fn corrected_zones(
     let mut progress = Progress::new();
     let mut left = None;
     for _ in 0..CORRECTIONS {
-        if zones.is_empty() || zones.len() > MOST_ZONES || *work > MOST_WORK {
+        let is_done = *work > MOST_WORK.min(base.effort.work);
+        if zones.is_empty() || zones.len() > MOST_ZONES || is_done {
             break;
         }
         let wanted = strength(base, &zones);
@@ -101,7 +102,7 @@ pub(super) fn corrected_zones(
             return Ok(Attempt::Found(Box::new(solved), start));
         }
         left = Some([check.tension, check.penetration]);
-        let room = MOST_NODES as f64 / (2.0 * solved.panels.len() as f64);
+        let room = base.effort.nodes as f64 / (2.0 * solved.panels.len() as f64);
         let finer = (start * RATIO).min(MOST_HALF_COUNT).min(room);
         match progress.next(&check, finer > start) {
             Step::Finer => {

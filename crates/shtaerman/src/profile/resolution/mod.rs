@@ -95,9 +95,9 @@ impl Profile {
         let segments = segments(pieces, &self.breakpoints(search.half_width));
         let goal = search.goal(&segments, tolerance);
         let leaves = search.leaves(&segments, goal);
-        let mut found = partition(&segments, &leaves, goal.allowed);
+        let mut found = partition(search, &segments, &leaves, goal.allowed);
         if !found.joints.is_empty() {
-            found = partition(&segments, &search.quartered(leaves), goal.allowed);
+            found = partition(search, &segments, &search.quartered(leaves), goal.allowed);
         }
         if found.joints.len() > MOST_JOINTS {
             found = Resolution { unresolved: pieces.to_vec(), ..Resolution::default() };
@@ -133,8 +133,13 @@ impl Resolution {
 }
 
 /// The cuts of the segments that are made of these parts.
-fn partition(segments: &[Interval], leaves: &[Leaf], allowed: f64) -> Resolution {
-    let mut partition = Partition::new(allowed);
+fn partition(
+    search: &Search<'_>,
+    segments: &[Interval],
+    leaves: &[Leaf],
+    allowed: f64,
+) -> Resolution {
+    let mut partition = Partition::new(search, allowed);
     for segment in segments {
         let first = leaves.partition_point(|leaf| leaf.part.lower() < segment.lower());
         let end = leaves.partition_point(|leaf| leaf.part.lower() < segment.upper());

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use super::Resolution;
-use super::search::{Bounds, Leaf, Outcome};
+use super::search::{Bounds, Leaf, Outcome, Search};
 use crate::expression::Interval;
 
 /// Nothing proved on an interval shorter than this is a single place.
@@ -12,7 +12,8 @@ const PLACE: f64 = 1e-11;
 const GRADING: f64 = 1.5;
 
 /// Collects the cuts of the segments.
-pub(super) struct Partition {
+pub(super) struct Partition<'a> {
+    search: &'a Search<'a>,
     allowed: f64,
     found: Resolution,
 }
@@ -30,9 +31,9 @@ struct End {
     is_singular: bool,
 }
 
-impl Partition {
-    pub(super) fn new(allowed: f64) -> Self {
-        Self { allowed, found: Resolution::default() }
+impl<'a> Partition<'a> {
+    pub(super) fn new(search: &'a Search<'a>, allowed: f64) -> Self {
+        Self { search, allowed, found: Resolution::default() }
     }
 
     pub(super) fn finish(self) -> Resolution {
@@ -166,7 +167,9 @@ impl Partition {
         while distance < most {
             let next = (GRADING * distance).min(most);
             let (near, far) = (singular + side * distance, singular + side * next);
-            if !self.is_met(leaves, Interval::ends(near.min(far), near.max(far))) {
+            let part = Interval::ends(near.min(far), near.max(far));
+            // A leaf that is short enough for any slope may reach too near to the place for bounds of a part of it.
+            if !self.is_met(leaves, part) && self.search.error(part) > self.allowed {
                 return near;
             }
             distance = next;

@@ -278,6 +278,11 @@ impl<'a> Search<'a> {
         leaves.into_iter().flat_map(quarters).collect()
     }
 
+    /// Bound of the error of the best interpolation on a part.
+    pub(super) fn error(&self, part: Interval) -> f64 {
+        Bounds::of(&self.expansion(part, self.degree), self.degree).error(part)
+    }
+
     fn expansion(&self, part: Interval, order: usize) -> Taylor {
         self.profile.expansion(part, order, self.half_width)
     }

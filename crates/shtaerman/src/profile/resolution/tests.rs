@@ -278,3 +278,17 @@ fn pieces_are_resolved_on_their_own() {
     assert_eq!(found, Resolution { joints: vec![-0.6, 0.7], ..Resolution::default() });
     assert_eq!(Profile::flat().resolve(&pair, 1.0, DEGREE, TOLERANCE), Resolution::default());
 }
+
+#[test]
+fn a_hidden_kink_is_one_cut_wherever_it_lies() {
+    let mut random = Random(83);
+    // Of the first a part that is short enough for any slope reaches beyond where the parts beside the kink begin.
+    let places = [0.18109].into_iter();
+    let places = places.chain((0..60).map(|_| (1e5 * random.between(-0.9, 0.9)).round() / 1e5));
+    for at in places {
+        let text = format!("10*(sqrt((xi-({at}))^2) - 0.00591*xi^2)");
+        let found = profile(&text).resolve(&BASE, 1.0, 128, TOLERANCE);
+        assert!(found.is_complete(), "{at}: {found:?}");
+        assert!(matches!(found.joints[..], [cut] if (cut - at).abs() < 1e-13), "{at}: {found:?}");
+    }
+}

@@ -30,8 +30,8 @@ use level::{Effort, Known, Level, Sampled, System};
 use mesh::{Fineness, LONGEST, STRAIGHT};
 use responses::Responses;
 
-/// Most rounds on the way to the zones.
-const ROUNDS: usize = 12;
+/// Most rounds on the way to the zones: an edge that is off by many lengths of the layer comes nearer by a half each, from a cell to the thinnest layers twenty times, and then by squares.
+const ROUNDS: usize = 28;
 /// Panels on which the zones are found, those whose answer is compared, and those of the answer: with the relative residuals.
 const LADDER: [Effort; 3] = [
     Effort {

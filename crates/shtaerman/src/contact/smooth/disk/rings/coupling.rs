@@ -8,11 +8,14 @@ use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use super::kernel::Harmonic;
 use super::ring::{Ring, Spot, along, distance};
 use crate::Error;
+use crate::contact::smooth::FINE;
 use crate::contact::smooth::linear::Symmetric;
 
 /// Most modes of a ring, and of all together.
 const MOST_OF_A_RING: f64 = 800.0;
 const MOST_MODES: usize = 4000;
+/// Fewest digits to which the modes of an answer are kept.
+const FEWEST_DIGITS: f64 = 8.0;
 
 /// The Chebyshev nodes of a ring.
 #[derive(Debug, Clone)]
@@ -70,7 +73,8 @@ impl Nodes {
     }
 }
 
-/// Number of modes for each ring: kernels end at `y = i pi`, and the field of what lies nearest is a series that falls as `rho^-k`, `rho` set by the distance.
+/// Number of modes for each ring: kernels end at `y = i pi`, and the field of what lies nearest is a series that falls as `rho^-k`, `rho` set by the distance. Where rings are close all
+/// digits take more modes than can be had, and every detail gets the same share of its own, as in plane contact.
 pub(super) fn modes(c: f64, rings: &[Ring], digits: f64) -> Result<Vec<usize>, Error> {
     let mut counts = Vec::with_capacity(rings.len());
     for (j, ring) in rings.iter().enumerate() {
@@ -82,24 +86,29 @@ pub(super) fn modes(c: f64, rings: &[Ring], digits: f64) -> Result<Vec<usize>, E
         let e = before.min(after) / ring.half;
         let beside = if e.is_infinite() { e } else { (e + (e * (2.0 + e)).sqrt()).ln_1p() };
         let own = (PI / ring.half).asinh();
-        let wanted = (digits * std::f64::consts::LN_10 / beside.min(own)).ceil() + 3.0;
-        if wanted.is_nan() || wanted > MOST_OF_A_RING {
-            return Err(unresolved(before.min(after)));
+        let each = std::f64::consts::LN_10 / beside.min(own);
+        let share = (MOST_OF_A_RING / (FINE.digits * each)).min(1.0);
+        if share.is_nan() || share * FINE.digits < FEWEST_DIGITS {
+            return Err(Error::ZonesTooClose { gap: narrowest(c, rings) });
         }
-        counts.push(wanted as usize);
+        counts.push((share * digits * each).ceil() as usize + 3);
     }
     Ok(counts)
 }
 
 /// Refuses more modes than can be coupled.
-pub(super) fn require_few(counts: &[usize]) -> Result<(), Error> {
-    if counts.iter().sum::<usize>() > MOST_MODES { Err(unresolved(0.0)) } else { Ok(()) }
+pub(super) fn require_few(c: f64, rings: &[Ring], counts: &[usize]) -> Result<(), Error> {
+    if counts.iter().sum::<usize>() <= MOST_MODES {
+        return Ok(());
+    }
+    Err(Error::ZonesTooClose { gap: narrowest(c, rings) })
 }
 
-/// Rings too close, too narrow, or too many.
-pub(super) fn unresolved(gap: f64) -> Error {
-    let iterations = MOST_MODES;
-    Error::Equation(fredholm::Error::NotConverged { iterations, residual: gap, tolerance: 0.0 })
+/// The narrowest gap between rings, or from a disk of radius `c` to the first of them.
+fn narrowest(c: f64, rings: &[Ring]) -> f64 {
+    let inner = rings.first().filter(|_| c > 0.0).map(|ring| ring.inner() - c);
+    let between = rings.windows(2).map(|pair| pair[1].inner() - pair[0].outer());
+    between.chain(inner).fold(f64::INFINITY, f64::min).max(0.0)
 }
 
 /// Solves for densities whose displacements times `sqrt(r)` have given modes, ring by ring; beside a disk of radius `c` that does not move.

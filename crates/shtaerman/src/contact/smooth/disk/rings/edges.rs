@@ -103,6 +103,11 @@ fn slope(part: &Part, side: usize) -> f64 {
     free_ends::slope(|offset| part.density(if side == 0 { PI - offset } else { offset }), beside)
 }
 
+/// A step outwards that neither empties a zone of this length nor crosses the gap beside it; beside a narrow gap densities change within it.
+fn within(wanted: f64, length: f64, gap: f64) -> f64 {
+    wanted.clamp(-STRIDE * length.min(gap), (0.5 * gap).min(length))
+}
+
 /// Where an edge of a zone is to go, between neighbours.
 fn target(solved: &Solved, zone: usize, side: usize, gap: Option<[f64; 2]>) -> f64 {
     match (solved.ring(zone), &solved.core) {
@@ -110,14 +115,14 @@ fn target(solved: &Solved, zone: usize, side: usize, gap: Option<[f64; 2]>) -> f
             let ring = part.ring();
             let length = 2.0 * ring.half;
             let wanted = length * step(part.end_density(side), slope(part, side));
-            let room = gap.map_or(f64::INFINITY, |[from, to]| 0.5 * distance(from, to - from));
-            let limited = wanted.clamp(-STRIDE * length, room.min(length));
+            let gap = gap.map_or(f64::INFINITY, |[from, to]| distance(from, to - from));
+            let limited = within(wanted, length, gap);
             ring.zone.ends[side] * if side == 0 { -limited } else { limited }.exp()
         }
         (None, Some(core)) => {
             let wanted = core.radius * step(core.corner, core.slope * core.radius);
-            let room = gap.map_or(f64::INFINITY, |[from, to]| 0.5 * (to - from));
-            core.radius + wanted.clamp(-STRIDE * core.radius, room.min(core.radius))
+            let gap = gap.map_or(f64::INFINITY, |[from, to]| to - from);
+            core.radius + within(wanted, core.radius, gap)
         }
         (None, None) => solved.zones[zone].ends[side],
     }

@@ -168,8 +168,8 @@ impl Solved {
         {
             return Err(Error::NoContact);
         }
-        if let Some(zone) = zones.iter().find(|zone| zone.length() < NARROWEST * zone.right()) {
-            return Err(coupling::unresolved(zone.length()));
+        if zones.iter().any(|zone| zone.length() < NARROWEST * zone.right()) {
+            return Err(Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN });
         }
         let (disk, rings) = match zones[0].left() {
             0.0 => (Some(zones[0]), &zones[1..]),
@@ -335,7 +335,7 @@ impl Profiles {
                 heights
             })
             .collect();
-        coupling::require_few(&counts)?;
+        coupling::require_few(c, rings, &counts)?;
         Ok(Self { slopes, bends, counts, heights })
     }
 }
