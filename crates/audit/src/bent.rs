@@ -31,7 +31,7 @@ pub fn audit_bent(
     stiffness: [[f64; 2]; 2],
     answer: &Answer<'_>,
 ) -> Result<Bound, Refusal> {
-    let panels = resample(problem, answer)?;
+    let panels = resample(problem, kappa, answer)?;
     let shape = Shape::new(&panels, problem.is_bilateral);
     let density = Density::new(problem.kernel, panels);
     let mut audit =

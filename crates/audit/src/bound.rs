@@ -7,6 +7,7 @@ use crate::displacements::Line;
 use crate::distance::{Distance, Windows};
 use crate::highest::highest;
 use crate::kernel::Kernel;
+use crate::layer;
 use crate::norms::Reach;
 use crate::residual::{Bounded, Residual};
 use crate::sample::{compared, halves, panels};
@@ -17,6 +18,8 @@ pub(crate) const MOST_PANELS: usize = 60_000;
 pub(crate) const MOST_WINDOWS: usize = 50_000;
 /// A pressure is resampled to this share of what is allowed.
 const RESOLVED: f64 = 0.3;
+/// Places of an interval where it is looked at how well heights are known.
+const KNOWN: [f64; 2] = [0.318_309, 0.718_281];
 /// Places of a zone where the size of the pressure is looked at.
 const SAMPLES: u32 = 32;
 /// A bound above this share of the pressure is looked into: a single window beside the zones with so much of the residual is told.
@@ -121,7 +124,7 @@ pub enum Refusal {
 /// # Errors
 /// [`Refusal`] where no bound was found: nothing is then known of the answer.
 pub fn audit(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Bound, Refusal> {
-    resample(problem, answer).and_then(|panels| bound(problem, answer, &panels))
+    resample(problem, 1.0, answer).and_then(|panels| bound(problem, answer, &panels))
 }
 
 /// The same on panels half as long: a second bound from other numbers, with which the first can be compared.
@@ -132,7 +135,7 @@ pub fn audit_on_halved_panels(
     problem: &Problem<'_>,
     answer: &Answer<'_>,
 ) -> Result<Bound, Refusal> {
-    let panels = resample(problem, answer)?;
+    let panels = resample(problem, 1.0, answer)?;
     let halved: Vec<Panel> =
         panels.iter().flat_map(|panel| halves(answer.pressure, panel)).collect();
     bound(problem, answer, &halved)
@@ -147,8 +150,12 @@ fn bound(problem: &Problem<'_>, answer: &Answer<'_>, sampled: &[Panel]) -> Resul
     audit.bound()
 }
 
-/// Panels of the pressure on all zones.
-pub(crate) fn resample(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Vec<Panel>, Refusal> {
+/// Panels of the pressure on all zones, of a layer `p^kappa`.
+pub(crate) fn resample(
+    problem: &Problem<'_>,
+    kappa: f64,
+    answer: &Answer<'_>,
+) -> Result<Vec<Panel>, Refusal> {
     let mut scale = 0.0f64;
     for [left, right] in answer.zones {
         for i in 0..=SAMPLES {
@@ -159,7 +166,10 @@ pub(crate) fn resample(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Vec
     if scale.is_nan() || scale <= 0.0 || scale.is_infinite() {
         return Err(Refusal::NoPressure);
     }
-    let tolerance = |width: f64| RESOLVED * scale * allowance(problem.theta, width);
+    let tolerance = |left: f64, right: f64| {
+        let exact = RESOLVED * scale * allowance(problem.theta, right - left);
+        exact.max(layer::pressure_error(kappa, scale, known(problem.profile, left, right)))
+    };
     let mut found = Vec::new();
     for zone in answer.zones {
         let is_done = panels(
@@ -176,6 +186,17 @@ pub(crate) fn resample(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Vec
     }
     let is_finite = found.iter().all(|panel| panel.largest.is_finite());
     if is_finite && !found.is_empty() { Ok(found) } else { Err(Refusal::NoPressure) }
+}
+
+/// To what heights in an interval are known, beside a place where the profile jumps: what is finer in the pressure is rounding of the profile's.
+pub(crate) fn known(profile: &dyn Profile, left: f64, right: f64) -> f64 {
+    let width = |share: f64| {
+        let [below, above] = profile.height(left + share * (right - left));
+        above - below
+    };
+    let [one, two] = KNOWN.map(width);
+    let least = one.min(two);
+    if least.is_finite() { least } else { 0.0 }
 }
 
 pub(crate) struct Audit<'a> {

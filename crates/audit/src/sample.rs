@@ -61,12 +61,12 @@ impl Part {
     }
 }
 
-/// Panels of a zone from left to right on which the density is a polynomial to a tolerance for their widths; none where they would be more than `most`.
+/// Panels of a zone from left to right on which the density is a polynomial to a tolerance for their ends; none where they would be more than `most`.
 pub(crate) fn panels(
     density: &dyn Fn(f64) -> f64,
     zone: [f64; 2],
     cuts: &[f64],
-    (tolerance, scale): (&dyn Fn(f64) -> f64, f64),
+    (tolerance, scale): (&dyn Fn(f64, f64) -> f64, f64),
     most: usize,
     found: &mut Vec<Panel>,
 ) -> bool {
@@ -95,7 +95,7 @@ pub(crate) fn panels(
             let is_noise = tail > STAGNANT * before
                 && tail < NOISE * scale
                 && tail > FLAT * panel.before_tail();
-            let is_done = tail <= tolerance(width)
+            let is_done = tail <= tolerance(left, right)
                 || is_noise
                 || width <= finest
                 || (width <= COARSE * finest && tail <= graininess(density, &panel));
@@ -107,7 +107,7 @@ pub(crate) fn panels(
         let (cut, beyond) = part.cut(|left, right| {
             (right - left <= longest)
                 .then(|| sampled(density, left, right))
-                .filter(|(_, tail)| *tail <= tolerance(right - left))
+                .filter(|(_, tail)| *tail <= tolerance(left, right))
         });
         let [first, last] = if is_end[0] { [None, beyond] } else { [beyond, None] };
         stack.push(Part { left: cut, right, is_end: [false, is_end[1]], tail, known: last });

@@ -6,7 +6,7 @@ mod potential;
 #[cfg(test)]
 mod tests;
 
-use crate::bound::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Refusal};
+use crate::bound::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Refusal, known};
 use crate::density::Panel;
 use crate::open::free_ends;
 use crate::sample;
@@ -174,10 +174,14 @@ impl<'a> Audit<'a> {
         if !scale.is_finite() || zones.is_empty() {
             return Err(Refusal::NoPressure);
         }
-        let tolerance = RESOLVED * UNIT * (4.0 + problem.theta.sqrt()) * scale;
+        let exact = RESOLVED * UNIT * (4.0 + problem.theta.sqrt()) * scale;
+        let tolerance = |left: f64, right: f64| {
+            let off = known(problem.profile, left, right);
+            exact.max(layer::pressure_error(problem.layer, scale, off))
+        };
         let mut found = Vec::new();
         for zone in zones {
-            let limits: (&dyn Fn(f64) -> f64, f64) = (&|_| tolerance, scale);
+            let limits: (&dyn Fn(f64, f64) -> f64, f64) = (&tolerance, scale);
             if !sample::panels(density, *zone, problem.cuts, limits, MOST_PANELS, &mut found) {
                 return Err(Refusal::TooManyPanels);
             }

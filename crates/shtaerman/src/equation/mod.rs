@@ -78,6 +78,8 @@ const MOST_BREAKS: usize = 15;
 const END_SLACK: f64 = 1e-12;
 /// On a half-line a right-hand side must be finite up to so many times what is shown: the section that is solved, with room.
 const HALF_LINE_RANGE: f64 = 6.0;
+/// Places at which the rounding of a right-hand side is looked at.
+const ROUNDED_PLACES: u32 = 65;
 
 /// Which kind of equation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -217,6 +219,18 @@ impl Equation {
         }
         let end = interval.left() + 2.0 * HALF_LINE_RANGE * extent.half_length();
         Interval::new(interval.left(), end).unwrap_or(extent)
+    }
+
+    /// What rounding may make of the right-hand side: the largest width of an enclosure of all that its formula may come out as, at places all over the interval.
+    fn rounding(&self) -> f64 {
+        let range = self.range();
+        let width = |i: u32| {
+            let share = f64::from(i) / f64::from(ROUNDED_PLACES - 1);
+            let x = range.left() + share * (range.right() - range.left());
+            let values = expression::Interval::point(x).map(|x| self.rhs.enclose(&[x]));
+            values.filter(|values| values.is_finite()).map(|values| values.interval.length())
+        };
+        (0..ROUNDED_PLACES).filter_map(width).fold(0.0, f64::max)
     }
 
     /// Places strictly inside the interval where the right-hand side has a kink or a jump.

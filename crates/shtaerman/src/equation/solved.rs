@@ -34,7 +34,14 @@ pub(super) fn name(method: Method) -> &'static str {
 impl<'a> SolvedEquation<'a> {
     /// The solution, unless it leaves the range of double precision.
     pub(super) fn new(equation: &'a Equation, draft: Draft<'a>, reach: f64) -> Result<Self, Error> {
-        let Draft { solution, reason, warnings, .. } = draft;
+        let Draft { mut solution, reason, warnings, .. } = draft;
+        if matches!(equation.kind(), Kind::Second { .. }) {
+            // The inverse of 1 + lambda K has a norm near one: a width is twice what the right-hand side may be off by.
+            let rounding = equation.rounding();
+            solution.error.solution += rounding;
+            let extent = equation.kernel().kernel().extent();
+            solution.error.integral += rounding * 2.0 * extent.half_length();
+        }
         for (quantity, value) in
             [("solution", solution.largest), ("error of the solution", solution.error.solution)]
         {

@@ -5,8 +5,39 @@ use super::folding::remainder_of_sum;
 use super::function::{Binary, Unary};
 use super::program::{Operation, operand_start, stack_height};
 
-/// A factor, and what rounding may have made of it relative to it.
-type Factor = (f64, f64);
+/// A factor as a quotient, and what rounding may have made of it relative to it.
+#[derive(Debug, Clone, Copy)]
+struct Factor {
+    above: f64,
+    below: f64,
+    error: f64,
+}
+
+impl Factor {
+    const ONE: Self = Self { above: 1.0, below: 1.0, error: 0.0 };
+
+    fn negated(self) -> Self {
+        Self { above: -self.above, ..self }
+    }
+
+    /// Times a number, or over it.
+    fn scaled(self, (value, error): (f64, f64), is_product: bool) -> Self {
+        let part = if is_product { self.above } else { self.below };
+        let product = part * value;
+        let rounding = if part.mul_add(value, -product) == 0.0 { 0.0 } else { f64::EPSILON };
+        // Of a quotient to first order, and more than what is beyond.
+        let of_value = if error == 0.0 { 0.0 } else { 2.0 * error / value.abs() };
+        let error = (self.error + of_value + rounding) * ROOM;
+        if is_product {
+            Self { above: product, error, ..self }
+        } else {
+            Self { below: product, error, ..self }
+        }
+    }
+}
+
+/// Sums of errors are rounded as well.
+const ROOM: f64 = 1.0 + 8.0 * f64::EPSILON;
 
 /// A sum of products with what its rounding leaves out: a known rest, and an error.
 #[derive(Debug, Default)]
@@ -17,15 +48,18 @@ struct Total {
 }
 
 impl Total {
-    fn add(&mut self, (factor, relative): Factor, (value, error): (f64, f64)) {
-        let product = factor * value;
-        let remainder = factor.mul_add(value, -product) + remainder_of_sum(self.sum, product);
-        self.sum += product;
+    fn add(&mut self, factor: Factor, (value, error): (f64, f64)) {
+        let product = factor.above * value;
+        let quotient = product / factor.below;
+        let of_product = factor.above.mul_add(value, -product);
+        let of_quotient = -quotient.mul_add(factor.below, -product);
+        let remainder =
+            (of_product + of_quotient) / factor.below + remainder_of_sum(self.sum, quotient);
+        self.sum += quotient;
         self.rest += remainder;
-        let of_rest = 2.0 * f64::EPSILON * (self.rest.abs() + remainder.abs());
-        self.error += factor.abs() * error + relative * product.abs() + of_rest;
-        // These sums are rounded as well.
-        self.error *= 1.0 + 8.0 * f64::EPSILON;
+        let of_rest = 4.0 * f64::EPSILON * (self.rest.abs() + remainder.abs());
+        let of_value = (factor.above / factor.below).abs() * error;
+        self.error = (self.error + of_value + factor.error * quotient.abs() + of_rest) * ROOM;
     }
 }
 
@@ -36,7 +70,7 @@ impl Expression {
         let mut operations = self.operations.clone();
         let mut total = Total::default();
         // From the last operation to the first, the factors with which operands to come are added; none where they are not.
-        let mut factors: Vec<Option<Factor>> = vec![Some((1.0, 0.0))];
+        let mut factors: Vec<Option<Factor>> = vec![Some(Factor::ONE)];
         for index in (0..operations.len()).rev() {
             let Some(factor) = factors.pop() else { break };
             let operation = operations[index];
@@ -46,12 +80,10 @@ impl Expression {
                     operations[index] = Operation::Constant(0.0);
                 }
                 (Operation::Binary(Binary::Add), Some(_)) => factors.extend([factor; 2]),
-                (Operation::Binary(Binary::Subtract), Some((by, relative))) => {
-                    factors.extend([factor, Some((-by, relative))]);
+                (Operation::Binary(Binary::Subtract), Some(by)) => {
+                    factors.extend([factor, Some(by.negated())]);
                 }
-                (Operation::Unary(Unary::Negate), Some((by, relative))) => {
-                    factors.push(Some((-by, relative)));
-                }
+                (Operation::Unary(Unary::Negate), Some(by)) => factors.push(Some(by.negated())),
                 (Operation::Binary(Binary::Multiply | Binary::Divide), Some(by)) => {
                     factors.extend(self.scaled(index, by));
                 }
@@ -81,23 +113,9 @@ impl Expression {
         let (first, second) =
             (self.operations[right - 1].number(), self.operations[right].number());
         match (first, second) {
-            (_, Some(number)) if right + 1 == index => [Some(times(by, number, is_product)), None],
-            (Some(number), _) if is_product => [None, Some(times(by, number, true))],
+            (_, Some(number)) if right + 1 == index => [Some(by.scaled(number, is_product)), None],
+            (Some(number), _) if is_product => [None, Some(by.scaled(number, true))],
             _ => [None, None],
         }
     }
-}
-
-/// The product or quotient of a factor and a number.
-fn times((by, relative): Factor, (value, error): (f64, f64), is_product: bool) -> Factor {
-    let result = if is_product { by * value } else { by / value };
-    let is_exact = if is_product {
-        by.mul_add(value, -result) == 0.0
-    } else {
-        result.mul_add(value, -by) == 0.0
-    };
-    let rounding = if is_exact { 0.0 } else { f64::EPSILON };
-    // Of a quotient to first order, and more than what is beyond.
-    let of_value = if error == 0.0 { 0.0 } else { 2.0 * error / value.abs() };
-    (result, (relative + of_value + rounding) * (1.0 + 8.0 * f64::EPSILON))
 }

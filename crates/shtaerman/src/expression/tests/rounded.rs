@@ -44,6 +44,12 @@ fn a_constant_taken_out_leaves_its_rounding() {
             assert!(below <= factor * rest && factor * rest <= above, "{text}: {sum} {range:?}");
         }
     }
+    // Quotients that come out even leave nothing.
+    let (left, sum) = parsed("-(3 - (x^2 + 40)/40)").without_constant();
+    assert_eq!(
+        (sum, left.operations.len()),
+        (-2.0, parsed("-(3 - (x^2 + 40)/40)").operations.len())
+    );
     let (left, sum) = parsed("1e6 + x^2 + 0.1").without_constant();
     assert_eq!((sum, left.evaluate(&[0.0])), (1_000_000.1, 2.328_306_991_650_208_6e-11));
 }
