@@ -2,7 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
 
-use fredholm::collocation::solve_adaptive;
+use fredholm::collocation::{solve_adaptive, solve_adaptive_with_breaks};
 use fredholm::kernel::{Kernel as _, Power, SpectralRelation};
 use fredholm::{DegenerateSystem, Interval};
 use serde_json::Value;
@@ -197,4 +197,44 @@ fn says_what_was_wrong() {
     assert!(kernel.gram(10_000_000).is_err());
     assert!(kernel.expand(&|x| 1.0 / (x - x)).is_err());
     assert_eq!(kernel.interval(), Interval::unit());
+}
+
+/// Closer to an end than numbers lie nothing is known of a right-hand side, and `d^(1-mu)` changes there by much: the error that is stated knows. The solution is made to be 1, and with a
+/// jump inside to be 1 and 2.
+#[test]
+fn the_error_covers_what_lies_between_neighbouring_numbers() {
+    for (exponent, parameter) in
+        [(0.6, 1.0), (0.75, 0.3), (0.8, 0.2), (0.85, 1.0), (0.9, 0.3), (0.95, 0.1)]
+    {
+        let kernel = power(1.0, exponent);
+        let u = |d: f64| d.powf(1.0 - exponent) / (1.0 - exponent);
+        let f = |x: f64| 1.0 + parameter * (u(1.0 - x) + u(1.0 + x));
+        let found = solve_adaptive(&kernel, parameter, f, 1e-11).unwrap();
+        let at = |x: f64| found.solution.evaluate(x, f(x));
+        let places = [-1.0, (-1.0f64).next_up(), -1.0 + 1e-15, -0.3, 1.0 - 1e-12, 1.0];
+        let error = places.into_iter().fold(0.0, |most: f64, x| most.max((at(x) - 1.0).abs()));
+        let stated = found.estimate.solution;
+        println!("mu {exponent}, lambda {parameter}: {error:.1e}, stated {stated:.1e}");
+        assert!(
+            error <= stated && stated <= 30.0 * error + 1e-8,
+            "{exponent}: {error:e} {stated:e}"
+        );
+
+        let cut = 0.3;
+        let f = |x: f64| {
+            let [density, side] = if x < cut { [1.0, -1.0] } else { [2.0, 1.0] };
+            density + parameter * (u(1.0 + x) + 2.0 * u(1.0 - x) + side * u((x - cut).abs()))
+        };
+        let found = solve_adaptive_with_breaks(&kernel, &[cut], parameter, f, 1e-11).unwrap();
+        let places = [-1.0, 0.0, cut.next_down(), cut, cut.next_up(), cut + 1e-14, 0.7, 1.0];
+        let error = places.into_iter().fold(0.0, |most: f64, x| {
+            most.max((found.solution.evaluate(x, f(x)) - if x < cut { 1.0 } else { 2.0 }).abs())
+        });
+        let stated = found.estimate.solution;
+        println!("  with a jump: {error:.1e}, stated {stated:.1e}");
+        assert!(
+            error <= stated && stated <= 30.0 * error + 1e-8,
+            "{exponent}: {error:e} {stated:e}"
+        );
+    }
 }

@@ -205,8 +205,8 @@ pub enum Error {
 
     /// An answer with an error that nobody asked for.
     #[error(
-        "the {method} method with n = {n} reached a relative error of {reached:.1e}, and answers beyond {most:e} are none unless that is asked for: \
-         allow more by `tolerance`, or resolve what the profile shows by fewer kinks, steps or measured points"
+        "the {method} method with n = {n} reached {}, and answers beyond {most:e} are none unless that is asked for: \
+         allow more by `tolerance`, or resolve what the profile shows by fewer kinks, steps or measured points", relative(*reached)
     )]
     NotAccurate {
         /// The relative error reached.
@@ -221,7 +221,7 @@ pub enum Error {
 
     /// Zones of a smooth contact, or of neighbouring punches, that come too close for the modes that can be kept.
     #[error(
-        "the zones of contact come within {gap:.1e} of the half-width: on a smooth surface that is too close to be resolved; \
+        "the zones of contact, or a zone and the next period's, come within {gap:.1e} of the half-width: on a smooth surface that is too close to be resolved; \
          a layer (roughness > 0) keeps such gaps in reach, and without the gap they are one zone"
     )]
     ZonesTooClose {
@@ -345,7 +345,7 @@ pub enum Error {
 
     /// The reference that is to check an answer was not found.
     #[error(
-        "nothing to compare with: the reference, product integration on graded panels, does not solve this contact: {reason}; the audit (solve without --no-audit) checks it otherwise"
+        "nothing to compare with: the reference, product integration on graded panels, does not solve this contact: {reason}; an answer with a layer is checked by the audit (solve without --no-audit), one with a smooth surface has none"
     )]
     NoReference {
         /// Why.
@@ -374,6 +374,15 @@ pub enum Error {
     /// The integral equation could not be solved.
     #[error(transparent)]
     Equation(fredholm::Error),
+}
+
+/// A relative error; of an infinite one that there is none.
+fn relative(reached: f64) -> String {
+    if reached.is_finite() {
+        format!("a relative error of {reached:.1e}")
+    } else {
+        "no error that could be told".to_owned()
+    }
 }
 
 /// What is left of an equation with this relative error.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::estimate::{largest, rounding};
 use super::mesh::Mesh;
 use super::operator::require_finite_parameter;
-use super::resolution::Misfit;
+use super::resolution::{Misfit, between_numbers};
 use super::{Estimate, SincGrid, SincOperator, SincSolution};
 use crate::Error;
 use crate::kernel::Kernel;
@@ -190,7 +190,12 @@ impl<K: Kernel + ?Sized> Problem<'_, K> {
                 (before, start) = (unseen, larger);
                 continue;
             }
-            found.estimate.solution = found.estimate.solution.max(unseen);
+            let unknown =
+                between_numbers(found.solution.mesh(), self.kernel, self.f, self.sampled.largest);
+            let strength = self.parameter.abs();
+            let at_ends = growth * (strength * unknown.potential).min(unknown.largest)
+                + growth * scale * (strength * unknown.tail).min(1.0);
+            found.estimate.solution = found.estimate.solution.max(unseen) + at_ends;
             found.estimate.integral += SAFETY * growth * missed.integral;
             found.estimate.first_moment += SAFETY * growth * missed.first_moment;
             found.converged = found.estimate.solution <= self.tolerance * scale;

@@ -3,12 +3,91 @@
 //! A solution of collocation knows its right-hand side at the nodes only, and a feature that lies between the nodes of *every* grid changes no difference of two
 //! solutions. So the function is asked for its values at [`places`](crate::quadrature::places) that have nothing to do with any grid, and compared with its own sinc interpolation there. What
 //! is left, `delta`, the collocation has solved without: the solution lacks about `lambda K delta`.
+//!
+//! Nor can a function be asked for its values closer to an end than numbers lie: there nodes are moved by rounding, and what the function changes by between neighbouring numbers is unknown
+//! ([`between_numbers`]). Where it leaves an end as `d^(1-mu)` and the kernel is `d^-mu`, that is some `eps^(2-2mu)` of the end value.
 
 use super::mesh::Mesh;
 use super::points::sinc_row;
 use crate::Error;
 use crate::kernel::Kernel;
 use crate::quadrature::places::{Sampled, dominant};
+
+/// Changes of a function below this share of its largest value are rounding of the function itself.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+/// So many numbers from a breakpoint a function is looked at again, for its limit there: the value at the breakpoint itself may be that of the other side. What is left of a change as `d^k` is
+/// covered for `k >= 0.05`, `4096^0.05 - 1 = 0.52` against `k/(k + k) = 1/2` of the kernel `d^(k-1)`.
+const TOWARDS_LIMIT: f64 = 4096.0;
+
+/// What a solution may lack at the ends of the panels because numbers have gaps there.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Unknown {
+    /// The largest `int |K delta| dm`, `delta` what the function changes by between neighbouring numbers.
+    pub(super) potential: f64,
+    /// The largest `|delta|`.
+    pub(super) largest: f64,
+    /// The largest `int |K| dm` over what lies beyond the outermost nodes.
+    pub(super) tail: f64,
+}
+
+/// What the values of a function at the nodes leave unknown at the ends of the panels; `largest` is its largest value.
+pub(super) fn between_numbers(
+    mesh: &Mesh,
+    kernel: &(impl Kernel + ?Sized),
+    f: &dyn Fn(f64) -> f64,
+    largest: f64,
+) -> Unknown {
+    let boundaries = mesh.boundaries();
+    let is_end = |x: f64| x == boundaries[0] || x == boundaries[boundaries.len() - 1];
+    let smoothness = (1.0 - kernel.singularity().exponent()).min(1.0);
+    let mut found = Unknown::default();
+    // The panels on both sides of a breakpoint add up.
+    let mut sums = vec![[0.0f64; 2]; boundaries.len()];
+    for (index, place) in mesh.places().enumerate() {
+        let end = mesh.left_end(place.panel);
+        let [left, right] = [boundaries[end], boundaries[end + 1]];
+        let (side, boundary, distance) = if place.from_left < place.from_right {
+            (1.0, left, place.from_left)
+        } else {
+            (-1.0, right, place.from_right)
+        };
+        let mass = mesh.weights()[index] * kernel.measure(place.position);
+        let value = f(place.position);
+        let first = if side > 0.0 { left.next_up() } else { right.next_down() };
+        let neighbours = if place.position == first && !is_end(boundary) {
+            [boundary + TOWARDS_LIMIT * (first - boundary); 2]
+        } else {
+            [place.position.next_down(), place.position.next_up()]
+        };
+        let inside = neighbours.into_iter().filter(|x| {
+            (left < *x || is_end(left) && *x == left)
+                && (*x < right || is_end(right) && *x == right)
+        });
+        let change = inside.map(|x| (f(x) - value).abs()).fold(0.0, f64::max);
+        let is_outermost = index % mesh.panel_count() == 0 || (index + 1) % mesh.panel_count() == 0;
+        let changes = change > ROUNDING * largest;
+        if mass == 0.0 || !(changes || is_outermost) {
+            continue;
+        }
+        let of_kernel = kernel.pair(boundary, place.position, distance).value.abs();
+        if !of_kernel.is_finite() {
+            continue;
+        }
+        let sum = &mut sums[if side > 0.0 { end } else { end + 1 }];
+        if changes {
+            found.largest = found.largest.max(change);
+            sum[0] += change * mass * of_kernel;
+        }
+        if is_outermost {
+            sum[1] += of_kernel * kernel.measure(place.position) * distance / smoothness;
+        }
+    }
+    for [potential, tail] in sums {
+        found.potential = found.potential.max(potential);
+        found.tail = found.tail.max(tail);
+    }
+    found
+}
 
 /// A function less its sinc interpolation.
 pub(super) struct Misfit<'m> {

@@ -3,11 +3,22 @@
 use super::accuracy::{Accuracy, Sizes};
 use super::solution::Solution;
 use crate::roughness::Law;
-use crate::{Error, Problem, Scaling};
+use crate::{Error, Problem, Scaling, Vertical};
 
 /// Places in all zones at which the rounding of heights is looked at, at least one in each, and where in its step each lies: an irrational share keeps clear of jumps.
 const PLACES: usize = 128;
 const ASIDE: f64 = 0.381_966;
+/// Places beside the ends of the zones, the nearest so many roundings of it away, where formulae such as `sqrt(1 - xi^2)` lose most; each further one twice as far.
+const BESIDE: usize = 512;
+const NEAREST: f64 = f64::EPSILON;
+/// So many places nearest to an end may lie on the other side of a switch that is known to rounding; what rounding grows to there is at most inverse to the distance.
+const SWITCHED: usize = 4;
+/// The pressure in the middle of a flat punch over its mean, `2/pi` on a line and `1/2` on a disk, twice that for zones of which some take more.
+const FLAT: f64 = 4.0 * std::f64::consts::FRAC_1_PI;
+/// Share of a zone at whose distance from an end the pressure is that of the end, a power of the distance.
+const AT_END: f64 = 1.0 / 1024.0;
+/// Halvings of a zone towards an end.
+const HALVINGS: i32 = 52;
 /// Of a disturbance of the heights on its way to the tilt, in half-widths of the contact.
 const TURN: f64 = 2.0;
 /// Rounding of the level that is added to the settlement.
@@ -18,6 +29,8 @@ const ROUNDING: f64 = 4.0 * f64::EPSILON;
 pub(super) struct OfHeights {
     accuracy: Accuracy,
     sizes: Sizes,
+    /// Of the edges, in `xi`.
+    edges: f64,
 }
 
 impl Problem {
@@ -41,6 +54,74 @@ impl Problem {
         [rounding / scale, largest / scale]
     }
 
+    /// The largest rounding of the dimensionless heights beside the ends of the zones.
+    fn rounding_at_ends(&self, zones: &[[f64; 2]]) -> f64 {
+        let count = (BESIDE / (2 * zones.len().max(1))).clamp(SWITCHED + 1, HALVINGS as usize);
+        let (profile, half_width) = (self.profile(), self.frame().half_width());
+        let mut most = 0.0f64;
+        for [left, right] in zones {
+            for (end, inwards) in [(left, 1.0), (right, -1.0)] {
+                let nearest = NEAREST * end.abs().max(right - left);
+                let at = |k: usize| {
+                    let distance = nearest * (k as f64).exp2();
+                    if distance > 0.5 * (right - left) {
+                        return 0.0;
+                    }
+                    let here =
+                        profile.rounding((end + inwards * distance).clamp(-1.0, 1.0), half_width);
+                    if here.is_finite() { here } else { 0.0 }
+                };
+                let sure = at(SWITCHED);
+                for k in 0..count {
+                    let room = (SWITCHED as f64 - k as f64).max(0.0).exp2() * sure;
+                    most = most.max(if k < SWITCHED { at(k).min(room) } else { at(k) });
+                }
+            }
+        }
+        most / self.frame().scaling().map_or(1.0, Scaling::displacement)
+    }
+
+    /// How far the edges of a layer's contact move for a disturbance of its displacement: to where it is as large as that.
+    fn edges_of_layer(&self, solution: &dyn Solution, error: f64, kappa: f64) -> f64 {
+        if error == 0.0 {
+            return 0.0;
+        }
+        let zones = solution.zones();
+        let of = |zone: usize, [left, right]: [f64; 2], side: usize| {
+            let length = right - left;
+            let distance = |k: i32| length * 0.5f64.powi(k);
+            let layer = |k: i32| {
+                let (near, far) = (distance(k), length - distance(k));
+                let [from_left, from_right] = if side == 0 { [near, far] } else { [far, near] };
+                let p = solution.pressure_beside(self, zone, from_left, from_right);
+                p.max(0.0).powf(kappa)
+            };
+            // From the middle towards the end while the layer is deeper than that.
+            match (1..HALVINGS).take_while(|k| layer(*k) > error).last() {
+                None => length,
+                Some(k) if k + 1 < HALVINGS => distance(k),
+                Some(k) => distance(k) * error / layer(k),
+            }
+        };
+        let ends = zones.iter().enumerate();
+        ends.flat_map(|(zone, ends)| [of(zone, *ends, 0), of(zone, *ends, 1)]).fold(0.0, f64::max)
+    }
+
+    /// How far the edges of a smooth contact move for a settlement that adds `mean` to the mean pressure: by what a flat punch adds there over what the pressure gains inwards.
+    fn edges_of_settlement(&self, solution: &dyn Solution, mean: f64) -> f64 {
+        let of = |zone: usize, [left, right]: [f64; 2], side: usize| {
+            let length = right - left;
+            let (near, far) = (AT_END * length, (1.0 - AT_END) * length);
+            let [from_left, from_right] = if side == 0 { [near, far] } else { [far, near] };
+            let p = solution.pressure_beside(self, zone, from_left, from_right);
+            let moved = 2.0 * mean * (length * near).sqrt() / p;
+            if p > 0.0 && moved.is_finite() { moved.min(length) } else { 0.0 }
+        };
+        let zones = solution.zones();
+        let ends = zones.iter().enumerate();
+        ends.flat_map(|(zone, ends)| [of(zone, *ends, 0), of(zone, *ends, 1)]).fold(0.0, f64::max)
+    }
+
     /// What the rounding of heights makes of a solution; none where the method tells no error.
     pub(super) fn of_heights(&self, solution: &dyn Solution) -> Option<OfHeights> {
         let known = *solution.accuracy()?;
@@ -48,22 +129,39 @@ impl Problem {
         let (left, right) = (zones.first()?[0], zones.last()?[1]);
         let [rounding, height] = self.height_rounding(&zones);
         let (half, middle) = (0.5 * (right - left), 0.5 * (right + left).abs());
-        let steepness = match self.frame().law() {
-            // The pressure follows from slopes.
-            Law::Smooth => 0.0,
-            Law::Linear => 1.0,
-            Law::Power(exponent) => {
-                solution.size().max(f64::MIN_POSITIVE).powf(1.0 - exponent) / exponent
-            }
-        };
         let stiffness = solution.stiffness().force_settlement.abs();
         let force = if stiffness.is_finite() { stiffness * rounding } else { 0.0 };
+        let free = solution.edge_error().is_some();
+        let law = self.frame().law();
+        let (pressure, edges) = match law {
+            // The pressure follows from slopes, and a given settlement counts from heights.
+            Law::Smooth if matches!(self.load().vertical, Vertical::Force(_)) => (0.0, 0.0),
+            Law::Smooth => {
+                let is_round = self.frame().is_circular();
+                let measure = |[left, right]: &[f64; 2]| match is_round {
+                    true => 0.5 * std::f64::consts::PI * (right * right.abs() - left * left.abs()),
+                    false => right - left,
+                };
+                let mean = force / zones.iter().map(measure).sum::<f64>();
+                let mean = if mean.is_finite() { mean } else { 0.0 };
+                let moved = if free { self.edges_of_settlement(solution, mean) } else { 0.0 };
+                (FLAT * mean, moved)
+            }
+            Law::Linear | Law::Power(_) => {
+                let kappa = if let Law::Power(exponent) = law { exponent } else { 1.0 };
+                let steepness = solution.size().max(f64::MIN_POSITIVE).powf(1.0 - kappa) / kappa;
+                let at_ends = self.rounding_at_ends(&zones);
+                let error = (solution.growth() * rounding).max(at_ends);
+                let edges = if free { self.edges_of_layer(solution, error, kappa) } else { 0.0 };
+                (steepness * error, edges)
+            }
+        };
         let turn = TURN * rounding / half.max(f64::MIN_POSITIVE);
         // What is prescribed or zero by symmetry stays exact.
         let unless_exact = |known: f64, error: f64| if known == 0.0 { 0.0 } else { error };
         let accuracy = Accuracy {
             kind: known.kind,
-            pressure: solution.growth() * steepness * rounding,
+            pressure,
             settlement: unless_exact(known.settlement, rounding + middle * turn),
             tilt: unless_exact(known.tilt, turn),
             force: unless_exact(known.force, force),
@@ -72,11 +170,16 @@ impl Problem {
         let sizes = solution.state().sizes(solution.size());
         // A settlement may be next to nothing where heights above and below cancel.
         let sizes = Sizes { displacement: sizes.displacement.max(height), ..sizes };
-        Some(OfHeights { accuracy, sizes })
+        Some(OfHeights { accuracy, sizes, edges })
     }
 }
 
 impl OfHeights {
+    /// The error of the edges, in `xi`.
+    pub(super) fn edges(&self) -> f64 {
+        self.edges
+    }
+
     /// The largest error relative to its size.
     pub(super) fn relative(&self) -> f64 {
         self.accuracy.relative(&self.sizes)

@@ -70,6 +70,8 @@ pub struct Contact {
     accuracy: Option<Accuracy>,
     /// The error that the rounding of heights makes, relative to its size.
     of_heights: f64,
+    /// The same of the edges, in `xi`.
+    edges_of_heights: f64,
     reason: String,
     /// Whether tilt and moment are zero, by symmetry or because a wave has none.
     is_level: bool,
@@ -97,6 +99,7 @@ impl Contact {
             level: 0.0,
             accuracy: of_heights.zip(solution.accuracy()).map(|(own, known)| own.or(known)),
             of_heights: of_heights.map_or(0.0, |own| own.relative()),
+            edges_of_heights: of_heights.map_or(0.0, |own| own.edges()),
             reason,
             is_level: is_symmetric || problem.is_wave(),
             is_symmetric,
@@ -351,7 +354,8 @@ impl Contact {
     /// The estimated error of the edges, in `xi`; none where they are known.
     #[must_use]
     pub fn edge_error0(&self) -> Option<f64> {
-        self.found_audit().map_or_else(|| self.solution.edge_error(), |audit| audit.edges)
+        let own = || self.solution.edge_error().map(|known| known.max(self.edges_of_heights));
+        self.found_audit().map_or_else(own, |audit| audit.edges)
     }
 
     /// The error of the [largest pressure](Self::peak_pressure0), without dimensions; none without an audit that bounds it.

@@ -143,3 +143,54 @@ fn a_tolerance_below_the_rounding_of_heights_is_not_met() {
         assert!(matches!(refused, Err(Error::ToleranceNotMet { .. })), "{refused:?}");
     }
 }
+
+/// Without a body the layer is the depth: a parabola of edges `+-sqrt(2 D)`, and a base that meets the body as `(1 - y^2)^1.5`, where an edge moves by the root of what rounding takes of the heights.
+#[test]
+fn edges_are_known_as_far_as_heights_are() {
+    for (text, settlement, edge) in [
+        ("max(0, 1048576 + xi^2/2)", 1_048_576.062_5, 0.125f64.sqrt()),
+        ("max(0, 3 - max(0, 1 - 4*xi^2)^1.5 + max(0, xi^2 - 0.25))", 3.0, 0.5),
+        ("max(0, 3000 - max(0, 1 - 4*xi^2)^1.5 + max(0, xi^2 - 0.25))", 3000.0, 0.5),
+    ] {
+        let pressed = load(Vertical::Settlement(settlement), Rotational::Tilt(0.0));
+        let frame = Frame::dimensionless(0.0).unwrap();
+        let problem = Problem::new(frame, expression(text), pressed, Solver::default()).unwrap();
+        let contact = problem.solve().unwrap();
+        let [left, right] = contact.edges0()[0];
+        let error = (left + edge).abs().max((right - edge).abs());
+        let stated = contact.edge_error0().unwrap();
+        assert!(error <= stated && stated < 1e-6, "{text}: {error:e} {stated:e}");
+    }
+}
+
+/// `0.123 sqrt(1 - y^2)` beside its end: there `1 - y^2` has few digits.
+#[test]
+fn the_error_covers_what_formulae_lose_beside_an_edge() {
+    let text = "10 - 1.09*sqrt(max(0, 1 - (xi/0.123)^2)) + max(0, abs(xi)/0.123 - 1)";
+    let pressed = load(Vertical::Settlement(10.0), Rotational::Tilt(0.0));
+    let frame = Frame::dimensionless(0.0).unwrap();
+    let problem = Problem::new(frame, expression(text), pressed, Solver::default()).unwrap();
+    let contact = problem.solve().unwrap();
+    let stated = contact.accuracy().unwrap().pressure;
+    for share in [1e-3, 1e-6, 1e-9, 1e-12, 1e-14] {
+        let xi: f64 = 0.123 * (1.0 - share);
+        // 0.123 - xi is exact.
+        let y = 1.0 - (0.123 - xi) / 0.123;
+        let exact = 1.09 * ((0.123 - xi) / 0.123 * (1.0 + y)).sqrt();
+        let error = (contact.pressure0(xi) - exact).abs();
+        assert!(error <= stated && stated < 1e-7, "{share}: {error:e} {stated:e}");
+    }
+}
+
+/// The sum of the constants has fewer digits than the smaller one.
+#[test]
+fn constants_that_do_not_add_up_exactly_cost_no_digit() {
+    let pressed = load(Vertical::Settlement(1_000_000.5), Rotational::Tilt(0.0));
+    let frame = Frame::dimensionless(0.0).unwrap();
+    let profile = expression("1000000 + 0.0016 + xi^2/2");
+    let contact =
+        Problem::new(frame, profile, pressed, Solver::default()).unwrap().solve().unwrap();
+    let error = (contact.pressure0(0.0) - 0.4984).abs();
+    let stated = contact.accuracy().unwrap().pressure;
+    assert!(error <= stated && stated < 1e-14, "{error:e} {stated:e}");
+}

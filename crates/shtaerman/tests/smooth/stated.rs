@@ -105,3 +105,49 @@ fn a_wave_in_units() {
     let width = 10e-3 / PI * 0.3f64.sqrt().asin();
     close(contact.edges()[0][1], width, 1e-11, "partial");
 }
+
+/// A cylinder whose heights are computed with 20 m taken off them, under a given settlement: pressure, force and edges are known as far as these heights are.
+#[test]
+fn a_settlement_is_known_as_far_as_heights_are() {
+    // E* and b of the circle by its integrals over the arcsine density, mpmath with 30 digits.
+    for (settlement, edge, pressure) in [
+        (3e-7, 0.002_530_341_071_034_786_3, 13_902_972.973_408_260_9),
+        (5e-7, 0.003_637_979_563_585_407_6, 19_988_898.866_363_089_2),
+    ] {
+        let profile = Profile::expression("20 - sqrt(20^2 - x^2)").unwrap();
+        let load = Load::new(Vertical::Settlement(settlement), Rotational::Tilt(0.0)).unwrap();
+        let contact = solve(Geometry::Plane, profile, load, Solver::default());
+        let scaling = *contact.problem().frame().scaling().unwrap();
+        let error = (contact.pressure(0.0).unwrap() - pressure).abs();
+        let stated = contact.accuracy().unwrap().pressure * scaling.pressure();
+        assert!(error <= stated && stated < 1e-6 * pressure, "{error:e} {stated:e}");
+        let error = (contact.edges()[0][1] - edge).abs() / 5e-3;
+        let stated = contact.edge_error0().unwrap();
+        assert!(error <= stated && stated < 1e-6, "{error:e} {stated:e}");
+    }
+}
+
+/// The same base in a form that keeps its digits, under a pair and in a row, and on ground whose modulus grows with the depth.
+#[test]
+fn two_forms_of_a_base_agree_within_their_errors() {
+    let steel = Elastic::new(200e9, 0.3).unwrap();
+    let pair = Geometry::Pair { inner_half_gap: 1e-3 };
+    for geometry in [Geometry::Plane, pair, Geometry::Periodic { period: 0.02 }] {
+        let load = Load::new(Vertical::Settlement(4e-7), Rotational::Tilt(0.0)).unwrap();
+        let [spoilt, kept] = ["20 - sqrt(20^2 - x^2)", "x^2/(20 + sqrt(20^2 - x^2))"].map(|text| {
+            let frame = Frame::physical_in(geometry, steel, 0.0, 5e-3, None).unwrap();
+            let profile = Profile::expression(text).unwrap();
+            Problem::new(frame, profile, load, Solver::default()).unwrap().solve().unwrap()
+        });
+        let stated = |of: fn(&Contact) -> f64| of(&spoilt) + of(&kept);
+        let allowed = stated(|contact| contact.accuracy().unwrap().pressure);
+        for xi in [0.25, -0.3, 0.35] {
+            let difference = (spoilt.pressure0(xi) - kept.pressure0(xi)).abs();
+            assert!(difference <= allowed, "{geometry:?} at {xi}: {difference:e} {allowed:e}");
+        }
+        let allowed = stated(|contact| contact.edge_error0().unwrap_or(0.0));
+        for (one, other) in spoilt.edges0().iter().flatten().zip(kept.edges0().iter().flatten()) {
+            assert!((one - other).abs() <= allowed, "{geometry:?}: {one} {other} {allowed:e}");
+        }
+    }
+}
