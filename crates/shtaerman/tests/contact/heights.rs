@@ -182,12 +182,12 @@ fn the_error_covers_what_formulae_lose_beside_an_edge() {
     }
 }
 
-/// The sum of the constants has fewer digits than the smaller one.
+/// The sum of the constants, which are not written side by side, has fewer digits than the smaller one.
 #[test]
 fn constants_that_do_not_add_up_exactly_cost_no_digit() {
     let pressed = load(Vertical::Settlement(1_000_000.5), Rotational::Tilt(0.0));
     let frame = Frame::dimensionless(0.0).unwrap();
-    let profile = expression("1000000 + 0.0016 + xi^2/2");
+    let profile = expression("1000000 + xi^2/2 + 0.0016");
     let contact =
         Problem::new(frame, profile, pressed, Solver::default()).unwrap().solve().unwrap();
     let error = (contact.pressure0(0.0) - 0.4984).abs();
