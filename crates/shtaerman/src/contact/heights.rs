@@ -138,9 +138,12 @@ impl Problem {
             Law::Smooth if matches!(self.load().vertical, Vertical::Force(_)) => (0.0, 0.0),
             Law::Smooth => {
                 let is_round = self.frame().is_circular();
-                let measure = |[left, right]: &[f64; 2]| match is_round {
-                    true => 0.5 * std::f64::consts::PI * (right * right.abs() - left * left.abs()),
-                    false => right - left,
+                let measure = |[left, right]: &[f64; 2]| {
+                    if is_round {
+                        0.5 * std::f64::consts::PI * (right * right.abs() - left * left.abs())
+                    } else {
+                        right - left
+                    }
                 };
                 let mean = force / zones.iter().map(measure).sum::<f64>();
                 let mean = if mean.is_finite() { mean } else { 0.0 };
