@@ -19,7 +19,7 @@ pub(crate) const MOST_WINDOWS: usize = 50_000;
 /// A pressure is resampled to this share of what is allowed.
 const RESOLVED: f64 = 0.3;
 /// Places of an interval where it is looked at how well heights are known.
-const KNOWN: [f64; 2] = [0.318_309, 0.718_281];
+const KNOWN: [f64; 2] = [0.317, 0.718];
 /// Places of a zone where the size of the pressure is looked at.
 const SAMPLES: u32 = 32;
 /// A bound above this share of the pressure is looked into: a single window beside the zones with so much of the residual is told.
