@@ -195,7 +195,7 @@ impl<K: Kernel + ?Sized> Problem<'_, K> {
             let strength = self.parameter.abs();
             let at_ends = growth * (strength * unknown.potential).min(unknown.largest)
                 + growth * scale * (strength * unknown.tail).min(1.0);
-            found.estimate.solution = found.estimate.solution.max(unseen) + at_ends;
+            found.estimate.solution = found.estimate.solution.max(unseen).max(at_ends);
             found.estimate.integral += SAFETY * growth * missed.integral;
             found.estimate.first_moment += SAFETY * growth * missed.first_moment;
             found.converged = found.estimate.solution <= self.tolerance * scale;

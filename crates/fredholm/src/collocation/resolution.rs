@@ -82,7 +82,8 @@ pub(super) fn between_numbers(
             sum[1] += of_kernel * kernel.measure(place.position) * distance / smoothness;
         }
     }
-    for [potential, tail] in sums {
+    // Where the function changes no more than by rounding grids tell what lies beyond their nodes.
+    for [potential, tail] in sums.into_iter().filter(|[potential, _]| *potential > 0.0) {
         found.potential = found.potential.max(potential);
         found.tail = found.tail.max(tail);
     }
