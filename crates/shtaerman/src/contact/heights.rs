@@ -154,7 +154,8 @@ impl Problem {
                 let kappa = if let Law::Power(exponent) = law { exponent } else { 1.0 };
                 let steepness = solution.size().max(f64::MIN_POSITIVE).powf(1.0 - kappa) / kappa;
                 let at_ends = self.rounding_at_ends(&zones);
-                let error = (solution.growth() * rounding).max(at_ends);
+                // A single place is disturbed by itself, which is half of what disturbances grow to.
+                let error = solution.growth() * rounding.max(0.5 * at_ends);
                 let edges = if free { self.edges_of_layer(solution, error, kappa) } else { 0.0 };
                 (steepness * error, edges)
             }
