@@ -2,6 +2,7 @@
 
 use crate::density::Panel;
 use crate::legendre::{ORDER, RULE, evaluate_at};
+use crate::residual::blur;
 
 /// A panel at an end of a part is cut this far from the end, or nearer where that leaves a panel that is resolved: densities bend there as `d ln d`, with which short panels need to
 /// be less exact.
@@ -177,12 +178,16 @@ pub(crate) fn is_short(panel: &Panel) -> bool {
 const COMPARED: [f64; 9] =
     [1e-6, 1e-4, 1e-2, 0.071_828, 0.371_828, 0.914_159, 1.0 - 1e-2, 1.0 - 1e-4, 1.0 - 1e-6];
 
-/// Places at which an answer is compared with a panel, its pressure and how far it is from the panel there.
+/// Places at which an answer is compared with a panel, its pressure and how far it is from the panel there. They keep off the ends by what the place of a jump may be off by: there the
+/// pressure may be that beyond it.
 pub(crate) fn compared(
     panel: &Panel,
     pressure: &dyn Fn(f64) -> f64,
 ) -> [(f64, f64, f64); COMPARED.len()] {
+    let blur = blur(panel.left.abs().max(panel.right.abs()));
+    let [first, last] = [panel.left + blur, panel.right - blur];
     let places = COMPARED.map(|t| panel.left + t * (panel.right - panel.left));
+    let places = places.map(|x| if first < last { x.clamp(first, last) } else { panel.middle() });
     let own = evaluate_at(&panel.coefficients, &places.map(|x| panel.own(x)));
     std::array::from_fn(|i| {
         let given = pressure(places[i]);

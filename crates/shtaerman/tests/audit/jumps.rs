@@ -32,3 +32,41 @@ fn terraces_of_a_wave() {
         assert!(contact.peak_error0().is_none_or(|error| error < 1e-9 * largest));
     }
 }
+
+/// A stepped disk under a settlement. The operator is symmetric, so its force is `delta P_1 - h int p_1 dA` over the step, with force and pressure of a flat disk that is pressed in by 1.
+#[test]
+fn stepped_disks() {
+    let (from, height) = (0.86741, 0.20932);
+    let solved = |theta0: f64, profile: &str| {
+        let toml = format!(
+            "[dimensionless]\ntheta0 = {theta0}\ngeometry = \"circular\"\nprofile = \"{profile}\"\nsettlement = 1\ntilt = 0\n[solver]\ncontact = \"bilateral\"\n"
+        );
+        shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap().audited().unwrap()
+    };
+    for theta0 in [4.0, 400.0, 4000.0] {
+        let flat = solved(theta0, "0");
+        let stepped = solved(theta0, &format!("-{height}*step(abs(xi) - {from})"));
+        let rule = |count: u32| -> f64 {
+            let step = 1.0 / f64::from(count);
+            let nodes = (0..count).map(|k| (f64::from(k) + 0.5) * step);
+            let values = nodes.map(|s| {
+                // `10 s^3 - 15 s^4 + 6 s^5` is flat at both ends: what bends at the rim does so no more.
+                let t = s.powi(3) * (10.0 - 15.0 * s + 6.0 * s * s);
+                let r = 1.0 - (1.0 - from) * t;
+                let rate = 30.0 * (s * (1.0 - s)).powi(2);
+                2.0 * PI * r * flat.pressure0(r) * (1.0 - from) * rate
+            });
+            step * values.sum::<f64>()
+        };
+        let on_step = rule(8000);
+        let exact = flat.force0() + height * on_step;
+        let known = (on_step - rule(4000)).abs() + 1e-14 * exact;
+        let stated = stepped.accuracy().unwrap();
+        let off = (stepped.force0() - exact).abs();
+        let largest = stepped.peak_pressure0().0;
+        println!("{theta0}: {off:e} known to {known:e} {stated:?} {largest}");
+        assert!(off <= stated.force + flat.accuracy().unwrap().force + known, "{off:e}");
+        // A jump costs no more than what it raises the pressure by.
+        assert!(stated.pressure < 1e-13 * theta0 * largest, "{stated:?}");
+    }
+}
