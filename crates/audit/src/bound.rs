@@ -222,21 +222,22 @@ impl Errors {
         self.distance.pressure + self.line.largest()
     }
 
-    /// `theta |K (p - q)|` by the principle for potentials.
+    /// `d - a x - theta K (p - q)` by the principle for potentials: the line counts by how much it changes, or by itself where it has one sign with the residual.
     fn principle(&self) -> f64 {
-        self.distance.principle + self.line.largest()
+        (self.distance.principle + self.line.swing()).max(self.line.largest())
     }
 
     /// Of what the residual is off by outside the zones.
     fn margin(&self) -> f64 {
         let left = if self.doubles { self.place() } else { 0.0 };
-        (left + self.distance.potential).min(self.principle()) + self.line.largest()
+        let by_norm = left + self.distance.potential + self.line.largest();
+        by_norm.min(self.principle())
     }
 
     fn pressure(&self) -> f64 {
         let twice = if self.doubles { 2.0 } else { 1.0 };
         let by_norm = twice * self.place() + self.distance.potential;
-        by_norm.min(self.place() + self.principle())
+        by_norm.min(self.distance.pressure + self.principle())
     }
 }
 

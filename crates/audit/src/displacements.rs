@@ -26,6 +26,11 @@ impl Line {
         self.level + self.slope * (1.0 + self.middle.abs())
     }
 
+    /// Of how much its values on `[-1, 1]` differ.
+    pub(crate) fn swing(&self) -> f64 {
+        2.0 * self.slope
+    }
+
     pub(crate) fn at_origin(&self) -> f64 {
         self.level + self.slope * self.middle.abs()
     }

@@ -3,6 +3,7 @@
 use crate::density::Panel;
 use crate::legendre::{ORDER, RULE, evaluate_at};
 use crate::residual::blur;
+use crate::windows::JUMPS;
 
 /// A panel at an end of a part is cut this far from the end, or nearer where that leaves a panel that is resolved: densities bend there as `d ln d`, with which short panels need to
 /// be less exact.
@@ -21,6 +22,8 @@ const FINEST: f64 = 64.0 * f64::EPSILON;
 const COARSE: f64 = 1e6;
 /// On a panel beside a corner the density is so many times steeper at the near end than at the far one.
 const STEEPER: f64 = 4.0;
+/// What a panel beside a corner misses at its end, in last coefficients: those of `d ln d` fall as `4/n^3`, so that the rest of them adds up to half their number.
+const MISSED_AT_END: f64 = 0.5 * ORDER as f64;
 /// Panels shorter than this share of their distance from the origin have nodes that are rounded noticeably; so many corrections take that away.
 const ROUNDED: f64 = 1e-6;
 const CORRECTIONS: usize = 3;
@@ -158,13 +161,14 @@ pub(crate) fn halves(density: &dyn Fn(f64) -> f64, panel: &Panel) -> Vec<Panel> 
         .to_vec()
 }
 
-/// What the density changes from one number of the machine to the next beside that end of a panel where it is less steep, several times: it cannot be told better. At the other end it may have a corner.
+/// The tail with which what windows count of a panel's jump is as much as the density changes from one number of the machine to the next: it cannot be told better. That change is looked at beside
+/// the end where the density is less steep; at the other end it may have a corner.
 fn graininess(density: &dyn Fn(f64) -> f64, panel: &Panel) -> f64 {
     let after = panel.left.next_up();
     let before = panel.right.next_down();
     let first = (density(after.next_up()) - density(after)).abs();
     let last = (density(before) - density(before.next_down())).abs();
-    STEEPER * first.min(last)
+    STEEPER / (MISSED_AT_END * JUMPS) * first.min(last)
 }
 
 /// Whether a panel may be left unresolved: beside a corner it is not cut further.

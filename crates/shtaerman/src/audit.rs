@@ -200,7 +200,8 @@ impl Contact {
         let load = problem.dimensionless_load();
         let (prescribed, is_load_own) = prescribed(&load, self.force0(), self.moment0());
         // A wave cannot tilt, and what is its own mirror image does not.
-        let is_level = problem.is_wave() || problem.is_symmetric();
+        let is_symmetric = problem.is_symmetric();
+        let is_level = problem.is_wave() || is_symmetric;
         let prescribed =
             if is_level { Prescribed { moment: None, ..prescribed } } else { prescribed };
         let zones = if problem.is_wave() { within_period(&self.edges0()) } else { self.edges0() };
@@ -231,7 +232,8 @@ impl Contact {
             settlement: bound.settlement,
             tilt: bound.tilt,
             force: bound.force,
-            moment: bound.moment,
+            // The true one of what is its own mirror image is 0.
+            moment: if is_symmetric { self.moment0().abs() } else { bound.moment },
         };
         let accuracy = match load.rotational {
             Rotational::Eccentricity(e) if is_load_own => {

@@ -37,6 +37,17 @@ pub enum Law {
     Power(f64),
 }
 
+impl Law {
+    /// What the layer gives under `p0 >= 0`.
+    pub(crate) fn displacement(self, pressure: f64) -> f64 {
+        match self {
+            Self::Smooth => 0.0,
+            Self::Linear => pressure,
+            Self::Power(exponent) => pressure.powf(exponent),
+        }
+    }
+}
+
 impl Roughness {
     /// `B p^kappa`; the exponent 1 is Shtaerman's law.
     ///

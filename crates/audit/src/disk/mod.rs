@@ -45,7 +45,8 @@ pub struct DiskProblem<'a> {
 ///
 /// The kernel has the *complete maximum principle*: where `K g <= K h + c` on the support of `g >= 0`, `h, c >= 0`, it holds everywhere. So for two contacts whose right-hand sides differ
 /// by `kappa` at most, `theta |K (p - q)| <= kappa`: where `p > q` both layers say so, hence everywhere; and forces grow with the settlement. With the largest residual `W` of the answer,
-/// in the layer's law, `|d delta| <= W`, and `|p^kappa - q^kappa| <= 2 (W + |d delta| + |d alpha|)` at any place. In the mean square `||p - q|| <= ||w~||` as in the plane.
+/// in the layer's law, `|d delta| <= W`, and `p^kappa - q^kappa = l - w~ - theta K (p - q)` with the line `l = d delta - x d alpha` is at most `|w~|` and the greater of `W + 2 |d alpha|` and `|l|`
+/// at any place. In the mean square `||p - q|| <= ||w~||` as in the plane.
 ///
 /// # Errors
 /// [`Refusal`] where the residual was not resolved, or the answer is far from its load.
@@ -281,14 +282,13 @@ impl<'a> Audit<'a> {
         let settled = if force.is_some() { self.settled(level, residual) } else { 0.0 };
         let shift = settled + tilted;
         // In the layer's law, and of the pressure.
-        let margin = largest + shift;
-        let off =
-            seen.iter().map(|window| self.pressure_error(window, lean.anywhere + margin + shift));
+        let margin = (largest + 2.0 * tilted).max(shift);
+        let off = seen.iter().map(|window| self.pressure_error(window, lean.anywhere + margin));
         let off = off.fold(0.0, f64::max);
         let resampled = self.level.changed() + self.lean.as_ref().map_or(0.0, Part::changed);
         let area: f64 = PI
             * ((self.zones.iter()).map(|[left, right]| right * right - left * left).sum::<f64>()
-                + (gaps.iter().filter(|gap| gap.least <= margin + settled))
+                + (gaps.iter().filter(|gap| gap.least <= margin))
                     .map(|gap| gap.right * gap.right - gap.left * gap.left)
                     .sum::<f64>());
         let mean_square = residual * layer::softest(problem.layer, self.highest() + off);
@@ -317,7 +317,7 @@ impl<'a> Audit<'a> {
                 moment.is_some() || self.lean.is_none(),
                 moment_off + (answer.moment - own_moment).abs(),
             ),
-            ends: self.ends(gaps, [off + resampled, margin + settled]),
+            ends: self.ends(gaps, [off + resampled, margin]),
             residual,
             panels: self.panels,
             windows,

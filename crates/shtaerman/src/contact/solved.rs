@@ -492,8 +492,9 @@ impl Contact {
         let largest = pressures.into_iter().fold(0.0f64, |most, p| most.max(p.abs()));
         let sizes = self.solution.state().sizes(largest);
         if let Some(audit) = self.found_audit() {
-            // Its settlement is that of the problem itself, counted from no level.
-            let displacement = sizes.displacement.max(self.settlement0().abs());
+            // Its settlement is that of the problem itself, counted from no level; the gauge of the plane can take away what the layer gives, which is a part of it.
+            let layer = self.problem.frame().law().displacement(largest);
+            let displacement = sizes.displacement.max(self.settlement0().abs()).max(layer);
             return audit.accuracy.relative(&Sizes { displacement, ..sizes });
         }
         self.solution.relative_error().max(self.of_heights)
