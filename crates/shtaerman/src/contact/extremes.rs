@@ -14,6 +14,11 @@ const NEGLIGIBLE: f64 = 1e-12;
 /// How far a search may end beside a maximum of a curvature like its height, when values are known to [`NEGLIGIBLE`].
 const NEAR: f64 = 1e-6;
 
+/// How far above a sample a maximum beside it may lie, in its second difference: four times what it is for a parabola.
+const RISE: f64 = 0.5;
+/// Most samples beside which a maximum is sought.
+const MOST_CANDIDATES: usize = 16;
+
 /// A value and its place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Extreme {
@@ -37,25 +42,53 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
     /// The largest value and its place; of equal ones the leftmost, but the middle of the base before places found by search that only rounding
     /// sets apart from it.
     pub(super) fn maximum(&self) -> Extreme {
-        let mut best = 0;
-        for (i, value) in self.values.iter().enumerate() {
-            if *value > self.values[best] + NEGLIGIBLE * self.values[best].abs() {
-                best = i;
-            }
-        }
-        let sampled = Extreme { place: self.points[best], value: self.values[best] };
-        let left = self.points[best.saturating_sub(1)];
-        let right = self.points[(best + 1).min(self.points.len() - 1)];
-        let refined = golden_section(&self.f, left, right);
-        // A value that is larger by rounding alone says nothing of the place.
-        let noticeable = ROUNDING * sampled.value.abs();
-        let found = if refined.value > sampled.value + noticeable { refined } else { sampled };
+        let found = self.candidates().into_iter().map(|i| self.refined(i));
+        let found = found.reduce(|best, other| {
+            if other.value > best.value + NEGLIGIBLE * best.value.abs() { other } else { best }
+        });
+        let found = found.unwrap_or(Extreme { place: 0.0, value: f64::NAN });
         let middle = (self.f)(0.0);
         if found.place.abs() < NEAR && middle + NEGLIGIBLE * middle.abs() >= found.value {
             Extreme { place: 0.0, value: middle.max(found.value) }
         } else {
             found
         }
+    }
+
+    /// The samples beside which the function may be largest: those with the largest values, and others from which it may rise as high, from left to right.
+    fn candidates(&self) -> Vec<usize> {
+        let (values, last) = (&self.values, self.values.len().saturating_sub(1));
+        let neighbours = |i: usize| [i.saturating_sub(1), (i + 1).min(last)].map(|j| values[j]);
+        // A parabola through three samples rises by an eighth of their second difference at most; others may rise by more.
+        let reached = |i: usize| {
+            let [before, after] = neighbours(i);
+            values[i] + RISE * (2.0 * values[i] - before - after)
+        };
+        let mut best = 0;
+        for (i, value) in values.iter().enumerate() {
+            if *value > values[best] + NEGLIGIBLE * values[best].abs() {
+                best = i;
+            }
+        }
+        let is_top = |i: &usize| neighbours(*i).iter().all(|value| values[*i] >= *value);
+        let is_near = |i: &usize| *i != best && reached(*i) > values[best];
+        let mut others: Vec<usize> = (0..values.len()).filter(is_top).filter(is_near).collect();
+        others.sort_by(|one, other| reached(*other).total_cmp(&reached(*one)));
+        others.truncate(MOST_CANDIDATES - 1);
+        others.push(best);
+        others.sort_unstable();
+        others
+    }
+
+    /// The largest value between the neighbours of a sample.
+    fn refined(&self, i: usize) -> Extreme {
+        let sampled = Extreme { place: self.points[i], value: self.values[i] };
+        let left = self.points[i.saturating_sub(1)];
+        let right = self.points[(i + 1).min(self.points.len() - 1)];
+        let refined = golden_section(&self.f, left, right);
+        // A value that is larger by rounding alone says nothing of the place.
+        let noticeable = ROUNDING * sampled.value.abs();
+        if refined.value > sampled.value + noticeable { refined } else { sampled }
     }
 
     /// The intervals on which the function is negative beyond rounding.
@@ -174,6 +207,21 @@ mod tests {
         assert_eq!(sampled(|x: f64| x * x).maximum().place, -1.0);
         assert_eq!(sampled(|_| 0.5).maximum().value, 0.5);
         assert_eq!(sampled(|x: f64| (x - 1e-10).cos()).maximum().place, 0.0);
+    }
+
+    /// A crest between the last two samples, where both ends of a wave have the same value; and two crests of which the lower has the higher sample.
+    #[test]
+    fn finds_the_higher_of_maxima_that_samples_cannot_tell_apart() {
+        let wave = |x: f64| (std::f64::consts::PI * (x - 0.999_9)).cos();
+        let points: Vec<f64> = (0..=100).map(|i| f64::from(i - 50) / 50.0).collect();
+        let values = points.iter().map(|x| wave(*x)).collect();
+        let crest = Sampled::new(wave, points, values).maximum();
+        assert!((crest.place - 0.999_9).abs() < 1e-7 && crest.value == 1.0, "{crest:?}");
+        let crests = |x: f64| (1.0 - (x + 0.5).powi(2)).max(1.0 + 1e-6 - 4.0 * (x - 0.501).powi(2));
+        let points = vec![-1.0, -0.5, 0.0, 0.5, 0.505, 1.0];
+        let values = points.iter().map(|x| crests(*x)).collect();
+        let crest = Sampled::new(crests, points, values).maximum();
+        assert!((crest.place - 0.501).abs() < 1e-7, "{crest:?}");
     }
 
     #[test]

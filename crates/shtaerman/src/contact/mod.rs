@@ -25,6 +25,7 @@ mod smooth;
 mod solution;
 mod solved;
 mod spectral;
+mod steps;
 mod surface;
 mod unilateral;
 mod valleys;

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::free_ends::Work;
 use super::kernel::SmoothKernel;
 use super::zones::Zone;
+use crate::contact::steps::{REACH, rise};
 use crate::contact::valleys;
 use crate::error::require;
 use crate::{Error, Load};
@@ -15,9 +16,6 @@ const SAMPLES: usize = 2048;
 const MOST_SAMPLES: usize = 32768;
 /// Most cells.
 pub(super) const MOST_CELLS: usize = 3072;
-/// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a jump.
-const BESIDE: f64 = 1e-9;
-const JUMP: f64 = 1e-6;
 
 /// A function of `xi`.
 pub type Curve = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
@@ -180,6 +178,14 @@ impl<'p> Base<'p> {
         Zone::new([left.max(first), right.min(last)], [left > first, right < last])
     }
 
+    /// The parts of a zone that lie beyond a step: the body cannot touch both its sides without a gap.
+    pub(super) fn beyond_steps(&self, [left, right]: [f64; 2]) -> Vec<[f64; 2]> {
+        let inside = |side: usize| {
+            self.walls[side].iter().copied().filter(move |wall| left < *wall && *wall < right)
+        };
+        inside(0).map(|wall| [left, wall]).chain(inside(1).map(|wall| [wall, right])).collect()
+    }
+
     /// The zones of bilateral contact.
     pub(super) fn pieces(&self) -> Vec<Zone> {
         let pieces = self.problem.pieces.iter();
@@ -208,20 +214,15 @@ impl<'p> Base<'p> {
     }
 
     fn find_steps(&mut self) -> Result<(), Error> {
-        let threshold = JUMP * self.range();
         for &place in &self.problem.profile.breaks {
-            let inside =
-                |[left, right]: &[f64; 2]| *left < place - BESIDE && place + BESIDE < *right;
+            let inside = |[left, right]: &[f64; 2]| *left < place - REACH && place + REACH < *right;
             if !self.problem.pieces.iter().any(inside) {
                 continue;
             }
-            let rise = self.height(place + BESIDE) - self.height(place - BESIDE);
-            let is_step = rise.abs() > threshold;
+            let Some(rise) = rise(|xi| self.height(xi), place) else { continue };
             let requirement = "without a step inside the base: bilateral contact of smooth bodies has no pressure across one";
-            require(self.problem.is_unilateral || !is_step, "profile", place, requirement)?;
-            if is_step {
-                self.walls[usize::from(rise > 0.0)].push(place);
-            }
+            require(self.problem.is_unilateral, "profile", place, requirement)?;
+            self.walls[usize::from(rise > 0.0)].push(place);
         }
         Ok(())
     }

@@ -29,6 +29,7 @@ use std::fmt;
 use super::Curve;
 use super::ground::Ground;
 use crate::contact::balance::State;
+use crate::contact::steps::{REACH, rise};
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 use check::Check;
@@ -37,9 +38,6 @@ use shape::{Part, Shape, Weight};
 
 /// Samples that show the ups and downs of a profile.
 const SAMPLES: usize = 512;
-/// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a step.
-const BESIDE: f64 = 1e-9;
-const STEP: f64 = 1e-6;
 /// More breakpoints than these do not get panels of their own.
 const MOST_BREAKS: usize = 64;
 /// Tension and penetration, relative to their scales, that are rounding.
@@ -176,13 +174,8 @@ impl SmoothDisk {
 
     /// The largest radius of a contact: the edge of the base or the first step.
     fn limit(&self) -> Result<f64, Error> {
-        let heights = || self.samples().map(|sample| sample.1);
-        let range =
-            heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min);
-        let is_step = |at: &f64| {
-            let rise = (self.height)(at + BESIDE) - (self.height)(at - BESIDE);
-            *at > BESIDE && at + BESIDE < 1.0 && rise.abs() > STEP * range
-        };
+        let is_step =
+            |at: &f64| *at > REACH && at + REACH < 1.0 && rise(&*self.height, *at).is_some();
         let first = self.breaks.iter().copied().filter(is_step).fold(1.0, f64::min);
         require(
             self.is_unilateral || first == 1.0,

@@ -54,6 +54,10 @@ impl Check {
             pulls.iter_mut().for_each(|p| *p /= -largest);
             tension = worst(tension, &pulls);
             pulling.extend(above(&points, &pulls, ALLOWED));
+            // Slopes alone know nothing of a step.
+            let beyond = base.beyond_steps(field.strip.zone.ends);
+            tension = if beyond.is_empty() { tension } else { f64::max(tension, 1.0) };
+            pulling.extend(beyond);
         }
         let (penetration, penetrating) = (0.0, Vec::new());
         let mut check =

@@ -108,7 +108,8 @@ impl Solution for SpotContact {
         let zones = self.level.zones.iter().flat_map(|zone| [zone.left(), zone.right()]);
         let ends = zones.map(|xi| chart.on_base(xi)).chain([-1.0, 1.0]);
         let ends = ends.map(|xi| (xi, self.pressure(problem, xi)));
-        let mut samples: Vec<(f64, f64)> = known.chain(ends).collect();
+        // Of a node that rounds to an end the end counts: beside a corner the pressure may change from one to the other.
+        let mut samples: Vec<(f64, f64)> = ends.chain(known).collect();
         samples.sort_by(|one, two| one.0.total_cmp(&two.0));
         samples.dedup_by(|one, two| one.0 == two.0);
         samples.into_iter().unzip()

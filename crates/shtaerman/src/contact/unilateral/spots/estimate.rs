@@ -52,7 +52,8 @@ pub(super) fn estimate(base: &Base<'_>, levels: &[Level; 3]) -> (Accuracy, f64) 
     };
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
-        pressure: left(before.pressure, change.pressure).max(ROUNDING * size * firmest),
+        pressure: left(before.pressure, change.pressure).max(ROUNDING * size * firmest)
+            + at_corners(base, fine),
         settlement: of(|c| c.settlement, |c| c.tilt, size),
         tilt: of(|c| c.tilt, |c| c.settlement, size),
         force: of(|c| c.force, |c| c.moment, carried),
@@ -69,6 +70,22 @@ pub(super) fn estimate(base: &Base<'_>, levels: &[Level; 3]) -> (Accuracy, f64) 
 /// What the finest level is off: its difference from the level before, which is far coarser. A rate is not assumed, as that of the ends of zones and that of what is smooth differ.
 fn left(before: f64, change: f64) -> f64 {
     if change <= SLOW * before { change } else { SAFETY * change.max(before) }
+}
+
+/// What the panels at corners miss. There the pressure goes on as a power of the distance of its own size, which no polynomial shows; at all finenesses they may be as short as numbers allow,
+/// so that no difference tells. The pressure changes by `V` on such a panel because the potential of a pressure `p` does by `V`: that of what is missed, at most `V`, changes by `V^2/p` at most.
+fn at_corners(base: &Base<'_>, level: &Level) -> f64 {
+    let bounds = level.bounds();
+    let missed = |side: usize, end: f64| -> Option<f64> {
+        let panel = bounds.iter().find(|panel| panel[side] == end)?;
+        let inner = panel[1 - side];
+        let change = (displaced(base, level, end) - displaced(base, level, inner)).abs();
+        let pressure = level.pressure_at(inner, base.height(inner)).abs();
+        Some(if change == 0.0 { 0.0 } else { change * (change / pressure.max(change)) })
+    };
+    let ends = level.zones.iter().flat_map(|zone| [0, 1].map(|side| (side, zone.ends[side])));
+    let walls = ends.filter(|(_, end)| !end.is_free);
+    walls.filter_map(|(side, end)| missed(side, end.at)).fold(0.0, f64::max)
 }
 
 /// The pressure, of a linear layer with the profile taken out.

@@ -1,9 +1,10 @@
 //! The base of revolution with its walls and samples.
 
 use super::super::shape::Shape;
-use super::super::{BESIDE, SAMPLES, STEP, SmoothDisk};
+use super::super::{SAMPLES, SmoothDisk};
 use crate::contact::smooth::free_ends::Work;
 use crate::contact::smooth::zones::Zone;
+use crate::contact::steps::{REACH, rise};
 use crate::contact::valleys;
 use crate::{Error, Load, Rotational};
 
@@ -76,13 +77,10 @@ impl<'p> Base<'p> {
     }
 
     fn find_steps(&mut self) {
-        let threshold = STEP * self.range();
         for &place in &self.problem.breaks {
-            if place > BESIDE && place + BESIDE < 1.0 {
-                let rise = self.height(place + BESIDE) - self.height(place - BESIDE);
-                if rise.abs() > threshold {
-                    self.walls[usize::from(rise > 0.0)].push(place);
-                }
+            let is_inside = place > REACH && place + REACH < 1.0;
+            if let Some(rise) = is_inside.then(|| rise(|r| self.height(r), place)).flatten() {
+                self.walls[usize::from(rise > 0.0)].push(place);
             }
         }
     }
