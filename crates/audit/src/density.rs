@@ -101,6 +101,13 @@ pub(crate) struct Potentials {
 }
 
 impl Potentials {
+    /// Of a single place.
+    pub(crate) fn one() -> Self {
+        let mut one = Self::default();
+        one.begin(1);
+        one
+    }
+
     fn begin(&mut self, count: usize) {
         for entries in [&mut self.values, &mut self.lost, &mut self.roundings] {
             entries.clear();
@@ -277,9 +284,10 @@ impl Density {
                         let places = (run, distance, from);
                         cluster.add(singularity, places, (sign, total), &mut scratch, found);
                     } else {
-                        let places = (from..).zip(run.iter().copied());
                         for panel in &self.panels[cluster.first..cluster.last] {
-                            self.recurrence.add(panel, places.clone(), sign, &mut batches, found);
+                            let ends = run.iter().map(|x| [x - panel.left, panel.right - x]);
+                            let places = (from..).zip(ends);
+                            self.recurrence.add(panel, places, sign, &mut batches, found);
                         }
                     }
                     from += run.len();

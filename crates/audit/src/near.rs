@@ -108,19 +108,18 @@ impl Recurrence {
         Self { singularity, forward, backward }
     }
 
-    /// Adds `sign int sigma(|x - t|) q(t) dt` of a panel at at most [`MOST`] places, each with its index.
+    /// Adds `sign int sigma(|x - t|) q(t) dt` of a panel at at most [`MOST`] places, each with its index and with what it is to the right of the left end and to the left of the right one.
     pub(crate) fn add(
         &self,
         panel: &Panel,
-        places: impl Iterator<Item = (usize, f64)>,
+        places: impl Iterator<Item = (usize, [f64; 2])>,
         sign: f64,
         Batches { on, beside }: &mut Batches,
         into: &mut Potentials,
     ) {
         on.clear();
         beside.clear();
-        for (index, x) in places {
-            let (from_left, to_right) = (x - panel.left, panel.right - x);
+        for (index, [from_left, to_right]) in places {
             let z = 0.5 * (from_left - to_right) / panel.half();
             let batch = if z.abs() <= FORWARD { &mut *on } else { &mut *beside };
             self.begin(panel, (from_left, to_right, z), index, batch);
