@@ -1,7 +1,7 @@
 //! The density whose error is bounded: a polynomial on each panel, and its potential.
 
 use crate::chebyshev::MOST;
-use crate::far::{Cluster, FAR, Scratch};
+use crate::far::{Cluster, FAR};
 use crate::kernel::Kernel;
 use crate::legendre::{self, ORDER, RULE};
 use crate::near::{Batches, Recurrence, rounded};
@@ -101,6 +101,13 @@ pub(crate) struct Potentials {
 }
 
 impl Potentials {
+    /// Of a single place.
+    pub(crate) fn one() -> Self {
+        let mut one = Self::default();
+        one.begin(1);
+        one
+    }
+
     fn begin(&mut self, count: usize) {
         for entries in [&mut self.values, &mut self.lost, &mut self.roundings] {
             entries.clear();
@@ -255,7 +262,6 @@ impl Density {
         let first = places.iter().copied().fold(f64::INFINITY, f64::min);
         let last = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let total = self.clusters.last().map_or(0.0, |root| root.mass);
-        let mut scratch = Scratch::default();
         let mut batches = Batches::default();
         let mut stack = vec![self.clusters.len() - 1];
         while let Some(index) = stack.pop() {
@@ -263,7 +269,7 @@ impl Density {
             let distance = (first - cluster.centre).max(cluster.centre - last);
             if distance >= FAR * cluster.radius {
                 let places = (places, distance, 0);
-                cluster.add(singularity, places, (sign, total), &mut scratch, found);
+                cluster.add(singularity, places, (sign, total), found);
             } else if let Some(children) = cluster.children {
                 stack.extend(children);
             } else {
@@ -275,11 +281,12 @@ impl Density {
                         let distances = run.iter().map(|x| (x - cluster.centre).abs());
                         let distance = distances.fold(f64::INFINITY, f64::min);
                         let places = (run, distance, from);
-                        cluster.add(singularity, places, (sign, total), &mut scratch, found);
+                        cluster.add(singularity, places, (sign, total), found);
                     } else {
-                        let places = (from..).zip(run.iter().copied());
                         for panel in &self.panels[cluster.first..cluster.last] {
-                            self.recurrence.add(panel, places.clone(), sign, &mut batches, found);
+                            let ends = run.iter().map(|x| [x - panel.left, panel.right - x]);
+                            let places = (from..).zip(ends);
+                            self.recurrence.add(panel, places, sign, &mut batches, found);
                         }
                     }
                     from += run.len();

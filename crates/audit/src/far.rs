@@ -9,6 +9,8 @@ use crate::sum::{Sum, two_product, two_sum};
 pub(crate) const FAR: f64 = 3.0;
 /// Terms are left out where they have fallen by `exp(-SMALL)`, for the logarithm relative to the mass of all panels instead of this cluster's.
 const SMALL: f64 = 40.0;
+/// Places whose sums advance together, so that they do not wait for each other.
+const TOGETHER: usize = 8;
 /// Moments that are summed over the panels with compensation: the others are shifted from cluster to cluster, and count for 3^-4 at most.
 const DIRECT: usize = 4;
 
@@ -88,7 +90,6 @@ impl Cluster {
         singularity: Singularity,
         (places, distance, from): (&[f64], f64, usize),
         (sign, total): (f64, f64),
-        scratch: &mut Scratch,
         into: &mut Potentials,
     ) {
         let least = distance / self.radius;
@@ -99,42 +100,40 @@ impl Cluster {
         let terms = ((fallen / least.ln()).ceil() as usize).clamp(2, MOMENTS - 1);
         // The sum of q^-k over k > n is q^-n/(q - 1), q >= 3.
         let left_out = 0.5 * self.mass * least.powi(-(terms as i32)) / UNIT;
-        let Scratch { inverses, sums } = scratch;
-        inverses.clear();
-        inverses.extend(places.iter().map(|x| self.radius / (x - self.centre)));
-        sums.clear();
-        sums.resize(places.len(), 0.0);
-        // All places advance together: their sums do not wait for each other.
-        for moment in self.weighted[1..=terms].iter().rev() {
-            for (sum, inverse) in sums.iter_mut().zip(inverses.iter()) {
-                *sum = inverse * (moment + *sum);
+        for (start, places) in (from..).step_by(TOGETHER).zip(places.chunks(TOGETHER)) {
+            let mut inverses = [0.0; TOGETHER];
+            for (inverse, x) in inverses.iter_mut().zip(places) {
+                *inverse = self.radius / (x - self.centre);
+            }
+            let mut sums = [0.0; TOGETHER];
+            for moment in self.weighted[1..=terms].iter().rev() {
+                for (sum, inverse) in sums.iter_mut().zip(&inverses) {
+                    *sum = inverse * (moment + *sum);
+                }
+            }
+            for (index, (x, sum)) in (start..).zip(places.iter().zip(sums)) {
+                let d = (x - self.centre).abs();
+                let (value, rounding) = self.at(singularity, d, sum, left_out);
+                into.add(index, sign * value, UNIT * rounding);
             }
         }
-        for (index, (x, sum)) in places.iter().zip(sums.iter()).enumerate() {
-            let d = (x - self.centre).abs();
-            let (value, rounding) = match singularity {
-                Singularity::Logarithm => {
-                    let scale = d.ln();
-                    let rounding =
-                        self.mass * (3.0 * scale.abs() + 6.0) + 5.0 * sum.abs() + left_out;
-                    (self.moments[0] * scale + (self.lost * scale - sum), rounding)
-                }
-                Singularity::Power(mu) => {
-                    let scale = d.powf(-mu);
-                    let whole = self.moments[0] + (self.lost + sum);
-                    (scale * whole, scale * (6.0 * whole.abs() + 9.0 * self.mass + left_out))
-                }
-            };
-            into.add(from + index, sign * value, UNIT * rounding);
+    }
+
+    /// The potential at a distance with the sum of its series, and its rounding in units of the machine.
+    fn at(&self, singularity: Singularity, d: f64, sum: f64, left_out: f64) -> (f64, f64) {
+        match singularity {
+            Singularity::Logarithm => {
+                let scale = d.ln();
+                let rounding = self.mass * (3.0 * scale.abs() + 6.0) + 5.0 * sum.abs() + left_out;
+                (self.moments[0] * scale + (self.lost * scale - sum), rounding)
+            }
+            Singularity::Power(mu) => {
+                let scale = d.powf(-mu);
+                let whole = self.moments[0] + (self.lost + sum);
+                (scale * whole, scale * (6.0 * whole.abs() + 9.0 * self.mass + left_out))
+            }
         }
     }
-}
-
-/// Working memory of many clusters.
-#[derive(Default)]
-pub(crate) struct Scratch {
-    inverses: Vec<f64>,
-    sums: Vec<f64>,
 }
 
 /// The middle of a panel as a cluster has it, by differences that keep their digits.

@@ -54,6 +54,11 @@ impl Rule {
         expanded
     }
 
+    /// The weights at the nodes that integrate polynomials as those do whose sums with `P_0`, `P_1`, .. are these.
+    pub(crate) fn spread(&self, sums: &[f64; ORDER]) -> [f64; ORDER] {
+        self.coefficients.map(|row| row.iter().zip(sums).map(|(c, sum)| c * sum).sum())
+    }
+
     /// `int q(t) t^j dt` of an expansion.
     pub(crate) fn moments(&self, coefficients: &[f64; ORDER]) -> [f64; MOMENTS] {
         let mut found = [0.0; MOMENTS];

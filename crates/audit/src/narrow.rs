@@ -8,6 +8,9 @@ use crate::residual::{Bounded, Residual, blur};
 const MOST_NUMBERS: usize = 40;
 /// Within this distance of a jump a formula may leave open on which side of it a number lies: its parts are rounded, and none is much larger than the base.
 const OPEN: f64 = 256.0 * f64::EPSILON;
+/// So many times that far from a jump heights are off by their rounding; what is no more than so many times as much is rounding.
+const CLEAR: f64 = 2.0;
+const ROUNDED: f64 = 4.0;
 /// In so many widths about a window the density is taken as a constant and what it differs from that.
 const VICINITY: f64 = 64.0;
 
@@ -78,8 +81,13 @@ impl Residual<'_> {
     pub(crate) fn is_open(&self, x: f64) -> bool {
         self.cuts_within(x, OPEN).any(|cut| {
             let [low, high] = self.profile.range([cut - OPEN, cut + OPEN]);
-            let [f_low, f_high] = self.profile.height(x);
-            f_high - f_low > 0.5 * (high - low)
+            let width = |x: f64| {
+                let [low, high] = self.profile.height(x);
+                high - low
+            };
+            // Where a smooth base is flat it changes within that distance by no more than its rounding.
+            let rounding = || width(cut - CLEAR * OPEN).max(width(cut + CLEAR * OPEN));
+            width(x) > 0.5 * (high - low) && width(x) > ROUNDED * rounding()
         })
     }
 

@@ -17,6 +17,9 @@ const FORWARD: f64 = 1.25;
 const FALLEN: f64 = 38.0;
 const LAST: usize = ORDER + 28;
 
+/// Places that advance together, a divisor of [`MOST`].
+const TOGETHER: usize = 8;
+
 /// Roundings of the potential of a Legendre polynomial of degree `k >= 1` in units of the machine, `FIRST + STEP k` on the panel and `BESIDE` beyond: steps of the recurrence add five each,
 /// which its solutions carry on without growth on `[-1, 1]`. Checked against 30 digits in the tests.
 const FIRST: f64 = 10.0;
@@ -108,19 +111,18 @@ impl Recurrence {
         Self { singularity, forward, backward }
     }
 
-    /// Adds `sign int sigma(|x - t|) q(t) dt` of a panel at at most [`MOST`] places, each with its index.
+    /// Adds `sign int sigma(|x - t|) q(t) dt` of a panel at at most [`MOST`] places, each with its index and with what it is to the right of the left end and to the left of the right one.
     pub(crate) fn add(
         &self,
         panel: &Panel,
-        places: impl Iterator<Item = (usize, f64)>,
+        places: impl Iterator<Item = (usize, [f64; 2])>,
         sign: f64,
         Batches { on, beside }: &mut Batches,
         into: &mut Potentials,
     ) {
         on.clear();
         beside.clear();
-        for (index, x) in places {
-            let (from_left, to_right) = (x - panel.left, panel.right - x);
+        for (index, [from_left, to_right]) in places {
             let z = 0.5 * (from_left - to_right) / panel.half();
             let batch = if z.abs() <= FORWARD { &mut *on } else { &mut *beside };
             self.begin(panel, (from_left, to_right, z), index, batch);
@@ -188,57 +190,57 @@ impl Recurrence {
 
     /// `sum c_k I_k` over `k >= 1`, forward.
     fn forward(&self, c: &[f64; ORDER], batch: &Batch, sums: &mut [f64; MOST]) {
-        let n = batch.count;
         let is_log = matches!(self.singularity, Singularity::Logarithm);
-        let (mut before, mut here) = (batch.zeroth, batch.first);
-        let (before, here) = (&mut before[..n], &mut here[..n]);
-        let (z, sums) = (&batch.z[..n], &mut sums[..n]);
-        for i in 0..n {
-            sums[i] = c[1] * here[i];
-        }
-        let mut k = 1;
-        if is_log {
-            // The recurrence begins at k = 2, from I_2 = z I_1 + 2/3.
-            for i in 0..n {
-                before[i] = here[i];
-                here[i] = z[i] * here[i] + 2.0 / 3.0;
-                sums[i] += c[2] * here[i];
+        for from in (0..batch.count).step_by(TOGETHER) {
+            let [z, mut before, mut here] =
+                [&batch.z, &batch.zeroth, &batch.first].map(|all| some(all, from));
+            let mut own = here.map(|first| c[1] * first);
+            let mut k = 1;
+            if is_log {
+                // The recurrence begins at k = 2, from I_2 = z I_1 + 2/3.
+                for i in 0..TOGETHER {
+                    before[i] = here[i];
+                    here[i] = z[i] * here[i] + 2.0 / 3.0;
+                    own[i] += c[2] * here[i];
+                }
+                k = 2;
             }
-            k = 2;
-        }
-        for k in k..ORDER - 1 {
-            let [a, b] = self.forward[k];
-            let next = c[k + 1];
-            for i in 0..n {
-                let value = a * z[i] * here[i] - b * before[i];
-                before[i] = here[i];
-                here[i] = value;
-                sums[i] += next * value;
+            for k in k..ORDER - 1 {
+                let [a, b] = self.forward[k];
+                let next = c[k + 1];
+                for i in 0..TOGETHER {
+                    let value = a * z[i] * here[i] - b * before[i];
+                    before[i] = here[i];
+                    here[i] = value;
+                    own[i] += next * value;
+                }
             }
+            sums[from..from + TOGETHER].copy_from_slice(&own);
         }
     }
 
     /// The same backward, from zero at a high degree to `I_1`, which gives the size.
     fn backward(&self, c: &[f64; ORDER], batch: &Batch, sums: &mut [f64; MOST]) {
-        let n = batch.count;
-        let (mut above, mut here) = ([0.0; MOST], [1.0; MOST]);
-        let (above, here) = (&mut above[..n], &mut here[..n]);
-        let (z, sums) = (&batch.z[..n], &mut sums[..n]);
-        sums.fill(0.0);
         let rho = batch.nearest + (batch.nearest * batch.nearest - 1.0).sqrt();
         let beyond = (0.5 * FALLEN / rho.ln()).ceil() as usize;
-        for k in (2..=LAST.min(ORDER + beyond)).rev() {
-            let [a, b] = self.backward[k];
-            let own = if k < ORDER { c[k] } else { 0.0 };
-            for i in 0..n {
-                sums[i] += own * here[i];
-                let value = a * z[i] * here[i] - b * above[i];
-                above[i] = here[i];
-                here[i] = value;
+        let start = LAST.min(ORDER + beyond);
+        for from in (0..batch.count).step_by(TOGETHER) {
+            let [z, first] = [&batch.z, &batch.first].map(|all| some(all, from));
+            let (mut above, mut here, mut own) =
+                ([0.0; TOGETHER], [1.0; TOGETHER], [0.0; TOGETHER]);
+            for k in (2..=start).rev() {
+                let [a, b] = self.backward[k];
+                let factor = if k < ORDER { c[k] } else { 0.0 };
+                for i in 0..TOGETHER {
+                    own[i] += factor * here[i];
+                    let value = a * z[i] * here[i] - b * above[i];
+                    above[i] = here[i];
+                    here[i] = value;
+                }
             }
-        }
-        for i in 0..n {
-            sums[i] = batch.first[i] * (c[1] + sums[i] / here[i]);
+            for i in 0..TOGETHER {
+                sums[from + i] = first[i] * (c[1] + own[i] / here[i]);
+            }
         }
     }
 
@@ -267,6 +269,11 @@ impl Recurrence {
             into.add(*index, sign * value, UNIT * rounding);
         }
     }
+}
+
+/// The entries of a batch that advance together; behind the last of the batch there are others.
+fn some(all: &[f64; MOST], from: usize) -> [f64; TOGETHER] {
+    std::array::from_fn(|i| all[from + i])
 }
 
 /// `ln|d|`; 0 for 0, where it is multiplied by 0.

@@ -307,3 +307,36 @@ fn a_pair() {
         check(&reference, &profile, &pieces, &pieces, state, size);
     }
 }
+
+/// A cut where the base is smooth and flat: heights beside it differ by their rounding only, which is no jump that windows have to shrink to. `int ln(1/|x - s|) sqrt(1 - s^2) ds =
+/// pi/2 (ln 2 + 1/2 - x^2)`.
+#[test]
+fn flat_places_are_no_jumps() {
+    use std::f64::consts::{FRAC_PI_2, LN_2, PI};
+    let theta = 2.0;
+    let base = crate::closed::Base { c: 1.0, bend: theta * FRAC_PI_2, kappa: 1.0 };
+    let pressure = |x: f64| ((1.0 - x) * (1.0 + x)).max(0.0).sqrt();
+    let answer = Answer {
+        zones: &[[-1.0, 1.0]],
+        pressure: &pressure,
+        settlement: theta * FRAC_PI_2 * (LN_2 + 0.5),
+        tilt: 0.0,
+        force: FRAC_PI_2,
+        moment: 0.0,
+    };
+    let [whole, cut] = [&[][..], &[0.0]].map(|cuts| {
+        let problem = Problem {
+            kernel: Kernel::Logarithm,
+            theta,
+            scaled: 0.0,
+            pieces: &[[-1.0, 1.0]],
+            is_bilateral: false,
+            prescribed: Prescribed { force: Some(0.5 * PI), moment: Some(0.0) },
+            profile: &base,
+            cuts,
+        };
+        audit(&problem, &answer).unwrap()
+    });
+    assert!(cut.windows <= 2 * whole.windows, "{} {}", whole.windows, cut.windows);
+    assert!(cut.mean_square < 1e-12 && whole.mean_square < 1e-12);
+}

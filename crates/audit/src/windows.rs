@@ -3,7 +3,7 @@
 use crate::allowance::{UNIT, allowance};
 use crate::chebyshev::{lebesgue, nodes};
 use crate::density::Potentials;
-use crate::fitted::fit;
+use crate::fitted::{Fitted, fit};
 use crate::heights::{Heights, Known};
 use crate::remainders::{Part, local_mass, local_potential, outside};
 use crate::residual::{Bounded, Residual};
@@ -14,6 +14,8 @@ const DISK: f64 = 1.8;
 const LEAST_DISK: f64 = 1.25;
 /// The largest ellipse of analyticity that is used, in radii of the disk.
 const INSIDE: f64 = 0.97;
+/// Share of its distance from the ends of a panel that a disk on it has: rounding does not carry it beyond.
+const ON_PANEL: f64 = 1.0 - 1e-9;
 /// Ends of disks are rounded: below this share of their distance from the origin they are off by more than `1 - INSIDE` of the radius.
 const PLACED: f64 = 17.0 * f64::EPSILON;
 /// Nodes of short windows are rounded. By Markov's inequality a polynomial changes by `s = n^2 u |c|/r` of its size for that; beyond this share so many nodes do not serve.
@@ -42,17 +44,26 @@ impl Residual<'_> {
     ) -> Option<Bounded> {
         let (c, r) = (0.5 * (left + right), 0.5 * (right - left));
         let mut heights = known.on(self.profile, [left, right]);
-        let disk = (DISK * r).min((r * (c - zone[0]).min(zone[1] - c)).sqrt());
+        let mut disk = (DISK * r).min((r * (c - zone[0]).min(zone[1] - c)).sqrt());
         if disk < LEAST_DISK * r || disk < PLACED * c.abs() || self.is_open_at([left, c, right]) {
             return None;
         }
-        let fitted = fit(self.density, c, disk)?;
+        let mut fitted = fit(self.density, c, disk)?;
         let singularity = self.density.kernel.singularity();
         let allowed = allowance(self.theta, 2.0 * r) * self.density.largest();
         // Where panels meet the density jumps by what it is off by: windows cannot know it better.
-        let spread = 1.0 + self.theta * local_mass(singularity, disk);
-        let jump = JUMPS * spread.min(SPREAD) * fitted.jump.min(NOISE * fitted.largest);
-        let missed = fitted.missed * spread;
+        let spread = |disk: f64| 1.0 + self.theta * local_mass(singularity, disk);
+        let jump = |fitted: &Fitted, disk: f64| {
+            JUMPS * spread(disk).min(SPREAD) * fitted.jump.min(NOISE * fitted.largest)
+        };
+        // Where one polynomial does not serve, as beside a kink, a smaller disk may lie on a single panel.
+        if fitted.missed * spread(disk) > allowed.max(jump(&fitted, disk))
+            && let Some((smaller, own)) = self.on_one_panel(c, r, disk)
+        {
+            (disk, fitted) = (smaller, own);
+        }
+        let jump = jump(&fitted, disk);
+        let missed = fitted.missed * spread(disk);
         // The ellipse about the window with the foci at its ends and this half-axis has its rho; the one about the disk that contains it its gamma.
         let axis = INSIDE * disk / r;
         let rho = axis + (axis * axis - 1.0).sqrt();
@@ -105,6 +116,14 @@ impl Residual<'_> {
             least: -largest,
             is_narrow: false,
         })
+    }
+
+    /// The largest disk about a window that is smaller than this one and lies on one panel, if it is no smaller than the least, with the polynomial of the panel.
+    fn on_one_panel(&self, c: f64, r: f64, disk: f64) -> Option<(f64, Fitted)> {
+        let panel = &self.density.panels[self.density.panel_at(c)?];
+        let own = ON_PANEL * (c - panel.left).min(panel.right - c);
+        let serves = own < disk && own >= LEAST_DISK * r && own >= PLACED * c.abs();
+        serves.then(|| fit(self.density, c, own)).flatten().map(|fitted| (own, fitted))
     }
 
     fn is_open_at(&self, places: [f64; 3]) -> bool {

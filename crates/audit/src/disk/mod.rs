@@ -4,7 +4,10 @@ mod field;
 mod kernel;
 mod potential;
 #[cfg(test)]
+mod shells;
+#[cfg(test)]
 mod tests;
+mod tree;
 
 use crate::bound::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Refusal, known};
 use crate::density::Panel;

@@ -1,23 +1,32 @@
-//! Potentials of densities on a disk, by Gauss and Legendre's rule on shells that shrink to the place.
+//! Potentials of densities on a disk: from afar by Gauss and Legendre's rule, beside a place by the singularity of the kernel in closed form.
+
+use std::cell::OnceCell;
 
 use super::kernel::Harmonic;
-use crate::density::Panel;
-use crate::legendre::RULE;
+use super::tree::{Seen, Tree};
+use crate::density::{Panel, Potentials, UNIT};
+use crate::kernel::Singularity;
+use crate::legendre::{ORDER, RULE, evaluate_at};
+use crate::near::{Batches, Recurrence};
 
-/// Each shell about a place ends at this share of its distance: 16 nodes integrate what is singular there to `3^-32`.
-const SHRINK: f64 = 0.25;
-/// What is nearer to the place is taken by the leading term of the kernel, which is off by this times the change of the pressure on its way from 0 to the radius.
-const ROUNDING: f64 = 1e-24;
-/// Beside the axis shells end at this share of the kernel, and here, so that powers stay in range.
-const SHALLOW: f64 = 1e-17;
-const SMALLEST: f64 = 1e-150;
+/// A panel this many times as far from the axis at one end as at the other is cut about the place: on shorter ones the factors of the kernel are polynomials of degree 23 but for `5.8^-24`.
+const LONG: f64 = 2.0;
+/// It is cut at this share of the place on both sides of it, and outside where the distance has grown so much.
+const ABOUT: f64 = 1.0 / 3.0;
+const GROWTH: f64 = 4.0;
+/// Places are at least this far from the axis, relative to the panel there: so near to it potentials do not change.
+const AT_AXIS: f64 = 1e-16;
+/// Roundings of the factor of a singularity, of its product with the density and of its part in the kernel.
+const FACTORS: f64 = 8.0;
 
 /// A density `q(r) cos(m phi)` by its panels from the axis outwards.
 pub(crate) struct Radial {
     kernel: Harmonic,
     panels: Vec<Panel>,
-    /// Of each panel its nodes with `q s ds`.
-    masses: Vec<Vec<(f64, f64)>>,
+    /// Of each panel `q s ds` at its nodes.
+    masses: Vec<[f64; ORDER]>,
+    tree: OnceCell<Tree>,
+    recurrence: Recurrence,
     exponent: f64,
     rounding: f64,
 }
@@ -26,11 +35,18 @@ impl Radial {
     pub(crate) fn new(kernel: Harmonic, exponent: f64, panels: Vec<Panel>) -> Self {
         let masses = (panels.iter())
             .map(|panel| {
-                (panel.nodes().zip(panel.at_nodes())).map(|((s, w), q)| (s, w * s * q)).collect()
+                let mut masses = panel.at_nodes();
+                for (mass, (s, w)) in masses.iter_mut().zip(panel.nodes()) {
+                    *mass *= w * s;
+                }
+                masses
             })
             .collect();
-        let rounding = 0.5 * f64::EPSILON * kernel.rounding();
-        Self { kernel, panels, masses, exponent, rounding }
+        let singularity =
+            if exponent > 0.0 { Singularity::Power(exponent) } else { Singularity::Logarithm };
+        let recurrence = Recurrence::new(singularity);
+        let rounding = UNIT * kernel.rounding();
+        Self { kernel, panels, masses, tree: OnceCell::new(), recurrence, exponent, rounding }
     }
 
     pub(crate) fn panels(&self) -> &[Panel] {
@@ -46,65 +62,123 @@ impl Radial {
 
     /// `int u(r) q(r) r dr`.
     pub(crate) fn integral(&self, u: impl Fn(f64) -> f64) -> f64 {
-        self.masses.iter().flatten().map(|(s, mass)| mass * u(*s)).sum()
+        let parts = self.panels.iter().zip(&self.masses);
+        parts
+            .flat_map(|(panel, masses)| panel.nodes().zip(masses))
+            .map(|((s, _), m)| m * u(s))
+            .sum()
     }
 
     /// `int K_m(r, s) q(s) s ds` and its rounding.
     pub(crate) fn potential(&self, r: f64) -> (f64, f64) {
-        let (mut sum, mut size) = (0.0, 0.0);
-        for (panel, masses) in self.panels.iter().zip(&self.masses) {
-            let distance = (panel.left - r).max(r - panel.right);
-            if distance >= 2.0 * panel.half() {
-                for (s, mass) in masses {
-                    let term = mass * self.kernel.value(r, *s, (r - s).abs());
-                    sum += term;
-                    size += term.abs();
-                }
-            } else if distance < 0.0 {
-                self.add_shells(panel, r, -1.0, [0.0, r - panel.left], (&mut sum, &mut size));
-                self.add_shells(panel, r, 1.0, [0.0, panel.right - r], (&mut sum, &mut size));
-            } else {
-                let side = if panel.left >= r { 1.0 } else { -1.0 };
-                let far = distance + 2.0 * panel.half();
-                self.add_shells(panel, r, side, [distance, far], (&mut sum, &mut size));
-            }
+        if r == 0.0 && self.kernel.is_turning() {
+            return (0.0, 0.0);
         }
-        (sum, self.rounding * size)
+        let mut sums = Sums::default();
+        let mut batches = Batches::default();
+        let tree = self.tree.get_or_init(|| Tree::new(&self.panels, &self.masses));
+        tree.see(r, |seen| match seen {
+            Seen::Far(cluster) => {
+                let (nodes, distances, masses) = cluster.seen(r);
+                sums.add_far(masses, &self.kernel.values(r, &nodes, &distances));
+            }
+            Seen::Near(index) => {
+                let panel = &self.panels[index];
+                if panel.right > LONG * panel.left {
+                    self.add_cut(panel, r, &mut sums, &mut batches);
+                } else {
+                    let whole = Part::new(panel.left, panel.right);
+                    self.add_near(&whole, &self.masses[index], r, &mut sums, &mut batches);
+                }
+            }
+        });
+        (sums.value, self.rounding * sums.size + UNIT * sums.rounding)
     }
 
-    /// Adds the part of a panel on one side of the place, between these distances.
-    fn add_shells(
+    /// Adds a panel that reaches far from the place or to the axis.
+    fn add_cut(&self, panel: &Panel, r: f64, sums: &mut Sums, batches: &mut Batches) {
+        let r = r.max(AT_AXIS * panel.right);
+        let (inner, outer) = (r - ABOUT * r, r + ABOUT * r);
+        let mut left = panel.left;
+        let mut next = inner;
+        while left < panel.right {
+            let right = if next < panel.right { next } else { panel.right };
+            if right > left {
+                let part = Part::new(left, right);
+                let own = part.nodes.map(|s| panel.own(s));
+                let mut masses = evaluate_at(&panel.coefficients, &own);
+                for ((mass, s), w) in masses.iter_mut().zip(&part.nodes).zip(&RULE.weights) {
+                    *mass *= part.half * w * s;
+                }
+                if inner <= left && right <= outer {
+                    self.add_near(&part, &masses, r, sums, batches);
+                } else {
+                    let distances = part.nodes.map(|s| (r - s).abs());
+                    sums.add_far(&masses, &self.kernel.values(r, &part.nodes, &distances));
+                }
+                left = right;
+            }
+            next = if next < outer { outer } else { r + GROWTH * (next - r) };
+        }
+    }
+
+    /// Adds masses at the nodes of an interval about the place or beside it: `int K q s ds = int R q s ds + int L sigma q s ds`.
+    fn add_near(
         &self,
-        panel: &Panel,
+        part: &Part,
+        masses: &[f64; ORDER],
         r: f64,
-        side: f64,
-        [near, far]: [f64; 2],
-        (sum, size): (&mut f64, &mut f64),
+        sums: &mut Sums,
+        batches: &mut Batches,
     ) {
-        let mu = self.exponent;
-        let least =
-            (r * ROUNDING.powf(1.0 / (2.0 - mu))).max(SHALLOW.powf(1.0 / (1.0 - mu)).max(SMALLEST));
-        let at = |d: f64| {
-            // At the axis rounding may step beyond it.
-            let s = (r + side * d).max(0.0);
-            s * panel.evaluate(s) * self.kernel.value(r, s, d)
-        };
-        let mut outer = far;
-        while outer > near {
-            if near == 0.0 && outer <= least {
-                // int_0^h d^-mu = h^(1-mu)/(1-mu), int_0^h -ln d = h (1 - ln h), the logarithm over r.
-                let rest = if mu == 0.0 { panel.evaluate(r) } else { 0.0 };
-                *sum += outer * (at(outer) / (1.0 - mu) + rest);
-                return;
-            }
-            let inner = (SHRINK * outer).max(near);
-            let (middle, half) = (0.5 * (inner + outer), 0.5 * (outer - inner));
-            for (t, weight) in RULE.nodes.iter().zip(&RULE.weights) {
-                let value = half * weight * at(middle + half * t);
-                *sum += value;
-                *size += value.abs();
-            }
-            outer = inner;
+        let split = self.kernel.split(r, &part.nodes, part.half);
+        let mut density = [0.0; ORDER];
+        for j in 0..ORDER {
+            sums.value += masses[j] * split.regular[j];
+            sums.size += (masses[j] * split.size[j]).abs();
+            density[j] = masses[j] * split.singular[j] / (part.half * RULE.weights[j]);
+        }
+        // In half-lengths of the interval.
+        let density = Panel::new(-1.0, 1.0, RULE.expand(&density));
+        let ends = [(r - part.left) / part.half, (part.right - r) / part.half];
+        let sign = if self.exponent > 0.0 { 1.0 } else { -1.0 };
+        let mut found = Potentials::one();
+        self.recurrence.add(&density, std::iter::once((0, ends)), sign, batches, &mut found);
+        for (value, rounding) in found.finished() {
+            sums.value += part.half * value;
+            sums.rounding += part.half * (rounding / UNIT + FACTORS * value.abs());
+        }
+    }
+}
+
+/// An interval with its nodes.
+struct Part {
+    left: f64,
+    right: f64,
+    half: f64,
+    nodes: [f64; ORDER],
+}
+
+impl Part {
+    fn new(left: f64, right: f64) -> Self {
+        let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+        Self { left, right, half, nodes: RULE.nodes.map(|t| middle + half * t) }
+    }
+}
+
+/// A potential, what its rounding is relative to, and other roundings in units of the machine.
+#[derive(Default)]
+struct Sums {
+    value: f64,
+    size: f64,
+    rounding: f64,
+}
+
+impl Sums {
+    fn add_far(&mut self, masses: &[f64; ORDER], kernel: &[f64; ORDER]) {
+        for (mass, value) in masses.iter().zip(kernel) {
+            self.value += mass * value;
+            self.size += (mass * value).abs();
         }
     }
 }
@@ -154,6 +228,49 @@ mod tests {
             let exact = PI * strength / (1.0 - mu);
             let (found, _) = density.potential(0.0);
             assert!((found - exact).abs() < 1e-12 * exact, "{mu}: {found} {exact}");
+        }
+    }
+
+    /// Panels that are graded to the rim, to a step inside and to the axis, against another rule: on them, at their ends, beside them and at the axis.
+    #[test]
+    fn potentials_are_those_of_shells() {
+        let mut ends = vec![0.0, 0.05, 0.11, 0.3];
+        ends.extend((0..12).map(|k| 0.5 - 0.2 * 0.25f64.powi(k + 1)));
+        ends.push(0.5);
+        ends.extend((0..12).rev().map(|k| 0.5 + 0.2 * 0.25f64.powi(k + 1)));
+        ends.extend((0..8).map(|k| 1.0 - 0.3 * 0.25f64.powi(k)));
+        ends.push(1.0);
+        let panels: Vec<Panel> = (ends.windows(2).enumerate())
+            .map(|(i, pair)| {
+                let mut coefficients = [0.0; ORDER];
+                for (k, c) in coefficients.iter_mut().enumerate() {
+                    let sign = if (k * (k + i) / 2) % 2 == 1 { -1.0 } else { 1.0 };
+                    *c = sign * 0.2f64.powi(k as i32) * if pair[0] < 0.5 { 1.0 } else { 0.3 };
+                }
+                Panel::new(pair[0], pair[1], coefficients)
+            })
+            .collect();
+        let mut places = vec![0.0, 1e-17, 1e-9, 1e-4];
+        for panel in &panels {
+            let width = panel.right - panel.left;
+            places.extend(
+                [0.0, 1e-7, 1e-3, 0.0923, 0.5, 0.7377, 0.999].map(|t| panel.left + t * width),
+            );
+        }
+        places.push(1.0);
+        for mu in [0.0, 0.05, 0.3, 0.8] {
+            for order in [0, 1] {
+                let kernel = Harmonic::new(order, mu);
+                let density = Radial::new(kernel, mu, panels.clone());
+                for r in places.iter().copied() {
+                    let exact = super::super::shells::potential(kernel, mu, &panels, r);
+                    let (found, rounding) = density.potential(r);
+                    // Both are rounded; beside the axis relative to what is about it.
+                    let off = (found - exact).abs();
+                    assert!(off <= 3.0 * rounding + 1e-16, "{mu} {order} {r:e}: {found} {exact}");
+                    assert!(rounding < 1e-14 * if mu == 0.05 { 10.0 } else { 4.0 }, "{rounding:e}");
+                }
+            }
         }
     }
 }

@@ -51,6 +51,13 @@ impl Cubic {
         [value, slope, b_there, c]
     }
 
+    /// The value alone on a short interval, by Horner's scheme.
+    fn value_on(&self, interval: Interval) -> Interval {
+        let d = difference(interval, self.start);
+        let [y, s, b, c] = self.terms;
+        sum(y, product(d, sum(s, product(d, sum(b, product(c, d))))))
+    }
+
     /// On an interval.
     fn on(&self, interval: Interval) -> Coefficients {
         let middle = interval.lower().midpoint(interval.upper());
@@ -67,20 +74,38 @@ impl Spline {
     /// Coefficients of the cubic or, across points, of the cubics on an interval of `x`, and whether it is a single one. A cubic that is
     /// met within the slack at an end only does not count.
     pub(super) fn enclose(&self, x: Interval, slack: f64) -> (Coefficients, bool) {
+        let on = |piece: usize, part: Interval| Cubic::of(self, piece).on(part);
+        let hull = |u: Coefficients, v: Coefficients| {
+            [u[0].hull(v[0]), u[1].hull(v[1]), u[2].hull(v[2]), u[3].hull(v[3])]
+        };
+        self.over(x, slack, on, hull)
+    }
+
+    /// The value alone on a short interval.
+    pub(super) fn enclose_value(&self, x: Interval, slack: f64) -> Interval {
+        let on = |piece: usize, part: Interval| Cubic::of(self, piece).value_on(part);
+        self.over(x, slack, on, Interval::hull).0
+    }
+
+    /// What is found on the parts of an interval together, and whether it is a single one.
+    fn over<T>(
+        &self,
+        x: Interval,
+        slack: f64,
+        on: impl Fn(usize, Interval) -> T,
+        hull: impl Fn(T, T) -> T,
+    ) -> (T, bool) {
         let slack = slack.min(x.length() / 16.0);
         let last_piece = self.len() - 2;
         let before = |count: usize| count.saturating_sub(1).min(last_piece);
         let knots = self.abscissas();
         let first = before(knots.partition_point(|&knot| knot <= x.lower() + slack));
         let last = before(knots.partition_point(|&knot| knot < x.upper() - slack)).max(first);
-        let on = |piece: usize| {
+        let part = |piece: usize| {
             let left = if piece == first { x.lower() } else { knots[piece] };
             let right = if piece == last { x.upper() } else { knots[piece + 1] };
-            Cubic::of(self, piece).on(Interval::ends(left, right))
+            on(piece, Interval::ends(left, right))
         };
-        let hull = |u: Coefficients, v: Coefficients| {
-            [u[0].hull(v[0]), u[1].hull(v[1]), u[2].hull(v[2]), u[3].hull(v[3])]
-        };
-        ((first + 1..=last).map(on).fold(on(first), hull), first == last)
+        ((first + 1..=last).map(part).fold(part(first), hull), first == last)
     }
 }

@@ -49,8 +49,7 @@ impl Profile {
             }
             Shape::Measured(spline) => {
                 let x = place.times(Interval::ends(half_width, half_width)).0;
-                let ([value, ..], _) = spline.enclose(x, SLACK * half_width);
-                Some(value)
+                Some(spline.enclose_value(x, SLACK * half_width))
             }
             Shape::Flat => Some(Interval::ZERO),
         };
