@@ -73,15 +73,18 @@ fn left(before: f64, change: f64) -> f64 {
 }
 
 /// What the panels at corners miss. There the pressure goes on as a power of the distance of its own size, which no polynomial shows; at all finenesses they may be as short as numbers allow,
-/// so that no difference tells. The pressure changes by `V` on such a panel because the potential of a pressure `p` does by `V`: that of what is missed, at most `V`, changes by `V^2/p` at most.
+/// so that no difference tells. The pressure changes by `V` on such a panel because the potential of a pressure `p` does by `V`: that of what is missed, `s V`, changes by `s V^2/p` at most. Of a power
+/// `d^nu` polynomials of the degree `n` miss `s = n^(-2 nu)`, some.
 fn at_corners(base: &Base<'_>, level: &Level) -> f64 {
     let bounds = level.bounds();
+    let order = level.pressures.len() as f64 / bounds.len() as f64;
+    let share = order.powf(-2.0 * (1.0 - base.medium.exponent()));
     let missed = |side: usize, end: f64| -> Option<f64> {
         let panel = bounds.iter().find(|panel| panel[side] == end)?;
         let inner = panel[1 - side];
         let change = (displaced(base, level, end) - displaced(base, level, inner)).abs();
         let pressure = level.pressure_at(inner, base.height(inner)).abs();
-        Some(if change == 0.0 { 0.0 } else { change * (change / pressure.max(change)) })
+        Some(if change == 0.0 { 0.0 } else { share * change * (change / pressure.max(change)) })
     };
     let ends = level.zones.iter().flat_map(|zone| [0, 1].map(|side| (side, zone.ends[side])));
     let walls = ends.filter(|(_, end)| !end.is_free);
