@@ -66,7 +66,7 @@ pub(super) fn couple(
         .map(|((parts, nodes), count)| coefficients(base, ground, parts, nodes, *count))
         .collect();
     let mut matrix = vec![0.0; order * order];
-    let mut rights = vec![Vec::with_capacity(order); 3];
+    let mut rights = [(); 3].map(|()| Vec::with_capacity(order));
     let mut rows = matrix.chunks_exact_mut(order.max(1));
     for (j, target) in nodes.iter().enumerate() {
         for (y, [from_left, from_right]) in &target.places {
