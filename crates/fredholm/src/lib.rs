@@ -54,3 +54,4 @@ pub use degenerate::{
 };
 pub use error::Error;
 pub use interval::Interval;
+pub use linear::eliminate;

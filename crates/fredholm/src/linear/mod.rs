@@ -2,6 +2,7 @@
 
 mod cholesky;
 mod dense;
+mod general;
 mod lowest;
 mod skyline;
 mod small_cholesky;
@@ -12,6 +13,7 @@ pub(crate) mod vector;
 
 pub(crate) use cholesky::Cholesky;
 pub(crate) use dense::{dot, multiply_rows};
+pub use general::eliminate;
 pub(crate) use lowest::{Lowest, lowest};
 pub(crate) use skyline::{Skyline, SkylineFactor};
 pub(crate) use symmetric::{Eigensystem, Factored};

@@ -11,4 +11,5 @@ mod refusals;
 mod sensitivities;
 mod stated;
 mod support;
+mod traces;
 mod zones;

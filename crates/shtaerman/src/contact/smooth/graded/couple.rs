@@ -65,10 +65,12 @@ pub(super) fn couple(
     let heights: Vec<Vec<f64>> = (parts.iter().zip(&nodes).zip(counts))
         .map(|((parts, nodes), count)| coefficients(base, ground, parts, nodes, *count))
         .collect();
-    let mut rows = Vec::with_capacity(order);
+    let mut matrix = vec![0.0; order * order];
+    let mut rights = [(); 3].map(|()| Vec::with_capacity(order));
+    let mut rows = matrix.chunks_exact_mut(order.max(1));
     for (j, target) in nodes.iter().enumerate() {
         for (y, [from_left, from_right]) in &target.places {
-            let mut row = vec![0.0; order + 3];
+            let Some(row) = rows.next() else { continue };
             let mut felt = base.height(target.centre);
             for (i, source) in nodes.iter().enumerate() {
                 let slots = &mut row[offsets[i]..offsets[i + 1]];
@@ -90,20 +92,19 @@ pub(super) fn couple(
                 }
             }
             let xi = target.centre - middle + target.half * y;
-            row[order..].copy_from_slice(&[1.0, xi, felt]);
-            rows.push(row);
+            rights.iter_mut().zip([1.0, xi, felt]).for_each(|(right, value)| right.push(value));
         }
     }
-    let singular = fredholm::Error::Singular { parameter: 0.0, smallest: 0.0 };
-    let [level, tilted, profile] = eliminated(rows).ok_or(Error::Equation(singular))?;
-    let split = |all: Vec<f64>| -> Vec<Vec<f64>> {
+    fredholm::eliminate(&matrix, &mut rights)?;
+    let split = |all: &Vec<f64>| -> Vec<Vec<f64>> {
         let zone = |(pair, count): (&[usize], &usize)| {
             let gains = gains(ground, *count);
             all[pair[0]..pair[1]].iter().zip(gains).map(|(u, l)| u / l).collect()
         };
         offsets.windows(2).zip(counts).map(zone).collect()
     };
-    Ok(Coupled { level: split(level), tilted: split(tilted), profile: split(profile) })
+    let [level, tilted, profile] = [0, 1, 2].map(|right| split(&rights[right]));
+    Ok(Coupled { level, tilted, profile })
 }
 
 /// `a_n` of the profile above its height in the middle of a zone.
@@ -139,17 +140,18 @@ fn coefficients(
     found
 }
 
-/// The same with so many panels between cuts.
+/// The same with about so many panels of the quarter turn, and at least one between cuts.
 fn summed(
     base: &Base<'_>,
     ground: &Ground,
     nodes: &Nodes,
     cuts: &[f64],
-    [count, parts]: [usize; 2],
+    [count, panels]: [usize; 2],
 ) -> Vec<f64> {
     let (lambda, middle) = (0.5 * ground.powers.exponent(), base.height(nodes.centre));
     let mut sums = vec![0.0; count];
     for pair in cuts.windows(2) {
+        let parts = (panels as f64 * (pair[1] - pair[0]) / FRAC_PI_2).ceil() as usize;
         let at = |part: usize| pair[0] + (pair[1] - pair[0]) * part as f64 / parts as f64;
         for part in 0..parts {
             let to = if part + 1 == parts { pair[1] } else { at(part + 1) };
@@ -166,32 +168,4 @@ fn summed(
         }
     }
     sums.iter().zip(norms(ground, count)).map(|(sum, norm)| sum / norm).collect()
-}
-
-/// Elimination with pivots for three right sides at the ends of the rows; `None` for a singular matrix.
-fn eliminated(mut rows: Vec<Vec<f64>>) -> Option<[Vec<f64>; 3]> {
-    let order = rows.len();
-    for k in 0..order {
-        let pivot = (k..order).max_by(|&i, &j| rows[i][k].abs().total_cmp(&rows[j][k].abs()))?;
-        rows.swap(k, pivot);
-        let (above, below) = rows.split_at_mut(k + 1);
-        let top = &above[k][k..];
-        if top[0] == 0.0 || !top[0].is_finite() {
-            return None;
-        }
-        for row in below {
-            let factor = row[k] / top[0];
-            row[k..].iter_mut().zip(top).for_each(|(value, top)| *value -= factor * top);
-        }
-    }
-    let solved = |right: usize| {
-        let mut solution = vec![0.0; order];
-        for k in (0..order).rev() {
-            let known = rows[k][k + 1..order].iter().zip(&solution[k + 1..]);
-            let known: f64 = known.map(|(entry, value)| entry * value).sum();
-            solution[k] = (rows[k][order + right] - known) / rows[k][k];
-        }
-        solution
-    };
-    Some([0, 1, 2].map(solved))
 }

@@ -9,12 +9,15 @@ use crate::Error;
 use crate::contact::smooth::edges::moved;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::zones::Zone;
+use crate::contact::smooth::{COARSE, FINE};
 use crate::contact::unilateral::damping::{Damping, Edge};
 
 /// Most Newton steps.
 const STEPS: usize = 160;
 /// A density below this share of what is added up is as good as none, if it does not fall any more.
 const SMALL: f64 = 1e-9;
+/// The same from which on all digits are kept: those of the first steps are more, and the steps after it converge by squares.
+const NEAR: f64 = 1e-6;
 /// Share of the zone that an edge moves where no step is known.
 const STRIDE: f64 = 0.4;
 /// Rounding of a density.
@@ -30,8 +33,10 @@ pub(super) fn settle(
     let mut zones = start.to_vec();
     let mut best: Option<(f64, Vec<Settled>)> = None;
     let mut damping = Damping::default();
+    // On the way there fewer polynomials do, and what they cost grows with the cube of their number.
+    let mut digits = COARSE.digits;
     for _ in 0..STEPS {
-        let mut settled = fixed(base, ground, &zones)?;
+        let mut settled = fixed(base, ground, &zones, digits)?;
         if drop_idle(&mut zones, &settled) {
             best = None;
             continue;
@@ -44,6 +49,15 @@ pub(super) fn settle(
                 worst = worst.max(density / strip.density_scale());
                 is_small &= density <= SMALL * strip.density_scale();
             }
+        }
+        if digits < FINE.digits {
+            if worst <= NEAR && !released {
+                digits = FINE.digits;
+                if zones.len() > 1 {
+                    continue;
+                }
+            }
+            is_small &= digits >= FINE.digits;
         }
         if worst == 0.0 && !released {
             return Ok(settled);

@@ -30,7 +30,7 @@ use strip::Ground;
 use super::check::{Narrowing, narrowed};
 use super::problem::{Base, MOST_CELLS, SmoothProblem};
 use super::zones::{Zone, corrected, require_few};
-use super::{MOST_ZONES, topology};
+use super::{FINE, MOST_ZONES, topology};
 use crate::contact::valleys::require_shown;
 
 /// Numbers of cells, each four times the one before.
@@ -65,7 +65,11 @@ fn solve(problem: &SmoothProblem, exponent: f64) -> Result<Solved, Error> {
     base.grading = Some(exponent);
     let ground = Ground::new(exponent, problem.theta0)?;
     if !problem.is_unilateral {
-        return Ok(Solved::new(&base, &ground, &fixed(&base, &ground, &base.pieces())?));
+        return Ok(Solved::new(
+            &base,
+            &ground,
+            &fixed(&base, &ground, &base.pieces(), FINE.digits)?,
+        ));
     }
     // What passes the check is the answer, from wherever it was found: a base with one valley needs no cells, and the transforms of one with many are long.
     let is_simple = base.valleys().count() <= 1;

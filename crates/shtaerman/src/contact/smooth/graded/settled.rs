@@ -15,9 +15,6 @@ use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::zones::Zone;
 use crate::contact::solved::Stiffness;
 
-/// Digits to which polynomials are kept.
-const DIGITS: f64 = 17.0;
-
 /// Force and moment, about the middle of a zone, of its own pressure under the profile without depth and tilt, and of densities.
 struct Balance {
     /// `P0` of an even density 1, `M0` of an odd one.
@@ -58,7 +55,7 @@ pub(super) struct Settled {
     pub(super) middle: f64,
 }
 
-/// The pressures on zones that stay as they are.
+/// The pressures on zones that stay as they are; of several zones polynomials are kept to these digits.
 ///
 /// # Errors
 /// [`Error::Equation`] where zones come too close for the polynomials that can be kept, or something is not finite.
@@ -66,10 +63,11 @@ pub(super) fn fixed(
     base: &Base<'_>,
     ground: &Ground,
     zones: &[Zone],
+    digits: f64,
 ) -> Result<Vec<Settled>, Error> {
     let settled = match zones {
         [zone] => vec![alone(base, ground, zone)],
-        _ => together(base, ground, zones)?,
+        _ => together(base, ground, zones, digits)?,
     };
     for Settled { strip, .. } in &settled {
         let State { settlement, tilt, .. } = strip.state;
@@ -114,8 +112,13 @@ fn alone(base: &Base<'_>, ground: &Ground, zone: &Zone) -> Settled {
 }
 
 /// Several zones.
-fn together(base: &Base<'_>, ground: &Ground, zones: &[Zone]) -> Result<Vec<Settled>, Error> {
-    let counts = coupling::modes(SmoothKernel::Plane, zones, DIGITS)?;
+fn together(
+    base: &Base<'_>,
+    ground: &Ground,
+    zones: &[Zone],
+    digits: f64,
+) -> Result<Vec<Settled>, Error> {
+    let counts = coupling::modes(SmoothKernel::Plane, zones, digits)?;
     let parts: Vec<Parts> = zones.iter().map(|zone| Parts::new(base, ground, zone)).collect();
     let balances: Vec<Balance> =
         zones.iter().zip(&parts).map(|(zone, parts)| Balance::new(ground, zone, parts)).collect();

@@ -301,6 +301,7 @@ fn operator(
             Err(fredholm::Error::TooLarge { .. }) if fineness.longest > SHORTEST => {
                 fineness.longest *= SHORTER;
             }
+            Err(fredholm::Error::TooLarge { .. }) => return Ok(None),
             operator => return Ok(Some(operator?)),
         }
     }
