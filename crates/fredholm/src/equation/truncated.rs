@@ -28,6 +28,8 @@ const AGREED: f64 = 1e-12;
 const PANEL_NODES: usize = 16;
 /// Longest panel in `arccos`, over the inverse of the highest degree.
 const RADIANS: f64 = 10.0;
+/// Most panels whose places are looked at.
+const MOST_PLACES: usize = 600;
 /// An error below this share of the solution is an answer.
 const USEFUL: f64 = 0.1;
 
@@ -67,28 +69,31 @@ pub fn degenerate_in_parts<'a>(
             requirement: "at least 8: the error is judged from a quarter of it",
         });
     }
-    let moments = moments_of(relation, f, cuts, degree + 1)?;
+    let features = Features::new(relation, f, cuts)?;
+    let moments = moments_of(relation, f, features.as_ref(), degree + 1)?;
     let solve =
         |degree: usize| DegenerateSolver::new(relation, parameter, degree)?.solve(&moments.values);
     let levels = [solve(degree / 4)?, solve(degree / 2)?, solve(degree)?];
-    let sizes = Sizes::new(relation, f, &levels[2], moments.error);
+    let mut points: Vec<f64> = checks(relation.extent(), CHECKS).collect();
+    points.extend(features.iter().flat_map(Features::places));
+    let sizes = Sizes::new(relation, f, &levels[2], (moments.error, &points));
     let unresolved = RESIDUAL * residual_of(relation, parameter, f, &levels[2], degree);
-    let error = solution_error(relation, &levels).max(unresolved) + sizes.rounding;
-    let functional = Integral::new(relation, degree);
+    let error = solution_error(relation, &levels, &points).max(unresolved) + sizes.rounding;
+    let functional = Integral::new(relation, degree, features.as_ref());
     let integrals = levels.each_ref().map(|solution| functional.of(relation, f, solution));
     let integral_error = match integrals {
-        [Some(i1), Some(i2), Some(i3)] => {
+        [Some([i1, _]), Some([i2, _]), Some([i3, missed])] => {
             let extrapolated =
                 extrapolate((i2 - i1).abs(), (i3 - i2).abs(), slowest_rate(relation));
             // A layer at an end is no wider than what the last term resolves there.
             let layer = unresolved * sizes.functional / (degree as f64).powi(2);
-            extrapolated.max(layer) + sizes.rounding_of_integral(i3)
+            extrapolated.max(layer) + missed + sizes.rounding_of_integral(i3)
         }
         _ => f64::INFINITY,
     };
     let [_, _, solution] = levels;
     Ok(Solution {
-        integral: integrals[2],
+        integral: integrals[2].map(|[integral, _]| integral),
         error: ErrorStatement { kind: Kind::Estimate, solution: error, integral: integral_error },
         method: Method::Spectral,
         count: degree,
@@ -101,21 +106,75 @@ pub fn degenerate_in_parts<'a>(
     })
 }
 
+/// Where a right-hand side has features that few nodes would overlook.
+struct Features {
+    /// Panels on which it is a polynomial, from left to right.
+    panels: Vec<(f64, f64)>,
+    /// Its largest value.
+    largest: f64,
+}
+
+impl Features {
+    /// None on an infinite interval, and where panels would be too many.
+    fn new(
+        relation: &(impl SpectralRelation + ?Sized),
+        f: &dyn Fn(f64) -> f64,
+        cuts: &[f64],
+    ) -> Result<Option<Self>, Error> {
+        if !relation.interval().is_finite() {
+            return Ok(None);
+        }
+        let sampled = Sampled::new(relation.interval(), f, cuts)?;
+        Ok(sampled.partition(f, &[], 0.0).map(|mut panels| {
+            panels.sort_by(|one, two| one.0.total_cmp(&two.0));
+            Self { panels, largest: sampled.largest }
+        }))
+    }
+
+    /// The ends of the panels and their middles: what a truncated expansion makes of a narrow feature shows there.
+    fn places(&self) -> impl Iterator<Item = f64> + '_ {
+        let stride = self.panels.len().div_ceil(MOST_PLACES).max(1);
+        let places = self.panels.iter().map(|(left, right)| [*left, left.midpoint(*right)]);
+        places.step_by(stride).flatten()
+    }
+
+    /// `int u f dm` on these panels, and on their halves.
+    fn integrals(
+        &self,
+        relation: &(impl SpectralRelation + ?Sized),
+        f: &dyn Fn(f64) -> f64,
+    ) -> Option<[f64; 2]> {
+        let rule = gauss_legendre(PANEL_NODES).ok()?;
+        let on = |left: f64, right: f64| -> f64 {
+            let (middle, radius) = (left.midpoint(right), 0.5 * (right - left));
+            let nodes = rule.nodes.iter().zip(&rule.weights);
+            let terms = nodes.map(|(t, weight)| {
+                let x = (middle + radius * t).clamp(left, right);
+                radius * weight * f(x) * relation.measure(x) * relation.mass_function(x)
+            });
+            terms.sum()
+        };
+        let whole = self.panels.iter().map(|(left, right)| on(*left, *right)).sum();
+        let halves = self.panels.iter().map(|(left, right)| {
+            let middle = left.midpoint(*right);
+            on(*left, middle) + on(middle, *right)
+        });
+        Some([whole, halves.sum()])
+    }
+}
+
 /// The moments of the right-hand side: those of the relation where they are right, else by panels that are cut wherever the values of `f` ask for it.
 fn moments_of<K: SpectralRelation + ?Sized>(
     relation: &K,
     f: &dyn Fn(f64) -> f64,
-    cuts: &[f64],
+    features: Option<&Features>,
     count: usize,
 ) -> Result<Moments, Error> {
     let given = relation.moments(f, count)?;
-    if !relation.interval().is_finite() {
-        return Ok(given);
-    }
-    let sampled = Sampled::new(relation.interval(), f, cuts)?;
-    let few = |count, share| panel_moments(relation, f, &sampled, (count, share));
+    let Some(features) = features else { return Ok(given) };
+    let few = |count, share| panel_moments(relation, f, &features.panels, (count, share));
     let Some(low) = few(LOW.min(count), 1.0) else { return Ok(given) };
-    let scale = sampled.largest * functional_size(relation);
+    let scale = features.largest * functional_size(relation);
     let differs = |one: &[f64], other: &[f64]| {
         one.iter().zip(other).map(|(one, other)| (one - other).abs()).fold(0.0, f64::max)
     };
@@ -136,18 +195,16 @@ fn moments_of<K: SpectralRelation + ?Sized>(
 fn panel_moments<K: SpectralRelation + ?Sized>(
     relation: &K,
     f: &dyn Fn(f64) -> f64,
-    sampled: &Sampled,
+    panels: &[(f64, f64)],
     (count, share): (usize, f64),
 ) -> Option<Vec<f64>> {
-    let mut panels = sampled.partition(f, &[], 0.0)?;
     let (centre, half) = (relation.interval().centre(), relation.interval().half_length());
     let angle = |x: f64| ((centre - x) / half).clamp(-1.0, 1.0).acos();
     let rule = gauss_legendre(PANEL_NODES).ok()?;
     let longest = share * RADIANS / count as f64;
     let mut values = vec![0.0; count];
     let mut functions = vec![0.0; count];
-    panels.sort_by(|one, two| one.0.total_cmp(&two.0));
-    for (left, right) in panels {
+    for &(left, right) in panels {
         let (from, to) = (angle(left), angle(right));
         let pieces = ((to - from) / longest).ceil().max(1.0);
         for piece in 0..pieces as usize {
@@ -186,10 +243,10 @@ impl Sizes {
         relation: &K,
         f: &dyn Fn(f64) -> f64,
         solution: &DegenerateSolution<'_, K>,
-        moment_error: f64,
+        (moment_error, points): (f64, &[f64]),
     ) -> Self {
         let correction = solution.prepared_correction();
-        let values = checks(relation.extent(), CHECKS).map(|x| {
+        let values = points.iter().map(|&x| {
             let given = f(x);
             (given.abs(), (given - correction(x)).abs())
         });
@@ -205,14 +262,14 @@ impl Sizes {
     }
 }
 
-/// The difference of the last two levels over points from end to end, continued.
+/// The difference of the last two levels over the points, continued.
 fn solution_error<K: SpectralRelation + ?Sized>(
     relation: &K,
     [first, second, last]: &[DegenerateSolution<'_, K>; 3],
+    points: &[f64],
 ) -> f64 {
-    let points: Vec<f64> = checks(relation.extent(), CHECKS).collect();
-    let before = difference(relation, first, second, &points);
-    let after = difference(relation, second, last, &points);
+    let before = difference(relation, first, second, points);
+    let after = difference(relation, second, last, points);
     extrapolate(before, after, slowest_rate(relation))
 }
 
@@ -263,43 +320,60 @@ fn extrapolate(before: f64, after: f64, rate: f64) -> f64 {
 }
 
 /// `int u phi dm = sum c_n X_n` for `u = sum c_n phi_n`, the mass function; by quadrature of `phi` where `u` has no short expansion. None on an infinite interval where that fails.
-struct Integral {
+struct Integral<'a> {
     coefficients: Option<Vec<f64>>,
+    features: Option<&'a Features>,
 }
 
-impl Integral {
+impl<'a> Integral<'a> {
     /// `c_n = h_n^-1 int u phi_n w dm`, where they have fallen to rounding within the degree.
-    fn new(relation: &(impl SpectralRelation + ?Sized), degree: usize) -> Self {
+    fn new(
+        relation: &(impl SpectralRelation + ?Sized),
+        degree: usize,
+        features: Option<&'a Features>,
+    ) -> Self {
         let coefficients: Vec<f64> =
             (0..=degree).map(|n| relation.mass(n) / relation.norm(n)).collect();
         let largest = coefficients.iter().fold(0.0f64, |most, c| most.max(c.abs()));
         let tail = coefficients.iter().rev().take(TAIL).fold(0.0f64, |most, c| most.max(c.abs()));
-        Self { coefficients: (tail <= f64::EPSILON * largest).then_some(coefficients) }
+        Self { coefficients: (tail <= f64::EPSILON * largest).then_some(coefficients), features }
     }
 
+    /// And what panels are seen to miss of it.
     fn of<K: SpectralRelation + ?Sized>(
         &self,
         relation: &K,
         f: &dyn Fn(f64) -> f64,
         solution: &DegenerateSolution<'_, K>,
-    ) -> Option<f64> {
+    ) -> Option<[f64; 2]> {
         let projections = solution.projections();
         match &self.coefficients {
             Some(coefficients) => {
-                Some(coefficients.iter().zip(projections).map(|(c, x)| c * x).sum())
+                Some([coefficients.iter().zip(projections).map(|(c, x)| c * x).sum(), 0.0])
             }
             _ if !relation.interval().is_finite() => None,
             _ => {
                 let (centre, half) =
                     (relation.interval().centre(), relation.interval().half_length());
                 let correction = solution.prepared_correction();
-                let mass = |node: Node| {
-                    let x = (centre + half * node.position)
+                let mut sums = [0.0; 2];
+                for Node { position, weight, .. } in double_exponential(4 * projections.len() + 40)
+                {
+                    let x = (centre + half * position)
                         .clamp(relation.interval().left(), relation.interval().right());
-                    let density = relation.measure(x) * relation.mass_function(x);
-                    half * node.weight * density * (f(x) - correction(x))
+                    let mass = half * weight * relation.measure(x) * relation.mass_function(x);
+                    sums[0] += mass * f(x);
+                    sums[1] += mass * correction(x);
+                }
+                let [own, corrected] = sums;
+                // Nodes for the whole overlook narrow features; panels do not see singular ends as well.
+                let on_panels = self.features.and_then(|features| features.integrals(relation, f));
+                let missed = on_panels.map_or(0.0, |[whole, halves]| (whole - halves).abs());
+                let given = match on_panels {
+                    Some([_, halves]) if (own - halves).abs() > missed => halves,
+                    _ => own,
                 };
-                Some(double_exponential(4 * projections.len() + 40).map(mass).sum())
+                Some([given - corrected, missed])
             }
         }
     }

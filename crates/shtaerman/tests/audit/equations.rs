@@ -67,3 +67,35 @@ fn bounds_hold() {
         }
     }
 }
+
+/// A tent far narrower than the nodes of a degenerate kernel, without an audit. The operator is symmetric: the integral of its solution is that of 1 and, with the solution `phi_1` of the right-hand
+/// side 1 and the measure `m`, `w m(c) phi_1(c)` to the square of its half-width `w`.
+#[test]
+fn tents_between_the_nodes_are_in_integrals() {
+    let cases = [
+        ("name = \"power\"\nmu = 0.3955\na = 0.4099", 0.03687, 0.30941, 4.73e-6, false),
+        ("name = \"yukawa\"\nchi0 = 1.6e-6\nm = 0\na = 2.724", 8.006, 2.43862, 5.28e-5, true),
+    ];
+    for (kernel, lambda, centre, width, is_radial) in cases {
+        let solve = |rhs: &str, method: &str| {
+            let text = format!(
+                "[equation]\nkind = \"second\"\nlambda = {lambda}\nrhs = \"{rhs}\"\n[kernel]\n{kernel}\n[solver]\nmethod = \"{method}\"\nn = 200\n"
+            );
+            let text = if method == "sinc" { text.replace("n = 200\n", "") } else { text };
+            let file = EquationFile::parse(&text, "e.toml").unwrap();
+            let solved = file.equation().solve().unwrap();
+            let values = solved.evaluate(centre).unwrap().unwrap();
+            (solved.integral().unwrap(), values, *solved.error())
+        };
+        let (whole, at_centre, _) = solve("1", "sinc");
+        let measure = if is_radial { centre } else { 1.0 };
+        let exact = whole + width * measure * at_centre;
+        let tent = format!("1 + max(0, 1 - abs(x - {centre})/{width})");
+        let (found, top, stated) = solve(&tent, "spectral");
+        let (_, own_top, own) = solve(&tent, "sinc");
+        println!("{kernel}: {found} {exact} {stated:?}; {top} {own_top} {own:?}");
+        assert!((found - exact).abs() <= stated.integral + 1e-13 * exact.abs(), "{found} {exact}");
+        assert!((found - exact).abs() < 1e-3 * (exact - whole).abs(), "{found} {exact} {whole}");
+        assert!((top - own_top).abs() <= stated.solution + own.solution, "{top} {own_top}");
+    }
+}

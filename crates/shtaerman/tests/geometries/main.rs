@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 mod bent;
+mod crests;
 mod disk;
 mod graded;
 mod pair;

@@ -230,3 +230,30 @@ fn a_thin_layer_tends_to_none_in_several_zones() {
     }
     assert!(last < 2e-3, "{last}");
 }
+
+/// A step leaves one half of the base clear: a flat base as wide as the other, moved aside. Where it lowers both outer parts, two flat bases carry the load.
+#[test]
+fn contact_ends_at_a_step() {
+    let solved = |half_width: f64, base: &str, force: f64| {
+        let case = Case { half_width, ..Case::plane(0.3) };
+        let profile = Profile::expression(base).unwrap();
+        case.problem(profile, 0.0, Vertical::Force(force), Rotational::Tilt(0.0)).solve().unwrap()
+    };
+    for base in ["0.3*step(x-0.5)", "where(x>0.5, 0.3, 0)", "0.1*x^0*step(x-0.5)"] {
+        let stepped = solved(1.0, base, 0.016);
+        let flat = solved(0.75, "0", 0.016);
+        assert_eq!(stepped.edges(), [[-1.0, 0.5]], "{base}");
+        close(stepped.settlement(), flat.settlement(), 1e-13, base);
+        // The force acts in the middle of the flat base, at x = -0.25.
+        close(stepped.moment(), -0.25 * 0.016, 1e-13, base);
+        for x in [-0.9, -0.25, 0.3] {
+            let pressure = |contact: &Contact, x: f64| contact.pressure(x).unwrap();
+            close(pressure(&stepped, x), pressure(&flat, x + 0.25), 1e-12, base);
+        }
+        assert_eq!(stepped.pressure(0.7).unwrap(), 0.0, "{base}");
+    }
+    let raised = solved(1.0, "where(abs(x) < 0.5, 0.3, 0)", 0.016);
+    assert_eq!(raised.edges(), [[-1.0, -0.5], [0.5, 1.0]]);
+    let carried = raised.force();
+    close(carried, 0.016, 1e-14, "force");
+}

@@ -6,6 +6,9 @@ use crate::Rotational;
 use crate::contact::linearised::{Linearised, Rates, smooth_rates};
 use crate::contact::solution::Solution;
 
+/// What the elimination of coupled zones leaves in the densities at their ends, relative to them: a survey of 40 bases in two zones saw 3e-11.
+const COUPLED: f64 = 1e-10;
+
 impl GradedContact {
     /// The first-order change, the largest pressure being at `peak`.
     pub(super) fn first_order(&self, peak: f64) -> Linearised {
@@ -23,7 +26,8 @@ impl GradedContact {
                 }
                 _ => 0.0,
             };
-            let widths = self.fields().iter().map(|field| widening(field, raise, turn));
+            let coupled = if self.fields().len() > 1 { COUPLED } else { 0.0 };
+            let widths = self.fields().iter().map(|field| widening(field, [raise, turn], coupled));
             let [width, error] = widths.fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
             [[raise, force, -turn, pressure, width], [0.0, 0.0, 0.0, 0.0, error]]
         };
@@ -36,15 +40,15 @@ impl GradedContact {
     }
 }
 
-/// How much wider a zone becomes, and the error of that.
-fn widening(field: &Field, raise: f64, turn: f64) -> [f64; 2] {
+/// How much wider a zone becomes, and the error of that; with what densities may be off by besides, relative to them.
+fn widening(field: &Field, [raise, turn]: [f64; 2], coupled: f64) -> [f64; 2] {
     let zone = field.strip.zone;
     let mut sum = [0.0; 2];
     for side in (0..2).filter(|&side| zone.is_free[side]) {
         let moved =
             field.flat_density(field.place(zone.ends[side]), raise, turn) / field.slopes[side];
         sum[0] += moved;
-        sum[1] += (moved * field.slope_errors[side] / field.slopes[side]).abs();
+        sum[1] += moved.abs() * ((field.slope_errors[side] / field.slopes[side]).abs() + coupled);
     }
     sum
 }
