@@ -127,9 +127,7 @@ pub enum Error {
     Unstructured,
 
     /// An iteration stopped short of its tolerance.
-    #[error(
-        "not converged after {iterations} iterations: the relative residual is {residual:e} and should be at most {tolerance:e}"
-    )]
+    #[error("not converged after {iterations} iterations{}", missed(*residual, *tolerance))]
     NotConverged {
         /// Iterations done.
         iterations: usize,
@@ -138,4 +136,13 @@ pub enum Error {
         /// Relative residual asked for.
         tolerance: f64,
     },
+}
+
+/// How far an iteration was from its tolerance, if it came anywhere.
+fn missed(residual: f64, tolerance: f64) -> String {
+    if residual.is_finite() {
+        format!(": the relative residual is {residual:e} and should be at most {tolerance:e}")
+    } else {
+        ": nothing came near a solution".to_owned()
+    }
 }

@@ -57,7 +57,7 @@ pub enum Unaudited {
     NotCovered(&'static str),
     /// No bound was found.
     Refused(Refusal),
-    /// The bound leaves the range of double precision.
+    /// No finite bound was found.
     NotFinite,
     /// On graded ground with an exponent from 1/2 on the pressure has corners so sharp that the residual bounds it in the mean only.
     InTheMeanOnly {
@@ -70,7 +70,9 @@ impl std::fmt::Display for Unaudited {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::NotCovered(reason) => formatter.write_str(reason),
-            Self::NotFinite => formatter.write_str("its bound is not finite"),
+            Self::NotFinite => formatter.write_str(
+                "no finite bound of its error was found: the pressure changes too sharply for it, which more roughness or a lower grading exponent mends, or the load leaves the range of double precision",
+            ),
             Self::InTheMeanOnly { mean_square } => write!(
                 formatter,
                 "beside corners of the pressure on graded ground with an exponent from 1/2 on the residual bounds it in the mean square only, by {mean_square:.1e} of its largest value"
@@ -357,18 +359,19 @@ impl Contact {
     ///
     /// # Errors
     /// [`Error::ToleranceNotMet`] where the audited error is above an explicit tolerance, [`Error::NotAccurate`] where it is above 1 % and neither a tolerance nor a degree was
-    /// given, [`Error::AuditFailed`] where the pressure does not carry the load,
-    /// [`Error::Overflow`] where a bound leaves the range of double precision.
+    /// given, [`Error::AuditFailed`] where the pressure does not carry the load or no finite bound was found,
+    /// [`Error::Overflow`] where the pressure leaves the range of double precision.
     pub fn audited(mut self) -> Result<Self, Error> {
         let audit = self.audit();
         match audit {
-            Err(Unaudited::NotFinite | Unaudited::Refused(Refusal::NoPressure)) => {
+            Err(Unaudited::Refused(Refusal::NoPressure)) => {
                 let quantity = "bound of the error of the pressure";
                 return Err(Error::Overflow { quantity, value: f64::INFINITY });
             }
-            Err(refused @ Unaudited::Refused(Refusal::LoadNotMet | Refusal::Penetrates { .. })) => {
-                return Err(Error::AuditFailed { reason: refused.to_string() });
-            }
+            Err(
+                refused @ (Unaudited::NotFinite
+                | Unaudited::Refused(Refusal::LoadNotMet | Refusal::Penetrates { .. })),
+            ) => return Err(Error::AuditFailed { reason: refused.to_string() }),
             Ok(_) | Err(_) => {}
         }
         self.set_audit(audit);
