@@ -22,6 +22,8 @@ const RESOLVED: f64 = 0.3;
 const KNOWN: [f64; 2] = [0.317, 0.718];
 /// Places of a zone where the size of the pressure is looked at.
 const SAMPLES: u32 = 32;
+/// A pressure in a bent layer is resolved as if its peaks were at most so many times its mean: those of contacts without steps are.
+const PEAKED: f64 = 8.0;
 /// A bound above this share of the pressure is looked into: a single window beside the zones with so much of the residual is told.
 const NO_SMALL_SHARE: f64 = 1e-2;
 const MOST_OF_IT: f64 = 0.3;
@@ -156,12 +158,14 @@ pub(crate) fn resample(
     kappa: f64,
     answer: &Answer<'_>,
 ) -> Result<Vec<Panel>, Refusal> {
-    let mut scale = 0.0f64;
-    for [left, right] in answer.zones {
-        for i in 0..=SAMPLES {
-            let x = left + (right - left) * f64::from(i) / f64::from(SAMPLES);
-            scale = scale.max((answer.pressure)(x).abs());
-        }
+    let places = answer.zones.iter().flat_map(|[left, right]| {
+        (0..=SAMPLES).map(move |i| left + (right - left) * f64::from(i) / f64::from(SAMPLES))
+    });
+    let sizes: Vec<f64> = places.map(|x| (answer.pressure)(x).abs()).collect();
+    let mut scale = sizes.iter().fold(0.0f64, |most, size| most.max(*size));
+    if kappa < 1.0 {
+        // Peaks of a bent layer say little of its potential, which has to be known to what the layer gives.
+        scale = scale.min(PEAKED * sizes.iter().sum::<f64>() / sizes.len() as f64);
     }
     if scale.is_nan() || scale <= 0.0 || scale.is_infinite() {
         return Err(Refusal::NoPressure);

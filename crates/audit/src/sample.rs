@@ -3,7 +3,6 @@
 use crate::density::Panel;
 use crate::legendre::{ORDER, RULE, evaluate_at};
 use crate::residual::blur;
-use crate::windows::JUMPS;
 
 /// A panel at an end of a part is cut this far from the end, or nearer where that leaves a panel that is resolved: densities bend there as `d ln d`, with which short panels need to
 /// be less exact.
@@ -161,14 +160,14 @@ pub(crate) fn halves(density: &dyn Fn(f64) -> f64, panel: &Panel) -> Vec<Panel> 
         .to_vec()
 }
 
-/// The tail with which what windows count of a panel's jump is as much as the density changes from one number of the machine to the next: it cannot be told better. That change is looked at beside
-/// the end where the density is less steep; at the other end it may have a corner.
+/// The tail with which a panel misses as much as the density changes from one number of the machine to the next: it cannot be told better. That change is looked at beside the end where the
+/// density is less steep; at the other end it may have a corner.
 fn graininess(density: &dyn Fn(f64) -> f64, panel: &Panel) -> f64 {
     let after = panel.left.next_up();
     let before = panel.right.next_down();
     let first = (density(after.next_up()) - density(after)).abs();
     let last = (density(before) - density(before.next_down())).abs();
-    STEEPER / (MISSED_AT_END * JUMPS) * first.min(last)
+    STEEPER / MISSED_AT_END * first.min(last)
 }
 
 /// Whether a panel may be left unresolved: beside a corner it is not cut further.

@@ -29,7 +29,7 @@ const FINE: f64 = 0.6;
 /// Share of the residual that remainders may have.
 const SHARE: f64 = 0.15;
 /// Jumps of the density that a window may have in its remainders, in jumps: a polynomial cannot follow them closer than one and a half, and their potential may have as much.
-pub(crate) const JUMPS: f64 = 3.0;
+const JUMPS: f64 = 3.0;
 const SPREAD: f64 = 2.0;
 /// Larger jumps, relative to the density, are no noise: windows shrink to them.
 const NOISE: f64 = 1e-8;
