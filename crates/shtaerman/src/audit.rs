@@ -71,7 +71,7 @@ impl std::fmt::Display for Unaudited {
         match self {
             Self::NotCovered(reason) => formatter.write_str(reason),
             Self::NotFinite => formatter.write_str(
-                "no finite bound of its error was found: the pressure changes too sharply for it, which more roughness or a lower grading exponent mends, or the load leaves the range of double precision",
+                "no finite bound of its error was found: the pressure changes too sharply for it, which more roughness or a lower grading exponent mends",
             ),
             Self::InTheMeanOnly { mean_square } => write!(
                 formatter,
@@ -355,6 +355,12 @@ impl Contact {
 }
 
 impl Contact {
+    /// Whether norms of the pressure are within the range of double precision.
+    fn has_finite_squares(&self) -> bool {
+        let (peak, _) = self.peak_pressure0();
+        (peak * peak).is_finite() && (self.theta0() * self.solution_size().powi(2)).is_finite()
+    }
+
     /// The answer with the errors of its [audit](Contact::audit) in place of those its method states, where the theorem covers it; otherwise as it is, with the reason kept.
     ///
     /// # Errors
@@ -364,13 +370,17 @@ impl Contact {
     pub fn audited(mut self) -> Result<Self, Error> {
         let audit = self.audit();
         match audit {
-            Err(Unaudited::Refused(Refusal::NoPressure)) => {
+            Err(Unaudited::NotFinite | Unaudited::Refused(Refusal::NoPressure))
+                if !self.has_finite_squares() =>
+            {
                 let quantity = "bound of the error of the pressure";
                 return Err(Error::Overflow { quantity, value: f64::INFINITY });
             }
             Err(
                 refused @ (Unaudited::NotFinite
-                | Unaudited::Refused(Refusal::LoadNotMet | Refusal::Penetrates { .. })),
+                | Unaudited::Refused(
+                    Refusal::NoPressure | Refusal::LoadNotMet | Refusal::Penetrates { .. },
+                )),
             ) => return Err(Error::AuditFailed { reason: refused.to_string() }),
             Ok(_) | Err(_) => {}
         }

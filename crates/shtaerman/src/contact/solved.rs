@@ -502,7 +502,12 @@ impl Contact {
 
     /// A bound of `|p + E f0|` on the base (Pa).
     fn pressure_bound(&self) -> f64 {
-        self.solution.size() * self.scale(Scaling::pressure)
+        self.solution_size() * self.scale(Scaling::pressure)
+    }
+
+    /// A bound of `|p0 + f0|` on the base.
+    pub(crate) fn solution_size(&self) -> f64 {
+        self.solution.size()
     }
 
     /// Whether tilt and moment are zero.
