@@ -13,7 +13,7 @@ fn a_crest_beside_the_seam_is_as_high_as_elsewhere() {
         shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap()
     };
     let (beside, elsewhere) = (solved(0.0), solved(0.37));
-    let [(one, at), (other, moved)] = [&beside, &elsewhere].map(|c| c.peak_pressure());
+    let [(one, at), (other, moved)] = [&beside, &elsewhere].map(shtaerman::Contact::peak_pressure);
     let stated = beside.accuracy().unwrap().pressure + elsewhere.accuracy().unwrap().pressure;
     assert!((one - other).abs() <= stated, "{one} {other} {stated:e}");
     let apart = (moved - 0.37 - at).rem_euclid(2.0);
