@@ -21,7 +21,8 @@ const FINEST: f64 = 64.0 * f64::EPSILON;
 const COARSE: f64 = 1e6;
 /// On a panel beside a corner the density is so many times steeper at the near end than at the far one.
 const STEEPER: f64 = 4.0;
-/// What a panel beside a corner misses at its end, in last coefficients: those of `d ln d` fall as `4/n^3`, so that the rest of them adds up to half their number.
+/// What a panel beside a corner misses at its end, in last coefficients: those of `d ln d` fall as `4/n^3`, so that the rest of them adds up to half their number. Powers fall more slowly still, yet
+/// beside a jump shorter panels only leave more of them to single numbers: there a bound of `cargo test -p shtaerman-cli kinks_and_jumps` is 1.2e-9 without it, 3.4e-9 with it.
 const MISSED_AT_END: f64 = 0.5 * ORDER as f64;
 /// Panels shorter than this share of their distance from the origin have nodes that are rounded noticeably; so many corrections take that away.
 const ROUNDED: f64 = 1e-6;
@@ -64,18 +65,29 @@ impl Part {
     }
 }
 
+/// How well a density is to be resolved.
+pub(crate) struct Limits<'a> {
+    /// What a polynomial may miss between two places.
+    pub(crate) tolerance: &'a dyn Fn(f64, f64) -> f64,
+    /// The size of the density.
+    pub(crate) scale: f64,
+    /// The exponent of a kernel that is a power, 0 of a logarithm.
+    pub(crate) exponent: f64,
+}
+
 /// Panels of a zone from left to right on which the density is a polynomial to a tolerance for their ends; none where they would be more than `most`.
 pub(crate) fn panels(
     density: &dyn Fn(f64) -> f64,
     zone: [f64; 2],
     cuts: &[f64],
-    (tolerance, scale): (&dyn Fn(f64, f64) -> f64, f64),
+    &Limits { tolerance, scale, exponent }: &Limits<'_>,
     most: usize,
     found: &mut Vec<Panel>,
 ) -> bool {
     let mut ends: Vec<f64> = vec![zone[0]];
     ends.extend(cuts.iter().copied().filter(|at| zone[0] < *at && *at < zone[1]));
     ends.push(zone[1]);
+    let grain = if exponent == 0.0 { STEEPER / MISSED_AT_END } else { STEEPER };
     let longest = LONGEST.min(LONGEST_OF_ZONE * (zone[1] - zone[0]));
     let mut stack: Vec<Part> = (ends.windows(2).rev())
         .map(|pair| Part {
@@ -101,7 +113,7 @@ pub(crate) fn panels(
             let is_done = tail <= tolerance(left, right)
                 || is_noise
                 || width <= finest
-                || (width <= COARSE * finest && tail <= graininess(density, &panel));
+                || (width <= COARSE * finest && tail <= grain * graininess(density, &panel));
             if is_done {
                 found.push(panel);
                 continue;
@@ -160,14 +172,13 @@ pub(crate) fn halves(density: &dyn Fn(f64) -> f64, panel: &Panel) -> Vec<Panel> 
         .to_vec()
 }
 
-/// The tail with which a panel misses as much as the density changes from one number of the machine to the next: it cannot be told better. That change is looked at beside the end where the
-/// density is less steep; at the other end it may have a corner.
+/// What the density changes from one number of the machine to the next beside that end of a panel where it is less steep: it cannot be told better. At the other end it may have a corner.
 fn graininess(density: &dyn Fn(f64) -> f64, panel: &Panel) -> f64 {
     let after = panel.left.next_up();
     let before = panel.right.next_down();
     let first = (density(after.next_up()) - density(after)).abs();
     let last = (density(before) - density(before.next_down())).abs();
-    STEEPER / MISSED_AT_END * first.min(last)
+    first.min(last)
 }
 
 /// Whether a panel may be left unresolved: beside a corner it is not cut further.

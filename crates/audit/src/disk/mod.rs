@@ -12,7 +12,7 @@ mod tree;
 use crate::bound::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Refusal, known};
 use crate::density::Panel;
 use crate::open::free_ends;
-use crate::sample;
+use crate::sample::{self, Limits};
 use crate::sampled::{Seen, cover, largest};
 use crate::{Profile, layer};
 use field::{Part, Resampled};
@@ -185,8 +185,8 @@ impl<'a> Audit<'a> {
         };
         let mut found = Vec::new();
         for zone in zones {
-            let limits: (&dyn Fn(f64, f64) -> f64, f64) = (&tolerance, scale);
-            if !sample::panels(density, *zone, problem.cuts, limits, MOST_PANELS, &mut found) {
+            let limits = Limits { tolerance: &tolerance, scale, exponent: problem.exponent };
+            if !sample::panels(density, *zone, problem.cuts, &limits, MOST_PANELS, &mut found) {
                 return Err(Refusal::TooManyPanels);
             }
         }

@@ -70,3 +70,36 @@ fn stepped_disks() {
         assert!(stated.pressure < 1e-13 * theta0 * largest, "{stated:?}");
     }
 }
+
+/// A step under a layer that bends: its peak is thousands of times the pressure elsewhere, on which the audit has to see what the potential needs. The reference shares no code.
+#[test]
+fn a_step_in_a_bent_layer() {
+    let toml = "[dimensionless]\ntheta0 = 6697.6\nexponent = 0.3\nprofile = \"1.2295e+05*xi^2-1.0081e+05*step(xi-0.4865)\"\nsettlement = 1.293e+05\ntilt = -27760\n";
+    let problem = shtaerman::file::parse(toml, "test").unwrap();
+    let contact = problem.solve().unwrap().audited().unwrap();
+    let stated = contact.accuracy().unwrap();
+    let (largest, _) = contact.peak_pressure0();
+    let check = problem.cross_check(&contact).unwrap();
+    println!("{largest} {stated:?} {check:?}");
+    assert!(check.agrees && check.limits.is_none(), "{check:?}");
+    let off = check.pressure_sup - check.reference_error.pressure_sup;
+    assert!(off <= stated.pressure, "{off:e} {stated:?}");
+    assert!(check.reference_error.pressure_sup < 1e-6 * largest, "{check:?}");
+    assert!(stated.pressure < 1e-3 * largest, "{stated:?}");
+}
+
+/// What is its own mirror image has neither tilt nor moment, and no error of them stands between the answer and its aim; nor does the gauge of the plane, for which the settlement is nearly 0 here.
+#[test]
+fn mirror_images_reach_their_aim() {
+    for (theta0, force) in [(10.0, 3.0), (1000.0, 0.3), (1000.0, 3.0)] {
+        let toml = format!(
+            "[dimensionless]\ntheta0 = {theta0}\nprofile = \"xi^2\"\nforce = {force}\nmoment = 0\n"
+        );
+        let contact =
+            shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap().audited().unwrap();
+        let stated = contact.accuracy().unwrap();
+        assert_eq!((stated.moment, stated.tilt, contact.moment0()), (0.0, 0.0, 0.0));
+        let reached = contact.relative_error();
+        assert!(reached <= 1e-12 * (theta0 / 10.0), "{theta0} {force}: {reached:e} {stated:?}");
+    }
+}
