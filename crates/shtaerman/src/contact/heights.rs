@@ -82,11 +82,11 @@ impl Problem {
     }
 
     /// How far the edges of a layer's contact move for a disturbance of its displacement: to where it is as large as that.
-    fn edges_of_layer(&self, solution: &dyn Solution, error: f64, kappa: f64) -> f64 {
+    fn edges_of_layer(&self, solution: &dyn Solution, error: f64) -> f64 {
         if error == 0.0 {
             return 0.0;
         }
-        let zones = solution.zones();
+        let (zones, law) = (solution.zones(), self.frame().law());
         let of = |zone: usize, [left, right]: [f64; 2], side: usize| {
             let length = right - left;
             let distance = |k: i32| length * 0.5f64.powi(k);
@@ -94,7 +94,7 @@ impl Problem {
                 let (near, far) = (distance(k), length - distance(k));
                 let [from_left, from_right] = if side == 0 { [near, far] } else { [far, near] };
                 let p = solution.pressure_beside(self, zone, from_left, from_right);
-                p.max(0.0).powf(kappa)
+                law.displacement(p.max(0.0))
             };
             // From the middle towards the end while the layer is deeper than that.
             match (1..HALVINGS).take_while(|k| layer(*k) > error).last() {
@@ -156,7 +156,7 @@ impl Problem {
                 let at_ends = self.rounding_at_ends(&zones);
                 // A single place is disturbed by itself, which is half of what disturbances grow to.
                 let error = solution.growth() * rounding.max(0.5 * at_ends);
-                let edges = if free { self.edges_of_layer(solution, error, kappa) } else { 0.0 };
+                let edges = if free { self.edges_of_layer(solution, error) } else { 0.0 };
                 (steepness * error, edges)
             }
         };
