@@ -152,6 +152,11 @@ impl Problem {
         Ok(Self { solver, ..self.clone() })
     }
 
+    /// The same problem under another load, in the units of the problem.
+    pub(crate) fn under(&self, load: Load) -> Self {
+        Self { load, ..self.clone() }
+    }
+
     /// The same problem solved otherwise.
     pub(crate) fn with_solver(&self, solver: Solver) -> Self {
         Self { solver, ..self.clone() }

@@ -55,12 +55,6 @@ pub(super) struct Sizes {
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Accuracy {
-    /// Of an answer that others judge.
-    pub(super) fn unstated() -> Self {
-        let kind = ErrorKind::Estimate;
-        Self { kind, pressure: 0.0, settlement: 0.0, tilt: 0.0, force: 0.0, moment: 0.0 }
-    }
-
     /// No error below rounding, which the bounds leave aside; what the load prescribes stays exact.
     pub(super) fn with_rounding(self, sizes: &Sizes) -> Self {
         self.at_least(ROUNDING, sizes)

@@ -3,7 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::Contact;
-use super::nearly_smooth::companion;
+use super::companion::companion;
 use crate::roughness::Law;
 use crate::{Geometry, Roughness, Scaling};
 

@@ -88,7 +88,12 @@ impl Problem {
     }
 
     /// The solution with heights as they are.
-    fn solve_as_given(&self) -> Result<Contact, Error> {
+    pub(super) fn solve_as_given(&self) -> Result<Contact, Error> {
+        if let Some((settlement, e)) = self.settlement_at_eccentricity()
+            && self.frame().law() != Law::Smooth
+        {
+            return self.solve_at_eccentricity(settlement, e);
+        }
         if self.is_smooth_plane() {
             return self.draw_up(Arc::new(self.solve_smooth()?));
         }
@@ -99,10 +104,7 @@ impl Problem {
         if let Some(grading) = grading {
             return self.draw_up(Arc::new(self.solve_smooth_graded(grading.exponent())?));
         }
-        match self.solve_nearly_smooth() {
-            Some(solution) => self.draw_up(solution),
-            None => solve_rough(self),
-        }
+        solve_rough(self)
     }
 
     /// Whether the surface is smooth and the kernel a plane logarithm.
@@ -141,12 +143,6 @@ impl Problem {
         let reason = match name {
             "panels" => format!(
                 "{zones} with exact edges on panels between the bends of the base, for which collocation is not made, or where it did not find the zones"
-            ),
-            "cells" => format!(
-                "{zones} on equal cells, as collocation, on zones or on panels, did not serve"
-            ),
-            "expansion" => format!(
-                "{zones} on a nearly smooth surface: free edges and their layers by expansion about the smooth limit, the pressure between them from the solved system, as rounding would take its digits in a direct solution; relative error {reached:.0e} by comparison of both"
             ),
             "first_kind" => {
                 format!("{zones} on a smooth surface: the spectral relation of the first kind")

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::accuracy::{Accuracy, Sizes};
+use super::balance::State;
 use super::extremes::{Extreme, Sampled};
 use super::kinks::{Kink, kinks};
 use super::promise::Reached;
@@ -67,6 +68,8 @@ pub struct Contact {
     /// The height of that level, without dimensions.
     level: f64,
     solution: Arc<dyn Solution>,
+    /// Settlement, tilt, force and moment, without dimensions.
+    state: State,
     accuracy: Option<Accuracy>,
     /// The error that the rounding of heights makes, relative to its size.
     of_heights: f64,
@@ -105,6 +108,7 @@ impl Contact {
             is_symmetric,
             peak: (0.0, 0.0),
             kinks: kinks(problem, &solution.zones()),
+            state: solution.state(),
             solution,
             tension: Vec::new(),
             warnings: Vec::new(),
@@ -132,6 +136,22 @@ impl Contact {
     pub(super) fn with_level(self, problem: &Problem, level: f64) -> Self {
         let accuracy = self.accuracy.map(|accuracy| accuracy.with_level(level));
         Self { problem: problem.clone(), level, accuracy, ..self }
+    }
+
+    /// This contact under a force as the answer to the settlement it has but for rounding, which the force answers for.
+    pub(super) fn as_settled(mut self, problem: &Problem, settlement: f64) -> Self {
+        let missed = (self.state.settlement - settlement).abs();
+        if let Some(known) = &mut self.accuracy {
+            let [raise, _] =
+                self.solution.stiffness().displaced(&self.problem.dimensionless_load(), [1.0, 0.0]);
+            let size = self.state.force.abs();
+            known.force = ((known.settlement + missed) / raise).abs() + 4.0 * f64::EPSILON * size;
+            known.moment = known.force * (self.state.moment / self.state.force).abs();
+            known.settlement = 0.0;
+        }
+        self.state.settlement = settlement;
+        (self.problem, self.solved) = (problem.clone(), problem.clone());
+        self
     }
 
     /// The largest pressure, or that under a break of the base if it is larger: a cusp is too narrow for a search.
@@ -169,25 +189,25 @@ impl Contact {
     /// `P0 = P/(a E)`.
     #[must_use]
     pub fn force0(&self) -> f64 {
-        self.solution.state().force
+        self.state.force
     }
 
     /// `M0 = M/(a^2 E)`; of a wave without gaps `int xi p0 dxi` over the period from `-1` to 1, whatever the load says: a moment cannot turn it.
     #[must_use]
     pub fn moment0(&self) -> f64 {
-        if self.is_symmetric { 0.0 } else { self.solution.state().moment }
+        if self.is_symmetric { 0.0 } else { self.state.moment }
     }
 
     /// `delta0 = delta/(chi E)`.
     #[must_use]
     pub fn settlement0(&self) -> f64 {
-        self.solution.state().settlement + self.level
+        self.state.settlement + self.level
     }
 
     /// `alpha0 = a alpha/(chi E)`.
     #[must_use]
     pub fn tilt0(&self) -> f64 {
-        if self.is_level { 0.0 } else { self.solution.state().tilt }
+        if self.is_level { 0.0 } else { self.state.tilt }
     }
 
     /// `p0(xi)` for `xi` in `[-1, 1]`, on the full base (3.1); 0 outside the zones of a unilateral contact and at their free edges. On a smooth surface
@@ -490,7 +510,7 @@ impl Contact {
     pub fn relative_error(&self) -> f64 {
         let (_, pressures) = self.solution.sample(&self.solved);
         let largest = pressures.into_iter().fold(0.0f64, |most, p| most.max(p.abs()));
-        let sizes = self.solution.state().sizes(largest);
+        let sizes = self.state.sizes(largest);
         if let Some(audit) = self.found_audit() {
             // Its settlement is that of the problem itself, counted from no level; the gauge of the plane can take away what the layer gives, which is a part of it.
             let layer = self.problem.frame().law().displacement(largest);
@@ -527,7 +547,7 @@ impl Contact {
 
     /// The settlement of the problem as it was solved, and the height of its level.
     pub(crate) fn solved_settlement0(&self) -> (f64, f64) {
-        (self.solution.state().settlement, self.level)
+        (self.state.settlement, self.level)
     }
 
     pub(super) fn solution(&self) -> &dyn Solution {

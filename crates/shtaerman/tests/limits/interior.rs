@@ -1,4 +1,4 @@
-//! The pressure of the expansion beside a truth of another kind.
+//! The pressure near the smooth limit beside a truth of another kind.
 //!
 //! `p + theta int ln(1/|y - t|) p dt = D - c y^2` on `(-1, 1)` with the force 1, solved by the double-exponential rule with 341 nodes on `|t| <= 4` in arithmetic of 45
 //! digits, where nothing is lost to rounding: flat under a settlement `D` (`c = 0`), and with the `c` at which the pressure vanishes at both ends. Other numbers of

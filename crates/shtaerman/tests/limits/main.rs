@@ -3,8 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 mod corners;
-mod expansion;
+mod edges;
 mod interior;
 mod monotone;
-mod sensitivities;
 mod support;

@@ -61,14 +61,6 @@ impl Field {
         }
     }
 
-    /// `p dm/dt` at a place away from the ends of its panel, without the small difference that [`Self::at`] is; none of a Fourier series.
-    pub(super) fn density_at(&self, place: Place) -> Option<f64> {
-        match self {
-            Self::Panels(solution) => Some(solution.density_at(place)),
-            Self::Ring(_) => None,
-        }
-    }
-
     /// Rounding of `v`.
     pub(super) fn rounding(&self) -> f64 {
         match self {

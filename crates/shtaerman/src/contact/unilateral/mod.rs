@@ -9,20 +9,16 @@ mod base;
 mod check;
 mod coarse;
 pub(super) mod damping;
-mod eccentric;
 mod edges;
 mod elimination;
 mod field;
-mod fine;
 mod harmonic;
 mod layer;
 mod linearised;
 mod medium;
 mod mirror;
 mod motion;
-mod near;
 mod power;
-mod reach;
 mod refinement;
 mod ring;
 mod search;
@@ -36,7 +32,6 @@ mod zones;
 pub use answer::Complementarity;
 pub(super) use answer::UnilateralContact;
 pub(super) use medium::mean_power;
-pub(super) use near::KnownZone;
 
 use std::sync::Arc;
 
@@ -46,9 +41,8 @@ use super::solution::Solution;
 use crate::{ContactKind, Error, Problem};
 use base::Base;
 use check::check;
-use fine::CellContact;
 use refinement::{half_count, refined, strength};
-use search::{Attempt, corrected_zones, find_zones};
+use search::find_zones;
 use solved::Solved;
 use spots::SpotContact;
 use system::Resolution;
@@ -82,7 +76,6 @@ impl Problem {
         Ok(match lifting(base)? {
             Answer::Zones(contact) => Arc::new(*contact),
             Answer::Spots(contact) => Arc::new(*contact),
-            Answer::Cells(contact) => Arc::new(*contact),
         })
     }
 
@@ -97,7 +90,7 @@ impl Problem {
     pub(super) fn solve_full_contact(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
         let is_bent_wave = base.medium.is_closed() && !base.breaks.is_empty();
-        if (fine::suits(&base) || is_bent_wave)
+        if (base.is_for_panels() || is_bent_wave)
             && let Some(contact) = spots::solve_whole(&base)?
         {
             return Ok(Arc::new(contact));
@@ -111,7 +104,6 @@ impl Problem {
 enum Answer {
     Zones(Box<UnilateralContact>),
     Spots(Box<SpotContact>),
-    Cells(Box<CellContact>),
 }
 
 impl Answer {
@@ -119,16 +111,11 @@ impl Answer {
         Self::Zones(Box::new(contact))
     }
 
-    fn cells(contact: CellContact) -> Self {
-        Self::Cells(Box::new(contact))
-    }
-
     /// Whether a wave that was cut here touches beside the cut.
     fn touches_about(&self, cut: f64) -> bool {
         let solution: &dyn Solution = match self {
             Self::Zones(contact) => contact.as_ref(),
             Self::Spots(contact) => contact.as_ref(),
-            Self::Cells(contact) => contact.as_ref(),
         };
         let beside = [-BESIDE, 0.0, 2.0 - BESIDE, BESIDE, 2.0 + BESIDE].map(|step| cut + step);
         let mut on_base = beside.into_iter().filter(|xi| xi.abs() <= 1.0);
@@ -218,14 +205,13 @@ fn bent_wave(base: &Base<'_>) -> Result<Option<Answer>, Error> {
 
 /// The answer by the method that suits the profile, or by the other.
 fn open(base: &Base<'_>) -> Result<Answer, Error> {
-    let is_tried = fine::suits(base);
-    if is_tried && let Some(answer) = many(base)? {
+    let is_tried = base.is_for_panels();
+    if is_tried && let Some(answer) = on_panels(base) {
         return Ok(answer);
     }
     require_few(&base.breaks)?;
     if !is_tried
         && base.has_panels()
-        && base.settlement_at_eccentricity().is_none()
         && let Some(answer) = quicker(base)
     {
         return Ok(answer);
@@ -236,10 +222,7 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
             | Error::Equation(_)
             | Error::TooManyZones { .. }),
         ) => {
-            if let Some((settlement, e)) = base.settlement_at_eccentricity() {
-                return reached(base, settlement, e)?.map(Answer::zones).ok_or(error);
-            }
-            let answer = if is_tried { None } else { many(base)? };
+            let answer = if is_tried { None } else { on_panels(base) };
             answer.ok_or(match error {
                 // Not for their number.
                 Error::TooManyZones { .. } if base.is_plain() => {
@@ -285,13 +268,10 @@ fn takes_many_steps(base: &Base<'_>) -> bool {
     base.valleys() > 1 && 2.0 * base.steepness() > base.cells() as f64
 }
 
-/// The answer for many zones: with exact edges, or on cells.
-fn many(base: &Base<'_>) -> Result<Option<Answer>, Error> {
-    // Where panels are too many for their equation cells may serve.
-    if let Ok(Some(contact)) = spots::solve(base) {
-        return Ok(Some(Answer::Spots(Box::new(contact))));
-    }
-    Ok(fine::solve(base)?.map(Answer::cells))
+/// The answer on panels, where these serve and are not too many for their equation.
+fn on_panels(base: &Base<'_>) -> Option<Answer> {
+    let contact = spots::solve(base).ok().flatten()?;
+    Some(Answer::Spots(Box::new(contact)))
 }
 
 /// The same answer with heights from the tangent where the zones are, if that is better: beside small zones differences of heights have few digits.
@@ -299,10 +279,7 @@ fn anchored(
     base: &Base<'_>,
     known: Result<UnilateralContact, Error>,
 ) -> Result<UnilateralContact, Error> {
-    if base.settlement_at_eccentricity().is_some()
-        || base.medium.is_disk()
-        || base.medium.is_closed()
-    {
+    if base.medium.is_disk() || base.medium.is_closed() {
         return known;
     }
     let span = match &known {
@@ -336,27 +313,6 @@ fn ends(zones: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
     zones.fold([f64::INFINITY, f64::NEG_INFINITY], |[left, right], zone| {
         [left.min(zone[0]), right.max(zone[1])]
     })
-}
-
-/// The answer where the force was found first that leads to the settlement.
-fn reached(base: &Base<'_>, settlement: f64, e: f64) -> Result<Option<UnilateralContact>, Error> {
-    if !base.is_plain() {
-        return Ok(None);
-    }
-    let zones = eccentric::exactly(base, settlement, e)?;
-    match corrected_zones(base, zones, &mut 0.0)? {
-        Attempt::Found(solved, start) => finished(base, *solved, start).map(Some),
-        Attempt::Left(_) => Ok(None),
-    }
-}
-
-/// The contact on few nodes, without many attempts.
-fn quickly(base: &Base<'_>) -> Option<Solved> {
-    let zones = base.first_zones(base.cells()).ok()?;
-    match corrected_zones(base, zones, &mut 0.0).ok()? {
-        Attempt::Found(solved, _) => Some(*solved),
-        Attempt::Left(_) => None,
-    }
 }
 
 /// The answer, with its zones corrected where the finest nodes show what the first did not.

@@ -6,7 +6,7 @@ use super::refinement::{RATIO, half_count, strength};
 use super::solved::Solved;
 use super::system::Resolution;
 use super::zones::{Zone, corrected};
-use super::{COARSELY_ALLOWED, CORRECTIONS, edges, fine};
+use super::{COARSELY_ALLOWED, CORRECTIONS, edges};
 use crate::Error;
 use crate::contact::valleys;
 
@@ -36,20 +36,16 @@ pub(super) fn find_zones(base: &Base<'_>) -> Result<(Solved, f64), Error> {
     let counts = (0..TOPOLOGIES).map(|power| base.cells() * 4usize.pow(power as u32));
     let mut counts: Vec<usize> = counts.map(|count| count.min(MOST_CELLS)).collect();
     counts.dedup();
-    for (power, count) in counts.into_iter().enumerate() {
+    for count in counts {
         let zones = base.first_zones(count)?;
         require_few(base, &zones, count)?;
         if zones.len() > MOST_ZONES {
             too_many = Some(Error::TooManyZones { zones: zones.len(), most: MOST_ZONES });
             continue;
         }
-        // Many equal cells show the edges to a thousandth of the few that come first: next to them Newton's method converges.
-        let exact = if power == 1 { fine::zones(base)? } else { None };
-        for zones in exact.into_iter().chain([zones]) {
-            match corrected_zones(base, zones, &mut work)? {
-                Attempt::Found(solved, start) => return Ok((*solved, start)),
-                Attempt::Left(violation) => last = violation.or(last),
-            }
+        match corrected_zones(base, zones, &mut work)? {
+            Attempt::Found(solved, start) => return Ok((*solved, start)),
+            Attempt::Left(violation) => last = violation.or(last),
         }
         if work > MOST_WORK.min(base.effort.work) {
             break;

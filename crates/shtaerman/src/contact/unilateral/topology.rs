@@ -3,7 +3,6 @@
 use fredholm::complementarity::ComplementaritySolution;
 
 use super::base::Base;
-use super::eccentric;
 use super::zones::Zone;
 use crate::contact::cells::{Cells, Limits, Loaded, closing_in};
 use crate::contact::valleys;
@@ -15,9 +14,6 @@ const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: 40 };
 /// The zones of contact to about a cell, each of which has several; `count` is the number of cells to begin with.
 pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<Zone>, Error> {
     let mut cells = cells(base, count);
-    if let Some((settlement, e)) = base.settlement_at_eccentricity() {
-        return eccentric::zones(base, cells, settlement, e);
-    }
     cells.settle(|cells| Ok(solve(base, cells, base.load)?.values))?;
     Ok(zones(&cells))
 }

@@ -7,10 +7,10 @@ use fredholm::multipole::{
 use super::bent;
 use super::chart::Chart;
 use super::mesh::{Fineness, panels};
+use super::positive::positive;
 use crate::contact::balance::State;
 use crate::contact::unilateral::base::Base;
 use crate::contact::unilateral::coarse::Coarse;
-use crate::contact::unilateral::fine::edges::positive;
 use crate::contact::unilateral::layer::Layer;
 use crate::contact::unilateral::zones::{End, Zone};
 use crate::{Error, Rotational, Vertical};

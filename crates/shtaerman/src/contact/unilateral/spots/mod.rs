@@ -10,8 +10,8 @@ mod bent;
 mod chart;
 mod estimate;
 mod level;
-mod lever;
 mod mesh;
+mod positive;
 mod responses;
 #[cfg(test)]
 mod tests;
@@ -21,7 +21,6 @@ pub(super) use answer::SpotContact;
 use super::answer::Complementarity;
 use super::base::Base;
 use super::coarse::{self, Coarse};
-use super::fine;
 use super::zones::{End, Zone};
 use crate::Error;
 use crate::contact::solution::Solution;
@@ -66,22 +65,9 @@ pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
         return Ok(None);
     }
     if !base.layer.is_linear() {
-        return if base.settlement_at_eccentricity().is_some() {
-            Ok(None)
-        } else {
-            solve_bent(base)
-        };
+        return solve_bent(base);
     }
-    let zones = match base.settlement_at_eccentricity() {
-        Some((settlement, e)) if base.is_plain() => lever::first_zones(base, settlement, e)?,
-        Some(_) => None,
-        None => match fine::first_zones(base)? {
-            Some(zones) => Some(zones),
-            // Where equal cells do not serve those that grow shorter at the ends of zones may.
-            None => Some(base.first_zones(base.cells())?),
-        },
-    };
-    let Some(zones) = zones else { return Ok(None) };
+    let zones = base.first_zones(base.cells())?;
     solve_from(base, zones, None)
 }
 

@@ -179,28 +179,6 @@ fn collocation_agrees_at_corners_and_steps() {
 }
 
 #[test]
-fn cells_agree_within_their_estimate() {
-    let problem = problem(30.0, trace(1500, 30.0), Vertical::Force(1.0), Rotational::Moment(0.2));
-    let found = panels(&problem);
-    assert!(found.relative_error() < 1e-10, "{:?}", found.accuracy);
-    let base = Base::new(&problem, ContactKind::Unilateral).unwrap();
-    let cells = fine::solve(&base).unwrap().unwrap();
-    let counts = [found.zones().len(), cells.zones().len()];
-    assert!(counts[0] >= 8 && counts[0] == counts[1], "{counts:?}");
-    let accuracy = cells.accuracy().unwrap();
-    assert!((found.state().settlement - cells.state().settlement).abs() <= accuracy.settlement);
-    assert!((found.state().tilt - cells.state().tilt).abs() <= accuracy.tilt);
-    for (one, other) in found.zones().iter().flatten().zip(cells.zones().iter().flatten()) {
-        assert!((one - other).abs() <= cells.edge_error().unwrap(), "{one} {other}");
-    }
-    for i in 0..1000 {
-        let xi = f64::from(2 * i + 1) / 1000.0 - 1.0;
-        let off = (found.pressure(&problem, xi) - cells.pressure(&problem, xi)).abs();
-        assert!(off <= accuracy.pressure, "{xi}: {off:e}");
-    }
-}
-
-#[test]
 fn force_moment_and_displacement_agree_with_a_rule_of_their_own() {
     let profile = trace(1000, 8.0);
     let problem = problem(8.0, profile, Vertical::Force(1.0), Rotational::Moment(0.2));

@@ -1,26 +1,13 @@
-//! Where the pressure of a contact on cells changes its sign.
+//! Where a function of the base is positive.
 
-use super::surface::Fine;
-use crate::contact::unilateral::base::Base;
 use crate::contact::unilateral::zones::Zone;
 
-/// Samples of a cell.
-const SAMPLES: usize = 4;
 /// Steps on the way to an edge, and towards a peak between samples.
 const STEPS: usize = 80;
 const GOLDEN_STEPS: usize = 40;
 
-/// The zones from left to right.
-pub(super) fn zones(base: &Base<'_>, fine: &Fine) -> Vec<Zone> {
-    let pressure = |xi: f64| fine.pressure_at(xi, base.height(xi));
-    let count = SAMPLES * fine.count();
-    let at: Vec<f64> = (0..=count).map(|i| 2.0 * i as f64 / count as f64 - 1.0).collect();
-    let values: Vec<f64> = at.iter().map(|xi| pressure(*xi)).collect();
-    positive(&pressure, &at, &values, 0.0)
-}
-
 /// Where a function with these values at places from end to end of a piece of the base is positive; values up to `none` are zero.
-pub(in crate::contact::unilateral) fn positive(
+pub(super) fn positive(
     pressure: &impl Fn(f64) -> f64,
     at: &[f64],
     values: &[f64],

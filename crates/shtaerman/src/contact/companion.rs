@@ -1,0 +1,32 @@
+//! The same problem with another roughness.
+
+use std::f64::consts::PI;
+
+use crate::{Elastic, Frame, Problem, Roughness, Scaling, Solver};
+
+/// `theta0 chi`, the response of the body over its half-width (m/Pa).
+fn elastic(problem: &Problem) -> f64 {
+    let frame = problem.frame();
+    let unit = |scaling: &Scaling| scaling.displacement() / scaling.pressure();
+    frame.theta0() * frame.scaling().map_or(1.0, unit)
+}
+
+/// The same problem with another roughness (m/Pa); of a dimensionless one with `E = 1`, `chi = 1`.
+pub(super) fn companion(problem: &Problem, roughness: Roughness) -> Option<Problem> {
+    let frame = problem.frame();
+    let half_width = frame.half_width();
+    let response = elastic(problem) / half_width;
+    let moduli = match frame.scaling() {
+        Some(scaling) => [scaling.pressure(), scaling.contact_modulus()],
+        None => [1.0, 2.0 / (PI * response)],
+    };
+    let geometry = frame.geometry();
+    let scaling = Scaling::with_response(response, moduli, roughness, half_width, geometry).ok()?;
+    let (foundation, body) = match frame {
+        Frame::Physical { foundation, body, .. } => (*foundation, *body),
+        Frame::Dimensionless { .. } => (Elastic::new(1.0, 0.0).ok()?, None),
+    };
+    let frame = Frame::Physical { foundation, grading: None, body, roughness, geometry, scaling };
+    let solver = Solver { contact: problem.solver().contact, ..Solver::default() };
+    Problem::new(frame, problem.profile().clone(), *problem.load(), solver).ok()
+}

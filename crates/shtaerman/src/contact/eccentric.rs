@@ -1,0 +1,217 @@
+//! A settlement prescribed together with an eccentricity: the force is found that leads to it.
+//!
+//! Under a force `P` at the eccentricity `e` there is one contact, with a settlement `delta(P)` and
+//! `d delta/dP = (c22 - e c12)/(c11 c22 - c12^2)`, its tangent stiffness. The curve begins where the base touches first and ends in proportion to the force: upwards
+//! while the line of the force is not far from the middle, downwards beyond, as the punch then turns about a point on the other side of it. Between it need not be
+//! monotone, and not every settlement is met: of the forces that meet it the least is taken.
+
+use crate::contact::Contact;
+use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
+
+/// The forces that are tried: each so many times the one before, from the depth over the compliance of the whole base by so many steps down, to so many up.
+const RATIO: f64 = 4.0;
+const DOWN: i32 = 18;
+const UP: i32 = 14;
+/// Steps towards the force sought, or towards a largest or least settlement.
+const STEPS: usize = 40;
+/// A step of `ln P` after which Newton's method has all digits, as they double; and one that tells a turning point.
+const NARROW: f64 = 1e-9;
+const TURNED: f64 = 1e-4;
+/// Heights of each piece of the base that are looked at.
+const SAMPLES: u32 = 512;
+
+impl Problem {
+    /// Settlement and eccentricity of a base that may lift off, where both are prescribed and the force is off the middle: no problem of least energy.
+    pub(super) fn settlement_at_eccentricity(&self) -> Option<(f64, f64)> {
+        if self.solver().contact == ContactKind::Bilateral {
+            return None;
+        }
+        let Load { vertical, rotational } = self.dimensionless_load();
+        match (vertical, rotational) {
+            (Vertical::Settlement(settlement), Rotational::Eccentricity(e)) if e != 0.0 => {
+                Some((settlement, e))
+            }
+            _ => None,
+        }
+    }
+
+    /// The contact under the least force at `e` with this settlement.
+    ///
+    /// # Errors
+    /// [`Error::NoContact`] where the base is clear and no force leads there, [`Error::SettlementOutOfReach`] where none does though it is not;
+    /// [`Error::NotComplementary`] where contacts on the way were not found.
+    pub(super) fn solve_at_eccentricity(&self, settlement: f64, e: f64) -> Result<Contact, Error> {
+        let curve = Curve { problem: self, settlement, e };
+        match curve.search() {
+            Search::Found(point) => Ok(point.contact.as_settled(self, settlement)),
+            Search::Turns(excess) => Err(curve.out_of_reach(excess)),
+            Search::Lost => {
+                Err(Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN })
+            }
+        }
+    }
+}
+
+/// What a search along the curve comes to.
+enum Search {
+    Found(Box<Point>),
+    /// The least distance from the settlement, with its sign.
+    Turns(f64),
+    /// Contacts on the way were not found.
+    Lost,
+}
+
+/// A point of the curve.
+struct Point {
+    /// `ln P`.
+    log: f64,
+    /// `delta(P) - delta`.
+    excess: f64,
+    /// `d delta/d ln P`.
+    slope: f64,
+    contact: Contact,
+}
+
+impl Point {
+    fn is_beyond(&self, other: &Self) -> bool {
+        (self.excess > 0.0) != (other.excess > 0.0)
+    }
+
+    /// Whether the distance from the settlement falls with the force.
+    fn falls(&self) -> bool {
+        (self.excess > 0.0) != (self.slope > 0.0)
+    }
+}
+
+/// `delta(P)` at an eccentricity.
+struct Curve<'p> {
+    problem: &'p Problem,
+    settlement: f64,
+    e: f64,
+}
+
+impl Curve<'_> {
+    /// The contact under a force, where it is found.
+    fn at(&self, log: f64) -> Option<Point> {
+        let force = log.exp();
+        let load =
+            Load { vertical: Vertical::Force(force), rotational: Rotational::Eccentricity(self.e) };
+        let unit = self.problem.frame().scaling().map_or(1.0, Scaling::force);
+        let given = Load { vertical: Vertical::Force(force * unit), ..*self.problem.load() };
+        let contact = self.problem.under(given).solve_as_given().ok()?;
+        let [raise, _] = contact.stiffness0().displaced(&load, [1.0, 0.0]);
+        let (slope, excess) = (force * raise, contact.settlement0() - self.settlement);
+        let is_finite = slope.is_finite() && excess.is_finite();
+        is_finite.then_some(Point { log, excess, slope, contact })
+    }
+
+    /// From the smallest force up, until the settlement is crossed; else how near it came.
+    fn search(&self) -> Search {
+        let mut nearest = f64::INFINITY;
+        let mut is_lost = false;
+        let mut before: Option<Point> = None;
+        for power in -DOWN..=UP {
+            // The smallest forces leave no digits of the heights.
+            let Some(point) = self.at(self.unit().ln() + f64::from(power) * RATIO.ln()) else {
+                is_lost |= before.take().is_some();
+                continue;
+            };
+            if point.excess.abs() < nearest.abs() {
+                nearest = point.excess;
+            }
+            if let Some(before) = before {
+                if point.is_beyond(&before) {
+                    return self.between(before, point);
+                }
+                if before.falls() && !point.falls() {
+                    match self.turning(before.log, &point) {
+                        Search::Turns(excess) if excess.abs() < nearest.abs() => nearest = excess,
+                        Search::Turns(_) => {}
+                        Search::Lost => is_lost = true,
+                        found @ Search::Found(_) => return found,
+                    }
+                }
+            }
+            before = Some(point);
+        }
+        if is_lost || nearest.is_infinite() { Search::Lost } else { Search::Turns(nearest) }
+    }
+
+    /// The depth over the compliance of the whole base.
+    fn unit(&self) -> f64 {
+        let problem = self.problem;
+        let depths =
+            self.places().map(|xi| (self.settlement - problem.dimensionless_profile(xi)).abs());
+        depths.fold(f64::MIN_POSITIVE, f64::max) / (1.0 + problem.frame().theta0())
+    }
+
+    /// Places of the base.
+    fn places(&self) -> impl Iterator<Item = f64> {
+        let pieces = self.problem.frame().pieces();
+        pieces.into_iter().flat_map(|[left, right]| {
+            (0..=SAMPLES).map(move |i| left + (right - left) * f64::from(i) / f64::from(SAMPLES))
+        })
+    }
+
+    /// The crossing between two points, by Newton's steps that stay between.
+    fn between(&self, one: Point, other: Point) -> Search {
+        let is_above = one.excess > 0.0;
+        let mut ends = [one.log, other.log];
+        let mut best = if other.excess.abs() < one.excess.abs() { other } else { one };
+        let mut here = [best.log, best.excess, best.slope];
+        for _ in 0..STEPS {
+            let newton = here[0] - here[1] / here[2];
+            let inside = newton > ends[0].min(ends[1]) && newton < ends[0].max(ends[1]);
+            let log = if inside { newton } else { 0.5 * (ends[0] + ends[1]) };
+            let Some(next) = self.at(log) else { break };
+            ends[usize::from((next.excess > 0.0) != is_above)] = log;
+            let change = (log - here[0]).abs();
+            here = [next.log, next.excess, next.slope];
+            if next.excess.abs() <= best.excess.abs() {
+                best = next;
+            }
+            if change < NARROW {
+                break;
+            }
+        }
+        Search::Found(Box::new(best))
+    }
+
+    /// The settlement next to the one sought between a point from which it comes nearer and one behind which it goes away, by halving; or a crossing on the way.
+    fn turning(&self, mut nearer: f64, away: &Point) -> Search {
+        let (mut beyond, mut nearest) = (away.log, away.excess);
+        for _ in 0..STEPS {
+            let Some(middle) = self.at(0.5 * (nearer + beyond)) else { return Search::Lost };
+            if middle.is_beyond(away) {
+                return match self.at(nearer) {
+                    Some(point) => self.between(point, middle),
+                    None => Search::Lost,
+                };
+            }
+            if middle.excess.abs() < nearest.abs() {
+                nearest = middle.excess;
+            }
+            *(if middle.falls() { &mut nearer } else { &mut beyond }) = middle.log;
+            if (nearer - beyond).abs() < TURNED {
+                break;
+            }
+        }
+        Search::Turns(nearest)
+    }
+
+    fn out_of_reach(&self, excess: f64) -> Error {
+        let frame = self.problem.frame();
+        let heights: Vec<(f64, f64)> =
+            self.places().map(|xi| (xi, self.problem.dimensionless_profile(xi))).collect();
+        if self.problem.dimensionless_load().keeps_clear(heights.iter()) {
+            return Error::NoContact;
+        }
+        let unit = frame.scaling().map_or(1.0, Scaling::displacement);
+        Error::SettlementOutOfReach {
+            value: self.settlement * unit,
+            eccentricity: self.e * frame.half_width(),
+            limit: (self.settlement + excess) * unit,
+            bound: if excess > 0.0 { "less deep" } else { "deeper" },
+        }
+    }
+}
