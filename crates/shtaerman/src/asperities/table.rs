@@ -4,10 +4,10 @@ use std::path::Path;
 
 use super::fit::{self, Fit};
 use crate::Error;
-use crate::columns::{Columns, Row};
 use crate::document::FileError;
 use crate::error::require;
 use crate::file::load_bytes;
+use shtaerman_input::columns::{Columns, Row};
 
 /// Pressures against approaches, measured or from a pressure-overclosure law of a finite-element program.
 #[derive(Debug, Clone, PartialEq)]

@@ -259,7 +259,7 @@ impl Equation {
 /// The name of a kernel that was perhaps meant.
 #[must_use]
 pub fn suggestion(written: &str) -> Option<&'static str> {
-    crate::nearest::nearest(written, Family::names())
+    shtaerman_input::nearest(written, Family::names())
 }
 
 fn check_solver(kind: Kind, solver: &Solver) -> Result<(), Error> {

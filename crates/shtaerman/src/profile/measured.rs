@@ -1,8 +1,8 @@
 //! A measured profile from a CSV file.
 
 use super::Profile;
-use crate::columns::{Columns, Row};
 use crate::document::FileError;
+use shtaerman_input::columns::{Columns, Row};
 
 /// How the columns of a measured profile are to be read.
 #[derive(Debug, Clone, Copy, PartialEq)]

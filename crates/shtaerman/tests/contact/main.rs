@@ -13,7 +13,11 @@ mod measured;
 mod pairs;
 mod random;
 mod references;
+mod resolutions;
 mod smooth_limit;
 mod surface;
 mod symmetry;
+#[path = "../../../input/src/expression/tests/trees.rs"]
+#[allow(dead_code, reason = "the tests of expressions use the rest")]
+mod trees;
 mod units;

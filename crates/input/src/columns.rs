@@ -1,0 +1,112 @@
+//! Two columns of numbers from a text file, as measuring instruments write them.
+//!
+//! ```
+//! use shtaerman_input::columns::{Columns, Row};
+//!
+//! let columns = Columns { names: ["position", "height"], units: [1e-3, 0.5] };
+//! let rows = columns.read(b"x;f\n# a comment\n2;1,5\n", "trace.csv")?;
+//! assert_eq!(rows, [Row { line: 3, values: [0.002, 0.75] }]);
+//!
+//! let error = columns.read(b"2;1,5\n3;high\n", "trace.csv").unwrap_err();
+//! assert_eq!(error.to_string(), "trace.csv: line 2: the height is not a number: `high`");
+//! # Ok::<(), shtaerman_input::document::FileError>(())
+//! ```
+
+use crate::document::FileError;
+
+/// A row and the number of its line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Row {
+    /// The line in the file, from 1.
+    pub line: usize,
+    /// The numbers in SI units.
+    pub values: [f64; 2],
+}
+
+/// What the columns are called and the SI values of their units.
+#[derive(Debug, Clone, Copy)]
+pub struct Columns {
+    /// The names, for messages.
+    pub names: [&'static str; 2],
+    /// The SI values of the units that the numbers are written in.
+    pub units: [f64; 2],
+}
+
+impl Columns {
+    /// Reads rows separated by commas, semicolons, tabs or blanks; lines that begin with `#` are comments, one header line is allowed. With
+    /// semicolons a decimal comma is read as well.
+    ///
+    /// # Errors
+    /// [`FileError`] with the file and line: no UTF-8, text in a number's place, a missing column, values that are not finite.
+    pub fn read(&self, content: &[u8], file_name: &str) -> Result<Vec<Row>, FileError> {
+        let fault = |message: String| FileError::new(message).in_file(Some(file_name));
+        let content = content.strip_prefix(b"\xef\xbb\xbf").unwrap_or(content);
+        let text = std::str::from_utf8(content).map_err(|error| {
+            fault(format!("is not UTF-8 text: byte {} is none", error.valid_up_to()))
+        })?;
+        let (mut rows, mut header_seen) = (Vec::new(), false);
+        for (index, line) in text.lines().enumerate() {
+            let line = line.trim();
+            if line.is_empty() || line.starts_with('#') {
+                continue;
+            }
+            let fields = fields(line);
+            let is_header = rows.is_empty()
+                && !header_seen
+                && fields.iter().all(|field| field.parse::<f64>().is_err());
+            if is_header {
+                header_seen = true;
+                continue;
+            }
+            let values = self
+                .values(&fields)
+                .map_err(|message| fault(format!("line {}: {message}", index + 1)))?;
+            rows.push(Row { line: index + 1, values });
+        }
+        Ok(rows)
+    }
+
+    fn values(&self, fields: &[String]) -> Result<[f64; 2], String> {
+        let [first, second] = self.names;
+        let [one, two] = fields else {
+            return Err(format!("needs two columns, {first} and {second}, got {}", fields.len()));
+        };
+        let value = |field: &String, index: usize| {
+            let name = self.names[index];
+            let value: f64 = field
+                .parse()
+                .map_err(|_| format!("the {name} is not a number: `{}`", shortened(field)))?;
+            if !value.is_finite() {
+                return Err(format!("the {name} is {value}: it must be finite"));
+            }
+            Ok(value * self.units[index])
+        };
+        Ok([value(one, 0)?, value(two, 1)?])
+    }
+}
+
+fn fields(line: &str) -> Vec<String> {
+    let separated =
+        |separator: char| line.split(separator).map(|field| unquoted(field).to_owned()).collect();
+    if line.contains(';') {
+        let fields: Vec<String> = separated(';');
+        return fields.into_iter().map(|field| field.replace(',', ".")).collect();
+    }
+    if line.contains(',') {
+        return separated(',');
+    }
+    line.split_whitespace().map(|field| unquoted(field).to_owned()).collect()
+}
+
+fn unquoted(field: &str) -> &str {
+    let field = field.trim();
+    field.strip_prefix('"').and_then(|field| field.strip_suffix('"')).unwrap_or(field)
+}
+
+fn shortened(field: &str) -> String {
+    if field.chars().count() > 40 {
+        format!("{}...", field.chars().take(40).collect::<String>())
+    } else {
+        field.to_owned()
+    }
+}

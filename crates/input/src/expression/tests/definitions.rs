@@ -1,0 +1,25 @@
+//! Values of random expressions are those of the definition.
+
+use proptest::prelude::*;
+
+use super::parsed;
+use super::trees::tree;
+
+/// Equal, with one zero and one NaN.
+fn same(u: f64, v: f64) -> bool {
+    u == v || (u.is_nan() && v.is_nan())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+
+    #[test]
+    fn values_are_those_of_the_definition(tree in tree(), x in -3.0..3.0_f64, xi in -1.0..1.0_f64) {
+        prop_assume!(!tree.is_folded());
+        let expected = tree.at(x, xi);
+        for text in [tree.text(), tree.full_text()] {
+            let found = parsed(&text).evaluate(&[x, xi]);
+            prop_assert!(same(found, expected), "{text}: {found} instead of {expected}");
+        }
+    }
+}
