@@ -3,17 +3,17 @@
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::sync::Arc;
 
-use super::check::Check;
 use super::edges;
 use super::problem::{Base, SmoothProblem};
 use super::system::{Part, Place, Solved};
 use super::wave::{FullWave, wrapped};
-use super::zones::Zone;
 use super::{COMPARED, legendre};
 use crate::contact::accuracy::{Accuracy, ErrorKind, Sizes};
 use crate::contact::balance::State;
+use crate::contact::check::Check;
 use crate::contact::solved::Stiffness;
 use crate::contact::unilateral::Complementarity;
+use crate::contact::zones::Zone;
 use crate::{Error, Rotational, Vertical};
 
 /// Points at which two resolutions are compared.
@@ -235,7 +235,8 @@ impl SmoothContact {
             }
         };
         let of = |(j, part): (usize, &Part)| {
-            let Zone { ends, is_free } = part.zone;
+            let ends = part.zone.ends;
+            let is_free = [0, 1].map(|side| part.zone.is_free(side));
             let intensity = |side: usize| {
                 if is_free[side] { 0.0 } else { solved.intensity(j, side) }
             };

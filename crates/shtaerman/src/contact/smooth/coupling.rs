@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, LN_2, LN_10, PI};
 use super::FINE;
 use super::kernel::{Remainder, SmoothKernel};
 use super::linear::Symmetric;
-use super::zones::Zone;
 use crate::Error;
+use crate::contact::zones::Zone;
 
 /// Most modes of a zone, and of all together.
 const MOST_OF_A_ZONE: f64 = 800.0;

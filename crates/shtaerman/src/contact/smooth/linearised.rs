@@ -5,10 +5,11 @@
 
 use std::f64::consts::PI;
 
+use super::SmoothContact;
 use super::coupling::{Coupled, couple};
 use super::system::{Part, Solved, cosines};
-use super::{SmoothContact, zones::Zone};
 use crate::contact::linearised::{Linearised, Rates, smooth_rates};
+use crate::contact::zones::Zone;
 use crate::{Rotational, Vertical};
 
 /// Angle at which the bend of the density is taken first; by twice and four times that, too.
@@ -91,7 +92,7 @@ impl<'s> Flat<'s> {
     fn widening(&self, raise: f64, turn: f64, order: usize) -> f64 {
         let mut sum = 0.0;
         for (j, part) in self.solved.parts.iter().enumerate() {
-            for side in (0..2).filter(|side| part.zone.is_free[*side]) {
+            for side in (0..2).filter(|side| part.zone.is_free(*side)) {
                 let angle = if side == 0 { PI } else { 0.0 };
                 let change = self.density(j, angle, raise, turn);
                 sum += part.zone.length() * change / self.bend(j, angle, order);
@@ -103,7 +104,7 @@ impl<'s> Flat<'s> {
     /// Largest rounding of a bend at a free end relative to it.
     fn noise(&self) -> f64 {
         let of = |(j, part): (usize, &Part)| {
-            let free = (0..2).filter(|side| part.zone.is_free[*side]);
+            let free = (0..2).filter(|side| part.zone.is_free(*side));
             let bends = free.map(|side| self.bend(j, if side == 0 { PI } else { 0.0 }, 2).abs());
             let rounding = 4.0 * self.solved.end_rounding(j) / (BESIDE * BESIDE);
             bends.fold(0.0, |most: f64, bend| most.max(rounding / bend))

@@ -15,7 +15,6 @@ mod coupling;
 mod density;
 mod disk;
 mod edges;
-mod free_ends;
 mod graded;
 mod ground;
 mod harmonics;
@@ -26,13 +25,11 @@ mod linearised;
 mod panels;
 mod problem;
 mod roots;
-mod search;
 mod slopes;
 mod stated;
 mod system;
 mod topology;
 mod wave;
-mod zones;
 
 pub use answer::{SmoothContact, SmoothZone};
 pub use disk::{SmoothDisk, SmoothDiskContact, SmoothRingsContact};
@@ -40,10 +37,13 @@ pub use kernel::SmoothKernel;
 pub use problem::{Curve, SmoothProblem, SmoothProfile};
 
 use crate::Error;
+use crate::contact::check::Check;
+use crate::contact::edges::{EndState, settle};
+use crate::contact::search::{ALLOWED, Equation, Start, complementary};
+use crate::contact::zones::{Walls, Zone};
 use check::check;
 use problem::{Base, MOST_CELLS};
-use search::Searched;
-use zones::Zone;
+use system::Solved;
 
 /// How finely pressures on zones are resolved.
 #[derive(Debug, Clone, Copy)]
@@ -58,9 +58,12 @@ struct Detail {
 const COARSE: Detail = Detail { digits: 9.0, panels: 8 };
 const FINE: Detail = Detail { digits: 17.0, panels: 8 };
 const COMPARED: Detail = Detail { digits: 12.0, panels: 7 };
-/// Tension and penetration, relative to their scales, that are corrected at first, and in the answer.
-const COARSELY_ALLOWED: f64 = 1e-6;
-const ALLOWED: f64 = 2e-10;
+/// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends: about fifteen seconds; and what a panel costs in the
+/// same unit.
+const MOST_WORK: f64 = 3e11;
+const A_PANEL: f64 = 6e4;
+/// Numbers of cells, each four times the one before.
+const TOPOLOGIES: u32 = 3;
 /// Most zones that are solved: beyond, minutes go by.
 const MOST_ZONES: usize = 120;
 
@@ -86,29 +89,54 @@ fn solve_zones(base: &Base<'_>, first: Option<Zone>) -> Result<SmoothContact, Er
         return match first.and_then(|zone| tried(base, zone)) {
             Some(contact) => contact,
             None => {
-                let (solved, left) = search::complementary(base)?;
+                let (solved, left) = complementary(base)?;
                 SmoothContact::new(base, solved, &left)
             }
         };
     }
-    let solved = system::Solved::new(base, &base.pieces(), FINE)?;
+    let solved = Solved::new(base, &base.whole(), FINE)?;
     let left = check(base, &solved, ALLOWED);
     SmoothContact::new(base, solved, &left)
 }
 
 /// The answer if this zone leads there: the pressure without tension and penetration is but one.
 fn tried(base: &Base<'_>, zone: Zone) -> Option<Result<SmoothContact, Error>> {
-    let solved = edges::settle(base, &[zone], FINE).ok()?;
+    let solved = settle(base, &[zone], &FINE).ok()?;
     let left = check(base, &solved, ALLOWED);
     left.is_clean().then(|| SmoothContact::new(base, solved, &left))
 }
 
-impl Searched for Base<'_> {
-    type Solved = system::Solved;
+/// Numbers of cells to look for zones with, each four times the one before.
+fn numbers_of_cells(first: usize, most: usize) -> Vec<Start> {
+    let mut counts: Vec<usize> =
+        (0..TOPOLOGIES).map(|power| (first * 4usize.pow(power)).min(most)).collect();
+    counts.dedup();
+    counts.into_iter().map(Start::Cells).collect()
+}
+
+impl Equation for Base<'_> {
+    type Solved = Solved;
+    type Effort = Detail;
     const MOST_ZONES: usize = MOST_ZONES;
 
-    fn cells(&self) -> [usize; 2] {
-        [self.cells(), MOST_CELLS]
+    fn may_lift(&self) -> bool {
+        self.problem.is_unilateral
+    }
+
+    fn walls(&self) -> &Walls {
+        &self.walls
+    }
+
+    fn spans_steps(&self) -> bool {
+        false
+    }
+
+    fn starts(&self) -> Vec<Start> {
+        numbers_of_cells(self.cells(), MOST_CELLS)
+    }
+
+    fn pieces(&self) -> Vec<[f64; 2]> {
+        self.problem.pieces.clone()
     }
 
     fn valleys(&self) -> Vec<f64> {
@@ -119,19 +147,38 @@ impl Searched for Base<'_> {
         topology::find(self, cells)
     }
 
-    fn zone(&self, left: f64, right: f64) -> Zone {
-        self.zone(left, right)
+    fn effort(&self, _zones: &[Zone], _before: Option<Detail>) -> Result<Detail, Error> {
+        Ok(COARSE)
     }
 
-    fn settle(&self, zones: &[Zone], detail: Detail) -> Result<Self::Solved, Error> {
-        edges::settle(self, zones, detail)
+    fn solve(
+        &self,
+        zones: &[Zone],
+        effort: &Detail,
+        _near: Option<&Solved>,
+    ) -> Result<Solved, Error> {
+        let solved = Solved::new(self, zones, *effort)?;
+        self.work.spend(solved.modes(), A_PANEL * solved.panels() as f64, MOST_WORK)?;
+        Ok(solved)
     }
 
-    fn check(&self, solved: &Self::Solved, allowed: f64) -> check::Check {
+    fn zones(&self, solved: &Solved) -> Vec<Zone> {
+        solved.parts.iter().map(|part| part.zone).collect()
+    }
+
+    fn force(&self, solved: &Solved, zone: usize) -> f64 {
+        solved.parts[zone].force()
+    }
+
+    fn ends(&self, solved: &Solved) -> Vec<[EndState; 2]> {
+        edges::ends(solved)
+    }
+
+    fn check(&self, solved: &Solved, allowed: f64) -> Check {
         check(self, solved, allowed)
     }
 
-    fn zones(solved: &Self::Solved) -> Vec<Zone> {
-        solved.parts.iter().map(|part| part.zone).collect()
+    fn refined(&self, coarse: Solved, _effort: &Detail) -> Result<Solved, Error> {
+        settle(self, &self.zones(&coarse), &FINE)
     }
 }

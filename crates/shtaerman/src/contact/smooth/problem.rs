@@ -3,11 +3,11 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::free_ends::Work;
 use super::kernel::SmoothKernel;
-use super::zones::Zone;
+use crate::contact::search::Work;
 use crate::contact::steps::{REACH, rise};
 use crate::contact::valleys;
+use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
 use crate::{Error, Load};
 
@@ -121,8 +121,8 @@ pub(super) struct Base<'p> {
     pub(super) problem: &'p SmoothProblem,
     /// `mu` of the kernel `|d|^-mu` that stands in the place of the logarithm on graded ground.
     pub(super) grading: Option<f64>,
-    /// Where a left or a right edge of the contact can rest under pressure.
-    walls: [Vec<f64>; 2],
+    /// Where ends of the contact can rest.
+    pub(super) walls: Walls,
     /// Samples of each piece.
     pub(super) samples: Vec<Vec<Sample>>,
     pub(super) work: Work,
@@ -141,14 +141,9 @@ impl<'p> Base<'p> {
         problem: &'p SmoothProblem,
         samples: Vec<Vec<Sample>>,
     ) -> Result<Self, Error> {
-        let ends = |side: usize| problem.pieces.iter().map(|piece| piece[side]).collect();
-        let mut base = Self {
-            problem,
-            grading: None,
-            walls: [ends(0), ends(1)],
-            samples,
-            work: Work::default(),
-        };
+        let walls = Walls::of(&problem.pieces);
+        let work = Work::default();
+        let mut base = Self { problem, grading: None, walls, samples, work };
         base.find_steps()?;
         if problem.is_unilateral {
             base.require_load()?;
@@ -161,33 +156,14 @@ impl<'p> Base<'p> {
         (self.problem.profile.height)(xi)
     }
 
-    /// The next wall for a left (0) or right (1) edge outwards of a place inside the contact.
-    pub(super) fn wall(&self, side: usize, inside: f64) -> f64 {
-        let walls = self.walls[side].iter().copied();
-        if side == 0 {
-            walls.filter(|wall| *wall <= inside).fold(-1.0, f64::max)
-        } else {
-            walls.filter(|wall| *wall >= inside).fold(1.0, f64::min)
-        }
-    }
-
-    /// A zone whose ends are free unless they are walls, or beyond them.
-    pub(super) fn zone(&self, left: f64, right: f64) -> Zone {
-        let inside = 0.5 * (left + right);
-        let (first, last) = (self.wall(0, inside), self.wall(1, inside));
-        Zone::new([left.max(first), right.min(last)], [left > first, right < last])
-    }
-
     /// The parts of a zone that lie beyond a step: the body cannot touch both its sides without a gap.
     pub(super) fn beyond_steps(&self, [left, right]: [f64; 2]) -> Vec<[f64; 2]> {
-        let inside = |side: usize| {
-            self.walls[side].iter().copied().filter(move |wall| left < *wall && *wall < right)
-        };
-        inside(0).map(|wall| [left, wall]).chain(inside(1).map(|wall| [wall, right])).collect()
+        let walls = |side: usize| self.walls.inside(side, [left, right]);
+        walls(0).map(|wall| [left, wall]).chain(walls(1).map(|wall| [wall, right])).collect()
     }
 
     /// The zones of bilateral contact.
-    pub(super) fn pieces(&self) -> Vec<Zone> {
+    pub(super) fn whole(&self) -> Vec<Zone> {
         let pieces = self.problem.pieces.iter();
         pieces.map(|&[left, right]| Zone::new([left, right], [false; 2])).collect()
     }
@@ -222,7 +198,7 @@ impl<'p> Base<'p> {
             let Some(rise) = rise(|xi| self.height(xi), place) else { continue };
             let requirement = "without a step inside the base: bilateral contact of smooth bodies has no pressure across one";
             require(self.problem.is_unilateral, "profile", place, requirement)?;
-            self.walls[usize::from(rise > 0.0)].push(place);
+            self.walls.add_step(place, rise);
         }
         Ok(())
     }

@@ -17,9 +17,9 @@ use super::density::Density;
 use super::kernel::{Remainder, SmoothKernel};
 use super::problem::Base;
 use super::slopes::{Angular, ROUNDINGS, Slopes};
-use super::zones::Zone;
 use crate::contact::balance::State;
 use crate::contact::solved::Stiffness;
+use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// `1/sqrt(3)`.
@@ -323,7 +323,7 @@ impl Solved {
         let root = (place.from_left * place.from_right).sqrt();
         if root == 0.0 {
             let side = usize::from(place.from_right == 0.0);
-            let is_free = self.parts[part].zone.is_free[side];
+            let is_free = self.parts[part].zone.is_free(side);
             return if is_free || density == 0.0 { 0.0 } else { density * f64::INFINITY };
         }
         density / (self.theta0 * root)

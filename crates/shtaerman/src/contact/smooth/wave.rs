@@ -390,7 +390,7 @@ impl Turned {
             let middle = wrapped(0.5 * (left + right) - self.place + 1.0);
             let half = 0.5 * (right - left);
             let [left, right] = [middle - half, middle + half];
-            (-1.0 < left && left < right && right < 1.0).then(|| base.zone(left, right))
+            (-1.0 < left && left < right && right < 1.0).then(|| base.walls.zone([left, right]))
         });
         super::solve_zones(&base, zone)
     }

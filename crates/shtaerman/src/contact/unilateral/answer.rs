@@ -6,17 +6,18 @@ use serde::Serialize;
 
 use super::anchor::Anchor;
 use super::base::Base;
-use super::check::{Check, outside};
+
 use super::medium::Medium;
-use super::solved::Solved;
-use super::zones::Zone;
+use super::solved::{Solved, Stated};
 use crate::Problem;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
+use crate::contact::check::Check;
 use crate::contact::linearised::Linearised;
 use crate::contact::potential::between_nodes;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
+use crate::contact::zones::{Zone, outside};
 
 /// Samples of a panel, for the peak of the pressure.
 const SAMPLES: usize = 256;
@@ -76,18 +77,15 @@ impl Tilted {
 }
 
 impl UnilateralContact {
-    pub(super) fn new(
-        base: &Base<'_>,
-        solved: Solved,
-        accuracy: Accuracy,
-        edge_error: f64,
-        check: &Check,
-    ) -> Self {
+    pub(super) fn new(base: &Base<'_>, solved: Solved, check: &Check) -> Self {
+        let Stated { accuracy, edge: edge_error } = solved.stated;
         let complementarity =
             Complementarity { tension: check.tension, penetration: check.penetration };
         let complementarity = (!base.is_bilateral).then_some(complementarity);
-        let beside =
-            outside(base, &solved).iter().map(|[left, right]| 0.5 * (left + right)).collect();
+        let beside = outside(&base.pieces, &solved.zones)
+            .iter()
+            .map(|[left, right]| 0.5 * (left + right))
+            .collect();
         let given = base.problem.dimensionless_load();
         let (state, accuracy) = match &base.anchor {
             Some(anchor) => (anchor.state(given, solved.state), anchor.accuracy(accuracy)),
@@ -190,12 +188,12 @@ impl Solution for UnilateralContact {
         let Some(zone) = self.zone(place) else {
             return if xi.is_nan() { xi } else { 0.0 };
         };
-        if zone.ends.iter().any(|end| end.is_free && end.at == place) {
+        if zone.free_ends().any(|(_, at)| at == place) {
             return 0.0;
         }
         // At a step of the base the height is that under pressure.
         let inside = 1e-12 * zone.length();
-        let at_step = |side: usize| zone.ends[side].at == place && xi.abs() < 1.0;
+        let at_step = |side: usize| zone.ends[side] == place && xi.abs() < 1.0;
         let shift = if at_step(0) {
             inside
         } else if at_step(1) {
@@ -255,8 +253,7 @@ impl Solution for UnilateralContact {
     }
 
     fn edge_error(&self) -> Option<f64> {
-        let is_free = |zone: &Zone| zone.ends.iter().any(|end| end.is_free);
-        self.solved.zones.iter().any(is_free).then_some(self.edge_error)
+        self.solved.zones.iter().any(Zone::has_free_end).then_some(self.edge_error)
     }
 
     fn complementarity(&self) -> Option<Complementarity> {

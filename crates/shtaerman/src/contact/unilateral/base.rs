@@ -8,10 +8,11 @@ use super::mirror;
 use super::power::reference_pressure;
 use super::refinement::Effort;
 use super::topology;
-use super::zones::Zone;
 use crate::contact::parts::{MOST_BREAKS, Smoothness};
 use crate::contact::revolution::require_even;
+use crate::contact::search::{Equation, Work};
 use crate::contact::valleys;
+use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 
@@ -48,8 +49,8 @@ pub(super) struct Base<'p> {
     pub(super) breaks: Vec<f64>,
     /// What these are.
     pub(super) smoothness: Smoothness,
-    /// Where a left or a right edge of the contact can rest under pressure: the edges of the punch, and steps of the profile.
-    walls: [Vec<f64>; 2],
+    /// Where ends of the contact can rest.
+    pub(super) walls: Walls,
     /// Samples `(xi, f0)` from edge to edge.
     pub(super) samples: Vec<(f64, f64)>,
     /// More of them in parts that fall between those.
@@ -60,6 +61,8 @@ pub(super) struct Base<'p> {
     pub(super) anchor: Option<Anchor>,
     /// How far collocation goes.
     pub(super) effort: Effort,
+    /// What was done so far.
+    pub(super) work: Work,
 }
 
 /// Samples of the parts that are shorter than a few steps.
@@ -107,7 +110,7 @@ impl<'p> Base<'p> {
             origin: 0.0,
             smoothness: parts.smoothness,
             breaks: parts.joints,
-            walls: [0, 1].map(|side| pieces.iter().map(|piece| piece[side]).collect()),
+            walls: Walls::of(&pieces),
             medium,
             pieces,
             samples,
@@ -115,6 +118,7 @@ impl<'p> Base<'p> {
             is_mirrored: false,
             anchor: None,
             effort: Effort::MOST,
+            work: Work::default(),
         };
         let serves = !base.breaks.is_empty() || !base.layer.is_linear();
         base.is_mirrored = serves && mirror::is_mirrored(&base);
@@ -169,23 +173,6 @@ impl<'p> Base<'p> {
         if self.medium.is_closed() && xi.abs() > 1.0 { xi - 2.0 * (0.5 * xi).round() } else { xi }
     }
 
-    /// The wall for a left (0) or right (1) edge this close outwards of a place.
-    pub(super) fn wall_near(&self, side: usize, at: f64, distance: f64) -> Option<f64> {
-        let outwards = |wall: f64| if side == 0 { at - wall } else { wall - at };
-        let near = |wall: &f64| (0.0..=distance).contains(&outwards(*wall));
-        self.walls[side].iter().copied().find(near)
-    }
-
-    /// Whether the base has a step here.
-    pub(super) fn is_step(&self, at: f64) -> bool {
-        self.walls.iter().flatten().any(|wall| *wall == at)
-    }
-
-    /// Whether this is the axis of a circular punch.
-    pub(super) fn is_axis(&self, at: f64) -> bool {
-        self.medium.is_disk() && at == 0.0
-    }
-
     /// The wave seen between `cut` and `cut + 2`.
     pub(super) fn shifted(mut self, cut: f64) -> Self {
         // The ends of a zone do not meet: there the kernel is infinite.
@@ -203,22 +190,11 @@ impl<'p> Base<'p> {
             .filter(|(at, _)| inside(at))
             .collect();
         samples.sort_by(|one, two| one.0.total_cmp(&two.0));
-        self.walls = [vec![window[0]], vec![window[1]]];
+        self.walls = Walls::of(&[window]);
         (self.breaks, self.samples, self.pieces, self.origin) =
             (breaks, samples, vec![window], cut + 1.0);
         self.find_steps();
         self
-    }
-
-    /// The next wall for a left (0) or right (1) edge outwards of a place inside the contact.
-    pub(super) fn wall(&self, side: usize, inside: f64) -> f64 {
-        let walls = self.walls[side].iter().copied();
-        if side == 0 {
-            walls.filter(|wall| *wall <= inside).fold(self.pieces[0][0], f64::max)
-        } else {
-            let last = self.pieces[self.pieces.len() - 1];
-            walls.filter(|wall| *wall >= inside).fold(last[1], f64::min)
-        }
     }
 
     /// Whether this is one punch on a half-plane with a linear layer.
@@ -248,19 +224,24 @@ impl<'p> Base<'p> {
         self.medium.is_closed() && zone.length() >= 2.0
     }
 
-    /// Zones to begin with, found on about this many cells.
-    pub(super) fn first_zones(&self, cells: usize) -> Result<Vec<Zone>, Error> {
+    /// The intervals of contact to about a cell, on about so many.
+    pub(super) fn first_intervals(&self, cells: usize) -> Result<Vec<[f64; 2]>, Error> {
         if self.is_plain() { topology::find(self, cells) } else { coarse::find(self, cells) }
+    }
+
+    /// The same as zones.
+    pub(super) fn first_zones(&self, cells: usize) -> Result<Vec<Zone>, Error> {
+        Ok(self.first_intervals(cells)?.into_iter().map(|ends| self.zone(ends)).collect())
     }
 
     /// The same with little effort.
     pub(super) fn with_little_effort(&self) -> Self {
-        Self { effort: Effort::LITTLE, ..self.clone() }
+        Self { effort: Effort::LITTLE, work: Work::default(), ..self.clone() }
     }
 
     /// The pieces of the base as zones.
     pub(super) fn whole(&self) -> Vec<Zone> {
-        self.pieces.iter().map(|[left, right]| Zone::new(*left, *right)).collect()
+        self.pieces.iter().map(|piece| self.zone(*piece)).collect()
     }
 
     /// `k theta0 dp0/dv`, about: how strong the body is against the layer.
@@ -304,10 +285,8 @@ impl<'p> Base<'p> {
         let threshold = JUMP * self.range();
         for &place in &self.breaks {
             let rise = self.height(place + BESIDE) - self.height(place - BESIDE);
-            if rise > threshold {
-                self.walls[1].push(place);
-            } else if rise < -threshold {
-                self.walls[0].push(place);
+            if rise.abs() > threshold {
+                self.walls.add_step(place, rise);
             }
         }
     }

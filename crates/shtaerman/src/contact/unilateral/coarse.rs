@@ -4,9 +4,9 @@ use fredholm::complementarity::{Complementarity, Condition};
 
 use super::base::Base;
 use super::power::{Extent, reference_pressure};
-use super::topology;
-use super::zones::Zone;
 use crate::contact::cells::{Cell, Cells, Limits, Loaded};
+use crate::contact::search::Equation;
+use crate::contact::zones::Zone;
 use crate::{Error, Load, Vertical};
 
 /// How far cells are refined.
@@ -22,19 +22,28 @@ const FAINT: f64 = 1e-3;
 const TANGENT: f64 = 0.05;
 
 /// The zones of contact to about a cell.
-pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<Zone>, Error> {
-    Ok(loaded(base, count)?.zones)
+pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<[f64; 2]>, Error> {
+    Ok(loaded(base, count)?.intervals)
 }
 
 /// What cells tell.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Coarse {
-    pub(super) zones: Vec<Zone>,
+    intervals: Vec<[f64; 2]>,
     ends: Vec<[f64; 2]>,
     pressures: Vec<f64>,
 }
 
 impl Coarse {
+    pub(super) fn is_empty(&self) -> bool {
+        self.intervals.is_empty()
+    }
+
+    /// The zones of contact.
+    pub(super) fn zones(&self, base: &Base<'_>) -> Vec<Zone> {
+        self.intervals.iter().map(|ends| base.zone(*ends)).collect()
+    }
+
     /// The pressure of the cell of a place; none beside all cells.
     pub(super) fn pressure(&self, xi: f64) -> Option<f64> {
         let cell = self.ends.partition_point(|[_, right]| *right < xi);
@@ -51,17 +60,16 @@ pub(super) fn loaded(base: &Base<'_>, count: usize) -> Result<Coarse, Error> {
         found.ends = cells.cells().iter().map(Cell::ends).collect();
         Ok(found.pressures.clone())
     })?;
-    found.zones = topology::zones(&cells);
+    found.intervals = cells.intervals();
     Ok(found)
 }
 
 /// The middle of the longest gap of a wave that is one with its images; none where all cells touch.
 pub(super) fn gap(base: &Base<'_>, count: usize) -> Result<Option<f64>, Error> {
-    let zones = find(base, count)?;
-    let (Some(first), Some(last)) = (zones.first(), zones.last()) else { return Ok(None) };
-    let mut gaps: Vec<[f64; 2]> =
-        zones.windows(2).map(|pair| [pair[0].right(), pair[1].left()]).collect();
-    gaps.push([last.right(), first.left() + 2.0]);
+    let found = find(base, count)?;
+    let (Some(first), Some(last)) = (found.first(), found.last()) else { return Ok(None) };
+    let mut gaps: Vec<[f64; 2]> = found.windows(2).map(|pair| [pair[0][1], pair[1][0]]).collect();
+    gaps.push([last[1], first[0] + 2.0]);
     let longest =
         gaps.into_iter().max_by(|one, two| (one[1] - one[0]).total_cmp(&(two[1] - two[0])));
     Ok(longest.filter(|gap| gap[1] - gap[0] > LIMITS.shortest).map(|gap| 0.5 * (gap[0] + gap[1])))

@@ -10,10 +10,9 @@ use fredholm::{SincOperator, SincSolution};
 
 use super::answer::{Tilted, UnilateralContact};
 use super::base::Base;
-use super::check::Check;
 use super::shared::{disk_harmonic, disk_operator};
 use super::solved::Solved;
-use crate::contact::accuracy::Accuracy;
+use crate::contact::check::Check;
 use crate::contact::plan::AIM;
 use crate::contact::potential::between_nodes;
 use crate::{Error, Rotational};
@@ -27,12 +26,10 @@ const ALLOWED: f64 = 1e-10;
 pub(super) fn answer(
     base: &Base<'_>,
     mut solved: Solved,
-    mut accuracy: Accuracy,
-    edge: f64,
     check: &Check,
 ) -> Result<UnilateralContact, Error> {
     if !base.medium.is_disk() {
-        return Ok(UnilateralContact::new(base, solved, accuracy, edge, check));
+        return Ok(UnilateralContact::new(base, solved, check));
     }
     let wanted = base.problem.dimensionless_load().rotational;
     let given = match base.problem.load().rotational {
@@ -42,7 +39,7 @@ pub(super) fn answer(
     };
     if given.1 == 0.0 {
         solved.stiffness.moment_tilt = base.turning(&solved)?;
-        return Ok(UnilateralContact::new(base, solved, accuracy, edge, check));
+        return Ok(UnilateralContact::new(base, solved, check));
     }
     crate::error::require(
         base.layer.is_linear(),
@@ -64,6 +61,7 @@ pub(super) fn answer(
     };
     (state.tilt, state.moment) = (tilt, moment);
     solved.stiffness.moment_tilt = turning;
+    let mut accuracy = solved.stated.accuracy;
     let unit_error = found.estimate.solution;
     let share = PI * found.estimate.integral / turning;
     accuracy.pressure += tilt.abs() * unit_error + share * tilt.abs() * largest(&unit);
@@ -76,6 +74,7 @@ pub(super) fn answer(
             accuracy.tilt = tilt.abs() * share + accuracy.moment / turning;
         }
     }
+    solved.stated.accuracy = accuracy;
     let tilted = Tilted { unit, tilt, kernel };
     if !base.is_bilateral {
         let limit = base.largest_share(&solved, &tilted);
@@ -85,7 +84,7 @@ pub(super) fn answer(
             return Err(Error::LiftsOff { field, value, limit: limit * value.abs() });
         }
     }
-    Ok(UnilateralContact::new(base, solved, accuracy, edge, check).with_tilt(tilted))
+    Ok(UnilateralContact::new(base, solved, check).with_tilt(tilted))
 }
 
 fn largest(solution: &SincSolution) -> f64 {

@@ -175,22 +175,6 @@ impl Medium {
         }
     }
 
-    /// `(xi - eta) dK/dxi + mu K`, finite at `xi = eta`.
-    pub(super) fn regular_slope(&self, xi: f64, eta: f64) -> f64 {
-        match self {
-            Self::Line | Self::Row { .. } => self.reduced_slope(xi, eta),
-            Self::Graded { .. } => 0.0,
-            Self::Disk { kernel } => {
-                let step = DIFFERENCE * (xi - eta).abs();
-                if xi + step == xi || xi <= step {
-                    let split = kernel.split(xi, xi, 0.0);
-                    return self.exponent() * split.rest - split.factor;
-                }
-                self.reduced_slope(xi, eta) + self.exponent() * self.value(xi, eta)
-            }
-        }
-    }
-
     /// `(xi - eta) dK/dxi` for different points; of a homogeneous body finite where they meet.
     pub(super) fn reduced_slope(&self, xi: f64, eta: f64) -> f64 {
         let difference = xi - eta;
@@ -210,13 +194,6 @@ impl Medium {
             }
             Self::Graded { kernel } => -kernel.exponent() * self.value(xi, eta),
         }
-    }
-
-    /// What the change of the displacement at `xi` has beside `V'(eta) K` when points move with the velocities `V(xi)` and `V(eta)`: the factor of
-    /// `dK/dxi`.
-    pub(super) fn lever(&self, [at, from]: [f64; 2], [xi, eta]: [f64; 2]) -> f64 {
-        // On a disk d/deta (eta K) = -xi dK/dxi: the kernel is homogeneous.
-        if self.is_disk() { at - from * xi / eta } else { at - from }
     }
 
     /// The Galerkin matrix for cells of `xi`, scaled by the roots of their masses; and those masses.

@@ -8,26 +8,23 @@ mod answer;
 mod base;
 mod check;
 mod coarse;
-pub(super) mod damping;
-mod edges;
 mod elimination;
+mod ends;
+mod equation;
 mod field;
 mod harmonic;
 mod layer;
 mod linearised;
 mod medium;
 mod mirror;
-mod motion;
 mod power;
 mod refinement;
 mod ring;
-mod search;
 mod shared;
 mod solved;
 mod spots;
 mod system;
 mod topology;
-mod zones;
 
 pub use answer::Complementarity;
 pub(super) use answer::UnilateralContact;
@@ -35,24 +32,16 @@ pub(super) use medium::mean_power;
 
 use std::sync::Arc;
 
+use super::edges::settle;
 use super::parts::require_few;
 use super::plan::AIM;
+use super::search::{ALLOWED, Equation, complementary};
 use super::solution::Solution;
 use crate::{ContactKind, Error, Problem};
 use base::Base;
 use check::check;
-use refinement::{half_count, refined, strength};
-use search::find_zones;
-use solved::Solved;
+use refinement::refined;
 use spots::SpotContact;
-use system::Resolution;
-use zones::corrected;
-
-/// Tension and penetration, relative to their scales, that are corrected on the first nodes, and in the answer.
-const COARSELY_ALLOWED: f64 = 1e-6;
-const ALLOWED: f64 = 1e-10;
-/// Corrections of the topology by the check, for each number of cells.
-const CORRECTIONS: usize = 12;
 
 /// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything.
 const ALL_NOISE: f64 = 0.1;
@@ -125,15 +114,12 @@ impl Answer {
 
 /// The answer on the whole base.
 fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
-    let (solved, accuracy, edge) = if base.medium.is_closed() {
-        let (solved, accuracy) = ring::solve(base)?;
-        (solved, accuracy, 0.0)
+    let solved = if base.medium.is_closed() {
+        ring::solve(base)?
     } else {
         let zones = base.whole();
-        let start = strength(base, &zones);
-        let (coarse, _) =
-            edges::settle(base, &Resolution::new(&base.medium, half_count(start, -1))?, &zones)?;
-        refined(base, &coarse, start, &mut 0.0)?
+        let resolution = base.effort(&zones, None)?;
+        refined(base, settle(base, &zones, &resolution)?, resolution.strength)?
     };
     let left = check(base, &solved, ALLOWED);
     if !base.layer.is_linear() && !left.pulling.is_empty() {
@@ -142,7 +128,7 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
         let variable = base.problem.frame().coordinate();
         return Err(Error::Pulls { variable, at: at * half_width });
     }
-    harmonic::answer(base, solved, accuracy, edge, &left)
+    harmonic::answer(base, solved, &left)
 }
 
 /// The answer where the base may lift off.
@@ -162,12 +148,12 @@ fn lifting(base: Base<'_>) -> Result<Answer, Error> {
     if let Some(answer) = bent_wave(&base)? {
         return Ok(answer);
     }
-    let (solved, accuracy) = ring::solve(&base)?;
-    let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
+    let solved = ring::solve(&base)?;
+    let noise = solved.stated.accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
     let left = check(&base, &solved, ALLOWED.max(2.0 * noise));
     let is_full = noise <= ALL_NOISE && left.pulling.is_empty();
     if is_full && !ring::lifts(&base, &solved) {
-        return harmonic::answer(&base, solved, accuracy, 0.0, &left).map(Answer::zones);
+        return harmonic::answer(&base, solved, &left).map(Answer::zones);
     }
     // Seen from the middle of a gap the wave is one more base with ends.
     let cells = base.cells();
@@ -216,7 +202,7 @@ fn open(base: &Base<'_>) -> Result<Answer, Error> {
     {
         return Ok(answer);
     }
-    match anchored(base, complementary(base)) {
+    match anchored(base, searched(base)) {
         Err(
             error @ (Error::NotComplementary { .. }
             | Error::Equation(_)
@@ -250,7 +236,7 @@ fn quicker(base: &Base<'_>) -> Option<Answer> {
     let mut error = f64::INFINITY;
     if error_of(&panels) > aim {
         let little = base.with_little_effort();
-        collocated = anchored(&little, complementary(&little)).ok();
+        collocated = anchored(&little, searched(&little)).ok();
         error = collocated.as_ref().map_or(f64::INFINITY, Solution::relative_error);
         if error > aim && !is_first {
             panels = on_panels();
@@ -298,7 +284,7 @@ fn anchored(
     if right - left >= SMALL_ZONES || left > right {
         return known;
     }
-    let again = base.anchored(0.5 * (left + right)).map(|base| complementary(&base));
+    let again = base.anchored(0.5 * (left + right)).map(|base| searched(&base));
     match (known, again) {
         (Ok(known), Some(Ok(again))) if known.relative_error() <= again.relative_error() => {
             Ok(known)
@@ -315,35 +301,8 @@ fn ends(zones: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
     })
 }
 
-/// The answer, with its zones corrected where the finest nodes show what the first did not.
-fn complementary(base: &Base<'_>) -> Result<UnilateralContact, Error> {
-    let (coarse, start) = find_zones(base)?;
-    finished(base, coarse, start)
-}
-
-fn finished(
-    base: &Base<'_>,
-    mut coarse: Solved,
-    mut start: f64,
-) -> Result<UnilateralContact, Error> {
-    let mut work = 0.0;
-    for _ in 0..CORRECTIONS {
-        let (solved, accuracy, edge) = refined(base, &coarse, start, &mut work)?;
-        let noise = accuracy.pressure / solved.largest().max(f64::MIN_POSITIVE);
-        if noise > ALL_NOISE {
-            break;
-        }
-        let left = check(base, &solved, ALLOWED.max(2.0 * noise));
-        if left.is_clean() {
-            return harmonic::answer(base, solved, accuracy, edge, &left);
-        }
-        let zones = corrected(&solved.zones, &left.pulling, &left.penetrating(1.0));
-        if zones.is_empty() || work > base.effort.work {
-            break;
-        }
-        start = strength(base, &zones);
-        (coarse, _) =
-            edges::settle(base, &Resolution::new(&base.medium, half_count(start, -1))?, &zones)?;
-    }
-    Err(Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN })
+/// The answer with the zones that were searched for.
+fn searched(base: &Base<'_>) -> Result<UnilateralContact, Error> {
+    let (solved, left) = complementary(base)?;
+    harmonic::answer(base, solved, &left)
 }

@@ -49,7 +49,7 @@ pub(super) fn solve<'o>(
     system: &System<'_, '_>,
     operator: &'o SincOperator,
     before: Option<&Solved>,
-) -> Result<Found<'o>, Error> {
+) -> Result<Found, Error> {
     let layer = system.base.layer;
     if let Some(before) = before
         && let Ok(found) = Newton::new(system, operator, layer).settle(continued(system, before))
@@ -71,7 +71,7 @@ fn in_stages<'o>(
     system: &System<'_, '_>,
     operator: &'o SincOperator,
     stages: i32,
-) -> Result<Found<'o>, Error> {
+) -> Result<Found, Error> {
     let layer = system.base.layer;
     let stage =
         |k: i32| layer.with_exponent(layer.exponent().powf(f64::from(k) / f64::from(stages)));
@@ -163,7 +163,7 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
         Self { system, operator, layer }
     }
 
-    fn settle(&self, guess: Guess) -> Result<Found<'o>, Error> {
+    fn settle(&self, guess: Guess) -> Result<Found, Error> {
         let scales = self.scales(&guess);
         let mut trial = self.trial(guess, &scales)?;
         for _ in 0..STEPS {
@@ -181,16 +181,15 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
             let is_still =
                 largest(&step) <= STILL * size || trial.merit.sqrt() * scales[2] <= EXACT * size;
             let next = self.shortened(&trial, &step, local, &scales)?;
-            let found = |trial: Trial, factor, frame| Found {
+            let found = |trial: Trial, frame| Found {
                 local: trial.guess.local,
                 solution: trial.solution,
-                factor,
                 frame,
             };
             match next {
                 Some(next) if !is_still => trial = next,
-                Some(next) => return Ok(found(next, factor, frame)),
-                None if is_still || trial.merit <= SMALL => return Ok(found(trial, factor, frame)),
+                Some(next) => return Ok(found(next, frame)),
+                None if is_still || trial.merit <= SMALL => return Ok(found(trial, frame)),
                 None => break,
             }
         }

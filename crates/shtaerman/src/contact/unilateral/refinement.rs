@@ -3,14 +3,14 @@
 use fredholm::collocation::first_half_count;
 
 use super::base::Base;
-use super::edges;
-use super::solved::Solved;
+use super::solved::{Solved, Stated};
 use super::system::Resolution;
-use super::zones::Zone;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
+use crate::contact::edges::settle;
 use crate::contact::plan::AIM;
 use crate::contact::potential::between_nodes;
 use crate::contact::resolutions::Trust;
+use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys; and most of them.
@@ -57,42 +57,33 @@ pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
     count.max(waves.min(MOST_FOR_VALLEYS))
 }
 
-pub(super) fn half_count(start: f64, power: i32) -> usize {
-    ((start * RATIO.powi(power)).round() as usize).max(8)
-}
-
-/// The answer on growing numbers of nodes, from the one on the first; `work` is what they have cost so far.
-pub(super) fn refined(
-    base: &Base<'_>,
-    coarse: &Solved,
-    start: f64,
-    work: &mut f64,
-) -> Result<(Solved, Accuracy, f64), Error> {
+/// The answer on growing numbers of nodes, from the one on the first.
+pub(super) fn refined(base: &Base<'_>, coarse: Solved, start: f64) -> Result<Solved, Error> {
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
-    let mut level = |zones: &[Zone], power: i32| {
-        let resolution = Resolution::new(&base.medium, half_count(start, power))?;
-        let (solved, iterations) = edges::settle(base, &resolution, zones)?;
-        *work += iterations as f64 * (solved.positions.len() as f64).powi(3);
-        Ok::<_, Error>((solved, *work))
+    let strength = |power: i32| start * RATIO.powi(power);
+    let level = |zones: &[Zone], power: i32| {
+        settle(base, zones, &Resolution::new(&base.medium, strength(power))?)
     };
-    let (mut fine, _) = level(&coarse.zones, 0)?;
-    let mut before = difference(base, &fine, coarse);
-    let mut best: Option<(Solved, Accuracy, f64)> = None;
+    let mut fine = level(&coarse.zones, 0)?;
+    let mut before = difference(base, &fine, &coarse);
+    let mut best: Option<Solved> = None;
     for power in 1.. {
-        let (finer, work) = level(&fine.zones, power)?;
+        let mut finer = level(&fine.zones, power)?;
         let change = difference(base, &finer, &fine);
         let (accuracy, edge) = estimate(base, &finer, &before, &change);
+        finer.stated = Stated { accuracy, edge };
         let sizes = finer.state.sizes(finer.largest());
         let met = accuracy.relative(&sizes) <= tolerance;
         let settled = change.pressure <= 2.0 * finer.pressure_rounding()
             && resolved(&finer, &change)
             || (change.pressure > 0.5 * before.pressure
                 && change.pressure <= STAGNANT * finer.largest());
-        let next = half_count(start, power + 1) * 2 * finer.panels.len();
-        let last = next > base.effort.nodes || work > base.effort.work;
+        let next = strength(power + 1) * 2.0 * finer.panels.len() as f64;
+        let last = next > base.effort.nodes as f64 || base.work.spent() > base.effort.work;
         fine = finer;
-        if best.as_ref().is_none_or(|(_, known, _)| accuracy.pressure <= known.pressure) {
-            best = Some((fine.clone(), accuracy, edge));
+        let known = |best: &Solved| best.stated.accuracy.pressure;
+        if best.as_ref().is_none_or(|best| accuracy.pressure <= known(best)) {
+            best = Some(fine.clone());
         }
         if met || settled || last {
             break;
@@ -127,9 +118,7 @@ struct Change {
 fn difference(base: &Base<'_>, fine: &Solved, coarse: &Solved) -> Change {
     let same = fine.zones.len() == coarse.zones.len();
     let edge = (fine.zones.iter().zip(&coarse.zones))
-        .flat_map(|(one, two)| {
-            (0..2).map(move |side| (one.ends[side].at - two.ends[side].at).abs())
-        })
+        .flat_map(|(one, two)| (0..2).map(move |side| (one.ends[side] - two.ends[side]).abs()))
         .fold(if same { 0.0 } else { 2.0 }, f64::max);
     let compared = (COMPARED / fine.panels.len()).max(LEAST_COMPARED);
     let pressure = (fine.panels.iter())

@@ -6,17 +6,18 @@
 use std::f64::consts::{PI, TAU};
 
 use super::base::Base;
+use super::coarse;
 use super::elimination;
 use super::field::Field;
 use super::layer::Layer;
 use super::medium::Hull;
 use super::power::reference_pressure;
-use super::solved::{Panel, Solved};
-use super::{coarse, zones};
+use super::solved::{Panel, Solved, Stated};
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::potential::between_nodes;
 use crate::contact::solved::Stiffness;
+use crate::contact::zones::Zone;
 use crate::{Error, Vertical};
 
 /// Fewest nodes, and most for a linear layer and for one that bends.
@@ -134,7 +135,7 @@ impl Ring {
 }
 
 /// Full contact over the period, on growing numbers of nodes, and its estimated errors.
-pub(super) fn solve(base: &Base<'_>) -> Result<(Solved, Accuracy), Error> {
+pub(super) fn solve(base: &Base<'_>) -> Result<Solved, Error> {
     let most = if base.layer.is_linear() { MOST } else { MOST_BENDING };
     let mut count = fewest(base, most)?;
     let mut known = level(base, count)?;
@@ -166,7 +167,7 @@ pub(super) fn solve(base: &Base<'_>) -> Result<(Solved, Accuracy), Error> {
                 // The largest moment of a pressure that is off by so much everywhere.
                 moment: change.max(next.pressure_rounding()),
             };
-            return Ok((next, accuracy));
+            return Ok(Solved { stated: Stated { accuracy, edge: 0.0 }, ..next });
         }
         known = next;
     }
@@ -210,8 +211,9 @@ fn level(base: &Base<'_>, count: usize) -> Result<Solved, Error> {
     let force = ring.masses.iter().sum::<f64>() / PI;
     let force = if let Vertical::Force(given) = base.load.vertical { given } else { force };
     let stiffness = equations.stiffness(&slopes)?;
-    let zone = zones::Zone::new(-1.0, 1.0);
+    let zone = Zone::new([-1.0, 1.0], [false; 2]);
     Ok(Solved {
+        stated: Stated::none(),
         zones: vec![zone],
         panels: vec![Panel { left: -1.0, right: 1.0, zone: 0 }],
         medium: base.medium.clone(),

@@ -6,9 +6,10 @@ use super::base::Base;
 use super::field::Field;
 use super::layer::Layer;
 use super::medium::{Hull, Medium};
-use super::zones::Zone;
+use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::solved::Stiffness;
+use crate::contact::zones::Zone;
 
 /// A panel in `xi`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,6 +41,31 @@ pub(super) struct Solved {
     pub(super) local: [f64; 2],
     pub(super) state: State,
     pub(super) stiffness: Stiffness,
+    pub(super) stated: Stated,
+}
+
+/// What a solution is known to.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stated {
+    pub(super) accuracy: Accuracy,
+    /// Of the free ends, in `xi`.
+    pub(super) edge: f64,
+}
+
+impl Stated {
+    /// Of a solution that others are to be compared with.
+    pub(super) fn none() -> Self {
+        let unknown = f64::INFINITY;
+        let accuracy = Accuracy {
+            kind: ErrorKind::Estimate,
+            pressure: unknown,
+            settlement: unknown,
+            tilt: unknown,
+            force: unknown,
+            moment: unknown,
+        };
+        Self { accuracy, edge: unknown }
+    }
 }
 
 impl Solved {
@@ -74,6 +100,11 @@ impl Solved {
     pub(super) fn largest(&self) -> f64 {
         let pressure = |v: &f64| self.layer.pressure(*v).abs();
         self.solution.values().iter().map(pressure).fold(0.0, f64::max)
+    }
+
+    /// What the pressure is not known to, as a share of the largest.
+    pub(super) fn noise(&self) -> f64 {
+        self.stated.accuracy.pressure / self.largest().max(f64::MIN_POSITIVE)
     }
 
     /// Displacement of the layer at the left (0) or right (1) end of a zone.

@@ -16,16 +16,20 @@ use super::base::Base;
 use super::elimination;
 use super::field::Field;
 use super::medium::{Hull, Medium};
-use super::motion::Tangent;
 use super::power::{self, Extent};
-use super::solved::{Panel, Solved};
-use super::zones::Zone;
+use super::solved::{Panel, Solved, Stated};
 use crate::contact::balance::State;
 use crate::contact::solved::Stiffness;
+use crate::contact::zones::Zone;
 use crate::{Error, Rotational, Vertical};
+
+/// Fewest nodes on either side of the middle of a panel.
+const FEWEST: usize = 8;
 
 /// A number of nodes with what can be shared among zones.
 pub(super) struct Resolution {
+    /// Nodes on either side of the middle of a panel, before they are rounded to a number.
+    pub(super) strength: f64,
     medium: Medium,
     grid: Arc<SincGrid>,
     /// The operator on the local interval in one panel.
@@ -38,10 +42,11 @@ pub(super) struct Resolution {
 type Built = (Vec<(f64, f64)>, Arc<SincOperator>);
 
 impl Resolution {
-    pub(super) fn new(medium: &Medium, half_count: usize) -> Result<Self, Error> {
-        let grid = medium.grid(half_count)?;
+    /// About so many nodes on either side of the middle of a panel.
+    pub(super) fn new(medium: &Medium, strength: f64) -> Result<Self, Error> {
+        let grid = medium.grid((strength.round() as usize).max(FEWEST))?;
         let (whole, latest) = (OnceCell::new(), RefCell::new(None));
-        Ok(Self { medium: medium.clone(), grid, whole, latest })
+        Ok(Self { strength, medium: medium.clone(), grid, whole, latest })
     }
 
     fn operator(&self, panels: &[(f64, f64)]) -> Result<Arc<SincOperator>, Error> {
@@ -85,34 +90,31 @@ impl Factor<'_> {
 }
 
 /// A solution under the load.
-pub(super) struct Found<'o> {
+pub(super) struct Found {
     /// `D` and `beta`.
     pub(super) local: [f64; 2],
     pub(super) solution: SincSolution,
-    pub(super) factor: Factor<'o>,
     pub(super) frame: [Direction; 2],
 }
 
 impl Solved {
-    /// Solves on the zones, from left to right, and gives the Newton step of each free edge where it is wanted. `before` is where Newton's method for a layer
-    /// that bends begins.
+    /// Solves on the zones, from left to right. `before` is where Newton's method for a layer that bends begins.
     pub(super) fn new(
         base: &Base<'_>,
         resolution: &Resolution,
         zones: &[Zone],
-        with_steps: bool,
         before: Option<&Self>,
-    ) -> Result<(Self, Vec<f64>), Error> {
+    ) -> Result<Self, Error> {
         let system = System::new(base, resolution, zones)?;
         let operator = Arc::clone(&system.operator);
         if base.layer.is_linear() {
             let factor = Factor::Linear(operator.factor(system.parameter())?);
             let frame = system.frame(&factor)?;
             let (local, solution) = system.superposed(&factor, &frame)?;
-            return system.finish(Found { local, solution, factor, frame }, with_steps);
+            return Ok(system.finish(Found { local, solution, frame }));
         }
         let found = power::solve(&system, &operator, before)?;
-        system.finish(found, with_steps)
+        Ok(system.finish(found))
     }
 }
 
@@ -292,19 +294,14 @@ impl<'b, 'p> System<'b, 'p> {
         Ok([found[0], found[1]])
     }
 
-    fn finish(self, found: Found<'_>, with_steps: bool) -> Result<(Solved, Vec<f64>), Error> {
-        let Found { local, solution, factor, frame } = found;
+    fn finish(self, found: Found) -> Solved {
+        let Found { local, solution, frame } = found;
         let state = self.state(local, &solution);
         let stiffness = self.stiffness(&frame);
-        let steps = if with_steps {
-            let tangent = Tangent { factor: &factor, solution: &solution, state };
-            self.steps(&tangent, frame.into())?
-        } else {
-            Vec::new()
-        };
         let Self { base, medium, zones, panels, hull, positions, .. } = self;
         let layer = base.layer;
-        let solved = Solved {
+        Solved {
+            stated: Stated::none(),
             zones,
             panels,
             medium,
@@ -315,8 +312,7 @@ impl<'b, 'p> System<'b, 'p> {
             local,
             state,
             stiffness,
-        };
-        Ok((solved, steps))
+        }
     }
 
     /// No pressure balances the load on these zones.

@@ -3,7 +3,6 @@
 use fredholm::complementarity::ComplementaritySolution;
 
 use super::base::Base;
-use super::zones::Zone;
 use crate::contact::cells::{Cells, Limits, Loaded, closing_in};
 use crate::contact::valleys;
 use crate::{Error, Load};
@@ -11,11 +10,11 @@ use crate::{Error, Load};
 /// How far cells are refined.
 const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: 40 };
 
-/// The zones of contact to about a cell, each of which has several; `count` is the number of cells to begin with.
-pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<Zone>, Error> {
+/// The intervals of contact to about a cell, each of which has several; `count` is the number of cells to begin with.
+pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<[f64; 2]>, Error> {
     let mut cells = cells(base, count);
     cells.settle(|cells| Ok(solve(base, cells, base.load)?.values))?;
-    Ok(zones(&cells))
+    Ok(cells.intervals())
 }
 
 /// About so many cells of the base.
@@ -35,9 +34,4 @@ pub(super) fn solve(
 ) -> Result<ComplementaritySolution, Error> {
     let loaded = Loaded::new(cells, cells.roots(), load, 1.0, |xi| base.height(xi));
     loaded.solve(cells, cells.logarithms()?, base.theta)
-}
-
-/// The zones to about a cell.
-pub(super) fn zones(cells: &Cells) -> Vec<Zone> {
-    cells.intervals().into_iter().map(|[left, right]| Zone::new(left, right)).collect()
 }

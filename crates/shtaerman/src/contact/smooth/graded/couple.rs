@@ -11,7 +11,7 @@ use super::parts::Parts;
 use super::strip::Ground;
 use crate::Error;
 use crate::contact::smooth::problem::Base;
-use crate::contact::smooth::zones::Zone;
+use crate::contact::zones::Zone;
 
 /// Panels of the coefficients of a profile are doubled at most so often, until these change by no more than this share, or no less than before.
 const DOUBLINGS: usize = 6;

@@ -42,7 +42,7 @@ impl Field {
         let strip = settled.strip;
         let half = strip.half();
         let density =
-            |side: usize| if strip.zone.is_free[side] { 0.0 } else { strip.end_density(side) };
+            |side: usize| if strip.zone.is_free(side) { 0.0 } else { strip.end_density(side) };
         let transforms = settled.parts.on_panels(ground);
         let kinks = settled.parts.kink_rises(ground);
         let rises = |transforms: &Option<[Transform; 2]>| {

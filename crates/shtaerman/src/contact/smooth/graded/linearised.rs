@@ -44,7 +44,7 @@ impl GradedContact {
 fn widening(field: &Field, [raise, turn]: [f64; 2], coupled: f64) -> [f64; 2] {
     let zone = field.strip.zone;
     let mut sum = [0.0; 2];
-    for side in (0..2).filter(|&side| zone.is_free[side]) {
+    for side in (0..2).filter(|&side| zone.is_free(side)) {
         let moved =
             field.flat_density(field.place(zone.ends[side]), raise, turn) / field.slopes[side];
         sum[0] += moved;

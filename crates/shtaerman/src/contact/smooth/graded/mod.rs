@@ -21,39 +21,31 @@ mod settled;
 mod stated;
 mod strip;
 
+use std::cell::OnceCell;
+
+use super::problem::{Base, MOST_CELLS, SmoothProblem};
+use super::{COARSE, Detail, FINE, MOST_ZONES, topology};
 use crate::Error;
-use check::Check;
+use crate::contact::check::Check;
+use crate::contact::edges::EndState;
+use crate::contact::search::{ALLOWED, Equation, Start, complementary};
+use crate::contact::zones::{Walls, Zone};
+use check::{Along, check};
 use field::Field;
 use settled::{Settled, fixed};
 use strip::Ground;
 
-use super::check::{Narrowing, narrowed};
-use super::problem::{Base, MOST_CELLS, SmoothProblem};
-use super::zones::{Zone, corrected, require_few};
-use super::{FINE, MOST_ZONES, topology};
-use crate::contact::valleys::require_shown;
-
 /// Numbers of cells, each four times the one before.
 const TOPOLOGIES: u32 = 2;
-/// Corrections of the topology by the check, for each number of cells.
-const CORRECTIONS: usize = 16;
 
 /// Solved zones with what is left of complementarity.
 #[derive(Debug)]
 struct Solved {
     fields: Vec<Field>,
+    along: Along,
     left: Check,
     /// Of the slopes of a measured profile.
     tolerance: f64,
-}
-
-impl Solved {
-    fn new(base: &Base<'_>, ground: &Ground, settled: &[Settled]) -> Self {
-        let fields: Vec<Field> =
-            settled.iter().map(|settled| Field::new(base, ground, settled)).collect();
-        let left = Check::new(base, &fields);
-        Self { fields, left, tolerance: base.problem.profile.tolerance }
-    }
 }
 
 /// Solves a plane problem with the kernel `|d|^-mu`.
@@ -63,80 +55,119 @@ impl Solved {
 fn solve(problem: &SmoothProblem, exponent: f64) -> Result<Solved, Error> {
     let mut base = Base::new(problem)?;
     base.grading = Some(exponent);
-    let ground = Ground::new(exponent, problem.theta0)?;
-    if !problem.is_unilateral {
-        return Ok(Solved::new(
-            &base,
-            &ground,
-            &fixed(&base, &ground, &base.pieces(), FINE.digits)?,
-        ));
-    }
-    // What passes the check is the answer, from wherever it was found: a base with one valley needs no cells, and the transforms of one with many are long.
-    let is_simple = base.valleys().count() <= 1;
-    let mut left = [f64::NAN; 2];
-    if is_simple {
-        match from_whole(&base, &ground) {
-            Ok(solved) => return Ok(solved),
-            Err(violation) => left = violation,
-        }
-    }
-    let mut refused = None;
-    for power in 0..TOPOLOGIES {
-        match from_cells(&base, &ground, power) {
-            Ok(solved) => return Ok(solved),
-            Err(error @ Error::TooManyZones { .. }) => return Err(error),
-            Err(error) => refused = refused.or(Some(error)),
-        }
-    }
-    if !is_simple {
-        match from_whole(&base, &ground) {
-            Ok(solved) => return Ok(solved),
-            Err(violation) => left = violation,
-        }
-    }
-    Err(match refused {
-        // Of cells nobody has asked: that of the exact attempt tells more.
-        Some(Error::Equation(fredholm::Error::NotConverged { .. })) => {
-            Error::NotComplementary { tension: left[0], penetration: left[1] }
-        }
-        Some(error) => error,
-        None => Error::NoContact,
-    })
-}
-
-/// The answer from the whole base; else what is left of tension and penetration.
-fn from_whole(base: &Base<'_>, ground: &Ground) -> Result<Solved, [f64; 2]> {
-    let Ok(settled) = edges::settle(base, ground, &base.pieces()) else {
-        return Err([f64::NAN; 2]);
+    let equation = Strips { base, ground: Ground::new(exponent, problem.theta0)? };
+    let (solved, left) = if problem.is_unilateral {
+        complementary(&equation)?
+    } else {
+        let solved = equation.solve(&equation.base.whole(), &FINE, None)?;
+        let left = equation.check(&solved, ALLOWED);
+        (solved, left)
     };
-    let solved = Solved::new(base, ground, &settled);
-    let left = [solved.left.tension, solved.left.penetration];
-    if solved.left.is_clean() { Ok(solved) } else { Err(left) }
+    equation.seen(&solved);
+    let Some((fields, along)) = solved.seen.into_inner() else { return Err(Error::NoContact) };
+    Ok(Solved { fields, along, left, tolerance: problem.profile.tolerance })
 }
 
-/// The answer from the zones that cells show, corrected where these were too coarse.
-fn from_cells(base: &Base<'_>, ground: &Ground, power: u32) -> Result<Solved, Error> {
-    let count = (base.cells() * 4usize.pow(power)).min(MOST_CELLS);
-    let mut intervals = topology::find(base, count)?;
-    require_shown(&intervals, &base.valleys().collect::<Vec<f64>>(), count, MOST_ZONES)?;
-    let mut last = Error::NoContact;
-    let mut narrowing = Narrowing::new();
-    for _ in 0..CORRECTIONS {
-        if intervals.is_empty() {
-            break;
-        }
-        let zones: Vec<Zone> = intervals.iter().map(|[from, to]| base.zone(*from, *to)).collect();
-        require_few(&zones, MOST_ZONES)?;
-        let solved = Solved::new(base, ground, &edges::settle(base, ground, &zones)?);
-        let left = &solved.left;
-        if left.is_clean() {
-            return Ok(solved);
-        }
-        let (tension, penetration) = (left.tension, left.penetration);
-        last = Error::NotComplementary { tension, penetration };
-        let zones: Vec<Zone> = solved.fields.iter().map(|field| field.strip.zone).collect();
-        let Some(width) = narrowing.next(penetration) else { break };
-        intervals = corrected(&zones, &left.pulling, &narrowed(&left.penetrating, width));
+/// The equation on strips of the base.
+struct Strips<'p> {
+    base: Base<'p>,
+    ground: Ground,
+}
+
+/// The pressures on strips, with what is made of them once they are looked at.
+struct OnStrips {
+    settled: Vec<Settled>,
+    seen: OnceCell<(Vec<Field>, Along)>,
+}
+
+impl Strips<'_> {
+    fn seen<'s>(&self, solved: &'s OnStrips) -> &'s (Vec<Field>, Along) {
+        solved.seen.get_or_init(|| {
+            let fields: Vec<Field> = (solved.settled.iter())
+                .map(|settled| Field::new(&self.base, &self.ground, settled))
+                .collect();
+            let along = Along::new(&self.base, &fields);
+            (fields, along)
+        })
     }
-    Err(last)
+}
+
+impl Equation for Strips<'_> {
+    type Solved = OnStrips;
+    type Effort = Detail;
+    const MOST_ZONES: usize = MOST_ZONES;
+
+    fn may_lift(&self) -> bool {
+        self.base.problem.is_unilateral
+    }
+
+    fn walls(&self) -> &Walls {
+        &self.base.walls
+    }
+
+    fn spans_steps(&self) -> bool {
+        false
+    }
+
+    /// A base with one valley needs no cells, and the transforms of one with many are long.
+    fn starts(&self) -> Vec<Start> {
+        let first = self.base.cells();
+        let cells = (0..TOPOLOGIES).map(|power| first * 4usize.pow(power));
+        let mut starts: Vec<Start> =
+            cells.map(|count| Start::Cells(count.min(MOST_CELLS))).collect();
+        let place = if self.base.valleys().count() <= 1 { 0 } else { starts.len() };
+        starts.insert(place, Start::Whole);
+        starts
+    }
+
+    fn pieces(&self) -> Vec<[f64; 2]> {
+        self.base.problem.pieces.clone()
+    }
+
+    fn valleys(&self) -> Vec<f64> {
+        self.base.valleys().collect()
+    }
+
+    fn intervals(&self, cells: usize) -> Result<Vec<[f64; 2]>, Error> {
+        topology::find(&self.base, cells)
+    }
+
+    fn effort(&self, _zones: &[Zone], _before: Option<Detail>) -> Result<Detail, Error> {
+        Ok(COARSE)
+    }
+
+    fn solve(
+        &self,
+        zones: &[Zone],
+        effort: &Detail,
+        _near: Option<&OnStrips>,
+    ) -> Result<OnStrips, Error> {
+        let settled = fixed(&self.base, &self.ground, zones, effort.digits)?;
+        Ok(OnStrips { settled, seen: OnceCell::new() })
+    }
+
+    fn zones(&self, solved: &OnStrips) -> Vec<Zone> {
+        solved.settled.iter().map(|settled| settled.strip.zone).collect()
+    }
+
+    fn force(&self, solved: &OnStrips, zone: usize) -> f64 {
+        solved.settled[zone].strip.force
+    }
+
+    fn ends(&self, solved: &OnStrips) -> Vec<[EndState; 2]> {
+        solved.settled.iter().map(|settled| edges::ends(&self.ground, settled)).collect()
+    }
+
+    fn check(&self, solved: &OnStrips, allowed: f64) -> Check {
+        let (fields, along) = self.seen(solved);
+        check(&self.base, fields, along, allowed)
+    }
+
+    /// The polynomials of one zone are kept to all digits from the first.
+    fn refined(&self, coarse: OnStrips, _effort: &Detail) -> Result<OnStrips, Error> {
+        if coarse.settled.len() == 1 {
+            return Ok(coarse);
+        }
+        crate::contact::edges::settle(self, &self.zones(&coarse), &FINE)
+    }
 }

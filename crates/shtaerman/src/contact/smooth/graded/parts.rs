@@ -12,7 +12,7 @@ use crate::contact::smooth::disk::shape::{Part, Shape, Weight};
 use crate::contact::smooth::disk::transform::Transform;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::system::Place;
-use crate::contact::smooth::zones::Zone;
+use crate::contact::zones::Zone;
 
 /// More breakpoints than these do not get panels of their own: what they cost grows with their square, five seconds for 200. Traces of 300 points are within.
 const MOST_BREAKS: usize = 320;

@@ -12,8 +12,8 @@ use crate::contact::smooth::SmoothKernel;
 use crate::contact::smooth::balance::Centred;
 use crate::contact::smooth::coupling;
 use crate::contact::smooth::problem::Base;
-use crate::contact::smooth::zones::Zone;
 use crate::contact::solved::Stiffness;
+use crate::contact::zones::Zone;
 
 /// Force and moment, about the middle of a zone, of its own pressure under the profile without depth and tilt, and of densities.
 struct Balance {

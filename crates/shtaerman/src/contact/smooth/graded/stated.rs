@@ -1,11 +1,12 @@
 //! A stated plane problem with a smooth surface on graded ground, and its answer as a solution like any other.
 
 use super::Solved;
-use super::check::Check;
+use super::check::Along;
 use super::field::{Field, displacement_outside};
 use super::strip::Strip;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
+use crate::contact::check::Check;
 use crate::contact::linearised::Linearised;
 use crate::contact::smooth::problem::SmoothProblem;
 use crate::contact::smooth::system::Place;
@@ -50,7 +51,7 @@ impl GradedContact {
             ("moment", moment),
             ("settlement", settlement),
             ("tilt", tilt),
-            ("pressure", solved.left.largest),
+            ("pressure", solved.along.largest),
             ("error of the pressure", accuracy.pressure),
         ];
         if let Some((quantity, value)) = values.into_iter().find(|(_, value)| !value.is_finite()) {
@@ -91,7 +92,7 @@ struct Known {
 }
 
 /// Of the pressure by leaving out the last coefficients and by the rounding of what is added up in it, which gives that of all others.
-fn known(field: &Field, left: &Check, zone: usize, [condition, tolerance]: [f64; 2]) -> Known {
+fn known(field: &Field, along: &Along, zone: usize, [condition, tolerance]: [f64; 2]) -> Known {
     let strip = &field.strip;
     let (half, [from, to]) = (strip.half(), strip.zone.ends);
     // The ends are rounded in xi, not in lengths of their zone.
@@ -100,7 +101,7 @@ fn known(field: &Field, left: &Check, zone: usize, [condition, tolerance]: [f64;
     let density = share * strip.density_scale();
     let series = if field.is_truncated() {
         let other = field.truncated();
-        let places = left.places[zone].iter().zip(&left.pressures[zone]);
+        let places = along.places[zone].iter().zip(&along.pressures[zone]);
         let differences = places
             .step_by(COMPARED)
             .map(|(&xi, pressure)| (pressure - other.regular(field.place(xi))).abs());
@@ -109,8 +110,8 @@ fn known(field: &Field, left: &Check, zone: usize, [condition, tolerance]: [f64;
         0.0
     };
     let blown = field.slope_rounding() * half;
-    let pressure = series + share * left.largest + field.flat_pressure(density + blown);
-    let edge = (0..2).filter(|&side| strip.zone.is_free[side]).fold(0.0f64, |most, side| {
+    let pressure = series + share * along.largest + field.flat_pressure(density + blown);
+    let edge = (0..2).filter(|&side| strip.zone.is_free(side)).fold(0.0f64, |most, side| {
         let moved = (density + strip.end_density(side).abs()) / field.slopes[side].abs();
         most.max((moved + ROUNDING * (from.abs().max(to.abs()))).min(1.0))
     });
@@ -121,13 +122,13 @@ fn known(field: &Field, left: &Check, zone: usize, [condition, tolerance]: [f64;
 
 /// The error of the answer from those of its zones.
 fn estimate(problem: &SmoothProblem, solved: &Solved) -> (Accuracy, f64) {
-    let Solved { fields, left, tolerance } = solved;
+    let Solved { fields, along, tolerance, .. } = solved;
     let mu = fields[0].ground.powers.exponent();
     let total = fields[0].ground.total();
     // That of a small exponent is nearly the same everywhere, whatever the zone.
     let condition = if fields.len() > 1 { 1.0 + 1.0 / mu } else { 1.0 };
     let all: Vec<Known> = (fields.iter().enumerate())
-        .map(|(zone, field)| known(field, left, zone, [condition, *tolerance]))
+        .map(|(zone, field)| known(field, along, zone, [condition, *tolerance]))
         .collect();
     let most = |of: fn(&Known) -> f64| all.iter().map(of).fold(0.0, f64::max);
     let State { settlement, tilt, force, moment } = fields[0].strip.state;
@@ -202,11 +203,11 @@ impl Solution for GradedContact {
     }
 
     fn sample(&self, _: &Problem) -> (Vec<f64>, Vec<f64>) {
-        let left = &self.solved.left;
+        let along = &self.solved.along;
         let mut sampled: Vec<(f64, f64)> = Vec::new();
         let mut others = vec![-1.0, 1.0];
         for (j, field) in self.fields().iter().enumerate() {
-            let known = left.places[j].iter().zip(&left.pressures[j]);
+            let known = along.places[j].iter().zip(&along.pressures[j]);
             sampled.extend(
                 known.map(|(&xi, &regular)| (xi, regular / field.regular_share(field.place(xi)))),
             );
@@ -228,12 +229,13 @@ impl Solution for GradedContact {
     }
 
     fn edge_error(&self) -> Option<f64> {
-        let is_free = self.fields().iter().any(|field| field.strip.zone.is_free.contains(&true));
+        let is_free = self.fields().iter().any(|field| field.strip.zone.has_free_end());
         is_free.then_some(self.edge_error)
     }
 
     fn complementarity(&self) -> Option<Complementarity> {
-        let Check { tension, penetration, .. } = self.solved.left;
+        let Check { tension, penetration, .. } = &self.solved.left;
+        let [tension, penetration] = [*tension, *penetration];
         self.problem.is_unilateral.then_some(Complementarity { tension, penetration })
     }
 
@@ -247,6 +249,6 @@ impl Solution for GradedContact {
     }
 
     fn size(&self) -> f64 {
-        self.solved.left.largest
+        self.solved.along.largest
     }
 }

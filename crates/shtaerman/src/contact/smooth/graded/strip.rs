@@ -15,8 +15,8 @@ use libm::tgamma;
 use crate::Error;
 use crate::contact::balance::State;
 use crate::contact::smooth::ground;
-use crate::contact::smooth::zones::Zone;
 use crate::contact::solved::Stiffness;
+use crate::contact::zones::Zone;
 
 /// The kernel with its `theta0`.
 #[derive(Debug, Clone)]

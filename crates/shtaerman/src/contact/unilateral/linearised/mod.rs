@@ -21,9 +21,9 @@ use super::medium::Medium;
 use super::refinement::RATIO;
 use super::solved::{end_node, place};
 use super::system::{Factor, Resolution, System};
-use super::zones::Zone;
 use crate::contact::linearised::{Linearised, Rates};
 use crate::contact::solved::Method;
+use crate::contact::zones::{EndKind, Zone};
 use crate::{ContactKind, Error, Problem, Rotational};
 
 /// Fewest nodes on either side of the middle of a panel.
@@ -63,9 +63,9 @@ impl UnilateralContact {
             return ring::linearised(&base, solved, self.locate(peak));
         }
         let located = self.locate(peak).abs();
-        let mut ends = solved.zones.iter().flat_map(|zone| zone.ends);
-        let is_corner =
-            ends.any(|end| !end.is_free && !base.is_axis(end.at) && end.at.abs() == located);
+        let is_corner = solved.zones.iter().any(|zone| {
+            (0..2).any(|side| zone.kinds[side] == EndKind::Wall && zone.ends[side].abs() == located)
+        });
         if is_corner && base.medium.exponent() > STEEPEST {
             return None;
         }
@@ -169,7 +169,7 @@ struct Level<'k, 'b, 'p> {
 
 impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
     fn new(known: &'k Known<'b, 'p>, half_count: usize) -> Result<Self, Error> {
-        let resolution = Resolution::new(&known.base.medium, half_count)?;
+        let resolution = Resolution::new(&known.base.medium, half_count as f64)?;
         let system = System::new(known.base, &resolution, known.zones)?;
         let layer = system.positions.iter().map(|&xi| (known.layer)(xi)).collect();
         Ok(Self { known, system, layer })
@@ -242,9 +242,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
     fn edges(&self) -> Result<Vec<Edge>, Error> {
         let Known { base, zones, .. } = self.known;
         let free: Vec<(usize, usize)> = (0..zones.len())
-            .flat_map(|zone| [(zone, 0), (zone, 1)])
-            .filter(|&(zone, side)| zones[zone].ends[side].is_free)
-            .filter(|&(zone, side)| !base.is_axis(zones[zone].ends[side].at))
+            .flat_map(|zone| zones[zone].free_ends().map(move |(side, _)| (zone, side)))
             .collect();
         if free.is_empty() {
             return Ok(Vec::new());
@@ -260,7 +258,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
             .into_iter()
             .map(|(zone, side)| {
                 let node = end_node(&system.panels, count, zone, side);
-                let (slope, noise) = self.layer_slope(zones[zone].ends[side].at, &masses);
+                let (slope, noise) = self.layer_slope(zones[zone].ends[side], &masses);
                 Edge { node, slope: if side == 0 { -slope } else { slope }, noise }
             })
             .collect())

@@ -8,6 +8,7 @@ use crate::contact::linearised::Linearised;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::Complementarity;
+use crate::contact::zones::Zone;
 use crate::{Problem, Rotational};
 
 /// Tension over the largest pressure that is none.
@@ -78,7 +79,7 @@ impl Solution for SpotContact {
             return if xi.is_nan() { xi } else { 0.0 };
         }
         let inwards = match self.level.end_at(xi) {
-            Some((_, end)) if end.is_free => return 0.0,
+            Some((_, true)) => return 0.0,
             // At a step of the base the height is that under pressure.
             Some((side, _)) if place.abs() < 1.0 => {
                 if side == 0 {
@@ -124,8 +125,7 @@ impl Solution for SpotContact {
     }
 
     fn edge_error(&self) -> Option<f64> {
-        let mut ends = self.level.zones.iter().flat_map(|zone| zone.ends);
-        ends.any(|end| end.is_free).then_some(self.edge_error)
+        self.level.zones.iter().any(Zone::has_free_end).then_some(self.edge_error)
     }
 
     fn complementarity(&self) -> Option<Complementarity> {

@@ -86,9 +86,10 @@ fn at_corners(base: &Base<'_>, level: &Level) -> f64 {
         let pressure = level.pressure_at(inner, base.height(inner)).abs();
         Some(if change == 0.0 { 0.0 } else { share * change * (change / pressure.max(change)) })
     };
-    let ends = level.zones.iter().flat_map(|zone| [0, 1].map(|side| (side, zone.ends[side])));
-    let walls = ends.filter(|(_, end)| !end.is_free);
-    walls.filter_map(|(side, end)| missed(side, end.at)).fold(0.0, f64::max)
+    let walls = level.zones.iter().flat_map(|zone| {
+        (0..2).filter(|&side| !zone.is_free(side)).map(|side| (side, zone.ends[side]))
+    });
+    walls.filter_map(|(side, end)| missed(side, end)).fold(0.0, f64::max)
 }
 
 /// The pressure, of a linear layer with the profile taken out.

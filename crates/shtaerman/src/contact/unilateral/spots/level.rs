@@ -12,7 +12,7 @@ use crate::contact::balance::State;
 use crate::contact::unilateral::base::Base;
 use crate::contact::unilateral::coarse::Coarse;
 use crate::contact::unilateral::layer::Layer;
-use crate::contact::unilateral::zones::{End, Zone};
+use crate::contact::zones::{EndKind, Zone};
 use crate::{Error, Rotational, Vertical};
 
 /// Most nodes.
@@ -178,11 +178,11 @@ impl Level {
         self.zones.get(after).is_some_and(|zone| zone.left() <= xi)
     }
 
-    /// The end of a zone here.
-    pub(super) fn end_at(&self, xi: f64) -> Option<(usize, End)> {
+    /// The side of the end of a zone that is here, and whether it is free.
+    pub(super) fn end_at(&self, xi: f64) -> Option<(usize, bool)> {
         let after = self.zones.partition_point(|zone| zone.right() < xi);
-        let ends = self.zones.get(after)?.ends;
-        ends.into_iter().enumerate().find(|(_, end)| end.at == xi)
+        let zone = self.zones.get(after)?;
+        (0..2).find(|&side| zone.ends[side] == xi).map(|side| (side, zone.is_free(side)))
     }
 
     /// The panels as intervals of `xi`.
@@ -197,11 +197,11 @@ impl Level {
         let first = |at: f64| bounds.partition_point(|[_, right]| *right <= at);
         let mut least = f64::INFINITY;
         for zone in &self.zones {
-            for (side, end) in zone.ends.iter().enumerate().filter(|(_, end)| end.is_free) {
-                let panel = if side == 0 { first(end.at) } else { first(end.at).saturating_sub(1) };
+            for (side, end) in zone.free_ends() {
+                let panel = if side == 0 { first(end) } else { first(end).saturating_sub(1) };
                 let Some([left, right]) = bounds.get(panel) else { continue };
                 let middle = 0.5 * (left + right);
-                let distance = (middle - end.at).abs();
+                let distance = (middle - end).abs();
                 if let Some(given) = self.inside(middle).filter(|_| distance > 0.0) {
                     least = least.min(given.abs() / distance);
                 }
@@ -227,8 +227,8 @@ impl Level {
 
     /// The most that the layer gives, of either sign, at the free ends.
     pub(super) fn at_ends(&self, base: &Base<'_>) -> f64 {
-        let ends = self.zones.iter().flat_map(|zone| zone.ends).filter(|end| end.is_free);
-        ends.map(|end| self.layer_at(end.at, base.height(end.at)).abs()).fold(0.0, f64::max)
+        let ends = self.zones.iter().flat_map(Zone::free_ends);
+        ends.map(|(_, at)| self.layer_at(at, base.height(at)).abs()).fold(0.0, f64::max)
     }
 
     /// Places of each piece of the base, from end to end, that show every bend of the profile, with what the pressure is there.
@@ -268,10 +268,11 @@ impl Level {
         let on_piece = |piece: &Sampled| positive(&given, &piece.at, &piece.values, none);
         let mut zones: Vec<Zone> = sampled.iter().flat_map(on_piece).collect();
         for zone in &mut zones {
-            for (side, end) in zone.ends.iter_mut().enumerate() {
+            for side in 0..2 {
                 let inwards = if side == 0 { BESIDE } else { -BESIDE };
-                if let Some(wall) = base.wall_near(side, end.at + inwards, 2.0 * BESIDE) {
-                    *end = End { at: wall, is_free: false };
+                let wall = base.walls.near(side, zone.ends[side] + inwards, 2.0 * BESIDE);
+                if let Some(wall) = wall {
+                    (zone.ends[side], zone.kinds[side]) = (wall, EndKind::Wall);
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! Panels of the zones: cut where the profile bends, and ever shorter towards the ends of the zones and towards those bends.
 
 use crate::contact::unilateral::base::Base;
-use crate::contact::unilateral::zones::Zone;
+use crate::contact::zones::Zone;
 
 /// Length of a panel over its distance from a free end of its zone, from a corner or a kink, and from a measured point.
 const GROWTH: f64 = 0.8;
@@ -128,11 +128,10 @@ fn share(base: &Base<'_>, share: f64, power: f64) -> f64 {
 /// Both ends of a zone.
 fn ends(base: &Base<'_>, zone: &Zone, layer: f64, fineness: Fineness) -> [Anchor; 2] {
     [0, 1].map(|side| {
-        let end = zone.ends[side];
         let (least, growth) = if base.is_joined(zone) {
             // The seam of a wave that touches all over is no corner.
             (share(base, KINK, 2.0) * layer, CORNER_GROWTH)
-        } else if end.is_free {
+        } else if zone.is_free(side) {
             let root = (zone.length().min(LONG) * layer).sqrt();
             let kappa = base.layer.exponent();
             let bent = zone.length() * BENT.powf(kappa / (1.0 + kappa));
@@ -142,7 +141,7 @@ fn ends(base: &Base<'_>, zone: &Zone, layer: f64, fineness: Fineness) -> [Anchor
             (share(base, CORNER, 1.0) * layer, CORNER_GROWTH)
         };
         let shortest = (fineness.ends * least).max(SHORTEST);
-        Anchor { at: end.at, is_left: side == 0, shortest, growth }
+        Anchor { at: zone.ends[side], is_left: side == 0, shortest, growth }
     })
 }
 
@@ -156,7 +155,7 @@ fn bend(
     let at = if is_left { piece[0] } else { piece[1] };
     let (shortest, growth) = if base.problem.profile().measured_points().is_some() {
         (POINT * layer, POINT_GROWTH)
-    } else if base.is_step(at) {
+    } else if base.walls.contains(at) {
         (fineness.ends * share(base, STEP, 1.0) * layer, CORNER_GROWTH)
     } else {
         (fineness.ends * share(base, KINK, 2.0) * layer, CORNER_GROWTH)

@@ -21,9 +21,9 @@ pub(super) use answer::SpotContact;
 use super::answer::Complementarity;
 use super::base::Base;
 use super::coarse::{self, Coarse};
-use super::zones::{End, Zone};
 use crate::Error;
 use crate::contact::solution::Solution;
+use crate::contact::zones::Zone;
 use estimate::estimate;
 use level::{Effort, Known, Level, Sampled, System};
 use mesh::{Fineness, LONGEST, STRAIGHT};
@@ -73,14 +73,9 @@ pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
 
 /// The answer for a layer that bends, from what cells find, or where they find nothing from the whole base: it has no pressure where it would pull.
 fn solve_bent(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
-    let coarse = coarse::loaded(base, base.cells()).ok().filter(|found| !found.zones.is_empty());
-    let zones = coarse.as_ref().map_or_else(|| whole(base), |found| found.zones.clone());
+    let coarse = coarse::loaded(base, base.cells()).ok().filter(|found| !found.is_empty());
+    let zones = coarse.as_ref().map_or_else(|| base.whole(), |found| found.zones(base));
     solve_from(base, zones, coarse.as_ref())
-}
-
-fn whole(base: &Base<'_>) -> Vec<Zone> {
-    let end = |at: f64| End { at, is_free: false };
-    base.pieces.iter().map(|piece| Zone { ends: piece.map(end) }).collect()
 }
 
 /// The answer on the whole base; none where panels do not serve: a layer that bends does not pull.
@@ -88,7 +83,7 @@ pub(super) fn solve_whole(base: &Base<'_>) -> Result<Option<SpotContact>, Error>
     if !base.has_panels() || !base.layer.is_linear() {
         return Ok(None);
     }
-    solve_from(base, whole(base), None)
+    solve_from(base, base.whole(), None)
 }
 
 /// The answer from zones that are nearly right.

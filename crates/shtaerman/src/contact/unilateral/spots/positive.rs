@@ -1,6 +1,6 @@
 //! Where a function of the base is positive.
 
-use crate::contact::unilateral::zones::Zone;
+use crate::contact::zones::Zone;
 
 /// Steps on the way to an edge, and towards a peak between samples.
 const STEPS: usize = 80;
@@ -38,7 +38,7 @@ fn paired(mut edges: Vec<f64>, begins_inside: bool, [first, last]: [f64; 2]) -> 
     edges
         .chunks_exact(2)
         .filter(|pair| pair[0] < pair[1])
-        .map(|pair| Zone::new(pair[0], pair[1]))
+        .map(|pair| Zone::new([pair[0], pair[1]], [true; 2]))
         .collect()
 }
 

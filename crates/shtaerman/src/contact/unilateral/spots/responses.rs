@@ -10,7 +10,7 @@ use super::level::{Level, System};
 use crate::contact::linearised::{Linearised, Rates};
 use crate::contact::solved::Stiffness;
 use crate::contact::unilateral::base::Base;
-use crate::contact::unilateral::zones::Zone;
+use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// Residuals relative to the right-hand side, on the panels before the last and on those; of integrals the square is left.
@@ -242,10 +242,8 @@ fn edges(base: &Base<'_>, level: &Level, system: &System) -> Vec<[f64; 2]> {
         let bent = system.parameter / chart.half() * (bent.at(y) + jumped);
         -level.state.tilt - base.slope(xi) - bent
     };
-    let ends = level.zones.iter().flat_map(|zone| zone.ends.into_iter().enumerate());
-    ends.filter(|(_, end)| end.is_free)
-        .map(|(side, end)| [end.at, if side == 0 { slope(end.at) } else { -slope(end.at) }])
-        .collect()
+    let ends = level.zones.iter().flat_map(Zone::free_ends);
+    ends.map(|(side, at)| [at, if side == 0 { slope(at) } else { -slope(at) }]).collect()
 }
 
 /// Where the pressure jumps, in the coordinates of the panels, and by how much: corners and steps of the base.
@@ -270,10 +268,8 @@ fn jumps(level: &Level, system: &System) -> Vec<[f64; 2]> {
 
 /// Whether this is a free edge, or was before the edges moved last.
 fn is_free(zones: &[Zone], at: f64) -> bool {
-    let near = |zone: &Zone| {
-        let mut free = zone.ends.iter().filter(|end| end.is_free);
-        free.any(|end| (end.at - at).abs() <= BESIDE * zone.length())
-    };
+    let near =
+        |zone: &Zone| zone.free_ends().any(|(_, end)| (end - at).abs() <= BESIDE * zone.length());
     let after = zones.partition_point(|zone| zone.right() < at);
     zones[after.saturating_sub(1)..(after + 1).min(zones.len())].iter().any(near)
 }

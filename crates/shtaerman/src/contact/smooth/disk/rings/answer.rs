@@ -9,7 +9,7 @@ use super::edges;
 use super::system::{Core, Solved};
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
-use crate::contact::smooth::check::Check;
+use crate::contact::check::Check;
 use crate::contact::smooth::{COMPARED, SmoothZone};
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
@@ -83,9 +83,9 @@ impl SmoothRingsContact {
     /// rings, `P/(E a^2)`.
     #[must_use]
     pub fn zones(&self) -> Vec<SmoothZone> {
-        let of = |(j, zone): (usize, &crate::contact::smooth::zones::Zone)| SmoothZone {
+        let of = |(j, zone): (usize, &crate::contact::zones::Zone)| SmoothZone {
             ends: zone.ends,
-            is_free: zone.is_free,
+            is_free: [0, 1].map(|side| zone.is_free(side)),
             intensity0: self.solved.intensity(j),
             force0: self.solved.force(j),
         };
@@ -316,7 +316,7 @@ impl Solution for SmoothRingsContact {
     }
 
     fn edge_error(&self) -> Option<f64> {
-        let is_free = self.solved.zones.iter().any(|zone| zone.is_free.contains(&true));
+        let is_free = self.solved.zones.iter().any(|zone| zone.has_free_end());
         is_free.then(|| self.edge_error0())
     }
 

@@ -2,10 +2,10 @@
 
 use super::super::shape::Shape;
 use super::super::{SAMPLES, SmoothDisk};
-use crate::contact::smooth::free_ends::Work;
-use crate::contact::smooth::zones::Zone;
+use crate::contact::search::Work;
 use crate::contact::steps::{REACH, rise};
 use crate::contact::valleys;
+use crate::contact::zones::Walls;
 use crate::{Error, Load, Rotational};
 
 /// Samples of a base for every one that shows its steps, at least and at most.
@@ -18,8 +18,8 @@ pub(super) const MOST_CELLS: usize = 3072;
 pub(super) struct Base<'p> {
     pub(super) problem: &'p SmoothDisk,
     pub(super) shape: Shape<'p>,
-    /// Where an inner or an outer edge of the contact can rest under pressure.
-    walls: [Vec<f64>; 2],
+    /// Where ends of the contact can rest.
+    pub(super) walls: Walls,
     /// `(r, f0)`.
     pub(super) samples: Vec<(f64, f64)>,
     pub(super) work: Work,
@@ -34,7 +34,7 @@ impl<'p> Base<'p> {
             .map(|i| i as f64 / count as f64)
             .map(|r| (r, (problem.height)(r)))
             .collect();
-        let walls = [Vec::new(), vec![1.0]];
+        let walls = Walls::of(&[[0.0, 1.0]]);
         let mut base =
             Self { problem, shape: problem.shape()?, walls, samples, work: Work::default() };
         base.find_steps();
@@ -59,28 +59,11 @@ impl<'p> Base<'p> {
         valleys::cells(valleys::valleys(&self.samples).count(), USUAL, MOST_CELLS)
     }
 
-    /// The next wall for an inner (0) or outer (1) edge outwards of a place inside the contact; the axis is no wall.
-    pub(super) fn wall(&self, side: usize, inside: f64) -> f64 {
-        let walls = self.walls[side].iter().copied();
-        if side == 0 {
-            walls.filter(|wall| *wall <= inside).fold(0.0, f64::max)
-        } else {
-            walls.filter(|wall| *wall >= inside).fold(1.0, f64::min)
-        }
-    }
-
-    /// A zone whose ends are free unless they are walls, or beyond them; a disk has none at the axis.
-    pub(super) fn zone(&self, left: f64, right: f64) -> Zone {
-        let inside = 0.5 * (left + right);
-        let (first, last) = (self.wall(0, inside), self.wall(1, inside));
-        Zone::new([left.max(first), right.min(last)], [left > first, right < last])
-    }
-
     fn find_steps(&mut self) {
         for &place in &self.problem.breaks {
             let is_inside = place > REACH && place + REACH < 1.0;
             if let Some(rise) = is_inside.then(|| rise(|r| self.height(r), place)).flatten() {
-                self.walls[usize::from(rise > 0.0)].push(place);
+                self.walls.add_step(place, rise);
             }
         }
     }

@@ -2,21 +2,25 @@
 
 use super::base::Base;
 use super::system::Solved;
-use crate::contact::smooth::check::{Along, Check, POINTS, between_breaks, outside, points};
+use crate::contact::check::{Check, between_breaks};
+use crate::contact::smooth::check::{Along, POINTS, of_zones, points};
+use crate::contact::zones::outside;
 
 /// Tension and penetration beyond `allowed`, relative to their scales, are listed for correction.
 pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
     let along: Vec<Along> = (0..solved.zones.len()).map(|j| along(base, solved, j)).collect();
-    let mut check = Check::of_zones(solved.zones.iter(), &along, allowed);
+    let mut check = of_zones(&solved.zones, &along, allowed);
     if !base.problem.is_unilateral {
         return check;
     }
     let settlement = solved.state.settlement;
     let scale = settlement.abs() + base.range() + solved.state.force.abs() * solved.theta0;
-    for [left, right] in outside(&[[0.0, 1.0]], &solved.zones.iter()) {
+    for [left, right] in outside(&[[0.0, 1.0]], &solved.zones) {
         let points = looked_at(base, [left, right]);
         let depth = |r: f64| settlement - base.height(beside(r, left, right));
-        check.look_beside(&points, |r| depth(r) - solved.displacement_outside(r), [scale, allowed]);
+        let values: Vec<f64> =
+            points.iter().map(|&r| depth(r) - solved.displacement_outside(r)).collect();
+        check.add_penetration(&points, &values, [scale, allowed * scale]);
     }
     check
 }

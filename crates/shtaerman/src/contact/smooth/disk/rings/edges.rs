@@ -5,13 +5,9 @@
 
 use std::f64::consts::PI;
 
-use super::base::Base;
-use super::ring::distance;
 use super::system::{Part, Solved};
-use crate::Error;
-use crate::contact::smooth::Detail;
-use crate::contact::smooth::free_ends::{self, FreeEnds, STRIDE, VANISHING, step};
-use crate::contact::smooth::zones::Zone;
+use crate::contact::edges::EndState;
+use crate::contact::smooth::edges::even_slope;
 
 /// Angles at which the slope of the density is taken.
 const BESIDE: f64 = 0.06;
@@ -19,36 +15,29 @@ const BESIDE: f64 = 0.06;
 const SHARE: f64 = 0.1;
 const NEAREST: f64 = 1e-4;
 
-impl FreeEnds for Solved {
-    fn modes(&self) -> usize {
-        self.modes()
-    }
-
-    fn carried(&self, zone: usize) -> f64 {
-        self.force(zone)
-    }
-
-    fn density_at(&self, zone: usize, side: usize) -> f64 {
-        density(self, zone, side)
-    }
-
-    fn floor(&self, zone: usize) -> f64 {
-        rounding(self, zone)
-    }
-
-    fn scale(&self) -> f64 {
-        scale(self)
-    }
-
-    fn none(&self) -> f64 {
-        0.0
-    }
+/// What is known at the ends of all zones.
+pub(super) fn ends(solved: &Solved) -> Vec<[EndState; 2]> {
+    let scale = scale(solved);
+    let end = |zone: usize, side: usize| {
+        let value = density(solved, zone, side);
+        let rounding = rounding(solved, zone) + f64::EPSILON * scale;
+        EndState { value, rounding, scale, none: 0.0, step: outwards(solved, zone, side) }
+    };
+    (0..solved.zones.len()).map(|zone| [end(zone, 0), end(zone, 1)]).collect()
 }
 
-/// Moves the free edges until the intensity vanishes there; a ring whose hole closes becomes a disk.
-pub(super) fn settle(base: &Base<'_>, start: &[Zone], detail: Detail) -> Result<Solved, Error> {
-    let solve = |zones: &[Zone]| Solved::new(base, zones, detail);
-    free_ends::settle(start, &base.work, solve, |solved, zones| moved(base, solved, zones))
+/// Newton's step outwards, on a ring in the logarithm of the radius.
+fn outwards(solved: &Solved, zone: usize, side: usize) -> f64 {
+    match (solved.ring(zone), &solved.core) {
+        (Some(part), _) => {
+            let ring = part.ring();
+            let step = -2.0 * ring.half * part.end_density(side) / slope(part, side);
+            let sign = if side == 0 { -1.0 } else { 1.0 };
+            sign * ring.zone.ends[side] * (sign * step).exp_m1()
+        }
+        (None, Some(core)) => -core.corner / core.slope,
+        (None, None) => 0.0,
+    }
 }
 
 /// What the density at edges is held against.
@@ -82,7 +71,7 @@ fn rounding(solved: &Solved, zone: usize) -> f64 {
 /// Estimated error of the free edges of a zone, in `r`, by that of the density there.
 pub(super) fn end_error(solved: &Solved, zone: usize, error: f64) -> f64 {
     let error = error + rounding(solved, zone);
-    (0..2).filter(|&side| solved.zones[zone].is_free[side]).fold(0.0, |most: f64, side| {
+    solved.zones[zone].free_ends().fold(0.0, |most: f64, (side, _)| {
         let density = density(solved, zone, side).abs() + error;
         let shift = match (solved.ring(zone), &solved.core) {
             (Some(part), _) => {
@@ -100,41 +89,5 @@ pub(super) fn end_error(solved: &Solved, zone: usize, error: f64) -> f64 {
 fn slope(part: &Part, side: usize) -> f64 {
     // A bend of the base is none of the edge.
     let beside = BESIDE.min(SHARE * part.straight(side)).max(NEAREST);
-    free_ends::slope(|offset| part.density(if side == 0 { PI - offset } else { offset }), beside)
-}
-
-/// A step outwards that neither empties a zone of this length nor crosses the gap beside it; beside a narrow gap densities change within it.
-fn within(wanted: f64, length: f64, gap: f64) -> f64 {
-    wanted.clamp(-STRIDE * length.min(gap), (0.5 * gap).min(length))
-}
-
-/// Where an edge of a zone is to go, between neighbours.
-fn target(solved: &Solved, zone: usize, side: usize, gap: Option<[f64; 2]>) -> f64 {
-    match (solved.ring(zone), &solved.core) {
-        (Some(part), _) => {
-            let ring = part.ring();
-            let length = 2.0 * ring.half;
-            let wanted = length * step(part.end_density(side), slope(part, side));
-            let gap = gap.map_or(f64::INFINITY, |[from, to]| distance(from, to - from));
-            let limited = within(wanted, length, gap);
-            ring.zone.ends[side] * if side == 0 { -limited } else { limited }.exp()
-        }
-        (None, Some(core)) => {
-            let wanted = core.radius * step(core.corner, core.slope * core.radius);
-            let gap = gap.map_or(f64::INFINITY, |[from, to]| to - from);
-            core.radius + within(wanted, core.radius, gap)
-        }
-        (None, None) => solved.zones[zone].ends[side],
-    }
-}
-
-/// The zones after steps that neither empty a zone nor jump over a gap.
-fn moved(base: &Base<'_>, solved: &Solved, zones: &[Zone]) -> Vec<Zone> {
-    let target = |j: usize, side: usize, gap| target(solved, j, side, gap);
-    let without_hole = |zone: &mut Zone| {
-        if zone.left() < VANISHING * zone.right() {
-            (zone.ends[0], zone.is_free[0]) = (0.0, false);
-        }
-    };
-    free_ends::moved(zones, |side, inside| base.wall(side, inside), target, without_hole)
+    even_slope(|offset| part.density(if side == 0 { PI - offset } else { offset }), beside)
 }

@@ -16,7 +16,7 @@ impl Part {
         let angle = ring.angle(from_inner, from_outer);
         let density = self.density(angle);
         if from_inner <= 0.0 || from_outer <= 0.0 {
-            let is_free = ring.zone.is_free[usize::from(from_outer <= from_inner)];
+            let is_free = ring.zone.is_free(usize::from(from_outer <= from_inner));
             return if is_free || density == 0.0 { 0.0 } else { density * f64::INFINITY };
         }
         let radius = ring.spot(angle).radius;
@@ -138,10 +138,10 @@ impl Solved {
 
     /// `lim sqrt(2 pi d) p0` at the ends of a zone, 0 at free ones and at the axis.
     pub(super) fn intensity(&self, zone: usize) -> [f64; 2] {
-        let is_free = self.zones[zone].is_free;
+        let zone_of = self.zones[zone];
         match (self.ring(zone), &self.core) {
             (Some(part), _) => std::array::from_fn(|side| {
-                if is_free[side] { 0.0 } else { part.intensity(self.theta0, side) }
+                if zone_of.is_free(side) { 0.0 } else { part.intensity(self.theta0, side) }
             }),
             (None, Some(core)) if !core.is_free => {
                 [0.0, (PI / core.radius).sqrt() * self.modulus / PI * core.corner]

@@ -17,13 +17,14 @@ mod topology;
 
 pub use answer::SmoothRingsContact;
 
-use super::{ALLOWED, SmoothDisk};
+use super::SmoothDisk;
 use crate::Error;
-use crate::contact::smooth::check::Check;
-use crate::contact::smooth::search::{self, Searched};
-use crate::contact::smooth::zones::Zone;
-use crate::contact::smooth::{Detail, FINE};
+use crate::contact::check::Check;
+use crate::contact::edges::{EndState, settle};
+use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, Equation, Start, complementary};
+use crate::contact::smooth::{COARSE, Detail, FINE, MOST_WORK, numbers_of_cells};
 use crate::contact::valleys;
+use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
 use base::Base;
 use check::check;
@@ -40,11 +41,11 @@ pub(super) fn solve(problem: &SmoothDisk) -> Result<SmoothRingsContact, Error> {
     let (field, turn) = problem.rotational();
     require(turn == 0.0, field, turn, "zero: rings under a moment or a tilt are not known")?;
     if !problem.is_unilateral {
-        let solved = Solved::new(&base, &[Zone::new([0.0, 1.0], [false; 2])], FINE)?;
+        let solved = Solved::new(&base, &[Zone::new([0.0, 1.0], [false; 2]).about_axis()], FINE)?;
         let left = check(&base, &solved, ALLOWED);
         return SmoothRingsContact::new(&base, solved, &left);
     }
-    let (solved, left) = search::complementary(&base)?;
+    let (solved, left) = complementary(&base)?;
     required(SmoothRingsContact::new(&base, solved, &left)?)
 }
 
@@ -59,12 +60,42 @@ pub(super) fn are_likely(problem: &SmoothDisk) -> bool {
         && matches!(Base::new(problem).and_then(is_disk), Ok(false))
 }
 
-impl Searched for Base<'_> {
+/// A disk about the axis so much smaller than its zone is a point of it: a ring whose hole closes becomes a disk.
+const CLOSED: f64 = 1e-9;
+
+impl Equation for Base<'_> {
     type Solved = Solved;
+    type Effort = Detail;
     const MOST_ZONES: usize = 48;
 
-    fn cells(&self) -> [usize; 2] {
-        [self.cells(), self.cells().max(topology::MOST_CELLS)]
+    fn may_lift(&self) -> bool {
+        self.problem.is_unilateral
+    }
+
+    fn walls(&self) -> &Walls {
+        &self.walls
+    }
+
+    fn spans_steps(&self) -> bool {
+        false
+    }
+
+    fn arranged(&self, mut zones: Vec<Zone>) -> Vec<Zone> {
+        for zone in &mut zones {
+            if zone.left() < CLOSED * zone.right() {
+                zone.ends[0] = 0.0;
+            }
+            *zone = zone.about_axis();
+        }
+        zones
+    }
+
+    fn starts(&self) -> Vec<Start> {
+        numbers_of_cells(self.cells(), self.cells().max(topology::MOST_CELLS))
+    }
+
+    fn pieces(&self) -> Vec<[f64; 2]> {
+        vec![[0.0, 1.0]]
     }
 
     fn valleys(&self) -> Vec<f64> {
@@ -75,24 +106,43 @@ impl Searched for Base<'_> {
         topology::find(self, cells)
     }
 
-    fn zone(&self, left: f64, right: f64) -> Zone {
-        self.zone(left, right)
+    fn effort(&self, _zones: &[Zone], _before: Option<Detail>) -> Result<Detail, Error> {
+        Ok(COARSE)
     }
 
-    fn settle(&self, zones: &[Zone], detail: Detail) -> Result<Solved, Error> {
-        edges::settle(self, zones, detail)
+    fn solve(
+        &self,
+        zones: &[Zone],
+        effort: &Detail,
+        _near: Option<&Solved>,
+    ) -> Result<Solved, Error> {
+        let solved = Solved::new(self, zones, *effort)?;
+        self.work.spend(solved.modes(), 0.0, MOST_WORK)?;
+        Ok(solved)
+    }
+
+    fn zones(&self, solved: &Solved) -> Vec<Zone> {
+        solved.zones.clone()
+    }
+
+    fn force(&self, solved: &Solved, zone: usize) -> f64 {
+        solved.force(zone)
+    }
+
+    fn ends(&self, solved: &Solved) -> Vec<[EndState; 2]> {
+        edges::ends(solved)
     }
 
     fn check(&self, solved: &Solved, allowed: f64) -> Check {
         check(self, solved, allowed)
     }
 
-    fn zones(solved: &Solved) -> Vec<Zone> {
-        solved.zones.clone()
+    fn refined(&self, coarse: Solved, _effort: &Detail) -> Result<Solved, Error> {
+        settle(self, &coarse.zones, &FINE)
     }
 
     fn noise(&self, solved: &Solved, left: &Check) -> f64 {
-        answer::noise(self, solved, left.largest)
+        answer::noise(self, solved, left.largest).min(COARSELY_ALLOWED)
     }
 }
 

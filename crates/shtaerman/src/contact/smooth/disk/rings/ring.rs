@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::contact::smooth::zones::Zone;
+use crate::contact::zones::Zone;
 
 /// A ring `b <= r <= a`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -20,8 +20,8 @@ use super::ring::Ring;
 use crate::contact::balance::State;
 use crate::contact::smooth::Detail;
 use crate::contact::smooth::slopes::{Angular, ROUNDINGS, Slopes};
-use crate::contact::smooth::zones::Zone;
 use crate::contact::solved::Stiffness;
+use crate::contact::zones::Zone;
 use crate::{Error, Vertical};
 
 /// Most modes for the base itself, and with fewer digits than so many: a bend of the base asks for all of them.
@@ -236,7 +236,7 @@ impl Solved {
         let core = core.zip(disk).map(|((transform, axis), zone)| {
             let level = depth - axis;
             let [corner, slope] = edge(base, &transform, level, c, &parts);
-            Core { radius: c, is_free: zone.is_free[1], transform, level, corner, slope }
+            Core { radius: c, is_free: zone.is_free(1), transform, level, corner, slope }
         });
         // Adding zero turns a negative zero into a plain one.
         let state =

@@ -9,18 +9,18 @@ const CUTS: usize = 4;
 
 /// Where an edge is, and what the layer says there.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::contact) struct Edge {
-    pub(in crate::contact) at: f64,
+pub(super) struct Edge {
+    pub(super) at: f64,
     /// 1 where the zone lies on the left, -1 where it lies on the right.
-    pub(in crate::contact) outwards: f64,
+    pub(super) outwards: f64,
     /// Displacement of the layer, or the density of a smooth pressure: below zero where the edge lies too far out.
-    pub(in crate::contact) layer: f64,
+    pub(super) layer: f64,
 }
 
 /// Shortens the steps of each edge while they turn: at a kink of the base the pressure at an edge has two slopes, and Newton's method may leap from side to side, or
 /// circle between the two.
 #[derive(Debug, Default)]
-pub(in crate::contact) struct Damping {
+pub(super) struct Damping {
     before: Vec<f64>,
     factors: Vec<f64>,
     bounds: Vec<Bounds>,
@@ -74,7 +74,7 @@ impl Bounds {
 
 impl Damping {
     /// Steps to the right of edges, each with its place.
-    pub(in crate::contact) fn damped(&mut self, mut steps: Vec<f64>, edges: &[Edge]) -> Vec<f64> {
+    pub(super) fn damped(&mut self, mut steps: Vec<f64>, edges: &[Edge]) -> Vec<f64> {
         self.count += 1;
         if steps.len() != self.before.len() {
             self.before = vec![0.0; steps.len()];

@@ -1,0 +1,153 @@
+//! Complementarity between the nodes: where an answer pulls and where the base penetrates.
+
+use crate::Error;
+
+/// Parts of an interval between two breaks.
+const BETWEEN: usize = 8;
+
+/// What is left of tension and penetration.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Check {
+    /// Largest tension over the largest pressure, of a smooth surface that between the singular ends.
+    pub(super) tension: f64,
+    /// Largest penetration over the size of the displacements compared.
+    pub(super) penetration: f64,
+    /// The largest pressure.
+    pub(super) largest: f64,
+    /// Intervals of tension that are too large to be rounding.
+    pub(super) pulling: Vec<[f64; 2]>,
+    /// The same of penetration, with the deepest place in the middle.
+    pub(super) penetrating: Vec<[f64; 3]>,
+}
+
+impl Check {
+    /// Of what was not looked at.
+    pub(super) fn none() -> Self {
+        let (pulling, penetrating) = (Vec::new(), Vec::new());
+        Self { tension: 0.0, penetration: 0.0, largest: f64::MIN_POSITIVE, pulling, penetrating }
+    }
+
+    /// Whether nothing is to be corrected.
+    pub(super) fn is_clean(&self) -> bool {
+        self.pulling.is_empty() && self.penetrating.is_empty()
+    }
+
+    pub(super) fn violation(&self) -> f64 {
+        self.tension.max(self.penetration)
+    }
+
+    pub(super) fn as_error(&self) -> Error {
+        Error::NotComplementary { tension: self.tension, penetration: self.penetration }
+    }
+
+    /// The intervals of penetration, narrowed by a factor towards the deepest places.
+    pub(super) fn narrowed(&self, width: f64) -> Vec<[f64; 2]> {
+        let narrowed = |[left, deepest, right]: &[f64; 3]| {
+            [deepest - width * (deepest - left), deepest + width * (right - deepest)]
+        };
+        self.penetrating.iter().map(narrowed).collect()
+    }
+
+    /// Adds tension at places of a zone, over the largest pressure; beyond a threshold it is listed for correction. What is not a number is no pressure.
+    pub(super) fn add_tension(&mut self, places: &[f64], tension: &[f64], [size, most]: [f64; 2]) {
+        if let ([first, .., last], true) = (places, tension.iter().any(|t| t.is_nan())) {
+            self.tension = f64::NAN;
+            self.pulling.push([*first, *last]);
+            return;
+        }
+        self.tension = tension.iter().fold(self.tension, |worst, t| worst.max(t / size));
+        let found = above(places, tension, most);
+        self.pulling.extend(found.into_iter().map(|[left, _, right]| [left, right]));
+    }
+
+    /// Adds penetration at places beside the zones, over the size of what is compared; beyond a threshold it is listed for correction.
+    pub(super) fn add_penetration(
+        &mut self,
+        places: &[f64],
+        penetration: &[f64],
+        [size, most]: [f64; 2],
+    ) {
+        self.penetration =
+            penetration.iter().fold(self.penetration, |worst, g| worst.max(g / size));
+        self.penetrating.extend(above(places, penetration, most));
+    }
+}
+
+/// Values at points, with the top of the parabola through each three of which the middle one is the largest: what exceeds little may do so between the points only.
+pub(super) fn with_tops(points: &[f64], value: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<f64>) {
+    let values: Vec<f64> = points.iter().map(|&xi| value(xi)).collect();
+    let mut found: Vec<(f64, f64)> = points.iter().copied().zip(values.iter().copied()).collect();
+    for (x, v) in points.windows(3).zip(values.windows(3)) {
+        if v[1] < v[0] || v[1] < v[2] {
+            continue;
+        }
+        let [before, after] = [(v[1] - v[0]) / (x[1] - x[0]), (v[2] - v[1]) / (x[2] - x[1])];
+        let curvature = (after - before) / (x[2] - x[0]);
+        let top = 0.5 * (x[0] + x[1]) - 0.5 * before / curvature;
+        if x[0] < top && top < x[2] && top != x[1] {
+            found.push((top, value(top)));
+        }
+    }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.into_iter().unzip()
+}
+
+/// The intervals around points where the values exceed a threshold, to halfway to the nearest points where they do not, with the place of the largest value in the middle.
+fn above(points: &[f64], values: &[f64], threshold: f64) -> Vec<[f64; 3]> {
+    let mut intervals: Vec<[f64; 3]> = Vec::new();
+    let (mut inside, mut largest) = (false, threshold);
+    for i in 0..points.len() {
+        let exceeds = values[i] > threshold;
+        if exceeds && !inside {
+            let left = if i == 0 { points[0] } else { 0.5 * (points[i - 1] + points[i]) };
+            intervals.push([left, points[i], points[i]]);
+            largest = threshold;
+        }
+        if exceeds && let Some(last) = intervals.last_mut() {
+            last[2] = points.get(i + 1).map_or(points[i], |next| 0.5 * (points[i] + next));
+            if values[i] > largest {
+                (largest, last[1]) = (values[i], points[i]);
+            }
+        }
+        inside = exceeds;
+    }
+    intervals
+}
+
+/// Places between the breaks of a profile, which may lie close about a narrow feature.
+pub(super) fn between_breaks(breaks: &[f64], [left, right]: [f64; 2]) -> Vec<f64> {
+    let inside = |xi: &f64| left < *xi && *xi < right;
+    let breaks: Vec<f64> = breaks.iter().copied().filter(inside).collect();
+    let part = |pair: &[f64]| {
+        let [from, to] = [pair[0], pair[1]];
+        (1..BETWEEN).map(move |i| from + (to - from) * i as f64 / BETWEEN as f64)
+    };
+    breaks.windows(2).flat_map(part).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A narrow top between points that are all below the threshold.
+    #[test]
+    fn tops_between_points_are_seen() {
+        let points: Vec<f64> = (0..11).map(|i| f64::from(i) * 0.1).collect();
+        let value = |x: f64| 1.0 - 400.0 * (x - 0.55).powi(2);
+        let (points, values) = with_tops(&points, value);
+        assert_eq!(above(&points[..5], &values[..5], 0.9).len(), 0);
+        let found = above(&points, &values, 0.9);
+        assert_eq!(found.len(), 1);
+        assert!((found[0][1] - 0.55).abs() < 1e-12);
+    }
+
+    #[test]
+    fn intervals_surround_what_exceeds() {
+        let points = [0.0, 1.0, 2.0, 3.0, 4.0];
+        assert_eq!(
+            above(&points, &[1.0, 0.0, 0.0, 2.0, 3.0], 0.5),
+            [[0.0, 0.0, 0.5], [2.5, 4.0, 4.0]]
+        );
+        assert!(above(&points, &[0.0; 5], 0.5).is_empty());
+    }
+}

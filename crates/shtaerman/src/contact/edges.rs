@@ -1,0 +1,285 @@
+//! The free ends of zones, by Newton's method.
+//!
+//! At a free end the pressure vanishes. As it does, an end that moves by `e` changes the pressure elsewhere by `e^2` only: so each end has a step of its own, to where
+//! the pressure beside it, carried on straight, would vanish.
+
+use super::damping::{Damping, Edge};
+use super::search::Equation;
+use super::zones::{EndKind, Zone};
+use crate::Error;
+
+/// Most steps on the way to the ends: in a row that is nearly closed they converge by a half only.
+const STEPS: usize = 120;
+/// What an end lacks, as a share of its scale, that is as good as nothing if it does not fall any more: to this share of the step before.
+const SMALL: f64 = 1e-8;
+const FALLING: f64 = 0.9;
+/// A step that makes the ends so much worse is halved, this often: beyond a bend of the base the slope at the end says nothing.
+const WORSE: f64 = 2.0;
+const CUTS: usize = 12;
+/// Share of a zone, or of a gap, that an end may cross in one step.
+pub(super) const STRIDE: f64 = 0.4;
+/// Zones shorter than this share of the longest are none.
+const VANISHING: f64 = 1e-9;
+/// Zones closer than this share of the shorter one are one.
+const CLOSE: f64 = 1e-6;
+
+/// What is known at an end of a zone.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct EndState {
+    /// What vanishes at a free end and has the sign of the pressure: of a rough surface what the layer gives, of a smooth one the density of its singular pressure.
+    pub(super) value: f64,
+    /// The rounding of that.
+    pub(super) rounding: f64,
+    /// What it is held against.
+    pub(super) scale: f64,
+    /// Up to this size it is no better known to vanish.
+    pub(super) none: f64,
+    /// Newton's step outwards, in `xi`; of no use unless it goes to where the value vanishes.
+    pub(super) step: f64,
+}
+
+impl EndState {
+    /// The step outwards: a stride where Newton's leads nowhere.
+    fn outwards(&self, length: f64) -> f64 {
+        if self.step.is_finite() && self.step * self.value >= 0.0 {
+            self.step
+        } else {
+            STRIDE.copysign(self.value) * length
+        }
+    }
+}
+
+/// The ends of all zones, as [`Equation::ends`] tells them.
+type Ends = [[EndState; 2]];
+
+/// Moves the free ends until the pressure vanishes there. Zones that carry nothing disappear, those that meet become one, ends that come to a wall stay there and leave
+/// it again if it pulls.
+///
+/// # Errors
+/// Those of the solutions.
+pub(super) fn settle<E: Equation>(
+    equation: &E,
+    start: &[Zone],
+    effort: &E::Effort,
+) -> Result<E::Solved, Error> {
+    let mut zones = equation.arranged(start.to_vec());
+    if !equation.may_lift() {
+        return equation.solve(&zones, effort, None);
+    }
+    let mut latest: Option<E::Solved> = None;
+    let mut worst_before: Option<f64> = None;
+    let mut step: Option<Step> = None;
+    let mut damping = Damping::default();
+    for _ in 0..STEPS {
+        let solved = equation.solve(&zones, effort, latest.as_ref())?;
+        if drop_idle(&mut zones, |zone| equation.force(&solved, zone)) {
+            (latest, worst_before, step) = (None, None, None);
+            continue;
+        }
+        let ends = equation.ends(&solved);
+        let lacking = lacking(&zones, &ends);
+        if let Some(step) = &mut step
+            && step.is_to_be_cut(lacking, &mut zones)
+        {
+            continue;
+        }
+        let released = release(&mut zones, &ends);
+        let free = Free::new(&zones, &ends);
+        if free.are_none && !released {
+            return Ok(solved);
+        }
+        let is_small = free.are_small && !released;
+        if is_small && let Some(before) = worst_before {
+            let has_ended = free.worst >= FALLING * before || free.are_rounding;
+            if has_ended {
+                return Ok(latest.filter(|_| before <= free.worst).unwrap_or(solved));
+            }
+        }
+        let next = moved(equation, &zones, &ends);
+        if !released && is_still(&zones, &next) {
+            return Ok(solved);
+        }
+        let next = damped(&mut damping, &ends, &zones, next);
+        let from = std::mem::replace(&mut zones, next);
+        step = Some(Step { from, lacking, cuts: 0 });
+        worst_before = is_small.then_some(free.worst);
+        latest = Some(solved);
+    }
+    match latest.filter(|_| worst_before.is_some()) {
+        Some(solved) => Ok(solved),
+        None => equation.solve(&zones, effort, None),
+    }
+}
+
+/// A step that was taken, in case it must be cut.
+struct Step {
+    from: Vec<Zone>,
+    /// What the ends lacked before it.
+    lacking: f64,
+    cuts: usize,
+}
+
+impl Step {
+    /// Halves the step to these zones, if it made the ends worse.
+    fn is_to_be_cut(&mut self, lacking: f64, zones: &mut [Zone]) -> bool {
+        if lacking <= WORSE * self.lacking || self.cuts >= CUTS || self.from.len() != zones.len() {
+            return false;
+        }
+        self.cuts += 1;
+        for (zone, from) in zones.iter_mut().zip(&self.from) {
+            for side in 0..2 {
+                zone.ends[side] = 0.5 * (zone.ends[side] + from.ends[side]);
+            }
+            zone.kinds = from.kinds;
+        }
+        true
+    }
+}
+
+/// Values at the free ends.
+struct Free {
+    /// The largest over its scale.
+    worst: f64,
+    are_none: bool,
+    are_rounding: bool,
+    are_small: bool,
+}
+
+impl Free {
+    fn new(zones: &[Zone], ends: &Ends) -> Self {
+        let mut free = Self { worst: 0.0, are_none: true, are_rounding: true, are_small: true };
+        for (zone, ends) in zones.iter().zip(ends) {
+            for (side, _) in zone.free_ends() {
+                let EndState { value, rounding, scale, none, .. } = ends[side];
+                let size = value.abs();
+                free.worst = free.worst.max(size / scale);
+                free.are_none &= size <= none;
+                free.are_rounding &= size <= rounding;
+                free.are_small &= size <= SMALL * scale + rounding;
+            }
+        }
+        free
+    }
+}
+
+/// The largest value at a free end, of either sign, or tension at a wall, over their scales.
+fn lacking(zones: &[Zone], ends: &Ends) -> f64 {
+    let mut lacking = 0.0f64;
+    for (zone, ends) in zones.iter().zip(ends) {
+        for side in 0..2 {
+            let EndState { value, scale, .. } = ends[side];
+            let size = match zone.kinds[side] {
+                EndKind::Free => value.abs(),
+                EndKind::Wall => (-value).max(0.0),
+                EndKind::Axis => 0.0,
+            };
+            lacking = lacking.max(size / scale);
+        }
+    }
+    lacking
+}
+
+/// Drops zones without force, if there are others; whether there were any.
+fn drop_idle(zones: &mut Vec<Zone>, force: impl Fn(usize) -> f64) -> bool {
+    let carries: Vec<bool> = (0..zones.len()).map(|zone| force(zone) > 0.0).collect();
+    let drops = carries.contains(&true) && carries.contains(&false);
+    if drops {
+        let mut carries = carries.into_iter();
+        zones.retain(|_| carries.next().unwrap_or(true));
+    }
+    drops
+}
+
+/// Ends at walls that pull become free; whether there were any.
+fn release(zones: &mut [Zone], ends: &Ends) -> bool {
+    let mut released = false;
+    for (zone, ends) in zones.iter_mut().zip(ends) {
+        for side in 0..2 {
+            if zone.kinds[side] == EndKind::Wall && ends[side].value < -ends[side].rounding {
+                zone.kinds[side] = EndKind::Free;
+                released = true;
+            }
+        }
+    }
+    released
+}
+
+/// The zones after steps that neither empty a zone nor jump over a gap nor cross a wall.
+fn moved<E: Equation>(equation: &E, zones: &[Zone], ends: &Ends) -> Vec<Zone> {
+    let mut next: Vec<Zone> = Vec::with_capacity(zones.len());
+    for (j, zone) in zones.iter().enumerate() {
+        let mut moved = *zone;
+        let length = zone.length();
+        for (side, at) in zone.free_ends() {
+            let gap = match side {
+                0 => j.checked_sub(1).map(|before| at - zones[before].right()),
+                _ => zones.get(j + 1).map(|after| after.left() - at),
+            };
+            // Beside a narrow gap the pressure changes within it.
+            let gap = gap.unwrap_or(f64::INFINITY);
+            let step = ends[j][side].outwards(length);
+            let step = step.clamp(-STRIDE * length.min(gap), (0.5 * gap).min(length));
+            let to = if side == 0 { at - step } else { at + step };
+            let wall = equation.walls().beyond(side, zone.middle());
+            let is_beyond = if side == 0 { to <= wall } else { to >= wall };
+            if is_beyond {
+                (moved.ends[side], moved.kinds[side]) = (wall, EndKind::Wall);
+            } else {
+                moved.ends[side] = to;
+            }
+        }
+        match next.last_mut() {
+            Some(last) if is_one(equation, last, &moved) => {
+                (last.ends[1], last.kinds[1]) = (moved.ends[1], moved.kinds[1]);
+            }
+            _ => next.push(moved),
+        }
+    }
+    // A zone that goes on shrinking beside others is about to vanish.
+    let longest = next.iter().fold(0.0f64, |most, zone| most.max(zone.length()));
+    next.retain(|zone| zone.length() > VANISHING * longest);
+    equation.arranged(next)
+}
+
+/// Whether two neighbours are one zone.
+fn is_one<E: Equation>(equation: &E, left: &Zone, right: &Zone) -> bool {
+    let free = [left.is_free(1), right.is_free(0)];
+    let may_be = if equation.spans_steps() { free.contains(&true) } else { free == [true; 2] };
+    may_be && right.left() - left.right() <= CLOSE * right.length().min(left.length())
+}
+
+/// Whether the ends stay where they are.
+fn is_still(zones: &[Zone], next: &[Zone]) -> bool {
+    zones.len() == next.len()
+        && zones.iter().zip(next).all(|(zone, next)| {
+            let least = 0.5 * f64::EPSILON * zone.length();
+            zone.kinds == next.kinds
+                && (0..2).all(|side| (next.ends[side] - zone.ends[side]).abs() <= least)
+        })
+}
+
+/// The next zones with shorter steps of those ends that go back and forth about a kink of the base; all as they are where an end was freed or held, or a zone has gone.
+fn damped(damping: &mut Damping, ends: &Ends, zones: &[Zone], mut next: Vec<Zone>) -> Vec<Zone> {
+    let is_same = zones.len() == next.len()
+        && zones.iter().zip(&next).all(|(zone, next)| zone.kinds == next.kinds);
+    if !is_same {
+        *damping = Damping::default();
+        return next;
+    }
+    let edge = |j: usize, side: usize| Edge {
+        at: zones[j].ends[side],
+        outwards: if side == 0 { -1.0 } else { 1.0 },
+        layer: ends[j][side].value,
+    };
+    let edges: Vec<Edge> = (0..zones.len()).flat_map(|j| [edge(j, 0), edge(j, 1)]).collect();
+    let pairs = zones.iter().zip(&next);
+    let steps = pairs.flat_map(|(zone, next)| [0, 1].map(|side| next.ends[side] - zone.ends[side]));
+    let wanted: Vec<f64> = steps.collect();
+    let steps = damping.damped(wanted.clone(), &edges);
+    for (end, (step, wanted)) in steps.into_iter().zip(wanted).enumerate() {
+        if step != wanted {
+            next[end / 2].ends[end % 2] = edges[end].at + step;
+        }
+    }
+    next
+}

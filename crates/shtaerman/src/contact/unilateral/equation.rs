@@ -1,0 +1,131 @@
+//! The equation of the second kind on zones of a rough surface, as the [search](crate::contact::search) knows it.
+
+use super::ALL_NOISE;
+use super::base::{Base, MOST_CELLS};
+use super::check::check;
+use super::mirror::mirror;
+use super::refinement::{RATIO, refined, strength};
+use super::solved::Solved;
+use super::system::Resolution;
+use crate::Error;
+use crate::contact::check::Check;
+use crate::contact::edges::EndState;
+use crate::contact::search::{Equation, Start, unknown};
+use crate::contact::valleys;
+use crate::contact::zones::{Walls, Zone};
+
+/// Most zones that are collocated.
+const MOST_ZONES: usize = 40;
+/// Numbers of cells, each four times the one before.
+const TOPOLOGIES: u32 = 3;
+/// Most nodes on either side of the middle of a panel while zones are looked for.
+const MOST_HALF_COUNT: f64 = 300.0;
+/// Ends this close to a wall, and inside of it, are there: the check looks just inside a wall.
+const BESIDE: f64 = 1e-11;
+
+impl Equation for Base<'_> {
+    type Solved = Solved;
+    type Effort = Resolution;
+    const MOST_ZONES: usize = MOST_ZONES;
+
+    fn may_lift(&self) -> bool {
+        !self.is_bilateral
+    }
+
+    fn walls(&self) -> &Walls {
+        &self.walls
+    }
+
+    fn spans_steps(&self) -> bool {
+        true
+    }
+
+    /// Walls, steps of the base too, hold the contact until they pull: where the pressure rises towards one a free end would be led away from it.
+    fn zone(&self, ends: [f64; 2]) -> Zone {
+        let walls = [0, 1].map(|side| self.walls.near(side, ends[side], BESIDE));
+        let zone = Zone::new(
+            [0, 1].map(|side| walls[side].unwrap_or(ends[side])),
+            walls.map(|wall| wall.is_none()),
+        );
+        if self.medium.is_disk() { zone.about_axis() } else { zone }
+    }
+
+    fn arranged(&self, mut zones: Vec<Zone>) -> Vec<Zone> {
+        if self.is_mirrored {
+            mirror(&mut zones);
+        }
+        if self.medium.is_disk() {
+            zones.iter_mut().for_each(|zone| *zone = zone.about_axis());
+        }
+        zones
+    }
+
+    fn starts(&self) -> Vec<Start> {
+        let counts = (0..TOPOLOGIES).map(|power| self.cells() * 4usize.pow(power));
+        let mut counts: Vec<usize> = counts.map(|count| count.min(MOST_CELLS)).collect();
+        counts.dedup();
+        counts.into_iter().map(Start::Cells).collect()
+    }
+
+    fn pieces(&self) -> Vec<[f64; 2]> {
+        self.pieces.clone()
+    }
+
+    fn valleys(&self) -> Vec<f64> {
+        valleys::valleys(&self.samples).collect()
+    }
+
+    fn intervals(&self, cells: usize) -> Result<Vec<[f64; 2]>, Error> {
+        self.first_intervals(cells)
+    }
+
+    fn effort(&self, zones: &[Zone], before: Option<Resolution>) -> Result<Resolution, Error> {
+        let wanted = strength(self, zones);
+        match before.filter(|known| known.strength >= wanted) {
+            Some(known) => Ok(known),
+            None => Resolution::new(&self.medium, wanted),
+        }
+    }
+
+    fn finer(&self, solved: &Solved, effort: &Resolution) -> Option<Resolution> {
+        let room = self.effort.nodes as f64 / (2.0 * solved.panels.len() as f64);
+        let finer = (effort.strength * RATIO).min(MOST_HALF_COUNT).min(room);
+        if finer > effort.strength { Resolution::new(&self.medium, finer).ok() } else { None }
+    }
+
+    fn solve(
+        &self,
+        zones: &[Zone],
+        effort: &Resolution,
+        near: Option<&Solved>,
+    ) -> Result<Solved, Error> {
+        let solved = Solved::new(self, effort, zones, near)?;
+        self.work.spend(solved.positions.len(), 0.0, self.effort.work)?;
+        Ok(solved)
+    }
+
+    fn zones(&self, solved: &Solved) -> Vec<Zone> {
+        solved.zones.clone()
+    }
+
+    fn force(&self, solved: &Solved, zone: usize) -> f64 {
+        solved.zone_force(zone)
+    }
+
+    fn ends(&self, solved: &Solved) -> Vec<[EndState; 2]> {
+        solved.ends()
+    }
+
+    fn check(&self, solved: &Solved, allowed: f64) -> Check {
+        check(self, solved, allowed)
+    }
+
+    fn refined(&self, coarse: Solved, effort: &Resolution) -> Result<Solved, Error> {
+        let solved = refined(self, coarse, effort.strength)?;
+        if solved.noise() > ALL_NOISE { Err(unknown()) } else { Ok(solved) }
+    }
+
+    fn noise(&self, solved: &Solved, _left: &Check) -> f64 {
+        2.0 * solved.noise()
+    }
+}
