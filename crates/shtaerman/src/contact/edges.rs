@@ -76,12 +76,15 @@ pub(super) fn settle<E: Equation>(
             (latest, worst_before, step) = (None, None, None);
             continue;
         }
-        let ends = equation.ends(&solved);
+        let mut ends = equation.ends(&solved);
         let lacking = lacking(&zones, &ends);
         if let Some(step) = &mut step
             && step.is_to_be_cut(lacking, &mut zones)
         {
             continue;
+        }
+        if let Some(step) = &step {
+            step.sharpen(&zones, &mut ends);
         }
         let released = release(&mut zones, &ends);
         let free = Free::new(&zones, &ends);
@@ -101,7 +104,7 @@ pub(super) fn settle<E: Equation>(
         }
         let next = damped(&mut damping, &ends, &zones, next);
         let from = std::mem::replace(&mut zones, next);
-        step = Some(Step { from, lacking, cuts: 0 });
+        step = Some(Step { from, ends, lacking, cuts: 0 });
         worst_before = is_small.then_some(free.worst);
         latest = Some(solved);
     }
@@ -114,6 +117,7 @@ pub(super) fn settle<E: Equation>(
 /// A step that was taken, in case it must be cut.
 struct Step {
     from: Vec<Zone>,
+    ends: Vec<[EndState; 2]>,
     /// What the ends lacked before it.
     lacking: f64,
     cuts: usize,
@@ -133,6 +137,33 @@ impl Step {
             zone.kinds = from.kinds;
         }
         true
+    }
+}
+
+/// A value below this share of its scale changes with its own end alone.
+const NEAR: f64 = 1e-2;
+
+impl Step {
+    /// Takes the secant over this step in the place of Newton's slope, where the value changed its sign or is small: in thin layers slopes beside an end are not those at it.
+    fn sharpen(&self, zones: &[Zone], ends: &mut [[EndState; 2]]) {
+        if self.from.len() != zones.len() {
+            return;
+        }
+        for ((zone, from), (ends, before)) in
+            zones.iter().zip(&self.from).zip(ends.iter_mut().zip(&self.ends))
+        {
+            for (side, at) in zone.free_ends().filter(|(side, _)| from.is_free(*side)) {
+                let sign = if side == 0 { -1.0 } else { 1.0 };
+                let (now, was) = (ends[side], before[side].value);
+                let step = now.value * sign * (at - from.ends[side]) / (was - now.value);
+                let is_known = (was - now.value).abs() > now.rounding.max(before[side].rounding);
+                let is_crossed = (now.value > 0.0) != (was > 0.0);
+                let is_near = now.value.abs() <= NEAR * now.scale;
+                if is_known && (is_crossed || is_near) && step * now.value > 0.0 {
+                    ends[side].step = step;
+                }
+            }
+        }
     }
 }
 
