@@ -1,16 +1,18 @@
 //! Plane contact with a layer that follows a power law: an **estimate**, as its residual is sampled.
 
-use crate::bound::{Answer, Bound, MOST_WINDOWS, Prescribed, Problem, Refusal, resample};
+use crate::bound::resample;
 use crate::density::Density;
 use crate::distance::narrow_potential;
 use crate::kernel::Kernel;
+use crate::layer;
 use crate::norms::mass;
 use crate::open::free_ends;
+use crate::problem::{Answer, Bound, MOST_WINDOWS, Prescribed, Problem, Refusal};
+use crate::profile::Profile;
 use crate::sample::{compared, is_short};
 use crate::sampled::{Field, Seen, cover};
 use crate::shape::Shape;
 use crate::tangent::{Residuals, Tangent};
-use crate::{Profile, layer};
 
 /// Unit of rounding.
 const UNIT: f64 = 0.5 * f64::EPSILON;

@@ -1,21 +1,19 @@
 //! From the residual of an answer to the errors of its parts.
 
-use crate::Profile;
 use crate::allowance::allowance;
-use crate::density::{Density, Panel};
+use crate::density::Density;
 use crate::displacements::Line;
 use crate::distance::{Distance, Windows};
 use crate::highest::highest;
-use crate::kernel::Kernel;
 use crate::layer;
 use crate::norms::Reach;
+use crate::panel::Panel;
+use crate::problem::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Problem, Refusal};
+use crate::profile::Profile;
 use crate::residual::{Bounded, Residual};
 use crate::sample::{Limits, compared, halves, panels};
 use crate::shape::{Shape, restored};
 
-/// Most panels and windows: beyond them an answer is not audited.
-pub(crate) const MOST_PANELS: usize = 60_000;
-pub(crate) const MOST_WINDOWS: usize = 50_000;
 /// A pressure is resampled to this share of what is allowed.
 const RESOLVED: f64 = 0.3;
 /// Places of an interval where it is looked at how well heights are known.
@@ -28,99 +26,6 @@ const PEAKED: f64 = 8.0;
 /// A bound above this share of the pressure is looked into: a single window beside the zones with so much of the residual is told.
 const NO_SMALL_SHARE: f64 = 1e-2;
 const MOST_OF_IT: f64 = 0.3;
-
-/// What the load prescribes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Prescribed {
-    /// The force `P`; else the settlement is as the answer has it.
-    pub force: Option<f64>,
-    /// The moment `M`; else the tilt is as the answer has it.
-    pub moment: Option<f64>,
-}
-
-/// A contact problem without dimensions.
-pub struct Problem<'a> {
-    /// The kernel.
-    pub kernel: Kernel,
-    /// `theta >= 0`.
-    pub theta: f64,
-    /// What the numbers given for `theta`, the profile and the load may be off by, relative to their sizes: they were scaled.
-    pub scaled: f64,
-    /// The intervals of the base, from left to right, within `[-1, 1]`.
-    pub pieces: &'a [[f64; 2]],
-    /// Whether the pressure may pull, and the whole base is in contact.
-    pub is_bilateral: bool,
-    /// The load.
-    pub prescribed: Prescribed,
-    /// The base.
-    pub profile: &'a dyn Profile,
-    /// Places where the pressure bends: panels are cut there. None needs to be known.
-    pub cuts: &'a [f64],
-}
-
-/// An answer.
-pub struct Answer<'a> {
-    /// The zones of contact, from left to right.
-    pub zones: &'a [[f64; 2]],
-    /// The pressure at places of the zones.
-    pub pressure: &'a dyn Fn(f64) -> f64,
-    /// `delta`.
-    pub settlement: f64,
-    /// `alpha`.
-    pub tilt: f64,
-    /// `P`.
-    pub force: f64,
-    /// `M`.
-    pub moment: f64,
-}
-
-/// Guaranteed bounds of the errors of an answer.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bound {
-    /// Of the pressure in the mean square, `||p - q||` in `L2` of the base.
-    pub mean_square: f64,
-    /// Of the pressure at any number of the machine on the base.
-    pub pressure: f64,
-    /// What the largest pressure is at most; none where it is not known.
-    pub highest: Option<f64>,
-    /// Of the settlement; 0 where it is prescribed.
-    pub settlement: f64,
-    /// Of the tilt; 0 where it is prescribed.
-    pub tilt: f64,
-    /// Of the force; 0 where it is prescribed.
-    pub force: f64,
-    /// Of the moment; 0 where it is prescribed.
-    pub moment: f64,
-    /// Of the free ends of the zones; none where the contact may have other zones, or no end is free.
-    pub ends: Option<f64>,
-    /// The norm of the residual.
-    pub residual: f64,
-    /// Panels of the resampled pressure.
-    pub panels: usize,
-    /// Windows on which the residual was bounded.
-    pub windows: usize,
-}
-
-/// Why there is no bound.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Refusal {
-    /// The pressure has no zone, or is not finite.
-    NoPressure,
-    /// The pressure needs more panels than are kept.
-    TooManyPanels,
-    /// The residual needs more windows than are kept; it was last looked at here.
-    TooManyWindows {
-        /// The place.
-        at: f64,
-    },
-    /// The answer is far from the force or moment that is prescribed.
-    LoadNotMet,
-    /// The base penetrates where the answer has no contact: the bound is no small one, and most of it comes from here.
-    Penetrates {
-        /// The place.
-        at: f64,
-    },
-}
 
 /// Bounds the errors of an answer.
 ///

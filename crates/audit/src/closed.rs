@@ -1,6 +1,6 @@
 //! Bases under which the pressure is `sqrt(c^2 - x^2)`.
 
-use crate::Profile;
+use crate::profile::Profile;
 
 /// `-(c^2 - x^2)^(kappa/2) + b x^2`.
 pub(crate) struct Base {

@@ -1,138 +1,14 @@
-//! The density whose error is bounded: a polynomial on each panel, and its potential.
+//! The density whose error is bounded, a polynomial on each panel, and its potential.
 
+use crate::allowance::UNIT;
 use crate::chebyshev::MOST;
 use crate::far::{Cluster, FAR};
 use crate::kernel::Kernel;
-use crate::legendre::{self, ORDER, RULE};
-use crate::near::{Batches, Recurrence, rounded};
+use crate::legendre;
+use crate::near::{Batches, Recurrence};
+use crate::panel::Panel;
+use crate::potentials::Potentials;
 use crate::row::Regular;
-use crate::sum::two_sum;
-
-pub(crate) use crate::allowance::UNIT;
-
-/// The last coefficients, whose size tells whether a panel resolves the density.
-const TAIL: usize = 3;
-
-/// A polynomial on `[left, right]`.
-#[derive(Debug, Clone)]
-pub(crate) struct Panel {
-    pub(crate) left: f64,
-    pub(crate) right: f64,
-    pub(crate) coefficients: [f64; ORDER],
-    /// A bound of its size.
-    pub(crate) largest: f64,
-    /// A bound of its size less its mean.
-    pub(crate) swing: f64,
-    /// Roundings of a value in units of the machine.
-    pub(crate) evaluated: f64,
-    /// Roundings of its potential on the panel, without that of its mean, see [`rounded`].
-    pub(crate) rounded: f64,
-}
-
-impl Panel {
-    pub(crate) fn new(left: f64, right: f64, coefficients: [f64; ORDER]) -> Self {
-        let swing: f64 = coefficients[1..].iter().map(|c| c.abs()).sum();
-        Self {
-            left,
-            right,
-            coefficients,
-            largest: swing + coefficients[0].abs(),
-            swing,
-            evaluated: legendre::evaluated(&coefficients),
-            rounded: rounded(&coefficients, 1.0),
-        }
-    }
-
-    pub(crate) fn middle(&self) -> f64 {
-        0.5 * (self.left + self.right)
-    }
-
-    /// The largest of the last coefficients: what the panel cannot resolve is about as large.
-    pub(crate) fn tail(&self) -> f64 {
-        self.largest_of(ORDER - TAIL..ORDER)
-    }
-
-    /// The largest of as many before these.
-    pub(crate) fn before_tail(&self) -> f64 {
-        self.largest_of(ORDER - 2 * TAIL..ORDER - TAIL)
-    }
-
-    fn largest_of(&self, range: std::ops::Range<usize>) -> f64 {
-        self.coefficients[range].iter().fold(0.0, |most, c| most.max(c.abs()))
-    }
-
-    pub(crate) fn half(&self) -> f64 {
-        0.5 * (self.right - self.left)
-    }
-
-    /// A bound of `int |q|`.
-    pub(crate) fn mass(&self) -> f64 {
-        2.0 * self.half() * self.largest
-    }
-
-    /// The place as the panel has it, between -1 and 1.
-    pub(crate) fn own(&self, x: f64) -> f64 {
-        let t = ((x - self.left) - (self.right - x)) / (self.right - self.left);
-        t.clamp(-1.0, 1.0)
-    }
-
-    pub(crate) fn evaluate(&self, x: f64) -> f64 {
-        legendre::evaluate(&self.coefficients, self.own(x))
-    }
-
-    /// Places of the Gauss nodes, with their weights.
-    pub(crate) fn nodes(&self) -> impl Iterator<Item = (f64, f64)> {
-        let (middle, half) = (self.middle(), self.half());
-        RULE.nodes.iter().zip(&RULE.weights).map(move |(t, w)| (middle + half * t, half * w))
-    }
-
-    /// Values at the Gauss nodes.
-    pub(crate) fn at_nodes(&self) -> [f64; ORDER] {
-        legendre::evaluate_at(&self.coefficients, &RULE.nodes)
-    }
-}
-
-/// Potentials at several places, with what their sums lose and bounds of their roundings.
-#[derive(Debug, Clone, Default)]
-pub(crate) struct Potentials {
-    values: Vec<f64>,
-    lost: Vec<f64>,
-    roundings: Vec<f64>,
-}
-
-impl Potentials {
-    /// Of a single place.
-    pub(crate) fn one() -> Self {
-        let mut one = Self::default();
-        one.begin(1);
-        one
-    }
-
-    fn begin(&mut self, count: usize) {
-        for entries in [&mut self.values, &mut self.lost, &mut self.roundings] {
-            entries.clear();
-            entries.resize(count, 0.0);
-        }
-    }
-
-    /// Adds a part of the potential at one of the places.
-    pub(crate) fn add(&mut self, index: usize, value: f64, rounding: f64) {
-        let (sum, lost) = two_sum(self.values[index], value);
-        self.values[index] = sum;
-        self.lost[index] += lost;
-        self.roundings[index] += rounding;
-    }
-
-    /// Potentials and bounds of their roundings: sums add one each, and those of the bounds themselves less than a hundredth.
-    pub(crate) fn finished(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
-        (self.values.iter().zip(&self.lost).zip(&self.roundings)).map(
-            |((value, lost), rounding)| {
-                let value = value + lost;
-                (value, 1.01 * rounding + 2.0 * UNIT * value.abs())
-            },
-        )
-    }
-}
 
 /// Polynomials on panels from left to right, zero elsewhere.
 #[derive(Debug, Clone)]
@@ -340,6 +216,7 @@ impl Density {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::legendre::ORDER;
     use crate::sum::two_sum;
 
     /// The panels of `tests/data/make.py`.

@@ -1,9 +1,10 @@
 //! What the free ones of settlement and tilt are off by.
 
-use crate::bound::{Audit, Prescribed};
-use crate::density::Panel;
+use crate::bound::Audit;
 use crate::distance::Distance;
 use crate::norms::Reach;
+use crate::panel::Panel;
+use crate::problem::Prescribed;
 
 /// Levels of the pressure, each a quarter of the one before, above which it is looked whether it is firmly positive.
 const LEVELS: usize = 40;

@@ -1,8 +1,9 @@
 //! From the windows of the residual to the distance between the resampled pressure and the true one.
 
-use crate::bound::{Audit, Prescribed};
+use crate::bound::Audit;
 use crate::kernel::Kernel;
 use crate::norms::{Reach, mass, row_norm};
+use crate::problem::Prescribed;
 use crate::residual::{Bounded, blur};
 use crate::sample::negative_part;
 use crate::shape::Correction;

@@ -1,7 +1,7 @@
 //! How far the free ends of zones are off.
 
 use crate::bound::Audit;
-use crate::density::Panel;
+use crate::panel::Panel;
 use crate::residual::Bounded;
 use crate::sample::range_on;
 

@@ -1,8 +1,10 @@
 //! Panels that lie together, seen from afar by their moments.
 
-use crate::density::{Panel, Potentials, UNIT};
+use crate::allowance::UNIT;
 use crate::kernel::Singularity;
 use crate::legendre::{MOMENTS, RULE};
+use crate::panel::Panel;
+use crate::potentials::Potentials;
 use crate::sum::{Sum, two_product, two_sum};
 
 /// Clusters farther from a place than this many of their radii are seen by their moments.

@@ -2,8 +2,9 @@
 
 use crate::allowance::UNIT;
 use crate::chebyshev::{self, lebesgue, nodes};
-use crate::density::{Density, Panel};
+use crate::density::Density;
 use crate::legendre::{self, ORDER};
+use crate::panel::Panel;
 
 /// Nodes of the polynomial that stands for the density in a disk.
 const DENSITY_NODES: usize = 26;

@@ -1,7 +1,7 @@
 //! What interpolation of the profile misses on windows.
 
-use crate::Profile;
 use crate::chebyshev::lebesgue;
+use crate::profile::Profile;
 
 /// Orders of derivatives of the profile that are asked for together: high ones are dear.
 const ORDERS: [usize; 3] = [15, 23, 40];

@@ -1,6 +1,6 @@
 //! The largest pressure between all places.
 
-use crate::density::Panel;
+use crate::panel::Panel;
 use crate::sample::range_on;
 
 /// Most halvings of a panel.

@@ -32,6 +32,10 @@ mod narrow;
 mod near;
 mod norms;
 mod open;
+mod panel;
+mod potentials;
+mod problem;
+mod profile;
 mod remainders;
 mod residual;
 mod row;
@@ -47,18 +51,8 @@ mod tests;
 mod windows;
 
 pub use bent::audit_bent;
-pub use bound::{Answer, Bound, Prescribed, Problem, Refusal, audit, audit_on_halved_panels};
+pub use bound::{audit, audit_on_halved_panels};
 pub use disk::{DiskProblem, audit_disk};
 pub use kernel::Kernel;
-
-/// The base `f(x)`, enclosed.
-pub trait Profile {
-    /// A lower and an upper bound of `f(x)`.
-    fn height(&self, x: f64) -> [f64; 2];
-
-    /// The same for all places of an interval but finitely many.
-    fn range(&self, interval: [f64; 2]) -> [f64; 2];
-
-    /// Bounds of `|f^(n)|/n!` on an interval for `n` from 0 to `order`, infinite where none is known; fewer where the profile gives no more.
-    fn taylor_bounds(&self, interval: [f64; 2], order: usize) -> Vec<f64>;
-}
+pub use problem::{Answer, Bound, Prescribed, Problem, Refusal};
+pub use profile::Profile;

@@ -1,7 +1,8 @@
 //! Windows of some units of the machine, which cannot be resolved further.
 
-use crate::density::{Density, Potentials};
+use crate::density::Density;
 use crate::kernel::Singularity;
+use crate::potentials::Potentials;
 use crate::residual::{Bounded, Residual, blur};
 
 /// Numbers of a window that are looked at one by one.

@@ -6,10 +6,12 @@
 //!
 //! from `(z - t) P_k` and one integration by parts. The recurrence runs forward where all its solutions are of one size, and backward (J. C. P. Miller) where `I_k` is the one that falls.
 
+use crate::allowance::UNIT;
 use crate::chebyshev::MOST;
-use crate::density::{Panel, Potentials, UNIT};
 use crate::kernel::Singularity;
 use crate::legendre::ORDER;
+use crate::panel::Panel;
+use crate::potentials::Potentials;
 
 /// Up to this place beyond an end of the panel the recurrence runs forward: rounding grows there by 2 for each degree, and coefficients fall faster.
 const FORWARD: f64 = 1.25;

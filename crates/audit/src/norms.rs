@@ -222,8 +222,9 @@ fn power_smoothing(mu: f64, theta: f64) -> (f64, bool) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::density::{Density, Panel};
+    use crate::density::Density;
     use crate::legendre::{ORDER, RULE};
+    use crate::panel::Panel;
 
     /// A density with these values on equal panels.
     fn steps(kernel: Kernel, [left, right]: [f64; 2], values: &[f64]) -> Density {

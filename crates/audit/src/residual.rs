@@ -4,10 +4,10 @@
 //! remainder: in that disk the density is replaced by one polynomial, off by at most `eta`, so the potential of what is left is at most `eta int |K|`. Interpolation at Chebyshev
 //! nodes then bounds the analytic part from its values, with the remainders of the book's chapter on the audit.
 
-use crate::Profile;
 use crate::allowance::UNIT;
 use crate::density::Density;
 use crate::heights::Known;
+use crate::profile::Profile;
 
 /// Windows are at least this wide, relative to their distance from the origin: some units of the machine.
 pub(crate) const FINEST: f64 = 16.0 * f64::EPSILON;

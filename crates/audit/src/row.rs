@@ -2,8 +2,9 @@
 
 use std::f64::consts::PI;
 
+use crate::allowance::UNIT;
 use crate::chebyshev::{evaluate, nodes};
-use crate::density::{Panel, UNIT};
+use crate::panel::Panel;
 use crate::sum::Sum;
 
 /// Nodes of the regular part: `(2 + sqrt 3)^-NODES` is below rounding.

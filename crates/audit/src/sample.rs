@@ -1,7 +1,7 @@
 //! The density resampled: panels cut where it needs them.
 
-use crate::density::Panel;
 use crate::legendre::{ORDER, RULE, evaluate_at};
+use crate::panel::Panel;
 use crate::residual::blur;
 
 /// A panel at an end of a part is cut this far from the end, or nearer where that leaves a panel that is resolved: densities bend there as `d ln d`, with which short panels need to

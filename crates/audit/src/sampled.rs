@@ -1,8 +1,8 @@
 //! A residual looked at on windows: what samples could have missed of the profile is bounded, of the potential estimated by the last coefficients.
 
-use crate::Profile;
 use crate::chebyshev::{lebesgue, nodes};
 use crate::heights::Known;
+use crate::profile::Profile;
 use crate::residual::{TooManyWindows, blur};
 
 /// Numbers of nodes on a window.

@@ -1,7 +1,8 @@
 //! Integrals of the resampled pressure, and the correction that gives it the prescribed force and moment.
 
-use crate::bound::{Prescribed, Problem, Refusal};
-use crate::density::{Panel, UNIT};
+use crate::allowance::UNIT;
+use crate::panel::Panel;
+use crate::problem::{Prescribed, Problem, Refusal};
 use crate::sample::adjusted;
 use crate::sum::{Sum, two_product, two_sum};
 

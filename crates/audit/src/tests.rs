@@ -1,8 +1,9 @@
 //! Bounds against solutions by product integration on graded panels.
 
-use crate::density::{Density, Panel};
+use crate::density::Density;
 use crate::kernel::Kernel;
 use crate::legendre::{ORDER, RULE};
+use crate::panel::Panel;
 use crate::slow::{Seen, potentials};
 use crate::{Answer, Prescribed, Problem, Profile, audit, audit_on_halved_panels};
 

@@ -2,9 +2,9 @@
 
 use crate::allowance::{UNIT, allowance};
 use crate::chebyshev::{lebesgue, nodes};
-use crate::density::Potentials;
 use crate::fitted::{Fitted, fit};
 use crate::heights::{Heights, Known};
+use crate::potentials::Potentials;
 use crate::remainders::{Part, local_mass, local_potential, outside};
 use crate::residual::{Bounded, Residual};
 

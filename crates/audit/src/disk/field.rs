@@ -3,9 +3,10 @@
 use super::kernel::mass;
 use super::potential::Radial;
 use super::{DiskProblem, UNIT};
+use crate::layer;
+use crate::profile::Profile;
 use crate::sample::{compared, is_short};
 use crate::sampled::Field;
-use crate::{Profile, layer};
 
 /// A harmonic of the pressure, as the answer has it and on panels.
 pub(super) struct Resampled<'a> {

@@ -9,12 +9,14 @@ mod shells;
 mod tests;
 mod tree;
 
-use crate::bound::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Refusal, known};
-use crate::density::Panel;
+use crate::bound::known;
+use crate::layer;
 use crate::open::free_ends;
+use crate::panel::Panel;
+use crate::problem::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Refusal};
+use crate::profile::Profile;
 use crate::sample::{self, Limits};
 use crate::sampled::{Seen, cover, largest};
-use crate::{Profile, layer};
 use field::{Part, Resampled};
 use kernel::Harmonic;
 use potential::Radial;

@@ -4,10 +4,12 @@ use std::cell::OnceCell;
 
 use super::kernel::Harmonic;
 use super::tree::{Seen, Tree};
-use crate::density::{Panel, Potentials, UNIT};
+use crate::allowance::UNIT;
 use crate::kernel::Singularity;
 use crate::legendre::{ORDER, RULE, evaluate_at};
 use crate::near::{Batches, Recurrence};
+use crate::panel::Panel;
+use crate::potentials::Potentials;
 
 /// A panel this many times as far from the axis at one end as at the other is cut about the place: on shorter ones the factors of the kernel are polynomials of degree 23 but for `5.8^-24`.
 const LONG: f64 = 2.0;

@@ -1,8 +1,8 @@
 //! Potentials of tests, slow and simple: Gauss and Legendre's rule on shells that shrink to the place, with no singularity taken out.
 
 use super::kernel::Harmonic;
-use crate::density::Panel;
 use crate::legendre::{RULE, evaluate};
+use crate::panel::Panel;
 
 /// Each shell about a place ends at this share of its distance: the nodes integrate what is singular there to `3^-48`.
 const SHRINK: f64 = 0.25;

@@ -1,7 +1,7 @@
 //! Panels of a disk that lie together, seen from afar by masses at Gauss nodes.
 
-use crate::density::Panel;
 use crate::legendre::{ORDER, RULE, polynomials};
+use crate::panel::Panel;
 
 /// Places at least this many half-lengths from the middle of what lies together see it by its masses: kernels are polynomials of degree 23 in the distance from the axis there but for `5.8^-24`.
 const FAR: f64 = 3.0;

@@ -1,5 +1,6 @@
 //! The equation factored at one parameter.
 
+use super::operator::require_finite_parameter;
 use super::{SincOperator, SincSolution};
 use crate::Error;
 use crate::linear::Factored;
@@ -13,6 +14,18 @@ pub struct SincFactor<'o> {
     operator: &'o SincOperator,
     parameter: f64,
     blocks: Vec<Factored>,
+}
+
+impl SincOperator {
+    /// The factored equation `phi + parameter K phi = f` for one parameter, of either sign.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] for a parameter that is not finite, [`Error::Singular`] when the operator has no
+    /// inverse to rounding.
+    pub fn factor(&self, parameter: f64) -> Result<SincFactor<'_>, Error> {
+        require_finite_parameter(parameter)?;
+        SincFactor::new(self, parameter)
+    }
 }
 
 impl<'o> SincFactor<'o> {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::assembly::{Block, blocks};
 use super::mesh::Mesh;
-use super::{Place, SincFactor, SincGrid, SincSolution, SincSpectrum};
+use super::{Place, SincGrid, SincSolution};
 use crate::kernel::Kernel;
 use crate::{Error, Interval};
 
@@ -173,29 +173,11 @@ impl SincOperator {
         Ok(values)
     }
 
-    /// The factored equation `phi + parameter K phi = f` for one parameter, of either sign.
-    ///
-    /// # Errors
-    /// [`Error::InvalidParameter`] for a parameter that is not finite, [`Error::Singular`] when the operator has no
-    /// inverse to rounding.
-    pub fn factor(&self, parameter: f64) -> Result<SincFactor<'_>, Error> {
-        require_finite_parameter(parameter)?;
-        SincFactor::new(self, parameter)
-    }
-
-    /// The eigendecomposition of the operator, which serves every parameter.
-    ///
-    /// # Errors
-    /// [`Error::EigenvaluesNotFound`] when the eigenvalues are not found.
-    pub fn spectrum(&self) -> Result<SincSpectrum<'_>, Error> {
-        SincSpectrum::new(self)
-    }
-
     /// Solves `phi + parameter K phi = f` for several right-hand sides, each given by its values at
     /// [`positions`](Self::positions).
     ///
     /// # Errors
-    /// As [`SincOperator::factor`] and [`SincFactor::solve`].
+    /// As [`SincOperator::factor`] and [`SincFactor::solve`](super::SincFactor::solve).
     pub fn solve(
         &self,
         parameter: f64,

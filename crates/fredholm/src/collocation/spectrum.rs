@@ -18,6 +18,16 @@ pub struct SincSpectrum<'o> {
     blocks: Vec<Eigensystem>,
 }
 
+impl SincOperator {
+    /// The eigendecomposition of the operator, which serves every parameter.
+    ///
+    /// # Errors
+    /// [`Error::EigenvaluesNotFound`] when the eigenvalues are not found.
+    pub fn spectrum(&self) -> Result<SincSpectrum<'_>, Error> {
+        SincSpectrum::new(self)
+    }
+}
+
 impl<'o> SincSpectrum<'o> {
     pub(super) fn new(operator: &'o SincOperator) -> Result<Self, Error> {
         let blocks = operator

@@ -1,7 +1,7 @@
 //! Forward-mode derivatives.
 
-use super::evaluate::Value;
 use super::function::{Binary, Unary};
+use super::value::Value;
 
 /// A value and its derivative to the right.
 #[derive(Debug, Clone, Copy, PartialEq)]

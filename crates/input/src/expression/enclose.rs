@@ -1,9 +1,9 @@
 //! Enclosures of all values that an expression takes on an interval.
 
-use super::evaluate::Value;
 use super::function::{Binary, Unary};
 use super::interval::Interval;
 use super::periodic;
+use super::value::Value;
 
 /// Where the values of an expression lie while its variables range over intervals.
 #[derive(Debug, Clone, Copy, PartialEq)]

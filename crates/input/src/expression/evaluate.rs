@@ -1,44 +1,8 @@
 //! Runs a program over any kind of value: numbers, numbers with a derivative, enclosures.
 
-use super::function::{Binary, Unary};
+use super::limits::STACK_LIMIT;
 use super::program::Operation;
-
-/// What a program can compute with.
-pub(super) trait Value: Copy {
-    fn constant(value: f64) -> Self;
-    /// A number computed from others, off by the error at most.
-    fn rounded(value: f64, _error: f64) -> Self {
-        Self::constant(value)
-    }
-    fn unary(function: Unary, u: Self) -> Self;
-    fn binary(function: Binary, u: Self, v: Self) -> Self;
-    /// `holds` where the condition is not zero, `fails` where it is.
-    fn choose(condition: Self, holds: Self, fails: Self) -> Self;
-}
-
-impl Value for f64 {
-    fn constant(value: f64) -> Self {
-        value
-    }
-
-    fn unary(function: Unary, u: Self) -> Self {
-        function.value(u)
-    }
-
-    fn binary(function: Binary, u: Self, v: Self) -> Self {
-        function.value(u, v)
-    }
-
-    fn choose(condition: Self, holds: Self, fails: Self) -> Self {
-        if condition.is_nan() {
-            f64::NAN
-        } else if condition != 0.0 {
-            holds
-        } else {
-            fails
-        }
-    }
-}
+use super::value::Value;
 
 /// Height of the stack that most programs make do with: zeroing it costs next to nothing.
 const SMALL_STACK: usize = 16;
@@ -54,7 +18,7 @@ pub(super) fn run<V: Value>(
     if height < SMALL_STACK {
         run_on(operations, variable, &mut [zero; SMALL_STACK])
     } else {
-        run_on(operations, variable, &mut [zero; super::STACK_LIMIT + 1])
+        run_on(operations, variable, &mut [zero; STACK_LIMIT + 1])
     }
 }
 

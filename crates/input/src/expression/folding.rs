@@ -1,8 +1,8 @@
 //! Numbers computed from numbers when a formula is read, with what rounding may have made of them.
 
 use super::enclose::Enclosure;
-use super::evaluate::Value;
 use super::function::{Binary, Unary};
+use super::value::Value;
 
 /// Largest factor of a power that is checked by multiplying it out.
 const MOST_FACTORS: f64 = 64.0;

@@ -228,3 +228,8 @@ fn inverse_hyperbolic_tangent(u: f64) -> f64 {
     let size = u.abs();
     (0.5 * (2.0 * size / (1.0 - size)).ln_1p()).copysign(u)
 }
+
+/// The names of all functions that an expression can call.
+pub fn function_names() -> impl Iterator<Item = &'static str> {
+    FUNCTIONS.iter().map(|(name, _)| *name)
+}

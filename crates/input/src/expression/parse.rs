@@ -4,9 +4,9 @@ use std::ops::Range;
 
 use super::error::{ErrorReason, ExpressionError};
 use super::function::{Binary, CONSTANTS, FUNCTIONS, Function, Unary};
+use super::limits::{DEPTH_LIMIT, STACK_LIMIT, TEXT_LIMIT};
 use super::program::{Builder, Operation, stack_height};
 use super::token::{Lexer, Operator, Token, shorten};
-use super::{DEPTH_LIMIT, STACK_LIMIT, TEXT_LIMIT};
 
 type Parsed<T> = Result<T, ExpressionError>;
 

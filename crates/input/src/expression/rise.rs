@@ -5,8 +5,8 @@
 //! functions that have a short form of it. Others, and kinks, subtract.
 
 use super::derivative::outer_slope;
-use super::evaluate::Value;
 use super::function::{Binary, Unary};
+use super::value::Value;
 
 /// Largest whole exponent that is multiplied out.
 const MOST_FACTORS: f64 = 64.0;

@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use super::{Dimension, MAXIMUM_LENGTH};
+use super::dimension::Dimension;
+use super::limits::{MAXIMUM_LENGTH, MAXIMUM_POWER};
 
 /// A text that is not a quantity, or not the one that was asked for.
 ///
@@ -108,7 +109,7 @@ pub enum QuantityErrorKind {
     #[error("has a parenthesis without its partner")]
     Parenthesis,
     /// `^` without a whole number behind it.
-    #[error("has a power that is not a whole number from -{limit} to {limit}, as in m^2 or m^-1", limit = super::MAXIMUM_POWER)]
+    #[error("has a power that is not a whole number from -{limit} to {limit}, as in m^2 or m^-1", limit = MAXIMUM_POWER)]
     Power,
     /// A product by a space behind a division, which readers take in two ways.
     #[error("has the unit {written}, which can be read in two ways: write {grouped} or {chained}")]

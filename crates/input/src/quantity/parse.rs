@@ -1,9 +1,10 @@
 //! The grammar of quantities: a number, then a unit expression.
 
 use super::error::{QuantityError, QuantityErrorKind};
+use super::limits::{MAXIMUM_LENGTH, MAXIMUM_POWER};
 use super::number::{self, Number};
 use super::units::{self, Scale};
-use super::{MAXIMUM_LENGTH, MAXIMUM_POWER, Quantity};
+use super::value::Quantity;
 
 /// Reads a quantity such as `5 mm`, `200GPa`, `0.1 µm/MPa` or `1.5 kN mm/mm`.
 ///

@@ -24,6 +24,7 @@ mod layout;
 mod legend;
 mod map;
 mod raster;
+mod render;
 mod shape;
 mod solution;
 mod text;
@@ -41,29 +42,5 @@ pub use figure::{
 };
 pub use format::{Format, PNG_PIXELS_PER_UNIT, Size};
 pub use map::MapPlot;
+pub use render::{Plot, render};
 pub use solution::SolutionPlot;
-
-use kuva::backend::svg::SvgBackend;
-
-/// Something that can be drawn.
-pub trait Plot {
-    /// The panels, curves and labels to draw.
-    fn figure(&self) -> Figure;
-}
-
-/// Draws a plot and returns the bytes of the file.
-///
-/// The bytes depend on the arguments alone.
-///
-/// # Errors
-///
-/// [`PlotError::Size`] when the size is outside of [`Size::SMALLEST`] to [`Size::LARGEST`];
-/// [`PlotError::Encoding`] when the PNG cannot be encoded.
-pub fn render(plot: &dyn Plot, format: Format, size: Size) -> Result<Vec<u8>, PlotError> {
-    size.check()?;
-    let scene = draw::figure(&plot.figure(), size);
-    match format {
-        Format::Svg => Ok(SvgBackend::default().render_scene(&scene).into_bytes()),
-        Format::Png => raster::png(&scene, size),
-    }
-}

@@ -1,11 +1,13 @@
 //! Kernel 5 on a finite interval: the Macdonald function, `|x - s|^-mu K_mu(kappa |x - s|)` on `(-a, a)`.
 
+mod half_line;
 mod profile;
 mod relation;
 mod spheroidal;
 
 use std::sync::Arc;
 
+pub use half_line::MacdonaldHalfLine;
 pub(crate) use profile::MacdonaldProfile;
 pub use relation::MacdonaldRelation;
 

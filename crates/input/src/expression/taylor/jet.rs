@@ -3,9 +3,9 @@
 use std::cell::Cell;
 
 use super::super::enclose::Enclosure;
-use super::super::evaluate::Value;
 use super::super::function::{Binary, Unary};
 use super::super::interval::Interval;
+use super::super::value::Value;
 use super::nonlinear;
 use super::series::Series;
 

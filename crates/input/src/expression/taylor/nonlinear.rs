@@ -3,9 +3,9 @@
 use std::f64::consts::{LN_2, LN_10};
 
 use super::super::enclose::{Enclosure, widen_down, widen_up};
-use super::super::evaluate::Value;
 use super::super::function::Unary;
 use super::super::interval::Interval;
+use super::super::value::Value;
 use super::series::Series;
 
 /// The series of a function of `u` whose values are enclosed by `first`; of what switches only the values.

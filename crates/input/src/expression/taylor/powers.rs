@@ -1,9 +1,9 @@
 //! Taylor coefficients of powers with a constant exponent.
 
 use super::super::enclose::Enclosure;
-use super::super::evaluate::Value;
 use super::super::function::Binary;
 use super::super::interval::Interval;
+use super::super::value::Value;
 use super::series::Series;
 
 /// Largest exponent that is multiplied out.

@@ -3,12 +3,13 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use super::{
-    EndExponents, Expansion, Gram, Kernel, MacdonaldProfile, Moments, Pair, Parity, Singularity,
-    SpectralRelation, Split,
-};
+use super::profile::MacdonaldProfile;
 use crate::basis::laguerre;
 use crate::basis::laguerre_moments::Panels;
+use crate::kernel::{
+    EndExponents, Expansion, Gram, Kernel, Moments, Pair, Parity, Singularity, SpectralRelation,
+    Split,
+};
 use crate::{Error, Interval, memory};
 
 /// Range of the decay `kappa`: powers of distances in units of `1/kappa` overflow beyond it.

@@ -1,0 +1,160 @@
+//! A compiled formula and what is asked of it.
+
+use std::fmt;
+
+use super::derivative::Dual;
+use super::enclose::Enclosure;
+use super::error::ExpressionError;
+use super::evaluate::run;
+use super::interval::Interval;
+use super::line::Line;
+use super::parse;
+use super::program::{self, Operation};
+use super::rise::Rise;
+
+/// A formula in named variables, compiled.
+///
+/// The language is described on the [page of the module](super).
+#[derive(Debug, Clone, PartialEq)]
+pub struct Expression {
+    pub(super) text: String,
+    pub(super) variables: Vec<String>,
+    pub(super) operations: Vec<Operation>,
+    pub(super) height: usize,
+}
+
+impl Expression {
+    /// Compiles a text whose variables have these names; values are given in the same order.
+    ///
+    /// # Errors
+    ///
+    /// [`ExpressionError`] with the place in the text, for anything that is not an expression, for
+    /// texts of more than [`TEXT_LIMIT`](super::TEXT_LIMIT) bytes (refused unread) and for nesting beyond
+    /// [`DEPTH_LIMIT`](super::DEPTH_LIMIT).
+    pub fn parse(text: &str, variables: &[&str]) -> Result<Self, ExpressionError> {
+        Self::parse_with_magnitudes(text, variables, &[])
+    }
+
+    /// The same with further names, each for the magnitude `|v|` of the variable at a position.
+    ///
+    /// ```
+    /// # use shtaerman_input::expression::Expression;
+    /// let ball = Expression::parse_with_magnitudes("r^2 / 2", &["x"], &[("r", 0)]).unwrap();
+    /// assert_eq!(ball.evaluate(&[-0.5]), 0.125);
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// As [`parse`](Self::parse).
+    pub fn parse_with_magnitudes(
+        text: &str,
+        variables: &[&str],
+        magnitudes: &[(&str, usize)],
+    ) -> Result<Self, ExpressionError> {
+        let operations = parse::parse(text, variables, magnitudes)?;
+        Ok(Expression {
+            text: text.to_owned(),
+            variables: variables.iter().map(|&name| name.to_owned()).collect(),
+            height: program::stack_height(&operations),
+            operations,
+        })
+    }
+
+    /// The text as it was written.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// The names of the variables, in the order in which values are given.
+    pub fn variables(&self) -> &[String] {
+        &self.variables
+    }
+
+    /// Whether the variable at a position occurs in the expression.
+    pub fn uses(&self, variable: usize) -> bool {
+        self.operations.contains(&Operation::Variable(variable))
+    }
+
+    /// Number of operations.
+    pub fn length(&self) -> usize {
+        self.operations.len()
+    }
+
+    /// The value for these variables. A variable that is not given counts as NaN.
+    pub fn evaluate(&self, variables: &[f64]) -> f64 {
+        run(&self.operations, self.height, |index| given(variables, index)).0
+    }
+
+    /// The value at a parameter of a line.
+    pub fn evaluate_at(&self, line: &Line, t: f64) -> f64 {
+        run(&self.operations, self.height, |index| line.variable(index, t)).0
+    }
+
+    /// Writes the values at many parameters of a line; as many as the shorter slice has.
+    pub fn evaluate_along(&self, line: &Line, parameters: &[f64], values: &mut [f64]) {
+        for (value, &t) in values.iter_mut().zip(parameters) {
+            *value = self.evaluate_at(line, t);
+        }
+    }
+
+    /// The value and its derivative with respect to the variable at a position.
+    ///
+    /// At kinks (`abs` at 0, `min` and `max` of equal arguments, `hypot` at the origin) it is the
+    /// derivative to the right. Steps (`sign`, `step`, `floor`, `ceil`, comparisons) have the
+    /// derivative 0, also where they jump; `where` has that of the branch taken. It is infinite
+    /// at a vertical tangent such as `sqrt(x)` at 0, and undefined (NaN) where the value is or the
+    /// chain rule leaves `0 * inf`, as for `sqrt(x^2)` at 0.
+    pub fn evaluate_with_derivative(&self, variables: &[f64], variable: usize) -> (f64, f64) {
+        let dual = |index| {
+            let slope = if index == variable { 1.0 } else { 0.0 };
+            Dual::variable(given(variables, index), slope)
+        };
+        run(&self.operations, self.height, dual).0.parts()
+    }
+
+    /// The value at a parameter of a line and its derivative along the line, with the rules of
+    /// [`evaluate_with_derivative`](Self::evaluate_with_derivative).
+    pub fn derivative_along(&self, line: &Line, t: f64) -> (f64, f64) {
+        let dual = |index| Dual::variable(line.variable(index, t), line.slope(index));
+        run(&self.operations, self.height, dual).0.parts()
+    }
+
+    /// `f(c + t) - f(c) - f'(c) t` along a line about the parameter `c`: how far the value leaves the tangent, with the digits that a difference of values loses where
+    /// `t` is small. Functions without a short form of it, and kinks between, subtract.
+    pub fn rise_along(&self, line: &Line, c: f64, t: f64) -> f64 {
+        let rise = |index| Rise::variable(line.variable(index, c), line.slope(index) * t);
+        let (_, slope) = self.derivative_along(line, c);
+        run(&self.operations, self.height, rise).0.rest(slope * t)
+    }
+
+    /// Encloses all values taken while each variable ranges over its interval, independently of
+    /// the others. A variable that is not given makes the enclosure undefined.
+    ///
+    /// The ends are rounded outward: the enclosure contains the values computed by
+    /// [`evaluate`](Self::evaluate) and the exact ones of the formula with its numbers and
+    /// constant parts rounded. It can be wider than need be where a variable occurs twice.
+    pub fn enclose(&self, variables: &[Interval]) -> Enclosure {
+        let enclosure = |index: usize| {
+            variables.get(index).map_or(Enclosure::UNKNOWN, |&known| Enclosure::defined(known))
+        };
+        run(&self.operations, self.height, enclosure).0
+    }
+
+    /// Encloses all values taken on an interval of the parameter of a line.
+    pub fn enclose_along(&self, line: &Line, parameter: Interval) -> Enclosure {
+        let enclosure =
+            |index| line.enclose(index, parameter).map_or(Enclosure::UNKNOWN, Enclosure::defined);
+        run(&self.operations, self.height, enclosure).0
+    }
+}
+
+fn given(variables: &[f64], index: usize) -> f64 {
+    variables.get(index).copied().unwrap_or(f64::NAN)
+}
+
+/// Shows the text as it was written.
+impl fmt::Display for Expression {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.text)
+    }
+}

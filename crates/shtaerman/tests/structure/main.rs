@@ -1,0 +1,201 @@
+//! How the sources hang together: files and folders import one another in one direction.
+//!
+//! A file imports another where it names something that is defined there, through re-exports too. Two rules hold for every crate, its tests left out:
+//!
+//! - Between folders there is no circle: where folder A imports from folder B, straight or through others, B imports nothing from A. The files beside `lib.rs`
+//!   are a folder as others are. A `mod.rs` (or `lib.rs`, `main.rs`) that names what lies in the folders below it, such as re-exports of it, is no import
+//!   in this sense, unless these name something that is defined in that `mod.rs`.
+//! - Within a folder no circle has more than three files.
+//!
+//! Circles that are known and still to be broken stand in `known_circles.txt`; the list is exact, so that it can only shrink.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
+
+mod circles;
+mod modules;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use circles::{Graph, circles};
+use modules::{Imports, Modules};
+
+/// The most files of one folder that may import one another in a circle.
+const MOST_FILES: usize = 3;
+
+/// How the line of a circle begins.
+const FOLDERS: &str = "folders: ";
+const FILES: &str = "files: ";
+
+const KNOWN: &str = include_str!("known_circles.txt");
+
+#[test]
+fn imports_go_one_way() {
+    let crates: Vec<Imports> = roots().iter().map(|root| Modules::read(root).imports()).collect();
+    let found: BTreeSet<String> = crates.iter().flat_map(circles_of).collect();
+    let known: BTreeSet<String> =
+        KNOWN.lines().filter(|line| !line.is_empty()).map(str::to_owned).collect();
+    let new: Vec<&str> = found.difference(&known).map(String::as_str).collect();
+    let gone: Vec<&str> = known.difference(&found).map(String::as_str).collect();
+    let arrows: Vec<String> = new
+        .iter()
+        .flat_map(|circle| crates.iter().flat_map(|imports| arrows(imports, circle)))
+        .collect();
+    assert!(
+        new.is_empty() && gone.is_empty(),
+        "circles of imports that are not in known_circles.txt:\n{}\n\nthe imports in them:\n{}\n\n\
+         circles in known_circles.txt that are no more:\n{}\n\nall circles that there are:\n{}\n",
+        new.join("\n"),
+        arrows.join("\n"),
+        gone.join("\n"),
+        found.iter().map(String::as_str).collect::<Vec<_>>().join("\n")
+    );
+}
+
+/// Prints what a reader of `contact/` has before him: `cargo test -p shtaerman --test structure -- --nocapture`.
+#[test]
+fn sizes_are_told() {
+    let contact = repository().join("crates/shtaerman/src/contact");
+    let root = repository().join("crates/shtaerman/src/lib.rs");
+    let files = Modules::read(&root).files();
+    let texts = |inside: &Path| -> Vec<String> {
+        let files = files.iter().filter(|file| file.starts_with(inside));
+        files.map(|file| std::fs::read_to_string(file).unwrap()).collect()
+    };
+    let lines = |texts: &[String]| texts.iter().map(|text| text.lines().count()).sum::<usize>();
+    let of_contact = texts(&contact);
+    let constants = of_contact.iter().flat_map(|text| text.lines()).filter(|line| is_number(line));
+    println!(
+        "contact: {} files, {} lines, {} named constants; src: {} lines",
+        of_contact.len(),
+        lines(&of_contact),
+        constants.count(),
+        lines(&texts(&repository().join("crates/shtaerman/src")))
+    );
+    assert!(!of_contact.is_empty());
+}
+
+/// Whether a line defines a named number.
+fn is_number(line: &str) -> bool {
+    let rest = line.trim_start();
+    let rest =
+        rest.strip_prefix("pub(super) ").or(rest.strip_prefix("pub(crate) ")).unwrap_or(rest);
+    let rest = rest.strip_prefix("pub ").unwrap_or(rest);
+    let kind = rest.strip_prefix("const ").and_then(|rest| rest.split_once(": "));
+    kind.is_some_and(|(name, kind)| {
+        !name.starts_with("fn ")
+            && ["f64", "usize", "i32", "u32", "u64", "i64"]
+                .iter()
+                .any(|number| kind.starts_with(number))
+    })
+}
+
+fn repository() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).unwrap()
+}
+
+/// The roots of all crates.
+fn roots() -> Vec<PathBuf> {
+    let folders = std::fs::read_dir(repository().join("crates")).unwrap();
+    let sources = folders.map(|folder| folder.unwrap().path().join("src"));
+    let root = |source: PathBuf| {
+        ["lib.rs", "main.rs"].map(|name| source.join(name)).into_iter().find(|root| root.exists())
+    };
+    let mut roots: Vec<PathBuf> = sources.filter_map(root).collect();
+    roots.sort();
+    roots
+}
+
+/// The circles of a crate, each on one line.
+fn circles_of(imports: &Imports) -> Vec<String> {
+    let show = |circle: &BTreeSet<String>| circle.iter().cloned().collect::<Vec<_>>().join(" ");
+    let between = circles(&folders(imports));
+    let mut lines: Vec<String> =
+        between.iter().map(|circle| format!("{FOLDERS}{}", show(circle))).collect();
+    let all: BTreeSet<PathBuf> = imports.keys().map(|file| folder_of(file)).collect();
+    for folder in all {
+        let within = circles(&inside(imports, &folder));
+        let long = within.iter().filter(|circle| circle.len() > MOST_FILES);
+        lines.extend(long.map(|circle| format!("{FILES}{}", show(circle))));
+    }
+    lines
+}
+
+/// What makes a circle, one import on a line.
+fn arrows(imports: &Imports, circle: &str) -> Vec<String> {
+    let folders = circle.strip_prefix(FOLDERS);
+    let names: BTreeSet<&str> =
+        folders.or(circle.strip_prefix(FILES)).unwrap_or_default().split(' ').collect();
+    let node = |file: &Path| if folders.is_some() { short(&folder_of(file)) } else { short(file) };
+    let mut lines = Vec::new();
+    for (file, targets) in imports {
+        for (target, named) in targets {
+            let [from, to] = [node(file), node(target)];
+            let is_arrow = from != to
+                && names.contains(from.as_str())
+                && names.contains(to.as_str())
+                && (folders.is_none() || counts_between_folders(imports, file, target));
+            if is_arrow {
+                let named: Vec<&str> = named.iter().map(String::as_str).collect();
+                lines.push(format!("{} -> {}: {}", short(file), short(target), named.join(", ")));
+            }
+        }
+    }
+    lines
+}
+
+/// Imports between the files of one folder.
+fn inside(imports: &Imports, folder: &Path) -> Graph {
+    let mut graph = Graph::new();
+    for (file, targets) in imports.iter().filter(|(file, _)| folder_of(file) == folder) {
+        let near = targets.keys().filter(|target| folder_of(target) == folder);
+        graph.insert(short(file), near.map(|target| short(target)).collect());
+    }
+    graph
+}
+
+/// Imports between folders.
+fn folders(imports: &Imports) -> Graph {
+    let mut graph = Graph::new();
+    for (file, targets) in imports {
+        let arrows = graph.entry(short(&folder_of(file))).or_default();
+        let far = targets.keys().filter(|target| counts_between_folders(imports, file, target));
+        arrows.extend(far.map(|target| short(&folder_of(target))));
+    }
+    graph
+}
+
+/// Whether the import of one file by another is one between folders.
+fn counts_between_folders(imports: &Imports, file: &Path, target: &Path) -> bool {
+    let [from, to] = [folder_of(file), folder_of(target)];
+    let stands_above = is_head(file) && to.starts_with(&from);
+    let is_asked_back = || {
+        let mut below = imports.iter().filter(|(other, _)| folder_of(other) == to);
+        below.any(|(_, named)| named.contains_key(file))
+    };
+    from != to && (!stands_above || is_asked_back())
+}
+
+/// The folder whose head a file is by its name: of `mod.rs` the one it lies in, of `name.rs` the folder `name` beside it, if there is one.
+fn headed(file: &Path) -> Option<PathBuf> {
+    let is_named = ["mod.rs", "lib.rs", "main.rs"].iter().any(|name| file.ends_with(name));
+    if is_named {
+        return file.parent().map(Path::to_owned);
+    }
+    Some(file.with_extension("")).filter(|folder| folder.is_dir())
+}
+
+fn is_head(file: &Path) -> bool {
+    headed(file).is_some()
+}
+
+/// The folder to which a file belongs.
+fn folder_of(file: &Path) -> PathBuf {
+    headed(file).unwrap_or_else(|| file.with_file_name("").components().collect())
+}
+
+/// A path from the crates on, without `src`.
+fn short(path: &Path) -> String {
+    let crates = repository().join("crates");
+    path.strip_prefix(crates).unwrap().to_string_lossy().replace("/src", "")
+}
