@@ -9,6 +9,7 @@ mod collocated;
 mod cross_check;
 mod draft;
 mod extremes;
+mod ground;
 mod heights;
 mod intensity;
 mod intervals;

@@ -17,7 +17,6 @@ mod fine;
 mod harmonic;
 mod layer;
 mod linearised;
-mod medium;
 mod mirror;
 mod motion;
 mod near;
@@ -26,7 +25,6 @@ mod reach;
 mod refinement;
 mod ring;
 mod search;
-mod shared;
 mod solved;
 mod spots;
 mod system;
@@ -35,7 +33,6 @@ mod zones;
 
 pub use answer::Complementarity;
 pub(super) use answer::UnilateralContact;
-pub(super) use medium::mean_power;
 pub(super) use near::KnownZone;
 
 use std::sync::Arc;

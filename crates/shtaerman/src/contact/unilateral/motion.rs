@@ -9,7 +9,6 @@
 use fredholm::SincSolution;
 
 use super::elimination;
-use super::medium::Medium;
 use super::solved::{Panel, end_node};
 use super::system::{Direction, Factor, System};
 use super::zones::Zone;
@@ -145,25 +144,16 @@ impl System<'_, '_> {
             let xi = self.positions[i];
             if range.contains(&i) {
                 let v = velocity(xi);
-                // Of a straight V both parts of the lever are multiples of x - s, and what is infinite at x = s is a multiple of K.
-                let regular = match self.medium {
-                    Medium::Line => -carried,
-                    Medium::Graded { .. } => 0.0,
-                    Medium::Row { .. } => weighed(&|s| self.medium.regular_slope(xi, s)),
-                    // The kernel is homogeneous: a disk without a hole keeps it.
-                    Medium::Disk { .. } if fixed == 0.0 => 0.0,
-                    Medium::Disk { .. } => {
-                        weighed(&|s| fixed / s * self.medium.regular_slope(xi, s))
-                    }
-                };
+                // Of a straight V what is infinite at x = s is a multiple of K.
+                let regular = weighed(&|s| self.medium.moved_along(xi, s, fixed));
                 let inner = regular - exponent * scale * local[i];
                 let beyond: f64 = (0..masses.len())
                     .filter(|j| !range.contains(j))
-                    .map(|j| masses[j] * self.slope(v, 0.0, xi, self.positions[j]))
+                    .map(|j| masses[j] * self.medium.moved([v, 0.0], [xi, self.positions[j]]))
                     .sum();
                 *value -= theta * (stretch * inner + beyond) + (state.tilt + slopes[i]) * v;
             } else {
-                *value -= theta * weighed(&|s| self.slope(0.0, velocity(s), xi, s));
+                *value -= theta * weighed(&|s| self.medium.moved([0.0, velocity(s)], [xi, s]));
             }
         }
         let changed = factor.solve(&right)?;
@@ -174,21 +164,6 @@ impl System<'_, '_> {
             direction.moment += weighed(&|s| velocity(s) + stretch * s);
         }
         Ok(direction)
-    }
-
-    /// `lever dK/dx` for points of different panels; where two panels meet it counts for nothing.
-    fn slope(&self, at: f64, from: f64, x: f64, s: f64) -> f64 {
-        let difference = x - s;
-        if difference == 0.0 {
-            return 0.0;
-        }
-        let lever = self.medium.lever([at, from], [x, s]);
-        let moved = lever * self.medium.reduced_slope(x, s) / difference;
-        let exponent = self.medium.exponent();
-        if exponent > 0.0 && self.medium.is_disk() {
-            return moved - exponent * from / s * self.medium.value(x, s);
-        }
-        moved
     }
 
     /// `K p` for the pressure of one panel alone, in local coordinates.

@@ -1,6 +1,6 @@
 //! The equations on given zones: pressure, settlement and tilt under the load.
 //!
-//! In local coordinates `xi = c + b y` of the [medium](super::medium) the equation becomes
+//! In local coordinates `xi = c + b y` of the [ground](crate::contact::ground) the equation becomes
 //!
 //! `v + theta int K(y, t) p dm(t) = D - beta y - f0(c + b y)`, `D = delta0 - alpha0 c + theta0 P0 g`, `beta = b alpha0`
 //!
@@ -15,18 +15,18 @@ use fredholm::{SincOperator, SincSolution};
 use super::base::Base;
 use super::elimination;
 use super::field::Field;
-use super::medium::{Hull, Medium};
 use super::motion::Tangent;
 use super::power::{self, Extent};
 use super::solved::{Panel, Solved};
 use super::zones::Zone;
 use crate::contact::balance::State;
+use crate::contact::ground::{Ground, Hull};
 use crate::contact::solved::Stiffness;
 use crate::{Error, Rotational, Vertical};
 
 /// A number of nodes with what can be shared among zones.
 pub(super) struct Resolution {
-    medium: Medium,
+    medium: Arc<dyn Ground>,
     grid: Arc<SincGrid>,
     /// The operator on the local interval in one panel.
     whole: OnceCell<Arc<SincOperator>>,
@@ -38,10 +38,10 @@ pub(super) struct Resolution {
 type Built = (Vec<(f64, f64)>, Arc<SincOperator>);
 
 impl Resolution {
-    pub(super) fn new(medium: &Medium, half_count: usize) -> Result<Self, Error> {
+    pub(super) fn new(medium: &Arc<dyn Ground>, half_count: usize) -> Result<Self, Error> {
         let grid = medium.grid(half_count)?;
         let (whole, latest) = (OnceCell::new(), RefCell::new(None));
-        Ok(Self { medium: medium.clone(), grid, whole, latest })
+        Ok(Self { medium: Arc::clone(medium), grid, whole, latest })
     }
 
     fn operator(&self, panels: &[(f64, f64)]) -> Result<Arc<SincOperator>, Error> {
@@ -131,7 +131,7 @@ pub(super) struct Direction {
 
 pub(super) struct System<'b, 'p> {
     pub(super) base: &'b Base<'p>,
-    pub(super) medium: Medium,
+    pub(super) medium: Arc<dyn Ground>,
     pub(super) zones: Vec<Zone>,
     pub(super) panels: Vec<Panel>,
     pub(super) hull: Hull,
@@ -174,7 +174,7 @@ impl<'b, 'p> System<'b, 'p> {
         let (Some(first), Some(last)) = (zones.first(), zones.last()) else {
             return Err(Error::NoContact);
         };
-        let medium = base.medium.clone();
+        let medium = Arc::clone(&base.medium);
         let hull = medium.hull(first.left(), last.right(), base.origin);
         let panels: Vec<Panel> = (zones.iter().enumerate())
             .flat_map(|(zone, place)| {
@@ -182,7 +182,7 @@ impl<'b, 'p> System<'b, 'p> {
                 panels.into_iter().map(move |(left, right)| Panel { left, right, zone })
             })
             .collect();
-        let operator = resolution.operator(&local_panels(&medium, &hull, &panels))?;
+        let operator = resolution.operator(&local_panels(medium.as_ref(), &hull, &panels))?;
         let positions: Vec<f64> = operator
             .places()
             .map(|place| {
@@ -445,7 +445,7 @@ impl<'b, 'p> System<'b, 'p> {
 }
 
 /// The panels in local coordinates.
-fn local_panels(medium: &Medium, hull: &Hull, panels: &[Panel]) -> Vec<(f64, f64)> {
+fn local_panels(medium: &dyn Ground, hull: &Hull, panels: &[Panel]) -> Vec<(f64, f64)> {
     let ends = medium.local_ends();
     let local = |xi: f64| {
         let y = (xi - hull.centre) / hull.half;
