@@ -111,6 +111,9 @@ fn locate(document: &Document, error: Error) -> Error {
             "tilt" => &["load.tilt", "dimensionless.tilt"],
             "grading_exponent" => &["foundation.grading_exponent"],
             "roughness" => &["foundation.roughness"],
+            "thickness" => {
+                &["foundation.coating.thickness", "foundation.thickness", "dimensionless.thickness"]
+            }
             _ => &[],
         },
         Error::NoContact => &["load.settlement", "dimensionless.settlement"],

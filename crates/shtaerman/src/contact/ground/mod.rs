@@ -6,15 +6,18 @@
 //! - a [row] with the period `L`: `K = ln 1/(2 sin(pi |xi - eta|/L))`, `k = 1`, `dm = deta`;
 //! - a [disk], pressures without angle: `K = int_0^inf J_0(xi t) J_0(eta t) dt`, `k = pi`, `dm = eta deta`;
 //! - [graded] ground, one punch or a pair on a half-plane with `E ~ y^mu`: `K = |xi - eta|^-mu`, `k = 1`, `dm = deta`;
+//! - [layered] ground, a layer on a rigid base or a coated half-plane, and a layer under a [disk](layered_disk): kernels of their transfer functions;
 //! - a disk on such a half-space: `K = int_0^inf t^mu J_0(xi t) J_0(eta t) dt`, `k = pi`, `dm = eta deta`.
 //!
-//! But for the row and the gauge of the plane these are homogeneous, `K(b y, b t) dm(b t) = b^(1-mu) K(y, t) dm(t)`.
+//! But for the row, layers and the gauge of the plane these are homogeneous, `K(b y, b t) dm(b t) = b^(1-mu) K(y, t) dm(t)`.
 //!
 //! Equations are solved in local coordinates `xi = c + b y`, in which the plane and the disk are always of one size.
 
 mod cells;
 mod disk;
 mod graded;
+mod layered;
+mod layered_disk;
 mod line;
 mod row;
 mod shared;
@@ -50,6 +53,13 @@ pub(in crate::contact) struct Hull {
 pub(in crate::contact) fn ground(problem: &Problem) -> Result<Arc<dyn Ground>, Error> {
     let frame = problem.frame();
     let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
+    if let Some(layering) = frame.layering() {
+        let layering = layering.scaled(frame.half_width());
+        return Ok(match frame.geometry() {
+            Geometry::Circular => Arc::new(layered_disk::LayeredDisk::new(layering)?),
+            _ => Arc::new(layered::Layered::new(layering)?),
+        });
+    }
     Ok(match frame.geometry().scaled(frame.half_width()) {
         Geometry::Plane | Geometry::Pair { .. } if exponent > 0.0 => {
             Arc::new(graded::Graded::new(exponent)?)

@@ -54,7 +54,7 @@ impl Problem {
         has_ends
             && frame.theta0() > SWITCH
             && frame.law() == Law::Linear
-            && frame.grading().is_none()
+            && frame.is_homogeneous()
             && solver.method == MethodChoice::Auto
             && solver.degree.is_none()
     }
