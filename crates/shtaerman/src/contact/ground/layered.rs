@@ -8,7 +8,7 @@ use fredholm::kernel::{Kernel, TransferPlane};
 
 use super::cells::mean_logarithm;
 use super::shared::layered_plane;
-use super::{Ground, Hull};
+use super::{Ground, Hull, half_count_of_layer};
 use crate::error::require;
 use crate::{Error, Layering};
 
@@ -64,6 +64,10 @@ impl Ground for Layered {
 
     fn strength(&self) -> f64 {
         self.strength
+    }
+
+    fn first_half_count(&self, length: f64) -> f64 {
+        half_count_of_layer(length, self.kernel.thickness())
     }
 
     fn moved_along(&self, xi: f64, eta: f64, _fixed: f64) -> f64 {

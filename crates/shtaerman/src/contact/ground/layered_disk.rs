@@ -9,7 +9,7 @@ use fredholm::kernel::{Kernel, TransferDisk};
 
 use super::disk::Disk;
 use super::shared::layered_disk;
-use super::{Ground, Hull, SharedKernel};
+use super::{Ground, Hull, SharedKernel, half_count_of_layer};
 use crate::{Error, Layering};
 
 /// Step of a difference quotient of the smooth part, as a share of the thickness at most 1.
@@ -89,6 +89,10 @@ impl Ground for LayeredDisk {
 
     fn moved(&self, velocities: [f64; 2], places: [f64; 2]) -> f64 {
         self.whole.moved(velocities, places) + self.remainder_moved(velocities, places)
+    }
+
+    fn first_half_count(&self, length: f64) -> f64 {
+        half_count_of_layer(length, self.kernel.thickness())
     }
 
     fn moved_along(&self, xi: f64, eta: f64, fixed: f64) -> f64 {
