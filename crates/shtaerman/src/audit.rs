@@ -154,6 +154,11 @@ fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
             ));
         }
     };
+    if frame.layering().is_some() {
+        return Err(Unaudited::NotCovered(
+            "the residual on a layer or under a coating is not bounded yet: its errors are estimates of the method",
+        ));
+    }
     let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
     let geometry = frame.geometry().scaled(frame.half_width());
     if geometry == Geometry::Circular {

@@ -121,6 +121,8 @@ fn require_degenerate_kernel(problem: &Problem) -> Result<(), Error> {
         Some(("the geometry is another", solve))
     } else if frame.grading().is_some() {
         Some(("the ground is graded", solve))
+    } else if frame.layering().is_some() {
+        Some(("the ground is layered", solve))
     } else if frame.law() == Law::Smooth {
         Some(("the surface is smooth", "give a roughness greater than zero"))
     } else if frame.law() != Law::Linear {

@@ -76,7 +76,8 @@ impl Contact {
         crate::error::positive("datum depth", depth)?;
         let frame = self.problem().frame();
         let plane = matches!(frame.geometry(), Geometry::Plane | Geometry::Pair { .. });
-        let (Frame::Physical { foundation, grading: None, scaling, .. }, true) = (frame, plane)
+        let (Frame::Physical { foundation, grading: None, layering: None, scaling, .. }, true) =
+            (frame, plane)
         else {
             let words = "a datum in the depth belongs to a physical problem of plane punches on a homogeneous foundation; elsewhere give a distance";
             return Err(InverseError::Unsuited(words).into());

@@ -345,7 +345,7 @@ pub enum Error {
 
     /// The reference that is to check an answer was not found.
     #[error(
-        "nothing to compare with: the reference, product integration on graded panels, does not solve this contact: {reason}; an answer with a layer is checked by the audit (solve without --no-audit), one with a smooth surface has none"
+        "nothing to compare with: the reference, product integration on graded panels, does not solve this contact: {reason}; the line `audit` of the answer says whether that checks it"
     )]
     NoReference {
         /// Why.

@@ -1,9 +1,13 @@
 //! In which units a problem is stated, and on what the punch stands.
 
 use crate::error::{positive, require};
+use crate::layering::require_thickness;
 use crate::quantity::{Dimension, DisplayUnit, engineering};
 use crate::roughness::Law;
-use crate::{Elastic, Error, Geometry, Grading, Roughness, Scaling};
+use crate::{Elastic, Error, Geometry, Grading, Layering, Roughness, Scaling};
+
+/// Why a surface on layered ground has to be rough.
+pub(crate) const ROUGH_ONLY: &str = "greater than zero on a layer of finite thickness and under a coating: smooth contact is not solved there";
 
 /// In which units a problem is stated.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,6 +18,8 @@ pub enum Frame {
         foundation: Elastic,
         /// How the modulus grows with depth; `None` for a homogeneous foundation.
         grading: Option<Grading>,
+        /// A layer of finite thickness or a coating; `None` for a foundation of one piece.
+        layering: Option<Layering>,
         /// Material of an elastic punch; `None` for a rigid one.
         body: Option<Elastic>,
         /// What the rough layer gives.
@@ -31,6 +37,8 @@ pub enum Frame {
         law: Law,
         /// One strip, a pair, a row, a disk; lengths in half-widths.
         geometry: Geometry,
+        /// A layer of finite thickness, in half-widths.
+        layering: Option<Layering>,
     },
 }
 
@@ -63,7 +71,15 @@ impl Frame {
         let roughness = roughness.into();
         let scaling =
             Scaling::in_geometry(&foundation, roughness, half_width, body.as_ref(), geometry)?;
-        Ok(Self::Physical { foundation, grading: None, body, roughness, geometry, scaling })
+        Ok(Self::Physical {
+            foundation,
+            grading: None,
+            layering: None,
+            body,
+            roughness,
+            geometry,
+            scaling,
+        })
     }
 
     /// A foundation whose modulus grows with depth under a rigid punch, plane, pair or circular. Pressures are scaled by the modulus at the
@@ -98,7 +114,15 @@ impl Frame {
         let moduli = [foundation.young_modulus(), foundation.plane_strain_modulus()];
         let scaling = Scaling::with_response(response, moduli, roughness, half_width, geometry)?;
         let grading = Some(grading);
-        Ok(Self::Physical { foundation, grading, body: None, roughness, geometry, scaling })
+        Ok(Self::Physical {
+            foundation,
+            grading,
+            layering: None,
+            body: None,
+            roughness,
+            geometry,
+            scaling,
+        })
     }
 
     /// The dimensionless problem at `theta0`.
@@ -117,7 +141,57 @@ impl Frame {
         require(theta0.is_finite() && theta0 >= 0.0, "theta0", theta0, "finite and not negative")?;
         geometry.check(1.0)?;
         let law = Roughness::power(1.0, exponent)?.law();
-        Ok(Self::Dimensionless { theta0, law, geometry })
+        Ok(Self::Dimensionless { theta0, law, geometry, layering: None })
+    }
+
+    /// The same with a foundation in two pieces: a [`Layering`], lengths in the units of the problem. Material and `theta0` of the frame are those of the layer, or of what lies below a coating.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for a thickness below 0.002 half-widths (0.05 radii), and for what is not solved on such ground: a smooth surface, a periodic row, a coating under a circular
+    /// punch, an elastic punch, grading.
+    pub fn layered(mut self, on: Layering) -> Result<Self, Error> {
+        let geometry = self.geometry();
+        let (is_circular, is_coated) = (self.is_circular(), matches!(on, Layering::Coating { .. }));
+        require_thickness(&on, self.half_width(), is_circular)?;
+        let refuse = |refused: bool, requirement: &'static str| {
+            require(!refused, "thickness", on.thickness(), requirement).map(|_| ())
+        };
+        refuse(
+            matches!(geometry, Geometry::Periodic { .. }),
+            "left out for a periodic row: layers and coatings are solved under one punch and a pair",
+        )?;
+        refuse(
+            is_coated && is_circular,
+            "left out under a circular punch: coatings are solved under one plane punch and a pair",
+        )?;
+        require(self.law() != Law::Smooth, "roughness", 0.0, ROUGH_ONLY)?;
+        refuse(self.grading().is_some(), "left out of a graded foundation")?;
+        match &mut self {
+            Self::Physical { body: Some(_), .. } => {
+                refuse(
+                    true,
+                    "left out under an elastic punch, which has no composite modulus with it",
+                )?;
+            }
+            Self::Physical { layering, .. } | Self::Dimensionless { layering, .. } => {
+                *layering = Some(on);
+            }
+        }
+        Ok(self)
+    }
+
+    /// A layer of finite thickness or a coating; `None` for a foundation of one piece.
+    #[must_use]
+    pub fn layering(&self) -> Option<Layering> {
+        match self {
+            Self::Physical { layering, .. } | Self::Dimensionless { layering, .. } => *layering,
+        }
+    }
+
+    /// Whether the foundation is a half-space of one material.
+    #[must_use]
+    pub fn is_homogeneous(&self) -> bool {
+        self.grading().is_none() && self.layering().is_none()
     }
 
     /// `theta0`; of a smooth surface, where its scale is undefined, a number of internal use.
@@ -167,7 +241,11 @@ impl Frame {
     /// What the settlement is measured against.
     #[must_use]
     pub fn gauge(&self) -> &'static str {
-        if self.grading().is_some() { "zero at infinity" } else { self.geometry().gauge() }
+        match self.layering() {
+            Some(layering) => layering.gauge(),
+            None if self.grading().is_some() => "zero at infinity",
+            None => self.geometry().gauge(),
+        }
     }
 
     /// `beta` of the pressure `K/(sqrt(2 pi) d^beta)` at the distance `d` from a corner of a smooth surface: 1/2, on graded ground `(1-mu)/2`.

@@ -1,5 +1,7 @@
 //! A problem with one thing changed.
 
+use crate::error::require;
+use crate::frame::ROUGH_ONLY;
 use crate::{Elastic, Error, Frame, Grading, Load, Problem, Profile, Roughness, Scaling, Vertical};
 
 impl Frame {
@@ -8,15 +10,18 @@ impl Frame {
     /// # Errors
     /// [`Error::InvalidValue`] for a roughness out of range, and for a dimensionless problem, whose scale it is.
     pub fn with_roughness(&self, roughness: Roughness) -> Result<Self, Error> {
-        let Self::Physical { foundation, grading, body, geometry, scaling, .. } = self else {
+        let Self::Physical { foundation, grading, layering, body, geometry, scaling, .. } = self
+        else {
             return Err(has_no_material("roughness"));
         };
+        let is_solved = layering.is_none() || roughness != Roughness::Smooth;
+        require(is_solved, "roughness", 0.0, ROUGH_ONLY)?;
         let moduli = [scaling.pressure(), scaling.contact_modulus()];
         let (half_width, geometry) = (scaling.half_width(), *geometry);
         let scaling =
             Scaling::with_response(response(scaling), moduli, roughness, half_width, geometry)?;
-        let (foundation, grading, body) = (*foundation, *grading, *body);
-        Ok(Self::Physical { foundation, grading, body, roughness, geometry, scaling })
+        let (foundation, grading, layering, body) = (*foundation, *grading, *layering, *body);
+        Ok(Self::Physical { foundation, grading, layering, body, roughness, geometry, scaling })
     }
 
     /// The same with another Young's modulus of the foundation (Pa).
@@ -24,7 +29,8 @@ impl Frame {
     /// # Errors
     /// [`Error::InvalidValue`] unless the modulus is finite and positive, and for a dimensionless problem.
     pub fn with_young_modulus(&self, modulus: f64) -> Result<Self, Error> {
-        let Self::Physical { foundation, grading, body, roughness, geometry, scaling } = self
+        let Self::Physical { foundation, grading, layering, body, roughness, geometry, scaling } =
+            self
         else {
             return Err(has_no_material("young_modulus"));
         };
@@ -44,6 +50,7 @@ impl Frame {
         Ok(Self::Physical {
             foundation: material,
             grading,
+            layering: layering.map(|known| known.on(material)).transpose()?,
             body: *body,
             roughness,
             geometry,
@@ -56,13 +63,13 @@ impl Frame {
     /// # Errors
     /// [`Error::InvalidValue`] unless `theta0` is finite and not negative, and for a physical problem, where it follows.
     pub fn with_theta0(&self, theta0: f64) -> Result<Self, Error> {
-        let Self::Dimensionless { law, geometry, .. } = self else {
+        let Self::Dimensionless { law, geometry, layering, .. } = self else {
             let requirement =
                 "left to the problem: it follows from material, roughness and half_width";
             return Err(Error::InvalidValue { field: "theta0", value: theta0, requirement });
         };
         Self::dimensionless(theta0)?;
-        Ok(Self::Dimensionless { theta0, law: *law, geometry: *geometry })
+        Ok(Self::Dimensionless { theta0, law: *law, geometry: *geometry, layering: *layering })
     }
 }
 

@@ -16,6 +16,7 @@ mod potential;
 mod power;
 mod relation;
 mod singularity;
+mod transfer;
 mod weber_sonine;
 mod yukawa;
 
@@ -34,5 +35,6 @@ pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
 pub use relation::{EndExponents, Expansion, Gram, Moments, Parity, SpectralRelation};
 pub use singularity::{Pair, Singularity, Split};
+pub use transfer::{TransferDisk, TransferPlane};
 pub use weber_sonine::WeberSonine;
 pub use yukawa::{Yukawa, YukawaRelation};

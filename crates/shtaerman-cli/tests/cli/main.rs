@@ -13,6 +13,7 @@ mod extras;
 mod find;
 mod graded;
 mod hostile;
+mod layered;
 mod outputs;
 mod overrides;
 mod places;

@@ -26,7 +26,15 @@ pub(super) fn companion(problem: &Problem, roughness: Roughness) -> Option<Probl
         Frame::Physical { foundation, body, .. } => (*foundation, *body),
         Frame::Dimensionless { .. } => (Elastic::new(1.0, 0.0).ok()?, None),
     };
-    let frame = Frame::Physical { foundation, grading: None, body, roughness, geometry, scaling };
+    let frame = Frame::Physical {
+        foundation,
+        grading: None,
+        layering: None,
+        body,
+        roughness,
+        geometry,
+        scaling,
+    };
     let solver = Solver { contact: problem.solver().contact, ..Solver::default() };
     Problem::new(frame, problem.profile().clone(), *problem.load(), solver).ok()
 }

@@ -152,6 +152,9 @@ impl<'a> Posing<'a> {
             Law::Power(exponent) => Layer::Power { exponent },
             Law::Smooth => Layer::None,
         };
+        if frame.layering().is_some() {
+            return Err(Refusal::NotCovered("the reference has no kernel of a layer or a coating"));
+        }
         let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
         let (kernel, pieces) = match frame.geometry().scaled(frame.half_width()) {
             Geometry::Circular => (Kernel::Disk { exponent, harmonic: 0 }, vec![[0.0, 1.0]]),

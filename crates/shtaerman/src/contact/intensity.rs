@@ -38,7 +38,7 @@ impl Contact {
     pub fn implied_edge_pressures(&self) -> Option<Vec<[f64; 2]>> {
         let problem = self.problem();
         let frame = problem.frame();
-        let is_plane = frame.geometry() != Geometry::Circular && frame.grading().is_none();
+        let is_plane = frame.geometry() != Geometry::Circular && frame.is_homogeneous();
         if !is_plane || frame.law() != Law::Linear || frame.theta0() == 0.0 {
             return None;
         }

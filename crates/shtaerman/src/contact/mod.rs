@@ -14,6 +14,7 @@ mod draft;
 mod eccentric;
 mod edges;
 mod extremes;
+mod ground;
 mod heights;
 mod intensity;
 mod intervals;

@@ -110,7 +110,7 @@ impl Problem {
     /// Whether the surface is smooth and the kernel a plane logarithm.
     fn is_smooth_plane(&self) -> bool {
         let frame = self.frame();
-        let is_plane = frame.geometry() != Geometry::Circular && frame.grading().is_none();
+        let is_plane = frame.geometry() != Geometry::Circular && frame.is_homogeneous();
         is_plane && frame.law() == Law::Smooth
     }
 
@@ -122,7 +122,7 @@ impl Problem {
     /// Whether this is one punch on a homogeneous half-plane with a linear layer, for which the spectral relation serves.
     fn is_plain(&self) -> bool {
         let frame = self.frame();
-        let is_homogeneous = frame.grading().is_none();
+        let is_homogeneous = frame.is_homogeneous();
         frame.geometry() == Geometry::Plane && frame.law() == Law::Linear && is_homogeneous
     }
 

@@ -57,8 +57,12 @@ impl ProblemFile {
 
     /// Reads a problem from a document with its overrides.
     pub(super) fn from_document(mut document: Document, folder: &Path) -> Result<Self, Error> {
+        // Poisson's ratio goes with theta0 where it is that of a bonded layer.
+        let has_layer = document.get("dimensionless.base").is_some();
         for group in ALTERNATIVES {
-            document.prefer_overrides(group);
+            if !(has_layer && group.contains(&"dimensionless.poisson_ratio")) {
+                document.prefer_overrides(group);
+            }
         }
         Self::read(document, folder)
     }
@@ -111,6 +115,9 @@ fn locate(document: &Document, error: Error) -> Error {
             "tilt" => &["load.tilt", "dimensionless.tilt"],
             "grading_exponent" => &["foundation.grading_exponent"],
             "roughness" => &["foundation.roughness"],
+            "thickness" => {
+                &["foundation.coating.thickness", "foundation.thickness", "dimensionless.thickness"]
+            }
             _ => &[],
         },
         Error::NoContact => &["load.settlement", "dimensionless.settlement"],

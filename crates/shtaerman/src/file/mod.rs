@@ -27,6 +27,7 @@
 
 mod any;
 mod geometry;
+mod layering;
 mod load;
 mod located;
 mod physical;
@@ -152,7 +153,7 @@ fn dimensionless_frame(table: &TableReader<'_>) -> Result<Frame, FileError> {
     let value = field.number()?;
     let by_theta0 = field.name().ends_with("theta0");
     let theta0 = if by_theta0 {
-        if let Some(ratio) = poisson_ratio {
+        if let Some(ratio) = poisson_ratio.filter(|_| !layering::is_bonded(table)) {
             return Err(ratio.error("goes with lambda0; theta0 alone is enough"));
         }
         value
@@ -170,13 +171,15 @@ fn dimensionless_frame(table: &TableReader<'_>) -> Result<Frame, FileError> {
     let geometry = geometry::read_dimensionless(table)?;
     let exponent_field = table.optional("exponent");
     let exponent = exponent_field.as_ref().map_or(Ok(1.0), Field::number)?;
-    Frame::dimensionless_in(geometry, theta0, exponent).map_err(|error| match &error {
-        Error::InvalidValue { field: "theta0", .. } if by_theta0 => refused(&field, &error),
-        Error::InvalidValue { field: "theta0", .. } => {
-            field.error(format!("is {value}: must be finite and not negative"))
-        }
-        _ => refused(exponent_field.as_ref().unwrap_or(&field), &error),
-    })
+    let frame =
+        Frame::dimensionless_in(geometry, theta0, exponent).map_err(|error| match &error {
+            Error::InvalidValue { field: "theta0", .. } if by_theta0 => refused(&field, &error),
+            Error::InvalidValue { field: "theta0", .. } => {
+                field.error(format!("is {value}: must be finite and not negative"))
+            }
+            _ => refused(exponent_field.as_ref().unwrap_or(&field), &error),
+        })?;
+    layering::dimensionless(table, frame)
 }
 
 /// The fault of a field whose value a constructor refused.

@@ -1,7 +1,6 @@
 //! `[foundation]`, `[body]`, and the geometry of `[punch]`.
 
-use super::geometry;
-use super::{refused, shown};
+use super::{geometry, layering, refused, shown};
 use crate::document::{FileError, TableReader};
 use crate::quantity::Dimension;
 use crate::{Elastic, Error, Frame, Grading, Roughness};
@@ -17,8 +16,9 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Frame, FileError> {
     let body = reader.table("body")?.map(|table| elastic(&table)).transpose()?;
     let punch = reader.required("punch")?.table()?;
     let (geometry, half_width, field) = geometry::read_physical(&punch)?;
-    Frame::physical_in(geometry, material, roughness, half_width, body)
-        .map_err(|error| refused(&field, &error))
+    let frame = Frame::physical_in(geometry, material, roughness, half_width, body)
+        .map_err(|error| refused(&field, &error))?;
+    layering::on_foundation(reader, &foundation, material, frame)
 }
 
 /// `E = E0 y^mu` under a rigid punch.
@@ -28,6 +28,7 @@ fn graded(reader: &TableReader<'_>, foundation: &TableReader<'_>) -> Result<Fram
             .error("does not go with grading: the modulus depends on the depth")
             .with_help("grading_modulus is Young's modulus at the depth of 1 m"));
     }
+    layering::refuse(foundation, "does not go with grading: leave one of both out")?;
     let exponent = foundation.required("grading_exponent")?;
     let modulus = foundation.required("grading_modulus")?;
     let ratio = foundation.required("poisson_ratio")?;
@@ -60,7 +61,7 @@ fn graded(reader: &TableReader<'_>, foundation: &TableReader<'_>) -> Result<Fram
     })
 }
 
-fn elastic(table: &TableReader<'_>) -> Result<Elastic, FileError> {
+pub(super) fn elastic(table: &TableReader<'_>) -> Result<Elastic, FileError> {
     let modulus = table.required("young_modulus")?;
     let ratio = table.required("poisson_ratio")?;
     Elastic::new(modulus.quantity(Dimension::PRESSURE)?, ratio.quantity(Dimension::NONE)?).map_err(

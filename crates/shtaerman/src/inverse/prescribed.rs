@@ -90,7 +90,7 @@ struct Prescription<'p> {
 impl<'p> Prescription<'p> {
     fn new(problem: &'p Problem, pressure: &str) -> Result<Self, Error> {
         let frame = problem.frame();
-        if frame.geometry() != Geometry::Plane || frame.grading().is_some() {
+        if frame.geometry() != Geometry::Plane || !frame.is_homogeneous() {
             let words = "the profile for a prescribed pressure is that of one plane punch on a homogeneous foundation";
             return Err(InverseError::Unsuited(words).into());
         }

@@ -11,7 +11,7 @@
 
 use super::{Derivatives, QUANTITIES, Sensitivities, Values, values};
 use crate::contact::{Linearised, Rates};
-use crate::{Contact, Frame, Rotational, Roughness, Scaling, Vertical};
+use crate::{Contact, Frame, Layering, Rotational, Roughness, Scaling, Vertical};
 
 /// Force and pressure among the quantities followed.
 const FORCE: usize = 1;
@@ -22,6 +22,10 @@ impl Contact {
     /// differences of solutions tell: on cells and panels. By the expansion about the smooth limit they are those of its companions, expanded alike.
     #[must_use]
     pub fn tangent_sensitivities(&self) -> Option<Sensitivities> {
+        // A stiffer foundation under the same coating has another kernel.
+        if matches!(self.problem().frame().layering(), Some(Layering::Coating { .. })) {
+            return None;
+        }
         let found = self.linearised()?;
         let units = Units::new(self);
         let mut derivatives = [Derivatives::default(); QUANTITIES];

@@ -28,7 +28,7 @@ impl Frame {
     /// [`Error::NoStresses`] for a circular punch and a graded foundation.
     pub fn check_stresses(&self) -> Result<(), Error> {
         let circular = self.geometry() == Geometry::Circular;
-        if circular || self.grading().is_some() { Err(Error::NoStresses) } else { Ok(()) }
+        if circular || !self.is_homogeneous() { Err(Error::NoStresses) } else { Ok(()) }
     }
 }
 

@@ -6,6 +6,7 @@ mod bent;
 mod crests;
 mod disk;
 mod graded;
+mod layered;
 mod pair;
 mod power;
 mod random;

@@ -2,7 +2,7 @@
 
 use super::problem::Base;
 use crate::contact::cells::{Cell, Cells, Limits, closing_in, solve_thin};
-use crate::contact::unilateral::mean_power;
+use crate::contact::ground::mean_power;
 use crate::contact::valleys;
 use crate::{Error, Vertical};
 

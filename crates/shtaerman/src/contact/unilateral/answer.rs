@@ -1,18 +1,17 @@
 //! The unilateral answer.
 
 use fredholm::SincSolution;
-use fredholm::kernel::{Kernel, WeberSonine};
 use serde::Serialize;
 
 use super::anchor::Anchor;
 use super::base::Base;
 
-use super::medium::Medium;
 use super::solved::{Solved, Stated};
 use crate::Problem;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
 use crate::contact::check::Check;
+use crate::contact::ground::SharedKernel;
 use crate::contact::linearised::Linearised;
 use crate::contact::potential::between_nodes;
 use crate::contact::solution::Solution;
@@ -56,7 +55,7 @@ pub(super) struct Tilted {
     pub(super) unit: SincSolution,
     /// `alpha0`.
     pub(super) tilt: f64,
-    pub(super) kernel: WeberSonine,
+    pub(super) kernel: SharedKernel,
 }
 
 impl Tilted {
@@ -110,14 +109,14 @@ impl UnilateralContact {
     /// Where a point of the base lies in the coordinates of the solution: on a disk the distance from the axis, on a wave without gaps the image between the ends
     /// of its zones.
     pub(super) fn locate(&self, xi: f64) -> f64 {
-        match self.solved.medium {
-            Medium::Disk { .. } => xi.abs(),
-            Medium::Row { .. } if self.solved.medium.is_closed() => {
-                let origin = self.solved.hull.centre;
-                xi + 2.0 * (0.5 * (origin - xi)).round()
-            }
-            Medium::Row { .. } | Medium::Line | Medium::Graded { .. } => xi,
+        if self.solved.medium.is_disk() {
+            return xi.abs();
         }
+        if self.solved.medium.is_closed() {
+            let origin = self.solved.hull.centre;
+            return xi + 2.0 * (0.5 * (origin - xi)).round();
+        }
+        xi
     }
 
     /// The zone of a place in the coordinates of the solution.

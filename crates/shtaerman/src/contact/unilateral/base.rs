@@ -1,13 +1,15 @@
 //! The base of the punch as unilateral contact sees it: where it bends and where an edge of the contact can rest.
 
+use std::sync::Arc;
+
 use super::anchor::Anchor;
 use super::coarse;
 use super::layer::Layer;
-use super::medium::Medium;
 use super::mirror;
 use super::power::reference_pressure;
 use super::refinement::Effort;
 use super::topology;
+use crate::contact::ground::{Ground, ground};
 use crate::contact::parts::{MOST_BREAKS, Smoothness};
 use crate::contact::revolution::require_even;
 use crate::contact::search::{Equation, Work};
@@ -37,7 +39,7 @@ pub(super) struct Base<'p> {
     pub(super) load: Load,
     pub(super) theta: f64,
     /// What the punch stands on.
-    pub(super) medium: Medium,
+    pub(super) medium: Arc<dyn Ground>,
     pub(super) layer: Layer,
     /// Whether the whole base stays in contact.
     pub(super) is_bilateral: bool,
@@ -82,7 +84,7 @@ impl<'p> Base<'p> {
     pub(super) fn new(problem: &'p Problem, kind: ContactKind) -> Result<Self, Error> {
         let wanted = 4 * problem.profile().measured_points().unwrap_or(0);
         let count = wanted.clamp(SAMPLES, MOST_SAMPLES);
-        let medium = Medium::new(problem)?;
+        let medium = ground(problem)?;
         let pieces = if medium.is_disk() { vec![[0.0, 1.0]] } else { problem.frame().pieces() };
         let length: f64 = pieces.iter().map(|[left, right]| right - left).sum();
         let mut samples = Vec::with_capacity(count + pieces.len());
@@ -204,12 +206,13 @@ impl<'p> Base<'p> {
 
     /// Whether the kernel is the logarithm, and the layer linear: of one punch or of two.
     pub(super) fn is_line(&self) -> bool {
-        matches!(self.medium, Medium::Line) && self.layer.is_linear()
+        self.medium.is_logarithm() && self.layer.is_linear()
     }
 
-    /// Whether panels serve: on any ground but a disk; for a layer that bends where the base has ends.
+    /// Whether panels serve: on any ground with fast products; for a layer that bends where the base has ends.
     pub(super) fn has_panels(&self) -> bool {
-        !self.medium.is_disk() && (self.layer.is_linear() || !self.medium.is_closed())
+        let is_open = !self.medium.is_closed();
+        self.medium.panel_kernel().is_some() && (self.layer.is_linear() || is_open)
     }
 
     /// Whether panels are tried first: the third derivative of the base jumps at measured points, where collocation loses its digits, or the base falls into more parts than

@@ -10,9 +10,9 @@ use fredholm::{SincOperator, SincSolution};
 
 use super::answer::{Tilted, UnilateralContact};
 use super::base::Base;
-use super::shared::{disk_harmonic, disk_operator};
 use super::solved::Solved;
 use crate::contact::check::Check;
+use crate::contact::ground::SharedKernel;
 use crate::contact::plan::AIM;
 use crate::contact::potential::between_nodes;
 use crate::{Error, Rotational};
@@ -28,9 +28,9 @@ pub(super) fn answer(
     mut solved: Solved,
     check: &Check,
 ) -> Result<UnilateralContact, Error> {
-    if !base.medium.is_disk() {
+    let Some(kernel) = base.medium.turned_kernel()? else {
         return Ok(UnilateralContact::new(base, solved, check));
-    }
+    };
     let wanted = base.problem.dimensionless_load().rotational;
     let given = match base.problem.load().rotational {
         Rotational::Moment(value) => ("moment", value),
@@ -38,7 +38,7 @@ pub(super) fn answer(
         Rotational::Tilt(value) => ("tilt", value),
     };
     if given.1 == 0.0 {
-        solved.stiffness.moment_tilt = base.turning(&solved)?;
+        solved.stiffness.moment_tilt = base.turning(&solved, &kernel)?;
         return Ok(UnilateralContact::new(base, solved, check));
     }
     crate::error::require(
@@ -47,9 +47,8 @@ pub(super) fn answer(
         given.1,
         "zero for a circular punch on a layer with a power law, which mixes the harmonics of the pressure",
     )?;
-    let kernel = disk_harmonic(1, base.medium.exponent())?;
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
-    let found = solve_adaptive(&kernel, PI * base.theta, |r| r, tolerance)?;
+    let found = solve_adaptive(kernel.as_ref(), PI * base.theta, |r| r, tolerance)?;
     let unit = found.solution;
     // M0 per -alpha0
     let turning = PI * unit.integral(|r| r);
@@ -121,17 +120,22 @@ impl Base<'_> {
     }
 
     /// `dM0/d(-alpha0)` on the zones as they are.
-    fn turning(&self, solved: &Solved) -> Result<f64, Error> {
+    fn turning(&self, solved: &Solved, kernel: &SharedKernel) -> Result<f64, Error> {
         let half = solved.hull.half;
         let panels: Vec<(f64, f64)> = (solved.panels.iter())
             .map(|panel| (panel.left / half, (panel.right / half).min(1.0)))
             .collect();
-        let (exponent, half_count) = (self.medium.exponent(), solved.panel_count() / 2);
-        let operator = if panels == [(0.0, 1.0)] {
-            disk_operator(1, exponent, half_count)?
-        } else {
-            let kernel = disk_harmonic(1, exponent)?;
-            Arc::new(SincOperator::on_panels(&kernel, self.medium.grid(half_count)?, &panels)?)
+        let half_count = solved.panel_count() / 2;
+        let known = match panels[..] {
+            [(0.0, 1.0)] => self.medium.known_turned_operator(half_count).transpose()?,
+            _ => None,
+        };
+        let operator = match known {
+            Some(operator) => operator,
+            None => {
+                let grid = self.medium.grid(half_count)?;
+                Arc::new(SincOperator::on_panels(kernel.as_ref(), grid, &panels)?)
+            }
         };
         let weights: Vec<f64> =
             solved.solution.values().iter().map(|v| self.layer.slope(*v)).collect();

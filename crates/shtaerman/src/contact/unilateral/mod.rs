@@ -15,12 +15,10 @@ mod field;
 mod harmonic;
 mod layer;
 mod linearised;
-mod medium;
 mod mirror;
 mod power;
 mod refinement;
 mod ring;
-mod shared;
 mod solved;
 mod spots;
 mod system;
@@ -28,7 +26,6 @@ mod topology;
 
 pub use answer::Complementarity;
 pub(super) use answer::UnilateralContact;
-pub(super) use medium::mean_power;
 
 use std::sync::Arc;
 

@@ -7,9 +7,9 @@ use fredholm::SincOperator;
 
 use super::base::Base;
 use super::layer::Layer;
-use super::medium::Hull;
 use super::solved::Solved;
 use super::system::{Direction, Factor, Found, System};
+use crate::contact::ground::Hull;
 use crate::{Error, Vertical};
 
 /// Most steps at one exponent.

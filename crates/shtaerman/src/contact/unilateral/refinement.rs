@@ -54,7 +54,7 @@ pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
     let count = if base.layer.is_linear() { count } else { BENT * count };
     // On fewer nodes a wavy base shows tension where there is none, and zones would be cut there.
     let waves = NODES_A_VALLEY * base.valleys() as f64 * 0.5 * longest;
-    count.max(waves.min(MOST_FOR_VALLEYS))
+    count.max(waves.min(MOST_FOR_VALLEYS)).max(base.medium.first_half_count(longest))
 }
 
 /// The answer on growing numbers of nodes, from the one on the first.

@@ -1,13 +1,15 @@
 //! The pressure on given zones, to be looked at anywhere.
 
+use std::sync::Arc;
+
 use fredholm::collocation::Place;
 
 use super::base::Base;
 use super::field::Field;
 use super::layer::Layer;
-use super::medium::{Hull, Medium};
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
+use crate::contact::ground::{Ground, Hull};
 use crate::contact::solved::Stiffness;
 use crate::contact::zones::Zone;
 
@@ -30,7 +32,7 @@ impl Panel {
 pub(super) struct Solved {
     pub(super) zones: Vec<Zone>,
     pub(super) panels: Vec<Panel>,
-    pub(super) medium: Medium,
+    pub(super) medium: Arc<dyn Ground>,
     pub(super) layer: Layer,
     pub(super) hull: Hull,
     /// `xi` of the nodes.

@@ -1,6 +1,6 @@
 //! The equations on given zones: pressure, settlement and tilt under the load.
 //!
-//! In local coordinates `xi = c + b y` of the [medium](super::medium) the equation becomes
+//! In local coordinates `xi = c + b y` of the [ground](crate::contact::ground) the equation becomes
 //!
 //! `v + theta int K(y, t) p dm(t) = D - beta y - f0(c + b y)`, `D = delta0 - alpha0 c + theta0 P0 g`, `beta = b alpha0`
 //!
@@ -15,10 +15,10 @@ use fredholm::{SincOperator, SincSolution};
 use super::base::Base;
 use super::elimination;
 use super::field::Field;
-use super::medium::{Hull, Medium};
 use super::power::{self, Extent};
 use super::solved::{Panel, Solved, Stated};
 use crate::contact::balance::State;
+use crate::contact::ground::{Ground, Hull};
 use crate::contact::solved::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Rotational, Vertical};
@@ -30,7 +30,7 @@ const FEWEST: usize = 8;
 pub(super) struct Resolution {
     /// Nodes on either side of the middle of a panel, before they are rounded to a number.
     pub(super) strength: f64,
-    medium: Medium,
+    medium: Arc<dyn Ground>,
     grid: Arc<SincGrid>,
     /// The operator on the local interval in one panel.
     whole: OnceCell<Arc<SincOperator>>,
@@ -43,10 +43,10 @@ type Built = (Vec<(f64, f64)>, Arc<SincOperator>);
 
 impl Resolution {
     /// About so many nodes on either side of the middle of a panel.
-    pub(super) fn new(medium: &Medium, strength: f64) -> Result<Self, Error> {
+    pub(super) fn new(medium: &Arc<dyn Ground>, strength: f64) -> Result<Self, Error> {
         let grid = medium.grid((strength.round() as usize).max(FEWEST))?;
         let (whole, latest) = (OnceCell::new(), RefCell::new(None));
-        Ok(Self { strength, medium: medium.clone(), grid, whole, latest })
+        Ok(Self { strength, medium: Arc::clone(medium), grid, whole, latest })
     }
 
     fn operator(&self, panels: &[(f64, f64)]) -> Result<Arc<SincOperator>, Error> {
@@ -133,7 +133,7 @@ pub(super) struct Direction {
 
 pub(super) struct System<'b, 'p> {
     pub(super) base: &'b Base<'p>,
-    pub(super) medium: Medium,
+    pub(super) medium: Arc<dyn Ground>,
     pub(super) zones: Vec<Zone>,
     pub(super) panels: Vec<Panel>,
     pub(super) hull: Hull,
@@ -176,7 +176,7 @@ impl<'b, 'p> System<'b, 'p> {
         let (Some(first), Some(last)) = (zones.first(), zones.last()) else {
             return Err(Error::NoContact);
         };
-        let medium = base.medium.clone();
+        let medium = Arc::clone(&base.medium);
         let hull = medium.hull(first.left(), last.right(), base.origin);
         let panels: Vec<Panel> = (zones.iter().enumerate())
             .flat_map(|(zone, place)| {
@@ -184,7 +184,7 @@ impl<'b, 'p> System<'b, 'p> {
                 panels.into_iter().map(move |(left, right)| Panel { left, right, zone })
             })
             .collect();
-        let operator = resolution.operator(&local_panels(&medium, &hull, &panels))?;
+        let operator = resolution.operator(&local_panels(medium.as_ref(), &hull, &panels))?;
         let positions: Vec<f64> = operator
             .places()
             .map(|place| {
@@ -441,7 +441,7 @@ impl<'b, 'p> System<'b, 'p> {
 }
 
 /// The panels in local coordinates.
-fn local_panels(medium: &Medium, hull: &Hull, panels: &[Panel]) -> Vec<(f64, f64)> {
+fn local_panels(medium: &dyn Ground, hull: &Hull, panels: &[Panel]) -> Vec<(f64, f64)> {
     let ends = medium.local_ends();
     let local = |xi: f64| {
         let y = (xi - hull.centre) / hull.half;

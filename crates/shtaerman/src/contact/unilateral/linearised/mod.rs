@@ -12,12 +12,10 @@ mod tilted;
 
 use fredholm::SincSolution;
 use fredholm::collocation::{extrapolate, first_half_count, rounding};
-use fredholm::kernel::Kernel;
 
 use super::answer::UnilateralContact;
 use super::base::Base;
 use super::field::Field;
-use super::medium::Medium;
 use super::refinement::RATIO;
 use super::solved::{end_node, place};
 use super::system::{Factor, Resolution, System};
@@ -31,8 +29,6 @@ const FEWEST: f64 = 8.0;
 /// Most nodes for a full base that was not collocated, and those for each Chebyshev degree of its profile.
 const MOST_NODES: f64 = 1200.0;
 const NODES_PER_DEGREE: f64 = 2.0;
-/// Step of the difference quotient of a disk's kernel, as a share of the distance: of fourth order, so `1e-12`.
-const STEP: f64 = 1e-3;
 /// Rounding of a sum relative to the sizes of its terms.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
@@ -270,29 +266,10 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
         let profile = base.slope(edge);
         let (mut body, mut size) = (0.0, tilt.abs() + profile.abs());
         for (&xi, mass) in self.system.positions.iter().zip(masses) {
-            let part = self.system.strength() * mass * kernel_slope(&base.medium, edge, xi);
+            let part = self.system.strength() * mass * base.medium.slope(edge, xi);
             body += part;
             size += part.abs();
         }
         (-tilt - profile - body, ROUNDING * size)
-    }
-}
-
-/// `dK/dxi` for different points.
-fn kernel_slope(medium: &Medium, xi: f64, eta: f64) -> f64 {
-    let difference = xi - eta;
-    if difference == 0.0 {
-        return 0.0;
-    }
-    let step = STEP * difference.abs();
-    match medium {
-        Medium::Disk { kernel } if xi + step != xi && xi > 2.0 * step => {
-            let at = |k: f64| {
-                let moved = (difference + k * step).abs();
-                kernel.pair(xi + k * step, eta, moved).value
-            };
-            (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * step)
-        }
-        _ => medium.reduced_slope(xi, eta) / difference,
     }
 }

@@ -22,7 +22,7 @@ pub(super) fn turned(
 ) -> Option<Linearised> {
     let Tilted { unit, tilt, kernel } = tilted;
     let parameter = unit.parameter();
-    let operator = SincOperator::new(kernel, unit.values().len() / 2).ok()?;
+    let operator = SincOperator::new(kernel.as_ref(), unit.values().len() / 2).ok()?;
     let right: Vec<f64> = unit.potential().iter().map(|u| -parameter * u).collect();
     let changed = operator.factor(parameter).ok()?.solve(&right).ok()?;
     let turning = PI * unit.integral(|r| r);

@@ -5,7 +5,6 @@
 use fredholm::multipole::PanelKernel;
 
 use crate::contact::unilateral::base::Base;
-use crate::contact::unilateral::medium::Medium;
 
 /// `xi = centre + half y` with `|y| <= 1`, and the kernel by `y`.
 #[derive(Debug, Clone, Copy)]
@@ -18,22 +17,10 @@ pub(super) struct Chart {
 }
 
 impl Chart {
-    /// None for a disk.
+    /// None where the ground has no fast products.
     pub(super) fn new(base: &Base<'_>) -> Option<Self> {
-        let plain = |kernel| Self { kernel, centre: 0.0, half: 1.0, is_closed: false };
-        match &base.medium {
-            Medium::Line => Some(plain(PanelKernel::Logarithm)),
-            Medium::Graded { .. } => {
-                Some(plain(PanelKernel::Power { exponent: base.medium.exponent() }))
-            }
-            Medium::Row { period, .. } => Some(Self {
-                kernel: PanelKernel::Sine,
-                centre: base.origin,
-                half: 0.5 * period,
-                is_closed: base.medium.is_closed(),
-            }),
-            Medium::Disk { .. } => None,
-        }
+        let (kernel, half) = base.medium.panel_kernel()?;
+        Some(Self { kernel, centre: base.origin, half, is_closed: base.medium.is_closed() })
     }
 
     /// Whether the base is a wave without gaps.

@@ -1,7 +1,7 @@
 //! Many zones against collocation, cells, and what must hold.
 
 use super::super::base::Base;
-use super::super::{UnilateralContact, complementary};
+use super::super::{UnilateralContact, searched};
 use super::*;
 use crate::contact::balance::State;
 use crate::{ContactKind, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical};
@@ -48,7 +48,7 @@ fn panels(problem: &Problem) -> SpotContact {
 fn agrees(problem: &Problem) -> Option<usize> {
     let found = panels(problem);
     let base = Base::new(problem, ContactKind::Unilateral).unwrap();
-    let exact = complementary(&base).ok()?;
+    let exact = searched(&base).ok()?;
     let (one, other) = (found.state(), exact.state());
     let size = found.level.size();
     for (a, b) in [

@@ -8,9 +8,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use fredholm::SincOperator;
 use fredholm::collocation::SincGrid;
-use fredholm::kernel::{Logarithm, WeberSonine};
+use fredholm::kernel::{Logarithm, TransferDisk, TransferPlane, WeberSonine};
 
-use crate::Error;
+use crate::{Error, Layering};
 
 /// Most kernels and operators kept, and most nodes of one that is: half a megabyte each.
 const KERNELS: usize = 8;
@@ -24,6 +24,8 @@ type KernelKey = (usize, u64);
 /// That and the nodes on either side of the middle.
 type OperatorKey = (KernelKey, usize);
 
+static KNOWN_PLANES: Mutex<Vec<(Layering, Arc<TransferPlane>)>> = Mutex::new(Vec::new());
+static KNOWN_DISKS: Mutex<Vec<((usize, Layering), Arc<TransferDisk>)>> = Mutex::new(Vec::new());
 static KNOWN_KERNELS: Mutex<Vec<(KernelKey, WeberSonine)>> = Mutex::new(Vec::new());
 static KNOWN_LINES: Mutex<Vec<(usize, Arc<SincOperator>)>> = Mutex::new(Vec::new());
 static KNOWN_OPERATORS: Mutex<Vec<(OperatorKey, Arc<SincOperator>)>> = Mutex::new(Vec::new());
@@ -81,6 +83,36 @@ pub(super) fn line_operator(half_count: usize) -> Result<Arc<SincOperator>, Erro
         keep(&KNOWN_LINES, half_count, &operator, OPERATORS);
     }
     Ok(operator)
+}
+
+/// The kernel of layered ground, its thickness in half-widths.
+///
+/// # Errors
+/// [`Error::Equation`] for a transfer function that is not finite.
+pub(super) fn layered_plane(layering: Layering) -> Result<Arc<TransferPlane>, Error> {
+    if let Some(kernel) = known(&KNOWN_PLANES, &layering) {
+        return Ok(kernel);
+    }
+    let transfer = |u| layering.transfer(u);
+    let kernel = TransferPlane::new(layering.thickness(), layering.far_share(), &transfer)?;
+    let kernel = Arc::new(kernel);
+    keep(&KNOWN_PLANES, layering, &kernel, KERNELS);
+    Ok(kernel)
+}
+
+/// The same of pressures `p(r)` (0) or `p(r) cos(phi)` (1) on the unit disk.
+///
+/// # Errors
+/// As [`layered_plane`].
+pub(super) fn layered_disk(order: usize, layering: Layering) -> Result<Arc<TransferDisk>, Error> {
+    let key = (order, layering);
+    if let Some(kernel) = known(&KNOWN_DISKS, &key) {
+        return Ok(kernel);
+    }
+    let transfer = |u| layering.transfer(u);
+    let kernel = Arc::new(TransferDisk::new(order, layering.thickness(), &transfer)?);
+    keep(&KNOWN_DISKS, key, &kernel, KERNELS);
+    Ok(kernel)
 }
 
 /// The value with this key, which becomes the latest.

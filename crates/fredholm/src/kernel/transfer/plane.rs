@@ -1,0 +1,114 @@
+//! Kernel 11: a plane kernel with a transfer function.
+
+use std::f64::consts::FRAC_PI_4;
+
+use super::super::{Kernel, Pair, Singularity, Split};
+use super::require_thickness;
+use super::table::Table;
+use crate::{Error, Interval};
+
+/// Least thickness in half-lengths of the interval: tables take about a second there.
+const LEAST: f64 = 1e-3;
+/// `K(x, s) = int_0^inf (M(u) cos(u d/h) - m exp(-u d_0/h))/u du`, `d = |x - s|`, on `(-1, 1)`, with the length `h` (the thickness of a layer), a transfer function `M > 0` that tends to
+/// 1 as `exp(-2u)` does, but for powers of `u`, and `m = M(0)`.
+///
+/// The constant is that with which `K = m ln(1/d)` far away; for `m = 0` there is none, and `K` vanishes far away. It is computed as
+///
+/// `K = m ln(1/d) + (1 - m) ln coth(pi d/(4 h)) + D(d/h)`, `D(t) = int_0^inf (M - m - (1 - m) tanh u)/u cos(ut) du`:
+///
+/// where the points meet it is `ln(1/d)` and a smooth function. It is positive if `M` is and `m = 0`; otherwise as the [logarithm](super::super::Logarithm) is, on intervals that are not too long.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TransferPlane {
+    thickness: f64,
+    far_share: f64,
+    table: Table,
+}
+
+impl TransferPlane {
+    /// The kernel with `h`, `m` and `M`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] for a thickness below `1e-3` or a share that is negative or not finite, [`Error::NotFinite`] where `M` is not finite.
+    pub fn new(
+        thickness: f64,
+        far_share: f64,
+        transfer: &dyn Fn(f64) -> f64,
+    ) -> Result<Self, Error> {
+        require_thickness(thickness, LEAST, "finite and at least 1e-3 of the half-length")?;
+        if !(far_share.is_finite() && far_share >= 0.0) {
+            return Err(Error::InvalidParameter {
+                name: "share far away",
+                value: far_share,
+                requirement: "finite and not negative",
+            });
+        }
+        let remainder = |u: f64| (transfer(u) - far_share - (1.0 - far_share) * u.tanh()) / u;
+        let table = Table::new(&remainder, &f64::cos, 2.0 / thickness)?;
+        Ok(Self { thickness, far_share, table })
+    }
+
+    /// `h`.
+    #[must_use]
+    pub fn thickness(&self) -> f64 {
+        self.thickness
+    }
+
+    /// `lim K + ln(d/h)` where the points meet: of a kernel without `m` a thick layer is a half-plane with the gauge `h` times its exponential.
+    #[must_use]
+    pub fn gauge_constant(&self) -> f64 {
+        self.table.at(0.0)
+            - (1.0 - self.far_share) * FRAC_PI_4.ln()
+            - self.far_share * self.thickness.ln()
+    }
+
+    /// `d dK/dd` at the distance `d`, to about 1e-7.
+    #[must_use]
+    pub fn reduced_slope(&self, distance: f64) -> f64 {
+        let t = distance / self.thickness;
+        if t == 0.0 {
+            return -1.0;
+        }
+        // d/dt ln coth(pi t/4) = -(pi/2)/sinh(pi t/2)
+        let angle = 2.0 * FRAC_PI_4 * t;
+        let logarithm = -angle / angle.sinh();
+        let step = DIFFERENCE * (1.0 + t);
+        let (lower, upper) = ((t - step).max(0.0), (t + step).min(2.0 / self.thickness));
+        let rise = (self.table.at(upper) - self.table.at(lower)) / (upper - lower);
+        -self.far_share + (1.0 - self.far_share) * logarithm + t * rise
+    }
+}
+
+/// Step of a difference quotient of the smooth part.
+const DIFFERENCE: f64 = 1e-5;
+
+impl Kernel for TransferPlane {
+    fn interval(&self) -> Interval {
+        Interval::unit()
+    }
+
+    fn singularity(&self) -> Singularity {
+        Singularity::Logarithm
+    }
+
+    fn split(&self, x: f64, s: f64, distance: f64) -> Split {
+        let rest = if distance == 0.0 {
+            self.gauge_constant() + self.thickness.ln()
+        } else {
+            self.pair(x, s, distance).value + distance.ln()
+        };
+        Split { factor: -1.0, rest }
+    }
+
+    fn pair(&self, _x: f64, _s: f64, distance: f64) -> Pair {
+        let t = distance / self.thickness;
+        // ln coth z = ln(1 + 2/(exp(2z) - 1)): no digit is lost where it is small, nor where it is large.
+        let logarithm = (2.0 / (2.0 * FRAC_PI_4 * t).exp_m1()).ln_1p();
+        let far = if self.far_share == 0.0 { 0.0 } else { -self.far_share * distance.ln() };
+        let value = far + (1.0 - self.far_share) * logarithm + self.table.at(t);
+        Pair { value, factor: -1.0 }
+    }
+
+    fn is_even(&self) -> bool {
+        true
+    }
+}

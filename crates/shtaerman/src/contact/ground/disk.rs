@@ -1,0 +1,123 @@
+//! A half-space under a circular punch, homogeneous or with `E ~ y^mu`: `K = int_0^inf t^mu J_0(xi t) J_0(eta t) dt`, `dm = eta deta`, for pressures without angle.
+
+use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
+
+use fredholm::SincOperator;
+use fredholm::kernel::{Kernel, WeberSonine};
+
+use super::cells::{mean_logarithm, mean_power};
+use super::shared::{disk_harmonic, disk_operator};
+use super::{Ground, Hull, SharedKernel};
+use crate::Error;
+
+/// Step of the difference quotient of the kernel, as a share of the distance: it serves Newton steps, not answers.
+const DIFFERENCE: f64 = 1e-4;
+/// The same where derivatives are answers: of fourth order, so `1e-12`.
+const STEP: f64 = 1e-3;
+
+#[derive(Debug)]
+pub(super) struct Disk {
+    kernel: WeberSonine,
+}
+
+impl Disk {
+    /// # Errors
+    /// [`Error::Equation`] unless `0 <= mu < 1`.
+    pub(super) fn new(exponent: f64) -> Result<Self, Error> {
+        Ok(Self { kernel: disk_harmonic(0, exponent)? })
+    }
+}
+
+impl Ground for Disk {
+    fn kernel(&self) -> &dyn Kernel {
+        &self.kernel
+    }
+
+    fn hull(&self, _left: f64, right: f64, _origin: f64) -> Hull {
+        Hull { centre: 0.0, half: right }
+    }
+
+    fn reduced_slope(&self, xi: f64, eta: f64) -> f64 {
+        let difference = xi - eta;
+        let step = DIFFERENCE * difference.abs();
+        if xi + step == xi || xi <= step {
+            return -self.kernel.split(xi, xi, 0.0).factor;
+        }
+        let at = |xi: f64| self.kernel.value(xi, eta);
+        difference * (at(xi + step) - at(xi - step)) / (2.0 * step)
+    }
+
+    fn mean(&self, left: [f64; 2], right: [f64; 2]) -> f64 {
+        let middle = |cell: [f64; 2]| 0.5 * (cell[0] + cell[1]);
+        let (s, x) = (middle(left), middle(right));
+        let split = self.kernel.split(x, s, x - s);
+        let exponent = self.exponent();
+        // sigma = (d^-mu - 1)/mu
+        let singular = if exponent > 0.0 {
+            (mean_power(left, right, exponent) - 1.0) / exponent
+        } else {
+            mean_logarithm(left, right)
+        };
+        split.factor * singular + split.rest
+    }
+
+    fn is_disk(&self) -> bool {
+        true
+    }
+
+    fn exponent(&self) -> f64 {
+        2.0 * self.kernel.exponent()
+    }
+
+    fn strength(&self) -> f64 {
+        PI
+    }
+
+    fn local_ends(&self) -> Option<[f64; 2]> {
+        Some([0.0, 1.0])
+    }
+
+    fn measure(&self, hull: &Hull) -> f64 {
+        hull.half * hull.half
+    }
+
+    fn area(&self) -> f64 {
+        TAU
+    }
+
+    fn known_operator(&self, half_count: usize) -> Option<Result<Arc<SincOperator>, Error>> {
+        Some(disk_operator(0, self.exponent(), half_count))
+    }
+
+    fn turned_kernel(&self) -> Result<Option<SharedKernel>, Error> {
+        Ok(Some(Arc::new(disk_harmonic(1, self.exponent())?)))
+    }
+
+    fn known_turned_operator(&self, half_count: usize) -> Option<Result<Arc<SincOperator>, Error>> {
+        Some(disk_operator(1, self.exponent(), half_count))
+    }
+
+    fn value(&self, y: f64, t: f64) -> f64 {
+        if y != t {
+            return self.kernel.value(y, t);
+        }
+        self.kernel.pair(y, t, f64::MIN_POSITIVE).value
+    }
+
+    fn slope(&self, xi: f64, eta: f64) -> f64 {
+        let difference = xi - eta;
+        if difference == 0.0 {
+            return 0.0;
+        }
+        let step = STEP * difference.abs();
+        if xi + step == xi || xi <= 2.0 * step {
+            return self.reduced_slope(xi, eta) / difference;
+        }
+        let at = |k: f64| {
+            let moved = (difference + k * step).abs();
+            self.kernel.pair(xi + k * step, eta, moved).value
+        };
+        (8.0 * (at(1.0) - at(-1.0)) - (at(2.0) - at(-2.0))) / (12.0 * step)
+    }
+}

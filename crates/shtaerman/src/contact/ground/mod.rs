@@ -1,0 +1,216 @@
+//! The ground under the punch: its displacement under a pressure, without dimensions. One file for each ground.
+//!
+//! `u(xi) = theta0 k int K(xi, eta) p0(eta) dm(eta)` with the factor `k` and the measure `dm`:
+//!
+//! - a [line](line), one punch or a pair: `K = ln 1/|xi - eta|`, `k = 1`, `dm = deta`;
+//! - a [row] with the period `L`: `K = ln 1/(2 sin(pi |xi - eta|/L))`, `k = 1`, `dm = deta`;
+//! - a [disk], pressures without angle: `K = int_0^inf J_0(xi t) J_0(eta t) dt`, `k = pi`, `dm = eta deta`;
+//! - [graded] ground, one punch or a pair on a half-plane with `E ~ y^mu`: `K = |xi - eta|^-mu`, `k = 1`, `dm = deta`;
+//! - [layered] ground, a layer on a rigid base or a coated half-plane, and a layer under a [disk](layered_disk): kernels of their transfer functions;
+//! - a disk on such a half-space: `K = int_0^inf t^mu J_0(xi t) J_0(eta t) dt`, `k = pi`, `dm = eta deta`.
+//!
+//! But for the row, layers and the gauge of the plane these are homogeneous, `K(b y, b t) dm(b t) = b^(1-mu) K(y, t) dm(t)`.
+//!
+//! Equations are solved in local coordinates `xi = c + b y`, in which the plane and the disk are always of one size.
+
+mod cells;
+mod disk;
+mod graded;
+mod layered;
+mod layered_disk;
+mod line;
+mod row;
+mod shared;
+
+pub(in crate::contact) use cells::mean_power;
+
+use std::fmt::Debug;
+use std::sync::Arc;
+
+use fredholm::SincOperator;
+use fredholm::collocation::SincGrid;
+use fredholm::kernel::Kernel;
+use fredholm::multipole::PanelKernel;
+
+use crate::{Error, Geometry, Problem};
+
+/// A kernel as an answer keeps it.
+pub(in crate::contact) trait KeptKernel: Kernel + Debug + Send + Sync {}
+
+impl<K: Kernel + Debug + Send + Sync> KeptKernel for K {}
+
+/// The same, shared.
+pub(in crate::contact) type SharedKernel = Arc<dyn KeptKernel>;
+
+/// Nodes on either side of the middle of a panel that is as long as a layer is thick, and the most to begin with: answers to rounding were seen on twice as many, and fewer show tension where
+/// there is none.
+const NODES_A_THICKNESS: f64 = 4.0;
+const MOST_TO_BEGIN_WITH: f64 = 600.0;
+
+/// Nodes on either side of the middle of a panel of this length to begin with, on a layer of this thickness.
+fn half_count_of_layer(length: f64, thickness: f64) -> f64 {
+    (NODES_A_THICKNESS * length / thickness).min(MOST_TO_BEGIN_WITH)
+}
+
+/// Local coordinates `xi = centre + half y`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::contact) struct Hull {
+    pub(in crate::contact) centre: f64,
+    pub(in crate::contact) half: f64,
+}
+
+/// The ground of a problem.
+pub(in crate::contact) fn ground(problem: &Problem) -> Result<Arc<dyn Ground>, Error> {
+    let frame = problem.frame();
+    let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
+    if let Some(layering) = frame.layering() {
+        let layering = layering.scaled(frame.half_width());
+        return Ok(match frame.geometry() {
+            Geometry::Circular => Arc::new(layered_disk::LayeredDisk::new(layering)?),
+            _ => Arc::new(layered::Layered::new(layering)?),
+        });
+    }
+    Ok(match frame.geometry().scaled(frame.half_width()) {
+        Geometry::Plane | Geometry::Pair { .. } if exponent > 0.0 => {
+            Arc::new(graded::Graded::new(exponent)?)
+        }
+        Geometry::Plane | Geometry::Pair { .. } => Arc::new(line::Line::new()),
+        Geometry::Periodic { period } => Arc::new(row::Row::new(period)?),
+        Geometry::Circular => Arc::new(disk::Disk::new(exponent)?),
+    })
+}
+
+/// What a ground is to a contact: its kernel, and what depends on the kind of kernel.
+///
+/// What has a default is right for one punch or a pair on a plane ground whose local coordinates are `xi` itself, or a homogeneous kernel's.
+pub(in crate::contact) trait Ground: Debug + Send + Sync {
+    /// `K` in local coordinates.
+    fn kernel(&self) -> &dyn Kernel;
+
+    /// The local coordinates for zones between these ends; `origin` is the middle of the base.
+    fn hull(&self, left: f64, right: f64, origin: f64) -> Hull;
+
+    /// `(xi - eta) dK/dxi` for different points; of a homogeneous plane kernel finite where they meet.
+    fn reduced_slope(&self, xi: f64, eta: f64) -> f64;
+
+    /// The mean of `K` over two cells of `xi`, the first the same or left of the second.
+    fn mean(&self, left: [f64; 2], right: [f64; 2]) -> f64;
+
+    /// Whether zones are rings about an axis, `r` in place of `xi`.
+    fn is_disk(&self) -> bool {
+        false
+    }
+
+    /// Whether the kernel is the plain logarithm.
+    fn is_logarithm(&self) -> bool {
+        false
+    }
+
+    /// `mu` of `E ~ y^mu`, and of the singularity of a plane kernel.
+    fn exponent(&self) -> f64 {
+        0.0
+    }
+
+    /// Whether panels need a gap between their last and their first end, and a base without gaps has none.
+    fn is_closed(&self) -> bool {
+        false
+    }
+
+    /// `k`.
+    fn strength(&self) -> f64 {
+        1.0
+    }
+
+    /// Ends of the local interval that zones reach from end to end; none where local coordinates do not follow the zones.
+    fn local_ends(&self) -> Option<[f64; 2]> {
+        None
+    }
+
+    /// What local coordinates do to an integral: `int K(xi, eta) p dm(eta) = scale int K(y, t) p dm(t) - gauge int p dm(eta)`.
+    fn scale(&self, hull: &Hull) -> f64 {
+        hull.half.powf(1.0 - self.exponent())
+    }
+
+    /// What local coordinates take from the logarithm, see [`Self::scale`].
+    fn gauge(&self, _hull: &Hull) -> f64 {
+        0.0
+    }
+
+    /// `dm(eta)` over `dm(t)`.
+    fn measure(&self, hull: &Hull) -> f64 {
+        hull.half
+    }
+
+    /// `dP0` over `p0 dm`: the circumference of a ring over its radius.
+    fn area(&self) -> f64 {
+        1.0
+    }
+
+    /// The operator on the whole local interval in one panel, if it is kept among problems.
+    fn known_operator(&self, _half_count: usize) -> Option<Result<Arc<SincOperator>, Error>> {
+        None
+    }
+
+    /// The kernel of fast products on panels, and half the length of the interval of its own coordinate about the middle of the base; none where there is no such kernel.
+    fn panel_kernel(&self) -> Option<(PanelKernel, f64)> {
+        None
+    }
+
+    /// The kernel of pressures `p(r) cos(phi)` on a disk.
+    fn turned_kernel(&self) -> Result<Option<SharedKernel>, Error> {
+        Ok(None)
+    }
+
+    /// Its operator on the whole radius, if it is kept among problems.
+    fn known_turned_operator(
+        &self,
+        _half_count: usize,
+    ) -> Option<Result<Arc<SincOperator>, Error>> {
+        None
+    }
+
+    /// `K(y, t)` in local coordinates for different points.
+    fn value(&self, y: f64, t: f64) -> f64 {
+        let distance = (y - t).abs().max(f64::MIN_POSITIVE);
+        self.kernel().pair(y, t, distance).value
+    }
+
+    /// `dK/dxi` for different points.
+    fn slope(&self, xi: f64, eta: f64) -> f64 {
+        let difference = xi - eta;
+        if difference == 0.0 { 0.0 } else { self.reduced_slope(xi, eta) / difference }
+    }
+
+    /// Nodes on either side of the middle of a panel of this length that show what the kernel itself has of lengths; 0 where it has none.
+    fn first_half_count(&self, _length: f64) -> f64 {
+        0.0
+    }
+
+    fn grid(&self, half_count: usize) -> Result<Arc<SincGrid>, Error> {
+        Ok(Arc::new(SincGrid::new(self.kernel(), half_count)?))
+    }
+
+    /// The operator on panels in local coordinates.
+    fn operator(&self, grid: &Arc<SincGrid>, panels: &[(f64, f64)]) -> Result<SincOperator, Error> {
+        Ok(SincOperator::on_panels(self.kernel(), Arc::clone(grid), panels)?)
+    }
+
+    /// The Galerkin matrix for cells of `xi`, scaled by the roots of their masses; and those masses.
+    fn cells(&self, cells: &[[f64; 2]]) -> (Vec<f64>, Vec<f64>) {
+        let count = cells.len();
+        let centre = |i: usize| 0.5 * (cells[i][0] + cells[i][1]);
+        let width = |i: usize| cells[i][1] - cells[i][0];
+        let masses: Vec<f64> = (0..count)
+            .map(|i| if self.is_disk() { centre(i) * width(i) } else { width(i) })
+            .collect();
+        let mut matrix = vec![0.0; count * count];
+        for i in 0..count {
+            for j in 0..=i {
+                let entry = self.mean(cells[j], cells[i]) * (masses[i] * masses[j]).sqrt();
+                matrix[i * count + j] = entry;
+                matrix[j * count + i] = entry;
+            }
+        }
+        (matrix, masses)
+    }
+}
