@@ -39,6 +39,7 @@ pub mod equation;
 mod error;
 pub mod expression;
 pub mod file;
+mod foundation;
 mod frame;
 mod geometry;
 mod grading;
@@ -49,36 +50,39 @@ mod nearest;
 pub mod paper;
 mod problem;
 pub mod profile;
+mod punch;
 pub mod quantity;
 mod roughness;
 mod scaling;
 mod sensitivity;
+mod solver;
 mod stress;
 mod surface_curve;
 mod variation;
 
 pub use answer::{
-    Answer, AuditFigures, AuditReport, Dimensionless, ErrorReport, Errors, MethodReport, Physical,
-    PressureCurve, SCHEMA,
+    Answer, AuditFigures, AuditReport, ErrorReport, MethodReport, PhysicalOnly, PressureCurve,
+    Quantities, SCHEMA,
 };
 pub use audit::{Audit, Unaudited};
 pub use contact::{
-    AIM, Accuracy, Complementarity, Contact, CrossCheck, Curve, ErrorKind, Method, ReferenceError,
-    SmoothContact, SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem, SmoothProfile,
-    SmoothRingsContact, SmoothZone, Stiffness, Warning, WarningCode,
+    AIM, Complementarity, Contact, CrossCheck, ErrorKind, Errors, Method, ReferenceError,
+    Stiffness, Warning, WarningCode,
 };
 pub use convergence::Convergence;
 pub use datum::{Datum, RelativeSettlement};
 pub use error::Error;
-pub use frame::Frame;
+pub use foundation::Foundation;
 pub use geometry::Geometry;
 pub use grading::Grading;
 pub use load::{Load, Rotational, Vertical};
 pub use material::Elastic;
-pub use problem::{ContactKind, MethodChoice, Problem, Solver};
+pub use problem::Problem;
 pub use profile::Profile;
+pub use punch::Punch;
 pub use roughness::{Law, Roughness};
 pub use scaling::Scaling;
 pub use sensitivity::{Derivatives, Sensitivities};
+pub use solver::{ContactKind, MethodChoice, Solver};
 pub use stress::{Criterion, FirstYield, Peak, Stress, StressField};
 pub use surface_curve::SurfaceCurve;

@@ -19,6 +19,7 @@ mod parts;
 mod plan;
 mod potential;
 mod promise;
+mod quantities;
 mod resolutions;
 mod revolution;
 mod smooth;
@@ -31,14 +32,12 @@ mod unilateral;
 mod valleys;
 mod warning;
 
-pub use accuracy::{Accuracy, ErrorKind};
+pub(crate) use accuracy::Accuracy;
+pub use accuracy::ErrorKind;
 pub use cross_check::{CrossCheck, ReferenceError};
 pub(crate) use linearised::{Linearised, Rates};
 pub use plan::AIM;
-pub use smooth::{
-    Curve, SmoothContact, SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem,
-    SmoothProfile, SmoothRingsContact, SmoothZone,
-};
+pub use quantities::Errors;
 pub use solved::{Contact, Method, Stiffness};
 pub use unilateral::Complementarity;
 pub use warning::{Warning, WarningCode};

@@ -31,10 +31,10 @@ fn the_switch_is_continuous() {
         assert_ne!(below.method().name, "expansion", "{}", case.name);
         assert!(above.reason().contains("error"), "{}", above.reason());
         near(above.settlement(), below.settlement(), 1e-9, case.name);
-        for (one, other) in above.edges().iter().flatten().zip(below.edges().iter().flatten()) {
+        for (one, other) in above.zones().iter().flatten().zip(below.zones().iter().flatten()) {
             near(*one, *other, 1e-9, case.name);
         }
-        near(above.peak_pressure().0, below.peak_pressure().0, 1e-9, case.name);
+        near(above.peak_pressure(), below.peak_pressure(), 1e-9, case.name);
     }
 }
 
@@ -79,10 +79,10 @@ fn the_stated_error_is_small_and_the_contact_complementary() {
 fn edges_of_the_parabola() {
     // a/a_H = 1 + c [ln(1/c) + gamma + 4 ln 2 - 1]/(2 pi), c = chi E*/a_H: recognised in digits found numerically, 0.3739830
     let exact = (EULER + 4.0 * LN_2 - 1.0) / (2.0 * PI);
-    let hertz = PARABOLA.solve(0.0).edges()[0][1];
+    let hertz = PARABOLA.solve(0.0).zones()[0][1];
     near(hertz, (4.0 / (16.0 * PI)).sqrt(), 1e-12, "Hertz");
     let constant = |c: f64| {
-        let edge = PARABOLA.solve(c * hertz).edges()[0][1];
+        let edge = PARABOLA.solve(c * hertz).zones()[0][1];
         (edge / hertz - 1.0) / c - (1.0 / c).ln() / (2.0 * PI)
     };
     for (c, tolerance) in [(1e-4, 2e-6), (1e-5, 3e-7), (1e-7, 5e-6), (1e-8, 1e-5), (1e-9, 2e-5)] {

@@ -18,7 +18,7 @@ fn elasticities(contact: &Contact, derivatives: &Derivatives, roughness: f64) ->
 fn parts<'s>(contact: &Contact, found: &'s Sensitivities) -> [(f64, &'s Derivatives); 3] {
     [
         (contact.settlement(), found.settlement.as_ref().unwrap()),
-        (contact.peak_pressure().0, found.pressure_max.as_ref().unwrap()),
+        (contact.peak_pressure(), found.peak_pressure.as_ref().unwrap()),
         (contact.contact_width(), &found.contact_width),
     ]
 }

@@ -7,7 +7,8 @@ use super::fit::{Three, beside_limit};
 use crate::contact::smooth::{SmoothContact, SmoothZone};
 use crate::contact::solution::Solution;
 use crate::contact::unilateral::{KnownZone, UnilateralContact};
-use crate::{Elastic, Frame, Problem, Roughness, Scaling, Solver};
+use crate::frame::Frame;
+use crate::{Elastic, Problem, Roughness, Scaling, Solver};
 
 /// `theta0` of the rough companions, for a half-width of the shortest stretch.
 const SAMPLES: Three = [1e4, 1e5, SWITCH];
@@ -151,5 +152,5 @@ pub(in crate::contact) fn companion(problem: &Problem, roughness: Roughness) -> 
     };
     let frame = Frame::Physical { foundation, grading: None, body, roughness, geometry, scaling };
     let solver = Solver { contact: problem.solver().contact, ..Solver::default() };
-    Problem::new(frame, problem.profile().clone(), *problem.load(), solver).ok()
+    problem.with_solver(solver).in_frame(frame).ok()
 }

@@ -37,7 +37,7 @@ impl NearlySmooth {
         let of = |rough: &Rough| {
             let solution = Arc::new(rough.contact.clone());
             let contact = Contact::new(&rough.problem, solution, String::new()).ok()?;
-            Some((contact.linearised()?, contact.peak_pressure0().0))
+            Some((contact.linearised()?, contact.peak().0))
         };
         let values = [of(&rough[0])?, of(&rough[1])?, of(&rough[2])?];
         let (values, peaks) = (values.map(|(rates, _)| rates), values.map(|(_, peak)| peak));
