@@ -5,8 +5,10 @@ use serde::Serialize;
 use crate::audit::{Audit, Unaudited};
 use crate::{
     Complementarity, Contact, CrossCheck, Error, ErrorKind, Errors, Foundation, Law,
-    RelativeSettlement, Scaling, Sensitivities, SurfaceCurve, Warning,
+    RelativeSettlement, Scaling, Sensitivities, Warning,
 };
+
+pub use crate::surface_curve::SurfaceCurve;
 
 /// Version of the answer's layout; the JSON Schema `schema/answer.schema.json` describes it.
 pub const SCHEMA: &str = "shtaerman-answer/2";

@@ -1,7 +1,9 @@
 //! The body that is pressed on the foundation.
 
 use crate::error::positive;
-use crate::{Elastic, Error, Geometry, Profile};
+use crate::{Elastic, Error, Profile};
+
+pub use crate::geometry::Geometry;
 
 /// The punch: where it stands on the foundation, the shape of its base, and what it is made of.
 ///

@@ -1,4 +1,4 @@
-//! The answer: settlement, tilt, force, moment, pressure.
+//! The answer: settlement, tilt, force, moment, pressure, with errors, audit and sensitivities.
 //!
 //! A [plan](crate::MethodChoice) picks the method, each method hands over a draft, and the draft becomes the [`Contact`].
 
@@ -41,6 +41,11 @@ pub use quantities::Errors;
 pub use solved::{Contact, Method, Stiffness};
 pub use unilateral::Complementarity;
 pub use warning::{Warning, WarningCode};
+
+pub use crate::audit::{Audit, Unaudited};
+pub use crate::datum::{Datum, RelativeSettlement};
+pub use crate::scaling::Scaling;
+pub use crate::sensitivity::{Derivatives, Sensitivities};
 
 use draft::Draft;
 use plan::Target;
