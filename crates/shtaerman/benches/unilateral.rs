@@ -7,7 +7,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use shtaerman::{
-    Elastic, Frame, Geometry, Grading, Load, Problem, Profile, Rotational, Solver, Vertical,
+    Elastic, Foundation, Geometry, Grading, Load, Problem, Profile, Punch, Rotational, Vertical,
 };
 
 fn main() {
@@ -42,9 +42,12 @@ fn main() {
 fn rough_elsewhere(theta0: f64, parabola: &str) {
     let load = Load::new(Vertical::Force(1.0), Rotational::Moment(0.0)).unwrap();
     let solve = |name: &str, geometry: Geometry, theta0: f64, exponent: f64, parabola: &str| {
-        let frame = Frame::dimensionless_in(geometry, theta0, exponent).unwrap();
+        let (foundation, punch) = (
+            Foundation::dimensionless(theta0).unwrap().with_exponent(exponent).unwrap(),
+            Punch::in_geometry(geometry, 1.0).unwrap(),
+        );
         let profile = Profile::expression(parabola).unwrap();
-        time(name, &Problem::new(frame, profile, load, Solver::default()).unwrap());
+        time(name, &Problem::new(foundation, punch.with_profile(profile), load).unwrap());
     };
     solve("circular parabola, theta0 = 2.5", Geometry::Circular, theta0, 1.0, parabola);
     solve("parabola, power law, exponent 0.5", Geometry::Plane, theta0, 0.5, parabola);
@@ -56,10 +59,13 @@ fn rough_elsewhere(theta0: f64, parabola: &str) {
 fn smooth() {
     let solve = |name: &str, geometry: Geometry, profile: &str, force: f64, moment: f64| {
         let body = Elastic::new(1.0, 0.0).unwrap();
-        let frame = Frame::physical_in(geometry, body, 0.0, 1.0, None).unwrap();
+        let (foundation, punch) = (
+            Foundation::new(body).with_roughness(0.0).unwrap(),
+            Punch::in_geometry(geometry, 1.0).unwrap(),
+        );
         let load = Load::new(Vertical::Force(force), Rotational::Moment(moment)).unwrap();
         let profile = Profile::expression(profile).unwrap();
-        time(name, &Problem::new(frame, profile, load, Solver::default()).unwrap());
+        time(name, &Problem::new(foundation, punch.with_profile(profile), load).unwrap());
     };
     let plane = Geometry::Plane;
     solve("smooth parabola", plane, "x^2", 0.4, 0.0);
@@ -75,10 +81,13 @@ fn smooth() {
 fn smooth_graded() {
     let solve = |name: &str, geometry: Geometry, profile: &str, force: f64, moment: f64| {
         let grading = Grading::new(0.3, 1.0).unwrap();
-        let frame = Frame::physical_graded(geometry, grading, 0.3, 0.0, 1.0).unwrap();
+        let (foundation, punch) = (
+            Foundation::graded(grading, 0.3).unwrap().with_roughness(0.0).unwrap(),
+            Punch::in_geometry(geometry, 1.0).unwrap(),
+        );
         let load = Load::new(Vertical::Force(force), Rotational::Moment(moment)).unwrap();
         let profile = Profile::expression(profile).unwrap();
-        time(name, &Problem::new(frame, profile, load, Solver::default()).unwrap());
+        time(name, &Problem::new(foundation, punch.with_profile(profile), load).unwrap());
     };
     let plane = Geometry::Plane;
     solve("smooth parabola, graded", plane, "x^2", 0.1, 0.0);
@@ -110,7 +119,7 @@ fn time(name: &str, problem: &Problem) {
     println!(
         "{name:<58} {:>12.3} {audited}   {} zones, {}, error {:.0e}",
         1e3 * solve,
-        contact.edges0().len(),
+        contact.dimensionless().zones().len(),
         contact.method().name,
         contact.relative_error()
     );
@@ -130,7 +139,12 @@ fn best(call: &dyn Fn()) -> f64 {
 }
 
 fn problem(theta0: f64, profile: Profile, load: Load) -> Problem {
-    Problem::new(Frame::dimensionless(theta0).unwrap(), profile, load, Solver::default()).unwrap()
+    Problem::new(
+        Foundation::dimensionless(theta0).unwrap(),
+        Punch::new(1.0).unwrap().with_profile(profile),
+        load,
+    )
+    .unwrap()
 }
 
 fn expression(theta0: f64, profile: &str, rotational: Rotational) -> Problem {
@@ -152,5 +166,5 @@ fn measured(theta0: f64) -> Profile {
         2.0 * (1.0 + theta0) * (0.3 * x * x + waves + noise)
     };
     let heights = positions.iter().enumerate().map(height).collect();
-    Profile::measured(positions, heights).unwrap()
+    Profile::from_points(positions, heights).unwrap()
 }

@@ -23,7 +23,11 @@ fn main() {
         let audit = contact.audit();
         let audited = start.elapsed();
         println!("{path}: solve {solved:?}, audit {audited:?}");
-        println!("  stated {:?} edges {:?}", contact.accuracy(), contact.edge_error0());
-        println!("  peak {:?} {audit:?}", contact.peak_pressure0());
+        println!(
+            "  stated {:?} edges {:?}",
+            contact.dimensionless().error(),
+            contact.dimensionless().error().and_then(|error| error.zones)
+        );
+        println!("  peak {:?} {audit:?}", contact.dimensionless().peak_pressure());
     }
 }

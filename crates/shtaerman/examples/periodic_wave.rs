@@ -4,7 +4,9 @@
 use std::f64::consts::PI;
 use std::time::Instant;
 
-use shtaerman::{Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{
+    Elastic, Foundation, Geometry, Load, Problem, Profile, Punch, Rotational, Vertical,
+};
 
 const PERIOD: f64 = 1.0;
 const HEIGHT: f64 = 0.01;
@@ -15,11 +17,12 @@ const REPETITIONS: usize = 200;
 fn solve() -> Result<Vec<f64>, Box<dyn std::error::Error>> {
     let body = Elastic::new(1.0, 0.0)?;
     let geometry = Geometry::Periodic { period: PERIOD };
-    let frame = Frame::physical_in(geometry, body, 0.0, 0.5 * PERIOD, None)?;
+    let (foundation, punch) =
+        (Foundation::new(body).with_roughness(0.0)?, Punch::in_geometry(geometry, 0.5 * PERIOD)?);
     let mean = SHARE * PI * HEIGHT / PERIOD;
     let load = Load::new(Vertical::Force(mean * PERIOD), Rotational::Tilt(0.0))?;
     let profile = Profile::expression(&format!("-{HEIGHT}*cos(2*pi*x/{PERIOD})"))?;
-    let contact = Problem::new(frame, profile, load, Solver::default())?.solve()?;
+    let contact = Problem::new(foundation, punch.with_profile(profile), load)?.solve()?;
     Ok(contact.pressures(&places().collect::<Vec<_>>())?)
 }
 

@@ -3,14 +3,15 @@
 use serde::Serialize;
 
 use crate::audit::{Audit, Unaudited};
-use crate::contact::Stiffness;
 use crate::{
-    Complementarity, Contact, CrossCheck, Error, ErrorKind, Law, RelativeSettlement, Rotational,
-    Scaling, Sensitivities, SurfaceCurve, Vertical, Warning,
+    Complementarity, Contact, CrossCheck, Error, ErrorKind, Errors, Foundation, Law,
+    RelativeSettlement, Scaling, Sensitivities, Warning,
 };
 
+pub use crate::surface_curve::SurfaceCurve;
+
 /// Version of the answer's layout; the JSON Schema `schema/answer.schema.json` describes it.
-pub const SCHEMA: &str = "shtaerman-answer/1";
+pub const SCHEMA: &str = "shtaerman-answer/2";
 
 /// From this `theta0` on the corners of the smooth companion say something of edge pressures, and up to so many zones it is worth its solve.
 const NEARLY_SMOOTH: f64 = 40.0;
@@ -24,9 +25,9 @@ pub struct Answer {
     /// `unilateral` or `bilateral`.
     pub contact: &'static str,
     /// Quantities without dimension, (2.5); `null` for a smooth surface, where their scale `chi` is undefined.
-    pub dimensionless: Option<Dimensionless>,
+    pub dimensionless: Option<Quantities>,
     /// Quantities in SI units; `null` for a dimensionless problem.
-    pub physical: Option<Physical>,
+    pub physical: Option<Quantities>,
     /// The pressure at points.
     pub pressure: PressureCurve,
     /// The surface under and beside the punch, where asked for.
@@ -115,108 +116,56 @@ pub struct ErrorReport {
     pub physical: Option<Errors>,
 }
 
-/// Errors of the pressure and of the unknowns.
+/// The quantities of a contact in one system of units: those of the problem, or none.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Errors {
-    /// Largest error of the pressure on the closed base.
-    pub pressure_sup: f64,
-    /// Error of the largest pressure, where an audit bounds it.
+pub struct Quantities {
+    /// `2 a/(pi E* chi)`, with quantities without dimensions.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub pressure_max: Option<f64>,
-    /// Error of the settlement.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub settlement: Option<f64>,
-    /// Error of the tilt.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub tilt: Option<f64>,
-    /// Error of the force.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub force: Option<f64>,
-    /// Error of the moment.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub moment: Option<f64>,
-    /// Error of the edges of the zones.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub edges: Option<f64>,
-    /// Errors of the entries of the tangent stiffness, where the method tells them.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub stiffness: Option<[[f64; 2]; 2]>,
-}
-
-/// Quantities without dimension.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-#[allow(non_snake_case, reason = "the names of the paper are the names of the interface")]
-pub struct Dimensionless {
-    /// `2 a/(pi E* chi)`.
-    pub theta0: f64,
-    /// `P/(a E)`.
-    pub P0: f64,
-    /// `M/(a^2 E)`.
-    pub M0: f64,
-    /// `delta/(chi E)`.
-    pub delta0: f64,
-    /// `a alpha/(chi E)`.
-    pub alpha0: f64,
-    /// `p/E` at the left edge of the punch; 0 where it lifted.
-    pub p0_left: f64,
-    /// `p/E` in the middle.
-    pub p0_mid: f64,
-    /// `p/E` at the right edge of the punch; 0 where it lifted.
-    pub p0_right: f64,
-    /// Mean of `p/E` over the base.
-    pub p0_mean: f64,
-    /// The largest `p/E`.
-    pub p0_max: f64,
-    /// Its place `xi`; of equal ones the leftmost.
-    pub p0_max_at: f64,
-    /// `d(P0, M0)/d(delta0, -alpha0)`.
+    pub theta0: Option<f64>,
+    /// `delta` (m), see `gauge`; `delta/(chi E)`.
+    pub settlement: f64,
+    /// `alpha` (rad); `a alpha/(chi E)`.
+    pub tilt: f64,
+    /// `P` (N/m; N under a circular punch); `P/(a E)`.
+    pub force: f64,
+    /// `M` (N m/m; N m under a circular punch); `M/(a^2 E)`.
+    pub moment: f64,
+    /// `p` at the left edge of the punch (Pa), 0 where it lifted; `p/E`.
+    pub pressure_left: f64,
+    /// `p` in the middle (Pa); `p/E`.
+    pub pressure_middle: f64,
+    /// `p` at the right edge of the punch (Pa), 0 where it lifted; `p/E`.
+    pub pressure_right: f64,
+    /// `P` over the length of the base, or the area of a circular one (Pa); that over `E`.
+    pub mean_pressure: f64,
+    /// The largest pressure (Pa); `p/E`.
+    pub peak_pressure: f64,
+    /// Its place (m); `x/a`; of equal ones the leftmost.
+    pub peak_pressure_at: f64,
+    /// `d(P, M)/d(delta, -alpha)` (Pa, N/m; N/m, N; under a circular punch N/m, N; N, N m).
     pub stiffness: [[f64; 2]; 2],
-    /// Zones of contact, as `xi`.
-    pub edges: Vec<[f64; 2]>,
-    /// The settlement relative to the data asked for, of a dimensionless problem.
+    /// Zones of contact (m); `x/a`.
+    pub zones: Vec<[f64; 2]>,
+    /// Width of all zones together (m); in `a`.
+    pub contact_width: f64,
+    /// What belongs to a physical problem alone.
+    #[serde(flatten)]
+    pub physical: Option<PhysicalOnly>,
+    /// The settlement relative to the data asked for, in the units of the problem.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub relative_settlement: Vec<RelativeSettlement>,
-    /// How the answer changes with `theta0` and load, of a dimensionless problem; where it was found.
+    /// How the answer changes with roughness, modulus (`theta0` of a dimensionless problem) and load, where it was found.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sensitivities: Option<Sensitivities>,
 }
 
-/// Quantities in SI units.
+/// Quantities in SI units that have no twin without dimensions.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Physical {
-    /// `delta` (m), see `gauge`.
-    pub settlement: f64,
-    /// `alpha` (rad).
-    pub tilt: f64,
-    /// `P` (N/m; N under a circular punch).
-    pub force: f64,
-    /// `M` (N m/m; N m under a circular punch).
-    pub moment: f64,
-    /// `p` at the left edge of the punch (Pa).
-    pub pressure_left: f64,
-    /// `p` in the middle (Pa).
-    pub pressure_mid: f64,
-    /// `p` at the right edge of the punch (Pa).
-    pub pressure_right: f64,
-    /// `P` over the length of the base, or the area of a circular one (Pa).
-    pub pressure_mean: f64,
-    /// The largest pressure (Pa).
-    pub pressure_max: f64,
-    /// Its place (m); of equal ones the leftmost.
-    pub pressure_max_at: f64,
-    /// `d(P, M)/d(delta, -alpha)` (Pa, N/m; N/m, N; under a circular punch N/m, N; N, N m).
-    pub stiffness: [[f64; 2]; 2],
-    /// Zones of contact (m).
-    pub edges: Vec<[f64; 2]>,
-    /// Width of all zones together (m).
-    pub contact_width: f64,
+pub struct PhysicalOnly {
     /// `E*` (Pa), composite where the punch is elastic.
     pub contact_modulus: f64,
     /// What the settlement is measured against.
     pub gauge: &'static str,
-    /// The settlement relative to the data asked for.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub relative_settlement: Vec<RelativeSettlement>,
     /// Corner intensities `lim sqrt(2 pi d) p` of a smooth surface, `[left, right]` of each zone (Pa sqrt(m)); 0 at free edges. On graded ground
     /// `lim sqrt(2 pi) d^beta p` (Pa m^beta).
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -227,44 +176,25 @@ pub struct Physical {
     /// Edge pressures `K/sqrt(E* chi)` that the corners of the same contact without roughness imply, `[left, right]` of each of its zones (Pa).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub implied_edge_pressure: Option<Vec<[f64; 2]>>,
-    /// How the answer changes with roughness, modulus and load, where it was found.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub sensitivities: Option<Sensitivities>,
 }
 
-/// The pressure at points.
+/// The pressure at points, in SI units or in numbers for a dimensionless problem.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum PressureCurve {
-    /// SI units.
-    Physical {
-        /// Places (m).
-        x: Vec<f64>,
-        /// Pressures (Pa).
-        p: Vec<f64>,
-    },
-    /// No dimensions.
-    Dimensionless {
-        /// Places.
-        xi: Vec<f64>,
-        /// Pressures over `E`.
-        p0: Vec<f64>,
-    },
+pub struct PressureCurve {
+    /// Places (m).
+    pub x: Vec<f64>,
+    /// Pressures (Pa).
+    pub pressure: Vec<f64>,
 }
 
 impl PressureCurve {
-    /// The pressure at `points`, in the units of the problem.
+    /// The pressure at `points`, in the units of the contact.
     ///
     /// # Errors
     /// [`Error::BeyondPunch`] for a point that is not on the closed base.
     pub fn at(contact: &Contact, points: Vec<f64>) -> Result<Self, Error> {
-        let pressures =
-            points.iter().map(|&x| contact.pressure(x)).collect::<Result<Vec<_>, _>>()?;
-        Ok(if contact.problem().frame().scaling().is_some() {
-            Self::Physical { x: points, p: pressures }
-        } else {
-            Self::Dimensionless { xi: points, p0: pressures }
-        })
+        let pressure = points.iter().map(|&x| contact.pressure(x)).collect::<Result<_, _>>()?;
+        Ok(Self { x: points, pressure })
     }
 
     /// The pressure at `count` points from edge to edge, denser at the edges of the punch and of the zones.
@@ -273,27 +203,9 @@ impl PressureCurve {
     /// [`Error::InvalidValue`] for fewer than two points.
     pub fn along(contact: &Contact, count: usize) -> Result<Self, Error> {
         crate::error::require(count >= 2, "points", count as f64, "at least 2")?;
-        let half_width = contact.problem().frame().half_width();
-        let points = spread(&contact.edges0(), count);
+        let half_width = contact.half_width();
+        let points = spread(&contact.dimensionless().zones(), count);
         Self::at(contact, points.into_iter().map(|xi| half_width * xi).collect())
-    }
-
-    /// The places, in the units of the problem.
-    #[must_use]
-    pub fn places(&self) -> &[f64] {
-        match self {
-            Self::Physical { x, .. } => x,
-            Self::Dimensionless { xi, .. } => xi,
-        }
-    }
-
-    /// The pressures, in the units of the problem.
-    #[must_use]
-    pub fn pressures(&self) -> &[f64] {
-        match self {
-            Self::Physical { p, .. } => p,
-            Self::Dimensionless { p0, .. } => p0,
-        }
     }
 }
 
@@ -332,14 +244,17 @@ impl Answer {
     /// The answer with a pressure curve.
     #[must_use]
     pub fn new(contact: &Contact, pressure: PressureCurve) -> Self {
-        let physical =
-            contact.problem().frame().scaling().is_some().then(|| Physical::new(contact));
+        let problem = contact.problem();
+        let (contact, bare) = (&contact.stated(), contact.dimensionless());
         Self {
             schema: SCHEMA,
-            contact: contact.problem().solver().contact.name(),
-            dimensionless: (contact.problem().frame().law() != Law::Smooth)
-                .then(|| Dimensionless::new(contact)),
-            physical,
+            contact: problem.solver().contact.name(),
+            dimensionless: (problem.foundation().law() != Law::Smooth)
+                .then(|| Quantities { theta0: Some(contact.theta0()), ..Quantities::new(&bare) }),
+            physical: (!problem.is_dimensionless()).then(|| Quantities {
+                physical: Some(PhysicalOnly::new(contact)),
+                ..Quantities::new(contact)
+            }),
             pressure,
             surface: None,
             method: MethodReport {
@@ -380,110 +295,58 @@ impl Answer {
 
 impl ErrorReport {
     fn new(contact: &Contact) -> Option<Self> {
-        let accuracy = contact.accuracy()?;
-        let load = contact.problem().load();
-        let by_force = matches!(load.vertical, Vertical::Force(_));
-        let by_tilt = matches!(load.rotational, Rotational::Tilt(_));
-        let by_moment = matches!(load.rotational, Rotational::Moment(_));
-        let dimensionless = Errors {
-            pressure_sup: accuracy.pressure,
-            pressure_max: contact.peak_error0(),
-            settlement: by_force.then_some(accuracy.settlement),
-            tilt: (!by_tilt).then_some(accuracy.tilt),
-            force: (!by_force).then_some(accuracy.force),
-            moment: (!by_moment).then_some(accuracy.moment),
-            edges: contact.edge_error0(),
-            stiffness: contact.stiffness_error0().map(|error| error.matrix()),
-        };
-        let physical =
-            contact.problem().frame().scaling().map(|scaling| dimensionless.scaled(scaling));
-        Some(Self { kind: accuracy.kind, dimensionless, physical })
+        let dimensionless = contact.dimensionless().error()?;
+        let physical = if contact.problem().is_dimensionless() { None } else { contact.error() };
+        Some(Self { kind: dimensionless.kind, dimensionless, physical })
     }
 }
 
-impl Errors {
-    fn scaled(&self, scaling: &Scaling) -> Self {
-        Self {
-            pressure_sup: self.pressure_sup * scaling.pressure(),
-            pressure_max: self.pressure_max.map(|error| error * scaling.pressure()),
-            settlement: self.settlement.map(|error| error * scaling.displacement()),
-            tilt: self.tilt.map(|error| error * scaling.angle()),
-            force: self.force.map(|error| error * scaling.force()),
-            moment: self.moment.map(|error| error * scaling.moment()),
-            edges: self.edges.map(|error| error * scaling.half_width()),
-            stiffness: self.stiffness.map(|[[force_settlement, coupling], [_, moment_tilt]]| {
-                let error = Stiffness { force_settlement, coupling, moment_tilt };
-                error.scaled(scaling).matrix()
-            }),
-        }
-    }
-}
-
-impl Dimensionless {
+impl Quantities {
     fn new(contact: &Contact) -> Self {
-        let (p0_max, p0_max_at) = contact.peak_pressure0();
         Self {
-            theta0: contact.theta0(),
-            P0: contact.force0(),
-            M0: contact.moment0(),
-            delta0: contact.settlement0(),
-            alpha0: contact.tilt0(),
-            p0_left: contact.pressure0(-1.0),
-            p0_mid: contact.pressure0(0.0),
-            p0_right: contact.pressure0(1.0),
-            p0_mean: contact.mean_pressure0(),
-            p0_max,
-            p0_max_at,
-            stiffness: contact.stiffness0().matrix(),
-            edges: contact.edges0(),
-            relative_settlement: Vec::new(),
-            sensitivities: None,
-        }
-    }
-}
-
-impl Physical {
-    fn new(contact: &Contact) -> Self {
-        let (pressure_max, pressure_max_at) = contact.peak_pressure();
-        Self {
+            theta0: None,
             settlement: contact.settlement(),
             tilt: contact.tilt(),
             force: contact.force(),
             moment: contact.moment(),
             pressure_left: contact.pressure_left(),
-            pressure_mid: contact.pressure_mid(),
+            pressure_middle: contact.pressure_middle(),
             pressure_right: contact.pressure_right(),
-            pressure_mean: contact.mean_pressure(),
-            pressure_max,
-            pressure_max_at,
+            mean_pressure: contact.mean_pressure(),
+            peak_pressure: contact.peak_pressure(),
+            peak_pressure_at: contact.peak_pressure_at(),
             stiffness: contact.stiffness().matrix(),
-            edges: contact.edges(),
+            zones: contact.zones(),
             contact_width: contact.contact_width(),
-            contact_modulus: contact
-                .problem()
-                .frame()
-                .scaling()
-                .map_or(0.0, Scaling::contact_modulus),
-            gauge: contact.problem().frame().gauge(),
-            corner_intensity: contact.corner_intensity(),
-            corner_exponent: corner_exponent(contact),
-            implied_edge_pressure: implied(contact),
+            physical: None,
             relative_settlement: Vec::new(),
             sensitivities: None,
         }
     }
 }
 
+impl PhysicalOnly {
+    fn new(contact: &Contact) -> Self {
+        let problem = contact.problem();
+        Self {
+            contact_modulus: problem.scaling().map_or(0.0, Scaling::contact_modulus),
+            gauge: problem.gauge(),
+            corner_intensity: contact.corner_intensity(),
+            corner_exponent: corner_exponent(problem.foundation()),
+            implied_edge_pressure: implied(contact),
+        }
+    }
+}
+
 /// `beta` of the corners, where it is not the 1/2 of a homogeneous body.
-fn corner_exponent(contact: &Contact) -> Option<f64> {
-    let frame = contact.problem().frame();
-    let is_graded_and_smooth = frame.grading().is_some() && frame.law() == Law::Smooth;
-    is_graded_and_smooth.then(|| frame.corner_exponent())
+fn corner_exponent(foundation: &Foundation) -> Option<f64> {
+    let is_graded_and_smooth = foundation.grading().is_some() && foundation.law() == Law::Smooth;
+    is_graded_and_smooth.then(|| foundation.corner_exponent())
 }
 
 /// Edge pressures that the corners of the smooth companion imply, where the contact has corners and is nearly smooth.
 fn implied(contact: &Contact) -> Option<Vec<[f64; 2]>> {
-    let ends = contact.edges0();
+    let ends = contact.dimensionless().zones();
     let has_corner = ends.iter().flatten().any(|xi| xi.abs() == 1.0);
     let sensible = has_corner && ends.len() <= FEW_ZONES && contact.theta0() >= NEARLY_SMOOTH;
     if sensible { contact.implied_edge_pressures() } else { None }

@@ -41,13 +41,21 @@ pub struct Audit {
     pub reason: &'static str,
     /// The errors of the answer.
     #[serde(skip)]
-    pub accuracy: Accuracy,
+    pub(crate) accuracy: Accuracy,
     /// What the largest `p0` is at most, where that is known.
     #[serde(skip)]
-    pub highest: Option<f64>,
+    pub(crate) highest: Option<f64>,
     /// The error of the free ends of the zones in `xi`; none where no end is free or another zone cannot be excluded.
     #[serde(skip)]
-    pub edges: Option<f64>,
+    pub(crate) edges: Option<f64>,
+}
+
+impl Audit {
+    /// The error of the pressure at any place of the base, without dimensions.
+    #[must_use]
+    pub fn pressure(&self) -> f64 {
+        self.accuracy.pressure
+    }
 }
 
 /// Why an answer has no audit.
@@ -145,6 +153,11 @@ impl Posed {
 /// What a contact asks of the audit, or why it has none.
 fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
     let frame = problem.frame();
+    if problem.profile().is_closure() {
+        return Err(Unaudited::NotCovered(
+            "the profile is a closure, of which nothing is known between samples",
+        ));
+    }
     let layer = match frame.law() {
         Law::Linear => 1.0,
         Law::Power(exponent) => exponent,
@@ -201,29 +214,31 @@ impl Contact {
     fn audit_by(&self, auditor: Auditor) -> Result<Audit, Unaudited> {
         // Heights are counted from the level from which they were solved: that loses no digits, and changes nothing but the settlement.
         let problem = self.solved();
-        let (settlement, level) = self.solved_settlement0();
+        let (settlement, level) = self.solved_settlement();
+        let bare = self.dimensionless();
         let posed = posed(problem)?;
         let frame = problem.frame();
         let load = problem.dimensionless_load();
-        let (prescribed, is_load_own) = prescribed(&load, self.force0(), self.moment0());
+        let (prescribed, is_load_own) = prescribed(&load, bare.force(), bare.moment());
         // A wave cannot tilt, and what is its own mirror image does not.
         let is_symmetric = problem.is_symmetric();
         let is_level = problem.is_wave() || is_symmetric;
         let prescribed =
             if is_level { Prescribed { moment: None, ..prescribed } } else { prescribed };
-        let zones = if problem.is_wave() { within_period(&self.edges0()) } else { self.edges0() };
+        let zones = bare.zones();
+        let zones = if problem.is_wave() { within_period(&zones) } else { zones };
         let mut cuts = problem.profile().joints(frame.half_width());
         cuts.extend(problem.resolution(RESOLVED_DEGREE, RESOLVED).joints);
         cuts.sort_by(f64::total_cmp);
         cuts.dedup();
-        let pressure = |xi: f64| self.pressure0(xi);
+        let pressure = |xi: f64| self.pressure_at(xi);
         let answer = Answer {
             zones: &zones,
             pressure: &pressure,
             settlement,
-            tilt: self.tilt0(),
-            force: self.force0(),
-            moment: self.moment0(),
+            tilt: bare.tilt(),
+            force: bare.force(),
+            moment: bare.moment(),
         };
         let (bound, is_bound) = self.bound(auditor, &posed, (prescribed, &cuts), &answer)?;
         let is_bound = is_bound && !is_load_own;
@@ -240,7 +255,7 @@ impl Contact {
             tilt: bound.tilt,
             force: bound.force,
             // The true one of what is its own mirror image is 0.
-            moment: if is_symmetric { self.moment0().abs() } else { bound.moment },
+            moment: if is_symmetric { bare.moment().abs() } else { bound.moment },
         };
         let accuracy = match load.rotational {
             Rotational::Eccentricity(e) if is_load_own => {
@@ -310,7 +325,7 @@ impl Contact {
                     cuts,
                 };
                 if layer < 1.0 {
-                    let stiffness = self.stiffness0().matrix();
+                    let stiffness = self.dimensionless().stiffness().matrix();
                     shtaerman_audit::audit_bent(&posed, layer, stiffness, answer)
                 } else {
                     auditor(&posed, answer)
@@ -331,7 +346,7 @@ impl Contact {
             }
         };
         let bound = found.map_err(Unaudited::Refused)?;
-        let largest = self.peak_pressure0().0.abs();
+        let largest = self.peak().0.abs();
         let mean_square = bound.mean_square / largest;
         let is_sharp =
             matches!(posed, Posed::Plane(Kernel::Power { exponent }, _, 1.0) if *exponent >= SHARP);
@@ -344,12 +359,13 @@ impl Contact {
     /// What the errors of the contact under the answer's own force become at the settlement prescribed, from which that contact is off by `missed`: to first order, by the tangent
     /// stiffness along `M = e P`, `-alpha = -(k12 - e k11)/(k22 - e k12) delta`. An estimate.
     fn at_settlement(&self, under_own_force: Accuracy, missed: f64, e: f64) -> Accuracy {
-        let [[k11, k12], [_, k22]] = self.stiffness0().matrix();
+        let [[k11, k12], [_, k22]] = self.dimensionless().stiffness().matrix();
         let turn = (k12 - e * k11) / (k22 - e * k12);
         let force = missed * (k11 - k12 * turn).abs();
-        let largest = self.peak_pressure0().0.abs();
+        let largest = self.peak().0.abs();
         Accuracy {
-            pressure: under_own_force.pressure + largest * force / self.force0().abs(),
+            pressure: under_own_force.pressure
+                + largest * force / self.dimensionless().force().abs(),
             settlement: 0.0,
             tilt: under_own_force.tilt + missed * turn.abs(),
             force,
@@ -362,7 +378,7 @@ impl Contact {
 impl Contact {
     /// Whether norms of the pressure are within the range of double precision.
     fn has_finite_squares(&self) -> bool {
-        let (peak, _) = self.peak_pressure0();
+        let (peak, _) = self.peak();
         (peak * peak).is_finite() && (self.theta0() * self.solution_size().powi(2)).is_finite()
     }
 

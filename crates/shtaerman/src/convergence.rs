@@ -22,7 +22,7 @@ pub enum Quantity {
     /// Pressure at the right edge.
     PressureRight,
     /// Pressure in the middle.
-    PressureMid,
+    PressureMiddle,
     /// Pressure at the right edge by the iterated solution: one exact application of the kernel to the degenerate one.
     PressureRightIterated,
 }
@@ -35,7 +35,7 @@ impl Quantity {
         match self {
             Self::Settlement | Self::Force | Self::PressureRightIterated => 4.0,
             Self::PressureRight => 2.0,
-            Self::PressureMid => 3.0,
+            Self::PressureMiddle => 3.0,
         }
     }
 }
@@ -91,7 +91,7 @@ impl Convergence {
         let quantities = vec![
             unknown,
             Quantity::PressureRight,
-            Quantity::PressureMid,
+            Quantity::PressureMiddle,
             Quantity::PressureRightIterated,
         ];
         let degrees = std::iter::successors(Some(FIRST_DEGREE), |n| n.checked_mul(2))
@@ -142,7 +142,7 @@ fn require_degenerate_kernel(problem: &Problem) -> Result<(), Error> {
 /// Whether a unilateral contact is less than the full base.
 fn lifts_off(problem: &Problem) -> Result<bool, Error> {
     let solver = Solver { tolerance: None, ..Solver::default() };
-    Ok(problem.with_solver(solver).solve()?.edges0() != problem.frame().pieces())
+    Ok(problem.with_solver(solver).solve()?.dimensionless().zones() != problem.punch().pieces())
 }
 
 impl Entry {
@@ -163,7 +163,7 @@ fn value(quantity: Quantity, contact: &Contact, iterated: f64) -> f64 {
         Quantity::Settlement => contact.settlement(),
         Quantity::Force => contact.force(),
         Quantity::PressureRight => contact.pressure_right(),
-        Quantity::PressureMid => contact.pressure_mid(),
+        Quantity::PressureMiddle => contact.pressure_middle(),
         Quantity::PressureRightIterated => iterated,
     }
 }
@@ -171,7 +171,7 @@ fn value(quantity: Quantity, contact: &Contact, iterated: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Frame, Load, Profile, Rotational, Solver};
+    use crate::{Foundation, Load, Profile, Punch, Rotational, Solver};
 
     #[test]
     fn observes_the_orders_of_the_theory() {
@@ -179,12 +179,12 @@ mod tests {
             let load = Load::new(vertical, Rotational::Moment(1e-4)).unwrap();
             let profile = Profile::expression("10*xi^2").unwrap();
             let problem = Problem::new(
-                Frame::dimensionless(6.0).unwrap(),
-                profile,
+                Foundation::dimensionless(6.0).unwrap(),
+                Punch::new(1.0).unwrap().with_profile(profile),
                 load,
-                Solver::bilateral(),
             )
-            .unwrap();
+            .unwrap()
+            .with_solver(Solver::bilateral());
             let study = Convergence::study(&problem, 1024).unwrap();
             assert_eq!(
                 study.rows.iter().map(|row| row.n).collect::<Vec<_>>(),

@@ -7,8 +7,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use serde::Serialize;
 
+use crate::frame::Frame;
 use crate::inverse::InverseError;
-use crate::{Contact, Error, Frame, Geometry};
+use crate::{Contact, Error, Geometry, Scaling};
 
 /// Nodes on either side of the middle of a piece, and how far they reach.
 const HALF_COUNT: i32 = 220;
@@ -47,7 +48,7 @@ impl Contact {
     /// has a gauge of its own, and for a depth where that solution is not known: dimensionless problems (`nu`), graded foundations, circular and periodic geometries.
     pub fn relative_settlement(&self, datum: Datum) -> Result<RelativeSettlement, Error> {
         let frame = self.problem().frame();
-        if matches!(frame, Frame::Physical { body: Some(_), .. }) {
+        if self.problem().punch().body().is_some() {
             let words = "a datum belongs to a rigid punch: the settlement of an elastic one is the approach of two bodies";
             return Err(InverseError::Unsuited(words).into());
         }
@@ -57,7 +58,10 @@ impl Contact {
                 crate::error::require(given, "datum distance", x, "finite and other than zero")?;
                 // Beyond one period a row repeats itself.
                 let x = match frame.geometry() {
-                    Geometry::Periodic { period } => x - period * (x / period).round(),
+                    Geometry::Periodic { period } => {
+                        let period = period * (self.half_width() / frame.half_width());
+                        x - period * (x / period).round()
+                    }
                     _ => x,
                 };
                 self.elastic_displacement(x)
@@ -76,20 +80,20 @@ impl Contact {
         crate::error::positive("datum depth", depth)?;
         let frame = self.problem().frame();
         let plane = matches!(frame.geometry(), Geometry::Plane | Geometry::Pair { .. });
-        let (Frame::Physical { foundation, grading: None, layering: None, scaling, .. }, true) =
+        let (Frame::Physical { foundation, grading: None, layering: None, .. }, true) =
             (frame, plane)
         else {
             let words = "a datum in the depth belongs to a physical problem of plane punches on a homogeneous foundation; elsewhere give a distance";
             return Err(InverseError::Unsuited(words).into());
         };
-        let y = depth / scaling.half_width();
+        let y = depth / self.half_width();
         let share = 0.5 / (1.0 - foundation.poisson_ratio());
         let kernel = |s: f64| {
             let r = s.hypot(y);
             share * (y / r).powi(2) - r.ln()
         };
         let given = frame.theta0() * self.carried(&kernel);
-        Ok(given * scaling.displacement())
+        Ok(given * self.scale(Scaling::displacement))
     }
 
     /// `int k(xi) p0(xi) dxi` for a kernel that may change fast around the middle.
@@ -98,12 +102,12 @@ impl Contact {
         cuts.push(0.0);
         cuts.sort_by(f64::total_cmp);
         let mut sum = 0.0;
-        for [left, right] in self.edges0() {
+        for [left, right] in self.dimensionless().zones() {
             let mut from = left;
             let inside = cuts.iter().copied().filter(|cut| *cut > left && *cut < right);
             for to in inside.chain([right]) {
                 sum += integral(from, to, &|xi| {
-                    let pressure = self.pressure0(xi);
+                    let pressure = self.pressure_at(xi);
                     if pressure.is_finite() { pressure * kernel(xi) } else { 0.0 }
                 });
                 from = to;

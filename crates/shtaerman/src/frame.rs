@@ -1,17 +1,18 @@
-//! In which units a problem is stated, and on what the punch stands.
+//! Units, material, layer and geometry of a problem together: what its equation needs besides profile and load.
 
-use crate::error::{positive, require};
+use crate::error::require;
+use crate::foundation::{GroundKind, corner_exponent, corner_unit, stands_for_all};
 use crate::layering::require_thickness;
-use crate::quantity::{Dimension, DisplayUnit, engineering};
+use crate::quantity::DisplayUnit;
 use crate::roughness::Law;
-use crate::{Elastic, Error, Geometry, Grading, Layering, Roughness, Scaling};
+use crate::{Elastic, Error, Foundation, Geometry, Grading, Layering, Punch, Roughness, Scaling};
 
 /// Why a surface on layered ground has to be rough.
-pub(crate) const ROUGH_ONLY: &str = "greater than zero on a layer of finite thickness and under a coating: smooth contact is not solved there";
+const ROUGH_ONLY: &str = "greater than zero on a layer of finite thickness and under a coating: smooth contact is not solved there";
 
 /// In which units a problem is stated.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Frame {
+pub(crate) enum Frame {
     /// SI units, (2.3).
     Physical {
         /// Material of the foundation; of a graded one at the depth `a`.
@@ -43,105 +44,80 @@ pub enum Frame {
 }
 
 impl Frame {
-    /// A foundation with roughness compliance `chi` (m/Pa, 0 for a smooth surface) or another [`Roughness`] under one plane punch of
-    /// half-width `a` (m), rigid or elastic.
+    /// The frame of a punch on a foundation, without its profile.
+    ///
+    /// On graded ground pressures are scaled by the modulus at the depth `a`; [`Grading::response`] gives `theta0`, `response a E(a)` over the scale of
+    /// displacements, and the settlement is zero at infinity.
     ///
     /// # Errors
-    /// Those of [`Scaling::new`].
-    pub fn physical(
-        foundation: Elastic,
-        roughness: impl Into<Roughness>,
-        half_width: f64,
-        body: Option<Elastic>,
-    ) -> Result<Self, Error> {
-        Self::physical_in(Geometry::Plane, foundation, roughness, half_width, body)
-    }
-
-    /// The same in another geometry; `half_width` is the outer half-width of a pair, the radius of a circular punch.
-    ///
-    /// # Errors
-    /// Those of [`Scaling::new`]; [`Error::InvalidValue`] for lengths that do not fit together.
-    pub fn physical_in(
-        geometry: Geometry,
-        foundation: Elastic,
-        roughness: impl Into<Roughness>,
-        half_width: f64,
-        body: Option<Elastic>,
-    ) -> Result<Self, Error> {
-        let roughness = roughness.into();
-        let scaling =
-            Scaling::in_geometry(&foundation, roughness, half_width, body.as_ref(), geometry)?;
-        Ok(Self::Physical {
-            foundation,
-            grading: None,
-            layering: None,
-            body,
-            roughness,
-            geometry,
-            scaling,
-        })
-    }
-
-    /// A foundation whose modulus grows with depth under a rigid punch, plane, pair or circular. Pressures are scaled by the modulus at the
-    /// depth `a`; [`Grading::response`] gives `theta0`, `response a E(a)` over the scale of displacements. The settlement is zero at infinity.
-    ///
-    /// With the exponent 0 this is the homogeneous problem of [`Frame::physical_in`], in a plane with its gauge `ln(a/|x-s|)`.
-    ///
-    /// # Errors
-    /// [`Error::InvalidValue`] for a Poisson's ratio that is none, a periodic geometry, where settlements of a graded body add up to infinity, and
-    /// what [`Frame::physical_in`] refuses.
-    pub fn physical_graded(
-        geometry: Geometry,
-        grading: Grading,
-        poisson_ratio: f64,
-        roughness: impl Into<Roughness>,
-        half_width: f64,
-    ) -> Result<Self, Error> {
-        if grading.is_homogeneous() {
-            let foundation = Elastic::new(grading.modulus(), poisson_ratio)?;
-            return Self::physical_in(geometry, foundation, roughness, half_width, None);
+    /// [`Error::InvalidValue`] for scales beyond the range of double precision, and what does not go together: a graded foundation with an elastic punch or under a
+    /// periodic row, where settlements add up to infinity; a dimensionless one with an elastic punch or with a half-width other than 1.
+    pub(crate) fn new(foundation: &Foundation, punch: &Punch) -> Result<Self, Error> {
+        let frame = Self::in_one_piece(foundation, punch)?;
+        match foundation.layering() {
+            Some(layering) => frame.layered(layering),
+            None => Ok(frame),
         }
-        require(
-            !matches!(geometry, Geometry::Periodic { .. }),
-            "grading_exponent",
-            grading.exponent(),
-            "0 (homogeneous) for a periodic row: the settlements that its punches give each other add up to infinity",
-        )?;
-        positive("half_width", half_width)?;
-        let roughness = roughness.into();
-        let foundation = Elastic::new(grading.modulus_at(half_width), poisson_ratio)?;
-        let response = grading.response(poisson_ratio, half_width, geometry == Geometry::Circular);
-        let moduli = [foundation.young_modulus(), foundation.plane_strain_modulus()];
-        let scaling = Scaling::with_response(response, moduli, roughness, half_width, geometry)?;
-        let grading = Some(grading);
-        Ok(Self::Physical {
-            foundation,
-            grading,
-            layering: None,
-            body: None,
-            roughness,
-            geometry,
-            scaling,
-        })
     }
 
-    /// The dimensionless problem at `theta0`.
-    ///
-    /// # Errors
-    /// [`Error::InvalidValue`] unless `theta0` is finite and not negative.
-    pub fn dimensionless(theta0: f64) -> Result<Self, Error> {
-        Self::dimensionless_in(Geometry::Plane, theta0, 1.0)
-    }
-
-    /// The same in another geometry, lengths in half-widths, with the law `p0^exponent` of the layer.
-    ///
-    /// # Errors
-    /// [`Error::InvalidValue`].
-    pub fn dimensionless_in(geometry: Geometry, theta0: f64, exponent: f64) -> Result<Self, Error> {
-        require(theta0.is_finite() && theta0 >= 0.0, "theta0", theta0, "finite and not negative")?;
-        geometry.check(1.0)?;
-        let law = Roughness::power(1.0, exponent)?.law();
-        Ok(Self::Dimensionless { theta0, law, geometry, layering: None })
+    fn in_one_piece(foundation: &Foundation, punch: &Punch) -> Result<Self, Error> {
+        let (roughness, geometry) = (foundation.roughness(), punch.geometry());
+        let (half_width, body) = (punch.half_width(), punch.body());
+        match foundation.ground() {
+            GroundKind::Homogeneous(material) => {
+                let body = body.as_ref();
+                let scaling =
+                    Scaling::in_geometry(&material, roughness, half_width, body, geometry)?;
+                let (foundation, body) = (material, body.copied());
+                Ok(Self::Physical {
+                    foundation,
+                    grading: None,
+                    layering: None,
+                    body,
+                    roughness,
+                    geometry,
+                    scaling,
+                })
+            }
+            GroundKind::Graded(grading, poisson_ratio) => {
+                require(
+                    body.is_none(),
+                    "grading_exponent",
+                    grading.exponent(),
+                    "0 (homogeneous) under an elastic punch: with a graded foundation it has no composite modulus",
+                )?;
+                require(
+                    !matches!(geometry, Geometry::Periodic { .. }),
+                    "grading_exponent",
+                    grading.exponent(),
+                    "0 (homogeneous) for a periodic row: the settlements that its punches give each other add up to infinity",
+                )?;
+                let material = Elastic::new(grading.modulus_at(half_width), poisson_ratio)?;
+                let is_circular = geometry == Geometry::Circular;
+                let response = grading.response(poisson_ratio, half_width, is_circular);
+                let moduli = [material.young_modulus(), material.plane_strain_modulus()];
+                let scaling =
+                    Scaling::with_response(response, moduli, roughness, half_width, geometry)?;
+                let (foundation, grading) = (material, Some(grading));
+                Ok(Self::Physical {
+                    foundation,
+                    grading,
+                    layering: None,
+                    body: None,
+                    roughness,
+                    geometry,
+                    scaling,
+                })
+            }
+            GroundKind::Dimensionless(theta0) => {
+                let requirement = "1 in a dimensionless problem: its lengths are in half-widths";
+                require(half_width == 1.0, "half_width", half_width, requirement)?;
+                if body.is_some() {
+                    return Err(stands_for_all("body"));
+                }
+                Ok(Self::Dimensionless { theta0, law: foundation.law(), geometry, layering: None })
+            }
+        }
     }
 
     /// The same with a foundation in two pieces: a [`Layering`], lengths in the units of the problem. Material and `theta0` of the frame are those of the layer, or of what lies below a coating.
@@ -149,7 +125,7 @@ impl Frame {
     /// # Errors
     /// [`Error::InvalidValue`] for a thickness below 0.002 half-widths (0.05 radii), and for what is not solved on such ground: a smooth surface, a periodic row, a coating under a circular
     /// punch, an elastic punch, grading.
-    pub fn layered(mut self, on: Layering) -> Result<Self, Error> {
+    fn layered(mut self, on: Layering) -> Result<Self, Error> {
         let geometry = self.geometry();
         let (is_circular, is_coated) = (self.is_circular(), matches!(on, Layering::Coating { .. }));
         require_thickness(&on, self.half_width(), is_circular)?;
@@ -182,7 +158,7 @@ impl Frame {
 
     /// A layer of finite thickness or a coating; `None` for a foundation of one piece.
     #[must_use]
-    pub fn layering(&self) -> Option<Layering> {
+    pub(crate) fn layering(&self) -> Option<Layering> {
         match self {
             Self::Physical { layering, .. } | Self::Dimensionless { layering, .. } => *layering,
         }
@@ -190,13 +166,13 @@ impl Frame {
 
     /// Whether the foundation is a half-space of one material.
     #[must_use]
-    pub fn is_homogeneous(&self) -> bool {
+    pub(crate) fn is_homogeneous(&self) -> bool {
         self.grading().is_none() && self.layering().is_none()
     }
 
     /// `theta0`; of a smooth surface, where its scale is undefined, a number of internal use.
     #[must_use]
-    pub fn theta0(&self) -> f64 {
+    pub(crate) fn theta0(&self) -> f64 {
         match self {
             Self::Physical { scaling, .. } => scaling.theta0(),
             Self::Dimensionless { theta0, .. } => *theta0,
@@ -205,7 +181,7 @@ impl Frame {
 
     /// The scales of a physical problem.
     #[must_use]
-    pub fn scaling(&self) -> Option<&Scaling> {
+    pub(crate) fn scaling(&self) -> Option<&Scaling> {
         match self {
             Self::Physical { scaling, .. } => Some(scaling),
             Self::Dimensionless { .. } => None,
@@ -214,7 +190,7 @@ impl Frame {
 
     /// The geometry, lengths in the units of the problem.
     #[must_use]
-    pub fn geometry(&self) -> Geometry {
+    pub(crate) fn geometry(&self) -> Geometry {
         match self {
             Self::Physical { geometry, .. } | Self::Dimensionless { geometry, .. } => *geometry,
         }
@@ -222,7 +198,7 @@ impl Frame {
 
     /// How the modulus of the foundation grows with depth; `None` for a homogeneous one.
     #[must_use]
-    pub fn grading(&self) -> Option<Grading> {
+    pub(crate) fn grading(&self) -> Option<Grading> {
         match self {
             Self::Physical { grading, .. } => *grading,
             Self::Dimensionless { .. } => None,
@@ -231,7 +207,7 @@ impl Frame {
 
     /// The law of the rough layer without dimensions.
     #[must_use]
-    pub fn law(&self) -> Law {
+    pub(crate) fn law(&self) -> Law {
         match self {
             Self::Physical { roughness, .. } => roughness.law(),
             Self::Dimensionless { law, .. } => *law,
@@ -240,7 +216,7 @@ impl Frame {
 
     /// What the settlement is measured against.
     #[must_use]
-    pub fn gauge(&self) -> &'static str {
+    pub(crate) fn gauge(&self) -> &'static str {
         match self.layering() {
             Some(layering) => layering.gauge(),
             None if self.grading().is_some() => "zero at infinity",
@@ -250,41 +226,37 @@ impl Frame {
 
     /// `beta` of the pressure `K/(sqrt(2 pi) d^beta)` at the distance `d` from a corner of a smooth surface: 1/2, on graded ground `(1-mu)/2`.
     #[must_use]
-    pub fn corner_exponent(&self) -> f64 {
-        0.5 * (1.0 - self.grading().map_or(0.0, |grading| grading.exponent()))
+    pub(crate) fn corner_exponent(&self) -> f64 {
+        corner_exponent(self.grading())
     }
 
     /// The unit of that `K`, `Pa sqrt(m)` or `Pa m^beta`.
     #[must_use]
-    pub fn corner_unit(&self) -> DisplayUnit {
-        if self.grading().is_none() {
-            return DisplayUnit::prefixed("Pa sqrt(m)");
-        }
-        let beta = engineering(self.corner_exponent(), Dimension::NONE);
-        DisplayUnit::prefixed(&format!("Pa m^{beta}"))
+    pub(crate) fn corner_unit(&self) -> DisplayUnit {
+        corner_unit(self.grading())
     }
 
     /// Whether force and moment are those of a disk (N, N m), not per unit length.
     #[must_use]
-    pub fn is_circular(&self) -> bool {
+    pub(crate) fn is_circular(&self) -> bool {
         self.geometry() == Geometry::Circular
     }
 
     /// The pieces of the base as `xi`.
     #[must_use]
-    pub fn pieces(&self) -> Vec<[f64; 2]> {
+    pub(crate) fn pieces(&self) -> Vec<[f64; 2]> {
         self.geometry().pieces(self.half_width())
     }
 
     /// Half-width in the units of the problem: metres, or 1.
     #[must_use]
-    pub fn half_width(&self) -> f64 {
+    pub(crate) fn half_width(&self) -> f64 {
         self.scaling().map_or(1.0, Scaling::half_width)
     }
 
     /// Name of the coordinate in the units of the problem: `x` or `xi`.
     #[must_use]
-    pub fn coordinate(&self) -> &'static str {
+    pub(crate) fn coordinate(&self) -> &'static str {
         if self.scaling().is_some() { "x" } else { "xi" }
     }
 }
@@ -299,7 +271,8 @@ mod tests {
     fn a_graded_foundation_is_scaled_by_its_response() {
         let (mu, nu, chi, a) = (0.3, 0.25, 2e-10, 0.4);
         let grading = Grading::new(mu, 50e6).unwrap();
-        let plane = Frame::physical_graded(Geometry::Plane, grading, nu, chi, a).unwrap();
+        let ground = Foundation::graded(grading, nu).unwrap().with_roughness(chi).unwrap();
+        let plane = Frame::new(&ground, &Punch::new(a).unwrap()).unwrap();
         // u = theta_g P |x|^-mu: what p = E(a) p0 on the strip of xi gives, over chi E(a)
         let expected = grading.line_response(nu) * a.powf(1.0 - mu) / chi;
         assert!((plane.theta0() / expected - 1.0).abs() < 1e-14);
@@ -309,7 +282,7 @@ mod tests {
 
         // Far from a disk of radius a under p0 = 1 the settlement is that of a point load: J_0(xi t) alone counts, int t^mu J_0(xi t) dt =
         // 2^mu Gamma((1+mu)/2)/Gamma((1-mu)/2) xi^-(1+mu).
-        let disk = Frame::physical_graded(Geometry::Circular, grading, nu, chi, a).unwrap();
+        let disk = Frame::new(&ground, &Punch::circular(a).unwrap()).unwrap();
         let xi = 7.0f64;
         let kernel = 2f64.powf(mu) * libm::tgamma(0.5 + 0.5 * mu) / libm::tgamma(0.5 - 0.5 * mu)
             * xi.powf(-1.0 - mu);
@@ -319,18 +292,16 @@ mod tests {
     }
 
     #[test]
-    fn grading_of_exponent_zero_is_homogeneous() {
-        let grading = Grading::new(0.0, 2e9).unwrap();
-        for geometry in [Geometry::Plane, Geometry::Circular, Geometry::Periodic { period: 3.0 }] {
-            let graded = Frame::physical_graded(geometry, grading, 0.3, 1e-12, 0.5).unwrap();
-            let material = Elastic::new(2e9, 0.3).unwrap();
-            let plain = Frame::physical_in(geometry, material, 1e-12, 0.5, None).unwrap();
-            assert_eq!(graded, plain);
-        }
-        let graded = Grading::new(0.4, 2e9).unwrap();
-        let row = Geometry::Periodic { period: 3.0 };
-        assert!(Frame::physical_graded(row, graded, 0.3, 1e-12, 0.5).is_err());
-        assert!(Frame::physical_graded(Geometry::Plane, graded, 0.7, 1e-12, 0.5).is_err());
-        assert!(Frame::physical_graded(Geometry::Plane, graded, 0.3, 1e-12, -0.5).is_err());
+    fn what_does_not_go_together_is_refused() {
+        let graded = Foundation::graded(Grading::new(0.4, 2e9).unwrap(), 0.3).unwrap();
+        assert!(Frame::new(&graded, &Punch::periodic(0.5, 3.0).unwrap()).is_err());
+        let elastic = Punch::new(0.5).unwrap().with_body(Elastic::new(2e9, 0.3).unwrap());
+        assert!(Frame::new(&graded, &elastic).is_err());
+        let bare = Foundation::dimensionless(1.0).unwrap();
+        let error = Frame::new(&bare, &Punch::new(0.5).unwrap()).unwrap_err();
+        assert!(error.to_string().contains("half_width"), "{error}");
+        let unit = Punch::new(1.0).unwrap();
+        assert!(Frame::new(&bare, &unit).is_ok());
+        assert!(Frame::new(&bare, &unit.with_body(Elastic::new(1.0, 0.3).unwrap())).is_err());
     }
 }

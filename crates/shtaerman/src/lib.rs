@@ -5,78 +5,96 @@
 //! with `int p dx = P` and `int x p dx = M`, (2.4): plane strain, small slopes, no friction, adhesion or plasticity. Compression is positive; a
 //! positive moment gives a negative tilt; the settlement is in the gauge `ln(a/|x-s|)`, `a` the half-width.
 //!
-//! A flat steel punch on a ground steel surface:
+//! Five types lead from a problem to its answer: a [`Foundation`] (material and roughness), a [`Punch`] (geometry, profile, elastic or rigid) and a [`Load`] make a
+//! [`Problem`], and its [`solve`](Problem::solve) gives a [`Contact`]. A [`Solver`] beside them says how, where that matters. A flat steel punch on a ground steel surface:
 //!
 //! ```
-//! use shtaerman::{Elastic, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+//! use shtaerman::{Elastic, Foundation, Load, Problem, Punch};
 //!
-//! let steel = Elastic::new(200e9, 0.3)?;
-//! let frame = Frame::physical(steel, 1.2e-14, 5e-3, None)?;      // chi (m/Pa), a (m), rigid punch
-//! let load = Load::new(Vertical::Force(0.8e6), Rotational::Moment(0.0))?;
-//! let problem = Problem::new(frame, Profile::flat(), load, Solver::default())?;
-//! let contact = problem.solve()?;
+//! let steel = Foundation::new(Elastic::new(200e9, 0.3)?).with_roughness(1.2e-14)?;   // Pa, m/Pa
+//! let flat = Punch::new(5e-3)?;                                                      // m
+//! let contact = Problem::new(steel, flat, Load::force(0.8e6)?)?.solve()?;            // N/m
 //!
 //! assert!((contact.mean_pressure() - 80e6).abs() < 1.0);
-//! let (peak, place) = contact.peak_pressure();
-//! assert!(peak > 1.2 * contact.mean_pressure() && place == -5e-3);   // at the edges, and finite
-//! assert_eq!(contact.edges(), [[-5e-3, 5e-3]]);   // the full base touches
+//! assert!(contact.peak_pressure() > 1.2 * contact.mean_pressure());
+//! assert_eq!(contact.peak_pressure_at(), -5e-3);   // at the edges, and finite
+//! assert_eq!(contact.zones(), [[-5e-3, 5e-3]]);    // the full base touches
 //! assert!(contact.tilt().abs() < 1e-18);
 //! # Ok::<(), shtaerman::Error>(())
 //! ```
 //!
+//! Names are those of the problem file ([`file`] reads it) and of the JSON answer ([`answer`] writes it). The rest is in modules: [`profile`] and [`expression`] for bases,
+//! [`material`] for what a foundation is made of, [`contact`] for what an answer is made of, [`stress`] below the surface, [`inverse`] for the way back from a wish to
+//! a problem, [`asperities`] for measured roughness, [`equation`] for integral equations without mechanics.
+//!
 //! Equation numbers are those of S. M. Mkhitaryan, *On the solution to integral equations of one class of mixed and
 //! contact problems by the degenerate kernel method*, Proceedings of NAS of Armenia, Mechanics.
 
-mod answer;
+pub mod answer;
 pub mod asperities;
 mod audit;
-mod contact;
+pub mod contact;
 pub mod convergence;
 mod datum;
 pub mod equation;
 mod error;
 pub mod file;
+mod foundation;
 mod frame;
 mod geometry;
 mod grading;
 pub mod inverse;
 mod layering;
-mod load;
-mod material;
+pub mod load;
+pub mod material;
 pub mod paper;
 mod problem;
 pub mod profile;
+pub mod punch;
 mod roughness;
 mod scaling;
 mod sensitivity;
-mod stress;
+pub mod solver;
+pub mod stress;
 mod surface_curve;
 mod variation;
 
-pub use answer::{
-    Answer, AuditFigures, AuditReport, Dimensionless, ErrorReport, Errors, MethodReport, Physical,
-    PressureCurve, SCHEMA,
-};
-pub use audit::{Audit, Unaudited};
-pub use contact::{
-    AIM, Accuracy, Complementarity, Contact, CrossCheck, Curve, ErrorKind, Method, ReferenceError,
-    SmoothContact, SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem, SmoothProfile,
-    SmoothRingsContact, SmoothZone, Stiffness, Warning, WarningCode,
-};
-pub use convergence::Convergence;
-pub use datum::{Datum, RelativeSettlement};
+#[doc(inline)]
+pub use contact::Contact;
 pub use error::Error;
-pub use frame::Frame;
-pub use geometry::Geometry;
-pub use grading::Grading;
-pub use layering::{LayerBase, Layering};
-pub use load::{Load, Rotational, Vertical};
-pub use material::Elastic;
-pub use problem::{ContactKind, MethodChoice, Problem, Solver};
+pub use foundation::Foundation;
+#[doc(inline)]
+pub use load::Load;
+pub use problem::Problem;
+#[doc(inline)]
+pub use punch::Punch;
+#[doc(inline)]
+pub use solver::Solver;
+
+#[doc(no_inline)]
+pub use answer::{
+    Answer, AuditFigures, AuditReport, ErrorReport, MethodReport, PhysicalOnly, PressureCurve,
+    Quantities, SCHEMA, SurfaceCurve,
+};
+#[doc(no_inline)]
+pub use contact::{
+    AIM, Audit, Complementarity, CrossCheck, Datum, Derivatives, ErrorKind, Errors, Method,
+    ReferenceError, RelativeSettlement, Scaling, Sensitivities, Stiffness, Unaudited, Warning,
+    WarningCode,
+};
+#[doc(no_inline)]
+pub use convergence::Convergence;
+#[doc(no_inline)]
+pub use load::{Rotational, Vertical};
+#[doc(no_inline)]
+pub use material::{Elastic, Grading, Law, LayerBase, Layering, Roughness};
+#[doc(no_inline)]
 pub use profile::Profile;
-pub use roughness::{Law, Roughness};
-pub use scaling::Scaling;
-pub use sensitivity::{Derivatives, Sensitivities};
+#[doc(no_inline)]
+pub use punch::Geometry;
+#[doc(no_inline)]
 pub use shtaerman_input::{document, expression, quantity};
+#[doc(no_inline)]
+pub use solver::{ContactKind, MethodChoice};
+#[doc(no_inline)]
 pub use stress::{Criterion, FirstYield, Peak, Stress, StressField};
-pub use surface_curve::SurfaceCurve;

@@ -28,16 +28,80 @@ pub enum Rotational {
 }
 
 /// One of force and settlement, and one of moment, eccentricity and tilt.
+///
+/// Compression is positive, and a positive moment gives a negative tilt. Forces and moments are per unit length, under a circular punch those of the whole
+/// punch; in a dimensionless problem all are numbers.
+///
+/// ```
+/// use shtaerman::Load;
+///
+/// let central = Load::force(0.8e6)?;                           // N/m, without a moment
+/// let eccentric = Load::force(0.8e6)?.with_moment(100.0)?;     // N m/m
+/// let beside = Load::force(0.8e6)?.with_eccentricity(1e-4)?;   // m
+/// let pressed = Load::settlement(2e-6)?.with_tilt(0.0)?;       // m, rad: the punch is kept level
+/// assert!(Load::force(f64::NAN).is_err());
+/// # Ok::<(), shtaerman::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Load {
-    /// Force or settlement.
-    pub vertical: Vertical,
-    /// Moment, eccentricity or tilt.
-    pub rotational: Rotational,
+    pub(crate) vertical: Vertical,
+    pub(crate) rotational: Rotational,
 }
 
 impl Load {
-    /// The load, checked.
+    /// A force `P` without a moment: per unit length (N/m), under a circular punch that of the whole punch (N).
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] unless it is finite.
+    pub fn force(force: f64) -> Result<Self, Error> {
+        Self::new(Vertical::Force(force), Rotational::Moment(0.0))
+    }
+
+    /// A settlement `delta` (m) without a moment, in the gauge of the problem.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] unless it is finite.
+    pub fn settlement(settlement: f64) -> Result<Self, Error> {
+        Self::new(Vertical::Settlement(settlement), Rotational::Moment(0.0))
+    }
+
+    /// The same with a moment `M = int x p dx` (N m/m, under a circular punch N m).
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] unless it is finite.
+    pub fn with_moment(self, moment: f64) -> Result<Self, Error> {
+        Self::new(self.vertical, Rotational::Moment(moment))
+    }
+
+    /// The same with the force at an eccentricity `e` (m), `M = P e`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] unless it is finite.
+    pub fn with_eccentricity(self, eccentricity: f64) -> Result<Self, Error> {
+        Self::new(self.vertical, Rotational::Eccentricity(eccentricity))
+    }
+
+    /// The same with a prescribed tilt `alpha` (rad) in place of a moment.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] unless it is finite.
+    pub fn with_tilt(self, tilt: f64) -> Result<Self, Error> {
+        Self::new(self.vertical, Rotational::Tilt(tilt))
+    }
+
+    /// Force or settlement.
+    #[must_use]
+    pub fn vertical(&self) -> Vertical {
+        self.vertical
+    }
+
+    /// Moment, eccentricity or tilt.
+    #[must_use]
+    pub fn rotational(&self) -> Rotational {
+        self.rotational
+    }
+
+    /// The load of two halves.
     ///
     /// # Errors
     /// [`Error::InvalidValue`] with the field when a value is not finite.

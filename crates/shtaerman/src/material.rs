@@ -1,9 +1,13 @@
-//! Elastic materials.
+//! What a foundation and a punch are made of: elastic materials, moduli that grow with depth, rough layers.
 
 use serde::{Deserialize, Serialize};
 
 use crate::Error;
 use crate::error::{positive, require};
+
+pub use crate::grading::Grading;
+pub use crate::layering::{LayerBase, Layering};
+pub use crate::roughness::{Law, Roughness};
 
 /// A linear elastic, isotropic material.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

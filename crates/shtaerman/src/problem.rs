@@ -4,127 +4,101 @@ use fredholm::basis::Function;
 
 use crate::error::{finite, require};
 use crate::expression::{Defect, Interval, Reflection, remainder_of_sum};
+use crate::frame::Frame;
 use crate::profile::Resolution;
-use crate::{Error, Frame, Load, Profile, Rotational, Vertical};
+use crate::{
+    ContactKind, Error, Foundation, Load, Profile, Punch, Rotational, Scaling, Solver, Vertical,
+};
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
 const POINTS_PER_SAMPLE: usize = 4;
 
-/// The method that solves the equation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum MethodChoice {
-    /// The one that suits the problem.
-    #[default]
-    Auto,
-    /// The paper's degenerate kernel.
-    Spectral,
-    /// Sinc collocation.
-    Sinc,
-}
-
-/// Whether the punch may lift off.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum ContactKind {
-    /// The pressure never pulls: the zones of contact are part of the answer.
-    #[default]
-    Unilateral,
-    /// The full base stays in contact and the pressure may pull.
-    Bilateral,
-}
-
-impl ContactKind {
-    /// Name as in problem files.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Unilateral => "unilateral",
-            Self::Bilateral => "bilateral",
-        }
-    }
-}
-
-/// How the equation is to be solved.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Solver {
-    /// Whether the punch may lift off.
-    pub contact: ContactKind,
-    /// The method.
-    pub method: MethodChoice,
-    /// Highest Chebyshev degree kept in the degenerate kernel, the paper's `n`; fixes the truncation. Not for [`MethodChoice::Sinc`].
-    pub degree: Option<usize>,
-    /// Relative error to be met, of settlement, tilt and of the pressure over its largest value; without it `1e-12` is aimed at.
-    pub tolerance: Option<f64>,
-}
-
-impl Solver {
-    /// The degenerate kernel with a fixed degree, on the full base.
-    #[must_use]
-    pub fn spectral(degree: usize) -> Self {
-        Self { method: MethodChoice::Spectral, degree: Some(degree), ..Self::bilateral() }
-    }
-
-    /// The full base stays in contact.
-    #[must_use]
-    pub fn bilateral() -> Self {
-        Self { contact: ContactKind::Bilateral, ..Self::default() }
-    }
-
-    fn check(&self) -> Result<(), Error> {
-        if let Some(degree) = self.degree {
-            require(degree > 0, "n", 0.0, "at least 1")?;
-            let spectral = self.method != MethodChoice::Sinc;
-            require(spectral, "n", degree as f64, "left out: it belongs to method = \"spectral\"")?;
-        }
-        if let Some(tolerance) = self.tolerance {
-            let sensible = tolerance.is_finite() && tolerance > 0.0 && tolerance < 1.0;
-            require(sensible, "tolerance", tolerance, "greater than 0 and less than 1")?;
-        }
-        Ok(())
-    }
-}
-
-/// A punch, what it stands on and what is prescribed.
+/// A punch on a foundation under a load: physical in SI units, or [dimensionless](Foundation::dimensionless).
+///
+/// ```
+/// use shtaerman::{Elastic, Foundation, Load, Problem, Profile, Punch};
+///
+/// let steel = Foundation::new(Elastic::new(200e9, 0.3)?).with_roughness(1.2e-14)?;
+/// let crowned = Punch::new(5e-3)?.with_profile(Profile::from_fn(|x| x * x / 1.6));
+/// let problem = Problem::new(steel, crowned, Load::force(0.8e6)?)?;
+///
+/// // What is varied in a loop: copies share the profile and are cheap.
+/// let mut last = 0.0;
+/// for force in [0.2e6, 0.4e6, 0.8e6] {
+///     let contact = problem.with_force(force)?.solve()?;
+///     assert!(contact.contact_width() > last);
+///     last = contact.contact_width();
+/// }
+///
+/// // Without dimensions: theta0 alone, lengths in half-widths.
+/// let bare = Problem::new(Foundation::dimensionless(5.0)?, Punch::new(1.0)?, Load::force(2.0)?)?;
+/// assert_eq!(bare.solve()?.mean_pressure(), 1.0);
+/// # Ok::<(), shtaerman::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Problem {
+    foundation: Foundation,
+    punch: Punch,
+    /// What the equation needs of both.
     frame: Frame,
-    profile: Profile,
     load: Load,
     solver: Solver,
 }
 
 impl Problem {
-    /// The problem; profile and load are in the units of the frame.
+    /// The problem of a unilateral contact; [`with_solver`](Self::with_solver) has others.
     ///
     /// # Errors
-    /// [`Error::InvalidValue`] for `degree = 0` or a load that is not finite once scaled, [`Error::ProfileNotFinite`] where the profile
-    /// is not finite on the closed punch.
-    pub fn new(frame: Frame, profile: Profile, load: Load, solver: Solver) -> Result<Self, Error> {
-        solver.check()?;
-        if let Some(scaling) = frame.scaling() {
-            let scaled = scaling.load(&load);
-            Load::new(scaled.vertical, scaled.rotational)?;
-        }
-        let half_width = frame.half_width();
-        let is_wave = frame.geometry().is_wave(half_width);
-        let profile = if is_wave { profile.repeating(half_width) } else { profile };
-        let problem = Self { frame, profile, load, solver };
-        problem.check_profile()?;
-        Ok(problem)
+    /// [`Error::InvalidValue`] for what does not go together (a graded foundation with an elastic punch or under a periodic row, a half-width other than 1 in a
+    /// dimensionless problem) and for scales or a load beyond the range of double precision; [`Error::ProfileNotFinite`] where the profile is not finite on
+    /// the closed punch.
+    pub fn new(foundation: Foundation, punch: Punch, load: Load) -> Result<Self, Error> {
+        let frame = Frame::new(&foundation, &punch)?;
+        Self { foundation, punch, frame, load, solver: Solver::default() }.ready()
     }
 
-    /// Units and material.
+    /// The same problem solved in another frame, without asking what foundation and punch would make it so.
+    pub(crate) fn in_frame(&self, frame: Frame) -> Result<Self, Error> {
+        Self { frame, ..self.clone() }.ready()
+    }
+
+    fn ready(mut self) -> Result<Self, Error> {
+        if let Some(scaling) = self.frame.scaling() {
+            let scaled = scaling.load(&self.load);
+            Load::new(scaled.vertical, scaled.rotational)?;
+        }
+        if self.is_wave() {
+            let profile = self.profile().clone().repeating(self.frame.half_width());
+            self.punch = self.punch.with_profile(profile);
+        }
+        self.check_profile()?;
+        Ok(self)
+    }
+
+    /// What the punch is pressed into.
     #[must_use]
-    pub fn frame(&self) -> &Frame {
+    pub fn foundation(&self) -> &Foundation {
+        &self.foundation
+    }
+
+    /// The punch.
+    #[must_use]
+    pub fn punch(&self) -> &Punch {
+        &self.punch
+    }
+
+    /// Units, material, layer and geometry together.
+    pub(crate) fn frame(&self) -> &Frame {
         &self.frame
     }
 
     /// Base of the punch.
     #[must_use]
     pub fn profile(&self) -> &Profile {
-        &self.profile
+        self.punch.profile()
     }
 
-    /// What is prescribed, in the units of the frame.
+    /// What is prescribed, in the units of the problem.
     #[must_use]
     pub fn load(&self) -> &Load {
         &self.load
@@ -142,14 +116,40 @@ impl Problem {
         &self.solver
     }
 
-    /// The same problem for the degenerate kernel of another degree.
-    ///
-    /// # Errors
-    /// [`Error::InvalidValue`] for zero.
-    pub fn with_degree(&self, degree: usize) -> Result<Self, Error> {
-        let solver = Solver::spectral(degree);
-        solver.check()?;
-        Ok(Self { solver, ..self.clone() })
+    /// Whether it is stated in numbers without dimensions.
+    #[must_use]
+    pub fn is_dimensionless(&self) -> bool {
+        self.frame.scaling().is_none()
+    }
+
+    /// The scales of a physical problem; none of a dimensionless one.
+    #[must_use]
+    pub fn scaling(&self) -> Option<&Scaling> {
+        self.frame.scaling()
+    }
+
+    /// `theta0 = 2 a/(pi E* chi)`; of a smooth surface, where its scale is undefined, a number of internal use.
+    #[must_use]
+    pub fn theta0(&self) -> f64 {
+        self.frame.theta0()
+    }
+
+    /// What the settlement is measured against.
+    #[must_use]
+    pub fn gauge(&self) -> &'static str {
+        self.frame.gauge()
+    }
+
+    /// Name of the coordinate in the units of the problem: `x` or `xi`.
+    #[must_use]
+    pub fn coordinate(&self) -> &'static str {
+        self.frame.coordinate()
+    }
+
+    /// Whether force and moment are those of a disk (N, N m), not per unit length.
+    #[must_use]
+    pub fn is_circular(&self) -> bool {
+        self.frame.is_circular()
     }
 
     /// The same problem under another load, in the units of the problem.
@@ -158,14 +158,15 @@ impl Problem {
     }
 
     /// The same problem solved otherwise.
-    pub(crate) fn with_solver(&self, solver: Solver) -> Self {
+    #[must_use]
+    pub fn with_solver(&self, solver: Solver) -> Self {
         Self { solver, ..self.clone() }
     }
 
     /// The same problem with heights and settlement counted from the level of the base, and the height of that level in the units of the problem; none where that
     /// makes no difference.
     pub(crate) fn lowered(&self) -> Option<(Self, f64)> {
-        let (profile, level) = self.profile.lowered(self.frame.half_width())?;
+        let (profile, level) = self.profile().lowered(self.frame.half_width())?;
         let (vertical, profile) = match self.load.vertical {
             Vertical::Force(force) => (Vertical::Force(force), profile),
             // What rounding takes from the settlement is left to the heights.
@@ -175,53 +176,54 @@ impl Problem {
             ),
         };
         let load = Load { vertical, ..self.load };
-        Some((Self { profile, load, ..self.clone() }, level))
+        let punch = self.punch.clone().with_profile(profile);
+        Some((Self { punch, load, ..self.clone() }, level))
     }
 
     /// `f0(xi) = f(a xi)/(chi E)`, for a dimensionless problem the profile itself.
     #[must_use]
     pub fn dimensionless_profile(&self, xi: f64) -> f64 {
         let half_width = self.frame.half_width();
-        let height = self.profile.height(xi, half_width);
+        let height = self.profile().height(xi, half_width);
         self.frame.scaling().map_or(height, |scaling| height / scaling.displacement())
     }
 
     /// `df0/dxi`.
     pub(crate) fn dimensionless_slope(&self, xi: f64) -> Option<f64> {
-        let slope = self.profile.slope(xi, self.frame.half_width())?;
+        let slope = self.profile().slope(xi, self.frame.half_width())?;
         Some(self.frame.scaling().map_or(slope, |scaling| slope / scaling.displacement()))
     }
 
     /// `f0(xi) - f0(c) - f0'(c) (xi - c)`.
     pub(crate) fn dimensionless_rise(&self, c: f64, xi: f64) -> f64 {
-        let rise = self.profile.rise(c, xi - c, self.frame.half_width());
+        let rise = self.profile().rise(c, xi - c, self.frame.half_width());
         self.frame.scaling().map_or(rise, |scaling| rise / scaling.displacement())
     }
 
     /// Encloses `f0(xi)` on an interval, as [`Profile::enclose`] does.
     #[must_use]
     pub fn dimensionless_enclosure(&self, interval: [f64; 2]) -> Option<Interval> {
-        self.profile.enclose(interval, self.frame.half_width()).map(|range| self.scaled(range))
+        self.profile().enclose(interval, self.frame.half_width()).map(|range| self.scaled(range))
     }
 
     /// Encloses the exact and the computed `f0(xi)` at one place, as [`Profile::enclose_at`] does.
     #[must_use]
     pub fn dimensionless_enclosure_at(&self, xi: f64) -> Option<Interval> {
-        let range = self.profile.enclose_at(xi, self.frame.half_width());
+        let range = self.profile().enclose_at(xi, self.frame.half_width());
         range.map(|range| self.scaled(range))
     }
 
     /// Encloses `f0^(k)/k!` for `k` from 0 to `order` on an interval, as [`Profile::taylor`] does.
     #[must_use]
     pub fn dimensionless_taylor(&self, interval: [f64; 2], order: usize) -> Option<Vec<Interval>> {
-        let terms = self.profile.taylor(interval, order, self.frame.half_width())?;
+        let terms = self.profile().taylor(interval, order, self.frame.half_width())?;
         Some(terms.into_iter().map(|term| self.scaled(term)).collect())
     }
 
     /// Bounds `|f0^(n)|/n!` on an interval, as [`Profile::taylor_bound`] does.
     #[must_use]
     pub fn dimensionless_taylor_bound(&self, interval: [f64; 2], order: usize) -> f64 {
-        let bound = self.profile.taylor_bound(interval, order, self.frame.half_width());
+        let bound = self.profile().taylor_bound(interval, order, self.frame.half_width());
         self.scaled(Interval::ends(0.0, bound)).upper()
     }
 
@@ -229,7 +231,7 @@ impl Problem {
     #[must_use]
     pub fn resolution(&self, degree: usize, tolerance: f64) -> Resolution {
         let half_width = self.frame.half_width();
-        self.profile.resolve(&self.frame.pieces(), half_width, degree, tolerance)
+        self.profile().resolve(&self.frame.pieces(), half_width, degree, tolerance)
     }
 
     /// Heights without dimensions.
@@ -242,7 +244,7 @@ impl Problem {
 
     /// Whether the base is proved to be its own mirror image, or its negative.
     pub(crate) fn reflection(&self) -> Reflection {
-        self.profile.reflection(self.frame.half_width())
+        self.profile().reflection(self.frame.half_width())
     }
 
     /// Whether base and load are proved to be their own mirror images.
@@ -259,7 +261,7 @@ impl Problem {
     /// The relative error that is aimed at where no tolerance is given: `1e-12 max(1, theta0/10)`, of measured profiles `1e-10 max(1, theta0/100)`: rounding grows with `theta0`.
     pub(crate) fn aim(&self) -> f64 {
         let theta0 = self.frame.theta0();
-        if self.profile.measured_points().is_some() {
+        if self.profile().measured_points().is_some() {
             return 1e-10 * (theta0 / 100.0).max(1.0);
         }
         crate::AIM * (theta0 / 10.0).max(1.0)
@@ -272,7 +274,7 @@ impl Problem {
 
     /// The profile resolved by a Chebyshev series in `xi`.
     pub(crate) fn resolved_profile(&self) -> Result<Function, Error> {
-        let degree = POINTS_PER_SAMPLE * self.profile.measured_points().unwrap_or(0);
+        let degree = POINTS_PER_SAMPLE * self.profile().measured_points().unwrap_or(0);
         Function::resolve_from(&|xi| self.dimensionless_profile(xi), degree).map_err(|error| {
             match error {
                 fredholm::Error::NotFinite { at, value, .. } if value.is_nan() => {
@@ -307,7 +309,7 @@ impl Problem {
     }
 
     fn check_profile(&self) -> Result<(), Error> {
-        if let Some((xi, defect)) = self.profile.find_not_finite(self.frame.half_width()) {
+        if let Some((xi, defect)) = self.profile().find_not_finite(self.frame.half_width()) {
             return Err(self.profile_not_finite(xi, defect));
         }
         // Scaling may overflow what is finite in the units of the file.

@@ -7,32 +7,17 @@ use crate::{Contact, Error, Geometry, Scaling};
 /// How far the surface is shown, in half-widths.
 const REACH: f64 = 3.0;
 
-/// The surface at points from `-3a` to `3a`; of a periodic row within one period.
+/// The surface at points from `-3a` to `3a`, of a periodic row within one period; in SI units, or in numbers for a dimensionless problem.
 #[derive(Debug, Clone, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum SurfaceCurve {
-    /// SI units.
-    Physical {
-        /// Places (m).
-        x: Vec<f64>,
-        /// Pressures (Pa), zero beside the base.
-        p: Vec<f64>,
-        /// Elastic displacements of the surface (m), without the layer; positive into the body, in the gauge of the settlement.
-        displacement: Vec<f64>,
-        /// Gaps between base and body (m), zero in the zones of contact; none beside the base.
-        gap: Vec<Option<f64>>,
-    },
-    /// No dimensions.
-    Dimensionless {
-        /// Places.
-        xi: Vec<f64>,
-        /// Pressures over `E`.
-        p0: Vec<f64>,
-        /// Elastic displacements of the surface.
-        displacement0: Vec<f64>,
-        /// Gaps.
-        gap0: Vec<Option<f64>>,
-    },
+pub struct SurfaceCurve {
+    /// Places (m).
+    pub x: Vec<f64>,
+    /// Pressures (Pa), zero beside the base.
+    pub pressure: Vec<f64>,
+    /// Elastic displacements of the surface (m), without the layer; positive into the body, in the gauge of the settlement.
+    pub displacement: Vec<f64>,
+    /// Gaps between base and body (m), zero in the zones of contact; none beside the base.
+    pub gap: Vec<Option<f64>>,
 }
 
 impl SurfaceCurve {
@@ -53,21 +38,18 @@ impl SurfaceCurve {
             .map(|i| reach * (2.0 * i as f64 - last) / last)
             .map(|xi| if (xi.abs() - 1.0).abs() < 1e-12 { xi.signum() } else { xi })
             .collect();
-        let scale = |unit: fn(&Scaling) -> f64| frame.scaling().map_or(1.0, unit);
-        let (length, pressure) = (frame.half_width(), scale(Scaling::pressure));
-        let depth = scale(Scaling::displacement);
-        let pieces = frame.pieces();
+        let [length, pressure, depth] =
+            [Scaling::half_width, Scaling::pressure, Scaling::displacement]
+                .map(|unit: fn(&Scaling) -> f64| contact.scale(unit));
+        let pieces = contact.problem().punch().pieces();
         let under = |xi: f64| pieces.iter().any(|[left, right]| *left <= xi && xi <= *right);
-        let x = places.iter().map(|xi| xi * length).collect();
-        let p = (places.iter())
-            .map(|&xi| if under(xi) { contact.pressure0(xi) * pressure } else { 0.0 })
-            .collect();
-        let displacement =
-            places.iter().map(|&xi| contact.elastic_displacement0(xi) * depth).collect();
-        let gap = places.iter().map(|&xi| under(xi).then(|| contact.gap0(xi) * depth)).collect();
-        Ok(match frame.scaling() {
-            Some(_) => Self::Physical { x, p, displacement, gap },
-            None => Self::Dimensionless { xi: x, p0: p, displacement0: displacement, gap0: gap },
+        let bare = contact.dimensionless();
+        let p = |xi: f64| if under(xi) { contact.pressure_at(xi) * pressure } else { 0.0 };
+        Ok(Self {
+            x: places.iter().map(|xi| xi * length).collect(),
+            pressure: places.iter().map(|&xi| p(xi)).collect(),
+            displacement: places.iter().map(|&xi| bare.elastic_displacement(xi) * depth).collect(),
+            gap: places.iter().map(|&xi| under(xi).then(|| contact.gap_at(xi) * depth)).collect(),
         })
     }
 }

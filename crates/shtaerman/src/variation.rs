@@ -1,85 +1,25 @@
 //! A problem with one thing changed.
 
-use crate::error::require;
-use crate::frame::ROUGH_ONLY;
-use crate::{Elastic, Error, Frame, Grading, Load, Problem, Profile, Roughness, Scaling, Vertical};
-
-impl Frame {
-    /// The same with another rough layer.
-    ///
-    /// # Errors
-    /// [`Error::InvalidValue`] for a roughness out of range, and for a dimensionless problem, whose scale it is.
-    pub fn with_roughness(&self, roughness: Roughness) -> Result<Self, Error> {
-        let Self::Physical { foundation, grading, layering, body, geometry, scaling, .. } = self
-        else {
-            return Err(has_no_material("roughness"));
-        };
-        let is_solved = layering.is_none() || roughness != Roughness::Smooth;
-        require(is_solved, "roughness", 0.0, ROUGH_ONLY)?;
-        let moduli = [scaling.pressure(), scaling.contact_modulus()];
-        let (half_width, geometry) = (scaling.half_width(), *geometry);
-        let scaling =
-            Scaling::with_response(response(scaling), moduli, roughness, half_width, geometry)?;
-        let (foundation, grading, layering, body) = (*foundation, *grading, *layering, *body);
-        Ok(Self::Physical { foundation, grading, layering, body, roughness, geometry, scaling })
-    }
-
-    /// The same with another Young's modulus of the foundation (Pa).
-    ///
-    /// # Errors
-    /// [`Error::InvalidValue`] unless the modulus is finite and positive, and for a dimensionless problem.
-    pub fn with_young_modulus(&self, modulus: f64) -> Result<Self, Error> {
-        let Self::Physical { foundation, grading, layering, body, roughness, geometry, scaling } =
-            self
-        else {
-            return Err(has_no_material("young_modulus"));
-        };
-        let material = Elastic::new(modulus, foundation.poisson_ratio())?;
-        let (half_width, roughness, geometry) = (scaling.half_width(), *roughness, *geometry);
-        let factor = modulus / foundation.young_modulus();
-        let scaling = if body.is_some() {
-            let body = body.as_ref();
-            Scaling::in_geometry(&material, roughness, half_width, body, geometry)?
-        } else {
-            let moduli = [scaling.pressure(), scaling.contact_modulus()].map(|e| e * factor);
-            let response = response(scaling) / factor;
-            Scaling::with_response(response, moduli, roughness, half_width, geometry)?
-        };
-        let stiffened = |known: Grading| Grading::new(known.exponent(), known.modulus() * factor);
-        let grading = grading.map(stiffened).transpose()?;
-        Ok(Self::Physical {
-            foundation: material,
-            grading,
-            layering: layering.map(|known| known.on(material)).transpose()?,
-            body: *body,
-            roughness,
-            geometry,
-            scaling,
-        })
-    }
-
-    /// The same dimensionless problem at another `theta0`.
-    ///
-    /// # Errors
-    /// [`Error::InvalidValue`] unless `theta0` is finite and not negative, and for a physical problem, where it follows.
-    pub fn with_theta0(&self, theta0: f64) -> Result<Self, Error> {
-        let Self::Dimensionless { law, geometry, layering, .. } = self else {
-            let requirement =
-                "left to the problem: it follows from material, roughness and half_width";
-            return Err(Error::InvalidValue { field: "theta0", value: theta0, requirement });
-        };
-        Self::dimensionless(theta0)?;
-        Ok(Self::Dimensionless { theta0, law: *law, geometry: *geometry, layering: *layering })
-    }
-}
+use crate::foundation::{GroundKind, stands_for_all};
+use crate::{
+    Elastic, Error, Foundation, Grading, Load, Problem, Profile, Punch, Roughness, Vertical,
+};
 
 impl Problem {
-    /// The same problem in another frame.
+    /// The same problem on another foundation.
     ///
     /// # Errors
     /// Those of [`Problem::new`].
-    pub fn with_frame(&self, frame: Frame) -> Result<Self, Error> {
-        Self::new(frame, self.profile().clone(), *self.load(), *self.solver())
+    pub fn with_foundation(&self, foundation: Foundation) -> Result<Self, Error> {
+        self.stated(foundation, self.punch().clone(), *self.load())
+    }
+
+    /// The same problem under another punch.
+    ///
+    /// # Errors
+    /// Those of [`Problem::new`].
+    pub fn with_punch(&self, punch: Punch) -> Result<Self, Error> {
+        self.stated(*self.foundation(), punch, *self.load())
     }
 
     /// The same problem under another load.
@@ -87,7 +27,70 @@ impl Problem {
     /// # Errors
     /// Those of [`Problem::new`].
     pub fn with_load(&self, load: Load) -> Result<Self, Error> {
-        Self::new(self.frame().clone(), self.profile().clone(), load, *self.solver())
+        self.stated(*self.foundation(), self.punch().clone(), load)
+    }
+
+    /// The same problem with another base.
+    ///
+    /// # Errors
+    /// Those of [`Problem::new`].
+    pub fn with_profile(&self, profile: Profile) -> Result<Self, Error> {
+        self.with_punch(self.punch().clone().with_profile(profile))
+    }
+
+    /// The same problem with another rough layer: a compliance (m/Pa) or another [`Roughness`].
+    ///
+    /// # Errors
+    /// Those of [`Foundation::with_roughness`] and [`Problem::new`].
+    pub fn with_roughness(&self, roughness: impl Into<Roughness>) -> Result<Self, Error> {
+        self.with_foundation(self.foundation().with_roughness(roughness)?)
+    }
+
+    /// The same problem on a foundation of another Young's modulus (Pa); of a graded one that at the depth `a`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] unless the modulus is finite and positive, and for a dimensionless problem; those of [`Problem::new`].
+    pub fn with_young_modulus(&self, modulus: f64) -> Result<Self, Error> {
+        let known = *self.foundation();
+        let changed = match known.ground() {
+            GroundKind::Homogeneous(material) => {
+                let material = Elastic::new(modulus, material.poisson_ratio())?;
+                let foundation = Foundation::new(material);
+                match known.layering() {
+                    Some(layering) => foundation.with_layering(layering.on(material)?),
+                    None => foundation,
+                }
+            }
+            GroundKind::Graded(grading, poisson_ratio) => {
+                crate::error::positive("young_modulus", modulus)?;
+                let factor = modulus / grading.modulus_at(self.punch().half_width());
+                let grading = Grading::new(grading.exponent(), grading.modulus() * factor)?;
+                Foundation::graded(grading, poisson_ratio)?
+            }
+            GroundKind::Dimensionless(_) => return Err(stands_for_all("young_modulus")),
+        };
+        self.with_foundation(changed.with_roughness(known.roughness())?)
+    }
+
+    /// The same dimensionless problem at another `theta0`.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] unless `theta0` is finite and not negative, and for a physical problem, where it follows.
+    pub fn with_theta0(&self, theta0: f64) -> Result<Self, Error> {
+        if !self.is_dimensionless() {
+            let requirement =
+                "left to the problem: it follows from material, roughness and half_width";
+            return Err(Error::InvalidValue { field: "theta0", value: theta0, requirement });
+        }
+        let foundation = Foundation::dimensionless(theta0)?;
+        let foundation = match self.foundation().roughness() {
+            Roughness::Power { exponent, .. } => foundation.with_exponent(exponent)?,
+            Roughness::Smooth | Roughness::Linear { .. } => foundation,
+        };
+        self.with_foundation(match self.foundation().layering() {
+            Some(layering) => foundation.with_layering(layering),
+            None => foundation,
+        })
     }
 
     /// The same problem under another force, or settlement, that goes with the same moment, eccentricity or tilt.
@@ -98,39 +101,58 @@ impl Problem {
         self.with_load(Load::new(vertical, self.load().rotational)?)
     }
 
-    /// The same problem with another base.
+    /// The same problem under this force, in place of the force or settlement prescribed.
     ///
     /// # Errors
-    /// Those of [`Problem::new`].
-    pub fn with_profile(&self, profile: Profile) -> Result<Self, Error> {
-        Self::new(self.frame().clone(), profile, *self.load(), *self.solver())
+    /// Those of [`Problem::new`]; [`Error::InvalidValue`] for a value that is not finite.
+    pub fn with_force(&self, force: f64) -> Result<Self, Error> {
+        self.with_vertical(Vertical::Force(force))
     }
 
-    /// The same problem with another rough layer.
+    /// The same problem at this settlement, in place of the force or settlement prescribed.
     ///
     /// # Errors
-    /// Those of [`Frame::with_roughness`] and [`Problem::new`].
-    pub fn with_roughness(&self, roughness: impl Into<Roughness>) -> Result<Self, Error> {
-        self.with_frame(self.frame().with_roughness(roughness.into())?)
+    /// Those of [`Problem::new`]; [`Error::InvalidValue`] for a value that is not finite.
+    pub fn with_settlement(&self, settlement: f64) -> Result<Self, Error> {
+        self.with_vertical(Vertical::Settlement(settlement))
     }
 
-    /// The same problem on a foundation of another Young's modulus (Pa).
+    /// The same problem under this moment, in place of the moment, eccentricity or tilt prescribed.
     ///
     /// # Errors
-    /// Those of [`Frame::with_young_modulus`] and [`Problem::new`].
-    pub fn with_young_modulus(&self, modulus: f64) -> Result<Self, Error> {
-        self.with_frame(self.frame().with_young_modulus(modulus)?)
+    /// Those of [`Problem::new`]; [`Error::InvalidValue`] for a value that is not finite.
+    pub fn with_moment(&self, moment: f64) -> Result<Self, Error> {
+        self.with_load(self.load().with_moment(moment)?)
     }
-}
 
-/// What the foundation gives under a unit of pressure, 1/Pa.
-fn response(scaling: &Scaling) -> f64 {
-    scaling.theta0() * scaling.displacement() / (scaling.half_width() * scaling.pressure())
-}
+    /// The same problem at this eccentricity, in place of the moment, eccentricity or tilt prescribed.
+    ///
+    /// # Errors
+    /// Those of [`Problem::new`]; [`Error::InvalidValue`] for a value that is not finite.
+    pub fn with_eccentricity(&self, eccentricity: f64) -> Result<Self, Error> {
+        self.with_load(self.load().with_eccentricity(eccentricity)?)
+    }
 
-fn has_no_material(field: &'static str) -> Error {
-    let requirement = "left out of a dimensionless problem: theta0 stands for all of its material";
-    Error::InvalidValue { field, value: f64::NAN, requirement }
+    /// The same problem at this tilt, in place of the moment, eccentricity or tilt prescribed.
+    ///
+    /// # Errors
+    /// Those of [`Problem::new`]; [`Error::InvalidValue`] for a value that is not finite.
+    pub fn with_tilt(&self, tilt: f64) -> Result<Self, Error> {
+        self.with_load(self.load().with_tilt(tilt)?)
+    }
+
+    /// The same problem with a [tolerance](crate::Solver::tolerance) that must be met.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] unless it is greater than 0 and less than 1.
+    pub fn with_tolerance(&self, tolerance: f64) -> Result<Self, Error> {
+        Ok(self.with_solver(self.solver().with_tolerance(tolerance)?))
+    }
+
+    /// The problem of these parts, solved as this one.
+    fn stated(&self, foundation: Foundation, punch: Punch, load: Load) -> Result<Self, Error> {
+        Ok(Self::new(foundation, punch, load)?.with_solver(*self.solver()))
+    }
 }
 
 #[cfg(test)]
@@ -139,10 +161,12 @@ mod tests {
     use crate::{Rotational, Solver};
 
     fn problem(roughness: impl Into<Roughness>, modulus: f64, body: Option<Elastic>) -> Problem {
-        let foundation = Elastic::new(modulus, 0.3).unwrap();
-        let frame = Frame::physical(foundation, roughness, 5e-3, body).unwrap();
-        let load = Load::new(Vertical::Force(1e6), Rotational::Moment(10.0)).unwrap();
-        Problem::new(frame, Profile::flat(), load, Solver::default()).unwrap()
+        let material = Elastic::new(modulus, 0.3).unwrap();
+        let foundation = Foundation::new(material).with_roughness(roughness).unwrap();
+        let punch = Punch::new(5e-3).unwrap();
+        let punch = body.map_or(punch.clone(), |body| punch.with_body(body));
+        let load = Load::force(1e6).unwrap().with_moment(10.0).unwrap();
+        Problem::new(foundation, punch, load).unwrap()
     }
 
     #[test]
@@ -156,29 +180,35 @@ mod tests {
                 (start.with_roughness(power), problem(power, 70e9, body)),
                 (start.with_young_modulus(90e9), problem(1e-14, 90e9, body)),
             ] {
-                let changed = changed.unwrap();
-                let (one, two) =
-                    (changed.frame().scaling().unwrap(), afresh.frame().scaling().unwrap());
-                for (one, two) in [
-                    (one.theta0(), two.theta0()),
-                    (one.displacement(), two.displacement()),
-                    (one.force(), two.force()),
-                    (one.contact_modulus(), two.contact_modulus()),
-                ] {
-                    assert!((one / two - 1.0).abs() < 1e-15, "{one} {two}");
-                }
-                assert_eq!(changed.load(), afresh.load());
+                assert_eq!(changed.unwrap(), afresh);
             }
+            let load = start.with_settlement(1e-6).unwrap().with_tilt(1e-5).unwrap();
+            let expected = Load::settlement(1e-6).unwrap().with_tilt(1e-5).unwrap();
+            assert_eq!(*load.load(), expected);
+            let bilateral = start.with_solver(Solver::bilateral());
+            let kept = bilateral.with_force(2.0).unwrap().with_eccentricity(0.1).unwrap();
+            assert_eq!(kept.solver(), &Solver::bilateral());
+            assert_eq!(kept.load().rotational(), Rotational::Eccentricity(0.1));
+            assert!(bilateral.with_tolerance(2.0).is_err());
         }
+        let grading = Grading::new(0.3, 1e9).unwrap();
+        let ground = Foundation::graded(grading, 0.2).unwrap().with_roughness(1e-12).unwrap();
+        let load = Load::force(1.0).unwrap();
+        let graded = Problem::new(ground, Punch::new(1.0).unwrap(), load).unwrap();
+        let doubled = graded.with_young_modulus(2e9).unwrap();
+        assert_eq!(doubled.foundation().grading(), Some(Grading::new(0.3, 2e9).unwrap()));
+        assert_eq!(doubled.theta0(), graded.theta0() / 2.0);
     }
 
     #[test]
     fn a_dimensionless_problem_has_no_material() {
-        let bare = Frame::dimensionless(3.0).unwrap();
+        let (unit, load) = (Punch::new(1.0).unwrap(), Load::force(1.0).unwrap());
+        let bare = Problem::new(Foundation::dimensionless(3.0).unwrap(), unit, load).unwrap();
         assert!(bare.with_roughness(Roughness::Smooth).is_err());
         assert!(bare.with_young_modulus(1.0).is_err());
         assert_eq!(bare.with_theta0(4.0).unwrap().theta0(), 4.0);
         assert!(bare.with_theta0(-1.0).is_err());
-        assert!(problem(1e-14, 70e9, None).frame().with_theta0(1.0).is_err());
+        assert!(problem(1e-14, 70e9, None).with_theta0(1.0).is_err());
+        assert!(bare.with_punch(Punch::new(2.0).unwrap()).is_err());
     }
 }

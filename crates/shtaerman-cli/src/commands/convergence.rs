@@ -32,8 +32,8 @@ pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
     let text = match arguments.output.format {
         ReportFormat::Table => table(problem, &study),
         ReportFormat::Json => report::json(&json!({
-            "schema": "shtaerman-convergence/1",
-            "theta0": problem.frame().theta0(),
+            "schema": "shtaerman-convergence/2",
+            "theta0": problem.theta0(),
             "quantities": study.quantities,
             "expected_orders": study.quantities.iter().map(|quantity| quantity.expected_order()).collect::<Vec<_>>(),
             "rows": study.rows,
@@ -53,17 +53,17 @@ fn name(quantity: Quantity) -> &'static str {
         Quantity::Settlement => "settlement",
         Quantity::Force => "force",
         Quantity::PressureRight => "pressure at right edge",
-        Quantity::PressureMid => "pressure in the middle",
+        Quantity::PressureMiddle => "pressure in the middle",
         Quantity::PressureRightIterated => "right edge, iterated",
     }
 }
 
 fn unit(quantity: Quantity, problem: &Problem) -> &'static str {
     match quantity {
-        _ if problem.frame().scaling().is_none() => "",
+        _ if problem.is_dimensionless() => "",
         Quantity::Settlement => " [m]",
         Quantity::Force => " [N/m]",
-        Quantity::PressureRight | Quantity::PressureMid | Quantity::PressureRightIterated => {
+        Quantity::PressureRight | Quantity::PressureMiddle | Quantity::PressureRightIterated => {
             " [Pa]"
         }
     }
@@ -93,7 +93,7 @@ fn table(problem: &Problem, study: &Convergence) -> String {
         .collect();
     format!(
         "Degenerate kernel of degree n at theta0 = {}: difference from the row above, and its order in 1/n\n{table}Orders of the theory: {}.\n",
-        report::significant(problem.frame().theta0(), 8),
+        report::significant(problem.theta0(), 8),
         expected.join(", ")
     )
 }
@@ -125,7 +125,7 @@ fn plot(problem: &Problem, study: &Convergence) -> ConvergencePlot {
     });
     ConvergencePlot {
         title: "Convergence of the degenerate kernel".to_owned(),
-        notes: vec![format!("theta0 = {}", report::significant(problem.frame().theta0(), 6))],
+        notes: vec![format!("theta0 = {}", report::significant(problem.theta0(), 6))],
         series: series.collect(),
         count_label: "n, highest Chebyshev degree".to_owned(),
         difference_label: "relative difference from n/2".to_owned(),

@@ -159,7 +159,7 @@ fn number(
     text: &str,
     dimension: Dimension,
 ) -> Result<f64, Failure> {
-    let physical = file.problem().frame().scaling().is_some();
+    let physical = !file.problem().is_dimensionless();
     places::quantity(option, text, if physical { dimension } else { Dimension::NONE })
 }
 

@@ -68,7 +68,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         Some(check) if !check.agrees => Err(Failure::Check(format!(
             "the reference, {}, differs by more than it and the answer state: pressure {:.1e}, settlement {:.1e}, tilt {:.1e}, force {:.1e}, moment {:.1e}, without dimensions",
             check.method.replace('_', " "),
-            check.pressure_sup,
+            check.pressure,
             check.settlement,
             check.tilt,
             check.force,
@@ -96,7 +96,7 @@ enum Sensitivities {
 
 impl Extras {
     fn new(arguments: &SolveArguments, problem: &Problem) -> Result<Self, Failure> {
-        let physical = problem.frame().scaling().is_some();
+        let physical = !problem.is_dimensionless();
         let dimension = if physical { Dimension::LENGTH } else { Dimension::NONE };
         let mut data = Vec::new();
         if let Some(text) = &arguments.datum_distance {
@@ -140,9 +140,8 @@ fn extended(answer: Answer, contact: &Contact, extras: &Extras) -> Result<Answer
 
 /// The places of `--at`: lengths, or bare numbers for a dimensionless problem.
 fn parse_places(text: &str, problem: &Problem) -> Result<Vec<f64>, Failure> {
-    let dimension =
-        if problem.frame().scaling().is_some() { Dimension::LENGTH } else { Dimension::NONE };
-    let half_width = problem.frame().half_width();
+    let dimension = if problem.is_dimensionless() { Dimension::NONE } else { Dimension::LENGTH };
+    let half_width = problem.punch().half_width();
     places::parse(text, dimension, &|place| {
         if place.abs() <= half_width {
             return Ok(place);
@@ -159,10 +158,10 @@ fn parse_places(text: &str, problem: &Problem) -> Result<Vec<f64>, Failure> {
 }
 
 fn plot(contact: &Contact) -> Result<ContactPlot, Failure> {
-    let half_width = contact.problem().frame().half_width();
-    let physical = contact.problem().frame().scaling().is_some();
+    let half_width = contact.problem().punch().half_width();
+    let physical = !contact.problem().is_dimensionless();
     let curve = PressureCurve::along(contact, PLOT_POINTS)?;
-    let places = curve.places();
+    let places = &curve.x;
     let base: Vec<f64> = places.iter().map(|&x| contact.base_depth(x)).collect();
     let beside = (1..=80).map(|i| half_width * (1.0 + PLOT_MARGIN * (f64::from(i) / 80.0).powi(2)));
     let mut surface: Vec<(f64, f64)> = beside
@@ -186,7 +185,7 @@ fn plot(contact: &Contact) -> Result<ContactPlot, Failure> {
     let (length, position_label) =
         unit(&mut std::iter::once(half_width), Dimension::LENGTH, "x", "ξ = x/a");
     let (stress, pressure_label) = unit(
-        &mut curve.pressures().iter().copied(),
+        &mut curve.pressure.iter().copied(),
         Dimension::PRESSURE,
         "pressure p",
         "pressure p₀ = p/E",
@@ -197,7 +196,7 @@ fn plot(contact: &Contact) -> Result<ContactPlot, Failure> {
         title: "Contact of a rigid punch with a rough elastic body".to_owned(),
         notes: notes(contact),
         position: places.iter().map(|x| x * length).collect(),
-        pressure: curve.pressures().iter().map(|p| p * stress).collect(),
+        pressure: curve.pressure.iter().map(|p| p * stress).collect(),
         pressure_band: band(contact, &curve, stress),
         punch_base: base.iter().map(|u| u * depth).collect(),
         body_surface: surface.iter().map(|(x, u)| (x * length, u * depth)).collect(),
@@ -213,22 +212,20 @@ const VISIBLE: f64 = 1e-3;
 
 /// The pressure less and plus its error, where that can be seen.
 fn band(contact: &Contact, curve: &PressureCurve, factor: f64) -> Option<(Vec<f64>, Vec<f64>)> {
-    let scale = contact.problem().frame().scaling().map_or(1.0, shtaerman::Scaling::pressure);
-    let error = contact.accuracy()?.pressure * scale;
-    let largest = curve.pressures().iter().fold(0.0f64, |most, p| most.max(p.abs()));
-    let shifted = |by: f64| curve.pressures().iter().map(|p| (p + by) * factor).collect();
+    let error = contact.error()?.pressure;
+    let largest = curve.pressure.iter().fold(0.0f64, |most, p| most.max(p.abs()));
+    let shifted = |by: f64| curve.pressure.iter().map(|p| (p + by) * factor).collect();
     (error > VISIBLE * largest).then(|| (shifted(-error), shifted(error)))
 }
 
 /// The zones of contact, where they are not the full base.
 fn lifted(contact: &Contact) -> Vec<[f64; 2]> {
-    let pieces = contact.problem().frame().pieces();
-    if contact.edges0() == pieces { Vec::new() } else { contact.edges() }
+    let pieces = contact.problem().punch().pieces();
+    if contact.dimensionless().zones() == pieces { Vec::new() } else { contact.zones() }
 }
 
 fn notes(contact: &Contact) -> Vec<String> {
-    let frame = contact.problem().frame();
-    let surface = match frame.law() {
+    let surface = match contact.problem().foundation().law() {
         Law::Smooth => "smooth surface".to_owned(),
         Law::Linear | Law::Power(_) => {
             format!("θ₀ = {}", report::significant(contact.theta0(), 5))
@@ -238,7 +235,7 @@ fn notes(contact: &Contact) -> Vec<String> {
         "{surface}, {} method with n = {}; {}",
         contact.method().name,
         contact.method().n,
-        contact.problem().solver().contact.name()
+        contact.problem().solver().contact().name()
     )];
     if !contact.tension().is_empty() {
         notes.push(

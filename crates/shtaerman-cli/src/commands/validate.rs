@@ -22,12 +22,12 @@ pub(super) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
 }
 
 fn problem(problem: &Problem) -> String {
-    let kind = if problem.frame().scaling().is_some() { "physical" } else { "dimensionless" };
-    let degree = problem.solver().degree.map_or(String::new(), |n| format!(", n = {n}"));
-    let surface = match problem.frame().law() {
+    let kind = if problem.is_dimensionless() { "dimensionless" } else { "physical" };
+    let degree = problem.solver().degree().map_or(String::new(), |n| format!(", n = {n}"));
+    let surface = match problem.foundation().law() {
         Law::Smooth => "smooth surface".to_owned(),
         Law::Linear | Law::Power(_) => {
-            format!("theta0 = {}", significant(problem.frame().theta0(), 8))
+            format!("theta0 = {}", significant(problem.theta0(), 8))
         }
     };
     format!("{kind} problem, {surface}{degree}")

@@ -4,7 +4,8 @@ use std::fmt::Write;
 
 use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
 use shtaerman::{
-    Answer, Contact, CrossCheck, Dimensionless, ErrorReport, Geometry, Physical, PressureCurve,
+    Answer, Contact, CrossCheck, ErrorReport, Geometry, PhysicalOnly, PressureCurve, Quantities,
+    Rotational, Vertical,
 };
 
 use super::{Table, significant};
@@ -22,7 +23,7 @@ pub(crate) fn answer_table(
     with_places: bool,
 ) -> String {
     let surface = match &answer.dimensionless {
-        Some(dimensionless) => format!("theta0 = {}", significant(dimensionless.theta0, DIGITS)),
+        Some(_) => format!("theta0 = {}", significant(contact.theta0(), DIGITS)),
         None => "smooth surface".to_owned(),
     };
     let mut text = format!(
@@ -30,9 +31,11 @@ pub(crate) fn answer_table(
         answer.contact, answer.method.name, answer.method.n
     );
     let table = match (&answer.physical, &answer.dimensionless) {
-        (Some(physical), _) => physical_table(contact, physical),
-        (None, Some(dimensionless)) => dimensionless_table(contact, dimensionless),
-        (None, None) => Table::new(&[""; 3]),
+        (Some(quantities @ Quantities { physical: Some(physical), .. }), _) => {
+            physical_table(contact, quantities, physical)
+        }
+        (_, Some(dimensionless)) => dimensionless_table(contact, dimensionless),
+        (_, None) => Table::new(&[""; 3]),
     };
     text.push_str(&table.to_string());
     let _ = writeln!(text, "\nmethod: {}", answer.method.reason);
@@ -56,7 +59,8 @@ pub(crate) fn answer_table(
     text.push_str(&super::extras(answer));
     if with_places {
         text.push('\n');
-        text.push_str(&places(&answer.pressure).to_string());
+        let physical = answer.physical.is_some();
+        text.push_str(&places(&answer.pressure, physical).to_string());
     }
     if !answer.warnings.is_empty() {
         text.push('\n');
@@ -77,14 +81,18 @@ fn error_line(contact: &Contact, error: &ErrorReport) -> String {
         if physical { engineering_with_digits(value, unit, 2) } else { significant(value, 2) }
     };
     let mut parts =
-        vec![format!("pressure {}", shown(errors.pressure_sup, Dimension::PRESSURE.into()))];
+        vec![format!("pressure {}", shown(errors.pressure, Dimension::PRESSURE.into()))];
+    let load = contact.problem().load();
+    let by_force = matches!(load.vertical(), Vertical::Force(_));
+    let by_tilt = matches!(load.rotational(), Rotational::Tilt(_));
+    let by_moment = matches!(load.rotational(), Rotational::Moment(_));
     let unknowns: [(&str, Option<f64>, DisplayUnit); 6] = [
-        ("largest pressure", errors.pressure_max, Dimension::PRESSURE.into()),
-        ("settlement", errors.settlement, Dimension::LENGTH.into()),
-        ("tilt", errors.tilt, DisplayUnit::angle()),
-        ("force", errors.force, units.force),
-        ("moment", errors.moment, units.moment),
-        ("edges", errors.edges, Dimension::LENGTH.into()),
+        ("largest pressure", errors.peak_pressure, Dimension::PRESSURE.into()),
+        ("settlement", by_force.then_some(errors.settlement), Dimension::LENGTH.into()),
+        ("tilt", (!by_tilt).then_some(errors.tilt), DisplayUnit::angle()),
+        ("force", (!by_force).then_some(errors.force), units.force),
+        ("moment", (!by_moment).then_some(errors.moment), units.moment),
+        ("edges", errors.zones, Dimension::LENGTH.into()),
     ];
     for (name, value, unit) in unknowns {
         parts.extend(value.map(|value| format!("{name} {}", shown(value, unit))));
@@ -96,7 +104,7 @@ fn error_line(contact: &Contact, error: &ErrorReport) -> String {
 fn cross_check_line(check: &CrossCheck) -> String {
     let own = &check.reference_error;
     let parts = [
-        ("pressure", check.pressure_sup, own.pressure_sup),
+        ("pressure", check.pressure, own.pressure),
         ("settlement", check.settlement, own.settlement),
         ("tilt", check.tilt, own.tilt),
         ("force", check.force, own.force),
@@ -118,37 +126,36 @@ fn cross_check_line(check: &CrossCheck) -> String {
     text
 }
 
-fn physical_table(contact: &Contact, physical: &Physical) -> Table {
+fn physical_table(contact: &Contact, found: &Quantities, physical: &PhysicalOnly) -> Table {
     let length = |value| engineering(value, Dimension::LENGTH);
     let pressure = |value| engineering(value, Dimension::PRESSURE);
-    let elastic_punch =
-        matches!(contact.problem().frame(), shtaerman::Frame::Physical { body: Some(_), .. });
+    let elastic_punch = contact.problem().punch().body().is_some();
     let modulus =
         if elastic_punch { "composite of both bodies" } else { "E/(1-nu^2), rigid punch" };
-    let [[k11, k12], [_, k22]] = physical.stiffness;
+    let [[k11, k12], [_, k22]] = found.stiffness;
     let mut table = Table::new(&["", "", ""]);
     let mut row = |name: &str, value: String, note: &str| {
         table.row(vec![name.to_owned(), value, note.to_owned()]);
     };
     let units = LoadUnits::of(contact);
-    row("settlement", length(physical.settlement), &format!("gauge: {}", physical.gauge));
+    row("settlement", length(found.settlement), &format!("gauge: {}", physical.gauge));
     row(
         "tilt",
-        engineering(physical.tilt, DisplayUnit::angle()),
+        engineering(found.tilt, DisplayUnit::angle()),
         "a positive moment gives a negative tilt",
     );
-    row("force", engineering(physical.force, units.force.clone()), units.force_note);
-    row("moment", engineering(physical.moment, units.moment.clone()), units.moment_note);
-    row("pressure, left edge", pressure(physical.pressure_left), "");
-    row("pressure, centre", pressure(physical.pressure_mid), "");
-    row("pressure, right edge", pressure(physical.pressure_right), "");
-    row("pressure, mean", pressure(physical.pressure_mean), "over the base");
+    row("force", engineering(found.force, units.force.clone()), units.force_note);
+    row("moment", engineering(found.moment, units.moment.clone()), units.moment_note);
+    row("pressure, left edge", pressure(found.pressure_left), "");
+    row("pressure, centre", pressure(found.pressure_middle), "");
+    row("pressure, right edge", pressure(found.pressure_right), "");
+    row("pressure, mean", pressure(found.mean_pressure), "over the base");
     row(
         "pressure, largest",
-        pressure(physical.pressure_max),
-        &format!("at x = {}", length(physical.pressure_max_at)),
+        pressure(found.peak_pressure),
+        &format!("at x = {}", length(found.peak_pressure_at)),
     );
-    for (name, value, note) in zones(&physical.edges, contact, &length) {
+    for (name, value, note) in zones(&found.zones, contact, &length) {
         row(&name, value, &note);
     }
     let pairs = |values: &[[f64; 2]], unit: DisplayUnit| -> String {
@@ -157,7 +164,7 @@ fn physical_table(contact: &Contact, physical: &Physical) -> Table {
         values.iter().take(MOST_ZONES).map(of_zone).collect::<Vec<_>>().join("; ")
     };
     if let Some(intensities) = &physical.corner_intensity {
-        let unit = contact.problem().frame().corner_unit();
+        let unit = contact.problem().foundation().corner_unit();
         row("corner intensity", pairs(intensities, unit), "left, right; 0 at free edges");
     }
     if let Some(implied) = &physical.implied_edge_pressure {
@@ -183,8 +190,8 @@ struct LoadUnits {
 
 impl LoadUnits {
     fn of(contact: &Contact) -> Self {
-        let frame = contact.problem().frame();
-        if frame.is_circular() {
+        let problem = contact.problem();
+        if problem.is_circular() {
             return Self {
                 force: DisplayUnit::prefixed("N"),
                 moment: Dimension::MOMENT.into(),
@@ -194,7 +201,7 @@ impl LoadUnits {
                 turning_note: "per rad",
             };
         }
-        let row = matches!(frame.geometry(), Geometry::Periodic { .. });
+        let row = matches!(problem.punch().geometry(), Geometry::Periodic { .. });
         Self {
             force: Dimension::FORCE_PER_LENGTH.into(),
             moment: DisplayUnit::prefixed("N"),
@@ -211,55 +218,55 @@ const MOST_ZONES: usize = 12;
 
 /// The zones of contact, as rows of a table.
 fn zones(
-    edges: &[[f64; 2]],
+    zones: &[[f64; 2]],
     contact: &Contact,
     shown: &dyn Fn(f64) -> String,
 ) -> Vec<(String, String, String)> {
-    let half_width = contact.problem().frame().half_width();
+    let half_width = contact.problem().punch().half_width();
     let beside = |[left, right]: [f64; 2]| match (left > -half_width, right < half_width) {
         (false, false) => "the full base",
         (true, false) => "lifted on the left",
         (false, true) => "lifted on the right",
         (true, true) => "lifted on both sides",
     };
-    if let [zone] = edges {
+    if let [zone] = zones {
         let note = format!("{}, width {}", beside(*zone), shown(contact.contact_width()));
         let value = format!("{} to {}", shown(zone[0]), shown(zone[1]));
         return vec![("contact".to_owned(), value, note)];
     }
-    let total = format!("{} zones, width {}", edges.len(), shown(contact.contact_width()));
+    let total = format!("{} zones, width {}", zones.len(), shown(contact.contact_width()));
     let mut rows = vec![("contact".to_owned(), total, String::new())];
-    for (number, [left, right]) in edges.iter().take(MOST_ZONES).enumerate() {
+    for (number, [left, right]) in zones.iter().take(MOST_ZONES).enumerate() {
         let value = format!("{} to {}", shown(*left), shown(*right));
         rows.push((format!("zone {}", number + 1), value, String::new()));
     }
-    if edges.len() > MOST_ZONES {
-        let more = format!("{} more", edges.len() - MOST_ZONES);
+    if zones.len() > MOST_ZONES {
+        let more = format!("{} more", zones.len() - MOST_ZONES);
         rows.push((String::new(), more, "all of them with --format json".to_owned()));
     }
     rows
 }
 
-fn dimensionless_table(contact: &Contact, d: &Dimensionless) -> Table {
+fn dimensionless_table(contact: &Contact, d: &Quantities) -> Table {
     let [[k11, k12], [_, k22]] = d.stiffness;
     let mut table = Table::new(&["", "", ""]);
     let mut row = |name: &str, value: String, note: &str| {
         table.row(vec![name.to_owned(), value, note.to_owned()]);
     };
     let shown = |value: f64| significant(value, 10);
-    let gauge = contact.problem().frame().gauge();
-    row("settlement delta0", shown(d.delta0), &format!("delta/(chi E), gauge: {gauge}"));
-    row("tilt alpha0", shown(d.alpha0), "a alpha/(chi E); a positive moment gives a negative tilt");
-    let circular = contact.problem().frame().is_circular();
-    row("force P0", shown(d.P0), if circular { "P/(a^2 E)" } else { "P/(a E)" });
-    row("moment M0", shown(d.M0), if circular { "M/(a^3 E)" } else { "M/(a^2 E)" });
-    row("pressure, left edge", shown(d.p0_left), "p/E");
-    row("pressure, centre", shown(d.p0_mid), "");
-    row("pressure, right edge", shown(d.p0_right), "");
-    row("pressure, mean", shown(d.p0_mean), "over the base");
-    let place = format!("at xi = {}", significant(d.p0_max_at, DIGITS));
-    row("pressure, largest", shown(d.p0_max), &place);
-    for (name, value, note) in zones(&d.edges, contact, &shown) {
+    let gauge = contact.problem().gauge();
+    row("settlement delta0", shown(d.settlement), &format!("delta/(chi E), gauge: {gauge}"));
+    row("tilt alpha0", shown(d.tilt), "a alpha/(chi E); a positive moment gives a negative tilt");
+    let circular = contact.problem().is_circular();
+    row("force P0", shown(d.force), if circular { "P/(a^2 E)" } else { "P/(a E)" });
+    row("moment M0", shown(d.moment), if circular { "M/(a^3 E)" } else { "M/(a^2 E)" });
+    row("pressure, left edge", shown(d.pressure_left), "p/E");
+    row("pressure, centre", shown(d.pressure_middle), "");
+    row("pressure, right edge", shown(d.pressure_right), "");
+    row("pressure, mean", shown(d.mean_pressure), "over the base");
+    let place = format!("at xi = {}", significant(d.peak_pressure_at, DIGITS));
+    row("pressure, largest", shown(d.peak_pressure), &place);
+    for (name, value, note) in zones(&d.zones, contact, &shown) {
         row(&name, value, &note);
     }
     row("stiffness dP0/d(delta0)", shown(k11), "");
@@ -268,29 +275,19 @@ fn dimensionless_table(contact: &Contact, d: &Dimensionless) -> Table {
     table
 }
 
-fn places(curve: &PressureCurve) -> Table {
-    match curve {
-        PressureCurve::Physical { x, p } => {
-            let mut table = Table::new(&["x", "pressure"]);
-            for (x, p) in x.iter().zip(p) {
-                table.row(vec![
-                    engineering(*x, Dimension::LENGTH),
-                    engineering(*p, Dimension::PRESSURE),
-                ]);
-            }
-            table
-        }
-        PressureCurve::Dimensionless { xi, p0 } => {
-            let mut table = Table::new(&["xi", "p0"]);
-            for (xi, p0) in xi.iter().zip(p0) {
-                table.row(vec![significant(*xi, 12), significant(*p0, 12)]);
-            }
-            table
-        }
+fn places(curve: &PressureCurve, is_physical: bool) -> Table {
+    let mut table = Table::new(if is_physical { &["x", "pressure"] } else { &["xi", "p0"] });
+    for (x, p) in curve.x.iter().zip(&curve.pressure) {
+        table.row(if is_physical {
+            vec![engineering(*x, Dimension::LENGTH), engineering(*p, Dimension::PRESSURE)]
+        } else {
+            vec![significant(*x, 12), significant(*p, 12)]
+        });
     }
+    table
 }
 
-/// The pressure curve as CSV: `x,p` in SI units, or `xi,p0`; the surface in its place where that was asked for.
+/// The pressure curve as CSV: `x,pressure`, in SI units or without dimensions as the problem is; the surface in its place where that was asked for.
 ///
 /// # Errors
 /// [`Failure::Usage`] should writing to memory fail.
@@ -298,10 +295,6 @@ pub(crate) fn answer_csv(answer: &Answer) -> Result<String, Failure> {
     if let Some(surface) = &answer.surface {
         return super::surface_csv(surface);
     }
-    let header = match answer.pressure {
-        PressureCurve::Physical { .. } => ["x", "p"],
-        PressureCurve::Dimensionless { .. } => ["xi", "p0"],
-    };
-    let pairs = answer.pressure.places().iter().zip(answer.pressure.pressures());
-    super::csv(&header, pairs.map(|(x, p)| vec![x.to_string(), p.to_string()]))
+    let pairs = answer.pressure.x.iter().zip(&answer.pressure.pressure);
+    super::csv(&["x", "pressure"], pairs.map(|(x, p)| vec![x.to_string(), p.to_string()]))
 }

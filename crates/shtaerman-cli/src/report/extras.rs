@@ -51,12 +51,12 @@ fn sensitivity_table(sensitivities: &Sensitivities) -> Table {
         ["d of", "by roughness", "by Young's modulus", "by theta0", "by force", "by settlement"];
     let columns: [fn(&Derivatives) -> Option<f64>; 5] =
         [|d| d.roughness, |d| d.young_modulus, |d| d.theta0, |d| d.force, |d| d.settlement];
-    let Sensitivities { settlement, force, tilt, pressure_max, contact_width, .. } = sensitivities;
+    let Sensitivities { settlement, force, tilt, peak_pressure, contact_width, .. } = sensitivities;
     let rows = [
         ("settlement", settlement.as_ref()),
         ("force", force.as_ref()),
         ("tilt", tilt.as_ref()),
-        ("largest pressure", pressure_max.as_ref()),
+        ("largest pressure", peak_pressure.as_ref()),
         ("contact width", Some(contact_width)),
     ];
     let used: Vec<usize> =
@@ -74,22 +74,15 @@ fn sensitivity_table(sensitivities: &Sensitivities) -> Table {
     table
 }
 
-/// The surface as CSV: `x,p,displacement,gap` in SI units, or `xi,p0,displacement0,gap0`; no gap beside the punch.
+/// The surface as CSV: `x,pressure,displacement,gap`, in SI units or without dimensions as the problem is; no gap beside the punch.
 ///
 /// # Errors
 /// [`Failure::Usage`] should writing to memory fail.
 pub(crate) fn surface_csv(surface: &SurfaceCurve) -> Result<String, Failure> {
-    let (header, x, p, displacement, gap) = match surface {
-        SurfaceCurve::Physical { x, p, displacement, gap } => {
-            (["x", "p", "displacement", "gap"], x, p, displacement, gap)
-        }
-        SurfaceCurve::Dimensionless { xi, p0, displacement0, gap0 } => {
-            (["xi", "p0", "displacement0", "gap0"], xi, p0, displacement0, gap0)
-        }
-    };
+    let SurfaceCurve { x, pressure, displacement, gap } = surface;
     let rows = (0..x.len()).map(|i| {
         let gap = gap[i].map_or(String::new(), |gap| gap.to_string());
-        vec![x[i].to_string(), p[i].to_string(), displacement[i].to_string(), gap]
+        vec![x[i].to_string(), pressure[i].to_string(), displacement[i].to_string(), gap]
     });
-    super::csv(&header, rows)
+    super::csv(&["x", "pressure", "displacement", "gap"], rows)
 }

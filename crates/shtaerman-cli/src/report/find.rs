@@ -13,7 +13,7 @@ use super::{Table, significant};
 use crate::Failure;
 
 /// Version of the layout; `schema/find.schema.json` describes it.
-const SCHEMA: &str = "shtaerman-find/1";
+const SCHEMA: &str = "shtaerman-find/2";
 /// Significant digits of the value found, in tables.
 const DIGITS: usize = 10;
 
@@ -26,10 +26,7 @@ struct Shown {
 
 impl Shown {
     fn of(problem: &Problem) -> Self {
-        Self {
-            is_physical: problem.frame().scaling().is_some(),
-            is_circular: problem.frame().is_circular(),
-        }
+        Self { is_physical: !problem.is_dimensionless(), is_circular: problem.is_circular() }
     }
 
     fn units(self) -> &'static str {
@@ -82,10 +79,10 @@ struct Summary {
     tilt: f64,
     force: f64,
     moment: f64,
-    pressure_max: f64,
-    pressure_max_at: f64,
+    peak_pressure: f64,
+    peak_pressure_at: f64,
     contact_width: f64,
-    edges: Vec<[f64; 2]>,
+    zones: Vec<[f64; 2]>,
     error: Option<SummaryError>,
 }
 
@@ -93,7 +90,7 @@ struct Summary {
 #[derive(Debug, Serialize)]
 struct SummaryError {
     kind: &'static str,
-    pressure_sup: f64,
+    pressure: f64,
     settlement: f64,
     tilt: f64,
     force: f64,
@@ -102,32 +99,29 @@ struct SummaryError {
 
 impl SummaryError {
     fn new(contact: &Contact) -> Option<Self> {
-        let accuracy = contact.accuracy()?;
-        let scale =
-            |unit: fn(&Scaling) -> f64| contact.problem().frame().scaling().map_or(1.0, unit);
+        let error = contact.error()?;
         Some(Self {
-            kind: accuracy.kind.name(),
-            pressure_sup: accuracy.pressure * scale(Scaling::pressure),
-            settlement: accuracy.settlement * scale(Scaling::displacement),
-            tilt: accuracy.tilt * scale(Scaling::angle),
-            force: accuracy.force * scale(Scaling::force),
-            moment: accuracy.moment * scale(Scaling::moment),
+            kind: error.kind.name(),
+            pressure: error.pressure,
+            settlement: error.settlement,
+            tilt: error.tilt,
+            force: error.force,
+            moment: error.moment,
         })
     }
 }
 
 impl Summary {
     fn new(contact: &Contact) -> Self {
-        let (pressure_max, pressure_max_at) = contact.peak_pressure();
         Self {
             settlement: contact.settlement(),
             tilt: contact.tilt(),
             force: contact.force(),
             moment: contact.moment(),
-            pressure_max,
-            pressure_max_at,
+            peak_pressure: contact.peak_pressure(),
+            peak_pressure_at: contact.peak_pressure_at(),
             contact_width: contact.contact_width(),
-            edges: contact.edges(),
+            zones: contact.zones(),
             error: SummaryError::new(contact),
         }
     }
@@ -141,16 +135,16 @@ impl Summary {
         row("tilt", shown.value(self.tilt, DisplayUnit::angle()), String::new());
         row("force", shown.value(self.force, shown.force()), String::new());
         row("moment", shown.value(self.moment, shown.moment()), String::new());
-        let place = format!("at {}", length(self.pressure_max_at));
-        row("pressure, largest", shown.value(self.pressure_max, Dimension::PRESSURE), place);
-        let zones = match self.edges.len() {
-            1 => format!("{} to {}", length(self.edges[0][0]), length(self.edges[0][1])),
+        let place = format!("at {}", length(self.peak_pressure_at));
+        row("pressure, largest", shown.value(self.peak_pressure, Dimension::PRESSURE), place);
+        let zones = match self.zones.len() {
+            1 => format!("{} to {}", length(self.zones[0][0]), length(self.zones[0][1])),
             count => format!("{count} zones"),
         };
         row("contact width", length(self.contact_width), zones);
         if let Some(error) = &self.error {
             let name = format!("error ({})", error.kind);
-            let value = shown.few_digits(error.pressure_sup, Dimension::PRESSURE);
+            let value = shown.few_digits(error.pressure, Dimension::PRESSURE);
             row(&name, value, "of the pressure, at most".to_owned());
         }
     }
@@ -202,7 +196,7 @@ impl FoundReport {
     pub(crate) fn force(problem: &Problem, found: &Found) -> Self {
         let shown = Shown::of(problem);
         let mut set = BTreeMap::from([(key(shown, "load", "force"), written(found.value))]);
-        let kept = match problem.load().rotational {
+        let kept = match problem.load().rotational() {
             Rotational::Tilt(_) => "tilt",
             Rotational::Moment(moment) if moment != 0.0 => {
                 set.insert(key(shown, "load", "moment"), written(found.contact.moment()));
@@ -216,7 +210,7 @@ impl FoundReport {
     /// Of the roughness.
     pub(crate) fn roughness(problem: &Problem, found: &Found) -> Self {
         let shown = Shown::of(problem);
-        let value = match found.contact.problem().frame().scaling().map(Scaling::roughness) {
+        let value = match found.contact.problem().scaling().map(Scaling::roughness) {
             Some(Roughness::Power { coefficient, exponent }) => {
                 serde_json::json!({ "coefficient": coefficient, "exponent": exponent })
             }
@@ -268,7 +262,7 @@ impl FoundReport {
         );
         let mut table = Table::new(&["", "", ""]);
         if self.unknown == "roughness" {
-            let (value, note) = match problem.frame().scaling().map(Scaling::roughness) {
+            let (value, note) = match problem.scaling().map(Scaling::roughness) {
                 Some(Roughness::Power { exponent, .. }) => (
                     significant(self.value, DIGITS),
                     format!("coefficient B of B p^{exponent}, m/Pa^{exponent}"),
@@ -277,7 +271,7 @@ impl FoundReport {
             };
             table.row(vec!["roughness".to_owned(), value, note]);
         }
-        self.contact.rows(shown, problem.frame().gauge(), &mut table);
+        self.contact.rows(shown, problem.gauge(), &mut table);
         text.push_str(&table.to_string());
         let _ = writeln!(
             text,
@@ -379,8 +373,8 @@ impl CrownReport {
             table.row(vec![
                 name.to_owned(),
                 radius,
-                pressure(contact.pressure_max),
-                shown.value(contact.pressure_max_at, Dimension::LENGTH),
+                pressure(contact.peak_pressure),
+                shown.value(contact.peak_pressure_at, Dimension::LENGTH),
                 shown.value(contact.contact_width, Dimension::LENGTH),
             ]);
         }
@@ -400,10 +394,10 @@ impl CrownReport {
         ];
         let rows = rows.into_iter().filter_map(|(name, row)| {
             let row = row?;
-            let peak = row.contact.pressure_max.to_string();
+            let peak = row.contact.peak_pressure.to_string();
             Some(vec![name.to_owned(), optional(row.radius), peak])
         });
-        super::csv(&["crown", "radius", "pressure_max"], rows)
+        super::csv(&["crown", "radius", "peak_pressure"], rows)
     }
 }
 

@@ -11,7 +11,7 @@ use crate::Failure;
 use crate::arguments::StressComponent;
 
 /// Name of this JSON layout and its version.
-const SCHEMA: &str = "shtaerman-stress/1";
+const SCHEMA: &str = "shtaerman-stress/2";
 
 /// What is written of a stress, in this order.
 const COMPONENTS: [(&str, StressComponent); 10] = [
@@ -143,7 +143,7 @@ pub(crate) struct StressReport {
     poisson_ratio: f64,
     force: f64,
     moment: f64,
-    edges: Vec<[f64; 2]>,
+    zones: Vec<[f64; 2]>,
     period: Option<f64>,
     error: f64,
     nodes: usize,
@@ -169,7 +169,7 @@ impl StressReport {
             poisson_ratio: field.poisson_ratio(),
             force,
             moment,
-            edges: field.zones(),
+            zones: field.zones(),
             period: field.period(),
             error: field.error(),
             nodes: field.nodes(),
@@ -236,12 +236,12 @@ pub(crate) fn stress_table(name: &str, report: &StressReport, places: Option<&St
     row("force", force, per.to_owned());
     row("moment", report.shown(report.moment, DisplayUnit::prefixed("N")), String::new());
     let zones: Vec<String> = report
-        .edges
+        .zones
         .iter()
         .take(6)
         .map(|zone| format!("{} to {}", length(zone[0]), length(zone[1])))
         .collect();
-    let more = report.edges.len() - zones.len();
+    let more = report.zones.len() - zones.len();
     let more = if more > 0 { format!("and {more} more zones") } else { String::new() };
     row("contact", zones.join(", "), more);
     for (name, peak) in [

@@ -35,9 +35,10 @@ fn the_pressure_under_a_kink_of_a_smooth_punch_is_infinite() {
     let wedge = Folder::with(&text.replace("x^2 / (2*20)", "1e-3*abs(x)"));
     let json = wedge.run(&["solve", "punch.toml", "--format", "json", "--at", "0,1 um"]).json();
     assert!(
-        json["physical"]["pressure_mid"].is_null() && json["physical"]["pressure_max"].is_null()
+        json["physical"]["pressure_middle"].is_null()
+            && json["physical"]["peak_pressure"].is_null()
     );
-    assert!(json["physical"]["pressure_max_at"].as_f64().unwrap().abs() < 1e-15);
+    assert!(json["physical"]["peak_pressure_at"].as_f64().unwrap().abs() < 1e-15);
     assert!(json["pressure"]["p"][0].is_null());
     assert_eq!(json["warnings"][0]["code"], "singular_kink");
     // p = (E* t/pi) arccosh(c/|x|), P = c E* t
@@ -57,7 +58,7 @@ fn the_pressure_under_a_kink_of_a_smooth_punch_is_infinite() {
         "json",
     ]);
     for json in [round.run(&["solve", "punch.toml", "--format", "json"]).json(), rough.json()] {
-        assert!(json["physical"]["pressure_mid"].as_f64().unwrap() > 0.0, "{json}");
+        assert!(json["physical"]["pressure_middle"].as_f64().unwrap() > 0.0, "{json}");
         let warnings = json["warnings"].as_array().unwrap();
         assert!(warnings.iter().all(|warning| warning["code"] != "singular_kink"));
     }
@@ -72,7 +73,7 @@ fn the_pressure_under_a_kink_of_a_smooth_punch_is_infinite() {
             "punch.profile='x^2/2 + abs(x)^3'",
         ])
         .json();
-    assert!(json["physical"]["sensitivities"]["pressure_max"].is_object(), "{json}");
+    assert!(json["physical"]["sensitivities"]["peak_pressure"].is_object(), "{json}");
     let json =
         wedge.run(&["solve", "punch.toml", "--format", "json", "--set", "load.force=1e-3"]).json();
     assert_eq!(json["warnings"][0]["code"], "singular_kink");
@@ -97,8 +98,8 @@ fn hertz_by_the_command() {
     let json = folder.run(&["solve", "punch.toml", "--format", "json"]).json();
     let modulus = 200e9 / (1.0 - 0.09);
     let half = (4.0 * 0.8e6 * 0.1 / (PI * modulus)).sqrt();
-    near(&json["physical"]["edges"][0][1], half, 1e-12);
-    near(&json["physical"]["pressure_max"], 2.0 * 0.8e6 / (PI * half), 1e-11);
+    near(&json["physical"]["zones"][0][1], half, 1e-12);
+    near(&json["physical"]["peak_pressure"], 2.0 * 0.8e6 / (PI * half), 1e-11);
     near(&json["physical"]["pressure_left"], 0.0, 0.0);
     assert!(json["warnings"].as_array().unwrap().is_empty());
     assert!(json["complementarity"]["penetration"].as_f64().unwrap() < 1e-9);

@@ -76,7 +76,7 @@ fn examples_solve_and_match_their_schemas() {
         let json = folder.run(&["solve", &path, "--format", "json"]).json();
         assert_valid(&answer, &json, &name);
         // Force and moment belong to the pressure curve: trapezoids on 201 points, dense at the edges.
-        let mean = number(&json, "/dimensionless/p0_mean");
+        let mean = number(&json, "/dimensionless/mean_pressure");
         let (inner, is_circular) = (text.contains("inner_half_gap"), text.contains("circular"));
         // Half-gap 300 mm of a half-width of 400 mm.
         let base = if is_circular {
@@ -86,15 +86,14 @@ fn examples_solve_and_match_their_schemas() {
         } else {
             2.0
         };
-        let force = number(&json, "/dimensionless/P0");
+        let force = number(&json, "/dimensionless/force");
         assert!((mean - force / base).abs() <= 1e-15 * mean.abs());
-        let (key, value) = if json["physical"].is_null() { ("xi", "p0") } else { ("x", "p") };
         let list = |key: &str| -> Vec<f64> {
             json["pressure"][key].as_array().unwrap().iter().map(|v| v.as_f64().unwrap()).collect()
         };
-        let (x, p) = (list(key), list(value));
+        let (x, p) = (list("x"), list("pressure"));
         let force =
-            if json["physical"].is_null() { "/dimensionless/P0" } else { "/physical/force" };
+            if json["physical"].is_null() { "/dimensionless/force" } else { "/physical/force" };
         // Of a disk along its diameter: each ring is met twice.
         let ring = |x: f64| if is_circular { std::f64::consts::PI * x.abs() } else { 1.0 };
         let weighed: Vec<f64> = x.iter().zip(&p).map(|(x, p)| ring(*x) * p).collect();

@@ -60,7 +60,7 @@ fn sensitivities_are_given_on_request() {
         let elastic = -200e9 * at("/settlement/young_modulus");
         let load = 0.8e6 * by_force + 100.0 * by_moment;
         assert!(((layer + elastic) / load - 1.0).abs() < 1e-7, "{layer} {elastic} {load}");
-        assert!(at("/pressure_max/roughness") < 0.0 && at("/pressure_max/force") > 0.0);
+        assert!(at("/peak_pressure/roughness") < 0.0 && at("/peak_pressure/force") > 0.0);
         let table = folder.run(&["solve", "punch.toml", "--sensitivities"]).answer();
         assert!(
             table.contains("by Young's modulus") && table.contains("largest pressure"),
@@ -90,16 +90,16 @@ fn the_surface_is_data() {
     }
     let csv = folder.run(&["solve", "punch.toml", "--surface", "61", "--format", "csv"]).answer();
     let lines: Vec<&str> = csv.lines().collect();
-    assert_eq!((lines[0], lines.len()), ("x,p,displacement,gap", 62));
+    assert_eq!((lines[0], lines.len()), ("x,pressure,displacement,gap", 62));
     let cells: Vec<&str> = lines[31].split(',').collect();
     assert_eq!((cells[0], cells[3]), ("0", "0"));
     assert!(lines[1].starts_with("-0.015,0,") && lines[1].ends_with(','), "{}", lines[1]);
     let bare = Folder::with(DIMENSIONLESS);
     let csv = bare.run(&["solve", "punch.toml", "--surface", "7", "--format", "csv"]).answer();
-    assert!(csv.starts_with("xi,p0,displacement0,gap0\n-3,0,"), "{csv}");
+    assert!(csv.starts_with("x,pressure,displacement,gap\n-3,0,"), "{csv}");
     // Without the option the columns are as ever.
     let csv = folder.run(&["solve", "punch.toml", "--format", "csv"]).answer();
-    assert!(csv.starts_with("x,p\n"));
+    assert!(csv.starts_with("x,pressure\n"));
 }
 
 #[test]
@@ -157,7 +157,7 @@ fn a_long_trace_has_its_sensitivities() {
     let raised = solve(&folder, &["--set", "load.force=\"0.8008 MN/m\""]);
     for (quantity, pointer) in [
         ("settlement", "/physical/settlement"),
-        ("pressure_max", "/physical/pressure_max"),
+        ("peak_pressure", "/physical/peak_pressure"),
         ("contact_width", "/physical/contact_width"),
     ] {
         let rate =

@@ -68,7 +68,7 @@ fn smooth_surfaces_are_solved() {
     }
     let wavy = GRADED.replace("\"1 um/kPa\"", "0").replace("x^2/(2*50)", "cos(20*x)");
     let json = Folder::with(&wavy).run(&["solve", "punch.toml", "--format", "json"]).json();
-    assert_eq!(json["physical"]["edges"].as_array().unwrap().len(), 2);
+    assert_eq!(json["physical"]["zones"].as_array().unwrap().len(), 2);
     // The crests of two waves, mirror images of one another.
     let edge = |path: &str| number(&json, &format!("/physical/edges/{path}"));
     assert!((edge("0/0") + edge("1/1")).abs() < 1e-12 && (edge("0/1") + edge("1/0")).abs() < 1e-12);

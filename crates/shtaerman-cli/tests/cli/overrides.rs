@@ -92,12 +92,13 @@ fn a_measured_profile_is_found_beside_the_problem_file() {
     let measured = folder.run(&[&solve[..], &["--set", profile]].concat()).json();
     let flipped = profile.replace(" }", ", flip = true }");
     let flipped = folder.run(&[&solve[..], &["--set", &flipped]].concat()).json();
-    for key in ["/physical/settlement", "/physical/pressure_mid", "/physical/pressure_right"] {
+    for key in ["/physical/settlement", "/physical/pressure_middle", "/physical/pressure_right"] {
         let (formula, measured) = (number(&formula, key), number(&measured, key));
         assert!((formula - measured).abs() < 1e-12 * formula.abs(), "{key}: {formula} {measured}");
     }
     assert!(
-        number(&flipped, "/physical/pressure_mid") < number(&formula, "/physical/pressure_mid")
+        number(&flipped, "/physical/pressure_middle")
+            < number(&formula, "/physical/pressure_middle")
     );
     // From standard input the path is relative to the current folder.
     let profile = profile.replace("trace", "part/trace");

@@ -16,7 +16,7 @@ fn curve(folder: &Folder, options: &[&str]) -> (String, Vec<[f64; 2]>) {
 fn places_are_metres_or_have_a_unit() {
     let folder = Folder::with(PHYSICAL);
     let (header, metres) = curve(&folder, &["--at", "-0.005,0,0.0025,-0.001"]);
-    assert_eq!(header, "x,p");
+    assert_eq!(header, "x,pressure");
     assert_eq!(metres.iter().map(|row| row[0]).collect::<Vec<_>>(), [-5e-3, 0.0, 2.5e-3, -1e-3]);
     for same in ["-5 mm, 0, 2.5mm, -1000 um", " -5e-3 m ,0 mm,0.25 cm,-1 mm "] {
         assert_eq!(curve(&folder, &["--at", same]).1, metres, "{same}");
@@ -37,11 +37,11 @@ fn an_edge_is_an_edge_in_every_unit() {
 fn places_of_a_dimensionless_file_are_xi() {
     let folder = Folder::with(DIMENSIONLESS);
     let (header, rows) = curve(&folder, &["--at", "-1,-0.5,0,1"]);
-    assert_eq!(header, "xi,p0");
+    assert_eq!(header, "x,pressure");
     assert_eq!(rows.iter().map(|row| row[0]).collect::<Vec<_>>(), [-1.0, -0.5, 0.0, 1.0]);
     // In a half-width of 1 m the places are the same numbers.
     let json = folder.run(&["solve", "punch.toml", "--format", "json", "--at", "-0.5"]).json();
-    assert_eq!(json["pressure"]["p0"][0].as_f64(), Some(rows[1][1]));
+    assert_eq!(json["pressure"]["pressure"][0].as_f64(), Some(rows[1][1]));
 }
 
 #[test]

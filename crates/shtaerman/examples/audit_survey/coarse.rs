@@ -22,7 +22,8 @@ pub(crate) fn ratios(
     exact: &Contact,
 ) -> ([Vec<f64>; 2], Option<String>) {
     let (mut found, mut violation) = ([vec![], vec![]], None);
-    let Some(sharp) = exact.accuracy().filter(|_| case.toml.contains("contact = \"bilateral\""))
+    let Some(sharp) =
+        exact.dimensionless().error().filter(|_| case.toml.contains("contact = \"bilateral\""))
     else {
         return (found, violation);
     };
@@ -33,32 +34,51 @@ pub(crate) fn ratios(
         let Some(coarse) = problem.ok().and_then(|p| p.solve().ok()?.audited().ok()) else {
             continue;
         };
-        let Some(stated) = coarse.accuracy().filter(|stated| stated.kind == ErrorKind::Bound)
+        let Some(stated) =
+            coarse.dimensionless().error().filter(|stated| stated.kind == ErrorKind::Bound)
         else {
             continue;
         };
         let pressure = |i: u32| {
             let xi = -(PI * f64::from(i) / f64::from(PLACES - 1)).cos();
-            (coarse.pressure0(xi) - exact.pressure0(xi)).abs()
+            (coarse.dimensionless().pressure(xi).unwrap()
+                - exact.dimensionless().pressure(xi).unwrap())
+            .abs()
         };
-        let displacement = exact.settlement0().abs().max(exact.tilt0().abs());
-        let force = exact.force0().abs().max(exact.moment0().abs());
+        let displacement =
+            exact.dimensionless().settlement().abs().max(exact.dimensionless().tilt().abs());
+        let force = exact.dimensionless().force().abs().max(exact.dimensionless().moment().abs());
         let parts = [
             (
                 stated.pressure,
                 (0..PLACES).map(pressure).fold(0.0, f64::max),
                 sharp.pressure,
-                exact.peak_pressure0().0.abs(),
+                exact.dimensionless().peak_pressure().abs(),
             ),
             (
                 stated.settlement,
-                (coarse.settlement0() - exact.settlement0()).abs(),
+                (coarse.dimensionless().settlement() - exact.dimensionless().settlement()).abs(),
                 sharp.settlement,
                 displacement,
             ),
-            (stated.tilt, (coarse.tilt0() - exact.tilt0()).abs(), sharp.tilt, displacement),
-            (stated.force, (coarse.force0() - exact.force0()).abs(), sharp.force, force),
-            (stated.moment, (coarse.moment0() - exact.moment0()).abs(), sharp.moment, force),
+            (
+                stated.tilt,
+                (coarse.dimensionless().tilt() - exact.dimensionless().tilt()).abs(),
+                sharp.tilt,
+                displacement,
+            ),
+            (
+                stated.force,
+                (coarse.dimensionless().force() - exact.dimensionless().force()).abs(),
+                sharp.force,
+                force,
+            ),
+            (
+                stated.moment,
+                (coarse.dimensionless().moment() - exact.dimensionless().moment()).abs(),
+                sharp.moment,
+                force,
+            ),
         ];
         for (i, (stated, off, own, size)) in parts.into_iter().enumerate() {
             if off > stated + own {

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use shtaerman::equation::EquationFile;
-use shtaerman::{Accuracy, Contact, CrossCheck, Error, ErrorKind, Problem};
+use shtaerman::{Contact, CrossCheck, Error, ErrorKind, Errors, Problem};
 use shtaerman_reference::{Break, Kernel, Layer, Rotational, Vertical};
 
 use crate::coarse;
@@ -109,7 +109,7 @@ pub(crate) fn judge(
 
 /// What is aimed at by default.
 fn aim(problem: &Problem) -> f64 {
-    let theta0 = problem.frame().theta0();
+    let theta0 = problem.theta0();
     if problem.profile().measured_points().is_some() {
         1e-10 * (theta0 / 100.0).max(1.0)
     } else {
@@ -142,7 +142,7 @@ fn twice_audited(contact: &Contact) -> Option<Checked> {
         return None;
     }
     let violation = match contact.audit_on_halved_panels() {
-        Ok(second) if second.accuracy.pressure <= ALIKE * first.accuracy.pressure => None,
+        Ok(second) if second.pressure() <= ALIKE * first.pressure() => None,
         second => Some(format!("on halved panels: {second:?}; first {first:?}")),
     };
     Some(Checked { violation, ratios: Vec::new() })
@@ -160,21 +160,30 @@ fn held(problem: &Problem, contact: &Contact) -> (Option<Checked>, Option<String
     let violation = (!check.agrees).then(|| {
         format!(
             "differences {check:?}; stated {:?}, edges {:?}, zones {:?}",
-            contact.accuracy(),
-            contact.edge_error0(),
-            contact.edges0()
+            contact.dimensionless().error(),
+            contact.dimensionless().error().and_then(|error| error.zones),
+            contact.dimensionless().zones()
         )
     });
-    let ratios = contact.accuracy().map_or_else(Vec::new, |stated| ratios(contact, stated, &check));
+    let ratios = contact
+        .dimensionless()
+        .error()
+        .map_or_else(Vec::new, |stated| ratios(contact, stated, &check));
     (Some(Checked { violation, ratios }), None)
 }
 
-fn ratios(contact: &Contact, stated: &Accuracy, check: &CrossCheck) -> Vec<f64> {
+fn ratios(contact: &Contact, stated: Errors, check: &CrossCheck) -> Vec<f64> {
     let own = &check.reference_error;
-    let displacement = contact.settlement0().abs().max(contact.tilt0().abs());
-    let force = contact.force0().abs().max(contact.moment0().abs());
+    let displacement =
+        contact.dimensionless().settlement().abs().max(contact.dimensionless().tilt().abs());
+    let force = contact.dimensionless().force().abs().max(contact.dimensionless().moment().abs());
     let parts = [
-        (stated.pressure, check.pressure_sup, own.pressure_sup, contact.peak_pressure0().0.abs()),
+        (
+            stated.pressure,
+            check.pressure,
+            own.pressure,
+            contact.dimensionless().peak_pressure().abs(),
+        ),
         (stated.settlement, check.settlement, own.settlement, displacement),
         (stated.tilt, check.tilt, own.tilt, displacement),
         (stated.force, check.force, own.force, force),

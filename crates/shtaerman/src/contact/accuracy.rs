@@ -25,19 +25,19 @@ impl ErrorKind {
 
 /// The error of an answer, without dimensions; zero for what the load prescribes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Accuracy {
+pub(crate) struct Accuracy {
     /// Bound or estimate.
-    pub kind: ErrorKind,
+    pub(crate) kind: ErrorKind,
     /// Of the pressure `p0`, largest over the closed base.
-    pub pressure: f64,
+    pub(crate) pressure: f64,
     /// Of `delta0`.
-    pub settlement: f64,
+    pub(crate) settlement: f64,
     /// Of `alpha0`.
-    pub tilt: f64,
+    pub(crate) tilt: f64,
     /// Of `P0`.
-    pub force: f64,
+    pub(crate) force: f64,
     /// Of `M0`.
-    pub moment: f64,
+    pub(crate) moment: f64,
 }
 
 /// Sizes against which the errors of an answer are held.

@@ -2,7 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::{Elastic, Frame, Problem, Roughness, Scaling, Solver};
+use crate::frame::Frame;
+use crate::{Elastic, Problem, Roughness, Scaling, Solver};
 
 /// `theta0 chi`, the response of the body over its half-width (m/Pa).
 fn elastic(problem: &Problem) -> f64 {
@@ -36,5 +37,5 @@ pub(super) fn companion(problem: &Problem, roughness: Roughness) -> Option<Probl
         scaling,
     };
     let solver = Solver { contact: problem.solver().contact, ..Solver::default() };
-    Problem::new(frame, problem.profile().clone(), *problem.load(), solver).ok()
+    problem.with_solver(solver).in_frame(frame).ok()
 }

@@ -31,9 +31,9 @@ pub struct CrossCheck {
     /// Unknowns of its finest solution.
     pub n: usize,
     /// Largest difference of the pressures `p0` over many places of the base.
-    pub pressure_sup: f64,
+    pub pressure: f64,
     /// Where the pressures differ most beside what both state there, as `xi`.
-    pub pressure_sup_at: f64,
+    pub pressure_at: f64,
     /// Difference of `delta0`.
     pub settlement: f64,
     /// Difference of `alpha0`.
@@ -54,7 +54,7 @@ pub struct CrossCheck {
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct ReferenceError {
     /// Of the pressure, largest over the places compared.
-    pub pressure_sup: f64,
+    pub pressure: f64,
     /// Of `delta0`.
     pub settlement: f64,
     /// Of `alpha0`.
@@ -128,7 +128,7 @@ impl Part {
 
 /// `sin phi` of a place `c + b cos phi` in its zone: on a smooth surface the error of the pressure is stated for the middle and grows as one over that; 1 beside the zones.
 fn middle(contact: &Contact, xi: f64) -> f64 {
-    let zones = contact.edges0();
+    let zones = contact.solution().zones();
     let zone = zones.iter().find(|[left, right]| *left <= xi && xi <= *right);
     zone.map_or(1.0, |[left, right]| 2.0 * ((xi - left) * (right - xi)).sqrt() / (right - left))
 }
@@ -208,10 +208,10 @@ impl<'a> Posing<'a> {
     fn compare(&self, contact: &Contact) -> Result<CrossCheck, Refusal> {
         let posed = self.posed();
         let Kernel::Disk { exponent, .. } = self.kernel else {
-            let found = solve(&posed, &contact.edges0())?;
+            let found = solve(&posed, &contact.solution().zones())?;
             return Ok(self.judge(contact, &Found::new(&found, &|xi| found.pressure(xi))));
         };
-        let zones: Vec<[f64; 2]> = (contact.edges0().into_iter())
+        let zones: Vec<[f64; 2]> = (contact.solution().zones().into_iter())
             .filter(|[_, right]| *right > 0.0)
             .map(|[left, right]| [left.max(0.0), right])
             .collect();
@@ -275,28 +275,29 @@ impl<'a> Posing<'a> {
             own,
             size,
         };
-        let (settlement, level) = contact.solved_settlement0();
+        let (settlement, level) = contact.solved_settlement();
+        let state = contact.state();
         let settlement = (found.settlement - settlement) + (self.level - level);
-        let (pressure, pressure_sup_at) = self.pressures(contact, found, stated.pressure);
+        let (pressure, pressure_at) = self.pressures(contact, found, stated.pressure);
         let parts = [
             pressure,
             part("settlement", settlement, stated.settlement, own.settlement, moved),
-            part("tilt", found.tilt - contact.tilt0(), stated.tilt, own.tilt, moved),
-            part("force", found.force - contact.force0(), stated.force, own.force, pressed),
-            part("moment", found.moment - contact.moment0(), stated.moment, own.moment, pressed),
+            part("tilt", found.tilt - state.tilt, stated.tilt, own.tilt, moved),
+            part("force", found.force - state.force, stated.force, own.force, pressed),
+            part("moment", found.moment - state.moment, stated.moment, own.moment, pressed),
         ];
         let [pressure, settlement, tilt, force, moment] = &parts;
         CrossCheck {
             method: "product_integration",
             n: found.n,
-            pressure_sup: pressure.difference,
-            pressure_sup_at: pressure_sup_at.0,
+            pressure: pressure.difference,
+            pressure_at: pressure_at.0,
             settlement: settlement.difference,
             tilt: tilt.difference,
             force: force.difference,
             moment: moment.difference,
-            reference_error: ReferenceError { pressure_sup: pressure.own, ..*own },
-            agrees: pressure_sup_at.1 <= 1.0 && parts[1..].iter().all(Part::agrees),
+            reference_error: ReferenceError { pressure: pressure.own, ..*own },
+            agrees: pressure_at.1 <= 1.0 && parts[1..].iter().all(Part::agrees),
             limits: limits(&parts),
         }
     }
@@ -307,7 +308,7 @@ impl<'a> Posing<'a> {
         let mut part = Part { name: "pressure", difference: 0.0, stated, own: 0.0, size: 0.0 };
         for xi in self.places(contact) {
             let [p, own] = (found.pressure)(xi);
-            let known = contact.pressure0(xi);
+            let known = contact.pressure_at(xi);
             // A corner or a kink of a smooth surface.
             if known.is_infinite() || p.is_infinite() {
                 continue;
@@ -333,7 +334,7 @@ impl<'a> Posing<'a> {
         let mut places: Vec<f64> = (0..=EVENLY)
             .map(|i| first + (last - first) * f64::from(i) / f64::from(EVENLY))
             .collect();
-        for [left, right] in contact.edges0() {
+        for [left, right] in contact.solution().zones() {
             let half = 0.5 * (right - left);
             let nearest = if self.layer == Layer::None { BESIDE_SINGULAR } else { BESIDE };
             let beside = (0..=nearest).map(|k| half * 0.1f64.powi(k as i32));
@@ -364,7 +365,7 @@ impl<'a> Found<'a> {
             force: reference.force,
             moment: reference.moment,
             errors: ReferenceError {
-                pressure_sup: 0.0,
+                pressure: 0.0,
                 settlement: errors.settlement,
                 tilt: errors.tilt,
                 force: errors.force,

@@ -99,8 +99,8 @@ impl Curve<'_> {
         let unit = self.problem.frame().scaling().map_or(1.0, Scaling::force);
         let given = Load { vertical: Vertical::Force(force * unit), ..*self.problem.load() };
         let contact = self.problem.under(given).solve_as_given().ok()?;
-        let [raise, _] = contact.stiffness0().displaced(&load, [1.0, 0.0]);
-        let (slope, excess) = (force * raise, contact.settlement0() - self.settlement);
+        let [raise, _] = contact.solution().stiffness().displaced(&load, [1.0, 0.0]);
+        let (slope, excess) = (force * raise, contact.state().settlement - self.settlement);
         let is_finite = slope.is_finite() && excess.is_finite();
         is_finite.then_some(Point { log, excess, slope, contact })
     }

@@ -9,14 +9,13 @@ use crate::{Geometry, Roughness, Scaling};
 
 impl Contact {
     /// Corner intensities `K = lim sqrt(2 pi d) p` (Pa sqrt(m); without dimensions those over `E sqrt(a)`) of a smooth contact, `d` the distance from the end of a
-    /// zone: left and right for each of [`edges`](Self::edges), 0 at free ends. `None` for a rough surface, whose pressure is finite.
+    /// zone: left and right for each of [`zones`](Self::zones), 0 at free ends. `None` for a rough surface, whose pressure is finite.
     ///
     /// On graded ground `E = E0 y^mu` corners are less sharp: there it is `K = lim sqrt(2 pi) d^beta p` (Pa m^beta) with
-    /// [`beta = (1-mu)/2`](crate::Frame::corner_exponent).
+    /// [`beta = (1-mu)/2`](crate::Foundation::corner_exponent).
     #[must_use]
     pub fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
-        let root =
-            self.problem().frame().half_width().powf(self.problem().frame().corner_exponent());
+        let root = self.half_width().powf(self.problem().frame().corner_exponent());
         let unit = self.scale(Scaling::pressure) * root;
         let zones = self.solution().corner_intensity()?;
         Some(zones.into_iter().map(|zone| zone.map(|k| unit * k)).collect())
@@ -25,7 +24,8 @@ impl Contact {
     /// Corners, as `xi`, where the pressure of a smooth contact is infinite, with their intensities.
     pub(super) fn singular_corners(&self) -> Vec<(f64, f64)> {
         let intensities = self.corner_intensity().unwrap_or_default();
-        let ends = self.edges0().into_iter().flatten().zip(intensities.into_iter().flatten());
+        let ends =
+            self.solution().zones().into_iter().flatten().zip(intensities.into_iter().flatten());
         ends.filter(|(_, k)| *k != 0.0).collect()
     }
 

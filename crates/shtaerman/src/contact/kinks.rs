@@ -91,7 +91,7 @@ fn jump(problem: &Problem, xi: f64) -> Option<Jump> {
 impl Contact {
     /// Whether the largest pressure is finite, and not the tip of a cusp under a kink of the base (on smooth graded ground), which has too few digits for rates.
     pub(crate) fn has_smooth_peak(&self) -> bool {
-        let (value, peak) = self.peak_pressure0();
+        let (value, peak) = self.peak();
         let (profile, frame) = (self.problem().profile(), self.problem().frame());
         let breaks = || profile.breakpoints(frame.half_width()).into_iter();
         let is_kink = |at: f64| (at - peak).abs() < AT_KINK && jump(self.problem(), at).is_some();

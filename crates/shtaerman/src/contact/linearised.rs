@@ -46,8 +46,8 @@ const MISSED: f64 = 1e-10;
 impl Contact {
     /// Where the pressure is largest: a maximum shows its place to the root of rounding only, its slope all of it. With the error it leaves in a rate.
     fn peak_place(&self) -> (f64, f64) {
-        let (_, start) = self.peak_pressure0();
-        let zones = self.edges0();
+        let (_, start) = self.peak();
+        let zones = self.solution().zones();
         let Some([left, right]) =
             zones.iter().find(|[left, right]| *left < start && start < *right)
         else {
@@ -63,7 +63,7 @@ impl Contact {
         let mut place = start;
         for _ in 0..CORRECTIONS {
             let [a, b, c, d, e] =
-                [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| self.pressure0(place + k * step));
+                [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| self.pressure_at(place + k * step));
             let slope = (8.0 * (d - b) - (e - a)) / 12.0;
             let bend = (16.0 * (d + b) - (e + a) - 30.0 * c) / 12.0;
             let shift = -slope / bend;
@@ -77,7 +77,7 @@ impl Contact {
 
     /// The error of the solution relative to its size; 0 where the method tells none.
     pub(crate) fn known_to(&self) -> f64 {
-        let (peak, _) = self.peak_pressure0();
+        let (peak, _) = self.peak();
         let solution = self.solution();
         let solved = match solution.accuracy() {
             Some(accuracy) if peak.is_finite() => {

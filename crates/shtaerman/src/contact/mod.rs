@@ -1,4 +1,4 @@
-//! The answer: settlement, tilt, force, moment, pressure.
+//! The answer: settlement, tilt, force, moment, pressure, with errors, audit and sensitivities.
 //!
 //! A [plan](crate::MethodChoice) picks the method, each method hands over a draft, and the draft becomes the [`Contact`].
 
@@ -24,6 +24,7 @@ mod parts;
 mod plan;
 mod potential;
 mod promise;
+mod quantities;
 mod resolutions;
 mod revolution;
 mod search;
@@ -38,17 +39,20 @@ mod valleys;
 mod warning;
 mod zones;
 
-pub use accuracy::{Accuracy, ErrorKind};
+pub(crate) use accuracy::Accuracy;
+pub use accuracy::ErrorKind;
 pub use cross_check::{CrossCheck, ReferenceError};
 pub(crate) use linearised::{Linearised, Rates};
 pub use plan::AIM;
-pub use smooth::{
-    Curve, SmoothContact, SmoothDisk, SmoothDiskContact, SmoothKernel, SmoothProblem,
-    SmoothProfile, SmoothRingsContact, SmoothZone,
-};
+pub use quantities::Errors;
 pub use solved::{Contact, Method, Stiffness};
 pub use unilateral::Complementarity;
 pub use warning::{Warning, WarningCode};
+
+pub use crate::audit::{Audit, Unaudited};
+pub use crate::datum::{Datum, RelativeSettlement};
+pub use crate::scaling::Scaling;
+pub use crate::sensitivity::{Derivatives, Sensitivities};
 
 use draft::Draft;
 use plan::Target;

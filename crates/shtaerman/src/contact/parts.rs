@@ -68,6 +68,10 @@ impl Problem {
         if self.profile().measured_points().is_some() {
             return Parts { joints: Vec::new(), smoothness: Smoothness::Bent };
         }
+        if self.profile().is_closure() {
+            let joints = self.profile().breakpoints(self.frame().half_width());
+            return Parts { joints, smoothness: Smoothness::Bent };
+        }
         let found = self.resolution(DEGREE, RESOLVED);
         let smoothness = if found.is_complete() { Smoothness::Proved } else { Smoothness::Unknown };
         let parts = Parts { joints: found.joints, smoothness };

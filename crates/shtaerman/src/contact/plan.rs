@@ -150,7 +150,7 @@ impl Problem {
             _ => format!("{zones} with exact edges: collocation converges exponentially"),
         };
         let mut contact = Contact::new(self, solution, reason)?;
-        contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
+        contact.warn(Warning::negative_pressure(self.frame(), contact.tension_at()));
         contact.warn(Warning::singular_edge(self.frame(), &contact.singular_corners()));
         contact.warn(Warning::singular_kink(self.frame(), contact.kinks()));
         contact.warn(Warning::profile_not_proved(self.has_unknown_layer()));
@@ -199,7 +199,7 @@ impl Problem {
         let fixed = solver.degree.is_some();
         let fell_short = (reached > target.tolerance).then_some(reached);
         let mut contact = Contact::new(self, Arc::new(solution), reason)?;
-        contact.warn(Warning::negative_pressure(self.frame(), contact.tension0()));
+        contact.warn(Warning::negative_pressure(self.frame(), contact.tension_at()));
         contact.warn(Warning::profile_not_proved(is_unknown));
         if let Some(reached) = fell_short.filter(|_| !fixed) {
             contact.warn(Some(Warning::tolerance_not_met(target.tolerance, reached)));

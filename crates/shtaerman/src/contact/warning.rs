@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::kinks::Kink;
-use crate::Frame;
+use crate::frame::Frame;
 use crate::quantity::{Dimension, DisplayUnit, engineering};
 
 /// Kind of a warning, stable across releases.
@@ -178,13 +178,15 @@ impl Warning {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Elastic;
+    use crate::{Elastic, Foundation, Punch};
 
     #[test]
     fn names_places_as_people_write_them() {
         let steel = Elastic::new(200e9, 0.3).unwrap();
-        let physical = Frame::physical(steel, 1.2e-14, 5e-3, None).unwrap();
-        let bare = Frame::dimensionless(1.0).unwrap();
+        let steel = Foundation::new(steel).with_roughness(1.2e-14).unwrap();
+        let physical = Frame::new(&steel, &Punch::new(5e-3).unwrap()).unwrap();
+        let bare = Foundation::dimensionless(1.0).unwrap();
+        let bare = Frame::new(&bare, &Punch::new(1.0).unwrap()).unwrap();
         for (frame, tension, said) in [
             (&physical, [[-1.0, -2.67e-16]].as_slice(), "at x = -5 mm to 0:"),
             (&physical, &[[0.5, 1.0]], "at x = 2.5 mm to 5 mm:"),

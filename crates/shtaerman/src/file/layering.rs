@@ -1,8 +1,9 @@
 //! A foundation in two pieces: `thickness` and `base`, or `[foundation.coating]`.
 
+use super::Stated;
 use crate::document::{Field, FileError, TableReader};
 use crate::quantity::{Dimension, engineering};
-use crate::{Elastic, Error, Frame, LayerBase, Layering};
+use crate::{Elastic, Error, LayerBase, Layering};
 
 /// Keys of `[foundation]` that belong here.
 const KEYS: [&str; 3] = ["thickness", "base", "coating"];
@@ -15,13 +16,13 @@ pub(super) fn refuse(foundation: &TableReader<'_>, message: &str) -> Result<(), 
     }
 }
 
-/// The frame on the foundation that the table says, whose material is the layer's, or what lies below the coating.
+/// The foundation that the table says, whose material is the layer's, or what lies below the coating.
 pub(super) fn on_foundation(
     reader: &TableReader<'_>,
     foundation: &TableReader<'_>,
     material: Elastic,
-    frame: Frame,
-) -> Result<Frame, FileError> {
+    stated: Stated,
+) -> Result<Stated, FileError> {
     let layer = layer(
         foundation,
         || Ok(material.poisson_ratio()),
@@ -29,7 +30,7 @@ pub(super) fn on_foundation(
     )?;
     let coating = foundation.optional("coating");
     let (field, layering) = match (layer, coating) {
-        (None, None) => return Ok(frame),
+        (None, None) => return Ok(stated),
         (Some(layer), None) => layer,
         (Some(_), Some(coating)) => {
             return Err(coating.error(
@@ -55,7 +56,7 @@ pub(super) fn on_foundation(
             "does not go with a layer or a coating: an elastic punch has no composite modulus with them; leave it out for a rigid punch",
         ));
     }
-    frame.layered(layering).map_err(|error| match &error {
+    stated.on(layering).map_err(|error| match &error {
         Error::InvalidValue { field: "roughness", .. } => foundation
             .optional("roughness")
             .map_or_else(|| field.error(&error), |at| refused(&at, &error)),
@@ -63,12 +64,12 @@ pub(super) fn on_foundation(
     })
 }
 
-/// The frame of a dimensionless problem on the layer that its table says, lengths in half-widths; `poisson_ratio` is asked for by a bonded one.
-pub(super) fn dimensionless(table: &TableReader<'_>, frame: Frame) -> Result<Frame, FileError> {
+/// A dimensionless problem on the layer that its table says, lengths in half-widths; `poisson_ratio` is asked for by a bonded one.
+pub(super) fn dimensionless(table: &TableReader<'_>, stated: Stated) -> Result<Stated, FileError> {
     let poisson_ratio = || table.required("poisson_ratio")?.number();
     match layer(table, poisson_ratio, Field::number)? {
-        None => Ok(frame),
-        Some((field, layering)) => frame.layered(layering).map_err(|error| refused(&field, &error)),
+        None => Ok(stated),
+        Some((field, layering)) => stated.on(layering).map_err(|error| refused(&field, &error)),
     }
 }
 

@@ -1,8 +1,9 @@
 //! `[load]`, and the load keys of `[dimensionless]`.
 
 use crate::document::{Field, FileError, TableReader};
+use crate::frame::Frame;
 use crate::quantity::Dimension;
-use crate::{Frame, Load, Rotational, Vertical};
+use crate::{Load, Rotational, Vertical};
 
 pub(super) fn read(table: &TableReader<'_>, frame: &Frame) -> Result<Load, FileError> {
     let vertical = table.exactly_one(&["force", "settlement"])?;

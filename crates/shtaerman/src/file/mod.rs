@@ -21,7 +21,7 @@
 //!     "#,
 //!     "punch.toml",
 //! )?;
-//! assert_eq!(problem.frame().half_width(), 5e-3);
+//! assert_eq!(problem.punch().half_width(), 5e-3);
 //! # Ok::<(), shtaerman::Error>(())
 //! ```
 
@@ -38,8 +38,9 @@ use std::path::Path;
 
 use crate::document::{Document, Field, FileError, MAXIMUM_BYTES, TableReader};
 use crate::equation::is_equation;
+use crate::frame::Frame;
 use crate::quantity::{Dimension, engineering};
-use crate::{Error, Frame, Problem};
+use crate::{Error, Foundation, Layering, Problem, Punch};
 
 pub use any::AnyFile;
 pub use located::ProblemFile;
@@ -107,6 +108,25 @@ pub(crate) fn overridden(
     Ok(document)
 }
 
+/// A foundation and a flat punch with the frame that both make.
+struct Stated {
+    foundation: Foundation,
+    punch: Punch,
+    frame: Frame,
+}
+
+impl Stated {
+    fn new(foundation: Foundation, punch: Punch) -> Result<Self, Error> {
+        let frame = Frame::new(&foundation, &punch)?;
+        Ok(Self { foundation, punch, frame })
+    }
+
+    /// The same on a foundation in two pieces.
+    fn on(self, layering: Layering) -> Result<Self, Error> {
+        Self::new(self.foundation.with_layering(layering), self.punch)
+    }
+}
+
 fn read(document: &Document, folder: &Path) -> Result<Problem, Error> {
     if is_equation(document) {
         let fault = FileError::new("is an equation, not a contact problem");
@@ -123,11 +143,11 @@ fn read(document: &Document, folder: &Path) -> Result<Problem, Error> {
                 return Err(field.error(message).into());
             }
         }
-        let frame = dimensionless_frame(&table)?;
-        let profile = profile::read(&table, &frame, folder)?;
-        let load = load::read(&table, &frame)?;
+        let stated = dimensionless(&table)?;
+        let profile = profile::read(&table, &stated.frame, folder)?;
+        let load = load::read(&table, &stated.frame)?;
         reader.finish()?;
-        profile.problem(frame, load, solver)?
+        profile.problem(stated, load, solver)?
     } else {
         if !reader.has("foundation") && !reader.has("punch") && !reader.has("load") {
             let message = "has neither [foundation], [punch], [load] nor [dimensionless]";
@@ -137,17 +157,18 @@ fn read(document: &Document, folder: &Path) -> Result<Problem, Error> {
                 .with_help(help)
                 .into());
         }
-        let frame = physical::read(&reader)?;
-        let profile = profile::read(&reader.required("punch")?.table()?, &frame, folder)?;
-        let load = load::read(&reader.required("load")?.table()?, &frame)?;
+        let stated = physical::read(&reader)?;
+        let profile = profile::read(&reader.required("punch")?.table()?, &stated.frame, folder)?;
+        let load = load::read(&reader.required("load")?.table()?, &stated.frame)?;
         reader.finish()?;
-        profile.problem(frame, load, solver)?
+        profile.problem(stated, load, solver)?
     };
     problem.check_balance()?;
     Ok(problem)
 }
 
-fn dimensionless_frame(table: &TableReader<'_>) -> Result<Frame, FileError> {
+/// The foundation and the flat punch of `[dimensionless]`, with their frame.
+fn dimensionless(table: &TableReader<'_>) -> Result<Stated, FileError> {
     let field = table.exactly_one(&["theta0", "lambda0"])?;
     let poisson_ratio = table.optional("poisson_ratio");
     let value = field.number()?;
@@ -171,15 +192,18 @@ fn dimensionless_frame(table: &TableReader<'_>) -> Result<Frame, FileError> {
     let geometry = geometry::read_dimensionless(table)?;
     let exponent_field = table.optional("exponent");
     let exponent = exponent_field.as_ref().map_or(Ok(1.0), Field::number)?;
-    let frame =
-        Frame::dimensionless_in(geometry, theta0, exponent).map_err(|error| match &error {
-            Error::InvalidValue { field: "theta0", .. } if by_theta0 => refused(&field, &error),
-            Error::InvalidValue { field: "theta0", .. } => {
-                field.error(format!("is {value}: must be finite and not negative"))
-            }
-            _ => refused(exponent_field.as_ref().unwrap_or(&field), &error),
-        })?;
-    layering::dimensionless(table, frame)
+    let stated = || {
+        let foundation = Foundation::dimensionless(theta0)?.with_exponent(exponent)?;
+        Stated::new(foundation, Punch::in_geometry(geometry, 1.0)?)
+    };
+    let stated = stated().map_err(|error: Error| match &error {
+        Error::InvalidValue { field: "theta0", .. } if by_theta0 => refused(&field, &error),
+        Error::InvalidValue { field: "theta0", .. } => {
+            field.error(format!("is {value}: must be finite and not negative"))
+        }
+        _ => refused(exponent_field.as_ref().unwrap_or(&field), &error),
+    })?;
+    layering::dimensionless(table, stated)
 }
 
 /// The fault of a field whose value a constructor refused.

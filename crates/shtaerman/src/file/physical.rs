@@ -1,11 +1,11 @@
 //! `[foundation]`, `[body]`, and the geometry of `[punch]`.
 
-use super::{geometry, layering, refused, shown};
+use super::{Stated, geometry, layering, refused, shown};
 use crate::document::{FileError, TableReader};
 use crate::quantity::Dimension;
-use crate::{Elastic, Error, Frame, Grading, Roughness};
+use crate::{Elastic, Error, Foundation, Geometry, Grading, Punch, Roughness};
 
-pub(super) fn read(reader: &TableReader<'_>) -> Result<Frame, FileError> {
+pub(super) fn read(reader: &TableReader<'_>) -> Result<Stated, FileError> {
     let foundation = reader.required("foundation")?.table()?;
     if foundation.has("grading_exponent") || foundation.has("grading_modulus") {
         return graded(reader, &foundation);
@@ -16,13 +16,28 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Frame, FileError> {
     let body = reader.table("body")?.map(|table| elastic(&table)).transpose()?;
     let punch = reader.required("punch")?.table()?;
     let (geometry, half_width, field) = geometry::read_physical(&punch)?;
-    let frame = Frame::physical_in(geometry, material, roughness, half_width, body)
+    let stated = stated(Foundation::new(material), roughness, geometry, half_width, body)
         .map_err(|error| refused(&field, &error))?;
-    layering::on_foundation(reader, &foundation, material, frame)
+    layering::on_foundation(reader, &foundation, material, stated)
+}
+
+fn stated(
+    foundation: Foundation,
+    roughness: Roughness,
+    geometry: Geometry,
+    half_width: f64,
+    body: Option<Elastic>,
+) -> Result<Stated, Error> {
+    let punch = Punch::in_geometry(geometry, half_width)?;
+    let punch = match body {
+        Some(body) => punch.with_body(body),
+        None => punch,
+    };
+    Stated::new(foundation.with_roughness(roughness)?, punch)
 }
 
 /// `E = E0 y^mu` under a rigid punch.
-fn graded(reader: &TableReader<'_>, foundation: &TableReader<'_>) -> Result<Frame, FileError> {
+fn graded(reader: &TableReader<'_>, foundation: &TableReader<'_>) -> Result<Stated, FileError> {
     if let Some(modulus) = foundation.optional("young_modulus") {
         return Err(modulus
             .error("does not go with grading: the modulus depends on the depth")
@@ -49,13 +64,10 @@ fn graded(reader: &TableReader<'_>, foundation: &TableReader<'_>) -> Result<Fram
     let roughness = roughness(foundation)?;
     let punch = reader.required("punch")?.table()?;
     let (geometry, half_width, field) = geometry::read_physical(&punch)?;
-    let frame = match body {
-        Some(body) => Elastic::new(grading.modulus(), poisson_ratio).and_then(|material| {
-            Frame::physical_in(geometry, material, roughness, half_width, Some(body))
-        }),
-        None => Frame::physical_graded(geometry, grading, poisson_ratio, roughness, half_width),
-    };
-    frame.map_err(|error| {
+    let foundation = Foundation::graded(grading, poisson_ratio);
+    let stated =
+        foundation.and_then(|foundation| stated(foundation, roughness, geometry, half_width, body));
+    stated.map_err(|error| {
         let at_exponent = matches!(error, Error::InvalidValue { field: "grading_exponent", .. });
         refused(if at_exponent { &exponent } else { &field }, &error)
     })

@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
-use super::load_bytes;
+use super::{Stated, load_bytes};
 use crate::document::{Field, FileError, TableReader};
+use crate::frame::Frame;
 use crate::profile::{CsvOptions, read_csv};
 use crate::quantity::{self, Dimension};
-use crate::{Error, Frame, Load, Problem, Profile, Solver};
+use crate::{Error, Load, Problem, Profile, Solver};
 
 /// A profile with its field, for messages that need the finished problem.
 pub(super) struct ReadProfile<'d> {
@@ -35,11 +36,13 @@ impl ReadProfile<'_> {
     /// The problem; what it finds wrong with the profile is told at the profile.
     pub(super) fn problem(
         self,
-        frame: Frame,
+        stated: Stated,
         load: Load,
         solver: Solver,
     ) -> Result<Problem, Error> {
-        Problem::new(frame, self.profile, load, solver).map_err(|error| match error {
+        let punch = stated.punch.with_profile(self.profile);
+        let problem = Problem::new(stated.foundation, punch, load);
+        problem.map(|problem| problem.with_solver(solver)).map_err(|error| match error {
             Error::ProfileNotFinite { .. } => {
                 let message = error.to_string();
                 self.field.error(message.strip_prefix("the profile ").unwrap_or(&message)).into()

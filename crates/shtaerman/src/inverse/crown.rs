@@ -35,7 +35,7 @@ impl Crowned {
     }
 
     fn peak(&self) -> f64 {
-        self.contact.peak_pressure().0
+        self.contact.peak_pressure()
     }
 }
 

@@ -30,7 +30,7 @@ impl Goal {
     #[must_use]
     pub fn of(self, contact: &Contact) -> f64 {
         match self {
-            Self::PeakPressure(_) => contact.peak_pressure().0,
+            Self::PeakPressure(_) => contact.peak_pressure(),
             Self::ContactWidth(_) => contact.contact_width(),
             Self::Settlement(_) => contact.settlement(),
         }
@@ -50,7 +50,7 @@ impl Goal {
     #[must_use]
     pub fn key(self) -> &'static str {
         match self {
-            Self::PeakPressure(_) => "pressure_max",
+            Self::PeakPressure(_) => "peak_pressure",
             Self::ContactWidth(_) => "contact_width",
             Self::Settlement(_) => "settlement",
         }

@@ -52,6 +52,7 @@ impl Profile {
                 Some(spline.enclose_value(x, SLACK * half_width))
             }
             Shape::Flat => Some(Interval::ZERO),
+            Shape::Function(_) => None,
         };
         exact.map(|exact| exact.hull(computed)).filter(|value| value.is_bounded())
     }
@@ -103,6 +104,10 @@ impl Profile {
             Shape::Flat => {
                 let zero = Enclosure { interval: Interval::ZERO, may_be_undefined: false };
                 Taylor::new(Series::polynomial(vec![Interval::ZERO]), zero, scale)
+            }
+            Shape::Function(_) => {
+                let unknown = Enclosure { interval: Interval::WHOLE, may_be_undefined: true };
+                Taylor::new(Series::cut(vec![Interval::WHOLE]), unknown, scale)
             }
             Shape::Expression(expression) => {
                 expression.taylor_along(&line(half_width), interval, order, SLACK)

@@ -41,6 +41,7 @@ impl Profile {
             Shape::Flat => Reflection::OF_ZERO,
             Shape::Expression(expression) => expression.reflection(&line(half_width)),
             Shape::Measured(spline) => spline.reflection(),
+            Shape::Function(_) => Reflection::default(),
         }
     }
 

@@ -1,5 +1,7 @@
 //! Heights counted from the level of the base, and what rounding leaves of them.
 
+use std::sync::Arc;
+
 use super::{Profile, Shape, line};
 use crate::expression::Interval;
 
@@ -20,12 +22,14 @@ impl Profile {
             return None;
         }
         let (shape, level) = match &self.shape {
-            Shape::Flat => return None,
+            Shape::Flat | Shape::Function(_) => return None,
             Shape::Expression(expression) => {
                 let (rest, level) = expression.without_constant();
-                (Shape::Expression(rest), level)
+                (Shape::Expression(Arc::new(rest)), level)
             }
-            Shape::Measured(spline) => (Shape::Measured(spline.lowered(nearest)), nearest),
+            Shape::Measured(spline) => {
+                (Shape::Measured(Arc::new(spline.lowered(nearest))), nearest)
+            }
         };
         let rest = Self { shape };
         let size = |[lowest, highest]: [f64; 2]| lowest.abs().max(highest.abs());
@@ -36,10 +40,10 @@ impl Profile {
     /// The base by a small height higher; a measured one as it is, whose heights are not known so well.
     pub(crate) fn raised(self, by: f64) -> Self {
         match self.shape {
-            Shape::Expression(expression) => {
-                Self { shape: Shape::Expression(expression.plus(by, 0.0)) }
-            }
-            Shape::Flat | Shape::Measured(_) => self,
+            Shape::Expression(expression) => Self {
+                shape: Shape::Expression(Arc::new(Arc::unwrap_or_clone(expression).plus(by, 0.0))),
+            },
+            Shape::Flat | Shape::Measured(_) | Shape::Function(_) => self,
         }
     }
 
@@ -48,7 +52,7 @@ impl Profile {
         let places = (0..PLACES).map(|i| (2 * i) as f64 / (PLACES - 1) as f64 - 1.0);
         let points = match &self.shape {
             Shape::Measured(spline) => spline.ordinates(),
-            Shape::Flat | Shape::Expression(_) => &[],
+            Shape::Flat | Shape::Expression(_) | Shape::Function(_) => &[],
         };
         let heights = places.map(|xi| self.height(xi, half_width)).chain(points.iter().copied());
         heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[lowest, highest], height| {
@@ -61,6 +65,7 @@ impl Profile {
         match &self.shape {
             Shape::Flat => 0.0,
             Shape::Measured(spline) => ROUNDING * spline.evaluate(half_width * xi).abs(),
+            Shape::Function(function) => ROUNDING * function.evaluate(half_width * xi).abs(),
             Shape::Expression(expression) => {
                 let Some(place) = Interval::point(xi) else { return f64::NAN };
                 let values = expression.enclose_along(&line(half_width), place).interval;

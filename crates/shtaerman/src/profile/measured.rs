@@ -49,7 +49,7 @@ pub fn read_csv(
         return Err(fault(format!("a profile needs at least two rows of numbers, got {count}")));
     }
     covers(&positions, options).map_err(fault)?;
-    Profile::measured(positions, heights).map_err(|error| fault(error.to_string()))
+    Profile::from_points(positions, heights).map_err(|error| fault(error.to_string()))
 }
 
 /// Relative slack at the edges of the punch, so that a trace that ends at the edge covers it whatever its unit rounds to.

@@ -3,6 +3,7 @@
 mod cubic;
 mod enclosure;
 mod evenness;
+mod function;
 mod level;
 mod measured;
 mod resolution;
@@ -14,9 +15,12 @@ mod tests;
 pub use measured::{CsvOptions, read_csv};
 pub use resolution::Resolution;
 
+use std::sync::Arc;
+
 use crate::Error;
 use crate::error::require;
 use crate::expression::{Defect, Expression, ExpressionError, Interval, Line};
+use function::Function;
 use spline::Spline;
 
 /// Names an expression may use: `x` (metres; in a dimensionless problem the same as `xi`), `xi = x/a`, and the half-width `a`.
@@ -28,7 +32,19 @@ const END: f64 = 1e-12;
 /// Further names for a body of revolution, with the variables that they are the magnitude of.
 const RADIAL: [(&str, usize); 2] = [("r", 0), ("rho", 1)];
 
-/// The base `f(x)` of a punch, positive away from the body: an expression or a measured curve.
+/// The base `f(x)` of a punch, positive away from the body: an expression, a closure or points. Copies share what they hold.
+///
+/// ```
+/// use shtaerman::Profile;
+///
+/// let formula = Profile::expression("x^2 / (2*0.8)")?;
+/// let closure = Profile::from_fn(|x| x * x / 1.6);
+/// let points = Profile::from_points(vec![-5e-3, 0.0, 5e-3], vec![15.6e-6, 0.0, 15.6e-6])?;
+/// assert_eq!(formula.height(0.5, 5e-3), closure.height(0.5, 5e-3));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// Of an expression the program proves more than of the others: where it has kinks, that it is finite and even, and with the audit how far off an answer is. Prefer it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
     shape: Shape,
@@ -37,8 +53,9 @@ pub struct Profile {
 #[derive(Debug, Clone, PartialEq)]
 enum Shape {
     Flat,
-    Expression(Expression),
-    Measured(Spline),
+    Expression(Arc<Expression>),
+    Measured(Arc<Spline>),
+    Function(Function),
 }
 
 impl Profile {
@@ -53,7 +70,7 @@ impl Profile {
     /// # Errors
     /// [`ExpressionError`] with the place in the text.
     pub fn expression(text: &str) -> Result<Self, ExpressionError> {
-        Ok(Self { shape: Shape::Expression(Expression::parse(text, &VARIABLES)?) })
+        Ok(Self { shape: Shape::Expression(Arc::new(Expression::parse(text, &VARIABLES)?)) })
     }
 
     /// An expression for a body of revolution: besides [`VARIABLES`] there are `r = |x|`, the distance from the axis, and `rho = |xi|`.
@@ -62,14 +79,39 @@ impl Profile {
     /// [`ExpressionError`] with the place in the text.
     pub fn radial(text: &str) -> Result<Self, ExpressionError> {
         let expression = Expression::parse_with_magnitudes(text, &VARIABLES, &RADIAL)?;
-        Ok(Self { shape: Shape::Expression(expression) })
+        Ok(Self { shape: Shape::Expression(Arc::new(expression)) })
     }
 
-    /// The cubic spline through measured points; lengths in the units of the problem.
+    /// A closure of `x`, in the units of the problem: metres, or half-widths; under a circular punch it is asked for `x` of either sign.
+    ///
+    /// It is sampled, so that features between samples stay hidden and no audit bounds the errors of an answer; where it has kinks or jumps,
+    /// [`with_breaks`](Self::with_breaks) says so.
+    #[must_use]
+    pub fn from_fn(height: impl Fn(f64) -> f64 + Send + Sync + 'static) -> Self {
+        Self { shape: Shape::Function(Function::new(height)) }
+    }
+
+    /// The same closure with the places `x` where it has kinks or jumps; an expression or points, which tell them themselves, stay as they are.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for a place that is not finite.
+    pub fn with_breaks(self, breaks: Vec<f64>) -> Result<Self, Error> {
+        for place in &breaks {
+            require(place.is_finite(), "profile", *place, "given finite places of its breaks")?;
+        }
+        Ok(match self.shape {
+            Shape::Function(function) => {
+                Self { shape: Shape::Function(function.with_breaks(breaks)) }
+            }
+            shape => Self { shape },
+        })
+    }
+
+    /// The cubic spline through points, such as a measured trace; lengths in the units of the problem.
     ///
     /// # Errors
     /// [`Error::InvalidValue`] unless there are at least two points, all finite, with strictly increasing positions.
-    pub fn measured(positions: Vec<f64>, heights: Vec<f64>) -> Result<Self, Error> {
+    pub fn from_points(positions: Vec<f64>, heights: Vec<f64>) -> Result<Self, Error> {
         let count = positions.len().min(heights.len());
         require(count >= 2, "profile", count as f64, "given by at least two points")?;
         require(
@@ -89,7 +131,7 @@ impl Profile {
                 "given at strictly increasing positions",
             )?;
         }
-        Ok(Self { shape: Shape::Measured(Spline::through(positions, heights)) })
+        Ok(Self { shape: Shape::Measured(Arc::new(Spline::through(positions, heights))) })
     }
 
     /// The profile of a base of which `[-a, a]` is one period: a measured one from end to end whose last height is the first is a spline without a kink where it repeats.
@@ -99,8 +141,8 @@ impl Profile {
         };
         match &self.shape {
             Shape::Measured(spline) if is_whole(spline) => {
-                let closed = spline.closed().map(|spline| Self { shape: Shape::Measured(spline) });
-                closed.unwrap_or(self)
+                let closed = spline.closed().map(|spline| Shape::Measured(Arc::new(spline)));
+                closed.map_or(self, |shape| Self { shape })
             }
             _ => self,
         }
@@ -115,6 +157,7 @@ impl Profile {
                 expression.evaluate(&[half_width * xi, xi, half_width])
             }
             Shape::Measured(spline) => spline.evaluate(half_width * xi),
+            Shape::Function(function) => function.evaluate(half_width * xi),
         }
     }
 
@@ -127,6 +170,7 @@ impl Profile {
                 Some(expression.derivative_along(&line(half_width), xi).1)
             }
             Shape::Measured(spline) => Some(half_width * spline.slope(half_width * xi)),
+            Shape::Function(function) => Some(function.slope(xi, half_width)),
         }
     }
 
@@ -141,22 +185,33 @@ impl Profile {
                 let at = |xi: f64| spline.evaluate(half_width * xi);
                 at(c + t) - at(c) - slope * t
             }
+            Shape::Function(function) => {
+                let at = |xi: f64| function.evaluate(half_width * xi);
+                at(c + t) - at(c) - function.slope(c, half_width) * t
+            }
         }
     }
 
-    /// A `xi` in `[-1, 1]` at which the profile is not finite, and how, if there is one: proven for an expression where interval
-    /// arithmetic can, so that a pole between all samples is found. What rounding cannot tell from a pole counts as one.
+    /// A `xi` in `[-1, 1]` at which the profile is not finite, and how, if there is one: of a closure as samples show it, proven for an expression where
+    /// interval arithmetic can, so that a pole between all samples is found. What rounding cannot tell from a pole counts as one.
     #[must_use]
     pub fn find_not_finite(&self, half_width: f64) -> Option<(f64, Defect)> {
-        let Shape::Expression(expression) = &self.shape else { return None };
-        let base = Interval::new(-1.0, 1.0)?;
-        expression.find_not_finite(&line(half_width), base)
+        match &self.shape {
+            Shape::Expression(expression) => {
+                expression.find_not_finite(&line(half_width), Interval::new(-1.0, 1.0)?)
+            }
+            Shape::Function(function) => function.find_not_finite(half_width),
+            Shape::Flat | Shape::Measured(_) => None,
+        }
     }
 
-    /// Places strictly inside `(-1, 1)`, as `xi`, where an expression switches (`abs`, `max`, `where`, ..) and so has a kink or a jump; a
-    /// measured profile, being twice differentiable, has none.
+    /// Places strictly inside `(-1, 1)`, as `xi`, where an expression switches (`abs`, `max`, `where`, ..) and so has a kink or a jump; of a closure those
+    /// it was given; a measured profile, being twice differentiable, has none.
     #[must_use]
     pub fn breakpoints(&self, half_width: f64) -> Vec<f64> {
+        if let Shape::Function(function) = &self.shape {
+            return function.breaks(half_width);
+        }
         let (Shape::Expression(expression), Some(base)) = (&self.shape, Interval::new(-1.0, 1.0))
         else {
             return Vec::new();
@@ -173,12 +228,18 @@ impl Profile {
         places.filter(|xi| xi.abs() < 1.0).collect()
     }
 
+    /// Whether it is a closure, of which nothing is known between samples.
+    #[must_use]
+    pub fn is_closure(&self) -> bool {
+        matches!(self.shape, Shape::Function(_))
+    }
+
     /// First and last position of a measured profile.
     #[must_use]
     pub fn measured_range(&self) -> Option<[f64; 2]> {
         match &self.shape {
             Shape::Measured(spline) => Some(spline.range()),
-            Shape::Flat | Shape::Expression(_) => None,
+            Shape::Flat | Shape::Expression(_) | Shape::Function(_) => None,
         }
     }
 
@@ -187,7 +248,7 @@ impl Profile {
     pub fn measured_points(&self) -> Option<usize> {
         match &self.shape {
             Shape::Measured(spline) => Some(spline.len()),
-            Shape::Flat | Shape::Expression(_) => None,
+            Shape::Flat | Shape::Expression(_) | Shape::Function(_) => None,
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Profile;
 use crate::expression::Interval;
-use crate::{Elastic, Frame, Load, Problem, Rotational, Solver, Vertical};
+use crate::{Elastic, Foundation, Load, Problem, Punch, Rotational, Vertical};
 
 /// Numbers between 0 and 1 from a linear congruential generator.
 pub(super) struct Random(pub(super) u64);
@@ -111,7 +111,7 @@ fn measured_profiles_are_enclosed() {
     for count in [2, 3, 4, 9, 40] {
         let half_width = 0.02;
         let [points, heights] = random_measured(&mut random, count, half_width);
-        let profile = Profile::measured(points.clone(), heights.clone()).unwrap();
+        let profile = Profile::from_points(points.clone(), heights.clone()).unwrap();
         let slope = |x: &f64| profile.slope(x / half_width, half_width).unwrap() / half_width;
         let slopes: Vec<f64> = points.iter().map(slope).collect();
         let value = |xi: f64| hermite(&points, &heights, &slopes, half_width * xi);
@@ -158,7 +158,7 @@ fn a_cubic_is_enclosed_closely() {
     // f = x^3 - x on points of its own, whose spline is the cubic: f' = 3 x^2 - 1, f''/2 = 3 x.
     let points: Vec<f64> = (0..9).map(|i| f64::from(i) / 4.0 - 1.0).collect();
     let heights = points.iter().map(|x| x * x * x - x).collect();
-    let profile = Profile::measured(points, heights).unwrap();
+    let profile = Profile::from_points(points, heights).unwrap();
     let terms = profile.taylor([0.3, 0.4], 3, 1.0).unwrap();
     let exact = [[-0.336, -0.273], [-0.73, -0.52], [0.9, 1.2], [1.0, 1.0]];
     for (found, [lower, upper]) in terms.into_iter().zip(exact) {
@@ -202,9 +202,11 @@ fn what_cannot_be_told_from_a_pole_is_refused() {
 #[test]
 fn heights_without_dimensions_are_those_over_their_scale() {
     let steel = Elastic::new(200e9, 0.3).unwrap();
-    let frame = Frame::physical(steel, 1.2e-14, 5e-3, None).unwrap();
+    let (foundation, punch) =
+        (Foundation::new(steel).with_roughness(1.2e-14).unwrap(), Punch::new(5e-3).unwrap());
     let load = Load::new(Vertical::Force(0.8e6), Rotational::Moment(0.0)).unwrap();
-    let problem = Problem::new(frame, profile("x^2/(2*0.8)"), load, Solver::default()).unwrap();
+    let problem =
+        Problem::new(foundation, punch.with_profile(profile("x^2/(2*0.8)")), load).unwrap();
     // chi E = 2.4e-3 m; f0 = a^2 xi^2/(2 R chi E).
     let curvature = 25e-6 / (1.6 * 2.4e-3);
     let at = problem.dimensionless_enclosure_at(0.7).unwrap();

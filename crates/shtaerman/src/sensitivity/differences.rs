@@ -22,6 +22,9 @@ impl Contact {
     /// # Errors
     /// What [`Problem::solve`] says of a neighbouring problem.
     pub fn difference_sensitivities(&self) -> Result<Sensitivities, Error> {
+        if !self.is_as_stated() {
+            return self.stated().difference_sensitivities();
+        }
         let mut found = [Derivatives::default(); QUANTITIES];
         let values = values(self);
         for parameter in parameters(self.problem()) {
@@ -83,7 +86,7 @@ impl Contact {
                 problem.with_roughness(Roughness::power(value, exponent)?)
             }
             Parameter::YoungModulus => problem.with_young_modulus(value),
-            Parameter::Theta0 => problem.with_frame(problem.frame().with_theta0(value)?),
+            Parameter::Theta0 => problem.with_theta0(value),
             Parameter::Vertical => problem.with_vertical(match problem.load().vertical {
                 Vertical::Force(_) => Vertical::Force(value),
                 Vertical::Settlement(_) => Vertical::Settlement(value),

@@ -29,7 +29,7 @@ pub struct Sensitivities {
     pub tilt: Option<Derivatives>,
     /// Of the largest pressure (Pa); without where that is infinite, or the tip of a cusp under a kink.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub pressure_max: Option<Derivatives>,
+    pub peak_pressure: Option<Derivatives>,
     /// Of the width of contact (m).
     pub contact_width: Derivatives,
 }
@@ -37,7 +37,7 @@ pub struct Sensitivities {
 impl Sensitivities {
     /// From the derivatives of settlement, force, tilt, largest pressure and width.
     fn assembled(contact: &Contact, derivatives: [Derivatives; QUANTITIES]) -> Self {
-        let [settlement, force, tilt, pressure_max, contact_width] = derivatives;
+        let [settlement, force, tilt, peak_pressure, contact_width] = derivatives;
         let load = contact.problem().load();
         let by_force = matches!(load.vertical, Vertical::Force(_));
         let by_tilt = matches!(load.rotational, Rotational::Tilt(_));
@@ -51,7 +51,7 @@ impl Sensitivities {
             settlement: by_force.then_some(settlement),
             force: (!by_force).then_some(force),
             tilt: (!by_tilt).then_some(tilt),
-            pressure_max: contact.has_smooth_peak().then_some(pressure_max),
+            peak_pressure: contact.has_smooth_peak().then_some(peak_pressure),
             contact_width,
         }
     }
@@ -59,8 +59,8 @@ impl Sensitivities {
     /// Whether no derivative overflowed.
     #[must_use]
     pub fn is_finite(&self) -> bool {
-        let Self { settlement, force, tilt, pressure_max, contact_width, .. } = self;
-        let all = [*settlement, *force, *tilt, *pressure_max, Some(*contact_width)];
+        let Self { settlement, force, tilt, peak_pressure, contact_width, .. } = self;
+        let all = [*settlement, *force, *tilt, *peak_pressure, Some(*contact_width)];
         all.into_iter().flatten().all(|derivatives| derivatives.is_finite())
     }
 }
@@ -115,7 +115,7 @@ fn values(contact: &Contact) -> Values {
         contact.settlement(),
         contact.force(),
         contact.tilt(),
-        contact.peak_pressure().0,
+        contact.peak_pressure(),
         contact.contact_width(),
     ]
 }

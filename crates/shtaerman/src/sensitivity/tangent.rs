@@ -11,7 +11,8 @@
 
 use super::{Derivatives, QUANTITIES, Sensitivities, Values, values};
 use crate::contact::{Linearised, Rates};
-use crate::{Contact, Frame, Layering, Rotational, Roughness, Scaling, Vertical};
+use crate::frame::Frame;
+use crate::{Contact, Layering, Rotational, Roughness, Scaling, Vertical};
 
 /// Force and pressure among the quantities followed.
 const FORCE: usize = 1;
@@ -31,7 +32,7 @@ impl Contact {
         let mut derivatives = [Derivatives::default(); QUANTITIES];
         // No derivative is known better than the solution.
         let floor = self.known_to();
-        let values = values(self);
+        let values = values(&self.stated());
         for (k, slot) in derivatives.iter_mut().enumerate() {
             units.fill(slot, k, &found, values[k], floor);
         }

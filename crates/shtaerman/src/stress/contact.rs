@@ -2,7 +2,7 @@
 
 use super::StressField;
 use super::sampling::Effort;
-use crate::{Contact, Error, Frame, Geometry, Problem, Scaling};
+use crate::{Contact, Error, Geometry, Problem, Scaling};
 
 /// Most breakpoints of the profile that get panels of their own.
 const MOST_BREAKS: usize = 15;
@@ -12,23 +12,19 @@ const SHARE: f64 = 0.1;
 const COSTLY: usize = 8192;
 const MOST_COSTLY: usize = 1500;
 
-impl Frame {
-    /// Poisson's ratio of the foundation; a dimensionless problem has none.
-    #[must_use]
-    pub fn poisson_ratio(&self) -> Option<f64> {
-        match self {
-            Self::Physical { foundation, .. } => Some(foundation.poisson_ratio()),
-            Self::Dimensionless { .. } => None,
-        }
-    }
-
+impl Problem {
     /// Refuses what has no known stresses below the surface.
     ///
     /// # Errors
     /// [`Error::NoStresses`] for a circular punch and a graded foundation.
     pub fn check_stresses(&self) -> Result<(), Error> {
-        let circular = self.geometry() == Geometry::Circular;
-        if circular || !self.is_homogeneous() { Err(Error::NoStresses) } else { Ok(()) }
+        let foundation = self.foundation();
+        let is_layered = foundation.layering().is_some();
+        if self.is_circular() || foundation.grading().is_some() || is_layered {
+            Err(Error::NoStresses)
+        } else {
+            Ok(())
+        }
     }
 }
 
@@ -40,15 +36,15 @@ impl StressField {
     pub fn new(contact: &Contact, poisson_ratio: Option<f64>) -> Result<Self, Error> {
         let error = contact.accuracy().map_or(0.0, |accuracy| accuracy.pressure);
         let pressure0 = |zone: usize, from_left: f64, from_right: f64| {
-            contact.pressure_beside0(zone, from_left, from_right)
+            contact.pressure_beside(zone, from_left, from_right)
         };
         let costly = contact.method().n > COSTLY;
         let most = if costly { MOST_COSTLY } else { Effort::FULL.most };
         let effort = Effort { enough: SHARE * error, most };
-        let field = under(contact.problem(), &contact.edges0(), poisson_ratio, effort, &pressure0)?;
-        let frame = contact.problem().frame();
-        let stress = frame.scaling().map_or(1.0, Scaling::pressure);
-        Ok(field.with_pressure_error(error).in_units(frame.half_width(), stress))
+        let zones = contact.dimensionless().zones();
+        let field = under(contact.problem(), &zones, poisson_ratio, effort, &pressure0)?;
+        let units = (contact.half_width(), contact.scale(Scaling::pressure));
+        Ok(field.with_pressure_error(error).in_units(units.0, units.1))
     }
 }
 
@@ -61,8 +57,9 @@ fn under(
     pressure0: &dyn Fn(usize, f64, f64) -> f64,
 ) -> Result<StressField, Error> {
     let frame = problem.frame();
-    frame.check_stresses()?;
-    let given = poisson_ratio.or(frame.poisson_ratio()).ok_or(Error::NoPoissonRatio)?;
+    problem.check_stresses()?;
+    let given =
+        poisson_ratio.or(problem.foundation().poisson_ratio()).ok_or(Error::NoPoissonRatio)?;
     let period = match frame.geometry().scaled(frame.half_width()) {
         Geometry::Periodic { period } => Some(period),
         _ => None,

@@ -41,7 +41,7 @@ impl Problem {
         poisson_ratio: Option<f64>,
     ) -> Result<FirstYield, Error> {
         positive("yield_stress", yield_stress)?;
-        self.frame().check_stresses()?;
+        self.check_stresses()?;
         let contact = self.solve()?;
         let field = StressField::new(&contact, poisson_ratio)?;
         let (force, moment) = (contact.force(), contact.moment());

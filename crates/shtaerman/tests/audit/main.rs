@@ -19,7 +19,7 @@ mod numbers;
 mod survey;
 
 use shtaerman::{
-    ContactKind, ErrorKind, Frame, Load, Problem, Profile, Rotational, Solver, Vertical,
+    ContactKind, ErrorKind, Foundation, Load, Problem, Profile, Punch, Rotational, Solver, Vertical,
 };
 
 /// What the reference is off by, relative to the largest pressure or displacement.
@@ -44,7 +44,7 @@ fn trace() -> Profile {
         0.038, 0.082, 0.122, 0.174, 0.223, 0.345, 0.404, 0.501,
     ];
     let places = (0..21).map(|i| -1.0 + 0.1 * f64::from(i)).collect();
-    Profile::measured(places, heights.to_vec()).unwrap()
+    Profile::from_points(places, heights.to_vec()).unwrap()
 }
 
 fn cases() -> Vec<Case> {
@@ -104,10 +104,13 @@ fn cases() -> Vec<Case> {
 
 impl Case {
     fn problem(&self) -> Problem {
-        let frame = Frame::dimensionless(self.theta0).unwrap();
+        let (foundation, punch) =
+            (Foundation::dimensionless(self.theta0).unwrap(), Punch::new(1.0).unwrap());
         let load = Load::new(Vertical::Force(self.force), Rotational::Moment(self.moment)).unwrap();
-        let solver = Solver { contact: self.contact, ..Solver::default() };
-        Problem::new(frame, self.profile.clone(), load, solver).unwrap()
+        let solver = Solver::default().with_contact(self.contact);
+        Problem::new(foundation, punch.with_profile(self.profile.clone()), load)
+            .unwrap()
+            .with_solver(solver)
     }
 }
 
@@ -115,21 +118,21 @@ impl Case {
 fn bounds_hold_where_estimates_did_not() {
     for case in cases() {
         let contact = case.problem().solve().unwrap().audited().unwrap();
-        let accuracy = *contact.accuracy().unwrap();
+        let accuracy = contact.dimensionless().error().unwrap();
         println!("{}: {accuracy:?} {:?}", case.name, contact.audited_by());
         assert_eq!(accuracy.kind, ErrorKind::Bound, "{}", case.name);
         let size = case.settlement.abs().max(case.tilt.abs());
         for (found, truth, bound) in [
-            (contact.settlement0(), case.settlement, accuracy.settlement),
-            (contact.tilt0(), case.tilt, accuracy.tilt),
+            (contact.dimensionless().settlement(), case.settlement, accuracy.settlement),
+            (contact.dimensionless().tilt(), case.tilt, accuracy.tilt),
         ] {
             let error = (found - truth).abs();
             assert!(error <= bound + REFERENCE * size, "{}: {error:e} {bound:e}", case.name);
         }
-        let largest = contact.peak_pressure0().0;
+        let largest = contact.dimensionless().peak_pressure();
         for &(xi, truth) in case.pressures {
             // The references of pressures have nine digits.
-            let error = (contact.pressure0(xi) - truth).abs();
+            let error = (contact.dimensionless().pressure(xi).unwrap() - truth).abs();
             assert!(error <= accuracy.pressure + 6e-9, "{} at {xi}: {error:e}", case.name);
         }
         // And they are not idle.
@@ -160,10 +163,13 @@ fn estimates_hold_against_closed_forms() {
         };
         let half = 0.5 * kappa;
         let text = format!("{bend}*xi^2 - max({c}^2 - xi^2, 0)^{half}");
-        let frame = Frame::dimensionless_in(geometry, theta0, kappa).unwrap();
+        let (foundation, punch) = (
+            Foundation::dimensionless(theta0).unwrap().with_exponent(kappa).unwrap(),
+            Punch::in_geometry(geometry, 1.0).unwrap(),
+        );
         let load = Load::new(Vertical::Force(force), Rotational::Tilt(0.0)).unwrap();
         let profile = Profile::expression(&text).unwrap();
-        let problem = Problem::new(frame, profile, load, Solver::default()).unwrap();
+        let problem = Problem::new(foundation, punch.with_profile(profile), load).unwrap();
         let contact = match problem.solve().and_then(shtaerman::Contact::audited) {
             Ok(contact) => contact,
             Err(error) => {
@@ -172,24 +178,24 @@ fn estimates_hold_against_closed_forms() {
                 continue;
             }
         };
-        let stated = *contact.accuracy().unwrap();
+        let stated = contact.dimensionless().error().unwrap();
         let audit = contact.audited_by().unwrap().as_ref().unwrap();
         println!("{geometry:?} {c} {theta0} {kappa}: {stated:?} {audit:?}");
         assert_eq!(stated.kind, ErrorKind::Estimate);
-        let missed = (contact.settlement0() - settlement).abs();
+        let missed = (contact.dimensionless().settlement() - settlement).abs();
         assert!(missed <= stated.settlement + 1e-15 * settlement, "{missed:e}");
         for k in 0..=200 {
             let xi = 1.2 * c * f64::from(k) / 200.0;
             let exact = ((c - xi) * (c + xi)).max(0.0).sqrt();
             if xi <= 1.0 {
-                let missed = (contact.pressure0(xi) - exact).abs();
+                let missed = (contact.dimensionless().pressure(xi).unwrap() - exact).abs();
                 assert!(missed <= stated.pressure + 1e-15, "{xi}: {missed:e}");
             }
         }
         assert!(stated.pressure < 1e-5, "idle");
         // The largest pressure is that in the middle, c.
-        let off = (contact.peak_pressure0().0 - c).abs();
-        let peak = contact.peak_error0().unwrap();
+        let off = (contact.dimensionless().peak_pressure() - c).abs();
+        let peak = contact.dimensionless().error().and_then(|error| error.peak_pressure).unwrap();
         assert!(off <= peak + 1e-15 && peak <= 2.0 * stated.pressure + 1e-13, "{off:e} {peak:e}");
     }
 }
@@ -197,30 +203,31 @@ fn estimates_hold_against_closed_forms() {
 #[test]
 fn what_is_not_covered_says_why() {
     let steel = shtaerman::Elastic::new(200e9, 0.3).unwrap();
-    let frame = Frame::physical(steel, 0.0, 1e-3, None);
+    let (foundation, punch) =
+        (Foundation::new(steel).with_roughness(0.0).unwrap(), Punch::new(1e-3).unwrap());
     let load = Load::new(Vertical::Force(1e3), Rotational::Tilt(0.0)).unwrap();
     let ball = Profile::expression("x^2/2").unwrap();
-    let problem = Problem::new(frame.unwrap(), ball, load, Solver::default()).unwrap();
+    let problem = Problem::new(foundation, punch.with_profile(ball), load).unwrap();
     let contact = problem.solve().unwrap();
-    let stated = *contact.accuracy().unwrap();
+    let stated = contact.dimensionless().error().unwrap();
     let audited = contact.audited().unwrap();
     let reason = audited.audited_by().unwrap().as_ref().unwrap_err().to_string();
     assert!(reason.contains("smooth"), "{reason}");
-    assert_eq!(*audited.accuracy().unwrap(), stated);
+    assert_eq!(audited.dimensionless().error().unwrap(), stated);
 }
 
 #[test]
 fn loads_of_every_kind_enclose_the_same_contact() {
     // One contact four ways: what one load prescribes the others find, within both their bounds.
-    let frame = || Frame::dimensionless(7.0).unwrap();
+    let stated = || (Foundation::dimensionless(7.0).unwrap(), Punch::new(1.0).unwrap());
     let profile = || Profile::expression("0.6*xi^2 + 0.1*sin(5*xi)").unwrap();
     let solve = |vertical, rotational| {
         let load = Load::new(vertical, rotational).unwrap();
-        let problem = Problem::new(frame(), profile(), load, Solver::default()).unwrap();
+        let problem = Problem::new(stated().0, stated().1.with_profile(profile()), load).unwrap();
         problem.solve().unwrap().audited().unwrap()
     };
     let first = solve(Vertical::Force(0.2), Rotational::Moment(0.03));
-    let (settlement, tilt) = (first.settlement0(), first.tilt0());
+    let (settlement, tilt) = (first.dimensionless().settlement(), first.dimensionless().tilt());
     for (vertical, rotational) in [
         (Vertical::Settlement(settlement), Rotational::Tilt(tilt)),
         (Vertical::Force(0.2), Rotational::Tilt(tilt)),
@@ -228,30 +235,44 @@ fn loads_of_every_kind_enclose_the_same_contact() {
         (Vertical::Force(0.2), Rotational::Eccentricity(0.15)),
     ] {
         let other = solve(vertical, rotational);
-        let (a, b) = (first.accuracy().unwrap(), other.accuracy().unwrap());
+        let (a, b) =
+            (first.dimensionless().error().unwrap(), other.dimensionless().error().unwrap());
         // What is handed over is off by its bound, which the contact amplifies by at most about the stiffness.
         let allowed = 20.0 * (a.settlement + a.tilt + a.pressure) + b.settlement + b.tilt;
-        assert!((other.settlement0() - settlement).abs() <= allowed);
-        assert!((other.tilt0() - tilt).abs() <= allowed);
-        assert!((other.force0() - 0.2).abs() <= allowed + b.force);
-        assert!((other.moment0() - 0.03).abs() <= allowed + b.moment);
+        assert!((other.dimensionless().settlement() - settlement).abs() <= allowed);
+        assert!((other.dimensionless().tilt() - tilt).abs() <= allowed);
+        assert!((other.dimensionless().force() - 0.2).abs() <= allowed + b.force);
+        assert!((other.dimensionless().moment() - 0.03).abs() <= allowed + b.moment);
     }
 }
 
 #[test]
 fn a_constant_in_the_profile_moves_the_settlement_alone() {
     let steel = shtaerman::Elastic::new(200e9, 0.3).unwrap();
-    let frame = Frame::physical(steel, 1.2e-14, 5e-3, None).unwrap();
+    let (foundation, punch) =
+        (Foundation::new(steel).with_roughness(1.2e-14).unwrap(), Punch::new(5e-3).unwrap());
     let load = Load::new(Vertical::Force(0.8e6), Rotational::Moment(0.0)).unwrap();
-    let solver = Solver { tolerance: Some(1e-12), ..Solver::default() };
+    let solver = Solver::default().with_tolerance(1e-12).unwrap();
     let solve = |text| {
         let profile = Profile::expression(text).unwrap();
-        Problem::new(frame.clone(), profile, load, solver).unwrap().solve().unwrap().audited()
+        Problem::new(foundation, punch.clone().with_profile(profile), load)
+            .unwrap()
+            .with_solver(solver)
+            .solve()
+            .unwrap()
+            .audited()
     };
     let (plain, raised) = (solve("x^2/40").unwrap(), solve("x^2/40 + 1").unwrap());
-    let allowed = plain.accuracy().unwrap().pressure + raised.accuracy().unwrap().pressure;
+    let allowed = plain.dimensionless().error().unwrap().pressure
+        + raised.dimensionless().error().unwrap().pressure;
     for xi in [-1.0, -0.3, 0.0, 0.8, 1.0] {
-        assert!((plain.pressure0(xi) - raised.pressure0(xi)).abs() <= allowed, "{xi}");
+        assert!(
+            (plain.dimensionless().pressure(xi).unwrap()
+                - raised.dimensionless().pressure(xi).unwrap())
+            .abs()
+                <= allowed,
+            "{xi}"
+        );
     }
     assert!((raised.settlement() - plain.settlement() - 1.0).abs() < 4.0 * f64::EPSILON);
 }
@@ -260,18 +281,24 @@ fn a_constant_in_the_profile_moves_the_settlement_alone() {
 fn settlement_with_eccentricity_states_the_force_that_it_finds() {
     // The force of a contact, handed back by its settlement: the errors of both must cover what comes out differently.
     let profile = || Profile::expression("0.5*xi^2").unwrap();
-    let frame = || Frame::dimensionless(3.0).unwrap();
+    let stated = || (Foundation::dimensionless(3.0).unwrap(), Punch::new(1.0).unwrap());
     let solve = |vertical| {
         let load = Load::new(vertical, Rotational::Eccentricity(0.1)).unwrap();
-        let problem = Problem::new(frame(), profile(), load, Solver::default()).unwrap();
+        let problem = Problem::new(stated().0, stated().1.with_profile(profile()), load).unwrap();
         problem.solve().unwrap().audited().unwrap()
     };
     let first = solve(Vertical::Force(0.08));
-    let second = solve(Vertical::Settlement(first.settlement0()));
-    let accuracy = second.accuracy().unwrap();
+    let second = solve(Vertical::Settlement(first.dimensionless().settlement()));
+    let accuracy = second.dimensionless().error().unwrap();
     assert_eq!(accuracy.kind, ErrorKind::Estimate);
-    let handed_over = first.accuracy().unwrap().settlement;
+    let handed_over = first.dimensionless().error().unwrap().settlement;
     assert!(accuracy.force > 0.0 && accuracy.moment > 0.0);
-    assert!((second.force0() - 0.08).abs() <= accuracy.force + handed_over, "{accuracy:?}");
-    assert!((second.moment0() - 0.008).abs() <= accuracy.moment + handed_over, "{accuracy:?}");
+    assert!(
+        (second.dimensionless().force() - 0.08).abs() <= accuracy.force + handed_over,
+        "{accuracy:?}"
+    );
+    assert!(
+        (second.dimensionless().moment() - 0.008).abs() <= accuracy.moment + handed_over,
+        "{accuracy:?}"
+    );
 }

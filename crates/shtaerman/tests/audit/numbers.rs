@@ -23,8 +23,8 @@ fn of_a_layer_without_body() {
         } else {
             2.0 * (1.9 - 1.0 / 3.0)
         };
-        let stated = contact.accuracy().unwrap();
-        let off = (contact.force0() - truth).abs();
+        let stated = contact.dimensionless().error().unwrap();
+        let off = (contact.dimensionless().force() - truth).abs();
         println!("{head}: {off:e} {stated:?}");
         assert!(off <= stated.force + 4.0 * f64::EPSILON * truth, "{head}: {off:e} {stated:?}");
         assert!(stated.force < 1e-8, "{stated:?}");
@@ -42,12 +42,14 @@ fn of_large_heights() {
         ("(1e8+0.1-1e8) + xi^2", 2.0),
     ] {
         let contact = solved("theta0 = 1", profile, &format!("settlement = {settlement}"));
-        let [one, two] = [&contact, &plain].map(|c| *c.accuracy().unwrap());
-        let off = (contact.force0() - plain.force0()).abs();
+        let [one, two] = [&contact, &plain].map(|c| c.dimensionless().error().unwrap());
+        let off = (contact.dimensionless().force() - plain.dimensionless().force()).abs();
         println!("{profile}: {off:e} {one:?}");
         assert!(off <= one.force + two.force, "{profile}: {off:e} {one:?}");
         for xi in [-1.0, 0.3, 1.0] {
-            let off = (contact.pressure0(xi) - plain.pressure0(xi)).abs();
+            let off = (contact.dimensionless().pressure(xi).unwrap()
+                - plain.dimensionless().pressure(xi).unwrap())
+            .abs();
             assert!(off <= one.pressure + two.pressure, "{profile} {xi}: {off:e} {one:?}");
         }
         assert!(one.pressure < 1e-6, "{one:?}");

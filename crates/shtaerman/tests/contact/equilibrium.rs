@@ -11,8 +11,18 @@ fn the_pressure_balances_force_and_moment() {
             for profile in ["0", "xi^4 - xi/2", "exp(xi) - 3*xi^2", "1/(1 + 4*xi^2)"] {
                 let contact = solve(theta0, profile, force_and_moment(1.7, -0.31), degree);
                 let what = format!("theta0 = {theta0}, n = {degree}, f0 = {profile}");
-                assert_near(integral(|xi| contact.pressure0(xi)), 1.7, 1e-12, &what);
-                assert_near(integral(|xi| xi * contact.pressure0(xi)), -0.31, 1e-12, &what);
+                assert_near(
+                    integral(|xi| contact.dimensionless().pressure(xi).unwrap()),
+                    1.7,
+                    1e-12,
+                    &what,
+                );
+                assert_near(
+                    integral(|xi| xi * contact.dimensionless().pressure(xi).unwrap()),
+                    -0.31,
+                    1e-12,
+                    &what,
+                );
             }
         }
     }
@@ -20,9 +30,12 @@ fn the_pressure_balances_force_and_moment() {
 
 /// `|p + theta0 int ln(1/|xi - eta|) p - (delta0 - alpha0 xi - f0)|`.
 fn residual(contact: &Contact, xi: f64) -> f64 {
-    let right =
-        contact.settlement0() - contact.tilt0() * xi - contact.problem().dimensionless_profile(xi);
-    (contact.pressure0(xi) + contact.theta0() * potential(contact, xi) - right).abs()
+    let right = contact.dimensionless().settlement()
+        - contact.dimensionless().tilt() * xi
+        - contact.problem().dimensionless_profile(xi);
+    (contact.dimensionless().pressure(xi).unwrap() + contact.theta0() * potential(contact, xi)
+        - right)
+        .abs()
 }
 
 #[test]
@@ -52,7 +65,8 @@ fn the_work_of_the_layer_is_the_derivative_of_the_compliance() {
     for s in [2.0, 0.2, 0.02] {
         let work = |s: f64| {
             let contact = at(s);
-            s * (force * contact.settlement0() - moment * contact.tilt0())
+            s * (force * contact.dimensionless().settlement()
+                - moment * contact.dimensionless().tilt())
         };
         let step = 1e-2 * s;
         // Fourth-order central difference.
@@ -60,7 +74,7 @@ fn the_work_of_the_layer_is_the_derivative_of_the_compliance() {
             - (work(s + 2.0 * step) - work(s - 2.0 * step)))
             / (12.0 * step);
         let contact = at(s);
-        let exact = integral(|xi| contact.pressure0(xi).powi(2));
+        let exact = integral(|xi| contact.dimensionless().pressure(xi).unwrap().powi(2));
         assert_near(derivative / exact, 1.0, 1e-6, &format!("1/theta0 = {s}"));
     }
 }
@@ -72,9 +86,12 @@ fn two_loadings_are_reciprocal() {
         let one = solve(theta0, "xi^4 - xi/2", force_and_moment(1.7, -0.31), 120);
         let two = solve(theta0, "sin(5*xi) + abs(xi)^3", force_and_moment(-0.4, 0.9), 120);
         let work = |base: &Contact, pressing: &Contact| {
-            base.settlement0() * pressing.force0()
-                - base.tilt0() * pressing.moment0()
-                - integral(|xi| base.problem().dimensionless_profile(xi) * pressing.pressure0(xi))
+            base.dimensionless().settlement() * pressing.dimensionless().force()
+                - base.dimensionless().tilt() * pressing.dimensionless().moment()
+                - integral(|xi| {
+                    base.problem().dimensionless_profile(xi)
+                        * pressing.dimensionless().pressure(xi).unwrap()
+                })
         };
         let (first, second) = (work(&one, &two), work(&two, &one));
         let scale = theta0.max(1.0);
@@ -96,8 +113,8 @@ fn sinc_collocation_gives_the_same_pressure() {
         let tilt = (0.31 - f.integral(|x| x)) / xi.integral(|x| x);
         let contact = solve(theta0, "exp(1.5*xi) - xi^3", force_and_moment(1.7, -0.31), 400);
         // n^-4, n^-3 and n^-2, with a factor that grows with theta0.
-        assert_near(contact.settlement0(), settlement, 1e-8, "settlement");
-        assert_near(contact.tilt0(), tilt, 1e-8, "tilt");
+        assert_near(contact.dimensionless().settlement(), settlement, 1e-8, "settlement");
+        assert_near(contact.dimensionless().tilt(), tilt, 1e-8, "tilt");
         for (place, tolerance) in
             [(-1.0, 1e-3), (-0.4, 1e-6), (0.0, 1e-6), (0.77, 1e-6), (1.0, 1e-3)]
         {
@@ -105,7 +122,7 @@ fn sinc_collocation_gives_the_same_pressure() {
                 - tilt * xi.evaluate(place, place)
                 - f.evaluate(place, base(place));
             assert_near(
-                contact.pressure0(place),
+                contact.dimensionless().pressure(place).unwrap(),
                 exact,
                 tolerance,
                 &format!("theta0 = {theta0}, xi = {place}"),

@@ -1,8 +1,8 @@
 //! A constant in the profile moves the punch and nothing else, and heights that rounding has spoilt are not said to be better than they are.
 
 use shtaerman::{
-    Contact, CrossCheck, Elastic, Error, Frame, Geometry, Load, Problem, Profile, Rotational,
-    Solver, Vertical,
+    Contact, CrossCheck, Elastic, Error, Foundation, Geometry, Load, Problem, Profile, Punch,
+    Rotational, Solver, Vertical,
 };
 
 use crate::support::{force_and_moment, load};
@@ -11,8 +11,9 @@ const PLACES: [f64; 5] = [-1.0, -0.4, 0.0, 0.7, 1.0];
 
 fn ground_punch(profile: Profile, load: Load, solver: Solver) -> Result<Contact, Error> {
     let steel = Elastic::new(200e9, 0.3).unwrap();
-    let frame = Frame::physical(steel, 1.2e-14, 5e-3, None).unwrap();
-    Problem::new(frame, profile, load, solver)?.solve()
+    let (foundation, punch) =
+        (Foundation::new(steel).with_roughness(1.2e-14).unwrap(), Punch::new(5e-3).unwrap());
+    Problem::new(foundation, punch.with_profile(profile), load)?.with_solver(solver).solve()
 }
 
 fn expression(text: &str) -> Profile {
@@ -20,7 +21,7 @@ fn expression(text: &str) -> Profile {
 }
 
 fn tight(solver: Solver) -> Solver {
-    Solver { tolerance: Some(1e-12), ..solver }
+    solver.with_tolerance(1e-12).unwrap()
 }
 
 #[test]
@@ -35,7 +36,8 @@ fn a_metre_of_offset_costs_no_digit() {
         ] {
             let raised = ground_punch(expression(text), pressed, solver).unwrap();
             for xi in PLACES {
-                let [one, other] = [&plain, &raised].map(|contact| contact.pressure0(xi));
+                let [one, other] =
+                    [&plain, &raised].map(|contact| contact.dimensionless().pressure(xi).unwrap());
                 assert!((one / other - 1.0).abs() < 1e-12, "{text} at {xi}: {one} {other}");
             }
             assert!(
@@ -54,13 +56,20 @@ fn a_measured_base_may_lie_anywhere() {
         let positions: Vec<f64> = (-8..=8).map(|i| f64::from(i) / 1600.0).collect();
         // Powers of two, so that the offset leaves the heights as they are.
         let heights = (-8..=8).map(|i| offset + f64::from(i * i) / 2f64.powi(27)).collect();
-        Profile::measured(positions, heights).unwrap()
+        Profile::from_points(positions, heights).unwrap()
     };
     let pressed = force_and_moment(0.8e6, 0.0);
     let [plain, raised] = [0.0, 1024.0]
         .map(|offset| ground_punch(points(offset), pressed, tight(Solver::default())).unwrap());
     for xi in PLACES {
-        assert!((plain.pressure0(xi) / raised.pressure0(xi) - 1.0).abs() < 1e-12, "{xi}");
+        assert!(
+            (plain.dimensionless().pressure(xi).unwrap()
+                / raised.dimensionless().pressure(xi).unwrap()
+                - 1.0)
+                .abs()
+                < 1e-12,
+            "{xi}"
+        );
     }
     assert_eq!(raised.tilt(), 0.0);
 }
@@ -81,31 +90,48 @@ fn a_prescribed_settlement_is_counted_from_where_the_heights_are() {
 #[test]
 fn a_layer_alone_has_the_pressure_of_its_base() {
     // p0 = delta0 - xi^2 with the mean 1/2.
-    let frame = Frame::dimensionless(0.0).unwrap();
+    let (foundation, punch) = (Foundation::dimensionless(0.0).unwrap(), Punch::new(1.0).unwrap());
     let level = load(Vertical::Force(1.0), Rotational::Tilt(0.0));
-    let problem =
-        Problem::new(frame, expression("xi^2 + 1e12"), level, tight(Solver::bilateral())).unwrap();
+    let problem = Problem::new(foundation, punch.with_profile(expression("xi^2 + 1e12")), level)
+        .unwrap()
+        .with_solver(tight(Solver::bilateral()));
     let contact = problem.solve().unwrap();
     for xi in PLACES {
-        assert!((contact.pressure0(xi) - (5.0 / 6.0 - xi * xi)).abs() < 1e-14, "{xi}");
+        assert!(
+            (contact.dimensionless().pressure(xi).unwrap() - (5.0 / 6.0 - xi * xi)).abs() < 1e-14,
+            "{xi}"
+        );
     }
     let check: CrossCheck = problem.cross_check(&contact).unwrap();
-    assert!(check.pressure_sup < 1e-13 && check.settlement < 1e-13, "{check:?}");
+    assert!(check.pressure < 1e-13 && check.settlement < 1e-13, "{check:?}");
 }
 
 /// The pressures of a base in a form that loses digits and in one that does not, with the error that is stated.
-fn spoilt(frame: &Frame, texts: [&str; 2], force: f64, solver: Solver) -> (f64, f64) {
+fn spoilt(
+    (foundation, punch): &(Foundation, Punch),
+    texts: [&str; 2],
+    force: f64,
+    solver: Solver,
+) -> (f64, f64) {
     let pressed = load(Vertical::Force(force), Rotational::Moment(0.0));
     let [lossy, exact] = texts.map(|text| {
         let profile = expression(text);
-        Problem::new(frame.clone(), profile, pressed, solver).unwrap().solve().unwrap()
+        Problem::new(*foundation, punch.clone().with_profile(profile), pressed)
+            .unwrap()
+            .with_solver(solver)
+            .solve()
+            .unwrap()
     });
-    let [left, right] = exact.edges0()[0].map(|edge| 0.98 * edge);
+    let [left, right] = exact.dimensionless().zones()[0].map(|edge| 0.98 * edge);
     let difference = (0..=200)
         .map(|i| left + (right - left) * f64::from(i) / 200.0)
-        .map(|xi| (lossy.pressure0(xi) - exact.pressure0(xi)).abs())
+        .map(|xi| {
+            (lossy.dimensionless().pressure(xi).unwrap()
+                - exact.dimensionless().pressure(xi).unwrap())
+            .abs()
+        })
         .fold(0.0, f64::max);
-    (difference, lossy.accuracy().unwrap().pressure)
+    (difference, lossy.dimensionless().error().unwrap().pressure)
 }
 
 #[test]
@@ -113,13 +139,17 @@ fn rounding_of_heights_is_stated_whatever_the_way() {
     let bowl = ["1e3 - sqrt(1e6 - xi^2)", "xi^2/(1e3 + sqrt(1e6 - xi^2))"];
     let arch = ["1e5*(cosh(1e-3*xi) - 1)", "2e5*sinh(5e-4*xi)^2"];
     let narrow = ["1e5 - sqrt(1e10 - 1e6*xi^2)", "1e6*xi^2/(1e5 + sqrt(1e10 - 1e6*xi^2))"];
-    let plane = |theta0| Frame::dimensionless(theta0).unwrap();
-    let in_geometry =
-        |geometry, exponent| Frame::dimensionless_in(geometry, 1.0, exponent).unwrap();
+    let plane = |theta0| (Foundation::dimensionless(theta0).unwrap(), Punch::new(1.0).unwrap());
+    let in_geometry = |geometry, exponent| {
+        (
+            Foundation::dimensionless(1.0).unwrap().with_exponent(exponent).unwrap(),
+            Punch::in_geometry(geometry, 1.0).unwrap(),
+        )
+    };
     for (frame, texts, solver) in [
         (plane(0.0), bowl, Solver::bilateral()),
         (plane(1.0), bowl, Solver::bilateral()),
-        (plane(1.0), bowl, Solver::spectral(4096)),
+        (plane(1.0), bowl, Solver::spectral(4096).unwrap()),
         (plane(1.0), arch, Solver::default()),
         (plane(30.0), arch, Solver::default()),
         (plane(1.0), narrow, Solver::default()),
@@ -153,12 +183,14 @@ fn edges_are_known_as_far_as_heights_are() {
         ("max(0, 3000 - max(0, 1 - 4*xi^2)^1.5 + max(0, xi^2 - 0.25))", 3000.0, 0.5),
     ] {
         let pressed = load(Vertical::Settlement(settlement), Rotational::Tilt(0.0));
-        let frame = Frame::dimensionless(0.0).unwrap();
-        let problem = Problem::new(frame, expression(text), pressed, Solver::default()).unwrap();
+        let (foundation, punch) =
+            (Foundation::dimensionless(0.0).unwrap(), Punch::new(1.0).unwrap());
+        let problem =
+            Problem::new(foundation, punch.with_profile(expression(text)), pressed).unwrap();
         let contact = problem.solve().unwrap();
-        let [left, right] = contact.edges0()[0];
+        let [left, right] = contact.dimensionless().zones()[0];
         let error = (left + edge).abs().max((right - edge).abs());
-        let stated = contact.edge_error0().unwrap();
+        let stated = contact.dimensionless().error().and_then(|error| error.zones).unwrap();
         assert!(error <= stated && stated < 1e-6, "{text}: {error:e} {stated:e}");
     }
 }
@@ -168,16 +200,16 @@ fn edges_are_known_as_far_as_heights_are() {
 fn the_error_covers_what_formulae_lose_beside_an_edge() {
     let text = "10 - 1.09*sqrt(max(0, 1 - (xi/0.123)^2)) + max(0, abs(xi)/0.123 - 1)";
     let pressed = load(Vertical::Settlement(10.0), Rotational::Tilt(0.0));
-    let frame = Frame::dimensionless(0.0).unwrap();
-    let problem = Problem::new(frame, expression(text), pressed, Solver::default()).unwrap();
+    let (foundation, punch) = (Foundation::dimensionless(0.0).unwrap(), Punch::new(1.0).unwrap());
+    let problem = Problem::new(foundation, punch.with_profile(expression(text)), pressed).unwrap();
     let contact = problem.solve().unwrap();
-    let stated = contact.accuracy().unwrap().pressure;
+    let stated = contact.dimensionless().error().unwrap().pressure;
     for share in [1e-3, 1e-6, 1e-9, 1e-12, 1e-14] {
         let xi: f64 = 0.123 * (1.0 - share);
         // 0.123 - xi is exact.
         let y = 1.0 - (0.123 - xi) / 0.123;
         let exact = 1.09 * ((0.123 - xi) / 0.123 * (1.0 + y)).sqrt();
-        let error = (contact.pressure0(xi) - exact).abs();
+        let error = (contact.dimensionless().pressure(xi).unwrap() - exact).abs();
         assert!(error <= stated && stated < 1e-7, "{share}: {error:e} {stated:e}");
     }
 }
@@ -186,11 +218,11 @@ fn the_error_covers_what_formulae_lose_beside_an_edge() {
 #[test]
 fn constants_that_do_not_add_up_exactly_cost_no_digit() {
     let pressed = load(Vertical::Settlement(1_000_000.5), Rotational::Tilt(0.0));
-    let frame = Frame::dimensionless(0.0).unwrap();
+    let (foundation, punch) = (Foundation::dimensionless(0.0).unwrap(), Punch::new(1.0).unwrap());
     let profile = expression("1000000 + xi^2/2 + 0.0016");
     let contact =
-        Problem::new(frame, profile, pressed, Solver::default()).unwrap().solve().unwrap();
-    let error = (contact.pressure0(0.0) - 0.4984).abs();
-    let stated = contact.accuracy().unwrap().pressure;
+        Problem::new(foundation, punch.with_profile(profile), pressed).unwrap().solve().unwrap();
+    let error = (contact.dimensionless().pressure(0.0).unwrap() - 0.4984).abs();
+    let stated = contact.dimensionless().error().unwrap().pressure;
     assert!(error <= stated && stated < 1e-14, "{error:e} {stated:e}");
 }

@@ -27,8 +27,9 @@ prop_compose! {
 
 /// Size of what cancels in an answer.
 fn scale(contact: &Contact) -> f64 {
-    let load = contact.force0().abs() + contact.moment0().abs();
-    (20.0 + contact.settlement0().abs() + contact.tilt0().abs()) * (1.0 + 0.01 * contact.theta0())
+    let load = contact.dimensionless().force().abs() + contact.dimensionless().moment().abs();
+    (20.0 + contact.dimensionless().settlement().abs() + contact.dimensionless().tilt().abs())
+        * (1.0 + 0.01 * contact.theta0())
         + load
 }
 
@@ -42,42 +43,43 @@ proptest! {
     #[test]
     fn force_and_moment_balance(c in coefficients(), theta0 in theta0(), force in -3.0..3.0f64, moment in -3.0..3.0f64) {
         let contact = solve(theta0, &profile(c, 1.0), force_and_moment(force, moment), 60);
-        prop_assert!(near(integral(|xi| contact.pressure0(xi)), force, scale(&contact)));
-        prop_assert!(near(integral(|xi| xi * contact.pressure0(xi)), moment, scale(&contact)));
-        let (peak, place) = contact.peak_pressure0();
-        prop_assert!(near(contact.pressure0(place), peak, scale(&contact)));
+        prop_assert!(near(integral(|xi| contact.dimensionless().pressure(xi).unwrap()), force, scale(&contact)));
+        prop_assert!(near(integral(|xi| xi * contact.dimensionless().pressure(xi).unwrap()), moment, scale(&contact)));
+        let bare = contact.dimensionless();
+        let (peak, place) = (bare.peak_pressure(), bare.peak_pressure_at());
+        prop_assert!(near(contact.dimensionless().pressure(place).unwrap(), peak, scale(&contact)));
         for i in 0..=300 {
             let xi = f64::from(i) / 150.0 - 1.0;
-            prop_assert!(contact.pressure0(xi) <= peak + 1e-6 * scale(&contact), "xi = {}", xi);
+            prop_assert!(contact.dimensionless().pressure(xi).unwrap() <= peak + 1e-6 * scale(&contact), "xi = {}", xi);
         }
     }
 
     #[test]
     fn displacements_and_loads_are_inverse(c in coefficients(), theta0 in theta0(), delta in -3.0..3.0f64, alpha in -3.0..3.0f64) {
         let first = solve(theta0, &profile(c, 1.0), settlement_and_tilt(delta, alpha), 60);
-        let again = solve(theta0, &profile(c, 1.0), force_and_moment(first.force0(), first.moment0()), 60);
+        let again = solve(theta0, &profile(c, 1.0), force_and_moment(first.dimensionless().force(), first.dimensionless().moment()), 60);
         // The compliance grows as theta0, and rounding of the loads with it.
         let scale = scale(&first) * (1.0 + theta0);
-        prop_assert!(near(again.settlement0(), delta, scale), "{} {}", again.settlement0(), delta);
-        prop_assert!(near(again.tilt0(), alpha, scale), "{} {}", again.tilt0(), alpha);
+        prop_assert!(near(again.dimensionless().settlement(), delta, scale), "{} {}", again.dimensionless().settlement(), delta);
+        prop_assert!(near(again.dimensionless().tilt(), alpha, scale), "{} {}", again.dimensionless().tilt(), alpha);
     }
 
     #[test]
     fn reflection_reflects(c in coefficients(), theta0 in theta0(), force in -3.0..3.0f64, moment in -3.0..3.0f64, xi in -1.0..1.0f64) {
         let right = solve(theta0, &profile(c, 1.0), force_and_moment(force, moment), 60);
         let left = solve(theta0, &profile(c, -1.0), force_and_moment(force, -moment), 60);
-        prop_assert!(near(left.settlement0(), right.settlement0(), scale(&right)));
-        prop_assert!(near(left.tilt0(), -right.tilt0(), scale(&right)));
-        prop_assert!(near(left.pressure0(-xi), right.pressure0(xi), scale(&right)));
+        prop_assert!(near(left.dimensionless().settlement(), right.dimensionless().settlement(), scale(&right)));
+        prop_assert!(near(left.dimensionless().tilt(), -right.dimensionless().tilt(), scale(&right)));
+        prop_assert!(near(left.dimensionless().pressure(-xi).unwrap(), right.dimensionless().pressure(xi).unwrap(), scale(&right)));
     }
 
     #[test]
     fn rigid_motions_of_the_profile_leave_the_pressure(c in coefficients(), theta0 in theta0(), up in -9.0..9.0f64, turn in -9.0..9.0f64, xi in -1.0..1.0f64) {
         let plain = solve(theta0, &profile(c, 1.0), force_and_moment(1.0, 0.2), 60);
         let moved = solve(theta0, &format!("{} + {up} + {turn}*xi", profile(c, 1.0)), force_and_moment(1.0, 0.2), 60);
-        prop_assert!(near(moved.settlement0(), plain.settlement0() + up, scale(&plain)));
-        prop_assert!(near(moved.tilt0(), plain.tilt0() - turn, scale(&plain)));
-        prop_assert!(near(moved.pressure0(xi), plain.pressure0(xi), scale(&plain)));
+        prop_assert!(near(moved.dimensionless().settlement(), plain.dimensionless().settlement() + up, scale(&plain)));
+        prop_assert!(near(moved.dimensionless().tilt(), plain.dimensionless().tilt() - turn, scale(&plain)));
+        prop_assert!(near(moved.dimensionless().pressure(xi).unwrap(), plain.dimensionless().pressure(xi).unwrap(), scale(&plain)));
     }
 
     #[test]
@@ -86,8 +88,8 @@ proptest! {
         let second = solve(theta0, &profile(two, 1.0), force_and_moment(-0.3, 0.9), 60);
         let work = |base: &Contact, pressing: &Contact| {
             integral(|xi| {
-                let depth = base.settlement0() - base.tilt0() * xi - base.problem().dimensionless_profile(xi);
-                depth * pressing.pressure0(xi)
+                let depth = base.dimensionless().settlement() - base.dimensionless().tilt() * xi - base.problem().dimensionless_profile(xi);
+                depth * pressing.dimensionless().pressure(xi).unwrap()
             })
         };
         let size = scale(&first) * scale(&second);
@@ -102,7 +104,7 @@ proptest! {
         for i in 0..=400 {
             let xi = f64::from(i) / 200.0 - 1.0;
             let inside = zones.iter().any(|[left, right]| (*left..=*right).contains(&xi));
-            let pressure = contact.pressure0(xi);
+            let pressure = contact.dimensionless().pressure(xi).unwrap();
             prop_assert!(pressure.abs() < 1e-6 * scale(&contact) || inside == (pressure < 0.0), "xi = {}: {}", xi, pressure);
         }
     }

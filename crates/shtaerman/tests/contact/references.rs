@@ -1,6 +1,6 @@
 //! Default settings against solutions in 40-digit arithmetic, from very rough to almost smooth.
 
-use shtaerman::{Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{Foundation, Load, Problem, Profile, Punch, Rotational, Solver, Vertical};
 
 /// `lambda f | int phi | int x phi | phi(-1) | phi(0.3) | phi(1)`, made by a separate program; its heading tells how.
 const REFERENCES: &str = include_str!("../../../fredholm/tests/data/collocation_logarithm.txt");
@@ -21,20 +21,29 @@ fn twelve_digits_at_every_roughness() {
             let settlement = (force + free[0]) / level[0];
             let tilt = -(moment + free[1]) / tilted[1];
             let load = Load::new(Vertical::Force(force), Rotational::Moment(moment)).unwrap();
-            let frame = Frame::dimensionless(theta0.parse().unwrap()).unwrap();
+            let (foundation, punch) = (
+                Foundation::dimensionless(theta0.parse().unwrap()).unwrap(),
+                Punch::new(1.0).unwrap(),
+            );
             let profile = Profile::expression(formula).unwrap();
-            let contact =
-                Problem::new(frame, profile, load, Solver::bilateral()).unwrap().solve().unwrap();
+            let contact = Problem::new(foundation, punch.with_profile(profile), load)
+                .unwrap()
+                .with_solver(Solver::bilateral())
+                .solve()
+                .unwrap();
 
             let case = format!("theta0 = {theta0}, {formula}");
-            assert!((contact.settlement0() / settlement - 1.0).abs() < 1e-12, "{case}: settlement");
-            assert!((contact.tilt0() / tilt - 1.0).abs() < 1e-12, "{case}: tilt");
+            assert!(
+                (contact.dimensionless().settlement() / settlement - 1.0).abs() < 1e-12,
+                "{case}: settlement"
+            );
+            assert!((contact.dimensionless().tilt() / tilt - 1.0).abs() < 1e-12, "{case}: tilt");
             let exact = [2, 3, 4].map(|i| settlement * level[i] - tilt * tilted[i] - free[i]);
             let largest = exact.into_iter().fold(0.0f64, |most, p| most.max(p.abs()));
             let tolerance = if theta0 == "1e5" { 1e-11 } else { 1e-12 };
-            let stated = contact.accuracy().unwrap().pressure;
+            let stated = contact.dimensionless().error().unwrap().pressure;
             for (xi, exact) in [-1.0, 0.3, 1.0].into_iter().zip(exact) {
-                let error = (contact.pressure0(xi) - exact).abs();
+                let error = (contact.dimensionless().pressure(xi).unwrap() - exact).abs();
                 assert!(
                     error <= tolerance * largest && error <= stated,
                     "{case}, xi = {xi}: {error:e}"

@@ -11,8 +11,9 @@ fn flat(theta0: f64, force: f64, moment: f64, degree: usize) -> Contact {
 
 /// Edge pressure over `sqrt(theta0)`, freed of the leading term of its error, of order 2 in `1/n`.
 fn edge(theta0: f64, force: f64, moment: f64, degree: usize) -> f64 {
-    let [coarse, fine] =
-        [degree / 2, degree].map(|n| flat(theta0, force, moment, n).pressure0(1.0) / theta0.sqrt());
+    let [coarse, fine] = [degree / 2, degree].map(|n| {
+        flat(theta0, force, moment, n).dimensionless().pressure(1.0).unwrap() / theta0.sqrt()
+    });
     fine + (fine - coarse) / 3.0
 }
 
@@ -76,7 +77,7 @@ fn the_interior_pressure_tends_to_the_classical_one() {
         let contact = flat(theta0, force, moment, degree);
         [-0.8, -0.5, 0.0, 0.3, 0.7].into_iter().fold(0.0f64, |worst, xi: f64| {
             let classical = (force + 2.0 * moment * xi) / (PI * (1.0 - xi * xi).sqrt());
-            worst.max((contact.pressure0(xi) / classical - 1.0).abs())
+            worst.max((contact.dimensionless().pressure(xi).unwrap() / classical - 1.0).abs())
         })
     };
     let errors = [worst(10.0, 200), worst(100.0, 400), worst(1000.0, 1600)];
@@ -91,8 +92,8 @@ fn settlement_and_tilt_tend_to_the_classical_ones() {
     // int p0^2/P0, which grows as ln(theta0)/pi^2, what lies beyond the limit is (ln theta0 + constant)/pi^2, and four times
     // that for the tilt.
     let constants = |theta0: f64, degree: usize| {
-        let settlement = flat(theta0, 1.0, 0.0, degree).settlement0();
-        let tilt = -flat(theta0, 0.0, 1.0, degree).tilt0();
+        let settlement = flat(theta0, 1.0, 0.0, degree).dimensionless().settlement();
+        let tilt = -flat(theta0, 0.0, 1.0, degree).dimensionless().tilt();
         [
             PI * PI * (settlement - theta0 * LN_2) - theta0.ln(),
             PI * PI * (tilt - 2.0 * theta0) / 4.0 - theta0.ln(),
@@ -118,7 +119,17 @@ fn a_crowned_punch_tends_to_the_chebyshev_form() {
     for xi in [-0.7f64, 0.0, 0.4] {
         let classical =
             (force - k / theta0 * (2.0 * xi * xi - 1.0)) / (PI * (1.0 - xi * xi).sqrt());
-        assert_near(contact.pressure0(xi) / classical, 1.0, 5e-3, &format!("xi = {xi}"));
+        assert_near(
+            contact.dimensionless().pressure(xi).unwrap() / classical,
+            1.0,
+            5e-3,
+            &format!("xi = {xi}"),
+        );
     }
-    assert_near(contact.settlement0() / (theta0 * LN_2 + 0.5 * k), 1.0, 3e-3, "settlement");
+    assert_near(
+        contact.dimensionless().settlement() / (theta0 * LN_2 + 0.5 * k),
+        1.0,
+        3e-3,
+        "settlement",
+    );
 }

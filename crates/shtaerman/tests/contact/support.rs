@@ -2,11 +2,11 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use shtaerman::{Contact, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{Contact, Foundation, Load, Problem, Profile, Punch, Rotational, Solver, Vertical};
 
 /// The spectral method with this degree.
 pub(crate) fn solver(degree: usize) -> Solver {
-    Solver::spectral(degree)
+    Solver::spectral(degree).unwrap()
 }
 
 /// The dimensionless contact with this base and load.
@@ -16,8 +16,13 @@ pub(crate) fn solve(theta0: f64, profile: &str, load: Load, degree: usize) -> Co
 }
 
 pub(crate) fn solve_profile(theta0: f64, profile: Profile, load: Load, degree: usize) -> Contact {
-    let frame = Frame::dimensionless(theta0).unwrap();
-    Problem::new(frame, profile, load, solver(degree)).unwrap().solve().unwrap()
+    let (foundation, punch) =
+        (Foundation::dimensionless(theta0).unwrap(), Punch::new(1.0).unwrap());
+    Problem::new(foundation, punch.with_profile(profile), load)
+        .unwrap()
+        .with_solver(solver(degree))
+        .solve()
+        .unwrap()
 }
 
 pub(crate) fn load(vertical: Vertical, rotational: Rotational) -> Load {
@@ -74,7 +79,9 @@ pub(crate) fn potential(contact: &Contact, xi: f64) -> f64 {
         if length == 0.0 {
             return 0.0;
         }
-        integrate(length, |d| -d.ln() * contact.pressure0((xi + sign * d).clamp(-1.0, 1.0)))
+        integrate(length, |d| {
+            -d.ln() * contact.dimensionless().pressure((xi + sign * d).clamp(-1.0, 1.0)).unwrap()
+        })
     };
     side(1.0 - xi, 1.0) + side(1.0 + xi, -1.0)
 }

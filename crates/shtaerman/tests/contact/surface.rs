@@ -1,22 +1,30 @@
 //! The surface of the body under and beside the punch.
 
 use crate::support::{assert_near, force_and_moment, integrate, order, solve};
-use shtaerman::{Contact, Elastic, Frame, Problem, Profile, Solver};
+use shtaerman::{Contact, Elastic, Foundation, Problem, Punch, Solver};
 
 #[test]
 fn the_body_follows_the_base_less_the_layer() {
     let contact = solve(4.0, "xi^2 - xi/3", force_and_moment(1.7, -0.31), 100);
     for xi in [-1.0, -0.4, 0.0, 0.9, 1.0] {
-        let base = contact.settlement0() - contact.tilt0() * xi - (xi * xi - xi / 3.0);
+        let base = contact.dimensionless().settlement()
+            - contact.dimensionless().tilt() * xi
+            - (xi * xi - xi / 3.0);
         assert_near(contact.base_depth(xi), base, 1e-14, "base");
-        assert_near(contact.elastic_displacement(xi), base - contact.pressure0(xi), 1e-13, "body");
+        assert_near(
+            contact.elastic_displacement(xi),
+            base - contact.dimensionless().pressure(xi).unwrap(),
+            1e-13,
+            "body",
+        );
     }
 }
 
 /// `theta0 int ln(1/|xi - eta|) p0(eta) deta` for `xi` beyond an edge, from the near edge inwards.
 fn displacement_of_pressure(contact: &Contact, xi: f64) -> f64 {
     let (gap, sign) = (xi.abs() - 1.0, xi.signum());
-    let pressure = |d: f64| contact.pressure0((sign * (1.0 - d)).clamp(-1.0, 1.0));
+    let pressure =
+        |d: f64| contact.dimensionless().pressure((sign * (1.0 - d)).clamp(-1.0, 1.0)).unwrap();
     contact.theta0() * integrate(2.0, |d| -(gap + d).ln() * pressure(d))
 }
 
@@ -76,10 +84,11 @@ fn the_surface_has_units() {
     // theta = 2 (1 - nu^2)/(pi E), u ~ -theta P ln(|x|/a)
     let (modulus, ratio, half_width, force) = (200e9, 0.3, 5e-3, 0.8e6);
     let steel = Elastic::new(modulus, ratio).unwrap();
-    let frame = Frame::physical(steel, 1.2e-14, half_width, None).unwrap();
-    let problem =
-        Problem::new(frame, Profile::flat(), force_and_moment(force, 0.0), Solver::bilateral())
-            .unwrap();
+    let (foundation, punch) =
+        (Foundation::new(steel).with_roughness(1.2e-14).unwrap(), Punch::new(half_width).unwrap());
+    let problem = Problem::new(foundation, punch, force_and_moment(force, 0.0))
+        .unwrap()
+        .with_solver(Solver::bilateral());
     let contact = problem.solve().unwrap();
     let theta = 2.0 * (1.0 - ratio * ratio) / (std::f64::consts::PI * modulus);
     let far = -theta * force * 1e4f64.ln();

@@ -14,7 +14,7 @@ fn assert_same(one: &Contact, other: &Contact) {
         (other.force(), one.force(), "force"),
         (other.moment(), one.moment(), "moment"),
         (other.pressure_left(), one.pressure_left(), "left"),
-        (other.pressure_mid(), one.pressure_mid(), "mid"),
+        (other.pressure_middle(), one.pressure_middle(), "mid"),
         (other.pressure_right(), one.pressure_right(), "right"),
         (other.stiffness().force_settlement, one.stiffness().force_settlement, "c11"),
         (other.stiffness().moment_tilt, one.stiffness().moment_tilt, "c22"),

@@ -3,17 +3,21 @@
 use std::f64::consts::PI;
 
 use shtaerman::{
-    Contact, Elastic, Error, Frame, Geometry, Grading, Load, Problem, Profile, Rotational, Solver,
-    Vertical,
+    Contact, Elastic, Error, Foundation, Geometry, Grading, Load, Problem, Profile, Punch,
+    Rotational, Solver, Vertical,
 };
 
 use crate::support::{assert_near, attempt};
 
 const WAVE: Geometry = Geometry::Periodic { period: 2.0 };
 
-fn solved(frame: Frame, profile: Profile, load: (Vertical, Rotational)) -> Result<Contact, Error> {
+fn solved(
+    (foundation, punch): (Foundation, Punch),
+    profile: Profile,
+    load: (Vertical, Rotational),
+) -> Result<Contact, Error> {
     let load = Load::new(load.0, load.1)?;
-    Problem::new(frame, profile, load, Solver::default())?.solve()
+    Problem::new(foundation, punch.with_profile(profile), load)?.solve()
 }
 
 #[test]
@@ -21,10 +25,10 @@ fn a_wave_with_kinks_in_full_contact() {
     // |xi| = 1/2 - (4/pi^2) sum_(m odd) cos(m pi xi)/m^2, and p_m = -f_m/(1 + 3/m): at crest and valley 1 +- (2/(3 pi^2)) (psi(2) - psi(1/2)), by mpmath.
     let load = (Vertical::Force(2.0), Rotational::Tilt(0.0));
     let contact = attempt((WAVE, 3.0, 1.0), "abs(xi)", load, Solver::default()).unwrap();
-    assert_near(contact.pressure0(0.0), 1.161188112791802, 1e-12);
-    assert_near(contact.pressure0(1.0), 0.838811887208198, 1e-12);
-    assert_near(contact.pressure0(-1.0), 0.838811887208198, 1e-12);
-    assert_near(contact.settlement0(), 1.5, 1e-13);
+    assert_near(contact.dimensionless().pressure(0.0).unwrap(), 1.161188112791802, 1e-12);
+    assert_near(contact.dimensionless().pressure(1.0).unwrap(), 0.838811887208198, 1e-12);
+    assert_near(contact.dimensionless().pressure(-1.0).unwrap(), 0.838811887208198, 1e-12);
+    assert_near(contact.dimensionless().settlement(), 1.5, 1e-13);
     assert!(contact.relative_error() < 1e-11, "{:e}", contact.relative_error());
 }
 
@@ -36,20 +40,22 @@ fn the_moment_of_a_wave_is_that_of_its_pressure() {
         let load = (Vertical::Force(2.0), rotational);
         let body = (WAVE, theta0, 1.0);
         let contact = attempt(body, "0.7*sin(pi*xi)", load, Solver::default()).unwrap();
-        assert_near(contact.moment0(), -0.7 / (1.0 + theta0) * 2.0 / PI, 1e-14);
+        assert_near(contact.dimensionless().moment(), -0.7 / (1.0 + theta0) * 2.0 / PI, 1e-14);
         let audited = contact.audited().unwrap();
         assert!(audited.relative_error() < 1e-10, "{:e}", audited.relative_error());
         // Lifting off, and seen from elsewhere: by a sum over the period.
         let light = attempt(body, "9*sin(pi*xi+0.8)+2*cos(2*pi*xi)", load, Solver::default());
         let light = light.unwrap();
-        let [[left, right]] = light.edges0()[..] else { panic!("{:?}", light.edges0()) };
+        let [[left, right]] = light.dimensionless().zones()[..] else {
+            panic!("{:?}", light.dimensionless().zones())
+        };
         let count = 20_000;
         let sum: f64 = (0..count)
             .map(|i| 2.0 * (f64::from(i) + 0.5) / f64::from(count) - 1.0)
-            .map(|xi| xi * light.pressure0(xi) * 2.0 / f64::from(count))
+            .map(|xi| xi * light.dimensionless().pressure(xi).unwrap() * 2.0 / f64::from(count))
             .sum();
         assert!(right - left < 1.9);
-        assert_near(light.moment0(), sum, 1e-6);
+        assert_near(light.dimensionless().moment(), sum, 1e-6);
     }
 }
 
@@ -59,18 +65,27 @@ fn cubic(points: i32, scale: f64) -> [Profile; 2] {
     let positions: Vec<f64> = (0..points).map(place).collect();
     let heights = positions.iter().map(|x| scale * (x * x + 0.3 * x.powi(3))).collect();
     let formula = format!("{scale}*(x^2 + 0.3*x^3)");
-    [Profile::measured(positions, heights).unwrap(), Profile::expression(&formula).unwrap()]
+    [Profile::from_points(positions, heights).unwrap(), Profile::expression(&formula).unwrap()]
 }
 
 #[test]
 fn traces_agree_with_formulas_in_rows_and_on_graded_ground() {
     // Formulas are collocated, traces are solved on panels.
-    let row = Frame::dimensionless_in(Geometry::Periodic { period: 2.3 }, 20.0, 1.0).unwrap();
-    let pair = Frame::dimensionless_in(Geometry::Pair { inner_half_gap: 0.2 }, 20.0, 1.0).unwrap();
+    let row = (
+        Foundation::dimensionless(20.0).unwrap(),
+        Punch::in_geometry(Geometry::Periodic { period: 2.3 }, 1.0).unwrap(),
+    );
+    let pair = (
+        Foundation::dimensionless(20.0).unwrap(),
+        Punch::in_geometry(Geometry::Pair { inner_half_gap: 0.2 }, 1.0).unwrap(),
+    );
     let graded = [0.1, 0.6].map(|exponent| {
         let grading = Grading::new(exponent, 1.0).unwrap();
         let chi = grading.response(0.3, 1.0, false) / 8.0;
-        Frame::physical_graded(Geometry::Plane, grading, 0.3, chi, 1.0).unwrap()
+        (
+            Foundation::graded(grading, 0.3).unwrap().with_roughness(chi).unwrap(),
+            Punch::new(1.0).unwrap(),
+        )
     });
     let [first, second] = graded;
     for (frame, scale) in [(row, 1.0), (pair, 1.0), (first, 0.2), (second, 0.2)] {
@@ -81,19 +96,33 @@ fn traces_agree_with_formulas_in_rows_and_on_graded_ground() {
             let known = solved(frame.clone(), formula, load).unwrap();
             assert_eq!(on_panels.method().name, "panels");
             assert_eq!(known.method().name, "sinc");
-            let size = known.peak_pressure0().0;
-            let (one, other) = (on_panels.edges0(), known.edges0());
+            let size = known.dimensionless().peak_pressure();
+            let (one, other) = (on_panels.dimensionless().zones(), known.dimensionless().zones());
             for (a, b) in one.iter().flatten().zip(other.iter().flatten()) {
                 assert_near(*a, *b, 1e-10);
             }
-            let displacement = known.settlement0().abs().max(known.tilt0().abs());
-            assert_near(on_panels.settlement0(), known.settlement0(), 1e-11 * displacement);
-            assert_near(on_panels.tilt0(), known.tilt0(), 1e-11 * displacement);
+            let displacement =
+                known.dimensionless().settlement().abs().max(known.dimensionless().tilt().abs());
+            assert_near(
+                on_panels.dimensionless().settlement(),
+                known.dimensionless().settlement(),
+                1e-11 * displacement,
+            );
+            assert_near(
+                on_panels.dimensionless().tilt(),
+                known.dimensionless().tilt(),
+                1e-11 * displacement,
+            );
             for i in -20..=20 {
                 let xi = 0.0499 * f64::from(i);
-                assert_near(on_panels.pressure0(xi), known.pressure0(xi), 1e-10 * size);
+                assert_near(
+                    on_panels.dimensionless().pressure(xi).unwrap(),
+                    known.dimensionless().pressure(xi).unwrap(),
+                    1e-10 * size,
+                );
             }
-            let (one, other) = (on_panels.stiffness0(), known.stiffness0());
+            let (one, other) =
+                (on_panels.dimensionless().stiffness(), known.dimensionless().stiffness());
             let size = other.force_settlement;
             assert_near(one.force_settlement, other.force_settlement, 1e-7 * size);
             assert_near(one.coupling, other.coupling, 1e-7 * size);
@@ -115,22 +144,29 @@ fn a_measured_wave_is_the_same_wherever_its_seam_is() {
     let rolled = |by: usize, length: f64, scale: f64| {
         let place = |i: usize| length * (2.0 * i as f64 / count as f64 - 1.0);
         let turned = (0..=count).map(|i| scale * heights[(i + by) % count]).collect();
-        Profile::measured((0..=count).map(place).collect(), turned).unwrap()
+        Profile::from_points((0..=count).map(place).collect(), turned).unwrap()
     };
     let body = Elastic::new(2e11, 0.3).unwrap();
     let physical = Geometry::Periodic { period: 0.02 };
-    let smooth = Frame::physical_in(physical, body, 0.0, 0.01, None).unwrap();
+    let smooth = (
+        Foundation::new(body).with_roughness(0.0).unwrap(),
+        Punch::in_geometry(physical, 0.01).unwrap(),
+    );
     let (frame, length, scale, force) = (smooth, 0.01, 1e-6, 1.6e6);
     let load = (Vertical::Force(force), Rotational::Tilt(0.0));
     let of = |by: usize| solved(frame.clone(), rolled(by, length, scale), load).unwrap();
     let (across, beside) = (of(0), of(8));
-    let size = beside.peak_pressure0().0;
-    assert_near(across.peak_pressure0().0, size, 1e-6 * size);
+    let size = beside.dimensionless().peak_pressure();
+    assert_near(across.dimensionless().peak_pressure(), size, 1e-6 * size);
     assert!(across.relative_error() < 1e-6, "{:e}", across.relative_error());
     for i in 0..40 {
         let xi = 0.0493 * f64::from(i) - 0.97;
         let there = xi - 16.0 / count as f64;
         let there = if there < -1.0 { there + 2.0 } else { there };
-        assert_near(across.pressure0(xi), beside.pressure0(there), 1e-6 * size);
+        assert_near(
+            across.dimensionless().pressure(xi).unwrap(),
+            beside.dimensionless().pressure(there).unwrap(),
+            1e-6 * size,
+        );
     }
 }

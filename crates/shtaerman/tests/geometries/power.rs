@@ -13,18 +13,18 @@ fn the_layer_alone_has_a_closed_form() {
     // v = delta - c xi^2: P = int v^2 = (16/15) delta^(5/2)/sqrt(c) for kappa = 1/2
     let settlement = (0.3 * 15.0 / 16.0 * 40f64.sqrt()).powf(0.4);
     let contact = solve((PLANE, 0.0, 0.5), "40*xi^2", pressed(0.3));
-    assert_near(contact.settlement0(), settlement, 1e-12);
+    assert_near(contact.dimensionless().settlement(), settlement, 1e-12);
     let edge = (settlement / 40.0).sqrt();
-    assert_near(contact.edges0()[0][0], -edge, 1e-13);
-    assert_near(contact.pressure0(0.1), (settlement - 0.4).powi(2), 1e-12);
+    assert_near(contact.dimensionless().zones()[0][0], -edge, 1e-13);
+    assert_near(contact.dimensionless().pressure(0.1).unwrap(), (settlement - 0.4).powi(2), 1e-12);
     // Flat: p is uniform, and so is its displacement.
     for exponent in [0.1, 0.5, 0.9] {
         let flat = solve((PLANE, 0.0, exponent), "0", pressed(3.0));
-        assert_near(flat.settlement0(), 1.5f64.powf(exponent), 1e-13);
+        assert_near(flat.dimensionless().settlement(), 1.5f64.powf(exponent), 1e-13);
     }
     // On a disk P = 2 pi int (delta - c r^2)^2 r dr = pi delta^3/(3 c).
     let disk = solve((Geometry::Circular, 0.0, 0.5), "40*xi^2", pressed(0.3));
-    assert_near(disk.settlement0(), (0.3 * 3.0 * 40.0 / PI).cbrt(), 1e-12);
+    assert_near(disk.dimensionless().settlement(), (0.3 * 3.0 * 40.0 / PI).cbrt(), 1e-12);
 }
 
 #[test]
@@ -41,17 +41,25 @@ fn a_pressure_made_up_comes_back_in_the_plane() {
         let profile = format!("{y}^2 - {}*{potential} + {away}", theta * b * PI);
         let force = b * 3.0 * PI / 8.0;
         let contact = solve((PLANE, theta, 2.0 / 3.0), &profile, pressed(force));
-        let [left, right] = contact.edges0()[0];
+        let [left, right] = contact.dimensionless().zones()[0];
         // What is aimed at is 1e-12; the edges state their own error.
         let tolerance = 1e-12 * (1.0 + theta);
-        let beside = contact.edge_error0().unwrap();
+        let beside = contact.dimensionless().error().and_then(|error| error.zones).unwrap();
         assert!(beside < 3e-11);
         assert_near(left, -b, beside);
         assert_near(right, b, beside);
         // K of b p dy has -ln b beside the local kernel.
-        assert_near(contact.settlement0(), 1.0 - theta * force * b.ln(), 3.0 * tolerance);
+        assert_near(
+            contact.dimensionless().settlement(),
+            1.0 - theta * force * b.ln(),
+            3.0 * tolerance,
+        );
         for xi in [-0.69, -0.3, 0.0, 0.5, 0.65] {
-            assert_near(contact.pressure0(xi), (1.0 - (xi / b).powi(2)).powf(1.5), tolerance);
+            assert_near(
+                contact.dimensionless().pressure(xi).unwrap(),
+                (1.0 - (xi / b).powi(2)).powf(1.5),
+                tolerance,
+            );
         }
         assert!(contact.relative_error() < 1e-12 * (1.0 + theta));
     }
@@ -78,12 +86,16 @@ fn a_pressure_made_up_comes_back_on_a_disk() {
         let force = 2.0 * PI * b * b / 5.0;
         let contact = solve((Geometry::Circular, theta, 2.0 / 3.0), &profile, pressed(force));
         let tolerance = 1e-12 * (1.0 + theta);
-        let beside = contact.edge_error0().unwrap();
+        let beside = contact.dimensionless().error().and_then(|error| error.zones).unwrap();
         assert!(beside < 3e-11);
-        assert_near(contact.edges0()[0][1], b, beside);
-        assert_near(contact.settlement0(), 1.0 + scale * l0 / 5.0, 3.0 * tolerance);
+        assert_near(contact.dimensionless().zones()[0][1], b, beside);
+        assert_near(contact.dimensionless().settlement(), 1.0 + scale * l0 / 5.0, 3.0 * tolerance);
         for xi in [-0.7, -0.3, 0.0, 0.5] {
-            assert_near(contact.pressure0(xi), (1.0 - (xi / b).powi(2)).powf(1.5), tolerance);
+            assert_near(
+                contact.dimensionless().pressure(xi).unwrap(),
+                (1.0 - (xi / b).powi(2)).powf(1.5),
+                tolerance,
+            );
         }
     }
 }
@@ -98,9 +110,9 @@ fn agrees_with_cells() {
         (0.2, 50.0, 0.02, 0.432_780_322_9, 2.807_263_488_6, 0.038_458_040_9),
     ] {
         let contact = solve((PLANE, theta, exponent), "10*xi^2", pressed(force));
-        assert_near(contact.edges0()[0][1], edge, 1e-9);
-        assert_near(contact.settlement0(), settlement, 1e-9);
-        assert_near(contact.pressure0(0.0), top, 1e-9);
+        assert_near(contact.dimensionless().zones()[0][1], edge, 1e-9);
+        assert_near(contact.dimensionless().settlement(), settlement, 1e-9);
+        assert_near(contact.dimensionless().pressure(0.0).unwrap(), top, 1e-9);
     }
 }
 
@@ -115,7 +127,9 @@ fn exponents_near_one_are_nearly_linear() {
         for power in [4, 6, 8] {
             let exponent = 1.0 - 0.1f64.powi(power);
             let contact = solve((geometry, 2.0, exponent), "3*xi^2", load);
-            let error = (contact.pressure0(0.4) - linear.pressure0(0.4)).abs();
+            let error = (contact.dimensionless().pressure(0.4).unwrap()
+                - linear.dimensionless().pressure(0.4).unwrap())
+            .abs();
             assert!(
                 error < 0.02 * before && error < 2.0 * (1.0 - exponent),
                 "{geometry:?} {error}"
@@ -135,10 +149,21 @@ fn units_of_pressure_do_not_matter() {
             let profile = format!("{unit}*(3*xi^2 + sin(6*xi))");
             let theta = 2.0 * unit / s;
             let other = solve((PLANE, theta, exponent), &profile, pressed(0.2 * s));
-            assert_near(other.settlement0() / unit, one.settlement0(), 1e-11);
-            let top = one.peak_pressure0();
-            assert_near(other.pressure0(top.1) / s, top.0, 1e-10);
-            for (one, other) in one.edges0().concat().iter().zip(other.edges0().concat()) {
+            assert_near(
+                other.dimensionless().settlement() / unit,
+                one.dimensionless().settlement(),
+                1e-11,
+            );
+            let one_bare = one.dimensionless();
+            let top = (one_bare.peak_pressure_at(), one_bare.peak_pressure());
+            assert_near(other.dimensionless().pressure(top.0).unwrap() / s, top.1, 1e-10);
+            for (one, other) in one
+                .dimensionless()
+                .zones()
+                .concat()
+                .iter()
+                .zip(other.dimensionless().zones().concat())
+            {
                 assert_near(other, *one, 1e-11);
             }
         }
@@ -150,7 +175,7 @@ fn what_is_prescribed_does_not_matter() {
     let body = (PLANE, 5.0, 0.4);
     let profile = "4*xi^2 - 2*xi";
     let first = solve(body, profile, (Vertical::Force(0.7), Rotational::Moment(0.1)));
-    let (delta, alpha) = (first.settlement0(), first.tilt0());
+    let (delta, alpha) = (first.dimensionless().settlement(), first.dimensionless().tilt());
     for load in [
         (Vertical::Settlement(delta), Rotational::Tilt(alpha)),
         (Vertical::Settlement(delta), Rotational::Moment(0.1)),
@@ -159,11 +184,14 @@ fn what_is_prescribed_does_not_matter() {
     ] {
         let contact = solve(body, profile, load);
         for (one, other) in [
-            (contact.settlement0(), delta),
-            (contact.tilt0(), alpha),
-            (contact.force0(), 0.7),
-            (contact.moment0(), 0.1),
-            (contact.pressure0(0.1), first.pressure0(0.1)),
+            (contact.dimensionless().settlement(), delta),
+            (contact.dimensionless().tilt(), alpha),
+            (contact.dimensionless().force(), 0.7),
+            (contact.dimensionless().moment(), 0.1),
+            (
+                contact.dimensionless().pressure(0.1).unwrap(),
+                first.dimensionless().pressure(0.1).unwrap(),
+            ),
         ] {
             assert_near(one, other, 1e-11);
         }
@@ -177,7 +205,11 @@ fn full_contact_must_not_pull() {
     let load = |moment: f64| (Vertical::Force(1.0), Rotational::Moment(moment));
     let one = solve(body, "0", load(0.1));
     let other = solve_bilateral(body, "0", load(0.1));
-    assert_near(one.pressure0(-0.9), other.pressure0(-0.9), 1e-12);
+    assert_near(
+        one.dimensionless().pressure(-0.9).unwrap(),
+        other.dimensionless().pressure(-0.9).unwrap(),
+        1e-12,
+    );
     let refused = attempt(body, "0", load(0.7), Solver::bilateral());
     let Err(Error::Pulls { at, .. }) = refused else { panic!("{refused:?}") };
     assert!((-1.0..0.0).contains(&at));

@@ -85,11 +85,14 @@ fn every_problem_is_solved() {
         );
         // The equation itself, where it touches.
         let Vertical::Force(force) = force else { return };
-        assert!((contact.force0() - force).abs() <= 1e-15 * force);
-        let (_, top) = contact.peak_pressure0();
-        let depth = contact.base_depth(top) - contact.elastic_displacement0(top);
-        let layer = contact.pressure0(top).powf(exponent);
-        let scale = layer + contact.settlement0().abs() + contact.tilt0().abs() + size;
+        assert!((contact.dimensionless().force() - force).abs() <= 1e-15 * force);
+        let top = contact.dimensionless().peak_pressure_at();
+        let depth = contact.base_depth(top) - contact.dimensionless().elastic_displacement(top);
+        let layer = contact.dimensionless().pressure(top).unwrap().powf(exponent);
+        let scale = layer
+            + contact.dimensionless().settlement().abs()
+            + contact.dimensionless().tilt().abs()
+            + size;
         assert!(
             (depth - layer).abs() < 1e-11 * scale,
             "{number}: {body:?} {profile}: {depth} {layer}"

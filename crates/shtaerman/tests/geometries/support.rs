@@ -1,7 +1,8 @@
 //! Problems in one line.
 
 use shtaerman::{
-    Contact, Error, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical,
+    Contact, Error, Foundation, Geometry, Load, Problem, Profile, Punch, Rotational, Solver,
+    Vertical,
 };
 
 pub(crate) fn attempt(
@@ -10,9 +11,14 @@ pub(crate) fn attempt(
     (vertical, rotational): (Vertical, Rotational),
     solver: Solver,
 ) -> Result<Contact, Error> {
-    let frame = Frame::dimensionless_in(geometry, theta0, exponent)?;
+    let (foundation, punch) = (
+        Foundation::dimensionless(theta0)?.with_exponent(exponent)?,
+        Punch::in_geometry(geometry, 1.0)?,
+    );
     let load = Load::new(vertical, rotational)?;
-    Problem::new(frame, Profile::expression(profile).unwrap(), load, solver)?.solve()
+    Problem::new(foundation, punch.with_profile(Profile::expression(profile).unwrap()), load)?
+        .with_solver(solver)
+        .solve()
 }
 
 #[track_caller]
@@ -52,13 +58,13 @@ pub(crate) fn assert_stiffness(
     contact: &Contact,
     tolerance: f64,
 ) {
-    let rotational = Rotational::Tilt(contact.tilt0());
-    let step = 1e-5 * contact.settlement0().abs().max(1e-2);
+    let rotational = Rotational::Tilt(contact.dimensionless().tilt());
+    let step = 1e-5 * contact.dimensionless().settlement().abs().max(1e-2);
     let force = |by: f64| {
-        let vertical = Vertical::Settlement(contact.settlement0() + by);
-        solve(body, profile, (vertical, rotational)).force0()
+        let vertical = Vertical::Settlement(contact.dimensionless().settlement() + by);
+        solve(body, profile, (vertical, rotational)).dimensionless().force()
     };
     let slope = (force(step) - force(-step)) / (2.0 * step);
-    let found = contact.stiffness0().force_settlement;
+    let found = contact.dimensionless().stiffness().force_settlement;
     assert!((found / slope - 1.0).abs() < tolerance, "{found} {slope}");
 }

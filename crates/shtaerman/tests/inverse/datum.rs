@@ -1,7 +1,7 @@
 //! Settlements relative to a datum, and the surface.
 
 use crate::support::{load, physical, unilateral};
-use shtaerman::{Datum, Elastic, Frame, Geometry, Problem, Profile, Solver, SurfaceCurve};
+use shtaerman::{Datum, Elastic, Foundation, Geometry, Problem, Profile, Punch, SurfaceCurve};
 
 #[test]
 fn far_away_the_punch_is_a_line_load() {
@@ -30,9 +30,12 @@ fn a_hertz_pressure_at_a_depth() {
     let star = foundation.plane_strain_modulus();
     let radius = 0.7;
     let force = std::f64::consts::PI * star * half_width * half_width / (4.0 * radius);
-    let frame = Frame::physical(foundation, 1e-6 * half_width / star, half_width, None).unwrap();
+    let (foundation, punch) = (
+        Foundation::new(foundation).with_roughness(1e-6 * half_width / star).unwrap(),
+        Punch::new(half_width).unwrap(),
+    );
     let profile = Profile::expression("x^2/(2*0.7)").unwrap();
-    let problem = Problem::new(frame, profile, load(force, 0.0), Solver::default()).unwrap();
+    let problem = Problem::new(foundation, punch.with_profile(profile), load(force, 0.0)).unwrap();
     let contact = problem.solve().unwrap();
     let theta = 2.0 / (std::f64::consts::PI * star);
     let top = star * half_width / (2.0 * radius);
@@ -85,9 +88,12 @@ fn a_gauge_does_not_matter() {
 fn a_row_repeats_itself() {
     let foundation = Elastic::new(200e9, 0.3).unwrap();
     let row = Geometry::Periodic { period: 12e-3 };
-    let frame = Frame::physical_in(row, foundation, 1.2e-14, 5e-3, None).unwrap();
+    let (foundation, punch) = (
+        Foundation::new(foundation).with_roughness(1.2e-14).unwrap(),
+        Punch::in_geometry(row, 5e-3).unwrap(),
+    );
     let profile = Profile::expression("x^2/2").unwrap();
-    let problem = Problem::new(frame, profile, load(8e5, 0.0), Solver::default()).unwrap();
+    let problem = Problem::new(foundation, punch.with_profile(profile), load(8e5, 0.0)).unwrap();
     let contact = problem.solve().unwrap();
     let at = |x| contact.relative_settlement(Datum::Distance(x)).unwrap().settlement;
     for (one, two) in [(6e-3, 0.498), (4e-3, 1.0), (2e-3, -2e-3)] {
@@ -97,9 +103,7 @@ fn a_row_repeats_itself() {
     assert!(at(6e-3) > at(5e-3) && at(5e-3) > at(3e-3));
     // Flamant's point in the depth is that of one punch.
     assert!(contact.relative_settlement(Datum::Depth(1.0)).is_err());
-    let SurfaceCurve::Physical { x, gap, .. } = SurfaceCurve::new(&contact, 13).unwrap() else {
-        unreachable!()
-    };
+    let SurfaceCurve { x, gap, .. } = SurfaceCurve::new(&contact, 13).unwrap();
     assert_eq!((x[0], gap[0], gap[6]), (-6e-3, None, Some(0.0)));
 }
 
@@ -120,8 +124,11 @@ fn data_that_mean_nothing_are_refused() {
     assert!(bare.relative_settlement(Datum::Depth(1.0)).is_err());
     assert!(bare.relative_settlement(Datum::Distance(1.0)).is_ok());
     let steel = Elastic::new(200e9, 0.3).unwrap();
-    let frame = Frame::physical(steel, 1e-14, 5e-3, Some(steel)).unwrap();
-    let problem = Problem::new(frame, Profile::flat(), load(8e5, 0.0), Solver::default()).unwrap();
+    let (foundation, punch) = (
+        Foundation::new(steel).with_roughness(1e-14).unwrap(),
+        Punch::new(5e-3).unwrap().with_body(steel),
+    );
+    let problem = Problem::new(foundation, punch, load(8e5, 0.0)).unwrap();
     assert!(problem.solve().unwrap().relative_settlement(Datum::Distance(1.0)).is_err());
 }
 
@@ -129,13 +136,10 @@ fn data_that_mean_nothing_are_refused() {
 fn the_surface_curve_holds_together() {
     let problem = physical(200e9, 1.2e-14, 5e-3, "x^2/(2*0.1)", load(8e5, 0.0));
     let contact = problem.solve().unwrap();
-    let SurfaceCurve::Physical { x, p, displacement, gap } =
-        SurfaceCurve::new(&contact, 61).unwrap()
-    else {
-        unreachable!()
-    };
+    let SurfaceCurve { x, pressure: p, displacement, gap } =
+        SurfaceCurve::new(&contact, 61).unwrap();
     assert_eq!((x[0], x[60], x[20], x[40]), (-15e-3, 15e-3, -5e-3, 5e-3));
-    let [[left, right]] = contact.edges()[..] else { unreachable!() };
+    let [[left, right]] = contact.zones()[..] else { unreachable!() };
     for i in 0..61 {
         assert!((displacement[i] - displacement[60 - i]).abs() < 1e-12 * displacement[30]);
         let under = x[i].abs() <= 5e-3;

@@ -6,7 +6,7 @@ use crate::support::{close, load};
 use shtaerman::inverse::{
     Goal, InverseError, Normalisation, crown, force, prescribed_pressure, roughness,
 };
-use shtaerman::{Elastic, Error, Frame, Geometry, Problem, Profile, Roughness, Solver};
+use shtaerman::{Elastic, Error, Foundation, Geometry, Problem, Profile, Punch, Roughness};
 
 fn problem(
     geometry: Geometry,
@@ -15,9 +15,16 @@ fn problem(
     force: f64,
 ) -> Problem {
     let foundation = Elastic::new(0.91, 0.3).unwrap();
-    let frame = Frame::physical_in(geometry, foundation, roughness, 1.0, None).unwrap();
-    Problem::new(frame, Profile::expression(profile).unwrap(), load(force, 0.0), Solver::default())
-        .unwrap()
+    let (foundation, punch) = (
+        Foundation::new(foundation).with_roughness(roughness).unwrap(),
+        Punch::in_geometry(geometry, 1.0).unwrap(),
+    );
+    Problem::new(
+        foundation,
+        punch.with_profile(Profile::expression(profile).unwrap()),
+        load(force, 0.0),
+    )
+    .unwrap()
 }
 
 /// `chi E*/a`: so rough that elasticity does not show, or only by a known share.
@@ -56,7 +63,7 @@ fn a_power_law_alone_has_closed_forms() {
     let under = problem.with_load(load(exact, 0.0)).unwrap();
     let found = roughness(&under, Goal::ContactWidth(width)).unwrap();
     close(found.value, LAYER, 1e-5);
-    assert_eq!(found.contact.problem().frame().law(), law.law());
+    assert_eq!(found.contact.problem().foundation().law(), law.law());
     // A uniform pressure needs no more of a power law than of a linear one.
     let shaped = prescribed_pressure(&problem, "1", Normalisation::Centre, 33).unwrap();
     let plain = problem.with_roughness(3.0).unwrap();
@@ -76,11 +83,11 @@ fn every_geometry_has_its_crown() {
     ] {
         let problem = problem(geometry, 0.05, "0", 1e-3);
         let found = crown(&problem, None).unwrap();
-        let flat = problem.solve().unwrap().peak_pressure().0;
-        let best = found.best.contact.peak_pressure().0;
+        let flat = problem.solve().unwrap().peak_pressure();
+        let best = found.best.contact.peak_pressure();
         assert!(found.best.radius.is_some() && best < flat, "{geometry:?}");
         let least = crown(&problem, Some(flat)).unwrap().least.unwrap();
-        close(least.contact.peak_pressure().0, flat, 1e-11);
+        close(least.contact.peak_pressure(), flat, 1e-11);
     }
 }
 

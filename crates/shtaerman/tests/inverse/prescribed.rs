@@ -2,7 +2,9 @@
 
 use crate::support::{bare, close, load, physical, unilateral};
 use shtaerman::inverse::{Normalisation, prescribed_pressure};
-use shtaerman::{Elastic, Frame, Load, Problem, Profile, Rotational, Roughness, Solver, Vertical};
+use shtaerman::{
+    Elastic, Foundation, Load, Problem, Profile, Punch, Rotational, Roughness, Solver, Vertical,
+};
 
 /// `int_-1^1 ln(1/|xi - eta|) deta`.
 fn uniform(xi: f64) -> f64 {
@@ -33,12 +35,11 @@ fn a_uniform_pressure_has_a_closed_form() {
 fn hertz_gives_the_parabola() {
     // Smooth: sqrt(1 - xi^2) with p_max = E* a/(2R) belongs to x^2/(2R).
     let (half_width, radius) = (5e-3, 0.7);
-    let foundation = Elastic::new(200e9, 0.3).unwrap();
-    let frame = Frame::physical(foundation, 0.0, half_width, None).unwrap();
-    let contact_modulus = foundation.plane_strain_modulus();
+    let body = Elastic::new(200e9, 0.3).unwrap();
+    let (foundation, punch) = (Foundation::new(body), Punch::new(half_width).unwrap());
+    let contact_modulus = body.plane_strain_modulus();
     let force = std::f64::consts::PI * contact_modulus * half_width * half_width / (4.0 * radius);
-    let problem =
-        Problem::new(frame, Profile::flat(), load(force, 0.0), Solver::default()).unwrap();
+    let problem = Problem::new(foundation, punch, load(force, 0.0)).unwrap();
     let shaped =
         prescribed_pressure(&problem, "sqrt(1 - xi^2)", Normalisation::Centre, 101).unwrap();
     let top = half_width * half_width / (2.0 * radius);
@@ -51,7 +52,7 @@ fn hertz_gives_the_parabola() {
 /// The profile as a trace, solved again.
 fn round_trip(problem: &Problem, pressure: &str, count: usize) -> f64 {
     let shaped = prescribed_pressure(problem, pressure, Normalisation::Centre, count).unwrap();
-    let trace = Profile::measured(shaped.places.clone(), shaped.heights.clone()).unwrap();
+    let trace = Profile::from_points(shaped.places.clone(), shaped.heights.clone()).unwrap();
     let contact = problem.with_profile(trace).unwrap().solve().unwrap();
     let largest = shaped.pressures.iter().fold(0.0f64, |most, p| most.max(*p));
     close(contact.settlement(), shaped.settlement, 1e-6);

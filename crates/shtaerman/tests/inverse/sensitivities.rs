@@ -34,7 +34,7 @@ fn is_solved(problem: &Problem) -> bool {
 fn the_scaling_laws_hold() {
     for problem in problems() {
         let contact = problem.solve().unwrap();
-        let scaling = *problem.frame().scaling().unwrap();
+        let scaling = *problem.scaling().unwrap();
         let (coefficient, exponent) = match scaling.roughness() {
             Roughness::Linear { compliance } => (compliance, 1.0),
             Roughness::Power { coefficient, exponent } => (coefficient, exponent),
@@ -50,7 +50,7 @@ fn the_scaling_laws_hold() {
         for found in [contact.sensitivities(), contact.difference_sensitivities()] {
             let found = found.unwrap();
             holds(&found.settlement.unwrap(), contact.settlement(), 0.0);
-            holds(&found.pressure_max.unwrap(), contact.peak_pressure().0, 1.0);
+            holds(&found.peak_pressure.unwrap(), contact.peak_pressure(), 1.0);
             assert!(found.force.is_none());
         }
     }
@@ -79,7 +79,7 @@ fn the_roughness_derivative_is_the_dissipation() {
     let contact = problem.solve().unwrap();
     let squared = |force: f64| {
         let contact = problem.with_vertical(Vertical::Force(force)).unwrap().solve().unwrap();
-        let [[left, right]] = contact.edges()[..] else { unreachable!() };
+        let [[left, right]] = contact.zones()[..] else { unreachable!() };
         let count = 4000;
         // Midpoints in the angle: p vanishes like a root at the edges.
         (0..count)
@@ -105,7 +105,7 @@ fn a_layer_alone_has_closed_derivatives() {
     let found = problem.solve().unwrap().sensitivities().unwrap();
     let w = (0.75 / c).cbrt();
     near(found.settlement.unwrap().force.unwrap(), 0.5 / w, 0.5 / w);
-    near(found.pressure_max.unwrap().force.unwrap(), 0.5 / w, 0.5 / w);
+    near(found.peak_pressure.unwrap().force.unwrap(), 0.5 / w, 0.5 / w);
     near(found.contact_width.force.unwrap(), 0.5 / (c * w * w), 0.5 / (c * w * w));
     assert_eq!(found.settlement.unwrap().theta0, None);
 }

@@ -15,10 +15,10 @@ fn near(one: f64, other: f64, tolerance: f64, what: &str) {
 fn edges_of_the_parabola() {
     // a/a_H = 1 + c [ln(1/c) + gamma + 4 ln 2 - 1]/(2 pi), c = chi E*/a_H: recognised in digits found numerically, 0.3739830
     let exact = (EULER + 4.0 * LN_2 - 1.0) / (2.0 * PI);
-    let hertz = PARABOLA.solve(0.0).edges()[0][1];
+    let hertz = PARABOLA.solve(0.0).zones()[0][1];
     near(hertz, (4.0 / (16.0 * PI)).sqrt(), 1e-12, "Hertz");
     let constant = |c: f64| {
-        let edge = PARABOLA.solve(c * hertz).edges()[0][1];
+        let edge = PARABOLA.solve(c * hertz).zones()[0][1];
         (edge / hertz - 1.0) / c - (1.0 / c).ln() / (2.0 * PI)
     };
     for (c, tolerance) in [(1e-4, 2e-6), (1e-5, 3e-7), (1e-6, 1e-6)] {

@@ -4,7 +4,7 @@
 //! digits, where nothing is lost to rounding: flat under a settlement `D` (`c = 0`), and with the `c` at which the pressure vanishes at both ends. Other numbers of
 //! nodes (181, 261) give the same to 15 digits in the middle and 10 at the ends.
 
-use shtaerman::{Contact, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{Contact, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
 
 /// What the pressure between the layers may be wrong by, of its mean, and what is added to that over the distance from the ends; in the layers the stated error holds.
 const BETWEEN: f64 = 2e-14;
@@ -79,19 +79,20 @@ const PARABOLA: [Truth; 2] = [
 
 fn solve(theta0: f64, profile: &str) -> Contact {
     let load = Load::new(Vertical::Force(1.0), Rotational::Moment(0.0)).unwrap();
-    let frame = Frame::dimensionless(theta0).unwrap();
+    let (foundation, punch) =
+        (Foundation::dimensionless(theta0).unwrap(), Punch::new(1.0).unwrap());
     let profile = Profile::expression(profile).unwrap();
-    Problem::new(frame, profile, load, Solver::default()).unwrap().solve().unwrap()
+    Problem::new(foundation, punch.with_profile(profile), load).unwrap().solve().unwrap()
 }
 
 /// Compares pressures on the zone `-half .. half`.
 fn compare(contact: &Contact, truth: &Truth, half: f64) {
     assert_eq!(contact.method().name, "expansion");
-    let largest = contact.peak_pressure0().0;
-    let stated = contact.accuracy().unwrap().pressure;
+    let largest = contact.dimensionless().peak_pressure();
+    let stated = contact.dimensionless().error().unwrap().pressure;
     assert!(stated < STATED * largest, "{stated:e} of {largest}");
     for (y, pressure) in truth.pressures {
-        let error = (contact.pressure0(half * y) - pressure / half).abs();
+        let error = (contact.dimensionless().pressure(half * y).unwrap() - pressure / half).abs();
         assert!(error <= stated, "{} {y}: {error:e} {stated:e}", truth.theta);
         if (1.0 - y) * truth.theta > LAYER {
             let allowed = (BETWEEN + OVER_DISTANCE / (1.0 - y)) / half;
@@ -105,7 +106,7 @@ fn flat_punch() {
     for truth in &FLAT {
         let contact = solve(truth.theta, "0");
         compare(&contact, truth, 1.0);
-        let error = (contact.settlement0() / truth.constant - 1.0).abs();
+        let error = (contact.dimensionless().settlement() / truth.constant - 1.0).abs();
         assert!(error < 2e-14, "{error:e}");
     }
 }
@@ -118,8 +119,8 @@ fn parabola_in_half_of_the_base() {
         let profile = format!("{:e}*xi^2", truth.constant / half.powi(3));
         let contact = solve(truth.theta / half, &profile);
         compare(&contact, truth, half);
-        let [left, right] = contact.edges0()[0];
-        let stated = contact.edge_error0().unwrap();
+        let [left, right] = contact.dimensionless().zones()[0];
+        let stated = contact.dimensionless().error().and_then(|error| error.zones).unwrap();
         assert!(stated < 1e-10, "{stated:e}");
         assert!((right - half).abs() <= stated && (left + half).abs() <= stated, "{left} {right}");
     }

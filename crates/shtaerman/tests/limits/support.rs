@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use shtaerman::{
-    Contact, Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical,
+    Contact, Elastic, Foundation, Geometry, Load, Problem, Profile, Punch, Rotational, Vertical,
 };
 
 /// A punch of half-width 1 on a body with `E* = 1`, under the force 1.
@@ -33,10 +33,13 @@ impl Case {
         let geometry =
             self.gap.map_or(Geometry::Plane, |inner_half_gap| Geometry::Pair { inner_half_gap });
         let body = Elastic::new(1.0, 0.0).unwrap();
-        let frame = Frame::physical_in(geometry, body, roughness, 1.0, None).unwrap();
+        let (foundation, punch) = (
+            Foundation::new(body).with_roughness(roughness).unwrap(),
+            Punch::in_geometry(geometry, 1.0).unwrap(),
+        );
         let load = Load::new(Vertical::Force(1.0), Rotational::Moment(self.moment)).unwrap();
         let profile = Profile::expression(self.profile).unwrap();
-        Problem::new(frame, profile, load, Solver::default()).unwrap().solve().unwrap()
+        Problem::new(foundation, punch.with_profile(profile), load).unwrap().solve().unwrap()
     }
 }
 

@@ -1,21 +1,28 @@
 //! Stated bases that bend at many places: zigzags and traces.
 
 use shtaerman::{
-    Contact, Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical,
+    Contact, Elastic, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical,
 };
 
 use crate::support::close;
 
 fn solved(profile: Profile, vertical: Vertical, rotational: Rotational) -> Contact {
     let body = Elastic::new(2e11, 0.3).unwrap();
-    let frame = Frame::physical_in(Geometry::Plane, body, 0.0, 0.01, None).unwrap();
+    let (foundation, punch) =
+        (Foundation::new(body).with_roughness(0.0).unwrap(), Punch::new(0.01).unwrap());
     let load = Load::new(vertical, rotational).unwrap();
-    Problem::new(frame, profile, load, Solver::default()).unwrap().solve().unwrap()
+    Problem::new(foundation, punch.with_profile(profile), load).unwrap().solve().unwrap()
 }
 
 fn agree(one: &Contact, other: &Contact, tolerance: f64, what: &str) {
-    assert_eq!(one.edges0().len(), other.edges0().len(), "{what}");
-    for (a, b) in one.edges0().iter().flatten().zip(other.edges0().iter().flatten()) {
+    assert_eq!(one.dimensionless().zones().len(), other.dimensionless().zones().len(), "{what}");
+    for (a, b) in one
+        .dimensionless()
+        .zones()
+        .iter()
+        .flatten()
+        .zip(other.dimensionless().zones().iter().flatten())
+    {
         close(*a, *b, tolerance, what);
     }
     close(one.force(), other.force(), tolerance, what);
@@ -42,7 +49,7 @@ fn a_trace_is_as_exact_as_the_formula_it_was_taken_from() {
     let positions: Vec<f64> = (0..=60).map(|i| 0.01 * place(i)).collect();
     let height = |y: f64| 1e-5 * (y * y + 0.3 * y.powi(3));
     let heights = (0..=60).map(|i| height(place(i))).collect();
-    let trace = Profile::measured(positions, heights).unwrap();
+    let trace = Profile::from_points(positions, heights).unwrap();
     let formula = Profile::expression("1e-5*(xi^2 + 0.3*xi^3)").unwrap();
     for force in [1e4, 3e5] {
         let of = |profile: &Profile| {

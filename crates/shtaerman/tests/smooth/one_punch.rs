@@ -2,7 +2,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use crate::support::{With, balanced, close, holds, punch};
+use crate::support::{balanced, close, holds, punch};
 use shtaerman::{Load, Rotational, Vertical};
 
 #[test]
@@ -13,28 +13,25 @@ fn flat_punch() {
         let mut problem = punch(theta0, |_| 0.0, balanced(force, moment));
         problem.is_unilateral = is_unilateral;
         let contact = problem.solved();
-        close(contact.settlement0(), theta0 * force * LN_2, 1e-14, "settlement");
-        close(contact.tilt0(), -2.0 * theta0 * moment, 1e-14, "tilt");
+        close(contact.settlement(), theta0 * force * LN_2, 1e-14, "settlement");
+        close(contact.tilt(), -2.0 * theta0 * moment, 1e-14, "tilt");
         let zone = contact.zones()[0];
         assert_eq!(zone.ends, [-1.0, 1.0]);
-        assert_eq!(zone.is_free, [false; 2]);
-        close(zone.intensity0[0], (force - 2.0 * moment) / PI.sqrt(), 1e-13, "K left");
-        close(zone.intensity0[1], (force + 2.0 * moment) / PI.sqrt(), 1e-14, "K right");
+        assert_eq!(zone.is_free(), [false; 2]);
+        close(zone.intensity[0], (force - 2.0 * moment) / PI.sqrt(), 1e-13, "K left");
+        close(zone.intensity[1], (force + 2.0 * moment) / PI.sqrt(), 1e-14, "K right");
         for x in [-0.99f64, -0.3, 0.0, 0.5, 0.999] {
             let exact = (force + 2.0 * moment * x) / (PI * (1.0 - x * x).sqrt());
-            close(contact.pressure0(x), exact, 1e-13, "pressure");
+            close(contact.pressure(x), exact, 1e-13, "pressure");
         }
-        assert_eq!(contact.pressure0(1.0), f64::INFINITY);
-        // Beside the edge, at a distance that 1 - d would not know.
-        let exact = (force + 2.0 * moment) / (PI * (2e-30f64).sqrt());
-        close(contact.pressure_beside0(0, 2.0, 1e-30), exact, 1e-13, "beside");
+        assert_eq!(contact.pressure(1.0), f64::INFINITY);
         // Outside: ln(2/w) P + (M 2/w) sides, with x = (w + 1/w)/2
         for x in [1.0 + 1e-9, 1.3, -1.7, -20.0f64] {
             let w = x.abs() + (x * x - 1.0).sqrt();
             let exact = theta0 * (force * (2.0 / w).ln() + 2.0 * moment * x.signum() / w);
-            close(contact.elastic_displacement0(x), exact, 1e-13, "outside");
+            close(contact.elastic_displacement(x), exact, 1e-13, "outside");
         }
-        let stiffness = contact.stiffness0();
+        let stiffness = contact.stiffness();
         close(stiffness.force_settlement, 1.0 / (theta0 * LN_2), 1e-14, "c11");
         close(stiffness.moment_tilt, 0.5 / theta0, 1e-14, "c22");
         assert_eq!(stiffness.coupling, 0.0);
@@ -50,14 +47,14 @@ fn flat_punch_beyond_the_tilting_limit() {
         let zone = contact.zones()[0];
         let (wall, free) = if side > 0.0 { (1, 0) } else { (0, 1) };
         assert_eq!(zone.ends[wall], side);
-        assert!(zone.is_free[free] && !zone.is_free[wall]);
+        assert!(zone.is_free()[free] && !zone.is_free()[wall]);
         close(zone.ends[wall] * side - zone.ends[free] * side, 2.0 * b, 1e-11, "width");
         for y in [-0.9f64, -0.2, 0.4, 0.99] {
             let exact = 1.5 / (PI * b) * ((1.0 + y) / (1.0 - y)).sqrt();
-            let found = contact.pressure0(side * (1.0 - b + b * y));
+            let found = contact.pressure(side * (1.0 - b + b * y));
             close(found, exact, 1e-10, &format!("{e} {y}"));
         }
-        assert!(contact.gap0(-side) > 0.0);
+        assert!(contact.gap(-side) > 0.0);
     }
 }
 
@@ -65,7 +62,7 @@ fn flat_punch_beyond_the_tilting_limit() {
 fn tension_of_a_bilateral_punch() {
     // p changes its sign at x = -P/(2M)
     let contact = punch(1.0, |_| 0.0, balanced(1.0, 0.8)).bilateral().solved();
-    let tension = contact.tension();
+    let tension = contact.contact.tension();
     assert_eq!(tension.len(), 1);
     assert!(tension[0][0] == -1.0 && (tension[0][1] + 0.625).abs() < 0.01, "{tension:?}");
 }
@@ -79,17 +76,17 @@ fn hertz() {
         let zone = contact.zones()[0];
         close(zone.ends[1], a, 1e-12, "width");
         close(-zone.ends[0], a, 1e-12, "width");
-        assert_eq!(zone.intensity0, [0.0; 2]);
+        assert_eq!(zone.intensity, [0.0; 2]);
         for y in [-0.95f64, 0.0, 0.3, 0.99] {
             let exact = 2.0 * force / (PI * a) * (1.0 - y * y).sqrt();
-            close(contact.pressure0(a * y), exact, 1e-11, "pressure");
+            close(contact.pressure(a * y), exact, 1e-11, "pressure");
         }
         // delta = theta0 P ln(2/a) + f_0, f_0 = c a^2/2
         let settlement = theta0 * force * ((2.0 / a).ln() + 0.5);
-        close(contact.settlement0(), settlement, 1e-12, "settlement");
+        close(contact.settlement(), settlement, 1e-12, "settlement");
         // Stiffness on the zone: 1/(theta0 ln(2/a))
         let c11 = 1.0 / (theta0 * (2.0 / a).ln());
-        close(contact.stiffness0().force_settlement, c11, 1e-12, "stiffness");
+        close(contact.stiffness().force_settlement, c11, 1e-12, "stiffness");
     }
 }
 
@@ -102,20 +99,20 @@ fn an_eccentric_parabola_rolls() {
     let [left, right] = contact.zones()[0].ends;
     close(right, e + a, 1e-11, "right");
     close(left, e - a, 1e-11, "left");
-    close(contact.tilt0(), -2.0 * curvature * e, 1e-11, "tilt");
-    close(contact.pressure0(e + 0.5 * a), 2.0 / (PI * a) * 0.75f64.sqrt(), 1e-10, "pressure");
+    close(contact.tilt(), -2.0 * curvature * e, 1e-11, "tilt");
+    close(contact.pressure(e + 0.5 * a), 2.0 / (PI * a) * 0.75f64.sqrt(), 1e-10, "pressure");
 }
 
 #[test]
-fn a_known_slope_keeps_digits_on_short_zones() {
+fn a_formula_keeps_digits_on_short_zones() {
     let (curvature, e) = (1e9, 0.6);
     let contact = punch(1.0, move |x| curvature * x * x, balanced(1.0, e))
-        .slope(move |x| 2.0 * curvature * x)
+        .formula(&format!("{curvature}*x^2"))
         .solved();
     let a = (1.0 / curvature).sqrt();
     let [left, right] = contact.zones()[0].ends;
     close(right - left, 2.0 * a, 1e-9, "width");
-    close(contact.pressure0(0.5 * (left + right)), 2.0 / (PI * a), 1e-9, "pressure");
+    close(contact.pressure(0.5 * (left + right)), 2.0 / (PI * a), 1e-9, "pressure");
 }
 
 #[test]
@@ -131,9 +128,9 @@ fn wedge() {
     close(zone.ends[0], -a, 1e-12, "width");
     for y in [1e-5f64, 0.001, 0.3, -0.7, 0.999] {
         let exact = modulus * slope / PI * (1.0 / y.abs()).acosh();
-        close(contact.pressure0(a * y), exact, 2e-11, &format!("pressure at {y}"));
+        close(contact.pressure(a * y), exact, 2e-11, &format!("pressure at {y}"));
     }
-    assert!(contact.pressure0(0.0) > 100.0 * contact.pressure0(0.1));
+    assert!(contact.pressure(0.0) > 100.0 * contact.pressure(0.1));
 }
 
 #[test]
@@ -152,7 +149,7 @@ fn a_blunted_wedge() {
             ((a * a - x * s + roots) / (a * (x - s))).abs().ln()
         };
         let exact = modulus * slope / (2.0 * PI) * (green(c) + green(-c));
-        close(contact.pressure0(x), exact, 2e-11, &format!("pressure at {x}"));
+        close(contact.pressure(x), exact, 2e-11, &format!("pressure at {x}"));
     }
 }
 
@@ -172,13 +169,13 @@ fn polynomial_base_in_full_contact() {
     };
     for x in [-0.9f64, -0.1, 0.33, 0.98] {
         let density = (force + 2.0 * moment * x) / PI - bent(x) / (PI * theta0);
-        close(contact.pressure0(x), density / (1.0 - x * x).sqrt(), 1e-12, "pressure");
+        close(contact.pressure(x), density / (1.0 - x * x).sqrt(), 1e-12, "pressure");
     }
-    close(contact.settlement0(), series[0] + theta0 * force * LN_2, 1e-13, "settlement");
-    close(contact.tilt0(), -2.0 * theta0 * moment - series[1], 1e-12, "tilt");
+    close(contact.settlement(), series[0] + theta0 * force * LN_2, 1e-13, "settlement");
+    close(contact.tilt(), -2.0 * theta0 * moment - series[1], 1e-12, "tilt");
     for (side, x) in [(0, -1.0), (1, 1.0)] {
         let density = (force + 2.0 * moment * x) / PI - bent(x) / (PI * theta0);
-        close(contact.zones()[0].intensity0[side], PI.sqrt() * density, 1e-12, "K");
+        close(contact.zones()[0].intensity[side], PI.sqrt() * density, 1e-12, "K");
     }
 }
 
@@ -187,7 +184,7 @@ fn what_is_prescribed_does_not_matter() {
     let base = |x: f64| 3.0 * x.powi(4) + (5.0 * x).cos() - 0.3 * x;
     let (force, moment) = (0.4, 0.05);
     let first = punch(2.0, base, balanced(force, moment)).solved();
-    let (delta, alpha) = (first.settlement0(), first.tilt0());
+    let (delta, alpha) = (first.settlement(), first.tilt());
     for (vertical, rotational) in [
         (Vertical::Settlement(delta), Rotational::Tilt(alpha)),
         (Vertical::Settlement(delta), Rotational::Moment(moment)),
@@ -197,11 +194,11 @@ fn what_is_prescribed_does_not_matter() {
     ] {
         let contact = punch(2.0, base, Load::new(vertical, rotational).unwrap()).solved();
         let what = format!("{vertical:?} {rotational:?}");
-        close(contact.force0(), force, 1e-10, &what);
-        close(contact.moment0(), moment, 1e-9, &what);
-        close(contact.settlement0(), delta, 1e-11, &what);
-        close(contact.tilt0(), alpha, 1e-10, &what);
-        close(contact.pressure0(0.6), first.pressure0(0.6), 1e-10, &what);
+        close(contact.force(), force, 1e-10, &what);
+        close(contact.moment(), moment, 1e-9, &what);
+        close(contact.settlement(), delta, 1e-11, &what);
+        close(contact.tilt(), alpha, 1e-10, &what);
+        close(contact.pressure(0.6), first.pressure(0.6), 1e-10, &what);
     }
 }
 
@@ -213,9 +210,9 @@ fn the_scale_of_stiffness_does_not_matter() {
     let two = punch(1e7, move |x| 1e7 * base(x), balanced(1.0, -0.1)).solved();
     assert_eq!(one.zones().len(), two.zones().len());
     for x in [-0.5, 0.0, 0.3] {
-        close(two.pressure0(x), one.pressure0(x), 1e-11, "pressure");
+        close(two.pressure(x), one.pressure(x), 1e-11, "pressure");
     }
-    close(two.settlement0(), 1e7 * one.settlement0(), 1e-12, "settlement");
+    close(two.settlement(), 1e7 * one.settlement(), 1e-12, "settlement");
 }
 
 #[test]
@@ -225,9 +222,8 @@ fn an_end_about_a_kink_is_found() {
         for force in [0.7, 1.1] {
             for arm in [-0.61, -0.57, -0.5] {
                 let rising = move |x: f64| 0.97 * (x - kink).max(0.0);
-                let slope = move |x: f64| if x > kink { 0.97 } else { 0.0 };
                 let contact = punch(1.0, rising, balanced(force, arm * force))
-                    .slope(slope)
+                    .formula(&format!("0.97*max(x - {kink}, 0)"))
                     .breaks(&[kink])
                     .solved();
                 holds(&contact, 1e-9, &format!("{kink} {force} {arm}"));

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{With, balanced, close, holds, level, punch};
+use crate::support::{balanced, close, holds, level, punch};
 use shtaerman::{Error, Load, Rotational, Vertical};
 
 #[test]
@@ -13,14 +13,14 @@ fn a_row_of_flat_punches() {
         let contact = punch(theta0, |_| 0.0, level(force)).period(period).solved();
         let s = (PI / period).sin();
         let exact = -theta0 * force * s.ln();
-        let error = (contact.settlement0() - exact).abs();
-        assert!(error < 1e-11 * (1.0 + exact.abs()), "{period}: {} {exact}", contact.settlement0());
+        let error = (contact.settlement() - exact).abs();
+        assert!(error < 1e-11 * (1.0 + exact.abs()), "{period}: {} {exact}", contact.settlement());
         for x in [-0.9f64, 0.0, 0.4, 0.99] {
             let psi = PI * x / period;
             // s^2 - sin^2 psi without cancellation
             let root = ((PI * (1.0 - x) / period).sin() * (PI * (1.0 + x) / period).sin()).sqrt();
             let exact = force / period * psi.cos() / root;
-            close(contact.pressure0(x), exact, 1e-10, &format!("{period} {x}"));
+            close(contact.pressure(x), exact, 1e-10, &format!("{period} {x}"));
         }
         holds(&contact, 1e-10, &format!("{period}"));
     }
@@ -33,16 +33,16 @@ fn a_row_under_moments() {
         let contact = punch(1.0, base, balanced(1.0, 0.2)).period(period).solved();
         holds(&contact, 1e-10, &format!("{period}"));
         let lifted = punch(1.0, |_| 0.0, balanced(1.0, 0.75)).period(period).solved();
-        assert!(lifted.zones()[0].is_free[0]);
+        assert!(lifted.zones()[0].is_free()[0]);
         holds(&lifted, 1e-10, &format!("lifted, {period}"));
     }
 }
 
 /// `f = -h cos(pi (x - at))`, contact at the crests, wherever the seam is.
-fn wave(mean: f64, at: f64) -> shtaerman::SmoothContact {
+fn wave(mean: f64, at: f64) -> crate::support::Solved {
     let h = 0.3;
     punch(1.0, move |x| -h * (PI * (x - at)).cos(), level(2.0 * mean))
-        .slope(move |x| h * PI * (PI * (x - at)).sin())
+        .formula(&format!("-{h}*cos(pi*(x - ({at})))"))
         .period(2.0)
         .solved()
 }
@@ -67,9 +67,9 @@ fn westergaard() {
                 let mean = share * LIMIT;
                 let inside = (s - psi.sin()) * (s + psi.sin());
                 let exact = 2.0 * mean * psi.cos() * inside.sqrt() / (s * s);
-                close(contact.pressure0(at + a * y), exact, 1e-10, &what);
+                close(contact.pressure(at + a * y), exact, 1e-10, &what);
             }
-            assert!(contact.gap0(at + 1.0) > 0.0);
+            assert!(contact.gap(at + 1.0) > 0.0);
         }
     }
 }
@@ -86,16 +86,16 @@ fn a_wave_just_short_of_full_contact() {
     // Its width to 1e-10 of the half-width.
     assert!((2.0 - (right - left) - gap).abs() < 1e-10, "{at}: {left} {right} {gap}");
     assert!(contact.complementarity().tension < 1e-9);
-    assert!(contact.gap0(at + 1.0) > 0.0);
+    assert!(contact.gap(at + 1.0) > 0.0);
     // A gap that is too short is said to be, or as good as none.
     let narrow =
         punch(1.0, move |x| -LIMIT * (PI * (x - at)).cos(), level(2.0 * LIMIT * (1.0 - 1e-9)))
-            .slope(move |x| LIMIT * PI * (PI * (x - at)).sin())
+            .formula(&format!("-{LIMIT}*cos(pi*x)"))
             .period(2.0);
     assert!(matches!(narrow.refused(), Error::ZonesTooClose { gap } if gap < 1e-3));
     let full = wave((1.0 - 1e-11) * LIMIT, at);
     assert!(full.complementarity().tension < 1e-10);
-    close(full.pressure0(at), 2.0 * LIMIT, 1e-10, &format!("{at}"));
+    close(full.pressure(at), 2.0 * LIMIT, 1e-10, &format!("{at}"));
 }
 
 #[test]
@@ -111,10 +111,10 @@ fn the_moment_of_a_wave_is_that_of_its_own_period() {
             let angle = PI * (f64::from(i) + 0.5) / f64::from(count);
             let x = 0.9 + a * angle.cos();
             let own = if x > 1.0 { x - 2.0 } else { x };
-            own * contact.pressure0(x) * a * angle.sin() * PI / f64::from(count)
+            own * contact.pressure(x) * a * angle.sin() * PI / f64::from(count)
         })
         .sum();
-    assert!((moment - contact.moment0()).abs() < 1e-4, "{moment} {}", contact.moment0());
+    assert!((moment - contact.moment()).abs() < 1e-4, "{moment} {}", contact.moment());
 }
 
 #[test]
@@ -124,17 +124,17 @@ fn full_contact_of_a_wave() {
     let contact = wave(mean, 0.0);
     for x in [-1.0f64, -0.3, 0.0, 0.77, 1.0, 2.3] {
         let exact = mean + LIMIT * (PI * x).cos();
-        close(contact.pressure0(x), exact, 1e-12, &format!("{x}"));
+        close(contact.pressure(x), exact, 1e-12, &format!("{x}"));
     }
-    assert!(contact.settlement0().abs() < 1e-14 && contact.moment0().abs() < 1e-14);
+    assert!(contact.settlement().abs() < 1e-14 && contact.moment().abs() < 1e-14);
     // About a quarter: int x cos(pi (x - 1/4)) = sin(pi/4) int x sin(pi x) = sqrt(1/2) 2/pi
     let turned = wave(mean, 0.25);
-    close(turned.moment0(), LIMIT * 0.5f64.sqrt() * 2.0 / PI, 1e-12, "moment");
+    close(turned.moment(), LIMIT * 0.5f64.sqrt() * 2.0 / PI, 1e-12, "moment");
     // Bilateral contact is full below the limit, too.
     let h = LIMIT;
     let problem = punch(1.0, move |x| -h * (PI * x).cos(), level(LIMIT)).period(2.0).bilateral();
-    close(problem.solved().pressure0(1.0), -0.5 * LIMIT, 1e-12, "tension");
-    assert!(!problem.solved().tension().is_empty());
+    close(problem.solved().pressure(1.0), -0.5 * LIMIT, 1e-12, "tension");
+    assert!(!problem.solved().contact.tension().is_empty());
 }
 
 #[test]
@@ -145,17 +145,17 @@ fn a_kinked_wave() {
     let contact = problem.solved();
     for x in [0.01f64, 0.2, -0.6, 0.97] {
         let exact = 5.0 - 2.0 / (PI * PI) * (0.5 * PI * x.abs()).tan().ln();
-        close(contact.pressure0(x), exact, 1e-12, &format!("{x}"));
+        close(contact.pressure(x), exact, 1e-12, &format!("{x}"));
     }
-    close(contact.settlement0(), 0.5, 1e-13, "mean height");
+    close(contact.settlement(), 0.5, 1e-13, "mean height");
 }
 
 #[test]
 fn a_wave_by_its_settlement() {
     let first = wave(0.4 * LIMIT, 0.0);
-    let load = Load::new(Vertical::Settlement(first.settlement0()), Rotational::Tilt(0.0)).unwrap();
+    let load = Load::new(Vertical::Settlement(first.settlement()), Rotational::Tilt(0.0)).unwrap();
     let again = punch(1.0, |x| -LIMIT * (PI * x).cos(), load).period(2.0).solved();
-    close(again.force0(), 0.8 * LIMIT, 1e-10, "force");
+    close(again.force(), 0.8 * LIMIT, 1e-10, "force");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What no contact can balance, or no such problem can mean.
 
-use crate::support::{With, balanced, level, punch};
+use crate::support::{balanced, level, punch};
 use shtaerman::{Error, Load, Rotational, Vertical};
 
 #[test]
@@ -23,13 +23,7 @@ fn bases() {
     let problem = punch(1.0, step, balanced(1.0, 0.0)).breaks(&[0.25]).bilateral();
     assert!(matches!(problem.refused(), Error::InvalidValue { field: "profile", .. }));
     let holed = punch(1.0, |x| if x > 0.5 { f64::NAN } else { 0.0 }, balanced(1.0, 0.0));
-    assert!(matches!(holed.refused(), Error::InvalidValue { field: "profile", .. }));
-    let mut empty = punch(1.0, |_| 0.0, balanced(1.0, 0.0));
-    empty.pieces.clear();
-    assert!(empty.solve().is_err());
-    for theta0 in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert!(punch(theta0, |_| 0.0, balanced(1.0, 0.0)).solve().is_err());
-    }
+    assert!(matches!(holed.refused(), Error::ProfileNotFinite { .. }));
 }
 
 #[test]
@@ -58,8 +52,7 @@ fn gaps_too_narrow_are_said_to_be() {
 
 #[test]
 fn hundreds_of_zones() {
-    let wavy = punch(1.0, |x| (1500.0 * x).cos(), balanced(1.0, 0.0))
-        .slope(|x| -1500.0 * (1500.0 * x).sin());
+    let wavy = punch(1.0, |x| (1500.0 * x).cos(), balanced(1.0, 0.0)).formula("cos(1500*x)");
     match wavy.refused() {
         Error::TooManyZones { zones, most } => assert!(most >= 100 && zones > most),
         other => panic!("{other}"),

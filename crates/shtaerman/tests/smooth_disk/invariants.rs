@@ -12,10 +12,10 @@ fn thin_layers_tend_to_it() {
             let chi = 2.0 * A / (std::f64::consts::PI * MODULUS * theta0);
             let base = Profile::expression(profile).unwrap();
             let rough = problem(base, chi, pressed(1e3), Solver::default()).solve().unwrap();
-            let x = 0.5 * smooth.edges()[0][1];
+            let x = 0.5 * smooth.zones()[0][1];
             let errors = [
                 rough.settlement() / smooth.settlement() - 1.0,
-                rough.edges()[0][1] / smooth.edges()[0][1] - 1.0,
+                rough.zones()[0][1] / smooth.zones()[0][1] - 1.0,
                 rough.pressure(x).unwrap() / smooth.pressure(x).unwrap() - 1.0,
             ];
             for (error, before) in errors.iter().zip(before) {
@@ -33,7 +33,7 @@ fn conditions_of_contact() {
     let contact = solve(profile, pressed(200.0));
     let left = contact.complementarity().unwrap();
     assert!(left.tension < 1e-12 && left.penetration < 1e-12, "{left:?}");
-    let edge = contact.edges()[0][1];
+    let edge = contact.zones()[0][1];
     assert!(edge < A);
     for i in 1..40 {
         let x = edge + (A - edge) * f64::from(i) / 40.0;
@@ -65,7 +65,7 @@ fn stiffness_is_the_slope_of_the_force() {
 fn the_displacement_is_that_of_the_pressure() {
     // u(r) = (4/(pi E*)) int p s K(2 sqrt(r s)/(r + s))/(r + s) ds by the arithmetic-geometric mean: K = pi/(2 agm(1, k'))
     let contact = solve("0.5*x^2 + 2e-4*max(abs(x) - 0.0005, 0)", pressed(800.0));
-    let edge = contact.edges()[0][1];
+    let edge = contact.zones()[0][1];
     for r in [1.3 * edge, 4.0 * edge] {
         let count = 4000;
         let step = std::f64::consts::FRAC_PI_2 / f64::from(count);

@@ -1,7 +1,8 @@
 //! Circular punches in newtons, metres and pascals on steel.
 
 use shtaerman::{
-    Contact, Elastic, Error, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical,
+    Contact, Elastic, Error, Foundation, Load, Problem, Profile, Punch, Rotational, Solver,
+    Vertical,
 };
 
 /// `E* = E/(1 - nu^2)`.
@@ -16,8 +17,11 @@ pub(crate) fn problem(
     solver: Solver,
 ) -> Problem {
     let steel = Elastic::new(200e9, 0.3).unwrap();
-    let frame = Frame::physical_in(Geometry::Circular, steel, roughness, A, None).unwrap();
-    Problem::new(frame, profile, Load::new(vertical, rotational).unwrap(), solver).unwrap()
+    let (foundation, punch) =
+        (Foundation::new(steel).with_roughness(roughness).unwrap(), Punch::circular(A).unwrap());
+    Problem::new(foundation, punch.with_profile(profile), Load::new(vertical, rotational).unwrap())
+        .unwrap()
+        .with_solver(solver)
 }
 
 pub(crate) fn attempt(profile: &str, load: (Vertical, Rotational)) -> Result<Contact, Error> {

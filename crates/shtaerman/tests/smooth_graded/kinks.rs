@@ -38,7 +38,7 @@ fn hardly_eccentric_wedges_are_turned_flat_punches_besides() {
         let case = Case::plane(mu);
         let force = 0.01;
         let level = case.solve(PROFILE, Vertical::Force(force), Rotational::Eccentricity(0.0));
-        let b = level.edges()[0][1];
+        let b = level.zones()[0][1];
         assert!(b < 1.0);
         let factor = 1.0 / beta_integral(0.5 * (mu - 1.0));
         // of a flat punch on |x| <= b
@@ -52,7 +52,7 @@ fn hardly_eccentric_wedges_are_turned_flat_punches_besides() {
             let error = (contact.tilt() - turn).abs() / scale;
             assert!(error < 1e-14 + squares, "tilt, {what}: {error:e}");
             // The ends move by the ratio of the flat pressure there and the slope of p.
-            let [left, right] = contact.edges()[0];
+            let [left, right] = contact.zones()[0];
             let shift = e * (2.0 + mu) / (1.0 + mu);
             assert!((left + b - shift).abs() < (1e-14 + squares) * b, "left, {what}: {left}");
             assert!((right - b - shift).abs() < (1e-14 + squares) * b, "right, {what}: {right}");
@@ -65,7 +65,11 @@ fn hardly_eccentric_wedges_are_turned_flat_punches_besides() {
             }
             let left = contact.complementarity().unwrap();
             assert!(left.tension < 1e-12 && left.penetration < 1e-12, "{what} {left:?}");
-            assert!(contact.relative_error() < 1e-10, "{what} {:?}", contact.accuracy());
+            assert!(
+                contact.relative_error() < 1e-10,
+                "{what} {:?}",
+                contact.dimensionless().error()
+            );
         }
     }
 }
@@ -75,7 +79,7 @@ fn level_wedges_are_known() {
     for mu in EXPONENTS {
         let case = Case::plane(mu);
         let contact = case.press(PROFILE, 0.01);
-        let b = contact.edges()[0][1];
+        let b = contact.zones()[0][1];
         // The same shape as by the integral, scaled by the force.
         let all = |f: &dyn Fn(f64) -> f64| -> f64 {
             double_exponential(300).map(|node| 0.5 * node.weight * f(0.5 * node.from_left)).sum()
@@ -84,8 +88,8 @@ fn level_wedges_are_known() {
         for y in SHARES {
             let exact = 0.01 * symmetric(mu, y) / sum;
             let found = contact.pressure(y * b).unwrap();
-            let stated = contact.accuracy().unwrap().pressure;
-            let stated = stated * contact.problem().frame().scaling().unwrap().pressure();
+            let stated = contact.dimensionless().error().unwrap().pressure;
+            let stated = stated * contact.problem().scaling().unwrap().pressure();
             assert!((found - exact).abs() < stated, "{mu} {y}: {found} {exact} {stated:e}");
             assert!(stated < 1e-10 * exact, "{mu} {y}: {stated:e} {exact}");
         }
@@ -98,7 +102,7 @@ fn kernels_of_hardly_eccentric_wedges_give_the_base() {
         let case = Case::plane(mu);
         for e in [1e-12, 1e-9, -1e-7, 4e-7, 1e-6] {
             let contact = case.solve(PROFILE, Vertical::Force(0.05), Rotational::Eccentricity(e));
-            let [left, right] = contact.edges()[0];
+            let [left, right] = contact.zones()[0];
             let size = contact.settlement();
             for share in [0.1, 0.45, 0.8] {
                 let x = left + share * (right - left);

@@ -1,6 +1,8 @@
 //! What smooth contact on graded ground tends to, and what tends to it.
 
-use shtaerman::{Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{
+    Elastic, Foundation, Geometry, Load, Problem, Profile, Punch, Rotational, Vertical,
+};
 
 use crate::support::{Case, NU};
 
@@ -12,17 +14,20 @@ fn little_grading_is_none() {
         {
             let (vertical, rotational) = (Vertical::Force(force), Rotational::Moment(moment));
             let material = Elastic::new(1.0, NU).unwrap();
-            let frame = Frame::physical_in(geometry, material, 0.0, 1.0, None).unwrap();
+            let (foundation, punch) = (
+                Foundation::new(material).with_roughness(0.0).unwrap(),
+                Punch::in_geometry(geometry, 1.0).unwrap(),
+            );
             let load = Load::new(vertical, rotational).unwrap();
             let base = Profile::expression(profile).unwrap();
             let plain =
-                Problem::new(frame, base, load, Solver::default()).unwrap().solve().unwrap();
+                Problem::new(foundation, punch.with_profile(base), load).unwrap().solve().unwrap();
             let mut last = f64::INFINITY;
             for mu in [1e-2, 1e-3, 1e-4, 1e-5] {
                 let case = Case { geometry, ..Case::plane(mu) };
                 let graded = case.solve(profile, vertical, rotational);
                 let share = |x: f64| {
-                    let x = x * plain.edges()[0][1];
+                    let x = x * plain.zones()[0][1];
                     graded.pressure(x).unwrap() / plain.pressure(x).unwrap() - 1.0
                 };
                 let error = share(0.4).abs().max(share(-0.8).abs());
@@ -45,7 +50,7 @@ fn a_thin_layer_tends_to_none() {
                 let load = (Vertical::Force(force), Rotational::Moment(0.0));
                 let rough = case.problem(base, chi, load.0, load.1).solve().unwrap();
                 let errors = [0.0, 0.3, 0.6].map(|y| {
-                    let x = y * smooth.edges()[0][1];
+                    let x = y * smooth.zones()[0][1];
                     (rough.pressure(x).unwrap() / smooth.pressure(x).unwrap() - 1.0).abs()
                 });
                 let error = errors.into_iter().fold(0.0, f64::max);

@@ -68,7 +68,7 @@ fn parabola(case: &Case, b: f64, radius: f64) -> [f64; 3] {
 }
 
 fn check_parabola(case: &Case, contact: &Contact, b: f64, q: f64) {
-    let [left, right] = contact.edges()[0];
+    let [left, right] = contact.zones()[0];
     close(right, b, 1e-12, "right edge");
     close(left, -b, 1e-12, "left edge");
     for y in PLACES {
@@ -92,7 +92,7 @@ fn parabolas_by_force_and_by_settlement() {
             let other =
                 case.solve("x^2/(2*20)", Vertical::Settlement(settlement), Rotational::Moment(0.0));
             // For small mu the settlement knows little of the width: their rounding is blown up by 1/mu.
-            close(other.edges()[0][1], b, 1e-13 / mu.powi(2), "edge");
+            close(other.zones()[0][1], b, 1e-13 / mu.powi(2), "edge");
             close(other.force(), force, 1e-12 / mu.powi(2), "force");
         }
     }
@@ -106,7 +106,7 @@ fn an_eccentric_flat_punch_lifts() {
             let contact = case.solve("0", Vertical::Force(3.0), Rotational::Eccentricity(-e));
             // C_0 and C_1 with a zero at the lifted end: centre of force b/(2+mu) from the middle.
             let b = (1.0 - e) * (2.0 + mu) / (1.0 + mu);
-            let [left, right] = contact.edges()[0];
+            let [left, right] = contact.zones()[0];
             if b > 1.0 {
                 assert_eq!([left, right], [-1.0, 1.0]);
                 continue;
@@ -169,7 +169,7 @@ fn pressures_displace_as_the_kernel_says() {
     ] {
         let case = Case::plane(mu);
         let contact = case.solve(profile, Vertical::Force(force), rotational);
-        let [left, right] = contact.edges()[0];
+        let [left, right] = contact.zones()[0];
         assert!(left > -1.0 && right < 1.0, "{left} {right}");
         let size = contact.settlement().abs();
         for share in [0.02, 0.21, 0.5, 0.77, 0.98] {
@@ -182,7 +182,7 @@ fn pressures_displace_as_the_kernel_says() {
             assert!(error.abs() < 1e-10 * size, "{mu} {profile} {x}: {error:e} of {size}");
             assert!(contact.gap(x).unwrap() > 0.0);
         }
-        let accuracy = contact.accuracy().unwrap();
+        let accuracy = contact.dimensionless().error().unwrap();
         assert!(contact.relative_error() < 1e-10, "{profile} {accuracy:?}");
     }
 }
@@ -198,7 +198,7 @@ fn what_is_prescribed_comes_back() {
     );
     close(other.force(), 0.03, 1e-12, "force");
     close(other.moment(), 0.002, 1e-11, "moment");
-    for (found, exact) in other.edges()[0].into_iter().zip(one.edges()[0]) {
+    for (found, exact) in other.zones()[0].into_iter().zip(one.zones()[0]) {
         close(found, exact, 1e-12, "edge");
     }
 }
@@ -215,7 +215,7 @@ fn the_pressure_falls_beside_a_kink_by_the_power_of_the_ground() {
                 |d: f64| [-d, d].map(|x| contact.pressure(x).unwrap()).iter().sum::<f64>() / 2.0;
             let [near, far] = [1e-6, 1e-4].map(even);
             let fall = (near - far) / (100f64.powf(mu) - 1.0);
-            let (peak, at) = contact.peak_pressure();
+            let (peak, at) = (contact.peak_pressure(), contact.peak_pressure_at());
             assert!(at.abs() < 1e-15, "{mu} {e}: {at}");
             // The next term is smooth, or of the power 1 + mu.
             let allowed = 20.0 * 1e-4f64.powf(1.0 + mu).max(1e-8) * peak;

@@ -6,14 +6,13 @@ use crate::support::Case;
 
 /// Every derivative by the logarithm of its parameter, with the size of its quantity and its stated error.
 fn rows(contact: &Contact, found: &Sensitivities) -> Vec<(String, f64, f64, f64)> {
-    let frame = contact.problem().frame();
-    let modulus = frame.scaling().unwrap().pressure();
-    let turned = contact.settlement() / frame.half_width();
+    let modulus = contact.problem().scaling().unwrap().pressure();
+    let turned = contact.settlement() / contact.problem().punch().half_width();
     let parts: [(&str, Option<Derivatives>, f64); 5] = [
         ("settlement", found.settlement, contact.settlement()),
         ("force", found.force, contact.force()),
         ("tilt", found.tilt, turned),
-        ("pressure", found.pressure_max, contact.peak_pressure().0),
+        ("pressure", found.peak_pressure, contact.peak_pressure()),
         ("width", Some(found.contact_width), contact.contact_width()),
     ];
     let mut rows = Vec::new();

@@ -40,12 +40,12 @@ fn strips_state_their_error() {
         let settlement = case.line() * b.powf(1.0 - mu) * q * eigenvalue * middle;
         let profile = format!("(x - ({centre}))^2/(2*{radius})");
         let contact = case.solve(&profile, Vertical::Force(force), Rotational::Tilt(0.0));
-        let accuracy = contact.accuracy().unwrap();
+        let accuracy = contact.dimensionless().error().unwrap();
         assert_eq!(accuracy.kind, ErrorKind::Estimate);
-        let scale = contact.problem().frame().scaling().unwrap();
+        let scale = contact.problem().scaling().unwrap();
         let what = format!("mu {mu} b {b} c {centre} R {radius}");
-        let [left, right] = contact.edges()[0];
-        let edge = contact.edge_error0().unwrap();
+        let [left, right] = contact.zones()[0];
+        let edge = contact.dimensionless().error().and_then(|error| error.zones).unwrap();
         honest(edge, left - centre + b, b, 1e-8, &format!("left, {what}"));
         honest(edge, right - centre - b, b, 1e-8, &format!("right, {what}"));
         let pressure = accuracy.pressure * scale.pressure();
@@ -71,11 +71,11 @@ fn disks_state_their_error() {
         let e = 4f64.powf(beta) / (case.rings() * tgamma(1.0 - beta).powi(2));
         let force = 4.0 * e * c.powf(3.0 + mu) / (radius * (1.0 + mu).powi(2) * (3.0 + mu));
         let contact = case.press(&format!("x^2/(2*{radius})"), force);
-        let accuracy = contact.accuracy().unwrap();
-        let scale = contact.problem().frame().scaling().unwrap();
+        let accuracy = contact.dimensionless().error().unwrap();
+        let scale = contact.problem().scaling().unwrap();
         let what = format!("mu {mu} c {c} R {radius}");
-        let edge = contact.edge_error0().unwrap();
-        honest(edge, contact.edges()[0][1] - c, c, 1e-12, &what);
+        let edge = contact.dimensionless().error().and_then(|error| error.zones).unwrap();
+        honest(edge, contact.zones()[0][1] - c, c, 1e-12, &what);
         let unit = 2.0 * e / (PI * radius * (1.0 + mu).powi(2)) * c.powf(1.0 + mu);
         let pressure = accuracy.pressure * scale.pressure();
         for y in [0.0f64, 0.3, 0.6, 0.9] {

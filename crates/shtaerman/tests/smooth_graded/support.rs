@@ -6,8 +6,8 @@ use fredholm::kernel::{Kernel, WeberSonine};
 use fredholm::quadrature::double_exponential;
 use libm::tgamma;
 use shtaerman::{
-    Contact, Error, Frame, Geometry, Grading, Load, Problem, Profile, Rotational, Roughness,
-    Solver, Vertical,
+    Contact, Error, Foundation, Geometry, Grading, Load, Problem, Profile, Punch, Rotational,
+    Roughness, Solver, Vertical,
 };
 
 pub(crate) const NU: f64 = 0.3;
@@ -54,8 +54,17 @@ impl Case {
         rotational: Rotational,
     ) -> Problem {
         let (grading, a) = (self.grading(), self.half_width);
-        let frame = Frame::physical_graded(self.geometry, grading, NU, roughness, a).unwrap();
-        Problem::new(frame, profile, Load::new(vertical, rotational).unwrap(), self.solver).unwrap()
+        let (foundation, punch) = (
+            Foundation::graded(grading, NU).unwrap().with_roughness(roughness).unwrap(),
+            Punch::in_geometry(self.geometry, a).unwrap(),
+        );
+        Problem::new(
+            foundation,
+            punch.with_profile(profile),
+            Load::new(vertical, rotational).unwrap(),
+        )
+        .unwrap()
+        .with_solver(self.solver)
     }
 
     pub(crate) fn attempt(
@@ -120,7 +129,7 @@ pub(crate) fn piece(f: &dyn Fn(f64, f64) -> f64, [left, right]: [f64; 2], x: f64
 
 /// The displacement at `x` by the kernel itself, integrated over the pressure between kinks.
 pub(crate) fn potential(case: &Case, contact: &Contact, kinks: &[f64], x: f64) -> f64 {
-    let zone = contact.edges()[0];
+    let zone = contact.zones()[0];
     let mut cuts = vec![zone[0], x.clamp(zone[0], zone[1]), zone[1]];
     cuts.extend(kinks.iter().filter(|at| zone[0] < **at && **at < zone[1]));
     cuts.sort_by(f64::total_cmp);
@@ -133,7 +142,7 @@ pub(crate) fn potential(case: &Case, contact: &Contact, kinks: &[f64], x: f64) -
 /// The same of a disk, of its part without angle.
 pub(crate) fn rings(case: &Case, contact: &Contact, kinks: &[f64], x: f64) -> f64 {
     let mu = case.mu;
-    let edge = contact.edges()[0][1];
+    let edge = contact.zones()[0][1];
     let kernel = WeberSonine::new(1.0, 0.0, 0.5 * mu).unwrap();
     let mut cuts = vec![0.0, x, edge];
     cuts.extend(kinks);

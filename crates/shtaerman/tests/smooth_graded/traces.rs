@@ -25,10 +25,10 @@ fn the_points_of_a_trace_are_bends() {
     for (mu, points) in [(0.3, 100), (0.7, 150)] {
         let case = Case::plane(mu);
         let (places, heights) = trace(points);
-        let profile = Profile::measured(places.clone(), heights).unwrap();
+        let profile = Profile::from_points(places.clone(), heights).unwrap();
         let load = (Vertical::Force(0.01), Rotational::Moment(0.0));
         let contact = case.problem(profile, 0.0, load.0, load.1).solve().unwrap();
-        assert_eq!(contact.edges(), [[-1.0, 1.0]]);
+        assert_eq!(contact.zones(), [[-1.0, 1.0]]);
         assert!(contact.relative_error() < 1e-8, "{mu}: {:e}", contact.relative_error());
         let size = contact.settlement().abs();
         for x in [-0.713, 0.1] {

@@ -2,7 +2,8 @@
 
 use fredholm::quadrature::{double_exponential, gauss_power};
 use shtaerman::{
-    Contact, Elastic, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical,
+    Contact, Elastic, Foundation, Geometry, Load, Problem, Profile, Punch, Rotational, Solver,
+    Vertical,
 };
 
 use crate::support::{Case, NU, close, piece};
@@ -13,7 +14,7 @@ const LEVEL: Rotational = Rotational::Moment(0.0);
 fn potential(case: &Case, contact: &Contact, kinks: &[f64], x: f64) -> f64 {
     let pressure = |s: f64, _: f64| contact.pressure(s).unwrap();
     let mut sum = 0.0;
-    for zone in contact.edges() {
+    for zone in contact.zones() {
         let mut cuts = vec![zone[0], zone[1]];
         cuts.extend(kinks.iter().chain([&x]).filter(|at| zone[0] < **at && **at < zone[1]));
         cuts.sort_by(f64::total_cmp);
@@ -26,7 +27,7 @@ fn potential(case: &Case, contact: &Contact, kinks: &[f64], x: f64) -> f64 {
 /// Force and moment by quadrature.
 fn resultants(contact: &Contact, kinks: &[f64]) -> [f64; 2] {
     let mut sums = [0.0; 2];
-    for zone in contact.edges() {
+    for zone in contact.zones() {
         let mut cuts = vec![zone[0], zone[1]];
         cuts.extend(kinks.iter().filter(|at| zone[0] < **at && **at < zone[1]));
         cuts.sort_by(f64::total_cmp);
@@ -48,7 +49,7 @@ fn resultants(contact: &Contact, kinks: &[f64]) -> [f64; 2] {
 /// The kernel gives the base's depth on all zones, loads are met, and no gap is negative.
 #[track_caller]
 fn check(case: &Case, contact: &Contact, kinks: &[f64], zones: usize, what: &str) {
-    let edges = contact.edges();
+    let edges = contact.zones();
     assert_eq!(edges.len(), zones, "{what}: {edges:?}");
     let size = contact.settlement().abs();
     let allowed = 1e-10;
@@ -70,7 +71,7 @@ fn check(case: &Case, contact: &Contact, kinks: &[f64], zones: usize, what: &str
     close(force, contact.force(), 1e-8, &format!("force, {what}"));
     let arm = contact.force() * case.half_width;
     assert!((moment - contact.moment()).abs() < 1e-8 * arm, "{what}: {moment}");
-    assert!(contact.relative_error() < 1e-10, "{what}: {:?}", contact.accuracy());
+    assert!(contact.relative_error() < 1e-10, "{what}: {:?}", contact.dimensionless().error());
 }
 
 #[test]
@@ -95,7 +96,7 @@ fn waves_and_hollow_bases() {
 fn waves_that_are_flat_are_one_zone() {
     let case = Case { half_width: 0.5, ..Case::plane(0.3) };
     let contact = case.press("1e-3*cos(12*x)", 1.0);
-    assert_eq!(contact.edges(), [[-0.5, 0.5]]);
+    assert_eq!(contact.zones(), [[-0.5, 0.5]]);
 }
 
 #[test]
@@ -131,7 +132,7 @@ fn smooth_potential(case: &Case, contact: &Contact, x: f64) -> f64 {
     };
     let mut sum = 0.0;
     for ([left, right], intensities) in
-        contact.edges().into_iter().zip(contact.corner_intensity().unwrap())
+        contact.zones().into_iter().zip(contact.corner_intensity().unwrap())
     {
         let [at_left, at_right] =
             intensities.map(|k| if k == 0.0 { 0.5 * (1.0 + mu) } else { 0.5 * (mu - 1.0) });
@@ -150,7 +151,7 @@ fn smooth_potential(case: &Case, contact: &Contact, x: f64) -> f64 {
 #[track_caller]
 fn check_pair(case: &Case, contact: &Contact, what: &str) {
     let size = contact.settlement().abs();
-    for [left, right] in contact.edges() {
+    for [left, right] in contact.zones() {
         for share in [0.1, 0.5, 0.84] {
             let x = left + share * (right - left);
             let error = smooth_potential(case, contact, x) - contact.base_depth(x);
@@ -158,7 +159,7 @@ fn check_pair(case: &Case, contact: &Contact, what: &str) {
             assert!(error.abs() < 1e-11 * size, "{mu} {what} {x}: {error:e} of {size}");
         }
     }
-    assert!(contact.relative_error() < 1e-10, "{what}: {:?}", contact.accuracy());
+    assert!(contact.relative_error() < 1e-10, "{what}: {:?}", contact.dimensionless().error());
 }
 
 #[test]
@@ -169,8 +170,8 @@ fn one_zone_of_two_ways_is_the_same() {
     let profile = "(x - 0.2)^2";
     let one = case.solve(profile, Vertical::Force(1e-3), LEVEL_AT);
     let two = pair.solve(profile, Vertical::Force(1e-3), LEVEL_AT);
-    assert_eq!(two.edges().len(), 1);
-    for (a, b) in one.edges()[0].into_iter().zip(two.edges()[0]) {
+    assert_eq!(two.zones().len(), 1);
+    for (a, b) in one.zones()[0].into_iter().zip(two.zones()[0]) {
         close(a, b, 1e-12, "edge");
     }
     close(one.settlement(), two.settlement(), 1e-12, "settlement");
@@ -185,17 +186,21 @@ fn little_grading_is_a_homogeneous_pair() {
         [("0", 1.0, Rotational::Moment(0.1)), ("x^2/2", 0.1, LEVEL), ("0.1*cos(9*x)", 0.02, LEVEL)]
     {
         let body = Elastic::new(1.0, NU).unwrap();
-        let frame = Frame::physical_in(geometry, body, 0.0, 1.0, None).unwrap();
+        let (foundation, punch) = (
+            Foundation::new(body).with_roughness(0.0).unwrap(),
+            Punch::in_geometry(geometry, 1.0).unwrap(),
+        );
         let load = Load::new(Vertical::Force(force), rotational).unwrap();
         let base = Profile::expression(profile).unwrap();
-        let plain = Problem::new(frame, base, load, Solver::default()).unwrap().solve().unwrap();
+        let plain =
+            Problem::new(foundation, punch.with_profile(base), load).unwrap().solve().unwrap();
         let mut last = f64::INFINITY;
         for mu in [1e-2, 1e-3, 1e-4, 1e-5] {
             let case = Case { geometry, ..Case::plane(mu) };
             let graded = case.solve(profile, Vertical::Force(force), rotational);
-            assert_eq!(graded.edges().len(), plain.edges().len());
+            assert_eq!(graded.zones().len(), plain.zones().len());
             let mut error = 0.0f64;
-            for [left, right] in plain.edges() {
+            for [left, right] in plain.zones() {
                 for share in [0.3, 0.6] {
                     let x = left + share * (right - left);
                     let share = graded.pressure(x).unwrap() / plain.pressure(x).unwrap();
@@ -214,13 +219,13 @@ fn a_thin_layer_tends_to_none_in_several_zones() {
     let profile = "(x^2 - 0.04)^2";
     let (force, load) = (1e-4, Rotational::Eccentricity(0.02));
     let smooth = case.solve(profile, Vertical::Force(force), load);
-    assert_eq!(smooth.edges().len(), 2);
+    assert_eq!(smooth.zones().len(), 2);
     let mut last = f64::INFINITY;
     for chi in [1e-2, 1e-3, 1e-4] {
         let base = Profile::expression(profile).unwrap();
         let rough = case.problem(base, chi, Vertical::Force(force), load).solve().unwrap();
         let mut error = 0.0f64;
-        for [left, right] in smooth.edges() {
+        for [left, right] in smooth.zones() {
             let x = 0.5 * (left + right);
             let share = rough.pressure(x).unwrap() / smooth.pressure(x).unwrap();
             error = error.max((share - 1.0).abs());
@@ -242,7 +247,7 @@ fn contact_ends_at_a_step() {
     for base in ["0.3*step(x-0.5)", "where(x>0.5, 0.3, 0)", "0.1*x^0*step(x-0.5)"] {
         let stepped = solved(1.0, base, 0.016);
         let flat = solved(0.75, "0", 0.016);
-        assert_eq!(stepped.edges(), [[-1.0, 0.5]], "{base}");
+        assert_eq!(stepped.zones(), [[-1.0, 0.5]], "{base}");
         close(stepped.settlement(), flat.settlement(), 1e-13, base);
         // The force acts in the middle of the flat base, at x = -0.25.
         close(stepped.moment(), -0.25 * 0.016, 1e-13, base);
@@ -253,7 +258,7 @@ fn contact_ends_at_a_step() {
         assert_eq!(stepped.pressure(0.7).unwrap(), 0.0, "{base}");
     }
     let raised = solved(1.0, "where(abs(x) < 0.5, 0.3, 0)", 0.016);
-    assert_eq!(raised.edges(), [[-1.0, -0.5], [0.5, 1.0]]);
+    assert_eq!(raised.zones(), [[-1.0, -0.5], [0.5, 1.0]]);
     let carried = raised.force();
     close(carried, 0.016, 1e-14, "force");
 }

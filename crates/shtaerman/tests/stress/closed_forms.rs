@@ -1,8 +1,6 @@
 //! Hertz, the strip load and the flat punch, from the surface to far below.
 
-use shtaerman::{
-    Elastic, Frame, Load, Problem, Profile, Rotational, Solver, StressField, Vertical,
-};
+use shtaerman::{Elastic, Foundation, Load, Problem, Punch, Rotational, StressField, Vertical};
 
 use crate::support::{DEPTHS, flat_punch, hertz, places, strip, worst};
 
@@ -59,9 +57,10 @@ fn a_flat_punch_is_exact_relative_to_the_stress() {
 #[test]
 fn a_smooth_contact_keeps_its_corners() {
     let body = Elastic::new(1.0, RATIO).unwrap();
-    let frame = Frame::physical(body, 0.0, 1.0, None).unwrap();
+    let (foundation, punch) =
+        (Foundation::new(body).with_roughness(0.0).unwrap(), Punch::new(1.0).unwrap());
     let load = Load::new(Vertical::Force(1.0), Rotational::Moment(0.0)).unwrap();
-    let problem = Problem::new(frame, Profile::flat(), load, Solver::default()).unwrap();
+    let problem = Problem::new(foundation, punch, load).unwrap();
     let field = StressField::new(&problem.solve().unwrap(), None).unwrap();
     let worst = worst(&field, |x, y| flat_punch(x, y, RATIO));
     assert!(worst.0 < 1e-11, "{worst:?}, {} nodes, {:e}", field.nodes(), field.error());

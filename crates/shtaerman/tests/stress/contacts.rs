@@ -1,14 +1,17 @@
 //! Stress fields of solved contacts, and the load at first yield.
 
 use shtaerman::{
-    Criterion, Elastic, Error, Frame, Load, Problem, Profile, Rotational, Solver, StressField,
-    Vertical,
+    Criterion, Elastic, Error, Foundation, Load, Problem, Profile, Punch, Rotational, Solver,
+    StressField, Vertical,
 };
 
 fn problem(theta0: f64, profile: &str, force: f64, eccentricity: f64, solver: Solver) -> Problem {
     let load = Load::new(Vertical::Force(force), Rotational::Eccentricity(eccentricity)).unwrap();
-    let frame = Frame::dimensionless(theta0).unwrap();
-    Problem::new(frame, Profile::expression(profile).unwrap(), load, solver).unwrap()
+    let (foundation, punch) =
+        (Foundation::dimensionless(theta0).unwrap(), Punch::new(1.0).unwrap());
+    Problem::new(foundation, punch.with_profile(Profile::expression(profile).unwrap()), load)
+        .unwrap()
+        .with_solver(solver)
 }
 
 fn field_of(problem: &Problem, ratio: Option<f64>) -> StressField {
@@ -27,25 +30,32 @@ fn the_field_is_that_of_the_pressure() {
         let problem = problem(theta0, profile, 0.7, eccentricity, Solver::default());
         let contact = problem.solve().unwrap();
         let field = StressField::new(&contact, Some(0.3)).unwrap();
-        assert!((field.force() / contact.force0() - 1.0).abs() < 1e-10);
-        assert!(field.error() < 1e-9 * contact.force0(), "{profile}: {:e}", field.error());
+        assert!((field.force() / contact.dimensionless().force() - 1.0).abs() < 1e-10);
+        assert!(
+            field.error() < 1e-9 * contact.dimensionless().force(),
+            "{profile}: {:e}",
+            field.error()
+        );
         for (x, y) in [(0.1, 0.3), (-0.8, 0.5), (1.2, 0.4)] {
             let mut sums = [0.0; 2];
-            for [left, right] in contact.edges0() {
+            for [left, right] in contact.dimensionless().zones() {
                 // s = middle + half sin t levels what the pressure does at the edges.
                 const COUNT: usize = 4000;
                 let step = std::f64::consts::PI / COUNT as f64;
                 for t in (0..COUNT).map(|i| step * (i as f64 + 0.5)) {
                     let half = 0.5 * (right - left);
                     let s = left.midpoint(right) - half * t.cos();
-                    let (d, p) = (x - s, half * step * t.sin() * contact.pressure0(s));
+                    let (d, p) = (
+                        x - s,
+                        half * step * t.sin() * contact.dimensionless().pressure(s).unwrap(),
+                    );
                     let size = d * d + y * y;
                     sums[0] -= 2.0 / std::f64::consts::PI * p * y * d * d / (size * size);
                     sums[1] -= 2.0 / std::f64::consts::PI * p * y * y * y / (size * size);
                 }
             }
             let stress = field.stress(x, y).unwrap();
-            let scale = contact.force0();
+            let scale = contact.dimensionless().force();
             assert!(
                 (stress.sigma_x - sums[0]).abs() < 1e-6 * scale,
                 "{profile} {x}: {stress:?} {sums:?}"
@@ -57,7 +67,10 @@ fn the_field_is_that_of_the_pressure() {
         }
         for x in [-1.0, -0.7, -0.2, 0.0, 0.2, 0.6, 1.0] {
             let largest = 10.0 * field.error() + 1e-11;
-            assert!((field.pressure(x) - contact.pressure0(x)).abs() < largest, "{profile} {x}");
+            assert!(
+                (field.pressure(x) - contact.dimensionless().pressure(x).unwrap()).abs() < largest,
+                "{profile} {x}"
+            );
         }
     }
 }
@@ -70,11 +83,13 @@ fn a_hardly_rough_crown_is_hertz() {
     let width =
         (4.0 * force * radius / (std::f64::consts::PI * steel.plane_strain_modulus())).sqrt();
     let largest = 2.0 * force / (std::f64::consts::PI * width);
-    let frame =
-        Frame::physical(steel, 1e-5 * width / steel.plane_strain_modulus(), 1e-3, None).unwrap();
+    let (foundation, punch) = (
+        Foundation::new(steel).with_roughness(1e-5 * width / steel.plane_strain_modulus()).unwrap(),
+        Punch::new(1e-3).unwrap(),
+    );
     let load = Load::new(Vertical::Force(force), Rotational::Moment(0.0)).unwrap();
     let profile = Profile::expression("x^2/(2*0.1)").unwrap();
-    let problem = Problem::new(frame, profile, load, Solver::default()).unwrap();
+    let problem = Problem::new(foundation, punch.with_profile(profile), load).unwrap();
     let field = field_of(&problem, None);
     assert_eq!(field.poisson_ratio(), 0.3);
     let peak = field.peak(Criterion::Tresca);

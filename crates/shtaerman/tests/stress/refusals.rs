@@ -1,8 +1,7 @@
 //! Bad input is refused with its value.
 
 use shtaerman::{
-    Criterion, Error, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, StressField,
-    Vertical,
+    Criterion, Error, Foundation, Load, Problem, Punch, Rotational, Solver, StressField, Vertical,
 };
 
 fn refused(panels: &[[f64; 2]], period: Option<f64>, ratio: f64) -> &'static str {
@@ -62,10 +61,11 @@ fn nothing_presses() {
 
 #[test]
 fn geometries_without_a_known_field_are_refused() {
-    let frame = Frame::dimensionless_in(Geometry::Circular, 1.0, 1.0).unwrap();
+    let (foundation, punch) =
+        (Foundation::dimensionless(1.0).unwrap(), Punch::circular(1.0).unwrap());
     let load = Load::new(Vertical::Force(1.0), Rotational::Moment(0.0)).unwrap();
-    let problem = Problem::new(frame, Profile::flat(), load, Solver::bilateral()).unwrap();
+    let problem = Problem::new(foundation, punch, load).unwrap().with_solver(Solver::bilateral());
     let refused = problem.first_yield(Criterion::VonMises, 1.0, Some(0.3));
     assert_eq!(refused.err(), Some(Error::NoStresses));
-    assert_eq!(problem.frame().check_stresses(), Err(Error::NoStresses));
+    assert_eq!(problem.check_stresses(), Err(Error::NoStresses));
 }

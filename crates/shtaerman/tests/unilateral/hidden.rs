@@ -1,27 +1,34 @@
 //! Kinks without a switch and features between all samples: by product integration on panels cut where they are (as `data/traces.py`), to 1e-14.
 
 use crate::support::force_and_moment;
-use shtaerman::{Contact, ContactKind, Error, Frame, Load, Problem, Profile, Solver};
+use shtaerman::{Contact, ContactKind, Error, Foundation, Load, Problem, Profile, Punch, Solver};
 
 fn solved(theta0: f64, profile: &str, load: Load, contact: ContactKind) -> Result<Contact, Error> {
     let profile = Profile::expression(profile).unwrap();
-    let solver = Solver { contact, ..Solver::default() };
-    Problem::new(Frame::dimensionless(theta0).unwrap(), profile, load, solver).unwrap().solve()
+    let solver = Solver::default().with_contact(contact);
+    Problem::new(
+        Foundation::dimensionless(theta0).unwrap(),
+        Punch::new(1.0).unwrap().with_profile(profile),
+        load,
+    )
+    .unwrap()
+    .with_solver(solver)
+    .solve()
 }
 
 fn agrees(contact: &Contact, [settlement, tilt]: [f64; 2], pressures: [(f64, f64); 3]) {
-    let stated = contact.accuracy().unwrap();
+    let stated = contact.dimensionless().error().unwrap();
     assert!(contact.relative_error() < 1e-11, "{stated:?}");
     // The truth is rounded, too.
     let rounding = 2e-14 * settlement;
     for (found, known, error) in [
-        (contact.settlement0(), settlement, stated.settlement),
-        (contact.tilt0(), tilt, stated.tilt),
+        (contact.dimensionless().settlement(), settlement, stated.settlement),
+        (contact.dimensionless().tilt(), tilt, stated.tilt),
     ] {
         assert!((found - known).abs() <= error + rounding, "{found} {known} {error:e}");
     }
     for (xi, known) in pressures {
-        let off = (contact.pressure0(xi) - known).abs();
+        let off = (contact.dimensionless().pressure(xi).unwrap() - known).abs();
         assert!(off <= stated.pressure + 4.0 * rounding, "{xi}: {off:e}");
     }
 }

@@ -1,18 +1,22 @@
 //! Profiles of thousands of points.
 
 use crate::support::{force_and_moment, solve};
-use shtaerman::{Contact, Frame, Load, Problem, Profile, Solver};
+use shtaerman::{Contact, Foundation, Load, Problem, Profile, Punch};
 
 fn measured(theta0: f64, height: impl Fn(f64) -> f64, load: Load) -> Contact {
     const POINTS: i32 = 4000;
     let positions: Vec<f64> =
         (0..POINTS).map(|i| 2.0 * f64::from(i) / f64::from(POINTS - 1) - 1.0).collect();
     let heights = positions.iter().map(|x| height(*x)).collect();
-    let profile = Profile::measured(positions, heights).unwrap();
-    Problem::new(Frame::dimensionless(theta0).unwrap(), profile, load, Solver::default())
-        .unwrap()
-        .solve()
-        .unwrap()
+    let profile = Profile::from_points(positions, heights).unwrap();
+    Problem::new(
+        Foundation::dimensionless(theta0).unwrap(),
+        Punch::new(1.0).unwrap().with_profile(profile),
+        load,
+    )
+    .unwrap()
+    .solve()
+    .unwrap()
 }
 
 #[test]
@@ -25,20 +29,36 @@ fn panels_agree_with_collocation() {
         // The spline through the points deviates by 1e-12.
         let panels = measured(theta0, |x| size * (x * x + 0.3 * (11.0 * x + 0.4).cos()), load);
         assert_eq!((exact.method().name, panels.method().name), ("sinc", "panels"));
-        assert!(exact.edges0().len() > 1 && exact.edges0().len() == panels.edges0().len());
+        assert!(
+            exact.dimensionless().zones().len() > 1
+                && exact.dimensionless().zones().len() == panels.dimensionless().zones().len()
+        );
 
-        assert!((panels.settlement0() - exact.settlement0()).abs() < 1e-11 * size);
-        assert!((panels.tilt0() - exact.tilt0()).abs() < 1e-11 * size);
-        assert!(panels.relative_error() < 1e-11, "{:?}", panels.accuracy());
-        for (one, other) in panels.edges0().iter().flatten().zip(exact.edges0().iter().flatten()) {
+        assert!(
+            (panels.dimensionless().settlement() - exact.dimensionless().settlement()).abs()
+                < 1e-11 * size
+        );
+        assert!(
+            (panels.dimensionless().tilt() - exact.dimensionless().tilt()).abs() < 1e-11 * size
+        );
+        assert!(panels.relative_error() < 1e-11, "{:?}", panels.dimensionless().error());
+        for (one, other) in panels
+            .dimensionless()
+            .zones()
+            .iter()
+            .flatten()
+            .zip(exact.dimensionless().zones().iter().flatten())
+        {
             assert!((one - other).abs() < 1e-11, "{one} {other}");
         }
         for i in -200..=200 {
             let xi = f64::from(i) / 200.0;
-            let off = (panels.pressure0(xi) - exact.pressure0(xi)).abs();
+            let off = (panels.dimensionless().pressure(xi).unwrap()
+                - exact.dimensionless().pressure(xi).unwrap())
+            .abs();
             assert!(off < 1e-10 * size, "{xi}: {off:e}");
         }
-        let (one, other) = (panels.stiffness0(), exact.stiffness0());
+        let (one, other) = (panels.dimensionless().stiffness(), exact.dimensionless().stiffness());
         assert!((one.force_settlement - other.force_settlement).abs() < 1e-8);
         assert!((one.moment_tilt - other.moment_tilt).abs() < 1e-8);
         let left = panels.complementarity().unwrap();
@@ -50,7 +70,11 @@ fn panels_agree_with_collocation() {
 fn a_profile_with_noise_in_many_zones() {
     let noise = |x: f64| 0.01 * (1e5 * (1e3 * x).sin()).fract();
     let contact = measured(5.0, |x| 10.0 * (x * x + noise(x)), force_and_moment(0.2, 0.05));
-    assert!(contact.edges0().len() > 20, "{}", contact.edges0().len());
+    assert!(
+        contact.dimensionless().zones().len() > 20,
+        "{}",
+        contact.dimensionless().zones().len()
+    );
     assert!(contact.relative_error() < 0.05, "{:e}", contact.relative_error());
     let left = contact.complementarity().unwrap();
     assert!(left.tension < 1e-9 && left.penetration < 1e-9, "{left:?}");
@@ -59,8 +83,12 @@ fn a_profile_with_noise_in_many_zones() {
     let (mut force, mut moment) = (0.0, 0.0);
     for i in 0..count {
         let xi = (2.0 * f64::from(i) + 1.0) / f64::from(count) - 1.0;
-        let pressure = contact.pressure0(xi);
-        assert!(pressure >= 0.0 && contact.gap0(xi) >= -1e-9 * contact.settlement0().abs());
+        let pressure = contact.dimensionless().pressure(xi).unwrap();
+        assert!(
+            pressure >= 0.0
+                && contact.dimensionless().gap(xi).unwrap()
+                    >= -1e-9 * contact.dimensionless().settlement().abs()
+        );
         force += pressure * 2.0 / f64::from(count);
         moment += xi * pressure * 2.0 / f64::from(count);
     }

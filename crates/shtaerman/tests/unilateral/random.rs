@@ -1,6 +1,6 @@
 //! Random unilateral problems from a seed.
 
-use shtaerman::{Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
 
 /// A xorshift generator (G. Marsaglia, J. Stat. Software 8 (2003) 14).
 pub(crate) struct Random(u64);
@@ -59,7 +59,11 @@ pub(crate) fn problem(random: &mut Random) -> (String, Result<Problem, shtaerman
     let build = || {
         let profile = Profile::expression(&profile).map_err(|_| shtaerman::Error::NoContact)?;
         let load = Load::new(vertical, rotational)?;
-        Problem::new(Frame::dimensionless(theta0)?, profile, load, Solver::default())
+        Problem::new(
+            Foundation::dimensionless(theta0)?,
+            Punch::new(1.0)?.with_profile(profile),
+            load,
+        )
     };
     (words, build())
 }
@@ -78,8 +82,8 @@ pub(crate) enum Ending {
 /// Solves a problem and judges the outcome: a refusal must be true of the load.
 pub(crate) fn judge(problem: &Problem) -> Ending {
     let load = problem.dimensionless_load();
-    let pulls = matches!(load.vertical, Vertical::Force(force) if force <= 0.0);
-    let tips = match (load.vertical, load.rotational) {
+    let pulls = matches!(load.vertical(), Vertical::Force(force) if force <= 0.0);
+    let tips = match (load.vertical(), load.rotational()) {
         (Vertical::Force(force), Rotational::Moment(moment)) => moment.abs() >= force,
         (_, Rotational::Eccentricity(e)) => e.abs() >= 1.0,
         _ => false,
@@ -92,7 +96,7 @@ pub(crate) fn judge(problem: &Problem) -> Ending {
             Ending::Solved {
                 residual: left.tension.max(left.penetration),
                 error: contact.relative_error(),
-                zones: contact.edges0().len(),
+                zones: contact.dimensionless().zones().len(),
             }
         }
         Err(shtaerman::Error::InvalidValue { field: "force", .. }) if pulls => Ending::Refused,
@@ -109,7 +113,7 @@ pub(crate) fn judge(problem: &Problem) -> Ending {
 
 /// Whether no tilt at the settlement puts the force at the eccentricity: the tilt runs through all that touch. And whether settlements beyond the limit are solved.
 fn out_of_reach(problem: &Problem, settlement: f64, limit: f64) -> bool {
-    let Rotational::Eccentricity(e) = problem.dimensionless_load().rotational else {
+    let Rotational::Eccentricity(e) = problem.dimensionless_load().rotational() else {
         return false;
     };
     let turned = Turned { problem, settlement, e };
@@ -150,8 +154,10 @@ impl Turned<'_> {
         let load = Load::new(Vertical::Settlement(self.settlement), Rotational::Tilt(tilt)).ok()?;
         match self.problem.with_load(load).and_then(|problem| problem.solve()) {
             Ok(contact) => {
-                let [[_, coupling], [_, moment_tilt]] = contact.stiffness0().matrix();
-                let (force, moment) = (contact.force0(), contact.moment0());
+                let [[_, coupling], [_, moment_tilt]] =
+                    contact.dimensionless().stiffness().matrix();
+                let (force, moment) =
+                    (contact.dimensionless().force(), contact.dimensionless().moment());
                 let slope = (moment / force * coupling - moment_tilt) / force;
                 Some(Arm { tilt, distance: Some([moment / force - self.e, slope]) })
             }
@@ -200,14 +206,14 @@ impl Turned<'_> {
 
 /// Whether some admissible tilt keeps the base clear: on a grid of its own.
 fn clear(problem: &Problem, load: &Load) -> bool {
-    let Vertical::Settlement(settlement) = load.vertical else { return false };
+    let Vertical::Settlement(settlement) = load.vertical() else { return false };
     let depth = |tilt: f64| {
         (-1000..=1000)
             .map(|i| f64::from(i) / 1000.0)
             .map(|xi| settlement - tilt * xi - problem.dimensionless_profile(xi))
             .fold(f64::NEG_INFINITY, f64::max)
     };
-    match load.rotational {
+    match load.rotational() {
         Rotational::Tilt(tilt) => depth(tilt) <= 0.0,
         Rotational::Moment(moment) if moment != 0.0 => false,
         // Convex in the tilt: golden section.

@@ -1,7 +1,7 @@
 //! What no contact can balance.
 
 use crate::support::{attempt, force_and_moment, load};
-use shtaerman::{Elastic, Error, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{Elastic, Error, Foundation, Load, Problem, Punch, Rotational, Vertical};
 
 #[test]
 fn a_pull_lifts() {
@@ -17,10 +17,11 @@ fn a_pull_lifts() {
 #[test]
 fn a_moment_tips_over() {
     let body = Elastic::new(200e9, 0.3).unwrap();
-    let frame = Frame::physical(body, 1e-13, 5e-3, None).unwrap();
+    let (foundation, punch) =
+        (Foundation::new(body).with_roughness(1e-13).unwrap(), Punch::new(5e-3).unwrap());
     let solve = |rotational| {
         let load = Load::new(Vertical::Force(1e6), rotational).unwrap();
-        Problem::new(frame.clone(), Profile::flat(), load, Solver::default()).unwrap().solve()
+        Problem::new(foundation, punch.clone(), load).unwrap().solve()
     };
     let error = solve(Rotational::Moment(-5001.0)).unwrap_err();
     assert!(error.to_string().contains("must be less than P a = 5000"), "{error}");
@@ -54,9 +55,17 @@ fn a_settlement_out_of_reach_of_an_eccentric_force() {
     let (e, settlement) = (0.8, -1.0);
     let contact = at(settlement, e).unwrap();
     let c = 3.0 * e - 2.0;
-    assert!((contact.edges0()[0][0] - c).abs() < 1e-5, "{:?}", contact.edges0());
-    assert!((contact.tilt0() - settlement / c).abs() < 1e-4, "{}", contact.tilt0());
-    assert!((at(1.0, 0.6).unwrap().settlement0() - 1.0).abs() < 1e-12);
+    assert!(
+        (contact.dimensionless().zones()[0][0] - c).abs() < 1e-5,
+        "{:?}",
+        contact.dimensionless().zones()
+    );
+    assert!(
+        (contact.dimensionless().tilt() - settlement / c).abs() < 1e-4,
+        "{}",
+        contact.dimensionless().tilt()
+    );
+    assert!((at(1.0, 0.6).unwrap().dimensionless().settlement() - 1.0).abs() < 1e-12);
 }
 
 #[test]
@@ -72,7 +81,7 @@ fn a_settlement_that_no_digits_lead_to() {
     for force in [1e-8, 1e-5, 1e-2, 1.0] {
         let contact =
             attempt(7.267781411062088e-3, &base, load(Vertical::Force(force), rotational));
-        assert!(contact.unwrap().settlement0() > first);
+        assert!(contact.unwrap().dimensionless().settlement() > first);
     }
     let above = load(Vertical::Settlement(1.5 * first), rotational);
     let contact = attempt(7.267781411062088e-3, &base, above).unwrap();

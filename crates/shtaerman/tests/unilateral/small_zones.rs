@@ -1,6 +1,8 @@
 //! Zones so small, and so far from the middle, that heights of the base differ in their last digits only.
 
-use shtaerman::{Contact, Elastic, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{
+    Contact, Elastic, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical,
+};
 
 const RADIUS: f64 = 0.5;
 const ARM: f64 = 0.125e-3;
@@ -8,10 +10,11 @@ const HALF_WIDTH: f64 = 5e-3;
 
 fn parabola(force: f64, arm: f64) -> Contact {
     let body = Elastic::new(200e9, 0.3).unwrap();
-    let frame = Frame::physical(body, 1e-15, HALF_WIDTH, None).unwrap();
+    let (foundation, punch) =
+        (Foundation::new(body).with_roughness(1e-15).unwrap(), Punch::new(HALF_WIDTH).unwrap());
     let load = Load::new(Vertical::Force(force), Rotational::Eccentricity(arm)).unwrap();
     let profile = Profile::expression(&format!("x^2/(2*{RADIUS})")).unwrap();
-    Problem::new(frame, profile, load, Solver::default()).unwrap().solve().unwrap()
+    Problem::new(foundation, punch.with_profile(profile), load).unwrap().solve().unwrap()
 }
 
 #[test]
@@ -20,12 +23,13 @@ fn a_parabola_moves_with_the_line_of_a_small_force() {
     for exponent in [-2, -5, -7] {
         let force = 10f64.powi(exponent);
         let (centric, eccentric) = (parabola(force, 0.0), parabola(force, ARM));
-        let [[left, right], [low, high]] = [centric.edges0()[0], eccentric.edges0()[0]];
+        let [[left, right], [low, high]] =
+            [centric.dimensionless().zones()[0], eccentric.dimensionless().zones()[0]];
         let arm = ARM / HALF_WIDTH;
         // Edges are stated as places on the base: to a share of it.
         assert!((low - arm - left).abs() < 1e-15 + 1e-10 * right, "{force}: {low} {left}");
         assert!((high - arm - right).abs() < 1e-15 + 1e-10 * right, "{force}: {high} {right}");
-        let peaks = [&centric, &eccentric].map(|contact| contact.peak_pressure().0);
+        let peaks = [&centric, &eccentric].map(|contact| contact.peak_pressure());
         assert!((peaks[1] / peaks[0] - 1.0).abs() < 1e-8, "{force}: {peaks:?}");
         let turned = -ARM / RADIUS;
         assert!((eccentric.tilt() / turned - 1.0).abs() < 1e-11, "{force}: {}", eccentric.tilt());

@@ -17,18 +17,26 @@ fn a_stepped_base_at_a_settlement_and_an_eccentricity() {
         for e in [0.05, -0.25] {
             let (vertical, rotational) = (Vertical::Settlement(1e-5), Rotational::Eccentricity(e));
             let contact = solve(theta0, base, load(vertical, rotational));
-            for (end, wall) in contact.edges0()[0].into_iter().zip([-width, width]) {
+            for (end, wall) in contact.dimensionless().zones()[0].into_iter().zip([-width, width]) {
                 assert_near(end, wall, 1e-12);
             }
-            let force = contact.force0() / width;
+            let force = contact.dimensionless().force() / width;
             let own = load(Vertical::Force(force), Rotational::Moment(force * e / width));
             let flat = bilateral(width * theta0, "0", own);
-            let settlement = flat.settlement0() - width * theta0 * width.ln() * force;
+            let settlement =
+                flat.dimensionless().settlement() - width * theta0 * width.ln() * force;
             assert_near(settlement, 1e-5, 1e-12 * 1e-5 * (1.0 + theta0));
-            assert_near(flat.tilt0() / width, contact.tilt0(), 1e-11 * 1e-5 * (1.0 + theta0));
+            assert_near(
+                flat.dimensionless().tilt() / width,
+                contact.dimensionless().tilt(),
+                1e-11 * 1e-5 * (1.0 + theta0),
+            );
             for y in [-0.8, -0.1, 0.5, 0.95] {
-                let (found, known) = (contact.pressure0(width * y), flat.pressure0(y));
-                assert_near(found, known, 1e-10 * flat.peak_pressure0().0);
+                let (found, known) = (
+                    contact.dimensionless().pressure(width * y).unwrap(),
+                    flat.dimensionless().pressure(y).unwrap(),
+                );
+                assert_near(found, known, 1e-10 * flat.dimensionless().peak_pressure());
             }
         }
     }
@@ -37,19 +45,22 @@ fn a_stepped_base_at_a_settlement_and_an_eccentricity() {
 #[test]
 fn a_pressure_that_rises_towards_a_step_ends_there() {
     // Tilted so that the base goes ever deeper up to the step: by the guaranteed bound, which knows nothing of the search, and by the mirror image.
-    let steep = |sign: f64| Load {
-        vertical: Vertical::Settlement(0.022_730_16),
-        rotational: Rotational::Tilt(-0.309_765 * sign),
-    };
+    let steep =
+        |sign: f64| Load::settlement(0.022_730_16).unwrap().with_tilt(-0.309_765 * sign).unwrap();
     for theta0 in [0.01, 1.0, 13_249.0] {
         let contact = solve(theta0, "0.11039*step(xi+0.02938)+1.2324*xi^2", steep(1.0));
-        let [[left, right]] = contact.edges0()[..] else { panic!("{:?}", contact.edges0()) };
+        let [[left, right]] = contact.dimensionless().zones()[..] else {
+            panic!("{:?}", contact.dimensionless().zones())
+        };
         assert_eq!(right, -0.029_38);
         assert!(left < -0.038 && left > -0.0594, "{left}");
-        assert!(contact.pressure0(right) > contact.pressure0(0.5 * (left + right)));
+        assert!(
+            contact.dimensionless().pressure(right).unwrap()
+                > contact.dimensionless().pressure(0.5 * (left + right)).unwrap()
+        );
         let mirrored = solve(theta0, "0.11039*step(0.02938-xi)+1.2324*xi^2", steep(-1.0));
-        assert_near(mirrored.edges0()[0][1], -left, 1e-11);
-        assert_near(mirrored.force0() / contact.force0(), 1.0, 1e-7);
+        assert_near(mirrored.dimensionless().zones()[0][1], -left, 1e-11);
+        assert_near(mirrored.dimensionless().force() / contact.dimensionless().force(), 1.0, 1e-7);
         let audited = contact.audited().unwrap();
         assert!(audited.relative_error() < 1e-5, "{theta0}: {:e}", audited.relative_error());
     }

@@ -2,7 +2,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use shtaerman::{Contact, Error, Frame, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{
+    Contact, Error, Foundation, Load, Problem, Profile, Punch, Rotational, Solver, Vertical,
+};
 
 pub(crate) fn load(vertical: Vertical, rotational: Rotational) -> Load {
     Load::new(vertical, rotational).unwrap()
@@ -13,8 +15,10 @@ pub(crate) fn force_and_moment(force: f64, moment: f64) -> Load {
 }
 
 pub(crate) fn problem(theta0: f64, profile: &str, load: Load) -> Problem {
-    let frame = Frame::dimensionless(theta0).unwrap();
-    Problem::new(frame, Profile::expression(profile).unwrap(), load, Solver::default()).unwrap()
+    let (foundation, punch) =
+        (Foundation::dimensionless(theta0).unwrap(), Punch::new(1.0).unwrap());
+    Problem::new(foundation, punch.with_profile(Profile::expression(profile).unwrap()), load)
+        .unwrap()
 }
 
 pub(crate) fn attempt(theta0: f64, profile: &str, load: Load) -> Result<Contact, Error> {
@@ -29,9 +33,14 @@ pub(crate) fn solve(theta0: f64, profile: &str, load: Load) -> Contact {
 /// The contact of the whole base, which may pull.
 #[track_caller]
 pub(crate) fn bilateral(theta0: f64, profile: &str, load: Load) -> Contact {
-    let frame = Frame::dimensionless(theta0).unwrap();
+    let (foundation, punch) =
+        (Foundation::dimensionless(theta0).unwrap(), Punch::new(1.0).unwrap());
     let profile = Profile::expression(profile).unwrap();
-    Problem::new(frame, profile, load, Solver::bilateral()).unwrap().solve().unwrap()
+    Problem::new(foundation, punch.with_profile(profile), load)
+        .unwrap()
+        .with_solver(Solver::bilateral())
+        .solve()
+        .unwrap()
 }
 
 /// `int_left^right f(d) dxi` by the double-exponential rule, exact for logarithms at both ends.
@@ -53,7 +62,7 @@ pub(crate) fn integral(left: f64, right: f64, f: impl Fn(f64) -> f64) -> f64 {
 
 /// `int f dxi` over the zones, cut at a kink.
 pub(crate) fn over_zones(contact: &Contact, kink: f64, f: impl Fn(f64) -> f64) -> f64 {
-    (contact.edges0().iter())
+    (contact.dimensionless().zones().iter())
         .map(|&[left, right]| {
             let cut = kink.clamp(left, right);
             integral(left, cut, &f) + integral(cut, right, &f)

@@ -1,7 +1,9 @@
 //! Measured traces of any length against product integration (`data/traces.py`).
 
 use serde::Deserialize;
-use shtaerman::{Contact, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical};
+use shtaerman::{
+    Contact, Foundation, Geometry, Load, Problem, Profile, Punch, Rotational, Vertical,
+};
 
 #[derive(Deserialize)]
 struct Data {
@@ -53,12 +55,15 @@ fn solve(row: &Row) -> Contact {
         _ => Rotational::Tilt(row.load.tilt.unwrap()),
     };
     let load = Load::new(vertical, rotational).unwrap();
-    let profile = Profile::measured(row.xi.clone(), row.heights.clone()).unwrap();
+    let profile = Profile::from_points(row.xi.clone(), row.heights.clone()).unwrap();
     let geometry = row
         .inner_half_gap
         .map_or(Geometry::Plane, |inner_half_gap| Geometry::Pair { inner_half_gap });
-    let frame = Frame::dimensionless_in(geometry, row.theta0, 1.0).unwrap();
-    Problem::new(frame, profile, load, Solver::default()).unwrap().solve().unwrap()
+    let (foundation, punch) = (
+        Foundation::dimensionless(row.theta0).unwrap(),
+        Punch::in_geometry(geometry, 1.0).unwrap(),
+    );
+    Problem::new(foundation, punch.with_profile(profile), load).unwrap().solve().unwrap()
 }
 
 #[test]
@@ -67,28 +72,33 @@ fn short_traces_are_as_exact_as_stated_and_that_is_exact() {
     for row in rows() {
         let (contact, truth) = (solve(&row), &row.answer);
         let head = format!("theta0 = {}, {} points", row.theta0, row.xi.len());
-        let error = contact.accuracy().unwrap();
+        let error = contact.dimensionless().error().unwrap();
         let largest = truth.pressures.iter().fold(0.0f64, |most, p| most.max(*p));
         let aim = 1e-10 * (row.theta0 / 100.0).max(1.0);
         assert!(error.pressure <= aim * largest, "{head}: {:e}", error.pressure);
         // The truth is rounded, too.
         let rounding = 2e-14 * (1.0 + truth.settlement.abs());
         for (name, found, known, stated) in [
-            ("settlement", contact.settlement0(), truth.settlement, error.settlement),
-            ("tilt", contact.tilt0(), truth.tilt, error.tilt),
-            ("force", contact.force0(), truth.force, error.force),
-            ("moment", contact.moment0(), truth.moment, error.moment),
+            (
+                "settlement",
+                contact.dimensionless().settlement(),
+                truth.settlement,
+                error.settlement,
+            ),
+            ("tilt", contact.dimensionless().tilt(), truth.tilt, error.tilt),
+            ("force", contact.dimensionless().force(), truth.force, error.force),
+            ("moment", contact.dimensionless().moment(), truth.moment, error.moment),
         ] {
             let off = (found - known).abs();
             assert!(off <= stated + rounding, "{head}: {name} {off:e} {stated:e}");
         }
         for (xi, known) in truth.places.iter().zip(&truth.pressures) {
-            let off = (contact.pressure0(*xi) - known).abs();
+            let off = (contact.dimensionless().pressure(*xi).unwrap() - known).abs();
             let stated = error.pressure;
             assert!(off <= stated + rounding, "{head}: pressure at {xi} {off:e} {stated:e}");
         }
-        assert_eq!(contact.edges0().len(), truth.zones.len(), "{head}");
-        let edges = contact.edges0();
+        assert_eq!(contact.dimensionless().zones().len(), truth.zones.len(), "{head}");
+        let edges = contact.dimensionless().zones();
         for (one, other) in edges.iter().flatten().zip(truth.zones.iter().flatten()) {
             assert!((one - other).abs() < 1e-12, "{head}: {one} {other}");
         }

@@ -28,9 +28,9 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
         Some(&arguments.problem.file),
     )?;
     let file = problem_file::read(&arguments.problem)?;
-    let frame = file.problem().frame();
-    frame.check_stresses().map_err(|error| file.locate(error))?;
-    let units = Units::of(frame);
+    let problem = file.problem();
+    problem.check_stresses().map_err(|error| file.locate(error))?;
+    let units = Units::of(problem);
     let ratio = poisson_ratio(arguments, &file)?;
     let section = Section::parse(arguments, units)?;
     let places =
@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let field = StressField::new(&contact, Some(ratio)).map_err(|error| file.locate(error))?;
     let load = [contact.force(), contact.moment()];
     let peaks = [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];
-    let mut report = StressReport::new(&field, load, frame.scaling().is_some(), &peaks);
+    let mut report = StressReport::new(&field, load, !problem.is_dimensionless(), &peaks);
     report.add_warnings(contact.warnings());
     if let Some((stress, is_asked)) = limit {
         report.set_yield(stress, loads_at_yield(&file, stress, ratio, is_asked)?);
@@ -94,7 +94,7 @@ fn written(
 
 fn poisson_ratio(arguments: &StressArguments, file: &ProblemFile) -> Result<f64, Failure> {
     let refused = |text: String| Err(Failure::Usage(text));
-    match (arguments.poisson_ratio, file.problem().frame().poisson_ratio()) {
+    match (arguments.poisson_ratio, file.problem().foundation().poisson_ratio()) {
         (Some(_), Some(_)) => refused(
             "--poisson-ratio is for a dimensionless file: use --set foundation.poisson_ratio=..."
                 .to_owned(),
@@ -118,7 +118,7 @@ fn yield_stress(
     let Some(text) = &arguments.yield_stress else {
         return Ok(file.yield_stress()?.map(|stress| (stress, false)));
     };
-    let is_physical = file.problem().frame().scaling().is_some();
+    let is_physical = !file.problem().is_dimensionless();
     let dimension = if is_physical { Dimension::PRESSURE } else { Dimension::NONE };
     let stress = section::quantity("--yield-stress", text, dimension)?;
     if stress > 0.0 && stress.is_finite() {

@@ -1,7 +1,7 @@
 //! Where stresses are asked for.
 
 use shtaerman::quantity::Dimension;
-use shtaerman::{Frame, StressField};
+use shtaerman::{Problem, StressField};
 
 use crate::Failure;
 use crate::arguments::StressArguments;
@@ -22,8 +22,8 @@ pub(super) struct Units {
 }
 
 impl Units {
-    pub(super) fn of(frame: &Frame) -> Self {
-        Self { is_physical: frame.scaling().is_some() }
+    pub(super) fn of(problem: &Problem) -> Self {
+        Self { is_physical: problem.scaling().is_some() }
     }
 
     fn length(self) -> Dimension {

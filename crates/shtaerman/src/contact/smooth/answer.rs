@@ -25,20 +25,20 @@ const PANELS: usize = 64;
 
 /// A zone of smooth contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct SmoothZone {
+pub(crate) struct SmoothZone {
     /// Left and right end, `xi`; of a base that repeats without gaps the left end may lie beyond `-1`, and full contact is `-1, 1`.
-    pub ends: [f64; 2],
+    pub(crate) ends: [f64; 2],
     /// Whether each end is free, with a pressure that vanishes as `sqrt(d)`; else it rests at a wall.
-    pub is_free: [bool; 2],
+    pub(crate) is_free: [bool; 2],
     /// Corner intensities `lim sqrt(2 pi d) p0`, `d` the distance from the end in `xi`: times `E sqrt(a)` those of the problem. 0 at free ends.
-    pub intensity0: [f64; 2],
+    pub(crate) intensity0: [f64; 2],
     /// Force on the zone, `P/(a E)`.
-    pub force0: f64,
+    pub(crate) force0: f64,
 }
 
 /// Zones, pressure, settlement, tilt, force and moment of contact without a layer, all without dimensions.
 #[derive(Debug, Clone)]
-pub struct SmoothContact {
+pub(crate) struct SmoothContact {
     problem: Arc<SmoothProblem>,
     solution: Solution,
     /// The place of the base's own zero: a wave is turned.
@@ -50,7 +50,6 @@ pub struct SmoothContact {
     largest: f64,
     /// Difference of the largest and the smallest height.
     range: f64,
-    tension: Vec<[f64; 2]>,
 }
 
 #[derive(Debug, Clone)]
@@ -89,7 +88,6 @@ impl SmoothContact {
             complementarity,
             largest: left.largest,
             range: base.range(),
-            tension: left.pulling.clone(),
         })
     }
 
@@ -107,14 +105,6 @@ impl SmoothContact {
             .filter(|(_, p)| p.is_finite())
             .collect();
         let largest = points.iter().fold(f64::MIN_POSITIVE, |most, (_, p)| most.max(p.abs()));
-        let pulls = |p: f64| p < -1e-14 * largest;
-        let mut tension: Vec<[f64; 2]> = Vec::new();
-        for pair in points.windows(2).filter(|pair| pulls(pair[0].1) || pulls(pair[1].1)) {
-            match tension.last_mut() {
-                Some(last) if last[1] == pair[0].0 => last[1] = pair[1].0,
-                _ => tension.push([pair[0].0, pair[1].0]),
-            }
-        }
         let most = points.iter().fold(0.0f64, |most, (_, p)| most.max(-p));
         let pressure = full.error[0] / full.theta0 + ROUNDING * largest;
         let accuracy = Accuracy {
@@ -135,7 +125,6 @@ impl SmoothContact {
             complementarity: Complementarity { tension: most / largest, penetration: 0.0 },
             largest,
             range: base.range(),
-            tension,
         }
     }
 
@@ -191,37 +180,37 @@ impl SmoothContact {
 
     /// The problem solved.
     #[must_use]
-    pub fn problem(&self) -> &SmoothProblem {
+    pub(crate) fn problem(&self) -> &SmoothProblem {
         &self.problem
     }
 
     /// `P0`; where it is prescribed, as given.
     #[must_use]
-    pub fn force0(&self) -> f64 {
+    pub(crate) fn force0(&self) -> f64 {
         self.state.force
     }
 
     /// `M0 = int xi p0 dxi`; where it is prescribed, as given.
     #[must_use]
-    pub fn moment0(&self) -> f64 {
+    pub(crate) fn moment0(&self) -> f64 {
         self.state.moment
     }
 
     /// `delta0` in the gauge of the kernel.
     #[must_use]
-    pub fn settlement0(&self) -> f64 {
+    pub(crate) fn settlement0(&self) -> f64 {
         self.state.settlement
     }
 
     /// `alpha0`.
     #[must_use]
-    pub fn tilt0(&self) -> f64 {
+    pub(crate) fn tilt0(&self) -> f64 {
         self.state.tilt
     }
 
     /// The zones of contact from left to right.
     #[must_use]
-    pub fn zones(&self) -> Vec<SmoothZone> {
+    pub(crate) fn zones(&self) -> Vec<SmoothZone> {
         let solved = match &self.solution {
             Solution::Zones(solved) => solved,
             Solution::Full(full) => {
@@ -255,7 +244,7 @@ impl SmoothContact {
 
     /// `p0(xi)`: infinite at a singular end, 0 outside the zones; what repeats is continued.
     #[must_use]
-    pub fn pressure0(&self, xi: f64) -> f64 {
+    pub(crate) fn pressure0(&self, xi: f64) -> f64 {
         match &self.solution {
             // In a gap narrower than rounding that a hollow kink opens.
             Solution::Full(full) if self.problem.is_unilateral => {
@@ -269,7 +258,7 @@ impl SmoothContact {
 
     /// [`p0`](Self::pressure0) at many places, which costs less than one by one.
     #[must_use]
-    pub fn pressures0(&self, places: &[f64]) -> Vec<f64> {
+    pub(crate) fn pressures0(&self, places: &[f64]) -> Vec<f64> {
         let Solution::Zones(solved) = &self.solution else {
             return places.iter().map(|&xi| self.pressure0(xi)).collect();
         };
@@ -278,7 +267,7 @@ impl SmoothContact {
 
     /// `p0` in a zone of [`zones`](Self::zones) by the distances from both of its ends, the smaller of which may be far below the rounding of `xi`.
     #[must_use]
-    pub fn pressure_beside0(&self, zone: usize, from_left: f64, from_right: f64) -> f64 {
+    pub(crate) fn pressure_beside0(&self, zone: usize, from_left: f64, from_right: f64) -> f64 {
         let (Solution::Zones(solved), Some(ends)) =
             (&self.solution, self.zones().get(zone).map(|zone| zone.ends))
         else {
@@ -292,7 +281,7 @@ impl SmoothContact {
 
     /// `theta0 int K(xi - eta) p0(eta) deta`, the elastic displacement at any `xi`, also beyond the base.
     #[must_use]
-    pub fn elastic_displacement0(&self, xi: f64) -> f64 {
+    pub(crate) fn elastic_displacement0(&self, xi: f64) -> f64 {
         let height = |xi: f64| (self.problem.profile.height)(xi);
         match &self.solution {
             Solution::Full(_) => self.state.settlement - height(wrapped(xi)),
@@ -312,23 +301,10 @@ impl SmoothContact {
         }
     }
 
-    /// The gap `f0 + alpha0 xi - delta0 + theta0 int K p0 deta` between base and body at a `xi` of the base; 0 in the zones.
-    #[must_use]
-    pub fn gap0(&self, xi: f64) -> f64 {
-        let Solution::Zones(solved) = &self.solution else { return 0.0 };
-        let place = self.local(solved, xi);
-        if solved.parts.iter().any(|part| part.zone.contains(place)) {
-            return 0.0;
-        }
-        let depth =
-            self.state.settlement - self.state.tilt * xi - (self.problem.profile.height)(xi);
-        solved.displacement_outside(place) - depth
-    }
-
     /// `d(P0, M0)/d(delta0, -alpha0)` on these zones; free edges that move add nothing of first order. Infinite for full contact of a wave, whose
     /// settlement does not depend on the force.
     #[must_use]
-    pub fn stiffness0(&self) -> Stiffness {
+    pub(crate) fn stiffness0(&self) -> Stiffness {
         match &self.solution {
             Solution::Zones(solved) => solved.stiffness,
             Solution::Full(_) => Stiffness {
@@ -341,13 +317,13 @@ impl SmoothContact {
 
     /// The largest `|p0|` seen between the singular places.
     #[must_use]
-    pub fn largest_inside0(&self) -> f64 {
+    pub(crate) fn largest_inside0(&self) -> f64 {
         self.largest
     }
 
     /// Whether the base touches at `xi`.
     #[must_use]
-    pub fn is_contact(&self, xi: f64) -> bool {
+    pub(crate) fn is_contact(&self, xi: f64) -> bool {
         match &self.solution {
             Solution::Full(_) => true,
             Solution::Zones(solved) => {
@@ -357,33 +333,27 @@ impl SmoothContact {
         }
     }
 
-    /// Intervals of tension in bilateral contact.
-    #[must_use]
-    pub fn tension(&self) -> &[[f64; 2]] {
-        &self.tension
-    }
-
     /// What is left of tension and penetration.
     #[must_use]
-    pub fn complementarity(&self) -> Complementarity {
+    pub(crate) fn complementarity(&self) -> Complementarity {
         self.complementarity
     }
 
     /// The estimated error; that of the pressure in the middle of the zones, nearer to an end it grows as `1/sqrt(1 - y^2)`, `y` in `-1 .. 1` along the zone.
     #[must_use]
-    pub fn accuracy(&self) -> &Accuracy {
+    pub(crate) fn accuracy(&self) -> &Accuracy {
         &self.accuracy
     }
 
     /// The estimated error of the free edges, in `xi`.
     #[must_use]
-    pub fn edge_error0(&self) -> f64 {
+    pub(crate) fn edge_error0(&self) -> f64 {
         self.edge_error
     }
 
     /// The largest estimated error relative to its size; of the pressure the largest between the singular ends.
     #[must_use]
-    pub fn relative_error(&self) -> f64 {
+    pub(crate) fn relative_error(&self) -> f64 {
         let sizes = self.state.sizes(self.largest);
         // The settlement of a wave in full contact is the mean of its heights, which may be nothing.
         let displacement = sizes.displacement.max(self.range);
@@ -392,7 +362,7 @@ impl SmoothContact {
 
     /// Number of coupled modes in all zones.
     #[must_use]
-    pub fn modes(&self) -> usize {
+    pub(crate) fn modes(&self) -> usize {
         match &self.solution {
             Solution::Zones(solved) => solved.modes(),
             Solution::Full(_) => 0,

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 /// The kernel `K(d)` of the elastic displacement, without dimensions.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub enum SmoothKernel {
+pub(crate) enum SmoothKernel {
     /// `ln 1/|d|`.
     #[default]
     Plane,

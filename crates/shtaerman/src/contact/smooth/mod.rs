@@ -31,10 +31,9 @@ mod system;
 mod topology;
 mod wave;
 
-pub use answer::{SmoothContact, SmoothZone};
-pub use disk::{SmoothDisk, SmoothDiskContact, SmoothRingsContact};
-pub use kernel::SmoothKernel;
-pub use problem::{Curve, SmoothProblem, SmoothProfile};
+pub(crate) use answer::SmoothContact;
+pub(crate) use kernel::SmoothKernel;
+pub(crate) use problem::{Curve, SmoothProblem, SmoothProfile};
 
 use crate::Error;
 use crate::contact::check::Check;
@@ -75,7 +74,7 @@ impl SmoothProblem {
     /// contact, and for a base that repeats without gaps anything but `tilt = 0`; [`Error::TipsOver`], [`Error::NoContact`];
     /// [`Error::NotComplementary`] when no zones were found; [`Error::Equation`] where zones come too close to one another, or are too
     /// many, for the modes that can be kept.
-    pub fn solve(&self) -> Result<SmoothContact, Error> {
+    pub(crate) fn solve(&self) -> Result<SmoothContact, Error> {
         if self.is_wave() {
             return wave::solve(self);
         }

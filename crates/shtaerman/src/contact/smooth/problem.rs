@@ -18,22 +18,22 @@ const MOST_SAMPLES: usize = 32768;
 pub(super) const MOST_CELLS: usize = 3072;
 
 /// A function of `xi`.
-pub type Curve = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
+pub(crate) type Curve = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
 
 /// The base of a smooth punch, `f0(xi)`.
 #[derive(Clone)]
-pub struct SmoothProfile {
+pub(crate) struct SmoothProfile {
     /// `f0`.
-    pub height: Curve,
+    pub(crate) height: Curve,
     /// `df0/dxi`; without it the slope is that of polynomials through heights, which loses digits where the base is steep and
     /// the zones are short.
-    pub slope: Option<Curve>,
+    pub(crate) slope: Option<Curve>,
     /// Where the profile has kinks or jumps, increasing.
-    pub breaks: Vec<f64>,
+    pub(crate) breaks: Vec<f64>,
     /// Where only higher derivatives jump, as at measured points, increasing: no polynomial shows the slope across them.
-    pub joints: Vec<f64>,
+    pub(crate) joints: Vec<f64>,
     /// Relative accuracy to which the slope is resolved; 0 for the best, about `1e-10` for measured points.
-    pub tolerance: f64,
+    pub(crate) tolerance: f64,
 }
 
 impl fmt::Debug for SmoothProfile {
@@ -52,19 +52,19 @@ impl fmt::Debug for SmoothProfile {
 ///
 /// `theta0 int K(xi - eta) p0(eta) deta = delta0 - alpha0 xi - f0(xi)`.
 #[derive(Debug, Clone)]
-pub struct SmoothProblem {
+pub(crate) struct SmoothProblem {
     /// The pieces of the base from left to right, in `[-1, 1]`.
-    pub pieces: Vec<[f64; 2]>,
+    pub(crate) pieces: Vec<[f64; 2]>,
     /// `K`.
-    pub kernel: SmoothKernel,
+    pub(crate) kernel: SmoothKernel,
     /// `theta0 > 0`.
-    pub theta0: f64,
+    pub(crate) theta0: f64,
     /// What is prescribed, without dimensions.
-    pub load: Load,
+    pub(crate) load: Load,
     /// `f0`.
-    pub profile: SmoothProfile,
+    pub(crate) profile: SmoothProfile,
     /// Whether the zones are part of the answer, with the pressure nowhere negative.
-    pub is_unilateral: bool,
+    pub(crate) is_unilateral: bool,
 }
 
 impl SmoothProfile {

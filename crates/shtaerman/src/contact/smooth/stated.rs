@@ -46,7 +46,9 @@ impl Problem {
             Arc::new(move |xi| problem.dimensionless_profile(xi))
         };
         let scale = frame.scaling().map_or(1.0, Scaling::displacement);
-        let slope: Option<Curve> = self.profile().slope(0.0, half_width).map(|_| {
+        // Of a closure heights are known better than slopes.
+        let has_slope = !self.profile().is_closure();
+        let slope: Option<Curve> = has_slope.then(|| {
             let slope = move |xi| problem.profile().slope(xi, half_width).unwrap_or(f64::NAN);
             Arc::new(move |xi| slope(xi) / scale) as Curve
         });

@@ -48,7 +48,7 @@ impl Profile {
     /// Finds where the pieces of a base, given by their ends in `xi`, have to be cut so that polynomials of a degree (at least 4) resolve the
     /// profile of a punch of half-width `a` to a tolerance relative to the range of its heights on them.
     ///
-    /// The joints of a measured profile are its points. Of an expression it is proved, so that no feature between samples is missed: a narrow dent
+    /// The joints of a measured profile are its points, those of a closure its breaks: of these nothing is proved. Of an expression it is proved, so that no feature between samples is missed: a narrow dent
     /// gives joints beside it, a smooth profile none. The work is bounded (2000 enclosures of Taylor coefficients, fewer for long expressions); what is
     /// not resolved with it is listed, as is all of `cos(1e7*xi)`.
     ///
@@ -73,7 +73,7 @@ impl Profile {
     ) -> Resolution {
         match &self.shape {
             Shape::Flat => Resolution::default(),
-            Shape::Measured(_) => {
+            Shape::Measured(_) | Shape::Function(_) => {
                 let is_inside =
                     |xi: &f64| pieces.iter().any(|[left, right]| left < xi && xi < right);
                 let joints = self.joints(half_width).into_iter().filter(is_inside).collect();

@@ -273,7 +273,7 @@ fn pieces_are_resolved_on_their_own() {
     assert!(found.is_complete() && found.joints.contains(&-0.75));
     assert!(found.joints.iter().all(|xi| *xi == -0.75 || (0.5..1.0).contains(xi)), "{found:?}");
     let measured =
-        Profile::measured(vec![-1.0, -0.6, 0.1, 0.7, 1.0], vec![0.0, 1.0, 0.0, 2.0, 0.0]);
+        Profile::from_points(vec![-1.0, -0.6, 0.1, 0.7, 1.0], vec![0.0, 1.0, 0.0, 2.0, 0.0]);
     let found = measured.unwrap().resolve(&pair, 1.0, DEGREE, TOLERANCE);
     assert_eq!(found, Resolution { joints: vec![-0.6, 0.7], ..Resolution::default() });
     assert_eq!(Profile::flat().resolve(&pair, 1.0, DEGREE, TOLERANCE), Resolution::default());

@@ -17,7 +17,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Radius, pressure, settlement, tilt, force and moment of a circular punch on a smooth body, without dimensions.
 #[derive(Debug, Clone)]
-pub struct SmoothDiskContact {
+pub(crate) struct SmoothDiskContact {
     problem: Arc<SmoothDisk>,
     field: Field,
     /// Places in the contact, from the axis, and the pressure there without the tilt.
@@ -66,50 +66,50 @@ impl SmoothDiskContact {
 
     /// The problem solved.
     #[must_use]
-    pub fn problem(&self) -> &SmoothDisk {
+    pub(crate) fn problem(&self) -> &SmoothDisk {
         &self.problem
     }
 
     /// `P0 = P/(E a^2)`; where it is prescribed, as given.
     #[must_use]
-    pub fn force0(&self) -> f64 {
+    pub(crate) fn force0(&self) -> f64 {
         self.field.state.force
     }
 
     /// `M0 = M/(E a^3)`; where it is prescribed, as given.
     #[must_use]
-    pub fn moment0(&self) -> f64 {
+    pub(crate) fn moment0(&self) -> f64 {
         self.field.state.moment
     }
 
     /// `delta0`, zero at infinity.
     #[must_use]
-    pub fn settlement0(&self) -> f64 {
+    pub(crate) fn settlement0(&self) -> f64 {
         self.field.state.settlement
     }
 
     /// `alpha0`.
     #[must_use]
-    pub fn tilt0(&self) -> f64 {
+    pub(crate) fn tilt0(&self) -> f64 {
         self.field.state.tilt
     }
 
     /// The radius of the contact in radii of the base.
     #[must_use]
-    pub fn radius(&self) -> f64 {
+    pub(crate) fn radius(&self) -> f64 {
         self.field.radius
     }
 
     /// Whether the edge of the contact is free, with a pressure that vanishes as `d^((1+mu)/2)`; else it rests at a corner.
     #[must_use]
-    pub fn is_free(&self) -> bool {
+    pub(crate) fn is_free(&self) -> bool {
         self.field.is_free
     }
 
     /// Corner intensities `lim sqrt(2 pi d) p0` at the left and the right end of the diameter of the tilt, `d` the distance from the end in `xi`: times
     /// `E sqrt(a)` those of the problem. 0 at a free edge; flat, `(P0 +- 3 M0)/(2 sqrt(pi))`. On graded ground `lim sqrt(2 pi) d^((1-mu)/2) p0`.
     #[must_use]
-    pub fn intensity0(&self) -> [f64; 2] {
+    pub(crate) fn intensity0(&self) -> [f64; 2] {
         if self.field.is_free {
             return [0.0; 2];
         }
@@ -121,7 +121,7 @@ impl SmoothDiskContact {
 
     /// `p0` along the diameter of the tilt: infinite at a corner and at a kink of the base, 0 beside the contact.
     #[must_use]
-    pub fn pressure0(&self, xi: f64) -> f64 {
+    pub(crate) fn pressure0(&self, xi: f64) -> f64 {
         if xi.is_nan() || xi.abs() <= self.field.radius { self.field.pressure(xi) } else { 0.0 }
     }
 
@@ -139,7 +139,7 @@ impl SmoothDiskContact {
 
     /// The elastic displacement along the diameter of the tilt, also beyond the base.
     #[must_use]
-    pub fn elastic_displacement0(&self, xi: f64) -> f64 {
+    pub(crate) fn elastic_displacement0(&self, xi: f64) -> f64 {
         if xi.abs() > self.field.radius {
             return self.field.displacement_outside(xi);
         }
@@ -153,20 +153,9 @@ impl SmoothDiskContact {
         settlement - tilt * xi - (self.problem.height)(r)
     }
 
-    /// The gap between base and body at a `xi` of the base; 0 in the contact.
-    #[must_use]
-    pub fn gap0(&self, xi: f64) -> f64 {
-        if xi.abs() <= self.field.radius {
-            return 0.0;
-        }
-        let State { settlement, tilt, .. } = self.field.state;
-        let depth = settlement - tilt * xi - (self.problem.height)(xi.abs());
-        self.field.displacement_outside(xi) - depth
-    }
-
     /// `d(P0, M0)/d(delta0, -alpha0) = diag(2 e c^(1+mu)/(1+mu), 4 e c^(3+mu)/((1+mu)^2 (3+mu)))`; a free edge that moves adds nothing of first order.
     #[must_use]
-    pub fn stiffness0(&self) -> Stiffness {
+    pub(crate) fn stiffness0(&self) -> Stiffness {
         Stiffness {
             force_settlement: self.field.rate(),
             coupling: 0.0,
@@ -176,37 +165,37 @@ impl SmoothDiskContact {
 
     /// The largest `|p0|` seen, at a corner without its factor `(1 - r^2/c^2)^-((1-mu)/2)`.
     #[must_use]
-    pub fn largest_inside0(&self) -> f64 {
+    pub(crate) fn largest_inside0(&self) -> f64 {
         self.largest
     }
 
     /// What is left of tension and penetration.
     #[must_use]
-    pub fn complementarity(&self) -> Complementarity {
+    pub(crate) fn complementarity(&self) -> Complementarity {
         self.complementarity
     }
 
     /// The estimated error; that of the pressure in the middle, nearer to the edge it grows as `(1 - r^2/c^2)^-((1-mu)/2)`.
     #[must_use]
-    pub fn accuracy(&self) -> &Accuracy {
+    pub(crate) fn accuracy(&self) -> &Accuracy {
         &self.accuracy
     }
 
     /// The estimated error of a free edge, in `xi`.
     #[must_use]
-    pub fn edge_error0(&self) -> f64 {
+    pub(crate) fn edge_error0(&self) -> f64 {
         self.edge_error
     }
 
     /// The largest estimated error relative to its size.
     #[must_use]
-    pub fn relative_error(&self) -> f64 {
+    pub(crate) fn relative_error(&self) -> f64 {
         self.accuracy.relative(&self.field.state.sizes(self.largest))
     }
 
     /// Number of coefficients that stand for the base.
     #[must_use]
-    pub fn modes(&self) -> usize {
+    pub(crate) fn modes(&self) -> usize {
         self.field.transform.size()
     }
 }

@@ -19,10 +19,12 @@ mod radius;
 mod rings;
 pub(super) mod shape;
 mod stated;
+#[cfg(test)]
+mod tests;
 pub(super) mod transform;
 
-pub use answer::SmoothDiskContact;
-pub use rings::SmoothRingsContact;
+pub(crate) use answer::SmoothDiskContact;
+pub(crate) use rings::SmoothRingsContact;
 
 use std::fmt;
 
@@ -47,23 +49,23 @@ const ALLOWED: f64 = 2e-10;
 ///
 /// `pi theta0 int W_0(r, s) p0(s) s ds = delta0 - f0(r)`, `W_0 = int_0^inf t^mu J_0(r t) J_0(s t) dt`, on a disk, and the tilt of the whole base.
 #[derive(Clone)]
-pub struct SmoothDisk {
+pub(crate) struct SmoothDisk {
     /// `mu` of a graded body, `0 <= mu < 1`; 0 for a homogeneous one.
-    pub exponent: f64,
+    pub(crate) exponent: f64,
     /// `theta0 > 0`.
-    pub theta0: f64,
+    pub(crate) theta0: f64,
     /// What is prescribed.
-    pub load: Load,
+    pub(crate) load: Load,
     /// `f0(r)`, `0 <= r <= 1`.
-    pub height: Curve,
+    pub(crate) height: Curve,
     /// `df0/dr`, at a kink on either side.
-    pub slope: Curve,
+    pub(crate) slope: Curve,
     /// Where the profile has kinks or steps.
-    pub breaks: Vec<f64>,
+    pub(crate) breaks: Vec<f64>,
     /// Relative accuracy of integrals of the slope; 0 for the best, about `1e-10` for measured points.
-    pub tolerance: f64,
+    pub(crate) tolerance: f64,
     /// Whether the radius of the contact is part of the answer, with the pressure nowhere negative.
-    pub is_unilateral: bool,
+    pub(crate) is_unilateral: bool,
 }
 
 impl fmt::Debug for SmoothDisk {
@@ -97,7 +99,7 @@ impl SmoothDisk {
     /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive in unilateral contact, a step inside the base in
     /// bilateral contact; [`Error::NoContact`]; [`Error::Rings`] where the contact is no single disk ([`solve_rings`](Self::solve_rings) finds what it
     /// is); [`Error::LiftsOff`] for a moment that does not leave the whole base in contact; [`Error::Overflow`] when the answer is not finite.
-    pub fn solve(&self) -> Result<SmoothDiskContact, Error> {
+    pub(crate) fn solve(&self) -> Result<SmoothDiskContact, Error> {
         self.check()?;
         let limit = self.limit()?;
         let shape = self.shape()?;
@@ -130,7 +132,7 @@ impl SmoothDisk {
     /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive, a moment, a tilt or an exponent of grading that is not zero; [`Error::NoContact`];
     /// [`Error::NotComplementary`] when no zones were found; [`Error::Equation`] where zones come too close to one another, or are too many, for the
     /// modes that can be kept; [`Error::Overflow`] when the answer is not finite.
-    pub fn solve_rings(&self) -> Result<SmoothRingsContact, Error> {
+    pub(crate) fn solve_rings(&self) -> Result<SmoothRingsContact, Error> {
         rings::solve(self)
     }
 

@@ -12,7 +12,7 @@ use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::Complementarity;
 use crate::{ContactKind, Error, Problem, Rotational, Scaling, Vertical};
 
-/// To this share integrals of a measured profile are taken: the third derivative of its spline jumps at every point.
+/// To this share integrals of a measured profile or a closure are taken: the third derivative of a spline jumps at every point, and slopes of a closure are differences.
 const MEASURED: f64 = 1e-10;
 
 impl Problem {
@@ -48,7 +48,7 @@ impl Problem {
         };
         let slope =
             move |r| problem.profile().slope(r, half_width).map_or(f64::NAN, |slope| slope / scale);
-        let measured = self.profile().measured_points().is_some();
+        let measured = self.profile().measured_points().is_some() || self.profile().is_closure();
         SmoothDisk {
             exponent: self.frame().grading().map_or(0.0, |grading| grading.exponent()),
             theta0: self.frame().theta0(),

@@ -4,11 +4,16 @@ use super::super::base::Base;
 use super::super::{UnilateralContact, searched};
 use super::*;
 use crate::contact::balance::State;
-use crate::{ContactKind, Frame, Geometry, Load, Problem, Profile, Rotational, Solver, Vertical};
+use crate::{ContactKind, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
 
 fn problem(theta0: f64, profile: Profile, vertical: Vertical, rotational: Rotational) -> Problem {
     let load = Load::new(vertical, rotational).unwrap();
-    Problem::new(Frame::dimensionless(theta0).unwrap(), profile, load, Solver::default()).unwrap()
+    Problem::new(
+        Foundation::dimensionless(theta0).unwrap(),
+        Punch::new(1.0).unwrap().with_profile(profile),
+        load,
+    )
+    .unwrap()
 }
 
 fn expression(theta0: f64, profile: &str, moment: f64) -> Problem {
@@ -18,10 +23,13 @@ fn expression(theta0: f64, profile: &str, moment: f64) -> Problem {
 
 /// The same on a layer `p^exponent`.
 fn bent(theta0: f64, exponent: f64, profile: &str, moment: f64) -> Problem {
-    let frame = Frame::dimensionless_in(Geometry::Plane, theta0, exponent).unwrap();
+    let (foundation, punch) = (
+        Foundation::dimensionless(theta0).unwrap().with_exponent(exponent).unwrap(),
+        Punch::new(1.0).unwrap(),
+    );
     let load = Load::new(Vertical::Force(1.0), Rotational::Moment(moment)).unwrap();
     let profile = Profile::expression(profile).unwrap();
-    Problem::new(frame, profile, load, Solver::default()).unwrap()
+    Problem::new(foundation, punch.with_profile(profile), load).unwrap()
 }
 
 /// A trace with waves of many lengths.
@@ -36,7 +44,7 @@ fn trace(points: i32, theta0: f64) -> Profile {
         2.0 * (1.0 + theta0) * (0.3 * x * x + 0.3 * (1..=60).map(wave).sum::<f64>())
     };
     let heights = positions.iter().map(height).collect();
-    Profile::measured(positions, heights).unwrap()
+    Profile::from_points(positions, heights).unwrap()
 }
 
 fn panels(problem: &Problem) -> SpotContact {
@@ -285,7 +293,7 @@ fn rates_on_panels_agree_with_differences() {
             (tangent.settlement, differences.settlement, contact.settlement()),
             (tangent.force, differences.force, contact.force()),
             (tangent.tilt, differences.tilt, contact.tilt()),
-            (tangent.pressure_max, differences.pressure_max, contact.peak_pressure().0),
+            (tangent.peak_pressure, differences.peak_pressure, contact.peak_pressure()),
             (Some(tangent.contact_width), Some(differences.contact_width), contact.contact_width()),
         ];
         for (one, other, value) in known {
@@ -317,12 +325,18 @@ fn a_settlement_may_go_with_an_eccentricity() {
         let held = problem(theta0, profile, Vertical::Settlement(settlement), arm);
         let contact = held.solve().unwrap();
         assert_eq!(contact.method().name, "panels");
-        let stated = contact.accuracy().unwrap();
-        assert!((contact.force0() - force).abs() <= stated.force + 1e-13 * force);
-        assert!((contact.moment0() - e * force).abs() <= stated.moment + 1e-13 * force);
+        let stated = contact.dimensionless().error().unwrap();
+        assert!((contact.dimensionless().force() - force).abs() <= stated.force + 1e-13 * force);
+        assert!(
+            (contact.dimensionless().moment() - e * force).abs() <= stated.moment + 1e-13 * force
+        );
         let known_to = stated.tilt + free.accuracy().unwrap().tilt;
-        assert!((contact.tilt0() - tilt).abs() <= known_to, "{} {tilt}", contact.tilt0());
-        assert_eq!(contact.edges0().len(), free.zones().len());
+        assert!(
+            (contact.dimensionless().tilt() - tilt).abs() <= known_to,
+            "{} {tilt}",
+            contact.dimensionless().tilt()
+        );
+        assert_eq!(contact.dimensionless().zones().len(), free.zones().len());
         // The rates are the inverse of those under the force.
         let by_settlement = contact.tangent_sensitivities().unwrap().force.unwrap();
         let load = Load { vertical: Vertical::Force(force), rotational: arm };

@@ -10,7 +10,7 @@ use super::system::{Core, Solved};
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::check::Check;
-use crate::contact::smooth::{COMPARED, SmoothZone};
+use crate::contact::smooth::COMPARED;
 use crate::contact::solution::Solution;
 use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::Complementarity;
@@ -26,7 +26,7 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Zones, pressure, settlement and force of a circular punch on a smooth body, without tilt and without dimensions.
 #[derive(Debug, Clone)]
-pub struct SmoothRingsContact {
+pub(crate) struct SmoothRingsContact {
     problem: Arc<SmoothDisk>,
     solved: Solved,
     stiffness: Stiffness,
@@ -61,46 +61,21 @@ impl SmoothRingsContact {
         })
     }
 
-    /// The problem solved.
-    #[must_use]
-    pub fn problem(&self) -> &SmoothDisk {
-        &self.problem
-    }
-
-    /// `P0 = P/(E a^2)`; where it is prescribed, as given.
-    #[must_use]
-    pub fn force0(&self) -> f64 {
-        self.solved.state.force
-    }
-
     /// `delta0`, zero at infinity.
     #[must_use]
-    pub fn settlement0(&self) -> f64 {
+    pub(crate) fn settlement0(&self) -> f64 {
         self.solved.state.settlement
-    }
-
-    /// The zones from the axis outwards, `ends` as radii: of a disk `0` and its radius, of a ring the inner and the outer one; forces are those of whole
-    /// rings, `P/(E a^2)`.
-    #[must_use]
-    pub fn zones(&self) -> Vec<SmoothZone> {
-        let of = |(j, zone): (usize, &crate::contact::zones::Zone)| SmoothZone {
-            ends: zone.ends,
-            is_free: [0, 1].map(|side| zone.is_free(side)),
-            intensity0: self.solved.intensity(j),
-            force0: self.solved.force(j),
-        };
-        self.solved.zones.iter().enumerate().map(of).collect()
     }
 
     /// `p0` at a distance `|xi|` from the axis: infinite at a corner and at a kink of the base, 0 beside the zones.
     #[must_use]
-    pub fn pressure0(&self, xi: f64) -> f64 {
+    pub(crate) fn pressure0(&self, xi: f64) -> f64 {
         self.solved.pressure(xi.abs())
     }
 
     /// The elastic displacement at a distance `|xi|` from the axis, also beyond the base.
     #[must_use]
-    pub fn elastic_displacement0(&self, xi: f64) -> f64 {
+    pub(crate) fn elastic_displacement0(&self, xi: f64) -> f64 {
         let r = xi.abs();
         match self.solved.zones.iter().find(|zone| zone.contains(r)) {
             Some(zone) => {
@@ -113,55 +88,45 @@ impl SmoothRingsContact {
         }
     }
 
-    /// The gap between base and body at a `xi` of the base; 0 in the contact.
-    #[must_use]
-    pub fn gap0(&self, xi: f64) -> f64 {
-        let r = xi.abs();
-        if self.solved.zones.iter().any(|zone| zone.contains(r)) {
-            return 0.0;
-        }
-        self.solved.displacement_outside(r) - (self.settlement0() - (self.problem.height)(r))
-    }
-
     /// `d(P0, M0)/d(delta0, -alpha0)` on these zones; free edges that move add nothing of first order.
     #[must_use]
-    pub fn stiffness0(&self) -> Stiffness {
+    pub(crate) fn stiffness0(&self) -> Stiffness {
         self.stiffness
     }
 
     /// The largest `|p0|` seen between the singular places.
     #[must_use]
-    pub fn largest_inside0(&self) -> f64 {
+    pub(crate) fn largest_inside0(&self) -> f64 {
         self.largest
     }
 
     /// What is left of tension and penetration.
     #[must_use]
-    pub fn complementarity(&self) -> Complementarity {
+    pub(crate) fn complementarity(&self) -> Complementarity {
         self.complementarity
     }
 
     /// The estimated error; that of the pressure in the middle of the zones, nearer to an edge it grows as that of plane contact.
     #[must_use]
-    pub fn accuracy(&self) -> &Accuracy {
+    pub(crate) fn accuracy(&self) -> &Accuracy {
         &self.accuracy
     }
 
     /// The estimated error of the free edges, in `xi`.
     #[must_use]
-    pub fn edge_error0(&self) -> f64 {
+    pub(crate) fn edge_error0(&self) -> f64 {
         self.edge_error
     }
 
     /// The largest estimated error relative to its size.
     #[must_use]
-    pub fn relative_error(&self) -> f64 {
+    pub(crate) fn relative_error(&self) -> f64 {
         self.accuracy.relative(&self.solved.state.sizes(self.largest))
     }
 
     /// Number of coupled modes of the rings, and of coefficients of a disk.
     #[must_use]
-    pub fn modes(&self) -> usize {
+    pub(crate) fn modes(&self) -> usize {
         self.solved.modes()
     }
 

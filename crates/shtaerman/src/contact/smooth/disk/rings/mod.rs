@@ -15,7 +15,7 @@ mod ring;
 mod system;
 mod topology;
 
-pub use answer::SmoothRingsContact;
+pub(crate) use answer::SmoothRingsContact;
 
 use super::SmoothDisk;
 use crate::Error;

@@ -1,0 +1,60 @@
+//! The two ways of a smooth disk against each other.
+
+use std::sync::Arc;
+
+use super::SmoothDisk;
+use crate::contact::solution::Solution;
+use crate::{Error, Load, Rotational, Vertical};
+
+fn close(found: f64, exact: f64, relative: f64, what: &str) {
+    assert!((found - exact).abs() <= relative * exact.abs(), "{what}: {found:e}, exact {exact:e}");
+}
+
+#[test]
+fn one_disk_is_that_of_galins_transforms() {
+    for (load, kink, is_unilateral) in
+        [(0.3, 1.0, true), (3.0, 1.0, true), (0.5, 0.4, true), (0.1, 1.0, false)]
+    {
+        let bend = if kink < 1.0 { 0.2 } else { 0.0 };
+        let disk = SmoothDisk {
+            exponent: 0.0,
+            theta0: 1.0,
+            load: Load::new(Vertical::Force(load), Rotational::Moment(0.0)).unwrap(),
+            height: Arc::new(move |r: f64| r * r + bend * (r - kink).max(0.0)),
+            slope: Arc::new(move |r: f64| 2.0 * r + if r > kink { bend } else { 0.0 }),
+            breaks: vec![kink],
+            tolerance: 0.0,
+            is_unilateral,
+        };
+        let (one, two) = (disk.solve().unwrap(), disk.solve_rings().unwrap());
+        let [[left, right]] = Solution::zones(&two)[..] else { panic!("one disk") };
+        assert_eq!(left, -right);
+        close(right, one.radius(), 1e-14, "radius");
+        close(two.settlement0(), one.settlement0(), 1e-14, "settlement");
+        close(Solution::state(&two).force, load, 1e-13, "force");
+        close(two.stiffness0().moment_tilt, one.stiffness0().moment_tilt, 1e-13, "turning");
+        assert!(
+            (Solution::corner_intensity(&two).unwrap()[0][1] - one.intensity0()[1]).abs() < 1e-14
+        );
+        for xi in [0.0, 0.1, -0.3, 0.399, 0.9 * one.radius()] {
+            assert!((one.pressure0(xi) - two.pressure0(xi)).abs() < 1e-12, "{load}: {xi}");
+            assert!(
+                (one.elastic_displacement0(xi + 0.6) - two.elastic_displacement0(xi + 0.6)).abs()
+                    < 1e-14,
+                "{load}: {xi}"
+            );
+        }
+    }
+    let refused = SmoothDisk {
+        exponent: 0.0,
+        theta0: 1.0,
+        load: Load::new(Vertical::Force(1.0), Rotational::Moment(0.1)).unwrap(),
+        height: Arc::new(|r: f64| -r * r),
+        slope: Arc::new(|r: f64| -2.0 * r),
+        breaks: Vec::new(),
+        tolerance: 0.0,
+        is_unilateral: true,
+    };
+    let refused = refused.solve_rings();
+    assert!(matches!(refused, Err(Error::InvalidValue { field: "moment", value: 0.1, .. })));
+}

@@ -1,0 +1,144 @@
+//! How a problem is to be solved.
+
+use crate::Error;
+use crate::error::require;
+
+/// The method that solves the equation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum MethodChoice {
+    /// The one that suits the problem.
+    #[default]
+    Auto,
+    /// The paper's degenerate kernel.
+    Spectral,
+    /// Sinc collocation.
+    Sinc,
+}
+
+/// Whether the punch may lift off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ContactKind {
+    /// The pressure never pulls: the zones of contact are part of the answer.
+    #[default]
+    Unilateral,
+    /// The full base stays in contact and the pressure may pull.
+    Bilateral,
+}
+
+impl ContactKind {
+    /// Name as in problem files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Unilateral => "unilateral",
+            Self::Bilateral => "bilateral",
+        }
+    }
+}
+
+/// How the equation is to be solved; without one the punch may lift off, the method is that which suits the problem, and a relative error of `1e-12` is aimed at.
+///
+/// ```
+/// use shtaerman::Solver;
+///
+/// let kept_in_contact = Solver::bilateral().with_tolerance(1e-9)?;
+/// let degenerate_kernel = Solver::spectral(256)?;
+/// assert!(Solver::spectral(0).is_err());
+/// # Ok::<(), shtaerman::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Solver {
+    pub(crate) contact: ContactKind,
+    pub(crate) method: MethodChoice,
+    pub(crate) degree: Option<usize>,
+    pub(crate) tolerance: Option<f64>,
+}
+
+impl Solver {
+    /// The punch may lift off.
+    #[must_use]
+    pub fn unilateral() -> Self {
+        Self::default()
+    }
+
+    /// The full base stays in contact.
+    #[must_use]
+    pub fn bilateral() -> Self {
+        Self { contact: ContactKind::Bilateral, ..Self::default() }
+    }
+
+    /// The degenerate kernel with a fixed [degree](Self::degree), on the full base.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for 0.
+    pub fn spectral(degree: usize) -> Result<Self, Error> {
+        Self::bilateral().with_method(MethodChoice::Spectral)?.with_degree(degree)
+    }
+
+    /// The same for another kind of contact.
+    #[must_use]
+    pub fn with_contact(self, contact: ContactKind) -> Self {
+        Self { contact, ..self }
+    }
+
+    /// The same by another method.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for [`MethodChoice::Sinc`] where a degree is given.
+    pub fn with_method(self, method: MethodChoice) -> Result<Self, Error> {
+        Self { method, ..self }.checked()
+    }
+
+    /// The same with a fixed [degree](Self::degree).
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for 0, and where the method is [`MethodChoice::Sinc`].
+    pub fn with_degree(self, degree: usize) -> Result<Self, Error> {
+        Self { degree: Some(degree), ..self }.checked()
+    }
+
+    /// The same with a [tolerance](Self::tolerance) that must be met.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] unless it is greater than 0 and less than 1.
+    pub fn with_tolerance(self, tolerance: f64) -> Result<Self, Error> {
+        Self { tolerance: Some(tolerance), ..self }.checked()
+    }
+
+    /// Whether the punch may lift off.
+    #[must_use]
+    pub fn contact(&self) -> ContactKind {
+        self.contact
+    }
+
+    /// The method.
+    #[must_use]
+    pub fn method(&self) -> MethodChoice {
+        self.method
+    }
+
+    /// Highest Chebyshev degree kept in the degenerate kernel, the paper's `n` and the key `n` of problem files, where it is fixed.
+    #[must_use]
+    pub fn degree(&self) -> Option<usize> {
+        self.degree
+    }
+
+    /// Relative error to be met, of settlement, tilt and of the pressure over its largest value; where there is none, `1e-12` is aimed at.
+    #[must_use]
+    pub fn tolerance(&self) -> Option<f64> {
+        self.tolerance
+    }
+
+    fn checked(self) -> Result<Self, Error> {
+        if let Some(degree) = self.degree {
+            require(degree > 0, "n", 0.0, "at least 1")?;
+            let spectral = self.method != MethodChoice::Sinc;
+            require(spectral, "n", degree as f64, "left out: it belongs to method = \"spectral\"")?;
+        }
+        if let Some(tolerance) = self.tolerance {
+            let sensible = tolerance.is_finite() && tolerance > 0.0 && tolerance < 1.0;
+            require(sensible, "tolerance", tolerance, "greater than 0 and less than 1")?;
+        }
+        Ok(self)
+    }
+}
