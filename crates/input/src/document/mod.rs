@@ -40,6 +40,7 @@
 //! # Ok::<(), shtaerman_input::document::FileError>(())
 //! ```
 
+mod bytes;
 mod error;
 mod field;
 mod guard;
@@ -55,6 +56,7 @@ use std::sync::Arc;
 
 use toml::de::DeTable;
 
+pub use bytes::{load_bytes, overridden};
 pub use error::FileError;
 pub use field::Field;
 pub use guard::{MAXIMUM_KEY_PARTS, MAXIMUM_TOKENS};

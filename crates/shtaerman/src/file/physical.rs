@@ -1,7 +1,7 @@
 //! `[foundation]`, `[body]`, and the geometry of `[punch]`.
 
 use super::geometry;
-use super::{refused, shown};
+use super::refused::{refused, shown};
 use crate::document::{FileError, TableReader};
 use crate::quantity::Dimension;
 use crate::{Elastic, Error, Frame, Grading, Roughness};

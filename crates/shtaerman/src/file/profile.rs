@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::load_bytes;
+use crate::document::load_bytes;
 use crate::document::{Field, FileError, TableReader};
 use crate::profile::{CsvOptions, read_csv};
 use crate::quantity::{self, Dimension};
