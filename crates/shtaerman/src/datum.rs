@@ -7,7 +7,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use serde::Serialize;
 
-use crate::inverse::InverseError;
+use crate::error::InverseError;
 use crate::{Contact, Error, Frame, Geometry};
 
 /// Nodes on either side of the middle of a piece, and how far they reach.
