@@ -45,6 +45,7 @@ pub mod memory;
 pub mod multipole;
 pub mod quadrature;
 pub mod special;
+mod traits;
 
 pub use collocation::{SincOperator, SincSolution, solve_adaptive};
 pub use degenerate::bounds;

@@ -7,8 +7,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use serde::Serialize;
 
+use crate::error::InverseError;
 use crate::frame::Frame;
-use crate::inverse::InverseError;
 use crate::{Contact, Error, Geometry, Scaling};
 
 /// Nodes on either side of the middle of a piece, and how far they reach.

@@ -2,6 +2,7 @@
 
 use crate::Error;
 use crate::kernel::{Expansion, SpectralRelation};
+use crate::quadrature::Rule;
 use crate::quadrature::places::places_in_parts;
 
 /// Fewest and most terms tried.
@@ -10,13 +11,6 @@ const COUNTS: [usize; 2] = [32, 1024];
 const ROUNDING: f64 = 4e-16;
 /// An expansion that is this close between the nodes, relative to the largest value, resolves the function.
 const RESOLVED: f64 = 1e-12;
-
-/// A quadrature rule `int_L g w dm = sum_j weights[j] g(nodes[j])`; its nodes are places, or know more than their place.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Rule<Node = f64> {
-    pub(crate) nodes: Vec<Node>,
-    pub(crate) weights: Vec<f64>,
-}
 
 /// Expands `f` in the eigenfunctions of a relation; `rule(count)` integrates the products of `phi_0 .. phi_{count-1}` with the weight exactly. The number of
 /// terms doubles until the sum agrees with `f` at the nodes of the next rule, and at thousands of places that no rule has.

@@ -6,7 +6,6 @@ mod function;
 pub(crate) mod gegenbauer;
 pub(crate) mod harmonics;
 pub(crate) mod interval_moments;
-pub(crate) mod jacobi;
 pub(crate) mod laguerre;
 pub(crate) mod laguerre_moments;
 pub(crate) mod legendre;

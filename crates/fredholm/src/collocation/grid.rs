@@ -2,8 +2,8 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use super::map::Node;
 use crate::kernel::Kernel;
+use crate::quadrature::map::Node;
 use crate::{Error, Interval};
 
 /// Fewest and most nodes on either side of the middle.

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::SincGrid;
-use super::map::Node;
+use crate::quadrature::map::Node;
 use crate::{Error, Interval};
 
 /// Most nodes of a mesh.

@@ -29,7 +29,6 @@ mod estimate;
 mod factor;
 mod grid;
 mod half_line;
-pub(crate) mod map;
 mod mesh;
 mod modes;
 mod operator;

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use super::map::inverse;
 use super::mesh::Mesh;
 use super::solution::{line, sine_of_turns};
 use super::{Place, SincOperator, SincSolution};
 use crate::Error;
 use crate::linear::dot;
+use crate::quadrature::map::inverse;
 
 /// Points fixed beforehand: every solution on the nodes of one operator is then evaluated at all of them by a product
 /// with one matrix, `P x N` multiplications for `P` points.

@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
 use super::Place;
-use super::map::inverse;
 use super::mesh::Mesh;
+use crate::quadrature::map::inverse;
 
 /// Independent partial sums of the interpolation.
 const LANES: usize = 4;

@@ -2,7 +2,6 @@
 //! integral equation into a small linear system, (1.9).
 
 pub mod bounds;
-mod constant_shift;
 pub mod regularity;
 mod solution;
 mod solver;
@@ -10,9 +9,8 @@ mod split;
 mod structured;
 mod system;
 
-pub use constant_shift::{ConstantShift, ShiftedSolution};
 pub use solution::DegenerateSolution;
-pub use solver::DegenerateSolver;
+pub use solver::{ConstantShift, DegenerateSolver, ShiftedSolution};
 pub use structured::{BYTES_A_DEGREE, Convergence, StructuredOperator, StructuredSystem};
 pub(crate) use structured::{Product, Workspace};
 pub use system::DegenerateSystem;

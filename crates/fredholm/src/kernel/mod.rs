@@ -4,7 +4,6 @@
 //! known, [`SpectralRelation`]; where none is known, [`ComputedRelation`] computes the eigenpairs.
 
 mod computed;
-mod definition;
 mod half_sums;
 mod logarithm;
 mod logarithm_ratio;
@@ -14,15 +13,11 @@ mod logarithm_square;
 mod macdonald;
 mod potential;
 mod power;
-mod relation;
-mod singularity;
 mod transfer;
 mod weber_sonine;
 mod yukawa;
 
 pub use computed::ComputedRelation;
-pub use definition::Kernel;
-pub(crate) use definition::forward_kernel;
 pub use logarithm::Logarithm;
 pub use logarithm_ratio::LogarithmRatio;
 pub use logarithm_ratio_limit::LogarithmRatioLimit;
@@ -33,8 +28,12 @@ pub use macdonald::{Macdonald, MacdonaldHalfLine, MacdonaldRelation};
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
-pub use relation::{EndExponents, Expansion, Gram, Moments, Parity, SpectralRelation};
-pub use singularity::{Pair, Singularity, Split};
 pub use transfer::{TransferDisk, TransferPlane};
 pub use weber_sonine::WeberSonine;
 pub use yukawa::{Yukawa, YukawaRelation};
+
+pub(crate) use crate::traits::forward_kernel;
+pub use crate::traits::{
+    EndExponents, Expansion, Gram, Kernel, Moments, Pair, Parity, Singularity, SpectralRelation,
+    Split,
+};

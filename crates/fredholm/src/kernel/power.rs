@@ -5,8 +5,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::{
     EndExponents, Expansion, Gram, Kernel, Pair, Parity, Singularity, SpectralRelation, Split,
 };
-use crate::basis::expansion::{Rule, expand_by_rule};
+use crate::basis::expansion::expand_by_rule;
 use crate::basis::gegenbauer;
+use crate::quadrature::Rule;
 use crate::quadrature::gauss_jacobi;
 use crate::{Error, Interval, memory};
 

@@ -1,13 +1,22 @@
 //! Quadrature that does not mind what happens at the ends.
 
+pub(crate) mod jacobi;
+pub(crate) mod map;
 pub(crate) mod panels;
 pub(crate) mod partition;
 pub(crate) mod places;
 
-use crate::basis::expansion::Rule;
-use crate::basis::jacobi::{Argument, Jacobi};
-use crate::collocation::map::{Node as Image, RANGE};
+use jacobi::{Argument, GaussNode, Jacobi};
+use map::{Node as Image, RANGE};
+
 use crate::{Error, Interval};
+
+/// A quadrature rule `int_L g w dm = sum_j weights[j] g(nodes[j])`; its nodes are places, or know more than their place.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Rule<Node = f64> {
+    pub(crate) nodes: Vec<Node>,
+    pub(crate) weights: Vec<f64>,
+}
 
 /// A node of a rule on an interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -54,7 +63,7 @@ pub fn double_exponential(half_count: usize) -> impl Iterator<Item = Node> {
 /// ```
 pub fn gauss_power(count: usize, exponent: f64) -> Result<Vec<Node>, Error> {
     let nodes = Jacobi::new(exponent, 0.0).gauss(count)?;
-    let node = |node: &crate::basis::jacobi::GaussNode| {
+    let node = |node: &GaussNode| {
         let Argument { from_one, from_minus_one } = node.argument;
         let weight = node.weight;
         Node { position: from_one, from_left: from_one, from_right: from_minus_one, weight }

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use toml::de::DeValue;
 
+use super::Document;
 use super::error::FileError;
 use super::guard::{self, MAXIMUM_KEY_PARTS};
+use super::parsed::check_size;
 use super::source::{Origin, Source};
 use super::value::{Conversion, Entry, Table, Value, ValueKind};
-use super::{Document, check_size};
 
 impl Document {
     /// Overrides the value at a dotted key such as `load.force`.

@@ -11,6 +11,7 @@ use super::format::Size;
 use super::layout::{
     AxisLayout, HEADING, LABEL, Layout, NOTE, PanelLayout, RIM, TICK, TICK_MARK, TITLE, line_height,
 };
+use super::mapping::{Mapping, style};
 use super::shape;
 use super::text;
 
@@ -33,43 +34,6 @@ pub(super) fn figure(figure: &Figure, size: Size) -> Scene {
         draw_panel(&mut canvas, panel, layout);
     }
     canvas.finish()
-}
-
-pub(super) fn style(size: u32, colour: Colour, anchor: Anchor) -> Style {
-    Style { size, colour, anchor, upright: false }
-}
-
-/// Carries points of a panel to points of the picture.
-pub(super) struct Mapping<'a> {
-    panel: &'a Panel,
-    pub(super) layout: &'a PanelLayout,
-}
-
-impl Mapping<'_> {
-    fn across(&self, place: f64) -> f64 {
-        let part = self.layout.horizontal.range.part(place);
-        let part = if self.panel.horizontal.reversed { 1.0 - part } else { part };
-        self.layout.frame.left + part * self.layout.frame.width()
-    }
-
-    fn down(&self, place: f64) -> f64 {
-        let part = self.layout.vertical.range.part(place);
-        let part = if self.panel.vertical.reversed { part } else { 1.0 - part };
-        self.layout.frame.top + part * self.layout.frame.height()
-    }
-
-    pub(super) fn x(&self, value: f64) -> Option<f64> {
-        self.panel.horizontal.scale.place(value).map(|place| self.across(place))
-    }
-
-    pub(super) fn y(&self, value: f64) -> Option<f64> {
-        self.panel.vertical.scale.place(value).map(|place| self.down(place))
-    }
-
-    /// Unbroken parts of a curve.
-    fn runs(&self, points: &[(f64, f64)]) -> Vec<Vec<Point>> {
-        shape::runs(points.iter().map(|&(x, y)| self.x(x).zip(self.y(y))))
-    }
 }
 
 fn draw_panel(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {

@@ -1,18 +1,15 @@
 //! Draws filled contours, their colour bar, and crosses.
 
-use super::axis::{Range, Scale};
+use super::bar_labels::bar_labels;
 use super::canvas::{Anchor, Canvas, Point, Style};
 use super::colour::Colour;
 use super::contours::{Field, Vertex};
-use super::draw::{Mapping, style};
+use super::cross::cross_at;
 use super::figure::{ColourBar, Contours, Cross, Dash};
 use super::layout::{BAR_GAP, BAR_LABEL_GAP, BAR_WIDTH, LABEL, TICK, line_height};
+use super::mapping::{Mapping, style};
 use super::shape;
 use super::text;
-use super::ticks::Ticks;
-
-/// Half the length of a stroke of a cross.
-const ARM: f64 = 7.0;
 
 /// A closed contour with the band that begins inside it.
 struct Loop {
@@ -85,14 +82,6 @@ pub(super) fn draw_cross(canvas: &mut Canvas, mapping: &Mapping<'_>, cross: &Cro
     }
 }
 
-/// A dark cross with a light rim, to be seen on any colour.
-pub(super) fn cross_at(canvas: &mut Canvas, (x, y): Point) {
-    for (colour, width, arm) in [(Colour::PAPER, 5.0, ARM + 1.2), (Colour::INK, 2.0, ARM)] {
-        canvas.line((x - arm, y), (x + arm, y), colour, width);
-        canvas.line((x, y - arm), (x, y + arm), colour, width);
-    }
-}
-
 /// Bands from below to above at the right of the frame, with the levels between them.
 pub(super) fn draw_colour_bar(canvas: &mut Canvas, mapping: &Mapping<'_>, bar: &ColourBar) {
     let frame = mapping.layout.frame;
@@ -127,20 +116,4 @@ pub(super) fn draw_colour_bar(canvas: &mut Canvas, mapping: &Mapping<'_>, bar: &
     let widest = labels.iter().map(|label| text::width(label, TICK)).fold(0.0, f64::max);
     let x = right + 4.0 + widest + BAR_LABEL_GAP + 0.5 * line_height(LABEL);
     canvas.text((x, frame.centre().1), &label, upright);
-}
-
-/// The levels as on an axis, and their common factor.
-pub(super) fn bar_labels(bar: &ColourBar) -> (Vec<String>, String) {
-    let (Some(first), Some(last)) = (bar.levels.first(), bar.levels.last()) else {
-        return (Vec::new(), String::new());
-    };
-    let step = if bar.levels.len() > 1 { bar.levels[1] - first } else { first.abs().max(1e-300) };
-    let range = Range { low: first - 0.4 * step, high: last + 0.4 * step };
-    let ticks = Ticks::new(Scale::Linear, range, bar.levels.len());
-    let label = |level: &f64| {
-        let near = |place: f64| (place - level).abs() < 1e-6 * step;
-        let tick = ticks.labelled.iter().find(|tick| near(tick.place));
-        tick.map_or(String::new(), |tick| tick.label.clone())
-    };
-    (bar.levels.iter().map(label).collect(), ticks.multiplier())
 }

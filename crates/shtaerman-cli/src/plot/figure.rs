@@ -1,8 +1,13 @@
 //! The parts of a picture: panels with axes, and layers of curves, bands, areas and marks.
 
-use super::Plot;
 use super::axis::Axis;
 use super::colour::{Colour, Palette};
+
+/// Something that can be drawn.
+pub trait Plot {
+    /// The panels, curves and labels to draw.
+    fn figure(&self) -> Figure;
+}
 
 /// A picture: a title, notes and panels.
 #[derive(Debug, Clone, PartialEq)]

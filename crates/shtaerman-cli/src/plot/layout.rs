@@ -1,8 +1,8 @@
 //! Where the parts of a picture go.
 
 use super::axis::{Axis, Range};
+use super::bar_labels::bar_labels;
 use super::canvas::Frame;
-use super::draw_map::bar_labels;
 use super::figure::{Arrangement, Figure, Layer, LegendPlace, Panel};
 use super::format::Size;
 use super::legend::{self, Legend};

@@ -2,7 +2,7 @@
 
 use super::canvas::{Anchor, Canvas, Point, Style};
 use super::colour::Colour;
-use super::draw_map::cross_at;
+use super::cross::cross_at;
 use super::figure::{Dash, Layer, Panel};
 use super::text;
 

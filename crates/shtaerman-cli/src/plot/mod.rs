@@ -9,11 +9,13 @@
 //! leave a gap in their curve.
 
 mod axis;
+mod bar_labels;
 mod canvas;
 mod colour;
 mod contact;
 mod contours;
 mod convergence;
+mod cross;
 mod curves;
 mod draw;
 mod draw_map;
@@ -23,6 +25,7 @@ mod format;
 mod layout;
 mod legend;
 mod map;
+mod mapping;
 mod raster;
 mod render;
 mod shape;
@@ -38,9 +41,9 @@ pub use curves::{Curve, CurvePanel, CurveScaling, CurvesPlot};
 pub use error::PlotError;
 pub use figure::{
     Area, Arrangement, Band, Base, ColourBar, Contours, Cross, Dash, Figure, Layer, LegendPlace,
-    Line, Mark, Panel,
+    Line, Mark, Panel, Plot,
 };
 pub use format::{Format, PNG_PIXELS_PER_UNIT, Size};
 pub use map::MapPlot;
-pub use render::{Plot, render};
+pub use render::render;
 pub use solution::SolutionPlot;

@@ -3,15 +3,9 @@
 use kuva::backend::svg::SvgBackend;
 
 use super::error::PlotError;
-use super::figure::Figure;
+use super::figure::Plot;
 use super::format::{Format, Size};
 use super::{draw, raster};
-
-/// Something that can be drawn.
-pub trait Plot {
-    /// The panels, curves and labels to draw.
-    fn figure(&self) -> Figure;
-}
 
 /// Draws a plot and returns the bytes of the file.
 ///

@@ -5,8 +5,8 @@ use std::path::Path;
 use super::fit::{self, Fit};
 use crate::Error;
 use crate::document::FileError;
+use crate::document::load_bytes;
 use crate::error::require;
-use crate::file::load_bytes;
 use shtaerman_input::columns::{Columns, Row};
 
 /// Pressures against approaches, measured or from a pressure-overclosure law of a finite-element program.

@@ -3,8 +3,11 @@
 use fredholm::bounds;
 use serde::Serialize;
 
-use super::{EQUATION_SCHEMA, EquationAudit, EquationCheck, Kind, NamedKernel, SolvedEquation};
+use super::{EquationAudit, EquationCheck, Kind, NamedKernel, SolvedEquation};
 use crate::{Error, ErrorKind, MethodReport, Warning};
+
+/// Version of the layout of an [`EquationAnswer`]; the JSON Schema `schema/equation.schema.json` describes it.
+pub const EQUATION_SCHEMA: &str = "shtaerman-equation/1";
 
 /// A solved equation at chosen points.
 #[derive(Debug, Serialize)]

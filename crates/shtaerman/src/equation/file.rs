@@ -4,8 +4,8 @@ use std::path::Path;
 
 use super::{Equation, Family, KernelError, Kind, MOST_DEGREE, NamedKernel};
 use crate::document::{Document, Field, FileError, TableReader};
+use crate::document::{load_bytes, overridden};
 use crate::expression::Expression;
-use crate::file::{load_bytes, overridden};
 use crate::quantity::Dimension;
 use crate::{Error, MethodChoice, Solver};
 

@@ -6,8 +6,10 @@ use fredholm::equation::{
 };
 use fredholm::kernel::SpectralRelation;
 
+use super::definition::MOST_BREAKS;
+use super::draft::{Draft, relative_error};
 use super::family::Route;
-use super::{Equation, Kind, MOST_BREAKS, SolvedEquation};
+use super::{Equation, Kind, SolvedEquation};
 use crate::contact::AIM;
 use crate::expression::Line;
 use crate::{Error, MethodChoice, Warning, WarningCode};
@@ -29,27 +31,6 @@ const SQUARE_SUMMABLE: f64 = 0.5;
 const USEFUL: f64 = 0.01;
 /// A relative error above this is nothing to compare with: under jumps the degenerate kernel has little more than a digit, and still shows whether collocation is right.
 const COMPARABLE: f64 = 0.1;
-
-/// A solution with the reason for its method.
-pub(super) struct Draft<'a> {
-    pub(super) solution: Solution<'a>,
-    pub(super) reason: String,
-    pub(super) warnings: Vec<Warning>,
-    /// Whether the size of the method was given, so that no error is aimed at.
-    is_truncated: bool,
-}
-
-impl Draft<'_> {
-    fn relative_error(&self) -> f64 {
-        relative_error(&self.solution)
-    }
-}
-
-/// The error over the largest value of the solution.
-fn relative_error(solution: &Solution<'_>) -> f64 {
-    let (error, largest) = (solution.error.solution, solution.largest);
-    if error == 0.0 { 0.0 } else { error / largest }
-}
 
 /// False for NaN.
 fn is_useful(reached: f64) -> bool {

@@ -3,7 +3,7 @@
 use fredholm::bounds;
 use fredholm::equation::{ErrorStatement, Method, Solution};
 
-use super::plan::Draft;
+use super::draft::Draft;
 use super::{Equation, EquationAudit, Kind};
 use crate::contact::AIM;
 use crate::error::require;

@@ -4,9 +4,12 @@ use fredholm::conformance::{Verification, verify};
 use fredholm::kernel::SpectralRelation;
 use serde::Serialize;
 
-use super::{NamedKernel, SPECTRUM_SCHEMA};
+use super::NamedKernel;
 use crate::Error;
 use crate::error::require;
+
+/// Version of the layout of a [`Spectrum`]; the JSON Schema `schema/spectrum.schema.json` describes it.
+pub const SPECTRUM_SCHEMA: &str = "shtaerman-spectrum/1";
 
 /// Most eigenvalues that are listed.
 pub(super) const MOST: usize = 10_000;

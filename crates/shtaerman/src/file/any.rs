@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use super::located::OVERRIDE;
-use super::{ProblemFile, load_bytes, overridden};
+use super::located::{OVERRIDE, ProblemFile};
 use crate::Error;
 use crate::document::FileError;
+use crate::document::{load_bytes, overridden};
 use crate::equation::{EquationFile, is_equation};
 
 /// A contact problem or an equation: whichever the file turns out to be.

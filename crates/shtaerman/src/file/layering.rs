@@ -1,6 +1,6 @@
 //! A foundation in two pieces: `thickness` and `base`, or `[foundation.coating]`.
 
-use super::Stated;
+use super::stated::Stated;
 use crate::document::{Field, FileError, TableReader};
 use crate::quantity::{Dimension, engineering};
 use crate::{Elastic, Error, LayerBase, Layering};

@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
-use super::{load_bytes, overridden, physical, read};
+use super::physical;
+use super::read::read;
 use crate::document::{Document, FileError};
+use crate::document::{load_bytes, overridden};
 use crate::{Contact, Error, Problem};
 
 /// Keys of which a file has one; an override of one replaces the other.

@@ -1,6 +1,8 @@
 //! `[foundation]`, `[body]`, and the geometry of `[punch]`.
 
-use super::{Stated, geometry, layering, refused, shown};
+use super::refused::{refused, shown};
+use super::stated::Stated;
+use super::{geometry, layering};
 use crate::document::{FileError, TableReader};
 use crate::quantity::Dimension;
 use crate::{Elastic, Error, Foundation, Geometry, Grading, Punch, Roughness};

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use super::{Stated, load_bytes};
+use super::stated::Stated;
+use crate::document::load_bytes;
 use crate::document::{Field, FileError, TableReader};
 use crate::frame::Frame;
 use crate::profile::{CsvOptions, read_csv};

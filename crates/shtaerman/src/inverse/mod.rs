@@ -6,7 +6,6 @@
 
 mod bracket;
 mod crown;
-mod error;
 mod force;
 mod goal;
 mod prescribed;
@@ -14,9 +13,10 @@ mod roughness;
 mod search;
 
 pub use crown::{Crown, Crowned, crown};
-pub use error::InverseError;
 pub use force::force;
 pub use goal::Goal;
 pub use prescribed::{Normalisation, Shaped, prescribed_pressure};
 pub use roughness::roughness;
 pub use search::Found;
+
+pub use crate::error::InverseError;

@@ -276,7 +276,7 @@ fn equal_materials_are_no_coating() {
         for xi in [-0.9, 0.0, 0.3] {
             let [one, two] = [pressure(&plain, xi), pressure(&coated, xi)];
             assert!(
-                (one - two).abs() < 1e-10 * plain.dimensionless().peak_pressure().0,
+                (one - two).abs() < 1e-10 * plain.dimensionless().peak_pressure(),
                 "{xi}: {one} {two}"
             );
         }
@@ -330,7 +330,7 @@ fn transforms_leave_no_residual() {
         for base in BASES {
             for (thickness, theta0) in [(0.25, 12.0), (1.3, 2.0)] {
                 let frame = on_layer(geometry, theta0, thickness, base);
-                let profile = if frame.is_circular() { "6*r^2" } else { "6*xi^2" };
+                let profile = if geometry == Geometry::Circular { "6*r^2" } else { "6*xi^2" };
                 let contact = solved(frame, profile, 0.4, Rotational::Tilt(0.0));
                 let layering = Layering::layer(thickness, base).unwrap();
                 let edge = contact.dimensionless().zones()[0][1];

@@ -2,10 +2,11 @@
 
 use super::Macdonald;
 use super::spheroidal::Spheroidal;
-use crate::basis::expansion::{Rule, expand_by_rule};
+use crate::basis::expansion::expand_by_rule;
 use crate::kernel::{
     EndExponents, Expansion, Gram, Kernel, Parity, SpectralRelation, forward_kernel,
 };
+use crate::quadrature::Rule;
 use crate::quadrature::gauss_jacobi;
 use crate::{Error, memory};
 

@@ -2,9 +2,10 @@
 
 use std::f64::consts::PI;
 
-use super::super::{Kernel, Pair, Singularity, Split, WeberSonine};
 use super::require_thickness;
 use super::table::Table;
+use crate::kernel::weber_sonine::WeberSonine;
+use crate::traits::{Kernel, Pair, Singularity, Split};
 use crate::{Error, Interval};
 
 /// Least thickness in radii: the mean over the angle takes a thousand places there.

@@ -2,9 +2,9 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use super::super::{Kernel, Pair, Singularity, Split};
 use super::require_thickness;
 use super::table::Table;
+use crate::traits::{Kernel, Pair, Singularity, Split};
 use crate::{Error, Interval};
 
 /// Least thickness in half-lengths of the interval: tables take about a second there.

@@ -4,8 +4,7 @@
 
 use crate::Error;
 use crate::basis::chebyshev::{ChebyshevSeries, points};
-use crate::basis::expansion::Rule;
-use crate::quadrature::gauss_legendre;
+use crate::quadrature::{Rule, gauss_legendre};
 
 /// `g` is rounding beyond this `u`: `exp(-2u) u^2` is 1e-19 there.
 const LAST: f64 = 25.0;

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use self::value::Tables;
 use super::{Kernel, Pair, Singularity, Split};
-use crate::basis::jacobi::Jacobi;
+use crate::quadrature::jacobi::Jacobi;
 use crate::{Error, Interval};
 
 /// Beyond it `P_n^(mu, gamma-1/2)` overflows at degrees in use.

@@ -2,9 +2,10 @@
 
 use super::WeberSonine;
 use crate::Error;
-use crate::basis::expansion::{Rule, expand_at_nodes};
-use crate::basis::jacobi::{Argument, GaussNode, Jacobi};
+use crate::basis::expansion::expand_at_nodes;
 use crate::kernel::{EndExponents, Expansion, Gram, Kernel, Parity, SpectralRelation};
+use crate::quadrature::Rule;
+use crate::quadrature::jacobi::{Argument, GaussNode, Jacobi};
 use crate::special::half_gamma_quotient;
 
 impl WeberSonine {

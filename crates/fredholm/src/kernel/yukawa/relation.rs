@@ -5,12 +5,13 @@ use std::f64::consts::FRAC_1_PI;
 use super::Yukawa;
 use super::eigenvalues::eigenvalues;
 use crate::Error;
-use crate::basis::expansion::{Rule, expand_by_rule};
+use crate::basis::expansion::expand_by_rule;
 use crate::basis::legendre::strengths;
 use crate::basis::spheroidal::Spheroidal;
 use crate::kernel::{
     EndExponents, Expansion, Gram, Kernel, Moments, Parity, SpectralRelation, forward_kernel,
 };
+use crate::quadrature::Rule;
 use crate::quadrature::gauss_legendre;
 
 /// Most doublings of the rule for moments.

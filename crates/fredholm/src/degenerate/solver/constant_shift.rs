@@ -1,6 +1,7 @@
 //! A positive kernel less a constant: the logarithm on a long interval.
 
-use super::{DegenerateSolution, DegenerateSolver};
+use super::DegenerateSolver;
+use crate::DegenerateSolution;
 use crate::Error;
 use crate::kernel::{Logarithm, SpectralRelation};
 

@@ -1,6 +1,6 @@
 //! The spectral relation of a kernel.
 
-use super::Kernel;
+use super::definition::Kernel;
 use crate::Error;
 
 /// How the eigenfunctions of a kernel behave under `x -> -x` on a symmetric interval.

@@ -1,5 +1,9 @@
 //! What can go wrong with a problem.
 
+mod inverse;
+
+pub use inverse::InverseError;
+
 use crate::document::FileError;
 use crate::expression::Defect;
 
@@ -365,7 +369,7 @@ pub enum Error {
 
     /// An inverse problem has no answer.
     #[error(transparent)]
-    Inverse(#[from] crate::inverse::InverseError),
+    Inverse(#[from] InverseError),
 
     /// The problem file cannot be read as a problem.
     #[error(transparent)]

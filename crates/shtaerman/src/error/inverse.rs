@@ -1,4 +1,4 @@
-//! Why there is no such value.
+//! Why an inverse problem has no answer.
 
 use crate::quantity::{Dimension, engineering};
 

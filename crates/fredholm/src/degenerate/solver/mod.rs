@@ -1,5 +1,9 @@
 //! The system (1.9) by the route that its size asks for.
 
+mod constant_shift;
+
+pub use constant_shift::{ConstantShift, ShiftedSolution};
+
 use super::split::positive_factors;
 use super::{DegenerateSolution, DegenerateSystem, StructuredSystem};
 use crate::Error;

@@ -1,0 +1,229 @@
+//! An equation on a kernel: what is to be solved, and how.
+
+use std::cell::OnceCell;
+
+use fredholm::Interval;
+use fredholm::kernel::SpectralRelation;
+
+use super::family::{Family, NamedKernel};
+use super::parts::Parts;
+use crate::error::require;
+use crate::expression::{self, Expression, Line};
+use crate::{Error, MethodChoice, Solver};
+
+/// Lowest degree of the degenerate kernel: its error is judged from a quarter of it.
+pub const LEAST_DEGREE: usize = 8;
+/// Highest degree of the degenerate kernel, and most terms of a solution of the first kind.
+pub const MOST_DEGREE: usize = 20_000;
+/// Most breakpoints of the right-hand side that get panels of their own.
+pub(super) const MOST_BREAKS: usize = 15;
+/// A place this far beyond an end, relative to the length, is the end.
+const END_SLACK: f64 = 1e-12;
+/// On a half-line a right-hand side must be finite up to so many times what is shown: the section that is solved, with room.
+const HALF_LINE_RANGE: f64 = 6.0;
+/// Places at which the rounding of a right-hand side is looked at.
+const ROUNDED_PLACES: u32 = 65;
+
+/// Which kind of equation.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// `phi + lambda K phi = f`.
+    Second {
+        /// `lambda`.
+        lambda: f64,
+    },
+    /// `K phi = f`.
+    First,
+}
+
+/// An equation on a kernel.
+pub struct Equation {
+    pub(super) kind: Kind,
+    pub(super) kernel: NamedKernel,
+    pub(super) rhs: Expression,
+    pub(super) solver: Solver,
+    pub(super) function: Box<dyn Fn(f64) -> f64>,
+    /// The spectral relation, once a method has asked for it.
+    pub(super) relation: OnceCell<Box<dyn SpectralRelation>>,
+    /// What is proved of the right-hand side, once it was asked for.
+    pub(super) parts: OnceCell<Parts>,
+}
+
+impl std::fmt::Debug for Equation {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter
+            .debug_struct("Equation")
+            .field("kind", &self.kind)
+            .field("kernel", &self.kernel)
+            .field("rhs", &self.rhs.text())
+            .field("solver", &self.solver)
+            .finish_non_exhaustive()
+    }
+}
+
+impl Equation {
+    /// The name of the variable of right-hand sides.
+    pub const VARIABLE: &'static str = "x";
+
+    /// An equation; `rhs` is an expression in `x`.
+    ///
+    /// The degree of the solver is that of the degenerate kernel, or for the first kind the highest index kept; its tolerance is relative to the largest value of the
+    /// solution.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for a parameter `lambda` that is not finite or a solver that does not go with the kind, [`Error::RightHandSide`] where the
+    /// right-hand side is not finite on the closed interval.
+    pub fn new(
+        kind: Kind,
+        kernel: NamedKernel,
+        rhs: Expression,
+        solver: Solver,
+    ) -> Result<Self, Error> {
+        if let Kind::Second { lambda } = kind {
+            require(lambda.is_finite(), "lambda", lambda, "finite")?;
+        }
+        check_solver(kind, &solver)?;
+        let compiled = rhs.clone();
+        let function = Box::new(move |x: f64| compiled.evaluate(&[x]));
+        let equation = Self {
+            kind,
+            kernel,
+            rhs,
+            solver,
+            function,
+            relation: OnceCell::new(),
+            parts: OnceCell::new(),
+        };
+        equation.check_right_hand_side()?;
+        Ok(equation)
+    }
+
+    /// First or second kind.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// The kernel.
+    #[must_use]
+    pub fn kernel(&self) -> &NamedKernel {
+        &self.kernel
+    }
+
+    /// The right-hand side `f`.
+    #[must_use]
+    pub fn right_hand_side(&self) -> &Expression {
+        &self.rhs
+    }
+
+    /// How it is to be solved.
+    #[must_use]
+    pub fn solver(&self) -> &Solver {
+        &self.solver
+    }
+
+    /// The interval on which the solution is shown: that of the kernel, of a half-line the part to `12/kappa`.
+    #[must_use]
+    pub fn shown(&self) -> [f64; 2] {
+        let extent = self.kernel.kernel().extent();
+        [extent.left(), extent.right()]
+    }
+
+    /// The place itself, or the end from which rounding took it.
+    ///
+    /// # Errors
+    /// [`Error::BeyondInterval`] for a place that is not in the closed interval.
+    pub fn place(&self, x: f64) -> Result<f64, Error> {
+        let interval = self.kernel.kernel().interval();
+        if interval.contains(x) && x.is_finite() {
+            return Ok(x);
+        }
+        let (left, right) = (interval.left(), interval.right());
+        let slack = END_SLACK * if right.is_finite() { right - left } else { 1.0 };
+        if x.is_finite() && x < left && left - x <= slack {
+            return Ok(left);
+        }
+        if x.is_finite() && x > right && x - right <= slack {
+            return Ok(right);
+        }
+        Err(Error::BeyondInterval { at: x, left, right })
+    }
+
+    pub(super) fn function(&self) -> &dyn Fn(f64) -> f64 {
+        &*self.function
+    }
+
+    /// The range on which the right-hand side must be finite.
+    pub(super) fn range(&self) -> Interval {
+        let kernel = self.kernel.kernel();
+        let (interval, extent) = (kernel.interval(), kernel.extent());
+        if interval.is_finite() {
+            return interval;
+        }
+        let end = interval.left() + 2.0 * HALF_LINE_RANGE * extent.half_length();
+        Interval::new(interval.left(), end).unwrap_or(extent)
+    }
+
+    /// What rounding may make of the right-hand side: the largest width of an enclosure of all that its formula may come out as, at places all over the interval.
+    pub(super) fn rounding(&self) -> f64 {
+        let range = self.range();
+        let width = |i: u32| {
+            let share = f64::from(i) / f64::from(ROUNDED_PLACES - 1);
+            let x = range.left() + share * (range.right() - range.left());
+            let values = expression::Interval::point(x).map(|x| self.rhs.enclose(&[x]));
+            values.filter(|values| values.is_finite()).map(|values| values.interval.length())
+        };
+        (0..ROUNDED_PLACES).filter_map(width).fold(0.0, f64::max)
+    }
+
+    /// Places strictly inside the interval where the right-hand side has a kink or a jump.
+    pub(super) fn breakpoints(&self) -> Vec<f64> {
+        let interval = self.range();
+        let Some(range) = expression::Interval::new(interval.left(), interval.right()) else {
+            return Vec::new();
+        };
+        let mut places = self.rhs.breakpoints(&Line::identity(), range).places;
+        places.retain(|x| interval.left() < *x && *x < interval.right());
+        places
+    }
+
+    fn check_right_hand_side(&self) -> Result<(), Error> {
+        let interval = self.range();
+        let Some(range) = expression::Interval::new(interval.left(), interval.right()) else {
+            return Ok(());
+        };
+        match self.rhs.find_not_finite(&Line::identity(), range) {
+            Some((at, defect)) => Err(Error::RightHandSide { at, defect }),
+            None => Ok(()),
+        }
+    }
+}
+
+/// The name of a kernel that was perhaps meant.
+#[must_use]
+pub fn suggestion(written: &str) -> Option<&'static str> {
+    shtaerman_input::nearest(written, Family::names())
+}
+
+fn check_solver(kind: Kind, solver: &Solver) -> Result<(), Error> {
+    if let Some(tolerance) = solver.tolerance {
+        let sensible = tolerance > 0.0 && tolerance < 1.0;
+        require(sensible, "tolerance", tolerance, "greater than 0 and less than 1")?;
+    }
+    if kind == Kind::First && solver.method == MethodChoice::Sinc {
+        let requirement =
+            "\"auto\" or \"spectral\": the first kind is solved from the spectral relation";
+        require(false, "method", f64::NAN, requirement)?;
+    }
+    let Some(degree) = solver.degree else { return Ok(()) };
+    let spectral = solver.method == MethodChoice::Spectral || kind == Kind::First;
+    require(spectral, "n", degree as f64, "left out: it belongs to method = \"spectral\"")?;
+    let least = if kind == Kind::First { 1 } else { LEAST_DEGREE };
+    require(
+        (least..=MOST_DEGREE).contains(&degree),
+        "n",
+        degree as f64,
+        "from 8 (first kind: 1) to 20000",
+    )?;
+    Ok(())
+}

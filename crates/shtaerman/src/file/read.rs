@@ -1,0 +1,89 @@
+//! A problem from a document.
+
+use std::path::Path;
+
+use super::refused::refused;
+use super::stated::Stated;
+use super::{geometry, layering, load, physical, profile, solver};
+use crate::document::{Document, Field, FileError, TableReader};
+use crate::equation::is_equation;
+use crate::{Error, Foundation, Problem, Punch};
+
+pub(super) fn read(document: &Document, folder: &Path) -> Result<Problem, Error> {
+    if is_equation(document) {
+        let fault = FileError::new("is an equation, not a contact problem");
+        let help = "use `shtaerman equation`";
+        return Err(fault.in_file(document.file_name()).with_help(help).into());
+    }
+    let reader = document.reader();
+    let solver = solver::read(&reader)?;
+    let problem = if let Some(table) = reader.table("dimensionless")? {
+        for name in ["foundation", "punch", "load", "body"] {
+            if let Some(field) = reader.optional(name) {
+                let message =
+                    "does not go with [dimensionless]: a problem is physical or dimensionless";
+                return Err(field.error(message).into());
+            }
+        }
+        let stated = dimensionless(&table)?;
+        let profile = profile::read(&table, &stated.frame, folder)?;
+        let load = load::read(&table, &stated.frame)?;
+        reader.finish()?;
+        profile.problem(stated, load, solver)?
+    } else {
+        if !reader.has("foundation") && !reader.has("punch") && !reader.has("load") {
+            let message = "has neither [foundation], [punch], [load] nor [dimensionless]";
+            let help = "`shtaerman init` writes an example";
+            return Err(FileError::new(message)
+                .in_file(document.file_name())
+                .with_help(help)
+                .into());
+        }
+        let stated = physical::read(&reader)?;
+        let profile = profile::read(&reader.required("punch")?.table()?, &stated.frame, folder)?;
+        let load = load::read(&reader.required("load")?.table()?, &stated.frame)?;
+        reader.finish()?;
+        profile.problem(stated, load, solver)?
+    };
+    problem.check_balance()?;
+    Ok(problem)
+}
+
+/// The foundation and the flat punch of `[dimensionless]`, with their frame.
+fn dimensionless(table: &TableReader<'_>) -> Result<Stated, FileError> {
+    let field = table.exactly_one(&["theta0", "lambda0"])?;
+    let poisson_ratio = table.optional("poisson_ratio");
+    let value = field.number()?;
+    let by_theta0 = field.name().ends_with("theta0");
+    let theta0 = if by_theta0 {
+        if let Some(ratio) = poisson_ratio.filter(|_| !layering::is_bonded(table)) {
+            return Err(ratio.error("goes with lambda0; theta0 alone is enough"));
+        }
+        value
+    } else {
+        let ratio_field = table.required("poisson_ratio")?;
+        let ratio = ratio_field.number()?;
+        if !(ratio > -1.0 && ratio <= 0.5) {
+            return Err(
+                ratio_field.error(format!("is {ratio}: must be greater than -1 and at most 0.5"))
+            );
+        }
+        // theta0 = 2 (1 - nu^2)/pi lambda0
+        2.0 * (1.0 - ratio * ratio) / std::f64::consts::PI * value
+    };
+    let geometry = geometry::read_dimensionless(table)?;
+    let exponent_field = table.optional("exponent");
+    let exponent = exponent_field.as_ref().map_or(Ok(1.0), Field::number)?;
+    let stated = || {
+        let foundation = Foundation::dimensionless(theta0)?.with_exponent(exponent)?;
+        Stated::new(foundation, Punch::in_geometry(geometry, 1.0)?)
+    };
+    let stated = stated().map_err(|error: Error| match &error {
+        Error::InvalidValue { field: "theta0", .. } if by_theta0 => refused(&field, &error),
+        Error::InvalidValue { field: "theta0", .. } => {
+            field.error(format!("is {value}: must be finite and not negative"))
+        }
+        _ => refused(exponent_field.as_ref().unwrap_or(&field), &error),
+    })?;
+    layering::dimensionless(table, stated)
+}
