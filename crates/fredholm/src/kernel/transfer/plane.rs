@@ -61,7 +61,7 @@ impl TransferPlane {
             - self.far_share * self.thickness.ln()
     }
 
-    /// `d dK/dd` at the distance `d`, to about 1e-7.
+    /// `d dK/dd` at the distance `d`.
     #[must_use]
     pub fn reduced_slope(&self, distance: f64) -> f64 {
         let t = distance / self.thickness;
@@ -71,15 +71,9 @@ impl TransferPlane {
         // d/dt ln coth(pi t/4) = -(pi/2)/sinh(pi t/2)
         let angle = 2.0 * FRAC_PI_4 * t;
         let logarithm = -angle / angle.sinh();
-        let step = DIFFERENCE * (1.0 + t);
-        let (lower, upper) = ((t - step).max(0.0), (t + step).min(2.0 / self.thickness));
-        let rise = (self.table.at(upper) - self.table.at(lower)) / (upper - lower);
-        -self.far_share + (1.0 - self.far_share) * logarithm + t * rise
+        -self.far_share + (1.0 - self.far_share) * logarithm + t * self.table.slope(t)
     }
 }
-
-/// Step of a difference quotient of the smooth part.
-const DIFFERENCE: f64 = 1e-5;
 
 impl Kernel for TransferPlane {
     fn interval(&self) -> Interval {
