@@ -28,7 +28,7 @@ fn plane_images() {
                 let slope = -(1.0 + c) + c / (1.0 + (0.5 * d / thickness).powi(2));
                 let found = kernel.reduced_slope(d);
                 assert!(
-                    (found - slope).abs() < 1e-6 * (1.0 + c.abs()),
+                    (found - slope).abs() < 1e-10 * (1.0 + c.abs()),
                     "{thickness} {c} {d}: {found} {slope}"
                 );
             }

@@ -1,4 +1,4 @@
-//! Kernel 12: a kernel of rings with a transfer function.
+//! A kernel of rings with a transfer function.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! Kernel 11: a plane kernel with a transfer function.
+//! A plane kernel with a transfer function.
 
 use std::f64::consts::FRAC_PI_4;
 
@@ -9,10 +9,11 @@ use crate::{Error, Interval};
 
 /// Least thickness in half-lengths of the interval: tables take about a second there.
 const LEAST: f64 = 1e-3;
-/// `K(x, s) = int_0^inf (M(u) cos(u d/h) - m exp(-u d_0/h))/u du`, `d = |x - s|`, on `(-1, 1)`, with the length `h` (the thickness of a layer), a transfer function `M > 0` that tends to
-/// 1 as `exp(-2u)` does, but for powers of `u`, and `m = M(0)`.
+
+/// `K(x, s) = m ln(1/d) + int_0^inf ((M(u) - m)/u) cos(u d/h) du`, `d = |x - s|`, on `(-1, 1)`, with the length `h` (the thickness of a layer), a transfer function `M > 0` that tends to 1 as
+/// `exp(-2u)` does, but for powers of `u`, and `m = M(0)`. Far away it is `m ln(1/d)`.
 ///
-/// The constant is that with which `K = m ln(1/d)` far away; for `m = 0` there is none, and `K` vanishes far away. It is computed as
+/// With `int_0^inf (tanh u/u) cos(ut) du = ln coth(pi t/4)` it is computed as
 ///
 /// `K = m ln(1/d) + (1 - m) ln coth(pi d/(4 h)) + D(d/h)`, `D(t) = int_0^inf (M - m - (1 - m) tanh u)/u cos(ut) du`:
 ///
@@ -61,7 +62,7 @@ impl TransferPlane {
             - self.far_share * self.thickness.ln()
     }
 
-    /// `d dK/dd` at the distance `d`, to about 1e-7.
+    /// `d dK/dd` at the distance `d`.
     #[must_use]
     pub fn reduced_slope(&self, distance: f64) -> f64 {
         let t = distance / self.thickness;
@@ -71,15 +72,9 @@ impl TransferPlane {
         // d/dt ln coth(pi t/4) = -(pi/2)/sinh(pi t/2)
         let angle = 2.0 * FRAC_PI_4 * t;
         let logarithm = -angle / angle.sinh();
-        let step = DIFFERENCE * (1.0 + t);
-        let (lower, upper) = ((t - step).max(0.0), (t + step).min(2.0 / self.thickness));
-        let rise = (self.table.at(upper) - self.table.at(lower)) / (upper - lower);
-        -self.far_share + (1.0 - self.far_share) * logarithm + t * rise
+        -self.far_share + (1.0 - self.far_share) * logarithm + t * self.table.slope(t)
     }
 }
-
-/// Step of a difference quotient of the smooth part.
-const DIFFERENCE: f64 = 1e-5;
 
 impl Kernel for TransferPlane {
     fn interval(&self) -> Interval {

@@ -83,6 +83,8 @@ struct Panel {
     left: f64,
     right: f64,
     series: ChebyshevSeries,
+    /// The derivative by the place on the panel, from -1 to 1.
+    derivative: ChebyshevSeries,
 }
 
 impl Table {
@@ -121,7 +123,8 @@ impl Table {
         let tail = series.coefficients().iter().rev().take(TAIL).map(|c| c.abs());
         let is_resolved = tail.fold(0.0, f64::max) <= RESOLVED * DEGREE as f64 * *scale;
         if is_resolved || halvings == 0 {
-            self.panels.push(Panel { left, right, series });
+            let derivative = derivative(series.coefficients());
+            self.panels.push(Panel { left, right, series, derivative });
         } else {
             self.add(value, [left, middle], halvings - 1, scale);
             self.add(value, [middle, right], halvings - 1, scale);
@@ -130,12 +133,36 @@ impl Table {
 
     /// `D(t)`; beyond the last panel its value at the end.
     pub(super) fn at(&self, t: f64) -> f64 {
-        let index = self.panels.partition_point(|panel| panel.right < t);
-        self.panels.get(index).or(self.panels.last()).map_or(
-            0.0,
-            |Panel { left, right, series }| {
-                series.evaluate((((t - left) - (right - t)) / (right - left)).clamp(-1.0, 1.0))
-            },
-        )
+        self.panel(t).map_or(0.0, |panel| panel.series.evaluate(panel.place(t)))
     }
+
+    /// `D'(t)`.
+    pub(super) fn slope(&self, t: f64) -> f64 {
+        self.panel(t).map_or(0.0, |panel| {
+            2.0 / (panel.right - panel.left) * panel.derivative.evaluate(panel.place(t))
+        })
+    }
+
+    fn panel(&self, t: f64) -> Option<&Panel> {
+        let index = self.panels.partition_point(|panel| panel.right < t);
+        self.panels.get(index).or(self.panels.last())
+    }
+}
+
+impl Panel {
+    /// The place on the panel, from -1 to 1.
+    fn place(&self, t: f64) -> f64 {
+        let Self { left, right, .. } = self;
+        (((t - left) - (right - t)) / (right - left)).clamp(-1.0, 1.0)
+    }
+}
+
+/// The derivative of a Chebyshev series: `c'_(k-1) = c'_(k+1) + 2 k c_k`, and half of that for `k = 1`.
+fn derivative(coefficients: &[f64]) -> ChebyshevSeries {
+    let mut found = vec![0.0; coefficients.len() + 1];
+    for k in (1..coefficients.len()).rev() {
+        found[k - 1] = found[k + 1] + 2.0 * k as f64 * coefficients[k];
+    }
+    found[0] *= 0.5;
+    ChebyshevSeries::new(found)
 }

@@ -36,7 +36,7 @@ impl Layered {
             layering.far_share() <= 1.0 || constant >= LEAST_CONSTANT,
             "thickness",
             layering.thickness(),
-            "(in half-widths) smaller: under a coating that is stiffer than its foundation and about as thick as the punch is wide the displacement against its gauge changes sign, and no settlement belongs to a force; give a larger half_width, which only the gauge depends on where the punch lifts off",
+            "(in half-widths) smaller: a coating so stiff and thick spreads the load beyond the punch, where the displacement against its gauge, ln(a/|x-s|), changes sign; give a larger half_width, which sets the gauge alone where the punch lifts off",
         )?;
         Ok(Self { kernel, strength })
     }

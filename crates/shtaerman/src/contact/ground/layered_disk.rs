@@ -12,8 +12,8 @@ use super::shared::layered_disk;
 use super::{Ground, Hull, SharedKernel, half_count_of_layer};
 use crate::{Error, Layering};
 
-/// Step of a difference quotient of the smooth part, as a share of the thickness at most 1.
-const STEP: f64 = 1e-4;
+/// Step of a difference quotient of fourth order of the smooth part, as a share of the thickness, which is its length: so `1e-12`.
+const STEP: f64 = 1e-3;
 
 #[derive(Debug)]
 pub(super) struct LayeredDisk {
@@ -35,7 +35,8 @@ impl LayeredDisk {
     /// `dB/dxi` of the smooth part `B`, which is even in `xi`.
     fn remainder_slope(&self, xi: f64, eta: f64) -> f64 {
         let at = |x: f64| self.kernel.remainder(x.abs(), eta);
-        (at(xi + self.step) - at(xi - self.step)) / (2.0 * self.step)
+        let rise = |k: f64| at(xi + k * self.step) - at(xi - k * self.step);
+        (8.0 * rise(1.0) - rise(2.0)) / (12.0 * self.step)
     }
 }
 

@@ -23,9 +23,11 @@ const LARGEST_LINE: usize = 240;
 type KernelKey = (usize, u64);
 /// That and the nodes on either side of the middle.
 type OperatorKey = (KernelKey, usize);
+/// Order and layer.
+type LayeredKey = (usize, Layering);
 
 static KNOWN_PLANES: Mutex<Vec<(Layering, Arc<TransferPlane>)>> = Mutex::new(Vec::new());
-static KNOWN_DISKS: Mutex<Vec<((usize, Layering), Arc<TransferDisk>)>> = Mutex::new(Vec::new());
+static KNOWN_DISKS: Mutex<Vec<(LayeredKey, Arc<TransferDisk>)>> = Mutex::new(Vec::new());
 static KNOWN_KERNELS: Mutex<Vec<(KernelKey, WeberSonine)>> = Mutex::new(Vec::new());
 static KNOWN_LINES: Mutex<Vec<(usize, Arc<SincOperator>)>> = Mutex::new(Vec::new());
 static KNOWN_OPERATORS: Mutex<Vec<(OperatorKey, Arc<SincOperator>)>> = Mutex::new(Vec::new());
