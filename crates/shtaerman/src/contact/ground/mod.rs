@@ -2,7 +2,7 @@
 //!
 //! `u(xi) = theta0 k int K(xi, eta) p0(eta) dm(eta)` with the factor `k` and the measure `dm`:
 //!
-//! - a [line](line), one punch or a pair: `K = ln 1/|xi - eta|`, `k = 1`, `dm = deta`;
+//! - a [line](mod@line), one punch or a pair: `K = ln 1/|xi - eta|`, `k = 1`, `dm = deta`;
 //! - a [row] with the period `L`: `K = ln 1/(2 sin(pi |xi - eta|/L))`, `k = 1`, `dm = deta`;
 //! - a [disk], pressures without angle: `K = int_0^inf J_0(xi t) J_0(eta t) dt`, `k = pi`, `dm = eta deta`;
 //! - [graded] ground, one punch or a pair on a half-plane with `E ~ y^mu`: `K = |xi - eta|^-mu`, `k = 1`, `dm = deta`;
