@@ -58,8 +58,8 @@ fn smooth_surfaces_are_solved() {
         };
         near("/physical/corner_exponent", beta);
         near("/physical/corner_intensity/0/1", factor * (2.0 * PI).sqrt() * (2.0 * a).powf(-beta));
-        near("/pressure/p/0", factor * (a * a).powf(-beta));
-        near("/pressure/p/1", factor * (a * a - 0.04).powf(-beta));
+        near("/pressure/pressure/0", factor * (a * a).powf(-beta));
+        near("/pressure/pressure/1", factor * (a * a - 0.04).powf(-beta));
         let table = folder.run(&["solve", "punch.toml"]).answer();
         assert!(table.contains("Pa m^0.35"), "{table}");
         // There is no stress field of graded ground.

@@ -4,6 +4,7 @@
 
 mod support;
 
+mod closures;
 mod equilibrium;
 mod heights;
 mod hostile;
@@ -17,3 +18,4 @@ mod smooth_limit;
 mod surface;
 mod symmetry;
 mod units;
+mod views;
