@@ -70,7 +70,7 @@ fn smooth_surfaces_are_solved() {
     let json = Folder::with(&wavy).run(&["solve", "punch.toml", "--format", "json"]).json();
     assert_eq!(json["physical"]["zones"].as_array().unwrap().len(), 2);
     // The crests of two waves, mirror images of one another.
-    let edge = |path: &str| number(&json, &format!("/physical/edges/{path}"));
+    let edge = |path: &str| number(&json, &format!("/physical/zones/{path}"));
     assert!((edge("0/0") + edge("1/1")).abs() < 1e-12 && (edge("0/1") + edge("1/0")).abs() < 1e-12);
     assert!(edge("1/0") < PI / 20.0 && PI / 20.0 < edge("1/1"));
 }
