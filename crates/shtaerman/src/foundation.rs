@@ -76,7 +76,7 @@ impl Foundation {
     /// The same with a rough layer: a compliance `chi` (m/Pa; 0 for a smooth surface) or another [`Roughness`].
     ///
     /// # Errors
-    /// [`Error::InvalidValue`] for a roughness out of range, and for a dimensionless foundation, whose scale it is.
+    /// [`Error::InvalidValue`] for a roughness out of range; [`Error::NotDimensionless`] for a dimensionless foundation, whose scale it is.
     pub fn with_roughness(self, roughness: impl Into<Roughness>) -> Result<Self, Error> {
         if self.theta0().is_some() {
             return Err(stands_for_all("roughness"));
@@ -202,8 +202,7 @@ pub(crate) fn corner_unit(grading: Option<Grading>) -> DisplayUnit {
 
 /// The fault of a quantity that a dimensionless problem has not.
 pub(crate) fn stands_for_all(field: &'static str) -> Error {
-    let requirement = "left out of a dimensionless problem: theta0 stands for all of its material";
-    Error::InvalidValue { field, value: f64::NAN, requirement }
+    Error::NotDimensionless { field }
 }
 
 #[cfg(test)]

@@ -23,7 +23,7 @@
 //! # Ok::<(), shtaerman::Error>(())
 //! ```
 //!
-//! Names are those of the problem file ([`file`] reads it) and of the JSON answer ([`answer`] writes it). The rest is in modules: [`profile`] and [`expression`] for bases,
+//! Names are those of the problem file ([`mod@file`] reads it) and of the JSON answer ([`answer`] writes it). The rest is in modules: [`profile`] and [`expression`] for bases,
 //! [`material`] for what a foundation is made of, [`contact`] for what an answer is made of, [`stress`] below the surface, [`inverse`] for the way back from a wish to
 //! a problem, [`asperities`] for measured roughness, [`equation`] for integral equations without mechanics.
 //!

@@ -49,7 +49,7 @@ impl Problem {
     /// The same problem on a foundation of another Young's modulus (Pa); of a graded one that at the depth `a`.
     ///
     /// # Errors
-    /// [`Error::InvalidValue`] unless the modulus is finite and positive, and for a dimensionless problem; those of [`Problem::new`].
+    /// [`Error::InvalidValue`] unless the modulus is finite and positive; [`Error::NotDimensionless`] for a dimensionless problem; those of [`Problem::new`].
     pub fn with_young_modulus(&self, modulus: f64) -> Result<Self, Error> {
         let known = *self.foundation();
         let changed = match known.ground() {

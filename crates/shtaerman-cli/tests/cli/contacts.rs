@@ -16,14 +16,16 @@ fn a_smooth_flat_punch_has_singular_edges() {
     let run = folder.run(&["solve", "punch.toml", "--format", "json", "--at", "-5 mm,0"]);
     let json = run.json();
     assert!(json["dimensionless"].is_null());
-    assert!(json["physical"]["pressure_left"].is_null() && json["pressure"]["p"][0].is_null());
+    assert!(
+        json["physical"]["pressure_left"].is_null() && json["pressure"]["pressure"][0].is_null()
+    );
     assert_eq!(json["warnings"][0]["code"], "singular_edge");
     // P = 0.8 MN/m, M = 100 N, a = 5 mm: K = (P -+ 2 M/a)/sqrt(pi a), p(0) = P/(pi a)
     let intensity = &json["physical"]["corner_intensity"][0];
     let root = (PI * 5e-3).sqrt();
     near(&intensity[0], (0.8e6 - 0.04e6) / root, 1e-12);
     near(&intensity[1], (0.8e6 + 0.04e6) / root, 1e-12);
-    near(&json["pressure"]["p"][1], 0.8e6 / (PI * 5e-3), 1e-12);
+    near(&json["pressure"]["pressure"][1], 0.8e6 / (PI * 5e-3), 1e-12);
     let table = folder.run(&["solve", "punch.toml"]).answer();
     assert!(table.contains("infinite") && table.contains("MPa sqrt(m)"), "{table}");
 }
@@ -39,12 +41,12 @@ fn the_pressure_under_a_kink_of_a_smooth_punch_is_infinite() {
             && json["physical"]["peak_pressure"].is_null()
     );
     assert!(json["physical"]["peak_pressure_at"].as_f64().unwrap().abs() < 1e-15);
-    assert!(json["pressure"]["p"][0].is_null());
+    assert!(json["pressure"]["pressure"][0].is_null());
     assert_eq!(json["warnings"][0]["code"], "singular_kink");
     // p = (E* t/pi) arccosh(c/|x|), P = c E* t
     let modulus = 200e9 / (1.0 - 0.09);
     let c = 0.8e6 / (modulus * 1e-3);
-    near(&json["pressure"]["p"][1], modulus * 1e-3 / PI * (c / 1e-6).acosh(), 1e-9);
+    near(&json["pressure"]["pressure"][1], modulus * 1e-3 / PI * (c / 1e-6).acosh(), 1e-9);
     let table = wedge.run(&["solve", "punch.toml"]).answer();
     assert!(table.contains("infinite"), "{table}");
     // A breakpoint without a jump of the slope is no kink, and a layer takes the infinity.

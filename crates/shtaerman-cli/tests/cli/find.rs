@@ -150,7 +150,7 @@ fn the_trace_gives_the_pressure_back() {
     assert!(printed.starts_with("x,f\n-0.005,"), "{printed}");
     let set = "punch.profile={ csv = \"f.csv\" }";
     let answer = folder.run(&["solve", "punch.toml", "--set", set, "--format", "json"]).json();
-    for p in answer["pressure"]["p"].as_array().unwrap() {
+    for p in answer["pressure"]["pressure"].as_array().unwrap() {
         close(p.as_f64().unwrap(), 80e6, 1e-4);
     }
     let json = find(&folder, &["profile", "punch.toml", "--pressure", "1", "--points", "33"]);

@@ -58,8 +58,8 @@ fn smooth_surfaces_are_solved() {
         };
         near("/physical/corner_exponent", beta);
         near("/physical/corner_intensity/0/1", factor * (2.0 * PI).sqrt() * (2.0 * a).powf(-beta));
-        near("/pressure/p/0", factor * (a * a).powf(-beta));
-        near("/pressure/p/1", factor * (a * a - 0.04).powf(-beta));
+        near("/pressure/pressure/0", factor * (a * a).powf(-beta));
+        near("/pressure/pressure/1", factor * (a * a - 0.04).powf(-beta));
         let table = folder.run(&["solve", "punch.toml"]).answer();
         assert!(table.contains("Pa m^0.35"), "{table}");
         // There is no stress field of graded ground.
@@ -70,7 +70,7 @@ fn smooth_surfaces_are_solved() {
     let json = Folder::with(&wavy).run(&["solve", "punch.toml", "--format", "json"]).json();
     assert_eq!(json["physical"]["zones"].as_array().unwrap().len(), 2);
     // The crests of two waves, mirror images of one another.
-    let edge = |path: &str| number(&json, &format!("/physical/edges/{path}"));
+    let edge = |path: &str| number(&json, &format!("/physical/zones/{path}"));
     assert!((edge("0/0") + edge("1/1")).abs() < 1e-12 && (edge("0/1") + edge("1/0")).abs() < 1e-12);
     assert!(edge("1/0") < PI / 20.0 && PI / 20.0 < edge("1/1"));
 }

@@ -76,7 +76,7 @@ fn the_snippet_is_a_foundation_that_solves() {
         );
         let json = folder.run(&["solve", "punch.toml", "--format=json"]).json();
         // 0.8 MN/m on 10 mm
-        assert!((number(&json, "/physical/pressure_mean") / 80e6 - 1.0).abs() < 1e-9, "{text}");
+        assert!((number(&json, "/physical/mean_pressure") / 80e6 - 1.0).abs() < 1e-9, "{text}");
     }
 }
 

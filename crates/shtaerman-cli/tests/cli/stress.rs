@@ -81,7 +81,7 @@ fn places_and_grids_are_of_one_field() {
     }
     // On the surface both stresses in the plane are the pressure.
     let solved = folder.run(&["solve", "punch.toml", "--at", "0", "--format", "json"]).json();
-    let pressure = number(&solved, "/pressure/p/0");
+    let pressure = number(&solved, "/pressure/pressure/0");
     for name in ["sigma_x", "sigma_y"] {
         assert!((floats(&places["points"][name])[1] / -pressure - 1.0).abs() < 1e-9);
     }

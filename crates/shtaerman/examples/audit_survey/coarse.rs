@@ -41,9 +41,8 @@ pub(crate) fn ratios(
         };
         let pressure = |i: u32| {
             let xi = -(PI * f64::from(i) / f64::from(PLACES - 1)).cos();
-            (coarse.dimensionless().pressure(xi).unwrap()
-                - exact.dimensionless().pressure(xi).unwrap())
-            .abs()
+            let at = |contact: &Contact| contact.dimensionless().pressure(xi).unwrap_or(f64::NAN);
+            (at(&coarse) - at(exact)).abs()
         };
         let displacement =
             exact.dimensionless().settlement().abs().max(exact.dimensionless().tilt().abs());

@@ -22,6 +22,15 @@ pub enum Error {
         requirement: &'static str,
     },
 
+    /// A quantity that a dimensionless problem has not.
+    #[error(
+        "{field}: must be left out of a dimensionless problem, whose theta0 stands for all of its material"
+    )]
+    NotDimensionless {
+        /// Name of the quantity, as in the problem file.
+        field: &'static str,
+    },
+
     /// The profile is not finite somewhere on the punch.
     #[error("the profile {defect} at {variable} = {at}: it must be finite on the whole punch")]
     ProfileNotFinite {

@@ -4,6 +4,7 @@
 
 mod support;
 
+mod closures;
 mod equilibrium;
 mod heights;
 mod hostile;
@@ -21,3 +22,4 @@ mod symmetry;
 #[allow(dead_code, reason = "the tests of expressions use the rest")]
 mod trees;
 mod units;
+mod views;

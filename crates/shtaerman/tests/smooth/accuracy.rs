@@ -4,8 +4,8 @@ use std::f64::consts::{LN_2, PI};
 
 use crate::support::{Solved, balanced, level, punch};
 
-/// Beside true errors this far below the scale a statement may be larger by any factor: it is rounding of a few units.
-const ROUNDING: f64 = 1e-14;
+/// Beside true errors this far below the scale a statement may be larger by any factor: it is rounding of some units.
+const ROUNDING: f64 = 1e-13;
 
 /// A linear congruential generator (D. E. Knuth, MMIX).
 struct Random(u64);

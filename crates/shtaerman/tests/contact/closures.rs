@@ -1,0 +1,83 @@
+//! Bases given by closures against the same ones as formulas.
+
+use shtaerman::{
+    Contact, Elastic, Error, Foundation, Geometry, Grading, Load, Problem, Profile, Punch, Solver,
+};
+
+fn on(foundation: Foundation, geometry: Geometry, profile: Profile, solver: Solver) -> Contact {
+    let punch = Punch::in_geometry(geometry, 0.01).unwrap().with_profile(profile);
+    let load = Load::force(2e4).unwrap();
+    Problem::new(foundation, punch, load).unwrap().with_solver(solver).solve().unwrap()
+}
+
+/// Both agree to this share of the largest pressure and of the settlement, and the closure states no less.
+#[track_caller]
+fn agree(closure: &Contact, formula: &Contact, allowed: f64, what: &str) {
+    let largest = formula.peak_pressure();
+    let stated = closure.error().unwrap().pressure;
+    for i in -20..=20 {
+        let x = 0.01 * 0.0491 * f64::from(i);
+        let [one, other] = [closure, formula].map(|contact| contact.pressure(x).unwrap());
+        assert!((one - other).abs() <= allowed * largest, "{what} at {x}: {one} {other}");
+    }
+    assert!(stated <= 1e-3 * largest, "{what}: {stated:e}");
+    let change = (closure.settlement() / formula.settlement() - 1.0).abs();
+    assert!(change < allowed, "{what}: settlement {change:e}");
+    assert_eq!(closure.zones().len(), formula.zones().len(), "{what}");
+}
+
+#[test]
+fn closures_are_formulas_in_every_geometry() {
+    let steel = Foundation::new(Elastic::new(200e9, 0.3).unwrap());
+    let sand = Foundation::graded(Grading::new(0.3, 200e9).unwrap(), 0.3).unwrap();
+    for (name, foundation, geometry, allowed) in [
+        ("plane", steel, Geometry::Plane, 1e-10),
+        ("pair", steel, Geometry::Pair { inner_half_gap: 0.002 }, 1e-9),
+        ("row", steel, Geometry::Periodic { period: 0.05 }, 1e-10),
+        ("disk", steel, Geometry::Circular, 1e-9),
+        ("graded", sand, Geometry::Plane, 1e-8),
+    ] {
+        for roughness in [0.0, 1e-14] {
+            let foundation = foundation.with_roughness(roughness).unwrap();
+            let closure = Profile::from_fn(|x| x * x / (2.0 * 3.0));
+            let formula = Profile::expression("x^2/(2*3)").unwrap();
+            let [one, other] = [closure, formula]
+                .map(|profile| on(foundation, geometry, profile, Solver::unilateral()));
+            agree(&one, &other, allowed, &format!("{name}, roughness {roughness}"));
+        }
+    }
+}
+
+#[test]
+fn kinks_are_where_they_are_said_to_be() {
+    let steel = Foundation::new(Elastic::new(200e9, 0.3).unwrap()).with_roughness(1e-14).unwrap();
+    let wedge = || Profile::from_fn(|x| 1e-3 * (x - 1e-3).abs()).with_breaks(vec![1e-3]).unwrap();
+    let formula = || Profile::expression("1e-3*abs(x - 1e-3)").unwrap();
+    for solver in [Solver::unilateral(), Solver::bilateral()] {
+        let [one, other] =
+            [wedge(), formula()].map(|profile| on(steel, Geometry::Plane, profile, solver));
+        agree(&one, &other, 1e-9, &format!("{solver:?}"));
+    }
+    assert!(Profile::from_fn(f64::abs).with_breaks(vec![f64::NAN]).is_err());
+}
+
+#[test]
+fn closures_say_what_they_lack() {
+    let steel = Foundation::new(Elastic::new(200e9, 0.3).unwrap()).with_roughness(1e-14).unwrap();
+    let profile = Profile::from_fn(|x| x * x);
+    let contact = on(steel, Geometry::Plane, profile.clone(), Solver::unilateral());
+    let audited = contact.audited().unwrap();
+    let reason = audited.audited_by().unwrap().as_ref().unwrap_err().to_string();
+    assert!(reason.contains("closure"), "{reason}");
+    assert!(profile == profile.clone() && profile != Profile::from_fn(|x| x * x));
+    let pole = Punch::new(0.01).unwrap().with_profile(Profile::from_fn(|x| 1.0 / x));
+    let refused = Problem::new(steel, pole, Load::force(1.0).unwrap());
+    assert!(matches!(refused, Err(Error::ProfileNotFinite { at: 0.0, .. })), "{refused:?}");
+}
+
+#[test]
+fn problems_and_contacts_go_to_other_threads() {
+    fn shared<T: Send + Sync + Clone>() {}
+    shared::<Problem>();
+    shared::<Contact>();
+}
