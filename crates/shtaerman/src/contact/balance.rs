@@ -1,6 +1,6 @@
 //! What the load prescribes, turned into settlement, tilt, force and moment.
 
-use super::solved::Stiffness;
+use super::stiffness::Stiffness;
 use crate::{Load, Rotational, Vertical};
 
 /// The linear relation between displacements and forces of a bilateral contact: `P = c11 delta - c12 alpha - F1`,

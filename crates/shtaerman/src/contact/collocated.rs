@@ -6,10 +6,11 @@ use fredholm::{SincOperator, SincSolution};
 
 use super::accuracy::{Accuracy, ErrorKind};
 use super::balance::Balance;
+use super::method::Method;
 use super::parts::{Parts, Smoothness};
 use super::potential::{Potential, between_nodes};
 use super::resolutions::Trust;
-use super::solved::{Method, Stiffness};
+use super::stiffness::Stiffness;
 use super::{Draft, Target};
 use crate::expression::Reflection;
 use crate::{Error, Load, Problem, Rotational, Vertical};

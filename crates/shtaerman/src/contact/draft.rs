@@ -4,9 +4,9 @@ use fredholm::basis::chebyshev;
 
 use super::accuracy::{Accuracy, ErrorKind, Sizes};
 use super::balance::{Balance, State};
+use super::method::Method;
 use super::potential::Potential;
 use super::resolutions::UNKNOWN;
-use super::solved::Method;
 use crate::Problem;
 
 /// Least and most samples of a pressure.

@@ -1,6 +1,5 @@
 //! Kinks of the base on a smooth surface, under which the pressure is infinite.
 
-use super::Contact;
 use crate::roughness::Law;
 use crate::{ContactKind, Problem};
 
@@ -15,8 +14,6 @@ const PERIOD: f64 = 2.0;
 
 /// A kink this close to an end of its zone, as a share of the zone, lies on it.
 const AT_END: f64 = 1e-8;
-/// A peak this close to a kink lies on it.
-const AT_KINK: f64 = 1e-5;
 
 /// A jump of the slope of the base inside a zone of smooth contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +32,7 @@ pub(super) struct Kink {
 }
 
 impl Kink {
-    fn is_at(&self, xi: f64) -> bool {
+    pub(super) fn is_at(&self, xi: f64) -> bool {
         let images = [0.0, -1.0, 1.0].map(|m| m * self.period.unwrap_or(0.0));
         images.into_iter().any(|shift| (self.xi + shift - xi).abs() <= self.rounding)
     }
@@ -69,14 +66,14 @@ pub(super) fn kinks(problem: &Problem, zones: &[[f64; 2]]) -> Vec<Kink> {
 }
 
 /// A jump of the slope.
-struct Jump {
+pub(super) struct Jump {
     size: f64,
     /// Whether it grows without bounds the nearer the sides are.
     is_cusp: bool,
 }
 
 /// The jump of the slope, if there is one.
-fn jump(problem: &Problem, xi: f64) -> Option<Jump> {
+pub(super) fn jump(problem: &Problem, xi: f64) -> Option<Jump> {
     let half_width = problem.frame().half_width();
     let at = |xi: f64| {
         let beyond_seam = problem.is_wave() && xi > 1.0;
@@ -86,21 +83,4 @@ fn jump(problem: &Problem, xi: f64) -> Option<Jump> {
     let (far, near) = (far?, near?);
     let is_cusp = near / far > GROWN;
     (near.is_finite() && near != 0.0 && near / far > KEPT).then_some(Jump { size: near, is_cusp })
-}
-
-impl Contact {
-    /// Whether the largest pressure is finite, and not the tip of a cusp under a kink of the base (on smooth graded ground), which has too few digits for rates.
-    pub(crate) fn has_smooth_peak(&self) -> bool {
-        let (value, peak) = self.peak();
-        let (profile, frame) = (self.problem().profile(), self.problem().frame());
-        let breaks = || profile.breakpoints(frame.half_width()).into_iter();
-        let is_kink = |at: f64| (at - peak).abs() < AT_KINK && jump(self.problem(), at).is_some();
-        let is_cusp = frame.law() == Law::Smooth && breaks().any(is_kink);
-        value.is_finite() && !is_cusp
-    }
-
-    /// The pressure at `xi` if that is, to rounding, a kink where it is infinite.
-    pub(super) fn singular_pressure(&self, xi: f64) -> Option<f64> {
-        self.kinks().iter().find(|kink| kink.is_at(xi)).map(|kink| kink.pressure)
-    }
 }

@@ -1,40 +1,9 @@
-//! How a solution changes to first order with the body and the load.
+//! The first-order change of a contact, with the place of its largest pressure, and whether that is one.
 
-use super::solved::Stiffness;
-use crate::{Contact, Load, Rotational, Vertical};
-
-/// Rates of settlement, force, tilt, largest pressure and width of contact, without dimensions.
-pub(crate) type Rates = [f64; 5];
-
-/// The derivatives of a solution on zones that stay as they are, with those of its edges.
-///
-/// Edges may be held still, as the pressure vanishes at a free one: `d/dq int p dx = int dp/dq dx`, and the equation between its ends, too, changes by `dp/dq` alone.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Linearised {
-    /// By `ln theta0` under the same load, by the prescribed force or settlement, by the prescribed moment or tilt; zeros for an eccentricity.
-    pub(crate) rates: [Rates; 3],
-    /// Estimated errors.
-    pub(crate) errors: [Rates; 3],
-}
-
-impl Linearised {
-    /// With settlement, force and tilt under a changed load by the stiffness of the answer, which a truncated kernel makes its own.
-    pub(super) fn with_stiffness(mut self, stiffness: &Stiffness, load: &Load) -> Self {
-        let rotates = !matches!(load.rotational, Rotational::Eccentricity(_));
-        for (input, prescribed) in [(1, [1.0, 0.0]), (2, [0.0, 1.0])] {
-            if input == 1 || rotates {
-                let [raise, turn] = stiffness.displaced(load, prescribed);
-                let force = stiffness.force_settlement * raise + stiffness.coupling * turn;
-                self.rates[input][..3].copy_from_slice(&[raise, force, -turn]);
-            }
-        }
-        self
-    }
-
-    fn is_finite(&self) -> bool {
-        [self.rates, self.errors].as_flattened().as_flattened().iter().all(|part| part.is_finite())
-    }
-}
+use super::kinks::jump;
+use super::rates::Linearised;
+use crate::Contact;
+use crate::roughness::Law;
 
 /// Step of the differences that show where the pressure is largest, as a share of its zone, and the longest correction in steps: a longer one is no smooth peak's.
 const STEP: f64 = 5e-4;
@@ -105,43 +74,22 @@ impl Contact {
     }
 }
 
-impl Stiffness {
-    /// Changes of `delta0` and `-alpha0` by those of the prescribed quantities: with an eccentricity the other is that of `M0 - e P0`.
-    pub(super) fn displaced(&self, load: &Load, [vertical, rotational]: [f64; 2]) -> [f64; 2] {
-        let Self { force_settlement: k11, coupling: k12, moment_tilt: k22 } = *self;
-        let (row1, right1) = match load.vertical {
-            Vertical::Force(_) => ([k11, k12], vertical),
-            Vertical::Settlement(_) => ([1.0, 0.0], vertical),
-        };
-        let (row2, right2) = match load.rotational {
-            Rotational::Moment(_) => ([k12, k22], rotational),
-            Rotational::Eccentricity(e) => ([k12 - e * k11, k22 - e * k12], rotational),
-            Rotational::Tilt(_) => ([0.0, 1.0], -rotational),
-        };
-        let determinant = row1[0] * row2[1] - row1[1] * row2[0];
-        [
-            (right1 * row2[1] - row1[1] * right2) / determinant,
-            (row1[0] * right2 - right1 * row2[0]) / determinant,
-        ]
-    }
-}
+/// A peak this close to a kink lies on it.
+const AT_KINK: f64 = 1e-5;
 
-/// All rates of a smooth contact from those by the prescribed quantities, its force and its largest pressure: `theta0` comes with pressures and forces alone,
-/// `theta0 K p0 = delta0 - alpha0 xi - f0`.
-pub(super) fn smooth_rates(
-    load: &Load,
-    [force, pressure]: [f64; 2],
-    [vertical, rotational]: [Rates; 2],
-) -> [Rates; 3] {
-    let forced = match load.vertical {
-        Vertical::Force(force) => force,
-        Vertical::Settlement(_) => 0.0,
-    };
-    let turned = match load.rotational {
-        Rotational::Moment(moment) => moment,
-        Rotational::Eccentricity(_) | Rotational::Tilt(_) => 0.0,
-    };
-    let own = [0.0, force, 0.0, pressure, 0.0];
-    let body = std::array::from_fn(|k| forced * vertical[k] + turned * rotational[k] - own[k]);
-    [body, vertical, rotational]
+impl Contact {
+    /// Whether the largest pressure is finite, and not the tip of a cusp under a kink of the base (on smooth graded ground), which has too few digits for rates.
+    pub(crate) fn has_smooth_peak(&self) -> bool {
+        let (value, peak) = self.peak();
+        let (profile, frame) = (self.problem().profile(), self.problem().frame());
+        let breaks = || profile.breakpoints(frame.half_width()).into_iter();
+        let is_kink = |at: f64| (at - peak).abs() < AT_KINK && jump(self.problem(), at).is_some();
+        let is_cusp = frame.law() == Law::Smooth && breaks().any(is_kink);
+        value.is_finite() && !is_cusp
+    }
+
+    /// The pressure at `xi` if that is, to rounding, a kink where it is infinite.
+    pub(super) fn singular_pressure(&self, xi: f64) -> Option<f64> {
+        self.kinks().iter().find(|kink| kink.is_at(xi)).map(|kink| kink.pressure)
+    }
 }

@@ -1,7 +1,7 @@
 //! When an answer is none: the one rule for the error that was reached, stated by a method or by an audit, and for tension and penetration.
 
-use super::solved::Method;
-use super::unilateral::Complementarity;
+use super::complementarity::Complementarity;
+use super::method::Method;
 use crate::{Error, Solver};
 
 /// Answers with larger relative errors are none unless that is asked for.

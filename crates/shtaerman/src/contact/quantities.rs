@@ -2,8 +2,9 @@
 
 use serde::Serialize;
 
-use super::solved::{Contact, Stiffness};
-use super::unilateral::Complementarity;
+use super::complementarity::Complementarity;
+use super::solved::Contact;
+use super::stiffness::Stiffness;
 use super::{Accuracy, ErrorKind};
 use crate::{Error, Rotational, Scaling, Vertical};
 

@@ -4,10 +4,11 @@ use std::fmt::Debug;
 
 use super::accuracy::Accuracy;
 use super::balance::State;
+use super::complementarity::Complementarity;
 use super::draft::Draft;
-use super::linearised::Linearised;
-use super::solved::{Method, Stiffness};
-use super::unilateral::Complementarity;
+use super::method::Method;
+use super::rates::Linearised;
+use super::stiffness::Stiffness;
 use crate::Problem;
 
 /// A solution without dimensions, by whatever way.

@@ -6,51 +6,14 @@ use super::accuracy::{Accuracy, Sizes};
 use super::balance::State;
 use super::extremes::{Extreme, Sampled};
 use super::kinks::{Kink, kinks};
+use super::method::Method;
 use super::promise::Reached;
 use super::solution::Solution;
+use super::stiffness::Stiffness;
 use super::warning::{Warning, WarningCode};
 use crate::audit::{Audit, Unaudited};
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Problem, Scaling};
-
-/// Method and size of a solution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-pub struct Method {
-    /// Name of the method: `spectral`, `sinc`, `panels`, `cells`, `first_kind` or `expansion`.
-    pub name: &'static str,
-    /// Highest Chebyshev degree kept, or number of nodes.
-    pub n: usize,
-}
-
-/// The tangent stiffness `d(P, M)/d(delta, -alpha)`, symmetric positive definite.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Stiffness {
-    /// `dP/d delta` (Pa).
-    pub force_settlement: f64,
-    /// `dP/d(-alpha) = dM/d delta` (N/m).
-    pub coupling: f64,
-    /// `dM/d(-alpha)` (N).
-    pub moment_tilt: f64,
-}
-
-impl Stiffness {
-    /// As a matrix, row by row.
-    #[must_use]
-    pub fn matrix(&self) -> [[f64; 2]; 2] {
-        [[self.force_settlement, self.coupling], [self.coupling, self.moment_tilt]]
-    }
-
-    /// In the units of the problem.
-    pub(crate) fn scaled(&self, scaling: &Scaling) -> Self {
-        let (force, moment) = (scaling.force(), scaling.moment());
-        let (displacement, angle) = (scaling.displacement(), scaling.angle());
-        Self {
-            force_settlement: self.force_settlement * force / displacement,
-            coupling: self.coupling * force / angle,
-            moment_tilt: self.moment_tilt * moment / angle,
-        }
-    }
-}
 
 /// At most so many breaks of a base are looked at for the largest pressure.
 const MOST_BREAKS: usize = 64;

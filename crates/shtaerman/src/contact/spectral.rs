@@ -7,8 +7,9 @@ use fredholm::{DegenerateSolution, DegenerateSolver};
 
 use super::accuracy::{Accuracy, ErrorKind};
 use super::balance::{Balance, State};
+use super::method::Method;
 use super::potential::Potential;
-use super::solved::{Method, Stiffness};
+use super::stiffness::Stiffness;
 use super::{Draft, Target};
 use crate::{Error, Problem, Rotational, Vertical};
 

@@ -3,16 +3,17 @@
 use std::f64::consts::{FRAC_1_SQRT_2, PI};
 use std::sync::Arc;
 
+use super::detail::COMPARED;
 use super::edges;
+use super::legendre;
 use super::problem::{Base, SmoothProblem};
 use super::system::{Part, Place, Solved};
 use super::wave::{FullWave, wrapped};
-use super::{COMPARED, legendre};
 use crate::contact::accuracy::{Accuracy, ErrorKind, Sizes};
 use crate::contact::balance::State;
 use crate::contact::check::Check;
-use crate::contact::solved::Stiffness;
-use crate::contact::unilateral::Complementarity;
+use crate::contact::complementarity::Complementarity;
+use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Rotational, Vertical};
 

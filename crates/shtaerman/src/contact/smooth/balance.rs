@@ -1,7 +1,7 @@
 //! What the load prescribes, about the middle of the zones: about the middle of the base short zones near an edge would lose twice their digits.
 
 use crate::contact::balance::State;
-use crate::contact::solved::Stiffness;
+use crate::contact::stiffness::Stiffness;
 use crate::{Load, Rotational, Vertical};
 
 /// `P = c11 d - c12 alpha - F1`, `M - c P = c12 d - c22 alpha - F2`, with the depth `d = delta - alpha c` at the middle `c`.

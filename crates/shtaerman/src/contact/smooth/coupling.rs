@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, LN_2, LN_10, PI};
 
-use super::FINE;
+use super::detail::FINE;
 use super::kernel::{Remainder, SmoothKernel};
 use super::linear::Symmetric;
 use crate::Error;

@@ -8,7 +8,7 @@ use std::f64::consts::PI;
 use super::SmoothContact;
 use super::coupling::{Coupled, couple};
 use super::system::{Part, Solved, cosines};
-use crate::contact::linearised::{Linearised, Rates, smooth_rates};
+use crate::contact::rates::{Linearised, Rates, smooth_rates};
 use crate::contact::zones::Zone;
 use crate::{Rotational, Vertical};
 

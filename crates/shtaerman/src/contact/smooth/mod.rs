@@ -13,6 +13,7 @@ mod band;
 mod check;
 mod coupling;
 mod density;
+mod detail;
 mod disk;
 mod edges;
 mod graded;
@@ -41,28 +42,10 @@ use crate::contact::edges::{EndState, settle};
 use crate::contact::search::{ALLOWED, Equation, Start, complementary};
 use crate::contact::zones::{Walls, Zone};
 use check::check;
+use detail::{A_PANEL, COARSE, Detail, FINE, MOST_WORK, numbers_of_cells};
 use problem::{Base, MOST_CELLS};
 use system::Solved;
 
-/// How finely pressures on zones are resolved.
-#[derive(Debug, Clone, Copy)]
-struct Detail {
-    /// Digits to which modes are kept.
-    digits: f64,
-    /// Panels of the slopes on a half turn before any is halved.
-    panels: usize,
-}
-
-/// Detail while zones are looked for, in the answer, and for its error: with other panels rounding comes out differently, too.
-const COARSE: Detail = Detail { digits: 9.0, panels: 8 };
-const FINE: Detail = Detail { digits: 17.0, panels: 8 };
-const COMPARED: Detail = Detail { digits: 12.0, panels: 7 };
-/// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends: about fifteen seconds; and what a panel costs in the
-/// same unit.
-const MOST_WORK: f64 = 3e11;
-const A_PANEL: f64 = 6e4;
-/// Numbers of cells, each four times the one before.
-const TOPOLOGIES: u32 = 3;
 /// Most zones that are solved: beyond, minutes go by.
 const MOST_ZONES: usize = 120;
 
@@ -103,14 +86,6 @@ fn tried(base: &Base<'_>, zone: Zone) -> Option<Result<SmoothContact, Error>> {
     let solved = settle(base, &[zone], &FINE).ok()?;
     let left = check(base, &solved, ALLOWED);
     left.is_clean().then(|| SmoothContact::new(base, solved, &left))
-}
-
-/// Numbers of cells to look for zones with, each four times the one before.
-fn numbers_of_cells(first: usize, most: usize) -> Vec<Start> {
-    let mut counts: Vec<usize> =
-        (0..TOPOLOGIES).map(|power| (first * 4usize.pow(power)).min(most)).collect();
-    counts.dedup();
-    counts.into_iter().map(Start::Cells).collect()
 }
 
 impl Equation for Base<'_> {

@@ -6,10 +6,11 @@ use std::sync::Arc;
 use super::{Curve, SmoothContact, SmoothKernel, SmoothProblem, SmoothProfile};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
-use crate::contact::linearised::Linearised;
+use crate::contact::complementarity::Complementarity;
+use crate::contact::method::Method;
+use crate::contact::rates::Linearised;
 use crate::contact::solution::Solution;
-use crate::contact::solved::{Method, Stiffness};
-use crate::contact::unilateral::Complementarity;
+use crate::contact::stiffness::Stiffness;
 use crate::{ContactKind, Error, Geometry, Problem, Rotational, Scaling, Vertical};
 
 /// To this share the slope of a measured profile or a closure is resolved on graded ground: the third derivative of a spline jumps at every point, and slopes of a closure are those of

@@ -5,9 +5,10 @@ use std::sync::Arc;
 
 use super::answer::SmoothContact;
 use super::band::Band;
+use super::detail::{COMPARED, FINE};
 use super::problem::{Base, Sample, SmoothProblem, SmoothProfile};
 use super::slopes::{Angular, Slopes};
-use super::{ALLOWED, COMPARED, FINE, topology};
+use super::{ALLOWED, topology};
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 

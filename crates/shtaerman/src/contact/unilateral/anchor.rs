@@ -3,7 +3,6 @@
 //! With `f0 = h + s (xi - c) + r` the equation is one with the profile `r`, the settlement `delta0 - h + s c` and the tilt `alpha0 + s`: under a given force both
 //! are as small as the contact, where `delta0`, `alpha0 xi` and `f0` are large and cancel.
 
-use super::base::Base;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
 use crate::{Load, Problem, Rotational, Vertical};
@@ -71,17 +70,5 @@ impl Anchor {
             tilt: raised(accuracy.tilt),
             ..accuracy
         }
-    }
-}
-
-impl Base<'_> {
-    /// The same with heights from the tangent at a place; `None` where the profile has none there.
-    pub(super) fn anchored(&self, at: f64) -> Option<Self> {
-        let anchor = Anchor::new(self.problem, at)?;
-        let rise = |&(xi, _): &(f64, f64)| (xi, anchor.rise(self.problem, xi));
-        let mut base = self.under(anchor.load(self.load));
-        base.samples = self.samples.iter().map(rise).collect();
-        base.anchor = Some(anchor);
-        Some(base)
     }
 }

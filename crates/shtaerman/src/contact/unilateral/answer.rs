@@ -1,7 +1,6 @@
 //! The unilateral answer.
 
 use fredholm::SincSolution;
-use serde::Serialize;
 
 use super::anchor::Anchor;
 use super::base::Base;
@@ -11,24 +10,17 @@ use crate::Problem;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
 use crate::contact::check::Check;
+use crate::contact::complementarity::Complementarity;
 use crate::contact::ground::SharedKernel;
-use crate::contact::linearised::Linearised;
+use crate::contact::method::Method;
 use crate::contact::potential::between_nodes;
+use crate::contact::rates::Linearised;
 use crate::contact::solution::Solution;
-use crate::contact::solved::{Method, Stiffness};
+use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::{Zone, outside};
 
 /// Samples of a panel, for the peak of the pressure.
 const SAMPLES: usize = 256;
-
-/// What the answer leaves of tension and penetration, checked between its nodes.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct Complementarity {
-    /// Largest tension in the zones over the largest pressure.
-    pub tension: f64,
-    /// Largest penetration beside the zones over the size of the displacements compared there.
-    pub penetration: f64,
-}
 
 /// Zones, pressure, settlement, tilt, force and moment of a unilateral contact, without dimensions.
 #[derive(Debug, Clone)]

@@ -3,12 +3,8 @@
 use std::sync::Arc;
 
 use super::anchor::Anchor;
-use super::coarse;
+use super::effort::Effort;
 use super::layer::Layer;
-use super::mirror;
-use super::power::reference_pressure;
-use super::refinement::Effort;
-use super::topology;
 use crate::contact::ground::{Ground, ground};
 use crate::contact::parts::{MOST_BREAKS, Smoothness};
 use crate::contact::revolution::require_even;
@@ -80,6 +76,14 @@ fn beside(problem: &Problem, joints: &[f64], step: f64) -> Result<Vec<(f64, f64)
     Ok(samples)
 }
 
+/// Whether base and load of an open contact are their own mirror images.
+fn is_mirrored(base: &Base<'_>) -> bool {
+    let is_open = !base.medium.is_disk() && !base.medium.is_closed();
+    let is_even = |values: &[f64]| values.iter().zip(values.iter().rev()).all(|(a, b)| *a == -*b);
+    let ends: Vec<f64> = base.pieces.iter().flatten().copied().collect();
+    is_open && is_even(&base.breaks) && is_even(&ends) && base.problem.is_symmetric()
+}
+
 impl<'p> Base<'p> {
     pub(super) fn new(problem: &'p Problem, kind: ContactKind) -> Result<Self, Error> {
         let wanted = 4 * problem.profile().measured_points().unwrap_or(0);
@@ -123,7 +127,7 @@ impl<'p> Base<'p> {
             work: Work::default(),
         };
         let serves = !base.breaks.is_empty() || !base.layer.is_linear();
-        base.is_mirrored = serves && mirror::is_mirrored(&base);
+        base.is_mirrored = serves && is_mirrored(&base);
         base.find_steps();
         base.require_geometry()?;
         base.require_load()?;
@@ -227,16 +231,6 @@ impl<'p> Base<'p> {
         self.medium.is_closed() && zone.length() >= 2.0
     }
 
-    /// The intervals of contact to about a cell, on about so many.
-    pub(super) fn first_intervals(&self, cells: usize) -> Result<Vec<[f64; 2]>, Error> {
-        if self.is_plain() { topology::find(self, cells) } else { coarse::find(self, cells) }
-    }
-
-    /// The same as zones.
-    pub(super) fn first_zones(&self, cells: usize) -> Result<Vec<Zone>, Error> {
-        Ok(self.first_intervals(cells)?.into_iter().map(|ends| self.zone(ends)).collect())
-    }
-
     /// The same with little effort.
     pub(super) fn with_little_effort(&self) -> Self {
         Self { effort: Effort::LITTLE, work: Work::default(), ..self.clone() }
@@ -245,16 +239,6 @@ impl<'p> Base<'p> {
     /// The pieces of the base as zones.
     pub(super) fn whole(&self) -> Vec<Zone> {
         self.pieces.iter().map(|piece| self.zone(*piece)).collect()
-    }
-
-    /// `k theta0 dp0/dv`, about: how strong the body is against the layer.
-    pub(super) fn steepness(&self) -> f64 {
-        let strength = self.medium.strength() * self.theta;
-        if self.layer.is_linear() {
-            return strength;
-        }
-        let pressure = reference_pressure(self, &coarse::extent(self));
-        strength * self.layer.slope(self.layer.displacement(pressure))
     }
 
     /// The prescribed tilt, or none.
@@ -333,5 +317,17 @@ impl<'p> Base<'p> {
     /// Whether the prescribed displacements leave the base clear of the body.
     pub(super) fn touches_nowhere(&self) -> bool {
         self.load.keeps_clear(self.samples.iter().chain(&self.beside))
+    }
+}
+
+impl Base<'_> {
+    /// The same with heights from the tangent at a place; `None` where the profile has none there.
+    pub(super) fn anchored(&self, at: f64) -> Option<Self> {
+        let anchor = Anchor::new(self.problem, at)?;
+        let rise = |&(xi, _): &(f64, f64)| (xi, anchor.rise(self.problem, xi));
+        let mut base = self.under(anchor.load(self.load));
+        base.samples = self.samples.iter().map(rise).collect();
+        base.anchor = Some(anchor);
+        Some(base)
     }
 }

@@ -3,7 +3,7 @@
 use fredholm::complementarity::{Complementarity, Condition};
 
 use super::base::Base;
-use super::power::{Extent, reference_pressure};
+use super::extent::{extent, reference_pressure};
 use crate::contact::cells::{Cell, Cells, Limits, Loaded};
 use crate::contact::search::Equation;
 use crate::contact::zones::Zone;
@@ -73,13 +73,6 @@ pub(super) fn gap(base: &Base<'_>, count: usize) -> Result<Option<f64>, Error> {
     let longest =
         gaps.into_iter().max_by(|one, two| (one[1] - one[0]).total_cmp(&(two[1] - two[0])));
     Ok(longest.filter(|gap| gap[1] - gap[0] > LIMITS.shortest).map(|gap| 0.5 * (gap[0] + gap[1])))
-}
-
-/// The mean pressure and the length of the whole base.
-pub(super) fn extent(base: &Base<'_>) -> Extent {
-    let length = base.pieces.iter().map(|[left, right]| right - left).sum();
-    let area = if base.medium.is_disk() { std::f64::consts::PI } else { length };
-    Extent { length, area }
 }
 
 /// About so many cells of the base.

@@ -1,10 +1,9 @@
 //! The equation of the second kind on zones of a rough surface, as the [search](crate::contact::search) knows it.
 
-use super::ALL_NOISE;
 use super::base::{Base, MOST_CELLS};
 use super::check::check;
 use super::mirror::mirror;
-use super::refinement::{RATIO, refined, strength};
+use super::refinement::{ALL_NOISE, RATIO, refined, strength};
 use super::solved::Solved;
 use super::system::Resolution;
 use crate::Error;

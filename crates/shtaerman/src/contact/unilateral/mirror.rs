@@ -1,18 +1,9 @@
 //! Contacts that are their own mirror images: zones that are so to the last bit keep operators of half the size.
 
-use super::base::Base;
 use crate::contact::zones::Zone;
 
 /// Ends that differ by less than this share of the base are mirror images: the pressure is but one, and so are its zones.
 const NEARLY: f64 = 1e-6;
-
-/// Whether base and load of an open contact are their own mirror images.
-pub(super) fn is_mirrored(base: &Base<'_>) -> bool {
-    let is_open = !base.medium.is_disk() && !base.medium.is_closed();
-    let is_even = |values: &[f64]| values.iter().zip(values.iter().rev()).all(|(a, b)| *a == -*b);
-    let ends: Vec<f64> = base.pieces.iter().flatten().copied().collect();
-    is_open && is_even(&base.breaks) && is_even(&ends) && base.problem.is_symmetric()
-}
 
 /// Makes mirror images of zones that nearly are.
 pub(super) fn mirror(zones: &mut [Zone]) {

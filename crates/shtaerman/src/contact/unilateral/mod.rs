@@ -8,10 +8,13 @@ mod answer;
 mod base;
 mod check;
 mod coarse;
+mod effort;
 mod elimination;
 mod ends;
 mod equation;
+mod extent;
 mod field;
+mod first;
 mod harmonic;
 mod layer;
 mod linearised;
@@ -24,7 +27,6 @@ mod spots;
 mod system;
 mod topology;
 
-pub use answer::Complementarity;
 pub(super) use answer::UnilateralContact;
 
 use std::sync::Arc;
@@ -37,11 +39,8 @@ use super::solution::Solution;
 use crate::{ContactKind, Error, Problem};
 use base::Base;
 use check::check;
-use refinement::refined;
+use refinement::{ALL_NOISE, refined};
 use spots::SpotContact;
-
-/// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything.
-const ALL_NOISE: f64 = 0.1;
 
 /// Relative error aimed at for large `theta0`, over `theta0` and what is aimed at without a layer.
 const ROUNDED: f64 = 0.1;

@@ -5,7 +5,7 @@
 
 use fredholm::SincOperator;
 
-use super::base::Base;
+use super::extent::reference_pressure;
 use super::layer::Layer;
 use super::solved::Solved;
 use super::system::{Direction, Factor, Found, System};
@@ -90,34 +90,6 @@ fn in_stages<'o>(
         (known, found) = (next, Some(settled));
     }
     found.ok_or_else(|| system.singular())
-}
-
-/// The pressure about which a layer that bends is made linear: the mean one, or what the settlement makes of a layer on the body.
-pub(super) fn reference_pressure(base: &Base<'_>, extent: &Extent) -> f64 {
-    match base.load.vertical {
-        Vertical::Force(force) => force.abs() / extent.area,
-        Vertical::Settlement(settlement) => {
-            let deepest = (base.samples.iter())
-                .map(|(xi, height)| settlement - base.tilt() * xi - height)
-                .fold(0.0, f64::max);
-            let compliance = base.theta * extent.length;
-            let depth = |p: f64| base.layer.displacement(p) + compliance * p;
-            let (mut low, mut high) =
-                (f64::MIN_POSITIVE, deepest.powf(1.0 / base.layer.exponent()));
-            for _ in 0..200 {
-                let middle = (low * high).sqrt();
-                if depth(middle) < deepest { low = middle } else { high = middle }
-            }
-            low
-        }
-    }
-    .max(f64::MIN_POSITIVE)
-}
-
-/// Length of the zones, and the area that carries the force.
-pub(super) struct Extent {
-    pub(super) length: f64,
-    pub(super) area: f64,
 }
 
 /// The linear layer `v = c p`, `c = p_r^(kappa - 1)`, with its pressures as `v`.

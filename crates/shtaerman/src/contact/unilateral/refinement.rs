@@ -18,20 +18,8 @@ const NODES_A_VALLEY: f64 = 12.0;
 const MOST_FOR_VALLEYS: f64 = 160.0;
 /// Growth of the number of nodes from one resolution to the next.
 pub(super) const RATIO: f64 = std::f64::consts::SQRT_2;
-/// Most nodes of all panels together, and cubes of their numbers, added up over Newton steps.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Effort {
-    pub(super) nodes: usize,
-    pub(super) work: f64,
-}
-
-impl Effort {
-    /// About ten seconds.
-    pub(super) const MOST: Self = Self { nodes: 2400, work: 1e11 };
-    /// About half a second, as long as an answer on panels with fast products takes.
-    pub(super) const LITTLE: Self = Self { nodes: 900, work: 3e9 };
-}
-
+/// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything.
+pub(super) const ALL_NOISE: f64 = 0.1;
 /// Differences that no longer fall and are below this share of the solution are rounding.
 const STAGNANT: f64 = 1e-9;
 /// A change of force and displacements, relative to their size, that is rounding.

@@ -6,17 +6,16 @@
 use std::f64::consts::{PI, TAU};
 
 use super::base::Base;
-use super::coarse;
 use super::elimination;
+use super::extent::{extent, reference_pressure};
 use super::field::Field;
 use super::layer::Layer;
-use super::power::reference_pressure;
 use super::solved::{Panel, Solved, Stated};
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::ground::Hull;
 use crate::contact::potential::between_nodes;
-use crate::contact::solved::Stiffness;
+use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Vertical};
 
@@ -273,7 +272,7 @@ impl Equations {
     /// Newton's method for `v` and the settlement, cut until the residual falls.
     fn bending(&self, base: &Base<'_>) -> Result<(f64, Ring, Vec<f64>), Error> {
         let count = self.heights.len();
-        let pressure = reference_pressure(base, &coarse::extent(base));
+        let pressure = reference_pressure(base, &extent(base));
         let mean = self.heights.iter().sum::<f64>() / count as f64;
         let mut settlement = match base.load.vertical {
             Vertical::Force(_) => self.layer.displacement(pressure) + mean,

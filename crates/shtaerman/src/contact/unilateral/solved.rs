@@ -10,7 +10,7 @@ use super::layer::Layer;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::ground::{Ground, Hull};
-use crate::contact::solved::Stiffness;
+use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 
 /// A panel in `xi`.

@@ -14,12 +14,13 @@ use fredholm::{SincOperator, SincSolution};
 
 use super::base::Base;
 use super::elimination;
+use super::extent::Extent;
 use super::field::Field;
-use super::power::{self, Extent};
+use super::power;
 use super::solved::{Panel, Solved, Stated};
 use crate::contact::balance::State;
 use crate::contact::ground::{Ground, Hull};
-use crate::contact::solved::Stiffness;
+use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Rotational, Vertical};
 

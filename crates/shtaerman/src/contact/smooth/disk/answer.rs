@@ -8,8 +8,8 @@ use super::field::Field;
 use super::shape::Shape;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
-use crate::contact::solved::Stiffness;
-use crate::contact::unilateral::Complementarity;
+use crate::contact::complementarity::Complementarity;
+use crate::contact::stiffness::Stiffness;
 use crate::{Error, Rotational, Vertical};
 
 /// Rounding of a quantity relative to its size.

@@ -2,7 +2,7 @@
 
 use super::SmoothDiskContact;
 use crate::Rotational;
-use crate::contact::linearised::{Linearised, Rates, smooth_rates};
+use crate::contact::rates::{Linearised, Rates, smooth_rates};
 
 impl SmoothDiskContact {
     /// The first-order change, the largest pressure being at `peak`.

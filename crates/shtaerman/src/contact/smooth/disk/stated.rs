@@ -5,11 +5,12 @@ use std::sync::Arc;
 use super::{SmoothDisk, SmoothDiskContact, rings};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
-use crate::contact::linearised::Linearised;
+use crate::contact::complementarity::Complementarity;
+use crate::contact::method::Method;
+use crate::contact::rates::Linearised;
 use crate::contact::revolution::require_even;
 use crate::contact::solution::Solution;
-use crate::contact::solved::{Method, Stiffness};
-use crate::contact::unilateral::Complementarity;
+use crate::contact::stiffness::Stiffness;
 use crate::{ContactKind, Error, Problem, Rotational, Scaling, Vertical};
 
 /// To this share integrals of a measured profile or a closure are taken: the third derivative of a spline jumps at every point, and slopes of a closure are differences.

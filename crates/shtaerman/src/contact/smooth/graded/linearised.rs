@@ -3,7 +3,7 @@
 use super::field::Field;
 use super::stated::GradedContact;
 use crate::Rotational;
-use crate::contact::linearised::{Linearised, Rates, smooth_rates};
+use crate::contact::rates::{Linearised, Rates, smooth_rates};
 use crate::contact::solution::Solution;
 
 /// What the elimination of coupled zones leaves in the densities at their ends, relative to them: beside the width of `0.449*step(x+0.5295)+0.497*x^2` (`mu = 0.141`, force 1.57516) differences of solutions show 2e-11.

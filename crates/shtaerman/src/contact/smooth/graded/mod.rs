@@ -23,8 +23,9 @@ mod strip;
 
 use std::cell::OnceCell;
 
+use super::detail::{COARSE, Detail, FINE};
 use super::problem::{Base, MOST_CELLS, SmoothProblem};
-use super::{COARSE, Detail, FINE, MOST_ZONES, topology};
+use super::{MOST_ZONES, topology};
 use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::EndState;

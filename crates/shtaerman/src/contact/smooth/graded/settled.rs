@@ -12,7 +12,7 @@ use crate::contact::smooth::SmoothKernel;
 use crate::contact::smooth::balance::Centred;
 use crate::contact::smooth::coupling;
 use crate::contact::smooth::problem::Base;
-use crate::contact::solved::Stiffness;
+use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 
 /// Force and moment, about the middle of a zone, of its own pressure under the profile without depth and tilt, and of densities.

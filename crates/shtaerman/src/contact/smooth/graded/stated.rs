@@ -7,12 +7,13 @@ use super::strip::Strip;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::check::Check;
-use crate::contact::linearised::Linearised;
+use crate::contact::complementarity::Complementarity;
+use crate::contact::method::Method;
+use crate::contact::rates::Linearised;
 use crate::contact::smooth::problem::SmoothProblem;
 use crate::contact::smooth::system::Place;
 use crate::contact::solution::Solution;
-use crate::contact::solved::{Method, Stiffness};
-use crate::contact::unilateral::Complementarity;
+use crate::contact::stiffness::Stiffness;
 use crate::{Error, Problem, Rotational, Vertical};
 
 /// Rounding of a quantity relative to what is added up in it.

@@ -15,7 +15,7 @@ use libm::tgamma;
 use crate::Error;
 use crate::contact::balance::State;
 use crate::contact::smooth::ground;
-use crate::contact::solved::Stiffness;
+use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 
 /// The kernel with its `theta0`.

@@ -19,8 +19,8 @@ use super::field::Field;
 use super::refinement::RATIO;
 use super::solved::{end_node, place};
 use super::system::{Factor, Resolution, System};
-use crate::contact::linearised::{Linearised, Rates};
-use crate::contact::solved::Method;
+use crate::contact::method::Method;
+use crate::contact::rates::{Linearised, Rates};
 use crate::contact::zones::{EndKind, Zone};
 use crate::{ContactKind, Error, Problem, Rotational};
 

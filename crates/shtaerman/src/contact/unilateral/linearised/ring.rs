@@ -8,7 +8,7 @@ use super::super::field::Field;
 use super::super::ring::{Ring, influence};
 use super::super::solved::Solved;
 use crate::Vertical;
-use crate::contact::linearised::{Linearised, Rates};
+use crate::contact::rates::{Linearised, Rates};
 
 /// The first-order change with the largest pressure at `peak`; its errors are those of the solution.
 pub(super) fn linearised(base: &Base<'_>, solved: &Solved, peak: f64) -> Option<Linearised> {

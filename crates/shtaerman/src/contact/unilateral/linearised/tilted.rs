@@ -7,7 +7,7 @@ use fredholm::SincOperator;
 use super::super::answer::Tilted;
 use super::super::base::Base;
 use super::super::solved::Solved;
-use crate::contact::linearised::{Linearised, Rates};
+use crate::contact::rates::{Linearised, Rates};
 use crate::{Rotational, Vertical};
 
 /// What the tilt adds to the first-order change of the pressure without angle; the peak is a place on the diameter.

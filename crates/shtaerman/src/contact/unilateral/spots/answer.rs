@@ -4,10 +4,11 @@ use super::level::Level;
 use super::responses::{Responses, linearised};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
-use crate::contact::linearised::Linearised;
+use crate::contact::complementarity::Complementarity;
+use crate::contact::method::Method;
+use crate::contact::rates::Linearised;
 use crate::contact::solution::Solution;
-use crate::contact::solved::{Method, Stiffness};
-use crate::contact::unilateral::Complementarity;
+use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Problem, Rotational};
 

@@ -8,8 +8,7 @@ use fredholm::multipole::{PanelCondition, PanelEquation};
 use super::chart::Chart;
 use super::level::{Found, Known, Task};
 use crate::Error;
-use crate::contact::unilateral::coarse;
-use crate::contact::unilateral::power::reference_pressure;
+use crate::contact::unilateral::extent::{extent, reference_pressure};
 
 /// Most steps, and halvings of one.
 const STEPS: usize = 60;
@@ -29,7 +28,7 @@ pub(super) fn solve(
     known: Known<'_>,
 ) -> Result<Option<Found>, Error> {
     let law = task.base.layer;
-    let uniform = law.displacement(reference_pressure(task.base, &coarse::extent(task.base)));
+    let uniform = law.displacement(reference_pressure(task.base, &extent(task.base)));
     let newton = Newton { task, chart, uniform };
     let multipliers = vec![0.0; task.given.conditions.len()];
     let mut trial = newton.trial(newton.start(start, known), multipliers);

@@ -18,10 +18,10 @@ mod tests;
 
 pub(super) use answer::SpotContact;
 
-use super::answer::Complementarity;
 use super::base::Base;
 use super::coarse::{self, Coarse};
 use crate::Error;
+use crate::contact::complementarity::Complementarity;
 use crate::contact::solution::Solution;
 use crate::contact::zones::Zone;
 use estimate::estimate;

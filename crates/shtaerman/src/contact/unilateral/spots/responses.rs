@@ -7,8 +7,8 @@ use fredholm::multipole::PanelField;
 
 use super::chart::Chart;
 use super::level::{Level, System};
-use crate::contact::linearised::{Linearised, Rates};
-use crate::contact::solved::Stiffness;
+use crate::contact::rates::{Linearised, Rates};
+use crate::contact::stiffness::Stiffness;
 use crate::contact::unilateral::base::Base;
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};

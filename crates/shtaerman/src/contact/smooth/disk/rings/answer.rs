@@ -10,10 +10,11 @@ use super::system::{Core, Solved};
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::check::Check;
-use crate::contact::smooth::COMPARED;
+use crate::contact::complementarity::Complementarity;
+use crate::contact::method::Method;
+use crate::contact::smooth::detail::COMPARED;
 use crate::contact::solution::Solution;
-use crate::contact::solved::{Method, Stiffness};
-use crate::contact::unilateral::Complementarity;
+use crate::contact::stiffness::Stiffness;
 use crate::{Error, Problem, Vertical};
 
 /// Points at which two resolutions are compared.

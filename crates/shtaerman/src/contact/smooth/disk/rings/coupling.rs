@@ -8,7 +8,7 @@ use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use super::kernel::Harmonic;
 use super::ring::{Ring, Spot, along, distance};
 use crate::Error;
-use crate::contact::smooth::FINE;
+use crate::contact::smooth::detail::FINE;
 use crate::contact::smooth::linear::Symmetric;
 
 /// Most modes of a ring, and of all together.

@@ -22,7 +22,7 @@ use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::{EndState, settle};
 use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, Equation, Start, complementary};
-use crate::contact::smooth::{COARSE, Detail, FINE, MOST_WORK, numbers_of_cells};
+use crate::contact::smooth::detail::{COARSE, Detail, FINE, MOST_WORK, numbers_of_cells};
 use crate::contact::valleys;
 use crate::contact::zones::{Walls, Zone};
 use crate::error::require;

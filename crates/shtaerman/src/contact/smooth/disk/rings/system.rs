@@ -18,9 +18,9 @@ use super::coupling::{self, Nodes, norm};
 use super::kernel::Harmonic;
 use super::ring::Ring;
 use crate::contact::balance::State;
-use crate::contact::smooth::Detail;
+use crate::contact::smooth::detail::Detail;
 use crate::contact::smooth::slopes::{Angular, ROUNDINGS, Slopes};
-use crate::contact::solved::Stiffness;
+use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Vertical};
 

@@ -1,0 +1,10 @@
+//! How a contact was solved.
+
+/// Method and size of a solution.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct Method {
+    /// Name of the method: `spectral`, `sinc`, `panels`, `cells`, `first_kind` or `expansion`.
+    pub name: &'static str,
+    /// Highest Chebyshev degree kept, or number of nodes.
+    pub n: usize,
+}
