@@ -3,7 +3,7 @@
 /// Method and size of a solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct Method {
-    /// Name of the method: `spectral`, `sinc`, `panels`, `cells`, `first_kind` or `expansion`.
+    /// Name of the method: `spectral`, `sinc`, `panels` or `first_kind`.
     pub name: &'static str,
     /// Highest Chebyshev degree kept, or number of nodes.
     pub n: usize,

@@ -20,7 +20,7 @@ const PRESSURE: usize = 3;
 
 impl Contact {
     /// The [sensitivities](Self::sensitivities) by the linearised equation alone, for little more than a step of Newton's method; `None` where only
-    /// differences of solutions tell: on cells and panels. By the expansion about the smooth limit they are those of its companions, expanded alike.
+    /// differences of solutions tell: on panels.
     #[must_use]
     pub fn tangent_sensitivities(&self) -> Option<Sensitivities> {
         // A stiffer foundation under the same coating has another kernel.

@@ -19,10 +19,12 @@ mod graded;
 mod layered;
 mod layered_disk;
 mod line;
+mod of_problem;
 mod row;
 mod shared;
 
 pub(in crate::contact) use cells::mean_power;
+pub(in crate::contact) use of_problem::ground;
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -32,7 +34,7 @@ use fredholm::collocation::SincGrid;
 use fredholm::kernel::Kernel;
 use fredholm::multipole::PanelKernel;
 
-use crate::{Error, Geometry, Problem};
+use crate::Error;
 
 /// A kernel as an answer keeps it.
 pub(in crate::contact) trait KeptKernel: Kernel + Debug + Send + Sync {}
@@ -57,27 +59,6 @@ fn half_count_of_layer(length: f64, thickness: f64) -> f64 {
 pub(in crate::contact) struct Hull {
     pub(in crate::contact) centre: f64,
     pub(in crate::contact) half: f64,
-}
-
-/// The ground of a problem.
-pub(in crate::contact) fn ground(problem: &Problem) -> Result<Arc<dyn Ground>, Error> {
-    let frame = problem.frame();
-    let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
-    if let Some(layering) = frame.layering() {
-        let layering = layering.scaled(frame.half_width());
-        return Ok(match frame.geometry() {
-            Geometry::Circular => Arc::new(layered_disk::LayeredDisk::new(layering)?),
-            _ => Arc::new(layered::Layered::new(layering)?),
-        });
-    }
-    Ok(match frame.geometry().scaled(frame.half_width()) {
-        Geometry::Plane | Geometry::Pair { .. } if exponent > 0.0 => {
-            Arc::new(graded::Graded::new(exponent)?)
-        }
-        Geometry::Plane | Geometry::Pair { .. } => Arc::new(line::Line::new()),
-        Geometry::Periodic { period } => Arc::new(row::Row::new(period)?),
-        Geometry::Circular => Arc::new(disk::Disk::new(exponent)?),
-    })
 }
 
 /// What a ground is to a contact: its kernel, and what depends on the kind of kernel.

@@ -3,7 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::LazyLock;
 
-use super::slopes::{Angular, Slopes};
+use super::angular::Angular;
+use super::slopes::Slopes;
 
 /// Harmonics that are tried.
 const COUNTS: [usize; 3] = [24, 48, 96];

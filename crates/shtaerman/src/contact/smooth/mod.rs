@@ -7,6 +7,7 @@
 //! free [edges] by Newton's method, and the [check] between nodes corrects the topology. A base that repeats without gaps has its own
 //! [answer](wave) in full contact.
 
+mod angular;
 mod answer;
 mod balance;
 mod band;
@@ -23,6 +24,7 @@ mod kernel;
 mod legendre;
 mod linear;
 mod linearised;
+mod open;
 mod panels;
 mod problem;
 mod roots;
@@ -39,10 +41,11 @@ pub(crate) use problem::{Curve, SmoothProblem, SmoothProfile};
 use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::{EndState, settle};
-use crate::contact::search::{ALLOWED, Equation, Start, complementary};
+use crate::contact::search::{ALLOWED, Equation, Start};
 use crate::contact::zones::{Walls, Zone};
 use check::check;
 use detail::{A_PANEL, COARSE, Detail, FINE, MOST_WORK, numbers_of_cells};
+use open::solve_zones;
 use problem::{Base, MOST_CELLS};
 use system::Solved;
 
@@ -63,29 +66,6 @@ impl SmoothProblem {
         }
         solve_zones(&Base::new(self)?, None)
     }
-}
-
-/// The answer on the zones of a base, for which a zone to try first may be known.
-fn solve_zones(base: &Base<'_>, first: Option<Zone>) -> Result<SmoothContact, Error> {
-    if base.problem.is_unilateral {
-        return match first.and_then(|zone| tried(base, zone)) {
-            Some(contact) => contact,
-            None => {
-                let (solved, left) = complementary(base)?;
-                SmoothContact::new(base, solved, &left)
-            }
-        };
-    }
-    let solved = Solved::new(base, &base.whole(), FINE)?;
-    let left = check(base, &solved, ALLOWED);
-    SmoothContact::new(base, solved, &left)
-}
-
-/// The answer if this zone leads there: the pressure without tension and penetration is but one.
-fn tried(base: &Base<'_>, zone: Zone) -> Option<Result<SmoothContact, Error>> {
-    let solved = settle(base, &[zone], &FINE).ok()?;
-    let left = check(base, &solved, ALLOWED);
-    left.is_clean().then(|| SmoothContact::new(base, solved, &left))
 }
 
 impl Equation for Base<'_> {

@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use super::angular::{Angular, ROUNDINGS};
 use super::legendre::{ORDER, RULE, cauchy, derivative, polynomials};
-use super::slopes::{Angular, ROUNDINGS};
 
 /// Panels are halved at most this often, and there are at most so many.
 const DEEPEST: u32 = 44;

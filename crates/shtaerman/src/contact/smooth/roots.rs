@@ -2,9 +2,9 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::angular::Angular;
 use super::legendre::integral;
 use super::panels::Panel;
-use super::slopes::Angular;
 
 /// The nearest offset at which both sides of a place are compared, in roundings of the angle, and how much farther each next one is.
 const NEAREST: f64 = 1e4;

@@ -10,6 +10,7 @@
 use std::f64::consts::{FRAC_2_PI, PI, TAU};
 use std::sync::OnceLock;
 
+use super::angular::Angular;
 use super::harmonics::{Harmonics, Resolved};
 use super::legendre::{ORDER, RULE, integral};
 use super::panels::{Builder, Panel, join};
@@ -30,29 +31,6 @@ const CONSTANT: f64 = 1.5e-3;
 const NEAR: f64 = 1e4;
 /// Parts beside a pole of a logarithm are halved down to this length: the rest counts for its rounding only.
 const NOTHING: f64 = 1e-14;
-/// Roundings of a height.
-pub(super) const ROUNDINGS: f64 = 4.0;
-
-/// A profile as function of the angle.
-pub(super) trait Angular {
-    /// `f`.
-    fn height(&self, angle: f64) -> f64;
-    /// Rounding of heights, given the largest of them and of their slopes: of the sum that a height is, and of the place.
-    fn rounding(&self, height: f64, slope: f64) -> f64 {
-        f64::EPSILON * ROUNDINGS * (height + slope)
-    }
-    /// `df/dt`, where it is known better than by differences.
-    fn slope(&self, angle: f64) -> Option<f64>;
-    /// Size of what is taken away from slopes, and leaves its rounding in them.
-    fn taken_slope(&self) -> f64 {
-        0.0
-    }
-    /// Rounding of angles.
-    fn blur(&self) -> f64 {
-        f64::EPSILON
-    }
-}
-
 /// `g` on panels, over the half turn of a zone (odd beyond it) or over the whole turn of a wave.
 #[derive(Debug, Clone)]
 pub(super) struct Slopes {

@@ -10,13 +10,14 @@
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use std::sync::Arc;
 
+use super::angular::{Angular, ROUNDINGS};
 use super::balance::Centred;
 use super::coupling::{Coupled, couple, modes};
 use super::density::Density;
 use super::detail::Detail;
 use super::kernel::{Remainder, SmoothKernel};
 use super::problem::Base;
-use super::slopes::{Angular, ROUNDINGS, Slopes};
+use super::slopes::Slopes;
 use crate::contact::balance::State;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;

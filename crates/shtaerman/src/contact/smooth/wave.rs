@@ -3,11 +3,13 @@
 use std::f64::consts::{PI, SQRT_2, TAU};
 use std::sync::Arc;
 
+use super::angular::Angular;
 use super::answer::SmoothContact;
 use super::band::Band;
 use super::detail::{COMPARED, FINE};
+use super::open::solve_zones;
 use super::problem::{Base, Sample, SmoothProblem, SmoothProfile};
-use super::slopes::{Angular, Slopes};
+use super::slopes::Slopes;
 use super::{ALLOWED, topology};
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
@@ -393,7 +395,7 @@ impl Turned {
             let [left, right] = [middle - half, middle + half];
             (-1.0 < left && left < right && right < 1.0).then(|| base.walls.zone([left, right]))
         });
-        super::solve_zones(&base, zone)
+        solve_zones(&base, zone)
     }
 }
 

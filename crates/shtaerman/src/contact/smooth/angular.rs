@@ -1,0 +1,24 @@
+//! A profile over the angle of a zone or of a wave.
+
+/// Roundings of a height.
+pub(super) const ROUNDINGS: f64 = 4.0;
+
+/// A profile as function of the angle.
+pub(super) trait Angular {
+    /// `f`.
+    fn height(&self, angle: f64) -> f64;
+    /// Rounding of heights, given the largest of them and of their slopes: of the sum that a height is, and of the place.
+    fn rounding(&self, height: f64, slope: f64) -> f64 {
+        f64::EPSILON * ROUNDINGS * (height + slope)
+    }
+    /// `df/dt`, where it is known better than by differences.
+    fn slope(&self, angle: f64) -> Option<f64>;
+    /// Size of what is taken away from slopes, and leaves its rounding in them.
+    fn taken_slope(&self) -> f64 {
+        0.0
+    }
+    /// Rounding of angles.
+    fn blur(&self) -> f64 {
+        f64::EPSILON
+    }
+}
