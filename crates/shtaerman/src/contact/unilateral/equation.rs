@@ -79,7 +79,8 @@ impl Equation for Base<'_> {
     }
 
     fn effort(&self, zones: &[Zone], before: Option<Resolution>) -> Result<Resolution, Error> {
-        let wanted = strength(self, zones);
+        // Fewer than those that the answer begins with, which is compared with what was found.
+        let wanted = strength(self, zones) / RATIO;
         match before.filter(|known| known.strength >= wanted) {
             Some(known) => Ok(known),
             None => Resolution::new(&self.medium, wanted),
@@ -120,7 +121,7 @@ impl Equation for Base<'_> {
     }
 
     fn refined(&self, coarse: Solved, effort: &Resolution) -> Result<Solved, Error> {
-        let solved = refined(self, coarse, effort.strength)?;
+        let solved = refined(self, coarse, effort.strength * RATIO)?;
         if solved.noise() > ALL_NOISE { Err(unknown()) } else { Ok(solved) }
     }
 

@@ -39,7 +39,7 @@ use super::solution::Solution;
 use crate::{ContactKind, Error, Problem};
 use base::Base;
 use check::check;
-use refinement::{ALL_NOISE, refined};
+use refinement::{ALL_NOISE, RATIO, refined};
 use spots::SpotContact;
 
 /// Relative error aimed at for large `theta0`, over `theta0` and what is aimed at without a layer.
@@ -115,7 +115,7 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
     } else {
         let zones = base.whole();
         let resolution = base.effort(&zones, None)?;
-        refined(base, settle(base, &zones, &resolution)?, resolution.strength)?
+        refined(base, settle(base, &zones, &resolution)?, resolution.strength * RATIO)?
     };
     let left = check(base, &solved, ALLOWED);
     if !base.layer.is_linear() && !left.pulling.is_empty() {

@@ -45,7 +45,7 @@ pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
     count.max(waves.min(MOST_FOR_VALLEYS)).max(base.medium.first_half_count(longest))
 }
 
-/// The answer on growing numbers of nodes, from the one on the first.
+/// The answer on growing numbers of nodes, from one on fewer: `start` is the first number on either side of the middle of a panel.
 pub(super) fn refined(base: &Base<'_>, coarse: Solved, start: f64) -> Result<Solved, Error> {
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
     let strength = |power: i32| start * RATIO.powi(power);
