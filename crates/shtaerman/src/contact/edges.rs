@@ -156,7 +156,7 @@ impl Step {
                 let sign = if side == 0 { -1.0 } else { 1.0 };
                 let (now, was) = (ends[side], before[side].value);
                 let step = now.value * sign * (at - from.ends[side]) / (was - now.value);
-                let is_known = (was - now.value).abs() > now.rounding.max(before[side].rounding);
+                let is_known = (was - now.value).abs() > now.none;
                 let is_crossed = (now.value > 0.0) != (was > 0.0);
                 let is_near = now.value.abs() <= NEAR * now.scale;
                 if is_known && (is_crossed || is_near) && step * now.value > 0.0 {

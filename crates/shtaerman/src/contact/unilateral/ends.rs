@@ -9,7 +9,7 @@ use crate::contact::edges::EndState;
 /// Share of a panel beside its end over which the slope of the layer is taken.
 const BESIDE: f64 = 0.02;
 /// Share of the rounding, which is an upper estimate, below which nothing better is to be had.
-const NONE: f64 = 1.0 / 16.0;
+const NONE: f64 = 1.0 / 256.0;
 
 impl Solved {
     /// What is known at the ends of all zones.
