@@ -1,6 +1,7 @@
 //! The answer: settlement, tilt, force, moment, pressure, with errors, audit and sensitivities.
 //!
-//! A [plan](crate::MethodChoice) picks the method, each method hands over a draft, and the draft becomes the [`Contact`].
+//! A [plan](crate::MethodChoice) picks the method. Where the base may lift off the search finds the zones, over equations of the second kind (rough surfaces) or the first (smooth
+//! ones); each method hands over a solution, and the solution becomes the [`Contact`].
 
 mod accuracy;
 mod balance;
