@@ -12,6 +12,9 @@ use super::{Ground, Hull, half_count_of_layer};
 use crate::error::require;
 use crate::{Error, Layering};
 
+/// Tables of the kernel are good to this (`cargo test -p fredholm --test transfer`).
+const KERNEL: f64 = 1e-13;
+
 /// Least `lim K + ln d` where points meet, under a stiffer coating: the logarithm on a base of half-length 1 is positive down to `-ln 2`.
 const LEAST_CONSTANT: f64 = -0.5;
 
@@ -64,6 +67,10 @@ impl Ground for Layered {
 
     fn strength(&self) -> f64 {
         self.strength
+    }
+
+    fn kernel_error(&self) -> f64 {
+        KERNEL
     }
 
     fn first_half_count(&self, length: f64) -> f64 {

@@ -12,6 +12,9 @@ use super::shared::layered_disk;
 use super::{Ground, Hull, SharedKernel, half_count_of_layer};
 use crate::{Error, Layering};
 
+/// Tables of the kernel are good to this (`cargo test -p fredholm --test transfer`).
+const KERNEL: f64 = 1e-13;
+
 /// Step of a difference quotient of fourth order of the smooth part, as a share of the thickness, which is its length: so `1e-12`.
 const STEP: f64 = 1e-3;
 
@@ -80,6 +83,10 @@ impl Ground for LayeredDisk {
             return 0.0;
         }
         self.whole.slope(xi, eta) + self.remainder_slope(xi, eta)
+    }
+
+    fn kernel_error(&self) -> f64 {
+        KERNEL * (1.0 + 1.0 / self.kernel.thickness())
     }
 
     fn first_half_count(&self, length: f64) -> f64 {

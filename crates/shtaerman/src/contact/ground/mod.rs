@@ -162,6 +162,11 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
         if difference == 0.0 { 0.0 } else { self.reduced_slope(xi, eta) / difference }
     }
 
+    /// What values of the kernel may be off by, beside their rounding.
+    fn kernel_error(&self) -> f64 {
+        0.0
+    }
+
     /// Nodes on either side of the middle of a panel of this length that show what the kernel itself has of lengths; 0 where it has none.
     fn first_half_count(&self, _length: f64) -> f64 {
         0.0

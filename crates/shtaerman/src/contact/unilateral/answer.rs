@@ -69,7 +69,7 @@ impl Tilted {
 
 impl UnilateralContact {
     pub(super) fn new(base: &Base<'_>, solved: Solved, check: &Check) -> Self {
-        let Stated { accuracy, edge: edge_error } = solved.stated;
+        let Stated { accuracy, edge: edge_error } = solved.stated.with_kernel(base, &solved);
         let complementarity =
             Complementarity { tension: check.tension, penetration: check.penetration };
         let complementarity = (!base.is_bilateral).then_some(complementarity);

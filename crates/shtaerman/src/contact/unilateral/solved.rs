@@ -55,6 +55,22 @@ pub(super) struct Stated {
 }
 
 impl Stated {
+    /// With what a kernel that is not known to all digits leaves in a displacement, and that in the pressure and in the ends.
+    pub(super) fn with_kernel(self, base: &Base<'_>, solved: &Solved) -> Self {
+        let body = base.medium.strength() * base.theta * solved.state.force.abs();
+        let missed = base.medium.kernel_error() * body;
+        if missed == 0.0 {
+            return self;
+        }
+        let Stiffness { force_settlement, moment_tilt, .. } = solved.stiffness;
+        let raised = self.accuracy.with_profile_error(missed, [force_settlement, moment_tilt]);
+        let slope = solved.layer.slope(solved.deepest());
+        let pressure = raised.pressure + 2.0 * missed * slope;
+        let longest = solved.zones.iter().map(Zone::length).fold(0.0, f64::max);
+        let edge = self.edge + missed * longest / solved.deepest();
+        Self { accuracy: Accuracy { pressure, ..raised }, edge }
+    }
+
     /// Of a solution that others are to be compared with.
     pub(super) fn none() -> Self {
         let unknown = f64::INFINITY;
