@@ -13,6 +13,8 @@ const STEPS: usize = 120;
 /// What an end lacks, as a share of its scale, that is as good as nothing if it does not fall any more: to this share of the step before.
 const SMALL: f64 = 1e-8;
 const FALLING: f64 = 0.9;
+/// So often: ends beside a narrow gap depend on each other, and a single step may lead astray.
+const STALLS: usize = 3;
 /// A step that makes the ends so much worse is halved, this often: beyond a bend of the base the slope at the end says nothing.
 const WORSE: f64 = 2.0;
 const CUTS: usize = 12;
@@ -70,6 +72,7 @@ pub(super) fn settle<E: Equation>(
     let mut worst_before: Option<f64> = None;
     let mut step: Option<Step> = None;
     let mut damping = Damping::default();
+    let mut stalls = 0;
     for _ in 0..STEPS {
         let solved = equation.solve(&zones, effort, latest.as_ref())?;
         if drop_idle(&mut zones, |zone| equation.force(&solved, zone)) {
@@ -92,11 +95,15 @@ pub(super) fn settle<E: Equation>(
             return Ok(solved);
         }
         let is_small = free.are_small && !released;
-        if is_small && let Some(before) = worst_before {
-            let has_ended = free.worst >= FALLING * before || free.are_rounding;
-            if has_ended {
-                return Ok(latest.filter(|_| before <= free.worst).unwrap_or(solved));
+        let best_before = worst_before.filter(|_| is_small);
+        let is_better = best_before.is_none_or(|before| free.worst < before);
+        if let Some(before) = best_before {
+            stalls += usize::from(free.worst >= FALLING * before);
+            if stalls >= STALLS || free.are_rounding {
+                return Ok(latest.filter(|_| !is_better).unwrap_or(solved));
             }
+        } else {
+            stalls = 0;
         }
         let next = moved(equation, &zones, &ends);
         if !released && is_still(&zones, &next) {
@@ -105,8 +112,10 @@ pub(super) fn settle<E: Equation>(
         let next = damped(&mut damping, &ends, &zones, next);
         let from = std::mem::replace(&mut zones, next);
         step = Some(Step { from, ends, lacking, cuts: 0 });
-        worst_before = is_small.then_some(free.worst);
-        latest = Some(solved);
+        worst_before = is_small.then(|| best_before.map_or(free.worst, |w| w.min(free.worst)));
+        if is_better {
+            latest = Some(solved);
+        }
     }
     match latest.filter(|_| worst_before.is_some()) {
         Some(solved) => Ok(solved),
