@@ -153,7 +153,8 @@ impl Step {
 const NEAR: f64 = 1e-2;
 
 impl Step {
-    /// Takes the secant over this step in the place of Newton's slope, where the value changed its sign or is small: in thin layers slopes beside an end are not those at it.
+    /// Takes the secant over this step in the place of Newton's slope where the value changed its sign, or is small and the secant tells a shorter step: in thin layers slopes beside an end are
+    /// not those at it.
     fn sharpen(&self, zones: &[Zone], ends: &mut [[EndState; 2]]) {
         if self.from.len() != zones.len() {
             return;
@@ -167,7 +168,8 @@ impl Step {
                 let step = now.value * sign * (at - from.ends[side]) / (was - now.value);
                 let is_known = (was - now.value).abs() > now.none;
                 let is_crossed = (now.value > 0.0) != (was > 0.0);
-                let is_near = now.value.abs() <= NEAR * now.scale;
+                // Ends that move together beside a narrow gap fall less than each by itself: their secants would be too long.
+                let is_near = now.value.abs() <= NEAR * now.scale && step.abs() <= now.step.abs();
                 if is_known && (is_crossed || is_near) && step * now.value > 0.0 {
                     ends[side].step = step;
                 }
