@@ -36,6 +36,8 @@ pub(super) struct EndState {
     pub(super) scale: f64,
     /// Up to this size it is no better known to vanish.
     pub(super) none: f64,
+    /// Up to this size one step more is enough.
+    pub(super) enough: f64,
     /// Newton's step outwards, in `xi`; of no use unless it goes to where the value vanishes.
     pub(super) step: f64,
 }
@@ -99,7 +101,7 @@ pub(super) fn settle<E: Equation>(
         let is_better = best_before.is_none_or(|before| free.worst < before);
         if let Some(before) = best_before {
             stalls += usize::from(free.worst >= FALLING * before);
-            if stalls >= STALLS || free.are_rounding {
+            if stalls >= STALLS || free.are_enough {
                 return Ok(latest.filter(|_| !is_better).unwrap_or(solved));
             }
         } else {
@@ -183,20 +185,20 @@ struct Free {
     /// The largest over its scale.
     worst: f64,
     are_none: bool,
-    are_rounding: bool,
+    are_enough: bool,
     are_small: bool,
 }
 
 impl Free {
     fn new(zones: &[Zone], ends: &Ends) -> Self {
-        let mut free = Self { worst: 0.0, are_none: true, are_rounding: true, are_small: true };
+        let mut free = Self { worst: 0.0, are_none: true, are_enough: true, are_small: true };
         for (zone, ends) in zones.iter().zip(ends) {
             for (side, _) in zone.free_ends() {
-                let EndState { value, rounding, scale, none, .. } = ends[side];
+                let EndState { value, rounding, scale, none, enough, .. } = ends[side];
                 let size = value.abs();
                 free.worst = free.worst.max(size / scale);
                 free.are_none &= size <= none;
-                free.are_rounding &= size <= rounding;
+                free.are_enough &= size <= enough;
                 free.are_small &= size <= SMALL * scale + rounding;
             }
         }

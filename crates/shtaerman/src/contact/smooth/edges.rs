@@ -24,7 +24,7 @@ pub(super) fn ends(solved: &Solved) -> Vec<[EndState; 2]> {
         let value = solved.end_density(j, side);
         let rounding = solved.rounding(j) + f64::EPSILON * scale;
         let step = -value / slope(solved, j, side) * solved.parts[j].zone.length();
-        EndState { value, rounding, scale, none, step }
+        EndState { value, rounding, scale, none, enough: none, step }
     };
     (0..solved.parts.len()).map(|j| [end(j, 0), end(j, 1)]).collect()
 }

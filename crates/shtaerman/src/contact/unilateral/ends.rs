@@ -18,7 +18,7 @@ impl Solved {
         let end = |zone: usize, side: usize| {
             let value = self.end_layer(zone, side);
             let step = self.step(zone, side);
-            EndState { value, rounding, scale, none: NONE * rounding, step }
+            EndState { value, rounding, scale, none: NONE * rounding, enough: rounding, step }
         };
         (0..self.zones.len()).map(|zone| [end(zone, 0), end(zone, 1)]).collect()
     }

@@ -17,7 +17,7 @@ pub(super) fn ends(ground: &Ground, settled: &Settled) -> [EndState; 2] {
     [0, 1].map(|side| {
         let value = strip.end_density(side);
         let (rounding, step) = (ROUNDING * scale, value / slopes[side]);
-        EndState { value, rounding, scale, none: 0.0, step }
+        EndState { value, rounding, scale, none: 0.0, enough: 0.0, step }
     })
 }
 

@@ -21,7 +21,14 @@ pub(super) fn ends(solved: &Solved) -> Vec<[EndState; 2]> {
     let end = |zone: usize, side: usize| {
         let value = density(solved, zone, side);
         let rounding = rounding(solved, zone) + f64::EPSILON * scale;
-        EndState { value, rounding, scale, none: 0.0, step: outwards(solved, zone, side) }
+        EndState {
+            value,
+            rounding,
+            scale,
+            none: 0.0,
+            enough: 0.0,
+            step: outwards(solved, zone, side),
+        }
     };
     (0..solved.zones.len()).map(|zone| [end(zone, 0), end(zone, 1)]).collect()
 }
