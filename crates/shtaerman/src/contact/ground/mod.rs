@@ -19,12 +19,11 @@ mod graded;
 mod layered;
 mod layered_disk;
 mod line;
-mod of_problem;
+pub(in crate::contact) mod of_problem;
 mod row;
 mod shared;
 
 pub(in crate::contact) use cells::mean_power;
-pub(in crate::contact) use of_problem::ground;
 
 use std::fmt::Debug;
 use std::sync::Arc;
