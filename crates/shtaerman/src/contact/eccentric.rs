@@ -45,6 +45,7 @@ impl Problem {
         match curve.search() {
             Search::Found(point) => Ok(point.contact.as_settled(self, settlement)),
             Search::Turns(excess) => Err(curve.out_of_reach(excess)),
+            Search::Lost if curve.is_clear() => Err(Error::NoContact),
             Search::Lost => {
                 Err(Error::NotComplementary { tension: f64::NAN, penetration: f64::NAN })
             }
@@ -199,11 +200,16 @@ impl Curve<'_> {
         Search::Turns(nearest)
     }
 
-    fn out_of_reach(&self, excess: f64) -> Error {
-        let frame = self.problem.frame();
+    /// Whether the prescribed settlement leaves the base clear of the body.
+    fn is_clear(&self) -> bool {
         let heights: Vec<(f64, f64)> =
             self.places().map(|xi| (xi, self.problem.dimensionless_profile(xi))).collect();
-        if self.problem.dimensionless_load().keeps_clear(heights.iter()) {
+        self.problem.dimensionless_load().keeps_clear(heights.iter())
+    }
+
+    fn out_of_reach(&self, excess: f64) -> Error {
+        let frame = self.problem.frame();
+        if self.is_clear() {
             return Error::NoContact;
         }
         let unit = frame.scaling().map_or(1.0, Scaling::displacement);
