@@ -113,7 +113,7 @@ pub(super) fn settle<E: Equation>(
         }
         let next = damped(&mut damping, &ends, &zones, next);
         let from = std::mem::replace(&mut zones, next);
-        step = Some(Step { from, ends, lacking, cuts: 0 });
+        step = equation.ends_are_apart().then_some(Step { from, ends, lacking, cuts: 0 });
         worst_before = is_small.then(|| best_before.map_or(free.worst, |w| w.min(free.worst)));
         if is_better {
             latest = Some(solved);

@@ -54,6 +54,12 @@ pub(super) trait Equation {
     /// Whether a zone may reach over a step of the base.
     fn spans_steps(&self) -> bool;
 
+    /// Whether the value at an end changes with that end alone, so that the last step tells the next and one that made it worse was too long: not beside narrow gaps of smooth
+    /// surfaces, whose ends depend on each other.
+    fn ends_are_apart(&self) -> bool {
+        false
+    }
+
     /// A zone about this interval.
     fn zone(&self, interval: [f64; 2]) -> Zone {
         self.walls().zone(interval)

@@ -39,6 +39,10 @@ impl Equation for Base<'_> {
         true
     }
 
+    fn ends_are_apart(&self) -> bool {
+        true
+    }
+
     /// Walls, steps of the base too, hold the contact until they pull: where the pressure rises towards one a free end would be led away from it.
     fn zone(&self, ends: [f64; 2]) -> Zone {
         let walls = [0, 1].map(|side| self.walls.near(side, ends[side], BESIDE));
