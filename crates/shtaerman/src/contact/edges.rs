@@ -100,7 +100,7 @@ pub(super) fn settle<E: Equation>(
         let best_before = worst_before.filter(|_| is_small);
         let is_better = best_before.is_none_or(|before| free.worst < before);
         if let Some(before) = best_before {
-            stalls += usize::from(free.worst >= FALLING * before);
+            stalls = if free.worst >= FALLING * before { stalls + 1 } else { 0 };
             if stalls >= STALLS || free.are_enough {
                 return Ok(latest.filter(|_| !is_better).unwrap_or(solved));
             }
@@ -194,12 +194,12 @@ impl Free {
         let mut free = Self { worst: 0.0, are_none: true, are_enough: true, are_small: true };
         for (zone, ends) in zones.iter().zip(ends) {
             for (side, _) in zone.free_ends() {
-                let EndState { value, rounding, scale, none, enough, .. } = ends[side];
+                let EndState { value, scale, none, enough, .. } = ends[side];
                 let size = value.abs();
                 free.worst = free.worst.max(size / scale);
                 free.are_none &= size <= none;
                 free.are_enough &= size <= enough;
-                free.are_small &= size <= SMALL * scale + rounding;
+                free.are_small &= size <= SMALL * scale + enough;
             }
         }
         free
