@@ -101,7 +101,7 @@ pub(super) fn settle<E: Equation>(
         let is_better = best_before.is_none_or(|before| free.worst < before);
         if let Some(before) = best_before {
             stalls = if free.worst >= FALLING * before { stalls + 1 } else { 0 };
-            if stalls >= STALLS || free.are_enough {
+            if stalls >= free.patience() || free.are_enough {
                 return Ok(latest.filter(|_| !is_better).unwrap_or(solved));
             }
         } else {
@@ -187,22 +187,36 @@ struct Free {
     are_none: bool,
     are_enough: bool,
     are_small: bool,
+    are_rounding: bool,
 }
 
 impl Free {
     fn new(zones: &[Zone], ends: &Ends) -> Self {
-        let mut free = Self { worst: 0.0, are_none: true, are_enough: true, are_small: true };
+        let mut free = Self {
+            worst: 0.0,
+            are_none: true,
+            are_enough: true,
+            are_small: true,
+            are_rounding: true,
+        };
         for (zone, ends) in zones.iter().zip(ends) {
             for (side, _) in zone.free_ends() {
-                let EndState { value, scale, none, enough, .. } = ends[side];
+                let EndState { value, rounding, scale, none, enough, .. } = ends[side];
                 let size = value.abs();
                 free.worst = free.worst.max(size / scale);
                 free.are_none &= size <= none;
                 free.are_enough &= size <= enough;
                 free.are_small &= size <= SMALL * scale + enough;
+                free.are_rounding &= size <= rounding;
             }
         }
         free
+    }
+
+    /// Steps in a row after which values that do not fall have come as far as they do: those within their rounding are noise at once, of which a later one is smaller by
+    /// chance only.
+    fn patience(&self) -> usize {
+        if self.are_rounding { 1 } else { STALLS }
     }
 }
 

@@ -76,7 +76,6 @@ fn westergaard() {
 
 /// The gap is shorter than the distance of any samples.
 #[test]
-#[ignore = "since one loop moves all edges the gap is 1e-6 too wide: to be mended"]
 fn a_wave_just_short_of_full_contact() {
     let at = 0.0f64;
     let missing = 1e-6f64;
