@@ -22,7 +22,7 @@ use crate::contact::balance::State;
 use crate::contact::ground::{Ground, Hull};
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
-use crate::{Error, Rotational, Vertical};
+use crate::{Error, Load, Rotational, Vertical};
 
 /// Fewest nodes on either side of the middle of a panel.
 const FEWEST: usize = 8;
@@ -126,7 +126,8 @@ pub(super) struct Direction {
     /// `int p' dm`, which the gauge counts.
     spread: f64,
     pub(super) force: f64,
-    pub(super) moment: f64,
+    /// Moment about the centre of the hull: about that of the base, small zones far from it would lose twice the digits.
+    turn: f64,
     /// Change of `D`, of `beta`, and of the edges.
     constant: f64,
     slope: f64,
@@ -150,7 +151,7 @@ impl Direction {
             values: self.values.iter().map(|v| share * v).collect(),
             spread: share * self.spread,
             force: share * self.force,
-            moment: share * self.moment,
+            turn: share * self.turn,
             constant: share * self.constant,
             slope: share * self.slope,
         }
@@ -162,7 +163,7 @@ impl Direction {
             values: self.values.iter().map(|v| v / divisor).collect(),
             spread: self.spread / divisor,
             force: self.force / divisor,
-            moment: self.moment / divisor,
+            turn: self.turn / divisor,
             ..self
         }
     }
@@ -321,16 +322,16 @@ impl<'b, 'p> System<'b, 'p> {
         Error::Equation(fredholm::Error::Singular { parameter: self.base.theta, smallest: 0.0 })
     }
 
-    /// Force and moment of a pressure: `b int p dy`, `c P + b^2 int y p dy`; on a disk the force of rings, which have no moment.
+    /// Force, and moment about the centre, of a pressure: `b int p dy`, `b^2 int y p dy`; on a disk the force of rings, which have no moment.
     fn carried(&self, solution: &SincSolution) -> [f64; 2] {
-        let Hull { centre, half } = self.hull;
+        let half = self.hull.half;
         let force =
             self.medium.area() * self.medium.measure(&self.hull) * solution.integral(|_| 1.0);
         // Rings have no moment, and a wave that goes on has none that could turn it.
         if self.medium.is_disk() || self.medium.is_closed() {
             return [force, 0.0];
         }
-        [force, centre * force + half * half * solution.integral(|y| y)]
+        [force, half * half * solution.integral(|y| y)]
     }
 
     /// `int xi p0 dxi` over the period `-1 .. 1` of a wave that is cut elsewhere; where it is joined there is an end of a panel.
@@ -350,54 +351,63 @@ impl<'b, 'p> System<'b, 'p> {
         sign: f64,
         [constant, slope]: [f64; 2],
     ) -> Direction {
-        let [force, moment] = self.carried(solution).map(|part| sign * part);
+        let [force, turn] = self.carried(solution).map(|part| sign * part);
         let values = solution.values().iter().map(|v| sign * v).collect();
-        Direction { values, spread: force, force, moment, constant, slope }
+        Direction { values, spread: force, force, turn, constant, slope }
     }
 
     /// Settlement, tilt, force and moment of a direction.
     pub(super) fn changes(&self, direction: &Direction) -> State {
         let Hull { centre, half } = self.hull;
-        let Direction { spread, force, moment, constant, slope, .. } = direction;
+        let Direction { spread, force, turn, constant, slope, .. } = direction;
         State {
             settlement: constant + centre / half * slope - self.base.theta * self.gauge() * spread,
             tilt: slope / half,
             force: *force,
-            moment: *moment,
+            moment: turn + self.arm() * force,
         }
     }
 
-    /// What a direction adds to the two prescribed quantities.
+    /// Where moments are counted from, as `xi`: rings have none, and a wave that goes on has none that could turn it.
+    fn arm(&self) -> f64 {
+        if self.medium.is_disk() || self.medium.is_closed() { 0.0 } else { self.hull.centre }
+    }
+
+    /// What a direction adds to the two prescribed quantities, a moment about the centre where the force is prescribed.
     pub(super) fn conditions(&self, direction: &Direction) -> [f64; 2] {
-        let State { settlement, tilt, force, moment } = self.changes(direction);
+        let Direction { force, turn, .. } = *direction;
+        let State { settlement, tilt, .. } = self.changes(direction);
+        let Load { vertical, rotational } = self.base.load;
         [
-            match self.base.load.vertical {
+            match vertical {
                 Vertical::Force(_) => force,
                 Vertical::Settlement(_) => settlement,
             },
-            match self.base.load.rotational {
-                Rotational::Moment(_) => moment,
-                Rotational::Eccentricity(e) => moment - e * force,
-                Rotational::Tilt(_) => tilt,
+            match (rotational, vertical) {
+                (Rotational::Tilt(_), _) => tilt,
+                (_, Vertical::Force(_)) => turn,
+                (Rotational::Moment(_), _) => turn + self.arm() * force,
+                (Rotational::Eccentricity(e), _) => turn + (self.arm() - e) * force,
             },
         ]
     }
 
     pub(super) fn prescribed(&self) -> [f64; 2] {
-        let vertical = match self.base.load.vertical {
-            Vertical::Force(value) | Vertical::Settlement(value) => value,
+        let Load { vertical, rotational } = self.base.load;
+        let rotational = match (rotational, vertical) {
+            (Rotational::Moment(moment), Vertical::Force(force)) => moment - self.arm() * force,
+            (Rotational::Eccentricity(e), Vertical::Force(force)) => (e - self.arm()) * force,
+            (Rotational::Moment(value) | Rotational::Tilt(value), _) => value,
+            (Rotational::Eccentricity(_), Vertical::Settlement(_)) => 0.0,
         };
-        let rotational = match self.base.load.rotational {
-            Rotational::Moment(value) | Rotational::Tilt(value) => value,
-            Rotational::Eccentricity(_) => 0.0,
-        };
+        let (Vertical::Force(vertical) | Vertical::Settlement(vertical)) = vertical;
         [vertical, rotational]
     }
 
     /// Settlement, tilt, force and moment; what is prescribed comes back as given.
     fn state(&self, [constant, slope]: [f64; 2], solution: &SincSolution) -> State {
         let Hull { centre, half } = self.hull;
-        let [carried, turned] = self.carried(solution);
+        let [carried, turn] = self.carried(solution);
         let tilt = match self.base.load.rotational {
             Rotational::Tilt(tilt) => tilt,
             Rotational::Moment(_) | Rotational::Eccentricity(_) => slope / half,
@@ -412,7 +422,7 @@ impl<'b, 'p> System<'b, 'p> {
             Rotational::Moment(moment) => moment,
             Rotational::Eccentricity(e) => e * force,
             Rotational::Tilt(_) if self.medium.is_closed() => self.moment_of_a_period(solution),
-            Rotational::Tilt(_) => turned,
+            Rotational::Tilt(_) => turn + self.arm() * carried,
         };
         // Adding zero turns a negative zero into a plain one.
         State {
@@ -427,16 +437,15 @@ impl<'b, 'p> System<'b, 'p> {
     fn stiffness(&self, [level, tilted]: &[Direction; 2]) -> Stiffness {
         let Hull { centre, half } = self.hull;
         let gauge = self.base.theta * self.gauge();
-        // With moments about the centre: the slope is that of -beta.
-        let about = |direction: &Direction| direction.moment - centre * direction.force;
         let divisor = 1.0 - gauge * level.force;
-        let coupling = level.moment / divisor;
+        let coupling = (level.turn + self.arm() * level.force) / divisor;
         let raised = centre + gauge * coupling;
-        let turn = -about(tilted) * half;
+        // The slope is that of -beta.
+        let turn = -tilted.turn * half;
         Stiffness {
             force_settlement: level.force / divisor,
             coupling,
-            moment_tilt: centre * coupling + raised * about(level) + turn,
+            moment_tilt: centre * coupling + raised * level.turn + turn,
         }
     }
 }
