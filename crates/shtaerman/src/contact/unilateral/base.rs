@@ -148,9 +148,9 @@ impl<'p> Base<'p> {
         Self { is_bilateral: true, ..self.clone() }
     }
 
-    /// The same base under another load.
+    /// The same base under another load, with nothing done so far.
     pub(super) fn under(&self, load: Load) -> Self {
-        Self { load, ..self.clone() }
+        Self { load, work: Work::default(), ..self.clone() }
     }
 
     /// Where the force acts, if the load says so.

@@ -92,9 +92,10 @@ impl Solved {
         self.positions.len() / self.panels.len()
     }
 
-    /// Rounding of the displacement of the layer.
+    /// Rounding of the displacement of the layer: of what the body gives, and of `D - beta y - f0`, whose terms are large where small zones lie far from the middle.
     pub(super) fn rounding(&self) -> f64 {
-        self.solution.rounding()
+        let [constant, slope] = self.local;
+        self.solution.rounding() + f64::EPSILON * (constant.abs() + slope.abs())
     }
 
     /// Rounding of the pressure.
