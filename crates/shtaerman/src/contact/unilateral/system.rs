@@ -392,16 +392,26 @@ impl<'b, 'p> System<'b, 'p> {
         ]
     }
 
+    /// The conditions for values of the two prescribed quantities; an eccentricity, which is no quantity to be met, counts as nothing.
+    pub(super) fn conditions_for(&self, [vertical, rotational]: [f64; 2]) -> [f64; 2] {
+        let Load { vertical: by, rotational: kept } = self.base.load;
+        let rotational = match (kept, by) {
+            (Rotational::Moment(_), Vertical::Force(_)) => rotational - self.arm() * vertical,
+            (Rotational::Eccentricity(e), Vertical::Force(_)) => (e - self.arm()) * vertical,
+            _ => rotational,
+        };
+        [vertical, rotational]
+    }
+
+    /// The conditions of the load.
     pub(super) fn prescribed(&self) -> [f64; 2] {
         let Load { vertical, rotational } = self.base.load;
-        let rotational = match (rotational, vertical) {
-            (Rotational::Moment(moment), Vertical::Force(force)) => moment - self.arm() * force,
-            (Rotational::Eccentricity(e), Vertical::Force(force)) => (e - self.arm()) * force,
-            (Rotational::Moment(value) | Rotational::Tilt(value), _) => value,
-            (Rotational::Eccentricity(_), Vertical::Settlement(_)) => 0.0,
-        };
         let (Vertical::Force(vertical) | Vertical::Settlement(vertical)) = vertical;
-        [vertical, rotational]
+        let rotational = match rotational {
+            Rotational::Moment(value) | Rotational::Tilt(value) => value,
+            Rotational::Eccentricity(_) => 0.0,
+        };
+        self.conditions_for([vertical, rotational])
     }
 
     /// Settlement, tilt, force and moment; what is prescribed comes back as given.

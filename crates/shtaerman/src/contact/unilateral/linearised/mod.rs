@@ -190,7 +190,8 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
         let rotates =
             !is_level && !matches!(system.base.load.rotational, Rotational::Eccentricity(_));
         let rates = |share: f64, prescribed: [f64; 2]| -> Result<Change, Error> {
-            let local = system.met(&frame, &elastic.scaled(share), prescribed)?;
+            let conditions = system.conditions_for(prescribed);
+            let local = system.met(&frame, &elastic.scaled(share), conditions)?;
             let right: Vec<f64> = (system.operator.positions().zip(&given))
                 .map(|(y, g)| share * g + local[0] - local[1] * y)
                 .collect();
