@@ -258,7 +258,7 @@ impl Answer {
             pressure,
             surface: None,
             method: MethodReport {
-                name: contact.method().name,
+                name: contact.method().name.name(),
                 n: contact.method().n,
                 reason: contact.reason().to_owned(),
             },

@@ -79,8 +79,8 @@ pub use answer::{
 #[doc(no_inline)]
 pub use contact::{
     AIM, Audit, Complementarity, CrossCheck, Datum, Derivatives, ErrorKind, Errors, Method,
-    ReferenceError, RelativeSettlement, Scaling, Sensitivities, Stiffness, Unaudited, Warning,
-    WarningCode,
+    MethodName, ReferenceError, RelativeSettlement, Scaling, Sensitivities, Stiffness, Unaudited,
+    Warning, WarningCode,
 };
 #[doc(no_inline)]
 pub use convergence::Convergence;

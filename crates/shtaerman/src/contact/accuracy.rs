@@ -2,6 +2,8 @@
 
 use serde::Serialize;
 
+use super::balance::State;
+
 /// What a statement of error is worth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -49,6 +51,17 @@ pub(super) struct Sizes {
     pub(super) displacement: f64,
     /// Larger of `|P0|` and `|M0|`.
     pub(super) force: f64,
+}
+
+impl State {
+    /// Sizes of this state with so large a pressure.
+    pub(super) fn sizes(&self, pressure: f64) -> Sizes {
+        Sizes {
+            pressure,
+            displacement: self.settlement.abs().max(self.tilt.abs()),
+            force: self.force.abs().max(self.moment.abs()),
+        }
+    }
 }
 
 /// Rounding of a quantity relative to what is added up in it.

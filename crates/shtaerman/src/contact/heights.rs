@@ -1,9 +1,10 @@
 //! Heights of the base: counted from its level, and known to their rounding only.
 
 use super::accuracy::{Accuracy, Sizes};
+use super::setting::Setting;
 use super::solution::Solution;
 use crate::roughness::Law;
-use crate::{Error, Problem, Scaling, Vertical};
+use crate::{Error, Scaling, Vertical};
 
 /// Places in all zones at which the rounding of heights is looked at, at least one in each, and where in its step each lies: an irrational share keeps clear of jumps.
 const PLACES: usize = 128;
@@ -33,11 +34,11 @@ pub(super) struct OfHeights {
     edges: f64,
 }
 
-impl Problem {
+impl Setting {
     /// The largest rounding of the dimensionless heights in the zones of contact, and the largest of these.
     fn height_rounding(&self, zones: &[[f64; 2]]) -> [f64; 2] {
         let steps = (PLACES / zones.len().max(1)).max(1);
-        let (profile, half_width) = (self.profile(), self.frame().half_width());
+        let (profile, half_width) = (self.problem().profile(), self.problem().frame().half_width());
         let [mut rounding, mut largest] = [0.0f64; 2];
         for [left, right] in zones {
             for i in 0..steps {
@@ -50,14 +51,14 @@ impl Problem {
                 }
             }
         }
-        let scale = self.frame().scaling().map_or(1.0, Scaling::displacement);
+        let scale = self.problem().frame().scaling().map_or(1.0, Scaling::displacement);
         [rounding / scale, largest / scale]
     }
 
     /// The largest rounding of the dimensionless heights beside the ends of the zones.
     fn rounding_at_ends(&self, zones: &[[f64; 2]]) -> f64 {
         let count = (BESIDE / (2 * zones.len().max(1))).clamp(SWITCHED + 1, HALVINGS as usize);
-        let (profile, half_width) = (self.profile(), self.frame().half_width());
+        let (profile, half_width) = (self.problem().profile(), self.problem().frame().half_width());
         let mut most = 0.0f64;
         for [left, right] in zones {
             for (end, inwards) in [(left, 1.0), (right, -1.0)] {
@@ -78,7 +79,7 @@ impl Problem {
                 }
             }
         }
-        most / self.frame().scaling().map_or(1.0, Scaling::displacement)
+        most / self.problem().frame().scaling().map_or(1.0, Scaling::displacement)
     }
 
     /// How far the edges of a layer's contact move for a disturbance of its displacement: to where it is as large as that.
@@ -86,14 +87,14 @@ impl Problem {
         if error == 0.0 {
             return 0.0;
         }
-        let (zones, law) = (solution.zones(), self.frame().law());
+        let (zones, law) = (solution.zones(), self.problem().frame().law());
         let of = |zone: usize, [left, right]: [f64; 2], side: usize| {
             let length = right - left;
             let distance = |k: i32| length * 0.5f64.powi(k);
             let layer = |k: i32| {
                 let (near, far) = (distance(k), length - distance(k));
                 let [from_left, from_right] = if side == 0 { [near, far] } else { [far, near] };
-                let p = solution.pressure_beside(self, zone, from_left, from_right);
+                let p = solution.pressure_beside(zone, from_left, from_right);
                 law.displacement(p.max(0.0))
             };
             // From the middle towards the end while the layer is deeper than that.
@@ -113,7 +114,7 @@ impl Problem {
             let length = right - left;
             let (near, far) = (AT_END * length, (1.0 - AT_END) * length);
             let [from_left, from_right] = if side == 0 { [near, far] } else { [far, near] };
-            let p = solution.pressure_beside(self, zone, from_left, from_right);
+            let p = solution.pressure_beside(zone, from_left, from_right);
             let moved = 2.0 * mean * (length * near).sqrt() / p;
             if p > 0.0 && moved.is_finite() { moved.min(length) } else { 0.0 }
         };
@@ -132,12 +133,14 @@ impl Problem {
         let stiffness = solution.stiffness().force_settlement.abs();
         let force = if stiffness.is_finite() { stiffness * rounding } else { 0.0 };
         let free = solution.edge_error().is_some();
-        let law = self.frame().law();
+        let law = self.problem().frame().law();
         let (pressure, edges) = match law {
             // The pressure follows from slopes, and a given settlement counts from heights.
-            Law::Smooth if matches!(self.load().vertical, Vertical::Force(_)) => (0.0, 0.0),
+            Law::Smooth if matches!(self.problem().load().vertical, Vertical::Force(_)) => {
+                (0.0, 0.0)
+            }
             Law::Smooth => {
-                let is_round = self.frame().is_circular();
+                let is_round = self.problem().frame().is_circular();
                 let measure = |[left, right]: &[f64; 2]| {
                     if is_round {
                         0.5 * std::f64::consts::PI * (right * right.abs() - left * left.abs())

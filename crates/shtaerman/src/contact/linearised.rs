@@ -61,7 +61,7 @@ impl Contact {
     /// The first-order change, where the method has one.
     pub(crate) fn linearised(&self) -> Option<Linearised> {
         let (place, share) = self.peak_place();
-        let mut found = self.solution().linearised(self.solved(), place)?;
+        let mut found = self.solution().linearised(self.solved().dimensionless_load(), place)?;
         for (rates, errors) in found.rates.iter().zip(&mut found.errors) {
             errors[3] += share * rates[3].abs();
         }

@@ -4,7 +4,7 @@ use crate::{Error, Problem};
 
 /// Most cuts of the whole base that are collocated, and most of one that lifts off or stands on other ground than a half-plane, where nothing else serves.
 pub(super) const MOST_BREAKS: usize = 15;
-const MOST_CUTS: usize = 40;
+pub(super) const MOST_CUTS: usize = 40;
 /// Degree of the polynomials that show each part, and how well, as a share of the range of the heights.
 const DEGREE: usize = 128;
 const RESOLVED: f64 = 1e-12;
@@ -84,16 +84,5 @@ impl Problem {
             return Parts { joints, smoothness: Smoothness::Bent };
         }
         parts
-    }
-
-    /// The same with the points of a measured profile as cuts, where these are few.
-    pub(super) fn parts_between_points(&self) -> Parts {
-        let points = self.profile().measured_points().unwrap_or(0);
-        if points == 0 || points > MOST_CUTS {
-            return self.parts();
-        }
-        let mut joints = self.profile().joints(self.frame().half_width());
-        joints.sort_by(f64::total_cmp);
-        Parts { joints, smoothness: Smoothness::Proved }
     }
 }

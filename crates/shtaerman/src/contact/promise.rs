@@ -23,7 +23,8 @@ pub(super) struct Reached {
 impl Reached {
     /// Refuses an error above an explicit tolerance, or above 1 % where neither a tolerance nor a degree was asked for.
     pub(super) fn require_kept(self, solver: &Solver) -> Result<(), Error> {
-        let Self { error: reached, method: Method { name: method, n }, displacements } = self;
+        let Self { error: reached, method: Method { name, n }, displacements } = self;
+        let method = name.name();
         let is_kept = |most: f64| reached <= most;
         match solver.tolerance {
             Some(tolerance) if is_kept(tolerance) => Ok(()),
@@ -51,10 +52,11 @@ pub(super) fn require_explained(found: Option<Complementarity>, reached: f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::method::MethodName;
 
     fn kept(error: f64, tolerance: Option<f64>, degree: Option<usize>) -> Result<(), Error> {
         let solver = Solver { tolerance, degree, ..Solver::default() };
-        let method = Method { name: "sinc", n: 7 };
+        let method = Method { name: MethodName::Sinc, n: 7 };
         Reached { error, method, displacements: [0.5, 0.1] }.require_kept(&solver)
     }
 

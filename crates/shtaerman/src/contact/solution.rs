@@ -5,11 +5,10 @@ use std::fmt::Debug;
 use super::accuracy::Accuracy;
 use super::balance::State;
 use super::complementarity::Complementarity;
-use super::draft::Draft;
 use super::method::Method;
 use super::rates::Linearised;
 use super::stiffness::Stiffness;
-use crate::Problem;
+use crate::Load;
 
 /// A solution without dimensions, by whatever way.
 pub(super) trait Solution: Debug + Send + Sync {
@@ -33,31 +32,25 @@ pub(super) trait Solution: Debug + Send + Sync {
     }
 
     /// `p0(xi)` on the base, 0 outside the zones; infinite at a singular corner.
-    fn pressure(&self, problem: &Problem, xi: f64) -> f64;
+    fn pressure(&self, xi: f64) -> f64;
 
     /// The same at many places.
-    fn pressures(&self, problem: &Problem, places: &[f64]) -> Vec<f64> {
-        places.iter().map(|&xi| self.pressure(problem, xi)).collect()
+    fn pressures(&self, places: &[f64]) -> Vec<f64> {
+        places.iter().map(|&xi| self.pressure(xi)).collect()
     }
 
     /// `p0` in a zone by the distances from both of its ends, where the smaller may be far below the rounding of `xi`.
-    fn pressure_beside(
-        &self,
-        problem: &Problem,
-        zone: usize,
-        from_left: f64,
-        from_right: f64,
-    ) -> f64 {
+    fn pressure_beside(&self, zone: usize, from_left: f64, from_right: f64) -> f64 {
         let [left, right] = self.zones().get(zone).copied().unwrap_or([f64::NAN; 2]);
         let xi = if from_left < from_right { left + from_left } else { right - from_right };
-        self.pressure(problem, xi)
+        self.pressure(xi)
     }
 
     /// `theta0 int K(xi, eta) p0(eta) deta` at any `xi`.
     fn displacement(&self, xi: f64) -> f64;
 
     /// Places from left to right with the pressures there, dense enough to show extremes; all finite.
-    fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>);
+    fn sample(&self) -> (Vec<f64>, Vec<f64>);
 
     /// Method and size.
     fn method(&self) -> Method;
@@ -92,64 +85,11 @@ pub(super) trait Solution: Debug + Send + Sync {
         None
     }
 
-    /// How it changes to first order, the largest pressure being at `peak`; none where only differences of solutions tell.
-    fn linearised(&self, _problem: &Problem, _peak: f64) -> Option<Linearised> {
+    /// How it changes to first order with what a load prescribes that it meets, the largest pressure being at `peak`; none where only differences of solutions tell.
+    fn linearised(&self, _load: Load, _peak: f64) -> Option<Linearised> {
         None
     }
 
     /// A bound of the size of `p0 + f0`, for the check that an answer is finite.
     fn size(&self) -> f64;
-}
-
-/// The draft with the Chebyshev degree that shows the features of the profile.
-#[derive(Debug, Clone)]
-pub(super) struct FullBase {
-    pub(super) draft: Draft,
-    pub(super) profile_degree: usize,
-}
-
-impl Solution for FullBase {
-    fn state(&self) -> State {
-        self.draft.state
-    }
-
-    fn stiffness(&self) -> Stiffness {
-        self.draft.balance.stiffness
-    }
-
-    fn zones(&self) -> Vec<[f64; 2]> {
-        vec![[-1.0, 1.0]]
-    }
-
-    fn pressure(&self, problem: &Problem, xi: f64) -> f64 {
-        self.draft.pressure(problem, xi)
-    }
-
-    fn displacement(&self, xi: f64) -> f64 {
-        if xi.abs() <= 1.0 { self.draft.potential.at(xi) } else { self.draft.beside(xi) }
-    }
-
-    fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
-        self.draft.sample(problem, self.profile_degree)
-    }
-
-    fn method(&self) -> Method {
-        self.draft.method
-    }
-
-    fn accuracy(&self) -> Option<&Accuracy> {
-        self.draft.accuracy.as_ref()
-    }
-
-    fn linearised(&self, problem: &Problem, peak: f64) -> Option<Linearised> {
-        let displacement = |xi: f64| self.displacement(xi);
-        let (method, degree) = (self.draft.method, self.profile_degree);
-        let found = problem.linearised_full_base(&displacement, method, degree, peak)?;
-        Some(found.with_stiffness(&self.stiffness(), &problem.dimensionless_load()))
-    }
-
-    fn size(&self) -> f64 {
-        let state = &self.draft.state;
-        state.settlement.abs() + state.tilt.abs() + self.draft.potential.size()
-    }
 }

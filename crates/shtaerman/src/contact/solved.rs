@@ -8,6 +8,8 @@ use super::extremes::{Extreme, Sampled};
 use super::kinks::{Kink, kinks};
 use super::method::Method;
 use super::promise::Reached;
+use super::route::Found;
+use super::setting::Setting;
 use super::solution::Solution;
 use super::stiffness::Stiffness;
 use super::warning::{Warning, WarningCode};
@@ -58,7 +60,7 @@ enum Units {
 struct Record {
     problem: Problem,
     /// The problem with heights from the level of the base, which was solved.
-    solved: Problem,
+    setting: Setting,
     /// The height of that level, without dimensions.
     level: f64,
     solution: Arc<dyn Solution>,
@@ -84,25 +86,23 @@ struct Record {
 
 impl Contact {
     /// The answer that a solution amounts to.
-    pub(super) fn new(
-        problem: &Problem,
-        solution: Arc<dyn Solution>,
-        reason: String,
-    ) -> Result<Self, Error> {
-        let of_heights = problem.of_heights(solution.as_ref());
+    pub(super) fn new(setting: Setting, found: Found) -> Result<Self, Error> {
+        let Found { solution, reason, .. } = found;
+        let problem = setting.problem().clone();
+        let of_heights = setting.of_heights(solution.as_ref());
         let is_symmetric = problem.is_symmetric();
         let record = Record {
             problem: problem.clone(),
-            solved: problem.clone(),
+            setting,
             level: 0.0,
             accuracy: of_heights.zip(solution.accuracy()).map(|(own, known)| own.or(known)),
             of_heights: of_heights.map_or(0.0, |own| own.relative()),
             edges_of_heights: of_heights.map_or(0.0, |own| own.edges()),
-            reason,
+            reason: reason.to_string(),
             is_level: is_symmetric || problem.is_wave(),
             is_symmetric,
             peak: (0.0, 0.0),
-            kinks: kinks(problem, &solution.zones()),
+            kinks: kinks(&problem, &solution.zones()),
             state: solution.state(),
             solution,
             tension: Vec::new(),
@@ -111,9 +111,9 @@ impl Contact {
         };
         let mut contact = Self { record: Arc::new(record), units: Units::OfProblem };
         contact.require_finite()?;
-        contact.warn(Warning::evenness_not_proved(problem));
+        contact.warn(Warning::evenness_not_proved(&problem));
         let (peak, tension) = {
-            let (places, pressures) = contact.solution().sample(problem);
+            let (places, pressures) = contact.solution().sample();
             let sampled = Sampled::new(|xi| contact.pressure_at(xi), places, pressures);
             (sampled.maximum(), sampled.negative())
         };
@@ -157,7 +157,7 @@ impl Contact {
             known.settlement = 0.0;
         }
         record.state.settlement = settlement;
-        (record.problem, record.solved) = (problem.clone(), problem.clone());
+        (record.problem, record.setting) = (problem.clone(), Setting::new(problem));
         self
     }
 
@@ -221,12 +221,12 @@ impl Contact {
     /// `p0(xi)`, 0 outside the zones; points beyond the punch count as the nearer edge, NaN stays.
     pub(crate) fn pressure_at(&self, xi: f64) -> f64 {
         let xi = xi.clamp(-1.0, 1.0);
-        self.singular_pressure(xi).unwrap_or_else(|| self.solution().pressure(self.solved(), xi))
+        self.singular_pressure(xi).unwrap_or_else(|| self.solution().pressure(xi))
     }
 
     /// `p0` at many places of the base.
     pub(super) fn pressures_at(&self, places: &[f64]) -> Vec<f64> {
-        let mut pressures = self.solution().pressures(self.solved(), places);
+        let mut pressures = self.solution().pressures(places);
         for (pressure, xi) in pressures.iter_mut().zip(places) {
             *pressure = self.singular_pressure(*xi).unwrap_or(*pressure);
         }
@@ -235,7 +235,7 @@ impl Contact {
 
     /// `p0` in a zone by the distances from both of its ends, in half-widths.
     pub(crate) fn pressure_beside(&self, zone: usize, from_left: f64, from_right: f64) -> f64 {
-        self.solution().pressure_beside(self.solved(), zone, from_left, from_right)
+        self.solution().pressure_beside(zone, from_left, from_right)
     }
 
     /// The largest `p0` with its `xi`.
@@ -364,7 +364,7 @@ impl Contact {
     /// The largest error relative to its size; infinite where the method tells none.
     #[must_use]
     pub fn relative_error(&self) -> f64 {
-        let (_, pressures) = self.solution().sample(self.solved());
+        let (_, pressures) = self.solution().sample();
         let largest = pressures.into_iter().fold(0.0f64, |most, p| most.max(p.abs()));
         let sizes = self.record.state.sizes(largest);
         if let Some(audit) = self.found_audit() {
@@ -398,7 +398,7 @@ impl Contact {
 
     /// The problem as it was solved, with heights from the level of the base.
     pub(crate) fn solved(&self) -> &Problem {
-        &self.record.solved
+        self.record.setting.problem()
     }
 
     /// The settlement of the problem as it was solved, and the height of its level.

@@ -1,7 +1,6 @@
 //! The deformed surface of the body, and the gap beside the contact.
 
 use super::Contact;
-use super::draft::Draft;
 use crate::{Error, Scaling};
 
 impl Contact {
@@ -41,21 +40,5 @@ impl Contact {
     /// [`Error::BeyondPunch`] outside the closed base, also for NaN.
     pub fn gap(&self, x: f64) -> Result<f64, Error> {
         Ok(self.gap_at(self.on_base(x)?) * self.scale(Scaling::displacement))
-    }
-}
-
-impl Draft {
-    /// `theta0 int ln(1/|xi - eta|) p0(eta) deta` for `|xi| > 1`.
-    ///
-    /// With `xi = (z + 1/z)/2`, `|z| > 1`, the kernel is `-ln(|z|/2) + sum_{m>0} (2/m) z^-m T_m(eta)`, so the displacement is the series under the punch with the
-    /// powers of `1/z` in place of `T_m(xi)`: continuous at the edges, and more accurate the farther away, as the terms beyond `n` fall as `z^-n`.
-    pub(super) fn beside(&self, xi: f64) -> f64 {
-        let distance = xi.abs();
-        let z = distance + (distance - 1.0).sqrt() * (distance + 1.0).sqrt();
-        let inverse = xi.signum() / z;
-        // Coefficient 0 is theta0 P0 ln 2; outside, ln 2 becomes ln 2 - ln z.
-        let coefficients = self.potential.series().coefficients();
-        let series = coefficients.iter().rev().fold(0.0, |sum, c| c + inverse * sum);
-        series - self.theta0 * self.state.force * z.ln()
     }
 }

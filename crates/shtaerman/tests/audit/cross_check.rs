@@ -111,7 +111,7 @@ fn a_trace_under_a_power_law_agrees() {
         let load = Load::new(Vertical::Force(force), Rotational::Moment(0.05 * force)).unwrap();
         let problem = Problem::new(foundation, punch.with_profile(profile), load).unwrap();
         let contact = problem.solve().unwrap().audited().unwrap();
-        assert_eq!(contact.method().name, "panels");
+        assert_eq!(contact.method().name, shtaerman::MethodName::Panels);
         let check = problem.cross_check(&contact).unwrap();
         println!("{theta0} {exponent}: {:e} {check:?}", contact.relative_error());
         // What the reference is off by at one place may vanish by chance: its largest error counts.

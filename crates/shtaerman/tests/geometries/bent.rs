@@ -94,8 +94,8 @@ fn traces_agree_with_formulas_in_rows_and_on_graded_ground() {
             let [trace, formula] = cubic(60, scale);
             let on_panels = solved(frame.clone(), trace, load).unwrap();
             let known = solved(frame.clone(), formula, load).unwrap();
-            assert_eq!(on_panels.method().name, "panels");
-            assert_eq!(known.method().name, "sinc");
+            assert_eq!(on_panels.method().name, shtaerman::MethodName::Panels);
+            assert_eq!(known.method().name, shtaerman::MethodName::Sinc);
             let size = known.dimensionless().peak_pressure();
             let (one, other) = (on_panels.dimensionless().zones(), known.dimensionless().zones());
             for (a, b) in one.iter().flatten().zip(other.iter().flatten()) {

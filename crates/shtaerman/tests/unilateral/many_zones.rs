@@ -1,7 +1,7 @@
 //! Profiles of thousands of points.
 
 use crate::support::{force_and_moment, solve};
-use shtaerman::{Contact, Foundation, Load, Problem, Profile, Punch};
+use shtaerman::{Contact, Foundation, Load, MethodName, Problem, Profile, Punch};
 
 fn measured(theta0: f64, height: impl Fn(f64) -> f64, load: Load) -> Contact {
     const POINTS: i32 = 4000;
@@ -28,7 +28,10 @@ fn panels_agree_with_collocation() {
         let exact = solve(theta0, &expression, load);
         // The spline through the points deviates by 1e-12.
         let panels = measured(theta0, |x| size * (x * x + 0.3 * (11.0 * x + 0.4).cos()), load);
-        assert_eq!((exact.method().name, panels.method().name), ("sinc", "panels"));
+        assert_eq!(
+            [exact.method().name, panels.method().name],
+            [MethodName::Sinc, MethodName::Panels]
+        );
         assert!(
             exact.dimensionless().zones().len() > 1
                 && exact.dimensionless().zones().len() == panels.dimensionless().zones().len()

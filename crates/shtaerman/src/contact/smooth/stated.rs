@@ -7,11 +7,11 @@ use super::{Curve, SmoothContact, SmoothKernel, SmoothProblem, SmoothProfile};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
 use crate::contact::complementarity::Complementarity;
-use crate::contact::method::Method;
+use crate::contact::method::{Method, MethodName};
 use crate::contact::rates::Linearised;
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
-use crate::{ContactKind, Error, Geometry, Problem, Rotational, Scaling, Vertical};
+use crate::{ContactKind, Error, Geometry, Load, Problem, Rotational, Scaling, Vertical};
 
 /// To this share the slope of a measured profile or a closure is resolved on graded ground: the third derivative of a spline jumps at every point, and slopes of a closure are those of
 /// polynomials through its values.
@@ -145,15 +145,15 @@ impl Solution for SmoothContact {
         self.is_contact(xi)
     }
 
-    fn pressure(&self, _: &Problem, xi: f64) -> f64 {
+    fn pressure(&self, xi: f64) -> f64 {
         self.pressure0(xi)
     }
 
-    fn pressures(&self, _: &Problem, places: &[f64]) -> Vec<f64> {
+    fn pressures(&self, places: &[f64]) -> Vec<f64> {
         self.pressures0(places)
     }
 
-    fn pressure_beside(&self, _: &Problem, zone: usize, from_left: f64, from_right: f64) -> f64 {
+    fn pressure_beside(&self, zone: usize, from_left: f64, from_right: f64) -> f64 {
         self.pressure_beside0(zone, from_left, from_right)
     }
 
@@ -161,7 +161,7 @@ impl Solution for SmoothContact {
         self.elastic_displacement0(xi)
     }
 
-    fn sample(&self, _: &Problem) -> (Vec<f64>, Vec<f64>) {
+    fn sample(&self) -> (Vec<f64>, Vec<f64>) {
         let zones = SmoothContact::zones(self);
         let mut places = vec![-1.0, 1.0];
         let count = (MOST_PLACES / zones.len().max(1)).clamp(8, 2 * PLACES);
@@ -180,7 +180,7 @@ impl Solution for SmoothContact {
     }
 
     fn method(&self) -> Method {
-        Method { name: "first_kind", n: self.modes() }
+        Method { name: MethodName::FirstKind, n: self.modes() }
     }
 
     fn accuracy(&self) -> Option<&Accuracy> {
@@ -204,7 +204,7 @@ impl Solution for SmoothContact {
         SmoothContact::relative_error(self)
     }
 
-    fn linearised(&self, _: &Problem, peak: f64) -> Option<Linearised> {
+    fn linearised(&self, _load: Load, peak: f64) -> Option<Linearised> {
         self.first_order(peak)
     }
 

@@ -5,16 +5,17 @@ use fredholm::SincSolution;
 use super::anchor::Anchor;
 use super::base::Base;
 
+use super::between::between_nodes;
 use super::solved::{Solved, Stated};
-use crate::Problem;
+use crate::Load;
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
 use crate::contact::check::Check;
 use crate::contact::complementarity::Complementarity;
 use crate::contact::ground::SharedKernel;
-use crate::contact::method::Method;
-use crate::contact::potential::between_nodes;
+use crate::contact::method::{Method, MethodName};
 use crate::contact::rates::Linearised;
+use crate::contact::setting::Setting;
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::{Zone, outside};
@@ -24,7 +25,8 @@ const SAMPLES: usize = 256;
 
 /// Zones, pressure, settlement, tilt, force and moment of a unilateral contact, without dimensions.
 #[derive(Debug, Clone)]
-pub(crate) struct UnilateralContact {
+pub(super) struct UnilateralContact {
+    setting: Setting,
     solved: Solved,
     /// Settlement, tilt, force and moment of the problem itself.
     state: State,
@@ -77,13 +79,29 @@ impl UnilateralContact {
             .iter()
             .map(|[left, right]| 0.5 * (left + right))
             .collect();
-        let given = base.problem.dimensionless_load();
+        let given = base.setting.load();
         let (state, accuracy) = match &base.anchor {
             Some(anchor) => (anchor.state(given, solved.state), anchor.accuracy(accuracy)),
             None => (solved.state, accuracy),
         };
         let anchor = base.anchor;
-        Self { solved, state, anchor, accuracy, edge_error, complementarity, tilted: None, beside }
+        let setting = base.setting.clone();
+        let tilted = None;
+        Self {
+            setting,
+            solved,
+            state,
+            anchor,
+            accuracy,
+            edge_error,
+            complementarity,
+            tilted,
+            beside,
+        }
+    }
+
+    pub(super) fn setting(&self) -> &Setting {
+        &self.setting
     }
 
     pub(super) fn solved(&self) -> &Solved {
@@ -174,7 +192,7 @@ impl Solution for UnilateralContact {
         self.zone(self.locate(xi)).is_some()
     }
 
-    fn pressure(&self, problem: &Problem, xi: f64) -> f64 {
+    fn pressure(&self, xi: f64) -> f64 {
         let place = self.locate(xi);
         let Some(zone) = self.zone(place) else {
             return if xi.is_nan() { xi } else { 0.0 };
@@ -194,8 +212,8 @@ impl Solution for UnilateralContact {
         };
         let [_, image] = self.images(place);
         let height = |step: f64| match &self.anchor {
-            Some(anchor) => anchor.rise(problem, image + step * shift),
-            None => problem.dimensionless_profile(image + step * shift),
+            Some(anchor) => anchor.rise(self.setting.problem(), image + step * shift),
+            None => self.setting.height(image + step * shift),
         };
         // On a steep base the distance alone would show.
         let height = if shift == 0.0 { height(0.0) } else { 2.0 * height(1.0) - height(2.0) };
@@ -217,7 +235,7 @@ impl Solution for UnilateralContact {
         self.solved.displacement_outside(place) + turned
     }
 
-    fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
+    fn sample(&self) -> (Vec<f64>, Vec<f64>) {
         let mut places: Vec<f64> = vec![-1.0, 1.0];
         for panel in &self.solved.panels {
             let (middle, half) =
@@ -231,12 +249,12 @@ impl Solution for UnilateralContact {
         places.iter_mut().for_each(|place| *place += 0.0);
         places.sort_by(f64::total_cmp);
         places.dedup();
-        let pressures = places.iter().map(|&xi| self.pressure(problem, xi)).collect();
+        let pressures = places.iter().map(|&xi| self.pressure(xi)).collect();
         (places, pressures)
     }
 
     fn method(&self) -> Method {
-        Method { name: "sinc", n: self.solved.positions.len() }
+        Method { name: MethodName::Sinc, n: self.solved.positions.len() }
     }
 
     fn accuracy(&self) -> Option<&Accuracy> {
@@ -251,8 +269,8 @@ impl Solution for UnilateralContact {
         self.complementarity
     }
 
-    fn linearised(&self, problem: &Problem, peak: f64) -> Option<Linearised> {
-        self.first_order(problem, peak)
+    fn linearised(&self, load: Load, peak: f64) -> Option<Linearised> {
+        self.first_order(load, peak)
     }
 
     fn size(&self) -> f64 {

@@ -7,9 +7,10 @@ use super::effort::Effort;
 use super::layer::Layer;
 use crate::contact::ground::Ground;
 use crate::contact::ground::of_problem::ground;
-use crate::contact::parts::{MOST_BREAKS, Smoothness};
+use crate::contact::parts::{MOST_BREAKS, Parts, Smoothness};
 use crate::contact::revolution::require_even;
 use crate::contact::search::{Equation, Work};
+use crate::contact::setting::Setting;
 use crate::contact::valleys;
 use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
@@ -32,6 +33,7 @@ const SEAM: f64 = 1e-9;
 /// A dimensionless problem with what is worth knowing about its profile.
 #[derive(Clone)]
 pub(super) struct Base<'p> {
+    pub(super) setting: &'p Setting,
     pub(super) problem: &'p Problem,
     pub(super) load: Load,
     pub(super) theta: f64,
@@ -86,7 +88,8 @@ fn is_mirrored(base: &Base<'_>) -> bool {
 }
 
 impl<'p> Base<'p> {
-    pub(super) fn new(problem: &'p Problem, kind: ContactKind) -> Result<Self, Error> {
+    pub(super) fn new(setting: &'p Setting, kind: ContactKind) -> Result<Self, Error> {
+        let problem = setting.problem();
         let wanted = 4 * problem.profile().measured_points().unwrap_or(0);
         let count = wanted.clamp(SAMPLES, MOST_SAMPLES);
         let medium = ground(problem)?;
@@ -106,12 +109,13 @@ impl<'p> Base<'p> {
                 samples.push((xi, problem.finite_profile(xi)?));
             }
         }
-        let parts = problem.parts_between_points();
+        let parts = setting.parts_between_points();
         let beside = beside(problem, &parts.joints, length / count as f64)?;
         let mut base = Self {
+            setting,
             problem,
-            load: problem.dimensionless_load(),
-            theta: problem.frame().theta0(),
+            load: setting.load(),
+            theta: setting.theta0(),
             layer: Layer::new(problem)?,
             is_bilateral: kind == ContactKind::Bilateral,
             origin: 0.0,
@@ -146,6 +150,12 @@ impl<'p> Base<'p> {
     /// The same base with all of it in contact, where the pressure may pull.
     pub(super) fn kept(&self) -> Self {
         Self { is_bilateral: true, ..self.clone() }
+    }
+
+    /// The same base cut into these parts.
+    pub(super) fn cut(mut self, parts: &Parts) -> Self {
+        (self.breaks, self.smoothness) = (parts.joints.clone(), parts.smoothness);
+        self
     }
 
     /// The same base under another load, with nothing done so far.

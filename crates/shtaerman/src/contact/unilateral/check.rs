@@ -1,9 +1,9 @@
 //! Complementarity between the nodes: where the answer pulls and where the base penetrates.
 
 use super::base::Base;
+use super::between::between_nodes;
 use super::solved::Solved;
 use crate::contact::check::{Check, with_tops};
-use crate::contact::potential::between_nodes;
 use crate::contact::zones::outside;
 
 /// Points of a panel and of an interval outside the zones, at least.

@@ -83,8 +83,10 @@ impl Equation for Base<'_> {
     }
 
     fn effort(&self, zones: &[Zone], before: Option<Resolution>) -> Result<Resolution, Error> {
-        // Fewer than those that the answer begins with, which is compared with what was found.
-        let wanted = strength(self, zones) / RATIO;
+        // Fewer than those that the answer begins with, which is compared with what was found, and so few that there is room for both and one more.
+        let panels: usize = zones.iter().map(|zone| zone.panels(&self.breaks).len()).sum();
+        let room = self.effort.nodes as f64 / (2.0 * RATIO * panels.max(1) as f64);
+        let wanted = strength(self, zones).min(room) / RATIO;
         match before.filter(|known| known.strength >= wanted) {
             Some(known) => Ok(known),
             None => Resolution::new(&self.medium, wanted),

@@ -10,11 +10,11 @@ use fredholm::{SincOperator, SincSolution};
 
 use super::answer::{Tilted, UnilateralContact};
 use super::base::Base;
+use super::between::between_nodes;
 use super::solved::Solved;
 use crate::contact::check::Check;
 use crate::contact::ground::SharedKernel;
-use crate::contact::plan::AIM;
-use crate::contact::potential::between_nodes;
+use crate::contact::route::AIM;
 use crate::{Error, Rotational};
 
 /// Points at which the pressure is looked at for tension.

@@ -6,6 +6,7 @@
 mod anchor;
 mod answer;
 mod base;
+mod between;
 mod check;
 mod coarse;
 mod effort;
@@ -27,16 +28,17 @@ mod spots;
 mod system;
 mod topology;
 
-pub(super) use answer::UnilateralContact;
+use answer::UnilateralContact;
 
 use std::sync::Arc;
 
 use super::edges::settle;
-use super::parts::require_few;
-use super::plan::AIM;
+use super::parts::{Parts, require_few};
+use super::route::AIM;
 use super::search::{ALLOWED, Equation, complementary};
+use super::setting::Setting;
 use super::solution::Solution;
-use crate::{ContactKind, Error, Problem};
+use crate::{ContactKind, Error};
 use base::Base;
 use check::check;
 use refinement::{ALL_NOISE, RATIO, refined};
@@ -51,28 +53,23 @@ const BESIDE: f64 = 1e-8;
 const DIGITS_LOST: f64 = 1e-11;
 const SMALL_ZONES: f64 = 0.1;
 
-impl Problem {
-    /// Solves the problem with the pressure nowhere negative: the zones of contact are part of the answer.
+impl Setting {
+    /// The solution with the pressure nowhere negative: the zones of contact are part of the answer.
     ///
     /// `p0 + theta0 int ln(1/|xi - eta|) p0 deta = delta0 - alpha0 xi - f0(xi)` and `p0 >= 0` on the zones, `p0 = 0` at their free edges, and outside
     /// them on the base a gap that is not negative.
-    pub(super) fn solve_unilateral(&self) -> Result<Arc<dyn Solution>, Error> {
-        let base = Base::new(self, ContactKind::Unilateral)?;
-        Ok(match lifting(base)? {
-            Answer::Zones(contact) => Arc::new(*contact),
-            Answer::Spots(contact) => Arc::new(*contact),
-        })
+    pub(super) fn lifting(&self) -> Result<Arc<dyn Solution>, Error> {
+        Ok(lifted(Base::new(self, ContactKind::Unilateral)?)?.solution())
     }
 
     /// The whole base in contact, where the pressure may pull, on panels; none where they do not serve.
-    pub(super) fn solve_full_contact_on_panels(&self) -> Result<Option<Arc<dyn Solution>>, Error> {
+    pub(super) fn whole_base_on_panels(&self) -> Result<Option<Arc<dyn Solution>>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
-        let solution = spots::solve_whole(&base)?;
-        Ok(solution.map(|contact| Arc::new(contact) as Arc<dyn Solution>))
+        Ok(spots::solve_whole(&base)?.map(|contact| Arc::new(contact) as Arc<dyn Solution>))
     }
 
-    /// The same with the whole base in contact, where the pressure may pull: by the equations of the zones, in every geometry and for every layer but a smooth one.
-    pub(super) fn solve_full_contact(&self) -> Result<Arc<dyn Solution>, Error> {
+    /// The same by the equations of the zones, in every geometry and for every layer but a smooth one.
+    pub(super) fn whole_base(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
         let is_bent_wave = base.medium.is_closed() && !base.breaks.is_empty();
         if (base.is_for_panels() || is_bent_wave)
@@ -82,6 +79,11 @@ impl Problem {
         }
         require_few(&base.breaks)?;
         Ok(Arc::new(full(&base)?))
+    }
+
+    /// The same by collocation on these parts.
+    pub(super) fn collocated(&self, parts: &Parts) -> Result<Arc<dyn Solution>, Error> {
+        Ok(Arc::new(full(&Base::new(self, ContactKind::Bilateral)?.cut(parts))?))
     }
 }
 
@@ -94,6 +96,13 @@ enum Answer {
 impl Answer {
     fn zones(contact: UnilateralContact) -> Self {
         Self::Zones(Box::new(contact))
+    }
+
+    fn solution(self) -> Arc<dyn Solution> {
+        match self {
+            Self::Zones(contact) => Arc::new(*contact),
+            Self::Spots(contact) => Arc::new(*contact),
+        }
     }
 
     /// Whether a wave that was cut here touches beside the cut.
@@ -128,7 +137,7 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
 }
 
 /// The answer where the base may lift off.
-fn lifting(base: Base<'_>) -> Result<Answer, Error> {
+fn lifted(base: Base<'_>) -> Result<Answer, Error> {
     if !base.has_panels() {
         require_few(&base.breaks)?;
     }

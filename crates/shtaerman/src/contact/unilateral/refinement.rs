@@ -3,13 +3,13 @@
 use fredholm::collocation::first_half_count;
 
 use super::base::Base;
+use super::between::between_nodes;
 use super::solved::{Solved, Stated};
 use super::system::Resolution;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::edges::settle;
-use crate::contact::plan::AIM;
-use crate::contact::potential::between_nodes;
 use crate::contact::resolutions::Trust;
+use crate::contact::route::AIM;
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 

@@ -6,6 +6,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::base::Base;
+use super::between::between_nodes;
 use super::elimination;
 use super::extent::{extent, reference_pressure};
 use super::field::Field;
@@ -14,7 +15,6 @@ use super::solved::{Panel, Solved, Stated};
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::ground::Hull;
-use crate::contact::potential::between_nodes;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Vertical};

@@ -92,6 +92,12 @@ impl Solved {
         self.positions.len() / self.panels.len()
     }
 
+    /// Where zones are cut into panels.
+    pub(super) fn breaks(&self) -> Vec<f64> {
+        let pairs = self.panels.windows(2).filter(|pair| pair[0].zone == pair[1].zone);
+        pairs.map(|pair| pair[1].left).collect()
+    }
+
     /// Rounding of the displacement of the layer: of what the body gives, and of `D - beta y - f0`, whose terms are large where small zones lie far from the middle.
     pub(super) fn rounding(&self) -> f64 {
         let [constant, slope] = self.local;

@@ -6,12 +6,12 @@ use super::{SmoothDisk, SmoothDiskContact, rings};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
 use crate::contact::complementarity::Complementarity;
-use crate::contact::method::Method;
+use crate::contact::method::{Method, MethodName};
 use crate::contact::rates::Linearised;
 use crate::contact::revolution::require_even;
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
-use crate::{ContactKind, Error, Problem, Rotational, Scaling, Vertical};
+use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 
 /// To this share integrals of a measured profile or a closure are taken: the third derivative of a spline jumps at every point, and slopes of a closure are differences.
 const MEASURED: f64 = 1e-10;
@@ -110,7 +110,7 @@ impl Solution for SmoothDiskContact {
         Some(vec![self.intensity0()])
     }
 
-    fn pressure(&self, _: &Problem, xi: f64) -> f64 {
+    fn pressure(&self, xi: f64) -> f64 {
         self.pressure0(xi)
     }
 
@@ -118,12 +118,12 @@ impl Solution for SmoothDiskContact {
         self.elastic_displacement0(xi)
     }
 
-    fn sample(&self, _: &Problem) -> (Vec<f64>, Vec<f64>) {
+    fn sample(&self) -> (Vec<f64>, Vec<f64>) {
         self.sampled0().into_iter().filter(|(_, pressure)| pressure.is_finite()).unzip()
     }
 
     fn method(&self) -> Method {
-        Method { name: "first_kind", n: self.modes() }
+        Method { name: MethodName::FirstKind, n: self.modes() }
     }
 
     fn accuracy(&self) -> Option<&Accuracy> {
@@ -142,7 +142,7 @@ impl Solution for SmoothDiskContact {
         self.problem().is_unilateral.then(|| SmoothDiskContact::complementarity(self))
     }
 
-    fn linearised(&self, _: &Problem, peak: f64) -> Option<Linearised> {
+    fn linearised(&self, _load: Load, peak: f64) -> Option<Linearised> {
         Some(self.first_order(peak))
     }
 

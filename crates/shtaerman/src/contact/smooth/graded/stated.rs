@@ -8,13 +8,13 @@ use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::check::Check;
 use crate::contact::complementarity::Complementarity;
-use crate::contact::method::Method;
+use crate::contact::method::{Method, MethodName};
 use crate::contact::rates::Linearised;
 use crate::contact::smooth::problem::SmoothProblem;
 use crate::contact::smooth::system::Place;
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
-use crate::{Error, Problem, Rotational, Vertical};
+use crate::{Error, Load, Problem, Rotational, Vertical};
 
 /// Rounding of a quantity relative to what is added up in it.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -183,11 +183,11 @@ impl Solution for GradedContact {
         self.fields().iter().map(|field| field.strip.zone.ends).collect()
     }
 
-    fn pressure(&self, _: &Problem, xi: f64) -> f64 {
+    fn pressure(&self, xi: f64) -> f64 {
         self.pressure0(xi)
     }
 
-    fn pressure_beside(&self, _: &Problem, zone: usize, from_left: f64, from_right: f64) -> f64 {
+    fn pressure_beside(&self, zone: usize, from_left: f64, from_right: f64) -> f64 {
         let (from_left, from_right) = (from_left.max(0.0), from_right.max(0.0));
         let place = Place { from_left, from_right };
         self.fields().get(zone).map_or(0.0, |field| field.pressure(place))
@@ -203,7 +203,7 @@ impl Solution for GradedContact {
         state.settlement - state.tilt * xi - (self.problem.profile.height)(inside)
     }
 
-    fn sample(&self, _: &Problem) -> (Vec<f64>, Vec<f64>) {
+    fn sample(&self) -> (Vec<f64>, Vec<f64>) {
         let along = &self.solved.along;
         let mut sampled: Vec<(f64, f64)> = Vec::new();
         let mut others = vec![-1.0, 1.0];
@@ -222,7 +222,7 @@ impl Solution for GradedContact {
 
     fn method(&self) -> Method {
         let n = self.fields().iter().map(Field::size).sum();
-        Method { name: "first_kind", n }
+        Method { name: MethodName::FirstKind, n }
     }
 
     fn accuracy(&self) -> Option<&Accuracy> {
@@ -245,7 +245,7 @@ impl Solution for GradedContact {
         Some(self.fields().iter().map(of).collect())
     }
 
-    fn linearised(&self, _: &Problem, peak: f64) -> Option<Linearised> {
+    fn linearised(&self, _load: Load, peak: f64) -> Option<Linearised> {
         Some(self.first_order(peak))
     }
 

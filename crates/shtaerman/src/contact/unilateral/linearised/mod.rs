@@ -19,10 +19,10 @@ use super::field::Field;
 use super::refinement::RATIO;
 use super::solved::{end_node, place};
 use super::system::{Factor, Resolution, System};
-use crate::contact::method::Method;
 use crate::contact::rates::{Linearised, Rates};
+use crate::contact::setting::Setting;
 use crate::contact::zones::{EndKind, Zone};
-use crate::{ContactKind, Error, Problem, Rotational};
+use crate::{ContactKind, Error, Load, Rotational};
 
 /// Fewest nodes on either side of the middle of a panel.
 const FEWEST: f64 = 8.0;
@@ -52,9 +52,14 @@ struct Known<'k, 'p> {
 
 impl UnilateralContact {
     /// The first-order change of the solution.
-    pub(super) fn first_order(&self, problem: &Problem, peak: f64) -> Option<Linearised> {
-        let solved = self.solved();
-        let mut base = Base::new(problem, problem.solver().contact).ok()?;
+    pub(super) fn first_order(&self, load: Load, peak: f64) -> Option<Linearised> {
+        let (solved, setting) = (self.solved(), self.setting());
+        let mut base = Base::new(setting, setting.problem().solver().contact).ok()?;
+        base.load.vertical = load.vertical;
+        // The tilt of a disk is another harmonic, a wave has none.
+        if !base.medium.is_disk() && !base.medium.is_closed() {
+            base.load.rotational = load.rotational;
+        }
         if matches!(solved.solution, Field::Ring(_)) {
             return ring::linearised(&base, solved, self.locate(peak));
         }
@@ -68,6 +73,8 @@ impl UnilateralContact {
         if base.medium.is_closed() {
             base = base.shifted(solved.hull.centre - 1.0);
         }
+        // As the solution itself was cut.
+        base.breaks = solved.breaks();
         let tilt = if base.medium.is_disk() { 0.0 } else { solved.state.tilt };
         let known = Known {
             base: &base,
@@ -86,26 +93,19 @@ impl UnilateralContact {
     }
 }
 
-impl Problem {
-    /// The first-order change of a solution on the full base of one punch with a linear layer, given its displacement `theta0 K p0`.
-    pub(in crate::contact) fn linearised_full_base(
+impl Setting {
+    /// The first-order change of a solution by the degenerate kernel, given its displacement `theta0 K p0` and the degree that its profile needs.
+    pub(in crate::contact) fn linearised_whole_base(
         &self,
         displacement: &dyn Fn(f64) -> f64,
-        method: Method,
         profile_degree: usize,
         peak: f64,
     ) -> Option<Linearised> {
-        let mut base = Base::new(self, ContactKind::Bilateral).ok()?;
-        // As the solution itself was cut.
-        base.breaks = self.collocated_parts().joints;
+        let base = Base::new(self, ContactKind::Bilateral).ok()?;
+        let base = base.cut(&self.collocated_parts());
         let panels = base.breaks.len() + 1;
-        let half_count = if method.name == "sinc" {
-            method.n / panels / 2
-        } else {
-            let smooth = first_half_count(base.steepness()).max(FEWEST);
-            let wanted = smooth + NODES_PER_DEGREE * profile_degree as f64;
-            wanted.min(0.5 * MOST_NODES / panels as f64) as usize
-        };
+        let smooth = first_half_count(base.steepness()).max(FEWEST);
+        let wanted = smooth + NODES_PER_DEGREE * profile_degree as f64;
         // Of a linear layer the pressure itself counts for nothing.
         let known = Known {
             base: &base,
@@ -116,7 +116,7 @@ impl Problem {
             peak,
             noise: 0.0,
         };
-        known.linearised(half_count)
+        known.linearised(wanted.min(0.5 * MOST_NODES / panels as f64) as usize)
     }
 }
 

@@ -5,12 +5,13 @@ use super::responses::{Responses, linearised};
 use crate::contact::accuracy::Accuracy;
 use crate::contact::balance::State;
 use crate::contact::complementarity::Complementarity;
-use crate::contact::method::Method;
+use crate::contact::method::{Method, MethodName};
 use crate::contact::rates::Linearised;
+use crate::contact::setting::Setting;
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
-use crate::{Problem, Rotational};
+use crate::{Load, Rotational};
 
 /// Tension over the largest pressure that is none.
 const PULLING: f64 = 1e-10;
@@ -20,6 +21,7 @@ const INSIDE: f64 = 1e-12;
 /// A contact in many zones with its errors.
 #[derive(Debug, Clone)]
 pub(in crate::contact::unilateral) struct SpotContact {
+    pub(super) setting: Setting,
     pub(super) level: Level,
     /// On the panels before the last, and on the last.
     pub(super) responses: [Responses; 2],
@@ -73,7 +75,7 @@ impl Solution for SpotContact {
         self.level.touches(self.level.chart.located(xi))
     }
 
-    fn pressure(&self, problem: &Problem, place: f64) -> f64 {
+    fn pressure(&self, place: f64) -> f64 {
         let chart = &self.level.chart;
         let xi = chart.located(place);
         if xi.is_nan() || !self.level.touches(xi) {
@@ -91,7 +93,7 @@ impl Solution for SpotContact {
             }
             _ => 0.0,
         };
-        let height = |step: f64| problem.dimensionless_profile(place + step * inwards);
+        let height = |step: f64| self.setting.height(place + step * inwards);
         // On a steep base the distance alone would show.
         let height = if inwards == 0.0 { height(0.0) } else { 2.0 * height(1.0) - height(2.0) };
         self.kept(self.level.pressure_at(xi, height))
@@ -102,14 +104,14 @@ impl Solution for SpotContact {
     }
 
     /// The nodes, both ends of the base and of the zones.
-    fn sample(&self, problem: &Problem) -> (Vec<f64>, Vec<f64>) {
+    fn sample(&self) -> (Vec<f64>, Vec<f64>) {
         let panels = self.level.field.panels();
         let pressures = self.level.pressures.iter().map(|p| self.kept(*p));
         let chart = &self.level.chart;
         let known = panels.nodes().iter().map(|y| chart.on_base(chart.place(*y))).zip(pressures);
         let zones = self.level.zones.iter().flat_map(|zone| [zone.left(), zone.right()]);
         let ends = zones.map(|xi| chart.on_base(xi)).chain([-1.0, 1.0]);
-        let ends = ends.map(|xi| (xi, self.pressure(problem, xi)));
+        let ends = ends.map(|xi| (xi, self.pressure(xi)));
         // Of a node that rounds to an end the end counts: beside a corner the pressure may change from one to the other.
         let mut samples: Vec<(f64, f64)> = ends.chain(known).collect();
         samples.sort_by(|one, two| one.0.total_cmp(&two.0));
@@ -118,7 +120,7 @@ impl Solution for SpotContact {
     }
 
     fn method(&self) -> Method {
-        Method { name: "panels", n: self.level.pressures.len() }
+        Method { name: MethodName::Panels, n: self.level.pressures.len() }
     }
 
     fn accuracy(&self) -> Option<&Accuracy> {
@@ -133,8 +135,7 @@ impl Solution for SpotContact {
         self.complementarity
     }
 
-    fn linearised(&self, problem: &Problem, peak: f64) -> Option<Linearised> {
-        let mut load = problem.dimensionless_load();
+    fn linearised(&self, mut load: Load, peak: f64) -> Option<Linearised> {
         if self.level.chart.is_closed() {
             // That no moment is asked for means that a wave cannot tilt.
             load.rotational = Rotational::Tilt(0.0);

@@ -115,7 +115,8 @@ fn solve_from(
     let (accuracy, edge_error) = estimate(base, &levels);
     let [_, _, level] = levels;
     let complementarity = (!base.is_bilateral).then_some(complementarity);
-    let contact = SpotContact { level, responses, accuracy, edge_error, complementarity };
+    let setting = base.setting.clone();
+    let contact = SpotContact { setting, level, responses, accuracy, edge_error, complementarity };
     Ok((contact.relative_error() <= ROUGHEST).then_some(contact))
 }
 

@@ -4,6 +4,8 @@ use super::super::base::Base;
 use super::super::{UnilateralContact, searched};
 use super::*;
 use crate::contact::balance::State;
+use crate::contact::method::MethodName;
+use crate::contact::setting::Setting;
 use crate::{ContactKind, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
 
 fn problem(theta0: f64, profile: Profile, vertical: Vertical, rotational: Rotational) -> Problem {
@@ -48,14 +50,16 @@ fn trace(points: i32, theta0: f64) -> Profile {
 }
 
 fn panels(problem: &Problem) -> SpotContact {
-    let base = Base::new(problem, ContactKind::Unilateral).unwrap();
+    let setting = Setting::new(problem);
+    let base = Base::new(&setting, ContactKind::Unilateral).unwrap();
     solve(&base).unwrap().unwrap()
 }
 
 /// Compares with collocation on the same problem, where that finds the zones; their number.
 fn agrees(problem: &Problem) -> Option<usize> {
     let found = panels(problem);
-    let base = Base::new(problem, ContactKind::Unilateral).unwrap();
+    let setting = Setting::new(problem);
+    let base = Base::new(&setting, ContactKind::Unilateral).unwrap();
     let exact = searched(&base).ok()?;
     let (one, other) = (found.state(), exact.state());
     let size = found.level.size();
@@ -75,7 +79,7 @@ fn agrees(problem: &Problem) -> Option<usize> {
     let (mut largest, mut pressure) = (0.0f64, 0.0f64);
     for i in 0..=400 {
         let xi = (f64::from(i) / 200.0 - 1.0).clamp(-1.0, 1.0);
-        let [a, b] = [found.pressure(problem, xi), exact.pressure(problem, xi)];
+        let [a, b] = [found.pressure(xi), exact.pressure(xi)];
         (largest, pressure) = (largest.max(b), pressure.max((a - b).abs()));
         let off = (found.displacement(xi) - exact.displacement(xi)).abs();
         assert!(off < 1e-11 * size, "{xi}: {off:e}");
@@ -91,12 +95,12 @@ fn agrees(problem: &Problem) -> Option<usize> {
         // The responses have d ln d at free edges, for which the panels are not made.
         assert!((a - b).abs() < 1e-8 * other.force_settlement, "{a} {b}");
     }
-    states_what_it_is_off(problem, &found, &exact);
+    states_what_it_is_off(&found, &exact);
     Some(zones.len())
 }
 
 /// Errors are within what both state.
-fn states_what_it_is_off(problem: &Problem, found: &SpotContact, exact: &UnilateralContact) {
+fn states_what_it_is_off(found: &SpotContact, exact: &UnilateralContact) {
     let (one, other) = (found.accuracy().unwrap(), exact.accuracy().unwrap());
     let (a, b) = (found.state(), exact.state());
     for (off, stated) in [
@@ -109,7 +113,7 @@ fn states_what_it_is_off(problem: &Problem, found: &SpotContact, exact: &Unilate
     let mut worst = 0.0f64;
     for i in 0..=3000 {
         let xi = (f64::from(i) / 1500.0 - 1.0).clamp(-1.0, 1.0);
-        worst = worst.max((found.pressure(problem, xi) - exact.pressure(problem, xi)).abs());
+        worst = worst.max((found.pressure(xi) - exact.pressure(xi)).abs());
     }
     assert!(worst <= stated, "{worst:e} {stated:e}");
     let stated = found.edge_error().unwrap_or(0.0) + exact.edge_error().unwrap_or(0.0);
@@ -127,8 +131,8 @@ fn states_what_it_is_off(problem: &Problem, found: &SpotContact, exact: &Unilate
     }
     let [left, right] = found.zones()[0];
     let peak = 0.3 * left + 0.7 * right;
-    let one = found.linearised(problem, peak).unwrap();
-    let other = exact.linearised(problem, peak).unwrap();
+    let one = found.linearised(found.setting.load(), peak).unwrap();
+    let other = exact.linearised(found.setting.load(), peak).unwrap();
     for input in 0..3 {
         for k in 0..5 {
             let (a, b) = (one.rates[input][k], other.rates[input][k]);
@@ -214,7 +218,7 @@ fn force_moment_and_displacement_agree_with_a_rule_of_their_own() {
                     if near_left { from + distance } else { to - distance }
                 };
                 let s = at(pair[0], pair[1]);
-                let part = half * node.weight * found.pressure(&problem, s);
+                let part = half * node.weight * found.pressure(s);
                 force += part;
                 moment += s * part;
                 for (sum, x) in displaced.iter_mut().zip([inside, beside]) {
@@ -270,8 +274,8 @@ fn a_wave_agrees_with_a_rule_of_its_own() {
         (tilt + 0.269_029_783_377_773_3, accuracy.tilt),
         (found.zones()[0][1] + 0.903_283_016_182_785, found.edge_error),
         (found.zones()[1][0] + 0.796_427_759_465_558_3, found.edge_error),
-        (found.pressure(&waves, -0.97) - 0.179_993_382_878_006, accuracy.pressure),
-        (found.pressure(&waves, -0.93) - 0.122_054_414_169_489_6, accuracy.pressure),
+        (found.pressure(-0.97) - 0.179_993_382_878_006, accuracy.pressure),
+        (found.pressure(-0.93) - 0.122_054_414_169_489_6, accuracy.pressure),
     ] {
         assert!(off.abs() <= stated + rounding && stated < 2e-12, "{off:e} {stated:e}");
     }
@@ -286,7 +290,7 @@ fn rates_on_panels_agree_with_differences() {
         let problem = problem(theta0, trace(1100, theta0), vertical, rotational);
         let contact = problem.solve().unwrap();
         let tangent = contact.tangent_sensitivities().unwrap();
-        assert_eq!(contact.method().name, "panels");
+        assert_eq!(contact.method().name, MethodName::Panels);
         assert_eq!(contact.sensitivities().unwrap(), tangent);
         let differences = contact.difference_sensitivities().unwrap();
         let known = [
@@ -324,7 +328,7 @@ fn a_settlement_may_go_with_an_eccentricity() {
         let State { settlement, tilt, .. } = free.state();
         let held = problem(theta0, profile, Vertical::Settlement(settlement), arm);
         let contact = held.solve().unwrap();
-        assert_eq!(contact.method().name, "panels");
+        assert_eq!(contact.method().name, MethodName::Panels);
         let stated = contact.dimensionless().error().unwrap();
         assert!((contact.dimensionless().force() - force).abs() <= stated.force + 1e-13 * force);
         assert!(

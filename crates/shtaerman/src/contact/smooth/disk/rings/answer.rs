@@ -11,11 +11,11 @@ use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::check::Check;
 use crate::contact::complementarity::Complementarity;
-use crate::contact::method::Method;
+use crate::contact::method::{Method, MethodName};
 use crate::contact::smooth::detail::COMPARED;
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
-use crate::{Error, Problem, Vertical};
+use crate::{Error, Vertical};
 
 /// Points at which two resolutions are compared.
 const COMPARISONS: usize = 33;
@@ -236,11 +236,11 @@ impl Solution for SmoothRingsContact {
         Some((0..count).map(of).collect())
     }
 
-    fn pressure(&self, _: &Problem, xi: f64) -> f64 {
+    fn pressure(&self, xi: f64) -> f64 {
         self.pressure0(xi)
     }
 
-    fn pressure_beside(&self, _: &Problem, zone: usize, from_left: f64, from_right: f64) -> f64 {
+    fn pressure_beside(&self, zone: usize, from_left: f64, from_right: f64) -> f64 {
         let (own, is_left) = self.along_diameter(zone);
         match self.solved.ring(own) {
             None => self.solved.pressure_beside(own, from_left, from_left.min(from_right)),
@@ -253,7 +253,7 @@ impl Solution for SmoothRingsContact {
         self.elastic_displacement0(xi)
     }
 
-    fn sample(&self, _: &Problem) -> (Vec<f64>, Vec<f64>) {
+    fn sample(&self) -> (Vec<f64>, Vec<f64>) {
         let zones = Solution::zones(self);
         let count = (MOST_PLACES / zones.len().max(1)).clamp(8, PLACES);
         let mut places = vec![-1.0, 1.0];
@@ -270,7 +270,7 @@ impl Solution for SmoothRingsContact {
     }
 
     fn method(&self) -> Method {
-        Method { name: "first_kind", n: self.modes() }
+        Method { name: MethodName::FirstKind, n: self.modes() }
     }
 
     fn accuracy(&self) -> Option<&Accuracy> {

@@ -1,0 +1,85 @@
+//! From a problem to its contact: setting, route, solution, and what is to be said of that.
+
+use super::Contact;
+use super::balance::State;
+use super::method::MethodName;
+use super::promise::{Reached, require_explained};
+use super::route::{AIM, Found, Reason, solution};
+use super::setting::Setting;
+use super::spectral::{SpectralContact, profile_series};
+use super::warning::Warning;
+use crate::roughness::Law;
+use crate::{Error, Problem, Scaling};
+
+impl Problem {
+    /// Solves the problem: zones of contact and pressure of a unilateral one, or the pressure on the full base by the method of the
+    /// [`Solver`](crate::Solver), or by the one that suits it.
+    ///
+    /// # Errors
+    /// [`Error::ProfileNotFinite`] where the profile is not finite; [`Error::Equation`] when a system does not fit into memory;
+    /// [`Error::Overflow`] when the answer is not finite; [`Error::ToleranceNotMet`] when an explicit tolerance is out of reach.
+    ///
+    /// Of unilateral contact: [`Error::InvalidValue`] for a force that is not positive, [`Error::TipsOver`] for a moment or an eccentricity that no
+    /// pressure on the base can balance, [`Error::NoContact`] for displacements that leave the base clear of the body;
+    /// [`Error::NotComplementary`] when no zones were found.
+    pub fn solve(&self) -> Result<Contact, Error> {
+        let Some((lowered, level)) = self.lowered() else { return self.solve_as_given() };
+        let level0 = self.frame().scaling().map_or(level, |scaling| level / scaling.displacement());
+        match lowered.solve_as_given() {
+            Ok(contact) => Ok(contact.with_level(self, level0)),
+            Err(error) => Err(error.with_level(level, level0)),
+        }
+    }
+
+    /// The solution with heights as they are.
+    pub(super) fn solve_as_given(&self) -> Result<Contact, Error> {
+        if let Some((settlement, e)) = self.settlement_at_eccentricity()
+            && self.frame().law() != Law::Smooth
+        {
+            return self.solve_at_eccentricity(settlement, e);
+        }
+        let setting = Setting::new(self);
+        let found = solution(&setting)?;
+        draw_up(setting, found)
+    }
+
+    /// The plain degenerate kernel of a given degree, without an estimate of its error, and its iterated pressure at the right edge, in the units of the problem.
+    pub(crate) fn solve_iterated(&self, degree: usize) -> Result<(Contact, f64), Error> {
+        let (problem, level) = self.lowered().unwrap_or_else(|| (self.clone(), 0.0));
+        let setting = Setting::new(&problem);
+        let series = profile_series(&setting)?;
+        let contact = SpectralContact::new(&setting, &series, degree)?;
+        let [_, edge] = contact.iterated_edges(&series);
+        let found = Found::spectral(contact, Reason::DegreeGiven);
+        let contact = Contact::new(setting, found)?;
+        let [displacement, pressure] = [Scaling::displacement, Scaling::pressure]
+            .map(|unit: fn(&Scaling) -> f64| self.frame().scaling().map_or(1.0, unit));
+        Ok((contact.with_level(self, level / displacement), edge * pressure))
+    }
+}
+
+/// The answer that a solution amounts to, if it keeps an explicit tolerance, with its warnings.
+fn draw_up(setting: Setting, found: Found) -> Result<Contact, Error> {
+    let solution = found.solution.as_ref();
+    let (method, profile_error) = (solution.method(), found.profile_error);
+    let of_heights = setting.of_heights(solution).map_or(0.0, |error| error.relative());
+    let reached = solution.relative_error().max(of_heights);
+    let State { settlement, tilt, .. } = solution.state();
+    let solver = *setting.problem().solver();
+    Reached { error: reached, method, displacements: [settlement, tilt] }.require_kept(&solver)?;
+    require_explained(solution.complementarity(), reached)?;
+    let is_unknown = setting.has_unknown_layer();
+    let mut contact = Contact::new(setting, found)?;
+    let frame = contact.problem().frame().clone();
+    contact.warn(Warning::negative_pressure(&frame, contact.tension_at()));
+    contact.warn(Warning::singular_edge(&frame, &contact.singular_corners()));
+    contact.warn(Warning::singular_kink(&frame, contact.kinks()));
+    contact.warn(Warning::profile_not_proved(is_unknown));
+    let is_free = solver.tolerance.is_none() && solver.degree.is_none();
+    contact.warn((is_free && reached > AIM).then(|| Warning::tolerance_not_met(AIM, reached)));
+    if method.name == MethodName::Spectral {
+        contact.warn(profile_error.map(Warning::profile_not_resolved));
+        contact.warn(Warning::low_degree(method.n, frame.theta0()));
+    }
+    Ok(contact)
+}
