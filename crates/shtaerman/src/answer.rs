@@ -13,10 +13,6 @@ pub use crate::surface_curve::SurfaceCurve;
 /// Version of the answer's layout; the JSON Schema `schema/answer.schema.json` describes it.
 pub const SCHEMA: &str = "shtaerman-answer/2";
 
-/// From this `theta0` on the corners of the smooth companion say something of edge pressures, and up to so many zones it is worth its solve.
-const NEARLY_SMOOTH: f64 = 40.0;
-const FEW_ZONES: usize = 4;
-
 /// A solved contact with its pressure at chosen points.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Answer {
@@ -281,6 +277,15 @@ impl Answer {
         self
     }
 
+    /// The answer with the [edge pressures](Contact::implied_edge_pressures) that corners without roughness imply.
+    #[must_use]
+    pub fn with_implied_edge_pressure(mut self, implied: Option<Vec<[f64; 2]>>) -> Self {
+        if let Some(physical) = self.physical.as_mut().and_then(|known| known.physical.as_mut()) {
+            physical.implied_edge_pressure = implied;
+        }
+        self
+    }
+
     /// The answer with its sensitivities.
     #[must_use]
     pub fn with_sensitivities(mut self, sensitivities: Sensitivities) -> Self {
@@ -333,7 +338,7 @@ impl PhysicalOnly {
             gauge: problem.gauge(),
             corner_intensity: contact.corner_intensity(),
             corner_exponent: corner_exponent(problem.foundation()),
-            implied_edge_pressure: implied(contact),
+            implied_edge_pressure: None,
         }
     }
 }
@@ -342,14 +347,6 @@ impl PhysicalOnly {
 fn corner_exponent(foundation: &Foundation) -> Option<f64> {
     let is_graded_and_smooth = foundation.grading().is_some() && foundation.law() == Law::Smooth;
     is_graded_and_smooth.then(|| foundation.corner_exponent())
-}
-
-/// Edge pressures that the corners of the smooth companion imply, where the contact has corners and is nearly smooth.
-fn implied(contact: &Contact) -> Option<Vec<[f64; 2]>> {
-    let ends = contact.dimensionless().zones();
-    let has_corner = ends.iter().flatten().any(|xi| xi.abs() == 1.0);
-    let sensible = has_corner && ends.len() <= FEW_ZONES && contact.theta0() >= NEARLY_SMOOTH;
-    if sensible { contact.implied_edge_pressures() } else { None }
 }
 
 #[cfg(test)]

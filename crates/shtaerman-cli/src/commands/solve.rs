@@ -124,6 +124,9 @@ impl Extras {
 fn extended(answer: Answer, contact: &Contact, extras: &Extras) -> Result<Answer, Failure> {
     let relative = extras.data.iter().map(|datum| contact.relative_settlement(*datum));
     let mut answer = answer.with_relative_settlement(relative.collect::<Result<_, _>>()?);
+    if contact.is_nearly_smooth() {
+        answer = answer.with_implied_edge_pressure(contact.implied_edge_pressures());
+    }
     if let Some(count) = extras.surface {
         answer.surface = Some(SurfaceCurve::new(contact, count)?);
     }

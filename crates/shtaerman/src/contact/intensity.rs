@@ -7,7 +7,19 @@ use super::companion::companion;
 use crate::roughness::Law;
 use crate::{Geometry, Roughness, Scaling};
 
+/// From this `theta0` on the corners of the smooth companion say something of edge pressures, and up to so many zones it is worth its solve.
+const NEARLY_SMOOTH: f64 = 40.0;
+const FEW_ZONES: usize = 4;
+
 impl Contact {
+    /// Whether the contact reaches a corner of the base and is so nearly smooth that its [edge pressures](Self::implied_edge_pressures) are those that corners imply.
+    #[must_use]
+    pub fn is_nearly_smooth(&self) -> bool {
+        let zones = self.solution().zones();
+        let has_corner = zones.iter().flatten().any(|xi| xi.abs() == 1.0);
+        has_corner && zones.len() <= FEW_ZONES && self.theta0() >= NEARLY_SMOOTH
+    }
+
     /// Corner intensities `K = lim sqrt(2 pi d) p` (Pa sqrt(m); without dimensions those over `E sqrt(a)`) of a smooth contact, `d` the distance from the end of a
     /// zone: left and right for each of [`zones`](Self::zones), 0 at free ends. `None` for a rough surface, whose pressure is finite.
     ///
