@@ -43,7 +43,7 @@ impl Problem {
     pub(super) fn solve_at_eccentricity(&self, settlement: f64, e: f64) -> Result<Contact, Error> {
         let curve = Curve { problem: self, settlement, e };
         match curve.search() {
-            Search::Found(point) => Ok(point.contact.as_settled(self, settlement)),
+            Search::Found(point) => Ok(point.contact.settled_at(self, settlement)),
             Search::Turns(excess) => Err(curve.out_of_reach(excess)),
             Search::Lost if curve.is_clear() => Err(Error::NoContact),
             Search::Lost => {

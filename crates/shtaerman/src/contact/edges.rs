@@ -224,9 +224,8 @@ impl Free {
 fn lacking(zones: &[Zone], ends: &Ends) -> f64 {
     let mut lacking = 0.0f64;
     for (zone, ends) in zones.iter().zip(ends) {
-        for side in 0..2 {
-            let EndState { value, scale, .. } = ends[side];
-            let size = match zone.kinds[side] {
+        for (kind, EndState { value, scale, .. }) in zone.kinds.iter().zip(ends) {
+            let size = match kind {
                 EndKind::Free => value.abs(),
                 EndKind::Wall => (-value).max(0.0),
                 EndKind::Axis => 0.0,
@@ -252,9 +251,9 @@ fn drop_idle(zones: &mut Vec<Zone>, force: impl Fn(usize) -> f64) -> bool {
 fn release(zones: &mut [Zone], ends: &Ends) -> bool {
     let mut released = false;
     for (zone, ends) in zones.iter_mut().zip(ends) {
-        for side in 0..2 {
-            if zone.kinds[side] == EndKind::Wall && ends[side].value < -ends[side].rounding {
-                zone.kinds[side] = EndKind::Free;
+        for (kind, end) in zone.kinds.iter_mut().zip(ends) {
+            if *kind == EndKind::Wall && end.value < -end.rounding {
+                *kind = EndKind::Free;
                 released = true;
             }
         }

@@ -144,7 +144,7 @@ impl Contact {
     }
 
     /// This contact under a force as the answer to the settlement it has but for rounding, which the force answers for.
-    pub(super) fn as_settled(mut self, problem: &Problem, settlement: f64) -> Self {
+    pub(super) fn settled_at(mut self, problem: &Problem, settlement: f64) -> Self {
         let record = self.record_mut();
         let state = record.state;
         let missed = (state.settlement - settlement).abs();
