@@ -32,10 +32,7 @@
 
 pub mod answer;
 pub mod asperities;
-mod audit;
 pub mod contact;
-pub mod convergence;
-mod datum;
 pub mod equation;
 mod error;
 pub mod file;
@@ -56,7 +53,6 @@ mod scaling;
 mod sensitivity;
 pub mod solver;
 pub mod stress;
-mod surface_curve;
 mod variation;
 
 #[doc(inline)]
@@ -69,21 +65,22 @@ pub use problem::Problem;
 #[doc(inline)]
 pub use punch::Punch;
 #[doc(inline)]
+pub use sensitivity::{Derivatives, Sensitivities};
+#[doc(inline)]
 pub use solver::Solver;
 
 #[doc(no_inline)]
+pub use answer::convergence::{self, Convergence};
+#[doc(no_inline)]
 pub use answer::{
-    Answer, AuditFigures, AuditReport, ErrorReport, MethodReport, PhysicalOnly, PressureCurve,
-    Quantities, SCHEMA, SurfaceCurve,
+    Answer, AuditFigures, AuditReport, Datum, ErrorReport, MethodReport, PhysicalOnly,
+    PressureCurve, Quantities, RelativeSettlement, SCHEMA, SurfaceCurve,
 };
 #[doc(no_inline)]
 pub use contact::{
-    AIM, Audit, Complementarity, CrossCheck, Datum, Derivatives, ErrorKind, Errors, Method,
-    MethodName, ReferenceError, RelativeSettlement, Scaling, Sensitivities, Stiffness, Unaudited,
-    Warning, WarningCode,
+    Audit, Complementarity, CrossCheck, ErrorKind, Errors, Method, MethodName, ReferenceError,
+    Scaling, Stiffness, Unaudited, Warning, WarningCode,
 };
-#[doc(no_inline)]
-pub use convergence::Convergence;
 #[doc(no_inline)]
 pub use load::{Rotational, Vertical};
 #[doc(no_inline)]
@@ -95,6 +92,6 @@ pub use punch::Geometry;
 #[doc(no_inline)]
 pub use shtaerman_input::{document, expression, quantity};
 #[doc(no_inline)]
-pub use solver::{ContactKind, MethodChoice};
+pub use solver::{AIM, ContactKind, MethodChoice};
 #[doc(no_inline)]
 pub use stress::{Criterion, FirstYield, Peak, Stress, StressField};

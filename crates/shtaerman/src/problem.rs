@@ -264,7 +264,7 @@ impl Problem {
         if self.profile().measured_points().is_some() {
             return 1e-10 * (theta0 / 100.0).max(1.0);
         }
-        crate::AIM * (theta0 / 10.0).max(1.0)
+        crate::solver::AIM * (theta0 / 10.0).max(1.0)
     }
 
     /// Whether the base fills the whole period of a row.

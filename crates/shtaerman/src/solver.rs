@@ -3,6 +3,9 @@
 use crate::Error;
 use crate::error::require;
 
+/// Relative error that is aimed at where no tolerance is given.
+pub const AIM: f64 = 1e-12;
+
 /// The method that solves the equation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MethodChoice {

@@ -4,6 +4,7 @@
 //! ones); each method hands over a solution, and the solution becomes the [`Contact`].
 
 mod accuracy;
+mod audit;
 mod balance;
 mod cells;
 mod check;
@@ -46,17 +47,14 @@ mod zones;
 
 pub(crate) use accuracy::Accuracy;
 pub use accuracy::ErrorKind;
+pub use audit::{Audit, Unaudited};
 pub use complementarity::Complementarity;
 pub use cross_check::{CrossCheck, ReferenceError};
 pub use method::{Method, MethodName};
 pub use quantities::Errors;
 pub(crate) use rates::{Linearised, Rates};
-pub use route::AIM;
 pub use solved::Contact;
 pub use stiffness::Stiffness;
 pub use warning::{Warning, WarningCode};
 
-pub use crate::audit::{Audit, Unaudited};
-pub use crate::datum::{Datum, RelativeSettlement};
 pub use crate::scaling::Scaling;
-pub use crate::sensitivity::{Derivatives, Sensitivities};

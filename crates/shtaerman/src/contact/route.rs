@@ -9,10 +9,9 @@ use super::setting::Setting;
 use super::solution::Solution;
 use super::spectral::{SpectralContact, profile_series};
 use crate::roughness::Law;
+use crate::solver::AIM;
 use crate::{Error, Geometry, MethodChoice};
 
-/// Relative error that is aimed at where no tolerance is given.
-pub const AIM: f64 = 1e-12;
 /// Profiles of a higher Chebyshev degree than this oscillate faster than collocation should follow.
 const LARGEST_COLLOCATED_DEGREE: usize = 256;
 /// Profiles up to this degree are tried by collocation, too, where the degenerate kernel falls short.

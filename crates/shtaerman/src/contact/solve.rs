@@ -4,11 +4,12 @@ use super::Contact;
 use super::balance::State;
 use super::method::MethodName;
 use super::promise::{Reached, require_explained};
-use super::route::{AIM, Found, Reason, solution};
+use super::route::{Found, Reason, solution};
 use super::setting::Setting;
 use super::spectral::{SpectralContact, profile_series};
 use super::warning::Warning;
 use crate::roughness::Law;
+use crate::solver::AIM;
 use crate::{Error, Problem, Scaling};
 
 impl Problem {

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::accuracy::{Accuracy, Sizes};
+use super::audit::{Audit, Unaudited};
 use super::balance::State;
 use super::extremes::{Extreme, Sampled};
 use super::kinks::{Kink, kinks};
@@ -13,7 +14,6 @@ use super::setting::Setting;
 use super::solution::Solution;
 use super::stiffness::Stiffness;
 use super::warning::{Warning, WarningCode};
-use crate::audit::{Audit, Unaudited};
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Problem, Scaling};
 

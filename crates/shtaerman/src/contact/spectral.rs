@@ -12,10 +12,10 @@ use super::balance::{Balance, State};
 use super::method::{Method, MethodName};
 use super::rates::Linearised;
 use super::resolutions::UNKNOWN;
-use super::route::AIM;
 use super::setting::Setting;
 use super::solution::Solution;
 use super::stiffness::Stiffness;
+use crate::solver::AIM;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// First degree where none is given.

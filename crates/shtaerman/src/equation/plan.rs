@@ -10,8 +10,8 @@ use super::definition::MOST_BREAKS;
 use super::draft::{Draft, relative_error};
 use super::family::Route;
 use super::{Equation, Kind, SolvedEquation};
-use crate::contact::AIM;
 use crate::expression::Line;
+use crate::solver::AIM;
 use crate::{Error, MethodChoice, Warning, WarningCode};
 
 /// Degree of the degenerate kernel where none is given.

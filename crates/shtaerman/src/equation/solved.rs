@@ -5,8 +5,8 @@ use fredholm::equation::{ErrorStatement, Method, Solution};
 
 use super::draft::Draft;
 use super::{Equation, EquationAudit, Kind};
-use crate::contact::AIM;
 use crate::error::require;
+use crate::solver::AIM;
 use crate::{Error, ErrorKind, Warning, WarningCode};
 
 /// What bounds know of a solution beside its ends, in changes from one number to the next.

@@ -2,7 +2,7 @@
 //!
 //! Meant are exact values: those of the formula with its numbers and constant parts rounded, or of the cubics between measured points.
 
-use super::{Profile, Shape, line};
+use super::base::{Profile, Shape, line};
 use crate::expression::{Enclosure, Interval, Scale, Series, Taylor};
 
 /// Switches are known to a few roundings of the base, and count as lying at the end of an interval that they are so close to.

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::{Profile, Shape, line};
+use super::base::{Profile, Shape, line};
 use crate::expression::{Expression, Interval, Line, Reflection};
 
 /// Pieces of a half that are looked at before any is divided, and divisions at most.

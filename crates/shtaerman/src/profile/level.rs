@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{Profile, Shape, line};
+use super::base::{Profile, Shape, line};
 use crate::expression::Interval;
 
 /// Places at which heights are compared with their range.

@@ -1,6 +1,6 @@
 //! A measured profile from a CSV file.
 
-use super::Profile;
+use super::base::Profile;
 use crate::document::FileError;
 use shtaerman_input::columns::{Columns, Row};
 

@@ -14,7 +14,7 @@ use super::between::between_nodes;
 use super::solved::Solved;
 use crate::contact::check::Check;
 use crate::contact::ground::SharedKernel;
-use crate::contact::route::AIM;
+use crate::solver::AIM;
 use crate::{Error, Rotational};
 
 /// Points at which the pressure is looked at for tension.

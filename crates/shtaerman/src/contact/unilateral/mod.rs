@@ -34,10 +34,10 @@ use std::sync::Arc;
 
 use super::edges::settle;
 use super::parts::{Parts, require_few};
-use super::route::AIM;
 use super::search::{ALLOWED, Equation, complementary};
 use super::setting::Setting;
 use super::solution::Solution;
+use crate::solver::AIM;
 use crate::{ContactKind, Error};
 use base::Base;
 use check::check;

@@ -9,8 +9,8 @@ use super::system::Resolution;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::edges::settle;
 use crate::contact::resolutions::Trust;
-use crate::contact::route::AIM;
 use crate::contact::zones::Zone;
+use crate::solver::AIM;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys; and most of them.

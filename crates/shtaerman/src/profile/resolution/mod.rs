@@ -9,7 +9,7 @@ mod search;
 #[cfg(test)]
 mod tests;
 
-use super::{Profile, Shape};
+use super::base::{Profile, Shape};
 use crate::expression::Interval;
 use parts::Partition;
 use search::{Leaf, Search};

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::super::Profile;
+use super::super::base::Profile;
 use crate::expression::{Interval, Taylor};
 
 /// Enclosures of Taylor coefficients at most, and their product with the length of the expression.

@@ -1,7 +1,7 @@
 //! Cuts of bases with narrow features and without.
 
+use super::super::base::{Profile, Shape};
 use super::super::tests::{Random, profile};
-use super::super::{Profile, Shape};
 use super::Resolution;
 use super::search::Search;
 

@@ -1,14 +1,18 @@
 //! The answer as data: what the faces print and other programs read.
 
+pub mod convergence;
+mod datum;
+mod surface_curve;
+
+pub use datum::{Datum, RelativeSettlement};
+pub use surface_curve::SurfaceCurve;
+
 use serde::Serialize;
 
-use crate::audit::{Audit, Unaudited};
 use crate::{
-    Complementarity, Contact, CrossCheck, Error, ErrorKind, Errors, Foundation, Law,
-    RelativeSettlement, Scaling, Sensitivities, Warning,
+    Audit, Complementarity, Contact, CrossCheck, Error, ErrorKind, Errors, Foundation, Law,
+    Scaling, Sensitivities, Unaudited, Warning,
 };
-
-pub use crate::surface_curve::SurfaceCurve;
 
 /// Version of the answer's layout; the JSON Schema `schema/answer.schema.json` describes it.
 pub const SCHEMA: &str = "shtaerman-answer/2";

@@ -5,7 +5,7 @@
 use serde::Serialize;
 use shtaerman_audit::{Answer, Bound, DiskProblem, Kernel, Prescribed, Profile, Refusal};
 
-use crate::contact::{Accuracy, ErrorKind};
+use super::{Accuracy, ErrorKind};
 use crate::roughness::Law;
 use crate::{Contact, ContactKind, Error, Geometry, Load, Problem, Rotational, Vertical};
 
