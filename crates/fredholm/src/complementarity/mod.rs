@@ -15,7 +15,7 @@ mod small;
 mod solver;
 
 pub use cells::logarithm_cells;
-pub(crate) use cells::mean_logarithm;
+pub use cells::{mean_logarithm, mean_power};
 pub use equal_cells::EqualCells;
 pub use projected::{CellCondition, CellSolution};
 pub use solver::{Complementarity, ComplementaritySolution, Condition};

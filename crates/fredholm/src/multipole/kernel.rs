@@ -4,13 +4,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::rule::logarithm_moments;
 use crate::Error;
-use crate::complementarity::mean_logarithm;
+use crate::complementarity::{mean_logarithm, mean_power};
 
 /// Beyond this many half-lengths from the middle moments of a power are computed downwards, and the decimals in the logarithm of what that leaves out.
 const FORWARD: f64 = 1.05;
 const DIGITS: f64 = 37.0;
-/// Beyond this many lengths of the longer interval the middles of two stand for them.
-const FAR: f64 = 12.0;
 /// Gauss's rule of three nodes for means.
 const GAUSS_NODE: f64 = 0.774_596_669_241_483_4;
 const GAUSS_WEIGHTS: [f64; 2] = [5.0 / 18.0, 4.0 / 9.0];
@@ -126,23 +124,6 @@ fn mean_ratio(left: [f64; 2], right: [f64; 2]) -> f64 {
         }
     }
     sum
-}
-
-/// The mean of `|x - s|^-mu` over two intervals, the first the same or left of the second.
-fn mean_power(left: [f64; 2], right: [f64; 2], exponent: f64) -> f64 {
-    let (h, k) = (left[1] - left[0], right[1] - right[0]);
-    let divisor = (1.0 - exponent) * (2.0 - exponent);
-    if left == right {
-        return 2.0 * h.powf(-exponent) / divisor;
-    }
-    let gap = (right[0] - left[1]).max(0.0);
-    let distance = gap + 0.5 * (h + k);
-    if distance > FAR * h.max(k) {
-        return distance.powf(-exponent);
-    }
-    // Second difference of G(d) = d^(2-mu)/((1-mu)(2-mu)), G'' = d^-mu
-    let g = |d: f64| d.powf(2.0 - exponent);
-    (g(gap + h + k) - g(gap + h) - g(gap + k) + g(gap)) / (divisor * h * k)
 }
 
 /// `M_k(z) = int_{-1}^{1} |z - y|^-mu P_k(y) dy`. From `(2k+1) P_k = P'_(k+1) - P'_(k-1)` by parts

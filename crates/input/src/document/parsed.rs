@@ -65,10 +65,7 @@ impl Document {
     /// The name of the file, if the document came from one.
     #[must_use]
     pub fn file_name(&self) -> Option<&str> {
-        match &*self.source {
-            Source::File { name, .. } => name.as_deref(),
-            Source::Override { .. } => None,
-        }
+        self.source.file_name()
     }
 
     /// The text of the file, without overrides.

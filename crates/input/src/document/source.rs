@@ -13,6 +13,14 @@ pub(super) enum Source {
 }
 
 impl Source {
+    /// The name of the file, if it is one that has one.
+    pub(super) fn file_name(&self) -> Option<&str> {
+        match self {
+            Self::File { name, .. } => name.as_deref(),
+            Self::Override { .. } => None,
+        }
+    }
+
     pub(super) fn text(&self) -> &str {
         match self {
             Self::File { text, .. } | Self::Override { text } => text,
@@ -44,10 +52,7 @@ impl Origin {
     /// The name of the file, if the value came from a file that has one.
     #[must_use]
     pub fn file_name(&self) -> Option<&str> {
-        match &*self.source {
-            Source::File { name, .. } => name.as_deref(),
-            Source::Override { .. } => None,
-        }
+        self.source.file_name()
     }
 
     /// The whole text of the file, or `key=value` of the override.

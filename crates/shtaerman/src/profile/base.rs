@@ -219,15 +219,6 @@ impl Profile {
         matches!(self.shape, Shape::Function(_))
     }
 
-    /// First and last position of a measured profile.
-    #[must_use]
-    pub fn measured_range(&self) -> Option<[f64; 2]> {
-        match &self.shape {
-            Shape::Measured(spline) => Some(spline.range()),
-            Shape::Flat | Shape::Expression(_) | Shape::Function(_) => None,
-        }
-    }
-
     /// Number of points of a measured profile.
     #[must_use]
     pub fn measured_points(&self) -> Option<usize> {

@@ -89,12 +89,6 @@ impl Responses {
         &self.energies
     }
 
-    /// `<1, A^{-1} f>` and `<x, A^{-1} f>`.
-    #[must_use]
-    pub fn free_projections(&self) -> [Enclosure; 2] {
-        [0, 1].map(|index| self.bases[index].functional(&self.free))
-    }
-
     /// The solution `p = c_1 A^{-1} 1 + c_2 A^{-1} x - A^{-1} f` of which one of each pair is given, with the approximation `q` that has
     /// the coefficients the approximations by themselves give: it meets given projections.
     #[must_use]

@@ -4,9 +4,9 @@ use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use fredholm::SincOperator;
+use fredholm::complementarity::{mean_logarithm, mean_power};
 use fredholm::kernel::{Kernel, WeberSonine};
 
-use super::cells::{mean_logarithm, mean_power};
 use super::shared::{disk_harmonic, disk_operator};
 use super::{Ground, Hull, SharedKernel};
 use crate::Error;

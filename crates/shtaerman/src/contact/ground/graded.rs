@@ -1,10 +1,10 @@
 //! A half-plane whose modulus grows with depth, `E ~ y^mu`, under one punch or a pair: `K = |xi - eta|^-mu`.
 
 use fredholm::Interval;
+use fredholm::complementarity::mean_power;
 use fredholm::kernel::{Kernel, Power};
 use fredholm::multipole::PanelKernel;
 
-use super::cells::mean_power;
 use super::{Ground, Hull};
 use crate::Error;
 

@@ -4,9 +4,9 @@
 
 use std::sync::Arc;
 
+use fredholm::complementarity::mean_logarithm;
 use fredholm::kernel::{Kernel, TransferPlane};
 
-use super::cells::mean_logarithm;
 use super::shared::layered_plane;
 use super::{Ground, Hull, half_count_of_layer};
 use crate::error::require;

@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use fredholm::SincOperator;
+use fredholm::complementarity::mean_logarithm;
 use fredholm::kernel::{Kernel, Logarithm};
 use fredholm::multipole::PanelKernel;
 
-use super::cells::mean_logarithm;
 use super::shared::line_operator;
 use super::{Ground, Hull};
 use crate::Error;

@@ -13,7 +13,6 @@
 //!
 //! Equations are solved in local coordinates `xi = c + b y`, in which the plane and the disk are always of one size.
 
-mod cells;
 mod disk;
 mod graded;
 mod layered;
@@ -22,8 +21,6 @@ mod line;
 pub(in crate::contact) mod of_problem;
 mod row;
 mod shared;
-
-pub(in crate::contact) use cells::mean_power;
 
 use std::fmt::Debug;
 use std::sync::Arc;

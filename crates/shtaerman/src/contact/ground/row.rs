@@ -3,10 +3,10 @@
 
 use std::f64::consts::{PI, TAU};
 
+use fredholm::complementarity::mean_logarithm;
 use fredholm::kernel::{Kernel, LogarithmSine};
 use fredholm::multipole::PanelKernel;
 
-use super::cells::mean_logarithm;
 use super::{Ground, Hull};
 use crate::Error;
 

@@ -2,9 +2,9 @@
 
 use super::problem::Base;
 use crate::contact::cells::{Cell, Cells, Limits, closing_in, solve_thin};
-use crate::contact::ground::mean_power;
 use crate::contact::valleys;
 use crate::{Error, Vertical};
+use fredholm::complementarity::mean_power;
 
 /// How far cells are refined.
 const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: 40 };
