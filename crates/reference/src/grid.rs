@@ -80,7 +80,7 @@ impl Grid {
     }
 
     /// Weights of the values at the nodes in the potential at a target: from the integrals of the kernel with the Legendre polynomials of each panel.
-    pub(crate) fn row(&self, kernel: &Kernel, target: Place) -> Vec<f64> {
+    pub(crate) fn row(&self, kernel: &Kernel<'_>, target: Place) -> Vec<f64> {
         let n = self.rule.nodes.len();
         let mut row = vec![0.0; self.len()];
         let mut integrals = vec![0.0; n];
@@ -232,7 +232,7 @@ fn balanced(mut panels: Vec<Panel>) -> Vec<Panel> {
 
 /// Panels of the zones of a rough layer, from left to right.
 pub(crate) fn panels(
-    kernel: &Kernel,
+    kernel: &Kernel<'_>,
     theta: f64,
     zones: &[[f64; 2]],
     breaks: &[Break],

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use libm::tgamma;
 
 /// A kernel with the measure of its base, as a function of the place `x` and the distance `d = s - x`, which keeps its digits where `x` and `s` are close.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Kernel {
+#[derive(Clone, Copy)]
+pub enum Kernel<'a> {
     /// `ln(1/|d|)`, one punch or a pair.
     Logarithm,
     /// `ln(1/(2 sin(pi |d|/L)))`, a row.
@@ -26,9 +26,11 @@ pub enum Kernel {
         /// `m`.
         harmonic: u8,
     },
+    /// Any function of `|d|` that is a multiple of `ln(1/|d|)` and a smooth function where points meet, and smooth elsewhere: one punch or a pair on ground that is the same all along its surface.
+    Plane(&'a dyn Fn(f64) -> f64),
 }
 
-impl Kernel {
+impl Kernel<'_> {
     /// The value, with what the measure adds.
     #[must_use]
     pub fn value(&self, x: f64, d: f64) -> f64 {
@@ -47,6 +49,7 @@ impl Kernel {
     pub(crate) fn value_with(&self, constants: &[f64; 3], x: f64, d: f64) -> f64 {
         match *self {
             Self::Logarithm => -d.abs().ln(),
+            Self::Plane(value) => value(d.abs()),
             Self::Row { period } => -(2.0 * (PI * d / period).sin().abs()).ln(),
             Self::Power { exponent } => d.abs().powf(-exponent),
             Self::Disk { exponent, harmonic } => {
@@ -64,7 +67,7 @@ impl Kernel {
     #[must_use]
     pub fn exponent(&self) -> f64 {
         match *self {
-            Self::Logarithm | Self::Row { .. } => 0.0,
+            Self::Logarithm | Self::Plane(_) | Self::Row { .. } => 0.0,
             Self::Power { exponent } | Self::Disk { exponent, .. } => exponent,
         }
     }
@@ -72,7 +75,7 @@ impl Kernel {
     /// Distances `d`, besides 0, at which the kernel is not smooth.
     pub(crate) fn images(&self, x: f64) -> [f64; 2] {
         match *self {
-            Self::Logarithm | Self::Power { .. } => [f64::INFINITY; 2],
+            Self::Logarithm | Self::Plane(_) | Self::Power { .. } => [f64::INFINITY; 2],
             Self::Row { period } => [-period, period],
             Self::Disk { .. } => [-2.0 * x, f64::INFINITY],
         }

@@ -17,6 +17,7 @@ mod rule;
 mod smooth;
 #[cfg(test)]
 mod tests;
+mod transfer;
 mod zones;
 
 pub use grid::Break;
@@ -24,3 +25,4 @@ pub use kernel::Kernel;
 pub use panel::potential;
 pub use problem::{Layer, Problem, Refusal, Rotational, Vertical};
 pub use reference::{Errors, Reference};
+pub use transfer::Transferred;

@@ -90,7 +90,7 @@ impl Panel {
 
 /// A panel seen from a target.
 struct View<'a> {
-    kernel: &'a Kernel,
+    kernel: &'a Kernel<'a>,
     constants: [f64; 3],
     panel: &'a Panel,
     target: Place,
@@ -182,7 +182,7 @@ pub(crate) struct Part {
 
 /// Hands over places `t` of a panel and weights with which a density there adds to the potential at a target, one subinterval after the other, to be summed one by one. `rule` is the quadrature, with more nodes than the density has.
 pub(crate) fn visit(
-    kernel: &Kernel,
+    kernel: &Kernel<'_>,
     panel: &Panel,
     target: Place,
     rule: &Rule,
@@ -206,7 +206,7 @@ pub(crate) fn visit(
 /// singularity is integrated to rounding with nothing but values of the kernel.
 #[must_use]
 pub fn potential(
-    kernel: &Kernel,
+    kernel: &Kernel<'_>,
     panels: &[[f64; 2]],
     density: &dyn Fn(f64) -> f64,
     x: f64,

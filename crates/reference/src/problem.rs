@@ -40,7 +40,7 @@ pub enum Rotational {
 /// A contact without dimensions: `v(p) + theta int K p dm = delta - alpha x - f` where `p > 0`.
 pub struct Problem<'a> {
     /// The kernel with its measure. Disks are solved on the radius: harmonic 0 has force and settlement, harmonic 1 moment and tilt (and neither height nor settlement).
-    pub kernel: Kernel,
+    pub kernel: Kernel<'a>,
     /// `theta >= 0`.
     pub theta: f64,
     /// The law of the layer.

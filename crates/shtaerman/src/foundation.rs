@@ -3,7 +3,7 @@
 use crate::error::require;
 use crate::quantity::{Dimension, DisplayUnit, engineering};
 use crate::roughness::Law;
-use crate::{Elastic, Error, Grading, Layering, Roughness};
+use crate::{Elastic, Error, Grading, Influence, Layering, Roughness};
 
 /// The body under the punch: its elastic material and what its rough surface gives.
 ///
@@ -23,7 +23,7 @@ use crate::{Elastic, Error, Grading, Layering, Roughness};
 /// assert_eq!(bare.theta0(), Some(5.0));
 /// # Ok::<(), shtaerman::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Foundation {
     ground: GroundKind,
     layering: Option<Layering>,
@@ -77,26 +77,26 @@ impl Foundation {
     ///
     /// # Errors
     /// [`Error::InvalidValue`] for a roughness out of range; [`Error::NotDimensionless`] for a dimensionless foundation, whose scale it is.
-    pub fn with_roughness(self, roughness: impl Into<Roughness>) -> Result<Self, Error> {
+    pub fn with_roughness(&self, roughness: impl Into<Roughness>) -> Result<Self, Error> {
         if self.theta0().is_some() {
             return Err(stands_for_all("roughness"));
         }
         let roughness = roughness.into();
         roughness.check()?;
-        Ok(Self { roughness, ..self })
+        Ok(Self { roughness, ..self.clone() })
     }
 
     /// The same dimensionless foundation with the law `p0^exponent` of the layer.
     ///
     /// # Errors
     /// [`Error::InvalidValue`] unless `0 < exponent <= 1`, and for a physical foundation.
-    pub fn with_exponent(self, exponent: f64) -> Result<Self, Error> {
+    pub fn with_exponent(&self, exponent: f64) -> Result<Self, Error> {
         if self.theta0().is_none() {
             let requirement =
                 "given with the coefficient of the layer: with_roughness(Roughness::power(..))";
             return Err(Error::InvalidValue { field: "exponent", value: exponent, requirement });
         }
-        Ok(Self { roughness: Roughness::power(1.0, exponent)?, ..self })
+        Ok(Self { roughness: Roughness::power(1.0, exponent)?, ..self.clone() })
     }
 
     /// The same in two pieces: a layer of finite thickness on a rigid base, of the material of this foundation, or a coating on it. Lengths are in metres, of a dimensionless
@@ -107,19 +107,26 @@ impl Foundation {
     /// use shtaerman::{Elastic, Foundation, LayerBase, Layering};
     ///
     /// let sheet = Layering::layer(2e-3, LayerBase::Frictionless)?;
-    /// let rubber = Foundation::new(Elastic::new(5e6, 0.49)?).with_roughness(1e-11)?.with_layering(sheet);
-    /// assert_eq!(rubber.layering(), Some(sheet));
+    /// let rubber = Foundation::new(Elastic::new(5e6, 0.49)?).with_roughness(1e-11)?.with_layering(sheet.clone());
+    /// assert_eq!(rubber.layering(), Some(&sheet));
     /// # Ok::<(), shtaerman::Error>(())
     /// ```
     #[must_use]
-    pub fn with_layering(self, layering: Layering) -> Self {
-        Self { layering: Some(layering), ..self }
+    pub fn with_layering(&self, layering: Layering) -> Self {
+        Self { layering: Some(layering), ..self.clone() }
+    }
+
+    /// The same on ground of one's own, given by its [influence function](Influence): the material is that at the surface. What does not go with it is refused by
+    /// [`Problem::new`](crate::Problem::new), as with a [layering](Self::with_layering); a circular punch, too.
+    #[must_use]
+    pub fn with_influence(&self, influence: Influence) -> Self {
+        self.with_layering(Layering::Own(influence))
     }
 
     /// The layer of finite thickness or the coating; none of a foundation in one piece.
     #[must_use]
-    pub fn layering(&self) -> Option<Layering> {
-        self.layering
+    pub fn layering(&self) -> Option<&Layering> {
+        self.layering.as_ref()
     }
 
     /// What the rough layer gives; of a dimensionless foundation in units of `chi`.

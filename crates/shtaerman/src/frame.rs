@@ -8,7 +8,7 @@ use crate::roughness::Law;
 use crate::{Elastic, Error, Foundation, Geometry, Grading, Layering, Punch, Roughness, Scaling};
 
 /// Why a surface on layered ground has to be rough.
-const ROUGH_ONLY: &str = "greater than zero on a layer of finite thickness and under a coating: smooth contact is not solved there";
+const ROUGH_ONLY: &str = "greater than zero on a layer of finite thickness, under a coating and on an influence function: smooth contact is not solved there";
 
 /// In which units a problem is stated.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,7 +55,7 @@ impl Frame {
     pub(crate) fn new(foundation: &Foundation, punch: &Punch) -> Result<Self, Error> {
         let frame = Self::in_one_piece(foundation, punch)?;
         match foundation.layering() {
-            Some(layering) => frame.layered(layering),
+            Some(layering) => frame.layered(layering.clone()),
             None => Ok(frame),
         }
     }
@@ -127,18 +127,19 @@ impl Frame {
     /// punch, an elastic punch, grading.
     fn layered(mut self, on: Layering) -> Result<Self, Error> {
         let geometry = self.geometry();
-        let (is_circular, is_coated) = (self.is_circular(), matches!(on, Layering::Coating { .. }));
+        let is_circular = self.is_circular();
+        let is_plane_only = matches!(on, Layering::Coating { .. } | Layering::Own(_));
         require_thickness(&on, self.half_width(), is_circular)?;
         let refuse = |refused: bool, requirement: &'static str| {
-            require(!refused, "thickness", on.thickness(), requirement).map(|_| ())
+            require(!refused, on.field(), on.thickness(), requirement).map(|_| ())
         };
         refuse(
             matches!(geometry, Geometry::Periodic { .. }),
             "left out for a periodic row: layers and coatings are solved under one punch and a pair",
         )?;
         refuse(
-            is_coated && is_circular,
-            "left out under a circular punch: coatings are solved under one plane punch and a pair",
+            is_plane_only && is_circular,
+            "left out under a circular punch: coatings and influence functions are solved under one plane punch and a pair",
         )?;
         require(self.law() != Law::Smooth, "roughness", 0.0, ROUGH_ONLY)?;
         refuse(self.grading().is_some(), "left out of a graded foundation")?;
@@ -158,9 +159,11 @@ impl Frame {
 
     /// A layer of finite thickness or a coating; `None` for a foundation of one piece.
     #[must_use]
-    pub(crate) fn layering(&self) -> Option<Layering> {
+    pub(crate) fn layering(&self) -> Option<&Layering> {
         match self {
-            Self::Physical { layering, .. } | Self::Dimensionless { layering, .. } => *layering,
+            Self::Physical { layering, .. } | Self::Dimensionless { layering, .. } => {
+                layering.as_ref()
+            }
         }
     }
 

@@ -1,7 +1,7 @@
-//! A foundation of two materials: a layer of finite thickness on a rigid base, and a coated half-plane.
+//! What lies below the surface if not one material: a layer of finite thickness on a rigid base, a coated half-plane, and what a user gives by its influence function.
 
 use crate::error::{positive, require};
-use crate::{Elastic, Error};
+use crate::{Elastic, Error, Influence};
 
 /// What a layer of finite thickness lies on.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,7 +19,7 @@ pub enum LayerBase {
 ///
 /// Under the pressure `p cos(q x)`, and `p J_0(q r)` on a layer, the surface settles by `2 M(q h)/(q E*) p` with the thickness `h`, the modulus `E*` of the material on top and the
 /// transfer function `M`, which tends to 1 as `exp(-2u)` does, but for powers of `u`.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum Layering {
     /// A layer on a rigid base.
     Layer {
@@ -37,6 +37,8 @@ pub enum Layering {
         /// The material below it.
         substrate: Elastic,
     },
+    /// Anything else, by its influence function; it has its own length for the thickness.
+    Own(Influence),
 }
 
 /// Least and largest thickness in half-widths. Thinner ones are springs to the rough layer, and tables of their kernels long; to thicker ones a half-plane is near enough.
@@ -77,24 +79,49 @@ impl Layering {
         Ok(Self::Coating { thickness, coating, substrate })
     }
 
-    /// `h`.
+    /// `h`; of an influence function without a length 1.
     #[must_use]
     pub fn thickness(&self) -> f64 {
         match self {
             Self::Layer { thickness, .. } | Self::Coating { thickness, .. } => *thickness,
+            Self::Own(influence) => influence.length().unwrap_or(1.0),
+        }
+    }
+
+    /// What the user has given it by, as errors name it.
+    pub(crate) fn field(&self) -> &'static str {
+        match self {
+            Self::Layer { .. } | Self::Coating { .. } => "thickness",
+            Self::Own(_) => "influence",
+        }
+    }
+
+    /// `E*` that `theta0` counts by over that of the material at the surface, where points meet: the foundation's is what lies below a coating, and on top of all else.
+    pub(crate) fn strength(&self) -> f64 {
+        match self {
+            Self::Layer { .. } | Self::Own(_) => 1.0,
+            Self::Coating { .. } => 1.0 / self.far_share(),
+        }
+    }
+
+    /// `K - ln(1/d)` where that is how the kernel is given; none where it has a transfer function.
+    pub(crate) fn remainder(&self) -> Option<&Influence> {
+        match self {
+            Self::Own(influence) => Some(influence).filter(|known| known.length().is_none()),
+            Self::Layer { .. } | Self::Coating { .. } => None,
         }
     }
 
     /// The same with lengths in half-widths.
     #[must_use]
-    pub(crate) fn scaled(self, half_width: f64) -> Self {
-        let mut scaled = self;
-        match &mut scaled {
+    pub(crate) fn scaled(mut self, half_width: f64) -> Self {
+        match &mut self {
             Self::Layer { thickness, .. } | Self::Coating { thickness, .. } => {
                 *thickness /= half_width;
             }
+            Self::Own(influence) => return Self::Own(influence.clone().scaled(half_width)),
         }
-        scaled
+        self
     }
 
     /// The same on a foundation of another material: that of the layer, or that below the coating.
@@ -115,6 +142,7 @@ impl Layering {
             Self::Coating { thickness, coating, .. } => {
                 Self::coating(thickness, coating, foundation)
             }
+            Self::Own(_) => Ok(self),
         }
     }
 
@@ -126,10 +154,11 @@ impl Layering {
             Self::Coating { coating, substrate, .. } => {
                 coating.plane_strain_modulus() / substrate.plane_strain_modulus()
             }
+            Self::Own(influence) => influence.far_share(),
         }
     }
 
-    /// `M(u)`, `u > 0`.
+    /// `M(u)`, `u > 0`; an influence function given by its remainder has none.
     ///
     /// - Frictionless: `(cosh 2u - 1)/(sinh 2u + 2u)`; bonded, with `c = 3 - 4 nu`: `(2 c sinh 2u - 4u)/(2 c cosh 2u + 4u^2 + 1 + c^2)` (I. I. Vorovich, V. M. Aleksandrov,
     ///   V. A. Babeshko, *Non-classical mixed problems of the theory of elasticity*, Nauka, Moscow, 1974);
@@ -140,6 +169,7 @@ impl Layering {
         match self {
             Self::Layer { base, .. } => base.transfer(u),
             Self::Coating { coating, substrate, .. } => coated(coating, substrate, u),
+            Self::Own(influence) => influence.length().map_or(f64::NAN, |_| influence.at(u)),
         }
     }
 
@@ -148,6 +178,9 @@ impl Layering {
     pub fn gauge(&self) -> &'static str {
         match self {
             Self::Layer { .. } => "the rigid base",
+            Self::Own(_) => {
+                "the zero of the influence function, whose ln(a/|x-s|) has a = half_width"
+            }
             Self::Coating { .. } => {
                 "ln(a/|x-s|) of the uncoated foundation, which the displacement is far away, a = half_width"
             }
@@ -169,6 +202,7 @@ pub(crate) fn require_thickness(
             THICKNESS,
             "between 0.002 and 1e4 half-widths: leave a thinner one out, and under a thicker one the foundation",
         ),
+        Layering::Own(_) => (THICKNESS, "given with a length between 0.002 and 1e4 half-widths"),
         Layering::Layer { .. } if is_circular => (
             DISK_THICKNESS,
             "between 0.05 and 1e4 radii: a thinner layer is a bed of springs, (1 - nu^2) h/E more roughness without friction, (1 - 2 nu)(1 + nu)/(1 - nu) h/E bonded; for a thicker one leave thickness out",
@@ -179,8 +213,11 @@ pub(crate) fn require_thickness(
         ),
     };
     let thickness = layering.thickness();
+    if layering.remainder().is_some() {
+        return Ok(());
+    }
     let is_solved = (least..=most).contains(&(thickness / half_width));
-    require(is_solved, "thickness", thickness, requirement).map(|_| ())
+    require(is_solved, layering.field(), thickness, requirement).map(|_| ())
 }
 
 impl LayerBase {

@@ -40,6 +40,7 @@ mod foundation;
 mod frame;
 mod geometry;
 mod grading;
+mod influence;
 pub mod inverse;
 mod layering;
 pub mod load;
@@ -84,7 +85,7 @@ pub use contact::{
 #[doc(no_inline)]
 pub use load::{Rotational, Vertical};
 #[doc(no_inline)]
-pub use material::{Elastic, Grading, Law, LayerBase, Layering, Roughness};
+pub use material::{Elastic, Grading, Influence, Law, LayerBase, Layering, Roughness};
 #[doc(no_inline)]
 pub use profile::Profile;
 #[doc(no_inline)]

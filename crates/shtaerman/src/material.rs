@@ -6,6 +6,7 @@ use crate::Error;
 use crate::error::{positive, require};
 
 pub use crate::grading::Grading;
+pub use crate::influence::Influence;
 pub use crate::layering::{LayerBase, Layering};
 pub use crate::roughness::{Law, Roughness};
 

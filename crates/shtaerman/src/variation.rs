@@ -19,7 +19,7 @@ impl Problem {
     /// # Errors
     /// Those of [`Problem::new`].
     pub fn with_punch(&self, punch: Punch) -> Result<Self, Error> {
-        self.stated(*self.foundation(), punch, *self.load())
+        self.stated(self.foundation().clone(), punch, *self.load())
     }
 
     /// The same problem under another load.
@@ -27,7 +27,7 @@ impl Problem {
     /// # Errors
     /// Those of [`Problem::new`].
     pub fn with_load(&self, load: Load) -> Result<Self, Error> {
-        self.stated(*self.foundation(), self.punch().clone(), load)
+        self.stated(self.foundation().clone(), self.punch().clone(), load)
     }
 
     /// The same problem with another base.
@@ -51,13 +51,13 @@ impl Problem {
     /// # Errors
     /// [`Error::InvalidValue`] unless the modulus is finite and positive; [`Error::NotDimensionless`] for a dimensionless problem; those of [`Problem::new`].
     pub fn with_young_modulus(&self, modulus: f64) -> Result<Self, Error> {
-        let known = *self.foundation();
+        let known = self.foundation();
         let changed = match known.ground() {
             GroundKind::Homogeneous(material) => {
                 let material = Elastic::new(modulus, material.poisson_ratio())?;
                 let foundation = Foundation::new(material);
                 match known.layering() {
-                    Some(layering) => foundation.with_layering(layering.on(material)?),
+                    Some(layering) => foundation.with_layering(layering.clone().on(material)?),
                     None => foundation,
                 }
             }
@@ -88,7 +88,7 @@ impl Problem {
             Roughness::Smooth | Roughness::Linear { .. } => foundation,
         };
         self.with_foundation(match self.foundation().layering() {
-            Some(layering) => foundation.with_layering(layering),
+            Some(layering) => foundation.with_layering(layering.clone()),
             None => foundation,
         })
     }

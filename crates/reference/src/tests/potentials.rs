@@ -1,6 +1,6 @@
 use std::f64::consts::PI;
 
-use crate::{Kernel, potential};
+use crate::{Kernel, Transferred, potential};
 
 /// `x`, `d`, `mu`, `m`, value: mpmath 1.3, 30 digits, `2^mu Gamma((1+mu)/2)/Gamma((1-mu)/2)` times the integral over the angle from 0 to pi of `|x - s e^(i phi)|^-(1+mu) cos(m phi)`.
 #[allow(clippy::excessive_precision, reason = "digits as the other program printed them")]
@@ -77,4 +77,22 @@ fn of_square_roots() {
     }
     // int_0^1 s^(-1/2) (-ln s) ds = 4
     close(potential(&Kernel::Logarithm, &panels, &|s| 1.0 / s.sqrt(), 0.0), 4.0, 1e-14);
+}
+
+/// `M = 1 - c exp(-2u)` is a line with its image: `ln(1/t) + (c/2) ln(4 + t^2)`; `M = tanh u` is `ln coth(pi t/4)`.
+#[test]
+fn of_transfer_functions() {
+    for h in [0.01, 0.6, 30.0] {
+        for c in [1.0, 0.4, -3.0] {
+            let image = Transferred::new(h, 1.0 - c, &|u| 1.0 - c * (-2.0 * u).exp(), 2.0);
+            let flat = Transferred::new(h, 0.0, &f64::tanh, 2.0);
+            for d in [1e-9, 3e-3, 0.2, 0.77, 1.3, 2.0] {
+                let t: f64 = d / h;
+                let far = 0.5 * (4.0 / (t * t)).ln_1p();
+                let exact = c * far - (1.0 - c) * d.ln();
+                close(image.value(d), exact, 2e-14 * (1.0 + exact.abs()));
+                close(flat.value(d), (2.0 / (0.5 * PI * t).exp_m1()).ln_1p(), 1e-13);
+            }
+        }
+    }
 }

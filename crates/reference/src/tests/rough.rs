@@ -5,7 +5,7 @@ use crate::{Break, Kernel, Layer, Problem, Reference, Refusal, Rotational, Verti
 const BASE: [[f64; 2]; 1] = [[-1.0, 1.0]];
 
 fn problem<'a>(
-    kernel: Kernel,
+    kernel: Kernel<'static>,
     theta: f64,
     base: &'a dyn Fn(f64) -> f64,
     vertical: Vertical,

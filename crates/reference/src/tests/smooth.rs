@@ -8,7 +8,7 @@ const RADIUS: [[f64; 2]; 1] = [[0.0, 1.0]];
 const MODULUS: f64 = 2.0 / PI;
 
 fn problem<'a>(
-    kernel: Kernel,
+    kernel: Kernel<'static>,
     pieces: &'a [[f64; 2]],
     base: &'a dyn Fn(f64) -> f64,
     force: f64,

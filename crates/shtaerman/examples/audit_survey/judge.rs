@@ -282,7 +282,7 @@ fn judge_equation(case: &Case, is_checked: bool, is_answered: impl FnOnce(Answer
 }
 
 /// The kernel of an equation's file in the words of the reference, its `theta` and the interval.
-fn same_kernel(toml: &str) -> Option<(Kernel, f64, [f64; 2])> {
+fn same_kernel(toml: &str) -> Option<(Kernel<'static>, f64, [f64; 2])> {
     let find = |key: &str| -> Option<&str> {
         toml.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(" = "))
     };

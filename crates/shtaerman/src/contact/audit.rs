@@ -169,7 +169,7 @@ fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
     };
     if frame.layering().is_some() {
         return Err(Unaudited::NotCovered(
-            "the residual on a layer or under a coating is not bounded yet: its errors are estimates of the method",
+            "the residual on a layer, under a coating or on an influence function is not bounded yet: its errors are estimates of the method, and a cross-check by product integration holds them against another in the plane",
         ));
     }
     let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());

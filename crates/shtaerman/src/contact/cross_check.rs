@@ -2,13 +2,13 @@
 
 use serde::Serialize;
 use shtaerman_reference::{
-    Break, Kernel, Layer, Problem as Posed, Reference, Refusal, Rotational as Turned,
+    Break, Kernel, Layer, Problem as Posed, Reference, Refusal, Rotational as Turned, Transferred,
     Vertical as Pressed,
 };
 
 use super::{Accuracy, Contact, ErrorKind};
 use crate::roughness::Law;
-use crate::{ContactKind, Error, Geometry, Load, Problem, Rotational, Scaling, Vertical};
+use crate::{ContactKind, Error, Geometry, Layering, Load, Problem, Rotational, Scaling, Vertical};
 
 /// Polynomials of this degree resolve the profile to this share of its heights between the cuts.
 const RESOLVED_DEGREE: usize = 64;
@@ -75,10 +75,23 @@ impl Problem {
         let (problem, level) = self.lowered().unwrap_or_else(|| (self.clone(), 0.0));
         let displacement = self.frame().scaling().map_or(1.0, Scaling::displacement);
         let height = |xi: f64| problem.dimensionless_profile(xi);
-        let posing =
-            Posing::new(&problem, level / displacement, &height).map_err(Error::no_reference)?;
-        posing.compare(contact).map_err(Error::no_reference)
+        let layering =
+            self.frame().layering().map(|on| on.clone().scaled(self.frame().half_width()));
+        let influence = layering.as_ref().map(influence);
+        let posed = Posing::new(&problem, level / displacement, &height, influence.as_deref());
+        posed.and_then(|posing| posing.compare(contact)).map_err(Error::no_reference)
     }
+}
+
+/// The influence function of ground in two pieces or of one's own, from its transfer function by quadrature that is not that of the solution.
+fn influence(layering: &Layering) -> Box<dyn Fn(f64) -> f64 + '_> {
+    let strength = layering.strength();
+    if let Some(remainder) = layering.remainder() {
+        return Box::new(move |d| remainder.at(d) - d.ln());
+    }
+    let transfer = |u| layering.transfer(u);
+    let kernel = Transferred::new(layering.thickness(), layering.far_share(), &transfer, 2.0);
+    Box::new(move |d| strength * kernel.value(d))
 }
 
 impl Error {
@@ -89,7 +102,7 @@ impl Error {
 
 /// A problem as the reference takes it.
 struct Posing<'a> {
-    kernel: Kernel,
+    kernel: Kernel<'a>,
     theta: f64,
     layer: Layer,
     pieces: Vec<[f64; 2]>,
@@ -145,24 +158,33 @@ struct Found<'a> {
 }
 
 impl<'a> Posing<'a> {
-    fn new(problem: &Problem, level: f64, height: &'a dyn Fn(f64) -> f64) -> Result<Self, Refusal> {
+    fn new(
+        problem: &Problem,
+        level: f64,
+        height: &'a dyn Fn(f64) -> f64,
+        influence: Option<&'a dyn Fn(f64) -> f64>,
+    ) -> Result<Self, Refusal> {
         let frame = problem.frame();
         let layer = match frame.law() {
             Law::Linear => Layer::Linear,
             Law::Power(exponent) => Layer::Power { exponent },
             Law::Smooth => Layer::None,
         };
-        if frame.layering().is_some() {
-            return Err(Refusal::NotCovered("the reference has no kernel of a layer or a coating"));
-        }
         let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
         let (kernel, pieces) = match frame.geometry().scaled(frame.half_width()) {
+            Geometry::Circular if influence.is_some() => {
+                return Err(Refusal::NotCovered(
+                    "the reference has no kernel of a layer under a circular punch",
+                ));
+            }
             Geometry::Circular => (Kernel::Disk { exponent, harmonic: 0 }, vec![[0.0, 1.0]]),
             Geometry::Periodic { period } => (Kernel::Row { period }, frame.pieces()),
             Geometry::Plane | Geometry::Pair { .. } if exponent > 0.0 => {
                 (Kernel::Power { exponent }, frame.pieces())
             }
-            Geometry::Plane | Geometry::Pair { .. } => (Kernel::Logarithm, frame.pieces()),
+            Geometry::Plane | Geometry::Pair { .. } => {
+                (influence.map_or(Kernel::Logarithm, Kernel::Plane), frame.pieces())
+            }
         };
         let load = problem.dimensionless_load();
         // A wave cannot tilt.

@@ -18,13 +18,13 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Stated, FileError> {
     let body = reader.table("body")?.map(|table| elastic(&table)).transpose()?;
     let punch = reader.required("punch")?.table()?;
     let (geometry, half_width, field) = geometry::read_physical(&punch)?;
-    let stated = stated(Foundation::new(material), roughness, geometry, half_width, body)
+    let stated = stated(&Foundation::new(material), roughness, geometry, half_width, body)
         .map_err(|error| refused(&field, &error))?;
     layering::on_foundation(reader, &foundation, material, stated)
 }
 
 fn stated(
-    foundation: Foundation,
+    foundation: &Foundation,
     roughness: Roughness,
     geometry: Geometry,
     half_width: f64,
@@ -67,8 +67,8 @@ fn graded(reader: &TableReader<'_>, foundation: &TableReader<'_>) -> Result<Stat
     let punch = reader.required("punch")?.table()?;
     let (geometry, half_width, field) = geometry::read_physical(&punch)?;
     let foundation = Foundation::graded(grading, poisson_ratio);
-    let stated =
-        foundation.and_then(|foundation| stated(foundation, roughness, geometry, half_width, body));
+    let stated = foundation
+        .and_then(|foundation| stated(&foundation, roughness, geometry, half_width, body));
     stated.map_err(|error| {
         let at_exponent = matches!(error, Error::InvalidValue { field: "grading_exponent", .. });
         refused(if at_exponent { &exponent } else { &field }, &error)

@@ -255,7 +255,7 @@ fn a_constant_in_the_profile_moves_the_settlement_alone() {
     let solver = Solver::default().with_tolerance(1e-12).unwrap();
     let solve = |text| {
         let profile = Profile::expression(text).unwrap();
-        Problem::new(foundation, punch.clone().with_profile(profile), load)
+        Problem::new(foundation.clone(), punch.clone().with_profile(profile), load)
             .unwrap()
             .with_solver(solver)
             .solve()

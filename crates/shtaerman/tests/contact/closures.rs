@@ -31,9 +31,9 @@ fn closures_are_formulas_in_every_geometry() {
     let steel = Foundation::new(Elastic::new(200e9, 0.3).unwrap());
     let sand = Foundation::graded(Grading::new(0.3, 200e9).unwrap(), 0.3).unwrap();
     for (name, foundation, geometry, allowed) in [
-        ("plane", steel, Geometry::Plane, 1e-10),
-        ("pair", steel, Geometry::Pair { inner_half_gap: 0.002 }, 1e-9),
-        ("row", steel, Geometry::Periodic { period: 0.05 }, 1e-10),
+        ("plane", steel.clone(), Geometry::Plane, 1e-10),
+        ("pair", steel.clone(), Geometry::Pair { inner_half_gap: 0.002 }, 1e-9),
+        ("row", steel.clone(), Geometry::Periodic { period: 0.05 }, 1e-10),
         ("disk", steel, Geometry::Circular, 1e-9),
         ("graded", sand, Geometry::Plane, 1e-8),
     ] {
@@ -42,7 +42,7 @@ fn closures_are_formulas_in_every_geometry() {
             let closure = Profile::from_fn(|x| x * x / (2.0 * 3.0));
             let formula = Profile::expression("x^2/(2*3)").unwrap();
             let [one, other] = [closure, formula]
-                .map(|profile| on(foundation, geometry, profile, Solver::unilateral()));
+                .map(|profile| on(foundation.clone(), geometry, profile, Solver::unilateral()));
             agree(&one, &other, allowed, &format!("{name}, roughness {roughness}"));
         }
     }
@@ -55,7 +55,7 @@ fn kinks_are_where_they_are_said_to_be() {
     let formula = || Profile::expression("1e-3*abs(x - 1e-3)").unwrap();
     for solver in [Solver::unilateral(), Solver::bilateral()] {
         let [one, other] =
-            [wedge(), formula()].map(|profile| on(steel, Geometry::Plane, profile, solver));
+            [wedge(), formula()].map(|profile| on(steel.clone(), Geometry::Plane, profile, solver));
         agree(&one, &other, 1e-9, &format!("{solver:?}"));
     }
     assert!(Profile::from_fn(f64::abs).with_breaks(vec![f64::NAN]).is_err());
@@ -65,13 +65,13 @@ fn kinks_are_where_they_are_said_to_be() {
 fn closures_say_what_they_lack() {
     let steel = Foundation::new(Elastic::new(200e9, 0.3).unwrap()).with_roughness(1e-14).unwrap();
     let profile = Profile::from_fn(|x| x * x);
-    let contact = on(steel, Geometry::Plane, profile.clone(), Solver::unilateral());
+    let contact = on(steel.clone(), Geometry::Plane, profile.clone(), Solver::unilateral());
     let audited = contact.audited().unwrap();
     let reason = audited.audited_by().unwrap().as_ref().unwrap_err().to_string();
     assert!(reason.contains("closure"), "{reason}");
     assert!(profile == profile.clone() && profile != Profile::from_fn(|x| x * x));
     let pole = Punch::new(0.01).unwrap().with_profile(Profile::from_fn(|x| 1.0 / x));
-    let refused = Problem::new(steel, pole, Load::force(1.0).unwrap());
+    let refused = Problem::new(steel.clone(), pole, Load::force(1.0).unwrap());
     assert!(matches!(refused, Err(Error::ProfileNotFinite { at: 0.0, .. })), "{refused:?}");
 }
 

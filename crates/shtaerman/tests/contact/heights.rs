@@ -116,7 +116,7 @@ fn spoilt(
     let pressed = load(Vertical::Force(force), Rotational::Moment(0.0));
     let [lossy, exact] = texts.map(|text| {
         let profile = expression(text);
-        Problem::new(*foundation, punch.clone().with_profile(profile), pressed)
+        Problem::new(foundation.clone(), punch.clone().with_profile(profile), pressed)
             .unwrap()
             .with_solver(solver)
             .solve()

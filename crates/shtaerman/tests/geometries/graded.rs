@@ -22,14 +22,15 @@ fn stated(mu: f64, geometry: Geometry, theta0: f64) -> (Foundation, Punch) {
         Punch::in_geometry(geometry, 1.0).unwrap(),
     );
     let load = Load::force(1.0).unwrap();
-    let problem = Problem::new(foundation, punch.clone(), load).unwrap();
+    let problem = Problem::new(foundation.clone(), punch.clone(), load).unwrap();
     assert!((problem.theta0() / theta0 - 1.0).abs() < 1e-14);
     (foundation, punch)
 }
 
 /// The scale of displacements.
 fn depth((foundation, punch): &(Foundation, Punch)) -> f64 {
-    let problem = Problem::new(*foundation, punch.clone(), Load::force(1.0).unwrap()).unwrap();
+    let problem =
+        Problem::new(foundation.clone(), punch.clone(), Load::force(1.0).unwrap()).unwrap();
     problem.scaling().unwrap().displacement()
 }
 

@@ -267,9 +267,9 @@ fn equal_materials_are_no_coating() {
     let plain = Foundation::new(steel).with_roughness(3e-15).unwrap();
     let coated = plain.with_layering(Layering::coating(2e-5, steel, steel).unwrap());
     for profile in ["0", "x^2/0.2"] {
-        let [plain, coated] = [plain, coated].map(|foundation| {
+        let [plain, coated] = [&plain, &coated].map(|foundation| {
             let punch = Punch::new(1e-3).unwrap();
-            solved((foundation, punch), profile, 3e5, Rotational::Moment(20.0))
+            solved((foundation.clone(), punch), profile, 3e5, Rotational::Moment(20.0))
         });
         assert!((plain.settlement() / coated.settlement() - 1.0).abs() < 1e-10);
         assert!((plain.tilt() / coated.tilt() - 1.0).abs() < 1e-9);
@@ -360,7 +360,7 @@ fn coatings_leave_no_residual() {
         let layering = Layering::coating(thickness, upper, lower).unwrap();
         let chi = 0.2;
         let foundation =
-            Foundation::new(lower).with_roughness(chi).unwrap().with_layering(layering);
+            Foundation::new(lower).with_roughness(chi).unwrap().with_layering(layering.clone());
         let punch = Punch::new(1.0).unwrap();
         let contact = solved((foundation, punch), "0.9*x^2", 0.3, Rotational::Tilt(0.0));
         let theta0 = contact.problem().theta0();

@@ -6,6 +6,7 @@ mod bent;
 mod crests;
 mod disk;
 mod graded;
+mod influence;
 mod layered;
 mod pair;
 mod power;

@@ -21,7 +21,7 @@ fn a_moment_tips_over() {
         (Foundation::new(body).with_roughness(1e-13).unwrap(), Punch::new(5e-3).unwrap());
     let solve = |rotational| {
         let load = Load::new(Vertical::Force(1e6), rotational).unwrap();
-        Problem::new(foundation, punch.clone(), load).unwrap().solve()
+        Problem::new(foundation.clone(), punch.clone(), load).unwrap().solve()
     };
     let error = solve(Rotational::Moment(-5001.0)).unwrap_err();
     assert!(error.to_string().contains("must be less than P a = 5000"), "{error}");

@@ -22,6 +22,7 @@ const LEAST: f64 = 1e-3;
 pub struct TransferPlane {
     thickness: f64,
     far_share: f64,
+    bend: f64,
     table: Table,
 }
 
@@ -45,7 +46,34 @@ impl TransferPlane {
         }
         let remainder = |u: f64| (transfer(u) - far_share - (1.0 - far_share) * u.tanh()) / u;
         let table = Table::new(&remainder, &f64::cos, 2.0 / thickness)?;
-        Ok(Self { thickness, far_share, table })
+        Ok(Self { thickness, far_share, bend: thickness, table })
+    }
+
+    /// The kernel `ln(1/d) + D(d)` with a smooth function `D` of distances up to 2, its own even continuation beyond 0: `m = 1` and `h = 1`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] where `D` is not finite.
+    pub fn with_remainder(remainder: &dyn Fn(f64) -> f64) -> Result<Self, Error> {
+        let table = Table::of(remainder, 2.0)?;
+        Ok(Self { thickness: 1.0, far_share: 1.0, bend: table.shortest(), table })
+    }
+
+    /// What values of the kernel may be off by beyond rounding, as quadrature and series show it themselves: much only where `M` or `D` is not smooth.
+    #[must_use]
+    pub fn unresolved(&self) -> f64 {
+        self.table.unresolved()
+    }
+
+    /// The length within which the kernel bends: `h`, of a given `D` that of the shortest panel of its table.
+    #[must_use]
+    pub fn bend(&self) -> f64 {
+        self.bend
+    }
+
+    /// `dD/dt` where the points meet, 0 of an even function.
+    #[must_use]
+    pub fn slope_at_zero(&self) -> f64 {
+        self.table.slope(0.0)
     }
 
     /// `h`.

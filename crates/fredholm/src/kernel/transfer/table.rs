@@ -24,58 +24,71 @@ const RESOLVED: f64 = 2e-16;
 const HALVINGS: usize = 6;
 
 /// Nodes and weights of `u` with the values of `g`, for `t` up to a largest one.
-struct Spectrum(Vec<[f64; 2]>);
+struct Spectrum {
+    nodes: Vec<[f64; 2]>,
+    /// What the last Legendre coefficients of `g` on the panels add up to: next to nothing of a `g` that is as smooth as it should be.
+    unresolved: f64,
+}
 
 impl Spectrum {
     fn new(g: &dyn Fn(f64) -> f64, far: f64) -> Result<Self, Error> {
         let rule = gauss_legendre(NODES)?;
-        let mut nodes = Vec::new();
+        let mut spectrum = Self { nodes: Vec::new(), unresolved: 0.0 };
         let mut left = 0.0;
         for halved in (0..=HALVED).rev() {
             let right = LONGEST * 0.5f64.powi(halved);
-            add(&rule, g, [left, right], far, &mut nodes);
+            spectrum.add(&rule, g, [left, right], far);
             left = right;
         }
         let rest = ((LAST - left) / LONGEST).ceil();
         for k in 0..rest as usize {
             let from = left + k as f64 * LONGEST;
-            add(&rule, g, [from, from + LONGEST], far, &mut nodes);
+            spectrum.add(&rule, g, [from, from + LONGEST], far);
         }
-        if let Some([u, value]) = nodes.iter().find(|[_, value]| !value.is_finite()) {
+        if let Some([u, value]) = spectrum.nodes.iter().find(|[_, value]| !value.is_finite()) {
             return Err(Error::NotFinite { what: "transfer function", at: *u, value: *value });
         }
-        Ok(Self(nodes))
+        Ok(spectrum)
     }
 
     fn at(&self, wave: &dyn Fn(f64) -> f64, t: f64) -> f64 {
-        self.0.iter().rev().map(|[u, value]| value * wave(u * t)).sum()
+        self.nodes.iter().rev().map(|[u, value]| value * wave(u * t)).sum()
+    }
+
+    /// Adds the nodes of a panel, cut where it turns too far.
+    fn add(&mut self, rule: &Rule, g: &dyn Fn(f64) -> f64, [left, right]: [f64; 2], far: f64) {
+        let parts = ((right - left) * far / TURN).ceil().max(1.0);
+        let half = 0.5 * (right - left) / parts;
+        for k in 0..parts as usize {
+            let middle = left + (2.0 * k as f64 + 1.0) * half;
+            let mut last = 0.0;
+            for (y, weight) in rule.nodes.iter().zip(&rule.weights) {
+                let u = middle + half * y;
+                let value = half * weight * g(u);
+                last += (NODES as f64 - 0.5) * value * legendre(NODES - 1, *y);
+                self.nodes.push([u, value]);
+            }
+            self.unresolved += last.abs();
+        }
     }
 }
 
-/// The nodes of a panel, cut where it turns too far.
-fn add(
-    rule: &Rule,
-    g: &dyn Fn(f64) -> f64,
-    [left, right]: [f64; 2],
-    far: f64,
-    nodes: &mut Vec<[f64; 2]>,
-) {
-    let parts = ((right - left) * far / TURN).ceil().max(1.0);
-    let half = 0.5 * (right - left) / parts;
-    for k in 0..parts as usize {
-        let middle = left + (2.0 * k as f64 + 1.0) * half;
-        let places = rule.nodes.iter().zip(&rule.weights);
-        nodes.extend(places.map(|(y, weight)| {
-            let u = middle + half * y;
-            [u, half * weight * g(u)]
-        }));
+/// `P_n(y)`.
+fn legendre(n: usize, y: f64) -> f64 {
+    let (mut before, mut value) = (0.0, 1.0);
+    for k in 0..n {
+        let k = k as f64;
+        (before, value) = (value, ((2.0 * k + 1.0) * y * value - k * before) / (k + 1.0));
     }
+    value
 }
 
 /// `D(t)` for `0 <= t <= far`.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Table {
     panels: Vec<Panel>,
+    /// What values may be off by, as quadrature and series show it themselves.
+    unresolved: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -95,11 +108,12 @@ impl Table {
         wave: &dyn Fn(f64) -> f64,
         far: f64,
     ) -> Result<Self, Error> {
-        let mut table = Self { panels: Vec::new() };
+        let mut table = Self { panels: Vec::new(), unresolved: 0.0 };
         let (mut left, mut right) = (0.0, FIRST.min(far));
         let mut scale = 0.0;
         while left < far {
             let spectrum = Spectrum::new(g, right)?;
+            table.unresolved = table.unresolved.max(spectrum.unresolved);
             if left == 0.0 {
                 scale = spectrum.at(wave, 0.0).abs();
             }
@@ -107,6 +121,34 @@ impl Table {
             (left, right) = (right, (2.0 * right).min(far));
         }
         Ok(table)
+    }
+
+    /// A function `D` itself, for `0 <= t <= far`.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`] where it is not finite.
+    pub(super) fn of(value: &dyn Fn(f64) -> f64, far: f64) -> Result<Self, Error> {
+        let mut table = Self { panels: Vec::new(), unresolved: 0.0 };
+        let mut scale = 1.0;
+        table.add(value, [0.0, far], HALVINGS, &mut scale);
+        let broken = table.panels.iter().find(|panel| !panel.series.evaluate(0.0).is_finite());
+        match broken {
+            Some(Panel { left, right, .. }) => {
+                let at = 0.5 * (left + right);
+                Err(Error::NotFinite { what: "remainder of the kernel", at, value: value(at) })
+            }
+            None => Ok(table),
+        }
+    }
+
+    /// What values may be off by, as quadrature and series show it themselves.
+    pub(super) fn unresolved(&self) -> f64 {
+        self.unresolved
+    }
+
+    /// The length of the shortest panel.
+    pub(super) fn shortest(&self) -> f64 {
+        self.panels.iter().fold(f64::INFINITY, |least, panel| least.min(panel.right - panel.left))
     }
 
     fn add(
@@ -121,8 +163,10 @@ impl Table {
         *scale = values.iter().fold(*scale, |most, value| most.max(value.abs()));
         let series = ChebyshevSeries::through(values);
         let tail = series.coefficients().iter().rev().take(TAIL).map(|c| c.abs());
-        let is_resolved = tail.fold(0.0, f64::max) <= RESOLVED * DEGREE as f64 * *scale;
+        let tail = tail.fold(0.0, f64::max);
+        let is_resolved = tail <= RESOLVED * DEGREE as f64 * *scale;
         if is_resolved || halvings == 0 {
+            self.unresolved = self.unresolved.max(if is_resolved { 0.0 } else { tail });
             let derivative = derivative(series.coefficients());
             self.panels.push(Panel { left, right, series, derivative });
         } else {

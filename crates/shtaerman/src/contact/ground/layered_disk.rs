@@ -30,7 +30,7 @@ impl LayeredDisk {
     /// # Errors
     /// [`Error::Equation`] for a transfer function that is not finite.
     pub(super) fn new(layering: Layering) -> Result<Self, Error> {
-        let kernel = layered_disk(0, layering)?;
+        let kernel = layered_disk(0, &layering)?;
         let step = STEP * layering.thickness().min(1.0);
         Ok(Self { layering, kernel, whole: Disk::new(0.0)?, step })
     }
@@ -74,7 +74,7 @@ impl Ground for LayeredDisk {
     }
 
     fn turned_kernel(&self) -> Result<Option<SharedKernel>, Error> {
-        let kernel: SharedKernel = layered_disk(1, self.layering)?;
+        let kernel: SharedKernel = layered_disk(1, &self.layering)?;
         Ok(Some(kernel))
     }
 

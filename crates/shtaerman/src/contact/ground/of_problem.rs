@@ -10,10 +10,10 @@ pub(in crate::contact) fn ground(problem: &Problem) -> Result<Arc<dyn Ground>, E
     let frame = problem.frame();
     let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
     if let Some(layering) = frame.layering() {
-        let layering = layering.scaled(frame.half_width());
+        let layering = layering.clone().scaled(frame.half_width());
         return Ok(match frame.geometry() {
             Geometry::Circular => Arc::new(layered_disk::LayeredDisk::new(layering)?),
-            _ => Arc::new(layered::Layered::new(layering)?),
+            _ => Arc::new(layered::Layered::new(&layering)?),
         });
     }
     Ok(match frame.geometry().scaled(frame.half_width()) {

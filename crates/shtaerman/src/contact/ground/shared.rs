@@ -91,14 +91,16 @@ pub(super) fn line_operator(half_count: usize) -> Result<Arc<SincOperator>, Erro
 ///
 /// # Errors
 /// [`Error::Equation`] for a transfer function that is not finite.
-pub(super) fn layered_plane(layering: Layering) -> Result<Arc<TransferPlane>, Error> {
-    if let Some(kernel) = known(&KNOWN_PLANES, &layering) {
+pub(super) fn layered_plane(layering: &Layering) -> Result<Arc<TransferPlane>, Error> {
+    if let Some(kernel) = known(&KNOWN_PLANES, layering) {
         return Ok(kernel);
     }
     let transfer = |u| layering.transfer(u);
-    let kernel = TransferPlane::new(layering.thickness(), layering.far_share(), &transfer)?;
-    let kernel = Arc::new(kernel);
-    keep(&KNOWN_PLANES, layering, &kernel, KERNELS);
+    let kernel = Arc::new(match layering.remainder() {
+        Some(remainder) => TransferPlane::with_remainder(&|d| remainder.at(d))?,
+        None => TransferPlane::new(layering.thickness(), layering.far_share(), &transfer)?,
+    });
+    keep(&KNOWN_PLANES, layering.clone(), &kernel, KERNELS);
     Ok(kernel)
 }
 
@@ -106,8 +108,8 @@ pub(super) fn layered_plane(layering: Layering) -> Result<Arc<TransferPlane>, Er
 ///
 /// # Errors
 /// As [`layered_plane`].
-pub(super) fn layered_disk(order: usize, layering: Layering) -> Result<Arc<TransferDisk>, Error> {
-    let key = (order, layering);
+pub(super) fn layered_disk(order: usize, layering: &Layering) -> Result<Arc<TransferDisk>, Error> {
+    let key = (order, layering.clone());
     if let Some(kernel) = known(&KNOWN_DISKS, &key) {
         return Ok(kernel);
     }
