@@ -4,6 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::Contact;
 use super::companion::companion;
+use super::solution::Solution;
 use crate::roughness::Law;
 use crate::{Geometry, Roughness, Scaling};
 
@@ -57,6 +58,7 @@ impl Contact {
         let smooth = companion(problem, Roughness::Smooth)?.solve_smooth().ok()?;
         // E* chi = 2 a/(pi theta0)
         let unit = self.scale(Scaling::pressure) * (FRAC_PI_2 * frame.theta0()).sqrt();
-        Some(smooth.zones().iter().map(|zone| zone.intensity0.map(|k| unit * k)).collect())
+        let intensities = smooth.corner_intensity()?.into_iter();
+        Some(intensities.map(|ends| ends.map(|intensity| unit * intensity)).collect())
     }
 }

@@ -10,7 +10,7 @@ use crate::contact::zones::{Zone, outside};
 
 /// Points of a zone and of an interval outside the zones, at least and at most.
 pub(super) const POINTS: usize = 48;
-const MOST_POINTS: usize = 1500;
+pub(super) const MOST_POINTS: usize = 1500;
 /// Tenths of tenths of half a zone to which places close in on a kink.
 const CLOSING: i32 = 12;
 
@@ -105,4 +105,14 @@ pub(super) fn points([left, right]: [f64; 2], on_a_unit: usize, fewest: usize) -
             (left + (right - left) * half * half).clamp(left, right)
         })
         .collect()
+}
+
+/// So many points between two places, closer to them.
+pub(super) fn between(from: f64, to: f64, count: usize) -> impl Iterator<Item = f64> {
+    (0..count)
+        .map(move |i| {
+            let half = (0.5 * PI * (i as f64 + 0.5) / count as f64).sin();
+            from + (to - from) * half * half
+        })
+        .filter(move |at| *at > from && *at < to)
 }

@@ -10,7 +10,7 @@ use crate::contact::zones::Zone;
 
 /// Most modes of a zone, and of all together.
 const MOST_OF_A_ZONE: f64 = 800.0;
-const MOST_MODES: usize = 4000;
+pub(super) const MOST_MODES: usize = 4000;
 /// Fewest digits to which the modes of an answer are kept.
 const FEWEST_DIGITS: f64 = 8.0;
 
@@ -44,10 +44,9 @@ pub(super) fn modes(
         let reach = period.map_or(f64::INFINITY, |period| 2.0 * period - 2.0);
         let e = gap.min(reach) / (0.5 * zone.length());
         let each = LN_10 / (e + (e * (2.0 + e)).sqrt()).ln_1p();
-        let share = (MOST_OF_A_ZONE / (FINE.digits * each)).min(1.0);
-        if share.is_nan() || share * FINE.digits < FEWEST_DIGITS {
+        let Some(share) = share(each) else {
             return Err(Error::ZonesTooClose { gap: gap.max(0.0) });
-        }
+        };
         let wanted = if e.is_infinite() { 2.0 } else { (share * digits * each).ceil() + 3.0 };
         counts.push(wanted as usize);
     }
@@ -55,6 +54,12 @@ pub(super) fn modes(
         return Err(Error::ZonesTooClose { gap: narrowest(kernel, zones) });
     }
     Ok(counts)
+}
+
+/// The share of all digits that are kept where each takes so many modes; none where these are too few for an answer.
+pub(super) fn share(each: f64) -> Option<f64> {
+    let share = (MOST_OF_A_ZONE / (FINE.digits * each)).min(1.0);
+    (share * FINE.digits >= FEWEST_DIGITS).then_some(share)
 }
 
 /// The narrowest gap beside a zone, also across the ends of a period.

@@ -5,13 +5,12 @@ use std::sync::LazyLock;
 
 use super::angular::Angular;
 use super::slopes::Slopes;
+use super::told::ROUNDING;
 
 /// Harmonics that are tried.
 const COUNTS: [usize; 3] = [24, 48, 96];
 /// Shorter panels than this show something that no short series has.
 const FINEST: f64 = 0.01;
-/// Terms below this share of the largest slope are rounding.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// `F = sum k (f_k cos(k t) + h_k sin(k t))`, the conjugate of the slope of `f = mean + sum f_k cos(k t) + h_k sin(k t)`.
 #[derive(Debug, Clone)]

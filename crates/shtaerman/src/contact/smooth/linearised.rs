@@ -5,12 +5,13 @@
 
 use std::f64::consts::PI;
 
-use super::SmoothContact;
 use super::coupling::{Coupled, couple};
 use super::system::{Part, Solved, cosines};
-use crate::contact::rates::{Linearised, Rates, smooth_rates};
+use super::{SmoothContact, told};
+use crate::Vertical;
+use crate::contact::rates::{Linearised, Rates};
+use crate::contact::solution::Solution;
 use crate::contact::zones::Zone;
-use crate::{Rotational, Vertical};
 
 /// Angle at which the bend of the density is taken first; by twice and four times that, too.
 const BESIDE: f64 = 0.01;
@@ -19,12 +20,12 @@ impl SmoothContact {
     /// The first-order change, the largest pressure being at `peak`.
     pub(super) fn first_order(&self, peak: f64) -> Option<Linearised> {
         let load = &self.problem().load;
-        let largest = self.pressure0(peak);
+        let (force, largest) = (self.state().force, self.pressure(peak));
         let Some(solved) = self.solved() else {
             // Full contact of a wave takes more force evenly.
             let unit = [0.0, 1.0, 0.0, 0.5, 0.0];
-            let state = [self.force0(), largest];
-            let rates = smooth_rates(load, state, [unit, [0.0; 5]]);
+            let rates =
+                told::rates(load, [force, largest], |[unit_force, _]| unit.map(|u| u * unit_force));
             let by_force = matches!(load.vertical, Vertical::Force(_));
             return by_force.then_some(Linearised { rates, errors: [[0.0; 5]; 3] });
         };
@@ -38,13 +39,8 @@ impl SmoothContact {
                 if largest.is_finite() { flat.pressure(place, raise, turn) } else { 0.0 };
             [raise, force, -turn, pressure, flat.widening(raise, turn, order)]
         };
-        let inputs = |order: usize| {
-            let rotates = !matches!(load.rotational, Rotational::Eccentricity(_));
-            let turned = if rotates { of([0.0, 1.0], order) } else { [0.0; 5] };
-            [of([1.0, 0.0], order), turned]
-        };
-        let finite = if largest.is_finite() { largest } else { 0.0 };
-        let rates = |order: usize| smooth_rates(load, [self.force0(), finite], inputs(order));
+        let rates =
+            |order: usize| told::rates(load, [force, largest], |prescribed| of(prescribed, order));
         let (rates, coarse) = (rates(2), rates(1));
         let errors = std::array::from_fn(|input| {
             std::array::from_fn(|k| {

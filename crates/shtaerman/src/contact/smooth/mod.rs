@@ -31,6 +31,7 @@ mod roots;
 mod slopes;
 mod stated;
 mod system;
+mod told;
 mod topology;
 mod wave;
 

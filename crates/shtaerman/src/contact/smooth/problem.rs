@@ -12,9 +12,10 @@ use crate::error::require;
 use crate::{Error, Load};
 
 /// Samples that show the ups and downs of a profile, at least and at most.
-const SAMPLES: usize = 2048;
-const MOST_SAMPLES: usize = 32768;
-/// Most cells.
+pub(super) const SAMPLES: usize = 2048;
+pub(super) const MOST_SAMPLES: usize = 32768;
+/// Cells of a base with few valleys, and at most.
+pub(super) const USUAL_CELLS: usize = 768;
 pub(super) const MOST_CELLS: usize = 3072;
 
 /// A function of `xi`.
@@ -180,8 +181,7 @@ impl<'p> Base<'p> {
 
     /// Number of cells that show every valley of the profile.
     pub(super) fn cells(&self) -> usize {
-        const USUAL: usize = 768;
-        valleys::cells(self.valleys().count(), USUAL, MOST_CELLS)
+        valleys::cells(self.valleys().count(), USUAL_CELLS, MOST_CELLS)
     }
 
     /// Where the samples have valleys.

@@ -1,30 +1,18 @@
-//! A stated problem with a smooth surface, and its answer as a solution like any other.
+//! A stated problem with a smooth surface.
 
-use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::{Curve, SmoothContact, SmoothKernel, SmoothProblem, SmoothProfile};
-use crate::contact::accuracy::Accuracy;
-use crate::contact::balance::State;
-use crate::contact::complementarity::Complementarity;
-use crate::contact::method::{Method, MethodName};
-use crate::contact::rates::Linearised;
-use crate::contact::solution::Solution;
-use crate::contact::stiffness::Stiffness;
-use crate::{ContactKind, Error, Geometry, Load, Problem, Rotational, Scaling, Vertical};
+use crate::{ContactKind, Error, Geometry, Problem, Rotational, Scaling, Vertical};
 
 /// To this share the slope of a measured profile or a closure is resolved on graded ground: the third derivative of a spline jumps at every point, and slopes of a closure are those of
 /// polynomials through its values.
-const MEASURED: f64 = 1e-10;
+pub(super) const MEASURED: f64 = 1e-10;
 /// Degree of a polynomial that the first samples of a zone tell, and the share of the range of the heights to which it is the profile.
 const DEGREE: usize = 64;
 const RESOLVED: f64 = 1e-10;
 /// Places closer than this are one.
 const SAME: f64 = 1e-12;
-/// Places of a zone, and of an interval beside it, that show extremes.
-const PLACES: usize = 64;
-const MOST_PLACES: usize = 1024;
-
 impl Problem {
     /// Solves the equation of the first kind of a smooth surface, plane, under a pair or periodic.
     ///
@@ -120,95 +108,5 @@ impl Problem {
             }
             (error, _, _) => error,
         }
-    }
-}
-
-impl Solution for SmoothContact {
-    fn state(&self) -> State {
-        State {
-            settlement: self.settlement0(),
-            tilt: self.tilt0(),
-            force: self.force0(),
-            moment: self.moment0(),
-        }
-    }
-
-    fn stiffness(&self) -> Stiffness {
-        self.stiffness0()
-    }
-
-    fn zones(&self) -> Vec<[f64; 2]> {
-        SmoothContact::zones(self).iter().map(|zone| zone.ends).collect()
-    }
-
-    fn touches(&self, xi: f64) -> bool {
-        self.is_contact(xi)
-    }
-
-    fn pressure(&self, xi: f64) -> f64 {
-        self.pressure0(xi)
-    }
-
-    fn pressures(&self, places: &[f64]) -> Vec<f64> {
-        self.pressures0(places)
-    }
-
-    fn pressure_beside(&self, zone: usize, from_left: f64, from_right: f64) -> f64 {
-        self.pressure_beside0(zone, from_left, from_right)
-    }
-
-    fn displacement(&self, xi: f64) -> f64 {
-        self.elastic_displacement0(xi)
-    }
-
-    fn sample(&self) -> (Vec<f64>, Vec<f64>) {
-        let zones = SmoothContact::zones(self);
-        let mut places = vec![-1.0, 1.0];
-        let count = (MOST_PLACES / zones.len().max(1)).clamp(8, 2 * PLACES);
-        for [left, right] in zones.iter().map(|zone| zone.ends) {
-            places.extend((0..=count).map(|i| {
-                let half = (0.5 * PI * i as f64 / count as f64).sin();
-                let xi = left + (right - left) * half * half;
-                if xi < -1.0 { xi + 2.0 } else { xi }
-            }));
-        }
-        places.retain(|xi| xi.abs() <= 1.0);
-        places.sort_by(f64::total_cmp);
-        places.dedup();
-        let pressures = self.pressures0(&places);
-        places.into_iter().zip(pressures).filter(|(_, p)| p.is_finite()).unzip()
-    }
-
-    fn method(&self) -> Method {
-        Method { name: MethodName::FirstKind, n: self.modes() }
-    }
-
-    fn accuracy(&self) -> Option<&Accuracy> {
-        Some(SmoothContact::accuracy(self))
-    }
-
-    fn edge_error(&self) -> Option<f64> {
-        let is_free = SmoothContact::zones(self).iter().any(|zone| zone.is_free.contains(&true));
-        is_free.then(|| self.edge_error0())
-    }
-
-    fn complementarity(&self) -> Option<Complementarity> {
-        self.problem().is_unilateral.then(|| SmoothContact::complementarity(self))
-    }
-
-    fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
-        Some(SmoothContact::zones(self).iter().map(|zone| zone.intensity0).collect())
-    }
-
-    fn relative_error(&self) -> f64 {
-        SmoothContact::relative_error(self)
-    }
-
-    fn linearised(&self, _load: Load, peak: f64) -> Option<Linearised> {
-        self.first_order(peak)
-    }
-
-    fn size(&self) -> f64 {
-        self.largest_inside0()
     }
 }

@@ -7,7 +7,7 @@ use crate::{Error, Vertical};
 use fredholm::complementarity::mean_power;
 
 /// How far cells are refined.
-const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: 40 };
+pub(super) const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: 40 };
 /// Fewest cells of a piece.
 const CELLS_A_PIECE: f64 = 4.0;
 

@@ -11,6 +11,7 @@ use super::open::solve_zones;
 use super::problem::{Base, Sample, SmoothProblem, SmoothProfile};
 use super::slopes::Slopes;
 use super::{ALLOWED, topology};
+use crate::contact::solution::Solution;
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 
@@ -302,13 +303,13 @@ fn sunk(
     let mut last = None;
     for _ in 0..SETTLEMENTS {
         let contact = partial.solve(force, first(force))?;
-        let excess = contact.settlement0() - settlement;
+        let excess = contact.state().settlement - settlement;
         if excess > 0.0 {
             high = force;
         } else {
             low = force;
         }
-        let newton = force - excess * contact.stiffness0().force_settlement;
+        let newton = force - excess * contact.stiffness().force_settlement;
         last = Some(contact.settled(settlement));
         let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
         if (next - force).abs() <= ROUNDING * force {

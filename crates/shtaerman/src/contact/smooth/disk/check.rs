@@ -1,16 +1,15 @@
 //! Whether a disk of contact is one: no tension in it, no penetration beside it, also under its tilt.
 
-use std::f64::consts::PI;
-
 use super::field::Field;
 use super::{ALLOWED, SmoothDisk};
 use crate::Error;
 use crate::contact::extremes::Sampled;
+use crate::contact::smooth::check::between;
 
 /// Points between two kinks, and beside the contact.
 const POINTS: usize = 128;
-/// At a step the height is that of the outer side.
-const INSIDE: f64 = 1e-12;
+/// This share of the radius inside the edge a height at a step is that of the inner side, beyond it that of the outer side.
+pub(super) const INSIDE: f64 = 1e-12;
 
 /// What is left of tension and penetration.
 pub(super) struct Check {
@@ -30,7 +29,8 @@ pub(super) struct Check {
 impl Check {
     pub(super) fn new(problem: &SmoothDisk, field: &Field) -> Self {
         let cuts = field.transform.cuts();
-        let places: Vec<f64> = cuts.windows(2).flat_map(|pair| between(pair[0], pair[1])).collect();
+        let places: Vec<f64> =
+            cuts.windows(2).flat_map(|pair| between(pair[0], pair[1], POINTS)).collect();
         let pressures: Vec<f64> = places.iter().map(|&r| field.even_pressure(r)).collect();
         let values: Vec<f64> = (places.iter().zip(&pressures))
             .map(|(&r, pressure)| corner_share(field, r) * pressure)
@@ -49,7 +49,7 @@ impl Check {
         }
         let penetration = if problem.is_unilateral && field.radius < 1.0 {
             let from = field.radius * (1.0 + INSIDE);
-            let places = between(from, 1.0);
+            let places: Vec<f64> = between(from, 1.0, POINTS).collect();
             let mut scale = field.state.settlement.abs();
             let depths: Vec<f64> = (places.iter())
                 .map(|&r| {
@@ -105,7 +105,8 @@ impl Check {
             (field.corner_factors()[0] / (factor * field.radius)).min(lowest(&self.places, &share));
         if field.radius < 1.0 {
             let rise = |r: f64| field.state.tilt.abs() * r * (1.0 - field.share_of_tilt(r));
-            let places = between(field.radius * (1.0 + INSIDE), 1.0);
+            let from = field.radius * (1.0 + INSIDE);
+            let places: Vec<f64> = between(from, 1.0, POINTS).collect();
             limit = limit.min(lowest(&places, &|r| gap(problem, field, r) / rise(r)));
         }
         limit.max(0.0)
@@ -116,15 +117,6 @@ impl Check {
 fn gap(problem: &SmoothDisk, field: &Field, r: f64) -> f64 {
     let depth = field.state.settlement - (problem.height)(r);
     field.transform.displacement(r, field.level()) - depth
-}
-
-/// Points between two places, closer to them.
-fn between(from: f64, to: f64) -> Vec<f64> {
-    let point = |i: usize| {
-        let half = (0.5 * PI * (i as f64 + 0.5) / POINTS as f64).sin();
-        from + (to - from) * half * half
-    };
-    (0..POINTS).map(point).filter(|r| *r > from && *r < to).collect()
 }
 
 /// What takes its singularity at a corner from the pressure.

@@ -14,7 +14,6 @@
 mod answer;
 mod check;
 mod field;
-mod linearised;
 mod radius;
 mod rings;
 pub(super) mod shape;

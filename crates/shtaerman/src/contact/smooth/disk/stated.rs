@@ -1,20 +1,12 @@
-//! A stated problem of a smooth circular punch, and its answer as a solution like any other.
+//! A stated problem of a smooth circular punch.
 
 use std::sync::Arc;
 
-use super::{SmoothDisk, SmoothDiskContact, rings};
-use crate::contact::accuracy::Accuracy;
-use crate::contact::balance::State;
-use crate::contact::complementarity::Complementarity;
-use crate::contact::method::{Method, MethodName};
-use crate::contact::rates::Linearised;
+use super::{SmoothDisk, rings};
 use crate::contact::revolution::require_even;
+use crate::contact::smooth::stated::MEASURED;
 use crate::contact::solution::Solution;
-use crate::contact::stiffness::Stiffness;
-use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
-
-/// To this share integrals of a measured profile or a closure are taken: the third derivative of a spline jumps at every point, and slopes of a closure are differences.
-const MEASURED: f64 = 1e-10;
+use crate::{ContactKind, Error, Problem, Rotational, Scaling, Vertical};
 
 impl Problem {
     /// Solves a circular punch on a smooth body.
@@ -85,68 +77,5 @@ impl Problem {
             }
             (error, _) => error,
         }
-    }
-}
-
-impl Solution for SmoothDiskContact {
-    fn state(&self) -> State {
-        State {
-            settlement: self.settlement0(),
-            tilt: self.tilt0(),
-            force: self.force0(),
-            moment: self.moment0(),
-        }
-    }
-
-    fn stiffness(&self) -> Stiffness {
-        self.stiffness0()
-    }
-
-    fn zones(&self) -> Vec<[f64; 2]> {
-        vec![[-self.radius(), self.radius()]]
-    }
-
-    fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
-        Some(vec![self.intensity0()])
-    }
-
-    fn pressure(&self, xi: f64) -> f64 {
-        self.pressure0(xi)
-    }
-
-    fn displacement(&self, xi: f64) -> f64 {
-        self.elastic_displacement0(xi)
-    }
-
-    fn sample(&self) -> (Vec<f64>, Vec<f64>) {
-        self.sampled0().into_iter().filter(|(_, pressure)| pressure.is_finite()).unzip()
-    }
-
-    fn method(&self) -> Method {
-        Method { name: MethodName::FirstKind, n: self.modes() }
-    }
-
-    fn accuracy(&self) -> Option<&Accuracy> {
-        Some(SmoothDiskContact::accuracy(self))
-    }
-
-    fn relative_error(&self) -> f64 {
-        SmoothDiskContact::relative_error(self)
-    }
-
-    fn edge_error(&self) -> Option<f64> {
-        self.is_free().then(|| self.edge_error0())
-    }
-
-    fn complementarity(&self) -> Option<Complementarity> {
-        self.problem().is_unilateral.then(|| SmoothDiskContact::complementarity(self))
-    }
-
-    fn linearised(&self, _load: Load, peak: f64) -> Option<Linearised> {
-        Some(self.first_order(peak))
-    }
-
-    fn size(&self) -> f64 {
-        self.largest_inside0()
     }
 }

@@ -1,18 +1,15 @@
 //! Whether zones are the answer: no tension in them, no penetration beside them.
 
-use std::f64::consts::PI;
-
 use super::field::{Field, displacement_outside};
 use crate::contact::check::{Check, between_breaks};
+use crate::contact::smooth::check::{self, MOST_POINTS, between};
 use crate::contact::smooth::problem::Base;
 use crate::contact::zones::{Zone, outside};
 
-/// Points between two bends, and beside a zone, at least and at most.
+/// Points between two bends, at least.
 const POINTS: usize = 96;
-const POINTS_BESIDE: usize = 48;
 /// The same where the zone is cut at places that are no bends.
 const POINTS_A_PART: usize = 12;
-const MOST_POINTS: usize = 1500;
 
 /// The pressures of zones, without the singularity at corners.
 #[derive(Debug, Clone)]
@@ -71,7 +68,7 @@ fn look_beside(check: &mut Check, base: &Base<'_>, fields: &[Field], allowed: f6
     for [from, to] in outside(&base.problem.pieces, &zones) {
         // At the end of a zone, and at a wall, there are two heights.
         let mut points: Vec<f64> =
-            between(from, to, points_of(base, to - from, POINTS_BESIDE)).collect();
+            between(from, to, points_of(base, to - from, check::POINTS)).collect();
         points.extend(between_breaks(&base.problem.profile.cuts(), [from, to]));
         points.sort_by(f64::total_cmp);
         points.dedup();
@@ -97,14 +94,4 @@ fn inner(base: &Base<'_>, field: &Field) -> Vec<f64> {
 /// Enough for the valleys of the profile.
 fn points_of(base: &Base<'_>, length: f64, least: usize) -> usize {
     ((length * base.cells() as f64) as usize).clamp(least, MOST_POINTS)
-}
-
-/// Points between two places, closer to them.
-fn between(from: f64, to: f64, count: usize) -> impl Iterator<Item = f64> {
-    (0..count)
-        .map(move |i| {
-            let half = (0.5 * PI * (i as f64 + 0.5) / count as f64).sin();
-            from + (to - from) * half * half
-        })
-        .filter(move |at| *at > from && *at < to)
 }

@@ -6,9 +6,7 @@
 use super::settled::Settled;
 use super::strip::Ground;
 use crate::contact::edges::EndState;
-
-/// Rounding of a density.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+use crate::contact::smooth::told::ROUNDING;
 
 /// What is known at both ends of a zone.
 pub(super) fn ends(ground: &Ground, settled: &Settled) -> [EndState; 2] {

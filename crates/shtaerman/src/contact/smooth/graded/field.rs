@@ -10,10 +10,9 @@ use super::strip::{Ground, Strip};
 use crate::contact::smooth::disk::transform::Transform;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::system::Place;
+use crate::contact::smooth::told::ROUNDING;
 
 /// A place closer to a kink than this share of the ends is the kink: where both are is rounded.
-/// Rounding of the slope of a transform.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 const SAME: f64 = 2.0 * f64::EPSILON;
 
 /// A solved zone.

@@ -2,8 +2,8 @@
 
 use super::field::Field;
 use super::stated::GradedContact;
-use crate::Rotational;
-use crate::contact::rates::{Linearised, Rates, smooth_rates};
+use crate::contact::rates::{Linearised, Rates};
+use crate::contact::smooth::told;
 use crate::contact::solution::Solution;
 
 /// What the elimination of coupled zones leaves in the densities at their ends, relative to them: beside the width of `0.449*step(x+0.5295)+0.497*x^2` (`mu = 0.141`, force 1.57516) differences of solutions show 2e-11.
@@ -14,8 +14,7 @@ impl GradedContact {
     pub(super) fn first_order(&self, peak: f64) -> Linearised {
         let load = &self.problem().load;
         let stiffness = self.stiffness();
-        let largest = self.pressure0(peak);
-        let finite = if largest.is_finite() { largest } else { 0.0 };
+        let (force, largest) = (self.state().force, self.pressure(peak));
         let of = |prescribed: [f64; 2]| -> [Rates; 2] {
             let [raise, turn] = stiffness.displaced(load, prescribed);
             let force = stiffness.force_settlement * raise + stiffness.coupling * turn;
@@ -31,11 +30,8 @@ impl GradedContact {
             let [width, error] = widths.fold([0.0; 2], |[a, b], [c, d]| [a + c, b + d]);
             [[raise, force, -turn, pressure, width], [0.0, 0.0, 0.0, 0.0, error]]
         };
-        let rotates = !matches!(load.rotational, Rotational::Eccentricity(_));
-        let turned = if rotates { of([0.0, 1.0]) } else { [[0.0; 5]; 2] };
-        let raised = of([1.0, 0.0]);
-        let rates = smooth_rates(load, [self.state().force, finite], [raised[0], turned[0]]);
-        let bounds = smooth_rates(load, [0.0; 2], [raised[1], turned[1]]);
+        let rates = told::rates(load, [force, largest], |prescribed| of(prescribed)[0]);
+        let bounds = told::rates(load, [0.0; 2], |prescribed| of(prescribed)[1]);
         Linearised { rates, errors: bounds.map(|rates| rates.map(f64::abs)) }
     }
 }

@@ -6,18 +6,15 @@ use super::field::{Field, displacement_outside};
 use super::strip::Strip;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
-use crate::contact::check::Check;
 use crate::contact::complementarity::Complementarity;
 use crate::contact::method::{Method, MethodName};
 use crate::contact::rates::Linearised;
 use crate::contact::smooth::problem::SmoothProblem;
 use crate::contact::smooth::system::Place;
+use crate::contact::smooth::told::{ROUNDING, Told};
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
-use crate::{Error, Load, Problem, Rotational, Vertical};
-
-/// Rounding of a quantity relative to what is added up in it.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+use crate::{Error, Load, Problem};
 
 /// Every so many places are compared with less of each series.
 const COMPARED: usize = 3;
@@ -27,8 +24,7 @@ const COMPARED: usize = 3;
 pub(crate) struct GradedContact {
     problem: SmoothProblem,
     solved: Solved,
-    accuracy: Accuracy,
-    edge_error: f64,
+    told: Told,
 }
 
 impl Problem {
@@ -45,20 +41,10 @@ impl Problem {
 
 impl GradedContact {
     fn new(problem: SmoothProblem, solved: Solved) -> Result<Self, Error> {
-        let (accuracy, edge_error) = estimate(&problem, &solved);
-        let State { settlement, tilt, force, moment } = solved.fields[0].strip.state;
-        let values = [
-            ("force", force),
-            ("moment", moment),
-            ("settlement", settlement),
-            ("tilt", tilt),
-            ("pressure", solved.along.largest),
-            ("error of the pressure", accuracy.pressure),
-        ];
-        if let Some((quantity, value)) = values.into_iter().find(|(_, value)| !value.is_finite()) {
-            return Err(Error::Overflow { quantity, value });
-        }
-        Ok(Self { problem, solved, accuracy, edge_error })
+        let stated = (&problem.load, &solved.fields[0].strip.state);
+        let shares = [solved.left.tension, solved.left.penetration];
+        let told = Told::new(stated, solved.along.largest, estimate(&solved), shares)?;
+        Ok(Self { problem, solved, told })
     }
 
     pub(super) fn problem(&self) -> &SmoothProblem {
@@ -71,13 +57,6 @@ impl GradedContact {
 
     fn touching(&self, xi: f64) -> Option<&Field> {
         self.fields().iter().find(|field| field.strip.zone.contains(xi))
-    }
-
-    pub(super) fn pressure0(&self, xi: f64) -> f64 {
-        if xi.is_nan() {
-            return xi;
-        }
-        self.touching(xi).map_or(0.0, |field| field.pressure(field.place(xi)))
     }
 }
 
@@ -122,7 +101,7 @@ fn known(field: &Field, along: &Along, zone: usize, [condition, tolerance]: [f64
 }
 
 /// The error of the answer from those of its zones.
-fn estimate(problem: &SmoothProblem, solved: &Solved) -> (Accuracy, f64) {
+fn estimate(solved: &Solved) -> (Accuracy, f64) {
     let Solved { fields, along, tolerance, .. } = solved;
     let mu = fields[0].ground.powers.exponent();
     let total = fields[0].ground.total();
@@ -155,17 +134,13 @@ fn estimate(problem: &SmoothProblem, solved: &Solved) -> (Accuracy, f64) {
         moment_error += strip.own.moment_tilt * (sum / (strip.half() * total))
             + strip.centre().abs() * by_force;
     }
-    let of = |unknown: bool, error: f64| if unknown { error } else { 0.0 };
-    let by_force = matches!(problem.load.vertical, Vertical::Force(_));
-    let by_tilt = matches!(problem.load.rotational, Rotational::Tilt(_));
-    let by_moment = matches!(problem.load.rotational, Rotational::Moment(_));
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
         pressure: most(|known| known.pressure),
-        settlement: of(by_force, settlement_error),
-        tilt: of(!by_tilt, tilt_error),
-        force: of(!by_force, force_error),
-        moment: of(!by_moment, moment_error),
+        settlement: settlement_error,
+        tilt: tilt_error,
+        force: force_error,
+        moment: moment_error,
     };
     (accuracy, most(|known| known.edge))
 }
@@ -184,7 +159,10 @@ impl Solution for GradedContact {
     }
 
     fn pressure(&self, xi: f64) -> f64 {
-        self.pressure0(xi)
+        if xi.is_nan() {
+            return xi;
+        }
+        self.touching(xi).map_or(0.0, |field| field.pressure(field.place(xi)))
     }
 
     fn pressure_beside(&self, zone: usize, from_left: f64, from_right: f64) -> f64 {
@@ -214,7 +192,7 @@ impl Solution for GradedContact {
             );
             others.extend(field.breaks.iter().chain(&field.strip.zone.ends));
         }
-        sampled.extend(others.into_iter().map(|xi| (xi, self.pressure0(xi))));
+        sampled.extend(others.into_iter().map(|xi| (xi, self.pressure(xi))));
         sampled.sort_by(|one, two| one.0.total_cmp(&two.0));
         sampled.dedup_by(|next, last| next.0 == last.0);
         sampled.into_iter().filter(|(_, pressure)| pressure.is_finite()).unzip()
@@ -226,18 +204,16 @@ impl Solution for GradedContact {
     }
 
     fn accuracy(&self) -> Option<&Accuracy> {
-        Some(&self.accuracy)
+        Some(&self.told.accuracy)
     }
 
     fn edge_error(&self) -> Option<f64> {
         let is_free = self.fields().iter().any(|field| field.strip.zone.has_free_end());
-        is_free.then_some(self.edge_error)
+        is_free.then_some(self.told.edge_error)
     }
 
     fn complementarity(&self) -> Option<Complementarity> {
-        let Check { tension, penetration, .. } = &self.solved.left;
-        let [tension, penetration] = [*tension, *penetration];
-        self.problem.is_unilateral.then_some(Complementarity { tension, penetration })
+        self.problem.is_unilateral.then_some(self.told.complementarity)
     }
 
     fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
@@ -250,6 +226,6 @@ impl Solution for GradedContact {
     }
 
     fn size(&self) -> f64 {
-        self.solved.along.largest
+        self.told.largest
     }
 }

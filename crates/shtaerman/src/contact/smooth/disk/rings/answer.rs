@@ -1,29 +1,22 @@
 //! The answer of a smooth circular punch on rings.
 
-use std::f64::consts::{FRAC_1_SQRT_2, PI};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::super::SmoothDisk;
 use super::base::Base;
 use super::edges;
 use super::system::{Core, Solved};
+use crate::Error;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::check::Check;
 use crate::contact::complementarity::Complementarity;
 use crate::contact::method::{Method, MethodName};
 use crate::contact::smooth::detail::COMPARED;
+use crate::contact::smooth::told::{ROUNDING, Told, compared, places};
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
-use crate::{Error, Vertical};
-
-/// Points at which two resolutions are compared.
-const COMPARISONS: usize = 33;
-/// Points of a zone that show extremes, and of all of them.
-const PLACES: usize = 256;
-const MOST_PLACES: usize = 4096;
-/// Rounding of a quantity relative to its size.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// Zones, pressure, settlement and force of a circular punch on a smooth body, without tilt and without dimensions.
 #[derive(Debug, Clone)]
@@ -31,104 +24,16 @@ pub(crate) struct SmoothRingsContact {
     problem: Arc<SmoothDisk>,
     solved: Solved,
     stiffness: Stiffness,
-    accuracy: Accuracy,
-    edge_error: f64,
-    complementarity: Complementarity,
-    largest: f64,
+    told: Told,
 }
 
 impl SmoothRingsContact {
     pub(super) fn new(base: &Base<'_>, solved: Solved, left: &Check) -> Result<Self, Error> {
-        let (accuracy, edge_error) = estimate(base, &solved);
+        let stated = (&base.problem.load, &solved.state);
+        let shares = [left.tension, left.penetration];
+        let told = Told::new(stated, left.largest, estimate(base, &solved), shares)?;
         let stiffness = solved.stiffness()?;
-        let values = [
-            ("force", solved.state.force),
-            ("settlement", solved.state.settlement),
-            ("pressure", left.largest),
-            ("error of the pressure", accuracy.pressure),
-        ];
-        if let Some((quantity, value)) = values.into_iter().find(|(_, value)| !value.is_finite()) {
-            return Err(Error::Overflow { quantity, value });
-        }
-        let (tension, penetration) = (left.tension, left.penetration);
-        Ok(Self {
-            problem: Arc::new(base.problem.clone()),
-            solved,
-            stiffness,
-            accuracy,
-            edge_error,
-            complementarity: Complementarity { tension, penetration },
-            largest: left.largest,
-        })
-    }
-
-    /// `delta0`, zero at infinity.
-    #[must_use]
-    pub(crate) fn settlement0(&self) -> f64 {
-        self.solved.state.settlement
-    }
-
-    /// `p0` at a distance `|xi|` from the axis: infinite at a corner and at a kink of the base, 0 beside the zones.
-    #[must_use]
-    pub(crate) fn pressure0(&self, xi: f64) -> f64 {
-        self.solved.pressure(xi.abs())
-    }
-
-    /// The elastic displacement at a distance `|xi|` from the axis, also beyond the base.
-    #[must_use]
-    pub(crate) fn elastic_displacement0(&self, xi: f64) -> f64 {
-        let r = xi.abs();
-        match self.solved.zones.iter().find(|zone| zone.contains(r)) {
-            Some(zone) => {
-                // At a step the height is that of this side.
-                let from = if zone.left() > 0.0 { zone.left().next_up() } else { 0.0 };
-                let to = if zone.right() < 1.0 { zone.right().next_down() } else { 1.0 };
-                self.settlement0() - (self.problem.height)(r.clamp(from, to))
-            }
-            None => self.solved.displacement_outside(r),
-        }
-    }
-
-    /// `d(P0, M0)/d(delta0, -alpha0)` on these zones; free edges that move add nothing of first order.
-    #[must_use]
-    pub(crate) fn stiffness0(&self) -> Stiffness {
-        self.stiffness
-    }
-
-    /// The largest `|p0|` seen between the singular places.
-    #[must_use]
-    pub(crate) fn largest_inside0(&self) -> f64 {
-        self.largest
-    }
-
-    /// What is left of tension and penetration.
-    #[must_use]
-    pub(crate) fn complementarity(&self) -> Complementarity {
-        self.complementarity
-    }
-
-    /// The estimated error; that of the pressure in the middle of the zones, nearer to an edge it grows as that of plane contact.
-    #[must_use]
-    pub(crate) fn accuracy(&self) -> &Accuracy {
-        &self.accuracy
-    }
-
-    /// The estimated error of the free edges, in `xi`.
-    #[must_use]
-    pub(crate) fn edge_error0(&self) -> f64 {
-        self.edge_error
-    }
-
-    /// The largest estimated error relative to its size.
-    #[must_use]
-    pub(crate) fn relative_error(&self) -> f64 {
-        self.accuracy.relative(&self.solved.state.sizes(self.largest))
-    }
-
-    /// Number of coupled modes of the rings, and of coefficients of a disk.
-    #[must_use]
-    pub(crate) fn modes(&self) -> usize {
-        self.solved.modes()
+        Ok(Self { problem: Arc::new(base.problem.clone()), solved, stiffness, told })
     }
 
     /// The zone along the diameter, and whether it is on the left.
@@ -144,13 +49,10 @@ fn estimate(base: &Base<'_>, solved: &Solved) -> (Accuracy, f64) {
     let coarse = Solved::new(base, &solved.zones, COMPARED).ok().map(truncated);
     let (mut pressure, mut edge) = (0.0f64, 0.0f64);
     for j in 0..solved.zones.len() {
-        let mut worst = 0.0f64;
-        // An irrational share of the step keeps clear of symmetric places, where a kink may be.
-        for i in 0..COMPARISONS {
-            let angle = PI * (i as f64 + FRAC_1_SQRT_2) / COMPARISONS as f64;
-            let other = coarse.as_ref().map_or(f64::INFINITY, |c| c.regular(j, angle));
-            worst = worst.max((solved.regular(j, angle) - other).abs());
-        }
+        let worst = compared(
+            |angle| solved.regular(j, angle),
+            |angle| coarse.as_ref().map_or(f64::INFINITY, |coarse| coarse.regular(j, angle)),
+        );
         let difference = |one: &dyn Fn(&Solved) -> f64| {
             coarse.as_ref().map_or(f64::INFINITY, |coarse| (one(solved) - one(coarse)).abs())
         };
@@ -180,14 +82,12 @@ fn estimate(base: &Base<'_>, solved: &Solved) -> (Accuracy, f64) {
     };
     let level = solved.displacement_rounding();
     let State { settlement, force, .. } = solved.state;
-    let by_force = matches!(base.problem.load.vertical, Vertical::Force(_));
-    let of = |unknown: bool, error: f64| if unknown { error } else { 0.0 };
     let accuracy = Accuracy {
         kind: ErrorKind::Estimate,
         pressure,
-        settlement: of(by_force, change(|s| s.settlement) + level + ROUNDING * settlement.abs()),
+        settlement: change(|s| s.settlement) + level + ROUNDING * settlement.abs(),
         tilt: 0.0,
-        force: of(!by_force, change(|s| s.force) + solved.rate * level + ROUNDING * force.abs()),
+        force: change(|s| s.force) + solved.rate * level + ROUNDING * force.abs(),
         moment: 0.0,
     };
     (accuracy, edge)
@@ -212,7 +112,7 @@ impl Solution for SmoothRingsContact {
     }
 
     fn stiffness(&self) -> Stiffness {
-        self.stiffness0()
+        self.stiffness
     }
 
     fn zones(&self) -> Vec<[f64; 2]> {
@@ -223,7 +123,7 @@ impl Solution for SmoothRingsContact {
     }
 
     fn corner_intensity(&self) -> Option<Vec<[f64; 2]>> {
-        let count = Solution::zones(self).len();
+        let count = self.zones().len();
         let of = |zone: usize| {
             let (own, is_left) = self.along_diameter(zone);
             let [inner, outer] = self.solved.intensity(own);
@@ -237,7 +137,7 @@ impl Solution for SmoothRingsContact {
     }
 
     fn pressure(&self, xi: f64) -> f64 {
-        self.pressure0(xi)
+        self.solved.pressure(xi.abs())
     }
 
     fn pressure_beside(&self, zone: usize, from_left: f64, from_right: f64) -> f64 {
@@ -250,47 +150,42 @@ impl Solution for SmoothRingsContact {
     }
 
     fn displacement(&self, xi: f64) -> f64 {
-        self.elastic_displacement0(xi)
+        let r = xi.abs();
+        match self.solved.zones.iter().find(|zone| zone.contains(r)) {
+            Some(zone) => {
+                // At a step the height is that of this side.
+                let from = if zone.left() > 0.0 { zone.left().next_up() } else { 0.0 };
+                let to = if zone.right() < 1.0 { zone.right().next_down() } else { 1.0 };
+                self.solved.state.settlement - (self.problem.height)(r.clamp(from, to))
+            }
+            None => self.solved.displacement_outside(r),
+        }
     }
 
     fn sample(&self) -> (Vec<f64>, Vec<f64>) {
-        let zones = Solution::zones(self);
-        let count = (MOST_PLACES / zones.len().max(1)).clamp(8, PLACES);
-        let mut places = vec![-1.0, 1.0];
-        for [left, right] in zones {
-            places.extend((0..=count).map(|i| {
-                let half = (0.5 * PI * i as f64 / count as f64).sin();
-                (left + (right - left) * half * half).clamp(left, right)
-            }));
-        }
-        places.sort_by(f64::total_cmp);
-        places.dedup();
-        let sampled = places.into_iter().map(|xi| (xi, self.pressure0(xi)));
+        let sampled = places(&self.zones()).into_iter().map(|xi| (xi, self.pressure(xi)));
         sampled.filter(|(_, pressure)| pressure.is_finite()).unzip()
     }
 
+    /// With as many coupled modes of the rings and coefficients of a disk.
     fn method(&self) -> Method {
-        Method { name: MethodName::FirstKind, n: self.modes() }
+        Method { name: MethodName::FirstKind, n: self.solved.modes() }
     }
 
     fn accuracy(&self) -> Option<&Accuracy> {
-        Some(SmoothRingsContact::accuracy(self))
-    }
-
-    fn relative_error(&self) -> f64 {
-        SmoothRingsContact::relative_error(self)
+        Some(&self.told.accuracy)
     }
 
     fn edge_error(&self) -> Option<f64> {
         let is_free = self.solved.zones.iter().any(|zone| zone.has_free_end());
-        is_free.then(|| self.edge_error0())
+        is_free.then_some(self.told.edge_error)
     }
 
     fn complementarity(&self) -> Option<Complementarity> {
-        self.problem.is_unilateral.then(|| SmoothRingsContact::complementarity(self))
+        self.problem.is_unilateral.then_some(self.told.complementarity)
     }
 
     fn size(&self) -> f64 {
-        self.largest_inside0()
+        self.told.largest
     }
 }

@@ -1,18 +1,13 @@
 //! The base of revolution with its walls and samples.
 
+use super::super::SmoothDisk;
 use super::super::shape::Shape;
-use super::super::{SAMPLES, SmoothDisk};
 use crate::contact::search::Work;
+use crate::contact::smooth::problem::{MOST_CELLS, MOST_SAMPLES, SAMPLES, USUAL_CELLS};
 use crate::contact::steps::{REACH, rise};
 use crate::contact::valleys;
 use crate::contact::zones::Walls;
 use crate::{Error, Load, Rotational};
-
-/// Samples of a base for every one that shows its steps, at least and at most.
-const FINER: usize = 4;
-const MOST_FINER: usize = 64;
-/// Most cells.
-pub(super) const MOST_CELLS: usize = 3072;
 
 /// A problem with its walls and samples.
 pub(super) struct Base<'p> {
@@ -28,8 +23,7 @@ pub(super) struct Base<'p> {
 impl<'p> Base<'p> {
     pub(super) fn new(problem: &'p SmoothDisk) -> Result<Self, Error> {
         problem.check()?;
-        let count =
-            valleys::steps(&*problem.height, [0.0, 1.0], FINER * SAMPLES, MOST_FINER * SAMPLES);
+        let count = valleys::steps(&*problem.height, [0.0, 1.0], SAMPLES, MOST_SAMPLES);
         let samples: Vec<(f64, f64)> = (0..=count)
             .map(|i| i as f64 / count as f64)
             .map(|r| (r, (problem.height)(r)))
@@ -55,8 +49,7 @@ impl<'p> Base<'p> {
 
     /// Number of cells that show every valley of the profile.
     pub(super) fn cells(&self) -> usize {
-        const USUAL: usize = 768;
-        valleys::cells(valleys::valleys(&self.samples).count(), USUAL, MOST_CELLS)
+        valleys::cells(valleys::valleys(&self.samples).count(), USUAL_CELLS, MOST_CELLS)
     }
 
     fn find_steps(&mut self) {

@@ -8,14 +8,8 @@ use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use super::kernel::Harmonic;
 use super::ring::{Ring, Spot, along, distance};
 use crate::Error;
-use crate::contact::smooth::detail::FINE;
+use crate::contact::smooth::coupling::{MOST_MODES, share};
 use crate::contact::smooth::linear::Symmetric;
-
-/// Most modes of a ring, and of all together.
-const MOST_OF_A_RING: f64 = 800.0;
-const MOST_MODES: usize = 4000;
-/// Fewest digits to which the modes of an answer are kept.
-const FEWEST_DIGITS: f64 = 8.0;
 
 /// The Chebyshev nodes of a ring.
 #[derive(Debug, Clone)]
@@ -87,10 +81,9 @@ pub(super) fn modes(c: f64, rings: &[Ring], digits: f64) -> Result<Vec<usize>, E
         let beside = if e.is_infinite() { e } else { (e + (e * (2.0 + e)).sqrt()).ln_1p() };
         let own = (PI / ring.half).asinh();
         let each = std::f64::consts::LN_10 / beside.min(own);
-        let share = (MOST_OF_A_RING / (FINE.digits * each)).min(1.0);
-        if share.is_nan() || share * FINE.digits < FEWEST_DIGITS {
+        let Some(share) = share(each) else {
             return Err(Error::ZonesTooClose { gap: narrowest(c, rings) });
-        }
+        };
         counts.push((share * digits * each).ceil() as usize + 3);
     }
     Ok(counts)

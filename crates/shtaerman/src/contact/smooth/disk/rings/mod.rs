@@ -23,6 +23,7 @@ use crate::contact::check::Check;
 use crate::contact::edges::{EndState, settle};
 use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, Equation, Start, complementary};
 use crate::contact::smooth::detail::{COARSE, Detail, FINE, MOST_WORK, numbers_of_cells};
+use crate::contact::solution::Solution;
 use crate::contact::valleys;
 use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
@@ -152,6 +153,6 @@ fn required(contact: SmoothRingsContact) -> Result<SmoothRingsContact, Error> {
     if residual <= WORST {
         return Ok(contact);
     }
-    let iterations = contact.modes();
+    let iterations = contact.method().n;
     Err(fredholm::Error::NotConverged { iterations, residual, tolerance: WORST }.into())
 }
