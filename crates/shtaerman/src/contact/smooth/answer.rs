@@ -3,13 +3,14 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use super::detail::COMPARED;
+use super::band::wrapped;
+use super::detail::{COMPARED, ROUNDING};
 use super::edges;
+use super::full::FullWave;
 use super::legendre;
 use super::problem::{Base, SmoothProblem};
 use super::system::{Part, Place, Solved};
-use super::told::{ROUNDING, Told, compared, places};
-use super::wave::{FullWave, wrapped};
+use super::told::{Told, compared, places};
 use crate::contact::accuracy::{Accuracy, ErrorKind, Sizes};
 use crate::contact::balance::State;
 use crate::contact::check::Check;

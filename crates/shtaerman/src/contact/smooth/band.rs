@@ -2,16 +2,38 @@
 
 use std::f64::consts::PI;
 
+use super::angular::Angular;
 use super::harmonics::Harmonics;
-use super::problem::{Sample, SmoothProblem};
+use super::problem::{Sample, SmoothProblem, SmoothProfile};
 use super::slopes::Slopes;
-use super::wave::Turn;
 
 /// Samples for each harmonic, and at least.
 const A_HARMONIC: usize = 16;
 const FEWEST: usize = 256;
 /// Rounding of the series at a sample, in units of that of its terms.
 const ROUNDINGS: f64 = 8.0;
+
+/// The profile of a wave over the angle `pi xi`.
+pub(super) struct Turn<'p>(pub(super) &'p SmoothProfile);
+
+impl Angular for Turn<'_> {
+    fn height(&self, angle: f64) -> f64 {
+        (self.0.height)(angle / PI)
+    }
+
+    fn slope(&self, angle: f64) -> Option<f64> {
+        self.0.slope.as_ref().map(|slope| slope(angle / PI) / PI)
+    }
+}
+
+/// A place moved by whole periods into `-1 .. 1`.
+pub(super) fn wrapped(xi: f64) -> f64 {
+    match xi.abs() {
+        size if size < 1.0 => xi,
+        size if size < 3.0 => xi - 2f64.copysign(xi),
+        _ => xi - 2.0 * (0.5 * xi).round(),
+    }
+}
 
 /// The slope of a wave as a short series that its heights confirm.
 pub(super) struct Band {

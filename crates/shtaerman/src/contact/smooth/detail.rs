@@ -15,6 +15,8 @@ pub(super) struct Detail {
 pub(super) const COARSE: Detail = Detail { digits: 9.0, panels: 8 };
 pub(super) const FINE: Detail = Detail { digits: 17.0, panels: 8 };
 pub(super) const COMPARED: Detail = Detail { digits: 12.0, panels: 7 };
+/// Rounding of a quantity relative to what is added up in it.
+pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends: about fifteen seconds; and what a panel costs in the
 /// same unit.
 pub(super) const MOST_WORK: f64 = 3e11;

@@ -9,8 +9,6 @@ use crate::contact::complementarity::Complementarity;
 use crate::contact::rates::{Rates, smooth_rates};
 use crate::{Error, Load, Rotational, Vertical};
 
-/// Rounding of a quantity relative to what is added up in it.
-pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Points of a zone at which two resolutions are compared.
 const COMPARISONS: usize = 33;
 /// Points of a zone that show extremes, and of all of them.

@@ -9,21 +9,16 @@
 //!
 //! and a tilt of the whole disk adds `-(2/pi) e alpha0 x/((1+mu) (c^2 - r^2)^beta)` to the pressure, `M0 = -4 e c^(3+mu) alpha0/((1+mu)^2 (3+mu))` (L. A. Galin 1946,
 //! I. N. Sneddon 1965; V. L. Popov, M. Hess and E. Willert, *Handbook of Contact Mechanics*, 2019, ch. 2 and 9). On homogeneous ground a contact that is no single disk is
-//! [rings].
+//! that of rings.
 
 mod answer;
 mod check;
 mod field;
 mod radius;
-mod rings;
 pub(super) mod shape;
-mod stated;
-#[cfg(test)]
-mod tests;
 pub(super) mod transform;
 
-pub(crate) use answer::SmoothDiskContact;
-pub(crate) use rings::SmoothRingsContact;
+use answer::SmoothDiskContact;
 
 use std::fmt;
 
@@ -96,8 +91,7 @@ impl SmoothDisk {
     ///
     /// # Errors
     /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive in unilateral contact, a step inside the base in
-    /// bilateral contact; [`Error::NoContact`]; [`Error::Rings`] where the contact is no single disk ([`solve_rings`](Self::solve_rings) finds what it
-    /// is); [`Error::LiftsOff`] for a moment that does not leave the whole base in contact; [`Error::Overflow`] when the answer is not finite.
+    /// bilateral contact; [`Error::NoContact`]; [`Error::Rings`] where the contact is no single disk; [`Error::LiftsOff`] for a moment that does not leave the whole base in contact; [`Error::Overflow`] when the answer is not finite.
     pub(crate) fn solve(&self) -> Result<SmoothDiskContact, Error> {
         self.check()?;
         let limit = self.limit()?;
@@ -125,27 +119,12 @@ impl SmoothDisk {
         Err(refused.unwrap_or(Error::Rings { variable: "xi", at: 0.0, found: "no contact" }))
     }
 
-    /// Solves for the zones of unilateral contact, a disk and rings as it comes, under a force or a settlement; in bilateral contact for the full base.
-    ///
-    /// # Errors
-    /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive, a moment, a tilt or an exponent of grading that is not zero; [`Error::NoContact`];
-    /// [`Error::NotComplementary`] when no zones were found; [`Error::Equation`] where zones come too close to one another, or are too many, for the
-    /// modes that can be kept; [`Error::Overflow`] when the answer is not finite.
-    pub(crate) fn solve_rings(&self) -> Result<SmoothRingsContact, Error> {
-        rings::solve(self)
-    }
-
-    /// Whether contacts of rings can be solved for: without a tilt, on homogeneous ground.
-    fn has_rings(&self) -> bool {
-        self.exponent == 0.0 && self.rotational().1 == 0.0
-    }
-
     /// `e`.
-    fn modulus(&self, ground: &Ground) -> f64 {
+    pub(super) fn modulus(&self, ground: &Ground) -> f64 {
         ground.modulus(std::f64::consts::PI * self.theta0)
     }
 
-    fn shape(&self) -> Result<Shape<'_>, Error> {
+    pub(super) fn shape(&self) -> Result<Shape<'_>, Error> {
         let mut breaks: Vec<f64> =
             self.breaks.iter().copied().filter(|at| *at > 0.0 && *at < 1.0).collect();
         breaks.sort_by(f64::total_cmp);
@@ -163,7 +142,7 @@ impl SmoothDisk {
         places.map(|r| (r, (self.height)(r)))
     }
 
-    fn check(&self) -> Result<(), Error> {
+    pub(super) fn check(&self) -> Result<(), Error> {
         let Self { theta0, load, .. } = self;
         require(theta0.is_finite() && *theta0 > 0.0, "theta0", *theta0, "finite and positive")?;
         Load::new(load.vertical, load.rotational)?;
@@ -282,7 +261,7 @@ impl SmoothDisk {
     }
 
     /// Name and value of the rotational load.
-    fn rotational(&self) -> (&'static str, f64) {
+    pub(super) fn rotational(&self) -> (&'static str, f64) {
         match self.load.rotational {
             Rotational::Moment(value) => ("moment", value),
             Rotational::Eccentricity(value) => ("eccentricity", value),

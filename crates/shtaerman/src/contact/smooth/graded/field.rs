@@ -7,10 +7,10 @@ use super::kink::Kink;
 use super::modes::{Ripple, inside};
 use super::settled::Settled;
 use super::strip::{Ground, Strip};
+use crate::contact::smooth::detail::ROUNDING;
 use crate::contact::smooth::disk::transform::Transform;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::system::Place;
-use crate::contact::smooth::told::ROUNDING;
 
 /// A place closer to a kink than this share of the ends is the kink: where both are is rounded.
 const SAME: f64 = 2.0 * f64::EPSILON;

@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use super::super::SmoothDisk;
 use super::base::Base;
 use super::edges;
 use super::system::{Core, Solved};
@@ -13,8 +12,9 @@ use crate::contact::balance::State;
 use crate::contact::check::Check;
 use crate::contact::complementarity::Complementarity;
 use crate::contact::method::{Method, MethodName};
-use crate::contact::smooth::detail::COMPARED;
-use crate::contact::smooth::told::{ROUNDING, Told, compared, places};
+use crate::contact::smooth::detail::{COMPARED, ROUNDING};
+use crate::contact::smooth::disk::SmoothDisk;
+use crate::contact::smooth::told::{Told, compared, places};
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
 

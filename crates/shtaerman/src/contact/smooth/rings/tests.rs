@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use super::SmoothDisk;
+use super::solve;
+use crate::contact::smooth::disk::SmoothDisk;
 use crate::contact::solution::Solution;
 use crate::{Error, Load, Rotational, Vertical};
 
@@ -26,7 +27,7 @@ fn one_disk_is_that_of_galins_transforms() {
             tolerance: 0.0,
             is_unilateral,
         };
-        let (one, two) = (disk.solve().unwrap(), disk.solve_rings().unwrap());
+        let (one, two) = (disk.solve().unwrap(), solve(&disk).unwrap());
         let [[left, right]] = two.zones()[..] else { panic!("one disk") };
         assert_eq!(left, -right);
         let radius = one.zones()[0][1];
@@ -55,6 +56,6 @@ fn one_disk_is_that_of_galins_transforms() {
         tolerance: 0.0,
         is_unilateral: true,
     };
-    let refused = refused.solve_rings();
+    let refused = solve(&refused);
     assert!(matches!(refused, Err(Error::InvalidValue { field: "moment", value: 0.1, .. })));
 }

@@ -1,8 +1,8 @@
 //! The base of revolution with its walls and samples.
 
-use super::super::SmoothDisk;
-use super::super::shape::Shape;
 use crate::contact::search::Work;
+use crate::contact::smooth::disk::SmoothDisk;
+use crate::contact::smooth::disk::shape::Shape;
 use crate::contact::smooth::problem::{MOST_CELLS, MOST_SAMPLES, SAMPLES, USUAL_CELLS};
 use crate::contact::steps::{REACH, rise};
 use crate::contact::valleys;

@@ -11,8 +11,6 @@
 use std::f64::consts::{LN_10, PI};
 use std::sync::Arc;
 
-use super::super::shape::Shape;
-use super::super::transform::Transform;
 use super::base::Base;
 use super::coupling::{self, Nodes, norm};
 use super::kernel::Harmonic;
@@ -20,6 +18,8 @@ use super::ring::Ring;
 use crate::contact::balance::State;
 use crate::contact::smooth::angular::{Angular, ROUNDINGS};
 use crate::contact::smooth::detail::Detail;
+use crate::contact::smooth::disk::shape::Shape;
+use crate::contact::smooth::disk::transform::Transform;
 use crate::contact::smooth::slopes::Slopes;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use super::{SmoothDisk, rings};
+use super::{are_likely, are_possible, solve};
 use crate::contact::revolution::require_even;
+use crate::contact::smooth::disk::SmoothDisk;
 use crate::contact::smooth::stated::MEASURED;
 use crate::contact::solution::Solution;
 use crate::{ContactKind, Error, Problem, Rotational, Scaling, Vertical};
@@ -12,19 +13,19 @@ impl Problem {
     /// Solves a circular punch on a smooth body.
     ///
     /// # Errors
-    /// Those of [`SmoothDisk::solve`] and of [`SmoothDisk::solve_rings`], which takes over where the contact is no single disk, with values in the units of
+    /// Those of [`SmoothDisk::solve`] and of [`solve`](super::solve) for rings, which takes over where the contact is no single disk, with values in the units of
     /// the problem; [`Error::InvalidValue`] for a base that is no body of revolution.
     pub(in crate::contact) fn solve_smooth_disk(&self) -> Result<Arc<dyn Solution>, Error> {
         require_even(self)?;
         let disk = self.smooth_disk();
-        let rings = || disk.solve_rings().map(|contact| -> Arc<dyn Solution> { Arc::new(contact) });
-        let mut tried = rings::are_likely(&disk).then(rings);
+        let rings = || solve(&disk).map(|contact| -> Arc<dyn Solution> { Arc::new(contact) });
+        let mut tried = are_likely(&disk).then(rings);
         if let Some(Ok(_) | Err(Error::TooManyZones { .. })) = tried {
             return tried.unwrap_or_else(rings);
         }
         let solution: Result<Arc<dyn Solution>, Error> = match disk.solve() {
             Ok(contact) => Ok(Arc::new(contact)),
-            Err(Error::Rings { .. }) if disk.has_rings() => tried.take().unwrap_or_else(rings),
+            Err(Error::Rings { .. }) if are_possible(&disk) => tried.take().unwrap_or_else(rings),
             Err(error) => Err(error),
         };
         solution.map_err(|error| self.with_units(error))

@@ -12,12 +12,13 @@ mod edges;
 mod field;
 mod kernel;
 mod ring;
+mod stated;
 mod system;
+#[cfg(test)]
+mod tests;
 mod topology;
 
-pub(crate) use answer::SmoothRingsContact;
-
-use super::SmoothDisk;
+use super::disk::SmoothDisk;
 use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::{EndState, settle};
@@ -27,6 +28,7 @@ use crate::contact::solution::Solution;
 use crate::contact::valleys;
 use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
+use answer::SmoothRingsContact;
 use base::Base;
 use check::check;
 use system::Solved;
@@ -34,8 +36,13 @@ use system::Solved;
 /// A relative error beyond which there is no answer.
 const WORST: f64 = 1e-3;
 
-/// Solves for disk and rings of contact without a tilt.
-pub(super) fn solve(problem: &SmoothDisk) -> Result<SmoothRingsContact, Error> {
+/// Solves for the zones of unilateral contact, a disk and rings as it comes, under a force or a settlement; in bilateral contact for the full base.
+///
+/// # Errors
+/// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive, a moment, a tilt or an exponent of grading that is not zero; [`Error::NoContact`];
+/// [`Error::NotComplementary`] when no zones were found; [`Error::Equation`] where zones come too close to one another, or are too many, for the
+/// modes that can be kept; [`Error::Overflow`] when the answer is not finite.
+fn solve(problem: &SmoothDisk) -> Result<SmoothRingsContact, Error> {
     let base = Base::new(problem)?;
     let (field, requirement) = ("grading_exponent", "zero: rings on graded ground are not known");
     require(problem.exponent == 0.0, field, problem.exponent, requirement)?;
@@ -50,13 +57,18 @@ pub(super) fn solve(problem: &SmoothDisk) -> Result<SmoothRingsContact, Error> {
     required(SmoothRingsContact::new(&base, solved, &left)?)
 }
 
+/// Whether contacts of rings can be solved for: without a tilt, on homogeneous ground.
+fn are_possible(problem: &SmoothDisk) -> bool {
+    problem.exponent == 0.0 && problem.rotational().1 == 0.0
+}
+
 /// Whether the contact is probably no single disk, so that transforms of disks can be spared: the base falls somewhere, and cells say so.
-pub(super) fn are_likely(problem: &SmoothDisk) -> bool {
+fn are_likely(problem: &SmoothDisk) -> bool {
     let is_disk = |base: Base<'_>| {
         let rises = base.samples.windows(2).all(|pair| pair[0].1 <= pair[1].1);
         if rises { Ok(true) } else { topology::is_disk(&base, base.cells()) }
     };
-    problem.has_rings()
+    are_possible(problem)
         && problem.is_unilateral
         && matches!(Base::new(problem).and_then(is_disk), Ok(false))
 }
