@@ -15,6 +15,10 @@ pub(super) struct Detail {
 pub(super) const COARSE: Detail = Detail { digits: 9.0, panels: 8 };
 pub(super) const FINE: Detail = Detail { digits: 17.0, panels: 8 };
 pub(super) const COMPARED: Detail = Detail { digits: 12.0, panels: 7 };
+/// Coefficients or differences this small relative to the largest value, that do not fall when a panel is halved, are noise.
+pub(super) const NOISE: f64 = 1e-11;
+/// Panels are halved at most this often.
+pub(super) const DEEPEST: u32 = 44;
 /// Rounding of a quantity relative to what is added up in it.
 pub(super) const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends: about fifteen seconds; and what a panel costs in the

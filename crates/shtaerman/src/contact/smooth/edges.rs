@@ -12,7 +12,7 @@ use crate::contact::edges::EndState;
 /// Below this share of the scale a density is none, where slopes are known: at an end it is no better known.
 const NONE: f64 = 8.0 * f64::EPSILON;
 /// Angles at which the slope of the density is taken.
-const BESIDE: f64 = 0.06;
+pub(super) const BESIDE: f64 = 0.06;
 /// The same times the number of modes: beside a close neighbour the density changes as fast as these do.
 const BESIDE_OF_MODES: f64 = 10.0;
 

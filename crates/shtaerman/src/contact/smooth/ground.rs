@@ -26,7 +26,11 @@ const MOST_STEPS: usize = 256;
 /// Share of the way to a singular place that a step takes.
 const CLOSING: f64 = 0.75;
 /// Share of the way from zero that the next step takes.
-const GROWTH: f64 = 3.0;
+pub(super) const GROWTH: f64 = 3.0;
+/// A first step beside a singular place is so long, in distances from there.
+pub(super) const NEAREST: f64 = 1.5;
+/// Length of a step in the angle within which polynomials are integrated exactly.
+pub(super) const TURN: f64 = 0.5;
 
 /// In the place of the shift of an exponent: no power at zero.
 pub(super) const PLAIN: i32 = 2;

@@ -1,5 +1,7 @@
 //! Symmetric positive systems of the modes.
 
+use super::density::LANES;
+
 /// Up to this order the matrix is factored, beyond it the method of conjugate gradients costs less.
 const FACTORED: usize = 500;
 const MOST_STEPS: usize = 1000;
@@ -97,7 +99,6 @@ impl Symmetric {
 }
 
 fn dot(one: &[f64], two: &[f64]) -> f64 {
-    const LANES: usize = 8;
     let mut sums = [0.0; LANES];
     let (chunks, others) = (one.chunks_exact(LANES), two.chunks_exact(LANES));
     let rest: f64 = chunks.remainder().iter().zip(others.remainder()).map(|(a, b)| a * b).sum();

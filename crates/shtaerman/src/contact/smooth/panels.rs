@@ -3,10 +3,10 @@
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::angular::{Angular, ROUNDINGS};
+use super::detail::{DEEPEST, NOISE};
 use super::legendre::{ORDER, RULE, cauchy, derivative, polynomials};
 
-/// Panels are halved at most this often, and there are at most so many.
-const DEEPEST: u32 = 44;
+/// There are at most so many panels.
 const MOST_PANELS: usize = 40_000;
 /// The nodes next to the ends of a panel are this share of it away from them, less rounding.
 const BLURRED: f64 = 1e3;
@@ -18,8 +18,6 @@ const BLURS: f64 = 64.0;
 const FASTEST: f64 = 1e-4;
 /// Roundings of the largest slope in the last coefficients: of these it is enough that one half keeps them.
 const ROUNDED: f64 = 16.0;
-/// Coefficients this small that do not fall when a panel is halved are noise.
-const NOISE: f64 = 1e-11;
 /// A pole so many half-lengths from the middle of a panel is far.
 const FAR: f64 = 2.5;
 /// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding.

@@ -1,9 +1,10 @@
 //! Whether a disk of contact is one: no tension in it, no penetration beside it, also under its tilt.
 
+use super::SmoothDisk;
 use super::field::Field;
-use super::{ALLOWED, SmoothDisk};
 use crate::Error;
 use crate::contact::extremes::Sampled;
+use crate::contact::search::ALLOWED;
 use crate::contact::smooth::check::between;
 
 /// Points between two kinks, and beside the contact.

@@ -5,7 +5,7 @@ use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 use super::shape::{Shape, Weight};
 use super::transform::Transform;
 use crate::contact::balance::State;
-use crate::contact::smooth::ground::Ground;
+use crate::contact::smooth::ground::{Ground, TURN};
 
 /// Below this a difference of near terms is summed as a series.
 const NEAR: f64 = 0.05;
@@ -169,14 +169,13 @@ impl Field {
 
     /// `(4/pi) cos(pi mu/2)/(1+mu) int_0^z w^(2+mu) (1 - w^2)^(-(1+mu)/2) dw`, `w = sin y`.
     fn graded_share(&self, z: f64) -> f64 {
-        const STEP: f64 = 0.5;
         if z >= 1.0 {
             return 1.0;
         }
         let ground = &self.ground;
         let turn = [0.0, z.asin()];
         let f = |y: f64| ground.power(y.tan()) * y.sin().powi(2);
-        let sum = ground.graded(0, turn, [STEP, FRAC_PI_2], f);
+        let sum = ground.graded(0, turn, [TURN, FRAC_PI_2], f);
         2.0 * ground.beside() / (1.0 + ground.exponent()) * sum
     }
 }

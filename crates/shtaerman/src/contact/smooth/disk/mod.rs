@@ -36,8 +36,6 @@ use shape::{Part, Shape, Weight};
 const SAMPLES: usize = 512;
 /// More breakpoints than these do not get panels of their own.
 const MOST_BREAKS: usize = 64;
-/// Tension and penetration, relative to their scales, that are rounding.
-const ALLOWED: f64 = 2e-10;
 
 /// A circular punch on a smooth body, without dimensions:
 ///

@@ -4,14 +4,13 @@ use std::collections::VecDeque;
 use std::f64::consts::FRAC_PI_2;
 
 use crate::contact::smooth::Curve;
+use crate::contact::smooth::detail::NOISE;
 use crate::contact::smooth::ground::Ground;
 use crate::contact::smooth::legendre::integral;
 
 /// Panels are halved at most this often; to this share integrals agree when their panels are halved.
 const DEEPEST: u32 = 40;
 const AGREED: f64 = 1e-15;
-/// Differences this small that do not fall when panels are halved are rounding.
-const NOISE: f64 = 1e-11;
 /// Panels of an integral at most, and its accuracy over that of what is made of it.
 const MOST_PANELS: usize = 512;
 const INNER: f64 = 1e-2;

@@ -6,24 +6,20 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::shape::{Part, Shape};
-use crate::contact::smooth::ground::{Ground, PLAIN, distant};
+use crate::contact::smooth::detail::{DEEPEST, NOISE};
+use crate::contact::smooth::ground::{Ground, NEAREST, PLAIN, TURN, distant};
 use crate::contact::smooth::legendre::{
     ORDER, RULE, derivative, integral, integral_at_nodes, series, series_at,
 };
 
-/// Panels are halved at most this often, and there are at most so many.
-const DEEPEST: u32 = 44;
+/// There are at most so many panels.
 const MOST_PANELS: usize = 128;
-/// Last coefficients relative to the largest value that count as resolved, and that are noise if they do not fall.
+/// Last coefficients relative to the largest value that count as resolved.
 const RESOLVED: f64 = 4e-16;
-const NOISE: f64 = 1e-11;
 /// The coefficient of the degree `n` is rounding of the values below this share of the largest, `2 n + 1` times: derivatives of the last ones would blow it up.
 const ROUNDING: f64 = f64::EPSILON;
-/// Length of a step in the logarithm of `s`, and in the angle, within which polynomials of `s` are integrated exactly.
+/// Length of a step in the logarithm of `s` within which polynomials of `s` are integrated exactly.
 const STEP: f64 = 1.0;
-const TURN: f64 = 0.5;
-/// Beyond a kink a first step is so long, in distances of the kink from the axis.
-const NEAREST: f64 = 1.5;
 /// A slope at a kink below this share of the largest is rounding.
 const HARMLESS: f64 = 1e-9;
 /// Towards a kink the slope vanishes if it falls to this share over so many lengths of the first panel.

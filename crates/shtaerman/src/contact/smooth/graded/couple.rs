@@ -10,13 +10,13 @@ use super::modes::{gains, inside, norms, outside};
 use super::parts::Parts;
 use super::strip::Ground;
 use crate::Error;
+use crate::contact::smooth::detail::NOISE;
 use crate::contact::smooth::problem::Base;
 use crate::contact::zones::Zone;
 
 /// Panels of the coefficients of a profile are doubled at most so often, until these change by no more than this share, or no less than before.
 const DOUBLINGS: usize = 6;
 const AGREED: f64 = 32.0 * f64::EPSILON;
-const NOISE: f64 = 1e-11;
 /// Turns of a polynomial in a panel.
 const TURNS: f64 = 1.0;
 

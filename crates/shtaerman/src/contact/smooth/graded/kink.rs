@@ -11,17 +11,12 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::modes::inside;
-use crate::contact::smooth::ground::{Ground, PLAIN};
+use crate::contact::smooth::ground::{GROWTH, Ground, NEAREST, PLAIN, TURN};
 use crate::contact::smooth::system::Place;
 
-/// Steps of integrals: up to the nearest singular place a panel is so long, in distances, and so many times the way from there.
-const NEAREST: f64 = 1.5;
-const GROWTH: f64 = 3.0;
 /// Panels towards the kink itself, each this share of the one before: what is left falls as its square.
 const INWARDS: i32 = 14;
 const SHARE: f64 = 0.25;
-/// Length of a step in the angle of a displacement.
-const TURN: f64 = 0.5;
 
 /// A kink in a zone of the half-length `half`.
 #[derive(Debug, Clone, Copy)]

@@ -7,11 +7,9 @@ use std::f64::consts::PI;
 
 use super::system::{Part, Solved};
 use crate::contact::edges::EndState;
-use crate::contact::smooth::edges::even_slope;
+use crate::contact::smooth::edges::{BESIDE, even_slope};
 
-/// Angles at which the slope of the density is taken.
-const BESIDE: f64 = 0.06;
-/// The same as share of the angle up to a bend of the base, and at least.
+/// The angle at which the slope of the density is taken, as share of that up to a bend of the base, and at least.
 const SHARE: f64 = 0.1;
 const NEAREST: f64 = 1e-4;
 
