@@ -17,6 +17,7 @@ use crate::contact::smooth::disk::SmoothDisk;
 use crate::contact::smooth::told::{Told, compared, places};
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
+use crate::contact::zones::Zone;
 
 /// Zones, pressure, settlement and force of a circular punch on a smooth body, without tilt and without dimensions.
 #[derive(Debug, Clone)]
@@ -177,7 +178,7 @@ impl Solution for SmoothRingsContact {
     }
 
     fn edge_error(&self) -> Option<f64> {
-        let is_free = self.solved.zones.iter().any(|zone| zone.has_free_end());
+        let is_free = self.solved.zones.iter().any(Zone::has_free_end);
         is_free.then_some(self.told.edge_error)
     }
 
