@@ -1,5 +1,6 @@
 //! Panels with Gauss nodes.
 
+use super::kernel::PanelKernel;
 use super::rule::{MOST, PanelRule};
 use crate::Error;
 
@@ -81,6 +82,18 @@ impl Panels {
         (0.5 * (left + right), 0.5 * (right - left))
     }
 
+    /// Where a place lies on a panel from `-1` to 1, or beside it, by the distance from the nearer end: on panels of some roundings of their places, that from the middle is none beside a
+    /// corner.
+    pub(super) fn local(&self, kernel: PanelKernel, panel: usize, x: f64) -> f64 {
+        let [left, right] = self.bounds[panel];
+        let (middle, half) = self.middle(panel);
+        if kernel.shortest(x - middle) < 0.0 {
+            kernel.shortest(x - left) / half - 1.0
+        } else {
+            kernel.shortest(x - right) / half + 1.0
+        }
+    }
+
     /// The panel that holds a place.
     #[must_use]
     pub fn find(&self, x: f64) -> Option<usize> {
@@ -92,9 +105,9 @@ impl Panels {
     #[must_use]
     pub fn interpolate(&self, values: &[f64], x: f64) -> Option<f64> {
         let panel = self.find(x)?;
-        let (middle, half) = self.middle(panel);
+        let y = self.local(PanelKernel::Logarithm, panel, x);
         let values = values.get(panel * self.order()..(panel + 1) * self.order())?;
-        Some(self.rule.interpolate(values, (x - middle) / half))
+        Some(self.rule.interpolate(values, y))
     }
 
     /// The derivatives at the nodes of the function of these values there, on each panel by itself. Missing values are zero, others ignored.

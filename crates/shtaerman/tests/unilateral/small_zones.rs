@@ -40,3 +40,16 @@ fn a_parabola_moves_with_the_line_of_a_small_force() {
         assert!(left.tension.max(left.penetration) < 1e-9, "{force}: {left:?}");
     }
 }
+
+#[test]
+fn the_width_of_a_small_zone_far_from_the_middle_grows_as_its_differences_say() {
+    for exponent in [-2, -5] {
+        let force = 10f64.powi(exponent);
+        let rates = parabola(force, ARM).tangent_sensitivities().unwrap().contact_width;
+        let step = 1e-3 * force;
+        let width = |force: f64| parabola(force, ARM).contact_width();
+        let rate = (width(force + step) - width(force - step)) / (2.0 * step);
+        let found = rates.force.unwrap();
+        assert!((found / rate - 1.0).abs() < 1e-5, "{force}: {found:e} {rate:e}");
+    }
+}

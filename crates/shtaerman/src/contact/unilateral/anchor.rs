@@ -28,6 +28,11 @@ impl Anchor {
         (height.is_finite() && slope.is_finite()).then_some(Self { at, height, slope })
     }
 
+    /// `s`.
+    pub(super) fn slope(&self) -> f64 {
+        self.slope
+    }
+
     /// `r(xi)`.
     pub(super) fn rise(&self, problem: &Problem, xi: f64) -> f64 {
         problem.dimensionless_rise(self.at, xi)

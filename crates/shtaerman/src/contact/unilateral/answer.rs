@@ -108,6 +108,10 @@ impl UnilateralContact {
         &self.solved
     }
 
+    pub(super) fn anchor(&self) -> Option<Anchor> {
+        self.anchor
+    }
+
     pub(super) fn tilted(&self) -> Option<&Tilted> {
         self.tilted.as_ref()
     }

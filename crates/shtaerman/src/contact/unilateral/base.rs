@@ -139,12 +139,13 @@ impl<'p> Base<'p> {
         Ok(base)
     }
 
-    /// `df0/dxi`, at a kink to the right; NaN where the profile has none.
+    /// `df0/dxi`, at a kink to the right, or what it has beyond the slope of the tangent; NaN where the profile has none.
     pub(super) fn slope(&self, xi: f64) -> f64 {
         let frame = self.problem.frame();
         let scale = frame.scaling().map_or(1.0, Scaling::displacement);
         let slope = self.problem.profile().slope(self.on_base(xi), frame.half_width());
-        slope.unwrap_or(f64::NAN) / scale
+        let tangent = self.anchor.map_or(0.0, |anchor| anchor.slope());
+        slope.unwrap_or(f64::NAN) / scale - tangent
     }
 
     /// The same base with all of it in contact, where the pressure may pull.

@@ -55,6 +55,7 @@ impl UnilateralContact {
     pub(super) fn first_order(&self, load: Load, peak: f64) -> Option<Linearised> {
         let (solved, setting) = (self.solved(), self.setting());
         let mut base = Base::new(setting, setting.problem().solver().contact).ok()?;
+        base.anchor = self.anchor();
         base.load.vertical = load.vertical;
         // The tilt of a disk is another harmonic, a wave has none.
         if !base.medium.is_disk() && !base.medium.is_closed() {
