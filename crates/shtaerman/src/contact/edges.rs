@@ -3,7 +3,6 @@
 //! At a free end the pressure vanishes. As it does, an end that moves by `e` changes the pressure elsewhere by `e^2` only: so each end has a step of its own, to where
 //! the pressure beside it, carried on straight, would vanish.
 
-use super::damping::{Damping, Edge};
 use super::search::Equation;
 use super::zones::{EndKind, Zone};
 use crate::Error;
@@ -73,7 +72,6 @@ pub(super) fn settle<E: Equation>(
     let mut latest: Option<E::Solved> = None;
     let mut worst_before: Option<f64> = None;
     let mut step: Option<Step> = None;
-    let mut damping = Damping::default();
     let mut stalls = 0;
     for _ in 0..STEPS {
         let solved = equation.solve(&zones, effort, latest.as_ref())?;
@@ -111,7 +109,6 @@ pub(super) fn settle<E: Equation>(
         if !released && is_still(&zones, &next) {
             return Ok(solved);
         }
-        let next = damped(&mut damping, &ends, &zones, next);
         let from = std::mem::replace(&mut zones, next);
         step = equation.ends_are_apart().then_some(Step { from, ends, lacking, cuts: 0 });
         worst_before = is_small.then(|| best_before.map_or(free.worst, |w| w.min(free.worst)));
@@ -313,30 +310,4 @@ fn is_still(zones: &[Zone], next: &[Zone]) -> bool {
             zone.kinds == next.kinds
                 && (0..2).all(|side| (next.ends[side] - zone.ends[side]).abs() <= least)
         })
-}
-
-/// The next zones with shorter steps of those ends that go back and forth about a kink of the base; all as they are where an end was freed or held, or a zone has gone.
-fn damped(damping: &mut Damping, ends: &Ends, zones: &[Zone], mut next: Vec<Zone>) -> Vec<Zone> {
-    let is_same = zones.len() == next.len()
-        && zones.iter().zip(&next).all(|(zone, next)| zone.kinds == next.kinds);
-    if !is_same {
-        *damping = Damping::default();
-        return next;
-    }
-    let edge = |j: usize, side: usize| Edge {
-        at: zones[j].ends[side],
-        outwards: if side == 0 { -1.0 } else { 1.0 },
-        layer: ends[j][side].value,
-    };
-    let edges: Vec<Edge> = (0..zones.len()).flat_map(|j| [edge(j, 0), edge(j, 1)]).collect();
-    let pairs = zones.iter().zip(&next);
-    let steps = pairs.flat_map(|(zone, next)| [0, 1].map(|side| next.ends[side] - zone.ends[side]));
-    let wanted: Vec<f64> = steps.collect();
-    let steps = damping.damped(wanted.clone(), &edges);
-    for (end, (step, wanted)) in steps.into_iter().zip(wanted).enumerate() {
-        if step != wanted {
-            next[end / 2].ends[end % 2] = edges[end].at + step;
-        }
-    }
-    next
 }

@@ -11,7 +11,6 @@ mod check;
 mod companion;
 mod complementarity;
 mod cross_check;
-mod damping;
 mod eccentric;
 mod edges;
 mod extremes;
