@@ -310,7 +310,7 @@ fn displacement(contact: &Contact, theta0: f64, layering: &Layering, at: f64) ->
     let wave = |z: f64| if round { libm::j0(z) } else { z.cos() };
     let pressures: Vec<[f64; 2]> = nodes([0.0, zone[1]], 60)
         .into_iter()
-        .map(|[s, w]| [s, w * pressure(&contact, s) * if round { s } else { 2.0 }])
+        .map(|[s, w]| [s, w * pressure(contact, s) * if round { s } else { 2.0 }])
         .collect();
     let h = layering.thickness();
     let sum: f64 = nodes([0.0, 400.0], 500)

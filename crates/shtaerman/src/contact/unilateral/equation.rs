@@ -127,7 +127,7 @@ impl Equation for Base<'_> {
     }
 
     fn refined(&self, coarse: Solved, effort: &Resolution) -> Result<Solved, Error> {
-        let solved = refined(self, coarse, effort.strength * RATIO)?;
+        let solved = refined(self, &coarse, effort.strength * RATIO)?;
         if solved.noise() > ALL_NOISE { Err(unknown()) } else { Ok(solved) }
     }
 

@@ -124,7 +124,7 @@ fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
     } else {
         let zones = base.whole();
         let resolution = base.effort(&zones, None)?;
-        refined(base, settle(base, &zones, &resolution)?, resolution.strength * RATIO)?
+        refined(base, &settle(base, &zones, &resolution)?, resolution.strength * RATIO)?
     };
     let left = check(base, &solved, ALLOWED);
     if !base.layer.is_linear() && !left.pulling.is_empty() {

@@ -45,9 +45,9 @@ struct Trial {
     merit: f64,
 }
 
-pub(super) fn solve<'o>(
+pub(super) fn solve(
     system: &System<'_, '_>,
-    operator: &'o SincOperator,
+    operator: &SincOperator,
     before: Option<&Solved>,
 ) -> Result<Found, Error> {
     let layer = system.base.layer;
@@ -67,9 +67,9 @@ pub(super) fn solve<'o>(
 }
 
 /// From the linear layer of the same compliance under the mean pressure, by exponents in geometric steps.
-fn in_stages<'o>(
+fn in_stages(
     system: &System<'_, '_>,
-    operator: &'o SincOperator,
+    operator: &SincOperator,
     stages: i32,
 ) -> Result<Found, Error> {
     let layer = system.base.layer;

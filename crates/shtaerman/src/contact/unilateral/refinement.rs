@@ -46,14 +46,14 @@ pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
 }
 
 /// The answer on growing numbers of nodes, from one on fewer: `start` is the first number on either side of the middle of a panel.
-pub(super) fn refined(base: &Base<'_>, coarse: Solved, start: f64) -> Result<Solved, Error> {
+pub(super) fn refined(base: &Base<'_>, coarse: &Solved, start: f64) -> Result<Solved, Error> {
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
     let strength = |power: i32| start * RATIO.powi(power);
     let level = |zones: &[Zone], power: i32| {
         settle(base, zones, &Resolution::new(&base.medium, strength(power))?)
     };
     let mut fine = level(&coarse.zones, 0)?;
-    let mut before = difference(base, &fine, &coarse);
+    let mut before = difference(base, &fine, coarse);
     let mut best: Option<Solved> = None;
     for power in 1.. {
         let mut finer = level(&fine.zones, power)?;
