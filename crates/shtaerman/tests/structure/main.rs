@@ -6,8 +6,6 @@
 //!   are a folder as others are. A `mod.rs` (or `lib.rs`, `main.rs`) that names what lies in the folders below it, such as re-exports of it, is no import
 //!   in this sense, unless these name something that is defined in that `mod.rs`.
 //! - Within a folder no circle has more than three files.
-//!
-//! Circles that are known and still to be broken stand in `known_circles.txt`; the list is exact, so that it can only shrink.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
 
@@ -27,28 +25,20 @@ const MOST_FILES: usize = 3;
 const FOLDERS: &str = "folders: ";
 const FILES: &str = "files: ";
 
-const KNOWN: &str = include_str!("known_circles.txt");
-
 #[test]
 fn imports_go_one_way() {
     let crates: Vec<Imports> = roots().iter().map(|root| Modules::read(root).imports()).collect();
     let found: BTreeSet<String> = crates.iter().flat_map(circles_of).collect();
-    let known: BTreeSet<String> =
-        KNOWN.lines().filter(|line| !line.is_empty()).map(str::to_owned).collect();
-    let new: Vec<&str> = found.difference(&known).map(String::as_str).collect();
-    let gone: Vec<&str> = known.difference(&found).map(String::as_str).collect();
-    let arrows: Vec<String> = new
+    let arrows: Vec<String> = found
         .iter()
         .flat_map(|circle| crates.iter().flat_map(|imports| arrows(imports, circle)))
         .collect();
+    let circles: Vec<&str> = found.iter().map(String::as_str).collect();
     assert!(
-        new.is_empty() && gone.is_empty(),
-        "circles of imports that are not in known_circles.txt:\n{}\n\nthe imports in them:\n{}\n\n\
-         circles in known_circles.txt that are no more:\n{}\n\nall circles that there are:\n{}\n",
-        new.join("\n"),
-        arrows.join("\n"),
-        gone.join("\n"),
-        found.iter().map(String::as_str).collect::<Vec<_>>().join("\n")
+        found.is_empty(),
+        "circles of imports:\n{}\n\nthe imports in them:\n{}\n",
+        circles.join("\n"),
+        arrows.join("\n")
     );
 }
 
