@@ -3,14 +3,15 @@
 use std::fmt;
 use std::sync::Arc;
 
+use fredholm::kernel::LAST_WAVENUMBER;
+
 use crate::Error;
 use crate::error::{positive, require};
 
 /// A function of one variable, shared.
 type Shared = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
 
-/// `M` is looked at up to this `u`, where it has to be 1 to this.
-const LAST: f64 = 25.0;
+/// Where `M` counts as 1 it has to be so to this.
 const SETTLED: f64 = 1e-12;
 /// Places at which `M` has to be positive.
 const SAMPLES: u32 = 500;
@@ -67,12 +68,12 @@ impl Influence {
         let is_share = far_share.is_finite() && far_share >= 0.0;
         require(is_share, "far_share", far_share, "finite and not negative")?;
         for i in 1..=SAMPLES {
-            let u = LAST * (f64::from(i) / f64::from(SAMPLES)).powi(2);
+            let u = LAST_WAVENUMBER * (f64::from(i) / f64::from(SAMPLES)).powi(2);
             let value = transfer(u);
             let is_positive = value.is_finite() && value > 0.0;
             require(is_positive, "transfer", value, "finite and positive for all u > 0")?;
         }
-        let last = transfer(LAST);
+        let last = transfer(LAST_WAVENUMBER);
         require(
             (last - 1.0).abs() <= SETTLED,
             "transfer",

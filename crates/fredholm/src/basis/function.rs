@@ -5,8 +5,6 @@ use crate::Error;
 
 /// First degree tried; high enough that a feature of a hundredth of the interval is seen at once.
 const FIRST_DEGREE: usize = 256;
-/// Last degree tried.
-const LAST_DEGREE: usize = 1 << 17;
 /// Coefficients below this, relative to the largest value, count as rounding.
 const ROUNDING: f64 = 4e-16;
 /// Highest level, relative to the largest value, at which flat coefficients are taken for rounding.
@@ -33,6 +31,9 @@ pub struct Function {
 }
 
 impl Function {
+    /// Last degree tried.
+    pub const LAST_DEGREE: usize = 1 << 17;
+
     /// Resolves `f`, as far as its values show: it is asked at the nodes, and at a thousand to four thousand points between them. A feature that lies between all of these
     /// is hidden, and the series is that of the function without it. A function that is not resolved at degree 131072 (a kink, a jump) comes back with its best series and
     /// [`is_resolved`](Self::is_resolved) false.
@@ -48,7 +49,7 @@ impl Function {
     /// # Errors
     /// As [`resolve`](Self::resolve).
     pub fn resolve_from(f: &dyn Fn(f64) -> f64, degree: usize) -> Result<Self, Error> {
-        let mut degree = degree.clamp(FIRST_DEGREE, LAST_DEGREE).next_power_of_two();
+        let mut degree = degree.clamp(FIRST_DEGREE, Self::LAST_DEGREE).next_power_of_two();
         let mut values = sample(f, &points(degree))?;
         loop {
             let largest = values.iter().fold(0.0f64, |largest, value| largest.max(value.abs()));
@@ -61,7 +62,7 @@ impl Function {
                     return Ok(Self { series, largest, error: relative(error, largest), resolved });
                 }
             }
-            if degree == LAST_DEGREE {
+            if degree == Self::LAST_DEGREE {
                 let error = error_between_nodes(f, &series)?.max(tail(series.coefficients()));
                 return Ok(Self {
                     series,
@@ -218,7 +219,7 @@ mod tests {
     fn stops_at_the_noise_of_cancellation() {
         // 20 - sqrt(400 - x^2) is of the order 1 / 40 but carries the rounding of 20, times 1e4 here.
         let noisy = Function::resolve(&|x| 20.0 - (400.0 - 1e-8 * x * x).sqrt()).unwrap();
-        assert!(!noisy.is_resolved() && noisy.series().degree() < LAST_DEGREE);
+        assert!(!noisy.is_resolved() && noisy.series().degree() < Self::LAST_DEGREE);
         assert!((1e-8..1e-3).contains(&noisy.error()), "{}", noisy.error());
     }
 

@@ -28,7 +28,7 @@ pub use macdonald::{Macdonald, MacdonaldHalfLine, MacdonaldRelation};
 pub(crate) use potential::EndMoments;
 pub use potential::{LogarithmicPotential, end_moments};
 pub use power::Power;
-pub use transfer::{TransferDisk, TransferPlane};
+pub use transfer::{LAST_WAVENUMBER, TransferDisk, TransferPlane};
 pub use weber_sonine::WeberSonine;
 pub use yukawa::{Yukawa, YukawaRelation};
 

@@ -3,6 +3,8 @@
 use std::fmt;
 use std::sync::Arc;
 
+use fredholm::basis::Function;
+
 use super::method::MethodName;
 use super::parts::Parts;
 use super::setting::Setting;
@@ -105,7 +107,7 @@ impl fmt::Display for Reason {
                 f.write_str("the profile is smooth: collocation converges exponentially")
             }
             Self::Degree(needed) => {
-                let needed = needed.map_or("beyond 131072".to_owned(), |degree| degree.to_string());
+                let needed = needed.map_or(format!("beyond {}", Function::LAST_DEGREE), |degree| degree.to_string());
                 write!(
                     f,
                     "the profile needs Chebyshev degree {needed}: the structured spectral solve; edge pressures by the iterated solution"

@@ -2,12 +2,11 @@
 //!
 //! `g` falls as `exp(-2u)` times a power of `u`, so that `D` is analytic for `|Im t| < 2`.
 
+use super::LAST_WAVENUMBER;
 use crate::Error;
 use crate::basis::chebyshev::{ChebyshevSeries, points};
 use crate::quadrature::{Rule, gauss_legendre};
 
-/// `g` is rounding beyond this `u`: `exp(-2u) u^2` is 1e-19 there.
-const LAST: f64 = 25.0;
 /// Panels of `u` are so long at most, and towards 0 half as long as the one before so many times: stiff plates on soft ground change `g` at a small `u`.
 const LONGEST: f64 = 0.5;
 const HALVED: i32 = 14;
@@ -40,7 +39,7 @@ impl Spectrum {
             spectrum.add(&rule, g, [left, right], far);
             left = right;
         }
-        let rest = ((LAST - left) / LONGEST).ceil();
+        let rest = ((LAST_WAVENUMBER - left) / LONGEST).ceil();
         for k in 0..rest as usize {
             let from = left + k as f64 * LONGEST;
             spectrum.add(&rule, g, [from, from + LONGEST], far);
