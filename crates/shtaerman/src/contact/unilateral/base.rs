@@ -1,8 +1,11 @@
 //! The base of the punch as unilateral contact sees it: where it bends and where an edge of the contact can rest.
 
+use std::cell::OnceCell;
+use std::rc::Rc;
 use std::sync::Arc;
 
 use super::anchor::Anchor;
+use super::coarse::{self, Coarse};
 use super::effort::Effort;
 use super::layer::Layer;
 use crate::contact::ground::Ground;
@@ -28,7 +31,10 @@ pub(super) const MOST_CELLS: usize = 3072;
 const BESIDE: f64 = 1e-9;
 const JUMP: f64 = 1e-6;
 /// Width of the slit at which a wave without gaps is cut.
-const SEAM: f64 = 1e-9;
+pub(super) const SEAM: f64 = 1e-9;
+
+/// Length of base within which all zones must lie for heights from a tangent.
+const SMALL_ZONES: f64 = 0.1;
 
 /// A dimensionless problem with what is worth knowing about its profile.
 #[derive(Clone)]
@@ -60,6 +66,8 @@ pub(super) struct Base<'p> {
     pub(super) is_mirrored: bool,
     /// Where heights are counted from.
     pub(super) anchor: Option<Anchor>,
+    /// What cells tell, once that is asked for.
+    coarse: OnceCell<Rc<Coarse>>,
     /// How far collocation goes.
     pub(super) effort: Effort,
     /// What was done so far.
@@ -128,6 +136,7 @@ impl<'p> Base<'p> {
             beside,
             is_mirrored: false,
             anchor: None,
+            coarse: OnceCell::new(),
             effort: Effort::MOST,
             work: Work::default(),
         };
@@ -161,7 +170,7 @@ impl<'p> Base<'p> {
 
     /// The same base under another load, with nothing done so far.
     pub(super) fn under(&self, load: Load) -> Self {
-        Self { load, work: Work::default(), ..self.clone() }
+        Self { load, work: Work::default(), coarse: OnceCell::new(), ..self.clone() }
     }
 
     /// Where the force acts, if the load says so.
@@ -211,6 +220,7 @@ impl<'p> Base<'p> {
         self.walls = Walls::of(&[window]);
         (self.breaks, self.samples, self.pieces, self.origin) =
             (breaks, samples, vec![window], cut + 1.0);
+        self.coarse = OnceCell::new();
         self.find_steps();
         self
     }
@@ -225,10 +235,9 @@ impl<'p> Base<'p> {
         self.medium.is_logarithm() && self.layer.is_linear()
     }
 
-    /// Whether panels serve: on any ground with fast products; for a layer that bends where the base has ends.
+    /// Whether panels serve: on any ground with fast products.
     pub(super) fn has_panels(&self) -> bool {
-        let is_open = !self.medium.is_closed();
-        self.medium.panel_kernel().is_some() && (self.layer.is_linear() || is_open)
+        self.medium.panel_kernel().is_some()
     }
 
     /// Whether panels are tried first: the third derivative of the base jumps at measured points, where collocation loses its digits, or the base falls into more parts than
@@ -243,9 +252,9 @@ impl<'p> Base<'p> {
         self.medium.is_closed() && zone.length() >= 2.0
     }
 
-    /// The same with little effort.
-    pub(super) fn with_little_effort(&self) -> Self {
-        Self { effort: Effort::LITTLE, work: Work::default(), ..self.clone() }
+    /// The same with so much effort.
+    pub(super) fn with_effort(&self, effort: Effort) -> Self {
+        Self { effort, work: Work::default(), ..self.clone() }
     }
 
     /// The pieces of the base as zones.
@@ -333,9 +342,30 @@ impl<'p> Base<'p> {
 }
 
 impl Base<'_> {
-    /// The same with heights from the tangent at a place; `None` where the profile has none there.
-    pub(super) fn anchored(&self, at: f64) -> Option<Self> {
-        let anchor = Anchor::new(self.problem, at)?;
+    /// Where the base touches, to about a cell.
+    pub(super) fn coarse(&self) -> Result<Rc<Coarse>, Error> {
+        if let Some(known) = self.coarse.get() {
+            return Ok(Rc::clone(known));
+        }
+        let found = Rc::new(coarse::loaded(self, self.cells())?);
+        Ok(Rc::clone(self.coarse.get_or_init(|| found)))
+    }
+
+    /// The same with heights from the tangent where the zones are, if these are small: differences of heights have few digits there. None where they are not, or the profile has no tangent.
+    pub(super) fn anchored(&self) -> Option<Self> {
+        if self.medium.is_disk() || self.medium.is_closed() {
+            return None;
+        }
+        let found = self.coarse().unwrap_or_default();
+        let zones = found.intervals();
+        // The line of the force passes between the ends of the contact.
+        let arm = self.line_of_force().map(|arm| [arm; 2]);
+        let left = zones.first().copied().or(arm)?[0];
+        let right = zones.last().copied().or(arm)?[1];
+        if right - left >= SMALL_ZONES {
+            return None;
+        }
+        let anchor = Anchor::new(self.problem, 0.5 * (left + right))?;
         let rise = |&(xi, _): &(f64, f64)| (xi, anchor.rise(self.problem, xi));
         let mut base = self.under(anchor.load(self.load));
         base.samples = self.samples.iter().map(rise).collect();

@@ -2,6 +2,7 @@
 
 use super::base::{Base, MOST_CELLS};
 use super::check::check;
+use super::coarse;
 use super::mirror::mirror;
 use super::refinement::{ALL_NOISE, RATIO, refined, strength};
 use super::solved::Solved;
@@ -79,7 +80,10 @@ impl Equation for Base<'_> {
     }
 
     fn intervals(&self, cells: usize) -> Result<Vec<[f64; 2]>, Error> {
-        self.first_intervals(cells)
+        if cells == self.cells() {
+            return Ok(self.coarse()?.intervals().to_vec());
+        }
+        Ok(coarse::loaded(self, cells)?.intervals().to_vec())
     }
 
     fn effort(&self, zones: &[Zone], before: Option<Resolution>) -> Result<Resolution, Error> {

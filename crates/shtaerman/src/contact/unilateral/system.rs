@@ -13,9 +13,7 @@ use fredholm::collocation::{SincFactor, SincGrid, WeightedFactor};
 use fredholm::{SincOperator, SincSolution};
 
 use super::base::Base;
-use super::elimination;
 use super::extent::Extent;
-use super::field::Field;
 use super::power;
 use super::solved::{Panel, Solved, Stated};
 use crate::contact::balance::State;
@@ -286,14 +284,13 @@ impl<'b, 'p> System<'b, 'p> {
         given: &Direction,
         prescribed: [f64; 2],
     ) -> Result<[f64; 2], Error> {
-        let rows = (0..2)
-            .map(|k| {
-                let of = |direction: &Direction| self.conditions(direction)[k];
-                vec![of(&frame[0]), of(&frame[1]), prescribed[k] - of(given)]
-            })
-            .collect();
-        let found = elimination::solve(rows).ok_or_else(|| self.singular())?;
-        Ok([found[0], found[1]])
+        let [[a, c], [b, d]] = frame.each_ref().map(|direction| self.conditions(direction));
+        let known = self.conditions(given);
+        let lack = [prescribed[0] - known[0], prescribed[1] - known[1]];
+        let determinant = a * d - b * c;
+        let found =
+            [(lack[0] * d - b * lack[1]) / determinant, (a * lack[1] - lack[0] * c) / determinant];
+        if found.iter().all(|value| value.is_finite()) { Ok(found) } else { Err(self.singular()) }
     }
 
     fn finish(self, found: Found) -> Solved {
@@ -310,7 +307,7 @@ impl<'b, 'p> System<'b, 'p> {
             layer,
             hull,
             positions,
-            solution: Field::Panels(solution),
+            solution,
             local,
             state,
             stiffness,

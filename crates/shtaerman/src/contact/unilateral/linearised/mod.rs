@@ -7,7 +7,6 @@
 //!
 //! the operator of Newton's steps and of the stiffness. What a free edge `e` adds is of second order, as the pressure vanishes there; it moves by `e' = -v'/(dv/dxi)`.
 
-mod ring;
 mod tilted;
 
 use fredholm::SincSolution;
@@ -15,7 +14,6 @@ use fredholm::collocation::{extrapolate, first_half_count, rounding};
 
 use super::answer::UnilateralContact;
 use super::base::Base;
-use super::field::Field;
 use super::refinement::RATIO;
 use super::solved::{end_node, place};
 use super::system::{Factor, Resolution, System};
@@ -60,9 +58,6 @@ impl UnilateralContact {
         // The tilt of a disk is another harmonic, a wave has none.
         if !base.medium.is_disk() && !base.medium.is_closed() {
             base.load.rotational = load.rotational;
-        }
-        if matches!(solved.solution, Field::Ring(_)) {
-            return ring::linearised(&base, solved, self.locate(peak));
         }
         let located = self.locate(peak).abs();
         let is_corner = solved.zones.iter().any(|zone| {

@@ -19,7 +19,7 @@ mod tests;
 pub(super) use answer::SpotContact;
 
 use super::base::Base;
-use super::coarse::{self, Coarse};
+use super::coarse::Coarse;
 use crate::Error;
 use crate::contact::complementarity::Complementarity;
 use crate::contact::solution::Solution;
@@ -67,20 +67,20 @@ pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
     if !base.layer.is_linear() {
         return solve_bent(base);
     }
-    let zones = base.first_zones(base.cells())?;
+    let zones = base.coarse()?.zones(base);
     solve_from(base, zones, None)
 }
 
 /// The answer for a layer that bends, from what cells find, or where they find nothing from the whole base: it has no pressure where it would pull.
 fn solve_bent(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
-    let coarse = coarse::loaded(base, base.cells()).ok().filter(|found| !found.is_empty());
+    let coarse = base.coarse().ok().filter(|found| !found.is_empty());
     let zones = coarse.as_ref().map_or_else(|| base.whole(), |found| found.zones(base));
-    solve_from(base, zones, coarse.as_ref())
+    solve_from(base, zones, coarse.as_deref())
 }
 
-/// The answer on the whole base; none where panels do not serve: a layer that bends does not pull.
+/// The answer on the whole base; none where panels do not serve.
 pub(super) fn solve_whole(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
-    if !base.has_panels() || !base.layer.is_linear() {
+    if !base.has_panels() {
         return Ok(None);
     }
     solve_from(base, base.whole(), None)
