@@ -5,7 +5,7 @@
 
 use fredholm::collocation::extrapolate;
 
-use super::accuracy::{Accuracy, ErrorKind, Sizes};
+use super::accuracy::{Accuracy, ErrorKind, ROUNDING, Sizes};
 use super::balance::State;
 use super::parts::Smoothness;
 use super::zones::Zone;
@@ -18,9 +18,6 @@ const SAFETY: f64 = 4.0;
 pub(super) const UNKNOWN: f64 = 1e-3;
 /// Roundings of the pressure that a difference may have by rounding alone.
 const ROUNDINGS: f64 = 4.0;
-
-/// Rounding of settlement, tilt, force and moment relative to their sizes.
-const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// Differences between two resolutions of a contact.
 #[derive(Debug, Clone, Copy)]

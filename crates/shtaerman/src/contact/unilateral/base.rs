@@ -27,11 +27,10 @@ const SHORT: f64 = 8.0;
 const SAMPLES_A_PART: usize = 16;
 /// Most cells.
 pub(super) const MOST_CELLS: usize = 3072;
-/// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a jump.
-const BESIDE: f64 = 1e-9;
+/// Offset at which both sides of a breakpoint are compared, and width of the slit at which a wave without gaps is cut.
+pub(super) const BESIDE: f64 = 1e-9;
+/// The share of the profile's range that makes a jump.
 const JUMP: f64 = 1e-6;
-/// Width of the slit at which a wave without gaps is cut.
-pub(super) const SEAM: f64 = 1e-9;
 
 /// Length of base within which all zones must lie for heights from a tangent.
 const SMALL_ZONES: f64 = 0.1;
@@ -203,7 +202,7 @@ impl<'p> Base<'p> {
     /// The wave seen between `cut` and `cut + 2`.
     pub(super) fn shifted(mut self, cut: f64) -> Self {
         // The ends of a zone do not meet: there the kernel is infinite.
-        let window = [cut + SEAM, cut + 2.0 - SEAM];
+        let window = [cut + BESIDE, cut + 2.0 - BESIDE];
         let images = |at: f64| [at - 2.0, at, at + 2.0].into_iter();
         let inside = |at: &f64| *at > window[0] && *at < window[1];
         let mut breaks: Vec<f64> =

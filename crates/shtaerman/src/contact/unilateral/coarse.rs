@@ -2,7 +2,7 @@
 
 use fredholm::complementarity::{Complementarity, Condition};
 
-use super::base::{Base, SEAM};
+use super::base::{BESIDE, Base};
 use super::extent::{extent, reference_pressure};
 use crate::contact::cells::{Cell, Cells, Limits, Loaded, closing_in};
 use crate::contact::search::Equation;
@@ -54,7 +54,7 @@ impl Coarse {
             .iter()
             .map(|[left, right]| [std::mem::replace(&mut before, *right), *left]);
         let longest = gaps.max_by(|one, two| (one[1] - one[0]).total_cmp(&(two[1] - two[0])))?;
-        (longest[1] - longest[0] > SEAM).then(|| 0.5 * (longest[0] + longest[1]))
+        (longest[1] - longest[0] > BESIDE).then(|| 0.5 * (longest[0] + longest[1]))
     }
 
     /// The pressure of the cell of a place; none beside all cells.

@@ -18,9 +18,7 @@ use crate::contact::zones::{Walls, Zone};
 const MOST_ZONES: usize = 40;
 /// Numbers of cells, each four times the one before.
 const TOPOLOGIES: u32 = 3;
-/// Most nodes on either side of the middle of a panel while zones are looked for.
-const MOST_HALF_COUNT: f64 = 300.0;
-/// Ends this close to a wall, and inside of it, are there: the check looks just inside a wall.
+/// Ends this close to a wall are there: the check looks just inside a wall.
 const BESIDE: f64 = 1e-11;
 
 impl Equation for Base<'_> {
@@ -46,7 +44,10 @@ impl Equation for Base<'_> {
 
     /// Walls, steps of the base too, hold the contact until they pull: where the pressure rises towards one a free end would be led away from it.
     fn zone(&self, ends: [f64; 2]) -> Zone {
-        let walls = [0, 1].map(|side| self.walls.near(side, ends[side], BESIDE));
+        let walls = [0, 1].map(|side| {
+            let inwards = if side == 0 { BESIDE } else { -BESIDE };
+            self.walls.near(side, ends[side] + inwards, 2.0 * BESIDE)
+        });
         let zone = Zone::new(
             [0, 1].map(|side| walls[side].unwrap_or(ends[side])),
             walls.map(|wall| wall.is_none()),
@@ -99,7 +100,7 @@ impl Equation for Base<'_> {
 
     fn finer(&self, solved: &Solved, effort: &Resolution) -> Option<Resolution> {
         let room = self.effort.nodes as f64 / (2.0 * solved.panels.len() as f64);
-        let finer = (effort.strength * RATIO).min(MOST_HALF_COUNT).min(room);
+        let finer = (effort.strength * RATIO).min(room);
         if finer > effort.strength { Resolution::new(&self.medium, finer).ok() } else { None }
     }
 

@@ -14,13 +14,12 @@ use super::between::between_nodes;
 use super::solved::Solved;
 use crate::contact::check::Check;
 use crate::contact::ground::SharedKernel;
+use crate::contact::search::ALLOWED;
 use crate::solver::AIM;
 use crate::{Error, Rotational};
 
 /// Points at which the pressure is looked at for tension.
 const POINTS: usize = 400;
-/// Tension relative to the largest pressure that is rounding.
-const ALLOWED: f64 = 1e-10;
 
 /// The answer, with the tilt of a circular punch.
 pub(super) fn answer(

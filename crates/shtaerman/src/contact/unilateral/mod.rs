@@ -34,16 +34,13 @@ use super::setting::Setting;
 use super::solution::Solution;
 use crate::solver::AIM;
 use crate::{ContactKind, Error};
-use base::Base;
+use base::{BESIDE, Base};
 use check::check;
 use effort::Effort;
 use refinement::{RATIO, refined};
 
 /// Relative error aimed at for large `theta0`, over `theta0` and what is aimed at without a layer.
 const ROUNDED: f64 = 0.1;
-
-/// How near a cut of a wave it must not touch.
-const BESIDE: f64 = 1e-8;
 
 impl Setting {
     /// The solution with the pressure nowhere negative: the zones of contact are part of the answer.
@@ -132,8 +129,9 @@ fn wave(base: &Base<'_>) -> Result<Arc<dyn Solution>, Error> {
 
 /// Whether a wave that was cut here touches beside the cut.
 fn touches_about(solution: &dyn Solution, cut: f64) -> bool {
-    let beside = [-BESIDE, 0.0, 2.0 - BESIDE, BESIDE, 2.0 + BESIDE].map(|step| cut + step);
-    beside.into_iter().any(|xi| xi.abs() <= 1.0 && solution.touches(xi))
+    let sides = [-2.0 * BESIDE, 2.0 * BESIDE].into_iter();
+    let mut beside = sides.flat_map(|step| [cut + step, cut + 2.0 + step]);
+    beside.any(|xi| xi.abs() <= 1.0 && solution.touches(xi))
 }
 
 /// A way to solve the equation of a base with ends.

@@ -24,11 +24,8 @@ pub(super) const ALL_NOISE: f64 = 0.1;
 const STAGNANT: f64 = 1e-9;
 /// A change of force and displacements, relative to their size, that is rounding.
 const RESOLVED: f64 = 1e-13;
-/// How many more nodes a layer that bends needs, whose pressure ends with another power.
-const BENT: f64 = RATIO;
-/// Points at which two resolutions are compared, on all panels and at least on each.
-const COMPARED: usize = 200;
-const LEAST_COMPARED: usize = 64;
+/// Points of each panel at which two resolutions are compared.
+const COMPARED: usize = 128;
 
 /// Nodes on either side of the middle of a panel that are about right for the longest panel.
 pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
@@ -37,7 +34,8 @@ pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
         .flat_map(|zone| zone.panels(&base.breaks))
         .fold(0.0f64, |most, (left, right)| most.max(right - left));
     let count = first_half_count(0.5 * base.steepness() * longest);
-    let count = if base.layer.is_linear() { count } else { BENT * count };
+    // The pressure of a layer that bends ends with another power.
+    let count = if base.layer.is_linear() { count } else { RATIO * count };
     // On fewer nodes a wavy base shows tension where there is none, and zones would be cut there.
     let waves = NODES_A_VALLEY * base.valleys() as f64 * 0.5 * longest;
     count.max(waves.min(MOST_FOR_VALLEYS)).max(base.medium.first_half_count(longest))
@@ -92,12 +90,11 @@ fn resolved(solved: &Solved, change: &Change) -> bool {
 }
 
 fn difference(base: &Base<'_>, fine: &Solved, coarse: &Solved) -> Change {
-    let compared = (COMPARED / fine.panels.len()).max(LEAST_COMPARED);
     let pressure = (fine.panels.iter())
         .flat_map(|panel| {
             let (middle, half) =
                 (0.5 * (panel.left + panel.right), 0.5 * (panel.right - panel.left));
-            between_nodes(compared).map(move |y| (middle + half * y).clamp(panel.left, panel.right))
+            between_nodes(COMPARED).map(move |y| (middle + half * y).clamp(panel.left, panel.right))
         })
         .map(|xi| {
             let height = base.height(xi);

@@ -23,7 +23,7 @@ use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// Fewest nodes on either side of the middle of a panel.
-const FEWEST: usize = 8;
+pub(super) const FEWEST: usize = 8;
 
 /// A number of nodes with what can be shared among zones.
 pub(super) struct Resolution {
@@ -121,8 +121,6 @@ impl Solved {
 pub(super) struct Direction {
     /// Displacement of the layer at the nodes.
     pub(super) values: Vec<f64>,
-    /// `int p' dm`, which the gauge counts.
-    spread: f64,
     pub(super) force: f64,
     /// Moment about the centre of the hull: about that of the base, small zones far from it would lose twice the digits.
     turn: f64,
@@ -147,22 +145,10 @@ impl Direction {
     pub(super) fn scaled(&self, share: f64) -> Self {
         Self {
             values: self.values.iter().map(|v| share * v).collect(),
-            spread: share * self.spread,
             force: share * self.force,
             turn: share * self.turn,
             constant: share * self.constant,
             slope: share * self.slope,
-        }
-    }
-
-    /// The direction with its pressure divided, `D` and `beta` as they are.
-    pub(super) fn per(self, divisor: f64) -> Self {
-        Self {
-            values: self.values.iter().map(|v| v / divisor).collect(),
-            spread: self.spread / divisor,
-            force: self.force / divisor,
-            turn: self.turn / divisor,
-            ..self
         }
     }
 }
@@ -350,15 +336,15 @@ impl<'b, 'p> System<'b, 'p> {
     ) -> Direction {
         let [force, turn] = self.carried(solution).map(|part| sign * part);
         let values = solution.values().iter().map(|v| sign * v).collect();
-        Direction { values, spread: force, force, turn, constant, slope }
+        Direction { values, force, turn, constant, slope }
     }
 
     /// Settlement, tilt, force and moment of a direction.
     pub(super) fn changes(&self, direction: &Direction) -> State {
         let Hull { centre, half } = self.hull;
-        let Direction { spread, force, turn, constant, slope, .. } = direction;
+        let Direction { force, turn, constant, slope, .. } = direction;
         State {
-            settlement: constant + centre / half * slope - self.base.theta * self.gauge() * spread,
+            settlement: constant + centre / half * slope - self.base.theta * self.gauge() * force,
             tilt: slope / half,
             force: *force,
             moment: turn + self.arm() * force,
@@ -414,30 +400,16 @@ impl<'b, 'p> System<'b, 'p> {
     /// Settlement, tilt, force and moment; what is prescribed comes back as given.
     fn state(&self, [constant, slope]: [f64; 2], solution: &SincSolution) -> State {
         let Hull { centre, half } = self.hull;
-        let [carried, turn] = self.carried(solution);
-        let tilt = match self.base.load.rotational {
-            Rotational::Tilt(tilt) => tilt,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => slope / half,
+        let [force, turn] = self.carried(solution);
+        let moment = if self.medium.is_closed() {
+            self.moment_of_a_period(solution)
+        } else {
+            turn + self.arm() * force
         };
-        let (force, settlement) = match self.base.load.vertical {
-            Vertical::Force(force) => {
-                (force, constant + tilt * centre - self.base.theta * force * self.gauge())
-            }
-            Vertical::Settlement(settlement) => (carried, settlement),
-        };
-        let moment = match self.base.load.rotational {
-            Rotational::Moment(moment) => moment,
-            Rotational::Eccentricity(e) => e * force,
-            Rotational::Tilt(_) if self.medium.is_closed() => self.moment_of_a_period(solution),
-            Rotational::Tilt(_) => turn + self.arm() * carried,
-        };
-        // Adding zero turns a negative zero into a plain one.
-        State {
-            settlement: settlement + 0.0,
-            tilt: tilt + 0.0,
-            force: force + 0.0,
-            moment: moment + 0.0,
-        }
+        let load = &self.base.load;
+        let state = State { settlement: 0.0, tilt: slope / half, force, moment }.given(load);
+        let gauge = self.base.theta * state.force * self.gauge();
+        State { settlement: constant + state.tilt * centre - gauge, ..state }.given(load)
     }
 
     /// `d(P0, M0)/d(delta0, -alpha0)` on these zones; free edges that move add nothing of first order.

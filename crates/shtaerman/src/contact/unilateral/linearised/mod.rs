@@ -16,19 +16,16 @@ use super::answer::UnilateralContact;
 use super::base::Base;
 use super::refinement::RATIO;
 use super::solved::{end_node, place};
-use super::system::{Factor, Resolution, System};
+use super::system::{FEWEST, Factor, Resolution, System};
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::rates::{Linearised, Rates};
 use crate::contact::setting::Setting;
 use crate::contact::zones::{EndKind, Zone};
 use crate::{ContactKind, Error, Load, Rotational};
 
-/// Fewest nodes on either side of the middle of a panel.
-const FEWEST: f64 = 8.0;
 /// Most nodes for a full base that was not collocated, and those for each Chebyshev degree of its profile.
 const MOST_NODES: f64 = 1200.0;
 const NODES_PER_DEGREE: f64 = 2.0;
-/// Rounding of a sum relative to the sizes of its terms.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// On ground that is graded more, the pressure goes as `d^(1-mu)` at corners, and no double is near enough to them: differences tell.
 const STEEPEST: f64 = 0.5;
@@ -100,7 +97,7 @@ impl Setting {
         let base = Base::new(self, ContactKind::Bilateral).ok()?;
         let base = base.cut(&self.collocated_parts());
         let panels = base.breaks.len() + 1;
-        let smooth = first_half_count(base.steepness()).max(FEWEST);
+        let smooth = first_half_count(base.steepness()).max(FEWEST as f64);
         let wanted = smooth + NODES_PER_DEGREE * profile_degree as f64;
         // Of a linear layer the pressure itself counts for nothing.
         let known = Known {
@@ -120,7 +117,7 @@ impl Known<'_, '_> {
     /// By three numbers of nodes, the last of which is given.
     fn linearised(&self, half_count: usize) -> Option<Linearised> {
         let level = |power: i32| {
-            let count = (half_count as f64 * RATIO.powi(power)).round().max(FEWEST) as usize;
+            let count = (half_count as f64 * RATIO.powi(power)).round().max(FEWEST as f64) as usize;
             Level::new(self, count).and_then(|level| level.rates()).ok()
         };
         let (coarse, middle, fine) = (level(-2)?, level(-1)?, level(0)?);

@@ -1,8 +1,7 @@
 //! The error of the answer, from three finenesses.
 
-use super::ROUNDING;
 use super::level::Level;
-use crate::contact::accuracy::{Accuracy, Sizes};
+use crate::contact::accuracy::{Accuracy, ROUNDING, Sizes};
 use crate::contact::parts::Smoothness;
 use crate::contact::resolutions::{Change, Trust, UNKNOWN};
 use crate::contact::unilateral::base::Base;
