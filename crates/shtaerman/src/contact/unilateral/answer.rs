@@ -108,12 +108,12 @@ impl UnilateralContact {
         &self.solved
     }
 
-    pub(super) fn anchor(&self) -> Option<Anchor> {
-        self.anchor
+    pub(super) fn is_tilted(&self) -> bool {
+        self.tilted.is_some()
     }
 
-    pub(super) fn tilted(&self) -> Option<&Tilted> {
-        self.tilted.as_ref()
+    pub(super) fn anchor(&self) -> Option<Anchor> {
+        self.anchor
     }
 
     pub(super) fn with_tilt(self, tilted: Tilted) -> Self {

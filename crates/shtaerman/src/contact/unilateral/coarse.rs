@@ -3,7 +3,7 @@
 use fredholm::complementarity::{Complementarity, Condition};
 
 use super::base::{BESIDE, Base};
-use super::extent::{extent, reference_pressure};
+use super::extent::reference_pressure;
 use crate::contact::cells::{Cell, Cells, Limits, Loaded, closing_in};
 use crate::contact::search::Equation;
 use crate::contact::valleys;
@@ -96,7 +96,7 @@ fn cells(base: &Base<'_>, count: usize) -> Cells {
 /// Pressures of the cells.
 fn pressures(base: &Base<'_>, cells: &Cells) -> Result<Vec<f64>, Error> {
     let equations = Equations::new(base, cells);
-    let reference = reference_pressure(base, &extent(base));
+    let reference = reference_pressure(base, &base.whole_extent());
     let exponent = base.layer.exponent();
     let mut pressures = vec![reference; cells.cells().len()];
     let mut carrying = cells.carrying();

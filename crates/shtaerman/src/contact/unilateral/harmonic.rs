@@ -15,6 +15,7 @@ use super::solved::Solved;
 use crate::contact::check::Check;
 use crate::contact::ground::SharedKernel;
 use crate::contact::search::ALLOWED;
+use crate::contact::zones::Zone;
 use crate::solver::AIM;
 use crate::{Error, Rotational};
 
@@ -75,9 +76,9 @@ pub(super) fn answer(
     solved.stated.accuracy = accuracy;
     let tilted = Tilted { unit, tilt, kernel };
     if !base.is_bilateral {
-        let limit = base.largest_share(&solved, &tilted);
+        let [limit, tension] = base.tension(&solved, &tilted);
         let rounding = solved.rounding() + ALLOWED * solved.largest();
-        if limit < 1.0 && base.worst_tension(&solved, &tilted) > rounding {
+        if limit < 1.0 && tension > rounding {
             let (field, value) = given;
             return Err(Error::LiftsOff { field, value, limit: limit * value.abs() });
         }
@@ -89,33 +90,20 @@ fn largest(solution: &SincSolution) -> f64 {
     solution.values().iter().fold(0.0, |most, p| most.max(p.abs()))
 }
 
-fn points() -> impl Iterator<Item = f64> {
-    between_nodes(POINTS).map(|y| 0.5 * (1.0 + y))
-}
-
 impl Base<'_> {
-    fn covers(&self, solved: &Solved) -> bool {
-        matches!(&solved.zones[..], [zone] if zone.left() == 0.0 && zone.right() == 1.0)
-    }
-
-    /// How much of the tilt keeps the whole base in contact.
-    fn largest_share(&self, solved: &Solved, tilted: &Tilted) -> f64 {
-        if !self.covers(solved) {
-            return 0.0;
+    /// How much of the tilt keeps the whole base in contact, and the tension under all of it.
+    fn tension(&self, solved: &Solved, tilted: &Tilted) -> [f64; 2] {
+        let covers = |zone: &Zone| zone.ends == [0.0, 1.0];
+        if !matches!(&solved.zones[..], [zone] if covers(zone)) {
+            return [0.0, f64::INFINITY];
         }
-        points()
-            .filter(|r| *r > 0.0)
-            .map(|r| solved.pressure_at(r, self.height(r)).max(0.0) / tilted.pressure(r).abs())
-            .fold(f64::INFINITY, f64::min)
-    }
-
-    fn worst_tension(&self, solved: &Solved, tilted: &Tilted) -> f64 {
-        if !self.covers(solved) {
-            return f64::INFINITY;
-        }
-        points()
-            .map(|r| tilted.pressure(r).abs() - solved.pressure_at(r, self.height(r)))
-            .fold(f64::NEG_INFINITY, f64::max)
+        between_nodes(POINTS).map(|y| 0.5 * (1.0 + y)).filter(|r| *r > 0.0).fold(
+            [f64::INFINITY, f64::NEG_INFINITY],
+            |[share, tension], r| {
+                let (even, odd) = (solved.pressure_at(r, self.height(r)), tilted.pressure(r).abs());
+                [share.min(even.max(0.0) / odd), tension.max(odd - even)]
+            },
+        )
     }
 
     /// `dM0/d(-alpha0)` on the zones as they are.

@@ -42,7 +42,7 @@ pub(super) fn solve(
     before: Option<&Solved>,
 ) -> Result<Found, Error> {
     let law = system.base.layer;
-    let uniform = law.displacement(reference_pressure(system.base, &system.zones_extent()));
+    let uniform = law.displacement(reference_pressure(system.base, &system.extent()));
     let newton = Newton { system, operator, uniform };
     if let Some(before) = before
         && let Ok(found) = newton.settle(continued(system, before), false)
@@ -195,7 +195,7 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
     fn scales(&self, guess: &Guess) -> [f64; 3] {
         let layer = guess.layer.iter().fold(0.0f64, |most, v| most.max(v.abs()));
         let layer = layer.max(f64::MIN_POSITIVE);
-        let extent = self.system.zones_extent();
+        let extent = self.system.extent();
         let force = match self.system.base.load.vertical {
             Vertical::Force(force) if force != 0.0 => force.abs(),
             _ => extent.area * self.law().pressure(layer).max(f64::MIN_POSITIVE),

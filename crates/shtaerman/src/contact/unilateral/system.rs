@@ -211,16 +211,8 @@ impl<'b, 'p> System<'b, 'p> {
         !matches!(self.base.load.rotational, Rotational::Tilt(_))
     }
 
-    /// Length of the zones and the area that carries.
-    pub(super) fn zones_extent(&self) -> Extent {
-        let length = self.zones.iter().map(Zone::length).sum();
-        let rings = |zone: &Zone| zone.length() * (zone.left() + zone.right());
-        let area = if self.medium.is_disk() {
-            std::f64::consts::PI * self.zones.iter().map(rings).sum::<f64>()
-        } else {
-            length
-        };
-        Extent { length, area }
+    pub(super) fn extent(&self) -> Extent {
+        self.base.extent(self.zones.iter().map(|zone| zone.ends))
     }
 
     pub(super) fn gauge(&self) -> f64 {

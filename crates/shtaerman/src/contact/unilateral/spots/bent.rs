@@ -8,7 +8,7 @@ use fredholm::multipole::{PanelCondition, PanelEquation};
 use super::chart::Chart;
 use super::level::{Found, Known, Task};
 use crate::Error;
-use crate::contact::unilateral::extent::{extent, reference_pressure};
+use crate::contact::unilateral::extent::reference_pressure;
 use crate::contact::unilateral::layer::{CUTS, FAINT, STEPS};
 
 /// Residuals of a step relative to what it is to take away: by the square of what the step before left, within these.
@@ -24,7 +24,7 @@ pub(super) fn solve(
     known: Known<'_>,
 ) -> Result<Option<Found>, Error> {
     let law = task.base.layer;
-    let uniform = law.displacement(reference_pressure(task.base, &extent(task.base)));
+    let uniform = law.displacement(reference_pressure(task.base, &task.base.whole_extent()));
     let newton = Newton { task, chart, uniform };
     let multipliers = vec![0.0; task.given.conditions.len()];
     let mut trial = newton.trial(newton.start(start, known), multipliers);
