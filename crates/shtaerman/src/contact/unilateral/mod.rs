@@ -114,7 +114,8 @@ fn lifted(base: &Base<'_>) -> Result<Arc<dyn Solution>, Error> {
 
 /// The answer for a wave without gaps: seen from the middle of a gap it is one more base with ends, and so it is from where full contact pulls most.
 fn wave(base: &Base<'_>) -> Result<Arc<dyn Solution>, Error> {
-    if let Some(middle) = base.coarse()?.gap()
+    // Cells that find nothing show no gap.
+    if let Some(middle) = base.coarse().unwrap_or_default().gap()
         && let Ok(answer) = open(&base.clone().shifted(middle))
         && !touches_about(answer.as_ref(), middle)
     {
@@ -170,12 +171,18 @@ fn open(base: &Base<'_>) -> Result<Arc<dyn Solution>, Error> {
     let enough = if base.is_for_panels() { f64::INFINITY } else { aim };
     let mut best: Option<Arc<dyn Solution>> = None;
     let mut refusal = unknown();
+    let mut is_lost = false;
     for way in ways(base) {
+        // More nodes find no zones that few did not.
+        if is_lost && best.is_some() {
+            break;
+        }
         let found: Result<Arc<dyn Solution>, Error> = match way {
             Way::Panels => spots::solve(base)
                 .and_then(|contact| Ok(Arc::new(contact.ok_or_else(unknown)?) as _)),
             Way::Collocation(effort) => collocated(&base.with_effort(effort)),
         };
+        is_lost |= found.is_err() && matches!(way, Way::Collocation(_));
         match found {
             Err(error) => refusal = error,
             Ok(found) => {
