@@ -43,7 +43,7 @@ pub(super) struct Base<'p> {
     pub(super) load: Load,
     pub(super) theta: f64,
     /// What the punch stands on.
-    pub(super) medium: Arc<dyn Ground>,
+    pub(super) ground: Arc<dyn Ground>,
     pub(super) layer: Layer,
     /// Whether the whole base stays in contact.
     pub(super) is_bilateral: bool,
@@ -88,7 +88,7 @@ fn beside(problem: &Problem, joints: &[f64], step: f64) -> Result<Vec<(f64, f64)
 
 /// Whether base and load of an open contact are their own mirror images.
 fn is_mirrored(base: &Base<'_>) -> bool {
-    let is_open = !base.medium.is_disk() && !base.medium.is_closed();
+    let is_open = !base.ground.is_disk() && !base.ground.is_closed();
     let is_even = |values: &[f64]| values.iter().zip(values.iter().rev()).all(|(a, b)| *a == -*b);
     let ends: Vec<f64> = base.pieces.iter().flatten().copied().collect();
     is_open && is_even(&base.breaks) && is_even(&ends) && base.problem.is_symmetric()
@@ -99,8 +99,8 @@ impl<'p> Base<'p> {
         let problem = setting.problem();
         let wanted = 4 * problem.profile().measured_points().unwrap_or(0);
         let count = wanted.clamp(SAMPLES, MOST_SAMPLES);
-        let medium = ground(problem)?;
-        let pieces = if medium.is_disk() { vec![[0.0, 1.0]] } else { problem.frame().pieces() };
+        let ground = ground(problem)?;
+        let pieces = if ground.is_disk() { vec![[0.0, 1.0]] } else { problem.frame().pieces() };
         let length: f64 = pieces.iter().map(|[left, right]| right - left).sum();
         let mut samples = Vec::with_capacity(count + pieces.len());
         for [left, right] in &pieces {
@@ -129,7 +129,7 @@ impl<'p> Base<'p> {
             smoothness: parts.smoothness,
             breaks: parts.joints,
             walls: Walls::of(&pieces),
-            medium,
+            ground,
             pieces,
             samples,
             beside,
@@ -196,7 +196,7 @@ impl<'p> Base<'p> {
 
     /// The place on the base: a wave without gaps goes on beyond its period.
     pub(super) fn on_base(&self, xi: f64) -> f64 {
-        if self.medium.is_closed() && xi.abs() > 1.0 { xi - 2.0 * (0.5 * xi).round() } else { xi }
+        if self.ground.is_closed() && xi.abs() > 1.0 { xi - 2.0 * (0.5 * xi).round() } else { xi }
     }
 
     /// The wave seen between `cut` and `cut + 2`.
@@ -231,12 +231,12 @@ impl<'p> Base<'p> {
 
     /// Whether the kernel is the logarithm, and the layer linear: of one punch or of two.
     pub(super) fn is_line(&self) -> bool {
-        self.medium.is_logarithm() && self.layer.is_linear()
+        self.ground.is_logarithm() && self.layer.is_linear()
     }
 
     /// Whether panels serve: on any ground with fast products.
     pub(super) fn has_panels(&self) -> bool {
-        self.medium.panel_kernel().is_some()
+        self.ground.panel_kernel().is_some()
     }
 
     /// Whether panels are tried first: the third derivative of the base jumps at measured points, where collocation loses its digits, or the base falls into more parts than
@@ -248,7 +248,7 @@ impl<'p> Base<'p> {
 
     /// Whether a zone is the whole circle of a wave without gaps.
     pub(super) fn is_joined(&self, zone: &Zone) -> bool {
-        self.medium.is_closed() && zone.length() >= 2.0
+        self.ground.is_closed() && zone.length() >= 2.0
     }
 
     /// The same with so much effort.
@@ -300,12 +300,12 @@ impl<'p> Base<'p> {
 
     /// Refuses what a geometry does not know, and leaves out of the load what it answers elsewhere.
     fn require_geometry(&mut self) -> Result<(), Error> {
-        if self.medium.is_disk() {
+        if self.ground.is_disk() {
             require_even(self.problem)?;
             // Tilt and moment belong to another harmonic.
             self.load.rotational = Rotational::Tilt(0.0);
         }
-        if self.medium.is_closed() {
+        if self.ground.is_closed() {
             let (field, value) = match self.problem.load().rotational {
                 Rotational::Moment(value) => ("moment", value),
                 Rotational::Eccentricity(value) => ("eccentricity", value),
@@ -352,7 +352,7 @@ impl Base<'_> {
 
     /// The same with heights from the tangent where the zones are, if these are small: differences of heights have few digits there. None where they are not, or the profile has no tangent.
     pub(super) fn anchored(&self) -> Option<Self> {
-        if self.medium.is_disk() || self.medium.is_closed() {
+        if self.ground.is_disk() || self.ground.is_closed() {
             return None;
         }
         let found = self.coarse().unwrap_or_default();

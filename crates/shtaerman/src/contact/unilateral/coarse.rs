@@ -133,15 +133,15 @@ struct Equations {
 impl Equations {
     fn new(base: &Base<'_>, cells: &Cells) -> Self {
         let places: Vec<[f64; 2]> = cells.cells().iter().map(Cell::ends).collect();
-        let (matrix, masses) = base.medium.cells(&places);
+        let (matrix, masses) = base.ground.cells(&places);
         let roots: Vec<f64> = masses.iter().map(|mass| mass.sqrt()).collect();
         let vertical = match base.load.vertical {
-            Vertical::Force(force) => Vertical::Force(force / base.medium.area()),
+            Vertical::Force(force) => Vertical::Force(force / base.ground.area()),
             Vertical::Settlement(settlement) => Vertical::Settlement(settlement),
         };
         let load = Load { vertical, ..base.load };
         let loaded = Loaded::new(cells, roots, load, 1.0, |xi| base.height(xi));
-        let theta = base.medium.strength() * base.theta;
+        let theta = base.ground.strength() * base.theta;
         Self { matrix, loaded, theta }
     }
 

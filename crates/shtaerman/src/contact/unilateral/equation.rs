@@ -52,14 +52,14 @@ impl Equation for Base<'_> {
             [0, 1].map(|side| walls[side].unwrap_or(ends[side])),
             walls.map(|wall| wall.is_none()),
         );
-        if self.medium.is_disk() { zone.about_axis() } else { zone }
+        if self.ground.is_disk() { zone.about_axis() } else { zone }
     }
 
     fn arranged(&self, mut zones: Vec<Zone>) -> Vec<Zone> {
         if self.is_mirrored {
             mirror(&mut zones);
         }
-        if self.medium.is_disk() {
+        if self.ground.is_disk() {
             zones.iter_mut().for_each(|zone| *zone = zone.about_axis());
         }
         zones
@@ -94,14 +94,14 @@ impl Equation for Base<'_> {
         let wanted = strength(self, zones).min(room) / RATIO;
         match before.filter(|known| known.strength >= wanted) {
             Some(known) => Ok(known),
-            None => Resolution::new(&self.medium, wanted),
+            None => Resolution::new(&self.ground, wanted),
         }
     }
 
     fn finer(&self, solved: &Solved, effort: &Resolution) -> Option<Resolution> {
         let room = self.effort.nodes as f64 / (2.0 * solved.panels.len() as f64);
         let finer = (effort.strength * RATIO).min(room);
-        if finer > effort.strength { Resolution::new(&self.medium, finer).ok() } else { None }
+        if finer > effort.strength { Resolution::new(&self.ground, finer).ok() } else { None }
     }
 
     fn solve(

@@ -17,7 +17,7 @@ impl Base<'_> {
             length += right - left;
             rings += (right - left) * (right + left);
         }
-        let area = if self.medium.is_disk() { std::f64::consts::PI * rings } else { length };
+        let area = if self.ground.is_disk() { std::f64::consts::PI * rings } else { length };
         Extent { length, area }
     }
 
@@ -52,7 +52,7 @@ pub(super) fn reference_pressure(base: &Base<'_>, extent: &Extent) -> f64 {
 impl Base<'_> {
     /// `k theta0 dp0/dv`, about: how strong the body is against the layer.
     pub(super) fn steepness(&self) -> f64 {
-        let strength = self.medium.strength() * self.theta;
+        let strength = self.ground.strength() * self.theta;
         if self.layer.is_linear() {
             return strength;
         }

@@ -28,7 +28,7 @@ pub(super) fn answer(
     mut solved: Solved,
     check: &Check,
 ) -> Result<UnilateralContact, Error> {
-    let Some(kernel) = base.medium.turned_kernel()? else {
+    let Some(kernel) = base.ground.turned_kernel()? else {
         return Ok(UnilateralContact::new(base, solved, check));
     };
     let wanted = base.problem.dimensionless_load().rotational;
@@ -114,13 +114,13 @@ impl Base<'_> {
             .collect();
         let half_count = solved.panel_count() / 2;
         let known = match panels[..] {
-            [(0.0, 1.0)] => self.medium.known_turned_operator(half_count).transpose()?,
+            [(0.0, 1.0)] => self.ground.known_turned_operator(half_count).transpose()?,
             _ => None,
         };
         let operator = match known {
             Some(operator) => operator,
             None => {
-                let grid = self.medium.grid(half_count)?;
+                let grid = self.ground.grid(half_count)?;
                 Arc::new(SincOperator::on_panels(kernel.as_ref(), grid, &panels)?)
             }
         };

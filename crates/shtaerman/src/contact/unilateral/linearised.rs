@@ -51,7 +51,7 @@ impl UnilateralContact {
         base.anchor = self.anchor();
         base.load.vertical = load.vertical;
         // The tilt of a disk is another harmonic, a wave has none.
-        if !base.medium.is_disk() && !base.medium.is_closed() {
+        if !base.ground.is_disk() && !base.ground.is_closed() {
             base.load.rotational = load.rotational;
         }
         let located = self.locate(peak).abs();
@@ -59,16 +59,16 @@ impl UnilateralContact {
             (0..2).any(|side| zone.kinds[side] == EndKind::Wall && zone.ends[side].abs() == located)
         });
         // The tilt of a disk is another equation.
-        if self.is_tilted() || is_corner && base.medium.exponent() > STEEPEST {
+        if self.is_tilted() || is_corner && base.ground.exponent() > STEEPEST {
             return None;
         }
         base.anchor = self.anchor();
-        if base.medium.is_closed() {
+        if base.ground.is_closed() {
             base = base.shifted(solved.hull.centre - 1.0);
         }
         // As the solution itself was cut.
         base.breaks = solved.breaks();
-        let tilt = if base.medium.is_disk() { 0.0 } else { solved.state.tilt };
+        let tilt = if base.ground.is_disk() { 0.0 } else { solved.state.tilt };
         let known = Known {
             base: &base,
             zones: &solved.zones,
@@ -154,7 +154,7 @@ struct Level<'k, 'b, 'p> {
 
 impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
     fn new(known: &'k Known<'b, 'p>, half_count: usize) -> Result<Self, Error> {
-        let resolution = Resolution::new(&known.base.medium, half_count as f64)?;
+        let resolution = Resolution::new(&known.base.ground, half_count as f64)?;
         let system = System::new(known.base, &resolution, known.zones)?;
         let layer = system.positions.iter().map(|&xi| (known.layer)(xi)).collect();
         Ok(Self { known, system, layer })
@@ -175,7 +175,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
         let elastic = system.direction(&factor.solve(&given)?, 1.0, [0.0; 2]);
         let edges = self.edges()?;
         // The tilt of a disk is another harmonic, a wave has none.
-        let is_level = system.medium.is_disk() || system.medium.is_closed();
+        let is_level = system.ground.is_disk() || system.ground.is_closed();
         let rotates =
             !is_level && !matches!(system.base.load.rotational, Rotational::Eccentricity(_));
         let rates = |share: f64, prescribed: [f64; 2]| -> Result<Change, Error> {
@@ -211,7 +211,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
         let pressure = slope * solution.evaluate_place(place, given);
         let rounded = rounding(solution);
         // An image on the other side of the axis moves along.
-        let sides = if base.medium.is_disk() { 2.0 } else { 1.0 };
+        let sides = if base.ground.is_disk() { 2.0 } else { 1.0 };
         let (mut width, mut noise) = (0.0, 0.0);
         for Edge { node, slope, noise: of_slope } in edges {
             let moved = -sides * solution.values()[*node] / slope;
@@ -237,7 +237,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
         let pressures: Vec<f64> = self.layer.iter().map(|v| base.layer.pressure(*v)).collect();
         let nothing = vec![0.0; pressures.len()];
         let solution = system.operator.response(system.parameter(), &nothing, &pressures)?;
-        let measure = system.medium.measure(&system.hull);
+        let measure = system.ground.measure(&system.hull);
         let masses: Vec<f64> = solution.node_masses().iter().map(|mass| measure * mass).collect();
         let count = system.panel_count();
         Ok(free
@@ -256,7 +256,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
         let profile = base.slope(edge);
         let (mut body, mut size) = (0.0, tilt.abs() + profile.abs());
         for (&xi, mass) in self.system.positions.iter().zip(masses) {
-            let part = self.system.strength() * mass * base.medium.slope(edge, xi);
+            let part = self.system.strength() * mass * base.ground.slope(edge, xi);
             body += part;
             size += part.abs();
         }

@@ -60,7 +60,7 @@ impl Setting {
     /// The same by the equations of the zones, in every geometry and for every layer but a smooth one.
     pub(super) fn whole_base(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
-        if base.is_for_panels() || base.medium.is_closed() {
+        if base.is_for_panels() || base.ground.is_closed() {
             if let Some(contact) = spots::solve_whole(&base)? {
                 base.require_no_tension(contact.pulls_most())?;
                 return Ok(Arc::new(contact));
@@ -102,7 +102,7 @@ impl Base<'_> {
 
 /// The answer where the base may lift off.
 fn lifted(base: &Base<'_>) -> Result<Arc<dyn Solution>, Error> {
-    if base.medium.is_closed() {
+    if base.ground.is_closed() {
         return wave(base);
     }
     open(base).map_err(|error| match error {

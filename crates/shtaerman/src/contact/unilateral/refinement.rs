@@ -38,7 +38,7 @@ pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
     let count = if base.layer.is_linear() { count } else { RATIO * count };
     // On fewer nodes a wavy base shows tension where there is none, and zones would be cut there.
     let waves = NODES_A_VALLEY * base.valleys() as f64 * 0.5 * longest;
-    count.max(waves.min(MOST_FOR_VALLEYS)).max(base.medium.first_half_count(longest))
+    count.max(waves.min(MOST_FOR_VALLEYS)).max(base.ground.first_half_count(longest))
 }
 
 /// The answer on growing numbers of nodes, from one on fewer: `start` is the first number on either side of the middle of a panel.
@@ -46,7 +46,7 @@ pub(super) fn refined(base: &Base<'_>, coarse: &Solved, start: f64) -> Result<So
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
     let strength = |power: i32| start * RATIO.powi(power);
     let level = |zones: &[Zone], power: i32| {
-        settle(base, zones, &Resolution::new(&base.medium, strength(power))?)
+        settle(base, zones, &Resolution::new(&base.ground, strength(power))?)
     };
     let mut fine = level(&coarse.zones, 0)?;
     let mut before = difference(base, &fine, coarse);

@@ -32,7 +32,7 @@ impl Panel {
 pub(super) struct Solved {
     pub(super) zones: Vec<Zone>,
     pub(super) panels: Vec<Panel>,
-    pub(super) medium: Arc<dyn Ground>,
+    pub(super) ground: Arc<dyn Ground>,
     pub(super) layer: Layer,
     pub(super) hull: Hull,
     /// `xi` of the nodes.
@@ -57,8 +57,8 @@ pub(super) struct Stated {
 impl Stated {
     /// With what a kernel that is not known to all digits leaves in a displacement, and that in the pressure and in the ends.
     pub(super) fn with_kernel(self, base: &Base<'_>, solved: &Solved) -> Self {
-        let body = base.medium.strength() * base.theta * solved.state.force.abs();
-        let missed = base.medium.kernel_error() * body;
+        let body = base.ground.strength() * base.theta * solved.state.force.abs();
+        let missed = base.ground.kernel_error() * body;
         if missed == 0.0 {
             return self;
         }
@@ -168,8 +168,8 @@ impl Solved {
     pub(super) fn displacement_outside(&self, xi: f64) -> f64 {
         let Hull { centre, half } = self.hull;
         let y = (xi - centre) / half;
-        let local = self.solution.integral(|t| self.medium.value(y, t));
-        let gauge = self.medium.gauge(&self.hull);
+        let local = self.solution.integral(|t| self.ground.value(y, t));
+        let gauge = self.ground.gauge(&self.hull);
         self.solution.parameter() * (local - self.solution.integral(|_| 1.0) * gauge)
     }
 }

@@ -29,7 +29,7 @@ pub(super) const FEWEST: usize = 8;
 pub(super) struct Resolution {
     /// Nodes on either side of the middle of a panel, before they are rounded to a number.
     pub(super) strength: f64,
-    medium: Arc<dyn Ground>,
+    ground: Arc<dyn Ground>,
     grid: Arc<SincGrid>,
     /// The operator on the local interval in one panel.
     whole: OnceCell<Arc<SincOperator>>,
@@ -42,15 +42,15 @@ type Built = (Vec<(f64, f64)>, Arc<SincOperator>);
 
 impl Resolution {
     /// About so many nodes on either side of the middle of a panel.
-    pub(super) fn new(medium: &Arc<dyn Ground>, strength: f64) -> Result<Self, Error> {
-        let grid = medium.grid((strength.round() as usize).max(FEWEST))?;
+    pub(super) fn new(ground: &Arc<dyn Ground>, strength: f64) -> Result<Self, Error> {
+        let grid = ground.grid((strength.round() as usize).max(FEWEST))?;
         let (whole, latest) = (OnceCell::new(), RefCell::new(None));
-        Ok(Self { strength, medium: Arc::clone(medium), grid, whole, latest })
+        Ok(Self { strength, ground: Arc::clone(ground), grid, whole, latest })
     }
 
     fn operator(&self, panels: &[(f64, f64)]) -> Result<Arc<SincOperator>, Error> {
-        let build = || self.medium.operator(&self.grid, panels).map(Arc::new);
-        let is_whole = matches!((self.medium.local_ends(), panels), (Some([left, right]), [panel]) if *panel == (left, right));
+        let build = || self.ground.operator(&self.grid, panels).map(Arc::new);
+        let is_whole = matches!((self.ground.local_ends(), panels), (Some([left, right]), [panel]) if *panel == (left, right));
         if !is_whole {
             if let Some((known, operator)) = &*self.latest.borrow()
                 && known == panels
@@ -64,7 +64,7 @@ impl Resolution {
         if let Some(known) = self.whole.get() {
             return Ok(Arc::clone(known));
         }
-        let operator = match self.medium.known_operator(self.grid.half_count()) {
+        let operator = match self.ground.known_operator(self.grid.half_count()) {
             Some(operator) => operator?,
             None => build()?,
         };
@@ -131,7 +131,7 @@ pub(super) struct Direction {
 
 pub(super) struct System<'b, 'p> {
     pub(super) base: &'b Base<'p>,
-    pub(super) medium: Arc<dyn Ground>,
+    pub(super) ground: Arc<dyn Ground>,
     pub(super) zones: Vec<Zone>,
     pub(super) panels: Vec<Panel>,
     pub(super) hull: Hull,
@@ -162,15 +162,15 @@ impl<'b, 'p> System<'b, 'p> {
         let (Some(first), Some(last)) = (zones.first(), zones.last()) else {
             return Err(Error::NoContact);
         };
-        let medium = Arc::clone(&base.medium);
-        let hull = medium.hull(first.left(), last.right(), base.origin);
+        let ground = Arc::clone(&base.ground);
+        let hull = ground.hull(first.left(), last.right(), base.origin);
         let panels: Vec<Panel> = (zones.iter().enumerate())
             .flat_map(|(zone, place)| {
                 let panels = place.panels(&base.breaks);
                 panels.into_iter().map(move |(left, right)| Panel { left, right, zone })
             })
             .collect();
-        let operator = resolution.operator(&local_panels(medium.as_ref(), &hull, &panels))?;
+        let operator = resolution.operator(&local_panels(ground.as_ref(), &hull, &panels))?;
         let positions: Vec<f64> = operator
             .places()
             .map(|place| {
@@ -186,7 +186,7 @@ impl<'b, 'p> System<'b, 'p> {
         let heights: Vec<f64> =
             positions.iter().map(|&xi| base.finite_height(xi)).collect::<Result<_, _>>()?;
         let zones = zones.to_vec();
-        Ok(Self { base, medium, zones, panels, hull, operator, positions, heights })
+        Ok(Self { base, ground, zones, panels, hull, operator, positions, heights })
     }
 
     pub(super) fn panel_count(&self) -> usize {
@@ -195,12 +195,12 @@ impl<'b, 'p> System<'b, 'p> {
 
     /// `k theta0`.
     pub(super) fn strength(&self) -> f64 {
-        self.medium.strength() * self.base.theta
+        self.ground.strength() * self.base.theta
     }
 
     /// `theta`.
     pub(super) fn parameter(&self) -> f64 {
-        self.strength() * self.medium.scale(&self.hull)
+        self.strength() * self.ground.scale(&self.hull)
     }
 
     pub(super) fn is_by_force(&self) -> bool {
@@ -216,7 +216,7 @@ impl<'b, 'p> System<'b, 'p> {
     }
 
     pub(super) fn gauge(&self) -> f64 {
-        self.medium.gauge(&self.hull)
+        self.ground.gauge(&self.hull)
     }
 
     /// `D - beta y - f0` at the nodes.
@@ -275,13 +275,13 @@ impl<'b, 'p> System<'b, 'p> {
         let Found { local, solution, frame } = found;
         let state = self.state(local, &solution);
         let stiffness = self.stiffness(&frame);
-        let Self { base, medium, zones, panels, hull, positions, .. } = self;
+        let Self { base, ground, zones, panels, hull, positions, .. } = self;
         let layer = base.layer;
         Solved {
             stated: Stated::none(),
             zones,
             panels,
-            medium,
+            ground,
             layer,
             hull,
             positions,
@@ -301,9 +301,9 @@ impl<'b, 'p> System<'b, 'p> {
     fn carried(&self, solution: &SincSolution) -> [f64; 2] {
         let half = self.hull.half;
         let force =
-            self.medium.area() * self.medium.measure(&self.hull) * solution.integral(|_| 1.0);
+            self.ground.area() * self.ground.measure(&self.hull) * solution.integral(|_| 1.0);
         // Rings have no moment, and a wave that goes on has none that could turn it.
-        if self.medium.is_disk() || self.medium.is_closed() {
+        if self.ground.is_disk() || self.ground.is_closed() {
             return [force, 0.0];
         }
         [force, half * half * solution.integral(|y| y)]
@@ -316,7 +316,7 @@ impl<'b, 'p> System<'b, 'p> {
             let xi = centre + half * y;
             xi - 2.0 * (0.5 * xi).round()
         };
-        self.medium.measure(&self.hull) * solution.integral(lever)
+        self.ground.measure(&self.hull) * solution.integral(lever)
     }
 
     /// A solution for a right-hand side, with what it adds to `D` and `beta`.
@@ -345,7 +345,7 @@ impl<'b, 'p> System<'b, 'p> {
 
     /// Where moments are counted from, as `xi`: rings have none, and a wave that goes on has none that could turn it.
     fn arm(&self) -> f64 {
-        if self.medium.is_disk() || self.medium.is_closed() { 0.0 } else { self.hull.centre }
+        if self.ground.is_disk() || self.ground.is_closed() { 0.0 } else { self.hull.centre }
     }
 
     /// What a direction adds to the two prescribed quantities, a moment about the centre where the force is prescribed.
@@ -393,7 +393,7 @@ impl<'b, 'p> System<'b, 'p> {
     fn state(&self, [constant, slope]: [f64; 2], solution: &SincSolution) -> State {
         let Hull { centre, half } = self.hull;
         let [force, turn] = self.carried(solution);
-        let moment = if self.medium.is_closed() {
+        let moment = if self.ground.is_closed() {
             self.moment_of_a_period(solution)
         } else {
             turn + self.arm() * force
@@ -422,8 +422,8 @@ impl<'b, 'p> System<'b, 'p> {
 }
 
 /// The panels in local coordinates.
-fn local_panels(medium: &dyn Ground, hull: &Hull, panels: &[Panel]) -> Vec<(f64, f64)> {
-    let ends = medium.local_ends();
+fn local_panels(ground: &dyn Ground, hull: &Hull, panels: &[Panel]) -> Vec<(f64, f64)> {
+    let ends = ground.local_ends();
     let local = |xi: f64| {
         let y = (xi - hull.centre) / hull.half;
         ends.map_or(y, |[left, right]| y.clamp(left, right))
@@ -435,7 +435,7 @@ fn local_panels(medium: &dyn Ground, hull: &Hull, panels: &[Panel]) -> Vec<(f64,
         && let (Some(first), Some(last)) = (panels.first(), panels.last())
     {
         let end = local.len() - 1;
-        if !medium.is_disk() || first.left == 0.0 {
+        if !ground.is_disk() || first.left == 0.0 {
             local[0].0 = left;
         }
         if last.right > first.left {

@@ -48,7 +48,7 @@ pub(super) fn estimate(base: &Base<'_>, levels: &[Level; 3]) -> (Accuracy, f64) 
 fn at_corners(base: &Base<'_>, level: &Level) -> f64 {
     let bounds = level.bounds();
     let order = level.pressures.len() as f64 / bounds.len() as f64;
-    let share = order.powf(-2.0 * (1.0 - base.medium.exponent()));
+    let share = order.powf(-2.0 * (1.0 - base.ground.exponent()));
     let missed = |side: usize, end: f64| -> Option<f64> {
         let panel = bounds.iter().find(|panel| panel[side] == end)?;
         let inner = panel[1 - side];

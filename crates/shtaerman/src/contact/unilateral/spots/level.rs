@@ -325,7 +325,7 @@ impl Task<'_, '_, '_> {
     pub(super) fn groups(&self, chart: &Chart, modulus: Option<&[f64]>) -> Result<Groups, Error> {
         let firmest = modulus.map_or(1.0, |w| w.iter().fold(0.0f64, |most, w| most.max(*w)));
         let strength = (self.parameter * firmest).max(f64::MIN_POSITIVE);
-        let layer = (GROUP / strength).powf(1.0 / (1.0 - self.base.medium.exponent()));
+        let layer = (GROUP / strength).powf(1.0 / (1.0 - self.base.ground.exponent()));
         let longest = layer.max(self.total / MOST_GROUPS);
         let panels = self.operator.panels();
         Ok(Groups::new(chart.kernel, panels, self.parameter, longest, modulus)?)

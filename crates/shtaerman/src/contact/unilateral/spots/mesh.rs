@@ -110,13 +110,13 @@ pub(super) fn panels(
 /// The length of the layer, of one that bends under about the mean pressure.
 fn layer(base: &Base<'_>) -> f64 {
     let strength =
-        if base.layer.is_linear() { base.theta } else { base.steepness() / base.medium.strength() };
-    strength.max(1.0).powf(-1.0 / (1.0 - base.medium.exponent()))
+        if base.layer.is_linear() { base.theta } else { base.steepness() / base.ground.strength() };
+    strength.max(1.0).powf(-1.0 / (1.0 - base.ground.exponent()))
 }
 
 /// A share of lengths for a pressure that goes on as `d^power ln d`, for one that goes on as `d^(power - mu)`.
 fn share(base: &Base<'_>, share: f64, power: f64) -> f64 {
-    share.powf(power / (power - base.medium.exponent()))
+    share.powf(power / (power - base.ground.exponent()))
 }
 
 /// Both ends of a zone.

@@ -125,7 +125,7 @@ fn joints(base: &Base<'_>) -> Vec<f64> {
         return base.breaks.clone();
     }
     let mut joints = base.problem.profile().joints(base.problem.frame().half_width());
-    if base.medium.is_closed() {
+    if base.ground.is_closed() {
         // A wave is seen from elsewhere than it was measured, and bends at its seam as well.
         joints.push(1.0);
         let images = |at: &f64| [at - 2.0, *at, at + 2.0];
