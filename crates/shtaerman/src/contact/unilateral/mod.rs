@@ -1,6 +1,6 @@
 //! Unilateral contact: the pressure never pulls, the base never penetrates, and where it touches is part of the answer.
 //!
-//! The [topology](topology) is found on cells; the [edges](edges) of the zones by Newton's method on collocated pressures; the
+//! The topology is found on [cells](coarse); the edges of the zones by Newton's method on collocated pressures; the
 //! [check](check) of the answer between its nodes corrects the topology where that was too coarse.
 
 mod anchor;
