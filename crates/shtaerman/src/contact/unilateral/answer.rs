@@ -108,8 +108,8 @@ impl UnilateralContact {
         &self.solved
     }
 
-    pub(super) fn is_tilted(&self) -> bool {
-        self.tilted.is_some()
+    pub(super) fn tilted(&self) -> Option<&Tilted> {
+        self.tilted.as_ref()
     }
 
     pub(super) fn anchor(&self) -> Option<Anchor> {

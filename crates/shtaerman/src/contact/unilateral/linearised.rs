@@ -7,6 +7,8 @@
 //!
 //! the operator of Newton's steps and of the stiffness. What a free edge `e` adds is of second order, as the pressure vanishes there; it moves by `e' = -v'/(dv/dxi)`.
 
+mod tilted;
+
 use fredholm::SincSolution;
 use fredholm::collocation::{extrapolate, first_half_count, rounding};
 
@@ -58,8 +60,7 @@ impl UnilateralContact {
         let is_corner = solved.zones.iter().any(|zone| {
             (0..2).any(|side| zone.kinds[side] == EndKind::Wall && zone.ends[side].abs() == located)
         });
-        // The tilt of a disk is another equation.
-        if self.is_tilted() || is_corner && base.ground.exponent() > STEEPEST {
+        if is_corner && base.ground.exponent() > STEEPEST {
             return None;
         }
         base.anchor = self.anchor();
@@ -78,7 +79,11 @@ impl UnilateralContact {
             peak: self.locate(peak),
             noise: base.steepness() * solved.rounding(),
         };
-        known.linearised(solved.panel_count() / 2)
+        let found = known.linearised(solved.panel_count() / 2)?;
+        match self.tilted() {
+            Some(tilted) => tilted::turned(&base, solved, tilted, found, peak),
+            None => Some(found),
+        }
     }
 }
 
