@@ -80,7 +80,7 @@ impl Setting {
 fn full(base: &Base<'_>) -> Result<UnilateralContact, Error> {
     let zones = base.whole();
     let resolution = base.effort(&zones, None)?;
-    let solved = refined(base, settle(base, &zones, &resolution)?, resolution.strength * RATIO)?;
+    let solved = refined(base, &settle(base, &zones, &resolution)?, resolution.strength * RATIO)?;
     let left = check(base, &solved, ALLOWED);
     base.require_no_tension(left.pulling.first().map(|[from, to]| 0.5 * (from + to)))?;
     harmonic::answer(base, solved, &left)
