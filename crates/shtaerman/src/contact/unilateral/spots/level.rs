@@ -4,7 +4,6 @@ use fredholm::multipole::{
     Groups, PanelCondition, PanelEquation, PanelField, PanelOperator, Panels,
 };
 
-use super::NONE;
 use super::bent;
 use super::chart::Chart;
 use super::mesh::{Fineness, panels};
@@ -17,6 +16,8 @@ use crate::contact::unilateral::layer::Layer;
 use crate::contact::zones::Zone;
 use crate::{Error, Rotational, Vertical};
 
+/// Rounding of single terms: of the right-hand side, and of the pressure at an edge.
+pub(super) const NONE: f64 = 4.0 * f64::EPSILON;
 /// Most nodes.
 const MOST_NODES: usize = 400_000;
 /// Longest groups, in lengths of the layer, and about the most groups beyond the number of zones.

@@ -4,7 +4,7 @@ use crate::contact::unilateral::base::Base;
 use crate::contact::zones::Zone;
 
 /// Length of a panel over its distance from an end of its zone or a bend.
-const GROWTH: f64 = 0.6;
+const GROWTH: f64 = 0.7;
 /// Longest panels of the base, from the first to be tried.
 pub(super) const LONGEST: f64 = 1.0 / 32.0;
 /// All of them for the logarithm: on graded ground `ln d` is a power `d^-mu`, and the panels have the lengths that make as much of it.

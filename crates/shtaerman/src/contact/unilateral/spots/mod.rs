@@ -25,7 +25,7 @@ use crate::contact::complementarity::Complementarity;
 use crate::contact::solution::Solution;
 use crate::contact::zones::Zone;
 use estimate::estimate;
-use level::{Effort, Known, Level, Sampled, System};
+use level::{Effort, Known, Level, NONE, Sampled, System};
 use mesh::{Fineness, LONGEST, STRAIGHT};
 use responses::Responses;
 
@@ -51,8 +51,6 @@ const LADDER: [Effort; 3] = [
 ];
 /// Pressure at free edges over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off.
 const GOOD: [f64; 3] = [1e-4, 1e-6, 1e-7];
-/// Rounding of single terms: of the right-hand side, and of the pressure at an edge.
-const NONE: f64 = 4.0 * f64::EPSILON;
 /// Most zones.
 const MOST_ZONES: usize = 2000;
 /// Answers with larger relative errors leave the problem to others.
