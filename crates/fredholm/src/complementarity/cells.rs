@@ -50,7 +50,7 @@ pub fn mean_logarithm(left: [f64; 2], right: [f64; 2]) -> f64 {
         return 1.5 - h.ln();
     }
     // From the gap between the cells, which is exact for neighbours.
-    let gap = right[0] - left[1];
+    let gap = (right[0] - left[1]).max(0.0);
     let distance = gap + 0.5 * (h + k);
     if distance > FAR * h.max(k) {
         // Moments of the difference of two places: without them the error of potentials would fall with the width of the cells only, not its square.

@@ -6,16 +6,10 @@
 //!
 //! with the symmetric positive Galerkin matrix `S` of the kernel ([`logarithm_cells`]), right-hand sides `b`, and up to a few conditions `r_k . z = v_k` whose
 //! multipliers `mu_k` are unknown. [`Complementarity::solve`] finds the cells that carry (`z > 0`): the topology of the set. It is a first step: collocation on the intervals found
-//! gives the digits. On many [`EqualCells`], for rough profiles with many short intervals, products by Fourier transforms take the place of the matrix.
+//! gives the digits.
 
 mod cells;
-mod equal_cells;
-mod projected;
-mod small;
 mod solver;
 
-pub use cells::logarithm_cells;
-pub use cells::{mean_logarithm, mean_power};
-pub use equal_cells::EqualCells;
-pub use projected::{CellCondition, CellSolution};
+pub use cells::{logarithm_cells, mean_logarithm, mean_power};
 pub use solver::{Complementarity, ComplementaritySolution, Condition};

@@ -12,5 +12,4 @@ mod system;
 pub use solution::DegenerateSolution;
 pub use solver::{ConstantShift, DegenerateSolver, ShiftedSolution};
 pub use structured::{BYTES_A_DEGREE, Convergence, StructuredOperator, StructuredSystem};
-pub(crate) use structured::{Product, Workspace};
 pub use system::DegenerateSystem;

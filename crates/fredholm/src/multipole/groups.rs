@@ -117,10 +117,19 @@ impl Groups {
         let masses: Vec<f64> =
             firsts.windows(2).map(|pair| weights[pair[0]..pair[1]].iter().sum()).collect();
         let roots: Vec<f64> = masses.iter().map(|mass: &f64| mass.sqrt()).collect();
+        let mean = |i: usize, j: usize| kernel.mean(intervals[i.min(j)], intervals[i.max(j)]);
+        // On a whole circle constants have no potential, of which the means fall short.
+        let is_whole = kernel.is_closed() && panels.are_whole();
+        let lengths: Vec<f64> =
+            intervals.iter().map(|[left, right]| 0.5 * (right - left)).collect();
+        let constants: Vec<f64> = (0..intervals.len())
+            .map(|i| (0..lengths.len()).filter(|_| is_whole).map(|j| mean(i, j) * lengths[j]).sum())
+            .collect();
+        let level = dot(&constants, &lengths);
         let factor = Cholesky::new(intervals.len(), |i, j| {
-            let [left, right] = [intervals[i.min(j)], intervals[i.max(j)]];
             let layer = if i == j { 1.0 } else { 0.0 };
-            layer + theta * roots[i] * roots[j] * kernel.mean(left, right)
+            let potential = mean(i, j) - constants[i] - constants[j] + level;
+            layer + theta * roots[i] * roots[j] * potential
         })?;
         let own = panels.rule.own(kernel);
         let deviations = (firsts.windows(2).zip(&intervals))

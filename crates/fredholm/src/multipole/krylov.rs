@@ -196,7 +196,11 @@ impl PanelEquation<'_> {
         let norm = |list: &[f64]| self.product(list, list).sqrt();
         let columns = conditions.iter().zip(multipliers);
         let shifts: f64 = columns.map(|(c, mu)| mu.abs() * norm(&c.column)).sum();
-        norm(right) + norm(values) + self.parameter * norm(potential) + shifts
+        // Of a kernel with both signs the potential is less than what is added up in it.
+        let sizes: Vec<f64> = values.iter().map(|value| value.abs()).collect();
+        let ones = vec![1.0; sizes.len()];
+        let added = norm(potential).max(self.carried(&ones, &sizes));
+        norm(right) + norm(values) + self.parameter * added + shifts
     }
 
     fn border<'c>(&self, conditions: &'c [PanelCondition]) -> Result<Border<'c>, Error> {

@@ -77,10 +77,9 @@ impl PanelOperator {
     /// The potential at the nodes of a function with these values there. Missing values are zero, others ignored.
     #[must_use]
     pub fn potential(&self, values: &[f64]) -> Vec<f64> {
-        let charges = self.charges(values);
+        let values = self.without_mean(values);
+        let charges = self.charges(&values);
         let locals = self.tree.locals(&charges, false);
-        let values: Vec<f64> =
-            (0..self.panels.count()).map(|j| values.get(j).copied().unwrap_or(0.0)).collect();
         let mut result = vec![0.0; self.panels.count()];
         for leaf in 0..self.tree.leaves() {
             let near = self.tree.near(leaf);
@@ -100,19 +99,28 @@ impl PanelOperator {
         result
     }
 
+    /// The values, on a whole circle less their mean, whose potential is zero: what products make of it is rounding.
+    fn without_mean(&self, values: &[f64]) -> Vec<f64> {
+        let mut values = values.to_vec();
+        values.resize(self.panels.count(), 0.0);
+        if self.kernel.is_closed() && self.panels.are_whole() {
+            let mean = 0.5 * self.charges(&values).iter().sum::<f64>();
+            values.iter_mut().for_each(|value| *value -= mean);
+        }
+        values
+    }
+
     fn charges(&self, values: &[f64]) -> Vec<f64> {
-        let value = |j: usize| values.get(j).copied().unwrap_or(0.0);
-        self.panels.weights().iter().enumerate().map(|(j, w)| w * value(j)).collect()
+        self.panels.weights().iter().zip(values).map(|(w, value)| w * value).collect()
     }
 
     /// The potential at any place of a function with these values at the nodes.
     #[must_use]
     pub fn field(&self, values: &[f64]) -> PanelField {
         let order = self.panels.order();
-        let charges = self.charges(values);
+        let values = self.without_mean(values);
+        let charges = self.charges(&values);
         let locals = self.tree.locals(&charges, true);
-        let mut values = values.to_vec();
-        values.resize(self.panels.count(), 0.0);
         let mut coefficients = vec![0.0; values.len()];
         for (c, v) in coefficients.chunks_exact_mut(order).zip(values.chunks_exact(order)) {
             self.panels.rule.coefficients(v, c);

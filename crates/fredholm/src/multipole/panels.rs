@@ -76,6 +76,12 @@ impl Panels {
         self.nodes.len()
     }
 
+    /// Whether they cover `[-1, 1]` without a gap.
+    pub(super) fn are_whole(&self) -> bool {
+        let joined = self.bounds.windows(2).all(|pair| pair[0][1] == pair[1][0]);
+        joined && self.bounds[0][0] == -1.0 && self.bounds[self.bounds.len() - 1][1] == 1.0
+    }
+
     /// Middle and half the length of a panel.
     pub(super) fn middle(&self, panel: usize) -> (f64, f64) {
         let [left, right] = self.bounds[panel];

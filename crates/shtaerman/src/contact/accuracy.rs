@@ -4,6 +4,9 @@ use serde::Serialize;
 
 use super::balance::State;
 
+/// Rounding of a quantity relative to what is added up in it.
+pub(super) const ROUNDING: f64 = 32.0 * f64::EPSILON;
+
 /// What a statement of error is worth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -63,9 +66,6 @@ impl State {
         }
     }
 }
-
-/// Rounding of a quantity relative to what is added up in it.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Accuracy {
     /// No error below rounding, which the bounds leave aside; what the load prescribes stays exact.

@@ -22,61 +22,48 @@ pub(super) struct State {
     pub(super) moment: f64,
 }
 
-impl Balance {
-    /// The state under a load.
-    pub(super) fn state(&self, load: &Load) -> State {
-        let [settlement, tilt] = self.displacements(load);
-        let [force, moment] = self.forces(load, settlement, tilt);
+impl State {
+    /// The same with what a load prescribes as given: out of equations it comes with rounding.
+    pub(super) fn given(self, load: &Load) -> Self {
+        let (settlement, force) = match load.vertical {
+            Vertical::Settlement(settlement) => (settlement, self.force),
+            Vertical::Force(force) => (self.settlement, force),
+        };
+        let (tilt, moment) = match load.rotational {
+            Rotational::Tilt(tilt) => (tilt, self.moment),
+            Rotational::Moment(moment) => (self.tilt, moment),
+            Rotational::Eccentricity(e) => (self.tilt, e * force),
+        };
         // Adding zero turns a negative zero into a plain one.
-        State {
+        Self {
             settlement: settlement + 0.0,
             tilt: tilt + 0.0,
             force: force + 0.0,
             moment: moment + 0.0,
         }
     }
+}
 
-    /// Settlement and tilt from the two conditions of the load; what is prescribed comes back as given.
-    fn displacements(&self, load: &Load) -> [f64; 2] {
-        let Stiffness { force_settlement: c11, coupling: c12, moment_tilt: c22 } = self.stiffness;
+impl Balance {
+    /// The state under a load.
+    pub(super) fn state(&self, load: &Load) -> State {
         let [force, moment] = self.free;
-        let (row1, right1) = match load.vertical {
-            Vertical::Force(prescribed) => ([c11, -c12], prescribed + force),
-            Vertical::Settlement(prescribed) => ([1.0, 0.0], prescribed),
-        };
-        let (row2, right2) = match load.rotational {
-            Rotational::Moment(prescribed) => ([c12, -c22], prescribed + moment),
-            Rotational::Tilt(prescribed) => ([0.0, 1.0], prescribed),
-            // M - e P = 0
-            Rotational::Eccentricity(e) => ([c12 - e * c11, e * c12 - c22], moment - e * force),
-        };
-        let determinant = row1[0] * row2[1] - row1[1] * row2[0];
-        let settlement = (right1 * row2[1] - row1[1] * right2) / determinant;
-        let tilt = (row1[0] * right2 - right1 * row2[0]) / determinant;
-        let settlement = match load.vertical {
+        let vertical = match load.vertical {
+            Vertical::Force(prescribed) => prescribed + force,
             Vertical::Settlement(prescribed) => prescribed,
-            Vertical::Force(_) => settlement,
         };
-        let tilt = match load.rotational {
+        let rotational = match load.rotational {
+            Rotational::Moment(prescribed) => prescribed + moment,
             Rotational::Tilt(prescribed) => prescribed,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => tilt,
+            Rotational::Eccentricity(e) => moment - e * force,
         };
-        [settlement, tilt]
-    }
-
-    /// Force and moment; what is prescribed comes back as given.
-    fn forces(&self, load: &Load, settlement: f64, tilt: f64) -> [f64; 2] {
+        let [settlement, turn] = self.stiffness.displaced(load, [vertical, rotational]);
+        let State { settlement, tilt, .. } =
+            State { settlement, tilt: -turn, force: 0.0, moment: 0.0 }.given(load);
         let Stiffness { force_settlement: c11, coupling: c12, moment_tilt: c22 } = self.stiffness;
-        let force = match load.vertical {
-            Vertical::Force(prescribed) => prescribed,
-            Vertical::Settlement(_) => c11 * settlement - c12 * tilt - self.free[0],
-        };
-        let moment = match load.rotational {
-            Rotational::Moment(prescribed) => prescribed,
-            Rotational::Eccentricity(e) => e * force,
-            Rotational::Tilt(_) => c12 * settlement - c22 * tilt - self.free[1],
-        };
-        [force, moment]
+        let force = c11 * settlement - c12 * tilt - force;
+        let moment = c12 * settlement - c22 * tilt - moment;
+        State { settlement, tilt, force, moment }.given(load)
     }
 }
 

@@ -5,7 +5,11 @@
 
 use fredholm::collocation::extrapolate;
 
+use super::accuracy::{Accuracy, ErrorKind, ROUNDING, Sizes};
+use super::balance::State;
 use super::parts::Smoothness;
+use super::zones::Zone;
+use crate::{Load, Rotational, Vertical};
 
 /// Differences that fall by less have not begun to, and what is stated over them.
 const SLOW: f64 = 0.25;
@@ -14,6 +18,36 @@ const SAFETY: f64 = 4.0;
 pub(super) const UNKNOWN: f64 = 1e-3;
 /// Roundings of the pressure that a difference may have by rounding alone.
 const ROUNDINGS: f64 = 4.0;
+
+/// Differences between two resolutions of a contact.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Change {
+    pub(super) pressure: f64,
+    pub(super) settlement: f64,
+    pub(super) tilt: f64,
+    pub(super) force: f64,
+    pub(super) moment: f64,
+    pub(super) edge: f64,
+}
+
+impl Change {
+    /// Given that of the pressure.
+    pub(super) fn between([one, other]: [(&State, &[Zone]); 2], pressure: f64) -> Self {
+        let ends = one.1.iter().zip(other.1);
+        let edge = ends
+            .flat_map(|(one, two)| (0..2).map(move |side| (one.ends[side] - two.ends[side]).abs()))
+            .fold(if one.1.len() == other.1.len() { 0.0 } else { 2.0 }, f64::max);
+        let difference = |of: fn(&State) -> f64| (of(one.0) - of(other.0)).abs();
+        Self {
+            pressure,
+            settlement: difference(|state| state.settlement),
+            tilt: difference(|state| state.tilt),
+            force: difference(|state| state.force),
+            moment: difference(|state| state.moment),
+            edge,
+        }
+    }
+}
 
 /// How far differences may be trusted.
 #[derive(Debug, Clone, Copy)]
@@ -27,6 +61,38 @@ pub(super) struct Trust {
 }
 
 impl Trust {
+    /// In differences from a resolution that is far coarser, whose rate is not known.
+    pub(super) fn plain() -> Self {
+        Self { smoothness: Smoothness::Bent, ratio: 1.0, floor: None }
+    }
+
+    /// The error of the finest of three resolutions, and that of its edges, but for the rounding of the pressure: none for what the load prescribes. `length` is that of the zones.
+    pub(super) fn accuracy(
+        &self,
+        load: Load,
+        [before, change]: [&Change; 2],
+        sizes: &Sizes,
+        length: f64,
+    ) -> (Accuracy, f64) {
+        let of = |part: fn(&Change) -> f64, scale: f64, share: f64| {
+            self.left_of_one([part(before), part(change)], scale, share).max(ROUNDING * scale)
+        };
+        // Of two that belong together one may agree by chance.
+        let displaced = of(|change| change.settlement.max(change.tilt), sizes.displacement, 1.0);
+        let carried = of(|change| change.force.max(change.moment), sizes.force, length);
+        let unless = |is_given: bool, error: f64| if is_given { 0.0 } else { error };
+        let accuracy = Accuracy {
+            kind: ErrorKind::Estimate,
+            pressure: self.left([before.pressure, change.pressure], sizes.pressure),
+            settlement: unless(matches!(load.vertical, Vertical::Settlement(_)), displaced),
+            tilt: unless(matches!(load.rotational, Rotational::Tilt(_)), displaced),
+            force: unless(matches!(load.vertical, Vertical::Force(_)), carried),
+            moment: unless(matches!(load.rotational, Rotational::Moment(_)), carried),
+        };
+        let edge = of(|change| change.edge, 1.0, length / sizes.pressure.max(f64::MIN_POSITIVE));
+        (accuracy, edge)
+    }
+
     /// From two differences of the pressure between all nodes, and its rounding.
     pub(super) fn new(
         smoothness: Smoothness,

@@ -11,7 +11,7 @@ const MANY_MISSED: usize = 8;
 const MISSED: f64 = 0.25;
 const ROUNDING: f64 = 1e-9;
 /// Multiples of the golden ratio never fall in with a wave, and those of the root of two not with both.
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
+pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_8;
 /// Fewest cells that show a valley, and how many are wanted.
 const CELLS_A_VALLEY: usize = 6;
 const WANTED: usize = 12;

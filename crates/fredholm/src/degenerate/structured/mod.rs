@@ -9,5 +9,4 @@ mod system;
 
 pub use conjugate_gradients::Convergence;
 pub use operator::{BYTES_A_DEGREE, StructuredOperator};
-pub(crate) use product::{Product, Workspace};
 pub use system::StructuredSystem;

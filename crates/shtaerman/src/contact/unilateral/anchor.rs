@@ -3,12 +3,9 @@
 //! With `f0 = h + s (xi - c) + r` the equation is one with the profile `r`, the settlement `delta0 - h + s c` and the tilt `alpha0 + s`: under a given force both
 //! are as small as the contact, where `delta0`, `alpha0 xi` and `f0` are large and cancel.
 
-use crate::contact::accuracy::Accuracy;
+use crate::contact::accuracy::{Accuracy, ROUNDING};
 use crate::contact::balance::State;
 use crate::{Load, Problem, Rotational, Vertical};
-
-/// Rounding of what is added.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// A tangent of the profile.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -55,15 +52,8 @@ impl Anchor {
 
     /// The state of the problem itself; what the load prescribes comes back as given.
     pub(super) fn state(&self, given: Load, state: State) -> State {
-        let settlement = match given.vertical {
-            Vertical::Settlement(settlement) => settlement,
-            Vertical::Force(_) => state.settlement + (self.height - self.slope * self.at),
-        };
-        let tilt = match given.rotational {
-            Rotational::Tilt(tilt) => tilt,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => state.tilt - self.slope,
-        };
-        State { settlement, tilt, ..state }
+        let settlement = state.settlement + (self.height - self.slope * self.at);
+        State { settlement, tilt: state.tilt - self.slope, ..state }.given(&given)
     }
 
     /// Errors with the rounding of what is added.

@@ -108,12 +108,12 @@ impl UnilateralContact {
         &self.solved
     }
 
-    pub(super) fn anchor(&self) -> Option<Anchor> {
-        self.anchor
-    }
-
     pub(super) fn tilted(&self) -> Option<&Tilted> {
         self.tilted.as_ref()
+    }
+
+    pub(super) fn anchor(&self) -> Option<Anchor> {
+        self.anchor
     }
 
     pub(super) fn with_tilt(self, tilted: Tilted) -> Self {
@@ -123,10 +123,10 @@ impl UnilateralContact {
     /// Where a point of the base lies in the coordinates of the solution: on a disk the distance from the axis, on a wave without gaps the image between the ends
     /// of its zones.
     pub(super) fn locate(&self, xi: f64) -> f64 {
-        if self.solved.medium.is_disk() {
+        if self.solved.ground.is_disk() {
             return xi.abs();
         }
-        if self.solved.medium.is_closed() {
+        if self.solved.ground.is_closed() {
             let origin = self.solved.hull.centre;
             return xi + 2.0 * (0.5 * (origin - xi)).round();
         }
@@ -140,10 +140,10 @@ impl UnilateralContact {
 
     /// Both places of the base, or the one, that a place in the coordinates of the solution stands for.
     fn images(&self, place: f64) -> [f64; 2] {
-        if self.solved.medium.is_disk() {
+        if self.solved.ground.is_disk() {
             return [-place, place];
         }
-        let is_image = self.solved.medium.is_closed() && place.abs() > 1.0;
+        let is_image = self.solved.ground.is_closed() && place.abs() > 1.0;
         let place = if is_image { place - 2.0 * (0.5 * place).round() } else { place };
         [place; 2]
     }
@@ -174,10 +174,10 @@ impl Solution for UnilateralContact {
     /// Of a disk along its diameter; of a wave without gaps a zone may reach beyond the base, on its image.
     fn zones(&self) -> Vec<[f64; 2]> {
         let zones = self.solved.zones.iter().map(|zone| [zone.left(), zone.right()]);
-        if self.solved.medium.is_closed() {
+        if self.solved.ground.is_closed() {
             return on_the_base(zones);
         }
-        if !self.solved.medium.is_disk() {
+        if !self.solved.ground.is_disk() {
             return zones.collect();
         }
         let mut along: Vec<[f64; 2]> = Vec::new();
@@ -233,7 +233,7 @@ impl Solution for UnilateralContact {
         if self.zone(place).is_some() {
             // Of the equation itself: the layer without the profile, with the sign turned.
             let State { settlement, tilt, .. } = self.solved.state;
-            let tilt = if self.solved.medium.is_disk() { 0.0 } else { tilt };
+            let tilt = if self.solved.ground.is_disk() { 0.0 } else { tilt };
             return settlement - tilt * place - self.solved.layer_at(place, 0.0) + turned;
         }
         self.solved.displacement_outside(place) + turned

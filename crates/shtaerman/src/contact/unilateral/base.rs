@@ -1,8 +1,11 @@
 //! The base of the punch as unilateral contact sees it: where it bends and where an edge of the contact can rest.
 
+use std::cell::OnceCell;
+use std::rc::Rc;
 use std::sync::Arc;
 
 use super::anchor::Anchor;
+use super::coarse::{self, Coarse};
 use super::effort::Effort;
 use super::layer::Layer;
 use crate::contact::ground::Ground;
@@ -24,11 +27,13 @@ const SHORT: f64 = 8.0;
 const SAMPLES_A_PART: usize = 16;
 /// Most cells.
 pub(super) const MOST_CELLS: usize = 3072;
-/// Offset at which both sides of a breakpoint are compared, and the share of the profile's range that makes a jump.
-const BESIDE: f64 = 1e-9;
+/// Offset at which both sides of a breakpoint are compared, and width of the slit at which a wave without gaps is cut.
+pub(super) const BESIDE: f64 = 1e-9;
+/// The share of the profile's range that makes a jump.
 const JUMP: f64 = 1e-6;
-/// Width of the slit at which a wave without gaps is cut.
-const SEAM: f64 = 1e-9;
+
+/// Length of base within which all zones must lie for heights from a tangent.
+const SMALL_ZONES: f64 = 0.1;
 
 /// A dimensionless problem with what is worth knowing about its profile.
 #[derive(Clone)]
@@ -38,7 +43,7 @@ pub(super) struct Base<'p> {
     pub(super) load: Load,
     pub(super) theta: f64,
     /// What the punch stands on.
-    pub(super) medium: Arc<dyn Ground>,
+    pub(super) ground: Arc<dyn Ground>,
     pub(super) layer: Layer,
     /// Whether the whole base stays in contact.
     pub(super) is_bilateral: bool,
@@ -60,6 +65,8 @@ pub(super) struct Base<'p> {
     pub(super) is_mirrored: bool,
     /// Where heights are counted from.
     pub(super) anchor: Option<Anchor>,
+    /// What cells tell, once that is asked for.
+    coarse: OnceCell<Rc<Coarse>>,
     /// How far collocation goes.
     pub(super) effort: Effort,
     /// What was done so far.
@@ -81,7 +88,7 @@ fn beside(problem: &Problem, joints: &[f64], step: f64) -> Result<Vec<(f64, f64)
 
 /// Whether base and load of an open contact are their own mirror images.
 fn is_mirrored(base: &Base<'_>) -> bool {
-    let is_open = !base.medium.is_disk() && !base.medium.is_closed();
+    let is_open = !base.ground.is_disk() && !base.ground.is_closed();
     let is_even = |values: &[f64]| values.iter().zip(values.iter().rev()).all(|(a, b)| *a == -*b);
     let ends: Vec<f64> = base.pieces.iter().flatten().copied().collect();
     is_open && is_even(&base.breaks) && is_even(&ends) && base.problem.is_symmetric()
@@ -92,8 +99,8 @@ impl<'p> Base<'p> {
         let problem = setting.problem();
         let wanted = 4 * problem.profile().measured_points().unwrap_or(0);
         let count = wanted.clamp(SAMPLES, MOST_SAMPLES);
-        let medium = ground(problem)?;
-        let pieces = if medium.is_disk() { vec![[0.0, 1.0]] } else { problem.frame().pieces() };
+        let ground = ground(problem)?;
+        let pieces = if ground.is_disk() { vec![[0.0, 1.0]] } else { problem.frame().pieces() };
         let length: f64 = pieces.iter().map(|[left, right]| right - left).sum();
         let mut samples = Vec::with_capacity(count + pieces.len());
         for [left, right] in &pieces {
@@ -122,12 +129,13 @@ impl<'p> Base<'p> {
             smoothness: parts.smoothness,
             breaks: parts.joints,
             walls: Walls::of(&pieces),
-            medium,
+            ground,
             pieces,
             samples,
             beside,
             is_mirrored: false,
             anchor: None,
+            coarse: OnceCell::new(),
             effort: Effort::MOST,
             work: Work::default(),
         };
@@ -161,7 +169,7 @@ impl<'p> Base<'p> {
 
     /// The same base under another load, with nothing done so far.
     pub(super) fn under(&self, load: Load) -> Self {
-        Self { load, work: Work::default(), ..self.clone() }
+        Self { load, work: Work::default(), coarse: OnceCell::new(), ..self.clone() }
     }
 
     /// Where the force acts, if the load says so.
@@ -188,13 +196,13 @@ impl<'p> Base<'p> {
 
     /// The place on the base: a wave without gaps goes on beyond its period.
     pub(super) fn on_base(&self, xi: f64) -> f64 {
-        if self.medium.is_closed() && xi.abs() > 1.0 { xi - 2.0 * (0.5 * xi).round() } else { xi }
+        if self.ground.is_closed() && xi.abs() > 1.0 { xi - 2.0 * (0.5 * xi).round() } else { xi }
     }
 
     /// The wave seen between `cut` and `cut + 2`.
     pub(super) fn shifted(mut self, cut: f64) -> Self {
         // The ends of a zone do not meet: there the kernel is infinite.
-        let window = [cut + SEAM, cut + 2.0 - SEAM];
+        let window = [cut + BESIDE, cut + 2.0 - BESIDE];
         let images = |at: f64| [at - 2.0, at, at + 2.0].into_iter();
         let inside = |at: &f64| *at > window[0] && *at < window[1];
         let mut breaks: Vec<f64> =
@@ -211,6 +219,7 @@ impl<'p> Base<'p> {
         self.walls = Walls::of(&[window]);
         (self.breaks, self.samples, self.pieces, self.origin) =
             (breaks, samples, vec![window], cut + 1.0);
+        self.coarse = OnceCell::new();
         self.find_steps();
         self
     }
@@ -222,13 +231,12 @@ impl<'p> Base<'p> {
 
     /// Whether the kernel is the logarithm, and the layer linear: of one punch or of two.
     pub(super) fn is_line(&self) -> bool {
-        self.medium.is_logarithm() && self.layer.is_linear()
+        self.ground.is_logarithm() && self.layer.is_linear()
     }
 
-    /// Whether panels serve: on any ground with fast products; for a layer that bends where the base has ends.
+    /// Whether panels serve: on any ground with fast products.
     pub(super) fn has_panels(&self) -> bool {
-        let is_open = !self.medium.is_closed();
-        self.medium.panel_kernel().is_some() && (self.layer.is_linear() || is_open)
+        self.ground.panel_kernel().is_some()
     }
 
     /// Whether panels are tried first: the third derivative of the base jumps at measured points, where collocation loses its digits, or the base falls into more parts than
@@ -240,12 +248,12 @@ impl<'p> Base<'p> {
 
     /// Whether a zone is the whole circle of a wave without gaps.
     pub(super) fn is_joined(&self, zone: &Zone) -> bool {
-        self.medium.is_closed() && zone.length() >= 2.0
+        self.ground.is_closed() && zone.length() >= 2.0
     }
 
-    /// The same with little effort.
-    pub(super) fn with_little_effort(&self) -> Self {
-        Self { effort: Effort::LITTLE, work: Work::default(), ..self.clone() }
+    /// The same with so much effort.
+    pub(super) fn with_effort(&self, effort: Effort) -> Self {
+        Self { effort, work: Work::default(), ..self.clone() }
     }
 
     /// The pieces of the base as zones.
@@ -292,12 +300,12 @@ impl<'p> Base<'p> {
 
     /// Refuses what a geometry does not know, and leaves out of the load what it answers elsewhere.
     fn require_geometry(&mut self) -> Result<(), Error> {
-        if self.medium.is_disk() {
+        if self.ground.is_disk() {
             require_even(self.problem)?;
             // Tilt and moment belong to another harmonic.
             self.load.rotational = Rotational::Tilt(0.0);
         }
-        if self.medium.is_closed() {
+        if self.ground.is_closed() {
             let (field, value) = match self.problem.load().rotational {
                 Rotational::Moment(value) => ("moment", value),
                 Rotational::Eccentricity(value) => ("eccentricity", value),
@@ -333,9 +341,30 @@ impl<'p> Base<'p> {
 }
 
 impl Base<'_> {
-    /// The same with heights from the tangent at a place; `None` where the profile has none there.
-    pub(super) fn anchored(&self, at: f64) -> Option<Self> {
-        let anchor = Anchor::new(self.problem, at)?;
+    /// Where the base touches, to about a cell.
+    pub(super) fn coarse(&self) -> Result<Rc<Coarse>, Error> {
+        if let Some(known) = self.coarse.get() {
+            return Ok(Rc::clone(known));
+        }
+        let found = Rc::new(coarse::loaded(self, self.cells())?);
+        Ok(Rc::clone(self.coarse.get_or_init(|| found)))
+    }
+
+    /// The same with heights from the tangent where the zones are, if these are small: differences of heights have few digits there. None where they are not, or the profile has no tangent.
+    pub(super) fn anchored(&self) -> Option<Self> {
+        if self.ground.is_disk() || self.ground.is_closed() {
+            return None;
+        }
+        let found = self.coarse().unwrap_or_default();
+        let zones = found.intervals();
+        // The line of the force passes between the ends of the contact.
+        let arm = self.line_of_force().map(|arm| [arm; 2]);
+        let left = zones.first().copied().or(arm)?[0];
+        let right = zones.last().copied().or(arm)?[1];
+        if right - left >= SMALL_ZONES {
+            return None;
+        }
+        let anchor = Anchor::new(self.problem, 0.5 * (left + right))?;
         let rise = |&(xi, _): &(f64, f64)| (xi, anchor.rise(self.problem, xi));
         let mut base = self.under(anchor.load(self.load));
         base.samples = self.samples.iter().map(rise).collect();

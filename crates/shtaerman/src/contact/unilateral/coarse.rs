@@ -1,16 +1,17 @@
-//! Which parts of the base touch, for any medium and layer: complementarity on cells, a layer that bends by the linear ones that touch it.
+//! Which parts of the base touch, on any ground and layer: complementarity on cells, a layer that bends by the linear ones that touch it.
 
 use fredholm::complementarity::{Complementarity, Condition};
 
-use super::base::Base;
-use super::extent::{extent, reference_pressure};
-use crate::contact::cells::{Cell, Cells, Limits, Loaded};
+use super::base::{BESIDE, Base};
+use super::extent::reference_pressure;
+use crate::contact::cells::{Cell, Cells, Limits, Loaded, closing_in};
 use crate::contact::search::Equation;
+use crate::contact::valleys;
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Vertical};
 
 /// How far cells are refined.
-const LIMITS: Limits = Limits { shortest: 1e-9, most: 1200, rounds: 20 };
+const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: 40 };
 /// Fewest cells of a piece.
 const CELLS_A_PIECE: usize = 8;
 /// Linear layers that follow each other for one that bends, and the change of pressures at which they stop.
@@ -20,11 +21,6 @@ const CLOSE: f64 = 1e-3;
 const FAINT: f64 = 1e-3;
 /// Pressures above this share of the largest are linearised by the tangent, others by the secant.
 const TANGENT: f64 = 0.05;
-
-/// The zones of contact to about a cell.
-pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<[f64; 2]>, Error> {
-    Ok(loaded(base, count)?.intervals)
-}
 
 /// What cells tell.
 #[derive(Debug, Clone, Default)]
@@ -39,9 +35,26 @@ impl Coarse {
         self.intervals.is_empty()
     }
 
-    /// The zones of contact.
+    /// The intervals of contact to about a cell.
+    pub(super) fn intervals(&self) -> &[[f64; 2]] {
+        &self.intervals
+    }
+
+    /// The same as zones.
     pub(super) fn zones(&self, base: &Base<'_>) -> Vec<Zone> {
         self.intervals.iter().map(|ends| base.zone(*ends)).collect()
+    }
+
+    /// The middle of the longest gap of a wave that is one with its images; none where all cells touch.
+    pub(super) fn gap(&self) -> Option<f64> {
+        let [.., last] = self.intervals[..] else { return None };
+        let mut before = last[1] - 2.0;
+        let gaps = self
+            .intervals
+            .iter()
+            .map(|[left, right]| [std::mem::replace(&mut before, *right), *left]);
+        let longest = gaps.max_by(|one, two| (one[1] - one[0]).total_cmp(&(two[1] - two[0])))?;
+        (longest[1] - longest[0] > BESIDE).then(|| 0.5 * (longest[0] + longest[1]))
     }
 
     /// The pressure of the cell of a place; none beside all cells.
@@ -64,26 +77,17 @@ pub(super) fn loaded(base: &Base<'_>, count: usize) -> Result<Coarse, Error> {
     Ok(found)
 }
 
-/// The middle of the longest gap of a wave that is one with its images; none where all cells touch.
-pub(super) fn gap(base: &Base<'_>, count: usize) -> Result<Option<f64>, Error> {
-    let found = find(base, count)?;
-    let (Some(first), Some(last)) = (found.first(), found.last()) else { return Ok(None) };
-    let mut gaps: Vec<[f64; 2]> = found.windows(2).map(|pair| [pair[0][1], pair[1][0]]).collect();
-    gaps.push([last[1], first[0] + 2.0]);
-    let longest =
-        gaps.into_iter().max_by(|one, two| (one[1] - one[0]).total_cmp(&(two[1] - two[0])));
-    Ok(longest.filter(|gap| gap[1] - gap[0] > LIMITS.shortest).map(|gap| 0.5 * (gap[0] + gap[1])))
-}
-
 /// About so many cells of the base.
 fn cells(base: &Base<'_>, count: usize) -> Cells {
     let length: f64 = base.pieces.iter().map(|[left, right]| right - left).sum();
+    let valleys: Vec<f64> = valleys::valleys(&base.samples).collect();
     let pieces = base.pieces.iter().map(|&[left, right]| {
         let steps = (count as f64 * (right - left) / length).ceil() as usize;
-        let steps = steps.max(CELLS_A_PIECE);
-        let step = (right - left) / steps as f64;
-        let mut cuts: Vec<f64> = (1..steps).map(|i| left + step * i as f64).collect();
-        cuts.extend(base.breaks.iter().filter(|at| **at > left && **at < right));
+        let inside: Vec<f64> =
+            valleys.iter().copied().filter(|at| *at > left && *at < right).collect();
+        let mut cuts = valleys::cuts(&inside, [left, right], steps.max(CELLS_A_PIECE));
+        cuts.extend(&base.breaks);
+        cuts.extend(closing_in(base.load, length / count as f64, LIMITS.shortest));
         ([left, right], cuts)
     });
     Cells::new(pieces, LIMITS)
@@ -92,7 +96,7 @@ fn cells(base: &Base<'_>, count: usize) -> Cells {
 /// Pressures of the cells.
 fn pressures(base: &Base<'_>, cells: &Cells) -> Result<Vec<f64>, Error> {
     let equations = Equations::new(base, cells);
-    let reference = reference_pressure(base, &extent(base));
+    let reference = reference_pressure(base, &base.whole_extent());
     let exponent = base.layer.exponent();
     let mut pressures = vec![reference; cells.cells().len()];
     let mut carrying = cells.carrying();
@@ -129,15 +133,15 @@ struct Equations {
 impl Equations {
     fn new(base: &Base<'_>, cells: &Cells) -> Self {
         let places: Vec<[f64; 2]> = cells.cells().iter().map(Cell::ends).collect();
-        let (matrix, masses) = base.medium.cells(&places);
+        let (matrix, masses) = base.ground.cells(&places);
         let roots: Vec<f64> = masses.iter().map(|mass| mass.sqrt()).collect();
         let vertical = match base.load.vertical {
-            Vertical::Force(force) => Vertical::Force(force / base.medium.area()),
+            Vertical::Force(force) => Vertical::Force(force / base.ground.area()),
             Vertical::Settlement(settlement) => Vertical::Settlement(settlement),
         };
         let load = Load { vertical, ..base.load };
         let loaded = Loaded::new(cells, roots, load, 1.0, |xi| base.height(xi));
-        let theta = base.medium.strength() * base.theta;
+        let theta = base.ground.strength() * base.theta;
         Self { matrix, loaded, theta }
     }
 

@@ -2,6 +2,7 @@
 
 use super::base::{Base, MOST_CELLS};
 use super::check::check;
+use super::coarse;
 use super::mirror::mirror;
 use super::refinement::{ALL_NOISE, RATIO, refined, strength};
 use super::solved::Solved;
@@ -17,9 +18,7 @@ use crate::contact::zones::{Walls, Zone};
 const MOST_ZONES: usize = 40;
 /// Numbers of cells, each four times the one before.
 const TOPOLOGIES: u32 = 3;
-/// Most nodes on either side of the middle of a panel while zones are looked for.
-const MOST_HALF_COUNT: f64 = 300.0;
-/// Ends this close to a wall, and inside of it, are there: the check looks just inside a wall.
+/// Ends this close to a wall are there: the check looks just inside a wall.
 const BESIDE: f64 = 1e-11;
 
 impl Equation for Base<'_> {
@@ -45,19 +44,22 @@ impl Equation for Base<'_> {
 
     /// Walls, steps of the base too, hold the contact until they pull: where the pressure rises towards one a free end would be led away from it.
     fn zone(&self, ends: [f64; 2]) -> Zone {
-        let walls = [0, 1].map(|side| self.walls.near(side, ends[side], BESIDE));
+        let walls = [0, 1].map(|side| {
+            let inwards = if side == 0 { BESIDE } else { -BESIDE };
+            self.walls.near(side, ends[side] + inwards, 2.0 * BESIDE)
+        });
         let zone = Zone::new(
             [0, 1].map(|side| walls[side].unwrap_or(ends[side])),
             walls.map(|wall| wall.is_none()),
         );
-        if self.medium.is_disk() { zone.about_axis() } else { zone }
+        if self.ground.is_disk() { zone.about_axis() } else { zone }
     }
 
     fn arranged(&self, mut zones: Vec<Zone>) -> Vec<Zone> {
         if self.is_mirrored {
             mirror(&mut zones);
         }
-        if self.medium.is_disk() {
+        if self.ground.is_disk() {
             zones.iter_mut().for_each(|zone| *zone = zone.about_axis());
         }
         zones
@@ -79,7 +81,10 @@ impl Equation for Base<'_> {
     }
 
     fn intervals(&self, cells: usize) -> Result<Vec<[f64; 2]>, Error> {
-        self.first_intervals(cells)
+        if cells == self.cells() {
+            return Ok(self.coarse()?.intervals().to_vec());
+        }
+        Ok(coarse::loaded(self, cells)?.intervals().to_vec())
     }
 
     fn effort(&self, zones: &[Zone], before: Option<Resolution>) -> Result<Resolution, Error> {
@@ -89,14 +94,14 @@ impl Equation for Base<'_> {
         let wanted = strength(self, zones).min(room) / RATIO;
         match before.filter(|known| known.strength >= wanted) {
             Some(known) => Ok(known),
-            None => Resolution::new(&self.medium, wanted),
+            None => Resolution::new(&self.ground, wanted),
         }
     }
 
     fn finer(&self, solved: &Solved, effort: &Resolution) -> Option<Resolution> {
         let room = self.effort.nodes as f64 / (2.0 * solved.panels.len() as f64);
-        let finer = (effort.strength * RATIO).min(MOST_HALF_COUNT).min(room);
-        if finer > effort.strength { Resolution::new(&self.medium, finer).ok() } else { None }
+        let finer = (effort.strength * RATIO).min(room);
+        if finer > effort.strength { Resolution::new(&self.ground, finer).ok() } else { None }
     }
 
     fn solve(

@@ -9,11 +9,22 @@ pub(super) struct Extent {
     pub(super) area: f64,
 }
 
-/// Length and area of the whole base.
-pub(super) fn extent(base: &Base<'_>) -> Extent {
-    let length = base.pieces.iter().map(|[left, right]| right - left).sum();
-    let area = if base.medium.is_disk() { std::f64::consts::PI } else { length };
-    Extent { length, area }
+impl Base<'_> {
+    /// Length and area of intervals.
+    pub(super) fn extent(&self, intervals: impl Iterator<Item = [f64; 2]>) -> Extent {
+        let (mut length, mut rings) = (0.0, 0.0);
+        for [left, right] in intervals {
+            length += right - left;
+            rings += (right - left) * (right + left);
+        }
+        let area = if self.ground.is_disk() { std::f64::consts::PI * rings } else { length };
+        Extent { length, area }
+    }
+
+    /// The same of the whole base.
+    pub(super) fn whole_extent(&self) -> Extent {
+        self.extent(self.pieces.iter().copied())
+    }
 }
 
 /// The pressure about which a layer that bends is made linear: the mean one, or what the settlement makes of a layer on the body.
@@ -41,11 +52,11 @@ pub(super) fn reference_pressure(base: &Base<'_>, extent: &Extent) -> f64 {
 impl Base<'_> {
     /// `k theta0 dp0/dv`, about: how strong the body is against the layer.
     pub(super) fn steepness(&self) -> f64 {
-        let strength = self.medium.strength() * self.theta;
+        let strength = self.ground.strength() * self.theta;
         if self.layer.is_linear() {
             return strength;
         }
-        let pressure = reference_pressure(self, &extent(self));
+        let pressure = reference_pressure(self, &self.whole_extent());
         strength * self.layer.slope(self.layer.displacement(pressure))
     }
 }

@@ -14,13 +14,13 @@ use super::between::between_nodes;
 use super::solved::Solved;
 use crate::contact::check::Check;
 use crate::contact::ground::SharedKernel;
+use crate::contact::search::ALLOWED;
+use crate::contact::zones::Zone;
 use crate::solver::AIM;
 use crate::{Error, Rotational};
 
 /// Points at which the pressure is looked at for tension.
 const POINTS: usize = 400;
-/// Tension relative to the largest pressure that is rounding.
-const ALLOWED: f64 = 1e-10;
 
 /// The answer, with the tilt of a circular punch.
 pub(super) fn answer(
@@ -28,7 +28,7 @@ pub(super) fn answer(
     mut solved: Solved,
     check: &Check,
 ) -> Result<UnilateralContact, Error> {
-    let Some(kernel) = base.medium.turned_kernel()? else {
+    let Some(kernel) = base.ground.turned_kernel()? else {
         return Ok(UnilateralContact::new(base, solved, check));
     };
     let wanted = base.problem.dimensionless_load().rotational;
@@ -76,9 +76,9 @@ pub(super) fn answer(
     solved.stated.accuracy = accuracy;
     let tilted = Tilted { unit, tilt, kernel };
     if !base.is_bilateral {
-        let limit = base.largest_share(&solved, &tilted);
+        let [limit, tension] = base.tension(&solved, &tilted);
         let rounding = solved.rounding() + ALLOWED * solved.largest();
-        if limit < 1.0 && base.worst_tension(&solved, &tilted) > rounding {
+        if limit < 1.0 && tension > rounding {
             let (field, value) = given;
             return Err(Error::LiftsOff { field, value, limit: limit * value.abs() });
         }
@@ -90,33 +90,20 @@ fn largest(solution: &SincSolution) -> f64 {
     solution.values().iter().fold(0.0, |most, p| most.max(p.abs()))
 }
 
-fn points() -> impl Iterator<Item = f64> {
-    between_nodes(POINTS).map(|y| 0.5 * (1.0 + y))
-}
-
 impl Base<'_> {
-    fn covers(&self, solved: &Solved) -> bool {
-        matches!(&solved.zones[..], [zone] if zone.left() == 0.0 && zone.right() == 1.0)
-    }
-
-    /// How much of the tilt keeps the whole base in contact.
-    fn largest_share(&self, solved: &Solved, tilted: &Tilted) -> f64 {
-        if !self.covers(solved) {
-            return 0.0;
+    /// How much of the tilt keeps the whole base in contact, and the tension under all of it.
+    fn tension(&self, solved: &Solved, tilted: &Tilted) -> [f64; 2] {
+        let covers = |zone: &Zone| zone.ends == [0.0, 1.0];
+        if !matches!(&solved.zones[..], [zone] if covers(zone)) {
+            return [0.0, f64::INFINITY];
         }
-        points()
-            .filter(|r| *r > 0.0)
-            .map(|r| solved.pressure_at(r, self.height(r)).max(0.0) / tilted.pressure(r).abs())
-            .fold(f64::INFINITY, f64::min)
-    }
-
-    fn worst_tension(&self, solved: &Solved, tilted: &Tilted) -> f64 {
-        if !self.covers(solved) {
-            return f64::INFINITY;
-        }
-        points()
-            .map(|r| tilted.pressure(r).abs() - solved.pressure_at(r, self.height(r)))
-            .fold(f64::NEG_INFINITY, f64::max)
+        between_nodes(POINTS).map(|y| 0.5 * (1.0 + y)).filter(|r| *r > 0.0).fold(
+            [f64::INFINITY, f64::NEG_INFINITY],
+            |[share, tension], r| {
+                let (even, odd) = (solved.pressure_at(r, self.height(r)), tilted.pressure(r).abs());
+                [share.min(even.max(0.0) / odd), tension.max(odd - even)]
+            },
+        )
     }
 
     /// `dM0/d(-alpha0)` on the zones as they are.
@@ -127,13 +114,13 @@ impl Base<'_> {
             .collect();
         let half_count = solved.panel_count() / 2;
         let known = match panels[..] {
-            [(0.0, 1.0)] => self.medium.known_turned_operator(half_count).transpose()?,
+            [(0.0, 1.0)] => self.ground.known_turned_operator(half_count).transpose()?,
             _ => None,
         };
         let operator = match known {
             Some(operator) => operator,
             None => {
-                let grid = self.medium.grid(half_count)?;
+                let grid = self.ground.grid(half_count)?;
                 Arc::new(SincOperator::on_panels(kernel.as_ref(), grid, &panels)?)
             }
         };

@@ -4,6 +4,12 @@ use crate::error::require;
 use crate::roughness::Law;
 use crate::{Error, Problem};
 
+/// Most steps of Newton's method for a layer that bends, and halvings of one.
+pub(super) const STEPS: usize = 80;
+pub(super) const CUTS: i32 = 12;
+/// Share of the layer under about the mean pressure below which there is next to no pressure.
+pub(super) const FAINT: f64 = 0.1;
+
 /// The law `v = p0^kappa`; where `v < 0` a layer that bends has no pressure, one that is linear pulls.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Layer {
@@ -36,11 +42,6 @@ impl Layer {
         self.exponent
     }
 
-    /// The law with another exponent.
-    pub(super) fn with_exponent(self, exponent: f64) -> Self {
-        Self { exponent }
-    }
-
     /// `p0(v)`.
     pub(super) fn pressure(&self, v: f64) -> f64 {
         if self.is_linear() { v } else { v.max(0.0).powf(1.0 / self.exponent) }
@@ -53,6 +54,17 @@ impl Layer {
         }
         let power = 1.0 / self.exponent;
         power * v.max(0.0).powf(power - 1.0)
+    }
+
+    /// What a step of Newton's method makes of `v`, `uniform` under about the mean pressure: where it raises `v` it is one of the pressure, of which the elastic displacement is linear; else a
+    /// steep law makes far too much of it.
+    pub(super) fn raised(&self, v: f64, step: f64, uniform: f64) -> f64 {
+        let from = v.max(FAINT * uniform);
+        let rise = v + step - from;
+        if rise <= 0.0 {
+            return v + step;
+        }
+        self.displacement(self.pressure(from) + self.slope(from) * rise)
     }
 
     /// `v(p0)` for `p0 >= 0`.

@@ -1,27 +1,18 @@
 //! A layer that bends, `v = p0^kappa`, on given zones: Newton's method for `v + theta K p(v) = D - beta y - f0`.
 //!
-//! The solution is where a convex energy of the pressure is least, and Newton's step for `v` is one for that; steps are cut until the residual falls.
-//! Where they stall the exponent is approached in stages from 1.
+//! The solution is where a convex energy of the pressure is least, and Newton's step for `v` is one for that; steps are cut until the residual falls. Where a step raises `v` it is taken as
+//! one of the pressure, of which the elastic displacement is linear: else a steep law makes far too much of it.
 
 use fredholm::SincOperator;
 
 use super::extent::reference_pressure;
-use super::layer::Layer;
+use super::layer::{CUTS, Layer, STEPS};
 use super::solved::Solved;
 use super::system::{Direction, Factor, Found, System};
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::ground::Hull;
 use crate::{Error, Vertical};
 
-/// Most steps at one exponent.
-const STEPS: usize = 80;
-/// A step cut this often leads nowhere.
-const CUTS: i32 = 12;
-/// Stages on the way from the linear layer where the direct way fails.
-const STAGES: [i32; 3] = [1, 6, 24];
-/// A change of the layer this small beside its size and that of the displacements is rounding.
-const STILL: f64 = 32.0 * f64::EPSILON;
-/// A residual this small beside its terms is rounding.
-const EXACT: f64 = 16.0 * f64::EPSILON;
 /// A residual below this share of its scale, which does not fall any more, is rounding.
 const SMALL: f64 = 1e-20;
 
@@ -50,61 +41,16 @@ pub(super) fn solve(
     operator: &SincOperator,
     before: Option<&Solved>,
 ) -> Result<Found, Error> {
-    let layer = system.base.layer;
+    let law = system.base.layer;
+    let uniform = law.displacement(reference_pressure(system.base, &system.extent()));
+    let newton = Newton { system, operator, uniform };
     if let Some(before) = before
-        && let Ok(found) = Newton::new(system, operator, layer).settle(continued(system, before))
+        && let Ok(found) = newton.settle(continued(system, before), false)
     {
         return Ok(found);
     }
-    for stages in STAGES {
-        if let Ok(found) = in_stages(system, operator, stages) {
-            return Ok(found);
-        }
-    }
-    let iterations = STEPS * STAGES.iter().sum::<i32>() as usize;
-    let tolerance = SMALL.sqrt();
-    Err(fredholm::Error::NotConverged { iterations, residual: f64::NAN, tolerance }.into())
-}
-
-/// From the linear layer of the same compliance under the mean pressure, by exponents in geometric steps.
-fn in_stages(
-    system: &System<'_, '_>,
-    operator: &SincOperator,
-    stages: i32,
-) -> Result<Found, Error> {
-    let layer = system.base.layer;
-    let stage =
-        |k: i32| layer.with_exponent(layer.exponent().powf(f64::from(k) / f64::from(stages)));
-    let pressure = reference_pressure(system.base, &system.zones_extent());
-    let mut guess = linear(system, operator, pressure)?;
-    // Pressures stay as they are from one exponent to the next.
-    let mut known = layer.with_exponent(1.0);
-    let mut found = None;
-    for k in 1..=stages {
-        let next = if k == stages { layer } else { stage(k) };
-        for v in &mut guess.layer {
-            *v = if *v > 0.0 { next.displacement(known.pressure(*v)) } else { *v };
-        }
-        let settled = Newton::new(system, operator, next).settle(guess.clone())?;
-        guess = Guess { layer: settled.solution.values().to_vec(), local: settled.local };
-        (known, found) = (next, Some(settled));
-    }
-    found.ok_or_else(|| system.singular())
-}
-
-/// The linear layer `v = c p`, `c = p_r^(kappa - 1)`, with its pressures as `v`.
-fn linear(system: &System<'_, '_>, operator: &SincOperator, pressure: f64) -> Result<Guess, Error> {
-    let compliance = pressure.powf(system.base.layer.exponent() - 1.0);
-    let factor = Factor::Linear(operator.factor(system.parameter() / compliance)?);
-    let frame = system.frame(&factor)?;
-    // Pressures for the unit of D are those of 1/c: the change of units is one of D and beta.
-    let scaled: [Direction; 2] = frame.map(|direction| direction.per(compliance));
-    let heights: Vec<f64> = system.heights.iter().map(|height| height / compliance).collect();
-    let given = system.direction(&factor.solve(&heights)?, -1.0, [0.0, 0.0]);
-    let local = system.balanced(&scaled, &given)?;
-    let right: Vec<f64> =
-        system.right_hand_side(local).into_iter().map(|value| value / compliance).collect();
-    Ok(Guess { layer: factor.solve(&right)?.values().to_vec(), local })
+    let layer = vec![uniform; system.positions.len()];
+    newton.settle(Guess { layer, local: [0.0; 2] }, true)
 }
 
 /// The layer of a solution on other zones or nodes; outside its zones less the gap.
@@ -127,15 +73,17 @@ fn continued(system: &System<'_, '_>, before: &Solved) -> Guess {
 struct Newton<'s, 'b, 'p, 'o> {
     system: &'s System<'b, 'p>,
     operator: &'o SincOperator,
-    layer: Layer,
+    /// What the layer gives under about the mean pressure.
+    uniform: f64,
 }
 
 impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
-    fn new(system: &'s System<'b, 'p>, operator: &'o SincOperator, layer: Layer) -> Self {
-        Self { system, operator, layer }
+    fn law(&self) -> Layer {
+        self.system.base.layer
     }
 
-    fn settle(&self, guess: Guess) -> Result<Found, Error> {
+    /// From a guess, whose `D` and `beta` may be unknown.
+    fn settle(&self, guess: Guess, mut is_blind: bool) -> Result<Found, Error> {
         let scales = self.scales(&guess);
         let mut trial = self.trial(guess, &scales)?;
         for _ in 0..STEPS {
@@ -150,9 +98,10 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
                 + largest(&self.system.heights)
                 + constant.abs()
                 + slope.abs();
-            let is_still =
-                largest(&step) <= STILL * size || trial.merit.sqrt() * scales[2] <= EXACT * size;
-            let next = self.shortened(&trial, &step, local, &scales)?;
+            let is_still = largest(&step) <= ROUNDING * size
+                || trial.merit.sqrt() * scales[2] <= ROUNDING * size;
+            let next = self.shortened(&trial, &step, (local, is_blind), &scales);
+            is_blind = false;
             let found = |trial: Trial, frame| Found {
                 local: trial.guess.local,
                 solution: trial.solution,
@@ -174,7 +123,7 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
     }
 
     fn factor(&self, guess: &Guess) -> Result<Factor<'o>, Error> {
-        let mut weights: Vec<f64> = guess.layer.iter().map(|v| self.layer.slope(*v)).collect();
+        let mut weights: Vec<f64> = guess.layer.iter().map(|v| self.law().slope(*v)).collect();
         if self.system.base.is_mirrored {
             // Even but for rounding: to the last bit they keep factors of half the size.
             let last = weights.len() - 1;
@@ -201,35 +150,34 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
         Ok((step, local))
     }
 
-    /// The longest of the halved steps that lowers the residual.
+    /// The longest of the halved steps that lowers the residual; `D` and `beta`, which are linear, are taken as they are while they are unknown.
     fn shortened(
         &self,
         trial: &Trial,
         step: &[f64],
-        local: [f64; 2],
+        (local, is_blind): ([f64; 2], bool),
         scales: &[f64; 3],
-    ) -> Result<Option<Trial>, Error> {
-        for cut in 0..CUTS {
+    ) -> Option<Trial> {
+        (0..CUTS).find_map(|cut| {
             let share = 0.5f64.powi(cut);
+            let linear = if is_blind { 1.0 } else { share };
+            let steps = trial.guess.layer.iter().zip(step);
             let guess = Guess {
-                layer: trial.guess.layer.iter().zip(step).map(|(v, dv)| v + share * dv).collect(),
-                local: std::array::from_fn(|k| trial.guess.local[k] + share * local[k]),
+                layer: steps
+                    .map(|(v, dv)| self.law().raised(*v, share * dv, self.uniform))
+                    .collect(),
+                local: std::array::from_fn(|k| trial.guess.local[k] + linear * local[k]),
             };
-            let next = self.trial(guess, scales);
             // A step too long may leave the range of double precision.
-            if let Ok(next) = next
-                && next.merit <= (1.0 - 0.2 * share) * trial.merit
-            {
-                return Ok(Some(next));
-            }
-        }
-        Ok(None)
+            let next = self.trial(guess, scales).ok()?;
+            (next.merit <= (1.0 - 0.2 * share) * trial.merit).then_some(next)
+        })
     }
 
     fn trial(&self, guess: Guess, scales: &[f64; 3]) -> Result<Trial, Error> {
         let system = self.system;
         let right = system.right_hand_side(guess.local);
-        let pressures: Vec<f64> = guess.layer.iter().map(|v| self.layer.pressure(*v)).collect();
+        let pressures: Vec<f64> = guess.layer.iter().map(|v| self.law().pressure(*v)).collect();
         let solution = self.operator.response(system.parameter(), &right, &pressures)?;
         let residual: Vec<f64> =
             guess.layer.iter().zip(solution.values()).map(|(v, target)| v - target).collect();
@@ -247,10 +195,10 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
     fn scales(&self, guess: &Guess) -> [f64; 3] {
         let layer = guess.layer.iter().fold(0.0f64, |most, v| most.max(v.abs()));
         let layer = layer.max(f64::MIN_POSITIVE);
-        let extent = self.system.zones_extent();
+        let extent = self.system.extent();
         let force = match self.system.base.load.vertical {
             Vertical::Force(force) if force != 0.0 => force.abs(),
-            _ => extent.area * self.layer.pressure(layer).max(f64::MIN_POSITIVE),
+            _ => extent.area * self.law().pressure(layer).max(f64::MIN_POSITIVE),
         };
         let by = |is_force: bool| if is_force { force } else { layer };
         [by(self.system.is_by_force()), by(self.system.is_by_moment()), layer]

@@ -6,12 +6,12 @@ use super::base::Base;
 use super::between::between_nodes;
 use super::solved::{Solved, Stated};
 use super::system::Resolution;
-use crate::contact::accuracy::{Accuracy, ErrorKind};
+use crate::Error;
+use crate::contact::accuracy::Accuracy;
 use crate::contact::edges::settle;
-use crate::contact::resolutions::Trust;
+use crate::contact::resolutions::{Change, Trust};
 use crate::contact::zones::Zone;
 use crate::solver::AIM;
-use crate::{Error, Load, Rotational, Vertical};
 
 /// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys; and most of them.
 const NODES_A_VALLEY: f64 = 12.0;
@@ -24,13 +24,8 @@ pub(super) const ALL_NOISE: f64 = 0.1;
 const STAGNANT: f64 = 1e-9;
 /// A change of force and displacements, relative to their size, that is rounding.
 const RESOLVED: f64 = 1e-13;
-/// How many more nodes a layer that bends needs, whose pressure ends with another power.
-const BENT: f64 = RATIO;
-/// Points at which two resolutions are compared, on all panels and at least on each.
-const COMPARED: usize = 200;
-const LEAST_COMPARED: usize = 64;
-/// Rounding of settlement, tilt, force and moment relative to their size.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Points of each panel at which two resolutions are compared.
+const COMPARED: usize = 128;
 
 /// Nodes on either side of the middle of a panel that are about right for the longest panel.
 pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
@@ -39,10 +34,11 @@ pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
         .flat_map(|zone| zone.panels(&base.breaks))
         .fold(0.0f64, |most, (left, right)| most.max(right - left));
     let count = first_half_count(0.5 * base.steepness() * longest);
-    let count = if base.layer.is_linear() { count } else { BENT * count };
+    // The pressure of a layer that bends ends with another power.
+    let count = if base.layer.is_linear() { count } else { RATIO * count };
     // On fewer nodes a wavy base shows tension where there is none, and zones would be cut there.
     let waves = NODES_A_VALLEY * base.valleys() as f64 * 0.5 * longest;
-    count.max(waves.min(MOST_FOR_VALLEYS)).max(base.medium.first_half_count(longest))
+    count.max(waves.min(MOST_FOR_VALLEYS)).max(base.ground.first_half_count(longest))
 }
 
 /// The answer on growing numbers of nodes, from one on fewer: `start` is the first number on either side of the middle of a panel.
@@ -50,7 +46,7 @@ pub(super) fn refined(base: &Base<'_>, coarse: &Solved, start: f64) -> Result<So
     let tolerance = base.problem.solver().tolerance.unwrap_or(AIM);
     let strength = |power: i32| start * RATIO.powi(power);
     let level = |zones: &[Zone], power: i32| {
-        settle(base, zones, &Resolution::new(&base.medium, strength(power))?)
+        settle(base, zones, &Resolution::new(&base.ground, strength(power))?)
     };
     let mut fine = level(&coarse.zones, 0)?;
     let mut before = difference(base, &fine, coarse);
@@ -93,27 +89,12 @@ fn resolved(solved: &Solved, change: &Change) -> bool {
             ))
 }
 
-/// Differences between two resolutions.
-struct Change {
-    pressure: f64,
-    settlement: f64,
-    tilt: f64,
-    force: f64,
-    moment: f64,
-    edge: f64,
-}
-
 fn difference(base: &Base<'_>, fine: &Solved, coarse: &Solved) -> Change {
-    let same = fine.zones.len() == coarse.zones.len();
-    let edge = (fine.zones.iter().zip(&coarse.zones))
-        .flat_map(|(one, two)| (0..2).map(move |side| (one.ends[side] - two.ends[side]).abs()))
-        .fold(if same { 0.0 } else { 2.0 }, f64::max);
-    let compared = (COMPARED / fine.panels.len()).max(LEAST_COMPARED);
     let pressure = (fine.panels.iter())
         .flat_map(|panel| {
             let (middle, half) =
                 (0.5 * (panel.left + panel.right), 0.5 * (panel.right - panel.left));
-            between_nodes(compared).map(move |y| (middle + half * y).clamp(panel.left, panel.right))
+            between_nodes(COMPARED).map(move |y| (middle + half * y).clamp(panel.left, panel.right))
         })
         .map(|xi| {
             let height = base.height(xi);
@@ -122,44 +103,17 @@ fn difference(base: &Base<'_>, fine: &Solved, coarse: &Solved) -> Change {
             (fine.pressure_at(xi, height) - other).abs()
         })
         .fold(0.0, f64::max);
-    Change {
-        pressure,
-        settlement: (fine.state.settlement - coarse.state.settlement).abs(),
-        tilt: (fine.state.tilt - coarse.state.tilt).abs(),
-        force: (fine.state.force - coarse.state.force).abs(),
-        moment: (fine.state.moment - coarse.state.moment).abs(),
-        edge,
-    }
+    Change::between([fine, coarse].map(|solved| (&solved.state, &solved.zones[..])), pressure)
 }
 
-/// The error of the finest of three resolutions, and that of its edges; none for what the load prescribes.
+/// The error of the finest of three resolutions, and that of its edges.
 fn estimate(base: &Base<'_>, fine: &Solved, before: &Change, change: &Change) -> (Accuracy, f64) {
-    let Load { vertical, rotational } = base.load;
     let largest = fine.largest();
     let pressures = [before.pressure, change.pressure];
     let trust = Trust::new(base.smoothness, RATIO, pressures, fine.pressure_rounding(), largest);
-    let of = |unknown: bool, part: fn(&Change) -> f64, scale: f64, share: f64| {
-        let estimate = trust.left_of_one([part(before), part(change)], scale, share);
-        if unknown { estimate.max(ROUNDING * scale) } else { 0.0 }
-    };
-    let state = &fine.state;
-    let displacement = state.settlement.abs().max(state.tilt.abs());
-    let force = state.force.abs().max(state.moment.abs());
-    let by_force = matches!(vertical, Vertical::Force(_));
-    let by_tilt = matches!(rotational, Rotational::Tilt(_));
-    let by_moment = matches!(rotational, Rotational::Moment(_));
-    let length: f64 = fine.zones.iter().map(Zone::length).sum();
-    // Of two that belong together one may agree by chance.
-    let displaced = |change: &Change| change.settlement.max(change.tilt);
-    let carried = |change: &Change| change.force.max(change.moment);
-    let accuracy = Accuracy {
-        kind: ErrorKind::Estimate,
-        pressure: trust.left(pressures, largest).max(fine.pressure_rounding()),
-        settlement: of(by_force, displaced, displacement, 1.0),
-        tilt: of(!by_tilt, displaced, displacement, 1.0),
-        force: of(!by_force, carried, force, length),
-        moment: of(!by_moment, carried, force, length),
-    };
-    let edge = of(true, |c| c.edge, 1.0, length / largest.max(f64::MIN_POSITIVE));
-    (accuracy, edge.max(fine.edge_rounding()))
+    let length = fine.zones.iter().map(Zone::length).sum();
+    let (accuracy, edge) =
+        trust.accuracy(base.load, [before, change], &fine.state.sizes(largest), length);
+    let pressure = accuracy.pressure.max(fine.pressure_rounding());
+    (Accuracy { pressure, ..accuracy }, edge.max(fine.edge_rounding()))
 }

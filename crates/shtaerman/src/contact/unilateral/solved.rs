@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use fredholm::collocation::Place;
+use fredholm::SincSolution;
+use fredholm::collocation::{Place, rounding};
 
 use super::base::Base;
-use super::field::Field;
 use super::layer::Layer;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
@@ -32,13 +32,13 @@ impl Panel {
 pub(super) struct Solved {
     pub(super) zones: Vec<Zone>,
     pub(super) panels: Vec<Panel>,
-    pub(super) medium: Arc<dyn Ground>,
+    pub(super) ground: Arc<dyn Ground>,
     pub(super) layer: Layer,
     pub(super) hull: Hull,
     /// `xi` of the nodes.
     pub(super) positions: Vec<f64>,
     /// The displacement `v` of the layer; its integrals are those of the pressure.
-    pub(super) solution: Field,
+    pub(super) solution: SincSolution,
     /// `D` and `beta`.
     pub(super) local: [f64; 2],
     pub(super) state: State,
@@ -57,8 +57,8 @@ pub(super) struct Stated {
 impl Stated {
     /// With what a kernel that is not known to all digits leaves in a displacement, and that in the pressure and in the ends.
     pub(super) fn with_kernel(self, base: &Base<'_>, solved: &Solved) -> Self {
-        let body = base.medium.strength() * base.theta * solved.state.force.abs();
-        let missed = base.medium.kernel_error() * body;
+        let body = base.ground.strength() * base.theta * solved.state.force.abs();
+        let missed = base.ground.kernel_error() * body;
         if missed == 0.0 {
             return self;
         }
@@ -101,7 +101,7 @@ impl Solved {
     /// Rounding of the displacement of the layer: of what the body gives, and of `D - beta y - f0`, whose terms are large where small zones lie far from the middle.
     pub(super) fn rounding(&self) -> f64 {
         let [constant, slope] = self.local;
-        self.solution.rounding() + f64::EPSILON * (constant.abs() + slope.abs())
+        rounding(&self.solution) + f64::EPSILON * (constant.abs() + slope.abs())
     }
 
     /// Rounding of the pressure.
@@ -161,15 +161,15 @@ impl Solved {
     pub(super) fn layer_at(&self, xi: f64, height: f64) -> f64 {
         let place = place(&self.panels, &self.hull, xi);
         let right_hand_side = self.local[0] - self.local[1] * place.position - height;
-        self.solution.at(place, right_hand_side)
+        self.solution.evaluate_place(place, right_hand_side)
     }
 
     /// `theta0 k int K(xi, eta) p0 dm` for `xi` outside the zones.
     pub(super) fn displacement_outside(&self, xi: f64) -> f64 {
         let Hull { centre, half } = self.hull;
         let y = (xi - centre) / half;
-        let local = self.solution.integral(|t| self.medium.value(y, t));
-        let gauge = self.medium.gauge(&self.hull);
+        let local = self.solution.integral(|t| self.ground.value(y, t));
+        let gauge = self.ground.gauge(&self.hull);
         self.solution.parameter() * (local - self.solution.integral(|_| 1.0) * gauge)
     }
 }

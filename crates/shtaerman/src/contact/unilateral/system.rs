@@ -13,9 +13,7 @@ use fredholm::collocation::{SincFactor, SincGrid, WeightedFactor};
 use fredholm::{SincOperator, SincSolution};
 
 use super::base::Base;
-use super::elimination;
 use super::extent::Extent;
-use super::field::Field;
 use super::power;
 use super::solved::{Panel, Solved, Stated};
 use crate::contact::balance::State;
@@ -25,13 +23,13 @@ use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// Fewest nodes on either side of the middle of a panel.
-const FEWEST: usize = 8;
+pub(super) const FEWEST: usize = 8;
 
 /// A number of nodes with what can be shared among zones.
 pub(super) struct Resolution {
     /// Nodes on either side of the middle of a panel, before they are rounded to a number.
     pub(super) strength: f64,
-    medium: Arc<dyn Ground>,
+    ground: Arc<dyn Ground>,
     grid: Arc<SincGrid>,
     /// The operator on the local interval in one panel.
     whole: OnceCell<Arc<SincOperator>>,
@@ -44,15 +42,15 @@ type Built = (Vec<(f64, f64)>, Arc<SincOperator>);
 
 impl Resolution {
     /// About so many nodes on either side of the middle of a panel.
-    pub(super) fn new(medium: &Arc<dyn Ground>, strength: f64) -> Result<Self, Error> {
-        let grid = medium.grid((strength.round() as usize).max(FEWEST))?;
+    pub(super) fn new(ground: &Arc<dyn Ground>, strength: f64) -> Result<Self, Error> {
+        let grid = ground.grid((strength.round() as usize).max(FEWEST))?;
         let (whole, latest) = (OnceCell::new(), RefCell::new(None));
-        Ok(Self { strength, medium: Arc::clone(medium), grid, whole, latest })
+        Ok(Self { strength, ground: Arc::clone(ground), grid, whole, latest })
     }
 
     fn operator(&self, panels: &[(f64, f64)]) -> Result<Arc<SincOperator>, Error> {
-        let build = || self.medium.operator(&self.grid, panels).map(Arc::new);
-        let is_whole = matches!((self.medium.local_ends(), panels), (Some([left, right]), [panel]) if *panel == (left, right));
+        let build = || self.ground.operator(&self.grid, panels).map(Arc::new);
+        let is_whole = matches!((self.ground.local_ends(), panels), (Some([left, right]), [panel]) if *panel == (left, right));
         if !is_whole {
             if let Some((known, operator)) = &*self.latest.borrow()
                 && known == panels
@@ -66,7 +64,7 @@ impl Resolution {
         if let Some(known) = self.whole.get() {
             return Ok(Arc::clone(known));
         }
-        let operator = match self.medium.known_operator(self.grid.half_count()) {
+        let operator = match self.ground.known_operator(self.grid.half_count()) {
             Some(operator) => operator?,
             None => build()?,
         };
@@ -123,8 +121,6 @@ impl Solved {
 pub(super) struct Direction {
     /// Displacement of the layer at the nodes.
     pub(super) values: Vec<f64>,
-    /// `int p' dm`, which the gauge counts.
-    spread: f64,
     pub(super) force: f64,
     /// Moment about the centre of the hull: about that of the base, small zones far from it would lose twice the digits.
     turn: f64,
@@ -135,7 +131,7 @@ pub(super) struct Direction {
 
 pub(super) struct System<'b, 'p> {
     pub(super) base: &'b Base<'p>,
-    pub(super) medium: Arc<dyn Ground>,
+    pub(super) ground: Arc<dyn Ground>,
     pub(super) zones: Vec<Zone>,
     pub(super) panels: Vec<Panel>,
     pub(super) hull: Hull,
@@ -149,22 +145,10 @@ impl Direction {
     pub(super) fn scaled(&self, share: f64) -> Self {
         Self {
             values: self.values.iter().map(|v| share * v).collect(),
-            spread: share * self.spread,
             force: share * self.force,
             turn: share * self.turn,
             constant: share * self.constant,
             slope: share * self.slope,
-        }
-    }
-
-    /// The direction with its pressure divided, `D` and `beta` as they are.
-    pub(super) fn per(self, divisor: f64) -> Self {
-        Self {
-            values: self.values.iter().map(|v| v / divisor).collect(),
-            spread: self.spread / divisor,
-            force: self.force / divisor,
-            turn: self.turn / divisor,
-            ..self
         }
     }
 }
@@ -178,15 +162,15 @@ impl<'b, 'p> System<'b, 'p> {
         let (Some(first), Some(last)) = (zones.first(), zones.last()) else {
             return Err(Error::NoContact);
         };
-        let medium = Arc::clone(&base.medium);
-        let hull = medium.hull(first.left(), last.right(), base.origin);
+        let ground = Arc::clone(&base.ground);
+        let hull = ground.hull(first.left(), last.right(), base.origin);
         let panels: Vec<Panel> = (zones.iter().enumerate())
             .flat_map(|(zone, place)| {
                 let panels = place.panels(&base.breaks);
                 panels.into_iter().map(move |(left, right)| Panel { left, right, zone })
             })
             .collect();
-        let operator = resolution.operator(&local_panels(medium.as_ref(), &hull, &panels))?;
+        let operator = resolution.operator(&local_panels(ground.as_ref(), &hull, &panels))?;
         let positions: Vec<f64> = operator
             .places()
             .map(|place| {
@@ -202,7 +186,7 @@ impl<'b, 'p> System<'b, 'p> {
         let heights: Vec<f64> =
             positions.iter().map(|&xi| base.finite_height(xi)).collect::<Result<_, _>>()?;
         let zones = zones.to_vec();
-        Ok(Self { base, medium, zones, panels, hull, operator, positions, heights })
+        Ok(Self { base, ground, zones, panels, hull, operator, positions, heights })
     }
 
     pub(super) fn panel_count(&self) -> usize {
@@ -211,12 +195,12 @@ impl<'b, 'p> System<'b, 'p> {
 
     /// `k theta0`.
     pub(super) fn strength(&self) -> f64 {
-        self.medium.strength() * self.base.theta
+        self.ground.strength() * self.base.theta
     }
 
     /// `theta`.
     pub(super) fn parameter(&self) -> f64 {
-        self.strength() * self.medium.scale(&self.hull)
+        self.strength() * self.ground.scale(&self.hull)
     }
 
     pub(super) fn is_by_force(&self) -> bool {
@@ -227,20 +211,12 @@ impl<'b, 'p> System<'b, 'p> {
         !matches!(self.base.load.rotational, Rotational::Tilt(_))
     }
 
-    /// Length of the zones and the area that carries.
-    pub(super) fn zones_extent(&self) -> Extent {
-        let length = self.zones.iter().map(Zone::length).sum();
-        let rings = |zone: &Zone| zone.length() * (zone.left() + zone.right());
-        let area = if self.medium.is_disk() {
-            std::f64::consts::PI * self.zones.iter().map(rings).sum::<f64>()
-        } else {
-            length
-        };
-        Extent { length, area }
+    pub(super) fn extent(&self) -> Extent {
+        self.base.extent(self.zones.iter().map(|zone| zone.ends))
     }
 
     pub(super) fn gauge(&self) -> f64 {
-        self.medium.gauge(&self.hull)
+        self.ground.gauge(&self.hull)
     }
 
     /// `D - beta y - f0` at the nodes.
@@ -286,31 +262,30 @@ impl<'b, 'p> System<'b, 'p> {
         given: &Direction,
         prescribed: [f64; 2],
     ) -> Result<[f64; 2], Error> {
-        let rows = (0..2)
-            .map(|k| {
-                let of = |direction: &Direction| self.conditions(direction)[k];
-                vec![of(&frame[0]), of(&frame[1]), prescribed[k] - of(given)]
-            })
-            .collect();
-        let found = elimination::solve(rows).ok_or_else(|| self.singular())?;
-        Ok([found[0], found[1]])
+        let [[a, c], [b, d]] = frame.each_ref().map(|direction| self.conditions(direction));
+        let known = self.conditions(given);
+        let lack = [prescribed[0] - known[0], prescribed[1] - known[1]];
+        let determinant = a * d - b * c;
+        let found =
+            [(lack[0] * d - b * lack[1]) / determinant, (a * lack[1] - lack[0] * c) / determinant];
+        if found.iter().all(|value| value.is_finite()) { Ok(found) } else { Err(self.singular()) }
     }
 
     fn finish(self, found: Found) -> Solved {
         let Found { local, solution, frame } = found;
         let state = self.state(local, &solution);
         let stiffness = self.stiffness(&frame);
-        let Self { base, medium, zones, panels, hull, positions, .. } = self;
+        let Self { base, ground, zones, panels, hull, positions, .. } = self;
         let layer = base.layer;
         Solved {
             stated: Stated::none(),
             zones,
             panels,
-            medium,
+            ground,
             layer,
             hull,
             positions,
-            solution: Field::Panels(solution),
+            solution,
             local,
             state,
             stiffness,
@@ -326,9 +301,9 @@ impl<'b, 'p> System<'b, 'p> {
     fn carried(&self, solution: &SincSolution) -> [f64; 2] {
         let half = self.hull.half;
         let force =
-            self.medium.area() * self.medium.measure(&self.hull) * solution.integral(|_| 1.0);
+            self.ground.area() * self.ground.measure(&self.hull) * solution.integral(|_| 1.0);
         // Rings have no moment, and a wave that goes on has none that could turn it.
-        if self.medium.is_disk() || self.medium.is_closed() {
+        if self.ground.is_disk() || self.ground.is_closed() {
             return [force, 0.0];
         }
         [force, half * half * solution.integral(|y| y)]
@@ -341,7 +316,7 @@ impl<'b, 'p> System<'b, 'p> {
             let xi = centre + half * y;
             xi - 2.0 * (0.5 * xi).round()
         };
-        self.medium.measure(&self.hull) * solution.integral(lever)
+        self.ground.measure(&self.hull) * solution.integral(lever)
     }
 
     /// A solution for a right-hand side, with what it adds to `D` and `beta`.
@@ -353,15 +328,15 @@ impl<'b, 'p> System<'b, 'p> {
     ) -> Direction {
         let [force, turn] = self.carried(solution).map(|part| sign * part);
         let values = solution.values().iter().map(|v| sign * v).collect();
-        Direction { values, spread: force, force, turn, constant, slope }
+        Direction { values, force, turn, constant, slope }
     }
 
     /// Settlement, tilt, force and moment of a direction.
     pub(super) fn changes(&self, direction: &Direction) -> State {
         let Hull { centre, half } = self.hull;
-        let Direction { spread, force, turn, constant, slope, .. } = direction;
+        let Direction { force, turn, constant, slope, .. } = direction;
         State {
-            settlement: constant + centre / half * slope - self.base.theta * self.gauge() * spread,
+            settlement: constant + centre / half * slope - self.base.theta * self.gauge() * force,
             tilt: slope / half,
             force: *force,
             moment: turn + self.arm() * force,
@@ -370,7 +345,7 @@ impl<'b, 'p> System<'b, 'p> {
 
     /// Where moments are counted from, as `xi`: rings have none, and a wave that goes on has none that could turn it.
     fn arm(&self) -> f64 {
-        if self.medium.is_disk() || self.medium.is_closed() { 0.0 } else { self.hull.centre }
+        if self.ground.is_disk() || self.ground.is_closed() { 0.0 } else { self.hull.centre }
     }
 
     /// What a direction adds to the two prescribed quantities, a moment about the centre where the force is prescribed.
@@ -417,30 +392,16 @@ impl<'b, 'p> System<'b, 'p> {
     /// Settlement, tilt, force and moment; what is prescribed comes back as given.
     fn state(&self, [constant, slope]: [f64; 2], solution: &SincSolution) -> State {
         let Hull { centre, half } = self.hull;
-        let [carried, turn] = self.carried(solution);
-        let tilt = match self.base.load.rotational {
-            Rotational::Tilt(tilt) => tilt,
-            Rotational::Moment(_) | Rotational::Eccentricity(_) => slope / half,
+        let [force, turn] = self.carried(solution);
+        let moment = if self.ground.is_closed() {
+            self.moment_of_a_period(solution)
+        } else {
+            turn + self.arm() * force
         };
-        let (force, settlement) = match self.base.load.vertical {
-            Vertical::Force(force) => {
-                (force, constant + tilt * centre - self.base.theta * force * self.gauge())
-            }
-            Vertical::Settlement(settlement) => (carried, settlement),
-        };
-        let moment = match self.base.load.rotational {
-            Rotational::Moment(moment) => moment,
-            Rotational::Eccentricity(e) => e * force,
-            Rotational::Tilt(_) if self.medium.is_closed() => self.moment_of_a_period(solution),
-            Rotational::Tilt(_) => turn + self.arm() * carried,
-        };
-        // Adding zero turns a negative zero into a plain one.
-        State {
-            settlement: settlement + 0.0,
-            tilt: tilt + 0.0,
-            force: force + 0.0,
-            moment: moment + 0.0,
-        }
+        let load = &self.base.load;
+        let state = State { settlement: 0.0, tilt: slope / half, force, moment }.given(load);
+        let gauge = self.base.theta * state.force * self.gauge();
+        State { settlement: constant + state.tilt * centre - gauge, ..state }.given(load)
     }
 
     /// `d(P0, M0)/d(delta0, -alpha0)` on these zones; free edges that move add nothing of first order.
@@ -461,8 +422,8 @@ impl<'b, 'p> System<'b, 'p> {
 }
 
 /// The panels in local coordinates.
-fn local_panels(medium: &dyn Ground, hull: &Hull, panels: &[Panel]) -> Vec<(f64, f64)> {
-    let ends = medium.local_ends();
+fn local_panels(ground: &dyn Ground, hull: &Hull, panels: &[Panel]) -> Vec<(f64, f64)> {
+    let ends = ground.local_ends();
     let local = |xi: f64| {
         let y = (xi - hull.centre) / hull.half;
         ends.map_or(y, |[left, right]| y.clamp(left, right))
@@ -474,7 +435,7 @@ fn local_panels(medium: &dyn Ground, hull: &Hull, panels: &[Panel]) -> Vec<(f64,
         && let (Some(first), Some(last)) = (panels.first(), panels.last())
     {
         let end = local.len() - 1;
-        if !medium.is_disk() || first.left == 0.0 {
+        if !ground.is_disk() || first.left == 0.0 {
             local[0].0 = left;
         }
         if last.right > first.left {

@@ -34,9 +34,10 @@ pub(in crate::contact::unilateral) struct SpotContact {
 impl SpotContact {
     /// Where full contact pulls most; none where it does so no more than rounding.
     pub(in crate::contact::unilateral) fn pulls_most(&self) -> Option<f64> {
-        let nodes = self.level.field.panels().nodes().iter().zip(&self.level.pressures);
+        let nodes = self.level.field.panels().nodes().iter().zip(&self.level.given);
         let (y, least) = nodes.min_by(|one, two| one.1.total_cmp(two.1))?;
-        let allowed = self.accuracy.pressure.max(PULLING * self.level.largest());
+        let known_to = self.accuracy.pressure / self.level.layer.slope(self.level.largest());
+        let allowed = known_to.max(PULLING * self.level.largest());
         (*least < -allowed).then(|| self.level.chart.place(*y))
     }
 

@@ -8,15 +8,11 @@ use fredholm::multipole::{PanelCondition, PanelEquation};
 use super::chart::Chart;
 use super::level::{Found, Known, Task};
 use crate::Error;
-use crate::contact::unilateral::extent::{extent, reference_pressure};
+use crate::contact::unilateral::extent::reference_pressure;
+use crate::contact::unilateral::layer::{CUTS, FAINT, STEPS};
 
-/// Most steps, and halvings of one.
-const STEPS: usize = 60;
-const CUTS: i32 = 10;
 /// Residuals of a step relative to what it is to take away: by the square of what the step before left, within these.
 const INEXACT: [f64; 2] = [1e-4, 0.1];
-/// Share of the layer under about the mean pressure below which there is next to no pressure.
-const FAINT: f64 = 0.1;
 /// A residual below this share of the layer, which does not fall any more, is rounding.
 const SMALL: f64 = 1e-9;
 
@@ -28,7 +24,7 @@ pub(super) fn solve(
     known: Known<'_>,
 ) -> Result<Option<Found>, Error> {
     let law = task.base.layer;
-    let uniform = law.displacement(reference_pressure(task.base, &extent(task.base)));
+    let uniform = law.displacement(reference_pressure(task.base, &task.base.whole_extent()));
     let newton = Newton { task, chart, uniform };
     let multipliers = vec![0.0; task.given.conditions.len()];
     let mut trial = newton.trial(newton.start(start, known), multipliers);
@@ -161,7 +157,9 @@ impl Newton<'_, '_, '_, '_> {
         (0..CUTS).find_map(|cut| {
             let share = 0.5f64.powi(cut);
             let steps = trial.given.iter().zip(&change.given);
-            let given = steps.map(|(v, dv)| self.moved(*v, share * dv)).collect();
+            let law = self.task.base.layer;
+            let raised = |(v, dv): (&f64, &f64)| law.raised(*v, share * dv, self.uniform);
+            let given = steps.map(raised).collect();
             // These are linear, and the first are unknown altogether.
             let share_of_all = if is_first { 1.0 } else { share };
             let steps = trial.multipliers.iter().zip(&change.multipliers);
@@ -170,17 +168,6 @@ impl Newton<'_, '_, '_, '_> {
             let falls = merit(&next) <= (1.0 - 0.1 * share) * merit(trial);
             (next.norm.is_finite() && falls).then_some(next)
         })
-    }
-
-    /// What a step makes of `v`.
-    fn moved(&self, v: f64, step: f64) -> f64 {
-        let law = self.task.base.layer;
-        let from = v.max(FAINT * self.uniform);
-        let rise = v + step - from;
-        if rise <= 0.0 {
-            return v + step;
-        }
-        law.displacement(law.pressure(from) + law.slope(from) * rise)
     }
 
     fn found(&self, trial: Trial) -> Result<Found, Error> {

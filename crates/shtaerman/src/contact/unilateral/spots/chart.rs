@@ -19,8 +19,8 @@ pub(super) struct Chart {
 impl Chart {
     /// None where the ground has no fast products.
     pub(super) fn new(base: &Base<'_>) -> Option<Self> {
-        let (kernel, half) = base.medium.panel_kernel()?;
-        Some(Self { kernel, centre: base.origin, half, is_closed: base.medium.is_closed() })
+        let (kernel, half) = base.ground.panel_kernel()?;
+        Some(Self { kernel, centre: base.origin, half, is_closed: base.ground.is_closed() })
     }
 
     /// Whether the base is a wave without gaps.

@@ -9,12 +9,15 @@ use super::chart::Chart;
 use super::mesh::{Fineness, panels};
 use super::positive::positive;
 use crate::contact::balance::State;
+use crate::contact::search::Equation;
 use crate::contact::unilateral::base::Base;
 use crate::contact::unilateral::coarse::Coarse;
 use crate::contact::unilateral::layer::Layer;
-use crate::contact::zones::{EndKind, Zone};
+use crate::contact::zones::Zone;
 use crate::{Error, Rotational, Vertical};
 
+/// Rounding of single terms: of the right-hand side, and of the pressure at an edge.
+pub(super) const NONE: f64 = 4.0 * f64::EPSILON;
 /// Most nodes.
 const MOST_NODES: usize = 400_000;
 /// Longest groups, in lengths of the layer, and about the most groups beyond the number of zones.
@@ -23,10 +26,6 @@ const MOST_GROUPS: f64 = 400.0;
 /// How panels that are too long are shortened, and how far.
 const SHORTER: f64 = 0.25;
 const SHORTEST: f64 = 1e-3;
-/// Edges this close to a wall are there.
-const BESIDE: f64 = 1e-12;
-/// Rounding of the right-hand side.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Samples between measured points, between other joints, and at least.
 const SAMPLES: usize = 4;
 const SAMPLES_A_PART: usize = 24;
@@ -266,17 +265,7 @@ impl Level {
     pub(super) fn next_zones(&self, base: &Base<'_>, sampled: &[Sampled], none: f64) -> Vec<Zone> {
         let given = |xi: f64| self.layer_at(xi, base.height(xi));
         let on_piece = |piece: &Sampled| positive(&given, &piece.at, &piece.values, none);
-        let mut zones: Vec<Zone> = sampled.iter().flat_map(on_piece).collect();
-        for zone in &mut zones {
-            for side in 0..2 {
-                let inwards = if side == 0 { BESIDE } else { -BESIDE };
-                let wall = base.walls.near(side, zone.ends[side] + inwards, 2.0 * BESIDE);
-                if let Some(wall) = wall {
-                    (zone.ends[side], zone.kinds[side]) = (wall, EndKind::Wall);
-                }
-            }
-        }
-        zones
+        sampled.iter().flat_map(on_piece).map(|ends| base.zone(ends)).collect()
     }
 }
 
@@ -337,7 +326,7 @@ impl Task<'_, '_, '_> {
     pub(super) fn groups(&self, chart: &Chart, modulus: Option<&[f64]>) -> Result<Groups, Error> {
         let firmest = modulus.map_or(1.0, |w| w.iter().fold(0.0f64, |most, w| most.max(*w)));
         let strength = (self.parameter * firmest).max(f64::MIN_POSITIVE);
-        let layer = (GROUP / strength).powf(1.0 / (1.0 - self.base.medium.exponent()));
+        let layer = (GROUP / strength).powf(1.0 / (1.0 - self.base.ground.exponent()));
         let longest = layer.max(self.total / MOST_GROUPS);
         let panels = self.operator.panels();
         Ok(Groups::new(chart.kernel, panels, self.parameter, longest, modulus)?)
@@ -351,7 +340,7 @@ impl Task<'_, '_, '_> {
 
     /// The residual that is small enough for a layer of this norm.
     pub(super) fn tolerance(&self, size: f64) -> f64 {
-        (self.effort.residual * size).max(ROUNDING * self.norm(&self.given.right))
+        (self.effort.residual * size).max(NONE * self.norm(&self.given.right))
     }
 
     fn linear(&self, chart: &Chart, start: &[Option<f64>]) -> Result<Found, Error> {
@@ -431,20 +420,11 @@ fn balanced(
 ) -> State {
     let mut multipliers = multipliers.iter().copied();
     let carried = |lever: &dyn Fn(f64) -> f64| chart.half() * panels.integral(pressures, lever);
-    let (force, settlement) = match base.load.vertical {
-        Vertical::Force(force) => (force, multipliers.next().unwrap_or(0.0)),
-        Vertical::Settlement(settlement) => (carried(&|_| 1.0), settlement),
+    let settlement = match base.load.vertical {
+        Vertical::Force(_) => multipliers.next().unwrap_or(0.0),
+        Vertical::Settlement(settlement) => settlement,
     };
-    let (moment, tilt) = match base.load.rotational {
-        Rotational::Moment(moment) => (moment, -multipliers.next().unwrap_or(0.0)),
-        Rotational::Eccentricity(e) => (e * force, -multipliers.next().unwrap_or(0.0)),
-        Rotational::Tilt(tilt) => (carried(&|y| chart.lever(y)), tilt),
-    };
-    // Adding zero turns a negative zero into a plain one.
-    State {
-        settlement: settlement + 0.0,
-        tilt: tilt + 0.0,
-        force: force + 0.0,
-        moment: moment + 0.0,
-    }
+    let tilt = -multipliers.next().unwrap_or(0.0);
+    let (force, moment) = (carried(&|_| 1.0), carried(&|y| chart.lever(y)));
+    State { settlement, tilt, force, moment }.given(&base.load)
 }

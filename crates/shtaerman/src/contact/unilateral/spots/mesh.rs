@@ -3,10 +3,8 @@
 use crate::contact::unilateral::base::Base;
 use crate::contact::zones::Zone;
 
-/// Length of a panel over its distance from a free end of its zone, from a corner or a kink, and from a measured point.
-const GROWTH: f64 = 0.8;
-const CORNER_GROWTH: f64 = 0.6;
-const POINT_GROWTH: f64 = 0.6;
+/// Length of a panel over its distance from an end of its zone or a bend.
+const GROWTH: f64 = 0.7;
 /// Longest panels of the base, from the first to be tried.
 pub(super) const LONGEST: f64 = 1.0 / 32.0;
 /// All of them for the logarithm: on graded ground `ln d` is a power `d^-mu`, and the panels have the lengths that make as much of it.
@@ -16,10 +14,8 @@ const POINT: f64 = 0.1;
 /// slope of the pressure at the end has nothing to do with their length.
 const FREE: f64 = 1e-6;
 const LONG: f64 = 1.0 / 16.0;
-/// The panel at a corner, where it goes on as `d ln d`, at a step, where it does as well but is hardly asked for so near, and at a kink, where it goes on as `d^2 ln d`, in lengths of
-/// the layer.
+/// The panel at a corner or a step, where it goes on as `d ln d`, and at a kink, where it goes on as `d^2 ln d`, in lengths of the layer.
 const CORNER: f64 = 1e-10;
-const STEP: f64 = 1e-8;
 const KINK: f64 = 1e-4;
 /// The same where a layer bends and the pressure begins as `d^(1/kappa)`: the share of its zone with what it adds to the potential.
 const BENT: f64 = 1e-11;
@@ -52,21 +48,19 @@ struct Anchor {
     is_left: bool,
     /// The panel at the place.
     shortest: f64,
-    /// Length of a panel over its distance from the place.
-    growth: f64,
 }
 
 impl Anchor {
     /// The longest panel between these places.
     fn allowed(&self, [left, right]: [f64; 2]) -> f64 {
         let distance = if self.is_left { left - self.at } else { self.at - right };
-        (self.growth * distance).max(self.shortest)
+        (GROWTH * distance).max(self.shortest)
     }
 
     /// Where the panel that reaches to the far one of these places may begin.
     fn cut(&self, [left, right]: [f64; 2]) -> f64 {
         let far = if self.is_left { right } else { left };
-        self.at + (far - self.at) / (1.0 + self.growth)
+        self.at + (far - self.at) / (1.0 + GROWTH)
     }
 }
 
@@ -116,32 +110,32 @@ pub(super) fn panels(
 /// The length of the layer, of one that bends under about the mean pressure.
 fn layer(base: &Base<'_>) -> f64 {
     let strength =
-        if base.layer.is_linear() { base.theta } else { base.steepness() / base.medium.strength() };
-    strength.max(1.0).powf(-1.0 / (1.0 - base.medium.exponent()))
+        if base.layer.is_linear() { base.theta } else { base.steepness() / base.ground.strength() };
+    strength.max(1.0).powf(-1.0 / (1.0 - base.ground.exponent()))
 }
 
 /// A share of lengths for a pressure that goes on as `d^power ln d`, for one that goes on as `d^(power - mu)`.
 fn share(base: &Base<'_>, share: f64, power: f64) -> f64 {
-    share.powf(power / (power - base.medium.exponent()))
+    share.powf(power / (power - base.ground.exponent()))
 }
 
 /// Both ends of a zone.
 fn ends(base: &Base<'_>, zone: &Zone, layer: f64, fineness: Fineness) -> [Anchor; 2] {
     [0, 1].map(|side| {
-        let (least, growth) = if base.is_joined(zone) {
+        let least = if base.is_joined(zone) {
             // The seam of a wave that touches all over is no corner.
-            (share(base, KINK, 2.0) * layer, CORNER_GROWTH)
+            share(base, KINK, 2.0) * layer
         } else if zone.is_free(side) {
             let root = (zone.length().min(LONG) * layer).sqrt();
             let kappa = base.layer.exponent();
             let bent = zone.length() * BENT.powf(kappa / (1.0 + kappa));
             let least = share(base, FREE.sqrt(), 2.0) * root;
-            (if base.layer.is_linear() { least } else { least.min(bent) }, GROWTH)
+            if base.layer.is_linear() { least } else { least.min(bent) }
         } else {
-            (share(base, CORNER, 1.0) * layer, CORNER_GROWTH)
+            share(base, CORNER, 1.0) * layer
         };
         let shortest = (fineness.ends * least).max(SHORTEST);
-        Anchor { at: zone.ends[side], is_left: side == 0, shortest, growth }
+        Anchor { at: zone.ends[side], is_left: side == 0, shortest }
     })
 }
 
@@ -153,14 +147,14 @@ fn bend(
     (layer, fineness): (f64, Fineness),
 ) -> Anchor {
     let at = if is_left { piece[0] } else { piece[1] };
-    let (shortest, growth) = if base.problem.profile().measured_points().is_some() {
-        (POINT * layer, POINT_GROWTH)
+    let shortest = if base.problem.profile().measured_points().is_some() {
+        POINT * layer
     } else if base.walls.contains(at) {
-        (fineness.ends * share(base, STEP, 1.0) * layer, CORNER_GROWTH)
+        fineness.ends * share(base, CORNER, 1.0) * layer
     } else {
-        (fineness.ends * share(base, KINK, 2.0) * layer, CORNER_GROWTH)
+        fineness.ends * share(base, KINK, 2.0) * layer
     };
-    Anchor { at, is_left, shortest: shortest.max(SHORTEST), growth }
+    Anchor { at, is_left, shortest: shortest.max(SHORTEST) }
 }
 
 /// Cuts a piece so that its parts grow with their distances from all of these places.

@@ -19,13 +19,13 @@ mod tests;
 pub(super) use answer::SpotContact;
 
 use super::base::Base;
-use super::coarse::{self, Coarse};
+use super::coarse::Coarse;
 use crate::Error;
 use crate::contact::complementarity::Complementarity;
 use crate::contact::solution::Solution;
 use crate::contact::zones::Zone;
 use estimate::estimate;
-use level::{Effort, Known, Level, Sampled, System};
+use level::{Effort, Known, Level, NONE, Sampled, System};
 use mesh::{Fineness, LONGEST, STRAIGHT};
 use responses::Responses;
 
@@ -51,9 +51,6 @@ const LADDER: [Effort; 3] = [
 ];
 /// Pressure at free edges over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off.
 const GOOD: [f64; 3] = [1e-4, 1e-6, 1e-7];
-/// Rounding of a pressure relative to what is added up in it, at edges and elsewhere.
-const NONE: f64 = 4.0 * f64::EPSILON;
-const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Most zones.
 const MOST_ZONES: usize = 2000;
 /// Answers with larger relative errors leave the problem to others.
@@ -67,20 +64,20 @@ pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
     if !base.layer.is_linear() {
         return solve_bent(base);
     }
-    let zones = base.first_zones(base.cells())?;
+    let zones = base.coarse()?.zones(base);
     solve_from(base, zones, None)
 }
 
 /// The answer for a layer that bends, from what cells find, or where they find nothing from the whole base: it has no pressure where it would pull.
 fn solve_bent(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
-    let coarse = coarse::loaded(base, base.cells()).ok().filter(|found| !found.is_empty());
+    let coarse = base.coarse().ok().filter(|found| !found.is_empty());
     let zones = coarse.as_ref().map_or_else(|| base.whole(), |found| found.zones(base));
-    solve_from(base, zones, coarse.as_ref())
+    solve_from(base, zones, coarse.as_deref())
 }
 
-/// The answer on the whole base; none where panels do not serve: a layer that bends does not pull.
+/// The answer on the whole base; none where panels do not serve.
 pub(super) fn solve_whole(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
-    if !base.has_panels() || !base.layer.is_linear() {
+    if !base.has_panels() {
         return Ok(None);
     }
     solve_from(base, base.whole(), None)
@@ -126,7 +123,7 @@ fn joints(base: &Base<'_>) -> Vec<f64> {
         return base.breaks.clone();
     }
     let mut joints = base.problem.profile().joints(base.problem.frame().half_width());
-    if base.medium.is_closed() {
+    if base.ground.is_closed() {
         // A wave is seen from elsewhere than it was measured, and bends at its seam as well.
         joints.push(1.0);
         let images = |at: &f64| [at - 2.0, *at, at + 2.0];

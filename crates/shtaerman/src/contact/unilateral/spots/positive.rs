@@ -1,6 +1,6 @@
 //! Where a function of the base is positive.
 
-use crate::contact::zones::Zone;
+use crate::contact::valleys::GOLDEN;
 
 /// Steps on the way to an edge, and towards a peak between samples.
 const STEPS: usize = 80;
@@ -12,7 +12,7 @@ pub(super) fn positive(
     at: &[f64],
     values: &[f64],
     none: f64,
-) -> Vec<Zone> {
+) -> Vec<[f64; 2]> {
     let mut edges = Vec::new();
     for i in 0..at.len() - 1 {
         if let Some(peak) = hidden(pressure, at, values, i) {
@@ -27,7 +27,7 @@ pub(super) fn positive(
 }
 
 /// Edges in turn open and close a zone.
-fn paired(mut edges: Vec<f64>, begins_inside: bool, [first, last]: [f64; 2]) -> Vec<Zone> {
+fn paired(mut edges: Vec<f64>, begins_inside: bool, [first, last]: [f64; 2]) -> Vec<[f64; 2]> {
     edges.sort_by(f64::total_cmp);
     if begins_inside {
         edges.insert(0, first);
@@ -35,11 +35,7 @@ fn paired(mut edges: Vec<f64>, begins_inside: bool, [first, last]: [f64; 2]) -> 
     if edges.len() % 2 == 1 {
         edges.push(last);
     }
-    edges
-        .chunks_exact(2)
-        .filter(|pair| pair[0] < pair[1])
-        .map(|pair| Zone::new([pair[0], pair[1]], [true; 2]))
-        .collect()
+    edges.chunks_exact(2).filter(|pair| pair[0] < pair[1]).map(|pair| [pair[0], pair[1]]).collect()
 }
 
 fn is_crossed(one: f64, other: f64) -> bool {
@@ -69,8 +65,7 @@ fn hidden(
     }
     let (mut left, mut right) = (at[i - 1], at[i + 1]);
     for _ in 0..GOLDEN_STEPS {
-        const SECTION: f64 = 0.381_966_011_250_105;
-        let inner = [left + SECTION * (right - left), right - SECTION * (right - left)];
+        let inner = [right - GOLDEN * (right - left), left + GOLDEN * (right - left)];
         let heights = inner.map(|xi| sign * pressure(xi));
         for (xi, height) in inner.iter().zip(heights) {
             if height > 0.0 {

@@ -14,7 +14,7 @@ use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// Residuals relative to the right-hand side, on the panels before the last and on those; of integrals the square is left.
-const RESIDUALS: [f64; 2] = [1e-9, 3e-11];
+const RESIDUALS: [f64; 2] = [1e-9, 1e-12];
 /// What is stated over the difference between both: the panels at free edges are only halved.
 const SAFETY: f64 = 4.0;
 /// Jumps of the pressure at the ends of panels, over the largest, that are no rounding.
@@ -122,8 +122,13 @@ impl Responses {
                 edges.iter().map(|[at, rise]| response.at(&chart, parameter, *at) / rise).sum();
             response
         };
+        let mut of_body = response(Given::Body(level.field.clone()), &body, &body_q, &body_left);
+        if base.layer.is_linear() && level.zones.iter().any(|zone| base.is_joined(zone)) {
+            // On a whole circle potentials have no mean, and no more has what a linear layer gives to them.
+            of_body.carried[0] = 0.0;
+        }
         let parts = [
-            response(Given::Body(level.field.clone()), &body, &body_q, &body_left),
+            of_body,
             response(Given::Level, &ones, &level_q, &level_left),
             response(Given::Turn, &lever, &turn_q, &turn_left),
         ];

@@ -7,7 +7,6 @@
 //!
 //! the operator of Newton's steps and of the stiffness. What a free edge `e` adds is of second order, as the pressure vanishes there; it moves by `e' = -v'/(dv/dxi)`.
 
-mod ring;
 mod tilted;
 
 use fredholm::SincSolution;
@@ -15,22 +14,18 @@ use fredholm::collocation::{extrapolate, first_half_count, rounding};
 
 use super::answer::UnilateralContact;
 use super::base::Base;
-use super::field::Field;
 use super::refinement::RATIO;
 use super::solved::{end_node, place};
-use super::system::{Factor, Resolution, System};
+use super::system::{FEWEST, Factor, Resolution, System};
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::rates::{Linearised, Rates};
 use crate::contact::setting::Setting;
 use crate::contact::zones::{EndKind, Zone};
 use crate::{ContactKind, Error, Load, Rotational};
 
-/// Fewest nodes on either side of the middle of a panel.
-const FEWEST: f64 = 8.0;
 /// Most nodes for a full base that was not collocated, and those for each Chebyshev degree of its profile.
 const MOST_NODES: f64 = 1200.0;
 const NODES_PER_DEGREE: f64 = 2.0;
-/// Rounding of a sum relative to the sizes of its terms.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// On ground that is graded more, the pressure goes as `d^(1-mu)` at corners, and no double is near enough to them: differences tell.
 const STEEPEST: f64 = 0.5;
@@ -58,25 +53,23 @@ impl UnilateralContact {
         base.anchor = self.anchor();
         base.load.vertical = load.vertical;
         // The tilt of a disk is another harmonic, a wave has none.
-        if !base.medium.is_disk() && !base.medium.is_closed() {
+        if !base.ground.is_disk() && !base.ground.is_closed() {
             base.load.rotational = load.rotational;
-        }
-        if matches!(solved.solution, Field::Ring(_)) {
-            return ring::linearised(&base, solved, self.locate(peak));
         }
         let located = self.locate(peak).abs();
         let is_corner = solved.zones.iter().any(|zone| {
             (0..2).any(|side| zone.kinds[side] == EndKind::Wall && zone.ends[side].abs() == located)
         });
-        if is_corner && base.medium.exponent() > STEEPEST {
+        if is_corner && base.ground.exponent() > STEEPEST {
             return None;
         }
-        if base.medium.is_closed() {
+        base.anchor = self.anchor();
+        if base.ground.is_closed() {
             base = base.shifted(solved.hull.centre - 1.0);
         }
         // As the solution itself was cut.
         base.breaks = solved.breaks();
-        let tilt = if base.medium.is_disk() { 0.0 } else { solved.state.tilt };
+        let tilt = if base.ground.is_disk() { 0.0 } else { solved.state.tilt };
         let known = Known {
             base: &base,
             zones: &solved.zones,
@@ -105,7 +98,7 @@ impl Setting {
         let base = Base::new(self, ContactKind::Bilateral).ok()?;
         let base = base.cut(&self.collocated_parts());
         let panels = base.breaks.len() + 1;
-        let smooth = first_half_count(base.steepness()).max(FEWEST);
+        let smooth = first_half_count(base.steepness()).max(FEWEST as f64);
         let wanted = smooth + NODES_PER_DEGREE * profile_degree as f64;
         // Of a linear layer the pressure itself counts for nothing.
         let known = Known {
@@ -125,7 +118,7 @@ impl Known<'_, '_> {
     /// By three numbers of nodes, the last of which is given.
     fn linearised(&self, half_count: usize) -> Option<Linearised> {
         let level = |power: i32| {
-            let count = (half_count as f64 * RATIO.powi(power)).round().max(FEWEST) as usize;
+            let count = (half_count as f64 * RATIO.powi(power)).round().max(FEWEST as f64) as usize;
             Level::new(self, count).and_then(|level| level.rates()).ok()
         };
         let (coarse, middle, fine) = (level(-2)?, level(-1)?, level(0)?);
@@ -166,7 +159,7 @@ struct Level<'k, 'b, 'p> {
 
 impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
     fn new(known: &'k Known<'b, 'p>, half_count: usize) -> Result<Self, Error> {
-        let resolution = Resolution::new(&known.base.medium, half_count as f64)?;
+        let resolution = Resolution::new(&known.base.ground, half_count as f64)?;
         let system = System::new(known.base, &resolution, known.zones)?;
         let layer = system.positions.iter().map(|&xi| (known.layer)(xi)).collect();
         Ok(Self { known, system, layer })
@@ -187,7 +180,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
         let elastic = system.direction(&factor.solve(&given)?, 1.0, [0.0; 2]);
         let edges = self.edges()?;
         // The tilt of a disk is another harmonic, a wave has none.
-        let is_level = system.medium.is_disk() || system.medium.is_closed();
+        let is_level = system.ground.is_disk() || system.ground.is_closed();
         let rotates =
             !is_level && !matches!(system.base.load.rotational, Rotational::Eccentricity(_));
         let rates = |share: f64, prescribed: [f64; 2]| -> Result<Change, Error> {
@@ -223,7 +216,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
         let pressure = slope * solution.evaluate_place(place, given);
         let rounded = rounding(solution);
         // An image on the other side of the axis moves along.
-        let sides = if base.medium.is_disk() { 2.0 } else { 1.0 };
+        let sides = if base.ground.is_disk() { 2.0 } else { 1.0 };
         let (mut width, mut noise) = (0.0, 0.0);
         for Edge { node, slope, noise: of_slope } in edges {
             let moved = -sides * solution.values()[*node] / slope;
@@ -249,7 +242,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
         let pressures: Vec<f64> = self.layer.iter().map(|v| base.layer.pressure(*v)).collect();
         let nothing = vec![0.0; pressures.len()];
         let solution = system.operator.response(system.parameter(), &nothing, &pressures)?;
-        let measure = system.medium.measure(&system.hull);
+        let measure = system.ground.measure(&system.hull);
         let masses: Vec<f64> = solution.node_masses().iter().map(|mass| measure * mass).collect();
         let count = system.panel_count();
         Ok(free
@@ -268,7 +261,7 @@ impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
         let profile = base.slope(edge);
         let (mut body, mut size) = (0.0, tilt.abs() + profile.abs());
         for (&xi, mass) in self.system.positions.iter().zip(masses) {
-            let part = self.system.strength() * mass * base.medium.slope(edge, xi);
+            let part = self.system.strength() * mass * base.ground.slope(edge, xi);
             body += part;
             size += part.abs();
         }
