@@ -101,7 +101,8 @@ impl Foundation {
 
     /// The same in two pieces: a layer of finite thickness on a rigid base, of the material of this foundation, or a coating on it. Lengths are in metres, of a dimensionless
     /// foundation in half-widths. What does not go with it is refused by [`Problem::new`](crate::Problem::new): a smooth surface, a periodic row, a coating under a circular
-    /// punch, an elastic punch, grading, a thickness below 0.002 half-widths (0.05 radii).
+    /// punch, an elastic punch, grading, a thickness below 0.01 half-widths (0.05 radii), and another material than this one: a bonded layer has
+    /// its Poisson's ratio, and it lies below a coating.
     ///
     /// ```
     /// use shtaerman::{Elastic, Foundation, LayerBase, Layering};

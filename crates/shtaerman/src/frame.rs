@@ -123,7 +123,7 @@ impl Frame {
     /// The same with a foundation in two pieces: a [`Layering`], lengths in the units of the problem. Material and `theta0` of the frame are those of the layer, or of what lies below a coating.
     ///
     /// # Errors
-    /// [`Error::InvalidValue`] for a thickness below 0.002 half-widths (0.05 radii), and for what is not solved on such ground: a smooth surface, a periodic row, a coating under a circular
+    /// [`Error::InvalidValue`] for a thickness below 0.01 half-widths (0.05 radii), for another material than that of the foundation, and for what is not solved on such ground: a smooth surface, a periodic row, a coating under a circular
     /// punch, an elastic punch, grading.
     fn layered(mut self, on: Layering) -> Result<Self, Error> {
         let geometry = self.geometry();
@@ -143,6 +143,9 @@ impl Frame {
         )?;
         require(self.law() != Law::Smooth, "roughness", 0.0, ROUGH_ONLY)?;
         refuse(self.grading().is_some(), "left out of a graded foundation")?;
+        if let Self::Physical { foundation, .. } = &self {
+            on.require_material(foundation)?;
+        }
         match &mut self {
             Self::Physical { body: Some(_), .. } => {
                 refuse(

@@ -219,7 +219,7 @@ mod tests {
     fn stops_at_the_noise_of_cancellation() {
         // 20 - sqrt(400 - x^2) is of the order 1 / 40 but carries the rounding of 20, times 1e4 here.
         let noisy = Function::resolve(&|x| 20.0 - (400.0 - 1e-8 * x * x).sqrt()).unwrap();
-        assert!(!noisy.is_resolved() && noisy.series().degree() < Self::LAST_DEGREE);
+        assert!(!noisy.is_resolved() && noisy.series().degree() < Function::LAST_DEGREE);
         assert!((1e-8..1e-3).contains(&noisy.error()), "{}", noisy.error());
     }
 

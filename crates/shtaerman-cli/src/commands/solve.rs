@@ -37,9 +37,13 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         None => PressureCurve::along(&contact, arguments.points)?,
     };
     let mut answer = extended(Answer::new(&contact, curve), &contact, &extras)?;
+    // An answer that cannot be checked is an answer all the same.
+    let mut unchecked = None;
     if arguments.cross_check {
-        answer.cross_check =
-            Some(file.problem().cross_check(&contact).map_err(|error| file.locate(error))?);
+        match file.problem().cross_check(&contact) {
+            Ok(check) => answer.cross_check = Some(check),
+            Err(error) => unchecked = Some(Failure::from(file.locate(error))),
+        }
     }
     let text = match arguments.output.format {
         ReportFormat::Table => {
@@ -74,7 +78,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
             check.force,
             check.moment
         ))),
-        _ => Ok(()),
+        _ => unchecked.map_or(Ok(()), Err),
     }
 }
 

@@ -140,4 +140,5 @@ fn cross_checks_say_how_far_the_reference_reaches() {
     let run = folder.run(&["solve", "punch.toml", "--cross-check"]);
     assert_eq!(run.code, Some(3));
     assert!(run.stderr.contains("nothing to compare with"), "{}", run.stderr);
+    assert!(run.stdout.contains("pressure, largest"), "the answer itself: {}", run.stdout);
 }

@@ -6,6 +6,7 @@ use shtaerman_reference::{
     Vertical as Pressed,
 };
 
+use super::ground::layered_plane;
 use super::{Accuracy, Contact, ErrorKind};
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Geometry, Layering, Load, Problem, Rotational, Scaling, Vertical};
@@ -186,6 +187,10 @@ impl<'a> Posing<'a> {
                 (influence.map_or(Kernel::Logarithm, Kernel::Plane), frame.pieces())
             }
         };
+        // What a remainder does within a panel, quadrature on longer ones would miss.
+        let own = frame.layering().filter(|on| on.remainder().is_some());
+        let own = own.and_then(|on| layered_plane(&on.clone().scaled(frame.half_width())).ok());
+        let bends = own.map(|kernel| kernel.bend());
         let load = problem.dimensionless_load();
         // A wave cannot tilt.
         let load = if problem.is_wave() {
@@ -197,7 +202,7 @@ impl<'a> Posing<'a> {
             kernel,
             theta: frame.theta0(),
             layer,
-            breaks: breaks(problem, &pieces),
+            breaks: breaks(problem, &pieces, bends),
             pieces,
             is_bilateral: problem.solver().contact == ContactKind::Bilateral,
             load,
@@ -407,14 +412,17 @@ fn solve<'p>(posed: &'p Posed<'p>, zones: &[[f64; 2]]) -> Result<Reference<'p>, 
     }
 }
 
-/// Where panels end: the switches and hidden kinks of the profile, its measured points, and the surroundings of what no sample may show.
-fn breaks(problem: &Problem, pieces: &[[f64; 2]]) -> Vec<Break> {
+/// Where panels end: the switches and hidden kinks of the profile, its measured points, the surroundings of what no sample may show, and evenly where an influence function bends within less than the
+/// base.
+fn breaks(problem: &Problem, pieces: &[[f64; 2]], bends: Option<f64>) -> Vec<Break> {
     let half_width = problem.frame().half_width();
     let resolution = problem.resolution(RESOLVED_DEGREE, RESOLVED);
     let sharp = problem.profile().breakpoints(half_width).into_iter().chain(resolution.singular);
     let mut found: Vec<Break> = sharp.map(|at| Break { at, is_sharp: true }).collect();
     let mild = problem.profile().joints(half_width).into_iter().chain(resolution.joints);
-    for at in mild {
+    let count = bends.map_or(0, |length| (2.0 / length).ceil() as usize);
+    let even = (1..count).map(|i| 2.0 * i as f64 / count as f64 - 1.0);
+    for at in mild.chain(even) {
         if !found.iter().any(|known| (known.at - at).abs() < BESIDE_JUMP) {
             found.push(Break { at, is_sharp: false });
         }

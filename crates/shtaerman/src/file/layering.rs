@@ -100,8 +100,11 @@ fn layer<'d>(
         "bonded" => LayerBase::Bonded { poisson_ratio: poisson_ratio()? },
         _ => LayerBase::Frictionless,
     };
-    let layering =
-        Layering::layer(length(&field)?, base).map_err(|error| refused(&field, &error))?;
+    let layering = Layering::layer(length(&field)?, base).map_err(|error| {
+        let ratio = table.optional("poisson_ratio");
+        let is_ratio = matches!(error, Error::InvalidValue { field: "poisson_ratio", .. });
+        refused(ratio.as_ref().filter(|_| is_ratio).unwrap_or(&field), &error)
+    })?;
     Ok(Some((field, layering)))
 }
 

@@ -57,7 +57,9 @@ fn dimensionless(table: &TableReader<'_>) -> Result<Stated, FileError> {
     let by_theta0 = field.name().ends_with("theta0");
     let theta0 = if by_theta0 {
         if let Some(ratio) = poisson_ratio.filter(|_| !layering::is_bonded(table)) {
-            return Err(ratio.error("goes with lambda0; theta0 alone is enough"));
+            return Err(
+                ratio.error("goes with lambda0 and with base = \"bonded\"; theta0 alone is enough")
+            );
         }
         value
     } else {

@@ -202,3 +202,33 @@ fn what_is_no_ground_is_refused_in_plain_words() {
     let said = Problem::new(steel, Punch::new(1.0).unwrap(), load).unwrap_err().to_string();
     assert!(said.contains("roughness"), "{said}");
 }
+
+/// A remainder that bends within a small share of the base is resolved, by the solution and by the reference, or refused.
+#[test]
+fn narrow_features_are_seen() {
+    let narrow = |width: f64| {
+        let form =
+            Influence::by_remainder(move |d| 0.05 * (-((d - 0.734_56) / width).powi(2)).exp());
+        pressed(&bare(10.0).with_influence(form), "xi^2", Rotational::Moment(0.02))
+    };
+    let plain = pressed(&bare(10.0), "xi^2", Rotational::Moment(0.02)).solve().unwrap();
+    for width in [0.1, 0.01] {
+        let problem = narrow(width);
+        let contact = problem.solve().unwrap();
+        let check = problem.cross_check(&contact).unwrap();
+        assert!(check.agrees, "{width}: {check:?}");
+        assert!((contact.settlement() - plain.settlement()).abs() > 1e-3 * width);
+    }
+    for width in [0.001, 0.0005] {
+        let said = narrow(width).solve().unwrap_err().to_string();
+        assert!(said.contains("smooth"), "{width}: {said}");
+    }
+    let waves = Influence::by_remainder(|d| 0.1 * (150.0 * d).cos());
+    let problem = pressed(&bare(10.0).with_influence(waves), "xi^2", Rotational::Moment(0.02));
+    let check = problem.cross_check(&problem.solve().unwrap()).unwrap();
+    assert!(check.agrees, "{check:?}");
+    // The leading digits of a large constant are lost, not the answer.
+    let raised = Influence::by_remainder(|_| 1e6);
+    let raised = pressed(&bare(10.0).with_influence(raised), "xi^2", Rotational::Moment(0.02));
+    assert!(raised.solve().is_ok());
+}

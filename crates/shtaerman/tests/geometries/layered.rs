@@ -346,6 +346,15 @@ fn transforms_leave_no_residual() {
                         "{geometry:?} {base:?} {thickness} {xi}: {given} {wanted}"
                     );
                 }
+                // Beside the punch there is no pressure, and its effect fades within some thicknesses.
+                for xi in [1.0, 1.4, 2.3, 6.0] {
+                    let given = contact.elastic_displacement(xi);
+                    let wanted = displacement(&contact, theta0, &layering, xi);
+                    assert!(
+                        (given - wanted).abs() < 2e-4 * contact.settlement(),
+                        "{geometry:?} {base:?} {thickness} {xi}: {given} {wanted}"
+                    );
+                }
             }
         }
     }
@@ -411,4 +420,25 @@ fn coatings_leave_no_residual() {
             );
         }
     }
+}
+
+/// A bonded layer is of the foundation's material, and a coating lies on it.
+#[test]
+fn layers_are_of_the_material_of_their_foundation() {
+    let rubber = Elastic::new(3e6, 0.49).unwrap();
+    let foundation = Foundation::new(rubber).with_roughness(1e-10).unwrap();
+    let load = Load::force(1e3).unwrap();
+    let posed = |layering: Layering| {
+        let on = foundation.with_layering(layering);
+        Problem::new(on, Punch::new(0.01).unwrap(), load)
+    };
+    let bonded = |poisson_ratio: f64| {
+        posed(Layering::layer(8e-3, LayerBase::Bonded { poisson_ratio }).unwrap())
+    };
+    assert!(bonded(0.49).is_ok());
+    assert!(bonded(0.1).unwrap_err().to_string().contains("that of the foundation"));
+    let hard = Elastic::new(1e9, 0.3).unwrap();
+    let coated = |substrate| posed(Layering::coating(1e-3, hard, substrate).unwrap());
+    assert!(coated(rubber).is_ok());
+    assert!(coated(Elastic::new(3e6, 0.3).unwrap()).is_err());
 }

@@ -1,8 +1,10 @@
 //! A kernel of rings with a transfer function.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use super::require_thickness;
+use super::spectrum::Integral;
 use super::table::Table;
 use crate::kernel::weber_sonine::WeberSonine;
 use crate::traits::{Kernel, Pair, Singularity, Split};
@@ -35,7 +37,11 @@ impl TransferDisk {
     ///
     /// # Errors
     /// [`Error::InvalidParameter`] for a thickness below 0.02 and an order above 1, [`Error::NotFinite`] where `M` is not finite.
-    pub fn new(order: usize, thickness: f64, transfer: &dyn Fn(f64) -> f64) -> Result<Self, Error> {
+    pub fn new(
+        order: usize,
+        thickness: f64,
+        transfer: impl Fn(f64) -> f64 + Send + Sync + 'static,
+    ) -> Result<Self, Error> {
         require_thickness(thickness, LEAST, "finite and at least 0.02 of the radius")?;
         if order > 1 {
             return Err(Error::InvalidParameter {
@@ -45,7 +51,9 @@ impl TransferDisk {
             });
         }
         let whole = WeberSonine::new(1.0, order as f64, 0.0)?;
-        let table = Table::new(&|u| transfer(u) - 1.0, &libm::j0, 2.0 / thickness)?;
+        // (M(0) - 1)/t far away.
+        let g = Arc::new(move |u| transfer(u) - 1.0);
+        let table = Table::new(Integral { g, wave: libm::j0, fall: 1 }, 2.0 / thickness)?;
         let rules = (1..=RULES).map(|power| rule(1 << power, order)).collect();
         Ok(Self { whole, thickness, table, rules })
     }

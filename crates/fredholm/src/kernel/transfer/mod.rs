@@ -2,15 +2,14 @@
 
 mod disk;
 mod plane;
+mod spectrum;
 mod table;
 
 pub use disk::TransferDisk;
 pub use plane::TransferPlane;
+pub use spectrum::LAST_WAVENUMBER;
 
 use crate::Error;
-
-/// Beyond this `u` a transfer function counts as 1: what it lacks falls as `exp(-2u)`, times a power of `u`, and `exp(-2u) u^2` is 1e-19 there.
-pub const LAST_WAVENUMBER: f64 = 25.0;
 
 /// A length that both kernels take.
 fn require_thickness(thickness: f64, least: f64, requirement: &'static str) -> Result<(), Error> {

@@ -1,8 +1,10 @@
 //! A plane kernel with a transfer function.
 
 use std::f64::consts::FRAC_PI_4;
+use std::sync::Arc;
 
 use super::require_thickness;
+use super::spectrum::Integral;
 use super::table::Table;
 use crate::traits::{Kernel, Pair, Singularity, Split};
 use crate::{Error, Interval};
@@ -27,14 +29,14 @@ pub struct TransferPlane {
 }
 
 impl TransferPlane {
-    /// The kernel with `h`, `m` and `M`.
+    /// The kernel with `h`, `m` and `M`, of which features narrower than `1/1000` may be missed. Beyond the interval, too, where tables are made as distances are asked for.
     ///
     /// # Errors
     /// [`Error::InvalidParameter`] for a thickness below `1e-3` or a share that is negative or not finite, [`Error::NotFinite`] where `M` is not finite.
     pub fn new(
         thickness: f64,
         far_share: f64,
-        transfer: &dyn Fn(f64) -> f64,
+        transfer: impl Fn(f64) -> f64 + Send + Sync + 'static,
     ) -> Result<Self, Error> {
         require_thickness(thickness, LEAST, "finite and at least 1e-3 of the half-length")?;
         if !(far_share.is_finite() && far_share >= 0.0) {
@@ -44,17 +46,21 @@ impl TransferPlane {
                 requirement: "finite and not negative",
             });
         }
-        let remainder = |u: f64| (transfer(u) - far_share - (1.0 - far_share) * u.tanh()) / u;
-        let table = Table::new(&remainder, &f64::cos, 2.0 / thickness)?;
+        let g = move |u: f64| (transfer(u) - far_share - (1.0 - far_share) * u.tanh()) / u;
+        // What is left of M beside its even part goes as u, whose integral falls as t^-2.
+        let integral = Integral { g: Arc::new(g), wave: f64::cos, fall: 2 };
+        let table = Table::new(integral, 2.0 / thickness)?;
         Ok(Self { thickness, far_share, bend: thickness, table })
     }
 
-    /// The kernel `ln(1/d) + D(d)` with a smooth function `D` of distances up to 2, its own even continuation beyond 0: `m = 1` and `h = 1`.
+    /// The kernel `ln(1/d) + D(d)` with a smooth function `D` of distances up to 2, its own even continuation beyond 0: `m = 1` and `h = 1`. Features of `D` narrower than `1/4000` may be missed.
     ///
     /// # Errors
     /// [`Error::NotFinite`] where `D` is not finite.
-    pub fn with_remainder(remainder: &dyn Fn(f64) -> f64) -> Result<Self, Error> {
-        let table = Table::of(remainder, 2.0)?;
+    pub fn with_remainder(
+        remainder: impl Fn(f64) -> f64 + Send + Sync + 'static,
+    ) -> Result<Self, Error> {
+        let table = Table::of(Arc::new(remainder), 2.0)?;
         Ok(Self { thickness: 1.0, far_share: 1.0, bend: table.shortest(), table })
     }
 

@@ -1,93 +1,57 @@
-//! The smooth part of a kernel: `D(t) = int_0^inf g(u) c(ut) du` with `c` the cosine or Bessel's function `J_0`, as Chebyshev series on panels of `t`.
-//!
-//! `g` falls as `exp(-2u)` times a power of `u`, so that `D` is analytic for `|Im t| < 2`.
+//! The smooth part of a kernel, `D(t)`, as Chebyshev series on panels of `t`.
 
-use super::LAST_WAVENUMBER;
+use std::sync::OnceLock;
+
+use super::spectrum::{Integral, Shared, Spectrum, unseen};
 use crate::Error;
 use crate::basis::chebyshev::{ChebyshevSeries, points};
-use crate::quadrature::{Rule, gauss_legendre};
 
-/// Panels of `u` are so long at most, and towards 0 half as long as the one before so many times: stiff plates on soft ground change `g` at a small `u`.
-const LONGEST: f64 = 0.5;
-const HALVED: i32 = 14;
-/// Nodes on a panel, and the angle `ut` that a panel may turn by: Gauss's rule is exact to rounding there.
-const NODES: usize = 16;
-const TURN: f64 = 6.0;
-/// The first panel of `t`; each after it is as long as all before it.
+/// The first panel of an integral; each after it is as long as all before it.
 const FIRST: f64 = 2.0;
 /// Degree of the series on a panel, the last coefficients of which show whether it is resolved, and to what of the largest value of all.
 const DEGREE: usize = 40;
 const TAIL: usize = 3;
 const RESOLVED: f64 = 2e-16;
-/// How often a panel of `t` may be halved.
+/// How often a panel may be halved.
 const HALVINGS: usize = 6;
+/// Places at which a given `D` is looked at between the nodes, and how far beside its series it may be there, relative to the largest value: what is narrower than their distance may be missed.
+const SEEN: usize = 8192;
+const BESIDE: f64 = 1e-12;
+/// Tables to a larger `t` would take seconds; the leading term stands for all of an integral there.
+const FARTHEST: f64 = 4096.0;
 
-/// Nodes and weights of `u` with the values of `g`, for `t` up to a largest one.
-struct Spectrum {
-    nodes: Vec<[f64; 2]>,
-    /// What the last Legendre coefficients of `g` on the panels add up to: next to nothing of a `g` that is as smooth as it should be.
-    unresolved: f64,
-}
-
-impl Spectrum {
-    fn new(g: &dyn Fn(f64) -> f64, far: f64) -> Result<Self, Error> {
-        let rule = gauss_legendre(NODES)?;
-        let mut spectrum = Self { nodes: Vec::new(), unresolved: 0.0 };
-        let mut left = 0.0;
-        for halved in (0..=HALVED).rev() {
-            let right = LONGEST * 0.5f64.powi(halved);
-            spectrum.add(&rule, g, [left, right], far);
-            left = right;
-        }
-        let rest = ((LAST_WAVENUMBER - left) / LONGEST).ceil();
-        for k in 0..rest as usize {
-            let from = left + k as f64 * LONGEST;
-            spectrum.add(&rule, g, [from, from + LONGEST], far);
-        }
-        if let Some([u, value]) = spectrum.nodes.iter().find(|[_, value]| !value.is_finite()) {
-            return Err(Error::NotFinite { what: "transfer function", at: *u, value: *value });
-        }
-        Ok(spectrum)
-    }
-
-    fn at(&self, wave: &dyn Fn(f64) -> f64, t: f64) -> f64 {
-        self.nodes.iter().rev().map(|[u, value]| value * wave(u * t)).sum()
-    }
-
-    /// Adds the nodes of a panel, cut where it turns too far.
-    fn add(&mut self, rule: &Rule, g: &dyn Fn(f64) -> f64, [left, right]: [f64; 2], far: f64) {
-        let parts = ((right - left) * far / TURN).ceil().max(1.0);
-        let half = 0.5 * (right - left) / parts;
-        for k in 0..parts as usize {
-            let middle = left + (2.0 * k as f64 + 1.0) * half;
-            let mut last = 0.0;
-            for (y, weight) in rule.nodes.iter().zip(&rule.weights) {
-                let u = middle + half * y;
-                let value = half * weight * g(u);
-                last += (NODES as f64 - 0.5) * value * legendre(NODES - 1, *y);
-                self.nodes.push([u, value]);
-            }
-            self.unresolved += last.abs();
-        }
-    }
-}
-
-/// `P_n(y)`.
-fn legendre(n: usize, y: f64) -> f64 {
-    let (mut before, mut value) = (0.0, 1.0);
-    for k in 0..n {
-        let k = k as f64;
-        (before, value) = (value, ((2.0 * k + 1.0) * y * value - k * before) / (k + 1.0));
-    }
-    value
-}
-
-/// `D(t)` for `0 <= t <= far`.
-#[derive(Debug, Clone, PartialEq)]
+/// `D(t)`: as series up to a distance, and beyond it as it is asked for.
+#[derive(Debug, Clone)]
 pub(super) struct Table {
     panels: Vec<Panel>,
     /// What values may be off by, as quadrature and series show it themselves.
     unresolved: f64,
+    beyond: Beyond,
+}
+
+/// `D(t)` beyond the panels.
+#[derive(Clone)]
+enum Beyond {
+    /// The function itself.
+    Itself(Shared),
+    /// Further panels, made when they are asked for; none where the integral has all but fallen.
+    Doubled { of: Integral, next: OnceLock<Option<Box<Table>>> },
+}
+
+impl std::fmt::Debug for Beyond {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Itself(_) => formatter.write_str("Itself"),
+            Self::Doubled { of, .. } => formatter.debug_tuple("Doubled").field(of).finish(),
+        }
+    }
+}
+
+/// By the panels made at once.
+impl PartialEq for Table {
+    fn eq(&self, other: &Self) -> bool {
+        self.panels == other.panels
+    }
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -100,44 +64,50 @@ struct Panel {
 }
 
 impl Table {
+    /// An integral, up to the distance `far` at once.
+    ///
     /// # Errors
     /// [`Error::NotFinite`] where `g` is not finite.
-    pub(super) fn new(
-        g: &dyn Fn(f64) -> f64,
-        wave: &dyn Fn(f64) -> f64,
-        far: f64,
-    ) -> Result<Self, Error> {
-        let mut table = Self { panels: Vec::new(), unresolved: 0.0 };
+    pub(super) fn new(integral: Integral, far: f64) -> Result<Self, Error> {
+        let mut builder =
+            Builder { unresolved: unseen(&*integral.g), ..Builder::new(f64::INFINITY) };
         let (mut left, mut right) = (0.0, FIRST.min(far));
-        let mut scale = 0.0;
         while left < far {
-            let spectrum = Spectrum::new(g, right)?;
-            table.unresolved = table.unresolved.max(spectrum.unresolved);
+            let spectrum = Spectrum::new(&*integral.g, right)?;
+            builder.unresolved = builder.unresolved.max(spectrum.unresolved);
+            let value = |t: f64| spectrum.at(&integral.wave, t);
             if left == 0.0 {
-                scale = spectrum.at(wave, 0.0).abs();
+                builder.scale = value(0.0).abs();
             }
-            table.add(&|t| spectrum.at(wave, t), [left, right], HALVINGS, &mut scale);
+            builder.add(&value, [left, right], HALVINGS);
             (left, right) = (right, (2.0 * right).min(far));
         }
-        Ok(table)
+        Ok(builder.table(Beyond::Doubled { of: integral, next: OnceLock::new() }))
     }
 
-    /// A function `D` itself, for `0 <= t <= far`.
+    /// A function `D` itself, as series for `0 <= t <= far`.
     ///
     /// # Errors
     /// [`Error::NotFinite`] where it is not finite.
-    pub(super) fn of(value: &dyn Fn(f64) -> f64, far: f64) -> Result<Self, Error> {
-        let mut table = Self { panels: Vec::new(), unresolved: 0.0 };
-        let mut scale = 1.0;
-        table.add(value, [0.0, far], HALVINGS, &mut scale);
-        let broken = table.panels.iter().find(|panel| !panel.series.evaluate(0.0).is_finite());
-        match broken {
-            Some(Panel { left, right, .. }) => {
-                let at = 0.5 * (left + right);
-                Err(Error::NotFinite { what: "remainder of the kernel", at, value: value(at) })
-            }
-            None => Ok(table),
+    pub(super) fn of(value: Shared, far: f64) -> Result<Self, Error> {
+        let mut builder = Builder { scale: 1.0, ..Builder::new(far / SEEN as f64) };
+        let mut places = (0..=SEEN).map(|i| far * i as f64 / SEEN as f64);
+        if let Some(at) = places.find(|at| !value(*at).is_finite()) {
+            return Err(Error::NotFinite { what: "remainder of the kernel", at, value: value(at) });
         }
+        builder.add(&*value, [0.0, far], HALVINGS);
+        Ok(builder.table(Beyond::Itself(value)))
+    }
+
+    /// The panels of an integral as far again as those before; none beyond the farthest.
+    fn doubled(of: &Integral, far: f64) -> Option<Box<Self>> {
+        // It was finite for smaller distances, at the same places and others.
+        let spectrum = (2.0 * far <= FARTHEST).then(|| Spectrum::new(&*of.g, 2.0 * far).ok())??;
+        let value = |t: f64| spectrum.at(&of.wave, t);
+        let mut builder = Builder { scale: value(0.0).abs(), ..Builder::new(f64::INFINITY) };
+        builder.add(&value, [far, 2.0 * far], HALVINGS);
+        let beyond = Beyond::Doubled { of: of.clone(), next: OnceLock::new() };
+        Some(Box::new(builder.table(beyond)))
     }
 
     /// What values may be off by, as quadrature and series show it themselves.
@@ -150,45 +120,88 @@ impl Table {
         self.panels.iter().fold(f64::INFINITY, |least, panel| least.min(panel.right - panel.left))
     }
 
-    fn add(
-        &mut self,
-        value: &dyn Fn(f64) -> f64,
-        [left, right]: [f64; 2],
-        halvings: usize,
-        scale: &mut f64,
-    ) {
-        let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
-        let values: Vec<f64> = points(DEGREE).iter().map(|y| value(middle + half * y)).collect();
-        *scale = values.iter().fold(*scale, |most, value| most.max(value.abs()));
-        let series = ChebyshevSeries::through(values);
-        let tail = series.coefficients().iter().rev().take(TAIL).map(|c| c.abs());
-        let tail = tail.fold(0.0, f64::max);
-        let is_resolved = tail <= RESOLVED * DEGREE as f64 * *scale;
-        if is_resolved || halvings == 0 {
-            self.unresolved = self.unresolved.max(if is_resolved { 0.0 } else { tail });
-            let derivative = derivative(series.coefficients());
-            self.panels.push(Panel { left, right, series, derivative });
-        } else {
-            self.add(value, [left, middle], halvings - 1, scale);
-            self.add(value, [middle, right], halvings - 1, scale);
+    /// `D(t)`.
+    pub(super) fn at(&self, t: f64) -> f64 {
+        let Some(panel) = self.panel(t) else { return 0.0 };
+        if t <= panel.right {
+            return panel.series.evaluate(panel.place(t));
+        }
+        match &self.beyond {
+            Beyond::Itself(value) => value(t),
+            Beyond::Doubled { of, next } => {
+                match next.get_or_init(|| Self::doubled(of, panel.right)) {
+                    Some(table) => table.at(t),
+                    None => panel.series.evaluate(1.0) * (panel.right / t).powi(of.fall),
+                }
+            }
         }
     }
 
-    /// `D(t)`; beyond the last panel its value at the end.
-    pub(super) fn at(&self, t: f64) -> f64 {
-        self.panel(t).map_or(0.0, |panel| panel.series.evaluate(panel.place(t)))
-    }
-
-    /// `D'(t)`.
+    /// `D'(t)`; not a number beyond the panels of a given function.
     pub(super) fn slope(&self, t: f64) -> f64 {
-        self.panel(t).map_or(0.0, |panel| {
-            2.0 / (panel.right - panel.left) * panel.derivative.evaluate(panel.place(t))
-        })
+        let Some(panel) = self.panel(t) else { return 0.0 };
+        if t <= panel.right {
+            return 2.0 / (panel.right - panel.left) * panel.derivative.evaluate(panel.place(t));
+        }
+        match &self.beyond {
+            Beyond::Itself(_) => f64::NAN,
+            Beyond::Doubled { of, next } => {
+                match next.get_or_init(|| Self::doubled(of, panel.right)) {
+                    Some(table) => table.slope(t),
+                    None => -f64::from(of.fall) * self.at(t) / t,
+                }
+            }
+        }
     }
 
     fn panel(&self, t: f64) -> Option<&Panel> {
         let index = self.panels.partition_point(|panel| panel.right < t);
         self.panels.get(index).or(self.panels.last())
+    }
+}
+
+/// Makes panels.
+struct Builder {
+    panels: Vec<Panel>,
+    unresolved: f64,
+    /// The largest value met.
+    scale: f64,
+    /// The distance of the places at which the function is looked at between the nodes.
+    step: f64,
+}
+
+impl Builder {
+    fn new(step: f64) -> Self {
+        Self { panels: Vec::new(), unresolved: 0.0, scale: 0.0, step }
+    }
+
+    fn table(self, beyond: Beyond) -> Table {
+        Table { panels: self.panels, unresolved: self.unresolved, beyond }
+    }
+
+    fn add(&mut self, value: &dyn Fn(f64) -> f64, [left, right]: [f64; 2], halvings: usize) {
+        let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
+        let at = |y: f64| value(middle + half * y);
+        let values: Vec<f64> = points(DEGREE).iter().map(|y| at(*y)).collect();
+        self.scale = values.iter().fold(self.scale, |most, value| most.max(value.abs()));
+        let series = ChebyshevSeries::through(values);
+        let tail = series.coefficients().iter().rev().take(TAIL).map(|c| c.abs());
+        let tail = tail.fold(0.0, f64::max);
+        let is_short = tail <= RESOLVED * DEGREE as f64 * self.scale;
+        let count = (2.0 * half / self.step) as usize;
+        let places = (1..count).map(|i| 2.0 * i as f64 / count as f64 - 1.0);
+        let beside = places.map(|y| (at(y) - series.evaluate(y)).abs()).fold(0.0, f64::max);
+        let is_seen = beside <= BESIDE * self.scale;
+        if is_short && is_seen || halvings == 0 {
+            let missed = if is_short { 0.0 } else { tail };
+            self.unresolved =
+                self.unresolved.max(if is_seen { missed } else { missed.max(beside) });
+            let derivative = derivative(series.coefficients());
+            self.panels.push(Panel { left, right, series, derivative });
+        } else {
+            self.add(value, [left, middle], halvings - 1);
+            self.add(value, [middle, right], halvings - 1);
+        }
     }
 }
 

@@ -54,9 +54,8 @@ fn nodes(kappa: f64) -> Result<Vec<[f64; 2]>, Error> {
         // Not a short last one.
         right = if 2.0 * right < FRAC_PI_2 { right } else { FRAC_PI_2 };
         let (middle, half) = (0.5 * (left + right), 0.5 * (right - left));
-        let node = |(t, weight): (&f64, &f64)| {
-            [kappa * (middle + half * t).sin(), 4.0 * half * weight]
-        };
+        let node =
+            |(t, weight): (&f64, &f64)| [kappa * (middle + half * t).sin(), 4.0 * half * weight];
         nodes.extend(rule.nodes.iter().zip(&rule.weights).map(node));
         (left, right) = (right, GROWTH * right);
     }

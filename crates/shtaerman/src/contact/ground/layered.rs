@@ -58,14 +58,16 @@ impl Layered {
         must(
             unresolved <= SMOOTH,
             unresolved,
-            "smooth: polynomials and quadrature of a high degree miss it by this",
+            "smooth, a transfer function with M(0) = far_share: polynomials and quadrature of a high degree miss it by this",
         )?;
         if !is_remainder {
             return Ok(());
         }
         let slope = self.kernel.slope_at_zero();
+        // A constant has its own rounding.
+        let size = self.kernel.gauge_constant().abs().max(1.0);
         must(
-            slope.abs() <= SMOOTH,
+            slope.abs() <= SMOOTH * size,
             slope,
             "smooth where points meet, as a function of both signs of the distance: without a term in d itself, which has this factor (with d in half-widths)",
         )?;

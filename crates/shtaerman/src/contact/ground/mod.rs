@@ -22,6 +22,8 @@ pub(in crate::contact) mod of_problem;
 mod row;
 mod shared;
 
+pub(in crate::contact) use shared::layered_plane;
+
 use std::fmt::Debug;
 use std::sync::Arc;
 

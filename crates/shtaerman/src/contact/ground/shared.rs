@@ -91,14 +91,15 @@ pub(super) fn line_operator(half_count: usize) -> Result<Arc<SincOperator>, Erro
 ///
 /// # Errors
 /// [`Error::Equation`] for a transfer function that is not finite.
-pub(super) fn layered_plane(layering: &Layering) -> Result<Arc<TransferPlane>, Error> {
+pub(in crate::contact) fn layered_plane(layering: &Layering) -> Result<Arc<TransferPlane>, Error> {
     if let Some(kernel) = known(&KNOWN_PLANES, layering) {
         return Ok(kernel);
     }
-    let transfer = |u| layering.transfer(u);
-    let kernel = Arc::new(match layering.remainder() {
-        Some(remainder) => TransferPlane::with_remainder(&|d| remainder.at(d))?,
-        None => TransferPlane::new(layering.thickness(), layering.far_share(), &transfer)?,
+    let owned = layering.clone();
+    let transfer = move |u| owned.transfer(u);
+    let kernel = Arc::new(match layering.remainder().cloned() {
+        Some(remainder) => TransferPlane::with_remainder(move |d| remainder.at(d))?,
+        None => TransferPlane::new(layering.thickness(), layering.far_share(), transfer)?,
     });
     keep(&KNOWN_PLANES, layering.clone(), &kernel, KERNELS);
     Ok(kernel)
@@ -113,8 +114,9 @@ pub(super) fn layered_disk(order: usize, layering: &Layering) -> Result<Arc<Tran
     if let Some(kernel) = known(&KNOWN_DISKS, &key) {
         return Ok(kernel);
     }
-    let transfer = |u| layering.transfer(u);
-    let kernel = Arc::new(TransferDisk::new(order, layering.thickness(), &transfer)?);
+    let owned = layering.clone();
+    let transfer = move |u| owned.transfer(u);
+    let kernel = Arc::new(TransferDisk::new(order, layering.thickness(), transfer)?);
     keep(&KNOWN_DISKS, key, &kernel, KERNELS);
     Ok(kernel)
 }
