@@ -15,7 +15,6 @@ mod kink;
 mod linearised;
 mod modes;
 mod parts;
-mod resolved;
 mod series;
 mod settled;
 mod stated;

@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use super::kink::Kink;
 use super::modes::{gains, norms};
-use super::resolved::Resolved;
 use super::series::Series;
 use super::strip::Ground;
 use crate::contact::smooth::Curve;
@@ -273,15 +272,9 @@ fn halves(
 ) -> Halves {
     let [left, right] = zone.ends;
     let (centre, tolerance) = (0.5 * (left + right), base.problem.profile.tolerance);
-    let all: Vec<f64> = [&[left], cuts, &[right]].concat();
-    let known = cuts.len() <= MOST_BREAKS;
-    let at: Curve = match known.then(|| Resolved::new(&*rest, &all)).flatten() {
-        Some(resolved) => Arc::new(move |s: f64| resolved.at(centre + s)),
-        None => Arc::new(move |s: f64| rest(centre + s)),
-    };
-    let other = Arc::clone(&at);
-    let even: Curve = Arc::new(move |r| 0.5 * (at(r) - at(-r)));
-    let odd: Curve = Arc::new(move |r| 0.5 * (other(r) + other(-r)));
+    let other = Arc::clone(&rest);
+    let even: Curve = Arc::new(move |r| 0.5 * (rest(centre + r) - rest(centre - r)));
+    let odd: Curve = Arc::new(move |r| 0.5 * (other(centre + r) + other(centre - r)));
     let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
     tidy(&mut breaks, zone);
     Halves { slopes: [even, odd], breaks, tolerance, noise }
