@@ -52,7 +52,9 @@ pub(super) trait Equation {
     fn walls(&self) -> &Walls;
 
     /// Whether a zone may reach over a step of the base.
-    fn spans_steps(&self) -> bool;
+    fn spans_steps(&self) -> bool {
+        false
+    }
 
     /// Whether the value at an end changes with that end alone, so that the last step tells the next and one that made it worse was too long: not beside narrow gaps of smooth
     /// surfaces, whose ends depend on each other.

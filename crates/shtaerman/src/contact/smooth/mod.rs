@@ -84,10 +84,6 @@ impl Equation for Base<'_> {
         &self.walls
     }
 
-    fn spans_steps(&self) -> bool {
-        false
-    }
-
     fn starts(&self) -> Vec<Start> {
         numbers_of_cells(self.cells(), MOST_CELLS)
     }

@@ -73,15 +73,11 @@ impl Panel {
         self.sum(&self.slopes, s)
     }
 
-    /// The derivative of a series blows the rounding of its coefficients up by the square of their number.
-    fn slope_rounding(&self) -> f64 {
-        self.blown(largest(&self.values))
-    }
-
     fn length(&self) -> f64 {
         self.ends[1] - self.ends[0]
     }
 
+    /// The derivative of a series blows the rounding of its coefficients up by the square of their number.
     fn blown(&self, size: f64) -> f64 {
         24.0 * f64::EPSILON * (self.count * self.count) as f64 * size / self.length()
     }
@@ -102,12 +98,8 @@ fn sample(shape: &Shape<'_>, kink: f64, [from, to]: [f64; 2]) -> [f64; ORDER] {
     RULE.coefficients(&RULE.nodes.map(|u| shape.transform_beyond(kink, middle + half * u)))
 }
 
-fn largest(values: &[f64; ORDER]) -> f64 {
+fn largest(values: &[f64]) -> f64 {
     values.iter().fold(0.0, |most, c| most.max(c.abs()))
-}
-
-fn tail(values: &[f64; ORDER]) -> f64 {
-    values[ORDER - 2..].iter().fold(0.0, |most, c| most.max(c.abs()))
 }
 
 /// The part of the disk between two kinks.
@@ -128,7 +120,7 @@ impl Segment {
     fn new(shape: &Shape<'_>, ends: [f64; 2], size: f64) -> Self {
         let sampled = |own: [f64; 2], depth: u32, before: f64| {
             let values = sample(shape, ends[0], own);
-            Sampled { ends: own, values, depth, tail: tail(&values), before }
+            Sampled { ends: own, values, depth, tail: largest(&values[ORDER - 2..]), before }
         };
         let first = sampled([0.0, leg(ends[1], ends[0])], 0, f64::INFINITY);
         let size = size.max(largest(&first.values));
@@ -215,7 +207,8 @@ impl Segment {
         } else {
             // Rounding of a slope that vanishes would be blown up by 1/mu.
             let start = first.slope(0.0);
-            let rounded = if start.abs() > first.slope_rounding() { 0.0 } else { start };
+            let rounded =
+                if start.abs() > first.blown(largest(&first.values)) { 0.0 } else { start };
             ground.integral(-1, first.ends, |s| f(first, s) - rounded * s.powf(mu - 1.0))
         };
         for panel in &self.panels[1..] {

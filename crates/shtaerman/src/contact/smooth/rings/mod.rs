@@ -89,10 +89,6 @@ impl Equation for Base<'_> {
         &self.walls
     }
 
-    fn spans_steps(&self) -> bool {
-        false
-    }
-
     fn arranged(&self, mut zones: Vec<Zone>) -> Vec<Zone> {
         for zone in &mut zones {
             if zone.left() < CLOSED * zone.right() {
