@@ -14,6 +14,9 @@
 
 use crate::document::FileError;
 
+/// The most rows that are read: a file within its limit of bytes may have ten times as many, and each takes more memory than its text.
+pub const MAXIMUM_ROWS: usize = 5_000_000;
+
 /// A row and the number of its line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Row {
@@ -37,7 +40,7 @@ impl Columns {
     /// semicolons a decimal comma is read as well.
     ///
     /// # Errors
-    /// [`FileError`] with the file and line: no UTF-8, text in a number's place, a missing column, values that are not finite.
+    /// [`FileError`] with the file and line: no UTF-8, text in a number's place, a missing column, values that are not finite, more than [`MAXIMUM_ROWS`] rows.
     pub fn read(&self, content: &[u8], file_name: &str) -> Result<Vec<Row>, FileError> {
         let fault = |message: String| FileError::new(message).in_file(Some(file_name));
         let content = content.strip_prefix(b"\xef\xbb\xbf").unwrap_or(content);
@@ -57,6 +60,12 @@ impl Columns {
             if is_header {
                 header_seen = true;
                 continue;
+            }
+            if rows.len() == MAXIMUM_ROWS {
+                let line = index + 1;
+                return Err(fault(format!(
+                    "line {line}: has more than the {MAXIMUM_ROWS} rows that are read"
+                )));
             }
             let values = self
                 .values(&fields)
@@ -108,5 +117,21 @@ fn shortened(field: &str) -> String {
         format!("{}...", field.chars().take(40).collect::<String>())
     } else {
         field.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_have_a_limit() {
+        let columns = Columns { names: ["position", "height"], units: [1.0, 1.0] };
+        let mut text = "1,2\n".repeat(MAXIMUM_ROWS);
+        assert_eq!(columns.read(text.as_bytes(), "a.csv").unwrap().len(), MAXIMUM_ROWS);
+        text.push_str("# a comment\n1,2\n");
+        let error = columns.read(text.as_bytes(), "a.csv").unwrap_err();
+        let said = "a.csv: line 5000002: has more than the 5000000 rows that are read";
+        assert_eq!(error.to_string(), said);
     }
 }

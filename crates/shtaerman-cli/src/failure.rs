@@ -66,7 +66,8 @@ impl Failure {
     /// The message on one line, then the line of the file with a caret where there is one, then advice.
     fn message(&self) -> String {
         let mut message = format!("error: {self}\n");
-        if let Self::Problem(shtaerman::Error::File(fault)) = self {
+        if let Self::Problem(shtaerman::Error::File(fault) | shtaerman::Error::Beyond(fault)) = self
+        {
             message.push_str(&snippet(fault));
             if let Some(help) = fault.help() {
                 message.push_str(&format!("help: {help}\n"));

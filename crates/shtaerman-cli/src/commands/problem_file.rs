@@ -1,10 +1,9 @@
 //! The problem or equation file of a command.
 
-use std::io::Read;
 use std::path::Path;
 
 use shtaerman::Contact;
-use shtaerman::document::MAXIMUM_BYTES;
+use shtaerman::document::read_bytes;
 use shtaerman::equation::EquationFile;
 use shtaerman::file::{AnyFile, ProblemFile};
 
@@ -46,13 +45,8 @@ pub(super) fn read_any(arguments: &ProblemArguments) -> Result<AnyFile, Failure>
 }
 
 fn standard_input() -> Result<Vec<u8>, Failure> {
-    let mut bytes = Vec::new();
-    std::io::stdin()
-        .lock()
-        .take(MAXIMUM_BYTES as u64 + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|error| Failure::Usage(format!("standard input cannot be read: {error}")))?;
-    Ok(bytes)
+    read_bytes(std::io::stdin().lock())
+        .map_err(|message| Failure::Usage(format!("standard input {message}")))
 }
 
 /// What to call the file in messages.

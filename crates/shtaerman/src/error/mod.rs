@@ -6,13 +6,14 @@ pub use inverse::InverseError;
 
 use crate::document::FileError;
 use crate::expression::Defect;
+use crate::quantity::plain;
 
 /// Why a problem has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A quantity lies outside the range where the model holds.
-    #[error("{field} = {value}: must be {requirement}")]
+    #[error("{field} {} {}: must be {requirement}", comes_to(*value), plain(*value))]
     InvalidValue {
         /// Name of the quantity, as in the problem file.
         field: &'static str,
@@ -97,7 +98,7 @@ pub enum Error {
 
     /// The force of a unilateral contact acts beyond the base.
     #[error(
-        "{field} = {value}: tips the punch over: its magnitude must be less than {name} = {limit}, or no pressure on the base balances it"
+        "{field} = {}: tips the punch over: its magnitude must be less than {name} = {}, or no pressure on the base balances it", plain(*value), plain(*limit)
     )]
     TipsOver {
         /// `moment` or `eccentricity`.
@@ -384,9 +385,18 @@ pub enum Error {
     #[error(transparent)]
     File(#[from] FileError),
 
+    /// What the problem file asks for takes more than this machine or a method has: the file is sound.
+    #[error(transparent)]
+    Beyond(FileError),
+
     /// The integral equation could not be solved.
     #[error(transparent)]
     Equation(fredholm::Error),
+}
+
+/// Between a name and its value: no file can hold a NaN, so it came out of a calculation.
+fn comes_to(value: f64) -> &'static str {
+    if value.is_nan() { "comes out as" } else { "=" }
 }
 
 /// A relative error; of an infinite one that there is none.
@@ -407,6 +417,9 @@ fn unsolved(reached: f64) -> &'static str {
 fn attempt(tension: f64, penetration: f64) -> String {
     if tension.is_nan() {
         return "no attempt came to an end; of zones far smaller than the base its heights have too few digits".to_owned();
+    }
+    if !(tension.is_finite() && penetration.is_finite()) {
+        return "the best attempt has no pressure that its tension, and no displacement that its penetration could be measured by; another load, roughness or profile of more usual size may be solved".to_owned();
     }
     format!(
         "the best attempt has a tension of {tension:.1e} and a penetration of {penetration:.1e} of their scales"
@@ -431,8 +444,11 @@ impl Error {
                 | Self::EquationUnsolved { .. }
                 | Self::CheckUnsolved { .. }
                 | Self::NoReference { .. }
+                | Self::Beyond(_)
                 | Self::Equation(
-                    fredholm::Error::NotPositiveDefinite { .. }
+                    fredholm::Error::TooLarge { .. }
+                        | fredholm::Error::BeyondMethod { .. }
+                        | fredholm::Error::NotPositiveDefinite { .. }
                         | fredholm::Error::NotConverged { .. }
                         | fredholm::Error::EigenvaluesNotFound { .. }
                         | fredholm::Error::Singular { .. }

@@ -107,8 +107,8 @@ impl ProblemFile {
 fn locate(document: &Document, error: Error) -> Error {
     let keys: &[&str] = match &error {
         Error::File(_) => return error,
-        numerical if numerical.is_numerical() => return error,
         Error::Equation(fredholm::Error::TooLarge { .. }) => &["solver.n"],
+        numerical if numerical.is_numerical() => return error,
         Error::InvalidValue { field, .. } | Error::TipsOver { field, .. } => match *field {
             "force" => &["load.force", "dimensionless.force"],
             "settlement" => &["load.settlement", "dimensionless.settlement"],
@@ -127,8 +127,9 @@ fn locate(document: &Document, error: Error) -> Error {
     };
     let written = keys.iter().find_map(|key| Some((key, document.get(key)?)));
     let fault = FileError::new(error.to_string()).in_file(document.file_name());
-    match written {
-        Some((key, value)) => fault.of_field(*key).at(value.origin()).into(),
-        None => fault.into(),
-    }
+    let fault = match written {
+        Some((key, value)) => fault.of_field(*key).at(value.origin()),
+        None => fault,
+    };
+    if error.is_numerical() { Error::Beyond(fault) } else { fault.into() }
 }

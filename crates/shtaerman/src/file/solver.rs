@@ -2,8 +2,8 @@
 
 use fredholm::degenerate::BYTES_A_DEGREE;
 
-use crate::document::{Field, FileError, TableReader};
-use crate::{ContactKind, MethodChoice, Solver};
+use crate::document::{Field, TableReader};
+use crate::{ContactKind, Error, MethodChoice, Solver};
 
 /// Share of the free memory that a solve may take.
 const MEMORY_SHARE: f64 = 0.9;
@@ -12,7 +12,7 @@ const UNILATERAL_METHOD: &str = "is \"spectral\", which solves on the full base 
 const BILATERAL_HELP: &str = "write contact = \"bilateral\" in [solver] to keep the full base in contact, where the pressure may pull; or leave this key out";
 
 /// Without `[solver]` the defaults hold.
-pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
+pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, Error> {
     let Some(table) = reader.table("solver")? else { return Ok(Solver::default()) };
     let contact = match table.optional("contact") {
         Some(field) if field.one_of(&["unilateral", "bilateral"])? == "bilateral" => {
@@ -23,7 +23,7 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
     let method = match table.optional("method") {
         Some(field) => match field.one_of(&["auto", "spectral", "sinc"])? {
             "spectral" if contact == ContactKind::Unilateral => {
-                return Err(field.error(UNILATERAL_METHOD).with_help(BILATERAL_HELP));
+                return Err(field.error(UNILATERAL_METHOD).with_help(BILATERAL_HELP).into());
             }
             "spectral" => MethodChoice::Spectral,
             "sinc" => MethodChoice::Sinc,
@@ -33,14 +33,15 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
     };
     let degree = match table.optional("n") {
         Some(field) if method == MethodChoice::Sinc => {
-            return Err(field.error(
-                "belongs to method = \"spectral\"; collocation chooses its nodes by the error",
-            ));
+            let message =
+                "belongs to method = \"spectral\"; collocation chooses its nodes by the error";
+            return Err(field.error(message).into());
         }
         Some(field) if contact == ContactKind::Unilateral => {
             return Err(field
                 .error("belongs to contact = \"bilateral\": the zones of a unilateral contact are solved by collocation, which chooses its nodes by the error")
-                .with_help(BILATERAL_HELP));
+                .with_help(BILATERAL_HELP)
+                .into());
         }
         Some(field) => Some(degree_of(&field)?),
         None => None,
@@ -49,9 +50,9 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
         Some(field) => {
             let value = field.number()?;
             if !(value > 0.0 && value < 1.0) {
-                return Err(field.error(format!(
-                    "is {value}: must be greater than 0 and less than 1, like 1e-10"
-                )));
+                let message =
+                    format!("is {value}: must be greater than 0 and less than 1, like 1e-10");
+                return Err(field.error(message).into());
             }
             Some(value)
         }
@@ -61,16 +62,18 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
 }
 
 /// A degree whose solve fits into memory.
-fn degree_of(field: &Field<'_>) -> Result<usize, FileError> {
+fn degree_of(field: &Field<'_>) -> Result<usize, Error> {
     let degree = field.count(1..=usize::MAX >> 12)?;
     let available = fredholm::memory::available();
     let needed = BYTES_A_DEGREE * degree as f64;
     if needed > MEMORY_SHARE * available as f64 {
-        return Err(field.error(format!(
+        let fault = field.error(format!(
             "is {degree}: that needs {:.3} GB of memory, and {:.3} GB are free",
             needed / 1e9,
             available as f64 / 1e9
-        )));
+        ));
+        let most = (MEMORY_SHARE * available as f64 / BYTES_A_DEGREE) as usize;
+        return Err(Error::Beyond(fault.with_help(format!("n may be {most} at most here"))));
     }
     Ok(degree)
 }
