@@ -13,9 +13,13 @@
 //! ```
 
 use crate::document::FileError;
+use crate::shortened;
 
 /// The most rows that are read: a file within its limit of bytes may have ten times as many, and each takes more memory than its text.
 pub const MAXIMUM_ROWS: usize = 5_000_000;
+
+/// Longest field that a message quotes.
+const LONGEST_FIELD: usize = 40;
 
 /// A row and the number of its line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -82,9 +86,9 @@ impl Columns {
         };
         let value = |field: &String, index: usize| {
             let name = self.names[index];
-            let value: f64 = field
-                .parse()
-                .map_err(|_| format!("the {name} is not a number: `{}`", shortened(field)))?;
+            let value: f64 = field.parse().map_err(|_| {
+                format!("the {name} is not a number: `{}`", shortened(field, LONGEST_FIELD))
+            })?;
             if !value.is_finite() {
                 return Err(format!("the {name} is {value}: it must be finite"));
             }
@@ -110,14 +114,6 @@ fn fields(line: &str) -> Vec<String> {
 fn unquoted(field: &str) -> &str {
     let field = field.trim();
     field.strip_prefix('"').and_then(|field| field.strip_suffix('"')).unwrap_or(field)
-}
-
-fn shortened(field: &str) -> String {
-    if field.chars().count() > 40 {
-        format!("{}...", field.chars().take(40).collect::<String>())
-    } else {
-        field.to_owned()
-    }
 }
 
 #[cfg(test)]

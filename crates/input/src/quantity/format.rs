@@ -22,7 +22,7 @@ const PREFIXES: [(i32, &str); 9] =
 /// ```
 #[must_use]
 pub fn plain(value: f64) -> String {
-    if value == 0.0 || !value.is_finite() || (1e-5..1e16).contains(&value.abs()) {
+    if value == 0.0 || !value.is_finite() || (1e-7..1e16).contains(&value.abs()) {
         value.to_string()
     } else {
         format!("{value:e}")

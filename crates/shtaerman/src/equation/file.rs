@@ -84,10 +84,19 @@ fn read(document: &Document) -> Result<Equation, Error> {
         };
         return Err(fault.with_help(help).into());
     }
-    let table = reader.required("equation")?.table()?;
+    let equation = reader.required("equation").map_err(|error| {
+        let help =
+            "[equation] states kind, lambda and rhs; `shtaerman init --equation` writes an example";
+        if error.help().is_some() { error } else { error.with_help(help) }
+    })?;
+    let table = equation.table()?;
     let kind = kind(&table)?;
     let rhs = right_hand_side(&table)?;
-    let kernel = kernel(&reader.required("kernel")?.table()?)?;
+    let kernel_field = reader.required("kernel").map_err(|error| {
+        let help = "[kernel] states the name of a kernel and its parameters; `shtaerman init --equation` writes an example";
+        if error.help().is_some() { error } else { error.with_help(help) }
+    })?;
+    let kernel = kernel(&kernel_field.table()?)?;
     let solver = match reader.table("solver")? {
         Some(table) => solver(&table, kind)?,
         None => Solver::default(),

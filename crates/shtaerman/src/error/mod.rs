@@ -13,7 +13,7 @@ use crate::quantity::plain;
 #[non_exhaustive]
 pub enum Error {
     /// A quantity lies outside the range where the model holds.
-    #[error("{field} {} {}: must be {requirement}", comes_to(*value), plain(*value))]
+    #[error("{field} = {}: must be {requirement}", plain(*value))]
     InvalidValue {
         /// Name of the quantity, as in the problem file.
         field: &'static str,
@@ -113,8 +113,8 @@ pub enum Error {
 
     /// No force at the prescribed eccentricity leads to the settlement prescribed.
     #[error(
-        "settlement = {value}: is out of reach of a force at the eccentricity {eccentricity}: whatever the force, the middle of the punch settles no {bound} \
-         than {limit}, as the punch turns; prescribe the force, the tilt or the moment instead, or a smaller eccentricity"
+        "settlement = {}: is out of reach of a force at the eccentricity {}: whatever the force, the middle of the punch settles no {bound} \
+         than {}, as the punch turns; prescribe the force, the tilt or the moment instead, or a smaller eccentricity", plain(*value), plain(*eccentricity), plain(*limit)
     )]
     SettlementOutOfReach {
         /// The settlement given, SI.
@@ -136,8 +136,8 @@ pub enum Error {
 
     /// A circular punch lifts off on one side.
     #[error(
-        "{field} = {value}: the circular punch lifts off on one side, and its contact is no disk any more: full contact holds up to a magnitude of {limit}; \
-         contact = \"bilateral\" lets the pressure pull instead"
+        "{field} = {}: the circular punch lifts off on one side, and its contact is no disk any more: full contact holds up to a magnitude of {}; \
+         contact = \"bilateral\" lets the pressure pull instead", plain(*value), plain(*limit)
     )]
     LiftsOff {
         /// `moment`, `eccentricity` or `tilt`.
@@ -255,8 +255,8 @@ pub enum Error {
 
     /// No load has the yield stress as its largest equivalent stress.
     #[error(
-        "no load brings the largest equivalent stress to the yield stress {yield_stress}: the nearest is {nearest}; a corner with infinite pressure yields at once, \
-         a profile that is forced into contact may yield without any force"
+        "no load brings the largest equivalent stress to the yield stress {}: the nearest is {}; a corner with infinite pressure yields at once, \
+         a profile that is forced into contact may yield without any force", plain(*yield_stress), plain(*nearest)
     )]
     NoYield {
         /// The yield stress.
@@ -392,11 +392,6 @@ pub enum Error {
     /// The integral equation could not be solved.
     #[error(transparent)]
     Equation(fredholm::Error),
-}
-
-/// Between a name and its value: no file can hold a NaN, so it came out of a calculation.
-fn comes_to(value: f64) -> &'static str {
-    if value.is_nan() { "comes out as" } else { "=" }
 }
 
 /// A relative error; of an infinite one that there is none.
