@@ -7,6 +7,7 @@ mod bad_values;
 mod commands;
 mod contacts;
 mod equation;
+mod equation_closed_forms;
 mod equation_input;
 mod examples;
 mod extras;
