@@ -9,9 +9,24 @@ use shtaerman::file::{AnyFile, ProblemFile};
 
 use crate::Failure;
 use crate::arguments::ProblemArguments;
+use crate::failure::shown;
+use crate::output::{Input, check_writable};
 
-/// Reads the problem, with its overrides; `-` is standard input.
-pub(super) fn read(arguments: &ProblemArguments) -> Result<ProblemFile, Failure> {
+/// Reads the problem, with its overrides; `-` is standard input. The outputs must be writable, and none of them a file that is read.
+pub(super) fn read(
+    arguments: &ProblemArguments,
+    outputs: &[Option<&Path>],
+) -> Result<ProblemFile, Failure> {
+    let input = Input { what: "the problem file", path: &arguments.file };
+    check_writable(outputs, &[input])?;
+    let file = read_problem(arguments)?;
+    if let Some(path) = file.measured_profile() {
+        check_writable(outputs, &[Input { what: "the measured profile", path }])?;
+    }
+    Ok(file)
+}
+
+fn read_problem(arguments: &ProblemArguments) -> Result<ProblemFile, Failure> {
     if arguments.file != Path::new("-") {
         return Ok(ProblemFile::open(&arguments.file, &arguments.overrides)?);
     }
@@ -51,7 +66,7 @@ fn standard_input() -> Result<Vec<u8>, Failure> {
 
 /// What to call the file in messages.
 pub(super) fn name(path: &Path) -> String {
-    if path == Path::new("-") { "standard input".to_owned() } else { path.display().to_string() }
+    if path == Path::new("-") { "standard input".to_owned() } else { shown(path) }
 }
 
 /// Solves the problem, with its audit if that is wanted.

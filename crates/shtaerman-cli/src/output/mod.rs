@@ -1,71 +1,82 @@
 //! Files are written whole or not at all.
 
-use std::io::Write;
+mod content;
+mod identity;
+mod pending;
+mod prepared;
+
 use std::path::{Path, PathBuf};
 
-use tempfile::NamedTempFile;
-
 use crate::Failure;
+use identity::identity;
+use prepared::{Prepared, folder};
+
+pub(crate) use content::Content;
+pub(crate) use pending::interrupt;
 
 /// Everything a command writes: prepared first, then put in place together.
 #[derive(Debug, Default)]
-pub(crate) struct Outputs {
-    files: Vec<(PathBuf, Vec<u8>)>,
-    terminal: Vec<u8>,
+pub(crate) struct Outputs<'a> {
+    files: Vec<(PathBuf, Content<'a>)>,
+    terminal: Vec<Content<'a>>,
 }
 
-impl Outputs {
+impl<'a> Outputs<'a> {
     /// A result for `file`, or for the terminal.
-    pub(crate) fn result(&mut self, file: Option<&Path>, content: impl Into<Vec<u8>>) {
+    pub(crate) fn result(&mut self, file: Option<&Path>, content: impl Into<Content<'a>>) {
         match file {
             Some(path) => self.file(path, content),
-            None => self.terminal.extend(content.into()),
+            None => self.terminal.push(content.into()),
         }
     }
 
     /// A file.
-    pub(crate) fn file(&mut self, path: &Path, content: impl Into<Vec<u8>>) {
+    pub(crate) fn file(&mut self, path: &Path, content: impl Into<Content<'a>>) {
         self.files.push((path.to_owned(), content.into()));
     }
 
     /// Writes all files beside their places, then renames them, then prints.
     ///
     /// # Errors
-    /// [`Failure::Unwritable`] with the path; nothing has been changed unless a rename itself failed.
+    /// [`Failure::Unwritable`] or [`Failure::Unwritten`] with the path; no file has been changed unless a rename itself failed.
     pub(crate) fn write(self) -> Result<(), Failure> {
-        let prepared = self
-            .files
-            .iter()
-            .map(|(path, content)| {
-                Prepared::new(path, content).map_err(|error| Failure::unwritable(path, &error))
-            })
-            .collect::<Result<Vec<_>, _>>()?;
-        for (file, (path, content)) in prepared.into_iter().zip(&self.files) {
-            file.finish(content).map_err(|error| Failure::unwritable(path, &error))?;
+        let mut written = Vec::new();
+        for (path, content) in self.files {
+            let mut file =
+                Prepared::new(&path).map_err(|error| Failure::unwritable(&path, &error))?;
+            file.fill(content).map_err(|error| Failure::unwritten(&path, &error))?;
+            written.push((path, file));
         }
-        print(&self.terminal)
+        pending::whole(|| {
+            written.into_iter().try_for_each(|(path, file)| {
+                file.finish().map_err(|error| Failure::unwritten(&path, &error))
+            })
+        })?;
+        self.terminal.into_iter().try_for_each(print)
     }
+}
+
+/// A file that a command reads.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Input<'a> {
+    /// What it is to the user.
+    pub(crate) what: &'static str,
+    /// Its path; `-` is standard input.
+    pub(crate) path: &'a Path,
 }
 
 /// Fails early, before anything is computed, where an output cannot be written.
 ///
 /// # Errors
-/// [`Failure::Unwritable`] when the folder does not exist or does not take files, or the path is a folder;
-/// [`Failure::Usage`] when two outputs are the same file, or one is the input.
-pub(crate) fn check_writable(paths: &[Option<&Path>], input: Option<&Path>) -> Result<(), Failure> {
-    let input = input.and_then(|input| input.canonicalize().ok());
+/// [`Failure::Unwritable`] when the folder does not exist or does not take files, the path is a folder or the file read-only;
+/// [`Failure::Usage`] when two outputs are the same file, or one is an input.
+pub(crate) fn check_writable(paths: &[Option<&Path>], inputs: &[Input<'_>]) -> Result<(), Failure> {
     let mut places = Vec::new();
     for path in paths.iter().copied().flatten() {
-        let target = Prepared::new(path, b"")
-            .map_err(|error| Failure::unwritable(path, &error))?
-            .into_target();
+        let target =
+            Prepared::new(path).map_err(|error| Failure::unwritable(path, &error))?.into_target();
+        check_spared(path, inputs)?;
         let place = target.and_then(|target| place(&target));
-        if place.is_some() && place == input {
-            return Err(Failure::Usage(format!(
-                "{} is the problem file: the result would overwrite it",
-                path.display()
-            )));
-        }
         if place.is_some() && places.contains(&place) {
             return Err(Failure::Usage(format!(
                 "two outputs would be written to {}",
@@ -77,95 +88,29 @@ pub(crate) fn check_writable(paths: &[Option<&Path>], input: Option<&Path>) -> R
     Ok(())
 }
 
+/// Refuses an output that is an input, by whatever name.
+fn check_spared(path: &Path, inputs: &[Input<'_>]) -> Result<(), Failure> {
+    let Some(output) = identity(path) else { return Ok(()) };
+    match inputs.iter().find(|input| identity(input.path).as_ref() == Some(&output)) {
+        Some(input) => Err(Failure::Usage(format!(
+            "{} is {}: the result would overwrite it",
+            path.display(),
+            input.what
+        ))),
+        None => Ok(()),
+    }
+}
+
 /// The same for all spellings of a path: `out.svg` and `./out.svg`.
 fn place(path: &Path) -> Option<PathBuf> {
     Some(folder(path).canonicalize().ok()?.join(path.file_name()?))
 }
 
-fn folder(path: &Path) -> &Path {
-    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
-}
-
-/// Content on its way to a file.
-#[derive(Debug)]
-enum Prepared {
-    /// Written to a temporary file in the folder of its target, so that the rename is atomic.
-    Beside { file: NamedTempFile, target: PathBuf },
-    /// A device or a pipe (`/dev/null`) is written to: a rename would put a file in its place.
-    Device(PathBuf),
-}
-
-impl Prepared {
-    fn new(path: &Path, content: &[u8]) -> std::io::Result<Self> {
-        if path.is_dir() {
-            return Err(std::io::Error::other("it is a folder"));
-        }
-        if path.file_name().is_none() {
-            return Err(std::io::Error::other("it names no file"));
-        }
-        if path.metadata().is_ok_and(|metadata| !metadata.is_file()) {
-            return Ok(Self::Device(path.to_owned()));
-        }
-        // A link keeps pointing where it points; the file there is replaced.
-        let target = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-        let folder = folder(&target);
-        if !folder.is_dir() {
-            return Err(std::io::Error::other(format!("there is no folder {}", folder.display())));
-        }
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(".shtaerman-");
-        permit_as_usual(&mut builder);
-        // The error of the system names a temporary file, which nobody asked for.
-        let mut file = builder.tempfile_in(folder).map_err(|error| bare(&error))?;
-        file.write_all(content).and_then(|()| file.flush()).map_err(|error| bare(&error))?;
-        Ok(Self::Beside { file, target })
-    }
-
-    /// Where the file will be; none for a device.
-    fn into_target(self) -> Option<PathBuf> {
-        match self {
-            Self::Beside { target, .. } => Some(target),
-            Self::Device(_) => None,
-        }
-    }
-
-    fn finish(self, content: &[u8]) -> std::io::Result<()> {
-        match self {
-            Self::Beside { file, target } => {
-                file.persist(target).map(drop).map_err(|error| error.error)
-            }
-            Self::Device(path) => {
-                std::fs::OpenOptions::new().write(true).open(path)?.write_all(content)
-            }
-        }
-    }
-}
-
-/// What the system says, without the path that a wrapper put behind it.
-fn bare(error: &std::io::Error) -> std::io::Error {
-    let code = error.raw_os_error().or_else(|| {
-        let inner = error.get_ref()?.source()?.downcast_ref::<std::io::Error>()?;
-        inner.raw_os_error()
-    });
-    code.map_or_else(|| error.kind().into(), std::io::Error::from_raw_os_error)
-}
-
-/// Temporary files are private by default; results get what the umask leaves of 0666, like any other file.
-#[cfg(unix)]
-fn permit_as_usual(builder: &mut tempfile::Builder<'_, '_>) {
-    use std::os::unix::fs::PermissionsExt;
-    builder.permissions(std::fs::Permissions::from_mode(0o666));
-}
-
-#[cfg(not(unix))]
-fn permit_as_usual(_builder: &mut tempfile::Builder<'_, '_>) {}
-
-fn print(content: &[u8]) -> Result<(), Failure> {
-    let mut terminal = std::io::stdout().lock();
-    match terminal.write_all(content).and_then(|()| terminal.flush()) {
+fn print(content: Content<'_>) -> Result<(), Failure> {
+    match content.write_to(&mut std::io::stdout().lock()) {
         // The reader of a pipe (`head`) may leave when it has enough.
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(Failure::unwritable(Path::new("standard output"), &error))
+            Err(Failure::unwritten(Path::new("standard output"), &error))
         }
         _ => Ok(()),
     }
