@@ -1,12 +1,8 @@
 //! `[solver]`.
 
-use fredholm::degenerate::BYTES_A_DEGREE;
-
 use crate::document::{Field, TableReader};
+use crate::solver::{check_memory, most_degree};
 use crate::{ContactKind, Error, MethodChoice, Solver};
-
-/// Share of the free memory that a solve may take.
-const MEMORY_SHARE: f64 = 0.9;
 
 const UNILATERAL_METHOD: &str = "is \"spectral\", which solves on the full base only: the zones of a unilateral contact are solved by collocation";
 const BILATERAL_HELP: &str = "write contact = \"bilateral\" in [solver] to keep the full base in contact, where the pressure may pull; or leave this key out";
@@ -64,16 +60,17 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, Error> {
 /// A degree whose solve fits into memory.
 fn degree_of(field: &Field<'_>) -> Result<usize, Error> {
     let degree = field.count(1..=usize::MAX >> 12)?;
-    let available = fredholm::memory::available();
-    let needed = BYTES_A_DEGREE * degree as f64;
-    if needed > MEMORY_SHARE * available as f64 {
-        let fault = field.error(format!(
-            "is {degree}: that needs {:.3} GB of memory, and {:.3} GB are free",
-            needed / 1e9,
-            available as f64 / 1e9
-        ));
-        let most = (MEMORY_SHARE * available as f64 / BYTES_A_DEGREE) as usize;
-        return Err(Error::Beyond(fault.with_help(format!("n may be {most} at most here"))));
-    }
+    check_memory(degree).map_err(|error| match error {
+        Error::Equation(fredholm::Error::TooLarge { needed, available, .. }) => {
+            let fault = field.error(format!(
+                "is {degree}: that needs {:.3} GB of memory, and {:.3} GB are free",
+                needed as f64 / 1e9,
+                available as f64 / 1e9
+            ));
+            let most = most_degree(available);
+            Error::Beyond(fault.with_help(format!("n may be {most} at most here")))
+        }
+        other => other,
+    })?;
     Ok(degree)
 }
