@@ -120,6 +120,17 @@ pub enum Error {
         available: u64,
     },
 
+    /// A method would need more of something than it has room for: the equation is sound.
+    #[error("the {what} comes out as {value}, and the method takes {limit}")]
+    BeyondMethod {
+        /// What there would be more of.
+        what: &'static str,
+        /// How much.
+        value: f64,
+        /// How much the method takes, and what would need less.
+        limit: &'static str,
+    },
+
     /// The structured solve needs a Gram matrix that is the sum of a Toeplitz and a Hankel matrix.
     #[error(
         "the Gram matrix of this kernel is not the sum of a Toeplitz and a Hankel matrix: use the dense system"

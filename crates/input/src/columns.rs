@@ -13,6 +13,13 @@
 //! ```
 
 use crate::document::FileError;
+use crate::shortened;
+
+/// The most rows that are read: a file within its limit of bytes may have ten times as many, and each takes more memory than its text.
+pub const MAXIMUM_ROWS: usize = 5_000_000;
+
+/// Longest field that a message quotes.
+const LONGEST_FIELD: usize = 40;
 
 /// A row and the number of its line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,7 +44,7 @@ impl Columns {
     /// semicolons a decimal comma is read as well.
     ///
     /// # Errors
-    /// [`FileError`] with the file and line: no UTF-8, text in a number's place, a missing column, values that are not finite.
+    /// [`FileError`] with the file and line: no UTF-8, text in a number's place, a missing column, values that are not finite, more than [`MAXIMUM_ROWS`] rows.
     pub fn read(&self, content: &[u8], file_name: &str) -> Result<Vec<Row>, FileError> {
         let fault = |message: String| FileError::new(message).in_file(Some(file_name));
         let content = content.strip_prefix(b"\xef\xbb\xbf").unwrap_or(content);
@@ -58,6 +65,12 @@ impl Columns {
                 header_seen = true;
                 continue;
             }
+            if rows.len() == MAXIMUM_ROWS {
+                let line = index + 1;
+                return Err(fault(format!(
+                    "line {line}: has more than the {MAXIMUM_ROWS} rows that are read"
+                )));
+            }
             let values = self
                 .values(&fields)
                 .map_err(|message| fault(format!("line {}: {message}", index + 1)))?;
@@ -73,9 +86,9 @@ impl Columns {
         };
         let value = |field: &String, index: usize| {
             let name = self.names[index];
-            let value: f64 = field
-                .parse()
-                .map_err(|_| format!("the {name} is not a number: `{}`", shortened(field)))?;
+            let value: f64 = field.parse().map_err(|_| {
+                format!("the {name} is not a number: `{}`", shortened(field, LONGEST_FIELD))
+            })?;
             if !value.is_finite() {
                 return Err(format!("the {name} is {value}: it must be finite"));
             }
@@ -103,10 +116,18 @@ fn unquoted(field: &str) -> &str {
     field.strip_prefix('"').and_then(|field| field.strip_suffix('"')).unwrap_or(field)
 }
 
-fn shortened(field: &str) -> String {
-    if field.chars().count() > 40 {
-        format!("{}...", field.chars().take(40).collect::<String>())
-    } else {
-        field.to_owned()
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_have_a_limit() {
+        let columns = Columns { names: ["position", "height"], units: [1.0, 1.0] };
+        let mut text = "1,2\n".repeat(MAXIMUM_ROWS);
+        assert_eq!(columns.read(text.as_bytes(), "a.csv").unwrap().len(), MAXIMUM_ROWS);
+        text.push_str("# a comment\n1,2\n");
+        let error = columns.read(text.as_bytes(), "a.csv").unwrap_err();
+        let said = "a.csv: line 5000002: has more than the 5000000 rows that are read";
+        assert_eq!(error.to_string(), said);
     }
 }

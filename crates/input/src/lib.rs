@@ -10,12 +10,14 @@
 //! | [`document`] | a TOML file whose values know their lines, and overrides of it | `--set load.force="1 MN/m"` |
 //! | [`columns`] | two columns of numbers, as instruments write them | a stylus trace |
 //!
-//! [`nearest`] finds the known name that a misspelt one was meant to be.
+//! [`nearest`] finds the known name that a misspelt one was meant to be, [`legible`] shows what a user wrote in a message.
 
 pub mod columns;
 pub mod document;
 pub mod expression;
+mod legible;
 mod nearest;
 pub mod quantity;
 
+pub use legible::{legible, shortened};
 pub use nearest::nearest;

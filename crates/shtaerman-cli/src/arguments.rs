@@ -19,7 +19,7 @@ pub use roughness::{
 #[derive(Debug, Parser)]
 #[command(name = "shtaerman", version, propagate_version = true, arg_required_else_help = true)]
 #[command(
-    after_help = "Exit codes: 0 an answer, 1 a check failed, 2 bad input, 3 a numerical promise not kept, 130 interrupted."
+    after_help = "Exit codes: 0 an answer, 1 a check failed or a result not written, 2 bad input, 3 a numerical promise not kept, 130 interrupted."
 )]
 pub struct Arguments {
     /// What to do.

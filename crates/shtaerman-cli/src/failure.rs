@@ -9,6 +9,7 @@ use miette::{
     MietteSpanContents, SourceCode, SourceSpan, SpanContents,
 };
 use shtaerman::document::FileError;
+use shtaerman::legible;
 
 use crate::plot::PlotError;
 
@@ -24,10 +25,18 @@ pub(crate) enum Failure {
     /// A plot cannot be drawn.
     #[error(transparent)]
     Plot(#[from] PlotError),
-    /// A file cannot be written.
+    /// There can be no file at the place named.
     #[error("{path} cannot be written: {reason}")]
     Unwritable {
         /// The file.
+        path: String,
+        /// What the system says.
+        reason: String,
+    },
+    /// The place is right, and writing failed: a full disk, a limit of the size of files.
+    #[error("{path} cannot be written: {reason}")]
+    Unwritten {
+        /// The file, or standard output.
         path: String,
         /// What the system says.
         reason: String,
@@ -49,15 +58,20 @@ impl Failure {
         Self::Unwritable { path: path.display().to_string(), reason: error.to_string() }
     }
 
+    /// The failure of writing itself.
+    pub(crate) fn unwritten(path: &Path, error: &std::io::Error) -> Self {
+        Self::Unwritten { path: path.display().to_string(), reason: error.to_string() }
+    }
+
     /// Prints the message to standard error and returns the exit code.
     pub(crate) fn report(&self) -> ExitCode {
-        say(&self.message());
+        print(&self.message());
         ExitCode::from(self.exit_code())
     }
 
     fn exit_code(&self) -> u8 {
         match self {
-            Self::Check(_) => 1,
+            Self::Check(_) | Self::Unwritten { .. } => 1,
             Self::Problem(error) if error.is_numerical() => 3,
             Self::Usage(_) | Self::Problem(_) | Self::Plot(_) | Self::Unwritable { .. } => 2,
         }
@@ -65,19 +79,30 @@ impl Failure {
 
     /// The message on one line, then the line of the file with a caret where there is one, then advice.
     fn message(&self) -> String {
-        let mut message = format!("error: {self}\n");
-        if let Self::Problem(shtaerman::Error::File(fault)) = self {
+        let mut message = format!("error: {}\n", legible(&self.to_string()));
+        if let Self::Problem(shtaerman::Error::File(fault) | shtaerman::Error::Beyond(fault)) = self
+        {
             message.push_str(&snippet(fault));
             if let Some(help) = fault.help() {
-                message.push_str(&format!("help: {help}\n"));
+                message.push_str(&format!("help: {}\n", legible(help)));
             }
         }
         message
     }
 }
 
+/// One line for standard error, such as a warning.
+pub(crate) fn say(kind: &str, text: &str) {
+    print(&format!("{kind}: {}\n", legible(text)));
+}
+
+/// A path as a message or a table shows it.
+pub(crate) fn shown(path: &Path) -> String {
+    legible(&path.display().to_string())
+}
+
 /// Writes to standard error; where that is closed or full, nobody is left to be told.
-pub(crate) fn say(text: &str) {
+pub(crate) fn print(text: &str) {
     let _ = std::io::stderr().lock().write_all(text.as_bytes());
 }
 
@@ -99,16 +124,15 @@ fn snippet(fault: &FileError) -> String {
     if body.is_empty() { String::new() } else { format!("  {body}") }
 }
 
-/// One line of a source with the place at fault, for the snippet drawer.
+/// One line of a source with the place at fault, for the snippet drawer; what a terminal would obey is written out.
 #[derive(Debug, thiserror::Error)]
 #[error("")]
 struct Excerpt {
     source_name: String,
     line: String,
-    /// Byte of the source at which the line begins.
-    line_start: usize,
     /// Index of the line, and of the first character at fault in it.
     place: (usize, usize),
+    /// The bytes of the line at fault.
     span: SourceSpan,
 }
 
@@ -123,14 +147,21 @@ impl Excerpt {
             return None;
         }
         let end = span.end.clamp(span.start, line_end);
+        let in_front = obeyed_no_more(&before[line_start..]);
+        let marked = obeyed_no_more(source.get(span.start..end)?);
+        let behind = obeyed_no_more(source.get(end..line_end)?.trim_end_matches('\r'));
         Some(Self {
-            source_name: fault.source_name().to_owned(),
-            line: source[line_start..line_end].trim_end_matches('\r').to_owned(),
-            line_start,
+            source_name: legible(fault.source_name()),
             place: (before.matches('\n').count(), before[line_start..].chars().count()),
-            span: (span.start..end).into(),
+            span: (in_front.len()..in_front.len() + marked.len()).into(),
+            line: in_front + &marked + &behind,
         })
     }
+}
+
+/// A part of a line as it is drawn: tabs stay, which the drawer sets itself.
+fn obeyed_no_more(part: &str) -> String {
+    part.split('\t').map(legible).collect::<Vec<_>>().join("\t")
 }
 
 impl Diagnostic for Excerpt {
@@ -151,7 +182,7 @@ impl SourceCode for Excerpt {
         _lines_before: usize,
         _lines_after: usize,
     ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
-        let span = (self.line_start, self.line.len()).into();
+        let span = (0, self.line.len()).into();
         let (line, column) = self.place;
         Ok(Box::new(MietteSpanContents::new_named(
             self.source_name.clone(),

@@ -91,7 +91,7 @@ pub use profile::Profile;
 #[doc(no_inline)]
 pub use punch::Geometry;
 #[doc(no_inline)]
-pub use shtaerman_input::{document, expression, quantity};
+pub use shtaerman_input::{document, expression, legible, quantity};
 #[doc(no_inline)]
 pub use solver::{AIM, ContactKind, MethodChoice};
 #[doc(no_inline)]

@@ -214,10 +214,10 @@ impl<K: Kernel + ?Sized> Problem<'_, K> {
         let mut sequence = half_counts(start).take_while(|half_count| *half_count <= most);
         let mut next = || sequence.next();
         let (Some(n1), Some(n2), Some(n3)) = (next(), next(), next()) else {
-            return Err(Error::InvalidParameter {
-                name: "number of breakpoints",
+            return Err(Error::BeyondMethod {
+                what: "number of breakpoints",
                 value: breaks.len() as f64,
-                requirement: "few enough for 2 * half_count + 1 nodes on each panel",
+                limit: "at most 8001 nodes over all panels between them: fewer kinks and steps need fewer",
             });
         };
         let mass = |x: f64| kernel.mass_function(x);

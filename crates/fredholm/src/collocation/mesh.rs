@@ -65,10 +65,10 @@ impl Mesh {
     ) -> Result<Self, Error> {
         let panels = left_ends.len();
         if panels.saturating_mul(grid.count()) > MOST_NODES {
-            return Err(Error::InvalidParameter {
-                name: "number of nodes",
+            return Err(Error::BeyondMethod {
+                what: "number of nodes",
                 value: panels as f64 * grid.count() as f64,
-                requirement: "at most 8001 over all panels",
+                limit: "at most 8001 over all panels: fewer kinks, steps and narrow features need fewer",
             });
         }
         let nodes: Vec<(usize, Node)> = left_ends

@@ -4,6 +4,10 @@ use std::ops::Range;
 
 use super::source::Origin;
 use crate::quantity::QuantityError;
+use crate::{legible, shortened};
+
+/// Longest text of a value that a message quotes.
+pub(super) const LONGEST_QUOTE: usize = 60;
 
 /// A fault of a problem file or of an override: where it is, what is wrong, what would be right.
 ///
@@ -168,7 +172,7 @@ impl Fault {
         let mut parts = Vec::new();
         match &self.origin {
             Some(origin) if origin.is_override() => {
-                parts.push(format!("--set {}", shortened(origin.source_text())));
+                parts.push(format!("--set {}", shortened(origin.source_text(), LONGEST_QUOTE)));
             }
             Some(origin) => {
                 let name = origin.file_name().unwrap_or("line");
@@ -178,14 +182,6 @@ impl Fault {
         }
         parts.extend(self.field.clone());
         parts.push(self.message.clone());
-        parts.join(": ")
+        legible(&parts.join(": "))
     }
-}
-
-/// A text on one line and of a length fit for a message.
-pub(super) fn shortened(text: &str) -> String {
-    const MOST: usize = 60;
-    let line: String =
-        text.chars().take(MOST).map(|sign| if sign.is_control() { ' ' } else { sign }).collect();
-    if text.chars().nth(MOST).is_some() { format!("{line}…") } else { line }
 }

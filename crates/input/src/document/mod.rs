@@ -53,7 +53,7 @@ mod tests;
 mod value;
 mod vocabulary;
 
-pub use bytes::{load_bytes, overridden};
+pub use bytes::{load_bytes, overridden, read_bytes};
 pub use error::FileError;
 pub use field::Field;
 pub use guard::{MAXIMUM_KEY_PARTS, MAXIMUM_TOKENS};

@@ -6,8 +6,9 @@ use std::sync::Arc;
 use toml::Spanned;
 use toml::de::{DeFloat, DeInteger, DeTable, DeValue};
 
-use super::error::{FileError, shortened};
+use super::error::{FileError, LONGEST_QUOTE};
 use super::source::{Origin, Source};
+use crate::shortened;
 
 /// Tables within tables and arrays within arrays go no deeper than this.
 pub const MAXIMUM_DEPTH: usize = 32;
@@ -69,7 +70,7 @@ impl Value {
     #[must_use]
     pub fn description(&self) -> String {
         match &self.kind {
-            ValueKind::String(text) => format!("the string \"{}\"", shortened(text)),
+            ValueKind::String(text) => format!("the string \"{}\"", shortened(text, LONGEST_QUOTE)),
             ValueKind::Integer(value) => format!("the number {value}"),
             ValueKind::Float(value) => format!("the number {value:?}"),
             ValueKind::Boolean(value) => format!("{value}"),
@@ -144,7 +145,12 @@ impl Conversion<'_> {
             DeValue::Datetime(value) => ValueKind::Datetime(value.to_string()),
             DeValue::Integer(written) => match whole_number(written) {
                 Some(value) => ValueKind::Integer(value),
-                None => return fail(format!("is {written}, beyond 64-bit whole numbers")),
+                None => {
+                    return fail(format!(
+                        "is {}, beyond 64-bit whole numbers",
+                        shortened(written.as_str(), LONGEST_QUOTE)
+                    ));
+                }
             },
             DeValue::Float(written) => match finite_number(written) {
                 Ok(value) => ValueKind::Float(value),
@@ -175,7 +181,7 @@ fn finite_number(written: &DeFloat<'_>) -> Result<f64, String> {
     } else if text.contains("inf") || text.contains("nan") {
         Err(format!("is {text}, a finite number was expected"))
     } else {
-        Err(format!("is {}, beyond 64-bit floats (1.8e308)", shortened(text)))
+        Err(format!("is {}, beyond 64-bit floats (1.8e308)", shortened(text, LONGEST_QUOTE)))
     }
 }
 

@@ -14,6 +14,21 @@ const PLAIN_EXPONENTS: std::ops::Range<i32> = -4..6;
 const PREFIXES: [(i32, &str); 9] =
     [(-12, "p"), (-9, "n"), (-6, "µ"), (-3, "m"), (0, ""), (3, "k"), (6, "M"), (9, "G"), (12, "T")];
 
+/// A number in SI units, or of no dimension, as short as it can be read back: with an exponent where digits would only count zeros.
+///
+/// ```
+/// use shtaerman_input::quantity::plain;
+/// assert_eq!(["0.005", "1e300"], [plain(0.005), plain(1e300)].each_ref().map(String::as_str));
+/// ```
+#[must_use]
+pub fn plain(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() || (1e-7..1e16).contains(&value.abs()) {
+        value.to_string()
+    } else {
+        format!("{value:e}")
+    }
+}
+
 /// The unit in which values of one kind are shown, and the prefixes it takes.
 ///
 /// A [`Dimension`] converts to the unit usual for it; angles, which have no dimension, are asked

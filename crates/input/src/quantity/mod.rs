@@ -45,7 +45,7 @@ mod value;
 
 pub use dimension::Dimension;
 pub use error::{QuantityError, QuantityErrorKind};
-pub use format::{AxisUnit, DisplayUnit, axis_unit, engineering, engineering_with_digits};
+pub use format::{AxisUnit, DisplayUnit, axis_unit, engineering, engineering_with_digits, plain};
 pub use limits::{MAXIMUM_LENGTH, MAXIMUM_POWER};
 pub use parse::parse;
 pub use value::{FieldError, Quantity};

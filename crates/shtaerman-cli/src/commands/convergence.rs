@@ -1,13 +1,13 @@
 //! `shtaerman convergence`.
 
 use serde_json::json;
-use shtaerman::Problem;
 use shtaerman::convergence::{Convergence, FIRST_DEGREE, Quantity};
+use shtaerman::{Error, Problem};
 
 use super::problem_file;
 use crate::Failure;
 use crate::arguments::{ConvergenceArguments, ReportFormat};
-use crate::output::{Outputs, check_writable};
+use crate::output::{Content, Outputs};
 use crate::plot::{ConvergencePlot, ConvergenceSeries, Format, Size, render};
 use crate::report::{self, Table};
 
@@ -16,29 +16,31 @@ const LEAST_DEGREE: usize = 4 * FIRST_DEGREE;
 
 pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
-    check_writable(
-        &[arguments.output.output.as_deref(), arguments.plot.as_deref()],
-        Some(&arguments.problem.file),
-    )?;
+    let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
     if arguments.max_n < LEAST_DEGREE {
         return Err(Failure::Usage(format!(
             "--max-n {}: must be at least {LEAST_DEGREE}, as an order takes three degrees",
             arguments.max_n
         )));
     }
-    let file = problem_file::read(&arguments.problem)?;
+    let file = problem_file::read(&arguments.problem, &outputs)?;
     let problem = file.problem();
-    let study = Convergence::study(problem, arguments.max_n).map_err(|error| file.locate(error))?;
+    let study = Convergence::study(problem, arguments.max_n).map_err(|error| match error {
+        Error::InvalidValue { field: "max_n", value, requirement } => {
+            Failure::Usage(format!("--max-n {value}: must be {requirement}"))
+        }
+        other => file.locate(other).into(),
+    })?;
     let text = match arguments.output.format {
-        ReportFormat::Table => table(problem, &study),
-        ReportFormat::Json => report::json(&json!({
+        ReportFormat::Table => table(problem, &study).into(),
+        ReportFormat::Json => Content::json(json!({
             "schema": "shtaerman-convergence/2",
             "theta0": problem.theta0(),
             "quantities": study.quantities,
             "expected_orders": study.quantities.iter().map(|quantity| quantity.expected_order()).collect::<Vec<_>>(),
             "rows": study.rows,
-        }))?,
-        ReportFormat::Csv => csv(&study)?,
+        })),
+        ReportFormat::Csv => csv(&study),
     };
     let mut outputs = Outputs::default();
     outputs.result(arguments.output.output.as_deref(), text);
@@ -98,10 +100,10 @@ fn table(problem: &Problem, study: &Convergence) -> String {
     )
 }
 
-fn csv(study: &Convergence) -> Result<String, Failure> {
+fn csv(study: &Convergence) -> Content<'_> {
     let header = ["n", "quantity", "value", "difference", "order"];
-    let optional = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
-    let rows = study.rows.iter().flat_map(|row| {
+    let optional = move |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
+    let rows = study.rows.iter().flat_map(move |row| {
         row.entries.iter().zip(&study.quantities).map(move |(entry, &quantity)| {
             vec![
                 row.n.to_string(),
@@ -112,7 +114,7 @@ fn csv(study: &Convergence) -> Result<String, Failure> {
             ]
         })
     });
-    report::csv(&header, rows)
+    Content::csv(&header, rows)
 }
 
 fn plot(problem: &Problem, study: &Convergence) -> ConvergencePlot {

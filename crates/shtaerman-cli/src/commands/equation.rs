@@ -8,8 +8,8 @@ use shtaerman::quantity::Dimension;
 use super::{places, problem_file};
 use crate::Failure;
 use crate::arguments::{EquationArguments, ReportFormat};
-use crate::failure::say;
-use crate::output::{Outputs, check_writable};
+use crate::failure::{say, shown};
+use crate::output::{Content, Input, Outputs, check_writable};
 use crate::plot::{Format, Size, SolutionPlot, render};
 use crate::report;
 
@@ -18,10 +18,9 @@ const PLOT_POINTS: usize = 401;
 
 pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
-    check_writable(
-        &[arguments.output.output.as_deref(), arguments.plot.as_deref()],
-        Some(&arguments.file),
-    )?;
+    let input = Input { what: "the problem file", path: &arguments.file };
+    let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
+    check_writable(&outputs, &[input])?;
     places::check_points(arguments.points)?;
     let file = problem_file::read_equation(&arguments.file, &arguments.overrides)?;
     if arguments.cross_check && file.equation().kind() == Kind::First {
@@ -44,7 +43,7 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
         answer.cross_check = Some(solved.cross_check().map_err(|error| file.locate(error))?);
     }
     let mut outputs = Outputs::default();
-    outputs.result(arguments.output.output.as_deref(), text(arguments, &solved, &answer)?);
+    outputs.result(arguments.output.output.as_deref(), content(arguments, &solved, &answer)?);
     if let (Some(path), Some(format)) = (&arguments.plot, format) {
         let plot = plot(&solved).map_err(|error| file.locate(error))?;
         outputs.file(path, render(&plot, format, Size::default())?);
@@ -52,28 +51,28 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
     outputs.write()?;
     if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {
         for warning in solved.warnings() {
-            say(&format!("warning: {}\n", warning.message));
+            say("warning", &warning.message);
         }
     }
     verdict(&answer)
 }
 
-fn text(
+fn content<'a>(
     arguments: &EquationArguments,
     solved: &SolvedEquation<'_>,
-    answer: &EquationAnswer<'_>,
-) -> Result<String, Failure> {
+    answer: &'a EquationAnswer<'_>,
+) -> Result<Content<'a>, Failure> {
     Ok(match arguments.output.format {
         ReportFormat::Table => {
             let name = problem_file::name(&arguments.file);
             let mut text = report::equation_table(&name, solved, answer, arguments.at.is_some())?;
             if let Some(path) = &arguments.plot {
-                let _ = writeln!(text, "plot: {}", path.display());
+                let _ = writeln!(text, "plot: {}", shown(path));
             }
-            text
+            text.into()
         }
-        ReportFormat::Json => report::json(answer)?,
-        ReportFormat::Csv => report::equation_csv(answer)?,
+        ReportFormat::Json => Content::json(answer),
+        ReportFormat::Csv => report::equation_csv(answer),
     })
 }
 

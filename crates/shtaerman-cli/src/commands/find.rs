@@ -1,7 +1,5 @@
 //! `shtaerman find`.
 
-use std::path::Path;
-
 use shtaerman::Error;
 use shtaerman::file::ProblemFile;
 use shtaerman::inverse::{self, Found, Goal, Normalisation};
@@ -13,8 +11,8 @@ use crate::arguments::{
     FindArguments, FindCrownArguments, FindForceArguments, FindProfileArguments,
     FindRoughnessArguments, OutputArguments, ProblemArguments, ReportFormat, Unknown, Zero,
 };
-use crate::output::{Outputs, check_writable};
-use crate::report::{self, CrownReport, FoundReport, ShapedReport};
+use crate::output::{Content, Outputs};
+use crate::report::{CrownReport, FoundReport, ShapedReport};
 
 pub(super) fn run(arguments: &FindArguments) -> Result<(), Failure> {
     match &arguments.unknown {
@@ -35,7 +33,7 @@ fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
     write(
         &arguments.output,
         || report.table(&name, &found),
-        || report::json(&report),
+        || Content::json(&report),
         || report.csv(),
     )
 }
@@ -51,7 +49,7 @@ fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
     write(
         &arguments.output,
         || report.table(&name, &found),
-        || report::json(&report),
+        || Content::json(&report),
         || report.csv(),
     )
 }
@@ -76,7 +74,7 @@ fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
     write(
         &arguments.output,
         || report.table(&name, &crown),
-        || report::json(&report),
+        || Content::json(&report),
         || report.csv(),
     )
 }
@@ -98,13 +96,11 @@ fn profile(arguments: &FindProfileArguments) -> Result<(), Failure> {
     let shaped = located(&file, shaped)?;
     let name = problem_file::name(&arguments.problem.file);
     let report = ShapedReport::new(file.problem(), pressure, shaped);
-    write(&arguments.output, || report.table(&name), || report::json(&report), || report.csv())
+    write(&arguments.output, || report.table(&name), || Content::json(&report), || report.csv())
 }
 
 fn read(problem: &ProblemArguments, output: &OutputArguments) -> Result<ProblemFile, Failure> {
-    let input: &Path = &problem.file;
-    check_writable(&[output.output.as_deref()], Some(input))?;
-    problem_file::read(problem)
+    problem_file::read(problem, &[output.output.as_deref()])
 }
 
 fn located<T>(file: &ProblemFile, result: Result<T, Error>) -> Result<T, Failure> {
@@ -164,16 +160,16 @@ fn number(
 }
 
 /// Writes the result in the format asked for.
-fn write(
+fn write<'a>(
     output: &OutputArguments,
     table: impl FnOnce() -> String,
-    json: impl FnOnce() -> Result<String, Failure>,
-    csv: impl FnOnce() -> Result<String, Failure>,
+    json: impl FnOnce() -> Content<'a>,
+    csv: impl FnOnce() -> Content<'a>,
 ) -> Result<(), Failure> {
     let text = match output.format {
-        ReportFormat::Table => table(),
-        ReportFormat::Json => json()?,
-        ReportFormat::Csv => csv()?,
+        ReportFormat::Table => table().into(),
+        ReportFormat::Json => json(),
+        ReportFormat::Csv => csv(),
     };
     let mut outputs = Outputs::default();
     outputs.result(output.output.as_deref(), text);

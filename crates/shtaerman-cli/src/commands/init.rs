@@ -4,6 +4,7 @@ use std::path::Path;
 
 use crate::Failure;
 use crate::arguments::InitArguments;
+use crate::failure::shown;
 use crate::output::Outputs;
 
 const EXAMPLE: &str = include_str!("../../data/example.toml");
@@ -22,14 +23,15 @@ pub(super) fn run(arguments: &InitArguments) -> Result<(), Failure> {
         outputs.result(None, text);
         return outputs.write();
     }
-    if path.exists() && !arguments.force {
+    // A link that leads nowhere is there as well.
+    if path.symlink_metadata().is_ok() && !arguments.force {
         return Err(Failure::Usage(format!(
             "{} exists already: name another file, or overwrite it with --force",
             path.display()
         )));
     }
     outputs.file(path, text);
-    let name = path.display();
+    let name = shown(path);
     outputs.result(None, format!("wrote {name}\nsolve it with: shtaerman {command} {name}\n"));
     outputs.write()
 }

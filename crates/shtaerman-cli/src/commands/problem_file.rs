@@ -1,18 +1,32 @@
 //! The problem or equation file of a command.
 
-use std::io::Read;
 use std::path::Path;
 
 use shtaerman::Contact;
-use shtaerman::document::MAXIMUM_BYTES;
+use shtaerman::document::read_bytes;
 use shtaerman::equation::EquationFile;
 use shtaerman::file::{AnyFile, ProblemFile};
 
 use crate::Failure;
 use crate::arguments::ProblemArguments;
+use crate::failure::shown;
+use crate::output::{Input, check_writable};
 
-/// Reads the problem, with its overrides; `-` is standard input.
-pub(super) fn read(arguments: &ProblemArguments) -> Result<ProblemFile, Failure> {
+/// Reads the problem, with its overrides; `-` is standard input. The outputs must be writable, and none of them a file that is read.
+pub(super) fn read(
+    arguments: &ProblemArguments,
+    outputs: &[Option<&Path>],
+) -> Result<ProblemFile, Failure> {
+    let input = Input { what: "the problem file", path: &arguments.file };
+    check_writable(outputs, &[input])?;
+    let file = read_problem(arguments)?;
+    if let Some(path) = file.measured_profile() {
+        check_writable(outputs, &[Input { what: "the measured profile", path }])?;
+    }
+    Ok(file)
+}
+
+fn read_problem(arguments: &ProblemArguments) -> Result<ProblemFile, Failure> {
     if arguments.file != Path::new("-") {
         return Ok(ProblemFile::open(&arguments.file, &arguments.overrides)?);
     }
@@ -46,18 +60,13 @@ pub(super) fn read_any(arguments: &ProblemArguments) -> Result<AnyFile, Failure>
 }
 
 fn standard_input() -> Result<Vec<u8>, Failure> {
-    let mut bytes = Vec::new();
-    std::io::stdin()
-        .lock()
-        .take(MAXIMUM_BYTES as u64 + 1)
-        .read_to_end(&mut bytes)
-        .map_err(|error| Failure::Usage(format!("standard input cannot be read: {error}")))?;
-    Ok(bytes)
+    read_bytes(std::io::stdin().lock())
+        .map_err(|message| Failure::Usage(format!("standard input {message}")))
 }
 
 /// What to call the file in messages.
 pub(super) fn name(path: &Path) -> String {
-    if path == Path::new("-") { "standard input".to_owned() } else { path.display().to_string() }
+    if path == Path::new("-") { "standard input".to_owned() } else { shown(path) }
 }
 
 /// Solves the problem, with its audit if that is wanted.

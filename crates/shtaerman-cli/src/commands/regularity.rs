@@ -1,15 +1,18 @@
 //! `shtaerman regularity`.
 
-use fredholm::degenerate::regularity::{Condition, RegularityReport, SystemReport, Verdict};
+use fredholm::degenerate::regularity::{
+    Condition, RegularityReport, RowSums, SystemReport, Verdict,
+};
+use serde::{Serialize, Serializer};
 use serde_json::{Value, json};
 
 use crate::Failure;
 use crate::arguments::{RegularityArguments, ReportFormat};
-use crate::output::{Outputs, check_writable};
+use crate::output::{Content, Outputs, check_writable};
 use crate::report::{self, Table};
 
 pub(super) fn run(arguments: &RegularityArguments) -> Result<(), Failure> {
-    check_writable(&[arguments.output.output.as_deref()], None)?;
+    check_writable(&[arguments.output.output.as_deref()], &[])?;
     let study = match arguments.q0 {
         Some(q0) => RegularityReport::with_constant(arguments.theta0, q0, arguments.rows),
         None => RegularityReport::new(arguments.theta0, arguments.rows),
@@ -17,8 +20,8 @@ pub(super) fn run(arguments: &RegularityArguments) -> Result<(), Failure> {
     let study = study.map_err(|error| Failure::Usage(error.to_string()))?;
     let text = match arguments.output.format {
         ReportFormat::Table => table(&study),
-        ReportFormat::Json => report::json(&data(&study))?,
-        ReportFormat::Csv => csv(&study)?,
+        ReportFormat::Json => Content::json(Data::new(&study)),
+        ReportFormat::Csv => csv(&study),
     };
     let mut outputs = Outputs::default();
     outputs.result(arguments.output.output.as_deref(), text);
@@ -32,44 +35,43 @@ fn systems(study: &RegularityReport) -> [(&'static str, &'static str, &SystemRep
     [(even, even_number, &study.even), (odd, odd_number, &study.odd)]
 }
 
-fn table(study: &RegularityReport) -> String {
-    let mut text = format!("Regularity of the infinite systems at theta0 = {}\n", study.theta0);
-    for (name, number, system) in systems(study) {
-        text.push_str(&format!(
-            "\nThe {name} system {number}: row sums (theta0 times the sum of |a_m R_km|)\n"
-        ));
-        let mut rows = Table::new(&[
-            "row",
-            "degree",
-            "row sum",
-            "paper's majorant (4.1)",
-            "first sum",
-            "second sum",
-        ]);
-        for row in &system.rows {
-            rows.row(vec![
-                row.row.to_string(),
-                row.degree.to_string(),
-                report::significant(row.sum, 8),
-                report::significant(row.majorant, 8),
-                report::significant(row.first_sum, 8),
-                report::significant(row.second_sum, 8),
-            ]);
+fn table(study: &RegularityReport) -> Content<'_> {
+    Content::stream(|out| {
+        writeln!(out, "Regularity of the infinite systems at theta0 = {}", study.theta0)?;
+        for (name, number, system) in systems(study) {
+            writeln!(
+                out,
+                "\nThe {name} system {number}: row sums (theta0 times the sum of |a_m R_km|)"
+            )?;
+            let heads =
+                ["row", "degree", "row sum", "paper's majorant (4.1)", "first sum", "second sum"];
+            Table::write_long(out, &heads, || {
+                system.rows.iter().map(|row| {
+                    vec![
+                        row.row.to_string(),
+                        row.degree.to_string(),
+                        report::significant(row.sum, 8),
+                        report::significant(row.majorant, 8),
+                        report::significant(row.first_sum, 8),
+                        report::significant(row.second_sum, 8),
+                    ]
+                })
+            })?;
+            write!(
+                out,
+                "{}Completely regular from row {} (degree {}) on.\nVerdict: {}.\n",
+                conditions(system),
+                system.first_row,
+                system.first_degree,
+                verdict(&system.verdict)
+            )?;
         }
-        text.push_str(&rows.to_string());
-        text.push_str(&conditions(system));
-        text.push_str(&format!(
-            "Completely regular from row {} (degree {}) on.\nVerdict: {}.\n",
-            system.first_row,
-            system.first_degree,
-            verdict(&system.verdict)
-        ));
-    }
-    text.push_str(&format!(
-        "\nBoth systems: {}.\nThe truncated systems have one solution at every theta0 >= 0, regular or not: the kernel is positive.\n",
-        verdict(&study.verdict)
-    ));
-    text
+        writeln!(
+            out,
+            "\nBoth systems: {}.\nThe truncated systems have one solution at every theta0 >= 0, regular or not: the kernel is positive.",
+            verdict(&study.verdict)
+        )
+    })
 }
 
 fn conditions(system: &SystemReport) -> String {
@@ -114,42 +116,85 @@ fn verdict(verdict: &Verdict) -> String {
     }
 }
 
-fn data(study: &RegularityReport) -> Value {
-    let [even, odd] = systems(study).map(|(_, number, system)| system_data(number, system));
-    json!({
-        "schema": "shtaerman-regularity/1",
-        "theta0": study.theta0,
-        "constant": study.constant,
-        "even": even,
-        "odd": odd,
-        "first_degree": study.first_degree,
-        "verdict": verdict_data(&study.verdict),
-    })
+/// What `regularity --format json` writes.
+#[derive(Serialize)]
+struct Data<'a> {
+    schema: &'static str,
+    theta0: f64,
+    constant: f64,
+    even: SystemData<'a>,
+    odd: SystemData<'a>,
+    first_degree: Value,
+    verdict: Value,
 }
 
-fn system_data(number: &str, system: &SystemReport) -> Value {
-    let condition = |condition: &Condition| json!({ "supremum": condition.supremum, "critical_theta0": condition.critical_theta0, "met": condition.met });
-    json!({
-        "system": number,
-        "rows": system.rows.iter().map(|row| json!({
-            "row": row.row,
-            "degree": row.degree,
-            "sum": row.sum,
-            "majorant": row.majorant,
-            "constant_share": row.constant_share,
-            "first_sum": row.first_sum,
-            "second_sum": row.second_sum,
-        })).collect::<Vec<_>>(),
-        "conditions": {
-            "printed": system.conditions.printed.as_ref().map(condition),
-            "corrected": condition(&system.conditions.corrected),
-            "majorant": condition(&system.conditions.majorant),
-            "sharp": condition(&system.conditions.sharp),
-        },
-        "first_row": system.first_row,
-        "first_degree": system.first_degree,
-        "verdict": verdict_data(&system.verdict),
-    })
+#[derive(Serialize)]
+struct SystemData<'a> {
+    system: &'static str,
+    #[serde(serialize_with = "rows")]
+    rows: &'a [RowSums],
+    conditions: Value,
+    first_row: Value,
+    first_degree: Value,
+    verdict: Value,
+}
+
+#[derive(Serialize)]
+struct RowData {
+    row: Value,
+    degree: Value,
+    sum: f64,
+    majorant: f64,
+    constant_share: f64,
+    first_sum: f64,
+    second_sum: f64,
+}
+
+impl<'a> Data<'a> {
+    fn new(study: &'a RegularityReport) -> Self {
+        let [even, odd] = systems(study).map(|(_, number, system)| SystemData::new(number, system));
+        Self {
+            schema: "shtaerman-regularity/1",
+            theta0: study.theta0,
+            constant: study.constant,
+            even,
+            odd,
+            first_degree: json!(study.first_degree),
+            verdict: verdict_data(&study.verdict),
+        }
+    }
+}
+
+impl<'a> SystemData<'a> {
+    fn new(number: &'static str, system: &'a SystemReport) -> Self {
+        let condition = |condition: &Condition| json!({ "supremum": condition.supremum, "critical_theta0": condition.critical_theta0, "met": condition.met });
+        Self {
+            system: number,
+            rows: &system.rows,
+            conditions: json!({
+                "printed": system.conditions.printed.as_ref().map(condition),
+                "corrected": condition(&system.conditions.corrected),
+                "majorant": condition(&system.conditions.majorant),
+                "sharp": condition(&system.conditions.sharp),
+            }),
+            first_row: json!(system.first_row),
+            first_degree: json!(system.first_degree),
+            verdict: verdict_data(&system.verdict),
+        }
+    }
+}
+
+/// Rows are made one by one as they are written.
+fn rows<S: Serializer>(rows: &&[RowSums], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_seq(rows.iter().map(|row| RowData {
+        row: json!(row.row),
+        degree: json!(row.degree),
+        sum: row.sum,
+        majorant: row.majorant,
+        constant_share: row.constant_share,
+        first_sum: row.first_sum,
+        second_sum: row.second_sum,
+    }))
 }
 
 fn verdict_data(verdict: &Verdict) -> Value {
@@ -163,7 +208,7 @@ fn verdict_data(verdict: &Verdict) -> Value {
     }
 }
 
-fn csv(study: &RegularityReport) -> Result<String, Failure> {
+fn csv(study: &RegularityReport) -> Content<'_> {
     let header =
         ["system", "row", "degree", "sum", "majorant", "constant_share", "first_sum", "second_sum"];
     let rows = systems(study).into_iter().flat_map(|(name, _, system)| {
@@ -180,5 +225,5 @@ fn csv(study: &RegularityReport) -> Result<String, Failure> {
             ]
         })
     });
-    report::csv(&header, rows)
+    Content::csv(&header, rows)
 }

@@ -4,7 +4,7 @@ use shtaerman::paper::{self, Figure, Reproduction};
 
 use crate::Failure;
 use crate::arguments::{ReportFormat, ReproduceArguments};
-use crate::output::{Outputs, check_writable};
+use crate::output::{Content, Outputs, check_writable};
 use crate::plot::{Arrangement, Curve, CurvePanel, CurveScaling, CurvesPlot, Format, Size, render};
 use crate::report::{self, Table};
 
@@ -13,13 +13,13 @@ const CURVE_POINTS: usize = 401;
 
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
-    check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()], None)?;
+    check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()], &[])?;
     let reproduction = paper::reproduce()?;
     let mut outputs = Outputs::default();
     let text = match arguments.output.format {
-        ReportFormat::Table => table(&reproduction),
-        ReportFormat::Json => json(&reproduction)?,
-        ReportFormat::Csv => csv(&reproduction)?,
+        ReportFormat::Table => table(&reproduction).into(),
+        ReportFormat::Json => json(&reproduction),
+        ReportFormat::Csv => csv(&reproduction),
     };
     outputs.result(arguments.output.output.as_deref(), text);
     if let (Some(path), Some(format)) = (&arguments.plot, format) {
@@ -91,7 +91,7 @@ fn row(figure: &Figure) -> Vec<String> {
     ]
 }
 
-fn json(reproduction: &Reproduction) -> Result<String, Failure> {
+fn json(reproduction: &Reproduction) -> Content<'static> {
     let value = serde_json::json!({
         "schema": "shtaerman-reproduction/1",
         "agreeing": reproduction.agreeing(),
@@ -99,10 +99,10 @@ fn json(reproduction: &Reproduction) -> Result<String, Failure> {
         "summary": summary(reproduction),
         "figures": reproduction.figures,
     });
-    report::json(&value)
+    Content::json(value)
 }
 
-fn csv(reproduction: &Reproduction) -> Result<String, Failure> {
+fn csv(reproduction: &Reproduction) -> Content<'_> {
     let header = [
         "table",
         "profile",
@@ -129,7 +129,7 @@ fn csv(reproduction: &Reproduction) -> Result<String, Failure> {
             figure.reason.map_or(String::new(), |reason| reason.text().to_owned()),
         ]
     });
-    report::csv(&header, rows)
+    Content::csv(&header, rows)
 }
 
 fn figure2() -> Result<CurvesPlot, Failure> {

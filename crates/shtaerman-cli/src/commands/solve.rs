@@ -8,8 +8,8 @@ use shtaerman::{Answer, Contact, Datum, Law, PressureCurve, Problem, SurfaceCurv
 use super::{places, problem_file};
 use crate::Failure;
 use crate::arguments::{ReportFormat, SolveArguments};
-use crate::failure::say;
-use crate::output::{Outputs, check_writable};
+use crate::failure::{say, shown};
+use crate::output::{Content, Outputs};
 use crate::plot::{ContactPlot, Format, Size, render};
 use crate::report;
 
@@ -22,12 +22,9 @@ const PLOT_MARGIN: f64 = 0.6;
 
 pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
-    check_writable(
-        &[arguments.output.output.as_deref(), arguments.plot.as_deref()],
-        Some(&arguments.problem.file),
-    )?;
+    let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
     places::check_points(arguments.points)?;
-    let file = problem_file::read(&arguments.problem)?;
+    let file = problem_file::read(&arguments.problem, &outputs)?;
     let places =
         arguments.at.as_deref().map(|text| parse_places(text, file.problem())).transpose()?;
     let extras = Extras::new(arguments, file.problem())?;
@@ -50,12 +47,12 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
             let name = problem_file::name(&arguments.problem.file);
             let mut text = report::answer_table(&name, &contact, &answer, arguments.at.is_some());
             if let Some(path) = &arguments.plot {
-                let _ = writeln!(text, "plot: {}", path.display());
+                let _ = writeln!(text, "plot: {}", shown(path));
             }
-            text
+            text.into()
         }
-        ReportFormat::Json => report::json(&answer)?,
-        ReportFormat::Csv => report::answer_csv(&answer)?,
+        ReportFormat::Json => Content::json(&answer),
+        ReportFormat::Csv => report::answer_csv(&answer),
     };
     let mut outputs = Outputs::default();
     outputs.result(arguments.output.output.as_deref(), text);
@@ -65,7 +62,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     outputs.write()?;
     if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {
         for warning in contact.warnings() {
-            say(&format!("warning: {}\n", warning.message));
+            say("warning", &warning.message);
         }
     }
     match &answer.cross_check {

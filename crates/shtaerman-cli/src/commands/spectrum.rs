@@ -5,7 +5,8 @@ use shtaerman::quantity::{self, Dimension};
 
 use crate::Failure;
 use crate::arguments::{KernelArguments, ReportFormat, SpectrumArguments};
-use crate::output::{Outputs, check_writable};
+use crate::failure::shown;
+use crate::output::{Content, Outputs, check_writable};
 use crate::plot::{Arrangement, Curve, CurvePanel, CurveScaling, CurvesPlot, Format, Size, render};
 use crate::report::{self, Table};
 
@@ -16,19 +17,19 @@ const PLOT_INTERVALS: u32 = 400;
 
 pub(super) fn run(arguments: &SpectrumArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
-    check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()], None)?;
+    check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()], &[])?;
     let kernel = kernel(arguments)?;
     let spectrum = Spectrum::new(&kernel, arguments.count, arguments.verify).map_err(usage)?;
     let text = match arguments.output.format {
         ReportFormat::Table => {
             let mut text = table(&spectrum);
             if let Some(path) = &arguments.plot {
-                text.push_str(&format!("\nplot: {}\n", path.display()));
+                text.push_str(&format!("\nplot: {}\n", shown(path)));
             }
-            text
+            text.into()
         }
-        ReportFormat::Json => report::json(&spectrum)?,
-        ReportFormat::Csv => csv(&spectrum)?,
+        ReportFormat::Json => Content::json(&spectrum),
+        ReportFormat::Csv => csv(&spectrum),
     };
     let mut outputs = Outputs::default();
     outputs.result(arguments.output.output.as_deref(), text);
@@ -165,7 +166,7 @@ fn table(spectrum: &Spectrum<'_>) -> String {
     text
 }
 
-fn csv(spectrum: &Spectrum<'_>) -> Result<String, Failure> {
+fn csv<'a>(spectrum: &'a Spectrum<'_>) -> Content<'a> {
     let rows = spectrum.index.iter().enumerate().map(|(i, n)| {
         vec![
             n.to_string(),
@@ -174,7 +175,7 @@ fn csv(spectrum: &Spectrum<'_>) -> Result<String, Failure> {
             spectrum.expansion_factor[i].to_string(),
         ]
     });
-    report::csv(&["index", "eigenvalue", "norm", "expansion_factor"], rows)
+    Content::csv(&["index", "eigenvalue", "norm", "expansion_factor"], rows)
 }
 
 fn verdict(spectrum: &Spectrum<'_>) -> Result<(), Failure> {

@@ -9,7 +9,7 @@ use shtaerman::{
 };
 
 use super::{Table, significant};
-use crate::Failure;
+use crate::output::Content;
 
 /// Significant digits of a table.
 const DIGITS: usize = 8;
@@ -288,13 +288,10 @@ fn places(curve: &PressureCurve, is_physical: bool) -> Table {
 }
 
 /// The pressure curve as CSV: `x,pressure`, in SI units or without dimensions as the problem is; the surface in its place where that was asked for.
-///
-/// # Errors
-/// [`Failure::Usage`] should writing to memory fail.
-pub(crate) fn answer_csv(answer: &Answer) -> Result<String, Failure> {
+pub(crate) fn answer_csv(answer: &Answer) -> Content<'_> {
     if let Some(surface) = &answer.surface {
         return super::surface_csv(surface);
     }
     let pairs = answer.pressure.x.iter().zip(&answer.pressure.pressure);
-    super::csv(&["x", "pressure"], pairs.map(|(x, p)| vec![x.to_string(), p.to_string()]))
+    Content::csv(&["x", "pressure"], pairs.map(|(x, p)| vec![x.to_string(), p.to_string()]))
 }

@@ -7,6 +7,7 @@ use shtaerman::equation::{EquationAnswer, EquationAudit, EquationCheck, SolvedEq
 
 use super::{Table, significant};
 use crate::Failure;
+use crate::output::Content;
 
 /// Significant digits of a table.
 const DIGITS: usize = 12;
@@ -138,11 +139,8 @@ fn check_line(check: &EquationCheck) -> String {
 }
 
 /// The solution as CSV: `x,phi`; an infinite value is an empty field.
-///
-/// # Errors
-/// [`Failure::Usage`] should writing to memory fail.
-pub(crate) fn equation_csv(answer: &EquationAnswer<'_>) -> Result<String, Failure> {
+pub(crate) fn equation_csv<'a>(answer: &'a EquationAnswer<'_>) -> Content<'a> {
     let pairs = answer.solution.x.iter().zip(&answer.solution.phi);
-    let value = |phi: &Option<f64>| phi.map_or(String::new(), |phi| phi.to_string());
-    super::csv(&["x", "phi"], pairs.map(|(x, phi)| vec![x.to_string(), value(phi)]))
+    let value = move |phi: &Option<f64>| phi.map_or(String::new(), |phi| phi.to_string());
+    Content::csv(&["x", "phi"], pairs.map(move |(x, phi)| vec![x.to_string(), value(phi)]))
 }

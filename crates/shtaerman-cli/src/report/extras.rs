@@ -4,7 +4,7 @@ use shtaerman::quantity::{Dimension, engineering};
 use shtaerman::{Answer, Datum, Derivatives, Sensitivities, SurfaceCurve};
 
 use super::{Table, significant};
-use crate::Failure;
+use crate::output::Content;
 
 /// Significant digits of a derivative.
 const DIGITS: usize = 8;
@@ -75,14 +75,11 @@ fn sensitivity_table(sensitivities: &Sensitivities) -> Table {
 }
 
 /// The surface as CSV: `x,pressure,displacement,gap`, in SI units or without dimensions as the problem is; no gap beside the punch.
-///
-/// # Errors
-/// [`Failure::Usage`] should writing to memory fail.
-pub(crate) fn surface_csv(surface: &SurfaceCurve) -> Result<String, Failure> {
+pub(crate) fn surface_csv(surface: &SurfaceCurve) -> Content<'_> {
     let SurfaceCurve { x, pressure, displacement, gap } = surface;
-    let rows = (0..x.len()).map(|i| {
+    let rows = (0..x.len()).map(move |i| {
         let gap = gap[i].map_or(String::new(), |gap| gap.to_string());
         vec![x[i].to_string(), pressure[i].to_string(), displacement[i].to_string(), gap]
     });
-    super::csv(&["x", "pressure", "displacement", "gap"], rows)
+    Content::csv(&["x", "pressure", "displacement", "gap"], rows)
 }

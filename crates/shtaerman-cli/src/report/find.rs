@@ -10,7 +10,7 @@ use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_
 use shtaerman::{Contact, Problem, Rotational, Roughness, Scaling};
 
 use super::{Table, significant};
-use crate::Failure;
+use crate::output::Content;
 
 /// Version of the layout; `schema/find.schema.json` describes it.
 const SCHEMA: &str = "shtaerman-find/2";
@@ -284,7 +284,7 @@ impl FoundReport {
         text
     }
 
-    pub(crate) fn csv(&self) -> Result<String, Failure> {
+    pub(crate) fn csv(&self) -> Content<'_> {
         let header = ["unknown", "value", "quantity", "wanted", "reached", "relative_error"];
         let row = vec![
             self.unknown.to_owned(),
@@ -294,7 +294,7 @@ impl FoundReport {
             self.goal.reached.to_string(),
             self.goal.relative_error.to_string(),
         ];
-        super::csv(&header, [row])
+        Content::csv(&header, [row])
     }
 }
 
@@ -385,19 +385,19 @@ impl CrownReport {
         text
     }
 
-    pub(crate) fn csv(&self) -> Result<String, Failure> {
+    pub(crate) fn csv(&self) -> Content<'_> {
         let optional = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
         let rows = [
             ("least", self.least.as_ref()),
             ("best", Some(&self.best)),
             ("largest", self.largest.as_ref()),
         ];
-        let rows = rows.into_iter().filter_map(|(name, row)| {
+        let rows = rows.into_iter().filter_map(move |(name, row)| {
             let row = row?;
             let peak = row.contact.peak_pressure.to_string();
             Some(vec![name.to_owned(), optional(row.radius), peak])
         });
-        super::csv(&["crown", "radius", "peak_pressure"], rows)
+        Content::csv(&["crown", "radius", "peak_pressure"], rows)
     }
 }
 
@@ -485,9 +485,9 @@ impl ShapedReport {
         text
     }
 
-    pub(crate) fn csv(&self) -> Result<String, Failure> {
+    pub(crate) fn csv(&self) -> Content<'_> {
         let header = if self.shown.is_physical { ["x", "f"] } else { ["xi", "f0"] };
         let rows = self.profile.x.iter().zip(&self.profile.f);
-        super::csv(&header, rows.map(|(x, f)| vec![x.to_string(), f.to_string()]))
+        Content::csv(&header, rows.map(|(x, f)| vec![x.to_string(), f.to_string()]))
     }
 }

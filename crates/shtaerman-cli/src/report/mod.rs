@@ -8,7 +8,6 @@ mod npz;
 mod number;
 mod stress;
 mod table;
-mod text;
 
 pub(crate) use answer::{answer_csv, answer_table};
 pub(crate) use equation::{equation_csv, equation_table};
@@ -20,4 +19,3 @@ pub(crate) use stress::{
     StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
 };
 pub(crate) use table::Table;
-pub(crate) use text::{csv, json};

@@ -2,13 +2,14 @@
 
 use std::fmt::Write;
 
-use serde::Serialize;
+use serde::ser::SerializeMap;
+use serde::{Serialize, Serializer};
 use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
 use shtaerman::{Criterion, FirstYield, Peak, Stress, StressField};
 
 use super::{Array, Table, npz, significant};
-use crate::Failure;
 use crate::arguments::StressComponent;
+use crate::output::Content;
 
 /// Name of this JSON layout and its version.
 const SCHEMA: &str = "shtaerman-stress/2";
@@ -74,21 +75,46 @@ impl Stresses {
             }
         })
     }
+}
 
-    fn json(&self) -> serde_json::Map<String, serde_json::Value> {
-        let mut object = serde_json::Map::new();
-        object.insert("x".to_owned(), self.x.clone().into());
-        object.insert("y".to_owned(), self.y.clone().into());
+impl Serialize for Stresses {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(2 + COMPONENTS.len()))?;
+        map.serialize_entry("x", &self.x)?;
+        map.serialize_entry("y", &self.y)?;
         for (name, which) in COMPONENTS {
-            let values = self.values(which);
-            let value = if self.is_grid {
-                values.chunks(self.x.len()).map(<[f64]>::to_vec).collect::<Vec<_>>().into()
+            if self.is_grid {
+                map.serialize_entry(name, &Rows { stresses: self, which })?;
             } else {
-                values.into()
-            };
-            object.insert(name.to_owned(), value);
+                map.serialize_entry(name, &Row { stresses: &self.stresses, which })?;
+            }
         }
-        object
+        map.end()
+    }
+}
+
+/// A component on a grid, a row for each depth.
+struct Rows<'a> {
+    stresses: &'a Stresses,
+    which: StressComponent,
+}
+
+impl Serialize for Rows<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let rows = self.stresses.stresses.chunks(self.stresses.x.len());
+        serializer.collect_seq(rows.map(|stresses| Row { stresses, which: self.which }))
+    }
+}
+
+/// A component at places one after the other.
+struct Row<'a> {
+    stresses: &'a [Stress],
+    which: StressComponent,
+}
+
+impl Serialize for Row<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.stresses.iter().map(|stress| component(stress, self.which)))
     }
 }
 
@@ -137,7 +163,7 @@ impl From<FirstYield> for YieldReport {
 
 /// What `stress --format json` writes.
 #[derive(Debug, Serialize)]
-pub(crate) struct StressReport {
+pub(crate) struct StressReport<'a> {
     schema: &'static str,
     units: &'static str,
     poisson_ratio: f64,
@@ -151,11 +177,11 @@ pub(crate) struct StressReport {
     yield_stress: Option<f64>,
     first_yield: Option<Vec<YieldReport>>,
     warnings: Vec<String>,
-    points: Option<serde_json::Map<String, serde_json::Value>>,
-    grid: Option<serde_json::Map<String, serde_json::Value>>,
+    points: Option<&'a Stresses>,
+    grid: Option<&'a Stresses>,
 }
 
-impl StressReport {
+impl<'a> StressReport<'a> {
     /// The report of a field under a force and a moment.
     pub(crate) fn new(
         field: &StressField,
@@ -200,9 +226,8 @@ impl StressReport {
     }
 
     /// Adds stresses.
-    pub(crate) fn set_stresses(&mut self, stresses: &Stresses) {
-        let object = Some(stresses.json());
-        if stresses.is_grid { self.grid = object } else { self.points = object }
+    pub(crate) fn set_stresses(&mut self, stresses: &'a Stresses) {
+        if stresses.is_grid { self.grid = Some(stresses) } else { self.points = Some(stresses) }
     }
 
     fn is_physical(&self) -> bool {
@@ -218,7 +243,11 @@ impl StressReport {
 }
 
 /// The maxima, and the load at first yield, for people.
-pub(crate) fn stress_table(name: &str, report: &StressReport, places: Option<&Stresses>) -> String {
+pub(crate) fn stress_table(
+    name: &str,
+    report: &StressReport<'_>,
+    places: Option<&Stresses>,
+) -> String {
     let physical = report.is_physical();
     let units = if physical { "" } else { "; lengths in half-widths, stresses in E" };
     let length = |value| report.shown(value, Dimension::LENGTH);
@@ -319,32 +348,25 @@ fn place(peak: &PeakReport, length: &dyn Fn(f64) -> String) -> String {
 }
 
 /// One row for each place: `x,y`, then the components.
-///
-/// # Errors
-/// [`Failure::Usage`] should writing to memory fail.
-pub(crate) fn stress_csv(stresses: &Stresses) -> Result<String, Failure> {
+pub(crate) fn stress_csv(stresses: &Stresses) -> Content<'_> {
     let header: Vec<&str> =
         ["x", "y"].into_iter().chain(COMPONENTS.iter().map(|(name, _)| *name)).collect();
     let rows = stresses.places().zip(&stresses.stresses).map(|((x, y), stress)| {
         let values = COMPONENTS.iter().map(|(_, which)| component(stress, *which));
         [x, y].into_iter().chain(values).map(|value| value.to_string()).collect()
     });
-    super::csv(&header, rows)
+    Content::csv(&header, rows)
 }
 
 /// `x` and `y` of the grid, and each component with a row for each depth.
-///
-/// # Errors
-/// [`Failure::Usage`] should writing to memory fail.
-pub(crate) fn stress_npz(stresses: &Stresses) -> Result<Vec<u8>, Failure> {
-    let components: Vec<(&str, Vec<f64>)> =
-        COMPONENTS.iter().map(|(name, which)| (*name, stresses.values(*which))).collect();
+pub(crate) fn stress_npz(stresses: &Stresses) -> Content<'_> {
     let lengths = [stresses.y.len(), stresses.x.len()];
     let shape = if stresses.is_grid { &lengths[..] } else { &lengths[..1] };
-    let mut arrays = vec![
-        Array { name: "x", shape: &lengths[1..], values: &stresses.x },
-        Array { name: "y", shape: &lengths[..1], values: &stresses.y },
-    ];
-    arrays.extend(components.iter().map(|(name, values)| Array { name, shape, values }));
-    npz(&arrays)
+    let places = [("x", &lengths[1..], &stresses.x), ("y", &lengths[..1], &stresses.y)]
+        .map(|(name, shape, values)| Array::new(name, shape, values.iter().copied()));
+    let components = COMPONENTS.map(|(name, which)| {
+        let values = stresses.stresses.iter().map(move |stress| component(stress, which));
+        Array::new(name, shape, values)
+    });
+    npz(places.into_iter().chain(components).collect())
 }

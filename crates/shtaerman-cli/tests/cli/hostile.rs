@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use crate::support::{Folder, PHYSICAL, Run};
+use crate::support::{Folder, PHYSICAL, Run, finished};
 
 /// Solves `file` and checks that the message begins with `place`, is short and leaves no file behind.
 #[track_caller]
@@ -106,14 +106,63 @@ fn files_too_large_to_be_read() {
     assert!(refused(&folder, "punch.toml:8: punch.profile.csv").stderr.contains("p.csv has"));
 }
 
-/// 200 TiB with any method, so beyond every machine.
+/// Devices and pipes that never end are read to the limit of files, which takes less than 1.5 GB.
+#[cfg(unix)]
+#[test]
+fn streams_without_an_end() {
+    let folder = Folder::with(&PHYSICAL.replace("\"x^2 / (2*20)\"", "{ csv = \"/dev/zero\" }"));
+    let bearing = ["roughness", "bearing", "--hardness", "1 GPa", "--trace", "/dev/zero"];
+    for (arguments, place) in [
+        (["solve", "/dev/zero"].as_slice(), "/dev/zero: "),
+        (&["equation", "/dev/zero"], "/dev/zero: "),
+        (&["validate", "/dev/zero"], "/dev/zero: "),
+        (&["solve", "punch.toml"], "punch.toml:8: punch.profile.csv: /dev/zero "),
+        (&["roughness", "table", "/dev/zero"], "/dev/zero: "),
+        (&bearing, "/dev/zero: "),
+    ] {
+        let run = finished(folder.limited("ulimit -v 1500000", arguments).output().unwrap());
+        let said = format!("error: {place}has more than the 200000000 bytes that are read");
+        assert_eq!(run.refusal(), said);
+    }
+    let endless = std::fs::File::open("/dev/zero").unwrap();
+    let mut piped = folder.limited("ulimit -v 1500000", &["solve", "-"]);
+    let run = finished(piped.stdin(endless).output().unwrap());
+    assert!(run.refusal().contains("standard input has more than"), "{}", run.stderr);
+}
+
+/// 200 TiB with any method, so beyond every machine: the file is sound, the promise cannot be kept.
 #[test]
 fn degrees_beyond_memory() {
     let folder = Folder::with(&PHYSICAL.replace("n = 40", "n = 1_000_000_000_000"));
-    let run = refused(&folder, "punch.toml:16: solver.n");
+    let run = folder.run(&["solve", "punch.toml"]);
+    assert!(run.failure(3).starts_with("error: punch.toml:16: solver.n: "), "{}", run.stderr);
     assert!(run.stderr.contains("of memory, and"), "{}", run.stderr);
     let run = folder.run(&["validate", "punch.toml", "--set", "solver.n=10"]);
     assert_eq!(run.code, Some(0), "{}", run.stderr);
+}
+
+/// What the process may not have is refused before it is asked for, and what is admitted is had.
+#[cfg(target_os = "linux")]
+#[test]
+fn limits_of_the_process_count() {
+    let folder = Folder::with(&PHYSICAL.replace("n = 40", "n = 8_000_000"));
+    for limit in ["ulimit -v 2000000", "ulimit -d 2000000"] {
+        let run = finished(folder.limited(limit, &["solve", "punch.toml"]).output().unwrap());
+        let said =
+            "error: punch.toml:16: solver.n: is 8000000: that needs 12.800 GB of memory, and";
+        assert!(run.failure(3).starts_with(said), "{limit}: {}", run.stderr);
+        let study = ["convergence", "punch.toml", "--max-n", "4000000", "--set", "solver.n=40"];
+        let run = finished(folder.limited(limit, &study).output().unwrap());
+        assert!(run.failure(3).contains("of memory, and"), "{limit}: {}", run.stderr);
+        let solve = ["solve", "punch.toml"];
+        let run = finished(folder.limited("ulimit -v 600000", &solve).output().unwrap());
+        run.failure(3);
+        let most = run.stderr.split("n may be ").nth(1).unwrap().split(' ').next().unwrap();
+        // The next run may find less free by the 64 MB that the allocator sets aside for a thread.
+        let set = format!("solver.n={}", most.parse::<usize>().unwrap() * 85 / 100);
+        let solve = ["solve", "punch.toml", "--set", &set];
+        finished(folder.limited("ulimit -v 600000", &solve).output().unwrap()).answer();
+    }
 }
 
 /// What is finite in the file may overflow on its way to the answer: that is bad input, too, and never `null` in JSON.

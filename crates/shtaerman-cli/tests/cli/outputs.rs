@@ -160,7 +160,7 @@ fn full_and_closed_streams_do_not_panic() {
     let folder = Folder::with(PHYSICAL);
     let full = || File::options().write(true).open("/dev/full").unwrap();
     let run = folder.command(&["solve", "punch.toml"]).stdout(full()).output().unwrap();
-    assert_eq!(run.status.code(), Some(2));
+    assert_eq!(run.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&run.stderr).contains("standard output cannot be written"));
     let run = folder.command(&["solve", "nowhere.toml"]).stderr(full()).output().unwrap();
     assert_eq!(run.status.code(), Some(2));

@@ -80,7 +80,13 @@ impl Run {
     /// The one `error:` line of a run that refused bad input and printed nothing else.
     #[track_caller]
     pub(crate) fn refusal(&self) -> &str {
-        assert_eq!(self.code, Some(2), "{self:?}");
+        self.failure(2)
+    }
+
+    /// The one `error:` line of a run that ended with this code and printed nothing else.
+    #[track_caller]
+    pub(crate) fn failure(&self, code: i32) -> &str {
+        assert_eq!(self.code, Some(code), "{self:?}");
         assert_eq!(self.stdout, "", "{self:?}");
         let mut lines = self.stderr.lines().filter(|line| line.starts_with("error:"));
         let line = lines.next().unwrap();
@@ -138,6 +144,18 @@ impl Folder {
         finished(self.command(arguments).output().unwrap())
     }
 
+    /// The program under limits of the shell, such as `ulimit -v 1500000` (KiB).
+    #[cfg(unix)]
+    pub(crate) fn limited(&self, limits: &str, arguments: &[&str]) -> Command {
+        let mut command = Command::new("sh");
+        command
+            .current_dir(self.0.path())
+            .args(["-c", &format!("{limits} && exec \"$0\" \"$@\""), PROGRAM])
+            .args(arguments)
+            .stdin(Stdio::null());
+        command
+    }
+
     /// A run with this standard input.
     pub(crate) fn run_with_input(&self, arguments: &[&str], input: &str) -> Run {
         let mut child = self
@@ -153,7 +171,7 @@ impl Folder {
     }
 }
 
-fn finished(output: std::process::Output) -> Run {
+pub(crate) fn finished(output: std::process::Output) -> Run {
     Run {
         code: output.status.code(),
         stdout: String::from_utf8(output.stdout).unwrap(),

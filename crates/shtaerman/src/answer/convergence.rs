@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::solver::check_memory;
 use crate::{Contact, ContactKind, Error, Geometry, Law, Problem, Solver, Vertical};
 
 /// The first degree.
@@ -84,6 +85,7 @@ impl Convergence {
         )?;
         crate::error::require(last <= MOST_DEGREE, "max_n", last as f64, "at most 4194304")?;
         require_degenerate_kernel(problem)?;
+        check_memory(last)?;
         let unknown = match problem.load().vertical {
             Vertical::Force(_) => Quantity::Settlement,
             Vertical::Settlement(_) => Quantity::Force,

@@ -6,7 +6,7 @@ use super::{Equation, Family, KernelError, Kind, MOST_DEGREE, NamedKernel};
 use crate::document::{Document, Field, FileError, TableReader};
 use crate::document::{load_bytes, overridden};
 use crate::expression::Expression;
-use crate::quantity::Dimension;
+use crate::quantity::{self, Dimension};
 use crate::{Error, MethodChoice, Solver};
 
 /// An equation with the document it was read from, so that a fault found while solving still names file, line and field.
@@ -84,10 +84,19 @@ fn read(document: &Document) -> Result<Equation, Error> {
         };
         return Err(fault.with_help(help).into());
     }
-    let table = reader.required("equation")?.table()?;
+    let equation = reader.required("equation").map_err(|error| {
+        let help =
+            "[equation] states kind, lambda and rhs; `shtaerman init --equation` writes an example";
+        if error.help().is_some() { error } else { error.with_help(help) }
+    })?;
+    let table = equation.table()?;
     let kind = kind(&table)?;
     let rhs = right_hand_side(&table)?;
-    let kernel = kernel(&reader.required("kernel")?.table()?)?;
+    let kernel_field = reader.required("kernel").map_err(|error| {
+        let help = "[kernel] states the name of a kernel and its parameters; `shtaerman init --equation` writes an example";
+        if error.help().is_some() { error } else { error.with_help(help) }
+    })?;
+    let kernel = kernel(&kernel_field.table()?)?;
     let solver = match reader.table("solver")? {
         Some(table) => solver(&table, kind)?,
         None => Solver::default(),
@@ -130,7 +139,7 @@ fn plain(field: &Field<'_>) -> Result<f64, FileError> {
 /// A formula in `x`; a bare number is a constant.
 fn right_hand_side(table: &TableReader<'_>) -> Result<Expression, FileError> {
     let field = table.required("rhs")?;
-    let constant = field.number().ok().map(written);
+    let constant = field.number().ok().map(quantity::plain);
     let text = match &constant {
         Some(text) => text,
         None => field.string()?,
@@ -142,15 +151,6 @@ fn right_hand_side(table: &TableReader<'_>) -> Result<Expression, FileError> {
             None => fault,
         }
     })
-}
-
-/// A number as people write it.
-fn written(value: f64) -> String {
-    if value == 0.0 || (1e-5..1e16).contains(&value.abs()) {
-        value.to_string()
-    } else {
-        format!("{value:e}")
-    }
 }
 
 fn kernel(table: &TableReader<'_>) -> Result<NamedKernel, FileError> {
@@ -257,7 +257,7 @@ fn solver(table: &TableReader<'_>, kind: Kind) -> Result<Solver, FileError> {
 fn locate(document: &Document, error: Error) -> Error {
     let key = match &error {
         Error::File(_) => return error,
-        numerical if numerical.is_numerical() => return error,
+        numerical if numerical.is_numerical() && !is_too_large(numerical) => return error,
         Error::RightHandSide { .. }
         | Error::Cone { .. }
         | Error::Equation(fredholm::Error::NotFinite { .. }) => "equation.rhs",
@@ -276,8 +276,14 @@ fn locate(document: &Document, error: Error) -> Error {
     let message = error.to_string();
     let message = message.strip_prefix("the right-hand side ").unwrap_or(&message);
     let fault = FileError::new(message).in_file(document.file_name());
-    match document.get(key).filter(|_| !key.is_empty()) {
-        Some(value) => fault.of_field(key).at(value.origin()).into(),
-        None => fault.into(),
-    }
+    let fault = match document.get(key).filter(|_| !key.is_empty()) {
+        Some(value) => fault.of_field(key).at(value.origin()),
+        None => fault,
+    };
+    if error.is_numerical() { Error::Beyond(fault) } else { fault.into() }
+}
+
+/// Whether the memory does not suffice, which the number of eigenfunctions decides.
+fn is_too_large(error: &Error) -> bool {
+    matches!(error, Error::Equation(fredholm::Error::TooLarge { .. }))
 }

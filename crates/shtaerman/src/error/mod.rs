@@ -6,13 +6,14 @@ pub use inverse::InverseError;
 
 use crate::document::FileError;
 use crate::expression::Defect;
+use crate::quantity::plain;
 
 /// Why a problem has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A quantity lies outside the range where the model holds.
-    #[error("{field} = {value}: must be {requirement}")]
+    #[error("{field} = {}: must be {requirement}", plain(*value))]
     InvalidValue {
         /// Name of the quantity, as in the problem file.
         field: &'static str,
@@ -97,7 +98,7 @@ pub enum Error {
 
     /// The force of a unilateral contact acts beyond the base.
     #[error(
-        "{field} = {value}: tips the punch over: its magnitude must be less than {name} = {limit}, or no pressure on the base balances it"
+        "{field} = {}: tips the punch over: its magnitude must be less than {name} = {}, or no pressure on the base balances it", plain(*value), plain(*limit)
     )]
     TipsOver {
         /// `moment` or `eccentricity`.
@@ -112,8 +113,8 @@ pub enum Error {
 
     /// No force at the prescribed eccentricity leads to the settlement prescribed.
     #[error(
-        "settlement = {value}: is out of reach of a force at the eccentricity {eccentricity}: whatever the force, the middle of the punch settles no {bound} \
-         than {limit}, as the punch turns; prescribe the force, the tilt or the moment instead, or a smaller eccentricity"
+        "settlement = {}: is out of reach of a force at the eccentricity {}: whatever the force, the middle of the punch settles no {bound} \
+         than {}, as the punch turns; prescribe the force, the tilt or the moment instead, or a smaller eccentricity", plain(*value), plain(*eccentricity), plain(*limit)
     )]
     SettlementOutOfReach {
         /// The settlement given, SI.
@@ -135,8 +136,8 @@ pub enum Error {
 
     /// A circular punch lifts off on one side.
     #[error(
-        "{field} = {value}: the circular punch lifts off on one side, and its contact is no disk any more: full contact holds up to a magnitude of {limit}; \
-         contact = \"bilateral\" lets the pressure pull instead"
+        "{field} = {}: the circular punch lifts off on one side, and its contact is no disk any more: full contact holds up to a magnitude of {}; \
+         contact = \"bilateral\" lets the pressure pull instead", plain(*value), plain(*limit)
     )]
     LiftsOff {
         /// `moment`, `eccentricity` or `tilt`.
@@ -254,8 +255,8 @@ pub enum Error {
 
     /// No load has the yield stress as its largest equivalent stress.
     #[error(
-        "no load brings the largest equivalent stress to the yield stress {yield_stress}: the nearest is {nearest}; a corner with infinite pressure yields at once, \
-         a profile that is forced into contact may yield without any force"
+        "no load brings the largest equivalent stress to the yield stress {}: the nearest is {}; a corner with infinite pressure yields at once, \
+         a profile that is forced into contact may yield without any force", plain(*yield_stress), plain(*nearest)
     )]
     NoYield {
         /// The yield stress.
@@ -384,6 +385,10 @@ pub enum Error {
     #[error(transparent)]
     File(#[from] FileError),
 
+    /// What the problem file asks for takes more than this machine or a method has: the file is sound.
+    #[error(transparent)]
+    Beyond(FileError),
+
     /// The integral equation could not be solved.
     #[error(transparent)]
     Equation(fredholm::Error),
@@ -408,6 +413,9 @@ fn attempt(tension: f64, penetration: f64) -> String {
     if tension.is_nan() {
         return "no attempt came to an end; of zones far smaller than the base its heights have too few digits".to_owned();
     }
+    if !(tension.is_finite() && penetration.is_finite()) {
+        return "the best attempt has no pressure that its tension, and no displacement that its penetration could be measured by; another load, roughness or profile of more usual size may be solved".to_owned();
+    }
     format!(
         "the best attempt has a tension of {tension:.1e} and a penetration of {penetration:.1e} of their scales"
     )
@@ -431,8 +439,11 @@ impl Error {
                 | Self::EquationUnsolved { .. }
                 | Self::CheckUnsolved { .. }
                 | Self::NoReference { .. }
+                | Self::Beyond(_)
                 | Self::Equation(
-                    fredholm::Error::NotPositiveDefinite { .. }
+                    fredholm::Error::TooLarge { .. }
+                        | fredholm::Error::BeyondMethod { .. }
+                        | fredholm::Error::NotPositiveDefinite { .. }
                         | fredholm::Error::NotConverged { .. }
                         | fredholm::Error::EigenvaluesNotFound { .. }
                         | fredholm::Error::Singular { .. }

@@ -1,9 +1,9 @@
 //! A problem that remembers where its values were written.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use super::physical;
 use super::read::read;
+use super::{physical, profile};
 use crate::document::{Document, FileError};
 use crate::document::{load_bytes, overridden};
 use crate::{Contact, Error, Problem};
@@ -29,6 +29,7 @@ pub(super) const OVERRIDE: &str = "load.force=\"1 MN/m\"";
 pub struct ProblemFile {
     pub(super) problem: Problem,
     document: Document,
+    measured: Option<PathBuf>,
 }
 
 impl ProblemFile {
@@ -71,7 +72,14 @@ impl ProblemFile {
 
     pub(super) fn read(document: Document, folder: &Path) -> Result<Self, Error> {
         let problem = read(&document, folder).map_err(|error| locate(&document, error))?;
-        Ok(Self { problem, document })
+        let measured = profile::measured_path(&document, folder);
+        Ok(Self { problem, document, measured })
+    }
+
+    /// The file of a measured profile, which was read as well.
+    #[must_use]
+    pub fn measured_profile(&self) -> Option<&Path> {
+        self.measured.as_deref()
     }
 
     /// The problem.
@@ -107,8 +115,8 @@ impl ProblemFile {
 fn locate(document: &Document, error: Error) -> Error {
     let keys: &[&str] = match &error {
         Error::File(_) => return error,
-        numerical if numerical.is_numerical() => return error,
         Error::Equation(fredholm::Error::TooLarge { .. }) => &["solver.n"],
+        numerical if numerical.is_numerical() => return error,
         Error::InvalidValue { field, .. } | Error::TipsOver { field, .. } => match *field {
             "force" => &["load.force", "dimensionless.force"],
             "settlement" => &["load.settlement", "dimensionless.settlement"],
@@ -126,9 +134,17 @@ fn locate(document: &Document, error: Error) -> Error {
         _ => &[],
     };
     let written = keys.iter().find_map(|key| Some((key, document.get(key)?)));
-    let fault = FileError::new(error.to_string()).in_file(document.file_name());
-    match written {
-        Some((key, value)) => fault.of_field(*key).at(value.origin()).into(),
-        None => fault.into(),
-    }
+    let message = match &error {
+        // No file can hold it, so it came out on the way to the answer.
+        Error::InvalidValue { field, value, .. } if !value.is_finite() => {
+            Error::Overflow { quantity: field, value: *value }.to_string()
+        }
+        other => other.to_string(),
+    };
+    let fault = FileError::new(message).in_file(document.file_name());
+    let fault = match written {
+        Some((key, value)) => fault.of_field(*key).at(value.origin()),
+        None => fault,
+    };
+    if error.is_numerical() { Error::Beyond(fault) } else { fault.into() }
 }

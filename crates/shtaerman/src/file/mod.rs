@@ -34,6 +34,7 @@ mod physical;
 mod profile;
 mod read;
 mod refused;
+mod section;
 mod solver;
 mod stated;
 

@@ -2,13 +2,13 @@
 
 use super::refused::{refused, shown};
 use super::stated::Stated;
-use super::{geometry, layering};
+use super::{geometry, layering, section};
 use crate::document::{FileError, TableReader};
 use crate::quantity::Dimension;
 use crate::{Elastic, Error, Foundation, Geometry, Grading, Punch, Roughness};
 
 pub(super) fn read(reader: &TableReader<'_>) -> Result<Stated, FileError> {
-    let foundation = reader.required("foundation")?.table()?;
+    let foundation = section::required(reader, "foundation")?;
     if foundation.has("grading_exponent") || foundation.has("grading_modulus") {
         return graded(reader, &foundation);
     }
@@ -16,7 +16,7 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Stated, FileError> {
     let roughness = roughness(&foundation)?;
     yield_stress(&foundation)?;
     let body = reader.table("body")?.map(|table| elastic(&table)).transpose()?;
-    let punch = reader.required("punch")?.table()?;
+    let punch = section::required(reader, "punch")?;
     let (geometry, half_width, field) = geometry::read_physical(&punch)?;
     let stated = stated(&Foundation::new(material), roughness, geometry, half_width, body)
         .map_err(|error| refused(&field, &error))?;
@@ -64,7 +64,7 @@ fn graded(reader: &TableReader<'_>, foundation: &TableReader<'_>) -> Result<Stat
     }
     let body = reader.table("body")?.map(|table| elastic(&table)).transpose()?;
     let roughness = roughness(foundation)?;
-    let punch = reader.required("punch")?.table()?;
+    let punch = section::required(reader, "punch")?;
     let (geometry, half_width, field) = geometry::read_physical(&punch)?;
     let foundation = Foundation::graded(grading, poisson_ratio);
     let stated = foundation

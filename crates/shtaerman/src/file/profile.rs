@@ -1,10 +1,9 @@
 //! The profile of a punch.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::stated::Stated;
-use crate::document::load_bytes;
-use crate::document::{Field, FileError, TableReader};
+use crate::document::{Document, Field, FileError, TableReader, ValueKind, load_bytes};
 use crate::frame::Frame;
 use crate::profile::{CsvOptions, read_csv};
 use crate::quantity::{self, Dimension};
@@ -86,6 +85,16 @@ fn measured(field: &Field<'_>, frame: &Frame, folder: &Path) -> Result<Profile, 
     let name = path.display().to_string();
     let bytes = load_bytes(&path).map_err(|message| csv.error(format!("{name} {message}")))?;
     read_csv(&bytes, &name, &options).map_err(|error| csv.error(error))
+}
+
+/// The file that `profile = { csv = ".." }` names in a document that was read.
+pub(super) fn measured_path(document: &Document, folder: &Path) -> Option<PathBuf> {
+    let written = ["punch.profile.csv", "dimensionless.profile.csv"];
+    let value = written.into_iter().find_map(|key| document.get(key))?;
+    match value.kind() {
+        ValueKind::String(name) => Some(folder.join(name)),
+        _ => None,
+    }
 }
 
 /// SI value of the unit of a column.

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::refused::refused;
 use super::stated::Stated;
-use super::{geometry, layering, load, physical, profile, solver};
+use super::{geometry, layering, load, physical, profile, section, solver};
 use crate::document::{Document, Field, FileError, TableReader};
 use crate::equation::is_equation;
 use crate::{Error, Foundation, Problem, Punch};
@@ -40,8 +40,8 @@ pub(super) fn read(document: &Document, folder: &Path) -> Result<Problem, Error>
                 .into());
         }
         let stated = physical::read(&reader)?;
-        let profile = profile::read(&reader.required("punch")?.table()?, &stated.frame, folder)?;
-        let load = load::read(&reader.required("load")?.table()?, &stated.frame)?;
+        let profile = profile::read(&section::required(&reader, "punch")?, &stated.frame, folder)?;
+        let load = load::read(&section::required(&reader, "load")?, &stated.frame)?;
         reader.finish()?;
         profile.problem(stated, load, solver)?
     };

@@ -2,7 +2,7 @@
 
 use crate::Error;
 use crate::document::{Field, FileError};
-use crate::quantity::{Dimension, engineering};
+use crate::quantity::{Dimension, engineering, plain};
 
 /// The fault of a field whose value a constructor refused.
 pub(super) fn refused(field: &Field<'_>, error: &Error) -> FileError {
@@ -23,6 +23,6 @@ pub(super) fn shown(key: &str, value: f64) -> String {
         "half_width" => engineering(value, Dimension::LENGTH),
         "roughness" => engineering(value, Dimension::COMPLIANCE),
         "subgrade_modulus" => engineering(value, Dimension::SUBGRADE_MODULUS),
-        _ => value.to_string(),
+        _ => plain(value),
     }
 }

@@ -1,18 +1,14 @@
 //! `[solver]`.
 
-use fredholm::degenerate::BYTES_A_DEGREE;
-
-use crate::document::{Field, FileError, TableReader};
-use crate::{ContactKind, MethodChoice, Solver};
-
-/// Share of the free memory that a solve may take.
-const MEMORY_SHARE: f64 = 0.9;
+use crate::document::{Field, TableReader};
+use crate::solver::{check_memory, most_degree};
+use crate::{ContactKind, Error, MethodChoice, Solver};
 
 const UNILATERAL_METHOD: &str = "is \"spectral\", which solves on the full base only: the zones of a unilateral contact are solved by collocation";
 const BILATERAL_HELP: &str = "write contact = \"bilateral\" in [solver] to keep the full base in contact, where the pressure may pull; or leave this key out";
 
 /// Without `[solver]` the defaults hold.
-pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
+pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, Error> {
     let Some(table) = reader.table("solver")? else { return Ok(Solver::default()) };
     let contact = match table.optional("contact") {
         Some(field) if field.one_of(&["unilateral", "bilateral"])? == "bilateral" => {
@@ -23,7 +19,7 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
     let method = match table.optional("method") {
         Some(field) => match field.one_of(&["auto", "spectral", "sinc"])? {
             "spectral" if contact == ContactKind::Unilateral => {
-                return Err(field.error(UNILATERAL_METHOD).with_help(BILATERAL_HELP));
+                return Err(field.error(UNILATERAL_METHOD).with_help(BILATERAL_HELP).into());
             }
             "spectral" => MethodChoice::Spectral,
             "sinc" => MethodChoice::Sinc,
@@ -33,14 +29,15 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
     };
     let degree = match table.optional("n") {
         Some(field) if method == MethodChoice::Sinc => {
-            return Err(field.error(
-                "belongs to method = \"spectral\"; collocation chooses its nodes by the error",
-            ));
+            let message =
+                "belongs to method = \"spectral\"; collocation chooses its nodes by the error";
+            return Err(field.error(message).into());
         }
         Some(field) if contact == ContactKind::Unilateral => {
             return Err(field
                 .error("belongs to contact = \"bilateral\": the zones of a unilateral contact are solved by collocation, which chooses its nodes by the error")
-                .with_help(BILATERAL_HELP));
+                .with_help(BILATERAL_HELP)
+                .into());
         }
         Some(field) => Some(degree_of(&field)?),
         None => None,
@@ -49,9 +46,9 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
         Some(field) => {
             let value = field.number()?;
             if !(value > 0.0 && value < 1.0) {
-                return Err(field.error(format!(
-                    "is {value}: must be greater than 0 and less than 1, like 1e-10"
-                )));
+                let message =
+                    format!("is {value}: must be greater than 0 and less than 1, like 1e-10");
+                return Err(field.error(message).into());
             }
             Some(value)
         }
@@ -61,16 +58,19 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, FileError> {
 }
 
 /// A degree whose solve fits into memory.
-fn degree_of(field: &Field<'_>) -> Result<usize, FileError> {
+fn degree_of(field: &Field<'_>) -> Result<usize, Error> {
     let degree = field.count(1..=usize::MAX >> 12)?;
-    let available = fredholm::memory::available();
-    let needed = BYTES_A_DEGREE * degree as f64;
-    if needed > MEMORY_SHARE * available as f64 {
-        return Err(field.error(format!(
-            "is {degree}: that needs {:.3} GB of memory, and {:.3} GB are free",
-            needed / 1e9,
-            available as f64 / 1e9
-        )));
-    }
+    check_memory(degree).map_err(|error| match error {
+        Error::Equation(fredholm::Error::TooLarge { needed, available, .. }) => {
+            let fault = field.error(format!(
+                "is {degree}: that needs {:.3} GB of memory, and {:.3} GB are free",
+                needed as f64 / 1e9,
+                available as f64 / 1e9
+            ));
+            let most = most_degree(available);
+            Error::Beyond(fault.with_help(format!("n may be {most} at most here")))
+        }
+        other => other,
+    })?;
     Ok(degree)
 }

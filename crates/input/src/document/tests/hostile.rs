@@ -132,3 +132,12 @@ proptest! {
         prop_assert_eq!(root.quantity("y", Dimension::PRESSURE).unwrap(), Some(value));
     }
 }
+
+#[test]
+fn streams_without_an_end_are_read_to_the_limit() {
+    let said = "has more than the 200000000 bytes that are read";
+    assert_eq!(read_bytes(std::io::repeat(b'#')).unwrap_err(), said);
+    assert_eq!(read_bytes(b"a = 1".as_slice()).unwrap(), b"a = 1");
+    #[cfg(unix)]
+    assert_eq!(load_bytes(std::path::Path::new("/dev/zero")).unwrap_err(), said);
+}

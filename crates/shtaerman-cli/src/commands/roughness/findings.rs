@@ -7,7 +7,8 @@ use shtaerman::quantity::{Dimension, engineering};
 
 use crate::Failure;
 use crate::arguments::Law;
-use crate::report::{self, Table, significant};
+use crate::output::Content;
+use crate::report::{Table, significant};
 
 /// Digits of numbers for people.
 const DIGITS: usize = 6;
@@ -186,17 +187,13 @@ impl Findings {
         Ok(())
     }
 
-    pub(super) fn json(&self) -> Result<String, Failure> {
-        report::json(self)
-    }
-
     /// One row a quantity, SI.
-    pub(super) fn csv(&self) -> Result<String, Failure> {
+    pub(super) fn csv(&self) -> Content<'_> {
         let rows = self
             .rows()
             .into_iter()
             .map(|row| vec![row.name, row.value.to_string(), row.kind.unit()]);
-        report::csv(&["quantity", "value", "unit"], rows)
+        Content::csv(&["quantity", "value", "unit"], rows)
     }
 
     pub(super) fn table(&self) -> String {

@@ -12,7 +12,7 @@ use crate::arguments::{
     BearingArguments, ColumnOrder, GreenwoodWilliamsonArguments, Law, OutputArguments,
     ReportFormat, RoughnessArguments, RoughnessSource, TableArguments,
 };
-use crate::output::{Outputs, check_writable};
+use crate::output::{Content, Input, Outputs, check_writable};
 use findings::{Curve, Findings, LawReport, State};
 use read::{number, optional_quantity, pair, quantity, unit, usage};
 
@@ -31,25 +31,27 @@ pub(super) fn run(arguments: &RoughnessArguments) -> Result<(), Failure> {
             finish(&source.output, None, || greenwood_williamson(source))
         }
         RoughnessSource::Bearing(source) => {
-            finish(&source.output, source.trace.as_deref(), || bearing(source))
+            let trace = source.trace.as_deref().map(|path| Input { what: "the trace", path });
+            finish(&source.output, trace, || bearing(source))
         }
         RoughnessSource::Table(source) => {
-            finish(&source.output, Some(&source.file), || table(source))
+            let table_file = Input { what: "the table", path: &source.file };
+            finish(&source.output, Some(table_file), || table(source))
         }
     }
 }
 
 fn finish(
     output: &OutputArguments,
-    input: Option<&std::path::Path>,
+    input: Option<Input<'_>>,
     find: impl Fn() -> Result<Findings, Failure>,
 ) -> Result<(), Failure> {
-    check_writable(&[output.output.as_deref()], input)?;
+    check_writable(&[output.output.as_deref()], input.as_slice())?;
     let findings = find()?;
     let text = match output.format {
-        ReportFormat::Table => findings.table(),
-        ReportFormat::Json => findings.json()?,
-        ReportFormat::Csv => findings.csv()?,
+        ReportFormat::Table => findings.table().into(),
+        ReportFormat::Json => Content::json(&findings),
+        ReportFormat::Csv => findings.csv(),
     };
     let mut outputs = Outputs::default();
     outputs.result(output.output.as_deref(), text);

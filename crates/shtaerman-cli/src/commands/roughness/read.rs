@@ -1,9 +1,11 @@
 //! Quantities given as options.
 
+use clap::Args;
 use shtaerman::Error;
-use shtaerman::quantity::{self, Dimension};
+use shtaerman::quantity::{self, Dimension, plain};
 
 use crate::Failure;
+use crate::arguments::RoughnessArguments;
 
 /// The SI value of `--name text`.
 pub(super) fn quantity(name: &str, text: &str, dimension: Dimension) -> Result<f64, Failure> {
@@ -45,12 +47,25 @@ pub(super) fn unit(name: &str, text: &str, dimension: Dimension) -> Result<f64, 
     }
 }
 
+/// Whether `shtaerman roughness` has an option of this name: a law has quantities that are none.
+fn is_option(name: &str) -> bool {
+    let command = RoughnessArguments::augment_args(clap::Command::new("roughness"));
+    command
+        .get_subcommands()
+        .flat_map(clap::Command::get_arguments)
+        .any(|argument| argument.get_long() == Some(name))
+}
+
 /// Values that make no sense are the fault of the options, and named as they are written there.
 pub(super) fn usage(error: Error) -> Failure {
     match error {
-        Error::InvalidValue { field, value, requirement } => {
-            Failure::Usage(format!("--{field}: {value} (in SI units) must be {requirement}"))
-        }
+        Error::InvalidValue { field, value, requirement } if is_option(field) => Failure::Usage(
+            format!("--{field}: {} (in SI units) must be {requirement}", plain(value)),
+        ),
+        Error::InvalidValue { field, value, requirement } => Failure::Usage(format!(
+            "the {field} of the law comes out as {}: it must be {requirement}; the values of the options are too large or too small together",
+            plain(value)
+        )),
         other => Failure::Problem(other),
     }
 }

@@ -12,7 +12,8 @@ use shtaerman::{Criterion, Error, StressField};
 use super::problem_file;
 use crate::Failure;
 use crate::arguments::{StressArguments, StressFormat};
-use crate::output::{Outputs, check_writable};
+use crate::failure::shown;
+use crate::output::{Content, Outputs};
 use crate::plot::{Format, render};
 use crate::report::{self, StressReport, Stresses, YieldReport};
 use section::{Section, Units};
@@ -23,11 +24,8 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
         let message = "--format npz is no text: give --output FILE.npz";
         return Err(Failure::Usage(message.to_owned()));
     }
-    check_writable(
-        &[arguments.output.as_deref(), arguments.plot.as_deref()],
-        Some(&arguments.problem.file),
-    )?;
-    let file = problem_file::read(&arguments.problem)?;
+    let outputs = [arguments.output.as_deref(), arguments.plot.as_deref()];
+    let file = problem_file::read(&arguments.problem, &outputs)?;
     let problem = file.problem();
     problem.check_stresses().map_err(|error| file.locate(error))?;
     let units = Units::of(problem);
@@ -52,7 +50,7 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let grid =
         if needs_grid || arguments.plot.is_some() { Some(section.stresses(&field)?) } else { None };
     let mut outputs = Outputs::default();
-    let text = written(arguments, &mut report, places.as_ref(), grid.as_ref())?;
+    let text = written(arguments, report, places.as_ref(), grid.as_ref())?;
     outputs.result(arguments.output.as_deref(), text);
     if let (Some(path), Some(format), Some(grid)) = (&arguments.plot, format, &grid) {
         let plot = map::plot(arguments.component, &field, grid, &peaks, units);
@@ -61,34 +59,34 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     outputs.write()
 }
 
-/// The bytes of the result.
-fn written(
+/// The result.
+fn written<'a>(
     arguments: &StressArguments,
-    report: &mut StressReport,
-    places: Option<&Stresses>,
-    grid: Option<&Stresses>,
-) -> Result<Vec<u8>, Failure> {
+    mut report: StressReport<'a>,
+    places: Option<&'a Stresses>,
+    grid: Option<&'a Stresses>,
+) -> Result<Content<'a>, Failure> {
     let chosen = || {
         places.or(grid).ok_or_else(|| Failure::Usage("there are no stresses to write".to_owned()))
     };
     Ok(match arguments.format {
         StressFormat::Table => {
             let name = problem_file::name(&arguments.problem.file);
-            let mut text = report::stress_table(&name, report, places);
+            let mut text = report::stress_table(&name, &report, places);
             if let Some(path) = &arguments.plot {
-                let _ = writeln!(text, "plot: {}", path.display());
+                let _ = writeln!(text, "plot: {}", shown(path));
             }
-            text.into_bytes()
+            text.into()
         }
         StressFormat::Json => {
             let asked = places.or(grid.filter(|_| arguments.grid.is_some()));
             if let Some(stresses) = asked {
                 report.set_stresses(stresses);
             }
-            report::json(report)?.into_bytes()
+            Content::json(report)
         }
-        StressFormat::Csv => report::stress_csv(chosen()?)?.into_bytes(),
-        StressFormat::Npz => report::stress_npz(chosen()?)?,
+        StressFormat::Csv => report::stress_csv(chosen()?),
+        StressFormat::Npz => report::stress_npz(chosen()?),
     })
 }
 

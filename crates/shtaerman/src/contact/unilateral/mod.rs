@@ -60,11 +60,11 @@ impl Setting {
     /// The same by the equations of the zones, in every geometry and for every layer but a smooth one.
     pub(super) fn whole_base(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
-        if base.is_for_panels() || base.ground.is_closed() {
-            if let Some(contact) = spots::solve_whole(&base)? {
-                base.require_no_tension(contact.pulls_most())?;
-                return Ok(Arc::new(contact));
-            }
+        if (base.is_for_panels() || base.ground.is_closed())
+            && let Some(contact) = spots::solve_whole(&base)?
+        {
+            base.require_no_tension(contact.pulls_most())?;
+            return Ok(Arc::new(contact));
         }
         require_few(&base.breaks)?;
         Ok(Arc::new(full(&base)?))

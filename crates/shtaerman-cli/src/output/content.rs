@@ -1,0 +1,134 @@
+//! What is written: made before, or piece by piece while it is written.
+
+use std::fmt;
+use std::fs::File;
+use std::io::{self, BufWriter, Cursor, Seek, Write};
+
+use serde::Serialize;
+
+/// Bytes that are handed to the system together.
+const BUFFER: usize = 1 << 16;
+
+/// Text, a picture, or a way to write what may be larger than memory should hold.
+pub(crate) enum Content<'a> {
+    /// Made before.
+    Bytes(Vec<u8>),
+    /// Written piece by piece.
+    Stream(Writer<'a>),
+    /// The same by who goes back in it, as in an archive whose entries begin with their lengths.
+    Archive(Archiver<'a>),
+}
+
+type Writer<'a> = Box<dyn FnOnce(&mut dyn Write) -> io::Result<()> + 'a>;
+type Archiver<'a> = Box<dyn FnOnce(&mut dyn Place) -> io::Result<()> + 'a>;
+
+/// What can be gone back in.
+pub(crate) trait Place: Write + Seek {}
+
+impl<T: Write + Seek> Place for T {}
+
+impl<'a> Content<'a> {
+    /// Content that `write` writes.
+    pub(crate) fn stream(write: impl FnOnce(&mut dyn Write) -> io::Result<()> + 'a) -> Self {
+        Self::Stream(Box::new(write))
+    }
+
+    /// Content that `write` writes, going back in it.
+    pub(crate) fn archive(write: impl FnOnce(&mut dyn Place) -> io::Result<()> + 'a) -> Self {
+        Self::Archive(Box::new(write))
+    }
+
+    /// Pretty JSON with a final newline.
+    pub(crate) fn json(value: impl Serialize + 'a) -> Self {
+        Self::stream(move |out| {
+            serde_json::to_writer_pretty(&mut *out, &value)?;
+            out.write_all(b"\n")
+        })
+    }
+
+    /// CSV with a header.
+    pub(crate) fn csv<'h>(
+        header: &[&'h str],
+        rows: impl IntoIterator<Item = Vec<String>> + 'a,
+    ) -> Self
+    where
+        'h: 'a,
+    {
+        let header = header.to_vec();
+        Self::stream(move |out| {
+            let mut writer = csv::Writer::from_writer(out);
+            writer.write_record(&header).map_err(unwrapped)?;
+            for row in rows {
+                writer.write_record(row).map_err(unwrapped)?;
+            }
+            writer.flush()
+        })
+    }
+
+    /// Writes it all.
+    pub(super) fn write_to(self, out: &mut dyn Write) -> io::Result<()> {
+        match self {
+            Self::Bytes(bytes) => out.write_all(&bytes)?,
+            Self::Stream(write) => {
+                let mut buffered = BufWriter::with_capacity(BUFFER, &mut *out);
+                write(&mut buffered)?;
+                buffered.flush()?;
+            }
+            // A device or a pipe goes forward only.
+            Self::Archive(write) => {
+                let mut whole = Cursor::new(Vec::new());
+                write(&mut whole)?;
+                out.write_all(whole.get_ref())?;
+            }
+        }
+        out.flush()
+    }
+
+    /// The same to a file.
+    pub(super) fn write_to_file(self, file: &mut File) -> io::Result<()> {
+        match self {
+            Self::Archive(write) => {
+                let mut buffered = BufWriter::with_capacity(BUFFER, file);
+                write(&mut buffered)?;
+                buffered.flush()
+            }
+            other => other.write_to(file),
+        }
+    }
+}
+
+/// The error of the system, which says whether a pipe was closed.
+fn unwrapped(error: csv::Error) -> io::Error {
+    match error.into_kind() {
+        csv::ErrorKind::Io(error) => error,
+        other => io::Error::other(format!("{other:?}")),
+    }
+}
+
+impl From<String> for Content<'_> {
+    fn from(text: String) -> Self {
+        Self::Bytes(text.into_bytes())
+    }
+}
+
+impl From<&str> for Content<'_> {
+    fn from(text: &str) -> Self {
+        Self::Bytes(text.as_bytes().to_vec())
+    }
+}
+
+impl From<Vec<u8>> for Content<'_> {
+    fn from(bytes: Vec<u8>) -> Self {
+        Self::Bytes(bytes)
+    }
+}
+
+impl fmt::Debug for Content<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::Bytes(_) => "Bytes",
+            Self::Stream(_) => "Stream",
+            Self::Archive(_) => "Archive",
+        })
+    }
+}
