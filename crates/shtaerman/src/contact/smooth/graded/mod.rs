@@ -105,10 +105,6 @@ impl Equation for Strips<'_> {
         &self.base.walls
     }
 
-    fn spans_steps(&self) -> bool {
-        false
-    }
-
     /// A base with one valley needs no cells, and the transforms of one with many are long.
     fn starts(&self) -> Vec<Start> {
         let first = self.base.cells();

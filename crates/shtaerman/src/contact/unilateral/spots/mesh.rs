@@ -3,8 +3,10 @@
 use crate::contact::unilateral::base::Base;
 use crate::contact::zones::Zone;
 
-/// Length of a panel over its distance from an end of its zone or a bend.
-const GROWTH: f64 = 0.7;
+/// Length of a panel over its distance from a free end of its zone, and from a corner or a bend: with 0.6 at free ends as well answers take a sixth more time, with 0.7 everywhere those on graded ground
+/// state five times the error.
+const FREE_GROWTH: f64 = 0.8;
+const GROWTH: f64 = 0.6;
 /// Longest panels of the base, from the first to be tried.
 pub(super) const LONGEST: f64 = 1.0 / 32.0;
 /// All of them for the logarithm: on graded ground `ln d` is a power `d^-mu`, and the panels have the lengths that make as much of it.
@@ -48,19 +50,21 @@ struct Anchor {
     is_left: bool,
     /// The panel at the place.
     shortest: f64,
+    /// Length of a panel over its distance from the place.
+    growth: f64,
 }
 
 impl Anchor {
     /// The longest panel between these places.
     fn allowed(&self, [left, right]: [f64; 2]) -> f64 {
         let distance = if self.is_left { left - self.at } else { self.at - right };
-        (GROWTH * distance).max(self.shortest)
+        (self.growth * distance).max(self.shortest)
     }
 
     /// Where the panel that reaches to the far one of these places may begin.
     fn cut(&self, [left, right]: [f64; 2]) -> f64 {
         let far = if self.is_left { right } else { left };
-        self.at + (far - self.at) / (1.0 + GROWTH)
+        self.at + (far - self.at) / (1.0 + self.growth)
     }
 }
 
@@ -135,7 +139,8 @@ fn ends(base: &Base<'_>, zone: &Zone, layer: f64, fineness: Fineness) -> [Anchor
             share(base, CORNER, 1.0) * layer
         };
         let shortest = (fineness.ends * least).max(SHORTEST);
-        Anchor { at: zone.ends[side], is_left: side == 0, shortest }
+        let growth = if zone.is_free(side) { FREE_GROWTH } else { GROWTH };
+        Anchor { at: zone.ends[side], is_left: side == 0, shortest, growth }
     })
 }
 
@@ -154,7 +159,7 @@ fn bend(
     } else {
         fineness.ends * share(base, KINK, 2.0) * layer
     };
-    Anchor { at, is_left, shortest: shortest.max(SHORTEST) }
+    Anchor { at, is_left, shortest: shortest.max(SHORTEST), growth: GROWTH }
 }
 
 /// Cuts a piece so that its parts grow with their distances from all of these places.
