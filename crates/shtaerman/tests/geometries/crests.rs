@@ -42,3 +42,26 @@ fn corners_of_rough_graded_ground_are_within_what_is_stated() {
     }
     assert!(stated < 1.0, "{stated}");
 }
+
+/// Beside a corner of graded ground the pressure falls by a power of the distance, so that the largest one is missed where the corner itself is not looked at: a rounding beside it is
+/// `1e-16^(1 - mu)` lower.
+#[test]
+fn the_largest_pressure_is_no_less_than_at_any_corner() {
+    let seeds = (0..24_u32).map(|i| {
+        let share = |factor: f64| (f64::from(i + 1) * factor).fract();
+        (0.05 + 0.6 * share(0.754_877), 0.05 + 0.8 * share(0.569_840), share(0.618_034) - 0.5)
+    });
+    for (mu, gap, tilt) in seeds {
+        let toml = format!(
+            "[foundation]\npoisson_ratio = 0.2\nroughness = 0.02\ngrading_exponent = {mu}\ngrading_modulus = 1.0\n[punch]\ngeometry = \"pair\"\n\
+             outer_half_width = 1.0\ninner_half_gap = {gap}\nprofile = \"abs(x)\"\n[load]\nforce = 3.0\ntilt = {}\n",
+            0.01 * tilt
+        );
+        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let highest = contact.dimensionless().peak_pressure();
+        for corner in [-1.0, -gap, gap, 1.0] {
+            let there = contact.dimensionless().pressure(corner).unwrap();
+            assert!(there <= highest, "mu = {mu}, gap = {gap}: {there} at {corner}, {highest}");
+        }
+    }
+}

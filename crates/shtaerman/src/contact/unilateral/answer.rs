@@ -248,6 +248,9 @@ impl Solution for UnilateralContact {
                 between_nodes(SAMPLES).map(|y| (middle + half * y).clamp(panel.left, panel.right));
             places.extend(inside.flat_map(|place| self.images(place)));
         }
+        // Ends themselves, which a share of a panel misses by a rounding: at corners the pressure is steep.
+        let ends = self.solved.panels.iter().flat_map(|panel| [panel.left, panel.right]);
+        places.extend(ends.flat_map(|place| self.images(place)));
         places.extend(self.beside.iter().flat_map(|place| self.images(*place)));
         // A zero has one sign.
         places.iter_mut().for_each(|place| *place += 0.0);
