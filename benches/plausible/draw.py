@@ -95,7 +95,8 @@ def problem(seed, index, trace_name):
         inner = draw.uniform(0.05, 0.7)
         lines += ['geometry = "pair"', f"outer_half_width = {half_width:.9e}", f"inner_half_gap = {inner * half_width:.9e}"]
     elif geometry == "periodic":
-        lines += ['geometry = "periodic"', f"period = {2 * half_width:.9e}"]
+        # Twice the half-width of the formula to the last digit, or the wave would not close.
+        lines += ['geometry = "periodic"', f"period = {2 * float(f'{half_width:.9e}')!r}"]
     elif geometry == "row":
         lines += ['geometry = "periodic"', f"period = {2 * half_width * draw.uniform(1.05, 4):.9e}", f"half_width = {half_width:.9e}"]
     else:

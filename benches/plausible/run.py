@@ -39,15 +39,23 @@ def solve(binary, path, audit, limit):
     return process.returncode, usage.ru_utime + usage.ru_stime, answer, message[-1] if message else ""
 
 
+def stated_error(answer, name):
+    """The stated error of a quantity in its unit; 0 where it is given, or nothing is stated."""
+    errors = (answer["error"] or {}).get("physical") or {}
+    return errors.get(name) or errors.get("pressure" if "pressure" in name else name) or 0.0
+
+
 def difference(one, two):
     """The quantities that differ by more than both answers state together, each over what they state."""
     found = []
-    a, b = one["dimensionless"], two["dimensionless"]
     for name in ("settlement", "tilt", "force", "moment", "peak_pressure"):
-        stated = sum((answer["error"].get(name) or answer["error"].get("pressure") or 0.0) for answer in (one, two))
-        gap = abs(a[name] - b[name])
-        if gap > stated + 4e-16 * abs(a[name]):
-            found.append(f"{name} {gap / max(abs(a[name]), 1e-300):.1e} of itself, {gap / max(stated, 1e-300):.1e} of what is stated")
+        values = [answer["physical"][name] for answer in (one, two)]
+        if None in values:
+            continue
+        size, gap = max(map(abs, values)), abs(values[0] - values[1])
+        stated = sum(stated_error(answer, name) for answer in (one, two))
+        if gap > stated + 4e-16 * size:
+            found.append(f"{name} {gap / size:.1e} of itself, {gap / max(stated, 1e-300):.1e} of what is stated")
     return found
 
 
@@ -104,11 +112,8 @@ def main():
         describe(name, [found[place][1] for _, _, found in results], [found[place][0] for _, _, found in results])
     if given.against:
         ratios = sorted(found[0][1] / found[1][1] for _, _, found in results if found[0][0] == found[1][0] == 0)
-        stated = sorted(
-            found[0][2]["error"]["pressure"] / found[1][2]["error"]["pressure"]
-            for _, _, found in results
-            if found[0][2] and found[1][2] and (found[1][2]["error"].get("pressure") or 0) > 0 and found[0][2]["error"].get("pressure") is not None
-        )
+        pairs = [[stated_error(result[2], "pressure") for result in found] for _, _, found in results if found[0][2] and found[1][2]]
+        stated = sorted(one / other for one, other in pairs if other > 0)
         print(f"time over the other's: median {quantile(ratios, 0.5):.2f}, 10 % {quantile(ratios, 0.1):.2f}, 90 % {quantile(ratios, 0.9):.2f}")
         print(f"stated error of the pressure over the other's: median {quantile(stated, 0.5):.2f}, 99 % {quantile(stated, 0.99):.1f}, most {stated[-1]:.1f}")
 
