@@ -231,7 +231,8 @@ fn rounding_is_told_from_failure() {
     let (degree, parameter) = (2000, 1e7);
     let system = StructuredSystem::new(&kernel, parameter, degree).unwrap();
     let moments = kernel.moments(&|_| 1.0, degree + 1).unwrap().values;
-    let (found, convergence) = system.solve(&moments, 1e-16).unwrap();
+    // No residual of rounded numbers is as small as that, whatever vectors they are added up in.
+    let (found, convergence) = system.solve(&moments, 1e-19).unwrap();
     assert!(convergence.limited_by_rounding && convergence.residual < 1e-9, "{convergence:?}");
     let dense = DegenerateSystem::new(&kernel, parameter, degree).unwrap().solve(&moments);
     let (found, dense) = (found.projections()[0], dense.projections()[0]);

@@ -4,8 +4,6 @@ use super::legendre::{LegendreBasis, square_of_height};
 use crate::linear::SymmetricTridiagonal;
 use crate::{Error, memory};
 
-/// Share of the memory the coefficients may take.
-const SHARE: f64 = 0.25;
 /// `-ln` of the size at which coefficients are cut off.
 const DIGITS: f64 = 40.0;
 
@@ -40,7 +38,7 @@ impl Spheroidal {
             });
         }
         let generous = count as f64 + 24.0 + 0.6 * kappa + 4.0 * kappa.sqrt();
-        admit(count, generous)?;
+        memory::admit(count, 32.0 * count as f64 * generous)?;
         let matrix = matrix(harmonic, kappa, generous as usize);
         let highest = matrix.eigenvalues(count - 1..count).into_iter().fold(0.0, f64::max);
         let order = sufficient_order(harmonic, kappa, highest, matrix.order()).max(count + 2);
@@ -93,16 +91,6 @@ impl Spheroidal {
         let row = |row: &[f64]| row.iter().zip(products).map(|(d, c)| d * c).sum();
         self.coefficients.chunks_exact(self.order()).map(row).collect()
     }
-}
-
-/// In floating point: a hostile count overflows every integer.
-fn admit(count: usize, order: f64) -> Result<(), Error> {
-    let needed = 8.0 * count as f64 * order;
-    let available = memory::available();
-    if needed > SHARE * available as f64 {
-        return Err(Error::TooLarge { degree: count, needed: needed as u64, available });
-    }
-    Ok(())
 }
 
 fn matrix(harmonic: u32, kappa: f64, order: usize) -> SymmetricTridiagonal {

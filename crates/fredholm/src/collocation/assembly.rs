@@ -8,9 +8,6 @@ use crate::kernel::Kernel;
 use crate::linear::{dot, multiply_rows};
 use crate::{Error, memory};
 
-/// Memory left alone when a matrix is admitted: its factor, and the rest of the program.
-const SHARE: f64 = 0.4;
-
 /// The functions a block acts on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
@@ -135,10 +132,11 @@ pub(super) fn blocks(
         weights: SincWeights::new(kernel.singularity(), mesh.panel_count()),
     };
     let mut blocks = if kernel.is_even() && mesh.is_symmetric() {
-        admit(mesh.count() / 2 + 1, 2)?;
+        let half = mesh.count() / 2 + 1;
+        memory::admit(half, 2.0 * with_factor(half))?;
         entries.by_parity()
     } else {
-        admit(mesh.count(), 1)?;
+        memory::admit(mesh.count(), with_factor(mesh.count()))?;
         vec![entries.whole()]
     };
     for block in &blocks {
@@ -152,18 +150,9 @@ pub(super) fn blocks(
     Ok(blocks)
 }
 
-/// Refuses matrices that would not fit into memory, before anything large is allocated.
-fn admit(order: usize, count: usize) -> Result<(), Error> {
-    let needed = 8 * (order * order * count) as u64;
-    // Small ones fit; asking the system takes longer than solving them.
-    if needed <= 16 << 20 {
-        return Ok(());
-    }
-    let available = memory::available();
-    if needed as f64 > SHARE * available as f64 {
-        return Err(Error::TooLarge { degree: order, needed, available });
-    }
-    Ok(())
+/// Bytes of a matrix and its factor.
+fn with_factor(order: usize) -> f64 {
+    16.0 * (order as f64).powi(2)
 }
 
 fn require_finite(block: &Block, mesh: &Mesh) -> Result<(), Error> {

@@ -47,7 +47,7 @@ impl<const Q: usize> ModeSums<Q> {
     }
 
     /// The sums at `L` parameters at once, which the compiler turns into vector instructions.
-    #[inline]
+    #[inline(always)]
     pub(super) fn at<const L: usize>(&self, parameters: &[f64; L]) -> [[f64; L]; Q] {
         let mut sums = [[0.0; L]; Q];
         let [constant, linear, square] = &self.merged;

@@ -4,10 +4,10 @@ use super::SincSpectrum;
 use super::assembly::Block;
 use super::modes::ModeSums;
 use crate::Error;
-use crate::linear::Eigensystem;
+use crate::linear::{Eigensystem, vectorised};
 
-/// Parameters taken at once.
-const LANES: usize = 4;
+/// Parameters taken at once: two of the widest vectors there are.
+const LANES: usize = 16;
 /// Eigenvalues above minus this share of the largest count as not negative.
 const ROUNDING: f64 = 1e-13;
 
@@ -157,13 +157,15 @@ impl Sweep {
 
     /// The values at many parameters, as many as the shorter of the two lists has.
     pub fn run(&self, parameters: &[f64], values: &mut [SweepValue]) {
-        let (chunks, places) = (parameters.chunks(LANES), values.chunks_mut(LANES));
-        for (chunk, places) in chunks.zip(places) {
-            let mut lanes = [0.0; LANES];
-            lanes[..chunk.len()].copy_from_slice(chunk);
-            let count = chunk.len().min(places.len());
-            places[..count].copy_from_slice(&self.lanes(&lanes)[..count]);
-        }
+        vectorised(|| {
+            let (chunks, places) = (parameters.chunks(LANES), values.chunks_mut(LANES));
+            for (chunk, places) in chunks.zip(places) {
+                let mut lanes = [0.0; LANES];
+                lanes[..chunk.len()].copy_from_slice(chunk);
+                let count = chunk.len().min(places.len());
+                places[..count].copy_from_slice(&self.lanes(&lanes)[..count]);
+            }
+        });
     }
 
     /// [`run`](Self::run) on several threads, with the same result to the last bit.
@@ -180,6 +182,7 @@ impl Sweep {
         });
     }
 
+    #[inline(always)]
     fn lanes(&self, parameters: &[f64; LANES]) -> [SweepValue; LANES] {
         let mut values = match &self.modes {
             Modes::Parity { even, odd, centre } => {
@@ -195,6 +198,7 @@ impl Sweep {
         values
     }
 
+    #[inline(always)]
     fn by_parity(
         &self,
         parameters: &[f64; LANES],
@@ -223,6 +227,7 @@ impl Sweep {
         })
     }
 
+    #[inline(always)]
     fn whole(&self, parameters: &[f64; LANES], sums: &[[f64; LANES]; 11]) -> [SweepValue; LANES] {
         std::array::from_fn(|l| {
             let end = |right_hand_side: [f64; 2], k: usize| {

@@ -1,10 +1,7 @@
-//! What every form of the degenerate system shares: the split by parity, the factors, the admission of a size.
+//! What every form of the degenerate system shares: the split by parity, and the factors.
 
+use crate::Error;
 use crate::kernel::{Parity, SpectralRelation};
-use crate::{Error, memory};
-
-/// Memory left alone when a system is admitted: the right-hand sides, the result and the rest of the program.
-const HEADROOM: f64 = 0.9;
 
 /// The indices `first, first + step, ...` of one independent part of the system.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,14 +88,4 @@ pub(super) fn positive_factors<K: SpectralRelation + ?Sized>(
         Some(index) => Err(Error::NotPositive { index, eigenvalue: kernel.eigenvalue(index) }),
         None => Ok(factors),
     }
-}
-
-/// Refuses a system that would not fit into memory, before anything is allocated. The bytes come in floating point: the
-/// square of a hostile degree overflows every integer.
-pub(super) fn admit(degree: usize, bytes: f64) -> Result<(), Error> {
-    let available = memory::available();
-    if bytes > HEADROOM * available as f64 {
-        return Err(Error::TooLarge { degree, needed: bytes as u64, available });
-    }
-    Ok(())
 }

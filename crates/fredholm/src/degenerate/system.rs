@@ -1,9 +1,9 @@
 //! The degenerate system (1.9) in symmetric positive form.
 
-use super::split::{Indices, admit, expansion_factors, steps};
+use super::split::{Indices, expansion_factors, steps};
 use crate::kernel::{Gram, SpectralRelation};
 use crate::linear::{Factored, dot};
-use crate::{DegenerateSolution, Error};
+use crate::{DegenerateSolution, Error, memory};
 
 /// The matrix and its factor.
 const BYTES_AN_ENTRY: f64 = 16.0;
@@ -52,7 +52,7 @@ impl<'k, K: SpectralRelation + ?Sized> DegenerateSystem<'k, K> {
         }
         let parts = steps(kernel.parity()) as f64;
         let order = degree as f64 / parts + 1.0;
-        admit(degree, BYTES_AN_ENTRY * parts * order * order)?;
+        memory::admit(degree, BYTES_AN_ENTRY * parts * order * order)?;
         let factors = expansion_factors(kernel, degree)?;
         let gram = kernel.gram(degree + 1)?;
         let blocks = Indices::parts(kernel.parity(), degree + 1)

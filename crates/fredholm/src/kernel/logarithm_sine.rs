@@ -2,7 +2,6 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::half_sums::admit;
 use super::{
     EndExponents, Expansion, Gram, Kernel, Moments, Pair, Parity, Singularity, SpectralRelation,
     Split,
@@ -11,7 +10,7 @@ use crate::basis::Function;
 use crate::basis::harmonics::Harmonics;
 use crate::quadrature::double_exponential;
 use crate::special::exponential_sum::ExponentialSum;
-use crate::{Error, Interval};
+use crate::{Error, Interval, memory};
 
 /// `pi` less its nearest double.
 const PI_REST: f64 = 1.224_646_799_147_353_2e-16;
@@ -274,7 +273,7 @@ impl SpectralRelation for LogarithmSine {
     }
 
     fn gram(&self, count: usize) -> Result<Gram, Error> {
-        admit(count, count as f64 * count as f64)?;
+        memory::admit(count.saturating_sub(1), 8.0 * (count as f64).powi(2))?;
         let (even, odd) = (self.even_integrals(count + 1), self.odd_integrals(count + 1));
         let entry = |index: usize| {
             let (row, column) = (index / count, index % count);
@@ -300,7 +299,7 @@ impl SpectralRelation for LogarithmSine {
 
     /// From both series by the sums of the Gram matrix, which need not be formed.
     fn moments(&self, f: &dyn Fn(f64) -> f64, count: usize) -> Result<Moments, Error> {
-        admit(count, 3.0 * count as f64)?;
+        memory::admit(count.saturating_sub(1), 24.0 * count as f64)?;
         let Parts { even, odd, error, resolved } = self.parts(f)?;
         let half = count.div_ceil(2);
         let even_integrals = self.even_integrals(half + even.len() + 1);

@@ -11,8 +11,6 @@ use crate::quadrature::Rule;
 use crate::quadrature::gauss_jacobi;
 use crate::{Error, Interval, memory};
 
-/// Share of the memory a Gram matrix may take.
-const SHARE: f64 = 0.5;
 /// From here on `Gamma(n + mu)/Gamma(n)` by Stirling's series, whose terms kept reach rounding.
 const STIRLING_FROM: usize = 16;
 
@@ -172,11 +170,7 @@ impl SpectralRelation for Power {
     }
 
     fn gram(&self, count: usize) -> Result<Gram, Error> {
-        let (bytes, available) = (8.0 * (count as f64).powi(2), memory::available());
-        if bytes > SHARE * available as f64 {
-            let degree = count.saturating_sub(1);
-            return Err(Error::TooLarge { degree, needed: bytes as u64, available });
-        }
+        memory::admit(count.saturating_sub(1), 16.0 * (count as f64).powi(2))?;
         let mut entries = gegenbauer::gram(self.exponent, count);
         entries.iter_mut().for_each(|entry| *entry *= self.interval.half_length());
         Ok(Gram::Dense { order: count, entries })

@@ -1,24 +1,9 @@
 //! Products with dense matrices, written so that the compiler vectorises them without reordering sums by chance.
 
+use super::vector::dot;
+
 /// Columns taken at once.
 const COLUMNS: usize = 4;
-/// Independent partial sums of a scalar product.
-const LANES: usize = 8;
-
-/// `a . b`; the shorter of the two counts.
-pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let length = a.len().min(b.len());
-    let (a, b) = (&a[..length], &b[..length]);
-    let mut sums = [0.0; LANES];
-    let (chunks_a, chunks_b) = (a.chunks_exact(LANES), b.chunks_exact(LANES));
-    let rest: f64 = chunks_a.remainder().iter().zip(chunks_b.remainder()).map(|(a, b)| a * b).sum();
-    for (a, b) in chunks_a.zip(chunks_b) {
-        for lane in 0..LANES {
-            sums[lane] += a[lane] * b[lane];
-        }
-    }
-    sums.iter().sum::<f64>() + rest
-}
 
 /// `target -= sum_k factors[k] columns[k]` for four columns.
 #[inline]

@@ -10,12 +10,15 @@ mod symmetric;
 mod tridiagonal;
 mod tridiagonal_spectrum;
 pub(crate) mod vector;
+mod vectorised;
 
 pub(crate) use cholesky::Cholesky;
-pub(crate) use dense::{dot, multiply_rows};
+pub(crate) use dense::multiply_rows;
 pub use general::eliminate;
 pub(crate) use lowest::{Lowest, lowest};
 pub(crate) use skyline::{Skyline, SkylineFactor};
 pub(crate) use symmetric::{Eigensystem, Factored};
 pub(crate) use tridiagonal::Tridiagonal;
 pub(crate) use tridiagonal_spectrum::SymmetricTridiagonal;
+pub(crate) use vector::dot;
+pub(crate) use vectorised::vectorised;

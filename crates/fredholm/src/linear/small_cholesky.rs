@@ -1,6 +1,7 @@
 //! Cholesky factorisation where a library's overhead would exceed the work.
 
-use super::dense::{dot, subtract_column, subtract_columns};
+use super::dense::{subtract_column, subtract_columns};
+use super::vector::dot;
 
 /// Overwrites the lower triangle of the matrix, column by column, with `L` of `A = L L^T`.
 ///

@@ -3,11 +3,13 @@
 /// Independent partial sums of a scalar product.
 const LANES: usize = 8;
 
-/// `sum_i left_i right_i`.
+/// `sum_i left_i right_i`; the shorter of the two counts.
+#[inline(always)]
 pub(crate) fn dot(left: &[f64], right: &[f64]) -> f64 {
+    let length = left.len().min(right.len());
+    let (left, left_rest) = left[..length].as_chunks::<LANES>();
+    let (right, right_rest) = right[..length].as_chunks::<LANES>();
     let mut sums = [0.0; LANES];
-    let (left, left_rest) = left.as_chunks::<LANES>();
-    let (right, right_rest) = right.as_chunks::<LANES>();
     for (left, right) in left.iter().zip(right) {
         for lane in 0..LANES {
             sums[lane] += left[lane] * right[lane];

@@ -5,6 +5,12 @@ mod process;
 
 use std::path::Path;
 
+use crate::Error;
+
+/// Share of the memory at hand that a computation may take: the rest is for the answer and for others.
+const SHARE: f64 = 0.9;
+/// Bytes that fit without asking: reading what the system tells takes longer than the computations that need no more.
+const SMALL: f64 = (16 << 20) as f64;
 /// Assumed where the operating system does not tell.
 const FALLBACK: u64 = 8 << 30;
 
@@ -23,6 +29,22 @@ pub fn available() -> u64 {
         .into_iter()
         .flatten()
         .fold(machine.unwrap_or(FALLBACK), u64::min)
+}
+
+/// Refuses what would not fit into memory, before anything is allocated. The bytes, all that is held at once, come in floating point: the square of a hostile count
+/// overflows every integer.
+///
+/// # Errors
+/// [`Error::TooLarge`], with the degree or number of functions that asked for it.
+pub(crate) fn admit(degree: usize, bytes: f64) -> Result<(), Error> {
+    if bytes <= SMALL {
+        return Ok(());
+    }
+    let available = available();
+    if bytes <= SHARE * available as f64 {
+        return Ok(());
+    }
+    Err(Error::TooLarge { degree, needed: bytes as u64, available })
 }
 
 /// Reads a file of the system; none where it cannot be read.

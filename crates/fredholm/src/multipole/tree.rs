@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::kernel::PanelKernel;
+use crate::linear::dot;
 
 /// Chebyshev points of a box. Boxes that act on each other lie at least a box apart: interpolation converges by `(3 + sqrt 8)^-1` with each point.
 pub(super) const POINTS: usize = 18;
@@ -204,16 +205,6 @@ impl Tree {
         levels.reverse();
         levels
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut sums = [0.0; 6];
-    for (a, b) in a.chunks_exact(6).zip(b.chunks_exact(6)) {
-        for lane in 0..6 {
-            sums[lane] += a[lane] * b[lane];
-        }
-    }
-    sums.iter().sum()
 }
 
 fn add(target: &mut [f64], factor: f64, vector: &[f64]) {

@@ -19,8 +19,6 @@ const FARTHEST: f64 = 6.55;
 const DECADES: f64 = 41.4;
 /// Most nodes of a section.
 const MOST_NODES: f64 = 30_000.0;
-/// Share of the free memory that the two matrices may take.
-const SHARE: f64 = 0.4;
 /// Nodes of the Gauss rule between neighbours.
 const BETWEEN: usize = 12;
 
@@ -89,7 +87,8 @@ impl Section {
             return Err(too_long(length));
         }
         let (left, count) = (left as usize, (left + right) as usize + 1);
-        admit(count, REACH * stretch / step + left as f64)?;
+        let band = (REACH * stretch / step + left as f64).min(count as f64);
+        memory::admit(count, 32.0 * count as f64 * band)?;
         let images = (0..count).map(|j| map.at((j as f64 - left as f64) * step));
         let (mut positions, mut weights) = (Vec::with_capacity(count), Vec::with_capacity(count));
         let mut roots = Vec::with_capacity(count);
@@ -182,19 +181,6 @@ fn assemble(
         diagonal[0] = sinc.at_node(kernel.split(0.0), weights[i]) * roots[i] * roots[i];
     }
     matrix
-}
-
-fn admit(count: usize, band: f64) -> Result<(), Error> {
-    let needed = (16.0 * count as f64 * band.min(count as f64)) as u64;
-    // Small ones fit; asking the system takes longer than solving them.
-    if needed <= 32 << 20 {
-        return Ok(());
-    }
-    let available = memory::available();
-    if needed as f64 > SHARE * available as f64 {
-        return Err(Error::TooLarge { degree: count, needed, available });
-    }
-    Ok(())
 }
 
 fn too_long(length: f64) -> Error {

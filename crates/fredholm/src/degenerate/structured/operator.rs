@@ -7,9 +7,9 @@ use rustfft::FftPlanner;
 use super::preconditioner::largest_leading_order;
 use super::product::{Product, Workspace};
 use super::system::StructuredSystem;
-use crate::Error;
-use crate::degenerate::split::{Indices, admit, check_parameter, positive_factors};
+use crate::degenerate::split::{Indices, check_parameter, positive_factors};
 use crate::kernel::{Gram, SpectralRelation};
+use crate::{Error, memory};
 
 /// Memory a coefficient takes at the peak of a solve, in bytes: measured, rounded up.
 pub const BYTES_A_DEGREE: f64 = 240.0;
@@ -57,7 +57,7 @@ impl<'k, K: SpectralRelation + ?Sized> StructuredOperator<'k, K> {
     /// [`Error::TooLarge`] beyond memory, [`Error::NotPositive`] when one of the eigenvalues is not positive,
     /// [`Error::Unstructured`] when the Gram matrix is not Toeplitz plus Hankel; whatever the kernel's own route to it meets.
     pub fn new(kernel: &'k K, degree: usize) -> Result<Self, Error> {
-        admit(degree, BYTES_A_DEGREE * degree as f64)?;
+        memory::admit(degree, BYTES_A_DEGREE * degree as f64)?;
         let factors = positive_factors(kernel, degree)?;
         let Gram::ToeplitzHankel { toeplitz, hankel } = kernel.gram(degree + 1)? else {
             return Err(Error::Unstructured);

@@ -21,8 +21,6 @@ const SHOWN: f64 = 12.0;
 /// The factor of the singular function fades around this distance, in decay lengths, with this sharpness. Measured: nearer it would have to be resolved by more
 /// nodes, farther off a truncated section would ring.
 const CUTOFF: [f64; 2] = [8.0, 6.0];
-/// Share of the free memory that a Gram matrix may take.
-const SHARE: f64 = 0.4;
 
 /// `K(x, s) = |x - s|^-mu K_mu(kappa |x - s|)`, `|mu| < 1/2`, `kappa > 0`, on `(0, infinity)`, with the Macdonald function `K_mu`. Positive;
 /// `kappa` is the inverse of the decay length, in 1 over the unit of `x`.
@@ -181,11 +179,7 @@ impl SpectralRelation for MacdonaldHalfLine {
     }
 
     fn gram(&self, count: usize) -> Result<Gram, Error> {
-        let needed = 8.0 * (count as f64).powi(2);
-        let available = memory::available();
-        if needed > SHARE * available as f64 {
-            return Err(Error::TooLarge { degree: count, needed: needed as u64, available });
-        }
+        memory::admit(count, 16.0 * (count as f64).powi(2))?;
         let column = laguerre::binomials(self.alpha(), count);
         let unit = 0.5 / self.decay();
         let mut entries = vec![0.0; count * count];

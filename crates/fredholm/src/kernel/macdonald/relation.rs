@@ -12,8 +12,6 @@ use crate::{Error, memory};
 
 /// Most eigenfunctions.
 const MOST: usize = 4096;
-/// Share of the memory a Gram matrix may take.
-const SHARE: f64 = 0.5;
 
 /// The Macdonald kernel prepared for a number of eigenfunctions.
 ///
@@ -126,11 +124,7 @@ impl SpectralRelation for MacdonaldRelation {
         if count > self.available() {
             return Err(Error::TooFew { needed: count, available: self.available() });
         }
-        let (bytes, available) = (8.0 * (count as f64).powi(2), memory::available());
-        if bytes > SHARE * available as f64 {
-            let degree = count.saturating_sub(1);
-            return Err(Error::TooLarge { degree, needed: bytes as u64, available });
-        }
+        memory::admit(count.saturating_sub(1), 16.0 * (count as f64).powi(2))?;
         let mut entries = self.functions.gram(count)?;
         entries.iter_mut().for_each(|entry| *entry *= self.kernel.half_length());
         Ok(Gram::Dense { order: count, entries })

@@ -6,9 +6,6 @@ use crate::linear::dot;
 use crate::special::half_gamma_quotient;
 use crate::{Error, memory};
 
-/// Share of the memory that one matrix may take.
-const SHARE: f64 = 0.4;
-
 impl WeberSonine {
     /// `R_km = int_0^a phi_k phi_m x dx`. For `gamma = 0` by the closed form
     ///
@@ -21,7 +18,7 @@ impl WeberSonine {
     /// `beta = gamma - 1/2` (DLMF 18.18.14), in `count^3/6` multiplications. The recurrence `J R = R J` with the Jacobi matrix from the
     /// first row would take `count^2`, but loses a factor `count^mu`.
     pub(super) fn gram_matrix(&self, count: usize) -> Result<Gram, Error> {
-        admit(count)?;
+        memory::admit(count, 16.0 * (count as f64).powi(2))?;
         let mut entries =
             if self.exponent == 0.0 { self.closed_form(count) } else { self.by_connection(count) };
         // Both are the compression of multiplication by (1 - x^2)^(1/2-gamma) for a = 1.
@@ -98,18 +95,4 @@ impl WeberSonine {
         let sign = if j.is_multiple_of(2) { 1.0 } else { -1.0 };
         sign * strength / j as f64 * half_gamma_quotient((j - 1) as f64, self.exponent)
     }
-}
-
-/// Refuses a matrix that would not fit into memory.
-fn admit(count: usize) -> Result<(), Error> {
-    let needed = 8 * (count as u64).saturating_mul(count as u64);
-    // Small ones fit; asking the system takes longer than computing them.
-    if needed <= 16 << 20 {
-        return Ok(());
-    }
-    let available = memory::available();
-    if needed as f64 > SHARE * available as f64 {
-        return Err(Error::TooLarge { degree: count, needed, available });
-    }
-    Ok(())
 }
