@@ -108,6 +108,8 @@ fn principle(kernel: Kernel) -> [f64; 2] {
         // 1/(4 pi^2 sin^2) >= 1/(4 pi^2) and 1/(4 pi^2 c).
         Kernel::Row { period } => [1.0, -(PI / period).sin().ln()],
         Kernel::Power { .. } => [0.0, 1.0],
+        // Not known to have it.
+        Kernel::Layered(_) => [f64::INFINITY, 1.0],
     }
 }
 
@@ -373,6 +375,7 @@ mod tests {
             kernel: Kernel::Logarithm,
             theta,
             scaled: 0.0,
+            ground: None,
             pieces: &[[-1.0, 1.0]],
             is_bilateral: false,
             prescribed,

@@ -4,6 +4,7 @@ use crate::allowance::allowance;
 use crate::density::Density;
 use crate::displacements::Line;
 use crate::distance::{Distance, Windows};
+use crate::ground::Raised;
 use crate::highest::highest;
 use crate::layer;
 use crate::norms::Reach;
@@ -52,8 +53,11 @@ pub fn audit_on_halved_panels(
 fn bound(problem: &Problem<'_>, answer: &Answer<'_>, sampled: &[Panel]) -> Result<Bound, Refusal> {
     let (sampled, shape) = restored(problem, sampled)?;
     let density = Density::new(problem.kernel, sampled);
-    let mut audit =
-        Audit { problem, answer, density, shape, settlement: answer.settlement, tilt: answer.tilt };
+    let raised = (problem.ground)
+        .map(|ground| Raised::new(problem.profile, ground, problem.theta, &density));
+    let profile = raised.as_ref().map_or(problem.profile, |raised| raised as &dyn Profile);
+    let (settlement, tilt) = (answer.settlement, answer.tilt);
+    let mut audit = Audit { problem, profile, answer, density, shape, settlement, tilt };
     audit.settle();
     audit.bound()
 }
@@ -112,6 +116,8 @@ pub(crate) fn known(profile: &dyn Profile, left: f64, right: f64) -> f64 {
 
 pub(crate) struct Audit<'a> {
     pub(crate) problem: &'a Problem<'a>,
+    /// The base, with what ground adds to it beside its kernel's singular part.
+    pub(crate) profile: &'a dyn Profile,
     pub(crate) answer: &'a Answer<'a>,
     pub(crate) density: Density,
     pub(crate) shape: Shape,
@@ -157,7 +163,7 @@ impl Audit<'_> {
         Residual {
             density: &self.density,
             pressure: self.answer.pressure,
-            profile: self.problem.profile,
+            profile: self.profile,
             cuts: self.problem.cuts,
             theta: self.problem.theta,
             settlement: self.settlement,

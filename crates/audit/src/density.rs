@@ -25,9 +25,10 @@ impl Density {
     pub(crate) fn new(kernel: Kernel, panels: Vec<Panel>) -> Self {
         let regular = match kernel {
             Kernel::Row { period } => Regular::new(&panels, period),
-            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Power { .. } => {
-                Regular::default()
-            }
+            Kernel::Logarithm
+            | Kernel::ShiftedLogarithm { .. }
+            | Kernel::Layered(_)
+            | Kernel::Power { .. } => Regular::default(),
         };
         let recurrence = Recurrence::new(kernel.singularity());
         let mut density = Self { kernel, panels, clusters: Vec::new(), recurrence, regular };
@@ -111,9 +112,9 @@ impl Density {
         }
         match self.kernel {
             Kernel::Logarithm => self.add_singular(places, -1.0, found),
-            Kernel::ShiftedLogarithm { constant } => {
+            Kernel::ShiftedLogarithm { .. } | Kernel::Layered(_) => {
                 self.add_singular(places, -1.0, found);
-                self.add_constant(constant, found, places.len());
+                self.add_constant(self.kernel.constant(), found, places.len());
             }
             Kernel::Power { .. } => self.add_singular(places, 1.0, found),
             Kernel::Row { period } => {
@@ -188,7 +189,10 @@ impl Density {
         }
         let images: &[f64] = match self.kernel {
             Kernel::Row { period } => &[0.0, -period, period],
-            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Power { .. } => &[0.0],
+            Kernel::Logarithm
+            | Kernel::ShiftedLogarithm { .. }
+            | Kernel::Layered(_)
+            | Kernel::Power { .. } => &[0.0],
         };
         for image in images {
             self.visit(self.clusters.len() - 1, x + image, visit);

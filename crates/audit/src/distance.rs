@@ -84,7 +84,7 @@ pub(crate) fn narrow_potential(width: f64, kernel: Kernel) -> f64 {
             Kernel::Row { period } => (0.25 * period).ln().max(0.0),
             _ => 0.0,
         };
-        width * (3.0 + width.ln().abs() + kernel.constant().abs() + period)
+        width * (3.0 + width.ln().abs() + kernel.constant().abs() + kernel.rest() + period)
     } else {
         4.0 * width.powf(1.0 - mu) / (1.0 - mu)
     }
@@ -171,7 +171,7 @@ impl Audit<'_> {
         match self.problem.kernel {
             Kernel::Power { .. } => true,
             Kernel::Logarithm | Kernel::Row { .. } => self.problem.prescribed.force.is_some(),
-            Kernel::ShiftedLogarithm { .. } => false,
+            Kernel::ShiftedLogarithm { .. } | Kernel::Layered(_) => false,
         }
     }
 

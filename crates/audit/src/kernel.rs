@@ -28,6 +28,22 @@ impl Singularity {
     }
 }
 
+/// How often the kernel of a layer is split by wave numbers.
+pub(crate) const SPLITS: usize = 24;
+
+/// What is known of `ln(1/d) + R(d)` on `[-1, 1]`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Layered {
+    /// `c`, in the middle of the values of `R`.
+    pub(crate) constant: f64,
+    /// A bound of `|R - c|`.
+    pub(crate) rest: f64,
+    /// Whether it is positive for pressures that have a force, too.
+    pub(crate) is_positive: bool,
+    /// For wave numbers of which those below are split off: the value at 0 of the part below, and the norm of a row of the part above.
+    pub(crate) splits: Option<[[f64; 2]; SPLITS]>,
+}
+
 /// A symmetric kernel that is positive semidefinite on a base within `[-1, 1]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Kernel {
@@ -43,6 +59,8 @@ pub enum Kernel {
         /// `L`.
         period: f64,
     },
+    /// Plane ground that a transfer function describes, see [`Ground`](crate::Ground).
+    Layered(Layered),
     /// `|x - s|^-mu`, `0 < mu < 1`: its Fourier transform is positive.
     Power {
         /// `mu`.
@@ -53,10 +71,22 @@ pub enum Kernel {
 impl Kernel {
     pub(crate) fn singularity(self) -> Singularity {
         match self {
-            Self::Logarithm | Self::ShiftedLogarithm { .. } | Self::Row { .. } => {
-                Singularity::Logarithm
-            }
+            Self::Logarithm
+            | Self::ShiftedLogarithm { .. }
+            | Self::Layered(_)
+            | Self::Row { .. } => Singularity::Logarithm,
             Self::Power { exponent } => Singularity::Power(exponent),
+        }
+    }
+
+    /// A bound of what it has beside the singular part and the constant.
+    pub(crate) fn rest(self) -> f64 {
+        match self {
+            Self::Layered(layered) => layered.rest,
+            Self::Logarithm
+            | Self::ShiftedLogarithm { .. }
+            | Self::Row { .. }
+            | Self::Power { .. } => 0.0,
         }
     }
 
@@ -64,6 +94,7 @@ impl Kernel {
     pub(crate) fn constant(self) -> f64 {
         match self {
             Self::ShiftedLogarithm { constant } => constant,
+            Self::Layered(layered) => layered.constant,
             Self::Logarithm | Self::Row { .. } | Self::Power { .. } => 0.0,
         }
     }

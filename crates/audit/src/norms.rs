@@ -16,8 +16,8 @@ const SPLITS: i32 = 128;
 #[must_use]
 pub(crate) fn mass(kernel: Kernel, half: f64) -> f64 {
     match kernel {
-        Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } => {
-            2.0 * half * (1.0 - half.ln() + kernel.constant().abs())
+        Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Layered(_) => {
+            2.0 * half * (1.0 - half.ln() + kernel.constant().abs() + kernel.rest())
         }
         Kernel::Row { period } => 0.66 * period,
         Kernel::Power { exponent } => 2.0 * half.powf(1.0 - exponent) / (1.0 - exponent),
@@ -30,8 +30,8 @@ pub(crate) fn mass(kernel: Kernel, half: f64) -> f64 {
 #[must_use]
 pub(crate) fn row_norm(kernel: Kernel) -> f64 {
     match kernel {
-        Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } => {
-            2.0 + 2f64.sqrt() * kernel.constant().abs()
+        Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Layered(_) => {
+            2.0 + 2f64.sqrt() * (kernel.constant().abs() + kernel.rest())
         }
         Kernel::Row { period } => (period * PI.powi(2) / 12.0).sqrt(),
         Kernel::Power { exponent } if exponent < 0.5 => (2.0 / (1.0 - 2.0 * exponent)).sqrt(),
@@ -81,7 +81,9 @@ impl Reach {
     /// `theta` of the interval scaled to half-length 1; a row keeps its scale.
     fn scaled_theta(&self) -> f64 {
         match self.kernel {
-            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } => self.theta * self.half,
+            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Layered(_) => {
+                self.theta * self.half
+            }
             Kernel::Row { .. } => self.theta,
             Kernel::Power { exponent } => self.theta * self.half.powf(1.0 - exponent),
         }
@@ -91,6 +93,7 @@ impl Reach {
     fn row_norm(&self) -> f64 {
         let own = match self.kernel {
             Kernel::ShiftedLogarithm { .. } => row_norm(Kernel::Logarithm),
+            Kernel::Layered(layered) => row_norm(Kernel::Logarithm) + 2f64.sqrt() * layered.rest,
             kernel => row_norm(kernel),
         };
         self.scaled_theta() * (own + 2f64.sqrt() * self.constant().abs())
@@ -99,7 +102,9 @@ impl Reach {
     /// The constant `ln(1/h)` of the logarithm that counts, with its own.
     fn constant(&self) -> f64 {
         match self.kernel {
-            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } if !self.is_neutral => {
+            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Layered(_)
+                if !self.is_neutral =>
+            {
                 self.kernel.constant() - self.half.ln()
             }
             _ => 0.0,
@@ -114,6 +119,13 @@ impl Reach {
         let theta = self.scaled_theta();
         if let Kernel::Power { exponent } = self.kernel {
             return power_smoothing(exponent, theta).0 / self.half.sqrt();
+        }
+        if let Kernel::Layered(layered) = self.kernel {
+            let splits = layered.splits.iter().flatten().map(|[below, above]| {
+                let beta = self.theta * above;
+                0.5 * (beta + (self.theta * below + beta * beta).sqrt())
+            });
+            return splits.fold(self.row_norm() / self.scale(), f64::min);
         }
         let mut best = self.row_norm();
         let mut harmonic = 0.0;
@@ -137,9 +149,10 @@ impl Reach {
     fn scale(&self) -> f64 {
         match self.kernel {
             Kernel::Row { .. } => 1.0,
-            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Power { .. } => {
-                self.half.sqrt()
-            }
+            Kernel::Logarithm
+            | Kernel::ShiftedLogarithm { .. }
+            | Kernel::Layered(_)
+            | Kernel::Power { .. } => self.half.sqrt(),
         }
     }
 
@@ -147,7 +160,10 @@ impl Reach {
     pub(crate) fn doubles(&self) -> bool {
         match self.kernel {
             Kernel::Power { exponent } => power_smoothing(exponent, self.scaled_theta()).1,
-            Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } | Kernel::Row { .. } => false,
+            Kernel::Logarithm
+            | Kernel::ShiftedLogarithm { .. }
+            | Kernel::Layered(_)
+            | Kernel::Row { .. } => false,
         }
     }
 
@@ -165,7 +181,7 @@ impl Reach {
             Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } => {
                 Some([self.theta * h * h * (6.0 - 8.0 * LN_2), self.theta * h.powi(4) / 9.0])
             }
-            Kernel::Row { .. } => None,
+            Kernel::Row { .. } | Kernel::Layered(_) => None,
             Kernel::Power { exponent: mu } => {
                 let first = PI / (0.5 * PI * mu).cos();
                 let whole =
@@ -187,7 +203,16 @@ impl Reach {
     }
 
     /// The largest `sqrt(theta <K e, e>)/||w||` times `||theta K e||/sqrt(theta <K e, e>)`.
+    ///
+    /// Of a layer the kernel itself has to be positive, no constant taken; else only its norm is known.
     pub(crate) fn moved(&self) -> f64 {
+        match self.kernel {
+            Kernel::Layered(layered) if layered.is_positive => {
+                return 0.5 * self.strength().sqrt();
+            }
+            Kernel::Layered(_) => return self.strength(),
+            _ => {}
+        }
         0.5 * (self.theta * self.neutral_mass()).sqrt()
     }
 }

@@ -1,5 +1,6 @@
 //! What is asked and what is answered: a contact problem, an answer to it, and the bounds of its errors or why there are none.
 
+use crate::ground::Ground;
 use crate::kernel::Kernel;
 use crate::profile::Profile;
 
@@ -19,6 +20,8 @@ pub struct Prescribed {
 pub struct Problem<'a> {
     /// The kernel.
     pub kernel: Kernel,
+    /// What the kernel was made of, if it is that of such ground.
+    pub ground: Option<&'a Ground>,
     /// `theta >= 0`.
     pub theta: f64,
     /// What the numbers given for `theta`, the profile and the load may be off by, relative to their sizes: they were scaled.

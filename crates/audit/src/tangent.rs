@@ -70,7 +70,7 @@ impl Tangent {
     fn constant(&self) -> Option<f64> {
         match self.kernel {
             Kernel::Logarithm | Kernel::ShiftedLogarithm { .. } => Some(2.0 - LN_2),
-            Kernel::Row { .. } | Kernel::Power { .. } => None,
+            Kernel::Row { .. } | Kernel::Power { .. } | Kernel::Layered(_) => None,
         }
     }
 }

@@ -215,6 +215,7 @@ fn check(
     let is_full = zones == pieces;
     let problem = Problem {
         kernel: reference.kernel,
+        ground: None,
         theta: reference.theta,
         scaled: 0.0,
         pieces,
@@ -328,6 +329,7 @@ fn flat_places_are_no_jumps() {
     let [whole, cut] = [&[][..], &[0.0]].map(|cuts| {
         let problem = Problem {
             kernel: Kernel::Logarithm,
+            ground: None,
             theta,
             scaled: 0.0,
             pieces: &[[-1.0, 1.0]],

@@ -3,11 +3,11 @@
 //! The book's chapter *The audit* has the theorem and its proof; the crate `shtaerman-audit` carries it out on plain numbers. Here a contact is handed to it.
 
 use serde::Serialize;
-use shtaerman_audit::{Answer, Bound, DiskProblem, Kernel, Prescribed, Profile, Refusal};
+use shtaerman_audit::{Answer, Bound, DiskProblem, Ground, Kernel, Prescribed, Profile, Refusal};
 
 use super::{Accuracy, ErrorKind};
 use crate::roughness::Law;
-use crate::{Contact, ContactKind, Error, Geometry, Load, Problem, Rotational, Vertical};
+use crate::{Contact, ContactKind, Error, Geometry, Layering, Load, Problem, Rotational, Vertical};
 
 /// What scaling by moduli and widths may do to `theta0`, heights and loads, relative to their sizes: some ten roundings.
 const SCALED: f64 = 4.0 * f64::EPSILON;
@@ -135,6 +135,8 @@ impl Profile for Base<'_> {
 enum Posed {
     /// A plane contact: the kernel, what scaling may do to the numbers, and the exponent of the layer.
     Plane(Kernel, f64, f64),
+    /// Plane ground described by a transfer function, and how much stronger than the foundation it is where points meet.
+    Layered(Box<Ground>, f64),
     /// A circular punch: the exponent of the ground and that of the layer.
     Disk(f64, f64),
 }
@@ -167,10 +169,8 @@ fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
             ));
         }
     };
-    if frame.layering().is_some() {
-        return Err(Unaudited::NotCovered(
-            "the residual on a layer, under a coating or on an influence function is not bounded yet: its errors are estimates of the method, and a cross-check by product integration holds them against another in the plane",
-        ));
+    if let Some(layering) = frame.layering() {
+        return layered(problem, &layering.clone().scaled(frame.half_width()), layer);
     }
     let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
     let geometry = frame.geometry().scaled(frame.half_width());
@@ -186,16 +186,45 @@ fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
     })
 }
 
+/// What a contact on a layer, under a coating or on an influence function asks of the audit, or why it has none.
+fn layered(problem: &Problem, layering: &Layering, layer: f64) -> Result<Posed, Unaudited> {
+    if problem.frame().geometry() == Geometry::Circular {
+        return Err(Unaudited::NotCovered(
+            "the residual on a layer under a circular punch is not bounded yet: its errors are estimates of the method",
+        ));
+    }
+    if layer < 1.0 {
+        return Err(Unaudited::NotCovered(
+            "the residual bounds nothing for a power law of roughness on a layer, under a coating or on an influence function, whose kernels are not known to have a maximum principle: its errors are estimates of the method",
+        ));
+    }
+    if layering.remainder().is_some() {
+        return Err(Unaudited::NotCovered(
+            "of an influence function given by its remainder it is not known whether it is positive, without which the residual bounds nothing: its errors are estimates of the method, and a cross-check by product integration holds them against another; with a transfer function it has an audit",
+        ));
+    }
+    let ground = Ground::new(layering.thickness(), layering.far_share(), &|u| layering.transfer(u));
+    if !ground.is_positive() && !matches!(problem.load().vertical(), Vertical::Force(_)) {
+        return Err(Unaudited::NotCovered(
+            "at a settlement prescribed the residual bounds nothing under a coating that is stiffer than what it lies on, whose kernel is known to be positive only for pressures without force: its errors are estimates of the method; with the force prescribed it has an audit",
+        ));
+    }
+    Ok(Posed::Layered(Box::new(ground), layering.strength()))
+}
+
 /// A bound of plane contact, or an estimate of another.
 const BOUND: &str = "the residual of the answer, resampled and bounded between all places, with rounding: it holds whatever way the answer was found";
 const OWN_LOAD: &str = "the residual of the answer, resampled: a bound for the contact under its own force and moment, an estimate for the settlement prescribed";
 const SAMPLED: &str = "the residual of the answer at places of its own: the profile is enclosed between them, the potential is not";
+
+const TRANSFORMED: &str = "the residual of the answer, resampled and bounded between all places but for the quadrature of the ground's transfer function, which is estimated";
 
 impl Contact {
     /// Bounds the errors of this answer by its residual: nothing is asked of the way it was found.
     ///
     /// Guaranteed for plane contact of one punch, a pair and a row and for graded ground, with a linear layer, bilateral or not; with a settlement and an eccentricity prescribed
     /// together it holds for the contact under the answer's own force and moment, and is an estimate.
+    /// On plane ground with a transfer function (layers, coatings, [`Influence::by_transfer`](crate::Influence::by_transfer)) it is an estimate: its quadrature is compared, not enclosed.
     ///
     /// # Errors
     /// [`Unaudited`] with the reason.
@@ -244,6 +273,7 @@ impl Contact {
         let is_bound = is_bound && !is_load_own;
         let kind = if is_bound { ErrorKind::Bound } else { ErrorKind::Estimate };
         let reason = match posed.is_bound() {
+            false if matches!(posed, Posed::Layered(..)) => TRANSFORMED,
             false => SAMPLED,
             true if is_load_own => OWN_LOAD,
             true => BOUND,
@@ -311,27 +341,29 @@ impl Contact {
         let scaled = |size: f64| if frame.scaling().is_some() { size } else { 0.0 };
         let is_bilateral = problem.solver().contact == ContactKind::Bilateral;
         let profile = &Base(problem);
-        let found = match *posed {
-            Posed::Plane(kernel, size, layer) => {
-                let pieces = frame.pieces();
-                let posed = shtaerman_audit::Problem {
-                    kernel,
-                    theta: frame.theta0(),
-                    scaled: scaled(size),
-                    pieces: &pieces,
-                    is_bilateral,
-                    prescribed,
-                    profile,
-                    cuts,
-                };
-                if layer < 1.0 {
-                    let stiffness = self.dimensionless().stiffness().matrix();
-                    shtaerman_audit::audit_bent(&posed, layer, stiffness, answer)
-                } else {
-                    auditor(&posed, answer)
-                }
+        let pieces = frame.pieces();
+        let plane = |kernel, ground, strength: f64, size| shtaerman_audit::Problem {
+            kernel,
+            ground,
+            theta: strength * frame.theta0(),
+            scaled: scaled(size),
+            pieces: &pieces,
+            is_bilateral,
+            prescribed,
+            profile,
+            cuts,
+        };
+        let found = match posed {
+            Posed::Layered(ground, strength) => {
+                auditor(&plane(ground.kernel(), Some(&**ground), *strength, SCALED), answer)
             }
-            Posed::Disk(exponent, layer) => {
+            Posed::Plane(kernel, size, layer) if *layer < 1.0 => {
+                let stiffness = self.dimensionless().stiffness().matrix();
+                let posed = plane(*kernel, None, 1.0, *size);
+                shtaerman_audit::audit_bent(&posed, *layer, stiffness, answer)
+            }
+            Posed::Plane(kernel, size, _) => auditor(&plane(*kernel, None, 1.0, *size), answer),
+            &Posed::Disk(exponent, layer) => {
                 let posed = DiskProblem {
                     exponent,
                     theta: frame.theta0(),

@@ -156,6 +156,7 @@ impl SolvedEquation<'_> {
             kernel: posed.kernel,
             theta: posed.theta,
             scaled: SCALED,
+            ground: None,
             pieces: &pieces,
             is_bilateral: true,
             prescribed: Prescribed { force: None, moment: None },

@@ -8,6 +8,7 @@ mod disk;
 mod graded;
 mod influence;
 mod layered;
+mod layered_audit;
 mod pair;
 mod power;
 mod random;
