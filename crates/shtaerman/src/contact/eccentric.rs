@@ -6,14 +6,13 @@
 //! monotone, and not every settlement is met: of the forces that meet it the least is taken.
 
 use crate::contact::Contact;
+use crate::contact::iteration::STEPS;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 
 /// The forces that are tried: each so many times the one before, from the depth over the compliance of the whole base by so many steps down, to so many up.
 const RATIO: f64 = 4.0;
 const DOWN: i32 = 18;
 const UP: i32 = 14;
-/// Steps towards the force sought, or towards a largest or least settlement.
-const STEPS: usize = 40;
 /// A step of `ln P` after which Newton's method has all digits, as they double; and one that tells a turning point.
 const NARROW: f64 = 1e-9;
 const TURNED: f64 = 1e-4;

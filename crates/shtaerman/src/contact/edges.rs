@@ -3,12 +3,11 @@
 //! At a free end the pressure vanishes. As it does, an end that moves by `e` changes the pressure elsewhere by `e^2` only: so each end has a step of its own, to where
 //! the pressure beside it, carried on straight, would vanish.
 
+use super::iteration::{CUTS, STEPS};
 use super::search::Equation;
 use super::zones::{EndKind, Zone};
 use crate::Error;
 
-/// Most steps on the way to the ends: in a row that is nearly closed they converge by a half only.
-const STEPS: usize = 120;
 /// What an end lacks, as a share of its scale, that is as good as nothing if it does not fall any more: to this share of the step before.
 const SMALL: f64 = 1e-8;
 const FALLING: f64 = 0.9;
@@ -16,7 +15,6 @@ const FALLING: f64 = 0.9;
 const STALLS: usize = 3;
 /// A step that makes the ends so much worse is halved, this often: beyond a bend of the base the slope at the end says nothing.
 const WORSE: f64 = 2.0;
-const CUTS: usize = 12;
 /// Share of a zone, or of a gap, that an end may cross in one step.
 pub(super) const STRIDE: f64 = 0.4;
 /// Zones shorter than this share of the longest are none.

@@ -1,6 +1,7 @@
 //! Heights of the base: counted from its level, and known to their rounding only.
 
 use super::accuracy::{Accuracy, Sizes};
+use super::iteration::GOLDEN;
 use super::setting::Setting;
 use super::solution::Solution;
 use crate::roughness::Law;
@@ -8,7 +9,6 @@ use crate::{Error, Scaling, Vertical};
 
 /// Places in all zones at which the rounding of heights is looked at, at least one in each, and where in its step each lies: an irrational share keeps clear of jumps.
 const PLACES: usize = 128;
-const ASIDE: f64 = 0.381_966;
 /// Places beside the ends of the zones, the nearest so many roundings of it away, where formulae such as `sqrt(1 - xi^2)` lose most; each further one twice as far.
 const BESIDE: usize = 512;
 const NEAREST: f64 = f64::EPSILON;
@@ -42,7 +42,7 @@ impl Setting {
         let [mut rounding, mut largest] = [0.0f64; 2];
         for [left, right] in zones {
             for i in 0..steps {
-                let xi = left + (right - left) * (i as f64 + ASIDE) / steps as f64;
+                let xi = left + (right - left) * (i as f64 + GOLDEN) / steps as f64;
                 let xi = xi.clamp(-1.0, 1.0);
                 largest = largest.max(profile.height(xi, half_width).abs());
                 let here = profile.rounding(xi, half_width);

@@ -18,6 +18,7 @@ mod ground;
 mod heights;
 mod intensity;
 mod intervals;
+mod iteration;
 mod kinks;
 mod linearised;
 mod method;

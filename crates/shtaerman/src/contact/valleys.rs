@@ -2,6 +2,7 @@
 
 use std::f64::consts::SQRT_2;
 
+use super::iteration::GOLDEN;
 use crate::Error;
 
 /// Places between samples where a profile is looked at, and so many of them missed that samples are too few.
@@ -10,8 +11,6 @@ const MANY_MISSED: usize = 8;
 /// A miss, as a share of the change of the profile between the samples beside; and of its size, below which it is rounding.
 const MISSED: f64 = 0.25;
 const ROUNDING: f64 = 1e-9;
-/// Multiples of the golden ratio never fall in with a wave, and those of the root of two not with both.
-pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_8;
 /// Fewest cells that show a valley, and how many are wanted.
 const CELLS_A_VALLEY: usize = 6;
 const WANTED: usize = 12;

@@ -7,6 +7,7 @@ use super::band::{Band, Turn, wrapped};
 use super::detail::{COMPARED, FINE};
 use super::problem::SmoothProblem;
 use super::slopes::Slopes;
+use crate::contact::iteration::crossing;
 
 /// Parts of the stretch between two cuts of the profile.
 const BETWEEN: usize = 16;
@@ -19,8 +20,6 @@ const VALLEY: f64 = 0.25;
 /// Parabolas towards the bottom of a valley, and how much closer the places of each are.
 const BOTTOMS: usize = 6;
 const CLOSER: f64 = 0.1;
-/// Halvings of a way out of a gap.
-const HALVINGS: usize = 30;
 /// Panels of the integral for the moment.
 const PANELS: usize = 32;
 
@@ -184,17 +183,11 @@ impl FullWave {
         peak.max(self.pressure(wrapped(along[top].0 + beside)))
     }
 
-    /// Where the pressure rises to a value this far from the bottom of a valley at most, by halving.
+    /// Where the pressure rises to a value this far from the bottom of a valley at most.
     fn climbed(&self, bottom: f64, width: f64, level: f64) -> f64 {
-        let (mut below, mut above) = (0.0, width);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (below + above);
-            if self.pressure(wrapped(bottom + middle)) < level {
-                below = middle;
-            } else {
-                above = middle;
-            }
-        }
-        bottom + 0.5 * (below + above)
+        let above = |width: f64| self.pressure(wrapped(bottom + width)) - level;
+        let ends = [0.0, width].map(|width| (width, above(width)));
+        let meets = ends[0].1 <= 0.0 && ends[1].1 > 0.0;
+        bottom + if meets { crossing(&above, ends[0], ends[1], 0.0) } else { width }
     }
 }

@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 use super::angular::Angular;
 use super::detail::ROUNDING;
 use super::slopes::Slopes;
+use crate::contact::iteration::GOLDEN;
 
 /// Harmonics that are tried.
 const COUNTS: [usize; 3] = [24, 48, 96];
@@ -103,7 +104,6 @@ impl Harmonics {
         let series = Self { cosines, sines }.without(0.1 * allowed);
         let reach = PI - start;
         let meets = |i: usize| {
-            const GOLDEN: f64 = 0.618_033_988_749_894_9;
             let angle = start + reach * (i as f64 * GOLDEN).fract();
             let slope = profile.slope(angle).unwrap_or(f64::NAN);
             (series.slope(angle) - slope).abs() <= CHECKED as f64 * allowed

@@ -8,6 +8,7 @@ use super::full::FullWave;
 use super::open::solve_zones;
 use super::problem::{Base, Sample, SmoothProblem, SmoothProfile};
 use super::{ALLOWED, topology};
+use crate::contact::iteration::STEPS;
 use crate::contact::solution::Solution;
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
@@ -19,8 +20,6 @@ const POINTS: usize = 256;
 const MOST_POINTS: usize = 3072;
 /// By this share of the pressure the bottom of a valley is no deeper than another place.
 const AS_DEEP: f64 = 1e-12;
-/// Newton steps for a settlement.
-const SETTLEMENTS: usize = 60;
 /// Rounding of pressures and forces.
 const ROUNDING: f64 = 1e-14;
 
@@ -95,7 +94,7 @@ fn sunk(
     let (mut low, mut high) = (0.0, limit);
     let mut force = 0.3 * limit;
     let mut last = None;
-    for _ in 0..SETTLEMENTS {
+    for _ in 0..STEPS {
         let contact = partial.solve(force, first(force))?;
         let excess = contact.state().settlement - settlement;
         if excess > 0.0 {

@@ -1,6 +1,6 @@
 //! Places between the nodes.
 
-use crate::contact::valleys::GOLDEN;
+use crate::contact::iteration::GOLDEN;
 
 /// Both ends, the middle, and a golden-ratio sequence of angles between, which no grid of a method shares.
 pub(super) fn between_nodes(count: usize) -> impl Iterator<Item = f64> {

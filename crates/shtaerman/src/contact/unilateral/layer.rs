@@ -4,9 +4,6 @@ use crate::error::require;
 use crate::roughness::Law;
 use crate::{Error, Problem};
 
-/// Most steps of Newton's method for a layer that bends, and halvings of one.
-pub(super) const STEPS: usize = 80;
-pub(super) const CUTS: i32 = 12;
 /// Share of the layer under about the mean pressure below which there is next to no pressure.
 pub(super) const FAINT: f64 = 0.1;
 

@@ -6,11 +6,12 @@
 use fredholm::SincOperator;
 
 use super::extent::reference_pressure;
-use super::layer::{CUTS, Layer, STEPS};
+use super::layer::Layer;
 use super::solved::Solved;
 use super::system::{Direction, Factor, Found, System};
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::ground::Hull;
+use crate::contact::iteration::{CUTS, STEPS};
 use crate::{Error, Vertical};
 
 /// A residual below this share of its scale, which does not fall any more, is rounding.
@@ -158,7 +159,7 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
         (local, is_blind): ([f64; 2], bool),
         scales: &[f64; 3],
     ) -> Option<Trial> {
-        (0..CUTS).find_map(|cut| {
+        (0..CUTS as i32).find_map(|cut| {
             let share = 0.5f64.powi(cut);
             let linear = if is_blind { 1.0 } else { share };
             let steps = trial.guess.layer.iter().zip(step);

@@ -8,8 +8,9 @@ use fredholm::multipole::{PanelCondition, PanelEquation};
 use super::chart::Chart;
 use super::level::{Found, Known, Task};
 use crate::Error;
+use crate::contact::iteration::{CUTS, STEPS};
 use crate::contact::unilateral::extent::reference_pressure;
-use crate::contact::unilateral::layer::{CUTS, FAINT, STEPS};
+use crate::contact::unilateral::layer::FAINT;
 
 /// Residuals of a step relative to what it is to take away: by the square of what the step before left, within these.
 const INEXACT: [f64; 2] = [1e-4, 0.1];
@@ -154,7 +155,7 @@ impl Newton<'_, '_, '_, '_> {
         let size = self.task.norm(&trial.given).max(f64::MIN_POSITIVE);
         let merit = |trial: &Trial| (trial.norm / size).hypot(trial.lack);
         let is_first = is_first && !change.multipliers.is_empty();
-        (0..CUTS).find_map(|cut| {
+        (0..CUTS as i32).find_map(|cut| {
             let share = 0.5f64.powi(cut);
             let steps = trial.given.iter().zip(&change.given);
             let law = self.task.base.layer;
