@@ -6,6 +6,8 @@ use super::balance::State;
 
 /// Rounding of a quantity relative to what is added up in it.
 pub(super) const ROUNDING: f64 = 32.0 * f64::EPSILON;
+/// Rounding of a value that a few operations make, relative to the largest of them.
+pub(super) const OF_A_VALUE: f64 = 4.0 * f64::EPSILON;
 
 /// What a statement of error is worth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]

@@ -5,13 +5,12 @@
 use serde::Serialize;
 use shtaerman_audit::{Answer, Bound, DiskProblem, Kernel, Prescribed, Profile, Refusal};
 
+use super::accuracy::OF_A_VALUE;
 use super::{Accuracy, ErrorKind};
 use crate::roughness::Law;
 use crate::{Contact, ContactKind, Error, Geometry, Load, Problem, Rotational, Vertical};
 
-/// What scaling by moduli and widths may do to `theta0`, heights and loads, relative to their sizes: some ten roundings.
-const SCALED: f64 = 4.0 * f64::EPSILON;
-/// The same of the constants of graded ground, which hold gamma functions, times `1 - mu` (tested against 30 digits).
+/// What scaling does to the constants of graded ground, relative to them, which hold gamma functions, times `1 - mu` (tested against 30 digits).
 const GRADED: f64 = 8e-15;
 
 /// The profile is cut where polynomials of this degree do not resolve it to this share of its heights; what is not found costs panels only.
@@ -178,11 +177,11 @@ fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
         return Ok(Posed::Disk(exponent, layer));
     }
     Ok(match geometry {
-        Geometry::Periodic { period } => Posed::Plane(Kernel::Row { period }, SCALED, layer),
+        Geometry::Periodic { period } => Posed::Plane(Kernel::Row { period }, OF_A_VALUE, layer),
         _ if exponent > 0.0 => {
-            Posed::Plane(Kernel::Power { exponent }, SCALED + GRADED / (1.0 - exponent), layer)
+            Posed::Plane(Kernel::Power { exponent }, OF_A_VALUE + GRADED / (1.0 - exponent), layer)
         }
-        _ => Posed::Plane(Kernel::Logarithm, SCALED, layer),
+        _ => Posed::Plane(Kernel::Logarithm, OF_A_VALUE, layer),
     })
 }
 
@@ -336,7 +335,7 @@ impl Contact {
                     exponent,
                     theta: frame.theta0(),
                     layer,
-                    scaled: scaled(SCALED + GRADED * exponent.min(1.0)),
+                    scaled: scaled(OF_A_VALUE + GRADED * exponent.min(1.0)),
                     is_bilateral,
                     prescribed,
                     profile,

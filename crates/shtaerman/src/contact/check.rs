@@ -3,7 +3,7 @@
 use crate::Error;
 
 /// Parts of an interval between two breaks.
-const BETWEEN: usize = 8;
+pub(super) const BETWEEN: usize = 8;
 
 /// What is left of tension and penetration.
 #[derive(Debug, Clone, PartialEq)]

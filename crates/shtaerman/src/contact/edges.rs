@@ -3,6 +3,7 @@
 //! At a free end the pressure vanishes. As it does, an end that moves by `e` changes the pressure elsewhere by `e^2` only: so each end has a step of its own, to where
 //! the pressure beside it, carried on straight, would vanish.
 
+use super::intervals::SLIVER;
 use super::iteration::{CUTS, STEPS};
 use super::search::Equation;
 use super::zones::{EndKind, Zone};
@@ -17,8 +18,6 @@ const STALLS: usize = 3;
 const WORSE: f64 = 2.0;
 /// Share of a zone, or of a gap, that an end may cross in one step.
 pub(super) const STRIDE: f64 = 0.4;
-/// Zones shorter than this share of the longest are none.
-const VANISHING: f64 = 1e-9;
 /// Zones closer than this share of the shorter one are one.
 const CLOSE: f64 = 1e-6;
 
@@ -289,7 +288,7 @@ fn moved<E: Equation>(equation: &E, zones: &[Zone], ends: &Ends) -> Vec<Zone> {
     }
     // A zone that goes on shrinking beside others is about to vanish.
     let longest = next.iter().fold(0.0f64, |most, zone| most.max(zone.length()));
-    next.retain(|zone| zone.length() > VANISHING * longest);
+    next.retain(|zone| zone.length() > SLIVER * longest);
     equation.arranged(next)
 }
 

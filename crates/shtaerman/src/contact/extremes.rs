@@ -1,11 +1,10 @@
 //! Where a pressure is largest, and where it is negative.
 
+use super::accuracy::OF_A_VALUE;
 use super::iteration::{crossing, top};
 
-/// Most sign changes that are refined; of more, the samples are dense enough for a straight line.
-const REFINED_CHANGES: usize = 64;
-/// Rounding of a value.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// Most samples beside which a maximum or a sign change is sought: of more sign changes the samples are dense enough for a straight line.
+const MOST_REFINED: usize = 32;
 /// A pressure below this, relative to the largest, counts as zero.
 const NEGLIGIBLE: f64 = 1e-12;
 /// How far a search may end beside a maximum of a curvature like its height, when values are known to [`NEGLIGIBLE`].
@@ -13,8 +12,6 @@ const NEAR: f64 = 1e-6;
 
 /// How far above a sample a maximum beside it may lie, in its second difference: four times what it is for a parabola.
 const RISE: f64 = 0.5;
-/// Most samples beside which a maximum is sought.
-const MOST_CANDIDATES: usize = 16;
 
 /// A value and its place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -71,7 +68,7 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         let is_near = |i: &usize| *i != best && reached(*i) > values[best];
         let mut others: Vec<usize> = (0..values.len()).filter(is_top).filter(is_near).collect();
         others.sort_by(|one, other| reached(*other).total_cmp(&reached(*one)));
-        others.truncate(MOST_CANDIDATES - 1);
+        others.truncate(MOST_REFINED - 1);
         others.push(best);
         others.sort_unstable();
         others
@@ -84,7 +81,7 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         let right = self.points[(i + 1).min(self.points.len() - 1)];
         let (place, value) = top(&self.f, left, right);
         // A value that is larger by rounding alone says nothing of the place.
-        let noticeable = ROUNDING * sampled.value.abs();
+        let noticeable = OF_A_VALUE * sampled.value.abs();
         if value > sampled.value + noticeable { Extreme { place, value } } else { sampled }
     }
 
@@ -97,7 +94,7 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
             .windows(2)
             .filter(|pair| (pair[0] < threshold) != (pair[1] < threshold))
             .count();
-        let are_many = changes > REFINED_CHANGES;
+        let are_many = changes > MOST_REFINED;
         let mut intervals = Vec::new();
         let mut open = None;
         for i in 0..self.points.len() {

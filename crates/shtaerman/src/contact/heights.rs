@@ -1,6 +1,6 @@
 //! Heights of the base: counted from its level, and known to their rounding only.
 
-use super::accuracy::{Accuracy, Sizes};
+use super::accuracy::{Accuracy, OF_A_VALUE, Sizes};
 use super::iteration::GOLDEN;
 use super::setting::Setting;
 use super::solution::Solution;
@@ -9,9 +9,8 @@ use crate::{Error, Scaling, Vertical};
 
 /// Places in all zones at which the rounding of heights is looked at, at least one in each, and where in its step each lies: an irrational share keeps clear of jumps.
 const PLACES: usize = 128;
-/// Places beside the ends of the zones, the nearest so many roundings of it away, where formulae such as `sqrt(1 - xi^2)` lose most; each further one twice as far.
+/// Places beside the ends of the zones, the nearest one rounding of it away, where formulae such as `sqrt(1 - xi^2)` lose most; each further one twice as far.
 const BESIDE: usize = 512;
-const NEAREST: f64 = f64::EPSILON;
 /// So many places nearest to an end may lie on the other side of a switch that is known to rounding; what rounding grows to there is at most inverse to the distance.
 const SWITCHED: usize = 4;
 /// The pressure in the middle of a flat punch over its mean, `2/pi` on a line and `1/2` on a disk, twice that for zones of which some take more.
@@ -22,8 +21,6 @@ const AT_END: f64 = 1.0 / 1024.0;
 const HALVINGS: i32 = 52;
 /// Of a disturbance of the heights on its way to the tilt, in half-widths of the contact.
 const TURN: f64 = 2.0;
-/// Rounding of the level that is added to the settlement.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
 
 /// Errors that the rounding of heights makes, and the sizes against which they are held.
 #[derive(Debug, Clone, Copy)]
@@ -62,7 +59,7 @@ impl Setting {
         let mut most = 0.0f64;
         for [left, right] in zones {
             for (end, inwards) in [(left, 1.0), (right, -1.0)] {
-                let nearest = NEAREST * end.abs().max(right - left);
+                let nearest = f64::EPSILON * end.abs().max(right - left);
                 let at = |k: usize| {
                     let distance = nearest * (k as f64).exp2();
                     if distance > 0.5 * (right - left) {
@@ -210,7 +207,7 @@ impl Accuracy {
     /// With the rounding of a level that is added to the settlement.
     pub(crate) fn with_level(self, level: f64) -> Self {
         let known = self.settlement;
-        let settlement = if known == 0.0 { 0.0 } else { known + ROUNDING * level.abs() };
+        let settlement = if known == 0.0 { 0.0 } else { known + OF_A_VALUE * level.abs() };
         Self { settlement, ..self }
     }
 }

@@ -5,9 +5,8 @@ use super::rates::Linearised;
 use crate::Contact;
 use crate::roughness::Law;
 
-/// Step of the differences that show where the pressure is largest, as a share of its zone, and the longest correction in steps: a longer one is no smooth peak's.
+/// Step of the differences that show where the pressure is largest, as a share of its zone; a correction by more than one is no smooth peak's.
 const STEP: f64 = 5e-4;
-const LONGEST: f64 = 0.02;
 /// Corrections of the place, and the share of a rate there by which it may miss what the place has in error.
 const CORRECTIONS: usize = 2;
 const MISSED: f64 = 1e-10;
@@ -36,7 +35,7 @@ impl Contact {
             let slope = (8.0 * (d - b) - (e - a)) / 12.0;
             let bend = (16.0 * (d + b) - (e + a) - 30.0 * c) / 12.0;
             let shift = -slope / bend;
-            if bend >= 0.0 || shift.is_nan() || shift.abs() > LONGEST {
+            if bend >= 0.0 || shift.is_nan() || shift.abs() > 1.0 {
                 return (start, 0.0);
             }
             place += shift * step;

@@ -12,7 +12,7 @@ use super::zones::Zone;
 use crate::{Load, Rotational, Vertical};
 
 /// Differences that fall by less have not begun to, and what is stated over them.
-const SLOW: f64 = 0.25;
+pub(super) const SLOW: f64 = 0.25;
 const SAFETY: f64 = 4.0;
 /// Where nothing is known of the profile between samples no smaller share is stated: two resolutions may both miss what it hides.
 pub(super) const UNKNOWN: f64 = 1e-3;

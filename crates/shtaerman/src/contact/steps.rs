@@ -1,11 +1,13 @@
 //! Steps of a base.
 
-/// Distance between the places beside a break where heights are compared.
-const BESIDE: f64 = 1e-9;
+use super::accuracy::ROUNDING;
+
+/// Distance between the places beside a break where heights are compared; also the slit at which a wave without gaps is cut.
+pub(super) const BESIDE: f64 = 1e-9;
+/// How far inside its side of a step a place is looked at, as a share of the base or of a zone.
+pub(super) const INSIDE: f64 = 1e-12;
 /// As far from a break heights are looked at.
 pub(super) const REACH: f64 = 3.0 * BESIDE;
-/// Roundings of what three heights are extrapolated to.
-const ROUNDINGS: f64 = 64.0;
 /// What an extrapolation by a straight line may be off by, in second differences: twice what it is beside a root, where the next are larger than those seen.
 const BENT: f64 = 4.0;
 
@@ -18,7 +20,7 @@ pub(super) fn rise(height: impl Fn(f64) -> f64, at: f64) -> Option<f64> {
     let ((below, bent_below), (above, bent_above)) = (limit(left), limit(right));
     let size = left.iter().chain(&right).fold(0.0f64, |most, height| most.max(height.abs()));
     let rise = above - below;
-    let allowed = ROUNDINGS * f64::EPSILON * size + BENT * (bent_below + bent_above);
+    let allowed = ROUNDING * size + BENT * (bent_below + bent_above);
     (rise.abs() > allowed).then_some(rise)
 }
 

@@ -2,15 +2,14 @@
 
 use std::f64::consts::SQRT_2;
 
+use super::accuracy::ROUNDING;
 use super::iteration::GOLDEN;
 use crate::Error;
 
-/// Places between samples where a profile is looked at, and so many of them missed that samples are too few.
+/// Places between samples where a profile is looked at.
 const PROBES: usize = 64;
-const MANY_MISSED: usize = 8;
-/// A miss, as a share of the change of the profile between the samples beside; and of its size, below which it is rounding.
+/// A miss, as a share of the change of the profile between the samples beside; and the share of places that are missed where samples are too few.
 const MISSED: f64 = 0.25;
-const ROUNDING: f64 = 1e-9;
 /// Fewest cells that show a valley, and how many are wanted.
 const CELLS_A_VALLEY: usize = 6;
 const WANTED: usize = 12;
@@ -23,7 +22,7 @@ pub(super) fn steps(
     most: usize,
 ) -> usize {
     let mut count = least;
-    while count < most && misses(&height, [left, right], count) >= MANY_MISSED {
+    while count < most && misses(&height, [left, right], count) as f64 >= MISSED * PROBES as f64 {
         count = (2 * count).min(most);
     }
     count

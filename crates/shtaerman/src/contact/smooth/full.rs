@@ -3,16 +3,15 @@
 use std::f64::consts::{PI, SQRT_2, TAU};
 use std::sync::Arc;
 
+use super::answer::PANELS;
 use super::band::{Band, Turn, wrapped};
 use super::detail::{COMPARED, FINE};
 use super::problem::SmoothProblem;
 use super::slopes::Slopes;
+use crate::contact::check::BETWEEN;
 use crate::contact::iteration::crossing;
+use crate::contact::steps::INSIDE;
 
-/// Parts of the stretch between two cuts of the profile.
-const BETWEEN: usize = 16;
-/// How near a kink the pressure is looked at.
-const BESIDE: f64 = 1e-12;
 /// Points at which two resolutions are compared.
 const COMPARISONS: usize = 65;
 /// Twice the share of its bend by which the bottom of a valley can lie below the lowest of equally spaced places.
@@ -20,8 +19,6 @@ const VALLEY: f64 = 0.25;
 /// Parabolas towards the bottom of a valley, and how much closer the places of each are.
 const BOTTOMS: usize = 6;
 const CLOSER: f64 = 0.1;
-/// Panels of the integral for the moment.
-const PANELS: usize = 32;
 
 /// Full contact of a wave: `p0 = P0/2 - F/theta0` with `F = sum k f_k cos(k pi xi + ..)`, as `int K cos(k pi eta) deta = cos(k pi xi)/k` for `L = 2`.
 #[derive(Debug, Clone)]
@@ -92,7 +89,7 @@ impl FullWave {
     pub(super) fn beside_kink(&self) -> Option<(f64, f64)> {
         let deepest = self.slopes.hollows().min_by(|one, two| one.1.total_cmp(&two.1))?;
         let kink = deepest.0 / PI;
-        let beside = [-BESIDE, BESIDE].map(|offset| self.pressure(wrapped(kink + offset)));
+        let beside = [-INSIDE, INSIDE].map(|offset| self.pressure(wrapped(kink + offset)));
         Some((kink, beside[0].min(beside[1])))
     }
 

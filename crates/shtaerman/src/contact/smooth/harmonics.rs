@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::LazyLock;
 
 use super::angular::Angular;
-use super::detail::ROUNDING;
 use super::slopes::Slopes;
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::iteration::GOLDEN;
 
 /// Harmonics that are tried.

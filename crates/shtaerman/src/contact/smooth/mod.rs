@@ -47,7 +47,7 @@ use crate::contact::edges::{EndState, settle};
 use crate::contact::search::{ALLOWED, Equation, Start};
 use crate::contact::zones::{Walls, Zone};
 use check::check;
-use detail::{A_PANEL, COARSE, Detail, FINE, MOST_WORK, numbers_of_cells};
+use detail::{A_PANEL, COARSE, Detail, FINE, MOST_WORK};
 use open::solve_zones;
 use problem::{Base, MOST_CELLS};
 use system::Solved;
@@ -85,7 +85,7 @@ impl Equation for Base<'_> {
     }
 
     fn starts(&self) -> Vec<Start> {
-        numbers_of_cells(self.cells(), MOST_CELLS)
+        Start::on_cells(self.cells(), MOST_CELLS)
     }
 
     fn pieces(&self) -> Vec<[f64; 2]> {

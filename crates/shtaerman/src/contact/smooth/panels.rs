@@ -2,9 +2,10 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::angular::{Angular, ROUNDINGS};
+use super::angular::Angular;
 use super::detail::{DEEPEST, NOISE};
 use super::legendre::{ORDER, RULE, cauchy, derivative, polynomials};
+use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
 
 /// There are at most so many panels.
 const MOST_PANELS: usize = 40_000;
@@ -16,8 +17,6 @@ const STAYS: f64 = 0.6;
 const BLURS: f64 = 64.0;
 /// Half of a panel so short that what is left is noise if it is the same in both halves.
 const FASTEST: f64 = 1e-4;
-/// Roundings of the largest slope in the last coefficients: of these it is enough that one half keeps them.
-const ROUNDED: f64 = 16.0;
 /// A pole so many half-lengths from the middle of a panel is far.
 const FAR: f64 = 2.5;
 /// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding.
@@ -271,7 +270,8 @@ impl Builder<'_> {
         let halves = [[start, middle], [middle, end]].map(|[a, b]| ([a, b], self.sample(a, b)));
         // A kink stays in one half, and what is smooth falls in both.
         let keeps = |part: &Sampled| part.tail >= STAYS * sampled.tail;
-        let is_rounding = sampled.tail <= f64::EPSILON * ROUNDED * self.scale[1];
+        // Of last coefficients that are rounding it is enough that one half keeps them.
+        let is_rounding = sampled.tail <= ROUNDING * self.scale[1];
         let stays = if sampled.is_slope && is_rounding {
             halves.iter().any(|(_, part)| keeps(part))
         } else if sampled.is_slope {
@@ -290,7 +290,7 @@ impl Builder<'_> {
 
     fn is_met(&self, sampled: &Sampled, half: f64) -> bool {
         let (scale, rounding) = if sampled.is_slope {
-            (self.scale[1], f64::EPSILON * ROUNDINGS * self.profile.taken_slope())
+            (self.scale[1], OF_A_VALUE * self.profile.taken_slope())
         } else {
             (self.scale[1] * half / ORDER as f64, f64::EPSILON * sampled.sizes[0])
         };

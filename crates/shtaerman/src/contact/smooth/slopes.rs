@@ -15,12 +15,11 @@ use super::harmonics::{Harmonics, Resolved};
 use super::legendre::{ORDER, RULE, integral};
 use super::panels::{Builder, Panel, join};
 use super::roots::{Local, Root};
+use crate::contact::accuracy::ROUNDING;
 
 /// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding.
 const REMOTE: f64 = 0.48;
 const FIRST: usize = 96;
-/// Rounding of a sampled series, in units of the last place of the largest slope.
-const SAMPLED: f64 = 32.0;
 /// Last coefficients relative to the largest that count as resolved, at best.
 const RESOLVED: f64 = 3e-16;
 /// Panels whose ends differ by less than this share of the largest slope are made to meet: a jump of rounding would be a pole.
@@ -79,7 +78,7 @@ impl Slopes {
     /// The slope as a short series by equally spaced samples, if it is one.
     pub(super) fn sampled(profile: &dyn Angular, is_odd: bool) -> Option<Self> {
         let Resolved { series, mean, largest, heights } = Harmonics::sampled(profile, is_odd)?;
-        let error = SAMPLED * f64::EPSILON * largest;
+        let error = ROUNDING * largest;
         Some(Self {
             panels: Vec::new(),
             is_odd,

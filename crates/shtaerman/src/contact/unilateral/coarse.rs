@@ -2,20 +2,17 @@
 
 use fredholm::complementarity::{Complementarity, Condition};
 
-use super::base::{BESIDE, Base};
+use super::base::Base;
 use super::extent::reference_pressure;
-use crate::contact::cells::{Cell, Cells, Limits, Loaded, closing_in};
+use crate::contact::cells::{CELLS_A_ZONE, Cell, Cells, LIMITS, Loaded, closing_in};
+use crate::contact::iteration::STEPS;
 use crate::contact::search::Equation;
+use crate::contact::steps::BESIDE;
 use crate::contact::valleys;
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Vertical};
 
-/// How far cells are refined.
-const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: 40 };
-/// Fewest cells of a piece.
-const CELLS_A_PIECE: usize = 8;
-/// Linear layers that follow each other for one that bends, and the change of pressures at which they stop.
-const SECANTS: usize = 12;
+/// The change of pressures at which linear layers that follow each other are the one that bends.
 const CLOSE: f64 = 1e-3;
 /// The smallest pressure, as a share of the mean one, at which a layer that bends is made linear.
 const FAINT: f64 = 1e-3;
@@ -85,7 +82,7 @@ fn cells(base: &Base<'_>, count: usize) -> Cells {
         let steps = (count as f64 * (right - left) / length).ceil() as usize;
         let inside: Vec<f64> =
             valleys.iter().copied().filter(|at| *at > left && *at < right).collect();
-        let mut cuts = valleys::cuts(&inside, [left, right], steps.max(CELLS_A_PIECE));
+        let mut cuts = valleys::cuts(&inside, [left, right], steps.max(CELLS_A_ZONE));
         cuts.extend(&base.breaks);
         cuts.extend(closing_in(base.load, length / count as f64, LIMITS.shortest));
         ([left, right], cuts)
@@ -100,7 +97,7 @@ fn pressures(base: &Base<'_>, cells: &Cells) -> Result<Vec<f64>, Error> {
     let exponent = base.layer.exponent();
     let mut pressures = vec![reference; cells.cells().len()];
     let mut carrying = cells.carrying();
-    for round in 0..SECANTS {
+    for round in 0..STEPS {
         let largest = pressures.iter().fold(0.0f64, |most, p| most.max(*p));
         let tangent = |p: f64| round > 0 && p > TANGENT * largest;
         // v = c p + d

@@ -16,8 +16,6 @@ use crate::contact::zones::{Walls, Zone};
 
 /// Most zones that are collocated.
 const MOST_ZONES: usize = 40;
-/// Numbers of cells, each four times the one before.
-const TOPOLOGIES: u32 = 3;
 /// Ends this close to a wall are there: the check looks just inside a wall.
 const BESIDE: f64 = 1e-11;
 
@@ -66,10 +64,7 @@ impl Equation for Base<'_> {
     }
 
     fn starts(&self) -> Vec<Start> {
-        let counts = (0..TOPOLOGIES).map(|power| self.cells() * 4usize.pow(power));
-        let mut counts: Vec<usize> = counts.map(|count| count.min(MOST_CELLS)).collect();
-        counts.dedup();
-        counts.into_iter().map(Start::Cells).collect()
+        Start::on_cells(self.cells(), MOST_CELLS)
     }
 
     fn pieces(&self) -> Vec<[f64; 2]> {

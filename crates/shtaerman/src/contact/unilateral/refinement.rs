@@ -7,7 +7,7 @@ use super::between::between_nodes;
 use super::solved::{Solved, Stated};
 use super::system::Resolution;
 use crate::Error;
-use crate::contact::accuracy::Accuracy;
+use crate::contact::accuracy::{Accuracy, ROUNDING};
 use crate::contact::edges::settle;
 use crate::contact::resolutions::{Change, Trust};
 use crate::contact::zones::Zone;
@@ -22,8 +22,6 @@ pub(super) const RATIO: f64 = std::f64::consts::SQRT_2;
 pub(super) const ALL_NOISE: f64 = 0.1;
 /// Differences that no longer fall and are below this share of the solution are rounding.
 const STAGNANT: f64 = 1e-9;
-/// A change of force and displacements, relative to their size, that is rounding.
-const RESOLVED: f64 = 1e-13;
 /// Points of each panel at which two resolutions are compared.
 const COMPARED: usize = 128;
 
@@ -80,7 +78,7 @@ pub(super) fn refined(base: &Base<'_>, coarse: &Solved, start: f64) -> Result<So
 /// Whether the integrals have settled with the pressure: where the body gives nothing, the pressure of a layer that bends is exact on any nodes, its force is not.
 fn resolved(solved: &Solved, change: &Change) -> bool {
     let state = &solved.state;
-    let small = |change: f64, size: f64| change <= RESOLVED * size;
+    let small = |change: f64, size: f64| change <= ROUNDING * size;
     solved.layer.is_linear()
         || (small(change.force.max(change.moment), state.force.abs().max(state.moment.abs()))
             && small(

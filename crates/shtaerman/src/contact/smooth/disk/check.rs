@@ -6,11 +6,10 @@ use crate::Error;
 use crate::contact::extremes::Sampled;
 use crate::contact::search::ALLOWED;
 use crate::contact::smooth::check::between;
+use crate::contact::steps::INSIDE;
 
 /// Points between two kinks, and beside the contact.
 const POINTS: usize = 128;
-/// This share of the radius inside the edge a height at a step is that of the inner side, beyond it that of the outer side.
-pub(super) const INSIDE: f64 = 1e-12;
 
 /// What is left of tension and penetration.
 pub(super) struct Check {

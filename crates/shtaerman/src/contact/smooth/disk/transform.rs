@@ -16,8 +16,6 @@ use crate::contact::smooth::legendre::{
 const MOST_PANELS: usize = 128;
 /// Last coefficients relative to the largest value that count as resolved.
 const RESOLVED: f64 = 4e-16;
-/// The coefficient of the degree `n` is rounding of the values below this share of the largest, `2 n + 1` times: derivatives of the last ones would blow it up.
-const ROUNDING: f64 = f64::EPSILON;
 /// Length of a step in the logarithm of `s` within which polynomials of `s` are integrated exactly.
 const STEP: f64 = 1.0;
 /// A slope at a kink below this share of the largest is rounding.
@@ -42,7 +40,8 @@ impl Panel {
     fn new(ends: [f64; 2], mut values: [f64; ORDER]) -> Self {
         let half = 0.5 * (ends[1] - ends[0]);
         let size = largest(&values);
-        let is_more = |n: &usize| values[*n].abs() > ROUNDING * (2 * n + 1) as f64 * size;
+        // Of the degree `n` rounding is `2 n + 1` times that of the values: derivatives of the last coefficients would blow it up.
+        let is_more = |n: &usize| values[*n].abs() > f64::EPSILON * (2 * n + 1) as f64 * size;
         let count = (0..ORDER).rev().find(is_more).map_or(0, |last| last + 1);
         values[count..].fill(0.0);
         Self { ends, values, slopes: derivative(&values).map(|c| c / half), count }

@@ -10,13 +10,13 @@ use super::modes::{gains, inside, norms, outside};
 use super::parts::Parts;
 use super::strip::Ground;
 use crate::Error;
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::smooth::detail::NOISE;
 use crate::contact::smooth::problem::Base;
 use crate::contact::zones::Zone;
 
 /// Panels of the coefficients of a profile are doubled at most so often, until these change by no more than this share, or no less than before.
 const DOUBLINGS: usize = 6;
-const AGREED: f64 = 32.0 * f64::EPSILON;
 /// Turns of a polynomial in a panel.
 const TURNS: f64 = 1.0;
 
@@ -131,7 +131,7 @@ fn coefficients(
         let size = finer.iter().fold(0.0f64, |most, a| most.max(a.abs()));
         let changed = finer.iter().zip(&found).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
         found = finer;
-        let agreed = (0.01 * parts.tolerance()).max(AGREED) * size;
+        let agreed = (0.01 * parts.tolerance()).max(ROUNDING) * size;
         if changed <= agreed || (changed <= NOISE * size && changed >= 0.5 * before) {
             break;
         }

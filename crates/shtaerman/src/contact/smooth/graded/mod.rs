@@ -35,9 +35,6 @@ use field::Field;
 use settled::{Settled, fixed};
 use strip::Ground;
 
-/// Numbers of cells, each four times the one before.
-const TOPOLOGIES: u32 = 2;
-
 /// Solved zones with what is left of complementarity.
 #[derive(Debug)]
 struct Solved {
@@ -108,9 +105,7 @@ impl Equation for Strips<'_> {
     /// A base with one valley needs no cells, and the transforms of one with many are long.
     fn starts(&self) -> Vec<Start> {
         let first = self.base.cells();
-        let cells = (0..TOPOLOGIES).map(|power| first * 4usize.pow(power));
-        let mut starts: Vec<Start> =
-            cells.map(|count| Start::Cells(count.min(MOST_CELLS))).collect();
+        let mut starts = Start::on_cells(first, MOST_CELLS);
         let place = if self.base.valleys().count() <= 1 { 0 } else { starts.len() };
         starts.insert(place, Start::Whole);
         starts

@@ -15,8 +15,9 @@ use super::base::Base;
 use super::coupling::{self, Nodes, norm};
 use super::kernel::Harmonic;
 use super::ring::Ring;
+use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::balance::State;
-use crate::contact::smooth::angular::{Angular, ROUNDINGS};
+use crate::contact::smooth::angular::Angular;
 use crate::contact::smooth::detail::Detail;
 use crate::contact::smooth::disk::shape::Shape;
 use crate::contact::smooth::disk::transform::Transform;
@@ -85,7 +86,7 @@ impl Part {
         let sum: f64 = self.smooth.iter().map(|s| s.abs()).sum();
         // The edges are rounded in r, not in lengths of their ring.
         let remote = 1.0 + 1.0 / self.ring().half;
-        f64::EPSILON * ROUNDINGS * (remote + 2.0 * self.smooth.len() as f64) * sum
+        OF_A_VALUE * (remote + 2.0 * self.smooth.len() as f64) * sum
     }
 }
 
@@ -135,7 +136,7 @@ impl Angular for OnRing<'_, '_> {
     }
 
     fn rounding(&self, height: f64, slope: f64) -> f64 {
-        f64::EPSILON * ROUNDINGS * (height + slope / self.ring.half + self.reference.abs())
+        OF_A_VALUE * (height + slope / self.ring.half + self.reference.abs())
     }
 
     fn slope(&self, angle: f64) -> Option<f64> {

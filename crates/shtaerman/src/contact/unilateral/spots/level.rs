@@ -8,6 +8,7 @@ use super::bent;
 use super::chart::Chart;
 use super::mesh::{Fineness, panels};
 use super::positive::positive;
+use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::balance::State;
 use crate::contact::search::Equation;
 use crate::contact::unilateral::base::Base;
@@ -16,8 +17,6 @@ use crate::contact::unilateral::layer::Layer;
 use crate::contact::zones::Zone;
 use crate::{Error, Rotational, Vertical};
 
-/// Rounding of single terms: of the right-hand side, and of the pressure at an edge.
-pub(super) const NONE: f64 = 4.0 * f64::EPSILON;
 /// Most nodes.
 const MOST_NODES: usize = 400_000;
 /// Longest groups, in lengths of the layer, and about the most groups beyond the number of zones.
@@ -340,7 +339,7 @@ impl Task<'_, '_, '_> {
 
     /// The residual that is small enough for a layer of this norm.
     pub(super) fn tolerance(&self, size: f64) -> f64 {
-        (self.effort.residual * size).max(NONE * self.norm(&self.given.right))
+        (self.effort.residual * size).max(OF_A_VALUE * self.norm(&self.given.right))
     }
 
     fn linear(&self, chart: &Chart, start: &[Option<f64>]) -> Result<Found, Error> {

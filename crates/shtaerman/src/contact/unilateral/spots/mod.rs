@@ -5,6 +5,8 @@
 //! ([`fredholm::multipole`]). The zones that come next are where `g = delta0 - alpha0 xi - f0 - theta0 K p0` is positive: as the pressure vanishes at a free edge, an edge that is off
 //! by `e` changes the rest by `e^2` only, and this is Newton's method. Cells give the zones to begin with.
 
+use crate::contact::accuracy::OF_A_VALUE;
+
 mod answer;
 mod bent;
 mod chart;
@@ -25,7 +27,7 @@ use crate::contact::complementarity::Complementarity;
 use crate::contact::solution::Solution;
 use crate::contact::zones::Zone;
 use estimate::estimate;
-use level::{Effort, Known, Level, NONE, Sampled, System};
+use level::{Effort, Known, Level, Sampled, System};
 use mesh::{Fineness, LONGEST, STRAIGHT};
 use responses::Responses;
 
@@ -155,7 +157,7 @@ fn settle(
             return Ok(Some((level, system, none)));
         }
         let sampled = level.sampled(base, joints);
-        let next = level.next_zones(base, &sampled, NONE * level.size());
+        let next = level.next_zones(base, &sampled, OF_A_VALUE * level.size());
         let is_same = next.len() == zones.len();
         zones = next;
         if is_same && level.at_ends(base) <= good * level.largest() {
