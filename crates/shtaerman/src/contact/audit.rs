@@ -6,6 +6,8 @@ use serde::Serialize;
 use shtaerman_audit::{Answer, Bound, DiskProblem, Kernel, Prescribed, Profile, Refusal};
 
 use super::accuracy::OF_A_VALUE;
+use super::parts::{DEGREE, RESOLVED};
+use super::promise::ROUGHEST;
 use super::{Accuracy, ErrorKind};
 use crate::roughness::Law;
 use crate::{Contact, ContactKind, Error, Geometry, Load, Problem, Rotational, Vertical};
@@ -13,14 +15,9 @@ use crate::{Contact, ContactKind, Error, Geometry, Load, Problem, Rotational, Ve
 /// What scaling does to the constants of graded ground, relative to them, which hold gamma functions, times `1 - mu` (tested against 30 digits).
 const GRADED: f64 = 8e-15;
 
-/// The profile is cut where polynomials of this degree do not resolve it to this share of its heights; what is not found costs panels only.
-const RESOLVED_DEGREE: usize = 64;
-const RESOLVED: f64 = 1e-12;
-
-/// From this exponent on the norm of a row of the kernel is infinite, and bounds at a place follow from the mean with large factors: one above this share of the pressure says nothing of it where
-/// the mean is known better.
+/// From this exponent on the norm of a row of the kernel is infinite (theory), and bounds at a place follow from the mean with large factors: one so large that it would be no answer is not
+/// given where the mean is known to so much.
 const SHARP: f64 = 0.5;
-const AT_A_PLACE: f64 = 1e-2;
 const IN_THE_MEAN: f64 = 1e-3;
 
 /// What the audit found.
@@ -227,7 +224,7 @@ impl Contact {
         let zones = bare.zones();
         let zones = if problem.is_wave() { within_period(&zones) } else { zones };
         let mut cuts = problem.profile().joints(frame.half_width());
-        cuts.extend(problem.resolution(RESOLVED_DEGREE, RESOLVED).joints);
+        cuts.extend(problem.resolution(DEGREE, RESOLVED).joints);
         cuts.sort_by(f64::total_cmp);
         cuts.dedup();
         let pressure = |xi: f64| self.pressure_at(xi);
@@ -349,7 +346,7 @@ impl Contact {
         let mean_square = bound.mean_square / largest;
         let is_sharp =
             matches!(posed, Posed::Plane(Kernel::Power { exponent }, _, 1.0) if *exponent >= SHARP);
-        if is_sharp && bound.pressure > AT_A_PLACE * largest && mean_square < IN_THE_MEAN {
+        if is_sharp && bound.pressure > ROUGHEST * largest && mean_square < IN_THE_MEAN {
             return Err(Unaudited::InTheMeanOnly { mean_square });
         }
         Ok((bound, posed.is_bound()))

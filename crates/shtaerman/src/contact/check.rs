@@ -2,6 +2,8 @@
 
 use crate::Error;
 
+/// Fewest points of a zone, or of an interval outside the zones.
+pub(super) const POINTS: usize = 48;
 /// Parts of an interval between two breaks.
 pub(super) const BETWEEN: usize = 8;
 

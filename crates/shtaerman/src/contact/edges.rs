@@ -18,8 +18,8 @@ const STALLS: usize = 3;
 const WORSE: f64 = 2.0;
 /// Share of a zone, or of a gap, that an end may cross in one step.
 pub(super) const STRIDE: f64 = 0.4;
-/// Zones closer than this share of the shorter one are one.
-const CLOSE: f64 = 1e-6;
+/// Zones closer than this share of the shorter one are one, and those that are so nearly mirror images are.
+pub(super) const CLOSE: f64 = 1e-6;
 
 /// What is known at an end of a zone.
 #[derive(Debug, Clone, Copy)]

@@ -10,8 +10,8 @@ const NEGLIGIBLE: f64 = 1e-12;
 /// How far a search may end beside a maximum of a curvature like its height, when values are known to [`NEGLIGIBLE`].
 const NEAR: f64 = 1e-6;
 
-/// How far above a sample a maximum beside it may lie, in its second difference: four times what it is for a parabola.
-const RISE: f64 = 0.5;
+/// How far above a sample a maximum beside it may lie, in its second difference: four times the eighth that it is for a parabola (theory).
+pub(super) const RISE: f64 = 0.5;
 
 /// A value and its place.
 #[derive(Debug, Clone, Copy, PartialEq)]

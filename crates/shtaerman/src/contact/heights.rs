@@ -17,8 +17,6 @@ const SWITCHED: usize = 4;
 const FLAT: f64 = 4.0 * std::f64::consts::FRAC_1_PI;
 /// Share of a zone at whose distance from an end the pressure is that of the end, a power of the distance.
 const AT_END: f64 = 1.0 / 1024.0;
-/// Halvings of a zone towards an end.
-const HALVINGS: i32 = 52;
 /// Of a disturbance of the heights on its way to the tilt, in half-widths of the contact.
 const TURN: f64 = 2.0;
 
@@ -54,7 +52,8 @@ impl Setting {
 
     /// The largest rounding of the dimensionless heights beside the ends of the zones.
     fn rounding_at_ends(&self, zones: &[[f64; 2]]) -> f64 {
-        let count = (BESIDE / (2 * zones.len().max(1))).clamp(SWITCHED + 1, HALVINGS as usize);
+        let count =
+            (BESIDE / (2 * zones.len().max(1))).clamp(SWITCHED + 1, f64::MANTISSA_DIGITS as usize);
         let (profile, half_width) = (self.problem().profile(), self.problem().frame().half_width());
         let mut most = 0.0f64;
         for [left, right] in zones {
@@ -95,9 +94,9 @@ impl Setting {
                 law.displacement(p.max(0.0))
             };
             // From the middle towards the end while the layer is deeper than that.
-            match (1..HALVINGS).take_while(|k| layer(*k) > error).last() {
+            match (1..f64::MANTISSA_DIGITS as i32).take_while(|k| layer(*k) > error).last() {
                 None => length,
-                Some(k) if k + 1 < HALVINGS => distance(k),
+                Some(k) if k + 1 < f64::MANTISSA_DIGITS as i32 => distance(k),
                 Some(k) => distance(k) * error / layer(k),
             }
         };

@@ -7,8 +7,7 @@ use crate::roughness::Law;
 
 /// Step of the differences that show where the pressure is largest, as a share of its zone; a correction by more than one is no smooth peak's.
 const STEP: f64 = 5e-4;
-/// Corrections of the place, and the share of a rate there by which it may miss what the place has in error.
-const CORRECTIONS: usize = 2;
+/// The share of a rate at the largest pressure by which it may miss what its place has in error.
 const MISSED: f64 = 1e-10;
 
 impl Contact {
@@ -28,19 +27,15 @@ impl Contact {
         if is_near(*left) || is_near(*right) || breaks.into_iter().any(is_near) {
             return (start, 0.0);
         }
-        let mut place = start;
-        for _ in 0..CORRECTIONS {
-            let [a, b, c, d, e] =
-                [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| self.pressure_at(place + k * step));
-            let slope = (8.0 * (d - b) - (e - a)) / 12.0;
-            let bend = (16.0 * (d + b) - (e + a) - 30.0 * c) / 12.0;
-            let shift = -slope / bend;
-            if bend >= 0.0 || shift.is_nan() || shift.abs() > 1.0 {
-                return (start, 0.0);
-            }
-            place += shift * step;
+        let [a, b, c, d, e] =
+            [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| self.pressure_at(start + k * step));
+        let slope = (8.0 * (d - b) - (e - a)) / 12.0;
+        let bend = (16.0 * (d + b) - (e + a) - 30.0 * c) / 12.0;
+        let shift = -slope / bend;
+        if bend >= 0.0 || shift.is_nan() || shift.abs() > 1.0 {
+            return (start, 0.0);
         }
-        (place, MISSED)
+        (start + shift * step, MISSED)
     }
 
     /// The error of the solution relative to its size; 0 where the method tells none.

@@ -5,8 +5,8 @@ use super::method::Method;
 use super::search::ALLOWED;
 use crate::{Error, Solver};
 
-/// Answers with larger relative errors are none unless that is asked for.
-const ROUGHEST: f64 = 1e-2;
+/// Answers with larger relative errors are none unless that is asked for, and bounds of larger ones say nothing.
+pub(super) const ROUGHEST: f64 = 1e-2;
 /// Tension and penetration over the relative error that explains them; what is allowed anyway is rounding.
 const EXPLAINED: f64 = 8.0;
 

@@ -15,6 +15,8 @@ pub(super) const FINE: Detail = Detail { digits: 17.0, panels: 8 };
 pub(super) const COMPARED: Detail = Detail { digits: 12.0, panels: 7 };
 /// Coefficients or differences this small relative to the largest value, that do not fall when a panel is halved, are noise.
 pub(super) const NOISE: f64 = 1e-11;
+/// Last coefficients relative to the largest value that count as resolved, at best.
+pub(super) const RESOLVED: f64 = 4e-16;
 /// Panels are halved at most this often.
 pub(super) const DEEPEST: u32 = 44;
 /// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends: about fifteen seconds; and what a panel costs in the

@@ -1,6 +1,6 @@
 //! Full contact of a wave, by the conjugate of its slope.
 
-use std::f64::consts::{PI, SQRT_2, TAU};
+use std::f64::consts::{PI, SQRT_2};
 use std::sync::Arc;
 
 use super::answer::PANELS;
@@ -8,14 +8,12 @@ use super::band::{Band, Turn, wrapped};
 use super::detail::{COMPARED, FINE};
 use super::problem::SmoothProblem;
 use super::slopes::Slopes;
+use super::told::compared;
 use crate::contact::check::BETWEEN;
+use crate::contact::extremes::RISE;
 use crate::contact::iteration::crossing;
 use crate::contact::steps::INSIDE;
 
-/// Points at which two resolutions are compared.
-const COMPARISONS: usize = 65;
-/// Twice the share of its bend by which the bottom of a valley can lie below the lowest of equally spaced places.
-const VALLEY: f64 = 0.25;
 /// Parabolas towards the bottom of a valley, and how much closer the places of each are.
 const BOTTOMS: usize = 6;
 const CLOSER: f64 = 0.1;
@@ -44,11 +42,9 @@ impl FullWave {
             Slopes::on_panels(&Turn(profile), [&bends, &joints], [panels, 2], profile.tolerance)
         };
         let (slopes, other) = (Arc::new(resolved(FINE.panels)), resolved(COMPARED.panels));
-        let difference = (0..COMPARISONS)
-            .map(|i| TAU * (i as f64 + 0.5) / COMPARISONS as f64 - PI)
-            .map(|angle| (slopes.conjugate(angle) - other.conjugate(angle)).abs())
-            .filter(|difference| difference.is_finite())
-            .fold(0.0, f64::max);
+        // Over the whole turn.
+        let along = |slopes: &Slopes, angle: f64| slopes.conjugate(2.0 * angle - PI);
+        let difference = compared(|angle| along(&slopes, angle), |angle| along(&other, angle));
         let error = [difference + slopes.error(), (slopes.mean() - other.mean()).abs()];
         Self { slopes, theta0, force, error }
     }
@@ -101,7 +97,7 @@ impl FullWave {
         let may_reach = |i: usize| {
             let (before, here, after) = (at(i + count - 1), at(i), at(i + 1));
             let bend = before + after - 2.0 * here;
-            here <= before && here <= after && here < VALLEY * bend
+            here <= before && here <= after && here < RISE * bend
         };
         (0..count)
             .filter(|&i| may_reach(i))

@@ -15,10 +15,6 @@ use libm::tgamma;
 use super::legendre::{ORDER, RULE, integral};
 use crate::Error;
 
-/// Terms of a series whose ratio is at most 1/2.
-const TERMS: usize = 64;
-/// Logarithm of a power that is none.
-const LAST: f64 = -37.0;
 /// A start below this share of the end is none.
 const NOTHING: f64 = 1e-18;
 /// Most steps of an integral towards a singular place.
@@ -222,11 +218,12 @@ pub(super) struct SinePower {
 impl SinePower {
     fn new(exponent: f64) -> Self {
         let series = |rising: f64, first: f64| -> Vec<f64> {
+            // Of a ratio of at most 1/2, so many terms are all digits.
             // (rising)_n/n! / (2n + first)
             let mut binomial = 1.0;
-            (0..TERMS)
+            (0..f64::MANTISSA_DIGITS)
                 .map(|n| {
-                    let n = n as f64;
+                    let n = f64::from(n);
                     let term = binomial / (2.0 * n + first);
                     binomial *= (rising + n) / (n + 1.0);
                     term
@@ -271,7 +268,7 @@ impl SinePower {
 
 /// As many terms as matter of a series with falling coefficients, for `0 <= square <= 1/2` or so.
 fn sum(series: &[f64], square: f64) -> f64 {
-    let count = 2 + (LAST / square.min(0.9).ln()) as usize;
+    let count = 2 + (f64::EPSILON.ln() / square.min(0.9).ln()) as usize;
     series.iter().take(count).rev().fold(0.0, |sum, term| term + square * sum)
 }
 

@@ -15,8 +15,6 @@ const BLURRED: f64 = 1e3;
 const STAYS: f64 = 0.6;
 /// Roundings of a place in the last coefficients of a panel, at most.
 const BLURS: f64 = 64.0;
-/// Half of a panel so short that what is left is noise if it is the same in both halves.
-const FASTEST: f64 = 1e-4;
 /// A pole so many half-lengths from the middle of a panel is far.
 const FAR: f64 = 2.5;
 /// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding.
@@ -297,8 +295,7 @@ impl Builder<'_> {
         sampled.tail <= (self.tolerance * scale).max(rounding)
     }
 
-    /// Whether last coefficients that no halving makes smaller are rounding: small ones, those that rounded places make, or those of panels so short that nothing of
-    /// the profile is as fast.
+    /// Whether last coefficients that no halving makes smaller are rounding: small ones, or those that rounded places make.
     fn may_be_noise(&self, sampled: &Sampled, half: f64) -> bool {
         if !sampled.is_slope {
             return sampled.tail <= NOISE * self.scale[0];
@@ -306,7 +303,7 @@ impl Builder<'_> {
         let noise = NOISE * self.scale[1].max(self.profile.taken_slope());
         let bend: f64 = sampled.coefficients[1..].iter().map(|c| c.abs()).sum();
         let blurred = BLURS * self.blur / half * bend;
-        sampled.tail <= noise.max(blurred) || half <= FASTEST
+        sampled.tail <= noise.max(blurred)
     }
 
     fn push(&mut self, [start, end]: [f64; 2], sampled: &Sampled) {

@@ -16,12 +16,11 @@ use super::legendre::{ORDER, RULE, integral};
 use super::panels::{Builder, Panel, join};
 use super::roots::{Local, Root};
 use crate::contact::accuracy::ROUNDING;
+use crate::contact::smooth::detail::RESOLVED;
 
 /// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding.
 const REMOTE: f64 = 0.48;
 const FIRST: usize = 96;
-/// Last coefficients relative to the largest that count as resolved, at best.
-const RESOLVED: f64 = 3e-16;
 /// Panels whose ends differ by less than this share of the largest slope are made to meet: a jump of rounding would be a pole.
 const JOINED: f64 = 1e-9;
 /// Powers of the distance below this are none: the slope jumps.

@@ -4,6 +4,7 @@ use fredholm::complementarity::{Complementarity, Condition};
 
 use super::base::Base;
 use super::extent::reference_pressure;
+use super::layer::FAINT;
 use crate::contact::cells::{CELLS_A_ZONE, Cell, Cells, LIMITS, Loaded, closing_in};
 use crate::contact::iteration::STEPS;
 use crate::contact::search::Equation;
@@ -12,12 +13,8 @@ use crate::contact::valleys;
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Vertical};
 
-/// The change of pressures at which linear layers that follow each other are the one that bends.
+/// The change of pressures, as a share of the largest, at which linear layers that follow each other are the one that bends, and the smallest pressure, as a share of the mean one, at which it is made linear.
 const CLOSE: f64 = 1e-3;
-/// The smallest pressure, as a share of the mean one, at which a layer that bends is made linear.
-const FAINT: f64 = 1e-3;
-/// Pressures above this share of the largest are linearised by the tangent, others by the secant.
-const TANGENT: f64 = 0.05;
 
 /// What cells tell.
 #[derive(Debug, Clone, Default)]
@@ -99,11 +96,12 @@ fn pressures(base: &Base<'_>, cells: &Cells) -> Result<Vec<f64>, Error> {
     let mut carrying = cells.carrying();
     for round in 0..STEPS {
         let largest = pressures.iter().fold(0.0f64, |most, p| most.max(*p));
-        let tangent = |p: f64| round > 0 && p > TANGENT * largest;
+        // By the tangent where there is pressure, elsewhere by the secant.
+        let tangent = |p: f64| round > 0 && p > FAINT * largest;
         // v = c p + d
         let linearised: Vec<[f64; 2]> = (pressures.iter())
             .map(|&p| {
-                let p = p.max(FAINT * reference);
+                let p = p.max(CLOSE * reference);
                 let v = base.layer.displacement(p);
                 if tangent(p) { [exponent * v / p, (1.0 - exponent) * v] } else { [v / p, 0.0] }
             })

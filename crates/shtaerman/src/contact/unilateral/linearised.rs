@@ -14,6 +14,7 @@ use fredholm::collocation::{extrapolate, first_half_count, rounding};
 
 use super::answer::UnilateralContact;
 use super::base::Base;
+use super::effort::Effort;
 use super::refinement::RATIO;
 use super::solved::{end_node, place};
 use super::system::{FEWEST, Factor, Resolution, System};
@@ -23,8 +24,7 @@ use crate::contact::setting::Setting;
 use crate::contact::zones::{EndKind, Zone};
 use crate::{ContactKind, Error, Load, Rotational};
 
-/// Most nodes for a full base that was not collocated, and those for each Chebyshev degree of its profile.
-const MOST_NODES: f64 = 1200.0;
+/// Nodes of a full base that was not collocated, for each Chebyshev degree of its profile.
 const NODES_PER_DEGREE: f64 = 2.0;
 
 /// On ground that is graded more, the pressure goes as `d^(1-mu)` at corners, and no double is near enough to them: differences tell.
@@ -110,7 +110,7 @@ impl Setting {
             peak,
             noise: 0.0,
         };
-        known.linearised(wanted.min(0.5 * MOST_NODES / panels as f64) as usize)
+        known.linearised(wanted.min(0.5 * Effort::LITTLE.nodes as f64 / panels as f64) as usize)
     }
 }
 

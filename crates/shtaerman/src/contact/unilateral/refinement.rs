@@ -3,6 +3,7 @@
 use fredholm::collocation::first_half_count;
 
 use super::base::Base;
+use super::between::PLACES;
 use super::between::between_nodes;
 use super::solved::{Solved, Stated};
 use super::system::Resolution;
@@ -22,8 +23,6 @@ pub(super) const RATIO: f64 = std::f64::consts::SQRT_2;
 pub(super) const ALL_NOISE: f64 = 0.1;
 /// Differences that no longer fall and are below this share of the solution are rounding.
 const STAGNANT: f64 = 1e-9;
-/// Points of each panel at which two resolutions are compared.
-const COMPARED: usize = 128;
 
 /// Nodes on either side of the middle of a panel that are about right for the longest panel.
 pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {
@@ -92,7 +91,7 @@ fn difference(base: &Base<'_>, fine: &Solved, coarse: &Solved) -> Change {
         .flat_map(|panel| {
             let (middle, half) =
                 (0.5 * (panel.left + panel.right), 0.5 * (panel.right - panel.left));
-            between_nodes(COMPARED).map(move |y| (middle + half * y).clamp(panel.left, panel.right))
+            between_nodes(PLACES).map(move |y| (middle + half * y).clamp(panel.left, panel.right))
         })
         .map(|xi| {
             let height = base.height(xi);

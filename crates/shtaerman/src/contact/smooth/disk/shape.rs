@@ -3,14 +3,12 @@
 use std::collections::VecDeque;
 use std::f64::consts::FRAC_PI_2;
 
+use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::smooth::Curve;
-use crate::contact::smooth::detail::NOISE;
+use crate::contact::smooth::detail::{DEEPEST, NOISE};
 use crate::contact::smooth::ground::Ground;
 use crate::contact::smooth::legendre::integral;
 
-/// Panels are halved at most this often; to this share integrals agree when their panels are halved.
-const DEEPEST: u32 = 40;
-const AGREED: f64 = 1e-15;
 /// Panels of an integral at most, and its accuracy over that of what is made of it.
 const MOST_PANELS: usize = 512;
 const INNER: f64 = 1e-2;
@@ -135,7 +133,7 @@ impl Shape<'_> {
                 Panel { piece, ends: turn, whole, depth: 0, before: f64::INFINITY }
             })
             .collect();
-        let agreed = (INNER * self.tolerance).max(AGREED) * size + self.noise;
+        let agreed = (INNER * self.tolerance).max(OF_A_VALUE) * size + self.noise;
         // The first in, the first out: where there is an end to it, no place is left out.
         let (mut sum, mut halved) = (0.0, 0);
         while let Some(panel) = panels.pop_front() {

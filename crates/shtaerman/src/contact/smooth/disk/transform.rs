@@ -6,7 +6,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::shape::{Part, Shape};
-use crate::contact::smooth::detail::{DEEPEST, NOISE};
+use crate::contact::smooth::detail::{DEEPEST, NOISE, RESOLVED};
 use crate::contact::smooth::ground::{Ground, NEAREST, PLAIN, TURN, distant};
 use crate::contact::smooth::legendre::{
     ORDER, RULE, derivative, integral, integral_at_nodes, series, series_at,
@@ -14,8 +14,6 @@ use crate::contact::smooth::legendre::{
 
 /// There are at most so many panels.
 const MOST_PANELS: usize = 128;
-/// Last coefficients relative to the largest value that count as resolved.
-const RESOLVED: f64 = 4e-16;
 /// Length of a step in the logarithm of `s` within which polynomials of `s` are integrated exactly.
 const STEP: f64 = 1.0;
 /// A slope at a kink below this share of the largest is rounding.

@@ -6,6 +6,7 @@
 
 use crate::contact::cells::LIMITS;
 use crate::contact::intervals::SLIVER;
+use crate::contact::promise::ROUGHEST;
 
 mod answer;
 mod base;
@@ -35,9 +36,6 @@ use answer::SmoothRingsContact;
 use base::Base;
 use check::check;
 use system::Solved;
-
-/// A relative error beyond which there is no answer.
-const WORST: f64 = 1e-3;
 
 /// Solves for the zones of unilateral contact, a disk and rings as it comes, under a force or a settlement; in bilateral contact for the full base.
 ///
@@ -159,9 +157,9 @@ impl Equation for Base<'_> {
 /// Refuses an answer without digits.
 fn required(contact: SmoothRingsContact) -> Result<SmoothRingsContact, Error> {
     let residual = contact.relative_error();
-    if residual <= WORST {
+    if residual <= ROUGHEST {
         return Ok(contact);
     }
     let iterations = contact.method().n;
-    Err(fredholm::Error::NotConverged { iterations, residual, tolerance: WORST }.into())
+    Err(fredholm::Error::NotConverged { iterations, residual, tolerance: ROUGHEST }.into())
 }

@@ -6,7 +6,7 @@ use fredholm::multipole::{
 
 use super::bent;
 use super::chart::Chart;
-use super::mesh::{Fineness, panels};
+use super::mesh::{Fineness, LONGEST, panels};
 use super::positive::positive;
 use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::balance::State;
@@ -22,9 +22,8 @@ const MOST_NODES: usize = 400_000;
 /// Longest groups, in lengths of the layer, and about the most groups beyond the number of zones.
 const GROUP: f64 = 0.25;
 const MOST_GROUPS: f64 = 400.0;
-/// How panels that are too long are shortened, and how far.
+/// How panels that are too long are shortened, three times at most.
 const SHORTER: f64 = 0.25;
-const SHORTEST: f64 = 1e-3;
 /// Samples between measured points, between other joints, and at least.
 const SAMPLES: usize = 4;
 const SAMPLES_A_PART: usize = 24;
@@ -287,7 +286,9 @@ fn operator(
         }
         let panels = Panels::new(bounds, fineness.order)?;
         match PanelOperator::new(chart.kernel, panels) {
-            Err(fredholm::Error::TooLarge { .. }) if fineness.longest > SHORTEST => {
+            Err(fredholm::Error::TooLarge { .. })
+                if fineness.longest > SHORTER * SHORTER * LONGEST =>
+            {
                 fineness.longest *= SHORTER;
             }
             Err(fredholm::Error::TooLarge { .. }) => return Ok(None),

@@ -6,6 +6,7 @@
 //! by `e` changes the rest by `e^2` only, and this is Newton's method. Cells give the zones to begin with.
 
 use crate::contact::accuracy::OF_A_VALUE;
+use crate::contact::promise::ROUGHEST;
 
 mod answer;
 mod bent;
@@ -55,8 +56,6 @@ const LADDER: [Effort; 3] = [
 const GOOD: [f64; 3] = [1e-4, 1e-6, 1e-7];
 /// Most zones.
 const MOST_ZONES: usize = 2000;
-/// Answers with larger relative errors leave the problem to others.
-const ROUGHEST: f64 = 1e-2;
 
 /// The answer on panels; none where they do not serve: where the zones are not found or too many.
 pub(super) fn solve(base: &Base<'_>) -> Result<Option<SpotContact>, Error> {
