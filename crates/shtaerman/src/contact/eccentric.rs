@@ -7,6 +7,7 @@
 
 use crate::contact::Contact;
 use crate::contact::iteration::STEPS;
+use crate::contact::valleys::SAMPLES;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 
 /// The forces that are tried: each so many times the one before, from the depth over the compliance of the whole base from so many steps down to so many up.
@@ -14,8 +15,6 @@ const RATIO: f64 = 4.0;
 const REACH: i32 = 18;
 /// A step of `ln P` after which Newton's method has all digits, as they double. At a turning point the settlement goes with its square.
 const NARROW: f64 = 1e-9;
-/// Heights of each piece of the base that are looked at.
-const SAMPLES: u32 = 512;
 
 impl Problem {
     /// Settlement and eccentricity of a base that may lift off, where both are prescribed and the force is off the middle: no problem of least energy.
@@ -147,7 +146,7 @@ impl Curve<'_> {
     fn places(&self) -> impl Iterator<Item = f64> {
         let pieces = self.problem.frame().pieces();
         pieces.into_iter().flat_map(|[left, right]| {
-            (0..=SAMPLES).map(move |i| left + (right - left) * f64::from(i) / f64::from(SAMPLES))
+            (0..=SAMPLES).map(move |i| left + (right - left) * i as f64 / SAMPLES as f64)
         })
     }
 

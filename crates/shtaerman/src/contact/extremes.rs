@@ -7,8 +7,6 @@ use super::iteration::{crossing, top};
 const MOST_REFINED: usize = 32;
 /// A pressure below this, relative to the largest, counts as zero.
 const NEGLIGIBLE: f64 = 1e-12;
-/// How far a search may end beside a maximum of a curvature like its height, when values are known to [`NEGLIGIBLE`].
-const NEAR: f64 = 1e-6;
 
 /// How far above a sample a maximum beside it may lie, in its second difference: four times the eighth that it is for a parabola (theory).
 pub(super) const RISE: f64 = 0.5;
@@ -42,7 +40,10 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         });
         let found = found.unwrap_or(Extreme { place: 0.0, value: f64::NAN });
         let middle = (self.f)(0.0);
-        if found.place.abs() < NEAR && middle + NEGLIGIBLE * middle.abs() >= found.value {
+        // Beside a maximum of a curvature like its height values tell places apart to the root of what they are known to.
+        if found.place.abs() < NEGLIGIBLE.sqrt()
+            && middle + NEGLIGIBLE * middle.abs() >= found.value
+        {
             Extreme { place: 0.0, value: middle.max(found.value) }
         } else {
             found

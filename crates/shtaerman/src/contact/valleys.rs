@@ -6,6 +6,10 @@ use super::accuracy::ROUNDING;
 use super::iteration::GOLDEN;
 use crate::Error;
 
+/// Samples that show the ups and downs of a profile, at least.
+pub(super) const SAMPLES: usize = 512;
+/// Most cells.
+pub(super) const MOST_CELLS: usize = 3072;
 /// Places between samples where a profile is looked at.
 const PROBES: usize = 64;
 /// A miss, as a share of the change of the profile between the samples beside; and the share of places that are missed where samples are too few.

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::intervals::SLIVER;
 use super::kinks::Kink;
 use crate::frame::Frame;
 use crate::quantity::{Dimension, DisplayUnit, engineering};
@@ -46,12 +47,11 @@ pub struct Warning {
 const LAYER_DEGREES: f64 = 4.0;
 /// Most intervals a message names.
 const MOST_PLACES: usize = 6;
-/// A coordinate below this, in half-widths, is a rounded zero.
-const NEGLIGIBLE: f64 = 1e-9;
 
 /// A coordinate in the units of the problem.
 fn position(frame: &Frame, xi: f64) -> String {
-    if xi.abs() < NEGLIGIBLE {
+    // A rounded zero.
+    if xi.abs() < SLIVER {
         return "0".to_owned();
     }
     match frame.scaling() {

@@ -45,11 +45,12 @@ use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::{EndState, settle};
 use crate::contact::search::{ALLOWED, Equation, Start};
+use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
 use check::check;
 use detail::{A_PANEL, COARSE, Detail, FINE, MOST_WORK};
 use open::solve_zones;
-use problem::{Base, MOST_CELLS};
+use problem::Base;
 use system::Solved;
 
 /// Most zones that are solved: beyond, minutes go by.

@@ -16,18 +16,16 @@ use crate::contact::search::{Equation, Work};
 use crate::contact::setting::Setting;
 use crate::contact::steps::{BESIDE, rise};
 use crate::contact::valleys;
+use crate::contact::valleys::{MOST_CELLS, SAMPLES};
 use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 
-/// Samples that show the ups and downs of a profile, at least and at most.
-const SAMPLES: usize = 512;
+/// Most samples that show the ups and downs of a profile.
 const MOST_SAMPLES: usize = 8192;
 /// Parts shorter than so many steps have samples of their own, so many.
 const SHORT: f64 = 8.0;
-const SAMPLES_A_PART: usize = 16;
-/// Most cells.
-pub(super) const MOST_CELLS: usize = 3072;
+pub(super) const SAMPLES_A_PART: usize = 24;
 /// Length of base within which all zones must lie for heights from a tangent.
 const SMALL_ZONES: f64 = 0.1;
 

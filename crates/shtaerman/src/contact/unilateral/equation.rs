@@ -1,6 +1,6 @@
 //! The equation of the second kind on zones of a rough surface, as the [search](crate::contact::search) knows it.
 
-use super::base::{Base, MOST_CELLS};
+use super::base::Base;
 use super::check::check;
 use super::coarse;
 use super::mirror::mirror;
@@ -12,6 +12,7 @@ use crate::contact::check::Check;
 use crate::contact::edges::EndState;
 use crate::contact::search::{Equation, Start, unknown};
 use crate::contact::valleys;
+use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
 
 /// Most zones that are collocated.

@@ -8,7 +8,7 @@ use super::between::between_nodes;
 use super::solved::{Solved, Stated};
 use super::system::Resolution;
 use crate::Error;
-use crate::contact::accuracy::{Accuracy, ROUNDING};
+use crate::contact::accuracy::{Accuracy, ROUNDING, STAGNANT};
 use crate::contact::edges::settle;
 use crate::contact::resolutions::{Change, Trust};
 use crate::contact::zones::Zone;
@@ -21,8 +21,6 @@ const MOST_FOR_VALLEYS: f64 = 160.0;
 pub(super) const RATIO: f64 = std::f64::consts::SQRT_2;
 /// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything.
 pub(super) const ALL_NOISE: f64 = 0.1;
-/// Differences that no longer fall and are below this share of the solution are rounding.
-const STAGNANT: f64 = 1e-9;
 
 /// Nodes on either side of the middle of a panel that are about right for the longest panel.
 pub(super) fn strength(base: &Base<'_>, zones: &[Zone]) -> f64 {

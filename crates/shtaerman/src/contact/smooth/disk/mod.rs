@@ -27,14 +27,12 @@ use super::ground::Ground;
 use crate::contact::balance::State;
 use crate::contact::parts::MOST_CUTS;
 use crate::contact::steps::{REACH, rise};
+use crate::contact::valleys::SAMPLES;
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 use check::Check;
 use field::Field;
 use shape::{Part, Shape, Weight};
-
-/// Samples that show the ups and downs of a profile.
-const SAMPLES: usize = 512;
 
 /// A circular punch on a smooth body, without dimensions:
 ///

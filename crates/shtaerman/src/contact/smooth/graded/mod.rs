@@ -23,12 +23,13 @@ mod strip;
 use std::cell::OnceCell;
 
 use super::detail::{COARSE, Detail, FINE};
-use super::problem::{Base, MOST_CELLS, SmoothProblem};
+use super::problem::{Base, SmoothProblem};
 use super::{MOST_ZONES, topology};
 use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::EndState;
 use crate::contact::search::{ALLOWED, Equation, Start, complementary};
+use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
 use check::{Along, check};
 use field::Field;

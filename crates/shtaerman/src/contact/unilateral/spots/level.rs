@@ -12,6 +12,7 @@ use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::balance::State;
 use crate::contact::search::Equation;
 use crate::contact::unilateral::base::Base;
+use crate::contact::unilateral::base::SAMPLES_A_PART;
 use crate::contact::unilateral::coarse::Coarse;
 use crate::contact::unilateral::layer::Layer;
 use crate::contact::zones::Zone;
@@ -26,7 +27,6 @@ const MOST_GROUPS: f64 = 400.0;
 const SHORTER: f64 = 0.25;
 /// Samples between measured points, between other joints, and at least.
 const SAMPLES: usize = 4;
-const SAMPLES_A_PART: usize = 24;
 const FEWEST_SAMPLES: usize = 4096;
 
 /// What is known before: other zones or panels, or cells.
