@@ -6,6 +6,8 @@ use super::balance::State;
 
 /// Rounding of a quantity relative to what is added up in it.
 pub(super) const ROUNDING: f64 = 32.0 * f64::EPSILON;
+/// What is stated, or allowed, over a difference that does not fall by a known rate.
+pub(super) const SAFETY: f64 = 4.0;
 /// A residual, or a difference of two resolutions, that does not fall any more is rounding below this share of its scale. Half and twice of it change nothing (survey).
 pub(super) const STAGNANT: f64 = 1e-9;
 /// Rounding of a value that a few operations make, relative to the largest of them.

@@ -6,7 +6,7 @@ use super::iteration::{crossing, top};
 /// Most samples beside which a maximum or a sign change is sought: of more sign changes the samples are dense enough for a straight line.
 const MOST_REFINED: usize = 32;
 /// A pressure below this, relative to the largest, counts as zero.
-const NEGLIGIBLE: f64 = 1e-12;
+pub(super) const NEGLIGIBLE: f64 = 1e-12;
 
 /// How far above a sample a maximum beside it may lie, in its second difference: four times the eighth that it is for a parabola (theory).
 pub(super) const RISE: f64 = 0.5;

@@ -5,15 +5,14 @@
 
 use fredholm::collocation::extrapolate;
 
-use super::accuracy::{Accuracy, ErrorKind, ROUNDING, Sizes};
+use super::accuracy::{Accuracy, ErrorKind, ROUNDING, SAFETY, Sizes};
 use super::balance::State;
 use super::parts::Smoothness;
 use super::zones::Zone;
 use crate::{Load, Rotational, Vertical};
 
-/// Differences that fall by less have not begun to, and what is stated over them.
+/// Differences that fall by less have not begun to.
 pub(super) const SLOW: f64 = 0.25;
-const SAFETY: f64 = 4.0;
 /// Where nothing is known of the profile between samples no smaller share is stated: two resolutions may both miss what it hides.
 pub(super) const UNKNOWN: f64 = 1e-3;
 /// Roundings of the pressure that a difference may have by rounding alone.

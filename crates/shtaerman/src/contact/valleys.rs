@@ -14,9 +14,8 @@ pub(super) const MOST_CELLS: usize = 3072;
 const PROBES: usize = 64;
 /// A miss, as a share of the change of the profile between the samples beside; and the share of places that are missed where samples are too few.
 const MISSED: f64 = 0.25;
-/// Fewest cells that show a valley, and how many are wanted.
-const CELLS_A_VALLEY: usize = 6;
-const WANTED: usize = 12;
+/// Fewest cells that show a valley, of a zone, and of a piece of the base to begin with; twice as many are wanted.
+pub(super) const CELLS_A_ZONE: usize = 6;
 
 /// Steps between samples that show the ups and downs of a profile on an interval: `least`, doubled while cubics through the samples miss it in many places, and at most `most`.
 pub(super) fn steps(
@@ -70,7 +69,7 @@ pub(super) fn valleys(samples: &[(f64, f64)]) -> impl Iterator<Item = f64> + '_ 
 /// how deep the valley is.
 pub(super) fn cuts(valleys: &[f64], [left, right]: [f64; 2], count: usize) -> Vec<f64> {
     let each = count / (valleys.len() + 1);
-    let are_few = (CELLS_A_VALLEY..WANTED).contains(&each);
+    let are_few = (CELLS_A_ZONE..2 * CELLS_A_ZONE).contains(&each);
     let (true, [first, .., last]) = (are_few, valleys) else {
         return (1..count).map(|i| left + (right - left) * i as f64 / count as f64).collect();
     };
@@ -90,8 +89,8 @@ pub(super) fn cuts(valleys: &[f64], [left, right]: [f64; 2], count: usize) -> Ve
 /// Number of cells that shows so many valleys, if possible twelve for each; those of more than can be had show none.
 pub(super) fn cells(valleys: usize, usual: usize, most: usize) -> usize {
     const FEWEST: usize = 48;
-    let count = (WANTED * (valleys + 1)).clamp(FEWEST, usual);
-    count.max((CELLS_A_VALLEY * (valleys + 1)).min(most))
+    let count = (2 * CELLS_A_ZONE * (valleys + 1)).clamp(FEWEST, usual);
+    count.max((CELLS_A_ZONE * (valleys + 1)).min(most))
 }
 
 /// Refuses intervals of contact among more valleys than zones can be solved, if there are too few cells to tell which of them touch.
@@ -101,7 +100,7 @@ pub(super) fn require_shown(
     cells: usize,
     most: usize,
 ) -> Result<(), Error> {
-    if let ([first, .., last], true) = (found, cells < CELLS_A_VALLEY * valleys.len()) {
+    if let ([first, .., last], true) = (found, cells < CELLS_A_ZONE * valleys.len()) {
         let inside = |at: &&f64| first[0] <= **at && **at <= last[1];
         let zones = valleys.iter().filter(inside).count();
         if zones > most {

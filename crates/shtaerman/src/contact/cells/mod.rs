@@ -9,10 +9,9 @@ pub(super) use load::{Loaded, closing_in, solve_thin};
 use fredholm::complementarity::logarithm_cells;
 
 use super::iteration::STEPS;
+use super::valleys::CELLS_A_ZONE;
 use crate::Error;
 
-/// Fewest cells of a zone, and of a piece of the base to begin with.
-pub(super) const CELLS_A_ZONE: usize = 6;
 /// Parts of a cell that is refined.
 const PARTS: usize = 4;
 /// A cell is looked at from inside it: this share of its half-width lies between.

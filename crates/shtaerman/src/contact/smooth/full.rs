@@ -11,12 +11,8 @@ use super::slopes::Slopes;
 use super::told::compared;
 use crate::contact::check::BETWEEN;
 use crate::contact::extremes::RISE;
-use crate::contact::iteration::crossing;
+use crate::contact::iteration::{crossing, top};
 use crate::contact::steps::INSIDE;
-
-/// Parabolas towards the bottom of a valley, and how much closer the places of each are.
-const BOTTOMS: usize = 6;
-const CLOSER: f64 = 0.1;
 
 /// Full contact of a wave: `p0 = P0/2 - F/theta0` with `F = sum k f_k cos(k pi xi + ..)`, as `int K cos(k pi eta) deta = cos(k pi xi)/k` for `L = 2`.
 #[derive(Debug, Clone)]
@@ -117,24 +113,10 @@ impl FullWave {
         lowest.map(|(at, _, step)| self.bottom(at, step))
     }
 
-    /// The bottom of the valley about a place by parabolas through ever closer places.
+    /// The bottom of the valley within a step of a place.
     fn bottom(&self, at: f64, step: f64) -> (f64, f64) {
-        let pressure = |xi: f64| self.pressure(wrapped(xi));
-        let mut best = (at, pressure(at));
-        let mut step = step;
-        for _ in 0..BOTTOMS {
-            let (before, after) = (pressure(best.0 - step), pressure(best.0 + step));
-            let bend = before + after - 2.0 * best.1;
-            let vertex = best.0 + 0.5 * step * (before - after) / bend;
-            let moved = vertex.clamp(best.0 - step, best.0 + step);
-            let sides = [(best.0 - step, before), (best.0 + step, after), (moved, pressure(moved))];
-            best = sides
-                .into_iter()
-                .filter(|side| side.1 < best.1)
-                .fold(best, |least, side| if side.1 < least.1 { side } else { least });
-            step *= CLOSER;
-        }
-        (wrapped(best.0), best.1)
+        let (place, height) = top(&|xi| -self.pressure(wrapped(xi)), at - step, at + step);
+        (wrapped(place), -height)
     }
 
     /// A zone for a force: where the pressure of full contact is above its largest value less twice the mean. Of one cosine that is the zone itself,

@@ -53,9 +53,6 @@ use open::solve_zones;
 use problem::Base;
 use system::Solved;
 
-/// Most zones that are solved: beyond, minutes go by.
-const MOST_ZONES: usize = 120;
-
 impl SmoothProblem {
     /// Solves the equation, and in unilateral contact finds the zones.
     ///
@@ -75,7 +72,8 @@ impl SmoothProblem {
 impl Equation for Base<'_> {
     type Solved = Solved;
     type Effort = Detail;
-    const MOST_ZONES: usize = MOST_ZONES;
+    // Beyond, minutes go by.
+    const MOST_ZONES: usize = 120;
 
     fn may_lift(&self) -> bool {
         self.problem.is_unilateral

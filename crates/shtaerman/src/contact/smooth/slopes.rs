@@ -14,7 +14,7 @@ use super::angular::Angular;
 use super::harmonics::{Harmonics, Resolved};
 use super::legendre::{ORDER, RULE, integral};
 use super::panels::{Builder, Panel, join};
-use super::roots::{Local, Root};
+use super::roots::{Local, NEAREST, Root};
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::smooth::detail::RESOLVED;
 
@@ -25,10 +25,6 @@ const FIRST: usize = 96;
 const JOINED: f64 = 1e-9;
 /// Powers of the distance below this are none: the slope jumps.
 const CONSTANT: f64 = 1.5e-3;
-/// A cut this near a bend, in roundings of angles, makes a panel that shows nothing.
-const NEAR: f64 = 1e4;
-/// Parts beside a pole of a logarithm are halved down to this length: the rest counts for its rounding only.
-const NOTHING: f64 = 1e-14;
 /// `g` on panels, over the half turn of a zone (odd beyond it) or over the whole turn of a wave.
 #[derive(Debug, Clone)]
 pub(super) struct Slopes {
@@ -111,10 +107,10 @@ impl Slopes {
         let own = || bends.iter().chain(joints);
         cuts.extend(own().filter(|bend| **bend > start && **bend < PI));
         cuts.sort_by(f64::total_cmp);
-        // A cut by a bend is where it bends, to the last bit.
+        // A cut by a bend is where it bends, to the last bit: a panel between shows nothing.
         let blur = profile.blur();
         let is_apart =
-            |cut: &f64| own().all(|bend| bend == cut || (bend - cut).abs() > NEAR * blur);
+            |cut: &f64| own().all(|bend| bend == cut || (bend - cut).abs() > NEAREST * blur);
         cuts.retain(|cut| ends.contains(cut) || is_apart(cut));
         cuts.dedup();
         let tolerance = tolerance.max(RESOLVED);
@@ -272,6 +268,7 @@ impl Slopes {
         }
         let mut sum = 0.0;
         for panel in &self.panels {
+            // Beside the pole of the logarithm what is shorter than rounding counts for its rounding only.
             let mut open = vec![[panel.start, panel.end]];
             while let Some([start, end]) = open.pop() {
                 let middle = 0.5 * (start + end);
@@ -279,7 +276,7 @@ impl Slopes {
                 if end - start <= away
                     || middle <= start
                     || middle >= end
-                    || away + end - start < NOTHING
+                    || away + end - start < ROUNDING
                 {
                     sum +=
                         integral(start, end, |t| panel.at(t) * (2.0 * (0.5 * t).cos().abs()).ln());

@@ -1,8 +1,8 @@
 //! Which parts of the base touch: a complementarity problem on cells, with a layer too thin to matter, refined where zones are short.
 
 use super::problem::Base;
-use crate::contact::cells::{CELLS_A_ZONE, Cell, Cells, LIMITS, closing_in, solve_thin};
-use crate::contact::valleys;
+use crate::contact::cells::{Cell, Cells, LIMITS, closing_in, solve_thin};
+use crate::contact::valleys::{self, CELLS_A_ZONE};
 use crate::{Error, Vertical};
 use fredholm::complementarity::mean_power;
 

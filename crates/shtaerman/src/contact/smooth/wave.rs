@@ -10,14 +10,12 @@ use super::open::solve_zones;
 use super::problem::{Base, Sample, SmoothProblem, SmoothProfile};
 use super::{ALLOWED, topology};
 use crate::contact::accuracy::ROUNDING;
+use crate::contact::extremes::NEGLIGIBLE;
 use crate::contact::iteration::STEPS;
 use crate::contact::solution::Solution;
 use crate::contact::steps::BESIDE;
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
-
-/// By this share of the pressure the bottom of a valley is no deeper than another place.
-const AS_DEEP: f64 = 1e-12;
 
 /// Where the pressure is least, how small it is there, and its mean deviation.
 fn least(along: &[(f64, f64)]) -> (f64, f64, f64) {
@@ -62,7 +60,7 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     let (place, least) = others.into_iter().flatten().fold((place, least), lower);
     // The seam is best left where it is as deep in the valley.
     let bottom = place;
-    let is_seam = full.pressure(-1.0) <= least + AS_DEEP * size;
+    let is_seam = full.pressure(-1.0) <= least + NEGLIGIBLE * size;
     let place = if is_seam { 1.0 } else { place };
     let partial = || Partial::new(problem, band.as_ref(), place);
     if let Vertical::Settlement(settlement) = vertical {

@@ -5,11 +5,11 @@ use fredholm::complementarity::{Complementarity, Condition};
 use super::base::Base;
 use super::extent::reference_pressure;
 use super::layer::FAINT;
-use crate::contact::cells::{CELLS_A_ZONE, Cell, Cells, LIMITS, Loaded, closing_in};
+use crate::contact::cells::{Cell, Cells, LIMITS, Loaded, closing_in};
 use crate::contact::iteration::STEPS;
 use crate::contact::search::Equation;
 use crate::contact::steps::BESIDE;
-use crate::contact::valleys;
+use crate::contact::valleys::{self, CELLS_A_ZONE};
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Vertical};
 

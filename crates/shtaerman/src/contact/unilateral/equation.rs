@@ -15,15 +15,13 @@ use crate::contact::valleys;
 use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
 
-/// Most zones that are collocated.
-const MOST_ZONES: usize = 40;
 /// Ends this close to a wall are there: the check looks just inside a wall.
 const BESIDE: f64 = 1e-11;
 
 impl Equation for Base<'_> {
     type Solved = Solved;
     type Effort = Resolution;
-    const MOST_ZONES: usize = MOST_ZONES;
+    const MOST_ZONES: usize = 40;
 
     fn may_lift(&self) -> bool {
         !self.is_bilateral

@@ -17,8 +17,6 @@ use crate::contact::zones::Zone;
 
 /// Panels of the coefficients of a profile are doubled at most so often, until these change by no more than this share, or no less than before.
 const DOUBLINGS: usize = 6;
-/// Turns of a polynomial in a panel.
-const TURNS: f64 = 1.0;
 
 /// The coefficients `m_n` of three pressures, zone by zone: their displacements are 1, `xi - middle` and `f0` without what each zone's own pressure makes of it.
 pub(super) struct Coupled {
@@ -122,7 +120,8 @@ fn coefficients(
     let inner = parts.breaks().iter().rev().filter(|r| **r < nodes.half);
     cuts.extend(inner.map(|r| (r / nodes.half).acos()));
     cuts.push(FRAC_PI_2);
-    let mut panels = 1 + (count as f64 / (4.0 * TURNS)) as usize;
+    // On a quarter turn, one of a polynomial in each.
+    let mut panels = 1 + count / 4;
     let mut found = summed(base, ground, nodes, &cuts, [count, panels]);
     let mut before = f64::INFINITY;
     for _ in 0..DOUBLINGS {

@@ -24,7 +24,7 @@ use std::cell::OnceCell;
 
 use super::detail::{COARSE, Detail, FINE};
 use super::problem::{Base, SmoothProblem};
-use super::{MOST_ZONES, topology};
+use super::topology;
 use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::EndState;
@@ -93,7 +93,7 @@ impl Strips<'_> {
 impl Equation for Strips<'_> {
     type Solved = OnStrips;
     type Effort = Detail;
-    const MOST_ZONES: usize = MOST_ZONES;
+    const MOST_ZONES: usize = <Base<'_> as Equation>::MOST_ZONES;
 
     fn may_lift(&self) -> bool {
         self.base.problem.is_unilateral

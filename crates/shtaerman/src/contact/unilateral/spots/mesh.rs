@@ -1,5 +1,6 @@
 //! Panels of the zones: cut where the profile bends, and ever shorter towards the ends of the zones and towards those bends.
 
+use crate::contact::intervals::SLIVER;
 use crate::contact::unilateral::base::Base;
 use crate::contact::zones::Zone;
 
@@ -23,8 +24,6 @@ const KINK: f64 = 1e-4;
 const BENT: f64 = 1e-11;
 /// Shortest panels, over the distance from the middle of the base.
 const SHORTEST: f64 = 1e-14;
-/// Rounding of lengths that are just right.
-const SLACK: f64 = 1.0 + 1e-6;
 /// Most halvings of a panel on which the profile is no polynomial, and the deviation relative to its size that is rounding.
 const HALVINGS: u32 = 12;
 pub(super) const STRAIGHT: f64 = 1e-14;
@@ -170,7 +169,10 @@ fn graded(anchors: &[Anchor], piece: [f64; 2], longest: f64, panels: &mut Vec<[f
         let tightest = (anchors.iter().map(|anchor| (anchor.allowed([left, right]), anchor)))
             .min_by(|(one, _), (other, _)| one.total_cmp(other));
         let cut = match tightest {
-            Some((allowed, anchor)) if length > SLACK * allowed => anchor.cut([left, right]),
+            // Lengths that are just right are so but for rounding.
+            Some((allowed, anchor)) if length > (1.0 + SLIVER) * allowed => {
+                anchor.cut([left, right])
+            }
             _ if length > longest => 0.5 * (left + right),
             _ => right,
         };
