@@ -6,6 +6,7 @@ use serde::Serialize;
 use shtaerman_audit::{Answer, Bound, DiskProblem, Kernel, Prescribed, Profile, Refusal};
 
 use super::accuracy::OF_A_VALUE;
+use super::ground::SHARP;
 use super::parts::{DEGREE, RESOLVED};
 use super::promise::ROUGHEST;
 use super::{Accuracy, ErrorKind};
@@ -15,9 +16,7 @@ use crate::{Contact, ContactKind, Error, Geometry, Load, Problem, Rotational, Ve
 /// What scaling does to the constants of graded ground, relative to them, which hold gamma functions, times `1 - mu` (tested against 30 digits).
 const GRADED: f64 = 8e-15;
 
-/// From this exponent on the norm of a row of the kernel is infinite (theory), and bounds at a place follow from the mean with large factors: one so large that it would be no answer is not
-/// given where the mean is known to so much.
-const SHARP: f64 = 0.5;
+/// On ground that is graded to [`SHARP`] bounds at a place follow from the mean with large factors: one so large that it would be no answer is not given where the mean is known to so much.
 const IN_THE_MEAN: f64 = 1e-3;
 
 /// What the audit found.

@@ -42,6 +42,8 @@ impl<K: Kernel + Debug + Send + Sync> KeptKernel for K {}
 /// The same, shared.
 pub(in crate::contact) type SharedKernel = Arc<dyn KeptKernel>;
 
+/// From this exponent on the kernel `|d|^-mu` is not square integrable (theory): the norm of a row is infinite.
+pub(in crate::contact) const SHARP: f64 = 0.5;
 /// Step of a difference quotient of fourth order, as a share of the length over which a function changes: so it is good to `1e-12` (theory).
 const STEP: f64 = 1e-3;
 /// Tables of kernels are good to this (`cargo test -p fredholm --test transfer`).

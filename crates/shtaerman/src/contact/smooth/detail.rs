@@ -17,6 +17,8 @@ pub(super) const COMPARED: Detail = Detail { digits: 12.0, panels: 7 };
 pub(super) const NOISE: f64 = 1e-11;
 /// Last coefficients relative to the largest value that count as resolved, at best.
 pub(super) const RESOLVED: f64 = 4e-16;
+/// A slope at a kink, or a jump where panels meet, is rounding below this share of the largest slope: panels are made to meet, as a jump would be a pole.
+pub(super) const HARMLESS: f64 = 1e-9;
 /// Panels are halved at most this often.
 pub(super) const DEEPEST: u32 = 44;
 /// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends: about fifteen seconds; and what a panel costs in the

@@ -14,11 +14,10 @@ use libm::tgamma;
 
 use super::legendre::{ORDER, RULE, integral};
 use crate::Error;
+use crate::contact::iteration::STEPS;
 
 /// A start below this share of the end is none.
 const NOTHING: f64 = 1e-18;
-/// Most steps of an integral towards a singular place.
-const MOST_STEPS: usize = 256;
 /// Share of the way to a singular place that a step takes.
 const CLOSING: f64 = 0.75;
 /// Share of the way from zero that the next step takes.
@@ -186,7 +185,7 @@ impl Ground {
         }
         let mut at = if from < NOTHING * to { 0.0 } else { from };
         let mut sum = 0.0;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..STEPS {
             let room = CLOSING * (end - at);
             let longer = distant(to - at).map_or(step, |share| share.max(step));
             let longest = if at == 0.0 { step } else { longer.min(GROWTH * at) }.min(room);

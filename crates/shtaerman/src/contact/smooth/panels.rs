@@ -13,8 +13,6 @@ const MOST_PANELS: usize = 40_000;
 const BLURRED: f64 = 1e3;
 /// A last coefficient that keeps this share when a panel is halved does not fall.
 const STAYS: f64 = 0.6;
-/// Roundings of a place in the last coefficients of a panel, at most.
-const BLURS: f64 = 64.0;
 /// A pole so many half-lengths from the middle of a panel is far.
 const FAR: f64 = 2.5;
 /// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding.
@@ -302,7 +300,7 @@ impl Builder<'_> {
         }
         let noise = NOISE * self.scale[1].max(self.profile.taken_slope());
         let bend: f64 = sampled.coefficients[1..].iter().map(|c| c.abs()).sum();
-        let blurred = BLURS * self.blur / half * bend;
+        let blurred = ROUNDING / f64::EPSILON * self.blur / half * bend;
         sampled.tail <= noise.max(blurred)
     }
 

@@ -16,13 +16,11 @@ use super::legendre::{ORDER, RULE, integral};
 use super::panels::{Builder, Panel, join};
 use super::roots::{Local, NEAREST, Root};
 use crate::contact::accuracy::ROUNDING;
-use crate::contact::smooth::detail::RESOLVED;
+use crate::contact::smooth::detail::{HARMLESS, RESOLVED};
 
 /// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding.
 const REMOTE: f64 = 0.48;
 const FIRST: usize = 96;
-/// Panels whose ends differ by less than this share of the largest slope are made to meet: a jump of rounding would be a pole.
-const JOINED: f64 = 1e-9;
 /// Powers of the distance below this are none: the slope jumps.
 const CONSTANT: f64 = 1.5e-3;
 /// `g` on panels, over the half turn of a zone (odd beyond it) or over the whole turn of a wave.
@@ -149,10 +147,10 @@ impl Slopes {
             Some((_, power)) => is_bend(at) && power < CONSTANT,
             None => is_by_heights || is_bend(at),
         };
-        let jumps = join(&mut panels, is_odd, JOINED * scale[1], may_jump);
+        let jumps = join(&mut panels, is_odd, HARMLESS * scale[1], may_jump);
         let plain = bends.iter().filter(|at| jumps.iter().all(|(jump, _)| jump != *at));
         let roots: Vec<Root> =
-            plain.filter_map(|at| Root::of(&panels, &local, *at, JOINED * scale[1])).collect();
+            plain.filter_map(|at| Root::of(&panels, &local, *at, HARMLESS * scale[1])).collect();
         worst += roots.iter().map(|root| root.error).fold(0.0, f64::max);
         let largest =
             panels.iter().flat_map(|p| p.values).fold(0.0f64, |most, v| most.max(v.abs()));

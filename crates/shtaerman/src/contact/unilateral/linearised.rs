@@ -19,6 +19,7 @@ use super::refinement::RATIO;
 use super::solved::{end_node, place};
 use super::system::{FEWEST, Factor, Resolution, System};
 use crate::contact::accuracy::ROUNDING;
+use crate::contact::ground::SHARP;
 use crate::contact::rates::{Linearised, Rates};
 use crate::contact::setting::Setting;
 use crate::contact::zones::{EndKind, Zone};
@@ -26,9 +27,6 @@ use crate::{ContactKind, Error, Load, Rotational};
 
 /// Nodes of a full base that was not collocated, for each Chebyshev degree of its profile.
 const NODES_PER_DEGREE: f64 = 2.0;
-
-/// On ground that is graded more, the pressure goes as `d^(1-mu)` at corners, and no double is near enough to them: differences tell.
-const STEEPEST: f64 = 0.5;
 
 /// A solution, on whatever nodes.
 struct Known<'k, 'p> {
@@ -60,7 +58,8 @@ impl UnilateralContact {
         let is_corner = solved.zones.iter().any(|zone| {
             (0..2).any(|side| zone.kinds[side] == EndKind::Wall && zone.ends[side].abs() == located)
         });
-        if is_corner && base.ground.exponent() > STEEPEST {
+        // There the pressure goes as `d^(1-mu)`, and no double is near enough to a corner: differences tell.
+        if is_corner && base.ground.exponent() >= SHARP {
             return None;
         }
         base.anchor = self.anchor();

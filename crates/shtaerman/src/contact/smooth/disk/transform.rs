@@ -6,7 +6,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::shape::{Part, Shape};
-use crate::contact::smooth::detail::{DEEPEST, NOISE, RESOLVED};
+use crate::contact::smooth::detail::{DEEPEST, HARMLESS, NOISE, RESOLVED};
 use crate::contact::smooth::ground::{Ground, NEAREST, PLAIN, TURN, distant};
 use crate::contact::smooth::legendre::{
     ORDER, RULE, derivative, integral, integral_at_nodes, series, series_at,
@@ -16,10 +16,7 @@ use crate::contact::smooth::legendre::{
 const MOST_PANELS: usize = 128;
 /// Length of a step in the logarithm of `s` within which polynomials of `s` are integrated exactly.
 const STEP: f64 = 1.0;
-/// A slope at a kink below this share of the largest is rounding.
-const HARMLESS: f64 = 1e-9;
-/// Towards a kink the slope vanishes if it falls to this share over so many lengths of the first panel.
-const FALLEN: f64 = 0.5;
+/// Towards a kink the slope vanishes if it falls to a half over so many lengths of the first panel.
 const LENGTHS: f64 = 1024.0;
 /// A first panel shorter than this share of its segment is there for a kink.
 const SHORT: f64 = 1e-5;
@@ -222,9 +219,7 @@ impl Segment {
         let far = LENGTHS * first.ends[1];
         let falls = (self.panels.iter())
             .find(|panel| panel.ends[0] <= far && far < panel.ends[1])
-            .is_some_and(|panel| {
-                first.slope(first.ends[1]).abs() < FALLEN * panel.slope(far).abs()
-            });
+            .is_some_and(|panel| first.slope(first.ends[1]).abs() < 0.5 * panel.slope(far).abs());
         if slope.abs() > HARMLESS * largest && !falls {
             return f64::INFINITY.copysign(slope);
         }
