@@ -18,6 +18,11 @@ pub(super) fn crossing(
     (mut right, mut at_right): Point,
     none: f64,
 ) -> f64 {
+    for (place, value) in [(left, at_left), (right, at_right)] {
+        if value == 0.0 {
+            return place;
+        }
+    }
     let positive_left = at_left > 0.0;
     let (mut last, mut was_left) = (left, None);
     for step in 1..=STEPS {
@@ -73,6 +78,7 @@ mod tests {
         let root = crossing(&cosine, (0.0, 1.0), (3.0, 3f64.cos()), 0.0);
         assert!((root - std::f64::consts::FRAC_PI_2).abs() < 1e-15, "{root}");
         let steep = |x: f64| x.powi(9) - 1e-9;
+        assert_eq!(crossing(&|x: f64| x * x - 0.25, (0.5, 0.0), (0.0, -0.25), 0.0), 0.5);
         assert!((crossing(&steep, (0.0, -1e-9), (1.0, 1.0), 0.0) - 0.1).abs() < 1e-16);
         let (place, value) = top(&|x: f64| 1.0 - (x - 0.3).powi(2), -1.0, 2.0);
         assert!((place - 0.3).abs() < 1e-7 && value == 1.0, "{place} {value}");
