@@ -122,12 +122,12 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
     /// The zero between a sample where the function is not negative beyond rounding and one where it is; by a straight line where there are many.
     fn crossing(&self, [one, other]: [usize; 2], are_many: bool) -> f64 {
         let at = |i: usize| (self.points[i], self.values[i]);
-        let ((left, below), (right, above)) = (at(one), at(other));
-        if below < 0.0 {
+        let ((left, outer), (right, inner)) = (at(one), at(other));
+        if outer < 0.0 {
             return left;
         }
         if are_many {
-            return right - above * (right - left) / (above - below);
+            return right - inner * (right - left) / (inner - outer);
         }
         crossing(&self.f, at(one), at(other), 0.0)
     }
