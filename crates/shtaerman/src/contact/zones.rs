@@ -113,7 +113,7 @@ impl Zone {
     }
 }
 
-/// A penetration this close to a zone, and this short, as a share of the zone, is that of an edge which is not quite right.
+/// A penetration this close to a zone, and this short, as a share of the zone, is that of an edge which is not quite right. Half and twice change none of 10 answers (survey).
 const BESIDE: f64 = 1e-2;
 
 /// Extends an interval over a short penetration beside it; whether there was one.

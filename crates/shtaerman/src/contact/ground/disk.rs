@@ -12,7 +12,7 @@ use super::shared::{disk_harmonic, disk_operator};
 use super::{Ground, Hull, SharedKernel};
 use crate::Error;
 
-/// Step of the difference quotient of the kernel, as a share of the distance: it serves Newton steps, not answers.
+/// Step of the difference quotient of the kernel, as a share of the distance: it serves Newton steps, not answers. Half and twice change none of 19 answers (survey).
 const DIFFERENCE: f64 = 1e-4;
 
 #[derive(Debug)]

@@ -12,7 +12,7 @@ use fredholm::kernel::{Logarithm, TransferDisk, TransferPlane, WeberSonine};
 
 use crate::{Error, Layering};
 
-/// Most kernels and operators kept, and most nodes of one that is: half a megabyte each; parity halves those of the logarithm.
+/// Most kernels and operators kept, and most nodes of one that is: half a megabyte each; parity halves those of the logarithm. Half and twice change none of 32 answers (survey).
 const KERNELS: usize = 8;
 const OPERATORS: usize = 24;
 const MOST_NODES: usize = 257;

@@ -23,7 +23,7 @@ use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Load};
 
-/// Panels of the force on a part of a zone, and of the moment of a wave.
+/// Panels of the force on a part of a zone, and of the moment of a wave. At half or twice 3 of 5 answers change, within what they state (survey).
 pub(super) const PANELS: usize = 64;
 
 /// Zones, pressure, settlement, tilt, force and moment of contact without a layer, all without dimensions.

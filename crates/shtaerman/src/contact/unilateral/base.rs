@@ -23,10 +23,10 @@ use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
 
 /// Most samples that show the ups and downs of a profile.
 const MOST_SAMPLES: usize = 8192;
-/// Parts shorter than so many steps have samples of their own, so many.
+/// Parts shorter than so many steps have samples of their own, so many. Half and twice change none of 32 answers (survey).
 const SHORT: f64 = 8.0;
 pub(super) const SAMPLES_A_PART: usize = 24;
-/// Length of base within which all zones must lie for heights from a tangent.
+/// Length of base within which all zones must lie for heights from a tangent. Half and twice change none of 20 answers (survey).
 const SMALL_ZONES: f64 = 0.1;
 
 /// A dimensionless problem with what is worth knowing about its profile.

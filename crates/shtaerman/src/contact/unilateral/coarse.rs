@@ -13,7 +13,7 @@ use crate::contact::valleys::{self, CELLS_A_ZONE};
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Vertical};
 
-/// The change of pressures, as a share of the largest, at which linear layers that follow each other are the one that bends, and the smallest pressure, as a share of the mean one, at which it is made linear.
+/// The change of pressures, as a share of the largest, at which linear layers that follow each other are the one that bends, and the smallest pressure, as a share of the mean one, at which it is made linear. At half or twice 1 of 32 answers change, within what they state (survey).
 const CLOSE: f64 = 1e-3;
 
 /// What cells tell.

@@ -6,7 +6,7 @@
 use super::solved::{Solved, end_node};
 use crate::contact::edges::EndState;
 
-/// Share of a panel beside its end over which the slope of the layer is taken.
+/// Share of a panel beside its end over which the slope of the layer is taken. At half or twice 14 of 32 answers change, within what they state (survey).
 const BESIDE: f64 = 0.02;
 
 impl Solved {

@@ -25,7 +25,7 @@ use crate::contact::setting::Setting;
 use crate::contact::zones::{EndKind, Zone};
 use crate::{ContactKind, Error, Load, Rotational};
 
-/// Nodes of a full base that was not collocated, for each Chebyshev degree of its profile.
+/// Nodes of a full base that was not collocated, for each Chebyshev degree of its profile. At half or twice 3 of 10 answers change, within what they state (survey).
 const NODES_PER_DEGREE: f64 = 2.0;
 
 /// A solution, on whatever nodes.

@@ -14,10 +14,10 @@ use crate::contact::resolutions::{Change, Trust};
 use crate::contact::zones::Zone;
 use crate::solver::AIM;
 
-/// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys; and most of them.
+/// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys; and most of them. At half or twice 2 of 32 answers change, within what they state (survey).
 const NODES_A_VALLEY: f64 = 12.0;
 const MOST_FOR_VALLEYS: f64 = 160.0;
-/// Growth of the number of nodes from one resolution to the next.
+/// Growth of the number of nodes from one resolution to the next. At half or twice 4 of 32 answers are lost, 17 of 32 differ beyond what is stated, stated errors grow up to 1e+06 times and time grows by 401 % (survey).
 pub(super) const RATIO: f64 = std::f64::consts::SQRT_2;
 /// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything.
 pub(super) const ALL_NOISE: f64 = 0.1;

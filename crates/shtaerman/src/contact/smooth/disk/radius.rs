@@ -2,7 +2,7 @@
 
 use crate::contact::iteration::crossing;
 
-/// Radii looked at between the axis and the limit.
+/// Radii looked at between the axis and the limit. At half or twice 2 of 18 answers change, within what they state (survey).
 const RADII: usize = 64;
 
 /// Radii up to `limit` at which the rising function `f` passes `target`, increasing; `f` tends to something smaller at the axis.

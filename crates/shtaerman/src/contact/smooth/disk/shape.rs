@@ -9,11 +9,11 @@ use crate::contact::smooth::detail::{DEEPEST, NOISE};
 use crate::contact::smooth::ground::Ground;
 use crate::contact::smooth::legendre::integral;
 
-/// Panels of an integral at most, and its accuracy over that of what is made of it.
+/// Panels of an integral at most, and its accuracy over that of what is made of it. At half or twice 6 of 27 answers change, within what they state (survey).
 const MOST_PANELS: usize = 512;
 const INNER: f64 = 1e-2;
 
-/// A panel at the axis that does not settle in so many halvings is integrated by the logarithm of the distance, this far.
+/// A panel at the axis that does not settle in so many halvings is integrated by the logarithm of the distance, this far. At half or twice 2 of 27 answers change, within what they state (survey).
 const BESIDE_AXIS: u32 = 8;
 const FARTHEST: f64 = 500.0;
 

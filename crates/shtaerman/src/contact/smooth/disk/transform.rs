@@ -12,13 +12,13 @@ use crate::contact::smooth::legendre::{
     ORDER, RULE, derivative, integral, integral_at_nodes, series, series_at,
 };
 
-/// There are at most so many panels.
+/// There are at most so many panels. Half and twice change none of 26 answers (survey).
 const MOST_PANELS: usize = 128;
-/// Length of a step in the logarithm of `s` within which polynomials of `s` are integrated exactly.
+/// Length of a step in the logarithm of `s` within which polynomials of `s` are integrated exactly. At half or twice 24 of 25 answers change, within what they state (survey).
 const STEP: f64 = 1.0;
-/// Towards a kink the slope vanishes if it falls to a half over so many lengths of the first panel.
+/// Towards a kink the slope vanishes if it falls to a half over so many lengths of the first panel. Half and twice change none of 10 answers (survey).
 const LENGTHS: f64 = 1024.0;
-/// A first panel shorter than this share of its segment is there for a kink.
+/// A first panel shorter than this share of its segment is there for a kink. Half and twice change none of 14 answers (survey).
 const SHORT: f64 = 1e-5;
 
 #[derive(Debug, Clone)]

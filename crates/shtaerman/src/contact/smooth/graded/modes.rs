@@ -6,7 +6,7 @@
 use super::strip::Ground;
 use crate::contact::smooth::coupling::MOST_MODES;
 
-/// From where on the ratio of neighbours is as good as its limit, in logarithms of their ratio; and at most.
+/// From where on the ratio of neighbours is as good as its limit, in logarithms of their ratio; and at most. Half and twice change none of 32 answers (survey).
 const SETTLED: f64 = 20.0;
 
 /// `c_n(y)` of the order `lambda = mu/2`, or `mu/2 + 1`.

@@ -14,7 +14,7 @@ use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Load, Rotational};
 
-/// Tension over the largest pressure that is none.
+/// Tension over the largest pressure that is none. Half and twice change none of 10 answers (survey).
 const PULLING: f64 = 1e-10;
 
 /// A contact in many zones with its errors.

