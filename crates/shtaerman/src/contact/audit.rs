@@ -5,23 +5,18 @@
 use serde::Serialize;
 use shtaerman_audit::{Answer, Bound, DiskProblem, Ground, Kernel, Prescribed, Profile, Refusal};
 
+use super::accuracy::OF_A_VALUE;
+use super::ground::SHARP;
+use super::parts::{DEGREE, RESOLVED};
+use super::promise::ROUGHEST;
 use super::{Accuracy, ErrorKind};
 use crate::roughness::Law;
 use crate::{Contact, ContactKind, Error, Geometry, Layering, Load, Problem, Rotational, Vertical};
 
-/// What scaling by moduli and widths may do to `theta0`, heights and loads, relative to their sizes: some ten roundings.
-const SCALED: f64 = 4.0 * f64::EPSILON;
-/// The same of the constants of graded ground, which hold gamma functions, times `1 - mu` (tested against 30 digits).
+/// What scaling does to the constants of graded ground, relative to them, which hold gamma functions, times `1 - mu` (tested against 30 digits).
 const GRADED: f64 = 8e-15;
 
-/// The profile is cut where polynomials of this degree do not resolve it to this share of its heights; what is not found costs panels only.
-const RESOLVED_DEGREE: usize = 64;
-const RESOLVED: f64 = 1e-12;
-
-/// From this exponent on the norm of a row of the kernel is infinite, and bounds at a place follow from the mean with large factors: one above this share of the pressure says nothing of it where
-/// the mean is known better.
-const SHARP: f64 = 0.5;
-const AT_A_PLACE: f64 = 1e-2;
+/// On ground that is graded to [`SHARP`] bounds at a place follow from the mean with large factors: one so large that it would be no answer is not given where the mean is known to so much.
 const IN_THE_MEAN: f64 = 1e-3;
 
 /// What the audit found.
@@ -178,11 +173,11 @@ fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
         return Ok(Posed::Disk(exponent, layer));
     }
     Ok(match geometry {
-        Geometry::Periodic { period } => Posed::Plane(Kernel::Row { period }, SCALED, layer),
+        Geometry::Periodic { period } => Posed::Plane(Kernel::Row { period }, OF_A_VALUE, layer),
         _ if exponent > 0.0 => {
-            Posed::Plane(Kernel::Power { exponent }, SCALED + GRADED / (1.0 - exponent), layer)
+            Posed::Plane(Kernel::Power { exponent }, OF_A_VALUE + GRADED / (1.0 - exponent), layer)
         }
-        _ => Posed::Plane(Kernel::Logarithm, SCALED, layer),
+        _ => Posed::Plane(Kernel::Logarithm, OF_A_VALUE, layer),
     })
 }
 
@@ -257,7 +252,7 @@ impl Contact {
         let zones = bare.zones();
         let zones = if problem.is_wave() { within_period(&zones) } else { zones };
         let mut cuts = problem.profile().joints(frame.half_width());
-        cuts.extend(problem.resolution(RESOLVED_DEGREE, RESOLVED).joints);
+        cuts.extend(problem.resolution(DEGREE, RESOLVED).joints);
         cuts.sort_by(f64::total_cmp);
         cuts.dedup();
         let pressure = |xi: f64| self.pressure_at(xi);
@@ -368,7 +363,7 @@ impl Contact {
                     exponent,
                     theta: frame.theta0(),
                     layer,
-                    scaled: scaled(SCALED + GRADED * exponent.min(1.0)),
+                    scaled: scaled(OF_A_VALUE + GRADED * exponent.min(1.0)),
                     is_bilateral,
                     prescribed,
                     profile,
@@ -382,7 +377,7 @@ impl Contact {
         let mean_square = bound.mean_square / largest;
         let is_sharp =
             matches!(posed, Posed::Plane(Kernel::Power { exponent }, _, 1.0) if *exponent >= SHARP);
-        if is_sharp && bound.pressure > AT_A_PLACE * largest && mean_square < IN_THE_MEAN {
+        if is_sharp && bound.pressure > ROUGHEST * largest && mean_square < IN_THE_MEAN {
             return Err(Unaudited::InTheMeanOnly { mean_square });
         }
         Ok((bound, posed.is_bound()))

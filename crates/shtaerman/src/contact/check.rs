@@ -2,8 +2,10 @@
 
 use crate::Error;
 
-/// Parts of an interval between two breaks.
-const BETWEEN: usize = 8;
+/// Fewest points of a zone, or of an interval outside the zones.
+pub(super) const POINTS: usize = 48;
+/// Parts of an interval between two breaks. At half or twice 1 of 25 answers change, within what they state (survey).
+pub(super) const BETWEEN: usize = 8;
 
 /// What is left of tension and penetration.
 #[derive(Debug, Clone, PartialEq)]

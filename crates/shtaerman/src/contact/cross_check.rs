@@ -7,20 +7,17 @@ use shtaerman_reference::{
 };
 
 use super::ground::layered_plane;
+use super::parts::{DEGREE, RESOLVED};
+use super::steps::INSIDE;
 use super::{Accuracy, Contact, ErrorKind};
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Geometry, Layering, Load, Problem, Rotational, Scaling, Vertical};
 
-/// Polynomials of this degree resolve the profile to this share of its heights between the cuts.
-const RESOLVED_DEGREE: usize = 64;
-const RESOLVED: f64 = 1e-12;
 /// Places at which pressures are compared: evenly over the base, and beside each end of a zone.
 const EVENLY: u32 = 96;
 const BESIDE: u32 = 12;
 /// The same on a smooth surface, where the rounding of a place is a large share of its distance from an end.
 const BESIDE_SINGULAR: u32 = 4;
-/// Jumps of the base are known to roundings only: this close to one no pressures are compared.
-const BESIDE_JUMP: f64 = 1e-13;
 /// Where the reference is this much less certain than the answer, it is said.
 const CERTAIN: f64 = 10.0;
 
@@ -373,7 +370,7 @@ impl<'a> Posing<'a> {
         }
         let is_jump = |xi: f64| {
             let xi = if matches!(self.kernel, Kernel::Disk { .. }) { xi.abs() } else { xi };
-            self.breaks.iter().any(|cut| cut.is_sharp && (cut.at - xi).abs() < BESIDE_JUMP)
+            self.breaks.iter().any(|cut| cut.is_sharp && (cut.at - xi).abs() < INSIDE)
         };
         let pieces = contact.problem().frame().pieces();
         places.retain(|xi| {
@@ -416,14 +413,14 @@ fn solve<'p>(posed: &'p Posed<'p>, zones: &[[f64; 2]]) -> Result<Reference<'p>, 
 /// base.
 fn breaks(problem: &Problem, pieces: &[[f64; 2]], bends: Option<f64>) -> Vec<Break> {
     let half_width = problem.frame().half_width();
-    let resolution = problem.resolution(RESOLVED_DEGREE, RESOLVED);
+    let resolution = problem.resolution(DEGREE, RESOLVED);
     let sharp = problem.profile().breakpoints(half_width).into_iter().chain(resolution.singular);
     let mut found: Vec<Break> = sharp.map(|at| Break { at, is_sharp: true }).collect();
     let mild = problem.profile().joints(half_width).into_iter().chain(resolution.joints);
     let count = bends.map_or(0, |length| (2.0 / length).ceil() as usize);
     let even = (1..count).map(|i| 2.0 * i as f64 / count as f64 - 1.0);
     for at in mild.chain(even) {
-        if !found.iter().any(|known| (known.at - at).abs() < BESIDE_JUMP) {
+        if !found.iter().any(|known| (known.at - at).abs() < INSIDE) {
             found.push(Break { at, is_sharp: false });
         }
     }
@@ -433,7 +430,7 @@ fn breaks(problem: &Problem, pieces: &[[f64; 2]], bends: Option<f64>) -> Vec<Bre
         is_tip(cut.at) || pieces.iter().any(|[left, right]| *left < cut.at && cut.at < *right)
     });
     found.sort_by(|one, two| one.at.total_cmp(&two.at));
-    found.dedup_by(|later, earlier| later.at - earlier.at < BESIDE_JUMP);
+    found.dedup_by(|later, earlier| later.at - earlier.at < INSIDE);
     found
 }
 

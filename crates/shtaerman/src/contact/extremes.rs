@@ -1,23 +1,15 @@
 //! Where a pressure is largest, and where it is negative.
 
-/// Golden-section steps: the place is found to the square root of rounding, as far as a maximum shows it.
-const GOLDEN_STEPS: usize = 48;
-/// Steps towards a sign change, and the share of the first bracket that is small enough.
-const CROSSING_STEPS: usize = 24;
-/// Most sign changes that are refined; of more, the samples are dense enough for a straight line.
-const REFINED_CHANGES: usize = 64;
-const CROSSING: f64 = 1e-13;
-/// Rounding of a value.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
-/// A pressure below this, relative to the largest, counts as zero.
-const NEGLIGIBLE: f64 = 1e-12;
-/// How far a search may end beside a maximum of a curvature like its height, when values are known to [`NEGLIGIBLE`].
-const NEAR: f64 = 1e-6;
+use super::accuracy::OF_A_VALUE;
+use super::iteration::{crossing, top};
 
-/// How far above a sample a maximum beside it may lie, in its second difference: four times what it is for a parabola.
-const RISE: f64 = 0.5;
-/// Most samples beside which a maximum is sought.
-const MOST_CANDIDATES: usize = 16;
+/// Most samples beside which a maximum or a sign change is sought: of more sign changes the samples are dense enough for a straight line. Half and twice change none of 32 answers (survey).
+const MOST_REFINED: usize = 32;
+/// A pressure below this, relative to the largest, counts as zero. Half and twice change none of 32 answers (survey).
+pub(super) const NEGLIGIBLE: f64 = 1e-12;
+
+/// How far above a sample a maximum beside it may lie, in its second difference: four times the eighth that it is for a parabola (theory).
+pub(super) const RISE: f64 = 0.5;
 
 /// A value and its place.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,7 +40,10 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         });
         let found = found.unwrap_or(Extreme { place: 0.0, value: f64::NAN });
         let middle = (self.f)(0.0);
-        if found.place.abs() < NEAR && middle + NEGLIGIBLE * middle.abs() >= found.value {
+        // Beside a maximum of a curvature like its height values tell places apart to the root of what they are known to.
+        if found.place.abs() < NEGLIGIBLE.sqrt()
+            && middle + NEGLIGIBLE * middle.abs() >= found.value
+        {
             Extreme { place: 0.0, value: middle.max(found.value) }
         } else {
             found
@@ -74,7 +69,7 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         let is_near = |i: &usize| *i != best && reached(*i) > values[best];
         let mut others: Vec<usize> = (0..values.len()).filter(is_top).filter(is_near).collect();
         others.sort_by(|one, other| reached(*other).total_cmp(&reached(*one)));
-        others.truncate(MOST_CANDIDATES - 1);
+        others.truncate(MOST_REFINED - 1);
         others.push(best);
         others.sort_unstable();
         others
@@ -85,10 +80,10 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         let sampled = Extreme { place: self.points[i], value: self.values[i] };
         let left = self.points[i.saturating_sub(1)];
         let right = self.points[(i + 1).min(self.points.len() - 1)];
-        let refined = golden_section(&self.f, left, right);
+        let (place, value) = top(&self.f, left, right);
         // A value that is larger by rounding alone says nothing of the place.
-        let noticeable = ROUNDING * sampled.value.abs();
-        if refined.value > sampled.value + noticeable { refined } else { sampled }
+        let noticeable = OF_A_VALUE * sampled.value.abs();
+        if value > sampled.value + noticeable { Extreme { place, value } } else { sampled }
     }
 
     /// The intervals on which the function is negative beyond rounding.
@@ -100,7 +95,7 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
             .windows(2)
             .filter(|pair| (pair[0] < threshold) != (pair[1] < threshold))
             .count();
-        let steps = if changes <= REFINED_CHANGES { CROSSING_STEPS } else { 0 };
+        let are_many = changes > MOST_REFINED;
         let mut intervals = Vec::new();
         let mut open = None;
         for i in 0..self.points.len() {
@@ -109,11 +104,12 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
                 (true, None) => {
                     let previous = i.checked_sub(1);
                     open = Some(
-                        previous.map_or(self.points[i], |before| self.crossing(before, i, steps)),
+                        previous
+                            .map_or(self.points[i], |before| self.crossing([before, i], are_many)),
                     );
                 }
                 (false, Some(start)) => {
-                    intervals.push([start, self.crossing(i, i - 1, steps)]);
+                    intervals.push([start, self.crossing([i, i - 1], are_many)]);
                     open = None;
                 }
                 _ => {}
@@ -123,69 +119,18 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         intervals
     }
 
-    /// The zero between a point where the function is not negative and one where it is, by regula falsi in the Illinois form.
-    fn crossing(&self, outside: usize, inside: usize, steps: usize) -> f64 {
-        let (mut left, mut right) = (self.points[outside], self.points[inside]);
-        let (mut above, mut below) = (self.values[outside], self.values[inside]);
-        if steps == 0 {
-            return right - below * (right - left) / (below - above);
+    /// The zero between a sample where the function is not negative beyond rounding and one where it is; by a straight line where there are many.
+    fn crossing(&self, [one, other]: [usize; 2], are_many: bool) -> f64 {
+        let at = |i: usize| (self.points[i], self.values[i]);
+        let ((left, outer), (right, inner)) = (at(one), at(other));
+        if outer < 0.0 {
+            return left;
         }
-        let tolerance = CROSSING * (right - left).abs().max(f64::EPSILON * left.abs());
-        let (mut last, mut nearest) = (None, right);
-        for _ in 0..steps {
-            let middle = right - below * (right - left) / (below - above);
-            if !middle.is_finite() || (right - left).abs() <= tolerance {
-                break;
-            }
-            let value = (self.f)(middle);
-            if value == 0.0 {
-                return middle;
-            }
-            // An end that stays twice gets half its weight, so that the bracket shrinks from both sides.
-            let moved = if value < 0.0 { Moved::Inside } else { Moved::Outside };
-            match moved {
-                Moved::Inside => (right, below) = (middle, value),
-                Moved::Outside => (left, above) = (middle, value),
-            }
-            if last == Some(moved) {
-                match moved {
-                    Moved::Inside => above *= 0.5,
-                    Moved::Outside => below *= 0.5,
-                }
-            }
-            last = Some(moved);
-            nearest = middle;
+        if are_many {
+            return right - inner * (right - left) / (inner - outer);
         }
-        nearest
+        crossing(&self.f, at(one), at(other), 0.0)
     }
-}
-
-/// The end of a bracket that moved last.
-#[derive(Clone, Copy, PartialEq)]
-enum Moved {
-    /// Where the function is negative.
-    Inside,
-    /// Where it is not.
-    Outside,
-}
-
-fn golden_section(f: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> Extreme {
-    const RATIO: f64 = 0.618_033_988_749_894_9;
-    let mut inner = [right - RATIO * (right - left), left + RATIO * (right - left)];
-    let mut values = inner.map(f);
-    for _ in 0..GOLDEN_STEPS {
-        if values[0] >= values[1] {
-            right = inner[1];
-            inner = [right - RATIO * (right - left), inner[0]];
-            values = [f(inner[0]), values[0]];
-        } else {
-            left = inner[0];
-            inner = [inner[1], left + RATIO * (right - left)];
-            values = [values[1], f(inner[1])];
-        }
-    }
-    let best = usize::from(values[1] > values[0]);
-    Extreme { place: inner[best], value: values[best] }
 }
 
 #[cfg(test)]

@@ -1,19 +1,15 @@
 //! Kinks of the base on a smooth surface, under which the pressure is infinite.
 
+use super::intervals::SLIVER;
 use crate::roughness::Law;
 use crate::{ContactKind, Problem};
 
-/// Offsets at which slopes beside a breakpoint are compared, and the share of the jump at the farther that is there at the nearer: where slopes only bend steeply it vanishes.
+/// Offsets at which slopes beside a breakpoint are compared, and the share of the jump at the farther that is there at the nearer: where slopes only bend steeply it vanishes. Where there is as much more of it the slope has no bounds. At half or twice 13 of 32 answers change, within what they state (survey).
 const BESIDE: [f64; 2] = [1e-8, 1e-12];
 const KEPT: f64 = 0.9;
-/// The same where there is more of it the nearer.
-const GROWN: f64 = 1.1;
 
 /// `xi` from one end of a base to the other.
 const PERIOD: f64 = 2.0;
-
-/// A kink this close to an end of its zone, as a share of the zone, lies on it.
-const AT_END: f64 = 1e-8;
 
 /// A jump of the slope of the base inside a zone of smooth contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,7 +46,8 @@ pub(super) fn kinks(problem: &Problem, zones: &[[f64; 2]]) -> Vec<Kink> {
         // A zone of a wave may reach over the seam, and full contact has no ends.
         let images = [0.0, -1.0, 1.0].map(|m| xi + m * period.unwrap_or(0.0));
         let [left, right] = zones.iter().find(|[left, right]| {
-            let margin = AT_END * (right - left);
+            // A kink this close to an end of its zone lies on it.
+            let margin = SLIVER * (right - left);
             let is_full = period.is_some_and(|period| right - left >= period);
             is_full || images.iter().any(|xi| left + margin < *xi && *xi < right - margin)
         })?;
@@ -81,6 +78,6 @@ pub(super) fn jump(problem: &Problem, xi: f64) -> Option<Jump> {
     };
     let [far, near] = BESIDE.map(|offset| Some(at(xi + offset)? - at(xi - offset)?));
     let (far, near) = (far?, near?);
-    let is_cusp = near / far > GROWN;
+    let is_cusp = near / far > 1.0 / KEPT;
     (near.is_finite() && near != 0.0 && near / far > KEPT).then_some(Jump { size: near, is_cusp })
 }

@@ -5,11 +5,9 @@ use super::rates::Linearised;
 use crate::Contact;
 use crate::roughness::Law;
 
-/// Step of the differences that show where the pressure is largest, as a share of its zone, and the longest correction in steps: a longer one is no smooth peak's.
+/// Step of the differences that show where the pressure is largest, as a share of its zone; a correction by more than one is no smooth peak's. At half or twice 23 of 32 answers change, within what they state (survey).
 const STEP: f64 = 5e-4;
-const LONGEST: f64 = 0.02;
-/// Corrections of the place, and the share of a rate there by which it may miss what the place has in error.
-const CORRECTIONS: usize = 2;
+/// The share of a rate at the largest pressure by which it may miss what its place has in error.
 const MISSED: f64 = 1e-10;
 
 impl Contact {
@@ -29,19 +27,15 @@ impl Contact {
         if is_near(*left) || is_near(*right) || breaks.into_iter().any(is_near) {
             return (start, 0.0);
         }
-        let mut place = start;
-        for _ in 0..CORRECTIONS {
-            let [a, b, c, d, e] =
-                [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| self.pressure_at(place + k * step));
-            let slope = (8.0 * (d - b) - (e - a)) / 12.0;
-            let bend = (16.0 * (d + b) - (e + a) - 30.0 * c) / 12.0;
-            let shift = -slope / bend;
-            if bend >= 0.0 || shift.is_nan() || shift.abs() > LONGEST {
-                return (start, 0.0);
-            }
-            place += shift * step;
+        let [a, b, c, d, e] =
+            [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| self.pressure_at(start + k * step));
+        let slope = (8.0 * (d - b) - (e - a)) / 12.0;
+        let bend = (16.0 * (d + b) - (e + a) - 30.0 * c) / 12.0;
+        let shift = -slope / bend;
+        if bend >= 0.0 || shift.is_nan() || shift.abs() > 1.0 {
+            return (start, 0.0);
         }
-        (place, MISSED)
+        (start + shift * step, MISSED)
     }
 
     /// The error of the solution relative to its size; 0 where the method tells none.
@@ -74,7 +68,7 @@ impl Contact {
     }
 }
 
-/// A peak this close to a kink lies on it.
+/// A peak this close to a kink lies on it. Half and twice change none of 32 answers (survey).
 const AT_KINK: f64 = 1e-5;
 
 impl Contact {

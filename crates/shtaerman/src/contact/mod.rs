@@ -2,6 +2,9 @@
 //!
 //! A [plan](crate::MethodChoice) picks the method. Where the base may lift off the search finds the zones, over equations of the second kind (rough surfaces) or the first (smooth
 //! ones); each method hands over a solution, and the solution becomes the [`Contact`].
+//!
+//! Where the comment of a constant says *survey*, the constant by itself was halved and doubled, and up to 32 problems were solved again that reach it, of 580 drawn at random: every geometry and
+//! ground, smooth and rough. An answer *changes* where any of its bits does, and is *lost* where it is refused.
 
 mod accuracy;
 mod audit;
@@ -18,6 +21,7 @@ mod ground;
 mod heights;
 mod intensity;
 mod intervals;
+mod iteration;
 mod kinks;
 mod linearised;
 mod method;

@@ -5,19 +5,16 @@
 
 use fredholm::collocation::extrapolate;
 
-use super::accuracy::{Accuracy, ErrorKind, ROUNDING, Sizes};
+use super::accuracy::{Accuracy, ErrorKind, ROUNDING, SAFETY, Sizes};
 use super::balance::State;
 use super::parts::Smoothness;
 use super::zones::Zone;
 use crate::{Load, Rotational, Vertical};
 
-/// Differences that fall by less have not begun to, and what is stated over them.
-const SLOW: f64 = 0.25;
-const SAFETY: f64 = 4.0;
+/// Differences that fall by less have not begun to. Half and twice change none of 32 answers (survey).
+pub(super) const SLOW: f64 = 0.25;
 /// Where nothing is known of the profile between samples no smaller share is stated: two resolutions may both miss what it hides.
 pub(super) const UNKNOWN: f64 = 1e-3;
-/// Roundings of the pressure that a difference may have by rounding alone.
-const ROUNDINGS: f64 = 4.0;
 
 /// Differences between two resolutions of a contact.
 #[derive(Debug, Clone, Copy)]
@@ -102,7 +99,8 @@ impl Trust {
         scale: f64,
     ) -> Self {
         let trust = Self { smoothness, ratio, floor: None };
-        let is_slow = change > SLOW * before && change > ROUNDINGS * rounding;
+        // A difference may be rounding alone.
+        let is_slow = change > SLOW * before && change > SAFETY * rounding;
         let is_proved = smoothness == Smoothness::Proved;
         let floor = (!is_proved || is_slow).then(|| trust.left([before, change], scale));
         Self { floor, ..trust }

@@ -8,6 +8,7 @@ use super::balance::State;
 use super::extremes::{Extreme, Sampled};
 use super::kinks::{Kink, kinks};
 use super::method::Method;
+use super::parts::MOST_CUTS;
 use super::promise::Reached;
 use super::route::Found;
 use super::setting::Setting;
@@ -16,9 +17,6 @@ use super::stiffness::Stiffness;
 use super::warning::{Warning, WarningCode};
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Problem, Scaling};
-
-/// At most so many breaks of a base are looked at for the largest pressure.
-const MOST_BREAKS: usize = 64;
 
 /// The answer: settlement, tilt, force, moment, zones and pressure of a contact.
 ///
@@ -166,7 +164,7 @@ impl Contact {
         let breaks =
             self.record.problem.profile().breakpoints(self.record.problem.frame().half_width());
         let under =
-            breaks.into_iter().take(MOST_BREAKS).filter(|xi| self.record.solution.touches(*xi));
+            breaks.into_iter().take(MOST_CUTS).filter(|xi| self.record.solution.touches(*xi));
         let peaks = under.map(|place| Extreme { place, value: self.pressure_at(place) });
         peaks.fold(found, |best, peak| if peak.value > best.value { peak } else { best })
     }

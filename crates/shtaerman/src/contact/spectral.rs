@@ -18,18 +18,14 @@ use super::stiffness::Stiffness;
 use crate::solver::AIM;
 use crate::{Error, Load, Rotational, Vertical};
 
-/// First degree where none is given.
+/// First degree where none is given, and fewest samples of a pressure. From here on a series is tabulated: the table costs as much as some 50 sums, and an audit asks for thousands. Half and twice change none of 9 answers (survey).
 const FIRST_DEGREE: usize = 1024;
-/// Last degree where neither a degree nor a tolerance is given.
+/// Last degree where neither a degree nor a tolerance is given, and most samples.
 const USUAL_DEGREE: usize = 1 << 17;
 /// Last degree under an explicit tolerance.
 const LAST_DEGREE: usize = 1 << 19;
-/// Least and most samples of a pressure.
-const SAMPLES: std::ops::RangeInclusive<usize> = 1024..=1 << 17;
-/// Samples for each Chebyshev degree that the profile needs.
+/// Samples for each Chebyshev degree that the profile needs. Half and twice change none of 10 answers (survey).
 const SAMPLES_PER_DEGREE: usize = 4;
-/// Degree from which on a series is tabulated: the table costs as much as some 50 sums, and an audit asks for thousands.
-const TABULATED: usize = 1024;
 
 /// The Chebyshev series of the profile.
 pub(super) fn profile_series(setting: &Setting) -> Result<Function, Error> {
@@ -128,7 +124,7 @@ impl SpectralContact {
 
     /// `theta0 K p0` on the base.
     fn potential(&self, xi: f64) -> f64 {
-        if self.potential.degree() < TABULATED {
+        if self.potential.degree() < FIRST_DEGREE {
             return self.potential.evaluate(xi);
         }
         self.table.get_or_init(|| ChebyshevTable::new(&self.potential)).evaluate(xi)
@@ -142,7 +138,7 @@ impl SpectralContact {
 
     /// Places from left to right with the pressures there, dense enough for a profile of this Chebyshev degree.
     fn samples(&self, profile_degree: usize) -> (Vec<f64>, Vec<f64>) {
-        let wanted = (SAMPLES_PER_DEGREE * profile_degree).clamp(*SAMPLES.start(), *SAMPLES.end());
+        let wanted = (SAMPLES_PER_DEGREE * profile_degree).clamp(FIRST_DEGREE, USUAL_DEGREE);
         let potential = self.potential.values(wanted.next_power_of_two());
         let mut places = chebyshev::points(potential.len() - 1);
         let mut pressures: Vec<f64> =

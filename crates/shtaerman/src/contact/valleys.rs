@@ -2,19 +2,20 @@
 
 use std::f64::consts::SQRT_2;
 
+use super::accuracy::ROUNDING;
+use super::iteration::GOLDEN;
 use crate::Error;
 
-/// Places between samples where a profile is looked at, and so many of them missed that samples are too few.
+/// Samples that show the ups and downs of a profile, at least. At half or twice 1 of 32 answers change, within what they state (survey).
+pub(super) const SAMPLES: usize = 512;
+/// Most cells. Half and twice change none of 32 answers (survey).
+pub(super) const MOST_CELLS: usize = 3072;
+/// Places between samples where a profile is looked at. Half and twice change none of 32 answers (survey).
 const PROBES: usize = 64;
-const MANY_MISSED: usize = 8;
-/// A miss, as a share of the change of the profile between the samples beside; and of its size, below which it is rounding.
+/// A miss, as a share of the change of the profile between the samples beside; and the share of places that are missed where samples are too few. Half and twice change none of 32 answers (survey).
 const MISSED: f64 = 0.25;
-const ROUNDING: f64 = 1e-9;
-/// Multiples of the golden ratio never fall in with a wave, and those of the root of two not with both.
-pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_8;
-/// Fewest cells that show a valley, and how many are wanted.
-const CELLS_A_VALLEY: usize = 6;
-const WANTED: usize = 12;
+/// Fewest cells that show a valley, of a zone, and of a piece of the base to begin with; twice as many are wanted. At half or twice stated errors grow up to 2.8 times (survey).
+pub(super) const CELLS_A_ZONE: usize = 6;
 
 /// Steps between samples that show the ups and downs of a profile on an interval: `least`, doubled while cubics through the samples miss it in many places, and at most `most`.
 pub(super) fn steps(
@@ -24,7 +25,7 @@ pub(super) fn steps(
     most: usize,
 ) -> usize {
     let mut count = least;
-    while count < most && misses(&height, [left, right], count) >= MANY_MISSED {
+    while count < most && misses(&height, [left, right], count) as f64 >= MISSED * PROBES as f64 {
         count = (2 * count).min(most);
     }
     count
@@ -68,7 +69,7 @@ pub(super) fn valleys(samples: &[(f64, f64)]) -> impl Iterator<Item = f64> + '_ 
 /// how deep the valley is.
 pub(super) fn cuts(valleys: &[f64], [left, right]: [f64; 2], count: usize) -> Vec<f64> {
     let each = count / (valleys.len() + 1);
-    let are_few = (CELLS_A_VALLEY..WANTED).contains(&each);
+    let are_few = (CELLS_A_ZONE..2 * CELLS_A_ZONE).contains(&each);
     let (true, [first, .., last]) = (are_few, valleys) else {
         return (1..count).map(|i| left + (right - left) * i as f64 / count as f64).collect();
     };
@@ -88,8 +89,8 @@ pub(super) fn cuts(valleys: &[f64], [left, right]: [f64; 2], count: usize) -> Ve
 /// Number of cells that shows so many valleys, if possible twelve for each; those of more than can be had show none.
 pub(super) fn cells(valleys: usize, usual: usize, most: usize) -> usize {
     const FEWEST: usize = 48;
-    let count = (WANTED * (valleys + 1)).clamp(FEWEST, usual);
-    count.max((CELLS_A_VALLEY * (valleys + 1)).min(most))
+    let count = (2 * CELLS_A_ZONE * (valleys + 1)).clamp(FEWEST, usual);
+    count.max((CELLS_A_ZONE * (valleys + 1)).min(most))
 }
 
 /// Refuses intervals of contact among more valleys than zones can be solved, if there are too few cells to tell which of them touch.
@@ -99,7 +100,7 @@ pub(super) fn require_shown(
     cells: usize,
     most: usize,
 ) -> Result<(), Error> {
-    if let ([first, .., last], true) = (found, cells < CELLS_A_VALLEY * valleys.len()) {
+    if let ([first, .., last], true) = (found, cells < CELLS_A_ZONE * valleys.len()) {
         let inside = |at: &&f64| first[0] <= **at && **at <= last[1];
         let zones = valleys.iter().filter(inside).count();
         if zones > most {

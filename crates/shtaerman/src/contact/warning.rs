@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::intervals::SLIVER;
 use super::kinks::Kink;
 use crate::frame::Frame;
 use crate::quantity::{Dimension, DisplayUnit, engineering};
@@ -42,16 +43,15 @@ pub struct Warning {
     pub message: String,
 }
 
-/// Degrees per unit of `theta0` below which the layers of width `1/theta0` at the edges are hardly resolved.
+/// Degrees per unit of `theta0` below which the layers of width `1/theta0` at the edges are hardly resolved. At half or twice 4 of 10 answers change, within what they state (survey).
 const LAYER_DEGREES: f64 = 4.0;
-/// Most intervals a message names.
+/// Most intervals a message names. At half or twice 3 of 32 answers change, within what they state (survey).
 const MOST_PLACES: usize = 6;
-/// A coordinate below this, in half-widths, is a rounded zero.
-const NEGLIGIBLE: f64 = 1e-9;
 
 /// A coordinate in the units of the problem.
 fn position(frame: &Frame, xi: f64) -> String {
-    if xi.abs() < NEGLIGIBLE {
+    // A rounded zero.
+    if xi.abs() < SLIVER {
         return "0".to_owned();
     }
     match frame.scaling() {

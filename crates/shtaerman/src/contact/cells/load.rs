@@ -5,7 +5,7 @@ use fredholm::complementarity::{Complementarity, ComplementaritySolution, Condit
 use super::{Cell, Cells};
 use crate::{Error, Load, Rotational, Vertical};
 
-/// `theta0` of a layer too thin to matter.
+/// `theta0` of a layer too thin to matter. Half and twice change none of 32 answers (survey).
 const LAYER: f64 = 1e9;
 
 /// The equations on cells for `z = sqrt(m) p`, `m` the masses of the cells, but for their matrix: what a load and a profile amount to.

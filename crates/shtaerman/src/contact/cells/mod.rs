@@ -8,14 +8,17 @@ pub(super) use load::{Loaded, closing_in, solve_thin};
 
 use fredholm::complementarity::logarithm_cells;
 
+use super::iteration::STEPS;
+use super::valleys::CELLS_A_ZONE;
 use crate::Error;
 
-/// Fewest cells of a zone.
-const CELLS_A_ZONE: usize = 6;
-/// Parts of a cell that is refined.
+/// Parts of a cell that is refined. At half or twice 12 of 20 answers change, within what they state (survey).
 const PARTS: usize = 4;
-/// A cell is looked at from inside it: this share of its half-width lies between.
+/// A cell is looked at from inside it: this share of its half-width lies between. Half and twice change none of 20 answers (survey).
 const INSIDE: f64 = 1e-6;
+
+/// How far cells are refined, but where memory allows less: down to lengths of which ten roundings of a place are a hundredth.
+pub(super) const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: STEPS };
 
 /// How far cells are refined.
 #[derive(Debug, Clone, Copy)]
@@ -202,12 +205,12 @@ impl Cells {
 mod tests {
     use super::*;
 
-    const LIMITS: Limits = Limits { shortest: 1e-9, most: 40, rounds: 10 };
+    const FEW: Limits = Limits { shortest: 1e-9, most: 40, rounds: 10 };
 
     #[test]
     fn zones_with_few_cells_are_refined_and_gaps_part_them() {
         let cuts = |left: f64| (1..4).map(|i| left + 0.25 * f64::from(i)).collect::<Vec<f64>>();
-        let mut cells = Cells::new([([-1.0, 0.0], cuts(-1.0)), ([0.5, 1.5], cuts(0.5))], LIMITS);
+        let mut cells = Cells::new([([-1.0, 0.0], cuts(-1.0)), ([0.5, 1.5], cuts(0.5))], FEW);
         assert_eq!(cells.cells().len(), 8);
         // The last cell of the first piece and the first one of the second.
         cells.mark(&[0.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 0.0]);
@@ -225,15 +228,15 @@ mod tests {
     #[test]
     fn cuts_too_close_make_no_cells() {
         let cuts = vec![0.5, 0.5 + 1e-10, 1e-10, 1.0 - 1e-10, 0.2];
-        let cells = Cells::new([([0.0, 1.0], cuts)], LIMITS);
+        let cells = Cells::new([([0.0, 1.0], cuts)], FEW);
         let ends: Vec<[f64; 2]> = cells.cells().iter().map(Cell::ends).collect();
         assert_eq!(ends, [[0.0, 0.2], [0.2, 0.5], [0.5, 1.0]]);
     }
 
     #[test]
     fn logarithms_skip_gaps() {
-        let gapped = Cells::new([([0.0, 1.0], vec![0.5]), ([2.0, 3.0], vec![])], LIMITS);
-        let whole = Cells::new([([0.0, 3.0], vec![0.5, 1.0, 2.0])], LIMITS);
+        let gapped = Cells::new([([0.0, 1.0], vec![0.5]), ([2.0, 3.0], vec![])], FEW);
+        let whole = Cells::new([([0.0, 3.0], vec![0.5, 1.0, 2.0])], FEW);
         let (few, all) = (gapped.logarithms().unwrap(), whole.logarithms().unwrap());
         for (i, k) in [0, 1, 3].into_iter().enumerate() {
             for (j, l) in [0, 1, 3].into_iter().enumerate() {

@@ -7,14 +7,13 @@ use fredholm::SincOperator;
 use fredholm::complementarity::{mean_logarithm, mean_power};
 use fredholm::kernel::{Kernel, WeberSonine};
 
+use super::STEP;
 use super::shared::{disk_harmonic, disk_operator};
 use super::{Ground, Hull, SharedKernel};
 use crate::Error;
 
-/// Step of the difference quotient of the kernel, as a share of the distance: it serves Newton steps, not answers.
+/// Step of the difference quotient of the kernel, as a share of the distance: it serves Newton steps, not answers. Half and twice change none of 19 answers (survey).
 const DIFFERENCE: f64 = 1e-4;
-/// The same where derivatives are answers: of fourth order, so `1e-12`.
-const STEP: f64 = 1e-3;
 
 #[derive(Debug)]
 pub(super) struct Disk {

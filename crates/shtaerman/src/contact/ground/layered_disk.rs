@@ -10,13 +10,8 @@ use fredholm::kernel::{Kernel, TransferDisk};
 use super::disk::Disk;
 use super::shared::layered_disk;
 use super::{Ground, Hull, SharedKernel, half_count_of_layer};
+use super::{KERNEL, STEP};
 use crate::{Error, Layering};
-
-/// Tables of the kernel are good to this (`cargo test -p fredholm --test transfer`).
-const KERNEL: f64 = 1e-13;
-
-/// Step of a difference quotient of fourth order of the smooth part, as a share of the thickness, which is its length: so `1e-12`.
-const STEP: f64 = 1e-3;
 
 #[derive(Debug)]
 pub(super) struct LayeredDisk {

@@ -12,12 +12,10 @@ use fredholm::kernel::{Logarithm, TransferDisk, TransferPlane, WeberSonine};
 
 use crate::{Error, Layering};
 
-/// Most kernels and operators kept, and most nodes of one that is: half a megabyte each.
+/// Most kernels and operators kept, and most nodes of one that is: half a megabyte each; parity halves those of the logarithm. Half and twice change none of 32 answers (survey).
 const KERNELS: usize = 8;
 const OPERATORS: usize = 24;
 const MOST_NODES: usize = 257;
-/// Most nodes on either side of the middle of an operator of the logarithm, of which parity halves the order: a megabyte.
-const LARGEST_LINE: usize = 240;
 
 /// Order and exponent of grading, the latter by its bits.
 type KernelKey = (usize, u64);
@@ -81,7 +79,7 @@ pub(super) fn line_operator(half_count: usize) -> Result<Arc<SincOperator>, Erro
     let kernel = Logarithm::unit();
     let grid = Arc::new(SincGrid::new(&kernel, half_count)?);
     let operator = Arc::new(SincOperator::on_panels(&kernel, grid, &[(-1.0, 1.0)])?);
-    if half_count <= LARGEST_LINE {
+    if half_count <= MOST_NODES {
         keep(&KNOWN_LINES, half_count, &operator, OPERATORS);
     }
     Ok(operator)

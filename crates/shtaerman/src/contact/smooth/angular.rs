@@ -1,7 +1,6 @@
 //! A profile over the angle of a zone or of a wave.
 
-/// Roundings of a height.
-pub(super) const ROUNDINGS: f64 = 4.0;
+use crate::contact::accuracy::OF_A_VALUE;
 
 /// A profile as function of the angle.
 pub(super) trait Angular {
@@ -9,7 +8,7 @@ pub(super) trait Angular {
     fn height(&self, angle: f64) -> f64;
     /// Rounding of heights, given the largest of them and of their slopes: of the sum that a height is, and of the place.
     fn rounding(&self, height: f64, slope: f64) -> f64 {
-        f64::EPSILON * ROUNDINGS * (height + slope)
+        OF_A_VALUE * (height + slope)
     }
     /// `df/dt`, where it is known better than by differences.
     fn slope(&self, angle: f64) -> Option<f64>;

@@ -4,13 +4,14 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::band::wrapped;
-use super::detail::{COMPARED, ROUNDING};
+use super::detail::COMPARED;
 use super::edges;
 use super::full::FullWave;
 use super::legendre;
 use super::problem::{Base, SmoothProblem};
 use super::system::{Part, Place, Solved};
 use super::told::{Told, compared, places};
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::accuracy::{Accuracy, ErrorKind, Sizes};
 use crate::contact::balance::State;
 use crate::contact::check::Check;
@@ -22,8 +23,8 @@ use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Load};
 
-/// Panels of the force on a part of a zone.
-const PANELS: usize = 64;
+/// Panels of the force on a part of a zone, and of the moment of a wave. At half or twice 3 of 5 answers change, within what they state (survey).
+pub(super) const PANELS: usize = 64;
 
 /// Zones, pressure, settlement, tilt, force and moment of contact without a layer, all without dimensions.
 #[derive(Debug, Clone)]

@@ -6,12 +6,11 @@ use super::angular::Angular;
 use super::harmonics::Harmonics;
 use super::problem::{Sample, SmoothProblem, SmoothProfile};
 use super::slopes::Slopes;
+use crate::contact::accuracy::SAFETY;
 
-/// Samples for each harmonic, and at least.
+/// Samples for each harmonic, and at least. At half or twice 5 of 24 answers change, within what they state (survey).
 const A_HARMONIC: usize = 16;
 const FEWEST: usize = 256;
-/// Rounding of the series at a sample, in units of that of its terms.
-const ROUNDINGS: f64 = 8.0;
 
 /// The profile of a wave over the angle `pi xi`.
 pub(super) struct Turn<'p>(pub(super) &'p SmoothProfile);
@@ -52,7 +51,7 @@ impl Band {
         let slopes = Slopes::sampled(&Turn(profile), false)?;
         let series = slopes.series()?.heights();
         let count = (A_HARMONIC * series.len()).max(FEWEST).next_power_of_two();
-        let allowed = ROUNDINGS * slopes.mode_error();
+        let allowed = SAFETY * slopes.mode_error();
         let mut samples = Vec::with_capacity(count + 1);
         for i in 0..=count {
             let xi = 2.0 * i as f64 / count as f64 - 1.0;

@@ -4,14 +4,13 @@ use std::f64::consts::PI;
 
 use super::problem::Base;
 use super::system::{Part, Place, Solved};
-use crate::contact::check::{Check, between_breaks};
+use crate::contact::check::{Check, POINTS, between_breaks};
 use crate::contact::search::COARSELY_ALLOWED;
 use crate::contact::zones::{Zone, outside};
 
-/// Points of a zone and of an interval outside the zones, at least and at most.
-pub(super) const POINTS: usize = 48;
+/// Most points of a zone and of an interval outside the zones. Half and twice change none of 20 answers (survey).
 pub(super) const MOST_POINTS: usize = 1500;
-/// Tenths of tenths of half a zone to which places close in on a kink.
+/// Tenths of tenths of half a zone to which places close in on a kink. At half or twice 1 of 4 answers are lost (survey).
 const CLOSING: i32 = 12;
 
 /// Adds the tension of zones, and the largest pressure; beyond `allowed`, relative to that, tension is listed for correction.

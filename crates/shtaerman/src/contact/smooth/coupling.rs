@@ -2,17 +2,15 @@
 
 use std::f64::consts::{FRAC_PI_2, LN_2, LN_10, PI};
 
-use super::detail::FINE;
+use super::detail::{COARSE, FINE};
 use super::kernel::{Remainder, SmoothKernel};
 use super::linear::Symmetric;
 use crate::Error;
 use crate::contact::zones::Zone;
 
-/// Most modes of a zone, and of all together.
+/// Most modes of a zone, and of all together. Half and twice change none of 32 answers (survey).
 const MOST_OF_A_ZONE: f64 = 800.0;
 pub(super) const MOST_MODES: usize = 4000;
-/// Fewest digits to which the modes of an answer are kept.
-const FEWEST_DIGITS: f64 = 8.0;
 
 /// The coefficients `theta0 gamma_k` of three densities, zone by zone: their displacements are `1`, `xi - middle` and `f0`.
 pub(super) struct Coupled {
@@ -56,10 +54,10 @@ pub(super) fn modes(
     Ok(counts)
 }
 
-/// The share of all digits that are kept where each takes so many modes; none where these are too few for an answer.
+/// The share of all digits that are kept where each takes so many modes; none where these are fewer than zones are looked for with.
 pub(super) fn share(each: f64) -> Option<f64> {
     let share = (MOST_OF_A_ZONE / (FINE.digits * each)).min(1.0);
-    (share * FINE.digits >= FEWEST_DIGITS).then_some(share)
+    (share * FINE.digits >= COARSE.digits).then_some(share)
 }
 
 /// The narrowest gap beside a zone, also across the ends of a period.

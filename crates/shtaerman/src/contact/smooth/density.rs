@@ -2,7 +2,7 @@
 
 /// Points that are summed side by side.
 pub(super) const LANES: usize = 8;
-/// Last terms that add up to less than this share of the largest are dropped.
+/// Last terms that add up to less than this share of the largest are dropped. At half or twice 2 of 32 answers change, within what they state (survey).
 const NEGLIGIBLE: f64 = 0.01 * f64::EPSILON;
 
 /// `G = sum g_k T_k(y)`, `y = cos phi` along the zone.

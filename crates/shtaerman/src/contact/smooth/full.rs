@@ -1,28 +1,18 @@
 //! Full contact of a wave, by the conjugate of its slope.
 
-use std::f64::consts::{PI, SQRT_2, TAU};
+use std::f64::consts::{PI, SQRT_2};
 use std::sync::Arc;
 
+use super::answer::PANELS;
 use super::band::{Band, Turn, wrapped};
 use super::detail::{COMPARED, FINE};
 use super::problem::SmoothProblem;
 use super::slopes::Slopes;
-
-/// Parts of the stretch between two cuts of the profile.
-const BETWEEN: usize = 16;
-/// How near a kink the pressure is looked at.
-const BESIDE: f64 = 1e-12;
-/// Points at which two resolutions are compared.
-const COMPARISONS: usize = 65;
-/// Twice the share of its bend by which the bottom of a valley can lie below the lowest of equally spaced places.
-const VALLEY: f64 = 0.25;
-/// Parabolas towards the bottom of a valley, and how much closer the places of each are.
-const BOTTOMS: usize = 6;
-const CLOSER: f64 = 0.1;
-/// Halvings of a way out of a gap.
-const HALVINGS: usize = 30;
-/// Panels of the integral for the moment.
-const PANELS: usize = 32;
+use super::told::compared;
+use crate::contact::check::BETWEEN;
+use crate::contact::extremes::RISE;
+use crate::contact::iteration::{crossing, top};
+use crate::contact::steps::INSIDE;
 
 /// Full contact of a wave: `p0 = P0/2 - F/theta0` with `F = sum k f_k cos(k pi xi + ..)`, as `int K cos(k pi eta) deta = cos(k pi xi)/k` for `L = 2`.
 #[derive(Debug, Clone)]
@@ -48,11 +38,9 @@ impl FullWave {
             Slopes::on_panels(&Turn(profile), [&bends, &joints], [panels, 2], profile.tolerance)
         };
         let (slopes, other) = (Arc::new(resolved(FINE.panels)), resolved(COMPARED.panels));
-        let difference = (0..COMPARISONS)
-            .map(|i| TAU * (i as f64 + 0.5) / COMPARISONS as f64 - PI)
-            .map(|angle| (slopes.conjugate(angle) - other.conjugate(angle)).abs())
-            .filter(|difference| difference.is_finite())
-            .fold(0.0, f64::max);
+        // Over the whole turn.
+        let along = |slopes: &Slopes, angle: f64| slopes.conjugate(2.0 * angle - PI);
+        let difference = compared(|angle| along(&slopes, angle), |angle| along(&other, angle));
         let error = [difference + slopes.error(), (slopes.mean() - other.mean()).abs()];
         Self { slopes, theta0, force, error }
     }
@@ -93,7 +81,7 @@ impl FullWave {
     pub(super) fn beside_kink(&self) -> Option<(f64, f64)> {
         let deepest = self.slopes.hollows().min_by(|one, two| one.1.total_cmp(&two.1))?;
         let kink = deepest.0 / PI;
-        let beside = [-BESIDE, BESIDE].map(|offset| self.pressure(wrapped(kink + offset)));
+        let beside = [-INSIDE, INSIDE].map(|offset| self.pressure(wrapped(kink + offset)));
         Some((kink, beside[0].min(beside[1])))
     }
 
@@ -105,7 +93,7 @@ impl FullWave {
         let may_reach = |i: usize| {
             let (before, here, after) = (at(i + count - 1), at(i), at(i + 1));
             let bend = before + after - 2.0 * here;
-            here <= before && here <= after && here < VALLEY * bend
+            here <= before && here <= after && here < RISE * bend
         };
         (0..count)
             .filter(|&i| may_reach(i))
@@ -125,24 +113,10 @@ impl FullWave {
         lowest.map(|(at, _, step)| self.bottom(at, step))
     }
 
-    /// The bottom of the valley about a place by parabolas through ever closer places.
+    /// The bottom of the valley within a step of a place.
     fn bottom(&self, at: f64, step: f64) -> (f64, f64) {
-        let pressure = |xi: f64| self.pressure(wrapped(xi));
-        let mut best = (at, pressure(at));
-        let mut step = step;
-        for _ in 0..BOTTOMS {
-            let (before, after) = (pressure(best.0 - step), pressure(best.0 + step));
-            let bend = before + after - 2.0 * best.1;
-            let vertex = best.0 + 0.5 * step * (before - after) / bend;
-            let moved = vertex.clamp(best.0 - step, best.0 + step);
-            let sides = [(best.0 - step, before), (best.0 + step, after), (moved, pressure(moved))];
-            best = sides
-                .into_iter()
-                .filter(|side| side.1 < best.1)
-                .fold(best, |least, side| if side.1 < least.1 { side } else { least });
-            step *= CLOSER;
-        }
-        (wrapped(best.0), best.1)
+        let (place, height) = top(&|xi| -self.pressure(wrapped(xi)), at - step, at + step);
+        (wrapped(place), -height)
     }
 
     /// A zone for a force: where the pressure of full contact is above its largest value less twice the mean. Of one cosine that is the zone itself,
@@ -184,17 +158,11 @@ impl FullWave {
         peak.max(self.pressure(wrapped(along[top].0 + beside)))
     }
 
-    /// Where the pressure rises to a value this far from the bottom of a valley at most, by halving.
+    /// Where the pressure rises to a value this far from the bottom of a valley at most.
     fn climbed(&self, bottom: f64, width: f64, level: f64) -> f64 {
-        let (mut below, mut above) = (0.0, width);
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (below + above);
-            if self.pressure(wrapped(bottom + middle)) < level {
-                below = middle;
-            } else {
-                above = middle;
-            }
-        }
-        bottom + 0.5 * (below + above)
+        let above = |width: f64| self.pressure(wrapped(bottom + width)) - level;
+        let ends = [0.0, width].map(|width| (width, above(width)));
+        let meets = ends[0].1 <= 0.0 && ends[1].1 > 0.0;
+        bottom + if meets { crossing(&above, ends[0], ends[1], 0.0) } else { width }
     }
 }

@@ -14,28 +14,23 @@ use libm::tgamma;
 
 use super::legendre::{ORDER, RULE, integral};
 use crate::Error;
+use crate::contact::iteration::STEPS;
 
-/// Terms of a series whose ratio is at most 1/2.
-const TERMS: usize = 64;
-/// Logarithm of a power that is none.
-const LAST: f64 = -37.0;
-/// A start below this share of the end is none.
+/// A start below this share of the end is none. Half and twice change none of 19 answers (survey).
 const NOTHING: f64 = 1e-18;
-/// Most steps of an integral towards a singular place.
-const MOST_STEPS: usize = 256;
-/// Share of the way to a singular place that a step takes.
+/// Share of the way to a singular place that a step takes. Half and twice change none of 19 answers (survey).
 const CLOSING: f64 = 0.75;
-/// Share of the way from zero that the next step takes.
+/// Share of the way from zero that the next step takes. At half or twice 14 of 20 answers change, within what they state (survey).
 pub(super) const GROWTH: f64 = 3.0;
-/// A first step beside a singular place is so long, in distances from there.
+/// A first step beside a singular place is so long, in distances from there. At half or twice 6 of 13 answers change, within what they state (survey).
 pub(super) const NEAREST: f64 = 1.5;
-/// Length of a step in the angle within which polynomials are integrated exactly.
+/// Length of a step in the angle within which polynomials are integrated exactly. At half or twice 1 of 22 answers change, within what they state (survey).
 pub(super) const TURN: f64 = 0.5;
 
 /// In the place of the shift of an exponent: no power at zero.
 pub(super) const PLAIN: i32 = 2;
 
-/// From here on below the end polynomials of `e^y` are so small that half of the way left is one step.
+/// From here on below the end polynomials of `e^y` are so small that half of the way left is one step. Half and twice change none of 20 answers (survey).
 const DISTANT: f64 = 8.0;
 
 /// The length of a step of a logarithm, this far below the end, that may be longer than others.
@@ -190,7 +185,7 @@ impl Ground {
         }
         let mut at = if from < NOTHING * to { 0.0 } else { from };
         let mut sum = 0.0;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..STEPS {
             let room = CLOSING * (end - at);
             let longer = distant(to - at).map_or(step, |share| share.max(step));
             let longest = if at == 0.0 { step } else { longer.min(GROWTH * at) }.min(room);
@@ -222,11 +217,12 @@ pub(super) struct SinePower {
 impl SinePower {
     fn new(exponent: f64) -> Self {
         let series = |rising: f64, first: f64| -> Vec<f64> {
+            // Of a ratio of at most 1/2, so many terms are all digits.
             // (rising)_n/n! / (2n + first)
             let mut binomial = 1.0;
-            (0..TERMS)
+            (0..f64::MANTISSA_DIGITS)
                 .map(|n| {
-                    let n = n as f64;
+                    let n = f64::from(n);
                     let term = binomial / (2.0 * n + first);
                     binomial *= (rising + n) / (n + 1.0);
                     term
@@ -271,7 +267,7 @@ impl SinePower {
 
 /// As many terms as matter of a series with falling coefficients, for `0 <= square <= 1/2` or so.
 fn sum(series: &[f64], square: f64) -> f64 {
-    let count = 2 + (LAST / square.min(0.9).ln()) as usize;
+    let count = 2 + (f64::EPSILON.ln() / square.min(0.9).ln()) as usize;
     series.iter().take(count).rev().fold(0.0, |sum, term| term + square * sum)
 }
 

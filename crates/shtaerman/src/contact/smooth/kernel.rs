@@ -54,7 +54,7 @@ pub(super) struct Remainder {
 }
 
 /// `(zeta(2k) - 1)/k` from `k = 1`: `-ln[sin(pi z)/(pi z (1 - z^2))]` is their sum with `z^(2k)`, to rounding for
-/// `z < 1/2` with the first [`FEW`] and for `z < 0.85` with all.
+/// `z < 0.85`.
 const BENDS: [f64; 22] = [
     0.644_934_066_848_226_4,
     0.041_161_616_855_569_09,
@@ -79,15 +79,11 @@ const BENDS: [f64; 22] = [
     1.082_731_831_345_072_7e-14,
     2.583_791_812_557_993_7e-15,
 ];
-const FEW: usize = 14;
 
 impl Remainder {
     pub(super) fn at(self, distance: f64) -> f64 {
         let z = (distance / self.period).abs();
         let square = z * z;
-        if z < 0.5 {
-            return self.level + BENDS[..FEW].iter().rev().fold(0.0, |sum, b| square * (b + sum));
-        }
         if z < 0.85 {
             return self.level + BENDS.iter().rev().fold(0.0, |sum, b| square * (b + sum));
         }

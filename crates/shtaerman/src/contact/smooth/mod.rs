@@ -45,15 +45,13 @@ use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::{EndState, settle};
 use crate::contact::search::{ALLOWED, Equation, Start};
+use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
 use check::check;
-use detail::{A_PANEL, COARSE, Detail, FINE, MOST_WORK, numbers_of_cells};
+use detail::{A_PANEL, COARSE, Detail, FINE, MOST_WORK};
 use open::solve_zones;
-use problem::{Base, MOST_CELLS};
+use problem::Base;
 use system::Solved;
-
-/// Most zones that are solved: beyond, minutes go by.
-const MOST_ZONES: usize = 120;
 
 impl SmoothProblem {
     /// Solves the equation, and in unilateral contact finds the zones.
@@ -74,7 +72,8 @@ impl SmoothProblem {
 impl Equation for Base<'_> {
     type Solved = Solved;
     type Effort = Detail;
-    const MOST_ZONES: usize = MOST_ZONES;
+    // Beyond, minutes go by.
+    const MOST_ZONES: usize = 120;
 
     fn may_lift(&self) -> bool {
         self.problem.is_unilateral
@@ -85,7 +84,7 @@ impl Equation for Base<'_> {
     }
 
     fn starts(&self) -> Vec<Start> {
-        numbers_of_cells(self.cells(), MOST_CELLS)
+        Start::on_cells(self.cells(), MOST_CELLS)
     }
 
     fn pieces(&self) -> Vec<[f64; 2]> {

@@ -2,27 +2,22 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
-use super::angular::{Angular, ROUNDINGS};
+use super::angular::Angular;
 use super::detail::{DEEPEST, NOISE};
 use super::legendre::{ORDER, RULE, cauchy, derivative, polynomials};
+use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
 
-/// There are at most so many panels.
+/// There are at most so many panels. Half and twice change none of 32 answers (survey).
 const MOST_PANELS: usize = 40_000;
-/// The nodes next to the ends of a panel are this share of it away from them, less rounding.
+/// The nodes next to the ends of a panel are this share of it away from them, less rounding. Half and twice change none of 32 answers (survey).
 const BLURRED: f64 = 1e3;
 /// A last coefficient that keeps this share when a panel is halved does not fall.
 const STAYS: f64 = 0.6;
-/// Roundings of a place in the last coefficients of a panel, at most.
-const BLURS: f64 = 64.0;
-/// Half of a panel so short that what is left is noise if it is the same in both halves.
-const FASTEST: f64 = 1e-4;
-/// Roundings of the largest slope in the last coefficients: of these it is enough that one half keeps them.
-const ROUNDED: f64 = 16.0;
-/// A pole so many half-lengths from the middle of a panel is far.
+/// A pole so many half-lengths from the middle of a panel is far. At half or twice 1 of 32 differ beyond what is stated and stated errors grow up to 4e+03 times (survey).
 const FAR: f64 = 2.5;
-/// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding.
+/// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding. At half or twice stated errors grow up to 1.3 times (survey).
 const CLOSEST: f64 = 1e-30;
-/// Below this the difference of the cotangent and its pole is summed as a series.
+/// Below this the difference of the cotangent and its pole is summed as a series. At half or twice stated errors grow up to 5.8 times (survey).
 const SERIES: f64 = 0.3;
 
 /// A piece of the angle with the polynomial that the slope is there.
@@ -271,7 +266,8 @@ impl Builder<'_> {
         let halves = [[start, middle], [middle, end]].map(|[a, b]| ([a, b], self.sample(a, b)));
         // A kink stays in one half, and what is smooth falls in both.
         let keeps = |part: &Sampled| part.tail >= STAYS * sampled.tail;
-        let is_rounding = sampled.tail <= f64::EPSILON * ROUNDED * self.scale[1];
+        // Of last coefficients that are rounding it is enough that one half keeps them.
+        let is_rounding = sampled.tail <= ROUNDING * self.scale[1];
         let stays = if sampled.is_slope && is_rounding {
             halves.iter().any(|(_, part)| keeps(part))
         } else if sampled.is_slope {
@@ -290,23 +286,22 @@ impl Builder<'_> {
 
     fn is_met(&self, sampled: &Sampled, half: f64) -> bool {
         let (scale, rounding) = if sampled.is_slope {
-            (self.scale[1], f64::EPSILON * ROUNDINGS * self.profile.taken_slope())
+            (self.scale[1], OF_A_VALUE * self.profile.taken_slope())
         } else {
             (self.scale[1] * half / ORDER as f64, f64::EPSILON * sampled.sizes[0])
         };
         sampled.tail <= (self.tolerance * scale).max(rounding)
     }
 
-    /// Whether last coefficients that no halving makes smaller are rounding: small ones, those that rounded places make, or those of panels so short that nothing of
-    /// the profile is as fast.
+    /// Whether last coefficients that no halving makes smaller are rounding: small ones, or those that rounded places make.
     fn may_be_noise(&self, sampled: &Sampled, half: f64) -> bool {
         if !sampled.is_slope {
             return sampled.tail <= NOISE * self.scale[0];
         }
         let noise = NOISE * self.scale[1].max(self.profile.taken_slope());
         let bend: f64 = sampled.coefficients[1..].iter().map(|c| c.abs()).sum();
-        let blurred = BLURS * self.blur / half * bend;
-        sampled.tail <= noise.max(blurred) || half <= FASTEST
+        let blurred = ROUNDING / f64::EPSILON * self.blur / half * bend;
+        sampled.tail <= noise.max(blurred)
     }
 
     fn push(&mut self, [start, end]: [f64; 2], sampled: &Sampled) {

@@ -7,16 +7,16 @@ use super::kernel::SmoothKernel;
 use crate::contact::search::Work;
 use crate::contact::steps::{REACH, rise};
 use crate::contact::valleys;
+use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
 use crate::{Error, Load};
 
-/// Samples that show the ups and downs of a profile, at least and at most.
+/// Samples that show the ups and downs of a profile, at least and at most. At half or twice 2 of 32 answers change, within what they state (survey).
 pub(super) const SAMPLES: usize = 2048;
 pub(super) const MOST_SAMPLES: usize = 32768;
-/// Cells of a base with few valleys, and at most.
+/// Cells of a base with few valleys.
 pub(super) const USUAL_CELLS: usize = 768;
-pub(super) const MOST_CELLS: usize = 3072;
 
 /// A function of `xi`.
 pub(crate) type Curve = Arc<dyn Fn(f64) -> f64 + Send + Sync>;

@@ -5,13 +5,12 @@ use std::f64::consts::{PI, TAU};
 use super::angular::Angular;
 use super::legendre::integral;
 use super::panels::Panel;
+use crate::contact::accuracy::ROUNDING;
 
-/// The nearest offset at which both sides of a place are compared, in roundings of the angle, and how much farther each next one is.
-const NEAREST: f64 = 1e4;
+/// The nearest offset at which both sides of a place are compared, in roundings of the angle, and how much farther each next one is. At half or twice stated errors grow up to 2 times (survey).
+pub(super) const NEAREST: f64 = 1e4;
 const FARTHER: f64 = 30.0;
-/// Roundings of an angle in a jump.
-const ROUNDINGS: f64 = 16.0;
-/// Powers from here on are resolved by panels.
+/// Powers from here on are resolved by panels. Half and twice change nothing in the one answer that asks for it (survey).
 const SMOOTH: f64 = 0.999;
 
 /// A profile near a place.
@@ -91,7 +90,7 @@ impl Root {
             }
         }
         // The sides at the nearest offset are rounded by that share of it.
-        let rounding = ROUNDINGS / NEAREST;
+        let rounding = ROUNDING / (f64::EPSILON * NEAREST);
         let error = jump.abs() / PI * ((1.0 / power - 1.0 / other).abs() + rounding);
         Some(Self { at, reach, conjugate: -sum / TAU, error })
     }

@@ -14,23 +14,15 @@ use super::angular::Angular;
 use super::harmonics::{Harmonics, Resolved};
 use super::legendre::{ORDER, RULE, integral};
 use super::panels::{Builder, Panel, join};
-use super::roots::{Local, Root};
+use super::roots::{Local, NEAREST, Root};
+use crate::contact::accuracy::ROUNDING;
+use crate::contact::smooth::detail::{HARMLESS, RESOLVED};
 
-/// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding.
+/// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding. At half or twice 3 of 32 answers change, within what they state (survey).
 const REMOTE: f64 = 0.48;
 const FIRST: usize = 96;
-/// Rounding of a sampled series, in units of the last place of the largest slope.
-const SAMPLED: f64 = 32.0;
-/// Last coefficients relative to the largest that count as resolved, at best.
-const RESOLVED: f64 = 3e-16;
-/// Panels whose ends differ by less than this share of the largest slope are made to meet: a jump of rounding would be a pole.
-const JOINED: f64 = 1e-9;
-/// Powers of the distance below this are none: the slope jumps.
+/// Powers of the distance below this are none: the slope jumps. Half and twice change none of 30 answers (survey).
 const CONSTANT: f64 = 1.5e-3;
-/// A cut this near a bend, in roundings of angles, makes a panel that shows nothing.
-const NEAR: f64 = 1e4;
-/// Parts beside a pole of a logarithm are halved down to this length: the rest counts for its rounding only.
-const NOTHING: f64 = 1e-14;
 /// `g` on panels, over the half turn of a zone (odd beyond it) or over the whole turn of a wave.
 #[derive(Debug, Clone)]
 pub(super) struct Slopes {
@@ -79,7 +71,7 @@ impl Slopes {
     /// The slope as a short series by equally spaced samples, if it is one.
     pub(super) fn sampled(profile: &dyn Angular, is_odd: bool) -> Option<Self> {
         let Resolved { series, mean, largest, heights } = Harmonics::sampled(profile, is_odd)?;
-        let error = SAMPLED * f64::EPSILON * largest;
+        let error = ROUNDING * largest;
         Some(Self {
             panels: Vec::new(),
             is_odd,
@@ -113,10 +105,10 @@ impl Slopes {
         let own = || bends.iter().chain(joints);
         cuts.extend(own().filter(|bend| **bend > start && **bend < PI));
         cuts.sort_by(f64::total_cmp);
-        // A cut by a bend is where it bends, to the last bit.
+        // A cut by a bend is where it bends, to the last bit: a panel between shows nothing.
         let blur = profile.blur();
         let is_apart =
-            |cut: &f64| own().all(|bend| bend == cut || (bend - cut).abs() > NEAR * blur);
+            |cut: &f64| own().all(|bend| bend == cut || (bend - cut).abs() > NEAREST * blur);
         cuts.retain(|cut| ends.contains(cut) || is_apart(cut));
         cuts.dedup();
         let tolerance = tolerance.max(RESOLVED);
@@ -155,10 +147,10 @@ impl Slopes {
             Some((_, power)) => is_bend(at) && power < CONSTANT,
             None => is_by_heights || is_bend(at),
         };
-        let jumps = join(&mut panels, is_odd, JOINED * scale[1], may_jump);
+        let jumps = join(&mut panels, is_odd, HARMLESS * scale[1], may_jump);
         let plain = bends.iter().filter(|at| jumps.iter().all(|(jump, _)| jump != *at));
         let roots: Vec<Root> =
-            plain.filter_map(|at| Root::of(&panels, &local, *at, JOINED * scale[1])).collect();
+            plain.filter_map(|at| Root::of(&panels, &local, *at, HARMLESS * scale[1])).collect();
         worst += roots.iter().map(|root| root.error).fold(0.0, f64::max);
         let largest =
             panels.iter().flat_map(|p| p.values).fold(0.0f64, |most, v| most.max(v.abs()));
@@ -274,6 +266,7 @@ impl Slopes {
         }
         let mut sum = 0.0;
         for panel in &self.panels {
+            // Beside the pole of the logarithm what is shorter than rounding counts for its rounding only.
             let mut open = vec![[panel.start, panel.end]];
             while let Some([start, end]) = open.pop() {
                 let middle = 0.5 * (start + end);
@@ -281,7 +274,7 @@ impl Slopes {
                 if end - start <= away
                     || middle <= start
                     || middle >= end
-                    || away + end - start < NOTHING
+                    || away + end - start < ROUNDING
                 {
                     sum +=
                         integral(start, end, |t| panel.at(t) * (2.0 * (0.5 * t).cos().abs()).ln());

@@ -3,16 +3,13 @@
 use std::sync::Arc;
 
 use super::{Curve, SmoothContact, SmoothKernel, SmoothProblem, SmoothProfile};
+use crate::contact::parts::{DEGREE, RESOLVED};
+use crate::contact::steps::INSIDE;
 use crate::{ContactKind, Error, Geometry, Problem, Rotational, Scaling, Vertical};
 
 /// To this share the slope of a measured profile or a closure is resolved on graded ground: the third derivative of a spline jumps at every point, and slopes of a closure are those of
-/// polynomials through its values.
+/// polynomials through its values. At half or twice 1 of 10 answers are lost and stated errors grow up to 2.7 times (survey).
 pub(super) const MEASURED: f64 = 1e-10;
-/// Degree of a polynomial that the first samples of a zone tell, and the share of the range of the heights to which it is the profile.
-const DEGREE: usize = 64;
-const RESOLVED: f64 = 1e-10;
-/// Places closer than this are one.
-const SAME: f64 = 1e-12;
 impl Problem {
     /// Solves the equation of the first kind of a smooth surface, plane, under a pair or periodic.
     ///
@@ -51,7 +48,7 @@ impl Problem {
             joints.sort_by(f64::total_cmp);
         } else if frame.grading().is_some() {
             joints = self.profile().resolve(&frame.pieces(), half_width, DEGREE, RESOLVED).joints;
-            joints.retain(|at| breaks.iter().all(|known| (known - at).abs() > SAME));
+            joints.retain(|at| breaks.iter().all(|known| (known - at).abs() > INSIDE));
         }
         if (measured || is_closure) && frame.grading().is_some() {
             tolerance = MEASURED;

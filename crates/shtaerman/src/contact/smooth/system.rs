@@ -10,7 +10,7 @@
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use std::sync::Arc;
 
-use super::angular::{Angular, ROUNDINGS};
+use super::angular::Angular;
 use super::balance::Centred;
 use super::coupling::{Coupled, couple, modes};
 use super::density::Density;
@@ -18,13 +18,11 @@ use super::detail::Detail;
 use super::kernel::{Remainder, SmoothKernel};
 use super::problem::Base;
 use super::slopes::Slopes;
+use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::balance::State;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
-
-/// `1/sqrt(3)`.
-const GAUSS: f64 = 0.577_350_269_189_625_8;
 
 /// A place by its distances from the ends of a zone.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -180,7 +178,10 @@ impl OnZone<'_, '_> {
         let at = |angle: f64| self.position(angle);
         let mean = match &self.base.problem.profile.slope {
             // By Gauss's two places: in the middle may be a kink or a cusp.
-            Some(slope) => 0.5 * (slope(at(GAUSS.acos())) + slope(at(PI - GAUSS.acos()))),
+            Some(slope) => {
+                let angle = 3f64.sqrt().recip().acos();
+                0.5 * (slope(at(angle)) + slope(at(PI - angle)))
+            }
             None => (self.base.height(at(0.0)) - self.base.height(at(PI))) / self.zone.length(),
         };
         if mean.is_finite() { mean } else { 0.0 }
@@ -206,7 +207,7 @@ impl Angular for OnZone<'_, '_> {
     fn rounding(&self, height: f64, slope: f64) -> f64 {
         let steepest = self.mean.abs() + 2.0 * slope / self.zone.length();
         let farthest = self.zone.left().abs().max(self.zone.right().abs());
-        f64::EPSILON * ROUNDINGS * (height + steepest * farthest)
+        OF_A_VALUE * (height + steepest * farthest)
     }
 
     fn taken_slope(&self) -> f64 {
@@ -420,8 +421,7 @@ impl Solved {
         // Near full contact of a row a pressure that is even moves next to nothing.
         let condition = self.theta0 * self.stiffness.force_settlement.abs();
         // Each mode answers to a sum over nodes of sums over modes.
-        let terms = ROUNDINGS * (remote + 2.0 * part.smooth.len() as f64 + condition);
-        f64::EPSILON * terms * sum
+        OF_A_VALUE * (remote + 2.0 * part.smooth.len() as f64 + condition) * sum
     }
 
     /// Rounding of settlement and tilt by that of the heights on the zones: errors of `f_0`, and of `f_1` over half a zone.
@@ -477,7 +477,7 @@ fn resolved(base: &Base<'_>, zone: Zone, panels: usize) -> (Arc<Slopes>, f64) {
     on_zone.mean = on_zone.mean_slope();
     // Places rounded to doubles leave the slope of a short zone far off the middle no more digits.
     let nearest = zone.left().max(-zone.right()).max(0.0);
-    let rounding = f64::EPSILON * ROUNDINGS * nearest / zone.length();
+    let rounding = OF_A_VALUE * nearest / zone.length();
     let tolerance = profile.tolerance.max(rounding);
     let slopes = Slopes::resolve(&on_zone, [&bends, &joints], [panels, 1], tolerance);
     (Arc::new(slopes), on_zone.mean)

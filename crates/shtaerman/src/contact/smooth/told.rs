@@ -11,7 +11,7 @@ use crate::{Error, Load, Rotational, Vertical};
 
 /// Points of a zone at which two resolutions are compared.
 const COMPARISONS: usize = 33;
-/// Points of a zone that show extremes, and of all of them.
+/// Points of a zone that show extremes, and of all of them. At half or twice 16 of 32 answers change, within what they state (survey).
 const PLACES: usize = 256;
 const MOST_PLACES: usize = 2048;
 

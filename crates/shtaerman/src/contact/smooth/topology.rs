@@ -1,15 +1,10 @@
 //! Which parts of the base touch: a complementarity problem on cells, with a layer too thin to matter, refined where zones are short.
 
 use super::problem::Base;
-use crate::contact::cells::{Cell, Cells, Limits, closing_in, solve_thin};
-use crate::contact::valleys;
+use crate::contact::cells::{Cell, Cells, LIMITS, closing_in, solve_thin};
+use crate::contact::valleys::{self, CELLS_A_ZONE};
 use crate::{Error, Vertical};
 use fredholm::complementarity::mean_power;
-
-/// How far cells are refined.
-pub(super) const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: 40 };
-/// Fewest cells of a piece.
-const CELLS_A_PIECE: f64 = 4.0;
 
 /// The intervals of contact to about a cell, each of which has several; `count` is the number of cells to begin with.
 pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<[f64; 2]>, Error> {
@@ -30,7 +25,7 @@ pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<[f64; 2]>, Error
 fn cells(base: &Base<'_>, count: usize) -> Cells {
     let total: f64 = base.problem.pieces.iter().map(|[left, right]| right - left).sum();
     let pieces = base.problem.pieces.iter().zip(&base.samples).map(|(&[left, right], samples)| {
-        let count = (count as f64 * (right - left) / total).ceil().max(CELLS_A_PIECE);
+        let count = (count as f64 * (right - left) / total).ceil().max(CELLS_A_ZONE as f64);
         let width = (right - left) / count;
         let valleys: Vec<f64> = valleys::valleys(samples).collect();
         let mut cuts = valleys::cuts(&valleys, [left, right], count as usize);

@@ -4,25 +4,18 @@ use std::sync::Arc;
 
 use super::answer::SmoothContact;
 use super::band::{Band, wrapped};
+use super::check::MOST_POINTS;
 use super::full::FullWave;
 use super::open::solve_zones;
 use super::problem::{Base, Sample, SmoothProblem, SmoothProfile};
 use super::{ALLOWED, topology};
+use crate::contact::accuracy::ROUNDING;
+use crate::contact::extremes::NEGLIGIBLE;
+use crate::contact::iteration::STEPS;
 use crate::contact::solution::Solution;
+use crate::contact::steps::BESIDE;
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
-
-/// Where both sides of the seam are compared, and the share of the profile's range that makes a jump.
-const SEAM: f64 = 1e-9;
-/// Points at which the pressure of full contact is looked at, at least and at most.
-const POINTS: usize = 256;
-const MOST_POINTS: usize = 3072;
-/// By this share of the pressure the bottom of a valley is no deeper than another place.
-const AS_DEEP: f64 = 1e-12;
-/// Newton steps for a settlement.
-const SETTLEMENTS: usize = 60;
-/// Rounding of pressures and forces.
-const ROUNDING: f64 = 1e-14;
 
 /// Where the pressure is least, how small it is there, and its mean deviation.
 fn least(along: &[(f64, f64)]) -> (f64, f64, f64) {
@@ -50,7 +43,7 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     let requirement =
         "tilt = 0 for a base that repeats without gaps: neither a tilt nor a moment repeats";
     require(level, "tilt", given, requirement)?;
-    let step = (base.height(1.0 - SEAM) - base.height(SEAM - 1.0)).abs();
+    let step = (base.height(1.0 - BESIDE) - base.height(BESIDE - 1.0)).abs();
     let requirement = "the same at both ends of a period";
     require(step <= 1e-6 * base.range(), "profile", base.height(1.0), requirement)?;
     let force = match vertical {
@@ -58,7 +51,7 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
         Vertical::Settlement(_) => 0.0,
     };
     let full = FullWave::new(problem, band.as_ref(), force);
-    let along = full.along((4 * base.cells()).clamp(POINTS, MOST_POINTS));
+    let along = full.along((4 * base.cells()).min(MOST_POINTS));
     let (place, least, size) = least(&along);
     let pulls = |p: f64| problem.is_unilateral && p < -ALLOWED * size;
     let lowest = full.lowest(&along);
@@ -67,7 +60,7 @@ pub(super) fn solve(problem: &SmoothProblem) -> Result<SmoothContact, Error> {
     let (place, least) = others.into_iter().flatten().fold((place, least), lower);
     // The seam is best left where it is as deep in the valley.
     let bottom = place;
-    let is_seam = full.pressure(-1.0) <= least + AS_DEEP * size;
+    let is_seam = full.pressure(-1.0) <= least + NEGLIGIBLE * size;
     let place = if is_seam { 1.0 } else { place };
     let partial = || Partial::new(problem, band.as_ref(), place);
     if let Vertical::Settlement(settlement) = vertical {
@@ -95,7 +88,7 @@ fn sunk(
     let (mut low, mut high) = (0.0, limit);
     let mut force = 0.3 * limit;
     let mut last = None;
-    for _ in 0..SETTLEMENTS {
+    for _ in 0..STEPS {
         let contact = partial.solve(force, first(force))?;
         let excess = contact.state().settlement - settlement;
         if excess > 0.0 {

@@ -5,6 +5,7 @@ use fredholm::SincSolution;
 use super::anchor::Anchor;
 use super::base::Base;
 
+use super::between::PLACES;
 use super::between::between_nodes;
 use super::solved::{Solved, Stated};
 use crate::Load;
@@ -19,9 +20,6 @@ use crate::contact::setting::Setting;
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::{Zone, outside};
-
-/// Samples of a panel, for the peak of the pressure.
-const SAMPLES: usize = 256;
 
 /// Zones, pressure, settlement, tilt, force and moment of a unilateral contact, without dimensions.
 #[derive(Debug, Clone)]
@@ -245,7 +243,7 @@ impl Solution for UnilateralContact {
             let (middle, half) =
                 (0.5 * (panel.left + panel.right), 0.5 * (panel.right - panel.left));
             let inside =
-                between_nodes(SAMPLES).map(|y| (middle + half * y).clamp(panel.left, panel.right));
+                between_nodes(PLACES).map(|y| (middle + half * y).clamp(panel.left, panel.right));
             places.extend(inside.flat_map(|place| self.images(place)));
         }
         // Ends themselves, which a share of a panel misses by a rounding: at corners the pressure is steep.

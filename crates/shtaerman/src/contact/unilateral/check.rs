@@ -3,13 +3,10 @@
 use super::base::Base;
 use super::between::between_nodes;
 use super::solved::Solved;
+use crate::contact::check::POINTS;
 use crate::contact::check::{Check, with_tops};
+use crate::contact::steps::INSIDE;
 use crate::contact::zones::outside;
-
-/// Points of a panel and of an interval outside the zones, at least.
-const POINTS: usize = 48;
-/// The outermost points, as a share of the interval: at a step of the base the height is that of this side.
-const INSIDE: f64 = 1e-12;
 
 /// Tension and penetration beyond `allowed`, relative to their scales, and beyond rounding are listed for correction.
 pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {

@@ -2,25 +2,19 @@
 
 use fredholm::complementarity::{Complementarity, Condition};
 
-use super::base::{BESIDE, Base};
+use super::base::Base;
 use super::extent::reference_pressure;
-use crate::contact::cells::{Cell, Cells, Limits, Loaded, closing_in};
+use super::layer::FAINT;
+use crate::contact::cells::{Cell, Cells, LIMITS, Loaded, closing_in};
+use crate::contact::iteration::STEPS;
 use crate::contact::search::Equation;
-use crate::contact::valleys;
+use crate::contact::steps::BESIDE;
+use crate::contact::valleys::{self, CELLS_A_ZONE};
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Vertical};
 
-/// How far cells are refined.
-const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: 40 };
-/// Fewest cells of a piece.
-const CELLS_A_PIECE: usize = 8;
-/// Linear layers that follow each other for one that bends, and the change of pressures at which they stop.
-const SECANTS: usize = 12;
+/// The change of pressures, as a share of the largest, at which linear layers that follow each other are the one that bends, and the smallest pressure, as a share of the mean one, at which it is made linear. At half or twice 1 of 32 answers change, within what they state (survey).
 const CLOSE: f64 = 1e-3;
-/// The smallest pressure, as a share of the mean one, at which a layer that bends is made linear.
-const FAINT: f64 = 1e-3;
-/// Pressures above this share of the largest are linearised by the tangent, others by the secant.
-const TANGENT: f64 = 0.05;
 
 /// What cells tell.
 #[derive(Debug, Clone, Default)]
@@ -85,7 +79,7 @@ fn cells(base: &Base<'_>, count: usize) -> Cells {
         let steps = (count as f64 * (right - left) / length).ceil() as usize;
         let inside: Vec<f64> =
             valleys.iter().copied().filter(|at| *at > left && *at < right).collect();
-        let mut cuts = valleys::cuts(&inside, [left, right], steps.max(CELLS_A_PIECE));
+        let mut cuts = valleys::cuts(&inside, [left, right], steps.max(CELLS_A_ZONE));
         cuts.extend(&base.breaks);
         cuts.extend(closing_in(base.load, length / count as f64, LIMITS.shortest));
         ([left, right], cuts)
@@ -100,13 +94,14 @@ fn pressures(base: &Base<'_>, cells: &Cells) -> Result<Vec<f64>, Error> {
     let exponent = base.layer.exponent();
     let mut pressures = vec![reference; cells.cells().len()];
     let mut carrying = cells.carrying();
-    for round in 0..SECANTS {
+    for round in 0..STEPS {
         let largest = pressures.iter().fold(0.0f64, |most, p| most.max(*p));
-        let tangent = |p: f64| round > 0 && p > TANGENT * largest;
+        // By the tangent where there is pressure, elsewhere by the secant.
+        let tangent = |p: f64| round > 0 && p > FAINT * largest;
         // v = c p + d
         let linearised: Vec<[f64; 2]> = (pressures.iter())
             .map(|&p| {
-                let p = p.max(FAINT * reference);
+                let p = p.max(CLOSE * reference);
                 let v = base.layer.displacement(p);
                 if tangent(p) { [exponent * v / p, (1.0 - exponent) * v] } else { [v / p, 0.0] }
             })

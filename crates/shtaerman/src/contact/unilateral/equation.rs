@@ -1,6 +1,6 @@
 //! The equation of the second kind on zones of a rough surface, as the [search](crate::contact::search) knows it.
 
-use super::base::{Base, MOST_CELLS};
+use super::base::Base;
 use super::check::check;
 use super::coarse;
 use super::mirror::mirror;
@@ -12,19 +12,16 @@ use crate::contact::check::Check;
 use crate::contact::edges::EndState;
 use crate::contact::search::{Equation, Start, unknown};
 use crate::contact::valleys;
+use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
 
-/// Most zones that are collocated.
-const MOST_ZONES: usize = 40;
-/// Numbers of cells, each four times the one before.
-const TOPOLOGIES: u32 = 3;
-/// Ends this close to a wall are there: the check looks just inside a wall.
+/// Ends this close to a wall are there: the check looks just inside a wall. Half and twice change none of 20 answers (survey).
 const BESIDE: f64 = 1e-11;
 
 impl Equation for Base<'_> {
     type Solved = Solved;
     type Effort = Resolution;
-    const MOST_ZONES: usize = MOST_ZONES;
+    const MOST_ZONES: usize = 40;
 
     fn may_lift(&self) -> bool {
         !self.is_bilateral
@@ -66,10 +63,7 @@ impl Equation for Base<'_> {
     }
 
     fn starts(&self) -> Vec<Start> {
-        let counts = (0..TOPOLOGIES).map(|power| self.cells() * 4usize.pow(power));
-        let mut counts: Vec<usize> = counts.map(|count| count.min(MOST_CELLS)).collect();
-        counts.dedup();
-        counts.into_iter().map(Start::Cells).collect()
+        Start::on_cells(self.cells(), MOST_CELLS)
     }
 
     fn pieces(&self) -> Vec<[f64; 2]> {

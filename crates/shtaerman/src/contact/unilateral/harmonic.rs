@@ -10,6 +10,7 @@ use fredholm::{SincOperator, SincSolution};
 
 use super::answer::{Tilted, UnilateralContact};
 use super::base::Base;
+use super::between::PLACES;
 use super::between::between_nodes;
 use super::solved::Solved;
 use crate::contact::check::Check;
@@ -18,9 +19,6 @@ use crate::contact::search::ALLOWED;
 use crate::contact::zones::Zone;
 use crate::solver::AIM;
 use crate::{Error, Rotational};
-
-/// Points at which the pressure is looked at for tension.
-const POINTS: usize = 400;
 
 /// The answer, with the tilt of a circular punch.
 pub(super) fn answer(
@@ -97,7 +95,7 @@ impl Base<'_> {
         if !matches!(&solved.zones[..], [zone] if covers(zone)) {
             return [0.0, f64::INFINITY];
         }
-        between_nodes(POINTS).map(|y| 0.5 * (1.0 + y)).filter(|r| *r > 0.0).fold(
+        between_nodes(PLACES).map(|y| 0.5 * (1.0 + y)).filter(|r| *r > 0.0).fold(
             [f64::INFINITY, f64::NEG_INFINITY],
             |[share, tension], r| {
                 let (even, odd) = (solved.pressure_at(r, self.height(r)), tilted.pressure(r).abs());

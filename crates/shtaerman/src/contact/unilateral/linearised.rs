@@ -14,21 +14,19 @@ use fredholm::collocation::{extrapolate, first_half_count, rounding};
 
 use super::answer::UnilateralContact;
 use super::base::Base;
+use super::effort::Effort;
 use super::refinement::RATIO;
 use super::solved::{end_node, place};
 use super::system::{FEWEST, Factor, Resolution, System};
 use crate::contact::accuracy::ROUNDING;
+use crate::contact::ground::SHARP;
 use crate::contact::rates::{Linearised, Rates};
 use crate::contact::setting::Setting;
 use crate::contact::zones::{EndKind, Zone};
 use crate::{ContactKind, Error, Load, Rotational};
 
-/// Most nodes for a full base that was not collocated, and those for each Chebyshev degree of its profile.
-const MOST_NODES: f64 = 1200.0;
+/// Nodes of a full base that was not collocated, for each Chebyshev degree of its profile. At half or twice 3 of 10 answers change, within what they state (survey).
 const NODES_PER_DEGREE: f64 = 2.0;
-
-/// On ground that is graded more, the pressure goes as `d^(1-mu)` at corners, and no double is near enough to them: differences tell.
-const STEEPEST: f64 = 0.5;
 
 /// A solution, on whatever nodes.
 struct Known<'k, 'p> {
@@ -60,7 +58,8 @@ impl UnilateralContact {
         let is_corner = solved.zones.iter().any(|zone| {
             (0..2).any(|side| zone.kinds[side] == EndKind::Wall && zone.ends[side].abs() == located)
         });
-        if is_corner && base.ground.exponent() > STEEPEST {
+        // There the pressure goes as `d^(1-mu)`, and no double is near enough to a corner: differences tell.
+        if is_corner && base.ground.exponent() >= SHARP {
             return None;
         }
         base.anchor = self.anchor();
@@ -110,7 +109,7 @@ impl Setting {
             peak,
             noise: 0.0,
         };
-        known.linearised(wanted.min(0.5 * MOST_NODES / panels as f64) as usize)
+        known.linearised(wanted.min(0.5 * Effort::LITTLE.nodes as f64 / panels as f64) as usize)
     }
 }
 

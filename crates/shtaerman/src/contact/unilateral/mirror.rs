@@ -1,16 +1,14 @@
 //! Contacts that are their own mirror images: zones that are so to the last bit keep operators of half the size.
 
+use crate::contact::edges::CLOSE;
 use crate::contact::zones::Zone;
-
-/// Ends that differ by less than this share of the base are mirror images: the pressure is but one, and so are its zones.
-const NEARLY: f64 = 1e-6;
 
 /// Makes mirror images of zones that nearly are.
 pub(super) fn mirror(zones: &mut [Zone]) {
     let count = zones.len();
     let is_near = |i: usize| {
         let (one, other) = (&zones[i], &zones[count - 1 - i]);
-        (one.left() + other.right()).abs() <= NEARLY && one.kinds[0] == other.kinds[1]
+        (one.left() + other.right()).abs() <= CLOSE && one.kinds[0] == other.kinds[1]
     };
     if !(0..count).all(is_near) {
         return;

@@ -6,15 +6,13 @@
 use fredholm::SincOperator;
 
 use super::extent::reference_pressure;
-use super::layer::{CUTS, Layer, STEPS};
+use super::layer::Layer;
 use super::solved::Solved;
 use super::system::{Direction, Factor, Found, System};
-use crate::contact::accuracy::ROUNDING;
+use crate::contact::accuracy::{ROUNDING, STAGNANT};
 use crate::contact::ground::Hull;
+use crate::contact::iteration::{CUTS, STEPS};
 use crate::{Error, Vertical};
-
-/// A residual below this share of its scale, which does not fall any more, is rounding.
-const SMALL: f64 = 1e-20;
 
 /// What is looked for.
 #[derive(Debug, Clone)]
@@ -110,14 +108,16 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
             match next {
                 Some(next) if !is_still => trial = next,
                 Some(next) => return Ok(found(next, frame)),
-                None if is_still || trial.merit <= SMALL => return Ok(found(trial, frame)),
+                None if is_still || trial.merit.sqrt() <= STAGNANT => {
+                    return Ok(found(trial, frame));
+                }
                 None => break,
             }
         }
         Err(fredholm::Error::NotConverged {
             iterations: STEPS,
             residual: trial.merit.sqrt(),
-            tolerance: SMALL.sqrt(),
+            tolerance: STAGNANT,
         }
         .into())
     }
@@ -158,7 +158,7 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
         (local, is_blind): ([f64; 2], bool),
         scales: &[f64; 3],
     ) -> Option<Trial> {
-        (0..CUTS).find_map(|cut| {
+        (0..CUTS as i32).find_map(|cut| {
             let share = 0.5f64.powi(cut);
             let linear = if is_blind { 1.0 } else { share };
             let steps = trial.guess.layer.iter().zip(step);

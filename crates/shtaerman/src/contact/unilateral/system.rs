@@ -22,7 +22,7 @@ use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 
-/// Fewest nodes on either side of the middle of a panel.
+/// Fewest nodes on either side of the middle of a panel. Half and twice change none of 20 answers (survey).
 pub(super) const FEWEST: usize = 8;
 
 /// A number of nodes with what can be shared among zones.

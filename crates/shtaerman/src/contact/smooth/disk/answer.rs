@@ -3,17 +3,18 @@
 use std::sync::Arc;
 
 use super::SmoothDisk;
-use super::check::{Check, INSIDE, regular};
+use super::check::{Check, regular};
 use super::field::Field;
 use super::shape::Shape;
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::complementarity::Complementarity;
 use crate::contact::method::{Method, MethodName};
 use crate::contact::rates::{Linearised, Rates};
-use crate::contact::smooth::detail::ROUNDING;
 use crate::contact::smooth::told::{Told, rates};
 use crate::contact::solution::Solution;
+use crate::contact::steps::INSIDE;
 use crate::contact::stiffness::Stiffness;
 use crate::{Error, Load, Rotational, Vertical};
 

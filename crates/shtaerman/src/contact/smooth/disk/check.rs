@@ -3,14 +3,11 @@
 use super::SmoothDisk;
 use super::field::Field;
 use crate::Error;
+use crate::contact::check::POINTS;
 use crate::contact::extremes::Sampled;
 use crate::contact::search::ALLOWED;
 use crate::contact::smooth::check::between;
-
-/// Points between two kinks, and beside the contact.
-const POINTS: usize = 128;
-/// This share of the radius inside the edge a height at a step is that of the inner side, beyond it that of the outer side.
-pub(super) const INSIDE: f64 = 1e-12;
+use crate::contact::steps::INSIDE;
 
 /// What is left of tension and penetration.
 pub(super) struct Check {
@@ -31,7 +28,7 @@ impl Check {
     pub(super) fn new(problem: &SmoothDisk, field: &Field) -> Self {
         let cuts = field.transform.cuts();
         let places: Vec<f64> =
-            cuts.windows(2).flat_map(|pair| between(pair[0], pair[1], POINTS)).collect();
+            cuts.windows(2).flat_map(|pair| between(pair[0], pair[1], 2 * POINTS)).collect();
         let pressures: Vec<f64> = places.iter().map(|&r| field.even_pressure(r)).collect();
         let values: Vec<f64> = (places.iter().zip(&pressures))
             .map(|(&r, pressure)| corner_share(field, r) * pressure)
@@ -50,7 +47,7 @@ impl Check {
         }
         let penetration = if problem.is_unilateral && field.radius < 1.0 {
             let from = field.radius * (1.0 + INSIDE);
-            let places: Vec<f64> = between(from, 1.0, POINTS).collect();
+            let places: Vec<f64> = between(from, 1.0, 2 * POINTS).collect();
             let mut scale = field.state.settlement.abs();
             let depths: Vec<f64> = (places.iter())
                 .map(|&r| {
@@ -107,7 +104,7 @@ impl Check {
         if field.radius < 1.0 {
             let rise = |r: f64| field.state.tilt.abs() * r * (1.0 - field.share_of_tilt(r));
             let from = field.radius * (1.0 + INSIDE);
-            let places: Vec<f64> = between(from, 1.0, POINTS).collect();
+            let places: Vec<f64> = between(from, 1.0, 2 * POINTS).collect();
             limit = limit.min(lowest(&places, &|r| gap(problem, field, r) / rise(r)));
         }
         limit.max(0.0)

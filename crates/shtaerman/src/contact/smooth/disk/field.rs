@@ -7,9 +7,6 @@ use super::transform::Transform;
 use crate::contact::balance::State;
 use crate::contact::smooth::ground::{Ground, TURN};
 
-/// Below this a difference of near terms is summed as a series.
-const NEAR: f64 = 0.05;
-
 /// A disk of contact.
 #[derive(Debug, Clone)]
 pub(super) struct Field {
@@ -157,12 +154,6 @@ impl Field {
         let z = (self.radius / r).min(1.0);
         if self.ground.exponent() > 0.0 {
             return self.graded_share(z);
-        }
-        if z < NEAR {
-            // The series of that difference.
-            let s = z * z;
-            let sum = 2.0 / 3.0 + s * (0.2 + s * (3.0 / 28.0 + s * 5.0 / 72.0));
-            return FRAC_2_PI * z.powi(3) * sum;
         }
         FRAC_2_PI * (z.asin() - z * (1.0 - z * z).sqrt())
     }

@@ -25,17 +25,14 @@ use std::fmt;
 use super::Curve;
 use super::ground::Ground;
 use crate::contact::balance::State;
+use crate::contact::parts::MOST_CUTS;
 use crate::contact::steps::{REACH, rise};
+use crate::contact::valleys::SAMPLES;
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 use check::Check;
 use field::Field;
 use shape::{Part, Shape, Weight};
-
-/// Samples that show the ups and downs of a profile.
-const SAMPLES: usize = 512;
-/// More breakpoints than these do not get panels of their own.
-const MOST_BREAKS: usize = 64;
 
 /// A circular punch on a smooth body, without dimensions:
 ///
@@ -127,7 +124,7 @@ impl SmoothDisk {
             self.breaks.iter().copied().filter(|at| *at > 0.0 && *at < 1.0).collect();
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
-        if breaks.len() > MOST_BREAKS {
+        if breaks.len() > MOST_CUTS {
             breaks.clear();
         }
         let ground = Ground::new(self.exponent)?;

@@ -3,19 +3,17 @@
 use std::collections::VecDeque;
 use std::f64::consts::FRAC_PI_2;
 
+use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::smooth::Curve;
-use crate::contact::smooth::detail::NOISE;
+use crate::contact::smooth::detail::{DEEPEST, NOISE};
 use crate::contact::smooth::ground::Ground;
 use crate::contact::smooth::legendre::integral;
 
-/// Panels are halved at most this often; to this share integrals agree when their panels are halved.
-const DEEPEST: u32 = 40;
-const AGREED: f64 = 1e-15;
-/// Panels of an integral at most, and its accuracy over that of what is made of it.
+/// Panels of an integral at most, and its accuracy over that of what is made of it. At half or twice 6 of 27 answers change, within what they state (survey).
 const MOST_PANELS: usize = 512;
 const INNER: f64 = 1e-2;
 
-/// A panel at the axis that does not settle in so many halvings is integrated by the logarithm of the distance, this far.
+/// A panel at the axis that does not settle in so many halvings is integrated by the logarithm of the distance, this far. At half or twice 2 of 27 answers change, within what they state (survey).
 const BESIDE_AXIS: u32 = 8;
 const FARTHEST: f64 = 500.0;
 
@@ -135,7 +133,7 @@ impl Shape<'_> {
                 Panel { piece, ends: turn, whole, depth: 0, before: f64::INFINITY }
             })
             .collect();
-        let agreed = (INNER * self.tolerance).max(AGREED) * size + self.noise;
+        let agreed = (INNER * self.tolerance).max(OF_A_VALUE) * size + self.noise;
         // The first in, the first out: where there is an end to it, no place is left out.
         let (mut sum, mut halved) = (0.0, 0);
         while let Some(panel) = panels.pop_front() {

@@ -6,26 +6,19 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::shape::{Part, Shape};
-use crate::contact::smooth::detail::{DEEPEST, NOISE};
+use crate::contact::smooth::detail::{DEEPEST, HARMLESS, NOISE, RESOLVED};
 use crate::contact::smooth::ground::{Ground, NEAREST, PLAIN, TURN, distant};
 use crate::contact::smooth::legendre::{
     ORDER, RULE, derivative, integral, integral_at_nodes, series, series_at,
 };
 
-/// There are at most so many panels.
+/// There are at most so many panels. Half and twice change none of 26 answers (survey).
 const MOST_PANELS: usize = 128;
-/// Last coefficients relative to the largest value that count as resolved.
-const RESOLVED: f64 = 4e-16;
-/// The coefficient of the degree `n` is rounding of the values below this share of the largest, `2 n + 1` times: derivatives of the last ones would blow it up.
-const ROUNDING: f64 = f64::EPSILON;
-/// Length of a step in the logarithm of `s` within which polynomials of `s` are integrated exactly.
+/// Length of a step in the logarithm of `s` within which polynomials of `s` are integrated exactly. At half or twice 24 of 25 answers change, within what they state (survey).
 const STEP: f64 = 1.0;
-/// A slope at a kink below this share of the largest is rounding.
-const HARMLESS: f64 = 1e-9;
-/// Towards a kink the slope vanishes if it falls to this share over so many lengths of the first panel.
-const FALLEN: f64 = 0.5;
+/// Towards a kink the slope vanishes if it falls to a half over so many lengths of the first panel. Half and twice change none of 10 answers (survey).
 const LENGTHS: f64 = 1024.0;
-/// A first panel shorter than this share of its segment is there for a kink.
+/// A first panel shorter than this share of its segment is there for a kink. Half and twice change none of 14 answers (survey).
 const SHORT: f64 = 1e-5;
 
 #[derive(Debug, Clone)]
@@ -42,7 +35,8 @@ impl Panel {
     fn new(ends: [f64; 2], mut values: [f64; ORDER]) -> Self {
         let half = 0.5 * (ends[1] - ends[0]);
         let size = largest(&values);
-        let is_more = |n: &usize| values[*n].abs() > ROUNDING * (2 * n + 1) as f64 * size;
+        // Of the degree `n` rounding is `2 n + 1` times that of the values: derivatives of the last coefficients would blow it up.
+        let is_more = |n: &usize| values[*n].abs() > f64::EPSILON * (2 * n + 1) as f64 * size;
         let count = (0..ORDER).rev().find(is_more).map_or(0, |last| last + 1);
         values[count..].fill(0.0);
         Self { ends, values, slopes: derivative(&values).map(|c| c / half), count }
@@ -225,9 +219,7 @@ impl Segment {
         let far = LENGTHS * first.ends[1];
         let falls = (self.panels.iter())
             .find(|panel| panel.ends[0] <= far && far < panel.ends[1])
-            .is_some_and(|panel| {
-                first.slope(first.ends[1]).abs() < FALLEN * panel.slope(far).abs()
-            });
+            .is_some_and(|panel| first.slope(first.ends[1]).abs() < 0.5 * panel.slope(far).abs());
         if slope.abs() > HARMLESS * largest && !falls {
             return f64::INFINITY.copysign(slope);
         }

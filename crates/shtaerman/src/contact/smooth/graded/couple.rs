@@ -10,15 +10,13 @@ use super::modes::{gains, inside, norms, outside};
 use super::parts::Parts;
 use super::strip::Ground;
 use crate::Error;
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::smooth::detail::NOISE;
 use crate::contact::smooth::problem::Base;
 use crate::contact::zones::Zone;
 
-/// Panels of the coefficients of a profile are doubled at most so often, until these change by no more than this share, or no less than before.
+/// Panels of the coefficients of a profile are doubled at most so often, until these change by no more than this share, or no less than before. At half or twice 1 of 3 answers change, within what they state (survey).
 const DOUBLINGS: usize = 6;
-const AGREED: f64 = 32.0 * f64::EPSILON;
-/// Turns of a polynomial in a panel.
-const TURNS: f64 = 1.0;
 
 /// The coefficients `m_n` of three pressures, zone by zone: their displacements are 1, `xi - middle` and `f0` without what each zone's own pressure makes of it.
 pub(super) struct Coupled {
@@ -122,7 +120,8 @@ fn coefficients(
     let inner = parts.breaks().iter().rev().filter(|r| **r < nodes.half);
     cuts.extend(inner.map(|r| (r / nodes.half).acos()));
     cuts.push(FRAC_PI_2);
-    let mut panels = 1 + (count as f64 / (4.0 * TURNS)) as usize;
+    // On a quarter turn, one of a polynomial in each.
+    let mut panels = 1 + count / 4;
     let mut found = summed(base, ground, nodes, &cuts, [count, panels]);
     let mut before = f64::INFINITY;
     for _ in 0..DOUBLINGS {
@@ -131,7 +130,7 @@ fn coefficients(
         let size = finer.iter().fold(0.0f64, |most, a| most.max(a.abs()));
         let changed = finer.iter().zip(&found).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
         found = finer;
-        let agreed = (0.01 * parts.tolerance()).max(AGREED) * size;
+        let agreed = (0.01 * parts.tolerance()).max(ROUNDING) * size;
         if changed <= agreed || (changed <= NOISE * size && changed >= 0.5 * before) {
             break;
         }

@@ -5,8 +5,8 @@
 
 use super::settled::Settled;
 use super::strip::Ground;
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::edges::EndState;
-use crate::contact::smooth::detail::ROUNDING;
 
 /// What is known at both ends of a zone.
 pub(super) fn ends(ground: &Ground, settled: &Settled) -> [EndState; 2] {

@@ -7,13 +7,10 @@ use super::kink::Kink;
 use super::modes::{Ripple, inside};
 use super::settled::Settled;
 use super::strip::{Ground, Strip};
-use crate::contact::smooth::detail::ROUNDING;
+use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
 use crate::contact::smooth::disk::transform::Transform;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::system::Place;
-
-/// A place closer to a kink than this share of the ends is the kink: where both are is rounded.
-const SAME: f64 = 2.0 * f64::EPSILON;
 
 /// A solved zone.
 #[derive(Debug, Clone)]
@@ -146,7 +143,7 @@ impl Field {
             kink.place.from_right - place.from_right
         };
         let [left, right] = self.strip.zone.ends;
-        let rounded = SAME * left.abs().max(right.abs());
+        let rounded = OF_A_VALUE * left.abs().max(right.abs());
         if distance.abs() <= rounded { 0.0 } else { distance }
     }
 

@@ -23,20 +23,18 @@ mod strip;
 use std::cell::OnceCell;
 
 use super::detail::{COARSE, Detail, FINE};
-use super::problem::{Base, MOST_CELLS, SmoothProblem};
-use super::{MOST_ZONES, topology};
+use super::problem::{Base, SmoothProblem};
+use super::topology;
 use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::EndState;
 use crate::contact::search::{ALLOWED, Equation, Start, complementary};
+use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
 use check::{Along, check};
 use field::Field;
 use settled::{Settled, fixed};
 use strip::Ground;
-
-/// Numbers of cells, each four times the one before.
-const TOPOLOGIES: u32 = 2;
 
 /// Solved zones with what is left of complementarity.
 #[derive(Debug)]
@@ -95,7 +93,7 @@ impl Strips<'_> {
 impl Equation for Strips<'_> {
     type Solved = OnStrips;
     type Effort = Detail;
-    const MOST_ZONES: usize = MOST_ZONES;
+    const MOST_ZONES: usize = <Base<'_> as Equation>::MOST_ZONES;
 
     fn may_lift(&self) -> bool {
         self.base.problem.is_unilateral
@@ -108,9 +106,7 @@ impl Equation for Strips<'_> {
     /// A base with one valley needs no cells, and the transforms of one with many are long.
     fn starts(&self) -> Vec<Start> {
         let first = self.base.cells();
-        let cells = (0..TOPOLOGIES).map(|power| first * 4usize.pow(power));
-        let mut starts: Vec<Start> =
-            cells.map(|count| Start::Cells(count.min(MOST_CELLS))).collect();
+        let mut starts = Start::on_cells(first, MOST_CELLS);
         let place = if self.base.valleys().count() <= 1 { 0 } else { starts.len() };
         starts.insert(place, Start::Whole);
         starts

@@ -4,12 +4,12 @@ use super::Solved;
 use super::check::Along;
 use super::field::{Field, displacement_outside};
 use super::strip::Strip;
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::complementarity::Complementarity;
 use crate::contact::method::{Method, MethodName};
 use crate::contact::rates::Linearised;
-use crate::contact::smooth::detail::ROUNDING;
 use crate::contact::smooth::problem::SmoothProblem;
 use crate::contact::smooth::system::Place;
 use crate::contact::smooth::told::Told;
@@ -17,7 +17,7 @@ use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
 use crate::{Error, Load, Problem};
 
-/// Every so many places are compared with less of each series.
+/// Every so many places are compared with less of each series. At half or twice 10 of 22 answers change, within what they state (survey).
 const COMPARED: usize = 3;
 
 /// Zones, pressure, settlement, tilt, force and moment of a smooth plane punch on graded ground, without dimensions.

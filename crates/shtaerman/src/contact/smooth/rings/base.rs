@@ -3,9 +3,10 @@
 use crate::contact::search::Work;
 use crate::contact::smooth::disk::SmoothDisk;
 use crate::contact::smooth::disk::shape::Shape;
-use crate::contact::smooth::problem::{MOST_CELLS, MOST_SAMPLES, SAMPLES, USUAL_CELLS};
+use crate::contact::smooth::problem::{MOST_SAMPLES, SAMPLES, USUAL_CELLS};
 use crate::contact::steps::{REACH, rise};
 use crate::contact::valleys;
+use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::Walls;
 use crate::{Error, Load, Rotational};
 

@@ -2,8 +2,9 @@
 
 use super::base::Base;
 use super::system::Solved;
+use crate::contact::check::POINTS;
 use crate::contact::check::{Check, between_breaks};
-use crate::contact::smooth::check::{Along, POINTS, of_zones, points};
+use crate::contact::smooth::check::{Along, of_zones, points};
 use crate::contact::zones::outside;
 
 /// Tension and penetration beyond `allowed`, relative to their scales, are listed for correction.

@@ -9,7 +9,7 @@ use super::system::{Part, Solved};
 use crate::contact::edges::EndState;
 use crate::contact::smooth::edges::{BESIDE, even_slope};
 
-/// The angle at which the slope of the density is taken, as share of that up to a bend of the base, and at least.
+/// The angle at which the slope of the density is taken, as share of that up to a bend of the base, and at least. At half or twice 1 of 10 answers change, within what they state (survey).
 const SHARE: f64 = 0.1;
 const NEAREST: f64 = 1e-4;
 

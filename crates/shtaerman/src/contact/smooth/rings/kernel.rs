@@ -10,10 +10,9 @@
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, LN_2, PI};
 
-/// Terms of a sequence of means, which converge as squares do.
-const MEANS: usize = 40;
-/// Steps of a duplication, each of which takes a quarter of the differences, and the spread at which a series of fifth order is exact.
-const DUPLICATIONS: usize = 60;
+use crate::contact::iteration::STEPS;
+
+/// The spread at which a series of fifth order is exact: its sixth power is the rounding (theory). A duplication takes a quarter of it.
 const SPREAD: f64 = 1e-3;
 
 /// A harmonic of the angle about the axis.
@@ -98,7 +97,7 @@ impl Harmonic {
 
 /// The arithmetic-geometric mean.
 pub(super) fn mean(mut one: f64, mut two: f64) -> f64 {
-    for _ in 0..MEANS {
+    for _ in 0..STEPS {
         if (one - two).abs() <= f64::EPSILON * one {
             break;
         }
@@ -109,7 +108,7 @@ pub(super) fn mean(mut one: f64, mut two: f64) -> f64 {
 
 /// `R_F`.
 fn carlson_first([mut x, mut y, mut z]: [f64; 3]) -> f64 {
-    for _ in 0..DUPLICATIONS {
+    for _ in 0..STEPS {
         let centre = (x + y + z) / 3.0;
         let [dx, dy, dz] = [x, y, z].map(|part| 1.0 - part / centre);
         if dx.abs().max(dy.abs()).max(dz.abs()) < SPREAD {
@@ -127,7 +126,7 @@ fn carlson_first([mut x, mut y, mut z]: [f64; 3]) -> f64 {
 /// `R_D`.
 fn carlson_second([mut x, mut y, mut z]: [f64; 3]) -> f64 {
     let (mut sum, mut share) = (0.0, 1.0);
-    for _ in 0..DUPLICATIONS {
+    for _ in 0..STEPS {
         let centre = (x + y + 3.0 * z) / 5.0;
         let [dx, dy, dz] = [x, y, z].map(|part| 1.0 - part / centre);
         if dx.abs().max(dy.abs()).max(dz.abs()) < SPREAD {

@@ -4,6 +4,10 @@
 //! inside the rings is eliminated by Galin's transforms. The zones are found as in plane contact: on [cells](topology), then free [edges] by Newton's method,
 //! then a [check] between the nodes that corrects them.
 
+use crate::contact::cells::LIMITS;
+use crate::contact::intervals::SLIVER;
+use crate::contact::promise::ROUGHEST;
+
 mod answer;
 mod base;
 mod check;
@@ -23,7 +27,7 @@ use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::{EndState, settle};
 use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, Equation, Start, complementary};
-use crate::contact::smooth::detail::{COARSE, Detail, FINE, MOST_WORK, numbers_of_cells};
+use crate::contact::smooth::detail::{COARSE, Detail, FINE, MOST_WORK};
 use crate::contact::solution::Solution;
 use crate::contact::valleys;
 use crate::contact::zones::{Walls, Zone};
@@ -32,9 +36,6 @@ use answer::SmoothRingsContact;
 use base::Base;
 use check::check;
 use system::Solved;
-
-/// A relative error beyond which there is no answer.
-const WORST: f64 = 1e-3;
 
 /// Solves for the zones of unilateral contact, a disk and rings as it comes, under a force or a settlement; in bilateral contact for the full base.
 ///
@@ -73,9 +74,6 @@ fn are_likely(problem: &SmoothDisk) -> bool {
         && matches!(Base::new(problem).and_then(is_disk), Ok(false))
 }
 
-/// A disk about the axis so much smaller than its zone is a point of it: a ring whose hole closes becomes a disk.
-const CLOSED: f64 = 1e-9;
-
 impl Equation for Base<'_> {
     type Solved = Solved;
     type Effort = Detail;
@@ -91,7 +89,8 @@ impl Equation for Base<'_> {
 
     fn arranged(&self, mut zones: Vec<Zone>) -> Vec<Zone> {
         for zone in &mut zones {
-            if zone.left() < CLOSED * zone.right() {
+            // A ring whose hole closes becomes a disk.
+            if zone.left() < SLIVER * zone.right() {
                 zone.ends[0] = 0.0;
             }
             *zone = zone.about_axis();
@@ -100,7 +99,7 @@ impl Equation for Base<'_> {
     }
 
     fn starts(&self) -> Vec<Start> {
-        numbers_of_cells(self.cells(), self.cells().max(topology::MOST_CELLS))
+        Start::on_cells(self.cells(), self.cells().max(LIMITS.most))
     }
 
     fn pieces(&self) -> Vec<[f64; 2]> {
@@ -158,9 +157,9 @@ impl Equation for Base<'_> {
 /// Refuses an answer without digits.
 fn required(contact: SmoothRingsContact) -> Result<SmoothRingsContact, Error> {
     let residual = contact.relative_error();
-    if residual <= WORST {
+    if residual <= ROUGHEST {
         return Ok(contact);
     }
     let iterations = contact.method().n;
-    Err(fredholm::Error::NotConverged { iterations, residual, tolerance: WORST }.into())
+    Err(fredholm::Error::NotConverged { iterations, residual, tolerance: ROUGHEST }.into())
 }

@@ -4,15 +4,9 @@ use std::f64::consts::{LN_2, PI};
 
 use super::base::Base;
 use super::kernel::mean;
-use crate::contact::cells::{Cell, Cells, Limits, solve_thin};
-use crate::contact::smooth::topology;
+use crate::contact::cells::{Cell, Cells, LIMITS, solve_thin};
 use crate::contact::valleys;
 use crate::{Error, Load, Rotational, Vertical};
-
-/// Most cells that are refined.
-pub(super) const MOST_CELLS: usize = 800;
-/// How far cells are refined.
-const LIMITS: Limits = Limits { most: MOST_CELLS, ..topology::LIMITS };
 
 /// The intervals of contact to about a cell, each of which has several; `count` is the number of cells to begin with.
 pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<[f64; 2]>, Error> {

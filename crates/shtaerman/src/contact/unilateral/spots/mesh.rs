@@ -1,31 +1,30 @@
 //! Panels of the zones: cut where the profile bends, and ever shorter towards the ends of the zones and towards those bends.
 
+use crate::contact::intervals::SLIVER;
 use crate::contact::unilateral::base::Base;
 use crate::contact::zones::Zone;
 
 /// Length of a panel over its distance from a free end of its zone, and from a corner or a bend: with 0.6 at free ends as well answers take a sixth more time, with 0.7 everywhere those on graded ground
-/// state five times the error.
+/// state five times the error. At half or twice stated errors grow up to 97 times and time grows by 108 % (survey).
 const FREE_GROWTH: f64 = 0.8;
 const GROWTH: f64 = 0.6;
-/// Longest panels of the base, from the first to be tried.
+/// Longest panels of the base, from the first to be tried. At half or twice stated errors grow up to 5 times (survey).
 pub(super) const LONGEST: f64 = 1.0 / 32.0;
 /// All of them for the logarithm: on graded ground `ln d` is a power `d^-mu`, and the panels have the lengths that make as much of it.
-/// The panel at a measured point, where the third derivative jumps and the pressure goes on as `d^4 ln d`, in lengths `1/theta0` of the layer.
+/// The panel at a measured point, where the third derivative jumps and the pressure goes on as `d^4 ln d`, in lengths `1/theta0` of the layer. At half or twice stated errors grow up to 18 times and time grows by 38 % (survey).
 const POINT: f64 = 0.1;
 /// The panel at a free end, where it goes on as `d^2 ln d`: the square of its length over that of the zone, in lengths of the layer. In longer zones than this the
-/// slope of the pressure at the end has nothing to do with their length.
+/// slope of the pressure at the end has nothing to do with their length. At half or twice 7 of 16 answers change, within what they state (survey).
 const FREE: f64 = 1e-6;
 const LONG: f64 = 1.0 / 16.0;
-/// The panel at a corner or a step, where it goes on as `d ln d`, and at a kink, where it goes on as `d^2 ln d`, in lengths of the layer.
+/// The panel at a corner or a step, where it goes on as `d ln d`, and at a kink, where it goes on as `d^2 ln d`, in lengths of the layer. At half or twice stated errors grow up to 6.5 times (survey).
 const CORNER: f64 = 1e-10;
 const KINK: f64 = 1e-4;
-/// The same where a layer bends and the pressure begins as `d^(1/kappa)`: the share of its zone with what it adds to the potential.
+/// The same where a layer bends and the pressure begins as `d^(1/kappa)`: the share of its zone with what it adds to the potential. At half or twice 2 of 16 answers change, within what they state (survey).
 const BENT: f64 = 1e-11;
-/// Shortest panels, over the distance from the middle of the base.
+/// Shortest panels, over the distance from the middle of the base. Half and twice change none of 20 answers (survey).
 const SHORTEST: f64 = 1e-14;
-/// Rounding of lengths that are just right.
-const SLACK: f64 = 1.0 + 1e-6;
-/// Most halvings of a panel on which the profile is no polynomial, and the deviation relative to its size that is rounding.
+/// Most halvings of a panel on which the profile is no polynomial, and the deviation relative to its size that is rounding. At half or twice stated errors grow up to 3 times (survey).
 const HALVINGS: u32 = 12;
 pub(super) const STRAIGHT: f64 = 1e-14;
 
@@ -170,7 +169,10 @@ fn graded(anchors: &[Anchor], piece: [f64; 2], longest: f64, panels: &mut Vec<[f
         let tightest = (anchors.iter().map(|anchor| (anchor.allowed([left, right]), anchor)))
             .min_by(|(one, _), (other, _)| one.total_cmp(other));
         let cut = match tightest {
-            Some((allowed, anchor)) if length > SLACK * allowed => anchor.cut([left, right]),
+            // Lengths that are just right are so but for rounding.
+            Some((allowed, anchor)) if length > (1.0 + SLIVER) * allowed => {
+                anchor.cut([left, right])
+            }
             _ if length > longest => 0.5 * (left + right),
             _ => right,
         };

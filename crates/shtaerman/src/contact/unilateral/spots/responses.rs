@@ -7,19 +7,18 @@ use fredholm::multipole::PanelField;
 
 use super::chart::Chart;
 use super::level::{Level, System};
+use crate::contact::accuracy::SAFETY;
 use crate::contact::rates::{Linearised, Rates};
 use crate::contact::stiffness::Stiffness;
 use crate::contact::unilateral::base::Base;
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 
-/// Residuals relative to the right-hand side, on the panels before the last and on those; of integrals the square is left.
+/// Residuals relative to the right-hand side, on the panels before the last and on those; of integrals the square is left. At half or twice 29 of 32 answers change, within what they state (survey).
 const RESIDUALS: [f64; 2] = [1e-9, 1e-12];
-/// What is stated over the difference between both: the panels at free edges are only halved.
-const SAFETY: f64 = 4.0;
-/// Jumps of the pressure at the ends of panels, over the largest, that are no rounding.
+/// Jumps of the pressure at the ends of panels, over the largest, that are no rounding. Half and twice change none of 32 answers (survey).
 const JUMP: f64 = 1e-7;
-/// Share of a zone within which a jump at the end of a panel belongs to the free edge there.
+/// Share of a zone within which a jump at the end of a panel belongs to the free edge there. Half and twice change none of 10 answers (survey).
 const BESIDE: f64 = 1e-3;
 
 /// The three responses.
