@@ -3,18 +3,16 @@
 //! The book's chapter *The audit* has the theorem and its proof; the crate `shtaerman-audit` carries it out on plain numbers. Here a contact is handed to it.
 
 use serde::Serialize;
-use shtaerman_audit::{Answer, Bound, DiskProblem, Ground, Kernel, Prescribed, Profile, Refusal};
+use shtaerman_audit::{Answer, Bound, DiskProblem, Kernel, Prescribed, Profile, Refusal};
 
 use super::accuracy::OF_A_VALUE;
 use super::ground::SHARP;
 use super::parts::{DEGREE, RESOLVED};
+use super::posed::{GRADED, Posed, posed};
 use super::promise::ROUGHEST;
+use super::unaudited::Unaudited;
 use super::{Accuracy, ErrorKind};
-use crate::roughness::Law;
-use crate::{Contact, ContactKind, Error, Geometry, Layering, Load, Problem, Rotational, Vertical};
-
-/// What scaling does to the constants of graded ground, relative to them, which hold gamma functions, times `1 - mu` (tested against 30 digits).
-const GRADED: f64 = 8e-15;
+use crate::{Contact, ContactKind, Error, Load, Problem, Rotational, Vertical};
 
 /// On ground that is graded to [`SHARP`] bounds at a place follow from the mean with large factors: one so large that it would be no answer is not given where the mean is known to so much.
 const IN_THE_MEAN: f64 = 1e-3;
@@ -53,56 +51,6 @@ impl Audit {
     }
 }
 
-/// Why an answer has no audit.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Unaudited {
-    /// The theorem does not hold for it.
-    NotCovered(&'static str),
-    /// No bound was found.
-    Refused(Refusal),
-    /// No finite bound was found.
-    NotFinite,
-    /// On graded ground with an exponent from 1/2 on the pressure has corners so sharp that the residual bounds it in the mean only.
-    InTheMeanOnly {
-        /// The bound of the error in the mean square, relative to the largest pressure.
-        mean_square: f64,
-    },
-}
-
-impl std::fmt::Display for Unaudited {
-    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::NotCovered(reason) => formatter.write_str(reason),
-            Self::NotFinite => formatter.write_str(
-                "no finite bound of its error was found: the pressure changes too sharply for it, which more roughness or a lower grading exponent mends",
-            ),
-            Self::InTheMeanOnly { mean_square } => write!(
-                formatter,
-                "beside corners of the pressure on graded ground with an exponent from 1/2 on the residual bounds it in the mean square only, by {mean_square:.1e} of its largest value"
-            ),
-            Self::Refused(Refusal::NoPressure) => formatter.write_str("the pressure is not finite"),
-            Self::Refused(Refusal::TooManyPanels) => {
-                formatter.write_str("the pressure bends at more places than the audit follows")
-            }
-            Self::Refused(Refusal::TooManyWindows { at }) => {
-                write!(
-                    formatter,
-                    "the residual near xi = {at} changes faster than the audit follows"
-                )
-            }
-            Self::Refused(Refusal::Penetrates { at }) => {
-                write!(
-                    formatter,
-                    "the base penetrates near xi = {at:.6}, where the answer has no contact"
-                )
-            }
-            Self::Refused(Refusal::LoadNotMet) => {
-                formatter.write_str("the pressure is far from the prescribed force or moment")
-            }
-        }
-    }
-}
-
 /// A way to bound the errors of an answer.
 type Auditor = fn(&shtaerman_audit::Problem<'_>, &Answer<'_>) -> Result<Bound, Refusal>;
 
@@ -126,92 +74,10 @@ impl Profile for Base<'_> {
     }
 }
 
-/// What a contact asks of the audit.
-enum Posed {
-    /// A plane contact: the kernel, what scaling may do to the numbers, and the exponent of the layer.
-    Plane(Kernel, f64, f64),
-    /// Plane ground described by a transfer function, and how much stronger than the foundation it is where points meet.
-    Layered(Box<Ground>, f64),
-    /// A circular punch: the exponent of the ground and that of the layer.
-    Disk(f64, f64),
-}
-
-/// A wave on a power law under a settlement: its force is bounded by nothing.
-const NOT_ESTIMATED: Unaudited =
-    Unaudited::NotCovered("the residual says nothing of its errors: the estimate is not finite");
-
-impl Posed {
-    /// Whether the residual is bounded between all places.
-    fn is_bound(&self) -> bool {
-        matches!(self, Self::Plane(_, _, layer) if *layer == 1.0)
-    }
-}
-
-/// What a contact asks of the audit, or why it has none.
-fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
-    let frame = problem.frame();
-    if problem.profile().is_closure() {
-        return Err(Unaudited::NotCovered(
-            "the profile is a closure, of which nothing is known between samples",
-        ));
-    }
-    let layer = match frame.law() {
-        Law::Linear => 1.0,
-        Law::Power(exponent) => exponent,
-        Law::Smooth => {
-            return Err(Unaudited::NotCovered(
-                "a smooth surface has no layer, and without it the residual bounds nothing in the mean square",
-            ));
-        }
-    };
-    if let Some(layering) = frame.layering() {
-        return layered(problem, &layering.clone().scaled(frame.half_width()), layer);
-    }
-    let exponent = frame.grading().map_or(0.0, |grading| grading.exponent());
-    let geometry = frame.geometry().scaled(frame.half_width());
-    if geometry == Geometry::Circular {
-        return Ok(Posed::Disk(exponent, layer));
-    }
-    Ok(match geometry {
-        Geometry::Periodic { period } => Posed::Plane(Kernel::Row { period }, OF_A_VALUE, layer),
-        _ if exponent > 0.0 => {
-            Posed::Plane(Kernel::Power { exponent }, OF_A_VALUE + GRADED / (1.0 - exponent), layer)
-        }
-        _ => Posed::Plane(Kernel::Logarithm, OF_A_VALUE, layer),
-    })
-}
-
-/// What a contact on a layer, under a coating or on an influence function asks of the audit, or why it has none.
-fn layered(problem: &Problem, layering: &Layering, layer: f64) -> Result<Posed, Unaudited> {
-    if problem.frame().geometry() == Geometry::Circular {
-        return Err(Unaudited::NotCovered(
-            "the residual on a layer under a circular punch is not bounded yet: its errors are estimates of the method",
-        ));
-    }
-    if layer < 1.0 {
-        return Err(Unaudited::NotCovered(
-            "the residual bounds nothing for a power law of roughness on a layer, under a coating or on an influence function, whose kernels are not known to have a maximum principle: its errors are estimates of the method",
-        ));
-    }
-    if layering.remainder().is_some() {
-        return Err(Unaudited::NotCovered(
-            "of an influence function given by its remainder it is not known whether it is positive, without which the residual bounds nothing: its errors are estimates of the method, and a cross-check by product integration holds them against another; with a transfer function it has an audit",
-        ));
-    }
-    let ground = Ground::new(layering.thickness(), layering.far_share(), &|u| layering.transfer(u));
-    if !ground.is_positive() && !matches!(problem.load().vertical(), Vertical::Force(_)) {
-        return Err(Unaudited::NotCovered(
-            "at a settlement prescribed the residual bounds nothing under a coating that is stiffer than what it lies on, whose kernel is known to be positive only for pressures without force: its errors are estimates of the method; with the force prescribed it has an audit",
-        ));
-    }
-    Ok(Posed::Layered(Box::new(ground), layering.strength()))
-}
-
 /// A bound of plane contact, or an estimate of another.
 const BOUND: &str = "the residual of the answer, resampled and bounded between all places, with rounding: it holds whatever way the answer was found";
 const OWN_LOAD: &str = "the residual of the answer, resampled: a bound for the contact under its own force and moment, an estimate for the settlement prescribed";
 const SAMPLED: &str = "the residual of the answer at places of its own: the profile is enclosed between them, the potential is not";
-
 const TRANSFORMED: &str = "the residual of the answer, resampled and bounded between all places but for the quadrature of the ground's transfer function, which is estimated";
 
 impl Contact {
@@ -236,11 +102,15 @@ impl Contact {
     }
 
     fn audit_by(&self, auditor: Auditor) -> Result<Audit, Unaudited> {
+        self.audit_as(auditor, &posed(self.solved())?)
+    }
+
+    /// The audit of this answer to what is posed.
+    fn audit_as(&self, auditor: Auditor, posed: &Posed) -> Result<Audit, Unaudited> {
         // Heights are counted from the level from which they were solved: that loses no digits, and changes nothing but the settlement.
         let problem = self.solved();
         let (settlement, level) = self.solved_settlement();
         let bare = self.dimensionless();
-        let posed = posed(problem)?;
         let frame = problem.frame();
         let load = problem.dimensionless_load();
         let (prescribed, is_load_own) = prescribed(&load, bare.force(), bare.moment());
@@ -264,7 +134,7 @@ impl Contact {
             force: bare.force(),
             moment: bare.moment(),
         };
-        let (bound, is_bound) = self.bound(auditor, &posed, (prescribed, &cuts), &answer)?;
+        let (bound, is_bound) = self.bound(auditor, posed, (prescribed, &cuts), &answer)?;
         let is_bound = is_bound && !is_load_own;
         let kind = if is_bound { ErrorKind::Bound } else { ErrorKind::Estimate };
         let reason = match posed.is_bound() {
@@ -289,7 +159,11 @@ impl Contact {
             _ => accuracy,
         };
         if !accuracy.is_finite() {
-            return Err(if posed.is_bound() { Unaudited::NotFinite } else { NOT_ESTIMATED });
+            return Err(if posed.is_bound() {
+                Unaudited::NotFinite
+            } else {
+                Unaudited::NOT_ESTIMATED
+            });
         }
         Ok(Audit {
             kind,
@@ -350,7 +224,7 @@ impl Contact {
         };
         let found = match posed {
             Posed::Layered(ground, strength) => {
-                auditor(&plane(ground.kernel(), Some(&**ground), *strength, SCALED), answer)
+                auditor(&plane(ground.kernel(), Some(&**ground), *strength, OF_A_VALUE), answer)
             }
             Posed::Plane(kernel, size, layer) if *layer < 1.0 => {
                 let stiffness = self.dimensionless().stiffness().matrix();
@@ -461,6 +335,52 @@ fn prescribed(load: &Load, force: f64, moment: f64) -> (Prescribed, bool) {
         }
         (Vertical::Settlement(_), Rotational::Eccentricity(_)) => {
             (Prescribed { force: Some(force), moment: Some(moment) }, true)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Foundation, LayerBase, Layering, Profile, Punch};
+
+    fn contact(thickness: f64, vertical: Vertical) -> Contact {
+        let layering =
+            Layering::layer(thickness, LayerBase::Bonded { poisson_ratio: 0.3 }).unwrap();
+        let foundation = Foundation::dimensionless(4.0).unwrap().with_layering(layering);
+        let profile = Profile::expression("x^2 + 0.1*sin(3*x)").unwrap();
+        let punch = Punch::new(1.0).unwrap().with_profile(profile);
+        let load = Load::new(vertical, Rotational::Moment(0.02)).unwrap();
+        Problem::new(foundation, punch, load).unwrap().solve().unwrap()
+    }
+
+    /// The answer on one layer is wrong on another, by what the answer there tells; the audit sees it, at both kinds of loads and however thin the difference.
+    #[test]
+    fn answers_on_another_layer_are_seen() {
+        for vertical in [Vertical::Force(0.6), Vertical::Settlement(0.9)] {
+            for off in [1e-2, 1e-5, 1e-8] {
+                let (one, other) = (contact(0.7, vertical), contact(0.7 * (1.0 + off), vertical));
+                let audit =
+                    one.audit_as(shtaerman_audit::audit, &posed(other.solved()).unwrap()).unwrap();
+                let bare = [&one, &other].map(Contact::dimensionless);
+                let apart = |value: fn(&Contact) -> f64| (value(&bare[0]) - value(&bare[1])).abs();
+                let places = (0..=40).map(|i| f64::from(i) / 20.0 - 1.0);
+                let pressure = places
+                    .map(|x| (one.pressure_at(x) - other.pressure_at(x)).abs())
+                    .fold(0.0, f64::max);
+                let found = audit.accuracy;
+                for (stated, actual) in [
+                    (found.pressure, pressure),
+                    (found.settlement, apart(Contact::settlement)),
+                    (found.tilt, apart(Contact::tilt)),
+                    (found.force, apart(Contact::force)),
+                ] {
+                    assert!(stated >= actual, "{vertical:?} {off:e}: {stated:e} {actual:e}");
+                }
+                assert!(pressure > 1e-3 * off, "{pressure:e}");
+                // Sharp enough to be of use.
+                assert!(found.pressure < 1e3 * pressure, "{:e} {pressure:e}", found.pressure);
+            }
         }
     }
 }

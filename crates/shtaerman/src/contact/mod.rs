@@ -26,7 +26,7 @@ mod kinks;
 mod linearised;
 mod method;
 mod parts;
-
+mod posed;
 mod promise;
 mod quantities;
 mod rates;
@@ -43,6 +43,7 @@ mod spectral;
 mod steps;
 mod stiffness;
 mod surface;
+mod unaudited;
 mod unilateral;
 mod valleys;
 mod warning;
@@ -50,7 +51,7 @@ mod zones;
 
 pub(crate) use accuracy::Accuracy;
 pub use accuracy::ErrorKind;
-pub use audit::{Audit, Unaudited};
+pub use audit::Audit;
 pub use complementarity::Complementarity;
 pub use cross_check::{CrossCheck, ReferenceError};
 pub use method::{Method, MethodName};
@@ -58,6 +59,7 @@ pub use quantities::Errors;
 pub(crate) use rates::{Linearised, Rates};
 pub use solved::Contact;
 pub use stiffness::Stiffness;
+pub use unaudited::Unaudited;
 pub use warning::{Warning, WarningCode};
 
 pub use crate::scaling::Scaling;

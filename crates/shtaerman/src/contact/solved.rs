@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::accuracy::{Accuracy, Sizes};
-use super::audit::{Audit, Unaudited};
+use super::audit::Audit;
 use super::balance::State;
 use super::extremes::{Extreme, Sampled};
 use super::kinks::{Kink, kinks};
@@ -14,6 +14,7 @@ use super::route::Found;
 use super::setting::Setting;
 use super::solution::Solution;
 use super::stiffness::Stiffness;
+use super::unaudited::Unaudited;
 use super::warning::{Warning, WarningCode};
 use crate::roughness::Law;
 use crate::{ContactKind, Error, Problem, Scaling};
