@@ -50,10 +50,10 @@ pub(super) fn crossing(
 
 /// The largest value between two places, by golden sections: to where values do not tell places apart, the root of rounding.
 pub(super) fn top(f: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> Point {
-    let least = f64::EPSILON.sqrt() * GOLDEN * (right - left);
+    let steps = (f64::EPSILON.sqrt().ln() / GOLDEN.ln()).ceil() as usize;
     let mut inner = [right - GOLDEN * (right - left), left + GOLDEN * (right - left)];
     let mut values = inner.map(f);
-    while right - left > least {
+    for _ in 0..steps {
         if values[0] >= values[1] {
             right = inner[1];
             inner = [right - GOLDEN * (right - left), inner[0]];
@@ -82,5 +82,7 @@ mod tests {
         assert!((crossing(&steep, (0.0, -1e-9), (1.0, 1.0), 0.0) - 0.1).abs() < 1e-16);
         let (place, value) = top(&|x: f64| 1.0 - (x - 0.3).powi(2), -1.0, 2.0);
         assert!((place - 0.3).abs() < 1e-7 && value == 1.0, "{place} {value}");
+        // Between neighbours that are one rounding apart there is an end, too.
+        assert_eq!(top(&|x: f64| x, 1.0f64.next_down(), 1.0).1, 1.0);
     }
 }
