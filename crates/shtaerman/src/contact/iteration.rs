@@ -12,12 +12,9 @@ pub(super) const GOLDEN: f64 = 0.618_033_988_749_894_9;
 pub(super) type Point = (f64, f64);
 
 /// Where a function vanishes between two places at which its signs differ: false position in the Illinois form, every third step by halves. Values up to `none` are zero.
-pub(super) fn crossing(
-    f: &impl Fn(f64) -> f64,
-    (mut left, mut at_left): Point,
-    (mut right, mut at_right): Point,
-    none: f64,
-) -> f64 {
+pub(super) fn crossing(f: &impl Fn(f64) -> f64, one: Point, other: Point, none: f64) -> f64 {
+    let ((mut left, mut at_left), (mut right, mut at_right)) =
+        if one.0 <= other.0 { (one, other) } else { (other, one) };
     for (place, value) in [(left, at_left), (right, at_right)] {
         if value == 0.0 {
             return place;
@@ -79,6 +76,8 @@ mod tests {
         assert!((root - std::f64::consts::FRAC_PI_2).abs() < 1e-15, "{root}");
         let steep = |x: f64| x.powi(9) - 1e-9;
         assert_eq!(crossing(&|x: f64| x * x - 0.25, (0.5, 0.0), (0.0, -0.25), 0.0), 0.5);
+        let back = crossing(&cosine, (3.0, 3f64.cos()), (0.0, 1.0), 0.0);
+        assert_eq!(back, root);
         assert!((crossing(&steep, (0.0, -1e-9), (1.0, 1.0), 0.0) - 0.1).abs() < 1e-16);
         let (place, value) = top(&|x: f64| 1.0 - (x - 0.3).powi(2), -1.0, 2.0);
         assert!((place - 0.3).abs() < 1e-7 && value == 1.0, "{place} {value}");

@@ -239,11 +239,14 @@ impl Solution for UnilateralContact {
 
     fn sample(&self) -> (Vec<f64>, Vec<f64>) {
         let mut places: Vec<f64> = vec![-1.0, 1.0];
+        // Between any two nodes: on many of them a pressure has as many tops.
+        let nodes = self.solved.positions.len() / self.solved.panels.len().max(1);
+        let count = PLACES.max(2 * nodes);
         for panel in &self.solved.panels {
             let (middle, half) =
                 (0.5 * (panel.left + panel.right), 0.5 * (panel.right - panel.left));
             let inside =
-                between_nodes(PLACES).map(|y| (middle + half * y).clamp(panel.left, panel.right));
+                between_nodes(count).map(|y| (middle + half * y).clamp(panel.left, panel.right));
             places.extend(inside.flat_map(|place| self.images(place)));
         }
         // Ends themselves, which a share of a panel misses by a rounding: at corners the pressure is steep.

@@ -2,6 +2,7 @@
 
 use super::field::{Field, displacement_outside};
 use crate::contact::check::{Check, POINTS, between_breaks};
+use crate::contact::search::COARSELY_ALLOWED;
 use crate::contact::smooth::check::{MOST_POINTS, between};
 use crate::contact::smooth::problem::Base;
 use crate::contact::zones::{Zone, outside};
@@ -64,8 +65,11 @@ fn look_beside(check: &mut Check, base: &Base<'_>, fields: &[Field], allowed: f6
     let scale = state.settlement.abs() + state.tilt.abs() + base.range();
     let zones: Vec<Zone> = fields.iter().map(|field| field.strip.zone).collect();
     for [from, to] in outside(&base.problem.pieces, &zones) {
+        // Of few modes every other place is enough: all are looked at with all modes.
+        let all = points_of(base, to - from, POINTS);
+        let count = if allowed >= COARSELY_ALLOWED { all / 2 } else { all };
         // At the end of a zone, and at a wall, there are two heights.
-        let mut points: Vec<f64> = between(from, to, points_of(base, to - from, POINTS)).collect();
+        let mut points: Vec<f64> = between(from, to, count).collect();
         points.extend(between_breaks(&base.problem.profile.cuts(), [from, to]));
         points.sort_by(f64::total_cmp);
         points.dedup();
