@@ -9,8 +9,8 @@ use std::f64::consts::PI;
 use super::system::Solved;
 use crate::contact::edges::EndState;
 
-/// Below this share of the scale a density is none, where slopes are known: at an end it is no better known.
-const NONE: f64 = 8.0 * f64::EPSILON;
+/// Below so many roundings of the scale, and one for each that a rounding of the displacement counts, a density is none where slopes are known: at an end it is no better known.
+const NONE: f64 = 8.0;
 /// Angles at which the slope of the density is taken. At half or twice 25 of 32 answers change, within what they state (survey).
 pub(super) const BESIDE: f64 = 0.06;
 /// The same times the number of modes: beside a close neighbour the density changes as fast as these do.
@@ -19,10 +19,11 @@ const BESIDE_OF_MODES: f64 = 10.0;
 /// What is known at the ends of all zones.
 pub(super) fn ends(solved: &Solved) -> Vec<[EndState; 2]> {
     let scale = solved.density_scale();
-    let none = if solved.is_sampled() { NONE * scale } else { 0.0 };
+    let rounding = f64::EPSILON * scale;
+    let none = if solved.is_sampled() { (NONE + solved.condition()) * rounding } else { 0.0 };
     let end = |j: usize, side: usize| {
         let value = solved.end_density(j, side);
-        let rounding = solved.rounding(j) + f64::EPSILON * scale;
+        let rounding = solved.rounding(j) + rounding;
         let step = -value / slope(solved, j, side) * solved.parts[j].zone.length();
         EndState { value, rounding, scale, none, enough: none, step }
     };

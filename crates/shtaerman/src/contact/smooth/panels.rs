@@ -13,6 +13,9 @@ const MOST_PANELS: usize = 40_000;
 const BLURRED: f64 = 1e3;
 /// A last coefficient that keeps this share when a panel is halved does not fall.
 const STAYS: f64 = 0.6;
+/// Half of a panel so short that what is left is noise if it is the same in both halves: without it a ring a millionth as wide as its radius is not found, as heights beside its bottom are
+/// noise (test `a_narrow_ring_is_a_line_of_hertz`).
+const FASTEST: f64 = 1e-4;
 /// A pole so many half-lengths from the middle of a panel is far. At half or twice 1 of 32 differ beyond what is stated and stated errors grow up to 4e+03 times (survey).
 const FAR: f64 = 2.5;
 /// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding. At half or twice stated errors grow up to 1.3 times (survey).
@@ -293,7 +296,8 @@ impl Builder<'_> {
         sampled.tail <= (self.tolerance * scale).max(rounding)
     }
 
-    /// Whether last coefficients that no halving makes smaller are rounding: small ones, or those that rounded places make.
+    /// Whether last coefficients that no halving makes smaller are rounding: small ones, those that rounded places make, or those of panels so short that nothing of
+    /// the profile is as fast.
     fn may_be_noise(&self, sampled: &Sampled, half: f64) -> bool {
         if !sampled.is_slope {
             return sampled.tail <= NOISE * self.scale[0];
@@ -301,7 +305,7 @@ impl Builder<'_> {
         let noise = NOISE * self.scale[1].max(self.profile.taken_slope());
         let bend: f64 = sampled.coefficients[1..].iter().map(|c| c.abs()).sum();
         let blurred = ROUNDING / f64::EPSILON * self.blur / half * bend;
-        sampled.tail <= noise.max(blurred)
+        sampled.tail <= noise.max(blurred) || half <= FASTEST
     }
 
     fn push(&mut self, [start, end]: [f64; 2], sampled: &Sampled) {

@@ -418,10 +418,13 @@ impl Solved {
         let sum: f64 = part.smooth.iter().map(|s| s.abs()).sum();
         // The ends are rounded in xi, not in lengths of their zone.
         let remote = 1.0 + part.zone.left().abs().max(part.zone.right().abs()) / part.half();
-        // Near full contact of a row a pressure that is even moves next to nothing.
-        let condition = self.theta0 * self.stiffness.force_settlement.abs();
         // Each mode answers to a sum over nodes of sums over modes.
-        OF_A_VALUE * (remote + 2.0 * part.smooth.len() as f64 + condition) * sum
+        OF_A_VALUE * (remote + 2.0 * part.smooth.len() as f64 + self.condition()) * sum
+    }
+
+    /// How much a rounding of the displacement counts in the pressure: near full contact of a row a pressure that is even moves next to nothing.
+    pub(super) fn condition(&self) -> f64 {
+        self.theta0 * self.stiffness.force_settlement.abs()
     }
 
     /// Rounding of settlement and tilt by that of the heights on the zones: errors of `f_0`, and of `f_1` over half a zone.

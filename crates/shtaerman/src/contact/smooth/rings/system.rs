@@ -18,7 +18,7 @@ use super::ring::Ring;
 use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
 use crate::contact::balance::State;
 use crate::contact::smooth::angular::Angular;
-use crate::contact::smooth::detail::{COMPARED, Detail};
+use crate::contact::smooth::detail::{Detail, FINE};
 use crate::contact::smooth::disk::shape::Shape;
 use crate::contact::smooth::disk::transform::Transform;
 use crate::contact::smooth::slopes::Slopes;
@@ -26,7 +26,7 @@ use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Vertical};
 
-/// Most modes for the base itself, half of them on the way to the zones: a bend of the base asks for all of them. At half or twice 3 of 10 answers are lost, stated errors grow up to 13 times and time grows by 240 % (survey).
+/// Most modes for the base itself, half of them but in the answer: a bend of the base asks for all of them. At half or twice 3 of 10 answers are lost, stated errors grow up to 13 times and time grows by 240 % (survey).
 const MODES_OF_BASE: usize = 192;
 
 /// A ring with its pressure.
@@ -325,7 +325,7 @@ impl Profiles {
                 Slopes::resolve(&on_ring, [bends, &[]], [detail.panels, 1], shape.tolerance)
             })
             .collect();
-        let most = if detail.digits >= COMPARED.digits { MODES_OF_BASE } else { MODES_OF_BASE / 2 };
+        let most = if detail.digits >= FINE.digits { MODES_OF_BASE } else { MODES_OF_BASE / 2 };
         let heights = (slopes.iter().zip(&mut counts))
             .map(|(slopes, count)| {
                 let mut heights = slopes.coefficients(most.max(*count));
