@@ -1,0 +1,21 @@
+//! Random and broken input of every kind, put through the readers, the arguments and the solvers.
+//!
+//! Each case depends on its seed and number alone. It is made by a generator that knows how such input is built, and half of the texts are then broken.
+//! A case fails where the code panics, an answer holds what is not a number or does not match the schema, a message is not one printable line, or an
+//! identity of the target (an enclosure holds the value, what was written is read back) is broken.
+//!
+//! ```text
+//! cargo run --release -p fuzzing -- expressions 1 100000
+//! ```
+
+mod broken;
+mod check;
+mod files;
+mod random;
+mod run;
+mod targets;
+mod written;
+
+pub use random::Random;
+pub use run::{Fault, Report, run};
+pub use targets::Target;

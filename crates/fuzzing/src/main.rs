@@ -1,0 +1,39 @@
+//! `cargo run --release -p fuzzing -- WHAT SEED COUNT`: puts random input through, and tells what failed.
+
+use std::process::ExitCode;
+
+use fuzzing::{Target, run};
+
+/// Failures that are shown in full.
+const SHOWN: usize = 20;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [what, seed, count] = arguments.as_slice() else { return usage() };
+    let (Some(target), Ok(seed), Ok(count)) = (Target::named(what), seed.parse(), count.parse())
+    else {
+        return usage();
+    };
+    // A panic is told with its case.
+    std::panic::set_hook(Box::new(|_| ()));
+    let report = run(target, seed, count, None);
+    for fault in report.faults.iter().take(SHOWN) {
+        println!("case {}: {}", fault.case, fault.what);
+    }
+    let (slowest, case) = report.slowest;
+    println!(
+        "{what}, seed {seed}: {} cases, {} accepted, {} refused, {} failed; slowest {:.4} s, case {case}",
+        report.cases,
+        report.accepted,
+        report.refused,
+        report.faults.len(),
+        slowest.as_secs_f64()
+    );
+    if report.faults.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
+fn usage() -> ExitCode {
+    let names: Vec<&str> = Target::ALL.iter().map(|target| target.name()).collect();
+    eprintln!("usage: fuzzing {} SEED COUNT", names.join("|"));
+    ExitCode::from(2)
+}

@@ -1,0 +1,79 @@
+//! What is put through.
+
+mod arguments;
+mod columns;
+mod equations;
+mod expressions;
+mod problems;
+mod readers;
+mod units;
+
+use crate::Random;
+use crate::check::Outcome;
+
+/// One case: made, run and checked. The error says what failed, with the input.
+pub(crate) type Subject = fn(&mut Random) -> Result<Outcome, String>;
+
+/// What is put through.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Target {
+    /// Problem and equation files, read and not solved.
+    Readers,
+    /// Formulas: parsed, evaluated, enclosed, searched for breaks.
+    Expressions,
+    /// Quantities with units: parsed, shown, parsed again.
+    Units,
+    /// Columns of numbers.
+    Columns,
+    /// Command lines, parsed and not run.
+    Arguments,
+    /// Problem files, solved with their audit.
+    Problems,
+    /// Equation files, solved with their audit.
+    Equations,
+}
+
+impl Target {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Readers,
+        Self::Expressions,
+        Self::Units,
+        Self::Columns,
+        Self::Arguments,
+        Self::Problems,
+        Self::Equations,
+    ];
+
+    /// Its name on the command line.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Readers => "readers",
+            Self::Expressions => "expressions",
+            Self::Units => "units",
+            Self::Columns => "columns",
+            Self::Arguments => "arguments",
+            Self::Problems => "problems",
+            Self::Equations => "equations",
+        }
+    }
+
+    /// The target of a name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|target| target.name() == name)
+    }
+
+    pub(crate) const fn subject(self) -> Subject {
+        match self {
+            Self::Readers => readers::case,
+            Self::Expressions => expressions::case,
+            Self::Units => units::case,
+            Self::Columns => columns::case,
+            Self::Arguments => arguments::case,
+            Self::Problems => problems::case,
+            Self::Equations => equations::case,
+        }
+    }
+}
