@@ -283,6 +283,14 @@ impl Contact {
         (peak * peak).is_finite() && (self.theta0() * self.solution_size().powi(2)).is_finite()
     }
 
+    /// The same with the errors of its [audit](Contact::audit) in place of those its method states, or the reason why there is none; held against nothing.
+    #[must_use]
+    pub fn with_audit(mut self) -> Self {
+        let audit = self.audit();
+        self.set_audit(audit);
+        self
+    }
+
     /// The answer with the errors of its [audit](Contact::audit) in place of those its method states, where the theorem covers it; otherwise as it is, with the reason kept.
     ///
     /// # Errors

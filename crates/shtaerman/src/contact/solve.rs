@@ -7,6 +7,7 @@ use super::promise::{Reached, require_explained};
 use super::route::{Found, Reason, solution};
 use super::setting::Setting;
 use super::spectral::{SpectralContact, profile_series};
+use super::unfinished::Unfinished;
 use super::warning::Warning;
 use crate::roughness::Law;
 use crate::solver::AIM;
@@ -23,11 +24,34 @@ impl Problem {
     /// Of unilateral contact: [`Error::InvalidValue`] for a force that is not positive, [`Error::TipsOver`] for a moment or an eccentricity that no
     /// pressure on the base can balance, [`Error::NoContact`] for displacements that leave the base clear of the body;
     /// [`Error::NotComplementary`] when no zones were found.
+    ///
+    /// [`Error::TimeLimit`] where the solver has a [time limit](crate::Solver::with_time_limit) and it ends the search.
     pub fn solve(&self) -> Result<Contact, Error> {
+        let Some(timed) = self.timed() else { return self.solve_at_level() };
+        let found = timed.solve_at_level();
+        let is_past = timed.deadline().is_past();
+        timed.deadline().lift();
+        let limit = self.solver().time_limit().unwrap_or_default();
+        found.map_err(|error| match error {
+            Error::TimeLimit { .. } => error,
+            // What the end of the time made of the search.
+            numerical if is_past && numerical.is_numerical() => {
+                Error::TimeLimit { limit, best: None }
+            }
+            other => other,
+        })
+    }
+
+    /// The solution with heights counted from the level of the base, and put back there.
+    fn solve_at_level(&self) -> Result<Contact, Error> {
         let Some((lowered, level)) = self.lowered() else { return self.solve_as_given() };
         let level0 = self.frame().scaling().map_or(level, |scaling| level / scaling.displacement());
         match lowered.solve_as_given() {
             Ok(contact) => Ok(contact.with_level(self, level0)),
+            Err(Error::TimeLimit { limit, best: Some(best) }) => {
+                let best = Some(best.map(|contact| contact.with_level(self, level0)));
+                Err(Error::TimeLimit { limit, best })
+            }
             Err(error) => Err(error.with_level(level, level0)),
         }
     }
@@ -61,6 +85,11 @@ impl Problem {
 
 /// The answer that a solution amounts to, if it keeps an explicit tolerance, with its warnings.
 fn draw_up(setting: Setting, found: Found) -> Result<Contact, Error> {
+    if setting.problem().deadline().is_past() {
+        let limit = setting.problem().solver().time_limit().unwrap_or_default();
+        let best = Contact::new(setting, found).ok().map(|contact| contact.unfinished(limit));
+        return Err(Error::TimeLimit { limit, best: best.map(Unfinished::new) });
+    }
     let solution = found.solution.as_ref();
     let (method, profile_error) = (solution.method(), found.profile_error);
     let of_heights = setting.of_heights(solution).map_or(0.0, |error| error.relative());

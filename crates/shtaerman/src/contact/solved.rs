@@ -1,6 +1,7 @@
 //! The solved contact.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use super::accuracy::{Accuracy, Sizes};
 use super::audit::Audit;
@@ -127,6 +128,19 @@ impl Contact {
             record.tension = tension;
         }
         Ok(contact)
+    }
+
+    /// Whether both are one record.
+    pub(super) fn is_same(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.record, &other.record) && self.units == other.units
+    }
+
+    /// The same without the errors that the method states, which hold for answers only, and with a warning that says so.
+    pub(super) fn unfinished(mut self, limit: Duration) -> Self {
+        let left = self.solution().complementarity();
+        self.record_mut().accuracy = None;
+        self.warn(Some(Warning::time_limit(limit, left)));
+        self
     }
 
     /// The answer to the problem whose base lies higher by a level.

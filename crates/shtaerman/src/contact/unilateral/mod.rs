@@ -175,7 +175,7 @@ fn open(base: &Base<'_>) -> Result<Arc<dyn Solution>, Error> {
     let mut is_lost = false;
     for way in ways(base) {
         // More nodes find no zones that few did not.
-        if is_lost && best.is_some() {
+        if is_lost && best.is_some() || base.problem.deadline().is_past() {
             break;
         }
         let found: Result<Arc<dyn Solution>, Error> = match way {

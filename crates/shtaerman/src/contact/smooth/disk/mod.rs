@@ -28,6 +28,7 @@ use crate::contact::balance::State;
 use crate::contact::parts::MOST_CUTS;
 use crate::contact::steps::{REACH, rise};
 use crate::contact::valleys::SAMPLES;
+use crate::deadline::Deadline;
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 use check::Check;
@@ -55,6 +56,8 @@ pub(crate) struct SmoothDisk {
     pub(crate) tolerance: f64,
     /// Whether the radius of the contact is part of the answer, with the pressure nowhere negative.
     pub(crate) is_unilateral: bool,
+    /// When the search for rings has to come to its end.
+    pub(crate) deadline: Deadline,
 }
 
 impl fmt::Debug for SmoothDisk {

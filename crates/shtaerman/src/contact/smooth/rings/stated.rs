@@ -52,6 +52,7 @@ impl Problem {
             breaks: self.smooth_breaks(),
             tolerance: if measured { MEASURED } else { 0.0 },
             is_unilateral: self.solver().contact == ContactKind::Unilateral,
+            deadline: self.deadline().clone(),
         }
     }
 

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::solve;
 use crate::contact::smooth::disk::SmoothDisk;
 use crate::contact::solution::Solution;
+use crate::deadline::Deadline;
 use crate::{Error, Load, Rotational, Vertical};
 
 fn close(found: f64, exact: f64, relative: f64, what: &str) {
@@ -26,6 +27,7 @@ fn one_disk_is_that_of_galins_transforms() {
             breaks: vec![kink],
             tolerance: 0.0,
             is_unilateral,
+            deadline: Deadline::default(),
         };
         let (one, two) = (disk.solve().unwrap(), solve(&disk).unwrap());
         let [[left, right]] = two.zones()[..] else { panic!("one disk") };
@@ -55,6 +57,7 @@ fn one_disk_is_that_of_galins_transforms() {
         breaks: Vec::new(),
         tolerance: 0.0,
         is_unilateral: true,
+        deadline: Deadline::default(),
     };
     let refused = solve(&refused);
     assert!(matches!(refused, Err(Error::InvalidValue { field: "moment", value: 0.1, .. })));

@@ -144,7 +144,7 @@ fn settle(
 ) -> Result<Option<(Level, System, Complementarity)>, Error> {
     let mut latest: Option<Level> = None;
     for _ in 0..ROUNDS {
-        if zones.is_empty() || zones.len() > MOST_ZONES {
+        if zones.is_empty() || zones.len() > MOST_ZONES || base.problem.deadline().is_past() {
             return Ok(None);
         }
         let known = Known { level: latest.as_ref().or(start), coarse };
