@@ -55,7 +55,12 @@ fn solve_and_match_the_schemas() {
         assert!(json["physical"]["gauge"].as_str().unwrap().contains(gauge));
         assert!(number(&json, "/physical/settlement") > 0.0);
         let said = folder.run(&["solve", "punch.toml"]).answer();
-        assert!(said.contains("audit (none): the residual on a layer"), "{said}");
+        let audit = if text.contains("circular") {
+            "audit (none): the residual on a layer"
+        } else {
+            "audit (estimate): the residual of the answer"
+        };
+        assert!(said.contains(audit), "{said}");
         let run = folder.run(&["stress", "punch.toml"]);
         assert!(run.refusal().contains("homogeneous half-space only"), "{run:?}");
     }
