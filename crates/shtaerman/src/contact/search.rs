@@ -189,9 +189,6 @@ fn found<E: Equation>(equation: &E) -> Result<(E::Solved, E::Effort), Error> {
     let mut doubtful = Doubtful { violation: DOUBTFUL, zones: None };
     let valleys = equation.valleys();
     for start in equation.starts() {
-        if equation.deadline().is_past() {
-            return Err(last);
-        }
         let zones = match start {
             Start::Whole => Ok(equation.pieces()),
             Start::Cells(count) => equation.intervals(count).and_then(|intervals| {
@@ -206,6 +203,9 @@ fn found<E: Equation>(equation: &E) -> Result<(E::Solved, E::Effort), Error> {
             // What is left of an attempt says more than that the next came to no end.
             Err(Error::Equation(_)) if is_attempt(&last) => {}
             Err(error) => last = error,
+        }
+        if equation.deadline().is_past() {
+            return Err(last);
         }
     }
     // All nodes tell whether there is anything left.

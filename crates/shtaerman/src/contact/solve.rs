@@ -35,9 +35,7 @@ impl Problem {
         found.map_err(|error| match error {
             Error::TimeLimit { .. } => error,
             // What the end of the time made of the search.
-            numerical if is_past && numerical.is_numerical() => {
-                Error::TimeLimit { limit, best: None }
-            }
+            _ if is_past => Error::TimeLimit { limit, best: None },
             other => other,
         })
     }
@@ -87,7 +85,7 @@ impl Problem {
 fn draw_up(setting: Setting, found: Found) -> Result<Contact, Error> {
     if setting.problem().deadline().is_past() {
         let limit = setting.problem().solver().time_limit().unwrap_or_default();
-        let best = Contact::new(setting, found).ok().map(|contact| contact.unfinished(limit));
+        let best = Contact::unfinished(setting, found).ok();
         return Err(Error::TimeLimit { limit, best: best.map(Unfinished::new) });
     }
     let solution = found.solution.as_ref();

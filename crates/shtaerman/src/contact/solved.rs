@@ -1,12 +1,12 @@
 //! The solved contact.
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use super::accuracy::{Accuracy, Sizes};
 use super::audit::Audit;
 use super::balance::State;
 use super::extremes::{Extreme, Sampled};
+use super::heights::OfHeights;
 use super::kinks::{Kink, kinks};
 use super::method::Method;
 use super::parts::MOST_CUTS;
@@ -87,15 +87,33 @@ struct Record {
 impl Contact {
     /// The answer that a solution amounts to.
     pub(super) fn new(setting: Setting, found: Found) -> Result<Self, Error> {
+        let of_heights = setting.of_heights(found.solution.as_ref());
+        let accuracy = of_heights.zip(found.solution.accuracy()).map(|(own, known)| own.or(known));
+        Self::with_errors(setting, found, of_heights, accuracy)
+    }
+
+    /// What a solution that is not final amounts to: without the errors that the method states, which hold for answers only, and with a warning that says so.
+    pub(super) fn unfinished(setting: Setting, found: Found) -> Result<Self, Error> {
+        let left = found.solution.complementarity();
+        let mut contact = Self::with_errors(setting, found, None, None)?;
+        contact.warn(Some(Warning::time_limit(left)));
+        Ok(contact)
+    }
+
+    fn with_errors(
+        setting: Setting,
+        found: Found,
+        of_heights: Option<OfHeights>,
+        accuracy: Option<Accuracy>,
+    ) -> Result<Self, Error> {
         let Found { solution, reason, .. } = found;
         let problem = setting.problem().clone();
-        let of_heights = setting.of_heights(solution.as_ref());
         let is_symmetric = problem.is_symmetric();
         let record = Record {
             problem: problem.clone(),
             setting,
             level: 0.0,
-            accuracy: of_heights.zip(solution.accuracy()).map(|(own, known)| own.or(known)),
+            accuracy,
             of_heights: of_heights.map_or(0.0, |own| own.relative()),
             edges_of_heights: of_heights.map_or(0.0, |own| own.edges()),
             reason: reason.to_string(),
@@ -133,14 +151,6 @@ impl Contact {
     /// Whether both are one record.
     pub(super) fn is_same(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.record, &other.record) && self.units == other.units
-    }
-
-    /// The same without the errors that the method states, which hold for answers only, and with a warning that says so.
-    pub(super) fn unfinished(mut self, limit: Duration) -> Self {
-        let left = self.solution().complementarity();
-        self.record_mut().accuracy = None;
-        self.warn(Some(Warning::time_limit(limit, left)));
-        self
     }
 
     /// The answer to the problem whose base lies higher by a level.

@@ -2,8 +2,6 @@
 
 use serde::Serialize;
 
-use std::time::Duration;
-
 use super::complementarity::Complementarity;
 use super::intervals::SLIVER;
 use super::kinks::Kink;
@@ -67,16 +65,14 @@ fn position(frame: &Frame, xi: f64) -> String {
 
 impl Warning {
     /// The search ended at the time limit, with so much left.
-    pub(super) fn time_limit(limit: Duration, left: Option<Complementarity>) -> Self {
+    pub(super) fn time_limit(left: Option<Complementarity>) -> Self {
         let left = left.map_or(String::new(), |Complementarity { tension, penetration }| {
             format!(
                 "; tension {tension:.1e} and penetration {penetration:.1e} of their scales are left"
             )
         });
-        let message = format!(
-            "the time limit of {} s ended the search: zones and pressure are not final{left}",
-            limit.as_secs_f64()
-        );
+        let message =
+            format!("the time limit ended the search: zones and pressure are not final{left}");
         Self { code: WarningCode::TimeLimit, message }
     }
 

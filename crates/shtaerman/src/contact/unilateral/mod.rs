@@ -175,7 +175,7 @@ fn open(base: &Base<'_>) -> Result<Arc<dyn Solution>, Error> {
     let mut is_lost = false;
     for way in ways(base) {
         // More nodes find no zones that few did not.
-        if is_lost && best.is_some() || base.problem.deadline().is_past() {
+        if is_lost && best.is_some() {
             break;
         }
         let found: Result<Arc<dyn Solution>, Error> = match way {
@@ -195,6 +195,9 @@ fn open(base: &Base<'_>) -> Result<Arc<dyn Solution>, Error> {
                     break;
                 }
             }
+        }
+        if base.problem.deadline().is_past() {
+            break;
         }
     }
     best.ok_or(match refusal {
