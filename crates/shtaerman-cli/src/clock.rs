@@ -7,7 +7,6 @@ use std::thread::{self, Builder};
 use std::time::{Duration, Instant};
 
 use crate::Failure;
-use crate::output::interrupt;
 
 /// Commands that take less than this show no progress, and how often the line is written anew.
 const FIRST: Duration = Duration::from_secs(1);
@@ -53,8 +52,8 @@ impl Clock {
     }
 }
 
-/// Starts the clock of a command. At the limit the process ends with exit code 3, unless the clock was [stopped](stop) before.
-pub(crate) fn start(limit: Option<Duration>) {
+/// Starts the clock of a command. At the limit `end` ends the process with exit code 3, unless the clock was [stopped](stop) before.
+pub(crate) fn start(limit: Option<Duration>, end: fn(i32) -> !) {
     let is_seen = stderr().is_terminal();
     if limit.is_none() && !is_seen {
         return;
@@ -62,10 +61,10 @@ pub(crate) fn start(limit: Option<Duration>) {
     let running = Running { since: Instant::now(), limit };
     clock().running = Some(running);
     // Without a thread nobody is shown anything; the search itself still ends in time.
-    let _ = Builder::new().name("clock".to_owned()).spawn(move || watch(running, is_seen));
+    let _ = Builder::new().name("clock".to_owned()).spawn(move || watch(running, is_seen, end));
 }
 
-fn watch(Running { since, limit }: Running, is_seen: bool) {
+fn watch(Running { since, limit }: Running, is_seen: bool, end: fn(i32) -> !) {
     loop {
         let left = limit.map_or(TICK, |limit| limit.saturating_sub(since.elapsed()));
         thread::sleep(left.min(TICK));
@@ -76,8 +75,8 @@ fn watch(Running { since, limit }: Running, is_seen: bool) {
         let elapsed = since.elapsed();
         if let Some(limit) = limit.filter(|limit| elapsed >= *limit) {
             clock.clear();
-            Failure::from(shtaerman::Error::TimeLimit { limit, best: None }).report();
-            interrupt(NOT_KEPT);
+            Failure::from(shtaerman::Error::TimeLimit { limit }).report();
+            end(NOT_KEPT);
         }
         if is_seen && elapsed >= FIRST {
             clock.show(elapsed);

@@ -12,7 +12,7 @@ use shtaerman::{Contact, Error};
 use super::places;
 use crate::arguments::ProblemArguments;
 use crate::failure::shown;
-use crate::output::{Input, check_writable};
+use crate::output::{Input, check_writable, interrupt};
 use crate::{Failure, clock};
 
 /// Reads the problem, with its overrides; `-` is standard input. The outputs must be writable, and none of them a file that is read.
@@ -23,7 +23,7 @@ pub(super) fn read(
     let input = Input { what: "the problem file", path: &arguments.file };
     check_writable(outputs, &[input])?;
     let file = read_problem(arguments)?;
-    clock::start(file.problem().solver().time_limit());
+    clock::start(file.problem().solver().time_limit(), interrupt);
     if let Some(path) = file.measured_profile() {
         check_writable(outputs, &[Input { what: "the measured profile", path }])?;
     }
@@ -111,7 +111,12 @@ pub(super) fn solved(file: &ProblemFile, is_audited: bool) -> Result<Solved, Fai
     };
     let share = if is_audited { SEARCH } else { UNAUDITED_SEARCH };
     let solver = problem.solver().with_time_limit(limit.mul_f64(share))?;
-    match problem.with_solver(solver).solve() {
+    match problem.with_solver(solver).solve_or_best() {
+        Ok(contact) if contact.is_unfinished() => {
+            let best = contact.clone();
+            let audited = clock::in_time(move || best.with_audit()).filter(|_| is_audited);
+            Ok(Solved::Unfinished(audited.unwrap_or(contact), limit))
+        }
         Ok(contact) if !is_audited => Ok(Solved::Answer(contact)),
         Ok(contact) => {
             let audited = contact.clone();
@@ -120,13 +125,7 @@ pub(super) fn solved(file: &ProblemFile, is_audited: bool) -> Result<Solved, Fai
                 None => Ok(Solved::Unfinished(contact, limit)),
             }
         }
-        Err(Error::TimeLimit { best: Some(best), .. }) => {
-            let contact = best.contact().clone();
-            let audited = contact.clone();
-            let audited = clock::in_time(move || audited.with_audit()).filter(|_| is_audited);
-            Ok(Solved::Unfinished(audited.unwrap_or(contact), limit))
-        }
-        Err(Error::TimeLimit { .. }) => Err(Error::TimeLimit { limit, best: None }.into()),
+        Err(Error::TimeLimit { .. }) => Err(Error::TimeLimit { limit }.into()),
         Err(error) => Err(located(error)),
     }
 }
@@ -135,6 +134,6 @@ pub(super) fn solved(file: &ProblemFile, is_audited: bool) -> Result<Solved, Fai
 pub(super) fn solve(file: &ProblemFile, is_audited: bool) -> Result<Contact, Failure> {
     match solved(file, is_audited)? {
         Solved::Answer(contact) => Ok(contact),
-        Solved::Unfinished(_, limit) => Err(Error::TimeLimit { limit, best: None }.into()),
+        Solved::Unfinished(_, limit) => Err(Error::TimeLimit { limit }.into()),
     }
 }

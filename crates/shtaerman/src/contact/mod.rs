@@ -44,7 +44,6 @@ mod steps;
 mod stiffness;
 mod surface;
 mod unaudited;
-mod unfinished;
 mod unilateral;
 mod valleys;
 mod warning;
@@ -61,7 +60,6 @@ pub(crate) use rates::{Linearised, Rates};
 pub use solved::Contact;
 pub use stiffness::Stiffness;
 pub use unaudited::Unaudited;
-pub use unfinished::Unfinished;
 pub use warning::{Warning, WarningCode};
 
 pub use crate::scaling::Scaling;

@@ -7,7 +7,6 @@ use super::promise::{Reached, require_explained};
 use super::route::{Found, Reason, solution};
 use super::setting::Setting;
 use super::spectral::{SpectralContact, profile_series};
-use super::unfinished::Unfinished;
 use super::warning::Warning;
 use crate::roughness::Law;
 use crate::solver::AIM;
@@ -27,17 +26,25 @@ impl Problem {
     ///
     /// [`Error::TimeLimit`] where the solver has a [time limit](crate::Solver::with_time_limit) and it ends the search.
     pub fn solve(&self) -> Result<Contact, Error> {
+        let contact = self.solve_or_best()?;
+        match self.solver().time_limit().filter(|_| contact.is_unfinished()) {
+            Some(limit) => Err(Error::TimeLimit { limit }),
+            None => Ok(contact),
+        }
+    }
+
+    /// The same, but for a search that the [time limit](crate::Solver::with_time_limit) ends: the best it had come to then, which is [no answer](Contact::is_unfinished), if that is a contact.
+    ///
+    /// # Errors
+    /// Those of [`Problem::solve`].
+    pub fn solve_or_best(&self) -> Result<Contact, Error> {
         let Some(timed) = self.timed() else { return self.solve_at_level() };
         let found = timed.solve_at_level();
         let is_past = timed.deadline().is_past();
         timed.deadline().lift();
         let limit = self.solver().time_limit().unwrap_or_default();
-        found.map_err(|error| match error {
-            Error::TimeLimit { .. } => error,
-            // What the end of the time made of the search.
-            _ if is_past => Error::TimeLimit { limit, best: None },
-            other => other,
-        })
+        // What the end of the time made of the search.
+        found.map_err(|error| if is_past { Error::TimeLimit { limit } } else { error })
     }
 
     /// The solution with heights counted from the level of the base, and put back there.
@@ -46,10 +53,6 @@ impl Problem {
         let level0 = self.frame().scaling().map_or(level, |scaling| level / scaling.displacement());
         match lowered.solve_as_given() {
             Ok(contact) => Ok(contact.with_level(self, level0)),
-            Err(Error::TimeLimit { limit, best: Some(best) }) => {
-                let best = Some(best.map(|contact| contact.with_level(self, level0)));
-                Err(Error::TimeLimit { limit, best })
-            }
             Err(error) => Err(error.with_level(level, level0)),
         }
     }
@@ -84,9 +87,7 @@ impl Problem {
 /// The answer that a solution amounts to, if it keeps an explicit tolerance, with its warnings.
 fn draw_up(setting: Setting, found: Found) -> Result<Contact, Error> {
     if setting.problem().deadline().is_past() {
-        let limit = setting.problem().solver().time_limit().unwrap_or_default();
-        let best = Contact::unfinished(setting, found).ok();
-        return Err(Error::TimeLimit { limit, best: best.map(Unfinished::new) });
+        return Contact::unfinished(setting, found);
     }
     let solution = found.solution.as_ref();
     let (method, profile_error) = (solution.method(), found.profile_error);

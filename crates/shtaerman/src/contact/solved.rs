@@ -100,6 +100,13 @@ impl Contact {
         Ok(contact)
     }
 
+    /// Whether the [time limit](crate::Solver::with_time_limit) ended the search for it: zones and pressure are not final, and nothing is stated of its errors but by an
+    /// [audit](Contact::with_audit).
+    #[must_use]
+    pub fn is_unfinished(&self) -> bool {
+        self.warnings().iter().any(|warning| warning.code == WarningCode::TimeLimit)
+    }
+
     fn with_errors(
         setting: Setting,
         found: Found,
@@ -146,11 +153,6 @@ impl Contact {
             record.tension = tension;
         }
         Ok(contact)
-    }
-
-    /// Whether both are one record.
-    pub(super) fn is_same(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.record, &other.record) && self.units == other.units
     }
 
     /// The answer to the problem whose base lies higher by a level.

@@ -6,7 +6,6 @@ pub use inverse::InverseError;
 
 use std::time::Duration;
 
-use crate::contact::Unfinished;
 use crate::document::FileError;
 use crate::expression::Defect;
 use crate::quantity::plain;
@@ -100,8 +99,6 @@ pub enum Error {
     TimeLimit {
         /// What was allowed.
         limit: Duration,
-        /// What the search had come to, if that is a contact.
-        best: Option<Unfinished>,
     },
 
     /// The audit found the answer wrong.
