@@ -12,9 +12,6 @@ use crate::Error;
 use crate::kernel::Kernel;
 use crate::quadrature::places::Sampled;
 
-/// The third number of nodes over the [first](first_half_count): so many more the estimate, which allows for slower convergence than there usually is, asks for at tolerances of 1e-11. Without them it takes
-/// a fourth solution of twice the cost.
-const FOR_ESTIMATE: f64 = 1.2;
 /// Growth of the number of nodes.
 const RATIO: f64 = SQRT_2;
 /// Most nodes on either side of the middle of a panel.
@@ -128,7 +125,7 @@ pub fn solve_adaptive_in_parts(
         });
     }
     let strength = parameter * kernel.interval().half_length();
-    let start = (FOR_ESTIMATE * first_half_count(strength)).max(kernel.first_half_count());
+    let start = first_half_count(strength).max(kernel.first_half_count());
     // A bad interval or breakpoint is refused before the function is asked for thousands of values.
     Mesh::new(grid(kernel, start)?, kernel.interval(), breaks)?;
     let sampled = Sampled::new(kernel.interval(), &f, cuts)?;
