@@ -85,6 +85,9 @@ pub struct ProblemArguments {
     /// Override a key of the file, such as load.force="1 MN/m"; may be given again.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub overrides: Vec<String>,
+    /// End with exit code 3 when there is no answer after this time, such as "10 s"; `solve` shows the best so far then. In place of the key `solver.time_limit`.
+    #[arg(long, value_name = "TIME")]
+    pub time_limit: Option<String>,
 }
 
 /// `shtaerman solve`.

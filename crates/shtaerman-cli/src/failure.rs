@@ -3,6 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
+use std::time::Duration;
 
 use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError,
@@ -41,6 +42,9 @@ pub(crate) enum Failure {
         /// What the system says.
         reason: String,
     },
+    /// The time limit ended the search; the best so far was shown.
+    #[error("no answer was found within the time limit of {} s: what is shown is the best so far, not final, and no file was written", .0.as_secs_f64())]
+    Unfinished(Duration),
     /// A check failed.
     #[error("{0}")]
     Check(String),
@@ -73,6 +77,7 @@ impl Failure {
         match self {
             Self::Check(_) | Self::Unwritten { .. } => 1,
             Self::Problem(error) if error.is_numerical() => 3,
+            Self::Unfinished(_) => 3,
             Self::Usage(_) | Self::Problem(_) | Self::Plot(_) | Self::Unwritable { .. } => 2,
         }
     }

@@ -5,6 +5,7 @@
 //! ```
 
 pub mod arguments;
+mod clock;
 mod commands;
 mod failure;
 mod output;
@@ -37,7 +38,9 @@ pub fn run() -> ExitCode {
         Ok(arguments) => arguments,
         Err(error) => return explain(&error),
     };
-    match commands::execute(&arguments.command) {
+    let done = commands::execute(&arguments.command);
+    clock::stop();
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }

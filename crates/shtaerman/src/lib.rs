@@ -33,6 +33,7 @@
 pub mod answer;
 pub mod asperities;
 pub mod contact;
+mod deadline;
 pub mod equation;
 mod error;
 pub mod file;

@@ -2,6 +2,7 @@
 
 use fredholm::basis::Function;
 
+use crate::deadline::Deadline;
 use crate::error::{finite, require};
 use crate::expression::{Defect, Interval, Reflection, remainder_of_sum};
 use crate::frame::Frame;
@@ -43,6 +44,8 @@ pub struct Problem {
     frame: Frame,
     load: Load,
     solver: Solver,
+    /// When the search for its answer has to come to its end.
+    deadline: Deadline,
 }
 
 impl Problem {
@@ -54,7 +57,8 @@ impl Problem {
     /// the closed punch.
     pub fn new(foundation: Foundation, punch: Punch, load: Load) -> Result<Self, Error> {
         let frame = Frame::new(&foundation, &punch)?;
-        Self { foundation, punch, frame, load, solver: Solver::default() }.ready()
+        let (solver, deadline) = (Solver::default(), Deadline::default());
+        Self { foundation, punch, frame, load, solver, deadline }.ready()
     }
 
     /// The same problem solved in another frame, without asking what foundation and punch would make it so.
@@ -161,6 +165,17 @@ impl Problem {
     #[must_use]
     pub fn with_solver(&self, solver: Solver) -> Self {
         Self { solver, ..self.clone() }
+    }
+
+    /// The same problem with the time that its solver allows running from now on; none where it runs already, or there is no limit.
+    pub(crate) fn timed(&self) -> Option<Self> {
+        let limit = self.solver.time_limit().filter(|_| !self.deadline.is_set())?;
+        Some(Self { deadline: Deadline::after(limit), ..self.clone() })
+    }
+
+    /// When the search for its answer has to come to its end.
+    pub(crate) fn deadline(&self) -> &Deadline {
+        &self.deadline
     }
 
     /// The same problem with heights and settlement counted from the level of the base, and the height of that level in the units of the problem; none where that

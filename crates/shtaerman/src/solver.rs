@@ -1,5 +1,7 @@
 //! How a problem is to be solved.
 
+use std::time::Duration;
+
 use crate::Error;
 use crate::error::require;
 
@@ -77,6 +79,7 @@ pub struct Solver {
     pub(crate) method: MethodChoice,
     pub(crate) degree: Option<usize>,
     pub(crate) tolerance: Option<f64>,
+    pub(crate) time_limit: Option<Duration>,
 }
 
 impl Solver {
@@ -130,6 +133,14 @@ impl Solver {
         Self { tolerance: Some(tolerance), ..self }.checked()
     }
 
+    /// The same with a [limit of the time](Self::time_limit) that the search for an answer may take.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for a limit of 0.
+    pub fn with_time_limit(self, limit: Duration) -> Result<Self, Error> {
+        Self { time_limit: Some(limit), ..self }.checked()
+    }
+
     /// Whether the punch may lift off.
     #[must_use]
     pub fn contact(&self) -> ContactKind {
@@ -154,6 +165,12 @@ impl Solver {
         self.tolerance
     }
 
+    /// How long the search for an answer may take, after which it ends with [`Error::TimeLimit`] at its next step; none by default. What a run comes to then depends on the machine.
+    #[must_use]
+    pub fn time_limit(&self) -> Option<Duration> {
+        self.time_limit
+    }
+
     fn checked(self) -> Result<Self, Error> {
         if let Some(degree) = self.degree {
             require(degree > 0, "n", 0.0, "at least 1")?;
@@ -163,6 +180,10 @@ impl Solver {
         if let Some(tolerance) = self.tolerance {
             let sensible = tolerance.is_finite() && tolerance > 0.0 && tolerance < 1.0;
             require(sensible, "tolerance", tolerance, "greater than 0 and less than 1")?;
+        }
+        if let Some(limit) = self.time_limit {
+            let requirement = "greater than 0 seconds";
+            require(!limit.is_zero(), "time_limit", limit.as_secs_f64(), requirement)?;
         }
         Ok(self)
     }

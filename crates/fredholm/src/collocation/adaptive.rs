@@ -124,13 +124,19 @@ pub fn solve_adaptive_in_parts(
             requirement: "finite and positive",
         });
     }
-    let start = first_half_count(parameter * kernel.interval().half_length())
-        .max(kernel.first_half_count());
+    let strength = parameter * kernel.interval().half_length();
+    let start = first_half_count(strength).max(kernel.first_half_count());
     // A bad interval or breakpoint is refused before the function is asked for thousands of values.
     Mesh::new(grid(kernel, start)?, kernel.interval(), breaks)?;
     let sampled = Sampled::new(kernel.interval(), &f, cuts)?;
+    let panels = sampled.partition(&f, breaks, tolerance);
+    let joints = panels.as_deref().map(|panels| sampled.joints(panels, breaks));
+    let sampled = match panels {
+        Some(panels) => sampled.thinned(&f, &panels),
+        None => sampled,
+    };
     let problem = Problem { kernel, parameter, f: &f, tolerance, sampled: &sampled };
-    let breaks = problem.with_joints(breaks, start)?;
+    let breaks = problem.with_joints(breaks, &joints.unwrap_or_default(), start)?;
     problem.resolved(&breaks, start)
 }
 
@@ -153,15 +159,20 @@ struct Problem<'p, K: ?Sized> {
 
 impl<K: Kernel + ?Sized> Problem<'_, K> {
     /// The breakpoints with those of narrow features: of several choices the one on whose panels the nodes miss least.
-    fn with_joints(&self, breaks: &[f64], start: f64) -> Result<Vec<f64>, Error> {
-        let grid = grid(self.kernel, RATIO * start)?;
+    fn with_joints(
+        &self,
+        breaks: &[f64],
+        choices: &[Vec<f64>; 2],
+        start: f64,
+    ) -> Result<Vec<f64>, Error> {
         let mut best = (f64::INFINITY, breaks.to_vec());
-        for joints in self.sampled.joints(self.f, breaks, self.tolerance) {
-            let all: Vec<f64> = breaks.iter().chain(&joints).copied().collect();
-            if joints.is_empty() || all.len() > MOST_JOINTS {
+        for joints in choices.iter().filter(|joints| !joints.is_empty()) {
+            let all: Vec<f64> = breaks.iter().chain(joints).copied().collect();
+            if all.len() > MOST_JOINTS {
                 continue;
             }
-            let mesh = Mesh::new(Arc::clone(&grid), self.kernel.interval(), &all)?;
+            let grid = grid(self.kernel, RATIO * start)?;
+            let mesh = Mesh::new(grid, self.kernel.interval(), &all)?;
             let misfit = Misfit::new(&mesh, self.f, self.sampled)?.mean();
             if misfit < best.0 {
                 best = (misfit, all);

@@ -128,6 +128,17 @@ impl Mesh {
         })
     }
 
+    /// The places midway between neighbouring nodes of a panel, those that numbers tell apart from both.
+    pub(super) fn midway(&self) -> impl Iterator<Item = f64> + '_ {
+        let panels = self.nodes.chunks_exact(self.panel_count());
+        let pairs = panels.flat_map(|nodes| nodes.iter().zip(&nodes[1..]));
+        pairs.filter_map(|((_, left), (_, right))| {
+            let (left, right) = (left.position, right.position);
+            let middle = left.midpoint(right);
+            (left < middle && middle < right).then_some(middle)
+        })
+    }
+
     /// Whether reflection about the middle of the interval carries the mesh into itself.
     pub(super) fn is_symmetric(&self) -> bool {
         let count = self.boundaries.len();

@@ -1,16 +1,18 @@
 //! Whether the nodes see a function: what it does between them.
 //!
 //! A solution of collocation knows its right-hand side at the nodes only, and a feature that lies between the nodes of *every* grid changes no difference of two
-//! solutions. So the function is asked for its values at [`places`](crate::quadrature::places) that have nothing to do with any grid, and compared with its own sinc interpolation there. What
+//! solutions. So the function is asked for its values at [`places`](crate::quadrature::places) that have nothing to do with any grid. Where all of these are values of polynomials, a few of them
+//! on each panel and one between any two nodes tell what sinc interpolation makes of the function; elsewhere all are compared with it. What
 //! is left, `delta`, the collocation has solved without: the solution lacks about `lambda K delta`.
 //!
 //! Nor can a function be asked for its values closer to an end than numbers lie: there nodes are moved by rounding, and what the function changes by between neighbouring numbers is unknown
 //! ([`between_numbers`]). Where it leaves an end as `d^(1-mu)` and the kernel is `d^-mu`, that is some `eps^(2-2mu)` of the end value.
 
 use super::mesh::Mesh;
-use super::points::sinc_row;
+use super::solution::Bubble;
 use crate::Error;
 use crate::kernel::Kernel;
+use crate::quadrature::map::inverse;
 use crate::quadrature::places::{Sampled, dominant};
 
 /// Changes of a function below this share of its largest value are rounding of the function itself.
@@ -90,10 +92,10 @@ pub(super) fn between_numbers(
     found
 }
 
-/// A function less its sinc interpolation.
+/// A function less its sinc interpolation, at the places of a sample and between the nodes.
 pub(super) struct Misfit<'m> {
     mesh: &'m Mesh,
-    sampled: &'m Sampled,
+    sampled: Sampled,
     differences: Vec<f64>,
 }
 
@@ -111,13 +113,17 @@ pub(super) struct Missed {
 
 impl<'m> Misfit<'m> {
     /// # Errors
-    /// [`Error::NotFinite`] where the function is not finite at a node.
+    /// [`Error::NotFinite`] where the function is not finite at a node or between two.
     pub(super) fn new(
         mesh: &'m Mesh,
         f: &dyn Fn(f64) -> f64,
-        sampled: &'m Sampled,
+        sampled: &Sampled,
     ) -> Result<Self, Error> {
         let interpolant = Interpolant::new(mesh, f)?;
+        let between = mesh.midway().map(|x| Ok((x, finite(f, x)?)));
+        let mut pairs: Vec<(f64, f64)> = between.collect::<Result<_, Error>>()?;
+        pairs.extend(sampled.places.iter().copied().zip(sampled.values.iter().copied()));
+        let sampled = sampled.moved(pairs);
         let pairs = sampled.places.iter().zip(&sampled.values);
         let differences = pairs.map(|(&x, value)| value - interpolant.evaluate(x)).collect();
         Ok(Self { mesh, sampled, differences })
@@ -125,7 +131,8 @@ impl<'m> Misfit<'m> {
 
     /// `int |delta| dx`.
     pub(super) fn mean(&self) -> f64 {
-        self.differences.iter().zip(&self.sampled.cells).map(|(d, cell)| d.abs() * cell).sum()
+        let differences = self.differences.iter().enumerate();
+        differences.map(|(index, delta)| delta.abs() * self.sampled.cell(index)).sum()
     }
 
     /// What solutions lack.
@@ -152,34 +159,37 @@ struct Interpolant<'m> {
     mesh: &'m Mesh,
     /// Values at the ends of each panel.
     ends: Vec<[f64; 2]>,
-    bubble: Vec<f64>,
+    bubble: Bubble,
 }
 
 impl<'m> Interpolant<'m> {
     fn new(mesh: &'m Mesh, f: &dyn Fn(f64) -> f64) -> Result<Self, Error> {
-        let value = |x: f64| {
-            let value = f(x);
-            let what = "right-hand side";
-            if value.is_finite() { Ok(value) } else { Err(Error::NotFinite { what, at: x, value }) }
-        };
-        let mut bubble: Vec<f64> =
-            mesh.places().map(|place| value(place.position)).collect::<Result<_, _>>()?;
+        let mut values: Vec<f64> =
+            mesh.places().map(|place| finite(f, place.position)).collect::<Result<_, _>>()?;
         let count = mesh.panel_count();
         let ends: Vec<[f64; 2]> =
-            bubble.chunks_exact(count).map(|values| [values[0], values[count - 1]]).collect();
-        for (value, place) in bubble.iter_mut().zip(mesh.places()) {
+            values.chunks_exact(count).map(|values| [values[0], values[count - 1]]).collect();
+        for (value, place) in values.iter_mut().zip(mesh.places()) {
             *value -= line(ends[place.panel], place.from_left, place.from_right);
         }
-        Ok(Self { mesh, ends, bubble })
+        Ok(Self { mesh, ends, bubble: Bubble::new(mesh.grid(), values) })
     }
 
     fn evaluate(&self, x: f64) -> f64 {
         let place = self.mesh.locate(x);
-        let count = self.mesh.panel_count();
-        let bubble = &self.bubble[place.panel * count..(place.panel + 1) * count];
-        let sum: f64 = sinc_row(self.mesh, place).zip(bubble).map(|(s, v)| s * v).sum();
-        line(self.ends[place.panel], place.from_left, place.from_right) + sum
+        let line = line(self.ends[place.panel], place.from_left, place.from_right);
+        if place.from_left <= 0.0 || place.from_right <= 0.0 {
+            return line;
+        }
+        let tau = inverse(place.from_left, place.from_right) / self.mesh.grid().step();
+        line + self.bubble.at(place.panel, tau)
     }
+}
+
+fn finite(f: &dyn Fn(f64) -> f64, x: f64) -> Result<f64, Error> {
+    let value = f(x);
+    let what = "right-hand side";
+    if value.is_finite() { Ok(value) } else { Err(Error::NotFinite { what, at: x, value }) }
 }
 
 fn line(ends: [f64; 2], from_left: f64, from_right: f64) -> f64 {

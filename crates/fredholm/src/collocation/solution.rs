@@ -3,8 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use super::Place;
 use super::mesh::Mesh;
+use super::{Place, SincGrid};
 use crate::quadrature::map::inverse;
 
 /// Independent partial sums of the interpolation.
@@ -28,8 +28,14 @@ pub struct SincSolution {
     potential: Vec<f64>,
     /// `U` at the boundaries of the panels.
     boundaries: Vec<f64>,
-    /// `v_j`.
-    bubble: Vec<f64>,
+    bubble: Bubble,
+}
+
+/// A function by its values `v_j` at the nodes of panels of `count = 2 half_count + 1`: `(sin(pi tau)/pi) sum_j (-1)^j v_j / (tau - j)`.
+#[derive(Debug, Clone)]
+pub(super) struct Bubble {
+    half_count: usize,
+    values: Vec<f64>,
     panels: Vec<Pairs>,
 }
 
@@ -49,11 +55,11 @@ impl SincSolution {
         potential: Vec<f64>,
         boundaries: Vec<f64>,
     ) -> Self {
-        let bubble: Vec<f64> = (mesh.places().zip(&potential))
+        let bubble = (mesh.places().zip(&potential))
             .map(|(place, u)| u - line(&boundaries, mesh.left_end(place.panel), place))
             .collect();
-        let panels = bubble.chunks_exact(mesh.panel_count()).map(Pairs::new).collect();
-        Self { mesh, parameter, values, masses, potential, boundaries, bubble, panels }
+        let bubble = Bubble::new(mesh.grid(), bubble);
+        Self { mesh, parameter, values, masses, potential, boundaries, bubble }
     }
 
     /// `lambda`.
@@ -98,7 +104,7 @@ impl SincSolution {
     /// panel that does not exist counts as the last.
     #[must_use]
     pub fn evaluate_place(&self, place: Place, right_hand_side: f64) -> f64 {
-        let panel = place.panel.min(self.panels.len() - 1);
+        let panel = place.panel.min(self.mesh.panels() - 1);
         right_hand_side - self.parameter * self.potential_at(Place { panel, ..place })
     }
 
@@ -130,7 +136,7 @@ impl SincSolution {
     pub fn density_at(&self, place: Place) -> f64 {
         let Place { from_left, from_right, .. } = place;
         let count = self.mesh.panel_count();
-        let start = place.panel.min(self.panels.len() - 1) * count;
+        let start = place.panel.min(self.mesh.panels() - 1) * count;
         let masses = &self.masses[start..start + count];
         let grid = self.mesh.grid();
         let half_count = grid.half_count() as f64;
@@ -173,14 +179,7 @@ impl SincSolution {
 
     /// The interpolated part of `K phi` at `t` in a panel, beside the straight line.
     pub(super) fn interpolate(&self, panel: usize, t: f64) -> f64 {
-        let half_count = self.mesh.grid().half_count();
-        let tau = t / self.mesh.grid().step();
-        let nearest = tau.round();
-        let bubble = &self.bubble[panel * self.mesh.panel_count()..];
-        if (tau - nearest).abs() < AT_NODE && nearest.abs() <= half_count as f64 {
-            return bubble[(nearest + half_count as f64) as usize];
-        }
-        (bubble[half_count] / tau + self.panels[panel].sum(tau)) * sine_of_turns(tau, nearest)
+        self.bubble.at(panel, t / self.mesh.grid().step())
     }
 
     pub(super) fn mesh(&self) -> &Arc<Mesh> {
@@ -191,8 +190,9 @@ impl SincSolution {
         &self.boundaries
     }
 
+    /// `v_j`.
     pub(super) fn bubble(&self) -> &[f64] {
-        &self.bubble
+        &self.bubble.values
     }
 
     /// `m_j phi_j` at the nodes.
@@ -203,7 +203,8 @@ impl SincSolution {
 
 /// `sin(pi tau)/pi`, reduced by hand: `tau` itself may be large. `nearest` is the integer nearest to `tau`.
 pub(super) fn sine_of_turns(tau: f64, nearest: f64) -> f64 {
-    let sign = if nearest % 2.0 == 0.0 { 1.0 } else { -1.0 };
+    // As a whole number: a remainder takes longer than the sine.
+    let sign = if nearest as i64 % 2 == 0 { 1.0 } else { -1.0 };
     sign * (PI * (tau - nearest)).sin() / PI
 }
 
@@ -211,6 +212,25 @@ pub(super) fn sine_of_turns(tau: f64, nearest: f64) -> f64 {
 pub(super) fn line(boundaries: &[f64], end: usize, place: Place) -> f64 {
     let Place { from_left, from_right, .. } = place;
     (boundaries[end] * from_right + boundaries[end + 1] * from_left) / (from_left + from_right)
+}
+
+impl Bubble {
+    /// From the values at the nodes of all panels.
+    pub(super) fn new(grid: &SincGrid, values: Vec<f64>) -> Self {
+        let panels = values.chunks_exact(grid.count()).map(Pairs::new).collect();
+        Self { half_count: grid.half_count(), values, panels }
+    }
+
+    /// The value at `tau = t/h` in a panel.
+    pub(super) fn at(&self, panel: usize, tau: f64) -> f64 {
+        let half_count = self.half_count as f64;
+        let nearest = tau.round();
+        let values = &self.values[panel * (2 * self.half_count + 1)..];
+        if (tau - nearest).abs() < AT_NODE && nearest.abs() <= half_count {
+            return values[(nearest + half_count) as usize];
+        }
+        (values[self.half_count] / tau + self.panels[panel].sum(tau)) * sine_of_turns(tau, nearest)
+    }
 }
 
 impl Pairs {

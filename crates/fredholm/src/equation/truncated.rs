@@ -125,8 +125,8 @@ impl Features {
             return Ok(None);
         }
         let sampled = Sampled::new(relation.interval(), f, cuts)?;
-        Ok(sampled.partition(f, &[], 0.0).map(|mut panels| {
-            panels.sort_by(|one, two| one.0.total_cmp(&two.0));
+        Ok(sampled.partition(f, &[], 0.0).map(|panels| {
+            let panels = panels.iter().map(|panel| (panel.left, panel.right)).collect();
             Self { panels, largest: sampled.largest }
         }))
     }

@@ -1,12 +1,13 @@
 //! Products with dense matrices, written so that the compiler vectorises them without reordering sums by chance.
 
 use super::vector::dot;
+use super::vectorised::vectorised;
 
 /// Columns taken at once.
 const COLUMNS: usize = 4;
 
 /// `target -= sum_k factors[k] columns[k]` for four columns.
-#[inline]
+#[inline(always)]
 pub(crate) fn subtract_columns(target: &mut [f64], columns: [&[f64]; COLUMNS], factors: [f64; 4]) {
     let length = target.len();
     let [c0, c1, c2, c3] = columns.map(|column| &column[..length]);
@@ -17,7 +18,7 @@ pub(crate) fn subtract_columns(target: &mut [f64], columns: [&[f64]; COLUMNS], f
 }
 
 /// `target -= factor column`.
-#[inline]
+#[inline(always)]
 pub(crate) fn subtract_column(target: &mut [f64], column: &[f64], factor: f64) {
     for (target, value) in target.iter_mut().zip(column) {
         *target -= factor * value;
@@ -26,5 +27,8 @@ pub(crate) fn subtract_column(target: &mut [f64], column: &[f64], factor: f64) {
 
 /// The scalar products of the rows of a square matrix with `x`.
 pub(crate) fn multiply_rows(matrix: &[f64], x: &[f64]) -> Vec<f64> {
-    matrix.chunks_exact(x.len().max(1)).map(|row| dot(row, x)).collect()
+    vectorised(
+        #[inline(always)]
+        || matrix.chunks_exact(x.len().max(1)).map(|row| dot(row, x)).collect(),
+    )
 }

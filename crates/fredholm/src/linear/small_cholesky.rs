@@ -2,12 +2,21 @@
 
 use super::dense::{subtract_column, subtract_columns};
 use super::vector::dot;
+use super::vectorised::vectorised;
 
 /// Overwrites the lower triangle of the matrix, column by column, with `L` of `A = L L^T`.
 ///
 /// Column `j` takes the updates of the finished columns four at a time, so that it is read and written a quarter as often.
 /// Gives the index of the pivot that is not positive.
 pub(crate) fn factor(matrix: &mut [f64], order: usize) -> Result<(), usize> {
+    vectorised(
+        #[inline(always)]
+        || factor_columns(matrix, order),
+    )
+}
+
+#[inline(always)]
+fn factor_columns(matrix: &mut [f64], order: usize) -> Result<(), usize> {
     for j in 0..order {
         let (done, rest) = matrix.split_at_mut(j * order);
         let column = &mut rest[j..order];
@@ -36,6 +45,14 @@ pub(crate) fn factor(matrix: &mut [f64], order: usize) -> Result<(), usize> {
 
 /// Overwrites `right` with `A^{-1} right`.
 pub(crate) fn solve(factor: &[f64], order: usize, right: &mut [f64]) {
+    vectorised(
+        #[inline(always)]
+        || solve_columns(factor, order, right),
+    );
+}
+
+#[inline(always)]
+fn solve_columns(factor: &[f64], order: usize, right: &mut [f64]) {
     for j in 0..order {
         let column = &factor[j * order + j..(j + 1) * order];
         let (head, tail) = right[j..order].split_at_mut(1);

@@ -4,7 +4,7 @@ use faer::linalg::solvers::{PartialPivLu, Solve};
 use faer::{MatMut, MatRef, Side};
 
 use super::dense::multiply_rows;
-use super::{Cholesky, small_cholesky};
+use super::{Cholesky, dot, small_cholesky, vectorised};
 use crate::Error;
 
 /// Up to this order our own factorisation is faster than the library (order 51: 6 against 12 us; order 101: slower).
@@ -131,7 +131,16 @@ impl Eigensystem {
         let vectors = (0..order)
             .flat_map(|k| (0..order).map(move |i| (i, k)))
             .map(|place| decomposition.U()[place])
-            .collect();
+            .collect::<Vec<f64>>();
+        // The library's products leave the upper halves of the vector registers in use, and on some processors all scalar operations of the thread then take up to 30 times as long, until
+        // a vectorised function of the compiler has ended.
+        let length = vectorised(
+            #[inline(always)]
+            || dot(&vectors, &vectors),
+        );
+        if !length.is_finite() {
+            return Err(Error::EigenvaluesNotFound { order });
+        }
         Ok(Self { values, vectors })
     }
 

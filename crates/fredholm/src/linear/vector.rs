@@ -26,12 +26,19 @@ pub(crate) fn norm(vector: &[f64]) -> f64 {
 
 /// Largest absolute value; NaN if there is one.
 pub(crate) fn largest(vector: &[f64]) -> f64 {
-    vector.iter().fold(
-        0.0f64,
-        |largest, value| {
-            if value.is_nan() { f64::NAN } else { largest.max(value.abs()) }
-        },
-    )
+    let (chunks, rest) = vector.as_chunks::<LANES>();
+    let (mut most, mut sums) = ([0.0; LANES], [0.0; LANES]);
+    for chunk in chunks {
+        for lane in 0..LANES {
+            let size = chunk[lane].abs();
+            most[lane] = if size > most[lane] { size } else { most[lane] };
+            // NaN, which comparisons pass over, stays in a sum.
+            sums[lane] += size;
+        }
+    }
+    let has_nan = rest.iter().chain(&sums).any(|value| value.is_nan());
+    let most = rest.iter().chain(&most).fold(0.0f64, |most, value| most.max(value.abs()));
+    if has_nan { f64::NAN } else { most }
 }
 
 /// `target += factor * vector`.

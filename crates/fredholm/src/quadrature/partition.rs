@@ -1,7 +1,11 @@
 //! Panels on which polynomials of low degree resolve a function, and the places where such panels are narrow.
 
+use std::ops::Range;
+use std::sync::LazyLock;
+
 use super::gauss_legendre;
-use super::places::{Sampled, with_ends};
+use super::places::{ROUNDING, Sampled, with_ends};
+use crate::linear::{dot, vectorised};
 
 /// Nodes of a panel.
 const NODES: usize = 16;
@@ -31,6 +35,19 @@ const NUMBERS: f64 = 8.0;
 /// Places of every panel at which it is looked at, beside those of the sample: shares of its length from its left end.
 const OWN: [f64; 6] = [0.0137, 0.1713, 0.3829, 0.5774, 0.8147, 0.9931];
 
+/// Values compared at once, and after how many of these it is asked whether one has failed.
+const LANES: usize = 8;
+const GROUPS: usize = 8;
+
+/// A panel of a partition.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Panel {
+    pub(crate) left: f64,
+    pub(crate) right: f64,
+    /// Whether all values on it are those of a polynomial to rounding, not only to what was asked for.
+    is_polynomial: bool,
+}
+
 /// Where the breakpoints of a feature go.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Joints {
@@ -42,17 +59,10 @@ pub(crate) enum Joints {
 
 impl Sampled {
     /// Places at which a function has narrow features, so that panels should begin there: kinks and jumps, crests, steep steps. None of those that are known, and none where the
-    /// function is rough over longer stretches. `tolerance` is relative to the largest value.
-    pub(crate) fn joints(
-        &self,
-        f: &dyn Fn(f64) -> f64,
-        known: &[f64],
-        tolerance: f64,
-    ) -> [Vec<f64>; 2] {
-        let Some(mut panels) = self.partition(f, known, tolerance) else {
-            return Default::default();
-        };
-        panels.sort_by(|one, two| one.0.total_cmp(&two.0));
+    /// function is rough over longer stretches. `panels` are those of its partition.
+    pub(crate) fn joints(&self, panels: &[Panel], known: &[f64]) -> [Vec<f64>; 2] {
+        let panels: Vec<(f64, f64)> =
+            panels.iter().map(|panel| (panel.left, panel.right)).collect();
         let length = self.interval.right() - self.interval.left();
         let boundaries = self.boundaries(known);
         let narrow = panels.iter().filter(|panel| is_narrow(**panel, &boundaries));
@@ -96,9 +106,9 @@ impl Sampled {
     pub(crate) fn is_smooth(&self, f: &dyn Fn(f64) -> f64, panel: (f64, f64)) -> bool {
         let (left, right) = panel;
         let length = self.interval.right() - self.interval.left();
-        let Some(nodes) = Nodes::new() else { return true };
+        let Some(nodes) = &*RULE else { return true };
         let allowed = self.largest * RESOLUTIONS[0];
-        right - left <= SMOOTH * length || self.is_resolved(f, &nodes, panel, allowed)
+        right - left <= SMOOTH * length || self.resolved(f, nodes, panel, allowed).is_some()
     }
 
     fn boundaries(&self, known: &[f64]) -> Vec<f64> {
@@ -108,13 +118,14 @@ impl Sampled {
         boundaries
     }
 
-    /// Panels between the known places and the cuts, halved until polynomials resolve the function on each; none if those are too many.
+    /// Panels between the known places and the cuts, from left to right, halved until polynomials resolve the function on each; none if those are too many. `tolerance` is relative to the
+    /// largest value.
     pub(crate) fn partition(
         &self,
         f: &dyn Fn(f64) -> f64,
         known: &[f64],
         tolerance: f64,
-    ) -> Option<Vec<(f64, f64)>> {
+    ) -> Option<Vec<Panel>> {
         let all: Vec<f64> = known.iter().chain(&self.cuts).copied().collect();
         let boundaries = with_ends(self.interval, &all);
         let ends = boundaries.iter().zip(boundaries.iter().skip(1));
@@ -124,7 +135,7 @@ impl Sampled {
             SHORTEST * left.abs().max(right.abs()).max(f64::EPSILON * length)
         };
         let allowed = self.largest * (0.1 * tolerance).clamp(RESOLUTIONS[0], RESOLUTIONS[1]);
-        let nodes = Nodes::new()?;
+        let nodes = RULE.as_ref()?;
         let mut panels = Vec::new();
         let mut tried = 0;
         while let Some((left, right)) = open.pop() {
@@ -132,45 +143,109 @@ impl Sampled {
             if tried > MOST_PANELS + 2 * boundaries.len() {
                 return None;
             }
-            if right - left <= shortest((left, right))
-                || self.is_resolved(f, &nodes, (left, right), allowed)
-            {
-                panels.push((left, right));
+            let found = if right - left <= shortest((left, right)) {
+                Some(false)
+            } else {
+                self.resolved(f, nodes, (left, right), allowed)
+            };
+            if let Some(is_polynomial) = found {
+                panels.push(Panel { left, right, is_polynomial });
             } else {
                 let middle = left.midpoint(right);
                 open.extend([(left, middle), (middle, right)]);
             }
         }
+        panels.sort_by(|one, two| one.left.total_cmp(&two.left));
         Some(panels)
     }
 
-    fn is_resolved(
+    /// The same function at as few places as tell what it is like between the nodes of a mesh: at the nodes of panels on which all its values are those of polynomials to rounding, at all places
+    /// elsewhere.
+    pub(crate) fn thinned(&self, f: &dyn Fn(f64) -> f64, panels: &[Panel]) -> Self {
+        let Some(nodes) = &*RULE else { return self.moved(self.pairs(0..self.places.len())) };
+        let mut open = panels.to_vec();
+        let mut pairs = Vec::new();
+        while let Some(Panel { left, right, is_polynomial }) = open.pop() {
+            let (centre, half) = (left.midpoint(right), 0.5 * (right - left));
+            let inside = self.inside(left, right);
+            if is_polynomial {
+                let places = nodes.places.iter().map(|t| centre + half * t);
+                pairs.extend(places.map(|x| (x, f(x))));
+            } else if inside.len() <= 2 * NODES {
+                pairs.extend(self.pairs(inside));
+            } else {
+                let rounding = ROUNDING * self.largest;
+                open.extend([(left, centre), (centre, right)].map(|(left, right)| {
+                    let is_polynomial =
+                        self.deviation(f, nodes, (left, right), rounding) <= rounding;
+                    Panel { left, right, is_polynomial }
+                }));
+            }
+        }
+        self.moved(pairs)
+    }
+
+    fn pairs(&self, indices: Range<usize>) -> Vec<(f64, f64)> {
+        indices.map(|i| (self.places[i], self.values[i])).collect()
+    }
+
+    /// The places inside a panel.
+    fn inside(&self, left: f64, right: f64) -> Range<usize> {
+        let first = self.places.partition_point(|x| *x <= left);
+        first..self.places.partition_point(|x| *x < right).max(first)
+    }
+
+    /// Whether a polynomial resolves the function on a panel to what is allowed; if so, whether to rounding.
+    fn resolved(
         &self,
         f: &dyn Fn(f64) -> f64,
         nodes: &Nodes,
-        (left, right): (f64, f64),
+        panel: (f64, f64),
         allowed: f64,
-    ) -> bool {
-        let (centre, half) = (left.midpoint(right), 0.5 * (right - left));
-        let values: Vec<f64> = nodes.places.iter().map(|t| f(centre + half * t)).collect();
-        let own = || OWN.iter().map(|share| left + share * (right - left));
-        let first = self.places.partition_point(|x| *x <= left);
-        let last = self.places.partition_point(|x| *x < right);
-        let agrees = |allowed: f64| {
-            let agrees = |x: f64, value: f64| {
-                (nodes.interpolate(&values, (x - centre) / half) - value).abs() <= allowed
-            };
-            own().all(|x| agrees(x, f(x)))
-                && (first..last).all(|i| agrees(self.places[i], self.values[i]))
-        };
-        if agrees(allowed) {
-            return true;
+    ) -> Option<bool> {
+        let deviation = self.deviation(f, nodes, panel, allowed);
+        if deviation <= allowed {
+            return Some(deviation <= ROUNDING * self.largest);
         }
         // Where the function is steep it is known no better than it changes from number to number.
-        let change = own().map(|x| (f(x.next_up()) - f(x)).abs()).fold(0.0, f64::max);
+        let change = own(panel).map(|x| (f(x.next_up()) - f(x)).abs()).fold(0.0, f64::max);
         let known = NUMBERS * change;
-        known > allowed && agrees(known)
+        (known > allowed && self.deviation(f, nodes, panel, known) <= known).then_some(false)
     }
+
+    /// How far the function is from a polynomial on a panel; where that is more than what is allowed, any larger number.
+    fn deviation(
+        &self,
+        f: &dyn Fn(f64) -> f64,
+        nodes: &Nodes,
+        panel: (f64, f64),
+        allowed: f64,
+    ) -> f64 {
+        let (left, right) = panel;
+        let (centre, half) = (left.midpoint(right), 0.5 * (right - left));
+        let values = nodes.places.each_ref().map(|t| f(centre + half * t));
+        let polynomial = Polynomial { centre, scale: 1.0 / half, series: nodes.series(&values) };
+        let own = own(panel).map(|x| {
+            let [value] = polynomial.evaluate([x]);
+            let difference = (value - f(x)).abs();
+            if difference.is_nan() { f64::INFINITY } else { difference }
+        });
+        let own = own.fold(0.0, f64::max);
+        if own > allowed {
+            return own;
+        }
+        let inside = self.inside(left, right);
+        let (places, values) = (&self.places[inside.clone()], &self.values[inside]);
+        own.max(vectorised(
+            #[inline(always)]
+            || polynomial.deviation(places, values, allowed),
+        ))
+    }
+}
+
+/// Places of a panel at which it is looked at, beside those of the sample.
+fn own((left, right): (f64, f64)) -> impl Iterator<Item = f64> {
+    OWN.iter().map(move |share| left + share * (right - left))
 }
 
 fn is_narrow((left, right): (f64, f64), boundaries: &[f64]) -> bool {
@@ -179,35 +254,87 @@ fn is_narrow((left, right): (f64, f64), boundaries: &[f64]) -> bool {
     right - left < NARROW * distances.fold(f64::INFINITY, f64::min)
 }
 
-/// Nodes of Gauss and Legendre with the weights of barycentric interpolation.
+static RULE: LazyLock<Option<Nodes>> = LazyLock::new(Nodes::new);
+
+/// Nodes of Gauss and Legendre, with what makes the series in Legendre polynomials of the polynomial through values there.
 struct Nodes {
-    places: Vec<f64>,
-    weights: Vec<f64>,
+    places: [f64; NODES],
+    /// `(k + 1/2) w_i P_k(t_i)`, a row for each `k`: Gauss's rule is exact for the products.
+    rows: [[f64; NODES]; NODES],
 }
 
 impl Nodes {
     fn new() -> Option<Self> {
         let rule = gauss_legendre(NODES).ok()?;
-        // (H. Wang and S. Xiang, Math. Comp. 81 (2012) 861.)
-        let weight = |(k, (t, w)): (usize, (&f64, &f64))| {
-            let size = ((1.0 - t * t) * w).sqrt();
-            if k % 2 == 0 { size } else { -size }
-        };
-        let weights = rule.nodes.iter().zip(&rule.weights).enumerate().map(weight).collect();
-        Some(Self { places: rule.nodes, weights })
+        let places: [f64; NODES] = rule.nodes.try_into().ok()?;
+        let mut rows = [[0.0; NODES]; NODES];
+        for (i, (t, weight)) in places.iter().zip(&rule.weights).enumerate() {
+            let (mut before, mut current) = (0.0, 1.0);
+            for (k, row) in rows.iter_mut().enumerate() {
+                let k = k as f64;
+                row[i] = (k + 0.5) * weight * current;
+                (before, current) =
+                    (current, ((2.0 * k + 1.0) * t * current - k * before) / (k + 1.0));
+            }
+        }
+        Some(Self { places, rows })
     }
 
-    fn interpolate(&self, values: &[f64], t: f64) -> f64 {
-        let (mut top, mut bottom) = (0.0, 0.0);
-        for ((place, weight), value) in self.places.iter().zip(&self.weights).zip(values) {
-            if t == *place {
-                return *value;
+    fn series(&self, values: &[f64; NODES]) -> [f64; NODES] {
+        self.rows.each_ref().map(|row| dot(row, values))
+    }
+}
+
+/// `sum_k a_k P_k(t)`, `t = (x - centre) scale`.
+struct Polynomial {
+    centre: f64,
+    scale: f64,
+    series: [f64; NODES],
+}
+
+impl Polynomial {
+    /// By Clenshaw's recurrence.
+    #[inline(always)]
+    fn evaluate<const N: usize>(&self, x: [f64; N]) -> [f64; N] {
+        let t = x.map(|x| (x - self.centre) * self.scale);
+        let (mut next, mut current) = ([0.0; N], [self.series[NODES - 1]; N]);
+        for k in (0..NODES - 1).rev() {
+            let n = k as f64;
+            let (up, down) = ((2.0 * n + 1.0) / (n + 1.0), (n + 1.0) / (n + 2.0));
+            for lane in 0..N {
+                let sum = (self.series[k] + up * t[lane] * current[lane]) - down * next[lane];
+                (next[lane], current[lane]) = (current[lane], sum);
             }
-            let share = weight / (t - place);
-            top += share * value;
-            bottom += share;
         }
-        top / bottom
+        current
+    }
+
+    /// The largest difference from values at places, or one that is more than what is allowed; infinite for NaN.
+    #[inline(always)]
+    fn deviation(&self, places: &[f64], values: &[f64], allowed: f64) -> f64 {
+        let (places, rest) = places.as_chunks::<LANES>();
+        let (values, values_of_rest) = values.as_chunks::<LANES>();
+        let mut most = 0.0;
+        for (places, values) in places.chunks(GROUPS).zip(values.chunks(GROUPS)) {
+            let mut lanes = [most; LANES];
+            for (places, values) in places.iter().zip(values) {
+                let found = self.evaluate(*places);
+                for lane in 0..LANES {
+                    let difference = (found[lane] - values[lane]).abs();
+                    let difference = if difference.is_nan() { f64::INFINITY } else { difference };
+                    lanes[lane] = if difference > lanes[lane] { difference } else { lanes[lane] };
+                }
+            }
+            most = lanes.iter().fold(most, |most, lane| most.max(*lane));
+            if most > allowed {
+                return most;
+            }
+        }
+        for (x, value) in rest.iter().zip(values_of_rest) {
+            let difference = (self.evaluate([*x])[0] - value).abs();
+            most = most.max(if difference.is_nan() { f64::INFINITY } else { difference });
+        }
+        most
     }
 }
 
@@ -217,8 +344,9 @@ mod tests {
     use crate::Interval;
 
     fn joints(f: &dyn Fn(f64) -> f64) -> Vec<f64> {
-        let [mut joints, sides] =
-            Sampled::new(Interval::unit(), f, &[]).unwrap().joints(f, &[], 1e-12);
+        let sampled = Sampled::new(Interval::unit(), f, &[]).unwrap();
+        let panels = sampled.partition(f, &[], 1e-12).unwrap_or_default();
+        let [mut joints, sides] = sampled.joints(&panels, &[]);
         assert_eq!(joints.is_empty(), sides.is_empty());
         joints.sort_by(f64::total_cmp);
         joints

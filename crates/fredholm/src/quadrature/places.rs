@@ -3,7 +3,10 @@
 //! A function is known where it was asked, and nowhere else: whoever knows it at nodes alone has to look between them, at places that no grid has. A feature that is
 //! narrower than the gaps between these places too may still be overlooked; only who has a formula can exclude it.
 
+use std::sync::LazyLock;
+
 use crate::kernel::Kernel;
+use crate::linear::vector::largest;
 use crate::{Error, Interval};
 
 /// How many places there are from end to end, evenly spread: a feature is seen that covers a 2000th of the interval.
@@ -14,25 +17,30 @@ const CROWDED: usize = 2039;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 const SILVER: f64 = std::f64::consts::SQRT_2 - 1.0;
 /// Differences below this share of the largest value are rounding.
-const ROUNDING: f64 = 64.0 * f64::EPSILON;
+pub(crate) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Of a misfit, so many places at most count in a potential.
 const DOMINANT: usize = 600;
 /// A misfit below this share of the largest does not count while there are larger ones.
 const SHARE: f64 = 1e-3;
 
+/// The places on `(-1, 1)`, from left to right: sorting them takes longer than most equations.
+static UNIT_PLACES: LazyLock<Vec<f64>> = LazyLock::new(|| {
+    let even = (1..=EVEN).map(|i| 2.0 * (i as f64 * GOLDEN).fract() - 1.0);
+    let crowded =
+        (1..=CROWDED).map(|i| -(std::f64::consts::PI * (i as f64 * SILVER).fract()).cos());
+    let mut places: Vec<f64> = even.chain(crowded).collect();
+    places.sort_by(f64::total_cmp);
+    places
+});
+
 /// The places, from left to right.
 pub(crate) fn places(interval: Interval) -> Vec<f64> {
     let (left, right) = (interval.left(), interval.right());
     let (centre, half) = (interval.centre(), interval.half_length());
-    let even = (1..=EVEN).map(|i| 2.0 * (i as f64 * GOLDEN).fract() - 1.0);
-    let crowded =
-        (1..=CROWDED).map(|i| -(std::f64::consts::PI * (i as f64 * SILVER).fract()).cos());
-    let mut places: Vec<f64> = even
-        .chain(crowded)
-        .map(|xi| centre + half * xi)
-        .filter(|x| left < *x && *x < right)
-        .collect();
-    places.sort_by(f64::total_cmp);
+    let mut places: Vec<f64> = UNIT_PLACES.iter().map(|xi| centre + half * xi).collect();
+    // Rounding may carry the outermost to the ends.
+    places.truncate(places.partition_point(|x| *x < right));
+    places.drain(..places.partition_point(|x| *x <= left));
     places
 }
 
@@ -75,8 +83,6 @@ pub(crate) struct Sampled {
     pub(crate) cuts: Vec<f64>,
     pub(crate) places: Vec<f64>,
     pub(crate) values: Vec<f64>,
-    /// Length of what is nearer to a place than to others.
-    pub(crate) cells: Vec<f64>,
     /// The largest value.
     pub(crate) largest: f64,
 }
@@ -90,25 +96,34 @@ impl Sampled {
         cuts: &[f64],
     ) -> Result<Self, Error> {
         let places = places_in_parts(interval, cuts);
-        let value = |x: &f64| {
-            let value = f(*x);
-            let what = "right-hand side";
-            if value.is_finite() {
-                Ok(value)
-            } else {
-                Err(Error::NotFinite { what, at: *x, value })
-            }
+        let values: Vec<f64> = places.iter().map(|x| f(*x)).collect();
+        let largest = largest(&values);
+        if !largest.is_finite() {
+            let culprit = values.iter().position(|value| !value.is_finite()).unwrap_or(0);
+            let (at, value) = (places[culprit], values[culprit]);
+            return Err(Error::NotFinite { what: "right-hand side", at, value });
+        }
+        Ok(Self { interval, cuts: cuts.to_vec(), places, values, largest })
+    }
+
+    /// The same function at other places.
+    pub(crate) fn moved(&self, mut pairs: Vec<(f64, f64)>) -> Self {
+        pairs.sort_by(|one, two| one.0.total_cmp(&two.0));
+        pairs.dedup_by_key(|(place, _)| *place);
+        let (places, values) = pairs.into_iter().unzip();
+        Self { cuts: self.cuts.clone(), places, values, ..*self }
+    }
+
+    /// Length of what is nearer to a place than to others.
+    pub(crate) fn cell(&self, index: usize) -> f64 {
+        let at = |i: usize| self.places[i];
+        let left =
+            if index == 0 { self.interval.left() } else { at(index - 1).midpoint(at(index)) };
+        let right = match self.places.get(index + 1) {
+            Some(next) => at(index).midpoint(*next),
+            None => self.interval.right(),
         };
-        let values: Vec<f64> = places.iter().map(value).collect::<Result<_, _>>()?;
-        let largest = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
-        let last = places.len() - 1;
-        let border = |i: usize| match i {
-            0 => interval.left(),
-            i if i > last => interval.right(),
-            i => places[i - 1].midpoint(places[i]),
-        };
-        let cells = (0..=last).map(|i| border(i + 1) - border(i)).collect();
-        Ok(Self { interval, cuts: cuts.to_vec(), places, values, cells, largest })
+        right - left
     }
 
     /// The largest `|K delta|` at the extremes of a density and at some more places.
@@ -124,7 +139,7 @@ impl Sampled {
         let tops = extremes.into_iter().flatten().map(|(index, _)| self.places[*index]);
         let at = |x: f64| {
             let term = |(index, value): &(usize, f64)| {
-                let (s, cell) = (self.places[*index], self.cells[*index]);
+                let (s, cell) = (self.places[*index], self.cell(*index));
                 let distance = (x - s).abs();
                 let k = if distance < cell {
                     // The mean of a singular function over its cell is met at about a quarter of it.
@@ -149,7 +164,7 @@ impl Sampled {
     ) -> f64 {
         let term = |(index, value): &(usize, f64)| {
             let s = self.places[*index];
-            u(s) * kernel.measure(s) * value * self.cells[*index]
+            u(s) * kernel.measure(s) * value * self.cell(*index)
         };
         density.iter().map(term).sum()
     }
@@ -175,9 +190,10 @@ mod tests {
     #[test]
     fn places_leave_no_wide_gap() {
         let sampled = Sampled::new(Interval::unit(), &|x| x, &[]).unwrap();
-        let widest = sampled.cells.iter().fold(0.0f64, |most, cell| most.max(*cell));
+        let cells: Vec<f64> = (0..sampled.places.len()).map(|i| sampled.cell(i)).collect();
+        let widest = cells.iter().fold(0.0f64, |most, cell| most.max(*cell));
         assert!(widest < 1e-3, "{widest}");
-        let length: f64 = sampled.cells.iter().sum();
+        let length: f64 = cells.iter().sum();
         assert!((length - 2.0).abs() < 1e-12);
     }
 }

@@ -97,6 +97,8 @@ const UNITS: &[Unit] = &[
     unit("g", SI, decimal(-3, Dimension::MASS)),
     unit("t", NO_PREFIX, decimal(3, Dimension::MASS)),
     unit("s", SI, decimal(0, Dimension::TIME)),
+    unit("min", NO_PREFIX, ratio(60.0, 1.0, 0, Dimension::TIME)),
+    unit("h", NO_PREFIX, ratio(3600.0, 1.0, 0, Dimension::TIME)),
     unit("J", SI, decimal(0, Dimension::MOMENT)),
     unit("bar", SI, decimal(5, Dimension::PRESSURE)),
     unit("atm", NO_PREFIX, ratio(101_325.0, 1.0, 0, Dimension::PRESSURE)),

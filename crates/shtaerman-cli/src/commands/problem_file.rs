@@ -1,16 +1,19 @@
 //! The problem or equation file of a command.
 
 use std::path::Path;
+use std::time::Duration;
 
-use shtaerman::Contact;
 use shtaerman::document::read_bytes;
 use shtaerman::equation::EquationFile;
 use shtaerman::file::{AnyFile, ProblemFile};
+use shtaerman::quantity::Dimension;
+use shtaerman::{Contact, Error};
 
-use crate::Failure;
+use super::places;
 use crate::arguments::ProblemArguments;
 use crate::failure::shown;
-use crate::output::{Input, check_writable};
+use crate::output::{Input, check_writable, interrupt};
+use crate::{Failure, clock};
 
 /// Reads the problem, with its overrides; `-` is standard input. The outputs must be writable, and none of them a file that is read.
 pub(super) fn read(
@@ -20,21 +23,37 @@ pub(super) fn read(
     let input = Input { what: "the problem file", path: &arguments.file };
     check_writable(outputs, &[input])?;
     let file = read_problem(arguments)?;
+    clock::start(file.problem().solver().time_limit(), interrupt);
     if let Some(path) = file.measured_profile() {
         check_writable(outputs, &[Input { what: "the measured profile", path }])?;
     }
     Ok(file)
 }
 
+/// The overrides, with that of the time limit.
+fn overrides(arguments: &ProblemArguments) -> Result<Vec<String>, Failure> {
+    let mut overrides = arguments.overrides.clone();
+    if let Some(text) = &arguments.time_limit {
+        let limit = places::quantity("--time-limit", text, Dimension::TIME)?;
+        if limit.is_nan() || limit <= 0.0 {
+            let message = format!("--time-limit `{text}`: must be greater than 0, like \"10 s\"");
+            return Err(Failure::Usage(message));
+        }
+        overrides.push(format!("solver.time_limit={limit:e}"));
+    }
+    Ok(overrides)
+}
+
 fn read_problem(arguments: &ProblemArguments) -> Result<ProblemFile, Failure> {
+    let overrides = overrides(arguments)?;
     if arguments.file != Path::new("-") {
-        return Ok(ProblemFile::open(&arguments.file, &arguments.overrides)?);
+        return Ok(ProblemFile::open(&arguments.file, &overrides)?);
     }
     Ok(ProblemFile::from_bytes(
         &standard_input()?,
         &name(&arguments.file),
         Path::new(""),
-        &arguments.overrides,
+        &overrides,
     )?)
 }
 
@@ -69,11 +88,52 @@ pub(super) fn name(path: &Path) -> String {
     if path == Path::new("-") { "standard input".to_owned() } else { shown(path) }
 }
 
-/// Solves the problem, with its audit if that is wanted.
-pub(super) fn solve(file: &ProblemFile, is_audited: bool) -> Result<Contact, Failure> {
-    let contact = file.solve()?;
-    if !is_audited {
-        return Ok(contact);
+/// What came of a solve.
+pub(super) enum Solved {
+    Answer(Contact),
+    /// The best so far at the time limit.
+    Unfinished(Contact, Duration),
+}
+
+/// Share of the time limit that the search may take: the rest is for the audit of what it comes to.
+const SEARCH: f64 = 0.6;
+/// The same without an audit: the rest is for the curves.
+const UNAUDITED_SEARCH: f64 = 0.9;
+
+/// Solves the problem, with its audit if that is wanted, or comes as far as the time limit allows.
+pub(super) fn solved(file: &ProblemFile, is_audited: bool) -> Result<Solved, Failure> {
+    let problem = file.problem();
+    let located = |error| Failure::from(file.locate(error));
+    let Some(limit) = problem.solver().time_limit() else {
+        let contact = file.solve()?;
+        let audited = if is_audited { contact.audited().map_err(located)? } else { contact };
+        return Ok(Solved::Answer(audited));
+    };
+    let share = if is_audited { SEARCH } else { UNAUDITED_SEARCH };
+    let solver = problem.solver().with_time_limit(limit.mul_f64(share))?;
+    match problem.with_solver(solver).solve_or_best() {
+        Ok(contact) if contact.is_unfinished() => {
+            let best = contact.clone();
+            let audited = clock::in_time(move || best.with_audit()).filter(|_| is_audited);
+            Ok(Solved::Unfinished(audited.unwrap_or(contact), limit))
+        }
+        Ok(contact) if !is_audited => Ok(Solved::Answer(contact)),
+        Ok(contact) => {
+            let audited = contact.clone();
+            match clock::in_time(move || audited.audited()) {
+                Some(audited) => Ok(Solved::Answer(audited.map_err(located)?)),
+                None => Ok(Solved::Unfinished(contact, limit)),
+            }
+        }
+        Err(Error::TimeLimit { .. }) => Err(Error::TimeLimit { limit }.into()),
+        Err(error) => Err(located(error)),
     }
-    Ok(contact.audited().map_err(|error| file.locate(error))?)
+}
+
+/// The answer, with its audit if that is wanted.
+pub(super) fn solve(file: &ProblemFile, is_audited: bool) -> Result<Contact, Failure> {
+    match solved(file, is_audited)? {
+        Solved::Answer(contact) => Ok(contact),
+        Solved::Unfinished(_, limit) => Err(Error::TimeLimit { limit }.into()),
+    }
 }

@@ -1,10 +1,12 @@
 //! `shtaerman solve`.
 
 use std::fmt::Write;
+use std::path::Path;
 
 use shtaerman::quantity::{Dimension, axis_unit, engineering};
 use shtaerman::{Answer, Contact, Datum, Law, PressureCurve, Problem, SurfaceCurve};
 
+use super::problem_file::Solved;
 use super::{places, problem_file};
 use crate::Failure;
 use crate::arguments::{ReportFormat, SolveArguments};
@@ -28,12 +30,23 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let places =
         arguments.at.as_deref().map(|text| parse_places(text, file.problem())).transpose()?;
     let extras = Extras::new(arguments, file.problem())?;
-    let contact = problem_file::solve(&file, !arguments.no_audit)?;
+    let (contact, over) = match problem_file::solved(&file, !arguments.no_audit)? {
+        Solved::Answer(contact) => (contact, None),
+        Solved::Unfinished(contact, limit) => (contact, Some(limit)),
+    };
     let curve = match places {
         Some(places) => PressureCurve::at(&contact, places)?,
         None => PressureCurve::along(&contact, arguments.points)?,
     };
-    let mut answer = extended(Answer::new(&contact, curve), &contact, &extras)?;
+    let answer = Answer::new(&contact, curve);
+    if let Some(limit) = over {
+        let mut outputs = Outputs::default();
+        outputs.result(None, text(arguments, &contact, &answer, None));
+        outputs.write()?;
+        warn(arguments, &contact);
+        return Err(Failure::Unfinished(limit));
+    }
+    let mut answer = extended(answer, &contact, &extras)?;
     // An answer that cannot be checked is an answer all the same.
     let mut unchecked = None;
     if arguments.cross_check {
@@ -42,29 +55,14 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
             Err(error) => unchecked = Some(Failure::from(file.locate(error))),
         }
     }
-    let text = match arguments.output.format {
-        ReportFormat::Table => {
-            let name = problem_file::name(&arguments.problem.file);
-            let mut text = report::answer_table(&name, &contact, &answer, arguments.at.is_some());
-            if let Some(path) = &arguments.plot {
-                let _ = writeln!(text, "plot: {}", shown(path));
-            }
-            text.into()
-        }
-        ReportFormat::Json => Content::json(&answer),
-        ReportFormat::Csv => report::answer_csv(&answer),
-    };
     let mut outputs = Outputs::default();
+    let text = text(arguments, &contact, &answer, arguments.plot.as_deref());
     outputs.result(arguments.output.output.as_deref(), text);
     if let (Some(path), Some(format)) = (&arguments.plot, format) {
         outputs.file(path, render(&plot(&contact)?, format, Size::default())?);
     }
     outputs.write()?;
-    if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {
-        for warning in contact.warnings() {
-            say("warning", &warning.message);
-        }
-    }
+    warn(arguments, &contact);
     match &answer.cross_check {
         Some(check) if !check.agrees => Err(Failure::Check(format!(
             "the reference, {}, differs by more than it and the answer state: pressure {:.1e}, settlement {:.1e}, tilt {:.1e}, force {:.1e}, moment {:.1e}, without dimensions",
@@ -76,6 +74,36 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
             check.moment
         ))),
         _ => unchecked.map_or(Ok(()), Err),
+    }
+}
+
+/// The answer in the format that was asked for, with the name of its plot.
+fn text<'a>(
+    arguments: &SolveArguments,
+    contact: &Contact,
+    answer: &'a Answer,
+    plot: Option<&Path>,
+) -> Content<'a> {
+    match arguments.output.format {
+        ReportFormat::Table => {
+            let name = problem_file::name(&arguments.problem.file);
+            let mut text = report::answer_table(&name, contact, answer, arguments.at.is_some());
+            if let Some(path) = plot {
+                let _ = writeln!(text, "plot: {}", shown(path));
+            }
+            text.into()
+        }
+        ReportFormat::Json => Content::json(answer),
+        ReportFormat::Csv => report::answer_csv(answer),
+    }
+}
+
+/// Says the warnings that the result itself does not show.
+fn warn(arguments: &SolveArguments, contact: &Contact) {
+    if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {
+        for warning in contact.warnings() {
+            say("warning", &warning.message);
+        }
     }
 }
 

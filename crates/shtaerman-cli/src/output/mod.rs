@@ -7,7 +7,7 @@ mod prepared;
 
 use std::path::{Path, PathBuf};
 
-use crate::Failure;
+use crate::{Failure, clock};
 use identity::identity;
 use prepared::{Prepared, folder};
 
@@ -40,6 +40,7 @@ impl<'a> Outputs<'a> {
     /// # Errors
     /// [`Failure::Unwritable`] or [`Failure::Unwritten`] with the path; no file has been changed unless a rename itself failed.
     pub(crate) fn write(self) -> Result<(), Failure> {
+        clock::stop();
         let mut written = Vec::new();
         for (path, content) in self.files {
             let mut file =

@@ -27,3 +27,4 @@ mod schemas;
 mod spectrum;
 mod stress;
 mod support;
+mod time_limit;

@@ -228,10 +228,10 @@ impl Contact {
             }
             Posed::Plane(kernel, size, layer) if *layer < 1.0 => {
                 let stiffness = self.dimensionless().stiffness().matrix();
-                let posed = plane(*kernel, None, 1.0, *size);
+                let posed = plane(**kernel, None, 1.0, *size);
                 shtaerman_audit::audit_bent(&posed, *layer, stiffness, answer)
             }
-            Posed::Plane(kernel, size, _) => auditor(&plane(*kernel, None, 1.0, *size), answer),
+            Posed::Plane(kernel, size, _) => auditor(&plane(**kernel, None, 1.0, *size), answer),
             &Posed::Disk(exponent, layer) => {
                 let posed = DiskProblem {
                     exponent,
@@ -249,8 +249,8 @@ impl Contact {
         let bound = found.map_err(Unaudited::Refused)?;
         let largest = self.peak().0.abs();
         let mean_square = bound.mean_square / largest;
-        let is_sharp =
-            matches!(posed, Posed::Plane(Kernel::Power { exponent }, _, 1.0) if *exponent >= SHARP);
+        let is_sharp = matches!(posed, Posed::Plane(kernel, _, 1.0)
+            if matches!(**kernel, Kernel::Power { exponent } if exponent >= SHARP));
         if is_sharp && bound.pressure > ROUGHEST * largest && mean_square < IN_THE_MEAN {
             return Err(Unaudited::InTheMeanOnly { mean_square });
         }
@@ -281,6 +281,14 @@ impl Contact {
     fn has_finite_squares(&self) -> bool {
         let (peak, _) = self.peak();
         (peak * peak).is_finite() && (self.theta0() * self.solution_size().powi(2)).is_finite()
+    }
+
+    /// The same with the errors of its [audit](Contact::audit) in place of those its method states, or the reason why there is none; held against nothing.
+    #[must_use]
+    pub fn with_audit(mut self) -> Self {
+        let audit = self.audit();
+        self.set_audit(audit);
+        self
     }
 
     /// The answer with the errors of its [audit](Contact::audit) in place of those its method states, where the theorem covers it; otherwise as it is, with the reason kept.

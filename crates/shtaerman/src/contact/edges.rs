@@ -72,6 +72,9 @@ pub(super) fn settle<E: Equation>(
     let mut stalls = 0;
     for _ in 0..STEPS {
         let solved = equation.solve(&zones, effort, latest.as_ref())?;
+        if equation.deadline().is_past() {
+            return Ok(solved);
+        }
         if drop_idle(&mut zones, |zone| equation.force(&solved, zone)) {
             (latest, worst_before, step) = (None, None, None);
             continue;

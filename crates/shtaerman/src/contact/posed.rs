@@ -13,7 +13,7 @@ pub(super) const GRADED: f64 = 8e-15;
 /// What a contact asks of the audit.
 pub(super) enum Posed {
     /// A plane contact: the kernel, what scaling may do to the numbers, and the exponent of the layer.
-    Plane(Kernel, f64, f64),
+    Plane(Box<Kernel>, f64, f64),
     /// Plane ground described by a transfer function, and how much stronger than the foundation it is where points meet.
     Layered(Box<Ground>, f64),
     /// A circular punch: the exponent of the ground and that of the layer.
@@ -52,12 +52,13 @@ pub(super) fn posed(problem: &Problem) -> Result<Posed, Unaudited> {
     if geometry == Geometry::Circular {
         return Ok(Posed::Disk(exponent, layer));
     }
+    let plane = |kernel, size| Posed::Plane(Box::new(kernel), size, layer);
     Ok(match geometry {
-        Geometry::Periodic { period } => Posed::Plane(Kernel::Row { period }, OF_A_VALUE, layer),
+        Geometry::Periodic { period } => plane(Kernel::Row { period }, OF_A_VALUE),
         _ if exponent > 0.0 => {
-            Posed::Plane(Kernel::Power { exponent }, OF_A_VALUE + GRADED / (1.0 - exponent), layer)
+            plane(Kernel::Power { exponent }, OF_A_VALUE + GRADED / (1.0 - exponent))
         }
-        _ => Posed::Plane(Kernel::Logarithm, OF_A_VALUE, layer),
+        _ => plane(Kernel::Logarithm, OF_A_VALUE),
     })
 }
 

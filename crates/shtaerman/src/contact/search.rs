@@ -4,6 +4,8 @@
 //! 2. On these the equation is solved, and [Newton's method](super::edges) moves free ends to where the pressure vanishes.
 //! 3. A [check](super::check) between the nodes looks for tension in the zones and penetration beside them.
 //! 4. Where it finds any the zones are corrected, or more nodes taken, and all begins again; else the answer is refined, and checked once more.
+//!
+//! Once a [deadline](Deadline) is past every step takes what there is: what comes of it is no answer, but the best so far.
 
 use std::cell::Cell;
 
@@ -13,6 +15,7 @@ use super::resolutions::SLOW;
 use super::valleys::require_shown;
 use super::zones::{Walls, Zone, corrected, require_few};
 use crate::Error;
+use crate::deadline::Deadline;
 
 /// Tension and penetration, relative to their scales, that are corrected on few nodes, and in the answer. Half and twice change none of 32 answers (survey).
 pub(super) const COARSELY_ALLOWED: f64 = 1e-6;
@@ -60,6 +63,9 @@ pub(super) trait Equation {
 
     /// Whether the base may lift off.
     fn may_lift(&self) -> bool;
+
+    /// When the search has to come to its end.
+    fn deadline(&self) -> &Deadline;
 
     /// Where ends of zones can rest.
     fn walls(&self) -> &Walls;
@@ -140,6 +146,10 @@ pub(super) trait Equation {
 /// [`Error::NotComplementary`] where no zones were found, [`Error::TooManyZones`]; those of the solutions.
 pub(super) fn complementary<E: Equation>(equation: &E) -> Result<(E::Solved, Check), Error> {
     let (mut coarse, mut effort) = found(equation)?;
+    if equation.deadline().is_past() {
+        let left = equation.check(&coarse, ALLOWED);
+        return Ok((coarse, left));
+    }
     let mut last = unknown();
     let mut progress = Progress::new();
     for _ in 0..CORRECTIONS {
@@ -155,7 +165,7 @@ pub(super) fn complementary<E: Equation>(equation: &E) -> Result<(E::Solved, Che
             let noise = equation.noise(&solved, &left);
             noise > ALLOWED && equation.check(&solved, noise).is_clean()
         };
-        if left.is_clean() || is_noise() {
+        if left.is_clean() || is_noise() || equation.deadline().is_past() {
             return Ok((solved, left));
         }
         last = left.as_error();
@@ -194,6 +204,9 @@ fn found<E: Equation>(equation: &E) -> Result<(E::Solved, E::Effort), Error> {
             Err(Error::Equation(_)) if is_attempt(&last) => {}
             Err(error) => last = error,
         }
+        if equation.deadline().is_past() {
+            return Err(last);
+        }
     }
     // All nodes tell whether there is anything left.
     let Some(zones) = doubtful.zones else { return Err(last) };
@@ -222,6 +235,9 @@ fn corrected_zones<E: Equation>(
         require_few(&zones, E::MOST_ZONES)?;
         effort = equation.effort(&zones, Some(effort))?;
         let solved = edges::settle(equation, &zones, &effort)?;
+        if equation.deadline().is_past() {
+            return Ok((solved, effort));
+        }
         let left = equation.check(&solved, COARSELY_ALLOWED);
         if left.is_clean() {
             return Ok((solved, effort));

@@ -23,7 +23,32 @@ impl Problem {
     /// Of unilateral contact: [`Error::InvalidValue`] for a force that is not positive, [`Error::TipsOver`] for a moment or an eccentricity that no
     /// pressure on the base can balance, [`Error::NoContact`] for displacements that leave the base clear of the body;
     /// [`Error::NotComplementary`] when no zones were found.
+    ///
+    /// [`Error::TimeLimit`] where the solver has a [time limit](crate::Solver::with_time_limit) and it ends the search.
     pub fn solve(&self) -> Result<Contact, Error> {
+        let contact = self.solve_or_best()?;
+        match self.solver().time_limit().filter(|_| contact.is_unfinished()) {
+            Some(limit) => Err(Error::TimeLimit { limit }),
+            None => Ok(contact),
+        }
+    }
+
+    /// The same, but for a search that the [time limit](crate::Solver::with_time_limit) ends: the best it had come to then, which is [no answer](Contact::is_unfinished), if that is a contact.
+    ///
+    /// # Errors
+    /// Those of [`Problem::solve`].
+    pub fn solve_or_best(&self) -> Result<Contact, Error> {
+        let Some(timed) = self.timed() else { return self.solve_at_level() };
+        let found = timed.solve_at_level();
+        let is_past = timed.deadline().is_past();
+        timed.deadline().lift();
+        let limit = self.solver().time_limit().unwrap_or_default();
+        // What the end of the time made of the search.
+        found.map_err(|error| if is_past { Error::TimeLimit { limit } } else { error })
+    }
+
+    /// The solution with heights counted from the level of the base, and put back there.
+    fn solve_at_level(&self) -> Result<Contact, Error> {
         let Some((lowered, level)) = self.lowered() else { return self.solve_as_given() };
         let level0 = self.frame().scaling().map_or(level, |scaling| level / scaling.displacement());
         match lowered.solve_as_given() {
@@ -61,6 +86,9 @@ impl Problem {
 
 /// The answer that a solution amounts to, if it keeps an explicit tolerance, with its warnings.
 fn draw_up(setting: Setting, found: Found) -> Result<Contact, Error> {
+    if setting.problem().deadline().is_past() {
+        return Contact::unfinished(setting, found);
+    }
     let solution = found.solution.as_ref();
     let (method, profile_error) = (solution.method(), found.profile_error);
     let of_heights = setting.of_heights(solution).map_or(0.0, |error| error.relative());

@@ -6,6 +6,7 @@ use super::accuracy::{Accuracy, Sizes};
 use super::audit::Audit;
 use super::balance::State;
 use super::extremes::{Extreme, Sampled};
+use super::heights::OfHeights;
 use super::kinks::{Kink, kinks};
 use super::method::Method;
 use super::parts::MOST_CUTS;
@@ -86,15 +87,40 @@ struct Record {
 impl Contact {
     /// The answer that a solution amounts to.
     pub(super) fn new(setting: Setting, found: Found) -> Result<Self, Error> {
+        let of_heights = setting.of_heights(found.solution.as_ref());
+        let accuracy = of_heights.zip(found.solution.accuracy()).map(|(own, known)| own.or(known));
+        Self::with_errors(setting, found, of_heights, accuracy)
+    }
+
+    /// What a solution that is not final amounts to: without the errors that the method states, which hold for answers only, and with a warning that says so.
+    pub(super) fn unfinished(setting: Setting, found: Found) -> Result<Self, Error> {
+        let left = found.solution.complementarity();
+        let mut contact = Self::with_errors(setting, found, None, None)?;
+        contact.warn(Some(Warning::time_limit(left)));
+        Ok(contact)
+    }
+
+    /// Whether the [time limit](crate::Solver::with_time_limit) ended the search for it: zones and pressure are not final, and nothing is stated of its errors but by an
+    /// [audit](Contact::with_audit).
+    #[must_use]
+    pub fn is_unfinished(&self) -> bool {
+        self.warnings().iter().any(|warning| warning.code == WarningCode::TimeLimit)
+    }
+
+    fn with_errors(
+        setting: Setting,
+        found: Found,
+        of_heights: Option<OfHeights>,
+        accuracy: Option<Accuracy>,
+    ) -> Result<Self, Error> {
         let Found { solution, reason, .. } = found;
         let problem = setting.problem().clone();
-        let of_heights = setting.of_heights(solution.as_ref());
         let is_symmetric = problem.is_symmetric();
         let record = Record {
             problem: problem.clone(),
             setting,
             level: 0.0,
-            accuracy: of_heights.zip(solution.accuracy()).map(|(own, known)| own.or(known)),
+            accuracy,
             of_heights: of_heights.map_or(0.0, |own| own.relative()),
             edges_of_heights: of_heights.map_or(0.0, |own| own.edges()),
             reason: reason.to_string(),

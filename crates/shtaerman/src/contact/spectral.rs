@@ -91,7 +91,8 @@ impl SpectralContact {
         let mut degree = first.max(FIRST_DEGREE).next_power_of_two();
         loop {
             let mut contact = Self::with_bounds(setting, profile, degree)?;
-            if contact.relative_to_samples() <= tolerance || 2 * degree > last {
+            let is_over = 2 * degree > last || setting.problem().deadline().is_past();
+            if contact.relative_to_samples() <= tolerance || is_over {
                 // Below n = 2 theta0 the exact application of the kernel amplifies the error.
                 if degree as f64 >= 2.0 * theta0 {
                     contact.edges = Some(contact.iterated_edges(profile));

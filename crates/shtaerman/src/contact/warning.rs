@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::complementarity::Complementarity;
 use super::intervals::SLIVER;
 use super::kinks::Kink;
 use crate::frame::Frame;
@@ -20,6 +21,8 @@ pub enum WarningCode {
     LowDegree,
     /// The error that is aimed at was not reached.
     ToleranceNotMet,
+    /// The time limit ended the search: zones and pressure are not final.
+    TimeLimit,
     /// Smooth surface: the pressure is infinite at a corner.
     SingularEdge,
     /// Smooth surface: the pressure is infinite under a kink of the base.
@@ -61,6 +64,18 @@ fn position(frame: &Frame, xi: f64) -> String {
 }
 
 impl Warning {
+    /// The search ended at the time limit, with so much left.
+    pub(super) fn time_limit(left: Option<Complementarity>) -> Self {
+        let left = left.map_or(String::new(), |Complementarity { tension, penetration }| {
+            format!(
+                "; tension {tension:.1e} and penetration {penetration:.1e} of their scales are left"
+            )
+        });
+        let message =
+            format!("the time limit ended the search: zones and pressure are not final{left}");
+        Self { code: WarningCode::TimeLimit, message }
+    }
+
     /// The pressure is negative on these intervals of `xi`; none if there are none.
     pub(super) fn negative_pressure(frame: &Frame, tension: &[[f64; 2]]) -> Option<Self> {
         if tension.is_empty() {

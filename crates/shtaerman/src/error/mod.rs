@@ -4,6 +4,8 @@ mod inverse;
 
 pub use inverse::InverseError;
 
+use std::time::Duration;
+
 use crate::document::FileError;
 use crate::expression::Defect;
 use crate::quantity::plain;
@@ -87,6 +89,16 @@ pub enum Error {
         settlement0: f64,
         /// Its `alpha0`.
         tilt0: f64,
+    },
+
+    /// The search for an answer did not end in the time allowed.
+    #[error(
+        "no answer was found within the time limit of {} s: allow more by `time_limit` (--time-limit), or resolve what the profile shows by fewer kinks, steps or measured points",
+        limit.as_secs_f64()
+    )]
+    TimeLimit {
+        /// What was allowed.
+        limit: Duration,
     },
 
     /// The audit found the answer wrong.
@@ -432,6 +444,7 @@ impl Error {
                 | Self::TooManyZones { .. }
                 | Self::NotAccurate { .. }
                 | Self::AuditFailed { .. }
+                | Self::TimeLimit { .. }
                 | Self::TooManyParts { .. }
                 | Self::TooNarrow { .. }
                 | Self::ZonesTooClose { .. }

@@ -1,6 +1,9 @@
 //! `[solver]`.
 
+use std::time::Duration;
+
 use crate::document::{Field, TableReader};
+use crate::quantity::Dimension;
 use crate::solver::{check_memory, most_degree};
 use crate::{ContactKind, Error, MethodChoice, Solver};
 
@@ -54,7 +57,23 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, Error> {
         }
         None => None,
     };
-    Ok(Solver { contact, method, degree, tolerance })
+    let time_limit = match table.optional("time_limit") {
+        Some(field) => Some(time_limit_of(&field)?),
+        None => None,
+    };
+    Ok(Solver { contact, method, degree, tolerance, time_limit })
+}
+
+/// How long a search may take.
+fn time_limit_of(field: &Field<'_>) -> Result<Duration, Error> {
+    let seconds = field.quantity(Dimension::TIME)?;
+    match Duration::try_from_secs_f64(seconds) {
+        Ok(limit) if !limit.is_zero() => Ok(limit),
+        _ => {
+            let message = format!("is {seconds} s: must be greater than 0, like \"10 s\"");
+            Err(field.error(message).into())
+        }
+    }
 }
 
 /// A degree whose solve fits into memory.

@@ -18,6 +18,7 @@ mod resolutions;
 mod smooth_limit;
 mod surface;
 mod symmetry;
+mod time_limit;
 #[path = "../../../input/src/expression/tests/trees.rs"]
 #[allow(dead_code, reason = "the tests of expressions use the rest")]
 mod trees;

@@ -174,7 +174,7 @@ impl<'p> Problem<'p> {
         let profile = self.kernel.unit_profile();
         let potential = |x: f64| {
             let term = |(index, delta): &(usize, f64)| {
-                let (s, cell) = (self.sampled.places[*index], self.sampled.cells[*index]);
+                let (s, cell) = (self.sampled.places[*index], self.sampled.cell(*index));
                 // Within its own cell a singular function has its mean at about a quarter of it.
                 delta * cell * profile.pair((x - s).abs().max(0.25 * cell)).value
             };
@@ -187,7 +187,7 @@ impl<'p> Problem<'p> {
         // (1 + lambda K)^-1 lambda K is at most 1 for a positive kernel, however large lambda is.
         let most = density.iter().fold(0.0f64, |most, (_, delta)| most.max(delta.abs()));
         let solution = (self.unit_parameter.abs() * worst).min(most) * self.far.max(1.0);
-        let cells = density.iter().map(|(index, delta)| delta * self.sampled.cells[*index]);
+        let cells = density.iter().map(|(index, delta)| delta * self.sampled.cell(*index));
         Difference { solution, product: cells.sum::<f64>().abs() }
     }
 

@@ -1,11 +1,13 @@
 //! The eigenvalues, from the matrix of the integral operator in Legendre functions.
 
 use std::f64::consts::FRAC_PI_2;
+use std::ops::Range;
 
 use super::waves::inner_quotients;
 use crate::Error;
 use crate::basis::legendre::strengths;
 use crate::basis::spheroidal::Spheroidal;
+use crate::linear::vectorised;
 use crate::quadrature::gauss_legendre;
 
 /// Nodes of Gauss's rule on a panel, and the far end of one over that of the panel before. The integrand has no singularities, but away from the axis it goes as `1/sqrt(nu^2 + q^2)`: as if there were
@@ -14,8 +16,10 @@ const NODES: usize = 20;
 const GROWTH: f64 = 4.0;
 /// The first panel reaches to this `q`, where the integrand goes as `exp(-2q)`.
 const FIRST: f64 = 2.0;
-/// Nodes for which a row of coefficients is read once.
-const TOGETHER: usize = 8;
+/// Functions whose sums run along together, in registers.
+const LANES: usize = 16;
+/// So many `j` at a time, for which the tables of all nodes stay near the processor.
+const STRIP: usize = 256;
 /// Coefficients of functions of unit length below this do not count.
 const NEGLIGIBLE: f64 = 1e-20;
 
@@ -24,25 +28,42 @@ const NEGLIGIBLE: f64 = 1e-20;
 /// `A_ij = 4 C_i C_j (-1)^(i-j) int_0^(pi/2) I_(nu_max)(q) K_(nu_min)(q) d theta`, `q = kappa sin theta`, `nu_j = m + 2j + 1/2`:
 ///
 /// the transform of `1/sqrt(t^2 + kappa^2)` with Bessel functions, turned to the imaginary axis. The error is of second order in that of `d`. The matrix itself is not needed: the sums over `i < j` run along with
-/// the quotients `I_(nu+1)/I_nu`, which neither overflow nor underflow.
+/// the quotients `I_(nu+1)/I_nu`, which neither overflow nor underflow. It takes `nodes count order` steps, of some functions and nodes at once.
 pub(super) fn eigenvalues(
     harmonic: u32,
     kappa: f64,
     functions: &Spheroidal,
 ) -> Result<Vec<f64>, Error> {
-    let rows = Rows::new(harmonic, functions);
-    let mut eigenvalues = vec![0.0; functions.count()];
-    for nodes in nodes(kappa)?.chunks(TOGETHER) {
-        let mut sums: Vec<Sum> =
-            nodes.iter().map(|[q, weight]| Sum::new(harmonic, *q, *weight, &rows)).collect();
-        for j in 0..functions.order() {
-            let (first, row) = rows.at(j);
-            for sum in &mut sums {
-                sum.add(j, row, first, &mut eigenvalues);
+    let (count, order) = (functions.count(), functions.order());
+    let nodes = nodes(kappa)?;
+    let tables: Vec<Vec<Step>> = nodes.iter().map(|[q, _]| steps(harmonic, order, *q)).collect();
+    let factors = factors(harmonic, order);
+    let ends = ends(functions);
+    let mut running = vec![Running::default(); count.div_ceil(LANES) * tables.len()];
+    let mut rows = Vec::with_capacity(STRIP);
+    for start in (0..order).step_by(STRIP) {
+        let strip = start..order.min(start + STRIP);
+        for (block, running) in running.chunks_exact_mut(tables.len()).enumerate() {
+            let members = LANES * block..count.min(LANES * (block + 1));
+            if ends[members.end - 1] <= start {
+                continue;
+            }
+            fill(&mut rows, functions, members, &factors[strip.clone()], start);
+            for (running, table) in running.iter_mut().zip(&tables) {
+                let steps = &table[strip.clone()];
+                vectorised(
+                    #[inline(always)]
+                    || running.add(steps, &rows),
+                );
             }
         }
     }
-    Ok(eigenvalues)
+    let sum = |n: usize| {
+        let running = running.chunks_exact(nodes.len()).nth(n / LANES).unwrap_or_default();
+        let terms = running.iter().zip(&nodes).map(|(at, [_, weight])| weight * at.sums[n % LANES]);
+        terms.sum()
+    };
+    Ok((0..count).map(sum).collect())
 }
 
 /// `q` and the weights, with the factor 4, of the rule for the integral over `theta`.
@@ -62,78 +83,83 @@ fn nodes(kappa: f64) -> Result<Vec<[f64; 2]>, Error> {
     Ok(nodes)
 }
 
-/// `(-1)^j C_j d_j^{(n)}`, `n` running fastest, without the functions that end before `j`.
-struct Rows {
-    count: usize,
-    order: usize,
-    entries: Vec<f64>,
-    /// The first function that goes on at `j` or beyond.
-    first: Vec<usize>,
+/// `(-1)^j C_j`.
+fn factors(harmonic: u32, order: usize) -> Vec<f64> {
+    let strengths = strengths(harmonic, order).into_iter().enumerate();
+    strengths.map(|(j, c)| if j.is_multiple_of(2) { c } else { -c }).collect()
 }
 
-impl Rows {
-    fn new(harmonic: u32, functions: &Spheroidal) -> Self {
-        let (count, order) = (functions.count(), functions.order());
-        let mut entries = vec![0.0; count * order];
-        let mut first = vec![count; order];
-        for n in 0..count {
-            for (j, entry) in functions.coefficients(n).iter().enumerate() {
-                entries[j * count + n] = *entry;
-                if entry.abs() > NEGLIGIBLE {
-                    first[j] = first[j].min(n);
-                }
+/// Where the coefficients of each function have become negligible, and those of all before it.
+fn ends(functions: &Spheroidal) -> Vec<usize> {
+    let mut most = 0;
+    let end = |n: usize| {
+        let coefficients = functions.coefficients(n);
+        let last = coefficients.iter().rposition(|entry| entry.abs() > NEGLIGIBLE);
+        most = most.max(last.map_or(0, |last| last + 1));
+        most
+    };
+    (0..functions.count()).map(end).collect()
+}
+
+/// `(-1)^j C_j d_j^{(n)}` for the `j` from `start` on, and some functions; zeros where there are fewer.
+fn fill(
+    rows: &mut Vec<[f64; LANES]>,
+    functions: &Spheroidal,
+    members: Range<usize>,
+    factors: &[f64],
+    start: usize,
+) {
+    rows.clear();
+    rows.resize(factors.len(), [0.0; LANES]);
+    for (lane, n) in members.enumerate() {
+        let coefficients = &functions.coefficients(n)[start..];
+        for ((row, entry), factor) in rows.iter_mut().zip(coefficients).zip(factors) {
+            row[lane] = entry * factor;
+        }
+    }
+}
+
+/// `I_nu(q) K_nu(q)` at `j`, and what takes `I_nu` from there to the next `j` and `K_nu` along.
+struct Step {
+    product: f64,
+    ratio: f64,
+}
+
+/// The steps along `j` at a node.
+fn steps(harmonic: u32, order: usize, q: f64) -> Vec<Step> {
+    let square = q * q;
+    let l = |j: usize| harmonic as usize + 2 * j;
+    let mut quotients = vec![0.0; l(order) + 1];
+    inner_quotients(square, &mut quotients);
+    let mut diagonal = Diagonal::new(q, harmonic, &quotients);
+    let step = |j: usize| Step {
+        product: diagonal.at(l(j)),
+        ratio: square * quotients[l(j)] * quotients[l(j) + 1],
+    };
+    (0..order).map(step).collect()
+}
+
+/// The sums of some functions at a node, along `j`.
+#[derive(Debug, Clone, Copy, Default)]
+struct Running {
+    sums: [f64; LANES],
+    /// The sums over `i < j`.
+    carried: [f64; LANES],
+}
+
+impl Running {
+    #[inline(always)]
+    fn add(&mut self, steps: &[Step], rows: &[[f64; LANES]]) {
+        let Self { mut sums, mut carried } = *self;
+        for (Step { product, ratio }, row) in steps.iter().zip(rows) {
+            for lane in 0..LANES {
+                let before = carried[lane];
+                let after = before + product * row[lane];
+                sums[lane] += row[lane] * (after + before);
+                carried[lane] = ratio * after;
             }
         }
-        for j in (1..order).rev() {
-            first[j - 1] = first[j - 1].min(first[j]);
-        }
-        let strengths = strengths(harmonic, order);
-        for (j, (row, strength)) in entries.chunks_exact_mut(count).zip(strengths).enumerate() {
-            let factor = if j.is_multiple_of(2) { strength } else { -strength };
-            row.iter_mut().for_each(|entry| *entry *= factor);
-        }
-        Self { count, order, entries, first }
-    }
-
-    /// The first function at `j`, and the entries from that on.
-    fn at(&self, j: usize) -> (usize, &[f64]) {
-        let first = self.first[j];
-        (first, &self.entries[j * self.count + first..(j + 1) * self.count])
-    }
-}
-
-/// The sum at one node, along `j`.
-struct Sum {
-    weight: f64,
-    /// `I_nu(q) K_nu(q)` at `j`, and what takes `I_nu` from there to the next `j` and `K_nu` along.
-    products: Vec<f64>,
-    ratios: Vec<f64>,
-    /// The sums over `i < j`, for each function.
-    carried: Vec<f64>,
-}
-
-impl Sum {
-    fn new(harmonic: u32, q: f64, weight: f64, rows: &Rows) -> Self {
-        let square = q * q;
-        let mut quotients = vec![0.0; harmonic as usize + 2 * rows.order + 1];
-        inner_quotients(square, &mut quotients);
-        let mut diagonal = Diagonal::new(q, harmonic, &quotients);
-        let l = |j: usize| harmonic as usize + 2 * j;
-        let products = (0..rows.order).map(|j| diagonal.at(l(j))).collect();
-        let ratio = |j: usize| square * quotients[l(j)] * quotients[l(j) + 1];
-        let ratios = (0..rows.order).map(ratio).collect();
-        Self { weight, products, ratios, carried: vec![0.0; rows.count] }
-    }
-
-    /// Adds the terms of `j` for the functions from `first` on.
-    fn add(&mut self, j: usize, row: &[f64], first: usize, sums: &mut [f64]) {
-        let (product, ratio) = (self.products[j], self.ratios[j]);
-        let running = sums[first..].iter_mut().zip(&mut self.carried[first..]).zip(row);
-        for ((sum, carried), entry) in running {
-            let own = product * entry;
-            *sum += self.weight * entry * (own + 2.0 * *carried);
-            *carried = ratio * (*carried + own);
-        }
+        *self = Self { sums, carried };
     }
 }
 

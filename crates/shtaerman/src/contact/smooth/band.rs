@@ -83,6 +83,7 @@ mod tests {
 
     use super::*;
     use crate::contact::smooth::{SmoothKernel, SmoothProfile};
+    use crate::deadline::Deadline;
     use crate::{Load, Rotational, Vertical};
 
     fn wave(height: fn(f64) -> f64, slope: fn(f64) -> f64) -> SmoothProblem {
@@ -100,6 +101,7 @@ mod tests {
             load: Load::new(Vertical::Force(1.0), Rotational::Tilt(0.0)).unwrap(),
             profile,
             is_unilateral: true,
+            deadline: Deadline::default(),
         }
     }
 

@@ -47,6 +47,7 @@ use crate::contact::edges::{EndState, settle};
 use crate::contact::search::{ALLOWED, Equation, Start};
 use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
+use crate::deadline::Deadline;
 use check::check;
 use detail::{A_PANEL, COARSE, Detail, FINE, MOST_WORK};
 use open::solve_zones;
@@ -77,6 +78,10 @@ impl Equation for Base<'_> {
 
     fn may_lift(&self) -> bool {
         self.problem.is_unilateral
+    }
+
+    fn deadline(&self) -> &Deadline {
+        &self.problem.deadline
     }
 
     fn walls(&self) -> &Walls {

@@ -9,6 +9,7 @@ use crate::contact::steps::{REACH, rise};
 use crate::contact::valleys;
 use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
+use crate::deadline::Deadline;
 use crate::error::require;
 use crate::{Error, Load};
 
@@ -66,6 +67,8 @@ pub(crate) struct SmoothProblem {
     pub(crate) profile: SmoothProfile,
     /// Whether the zones are part of the answer, with the pressure nowhere negative.
     pub(crate) is_unilateral: bool,
+    /// When the search for zones has to come to its end.
+    pub(crate) deadline: Deadline,
 }
 
 impl SmoothProfile {

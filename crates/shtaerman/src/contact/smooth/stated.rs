@@ -66,6 +66,7 @@ impl Problem {
             load,
             profile: SmoothProfile { height, slope, breaks, joints, tolerance },
             is_unilateral: self.solver().contact == ContactKind::Unilateral,
+            deadline: self.deadline().clone(),
         }
     }
 

@@ -14,6 +14,7 @@ use crate::contact::search::{Equation, Start, unknown};
 use crate::contact::valleys;
 use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
+use crate::deadline::Deadline;
 
 /// Ends this close to a wall are there: the check looks just inside a wall. Half and twice change none of 20 answers (survey).
 const BESIDE: f64 = 1e-11;
@@ -25,6 +26,10 @@ impl Equation for Base<'_> {
 
     fn may_lift(&self) -> bool {
         !self.is_bilateral
+    }
+
+    fn deadline(&self) -> &Deadline {
+        self.problem.deadline()
     }
 
     fn walls(&self) -> &Walls {

@@ -58,7 +58,9 @@ pub(super) fn refined(base: &Base<'_>, coarse: &Solved, start: f64) -> Result<So
             || (change.pressure > 0.5 * before.pressure
                 && change.pressure <= STAGNANT * finer.largest());
         let next = strength(power + 1) * 2.0 * finer.panels.len() as f64;
-        let last = next > base.effort.nodes as f64 || base.work.spent() > base.effort.work;
+        let last = next > base.effort.nodes as f64
+            || base.work.spent() > base.effort.work
+            || base.problem.deadline().is_past();
         fine = finer;
         let known = |best: &Solved| best.stated.accuracy.pressure;
         if best.as_ref().is_none_or(|best| accuracy.pressure <= known(best)) {

@@ -28,6 +28,7 @@ use crate::contact::balance::State;
 use crate::contact::parts::MOST_CUTS;
 use crate::contact::steps::{REACH, rise};
 use crate::contact::valleys::SAMPLES;
+use crate::deadline::Deadline;
 use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 use check::Check;
@@ -51,10 +52,14 @@ pub(crate) struct SmoothDisk {
     pub(crate) slope: Curve,
     /// Where the profile has kinks or steps.
     pub(crate) breaks: Vec<f64>,
+    /// The points of a measured profile, between which it is a polynomial.
+    pub(crate) joints: Vec<f64>,
     /// Relative accuracy of integrals of the slope; 0 for the best, about `1e-10` for measured points.
     pub(crate) tolerance: f64,
     /// Whether the radius of the contact is part of the answer, with the pressure nowhere negative.
     pub(crate) is_unilateral: bool,
+    /// When the search for rings has to come to its end.
+    pub(crate) deadline: Deadline,
 }
 
 impl fmt::Debug for SmoothDisk {
@@ -128,8 +133,8 @@ impl SmoothDisk {
             breaks.clear();
         }
         let ground = Ground::new(self.exponent)?;
-        let (slope, tolerance) = (&self.slope, self.tolerance);
-        Ok(Shape { slope, breaks, tolerance, noise: 0.0, ground, part: Part::Revolution })
+        let (slope, joints, tolerance) = (&self.slope, self.joints.clone(), self.tolerance);
+        Ok(Shape { slope, breaks, joints, tolerance, noise: 0.0, ground, part: Part::Revolution })
     }
 
     fn samples(&self) -> impl Iterator<Item = (f64, f64)> + '_ {

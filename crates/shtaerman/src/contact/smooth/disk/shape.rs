@@ -56,6 +56,8 @@ pub(in crate::contact::smooth) struct Shape<'p> {
     pub(in crate::contact::smooth) slope: &'p Curve,
     /// Where it bends, increasing, all positive.
     pub(in crate::contact::smooth) breaks: Vec<f64>,
+    /// Where one polynomial ends and another begins, increasing, all positive: integrals are cut there.
+    pub(in crate::contact::smooth) joints: Vec<f64>,
     /// To which share integrals are wanted.
     pub(in crate::contact::smooth) tolerance: f64,
     /// Rounding of the slope beyond that of its size.
@@ -106,8 +108,13 @@ impl Shape<'_> {
     /// The same by the distances `sqrt(x^2 - b^2)` from the kinks.
     fn integrated(&self, x: f64, weight: Weight, leg: impl Fn(f64) -> f64) -> f64 {
         let mut cuts = vec![(FRAC_PI_2, 0.0)];
-        let inside = self.breaks.iter().map(|&at| (at, leg(at))).filter(|(_, leg)| *leg > 0.0);
+        let places = self.breaks.iter().chain(&self.joints);
+        let inside = places.map(|&at| (at, leg(at))).filter(|(_, leg)| *leg > 0.0);
         cuts.extend(inside.map(|(at, leg)| (leg.atan2(at), at)));
+        if !self.joints.is_empty() {
+            cuts.sort_by(|one, two| one.1.total_cmp(&two.1));
+            cuts.dedup();
+        }
         cuts.push((0.0, x));
         let value = |angle: f64, ends: [f64; 2]| {
             // Rounding must not pass a kink.
@@ -223,7 +230,8 @@ mod tests {
 
     fn homogeneous(slope: &Curve, breaks: Vec<f64>) -> Shape<'_> {
         let ground = Ground::new(0.0).unwrap();
-        Shape { slope, breaks, tolerance: 0.0, noise: 0.0, ground, part: Part::Revolution }
+        let joints = Vec::new();
+        Shape { slope, breaks, joints, tolerance: 0.0, noise: 0.0, ground, part: Part::Revolution }
     }
 
     #[test]

@@ -209,6 +209,7 @@ mod tests {
     /// The halves of the slope on panels.
     fn shapes(slopes: &[Curve; 2], at: f64, mu: f64) -> [Shape<'_>; 2] {
         let of = |part: Part| Shape {
+            joints: Vec::new(),
             slope: &slopes[usize::from(part == Part::Odd)],
             breaks: vec![at.abs()],
             tolerance: 0.0,

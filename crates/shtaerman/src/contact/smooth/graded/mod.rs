@@ -31,6 +31,7 @@ use crate::contact::edges::EndState;
 use crate::contact::search::{ALLOWED, Equation, Start, complementary};
 use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
+use crate::deadline::Deadline;
 use check::{Along, check};
 use field::Field;
 use settled::{Settled, fixed};
@@ -97,6 +98,10 @@ impl Equation for Strips<'_> {
 
     fn may_lift(&self) -> bool {
         self.base.problem.is_unilateral
+    }
+
+    fn deadline(&self) -> &Deadline {
+        &self.base.problem.deadline
     }
 
     fn walls(&self) -> &Walls {

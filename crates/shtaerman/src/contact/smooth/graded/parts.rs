@@ -52,7 +52,15 @@ impl Halves {
         let index = usize::from(part == Part::Odd);
         let (slope, noise) = (&self.slopes[index], self.noise);
         let (breaks, tolerance) = (self.breaks.clone(), self.tolerance);
-        Shape { slope, breaks, tolerance, noise, ground: ground.powers.clone(), part }
+        Shape {
+            slope,
+            breaks,
+            joints: Vec::new(),
+            tolerance,
+            noise,
+            ground: ground.powers.clone(),
+            part,
+        }
     }
 
     fn shapes(&self, ground: &Ground) -> [Shape<'_>; 2] {

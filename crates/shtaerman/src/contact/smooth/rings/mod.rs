@@ -7,6 +7,7 @@
 use crate::contact::cells::LIMITS;
 use crate::contact::intervals::SLIVER;
 use crate::contact::promise::ROUGHEST;
+use crate::deadline::Deadline;
 
 mod answer;
 mod base;
@@ -81,6 +82,10 @@ impl Equation for Base<'_> {
 
     fn may_lift(&self) -> bool {
         self.problem.is_unilateral
+    }
+
+    fn deadline(&self) -> &Deadline {
+        &self.problem.deadline
     }
 
     fn walls(&self) -> &Walls {

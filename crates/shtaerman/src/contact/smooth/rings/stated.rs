@@ -50,9 +50,23 @@ impl Problem {
             height,
             slope: Arc::new(slope),
             breaks: self.smooth_breaks(),
+            joints: self.radii_of_points(),
             tolerance: if measured { MEASURED } else { 0.0 },
             is_unilateral: self.solver().contact == ContactKind::Unilateral,
+            deadline: self.deadline().clone(),
         }
+    }
+
+    /// The radii at which a measured profile has points, from the axis.
+    fn radii_of_points(&self) -> Vec<f64> {
+        if self.profile().measured_points().is_none() {
+            return Vec::new();
+        }
+        let mut radii = self.profile().joints(self.frame().half_width());
+        radii.retain(|at| *at > 0.0 && *at < 1.0);
+        radii.sort_by(f64::total_cmp);
+        radii.dedup();
+        radii
     }
 
     /// An error with its value as the problem states it.

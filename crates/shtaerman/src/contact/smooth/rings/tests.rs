@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::solve;
 use crate::contact::smooth::disk::SmoothDisk;
 use crate::contact::solution::Solution;
+use crate::deadline::Deadline;
 use crate::{Error, Load, Rotational, Vertical};
 
 fn close(found: f64, exact: f64, relative: f64, what: &str) {
@@ -24,8 +25,10 @@ fn one_disk_is_that_of_galins_transforms() {
             height: Arc::new(move |r: f64| r * r + bend * (r - kink).max(0.0)),
             slope: Arc::new(move |r: f64| 2.0 * r + if r > kink { bend } else { 0.0 }),
             breaks: vec![kink],
+            joints: Vec::new(),
             tolerance: 0.0,
             is_unilateral,
+            deadline: Deadline::default(),
         };
         let (one, two) = (disk.solve().unwrap(), solve(&disk).unwrap());
         let [[left, right]] = two.zones()[..] else { panic!("one disk") };
@@ -53,8 +56,10 @@ fn one_disk_is_that_of_galins_transforms() {
         height: Arc::new(|r: f64| -r * r),
         slope: Arc::new(|r: f64| -2.0 * r),
         breaks: Vec::new(),
+        joints: Vec::new(),
         tolerance: 0.0,
         is_unilateral: true,
+        deadline: Deadline::default(),
     };
     let refused = solve(&refused);
     assert!(matches!(refused, Err(Error::InvalidValue { field: "moment", value: 0.1, .. })));

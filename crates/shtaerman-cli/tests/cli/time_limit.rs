@@ -1,0 +1,101 @@
+//! `--time-limit` and `solver.time_limit`.
+
+use std::fmt::Write;
+use std::time::{Duration, Instant};
+
+use serde_json::Value;
+
+use crate::support::{Folder, UNILATERAL, assert_valid, schema};
+
+/// A rough trace of this many points, whose contact takes seconds.
+fn trace(folder: &Folder, points: usize) {
+    let mut state = 20_261_123u64;
+    let mut text = "x,f\n".to_owned();
+    for i in 0..points {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        let noise = (state >> 33) as f64 / f64::from(u32::MAX);
+        let x = 0.01 * (2.0 * i as f64 / (points - 1) as f64 - 1.0);
+        let _ = writeln!(text, "{x:e},{:e}", 1e-6 * noise);
+    }
+    std::fs::write(folder.path("trace.csv"), text).unwrap();
+    let problem = UNILATERAL
+        .replace("half_width = \"5 mm\"", "half_width = 0.01")
+        .replace("\"x^2 / (2*20)\"", "{ csv = \"trace.csv\" }")
+        .replace("moment = \"100 N\"", "moment = 0");
+    std::fs::write(folder.path("punch.toml"), problem).unwrap();
+}
+
+#[test]
+fn a_search_that_takes_longer_ends_in_time_and_writes_no_file() {
+    let folder = Folder::with(UNILATERAL);
+    trace(&folder, 40_000);
+    for (option, format) in [("20 ms", "json"), ("0.9 s", "json"), ("0.4 s", "table")] {
+        let start = Instant::now();
+        let run = folder.run(&[
+            "solve",
+            "punch.toml",
+            "--time-limit",
+            option,
+            "--format",
+            format,
+            "-o",
+            "out.txt",
+        ]);
+        // The machine may be busy; without the limit it is a minute.
+        assert!(start.elapsed() < Duration::from_secs(10), "{:?}", start.elapsed());
+        assert_eq!(run.code, Some(3), "{run:?}");
+        assert!(run.stderr.contains("time limit"), "{run:?}");
+        assert!(!folder.path("out.txt").exists());
+        if format == "json" && !run.stdout.is_empty() {
+            let best: Value = serde_json::from_str(&run.stdout).unwrap();
+            assert_valid(&schema("answer"), &best, "the best so far");
+            let codes = best["warnings"].as_array().unwrap().iter();
+            assert!(codes.map(|warning| &warning["code"]).any(|code| code == "time_limit"));
+        }
+    }
+    let run = folder.run(&[
+        "find",
+        "force",
+        "punch.toml",
+        "--peak-pressure",
+        "1 MPa",
+        "--time-limit",
+        "0.1 s",
+    ]);
+    assert_eq!(run.code, Some(3), "{run:?}");
+}
+
+#[test]
+fn a_limit_that_is_not_reached_changes_nothing() {
+    let folder = Folder::with(UNILATERAL);
+    let plain = folder.run(&["solve", "punch.toml", "--format", "json"]).answer();
+    let limit = ["--time-limit", "10 min"];
+    let by_option = [&["solve", "punch.toml", "--format", "json"], limit.as_slice()].concat();
+    assert_eq!(folder.run(&by_option).answer(), plain);
+    let text = format!("{UNILATERAL}\n[solver]\ntime_limit = \"1 h\"\n");
+    let folder = Folder::with(&text);
+    assert_eq!(folder.run(&["solve", "punch.toml", "--format", "json"]).answer(), plain);
+}
+
+#[test]
+fn what_is_no_time_is_refused() {
+    let folder = Folder::with(UNILATERAL);
+    for (text, says) in [
+        ("0 s", "greater than 0"),
+        ("-1 s", "greater than 0"),
+        ("10 mm", "got mm, a length"),
+        ("soon", "soon"),
+        ("1e400 s", "1e400"),
+    ] {
+        let option = format!("--time-limit={text}");
+        let run = folder.run(&["solve", "punch.toml", &option]);
+        let said = run.refusal();
+        assert!(said.contains("--time-limit") && said.contains(says), "{said}");
+    }
+    for value in ["0", "\"-3 s\"", "\"3 m\"", "true", "nan"] {
+        let folder = Folder::with(&format!("{UNILATERAL}\n[solver]\ntime_limit = {value}\n"));
+        let run = folder.run(&["solve", "punch.toml"]);
+        let said = run.refusal();
+        assert!(said.contains("punch.toml:15") && said.contains("time_limit"), "{said}");
+    }
+}
