@@ -20,16 +20,24 @@ fn main() -> ExitCode {
     for fault in report.faults.iter().take(SHOWN) {
         println!("case {}: {}", fault.case, fault.what);
     }
+    for (took, case) in report.hangs.iter().take(SHOWN) {
+        println!("case {case}: took {:.1} s", took.as_secs_f64());
+    }
     let (slowest, case) = report.slowest;
     println!(
-        "{what}, seed {seed}: {} cases, {} accepted, {} refused, {} failed; slowest {:.4} s, case {case}",
+        "{what}, seed {seed}: {} cases, {} accepted, {} refused, {} failed, {} took too long; slowest {:.4} s, case {case}",
         report.cases,
         report.accepted,
         report.refused,
         report.faults.len(),
+        report.hangs.len(),
         slowest.as_secs_f64()
     );
-    if report.faults.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    if report.faults.is_empty() && report.hangs.is_empty() {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
 }
 
 fn usage() -> ExitCode {

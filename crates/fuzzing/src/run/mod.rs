@@ -30,6 +30,8 @@ pub struct Report {
     pub refused: u64,
     /// The cases that failed.
     pub faults: Vec<Fault>,
+    /// The cases that took too long.
+    pub hangs: Vec<(Duration, u64)>,
     /// The longest time of a case by the clock on the wall, and its number.
     pub slowest: (Duration, u64),
 }
@@ -56,7 +58,7 @@ pub fn run(target: Target, seed: u64, count: u64, most: Option<Duration>) -> Rep
             Err(panic) => report.faults.push(Fault { case, what: check::panicked(&*panic) }),
         }
         if took > HANG {
-            report.faults.push(Fault { case, what: format!("took {:.1} s", took.as_secs_f64()) });
+            report.hangs.push((took, case));
         }
         if took > report.slowest.0 {
             report.slowest = (took, case);

@@ -1,0 +1,41 @@
+//! Half a minute of every kind of input, with other seeds than those that the generators were tuned on (1 to 99).
+
+#![expect(clippy::expect_used, reason = "a test may fail by panicking")]
+
+use fuzzing::{Target, run};
+
+/// Seed of the tests.
+const SEED: u64 = 20_261_123;
+
+/// So many cases, some of which are taken and some refused. How long each takes is told and not tested: the machine may be busy.
+fn put_through(name: &str, count: u64) {
+    let target = Target::named(name).expect("a target");
+    let report = run(target, SEED, count, None);
+    println!("{name}: {} cases, slowest {:?}", report.cases, report.slowest);
+    assert!(report.faults.is_empty(), "{name}, seed {SEED}: {:#?}", report.faults);
+    assert!(report.accepted > 0 && report.refused > 0, "{report:?}");
+}
+
+#[test]
+fn texts_are_read_or_refused_with_a_message() {
+    for (name, count) in
+        [("units", 20_000), ("columns", 10_000), ("arguments", 5_000), ("expressions", 4_000)]
+    {
+        put_through(name, count);
+    }
+}
+
+#[test]
+fn files_are_read_or_refused_with_a_message() {
+    put_through("readers", 1_000);
+}
+
+#[test]
+fn problems_are_solved_or_refused_and_answers_keep_the_schema() {
+    put_through("problems", 12);
+}
+
+#[test]
+fn equations_are_solved_or_refused_and_answers_keep_the_schema() {
+    put_through("equations", 16);
+}
