@@ -46,6 +46,10 @@ pub struct Layered {
 
 /// A symmetric kernel that is positive semidefinite on a base within `[-1, 1]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a few are made for each audit, and boxes would take the copies away"
+)]
 pub enum Kernel {
     /// `ln(1/|x - s|)`: positive on any set within an interval of length 2.
     Logarithm,
