@@ -15,8 +15,6 @@ const TICK: Duration = Duration::from_millis(200);
 const STACK: usize = 8 << 20;
 /// Share of the time limit after which the best so far is shown without what is still computed: the rest is for writing it.
 const LAST: f64 = 0.95;
-/// Exit code of a numerical promise that is not kept.
-const NOT_KEPT: i32 = 3;
 
 static CLOCK: Mutex<Clock> = Mutex::new(Clock { running: None, is_shown: false });
 
@@ -52,7 +50,7 @@ impl Clock {
     }
 }
 
-/// Starts the clock of a command. At the limit `end` ends the process with exit code 3, unless the clock was [stopped](stop) before.
+/// Starts the clock of a command. At the limit `end` ends the process with the exit code of [`Error::TimeLimit`](shtaerman::Error::TimeLimit), unless the clock was [stopped](stop) before.
 pub(crate) fn start(limit: Option<Duration>, end: fn(i32) -> !) {
     let is_seen = stderr().is_terminal();
     if limit.is_none() && !is_seen {
@@ -75,8 +73,9 @@ fn watch(Running { since, limit }: Running, is_seen: bool, end: fn(i32) -> !) {
         let elapsed = since.elapsed();
         if let Some(limit) = limit.filter(|limit| elapsed >= *limit) {
             clock.clear();
-            Failure::from(shtaerman::Error::TimeLimit { limit }).report();
-            end(NOT_KEPT);
+            let failure = Failure::from(shtaerman::Error::TimeLimit { limit });
+            failure.report();
+            end(i32::from(failure.exit_code()));
         }
         if is_seen && elapsed >= FIRST {
             clock.show(elapsed);

@@ -42,8 +42,8 @@ pub(crate) enum Failure {
         /// What the system says.
         reason: String,
     },
-    /// The time limit ended the search; the best so far was shown.
-    #[error("no answer was found within the time limit of {} s: what is shown is the best so far, not final, and no file was written", .0.as_secs_f64())]
+    /// The time limit ended the search or the audit; the best so far was shown.
+    #[error("no answer was found and audited within the time limit of {} s: what is shown is the best so far, and no file was written", .0.as_secs_f64())]
     Unfinished(Duration),
     /// A check failed.
     #[error("{0}")]
@@ -73,7 +73,8 @@ impl Failure {
         ExitCode::from(self.exit_code())
     }
 
-    fn exit_code(&self) -> u8 {
+    /// The exit code that says so.
+    pub(crate) fn exit_code(&self) -> u8 {
         match self {
             Self::Check(_) | Self::Unwritten { .. } => 1,
             Self::Problem(error) if error.is_numerical() => 3,

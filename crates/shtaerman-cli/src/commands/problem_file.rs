@@ -91,7 +91,7 @@ pub(super) fn name(path: &Path) -> String {
 /// What came of a solve.
 pub(super) enum Solved {
     Answer(Contact),
-    /// The best so far at the time limit.
+    /// The best so far at the time limit: what the search had come to, or an answer whose audit did not end.
     Unfinished(Contact, Duration),
 }
 

@@ -27,10 +27,12 @@ impl Problem {
     /// [`Error::TimeLimit`] where the solver has a [time limit](crate::Solver::with_time_limit) and it ends the search.
     pub fn solve(&self) -> Result<Contact, Error> {
         let contact = self.solve_or_best()?;
-        match self.solver().time_limit().filter(|_| contact.is_unfinished()) {
-            Some(limit) => Err(Error::TimeLimit { limit }),
-            None => Ok(contact),
+        if contact.is_unfinished() {
+            // Also of a problem solved on the way to another's answer, whose solver has no limit of its own.
+            let limit = self.solver().time_limit().unwrap_or_default();
+            return Err(Error::TimeLimit { limit });
         }
+        Ok(contact)
     }
 
     /// The same, but for a search that the [time limit](crate::Solver::with_time_limit) ends: the best it had come to then, which is [no answer](Contact::is_unfinished), if that is a contact.
