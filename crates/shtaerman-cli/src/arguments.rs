@@ -1,6 +1,7 @@
 //! The arguments of the command line.
 
 mod roughness;
+mod sweep;
 
 use std::path::PathBuf;
 
@@ -10,6 +11,7 @@ pub use roughness::{
     BearingArguments, ColumnOrder, GreenwoodWilliamsonArguments, Law, RoughnessArguments,
     RoughnessSource, TableArguments,
 };
+pub use sweep::SweepArguments;
 
 /// Contact of a rigid punch with a rough elastic body (Shtaerman's model).
 ///
@@ -50,6 +52,8 @@ pub enum Command {
     Stress(StressArguments),
     /// List eigenvalues and norms of a kernel, and verify them.
     Spectrum(SpectrumArguments),
+    /// Run a study: a problem file with some of its values varied.
+    Sweep(SweepArguments),
     /// Turn what is known of a rough surface into the roughness of a problem file.
     Roughness(RoughnessArguments),
 }

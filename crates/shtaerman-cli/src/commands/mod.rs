@@ -12,6 +12,7 @@ mod roughness;
 mod solve;
 mod spectrum;
 mod stress;
+mod sweep;
 mod validate;
 
 use crate::Failure;
@@ -30,6 +31,7 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Equation(arguments) => equation::run(arguments),
         Command::Stress(arguments) => stress::run(arguments),
         Command::Spectrum(arguments) => spectrum::run(arguments),
+        Command::Sweep(arguments) => sweep::run(arguments),
         Command::Roughness(arguments) => roughness::run(arguments),
     }
 }

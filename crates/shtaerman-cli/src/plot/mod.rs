@@ -28,6 +28,7 @@ mod map;
 mod mapping;
 mod raster;
 mod render;
+mod response;
 mod shape;
 mod solution;
 mod text;
@@ -46,4 +47,5 @@ pub use figure::{
 pub use format::{Format, PNG_PIXELS_PER_UNIT, Size};
 pub use map::MapPlot;
 pub use render::render;
+pub use response::{ResponseCurve, ResponsePlot};
 pub use solution::SolutionPlot;

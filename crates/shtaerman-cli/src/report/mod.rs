@@ -7,6 +7,7 @@ mod find;
 mod npz;
 mod number;
 mod stress;
+mod sweep;
 mod table;
 
 pub(crate) use answer::{answer_csv, answer_table};
@@ -18,4 +19,5 @@ pub(crate) use number::significant;
 pub(crate) use stress::{
     StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
 };
+pub(crate) use sweep::{SweepReport, keep, response, sweep_table};
 pub(crate) use table::Table;

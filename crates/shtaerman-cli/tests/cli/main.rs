@@ -27,4 +27,5 @@ mod schemas;
 mod spectrum;
 mod stress;
 mod support;
+mod sweep;
 mod time_limit;

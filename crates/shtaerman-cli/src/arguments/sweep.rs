@@ -1,0 +1,34 @@
+//! The arguments of `shtaerman sweep`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+/// `shtaerman sweep`.
+#[derive(Debug, Args)]
+pub struct SweepArguments {
+    /// Study file: a problem file (TOML) with a table [study].
+    #[arg(value_name = "STUDY.toml")]
+    pub file: PathBuf,
+    /// Folder for the results, made where it is not there; parts of the same study that are in it are kept, so that a run that was ended goes on.
+    #[arg(long, short, value_name = "FOLDER")]
+    pub output: PathBuf,
+    /// Override a key of the file, such as load.moment=0 or study.design=sobol; may be given again.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub overrides: Vec<String>,
+    /// Compute only the i-th of N shares of the parts, such as 2/4; the shares fill one folder, or several that are then copied together.
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<String>,
+    /// Number of threads [default: one for each core]. The results are the same for any.
+    #[arg(long, value_name = "COUNT")]
+    pub threads: Option<usize>,
+    /// Compute nothing: tell what the folder has, its extremes and the parts that are missing.
+    #[arg(long, conflicts_with = "shard")]
+    pub summary: bool,
+    /// Draw the outputs over the varied value, or over one of several, to this file (.svg or .png).
+    #[arg(long, value_name = "FILE")]
+    pub plot: Option<PathBuf>,
+    /// Run studies of more than a million cases.
+    #[arg(long)]
+    pub yes: bool,
+}

@@ -1,0 +1,174 @@
+//! What a study found: extremes for people, and the response as a plot.
+
+use std::fmt::Write;
+
+use shtaerman_study::{Design, Manifest, Row, Study, Summary};
+
+use super::{Table, significant};
+use crate::plot::{ResponseCurve, ResponsePlot};
+
+/// Significant digits of a value, and of an error.
+const DIGITS: usize = 6;
+const ERROR_DIGITS: usize = 2;
+/// Most rows that are kept for a plot.
+const MOST_PLOTTED: usize = 20_000;
+
+/// A study that was run, or looked at.
+pub(crate) struct SweepReport<'r> {
+    /// Of all rows that there are.
+    pub(crate) summary: &'r Summary,
+    /// Parts in all; of those that were there, were computed and are missing.
+    pub(crate) parts: usize,
+    pub(crate) kept: usize,
+    pub(crate) computed: usize,
+    pub(crate) missing: usize,
+    /// Cases of the sample, without and with their audits.
+    pub(crate) audited: &'r [(Row, Row)],
+}
+
+/// Keeps rows for a plot.
+pub(crate) fn keep(kept: &mut Vec<Row>, rows: Vec<Row>) {
+    let room = MOST_PLOTTED.saturating_sub(kept.len());
+    kept.extend(rows.into_iter().take(room));
+}
+
+/// The study for people; SI units.
+pub(crate) fn sweep_table(study: &Study, manifest: &Manifest, report: &SweepReport<'_>) -> String {
+    let SweepReport { summary, .. } = report;
+    let design = match study.design() {
+        Design::Grid => "a grid".to_owned(),
+        Design::LatinHypercube { seed, .. } => format!("a Latin hypercube with seed {seed}"),
+        Design::Sobol { seed, .. } => format!("a Sobol sequence with seed {seed}"),
+        Design::SobolIndices { seed, .. } => {
+            format!("groups of a Sobol sequence with seed {seed}")
+        }
+        Design::Random { seed, .. } => format!("random cases with seed {seed}"),
+    };
+    let mut text = format!(
+        "{}: {} cases, {design} over {}\n\n",
+        manifest.study,
+        manifest.cases,
+        manifest.variables.join(", ")
+    );
+    let mut table = Table::new(&[
+        "output, SI",
+        "least",
+        "case",
+        "largest",
+        "case",
+        "mean",
+        "deviation",
+        "error, largest",
+    ]);
+    for extreme in summary.extremes.iter().filter(|_| summary.answered > 0) {
+        table.row(vec![
+            extreme.name.to_owned(),
+            significant(extreme.least.0, DIGITS),
+            extreme.least.1.to_string(),
+            significant(extreme.largest.0, DIGITS),
+            extreme.largest.1.to_string(),
+            significant(extreme.mean, DIGITS),
+            significant(extreme.standard_deviation, DIGITS),
+            extreme.error.map_or(String::new(), |error| significant(error, ERROR_DIGITS)),
+        ]);
+    }
+    let _ = writeln!(text, "{table}");
+    let _ = writeln!(
+        text,
+        "parts: {} computed, {} kept, {} missing, of {}; {} cases answered, {} refused",
+        report.computed,
+        report.kept,
+        report.missing,
+        report.parts,
+        summary.answered,
+        summary.refused
+    );
+    for (reason, first, count) in &summary.reasons {
+        let _ = writeln!(text, "refused {count} times, first case {first}: {reason}");
+    }
+    if !study.is_audited() {
+        let _ = writeln!(
+            text,
+            "errors: those that the method states of itself; audit = true in [study] audits every case"
+        );
+    }
+    text.push_str(&indices(study, summary));
+    text.push_str(&audits(study, report.audited));
+    text
+}
+
+/// The share of the variance of each output that each varied value has, alone and with all others.
+fn indices(study: &Study, summary: &Summary) -> String {
+    let Some(indices) = &summary.indices else { return String::new() };
+    let mut table = Table::new(&["output", "varied value", "first order", "+-", "total", "+-"]);
+    for (output, index) in study.outputs().iter().zip(0..) {
+        for (variable, found) in study.variables().iter().zip(indices.of(index)) {
+            table.row(vec![
+                output.name.to_owned(),
+                variable.key.clone(),
+                format!("{:.4}", found.first),
+                format!("{:.4}", found.first_error),
+                format!("{:.4}", found.total),
+                format!("{:.4}", found.total_error),
+            ]);
+        }
+    }
+    format!(
+        "\nSobol's indices from {} groups, with their standard errors for independent groups: estimates\n{table}\n",
+        indices.groups()
+    )
+}
+
+/// One line for each output: how the errors of the sample compare with those of its audits.
+fn audits(study: &Study, audited: &[(Row, Row)]) -> String {
+    if audited.is_empty() {
+        return String::new();
+    }
+    let refused = audited.iter().filter(|(_, row)| !row.is_answered()).count();
+    let mut text = format!("audit of a sample of {} cases: {refused} not kept", audited.len());
+    for (index, output) in study.outputs().iter().enumerate() {
+        let largest = |row: fn(&(Row, Row)) -> &Row| {
+            audited.iter().filter_map(|pair| row(pair).errors[index]).reduce(f64::max)
+        };
+        if let (Some(stated), Some(found)) = (largest(|pair| &pair.0), largest(|pair| &pair.1)) {
+            let _ = write!(
+                text,
+                "; {} stated to {}, audited {}",
+                output.name,
+                significant(stated, ERROR_DIGITS),
+                significant(found, ERROR_DIGITS)
+            );
+        }
+    }
+    text.push('\n');
+    for (_, row) in audited.iter().filter(|(_, row)| !row.is_answered()) {
+        let _ = writeln!(text, "audit of case {}: {}", row.case, row.reason);
+    }
+    text
+}
+
+/// The outputs over the first variable that is a number: curves where it is the only one, else points.
+///
+/// # Errors
+/// Why there is nothing to draw.
+pub(crate) fn response(study: &Study, rows: &[Row]) -> Result<ResponsePlot, String> {
+    let variables = study.variables();
+    let numeric = |index: usize| rows.iter().all(|row| row.inputs[index].number().is_some());
+    let Some(variable) = (0..variables.len()).find(|index| numeric(*index)) else {
+        return Err("--plot: none of the varied values is a number".to_owned());
+    };
+    let curves = study.outputs().iter().enumerate().map(|(index, output)| ResponseCurve {
+        label: format!("{}, SI", output.name),
+        points: rows
+            .iter()
+            .filter(|row| row.is_answered())
+            .filter_map(|row| Some((row.inputs[variable].number()?, row.outputs[index])))
+            .collect(),
+    });
+    Ok(ResponsePlot {
+        title: "Response".to_owned(),
+        horizontal_label: format!("{}, SI", variables[variable].key),
+        is_connected: variables.len() == 1 && study.design() == Design::Grid,
+        curves: curves.collect(),
+    })
+}

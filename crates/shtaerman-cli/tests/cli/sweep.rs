@@ -1,0 +1,296 @@
+//! `shtaerman sweep`: every case is what `solve` says, and whatever ends a run, the next one comes to the same bytes.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+use crate::support::{Folder, PROGRAM, repository};
+
+const STUDY: &str = r#"[foundation]
+young_modulus = "200 GPa"
+poisson_ratio = 0.3
+roughness = "1.2e-14 m/Pa"
+
+[punch]
+half_width = "5 mm"
+profile = "x^2 / (2*20)"
+
+[load]
+force = "0.8 MN/m"
+moment = 0
+
+[study]
+vary."load.force" = { from = "0.2 MN/m", to = "1 MN/m", count = 5 }
+vary."foundation.roughness" = ["1e-14 m/Pa", "1e-13 m/Pa"]
+outputs = ["settlement", "peak_pressure"]
+audited_sample = 2
+part_size = 3
+"#;
+
+fn folder(study: &str) -> Folder {
+    let folder = Folder::new();
+    std::fs::write(folder.path("study.toml"), study).unwrap();
+    folder
+}
+
+/// The files of a folder of results.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries
+        .map(|path| {
+            (path.file_name().unwrap().to_str().unwrap().to_owned(), std::fs::read(&path).unwrap())
+        })
+        .collect()
+}
+
+/// The lines of all parts but their heads, as fields.
+fn rows(folder: &Path) -> Vec<Vec<String>> {
+    let parts = files(folder).into_iter().filter(|(name, _)| name.ends_with(".csv"));
+    parts
+        .flat_map(|(_, bytes)| {
+            let text = String::from_utf8(bytes).unwrap();
+            let lines: Vec<Vec<String>> = text
+                .lines()
+                .skip(1)
+                .map(|line| line.split(',').map(str::to_owned).collect())
+                .collect();
+            lines
+        })
+        .collect()
+}
+
+#[test]
+fn every_case_is_what_solve_says_to_the_last_bit() {
+    let folder = folder(STUDY);
+    let text = folder.run(&["sweep", "study.toml", "-o", "out"]).answer();
+    assert!(text.contains("10 cases answered, 0 refused"), "{text}");
+    assert!(text.contains("audit of a sample of 2 cases: 0 not kept"), "{text}");
+    let rows = rows(&folder.path("out"));
+    assert_eq!(rows.len(), 10);
+    let problem = STUDY.split("[study]").next().unwrap();
+    std::fs::write(folder.path("punch.toml"), problem).unwrap();
+    for (index, row) in rows.iter().enumerate() {
+        assert_eq!(row[0], index.to_string());
+        // Keys are in alphabetical order, and the last changes fastest.
+        let [roughness, force] = [&row[1], &row[2]];
+        assert_eq!(roughness.parse::<f64>().unwrap(), if index < 5 { 1e-14 } else { 1e-13 });
+        assert!((force.parse::<f64>().unwrap() - (2e5 + 2e5 * (index % 5) as f64)).abs() < 1e-9);
+        let answer = folder
+            .run(&[
+                "solve",
+                "punch.toml",
+                "--no-audit",
+                "--format",
+                "json",
+                "--set",
+                &format!("foundation.roughness={roughness}"),
+                "--set",
+                &format!("load.force={force}"),
+            ])
+            .json();
+        for (name, column) in [("settlement", 3), ("peak_pressure", 5)] {
+            let value = answer["physical"][name].as_f64().unwrap();
+            assert_eq!(row[column].parse::<f64>().unwrap().to_bits(), value.to_bits());
+        }
+        let error = answer["error"]["physical"]["settlement"].as_f64().unwrap();
+        assert_eq!(row[4].parse::<f64>().unwrap().to_bits(), error.to_bits());
+    }
+}
+
+#[test]
+fn threads_shares_and_broken_parts_come_to_the_same_bytes() {
+    let folder = folder(STUDY);
+    folder.run(&["sweep", "study.toml", "-o", "one", "--threads", "1"]).answer();
+    let whole = files(&folder.path("one"));
+    assert_eq!(whole.len(), 5);
+    folder.run(&["sweep", "study.toml", "-o", "three", "--threads", "3"]).answer();
+    assert_eq!(files(&folder.path("three")), whole);
+    for shard in ["2/3", "3/3", "1/3"] {
+        folder.run(&["sweep", "study.toml", "-o", "shares", "--shard", shard]).answer();
+    }
+    assert_eq!(files(&folder.path("shares")), whole);
+
+    std::fs::remove_file(folder.path("one/part-00000001.csv")).unwrap();
+    let cut = &whole["part-00000002.csv"];
+    std::fs::write(folder.path("one/part-00000002.csv"), &cut[..cut.len() - 9]).unwrap();
+    std::fs::write(folder.path("one/part-00000003.csv"), &whole["part-00000000.csv"]).unwrap();
+    let looked = folder.run(&["sweep", "study.toml", "-o", "one", "--summary"]);
+    assert!(looked.stdout.contains("0 computed, 1 kept, 3 missing, of 4"), "{looked:?}");
+    let again = folder.run(&["sweep", "study.toml", "-o", "one"]);
+    assert_eq!(again.code, Some(0), "{again:?}");
+    assert!(again.stderr.contains("part-00000002.csv: is cut short"), "{again:?}");
+    assert!(again.stdout.contains("3 computed, 1 kept, 0 missing, of 4"), "{again:?}");
+    assert_eq!(files(&folder.path("one")), whole);
+}
+
+#[test]
+fn a_killed_run_goes_on_to_the_same_bytes() {
+    let folder = folder(&STUDY.replace("part_size = 3", "part_size = 1"));
+    folder.run(&["sweep", "study.toml", "-o", "whole"]).answer();
+    let whole = files(&folder.path("whole"));
+    for wait in [1, 4, 7, 11, 16, 25] {
+        let out = format!("killed{wait}");
+        let mut run = Command::new(PROGRAM)
+            .current_dir(folder.path(""))
+            .args(["sweep", "study.toml", "-o", &out])
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(Duration::from_millis(wait * 4));
+        let _ = run.kill();
+        run.wait().unwrap();
+        let again = folder.run(&["sweep", "study.toml", "-o", &out]);
+        assert_eq!(again.code, Some(0), "{again:?}");
+        let mut found = files(&folder.path(&out));
+        // What SIGKILL leaves of a file that was being written lies beside, under a name of its own.
+        found.retain(|name, _| !name.starts_with('.'));
+        assert_eq!(found, whole, "killed after {wait}");
+    }
+}
+
+#[test]
+fn cases_without_an_answer_say_why_and_the_others_go_on() {
+    let study = STUDY.replace("{ from = \"0.2 MN/m\", to = \"1 MN/m\", count = 5 }", "[8e5, -1.0]");
+    let folder = folder(&study);
+    let text = folder.run(&["sweep", "study.toml", "-o", "out"]).answer();
+    assert!(text.contains("2 cases answered, 2 refused"), "{text}");
+    let refused: Vec<_> =
+        rows(&folder.path("out")).into_iter().filter(|row| row[3] == "NaN").collect();
+    assert_eq!(refused.len(), 2);
+    assert!(refused.iter().all(|row| row[1..].join(",").contains("force")), "{refused:?}");
+}
+
+#[test]
+fn drawn_cases_belong_to_their_seed() {
+    let drawn = |design: &str, seed: u64| {
+        let study = STUDY
+            .replace("{ from = \"0.2 MN/m\", to = \"1 MN/m\", count = 5 }", "{ distribution = \"normal\", mean = \"0.5 MN/m\", standard_deviation = \"1 kN/m\" }")
+            .replace("[study]\n", &format!("[study]\ndesign = \"{design}\"\ncount = 6\nseed = {seed}\n"));
+        let folder = folder(&study);
+        folder.run(&["sweep", "study.toml", "-o", "out"]).answer();
+        rows(&folder.path("out")).into_iter().map(|row| row[2].clone()).collect::<Vec<_>>()
+    };
+    for design in ["latin-hypercube", "sobol", "random"] {
+        let one = drawn(design, 1);
+        assert_eq!(one, drawn(design, 1));
+        assert_ne!(one, drawn(design, 2));
+        let mean = one.iter().map(|force| force.parse::<f64>().unwrap()).sum::<f64>() / 6.0;
+        assert!((mean - 5e5).abs() < 2e3, "{design}: {mean}");
+    }
+}
+
+#[test]
+fn what_is_wrong_with_a_study_is_told() {
+    let force = "{ from = \"0.2 MN/m\", to = \"1 MN/m\", count = 5 }";
+    for (old, new, words) in [
+        (force, "{ from = \"0.2 MPa\", to = \"1 MN/m\", count = 5 }", "is refused"),
+        (force, "{ from = 1, to = 2 }", "has no count, which a grid needs"),
+        (
+            force,
+            "{ from = 0, to = 2, count = 3, scale = \"log\" }",
+            "must be greater than 0 on a logarithmic scale",
+        ),
+        (force, "[]", "is empty"),
+        ("\"peak_pressure\"", "\"peak\"", "peak_pressure"),
+        ("\"peak_pressure\"", "\"settlement\"", "names settlement twice"),
+        ("vary.\"load.force\"", "vary.force", "quote the dotted key"),
+        ("vary.\"load.force\"", "vary.\"load.forse\"", "load.forse"),
+        ("part_size = 3", "part_size = 0", "part_size"),
+        ("part_size = 3", "parts = 3", "parts"),
+        ("part_size = 3", "count = 3", "goes with design"),
+        ("[study]", "[studies]", "study"),
+    ] {
+        let folder = folder(&STUDY.replacen(old, new, 1));
+        let run = folder.run(&["sweep", "study.toml", "-o", "out"]);
+        run.refusal();
+        assert!(run.stderr.contains(words), "{new}: {}", run.stderr);
+        assert!(!folder.path("out").exists());
+    }
+    let folder = folder(STUDY);
+    let huge = ["sweep", "study.toml", "-o", "out", "--set", "study.vary.load.force=1"];
+    folder.run(&huge).refusal();
+    for (arguments, words) in [
+        (["-o", "out", "--shard", "3/2"], "must be I/N"),
+        (["-o", "out", "--threads", "0"], "must be from 1"),
+        (["-o", "study.toml", "--threads", "1"], "is a file"),
+        (["-o", "none", "--summary", "--yes"], "there is no folder"),
+        (["-o", "out", "--plot", "study.toml"], "study.toml"),
+    ] {
+        let run = folder.run(&[&["sweep", "study.toml"], arguments.as_slice()].concat());
+        run.refusal();
+        assert!(run.stderr.contains(words), "{arguments:?}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn a_huge_study_asks_first_and_a_folder_of_another_is_left_alone() {
+    let huge = STUDY.replace("count = 5", "count = 1000000");
+    let folder = folder(&huge);
+    let run = folder.run(&["sweep", "study.toml", "-o", "out"]);
+    assert!(run.refusal().contains("2000000 cases"), "{run:?}");
+    assert!(run.stderr.contains("--yes") && !folder.path("out").exists());
+
+    std::fs::write(folder.path("study.toml"), STUDY).unwrap();
+    folder.run(&["sweep", "study.toml", "-o", "out"]).answer();
+    let before = files(&folder.path("out"));
+    let run = folder.run(&["sweep", "study.toml", "-o", "out", "--set", "load.moment=1"]);
+    assert!(run.refusal().contains("another study"), "{run:?}");
+    assert_eq!(files(&folder.path("out")), before);
+    std::fs::create_dir(folder.path("full")).unwrap();
+    std::fs::write(folder.path("full/notes.txt"), "mine").unwrap();
+    let run = folder.run(&["sweep", "study.toml", "-o", "full"]);
+    assert!(run.refusal().contains("no folder of results"), "{run:?}");
+}
+
+#[test]
+fn the_studies_of_the_examples_run() {
+    let folder = Folder::new();
+    for (name, cases) in [("force_and_roughness", 36), ("tolerances", 64)] {
+        let study = repository().join(format!("examples/studies/{name}.toml"));
+        let plot = format!("{name}.svg");
+        let text =
+            folder.run(&["sweep", study.to_str().unwrap(), "-o", name, "--plot", &plot]).answer();
+        assert!(text.contains(&format!("{cases} cases answered, 0 refused")), "{text}");
+        let drawn = std::fs::read_to_string(folder.path(&plot)).unwrap();
+        roxmltree::Document::parse(&drawn).unwrap();
+    }
+}
+
+#[test]
+fn sobols_indices_of_a_linear_answer_add_up() {
+    // On the whole base the settlement is linear in the force for a flat punch: all of its variance is that of the force.
+    let study = r#"[dimensionless]
+theta0 = 2.0
+profile = "flat"
+force = 1.0
+moment = 0
+[solver]
+contact = "bilateral"
+[study]
+design = "sobol-indices"
+count = 64
+vary."dimensionless.force" = { from = 1.0, to = 2.0 }
+vary."dimensionless.moment" = { from = -0.1, to = 0.1 }
+outputs = ["settlement", "tilt"]
+audited_sample = 0
+"#;
+    let folder = folder(study);
+    let text = folder.run(&["sweep", "study.toml", "-o", "out"]).answer();
+    let indices: Vec<Vec<&str>> = text
+        .lines()
+        .skip_while(|line| !line.starts_with("Sobol's"))
+        .map(|line| line.split_whitespace().collect::<Vec<_>>())
+        .filter(|words| words.get(1).is_some_and(|word| word.starts_with("dimensionless.")))
+        .collect();
+    assert_eq!(indices.len(), 4, "{text}");
+    for words in indices {
+        let matters = (words[0] == "settlement") == (words[1] == "dimensionless.force");
+        for (place, room) in [(2, 0.35), (4, 0.05)] {
+            let found: f64 = words[place].parse().unwrap();
+            let exact = f64::from(u8::from(matters));
+            assert!((found - exact).abs() < room, "{words:?}");
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! A study and its cases.
+
+use std::path::{Path, PathBuf};
+
+use shtaerman::document::{Document, FileError, load_bytes, overridden};
+use shtaerman::file::ProblemFile;
+use shtaerman::{Contact, Error};
+
+use crate::design::{Shares, sample};
+use crate::{Design, Distribution, Input, Output, Row, read};
+
+/// An override of a study, for messages.
+const OVERRIDE: &str = "study.count=100";
+
+/// How one key is varied.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Variation {
+    /// These values, one after the other.
+    Values(Vec<Input>),
+    /// Drawn from a distribution.
+    Drawn(Distribution),
+}
+
+/// A varied key of the problem file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Variable {
+    /// The dotted key, such as `load.force`.
+    pub key: String,
+    /// Its values.
+    pub variation: Variation,
+}
+
+/// A problem file with some of its values varied.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// The problem, without the table `[study]`.
+    pub(crate) problem: Document,
+    /// Where a measured profile is looked for.
+    pub(crate) folder: PathBuf,
+    pub(crate) variables: Vec<Variable>,
+    pub(crate) design: Design,
+    pub(crate) outputs: Vec<Output>,
+    pub(crate) is_audited: bool,
+    pub(crate) audited_sample: usize,
+    pub(crate) part_size: usize,
+    pub(crate) cases: usize,
+    pub(crate) shares: Shares,
+    /// The text of the file and its overrides: two studies are the same where these are.
+    pub(crate) text: String,
+}
+
+impl Study {
+    /// Reads a study file, with overrides `KEY=VALUE`.
+    ///
+    /// # Errors
+    /// [`Error::File`] with file, line and field.
+    pub fn open(path: &Path, overrides: &[String]) -> Result<Self, Error> {
+        let name = path.display().to_string();
+        let bytes =
+            load_bytes(path).map_err(|message| FileError::new(message).in_file(Some(&name)))?;
+        Self::from_bytes(&bytes, &name, path.parent().unwrap_or(Path::new("")), overrides)
+    }
+
+    /// Reads a study from the bytes of a file, with overrides `KEY=VALUE`; `folder` is where a measured profile is looked for, `name` is for messages.
+    ///
+    /// # Errors
+    /// [`Error::File`] with file, line and field: of the study, and of the problem with the first value of every variable.
+    pub fn from_bytes(
+        bytes: &[u8],
+        name: &str,
+        folder: &Path,
+        overrides: &[String],
+    ) -> Result<Self, Error> {
+        let document = overridden(bytes, name, overrides, OVERRIDE)?;
+        let study = read::study(document, folder, overrides)?;
+        study.check()?;
+        Ok(study)
+    }
+
+    /// Number of cases.
+    #[must_use]
+    pub fn cases(&self) -> usize {
+        self.cases
+    }
+
+    /// The varied keys.
+    #[must_use]
+    pub fn variables(&self) -> &[Variable] {
+        &self.variables
+    }
+
+    /// The outputs.
+    #[must_use]
+    pub fn outputs(&self) -> &[Output] {
+        &self.outputs
+    }
+
+    /// Which cases there are.
+    #[must_use]
+    pub fn design(&self) -> Design {
+        self.design
+    }
+
+    /// Whether every case is audited.
+    #[must_use]
+    pub fn is_audited(&self) -> bool {
+        self.is_audited
+    }
+
+    /// The cases that are audited whether or not the others are, in ascending order.
+    #[must_use]
+    pub fn audited_sample(&self) -> Vec<usize> {
+        let seed = match self.design {
+            Design::Grid => 0,
+            Design::Sobol { seed, .. } | Design::SobolIndices { seed, .. } => u64::from(seed),
+            Design::LatinHypercube { seed, .. } | Design::Random { seed, .. } => seed,
+        };
+        sample(self.cases, self.audited_sample, seed)
+    }
+
+    /// The file of a measured profile, which is read for every case.
+    ///
+    /// # Errors
+    /// As [`ProblemFile::from_document`].
+    pub fn measured_profile(&self) -> Result<Option<PathBuf>, Error> {
+        Ok(self.file(&self.inputs(0))?.measured_profile().map(Path::to_owned))
+    }
+
+    /// The varied values of a case.
+    #[must_use]
+    pub fn inputs(&self, case: usize) -> Vec<Input> {
+        // In a grid the last variable changes fastest.
+        let mut rest = case;
+        let mut inputs: Vec<Input> = Vec::with_capacity(self.variables.len());
+        for (index, variable) in self.variables.iter().enumerate().rev() {
+            inputs.push(match &variable.variation {
+                Variation::Values(values) if self.design == Design::Grid => {
+                    let value = values[rest % values.len()].clone();
+                    rest /= values.len();
+                    value
+                }
+                Variation::Values(values) => {
+                    let place = self.shares.at(case, index) * values.len() as f64;
+                    values[(place as usize).min(values.len() - 1)].clone()
+                }
+                Variation::Drawn(distribution) => {
+                    Input::Number(distribution.quantile(self.shares.at(case, index)))
+                }
+            });
+        }
+        inputs.reverse();
+        inputs
+    }
+
+    /// Solves a case.
+    #[must_use]
+    pub fn solve(&self, case: usize) -> Row {
+        self.row(case, self.is_audited)
+    }
+
+    /// Solves a case and audits the answer.
+    #[must_use]
+    pub fn solve_audited(&self, case: usize) -> Row {
+        self.row(case, true)
+    }
+
+    fn row(&self, case: usize, is_audited: bool) -> Row {
+        let inputs = self.inputs(case);
+        match self.contact(&inputs, is_audited) {
+            Ok(contact) => Row {
+                case,
+                inputs,
+                outputs: self.outputs.iter().map(|output| output.value(&contact)).collect(),
+                errors: self.outputs.iter().map(|output| output.error(&contact)).collect(),
+                error_kind: contact
+                    .error()
+                    .map_or_else(String::new, |error| error.kind.name().to_owned()),
+                reason: String::new(),
+            },
+            Err(error) => Row {
+                case,
+                inputs,
+                outputs: vec![f64::NAN; self.outputs.len()],
+                errors: vec![None; self.outputs.len()],
+                error_kind: String::new(),
+                reason: error.to_string(),
+            },
+        }
+    }
+
+    fn contact(&self, inputs: &[Input], is_audited: bool) -> Result<Contact, Error> {
+        let file = self.file(inputs)?;
+        let contact = file.solve()?;
+        if is_audited { contact.audited().map_err(|error| file.locate(error)) } else { Ok(contact) }
+    }
+
+    /// The problem with these values.
+    fn file(&self, inputs: &[Input]) -> Result<ProblemFile, Error> {
+        let mut document = self.problem.clone();
+        for (variable, input) in self.variables.iter().zip(inputs) {
+            document.set(&variable.key, &input.to_string())?;
+        }
+        ProblemFile::from_document(document, &self.folder)
+    }
+
+    /// Reads the problem with the first case: a wrong key or unit is told before anything is computed.
+    fn check(&self) -> Result<(), Error> {
+        self.file(&self.inputs(0)).map(drop)
+    }
+}

@@ -1,0 +1,107 @@
+//! What a study found, in few figures.
+
+use crate::{Design, Indices, Row, Study};
+
+/// Different reasons that are kept.
+const REASONS: usize = 5;
+
+/// The extremes of one output, its mean and its deviation.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Extreme {
+    /// The output.
+    pub name: &'static str,
+    /// The least value, and its case.
+    pub least: (f64, usize),
+    /// The largest value, and its case.
+    pub largest: (f64, usize),
+    /// The mean over the cases that have an answer.
+    pub mean: f64,
+    /// The standard deviation over these cases, with their number less one.
+    pub standard_deviation: f64,
+    /// The largest stated error.
+    pub error: Option<f64>,
+    /// The sum of the squares of the differences from the mean.
+    squares: f64,
+}
+
+/// Extremes, means and refusals of the rows seen so far.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Summary {
+    /// Cases with an answer.
+    pub answered: usize,
+    /// Cases without.
+    pub refused: usize,
+    /// The first few reasons, each with the first case that has it and the number of cases.
+    pub reasons: Vec<(String, usize, usize)>,
+    /// One for each output, in order.
+    pub extremes: Vec<Extreme>,
+    /// Sobol's indices, for the design that has them.
+    pub indices: Option<Indices>,
+}
+
+impl Summary {
+    /// Of no rows.
+    #[must_use]
+    pub fn new(study: &Study) -> Self {
+        let extreme = |name| Extreme {
+            name,
+            least: (f64::INFINITY, 0),
+            largest: (f64::NEG_INFINITY, 0),
+            mean: 0.0,
+            standard_deviation: 0.0,
+            error: None,
+            squares: 0.0,
+        };
+        Self {
+            answered: 0,
+            refused: 0,
+            reasons: Vec::new(),
+            extremes: study.outputs().iter().map(|output| extreme(output.name)).collect(),
+            indices: matches!(study.design(), Design::SobolIndices { .. })
+                .then(|| Indices::new(study.variables().len(), study.outputs().len())),
+        }
+    }
+
+    /// Takes a row in; rows come in the order of their cases.
+    pub fn add(&mut self, row: &Row) {
+        if let Some(indices) = &mut self.indices {
+            indices.add(row);
+        }
+        if !row.is_answered() {
+            self.refuse(row);
+            return;
+        }
+        self.answered += 1;
+        let count = self.answered as f64;
+        for ((extreme, &value), error) in
+            self.extremes.iter_mut().zip(&row.outputs).zip(&row.errors)
+        {
+            if value < extreme.least.0 {
+                extreme.least = (value, row.case);
+            }
+            if value > extreme.largest.0 {
+                extreme.largest = (value, row.case);
+            }
+            // B. P. Welford, Technometrics 4 (1962) 419.
+            let difference = value - extreme.mean;
+            extreme.mean += difference / count;
+            extreme.squares += difference * (value - extreme.mean);
+            extreme.standard_deviation = (extreme.squares / (count - 1.0).max(1.0)).sqrt();
+            if let Some(error) = error {
+                extreme.error =
+                    Some(extreme.error.map_or(*error, |largest: f64| largest.max(*error)));
+            }
+        }
+    }
+
+    fn refuse(&mut self, row: &Row) {
+        self.refused += 1;
+        match self.reasons.iter().position(|(reason, ..)| *reason == row.reason) {
+            Some(known) => self.reasons[known].2 += 1,
+            None if self.reasons.len() < REASONS => {
+                self.reasons.push((row.reason.clone(), row.case, 1));
+            }
+            None => {}
+        }
+    }
+}
