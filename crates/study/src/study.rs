@@ -101,6 +101,12 @@ impl Study {
         self.design
     }
 
+    /// Whether the problem has no units.
+    #[must_use]
+    pub fn is_dimensionless(&self) -> bool {
+        self.problem.get("dimensionless").is_some()
+    }
+
     /// Whether every case is audited.
     #[must_use]
     pub fn is_audited(&self) -> bool {

@@ -50,8 +50,9 @@ pub(crate) fn sweep_table(study: &Study, manifest: &Manifest, report: &SweepRepo
         manifest.cases,
         manifest.variables.join(", ")
     );
+    let units = units(study);
     let mut table = Table::new(&[
-        "output, SI",
+        &format!("output{units}"),
         "least",
         "case",
         "largest",
@@ -95,6 +96,11 @@ pub(crate) fn sweep_table(study: &Study, manifest: &Manifest, report: &SweepRepo
     text.push_str(&indices(study, summary));
     text.push_str(&audits(study, report.audited));
     text
+}
+
+/// What is said of units behind a name.
+fn units(study: &Study) -> &'static str {
+    if study.is_dimensionless() { "" } else { ", SI" }
 }
 
 /// The share of the variance of each output that each varied value has, alone and with all others.
@@ -157,8 +163,9 @@ pub(crate) fn response(study: &Study, rows: &[Row]) -> Result<ResponsePlot, Stri
     let Some(variable) = (0..variables.len()).find(|index| numeric(*index)) else {
         return Err("--plot: none of the varied values is a number".to_owned());
     };
+    let units = units(study);
     let curves = study.outputs().iter().enumerate().map(|(index, output)| ResponseCurve {
-        label: format!("{}, SI", output.name),
+        label: format!("{}{units}", output.name),
         points: rows
             .iter()
             .filter(|row| row.is_answered())
@@ -167,7 +174,7 @@ pub(crate) fn response(study: &Study, rows: &[Row]) -> Result<ResponsePlot, Stri
     });
     Ok(ResponsePlot {
         title: "Response".to_owned(),
-        horizontal_label: format!("{}, SI", variables[variable].key),
+        horizontal_label: format!("{}{units}", variables[variable].key),
         is_connected: variables.len() == 1 && study.design() == Design::Grid,
         curves: curves.collect(),
     })
