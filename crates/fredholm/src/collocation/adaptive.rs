@@ -3,7 +3,7 @@
 use std::f64::consts::SQRT_2;
 use std::sync::Arc;
 
-use super::estimate::{largest, rounding};
+use super::estimate::largest;
 use super::mesh::Mesh;
 use super::operator::require_finite_parameter;
 use super::resolution::{Misfit, between_numbers};
@@ -219,7 +219,9 @@ impl<K: Kernel + ?Sized> Problem<'_, K> {
         let (kernel, tolerance) = (self.kernel, self.tolerance);
         let solve = |half_count: usize| {
             let operator = SincOperator::with_breaks(kernel, half_count, breaks)?;
-            operator.factor(self.parameter)?.solve(&operator.sample(self.f)?)
+            let solution = operator.factor(self.parameter)?.solve(&operator.sample(self.f)?)?;
+            let rounding = operator.rounding(&solution)?;
+            Ok::<_, Error>((solution, rounding))
         };
         let most = most(breaks);
         let mut sequence = half_counts(start).take_while(|half_count| *half_count <= most);
@@ -232,16 +234,15 @@ impl<K: Kernel + ?Sized> Problem<'_, K> {
             });
         };
         let mass = |x: f64| kernel.mass_function(x);
-        let (first, mut previous) = (solve(n1)?, solve(n2)?);
+        let ((first, _), (mut previous, _)) = (solve(n1)?, solve(n2)?);
         let mut before = Estimate::weighted(&first, &previous, &mass)?;
         let mut half_count = n3;
         loop {
-            let solution = solve(half_count)?;
+            let (solution, rounding) = solve(half_count)?;
             let difference = Estimate::weighted(&previous, &solution, &mass)?;
-            let estimate = Estimate::extrapolated(&before, &difference, &solution, RATIO);
+            let estimate = Estimate::extrapolated(&before, &difference, &solution, rounding, RATIO);
             let scale = largest(solution.values());
             let converged = estimate.solution <= tolerance * scale;
-            let rounding = rounding(&solution);
             let stagnant = difference.solution > 0.5 * before.solution;
             let out_of_reach = rounding > tolerance * scale;
             let settled = difference.solution <= rounding

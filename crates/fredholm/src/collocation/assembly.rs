@@ -113,6 +113,23 @@ impl Block {
         part
     }
 
+    /// The largest over the nodes `x_i` of `sum_j |m_j K_ij phi_j| (1 + r_ij/d_ij)`, from the scaled density `z = rho phi`: times the unit of the last place what rounding of the
+    /// entries changes `K phi` by. The distance `d_ij` of two nodes of a panel is a difference of their distances from its end, of which `r_ij` is the smaller one, and `d K'(d)` is
+    /// about as large as `K(d)`. The entries are taken with what stands in them beside the kernel, which may be much larger and cancel in the sum.
+    pub(super) fn rounded_potential(&self, z: &[f64], mesh: &Mesh) -> f64 {
+        let sum = |(i, row): (usize, &[f64])| {
+            let terms = row.iter().zip(z).enumerate();
+            let sum: f64 = terms
+                .map(|(j, (entry, z))| {
+                    let relative = mesh.cancellation(self.first + i, self.first + j);
+                    (entry * z).abs() * (1.0 + relative)
+                })
+                .sum();
+            if self.roots[i] > 0.0 { sum / self.roots[i] } else { 0.0 }
+        };
+        self.matrix.chunks_exact(self.order()).enumerate().map(sum).fold(0.0, f64::max)
+    }
+
     /// How many times the sum over the block makes the sum over all nodes.
     pub(super) fn multiplicity(&self) -> f64 {
         if self.part == Part::Whole { 1.0 } else { 2.0 }

@@ -3,8 +3,8 @@
 use super::SincSolution;
 use crate::Error;
 
-/// Rounding of `phi = f - lambda K phi`, in units of the last place of its terms.
-const ROUNDING: f64 = 24.0 * f64::EPSILON;
+/// Rounding of `phi = f - lambda K phi` beside the sum of its terms. Survey, see [`SincOperator::rounding`](super::SincOperator::rounding).
+pub(super) const ROUNDING: f64 = 12.0 * f64::EPSILON;
 /// From here on convergence is not geometric: `h^2` of a kink gives 1/2, and fluctuates.
 const SLOW: f64 = 0.25;
 /// Safety on differences that fall slowly or not at all.
@@ -71,18 +71,18 @@ impl Estimate {
 
     /// The error of the finest of three solutions on numbers of nodes that grow by one ratio, from their differences: the
     /// larger of `d_23 rho/(1 - rho)`, `rho = d_23/d_12`, as for algebraic convergence, and `10 scale (d_23/scale)^sqrt(ratio)`,
-    /// as for convergence like `exp(-c sqrt(n))`, which singular corners leave of the geometric; for `rho > 1/4` three times the larger difference; never less than rounding.
+    /// as for convergence like `exp(-c sqrt(n))`, which singular corners leave of the geometric; for `rho > 1/4` three times the larger difference; never less than `rounding`.
     pub(super) fn extrapolated(
         first: &Self,
         second: &Self,
         finest: &SincSolution,
+        rounding: f64,
         ratio: f64,
     ) -> Self {
         let ratio = ratio.sqrt();
         let scale = largest(finest.values());
         let length =
             finest.mesh().boundaries().last().unwrap_or(&0.0) - finest.mesh().boundaries()[0];
-        let rounding = rounding(finest);
         let (integral_scale, integral_rounding) = (scale * length, rounding * length);
         let moment_scale = 0.5 * length;
         Self {
@@ -100,7 +100,8 @@ impl Estimate {
     }
 }
 
-/// Rounding that `f - lambda K phi` carries: a floor of the error of any value of a solution.
+/// Rounding that the difference `f - lambda K phi` carries: a floor of the error of any value of a solution. That of the kernel comes on top, see
+/// [`SincOperator::rounding`](super::SincOperator::rounding).
 #[must_use]
 pub fn rounding(solution: &SincSolution) -> f64 {
     ROUNDING

