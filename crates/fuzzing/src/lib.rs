@@ -13,9 +13,11 @@ mod check;
 mod files;
 mod random;
 mod run;
+mod surroundings;
 mod targets;
 mod written;
 
 pub use random::Random;
 pub use run::{Fault, Report, run};
+pub use surroundings::{RUN_AS_PROGRAM, set_program};
 pub use targets::Target;

@@ -2,12 +2,15 @@
 
 use std::process::ExitCode;
 
-use fuzzing::{Target, run};
+use fuzzing::{RUN_AS_PROGRAM, Target, run};
 
 /// Failures that are shown in full.
 const SHOWN: usize = 20;
 
 fn main() -> ExitCode {
+    if std::env::var_os(RUN_AS_PROGRAM).is_some() {
+        return shtaerman_cli::run();
+    }
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [what, seed, count] = arguments.as_slice() else { return usage() };
     let (Some(target), Ok(seed), Ok(count)) = (Target::named(what), seed.parse(), count.parse())

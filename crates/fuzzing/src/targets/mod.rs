@@ -8,8 +8,8 @@ mod problems;
 mod readers;
 mod units;
 
-use crate::Random;
 use crate::check::Outcome;
+use crate::{Random, surroundings};
 
 /// One case: made, run and checked. The error says what failed, with the input.
 pub(crate) type Subject = fn(&mut Random) -> Result<Outcome, String>;
@@ -31,11 +31,15 @@ pub enum Target {
     Problems,
     /// Equation files, solved with their audit.
     Equations,
+    /// The program, ended by signals.
+    Signals,
+    /// The program in surroundings in which nothing goes well.
+    Faults,
 }
 
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 9] = [
         Self::Readers,
         Self::Expressions,
         Self::Units,
@@ -43,6 +47,8 @@ impl Target {
         Self::Arguments,
         Self::Problems,
         Self::Equations,
+        Self::Signals,
+        Self::Faults,
     ];
 
     /// Its name on the command line.
@@ -56,6 +62,8 @@ impl Target {
             Self::Arguments => "arguments",
             Self::Problems => "problems",
             Self::Equations => "equations",
+            Self::Signals => "signals",
+            Self::Faults => "faults",
         }
     }
 
@@ -74,6 +82,8 @@ impl Target {
             Self::Arguments => arguments::case,
             Self::Problems => problems::case,
             Self::Equations => equations::case,
+            Self::Signals => surroundings::signal,
+            Self::Faults => surroundings::fault,
         }
     }
 }
