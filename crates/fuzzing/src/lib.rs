@@ -18,6 +18,6 @@ mod targets;
 mod written;
 
 pub use random::Random;
-pub use run::{Fault, Report, run};
+pub use run::{Fault, Report, forget_memory, memory, run};
 pub use surroundings::{RUN_AS_PROGRAM, set_program};
 pub use targets::Target;

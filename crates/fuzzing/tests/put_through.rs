@@ -10,7 +10,7 @@ const SEED: u64 = 20_261_123;
 /// So many cases, some of which are taken and some refused. How long each takes is told and not tested: the machine may be busy.
 fn put_through(name: &str, count: u64) {
     let target = Target::named(name).expect("a target");
-    let report = run(target, SEED, count, None);
+    let report = run(target, SEED, 0..count);
     println!("{name}: {} cases, slowest {:?}", report.cases, report.slowest);
     assert!(report.faults.is_empty(), "{name}, seed {SEED}: {:#?}", report.faults);
     assert!(report.accepted > 0 && report.refused > 0, "{report:?}");

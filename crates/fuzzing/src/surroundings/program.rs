@@ -25,6 +25,7 @@ pub(super) fn program() -> Result<PathBuf, String> {
 }
 
 /// An error of the system as a fault of the case.
+#[expect(clippy::needless_pass_by_value, reason = "for `map_err`")]
 pub(super) fn told(error: std::io::Error) -> String {
     format!("the surroundings of a case fail: {error}")
 }

@@ -1,11 +1,13 @@
 //! What is put through.
 
 mod arguments;
+mod calls;
 mod columns;
 mod equations;
 mod expressions;
 mod problems;
 mod readers;
+mod threads;
 mod units;
 
 use crate::check::Outcome;
@@ -27,10 +29,16 @@ pub enum Target {
     Columns,
     /// Command lines, parsed and not run.
     Arguments,
+    /// Calls of the library, with odd numbers among the arguments.
+    Calls,
     /// Problem files, solved with their audit.
     Problems,
     /// Equation files, solved with their audit.
     Equations,
+    /// Problem files, solved on many threads at once.
+    Threads,
+    /// Problem files, solved here and by another program, which the variable `SHTAERMAN_OTHER` names.
+    Builds,
     /// The program, ended by signals.
     Signals,
     /// The program in surroundings in which nothing goes well.
@@ -39,14 +47,17 @@ pub enum Target {
 
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 12] = [
         Self::Readers,
         Self::Expressions,
         Self::Units,
         Self::Columns,
         Self::Arguments,
+        Self::Calls,
         Self::Problems,
         Self::Equations,
+        Self::Threads,
+        Self::Builds,
         Self::Signals,
         Self::Faults,
     ];
@@ -60,8 +71,11 @@ impl Target {
             Self::Units => "units",
             Self::Columns => "columns",
             Self::Arguments => "arguments",
+            Self::Calls => "calls",
             Self::Problems => "problems",
             Self::Equations => "equations",
+            Self::Threads => "threads",
+            Self::Builds => "builds",
             Self::Signals => "signals",
             Self::Faults => "faults",
         }
@@ -73,6 +87,11 @@ impl Target {
         Self::ALL.into_iter().find(|target| target.name() == name)
     }
 
+    /// Whether all is done by the thread that runs a case.
+    pub(crate) const fn is_alone(self) -> bool {
+        !matches!(self, Self::Threads | Self::Builds | Self::Signals | Self::Faults)
+    }
+
     pub(crate) const fn subject(self) -> Subject {
         match self {
             Self::Readers => readers::case,
@@ -80,8 +99,11 @@ impl Target {
             Self::Units => units::case,
             Self::Columns => columns::case,
             Self::Arguments => arguments::case,
+            Self::Calls => calls::case,
             Self::Problems => problems::case,
             Self::Equations => equations::case,
+            Self::Threads => threads::threads,
+            Self::Builds => threads::builds,
             Self::Signals => surroundings::signal,
             Self::Faults => surroundings::fault,
         }
