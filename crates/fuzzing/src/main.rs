@@ -1,8 +1,10 @@
 //! `cargo run --release -p fuzzing -- WHAT SEED COUNT [FIRST]`: puts random input through, and tells what failed.
+//!
+//! `... -- page SHARE "made on .."`: puts a share of everything through, and writes the page of the book to standard output.
 
 use std::process::ExitCode;
 
-use fuzzing::{RUN_AS_PROGRAM, Target, memory, run};
+use fuzzing::{RUN_AS_PROGRAM, Target, memory, page, run};
 
 /// Failures that are shown in full.
 const SHOWN: usize = 20;
@@ -13,6 +15,9 @@ fn main() -> ExitCode {
     }
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [what, numbers @ ..] = arguments.as_slice() else { return usage() };
+    if let ("page", [share, made]) = (what.as_str(), numbers) {
+        return share.parse().map_or_else(|_| usage(), |share| write_page(share, made));
+    }
     let numbers: Option<Vec<u64>> = numbers.iter().map(|text| text.parse().ok()).collect();
     let (Some(target), Some(numbers)) = (Target::named(what), numbers) else { return usage() };
     let (seed, count, first) = match numbers.as_slice() {
@@ -20,8 +25,7 @@ fn main() -> ExitCode {
         [seed, count, first] => (*seed, *count, *first),
         _ => return usage(),
     };
-    // A panic is told with its case.
-    std::panic::set_hook(Box::new(|_| ()));
+    tell_panics_with_their_cases();
     let report = run(target, seed, first..first.saturating_add(count));
     for fault in report.faults.iter().take(SHOWN) {
         println!("case {}: {}", fault.case, fault.what);
@@ -47,8 +51,25 @@ fn main() -> ExitCode {
     }
 }
 
+fn tell_panics_with_their_cases() {
+    std::panic::set_hook(Box::new(|_| ()));
+}
+
+fn write_page(share: f64, made: &str) -> ExitCode {
+    tell_panics_with_their_cases();
+    let (page, faults) = page(share, made);
+    print!("{page}");
+    for fault in &faults {
+        eprintln!("{fault}");
+    }
+    if faults.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
 fn usage() -> ExitCode {
     let names: Vec<&str> = Target::ALL.iter().map(|target| target.name()).collect();
-    eprintln!("usage: fuzzing {} SEED COUNT [FIRST]", names.join("|"));
+    eprintln!(
+        "usage: fuzzing {} SEED COUNT [FIRST]\n       fuzzing page SHARE MADE",
+        names.join("|")
+    );
     ExitCode::from(2)
 }

@@ -1,7 +1,5 @@
 //! Code for the widest vectors of the processor that it runs on.
 
-use pulp::Arch;
-
 /// Runs `work` as compiled for the widest vectors that the processor at hand has. Only what is inlined into it is compiled so: loops over fixed numbers of lanes.
 ///
 /// Multiplications and additions are rounded one by one on every width, so that results have the same bits.
@@ -12,8 +10,8 @@ pub(crate) fn vectorised<R>(work: impl FnOnce() -> R) -> R {
 
 #[cfg(not(test))]
 #[inline(always)]
-fn architecture() -> Arch {
-    Arch::new()
+fn architecture() -> pulp::Arch {
+    pulp::Arch::new()
 }
 
 #[cfg(test)]
@@ -36,7 +34,7 @@ mod tests {
     }
 
     pub(super) fn architecture() -> Arch {
-        CHOSEN.get().unwrap_or_else(Arch::new)
+        CHOSEN.get().unwrap_or_default()
     }
 
     /// The widths of this processor; none is one lane at a time.

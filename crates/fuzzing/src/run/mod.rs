@@ -48,7 +48,7 @@ pub fn run(target: Target, seed: u64, cases: Range<u64>) -> Report {
     let subject = target.subject();
     for case in cases {
         let (began, spent) = (Instant::now(), system::processor_time());
-        let mut random = Random::new(seed, case);
+        let mut random = Random::of_case(seed, case);
         let result = catch_unwind(AssertUnwindSafe(|| subject(&mut random)));
         let spent = system::processor_time().zip(spent).map(|(after, before)| after - before);
         let took = spent.filter(|_| target.is_alone()).unwrap_or_else(|| began.elapsed());

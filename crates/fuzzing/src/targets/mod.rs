@@ -10,6 +10,8 @@ mod readers;
 mod threads;
 mod units;
 
+use std::path::PathBuf;
+
 use crate::check::Outcome;
 use crate::{Random, surroundings};
 
@@ -85,6 +87,12 @@ impl Target {
     #[must_use]
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|target| target.name() == name)
+    }
+
+    /// The program with which [`Builds`](Self::Builds) compares; none where the variable is not set.
+    #[must_use]
+    pub fn other() -> Option<PathBuf> {
+        threads::other()
     }
 
     /// Whether all is done by the thread that runs a case.

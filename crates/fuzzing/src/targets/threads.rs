@@ -18,6 +18,11 @@ const LONGEST: Duration = Duration::from_secs(1);
 /// The program that is compared with, such as one of another build.
 const OTHER: &str = "SHTAERMAN_OTHER";
 
+/// The program that is compared with.
+pub(super) fn other() -> Option<PathBuf> {
+    std::env::var_os(OTHER).map(PathBuf::from)
+}
+
 fn solved(text: &str) -> Result<Contact, Error> {
     file::parse(text, "made.toml")?.solve()?.audited()
 }
@@ -58,8 +63,7 @@ pub(super) fn threads(random: &mut Random) -> Result<Outcome, String> {
 
 /// Solves a file that was made here and by the other program: they agree within the sum of the errors that they state.
 pub(super) fn builds(random: &mut Random) -> Result<Outcome, String> {
-    let other = std::env::var_os(OTHER).map(PathBuf::from);
-    let other = other.ok_or_else(|| format!("{OTHER} names no program to compare with"))?;
+    let other = other().ok_or_else(|| format!("{OTHER} names no program to compare with"))?;
     let text = files::problem(random);
     let here = match solved(&text) {
         Ok(contact) => answer(&contact)?,
