@@ -16,7 +16,8 @@ mod survey;
 use std::collections::BTreeMap;
 
 use fredholm::SincOperator;
-use survey::{Observation, Problem, Random, Reference, observe, operator, points};
+use shtaerman_random::Random;
+use survey::{Observation, Problem, Reference, observe, operator, points};
 
 fn main() {
     let arguments: Vec<f64> =

@@ -254,8 +254,11 @@ fn check_sweep(
     let mut serial = vec![SweepValue::default(); count];
     let mut threaded = serial.clone();
     sweep.run(&many, &mut serial);
-    sweep.run_on_threads(&many, &mut threaded, 3);
-    assert_eq!(serial, threaded);
+    for threads in [1, 2, 3, 7] {
+        threaded.fill(SweepValue::default());
+        sweep.run_on_threads(&many, &mut threaded, threads);
+        assert_eq!(serial, threaded, "{threads} threads");
+    }
     assert_eq!(serial[1], sweep.at(many[1]));
     assert!(sweep.at(-1.0).one_one.is_nan() && sweep.at(f64::NAN).one_one.is_nan());
 }

@@ -379,13 +379,15 @@ fn refusals_say_why() {
         (1.0, -1.0, 1e-9),
         (1.0, f64::NAN, 1e-9),
         (1.0, f64::INFINITY, 1e-9),
-        (1.0, 1e9, 1e-9),
         (1.0, 1.0, 0.0),
         (1.0, 1.0, f64::NAN),
-        (-0.99999999999 / std::f64::consts::PI, 1.0, 1e-9),
     ] {
         let error = solve(parameter, x_max, tolerance).unwrap_err();
         assert!(matches!(error, Error::InvalidParameter { .. }), "{parameter} {x_max}: {error}");
+    }
+    for (parameter, x_max) in [(1.0, 1e9), (-0.99999999999 / std::f64::consts::PI, 1.0)] {
+        let error = solve(parameter, x_max, 1e-9).unwrap_err();
+        assert!(matches!(error, Error::BeyondMethod { value, .. } if value > 30_000.0), "{error}");
     }
     let error = solve_half_line(&kernel, 1.0, |_| f64::NAN, 1.0, 1e-9).unwrap_err();
     assert!(matches!(error, Error::NotFinite { .. }));

@@ -11,11 +11,15 @@
 mod broken;
 mod check;
 mod files;
-mod random;
+mod page;
 mod run;
+mod surroundings;
 mod targets;
 mod written;
 
-pub use random::Random;
-pub use run::{Fault, Report, run};
+pub use page::page;
+use shtaerman_random::Random;
+
+pub use run::{Fault, Report, forget_memory, memory, run};
+pub use surroundings::{RUN_AS_PROGRAM, set_program};
 pub use targets::Target;

@@ -1,22 +1,32 @@
-//! `cargo run --release -p fuzzing -- WHAT SEED COUNT`: puts random input through, and tells what failed.
+//! `cargo run --release -p fuzzing -- WHAT SEED COUNT [FIRST]`: puts random input through, and tells what failed.
+//!
+//! `... -- page SHARE "made on .."`: puts a share of everything through, and writes the page of the book to standard output.
 
 use std::process::ExitCode;
 
-use fuzzing::{Target, run};
+use fuzzing::{RUN_AS_PROGRAM, Target, memory, page, run};
 
 /// Failures that are shown in full.
 const SHOWN: usize = 20;
 
 fn main() -> ExitCode {
+    if std::env::var_os(RUN_AS_PROGRAM).is_some() {
+        return shtaerman_cli::run();
+    }
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [what, seed, count] = arguments.as_slice() else { return usage() };
-    let (Some(target), Ok(seed), Ok(count)) = (Target::named(what), seed.parse(), count.parse())
-    else {
-        return usage();
+    let [what, numbers @ ..] = arguments.as_slice() else { return usage() };
+    if let ("page", [share, made]) = (what.as_str(), numbers) {
+        return share.parse().map_or_else(|_| usage(), |share| write_page(share, made));
+    }
+    let numbers: Option<Vec<u64>> = numbers.iter().map(|text| text.parse().ok()).collect();
+    let (Some(target), Some(numbers)) = (Target::named(what), numbers) else { return usage() };
+    let (seed, count, first) = match numbers.as_slice() {
+        [seed, count] => (*seed, *count, 0),
+        [seed, count, first] => (*seed, *count, *first),
+        _ => return usage(),
     };
-    // A panic is told with its case.
-    std::panic::set_hook(Box::new(|_| ()));
-    let report = run(target, seed, count, None);
+    tell_panics_with_their_cases();
+    let report = run(target, seed, first..first.saturating_add(count));
     for fault in report.faults.iter().take(SHOWN) {
         println!("case {}: {}", fault.case, fault.what);
     }
@@ -25,13 +35,14 @@ fn main() -> ExitCode {
     }
     let (slowest, case) = report.slowest;
     println!(
-        "{what}, seed {seed}: {} cases, {} accepted, {} refused, {} failed, {} took too long; slowest {:.4} s, case {case}",
+        "{what}, seed {seed}: {} cases, {} accepted, {} refused, {} failed, {} took too long; slowest {:.4} s, case {case}; {} MB at most",
         report.cases,
         report.accepted,
         report.refused,
         report.faults.len(),
         report.hangs.len(),
-        slowest.as_secs_f64()
+        slowest.as_secs_f64(),
+        memory().map_or_else(|| "?".to_owned(), |size| size.div_ceil(1_000_000).to_string())
     );
     if report.faults.is_empty() && report.hangs.is_empty() {
         ExitCode::SUCCESS
@@ -40,8 +51,25 @@ fn main() -> ExitCode {
     }
 }
 
+fn tell_panics_with_their_cases() {
+    std::panic::set_hook(Box::new(|_| ()));
+}
+
+fn write_page(share: f64, made: &str) -> ExitCode {
+    tell_panics_with_their_cases();
+    let (page, faults) = page(share, made);
+    print!("{page}");
+    for fault in &faults {
+        eprintln!("{fault}");
+    }
+    if faults.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+}
+
 fn usage() -> ExitCode {
     let names: Vec<&str> = Target::ALL.iter().map(|target| target.name()).collect();
-    eprintln!("usage: fuzzing {} SEED COUNT", names.join("|"));
+    eprintln!(
+        "usage: fuzzing {} SEED COUNT [FIRST]\n       fuzzing page SHARE MADE",
+        names.join("|")
+    );
     ExitCode::from(2)
 }

@@ -2,7 +2,7 @@
 
 #![expect(clippy::expect_used, reason = "a test may fail by panicking")]
 
-use fuzzing::{Target, run};
+use fuzzing::{Target, run, set_program};
 
 /// Seed of the tests.
 const SEED: u64 = 20_261_123;
@@ -10,7 +10,7 @@ const SEED: u64 = 20_261_123;
 /// So many cases, some of which are taken and some refused. How long each takes is told and not tested: the machine may be busy.
 fn put_through(name: &str, count: u64) {
     let target = Target::named(name).expect("a target");
-    let report = run(target, SEED, count, None);
+    let report = run(target, SEED, 0..count);
     println!("{name}: {} cases, slowest {:?}", report.cases, report.slowest);
     assert!(report.faults.is_empty(), "{name}, seed {SEED}: {:#?}", report.faults);
     assert!(report.accepted > 0 && report.refused > 0, "{report:?}");
@@ -38,4 +38,19 @@ fn problems_are_solved_or_refused_and_answers_keep_the_schema() {
 #[test]
 fn equations_are_solved_or_refused_and_answers_keep_the_schema() {
     put_through("equations", 16);
+}
+
+/// What is computed or written when a signal comes leaves nothing, and nothing half.
+#[cfg(unix)]
+#[test]
+fn signals_at_any_moment_leave_nothing() {
+    set_program(env!("CARGO_BIN_EXE_fuzzing"));
+    put_through("signals", 20);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn surroundings_change_no_answer_and_leave_nothing() {
+    set_program(env!("CARGO_BIN_EXE_fuzzing"));
+    put_through("faults", 40);
 }

@@ -92,7 +92,15 @@ impl Columns {
             if !value.is_finite() {
                 return Err(format!("the {name} is {value}: it must be finite"));
             }
-            Ok(value * self.units[index])
+            let unit = self.units[index];
+            let in_si = value * unit;
+            if !in_si.is_finite() {
+                return Err(format!(
+                    "the {name} is {value:e}, in a unit that is {unit} in SI: together more than the largest number, {:.1e}",
+                    f64::MAX
+                ));
+            }
+            Ok(in_si)
         };
         Ok([value(one, 0)?, value(two, 1)?])
     }
@@ -119,6 +127,14 @@ fn unquoted(field: &str) -> &str {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_overflows_with_its_unit_is_told_with_its_line() {
+        let columns = Columns { names: ["position", "height"], units: [1.0, 1e3] };
+        let error = columns.read(b"x,f\n0,1\n1,-1e306\n", "a.csv").unwrap_err();
+        let said = "a.csv: line 3: the height is -1e306, in a unit that is 1000 in SI: together more than the largest number, 1.8e308";
+        assert_eq!(error.to_string(), said);
+    }
 
     #[test]
     fn rows_have_a_limit() {

@@ -16,12 +16,14 @@ const STACK: usize = 8 << 20;
 /// Share of the time limit after which the best so far is shown without what is still computed: the rest is for writing it.
 const LAST: f64 = 0.95;
 
-static CLOCK: Mutex<Clock> = Mutex::new(Clock { running: None, is_shown: false });
+static CLOCK: Mutex<Clock> = Mutex::new(Clock { running: None, is_shown: false, after: None });
 
 struct Clock {
     running: Option<Running>,
     /// Whether there is a line of progress on the terminal.
     is_shown: bool,
+    /// What is done with an answer that was found.
+    after: Option<&'static str>,
 }
 
 #[derive(Clone, Copy)]
@@ -73,7 +75,10 @@ fn watch(Running { since, limit }: Running, is_seen: bool, end: fn(i32) -> !) {
         let elapsed = since.elapsed();
         if let Some(limit) = limit.filter(|limit| elapsed >= *limit) {
             clock.clear();
-            let failure = Failure::from(shtaerman::Error::TimeLimit { limit });
+            let failure = match clock.after {
+                Some(what) => Failure::Late { what, limit },
+                None => shtaerman::Error::TimeLimit { limit }.into(),
+            };
             failure.report();
             end(i32::from(failure.exit_code()));
         }
@@ -81,6 +86,11 @@ fn watch(Running { since, limit }: Running, is_seen: bool, end: fn(i32) -> !) {
             clock.show(elapsed);
         }
     }
+}
+
+/// Says what comes after an answer that was found: at the limit this is what took too long.
+pub(crate) fn answered(next: &'static str) {
+    clock().after = Some(next);
 }
 
 /// Stops the clock: from here on something is written, which is not cut short.

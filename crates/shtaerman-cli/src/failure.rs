@@ -45,6 +45,14 @@ pub(crate) enum Failure {
     /// The time limit ended the search or the audit; the best so far was shown.
     #[error("no answer was found and audited within the time limit of {} s: what is shown is the best so far, and no file was written", .0.as_secs_f64())]
     Unfinished(Duration),
+    /// There is an answer, and the time limit ended what was asked for beside it.
+    #[error("the answer was found, and {what} did not end within the time limit of {} s: no file was written; allow more by `time_limit` (--time-limit), or ask for less", limit.as_secs_f64())]
+    Late {
+        /// What took too long.
+        what: &'static str,
+        /// What was allowed.
+        limit: Duration,
+    },
     /// A check failed.
     #[error("{0}")]
     Check(String),
@@ -78,7 +86,7 @@ impl Failure {
         match self {
             Self::Check(_) | Self::Unwritten { .. } => 1,
             Self::Problem(error) if error.is_numerical() => 3,
-            Self::Unfinished(_) => 3,
+            Self::Unfinished(_) | Self::Late { .. } => 3,
             Self::Usage(_) | Self::Problem(_) | Self::Plot(_) | Self::Unwritable { .. } => 2,
         }
     }

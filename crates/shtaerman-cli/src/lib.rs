@@ -11,6 +11,7 @@ mod failure;
 mod output;
 pub mod plot;
 mod report;
+mod signals;
 
 use std::io::Write;
 use std::path::Path;
@@ -25,15 +26,11 @@ use shtaerman::legible;
 
 /// Exit code of bad input.
 const BAD_INPUT: u8 = 2;
-/// Exit code of an interrupted run.
-const INTERRUPTED: i32 = 130;
 
 /// Runs the command line on the arguments of this process.
 #[must_use]
 pub fn run() -> ExitCode {
-    // Without a handler the run still ends on an interrupt, only without our exit code.
-    let _ = ctrlc::set_handler(|| output::interrupt(INTERRUPTED));
-    survive_size_limits();
+    signals::watch();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => return explain(&error),
@@ -68,15 +65,3 @@ fn explain(error: &clap::Error) -> ExitCode {
     }
     ExitCode::from(BAD_INPUT)
 }
-
-/// A file that grows beyond the limit of the process is then an error of writing, which is reported; by default it ends the process
-/// with its temporary file left behind.
-#[cfg(unix)]
-fn survive_size_limits() {
-    let seen = std::sync::Arc::default();
-    // Without a handler all is as before.
-    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, seen);
-}
-
-#[cfg(not(unix))]
-fn survive_size_limits() {}

@@ -214,6 +214,23 @@ impl<K: Kernel + ?Sized> Problem<'_, K> {
         }
     }
 
+    /// What asks for more nodes than there may be: the kernel, or else the breakpoints.
+    fn too_many(&self, breaks: &[f64], most: usize) -> Error {
+        let of_kernel = self.kernel.first_half_count();
+        if of_kernel > most as f64 {
+            return Error::BeyondMethod {
+                what: "number of nodes on either side that so narrow a kernel needs",
+                value: of_kernel.round(),
+                limit: "at most 1500, and fewer between breakpoints: a shorter interval or a kernel that falls more slowly (a smaller kappa) needs fewer",
+            };
+        }
+        Error::BeyondMethod {
+            what: "number of breakpoints",
+            value: breaks.len() as f64,
+            limit: "at most 8001 nodes over all panels between them: fewer kinks and steps need fewer",
+        }
+    }
+
     /// Solutions on growing numbers of nodes until differences say that it is enough.
     fn refined(&self, breaks: &[f64], start: f64) -> Result<AdaptiveSolution, Error> {
         let (kernel, tolerance) = (self.kernel, self.tolerance);
@@ -227,11 +244,7 @@ impl<K: Kernel + ?Sized> Problem<'_, K> {
         let mut sequence = half_counts(start).take_while(|half_count| *half_count <= most);
         let mut next = || sequence.next();
         let (Some(n1), Some(n2), Some(n3)) = (next(), next(), next()) else {
-            return Err(Error::BeyondMethod {
-                what: "number of breakpoints",
-                value: breaks.len() as f64,
-                limit: "at most 8001 nodes over all panels between them: fewer kinks and steps need fewer",
-            });
+            return Err(self.too_many(breaks, most));
         };
         let mass = |x: f64| kernel.mass_function(x);
         let ((first, _), (mut previous, _)) = (solve(n1)?, solve(n2)?);

@@ -7,7 +7,8 @@ mod long_interval;
 mod orders;
 mod survey;
 
-use survey::{Observation, Problem, Random, Reference, SLACK, observe, operator, points};
+use shtaerman_random::Random;
+use survey::{Observation, Problem, Reference, SLACK, observe, operator, points};
 
 /// Observations of seeded problems with the degree `max(64, resolution * theta)`.
 fn survey(seed: u64, count: usize, resolution: f64) -> Vec<Observation> {

@@ -4,6 +4,7 @@ use fredholm::basis::{ChebyshevSeries, Function};
 use fredholm::bounds::{Combination, End, EndInfluence, Given, Kind, ResidualOperator, Responses};
 use fredholm::kernel::{Logarithm, end_moments};
 use fredholm::{SincOperator, SincSolution, StructuredSystem};
+use shtaerman_random::Random;
 
 /// Half the number of nodes of the reference.
 const REFERENCE: usize = 100;
@@ -11,32 +12,6 @@ const REFERENCE: usize = 100;
 /// What the references of all problems share.
 pub(crate) fn operator() -> SincOperator {
     SincOperator::new(&Logarithm::unit(), REFERENCE).unwrap()
-}
-
-/// A generator of reproducible numbers (G. L. Steele et al., OOPSLA 2014, p. 453).
-pub(crate) struct Random(u64);
-
-impl Random {
-    pub(crate) fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Uniform between `low` and `high`.
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn below(&mut self, count: u64) -> u64 {
-        self.next() % count
-    }
 }
 
 /// A right-hand side `c_1 + c_2 x - f(x)` of which a pair is given.

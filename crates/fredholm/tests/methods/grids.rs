@@ -3,8 +3,9 @@
 use fredholm::SincOperator;
 use fredholm::collocation::solve_adaptive;
 use fredholm::kernel::Kernel;
+use shtaerman_random::Random;
 
-use crate::survey::{KERNELS, Random};
+use crate::survey::KERNELS;
 
 /// Equations for each kernel.
 const COUNT: u64 = 4;

@@ -7,37 +7,7 @@ use fredholm::kernel::{
     Macdonald, MacdonaldHalfLine, Power, SpectralRelation, WeberSonine, Yukawa,
 };
 use fredholm::{Error, Interval};
-
-/// A generator of reproducible numbers (G. L. Steele et al., OOPSLA 2014, p. 453).
-pub(crate) struct Random(u64);
-
-impl Random {
-    pub(crate) fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Uniform between `low` and `high`.
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.next() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    /// Log-uniform between `low` and `high`.
-    pub(crate) fn scale(&mut self, low: f64, high: f64) -> f64 {
-        self.between(low.ln(), high.ln()).exp()
-    }
-
-    pub(crate) fn below(&mut self, count: u64) -> u64 {
-        self.next() % count
-    }
-}
+use shtaerman_random::Random;
 
 /// A kernel with random parameters, and those in words.
 pub(crate) struct Drawn {
@@ -172,8 +142,8 @@ pub(crate) struct Outcome {
 pub(crate) fn solve(index: usize, seed: u64, number: u64) -> Result<Outcome, (String, Error)> {
     let (name, draw) = KERNELS[index];
     let mut random = Random::new(seed.wrapping_add(number.wrapping_mul(0x2545_f491_4f6c_dd1d)));
-    random.next();
-    let degree = 64 + random.below(97) as usize;
+    random.bits();
+    let degree = 64 + random.below(97);
     let Drawn { relation, half_line, parameters } =
         draw(&mut random, degree + 1).map_err(|error| (name.to_owned(), error))?;
     let extent = relation.extent();

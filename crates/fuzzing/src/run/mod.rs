@@ -1,5 +1,8 @@
 //! Runs cases, and counts.
 
+mod system;
+
+use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::time::{Duration, Instant};
 
@@ -7,7 +10,9 @@ use crate::check::Outcome;
 use crate::targets::Target;
 use crate::{Random, check};
 
-/// Longest time of a case before it counts as a hang, by the clock on the wall: on a busy machine a case may fail by it alone.
+pub use system::{forget_memory, memory};
+
+/// Longest time of a case before it counts as a hang.
 const HANG: Duration = Duration::from_secs(5);
 
 /// A case that failed.
@@ -32,24 +37,21 @@ pub struct Report {
     pub faults: Vec<Fault>,
     /// The cases that took too long.
     pub hangs: Vec<(Duration, u64)>,
-    /// The longest time of a case by the clock on the wall, and its number.
+    /// The longest time of a case, and its number: of the processor where the system tells it, so that a busy machine does not count; of the clock on the wall for what other processes do.
     pub slowest: (Duration, u64),
 }
 
-/// Runs `count` cases of a seed, or fewer where `most` is over before.
+/// Runs these cases of a seed.
 #[must_use]
-pub fn run(target: Target, seed: u64, count: u64, most: Option<Duration>) -> Report {
+pub fn run(target: Target, seed: u64, cases: Range<u64>) -> Report {
     let mut report = Report::default();
-    let start = Instant::now();
     let subject = target.subject();
-    for case in 0..count {
-        if most.is_some_and(|most| start.elapsed() > most) {
-            break;
-        }
-        let began = Instant::now();
-        let mut random = Random::new(seed, case);
+    for case in cases {
+        let (began, spent) = (Instant::now(), system::processor_time());
+        let mut random = Random::of_case(seed, case);
         let result = catch_unwind(AssertUnwindSafe(|| subject(&mut random)));
-        let took = began.elapsed();
+        let spent = system::processor_time().zip(spent).map(|(after, before)| after - before);
+        let took = spent.filter(|_| target.is_alone()).unwrap_or_else(|| began.elapsed());
         report.cases += 1;
         match result {
             Ok(Ok(Outcome::Accepted)) => report.accepted += 1,

@@ -1,96 +1,72 @@
 //! Command lines, parsed and not run.
 
-use clap::Parser;
+use std::sync::OnceLock;
+
 use clap::error::ErrorKind;
+use clap::{Command, CommandFactory, Parser};
 use shtaerman_cli::arguments::Arguments;
 
 use crate::broken::broken;
 use crate::check::Outcome;
 use crate::{Random, check, written};
 
-const COMMANDS: &[&str] = &[
-    "solve",
-    "find",
-    "validate",
-    "init",
-    "reproduce",
-    "regularity",
-    "convergence",
-    "equation",
-    "stress",
-    "spectrum",
-    "roughness",
-    "help",
+/// What people write beside commands and options, some of it wrong.
+const VALUES: &[&str] = &[
     "slove",
-];
-
-const PARTS: &[&str] = &[
-    "force",
-    "roughness",
-    "crown",
-    "profile",
-    "bearing",
-    "table",
-    "greenwood-williamson",
     "punch.toml",
     "-",
     "--",
-    "--set",
-    "--at",
-    "--format",
     "json",
     "csv",
     "table",
-    "--output",
     "-o",
     "out.svg",
-    "--plot",
-    "--points",
-    "--no-audit",
-    "--cross-check",
-    "--surface",
-    "--sensitivities",
-    "--datum-distance",
-    "--datum-depth",
-    "--grid",
     "2x2",
-    "--rows",
-    "--count",
-    "--a",
-    "--chi0",
-    "--m",
-    "--mu",
-    "--verify",
-    "--help",
-    "-h",
-    "--version",
-    "-V",
     "power",
     "yukawa",
     "log",
-    "--peak-pressure",
-    "--contact-width",
-    "--max-n",
-    "--hardness",
-    "--trace",
     "-x",
-    "--coefficient",
     "--format=json",
     "--points=-1",
+    "--fromat",
     "",
 ];
+
+/// The commands, and after them the options of all of them.
+fn known() -> &'static [Vec<String>; 2] {
+    static KNOWN: OnceLock<[Vec<String>; 2]> = OnceLock::new();
+    KNOWN.get_or_init(|| {
+        let mut known = [Vec::new(), Vec::new()];
+        let mut program = Arguments::command();
+        program.build();
+        collect(&program, &mut known);
+        known
+    })
+}
+
+fn collect(command: &Command, known: &mut [Vec<String>; 2]) {
+    let options = command.get_arguments().filter_map(|option| option.get_long());
+    known[1].extend(options.map(|name| format!("--{name}")));
+    for inner in command.get_subcommands() {
+        known[0].push(inner.get_name().to_owned());
+        collect(inner, known);
+    }
+}
 
 /// Parses a line of arguments: what is refused has a printable message, and only help and version are no errors.
 pub(super) fn case(random: &mut Random) -> Result<Outcome, String> {
     let mut line = vec!["shtaerman".to_owned()];
+    let [commands, options] = known();
     if !random.one_in(16) {
-        line.push(random.of(COMMANDS).to_owned());
+        line.push(commands[random.below(commands.len())].clone());
     }
     for _ in 0..random.below(8) {
-        let part = match random.below(6) {
+        let part = match random.below(8) {
             0 => written::number(random),
             1 => written::quantity(random),
-            _ => random.of(PARTS).to_owned(),
+            2 => commands[random.below(commands.len())].clone(),
+            3 | 4 => random.of(VALUES).to_owned(),
+            _ => options[random.below(options.len())].clone(),
         };
         line.push(if random.one_in(6) { broken(random, &part) } else { part });
     }

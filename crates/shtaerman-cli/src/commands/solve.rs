@@ -8,12 +8,11 @@ use shtaerman::{Answer, Contact, Datum, Law, PressureCurve, Problem, SurfaceCurv
 
 use super::problem_file::Solved;
 use super::{places, problem_file};
-use crate::Failure;
 use crate::arguments::{ReportFormat, SolveArguments};
 use crate::failure::{say, shown};
 use crate::output::{Content, Outputs};
 use crate::plot::{ContactPlot, Format, Size, render};
-use crate::report;
+use crate::{Failure, clock, report};
 
 /// Points of the plotted curves.
 const PLOT_POINTS: usize = 401;
@@ -34,6 +33,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         Solved::Answer(contact) => (contact, None),
         Solved::Unfinished(contact, limit) => (contact, Some(limit)),
     };
+    clock::answered("its curve");
     let curve = match places {
         Some(places) => PressureCurve::at(&contact, places)?,
         None => PressureCurve::along(&contact, arguments.points)?,
@@ -46,10 +46,12 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         warn(arguments, &contact);
         return Err(Failure::Unfinished(limit));
     }
+    clock::answered("what was asked for beside it, such as sensitivities,");
     let mut answer = extended(answer, &contact, &extras)?;
     // An answer that cannot be checked is an answer all the same.
     let mut unchecked = None;
     if arguments.cross_check {
+        clock::answered("its cross-check");
         match file.problem().cross_check(&contact) {
             Ok(check) => answer.cross_check = Some(check),
             Err(error) => unchecked = Some(Failure::from(file.locate(error))),
@@ -59,6 +61,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let text = text(arguments, &contact, &answer, arguments.plot.as_deref());
     outputs.result(arguments.output.output.as_deref(), text);
     if let (Some(path), Some(format)) = (&arguments.plot, format) {
+        clock::answered("its plot");
         outputs.file(path, render(&plot(&contact)?, format, Size::default())?);
     }
     outputs.write()?;

@@ -159,7 +159,7 @@ fn wait_for_content(folder: &Folder) {
 
 #[test]
 fn signals_leave_nothing() {
-    for signal in ["INT", "TERM", "HUP"] {
+    for signal in ["INT", "TERM", "HUP", "QUIT", "XCPU", "USR1"] {
         let folder = Folder::new();
         folder.write("out.csv", "old");
         let mut child = folder.command(&LONG).spawn().unwrap();

@@ -65,6 +65,18 @@ fn a_search_that_takes_longer_ends_in_time_and_writes_no_file() {
     assert_eq!(run.code, Some(3), "{run:?}");
 }
 
+/// What is asked for beside the answer takes a minute; the message says that it was this.
+#[test]
+fn an_answer_that_was_found_is_not_told_to_be_missing() {
+    let folder = Folder::with(UNILATERAL);
+    let stress = ["stress", "punch.toml", "--grid", "2000x2000", "--no-audit", "--format", "csv"];
+    let run = folder.run(&[stress.as_slice(), &["--time-limit", "3 s", "-o", "s.csv"]].concat());
+    let said = run.failure(3);
+    let begins = "error: the answer was found, and its stresses did not end within the time limit of 3 s: no file was written";
+    assert!(said.starts_with(begins), "{said}");
+    assert_eq!(folder.files(), ["punch.toml"]);
+}
+
 #[test]
 fn a_limit_that_is_not_reached_changes_nothing() {
     let folder = Folder::with(UNILATERAL);

@@ -2,49 +2,7 @@
 
 use std::fmt::Write;
 
-/// A generator of numbers: Weyl's sequence, mixed (G. Steele, D. Lea, C. Flood, OOPSLA 2014).
-struct Random(u64);
-
-impl Random {
-    fn new(seed: u64) -> Self {
-        Self(seed)
-    }
-
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    /// Uniform in `[0, 1)`.
-    fn unit(&mut self) -> f64 {
-        (self.bits() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.unit()
-    }
-
-    fn power(&mut self, low: f64, high: f64) -> f64 {
-        10f64.powf(self.between(low, high))
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.unit() * count as f64) as usize
-    }
-
-    fn chance(&mut self, share: f64) -> bool {
-        self.unit() < share
-    }
-
-    /// With the digits that a file would have.
-    fn rounded(&mut self, low: f64, high: f64) -> f64 {
-        let value = self.between(low, high);
-        format!("{value:.5}").parse().unwrap_or(value)
-    }
-}
+use shtaerman_random::Random;
 
 /// A problem as its file, and what a second method should know of it.
 pub(crate) struct Case {
@@ -57,6 +15,12 @@ pub(crate) struct Case {
     pub(crate) is_equation: bool,
     /// Where it bends, of equations.
     pub(crate) bends: Vec<(f64, bool)>,
+}
+
+/// Uniform between two numbers, with the digits that a file would have.
+fn rounded(random: &mut Random, low: f64, high: f64) -> f64 {
+    let value = random.between(low, high);
+    format!("{value:.5}").parse().unwrap_or(value)
 }
 
 /// The problem with a number; each has a generator of its own, so that none depends on those before it.
@@ -74,9 +38,9 @@ struct Drawn {
 
 /// The shapes of bases of unit height; `v` is the variable, on `(low, 1)`.
 fn shape(random: &mut Random, v: &str, low: f64) -> Drawn {
-    let c = random.rounded(low + 0.03 * (1.0 - low), 0.97);
-    let [a, b] = [0; 2].map(|_| random.rounded(-1.0, 1.0));
-    match random.below(10) {
+    let c = rounded(random, low + 0.03 * (1.0 - low), 0.97);
+    let [a, b] = [0; 2].map(|_| rounded(random, -1.0, 1.0));
+    match random.index(10) {
         0 | 1 => fourier(random, v),
         2 | 3 => {
             let width = random.power(-5.0, -0.3);
@@ -101,7 +65,7 @@ fn shape(random: &mut Random, v: &str, low: f64) -> Drawn {
             Drawn { kind: "step", text, bends: vec![(c, true)] }
         }
         7 => {
-            let d = random.rounded(low + 0.03 * (1.0 - low), 0.97);
+            let d = rounded(random, low + 0.03 * (1.0 - low), 0.97);
             let (from, to) = (c.min(d), c.max(d));
             let text = format!("where({v}<{from}, 0.4, where({v}<{to}, 0, {:.5}))", b.abs());
             Drawn { kind: "land", text, bends: vec![(from, true), (to, true)] }
@@ -118,12 +82,12 @@ fn shape(random: &mut Random, v: &str, low: f64) -> Drawn {
 }
 
 fn fourier(random: &mut Random, v: &str) -> Drawn {
-    let terms = 1 + random.below(30);
+    let terms = 1 + random.index(30);
     let decay = random.between(0.0, 2.0);
-    let mut text = format!("{}*{v}^2", random.rounded(0.0, 1.0));
+    let mut text = format!("{}*{v}^2", rounded(random, 0.0, 1.0));
     for k in 1..=terms {
         let size = random.between(-1.0, 1.0) / (k as f64).powf(decay);
-        let shift = random.rounded(0.0, 6.0);
+        let shift = rounded(random, 0.0, 6.0);
         let _ = write!(text, " + {size:.4e}*cos({k}*pi*{v}+{shift})");
     }
     Drawn { kind: "waves", text, bends: vec![] }
@@ -132,7 +96,7 @@ fn fourier(random: &mut Random, v: &str) -> Drawn {
 /// The same as an even function of the radius.
 fn radial(random: &mut Random) -> Drawn {
     if random.chance(0.35) {
-        let terms = 1 + random.below(12);
+        let terms = 1 + random.index(12);
         let mut text = "rho^2".to_owned();
         for k in 1..=terms {
             let size = random.between(-1.0, 1.0) / k as f64;
@@ -192,14 +156,14 @@ fn setting(random: &mut Random) -> Setting {
     };
     let with =
         |name, line: String| Setting { name, keys: format!("{}{line}\n", plain.keys), ..plain };
-    match random.below(16) {
+    match random.index(16) {
         0..=4 => plain,
         5 => {
-            let gap = random.rounded(0.02, 0.95);
+            let gap = rounded(random, 0.02, 0.95);
             with("pair", format!("geometry = \"pair\"\ninner_half_gap = {gap}"))
         }
         6 => {
-            let period = random.rounded(2.05, 6.0);
+            let period = rounded(random, 2.05, 6.0);
             with("row", format!("geometry = \"periodic\"\nperiod = {period}"))
         }
         7 => {
@@ -208,7 +172,7 @@ fn setting(random: &mut Random) -> Setting {
         }
         8 | 9 => Setting { is_disk: true, ..with("disk", "geometry = \"circular\"".to_owned()) },
         10 | 11 => {
-            let kappa = random.rounded(0.3, 0.95);
+            let kappa = rounded(random, 0.3, 0.95);
             let is_disk = random.chance(0.3);
             let geometry = if is_disk { "circular" } else { "plane" };
             let theta = format!("{:.5e}", random.power(-1.3, 2.0)).parse().unwrap_or(1.0);
@@ -224,7 +188,7 @@ fn setting(random: &mut Random) -> Setting {
         }
         12 | 13 => {
             let is_disk = random.chance(0.4);
-            let mu = random.rounded(0.05, 0.6);
+            let mu = rounded(random, 0.05, 0.6);
             physical(
                 if is_disk { "graded disk" } else { "graded plane" },
                 is_disk,
@@ -242,7 +206,7 @@ fn setting(random: &mut Random) -> Setting {
             )
         }
         _ => {
-            let period = random.rounded(2.05, 6.0);
+            let period = rounded(random, 2.05, 6.0);
             let row = physical("smooth row", false, "young_modulus = 1", 0.0);
             let keys = row.keys.replace(
                 "half_width = 1\n",
@@ -289,7 +253,7 @@ fn contact(random: &mut Random, index: u64) -> Case {
         );
         ("trace", format!("{{ csv = \"{name}\" }}"), Some(scaled))
     } else {
-        let shift = random.rounded(-1.0, 1.0);
+        let shift = rounded(random, -1.0, 1.0);
         let drawn = if setting.is_disk {
             radial(random)
         } else if setting.is_wave {
@@ -331,7 +295,7 @@ fn load(random: &mut Random, setting: &Setting, height: f64, is_high: bool) -> S
     // A disk under a moment is solved in full contact only.
     let turn =
         if setting.is_disk && !random.chance(0.15) { 0.0 } else { random.between(-0.6, 0.6) };
-    let rotational = match random.below(4) {
+    let rotational = match random.index(4) {
         _ if !setting.can_tilt => "moment = 0".to_owned(),
         0 => "moment = 0".to_owned(),
         1 if vertical.starts_with("force") => format!("moment = {:.5e}", force * turn),
@@ -344,32 +308,32 @@ fn load(random: &mut Random, setting: &Setting, height: f64, is_high: bool) -> S
 /// An equation of the second kind.
 fn equation(random: &mut Random) -> Case {
     let lambda = random.power(-1.0, 2.0);
-    let (name, keys, ends) = match random.below(10) {
+    let (name, keys, ends) = match random.index(10) {
         0 | 1 => ("log", "a = 1".to_owned(), [-1.0, 1.0]),
         2 => {
-            let alpha = random.rounded(0.2, 3.0);
+            let alpha = rounded(random, 0.2, 3.0);
             ("log-sine", format!("alpha = {alpha}"), [-alpha, alpha])
         }
-        3 => ("power", format!("a = 1\nmu = {}", random.rounded(0.05, 0.6)), [-1.0, 1.0]),
+        3 => ("power", format!("a = 1\nmu = {}", rounded(random, 0.05, 0.6)), [-1.0, 1.0]),
         4 | 5 => {
-            let (mu, gamma) = (random.below(2), random.rounded(0.0, 0.3));
+            let (mu, gamma) = (random.index(2), rounded(random, 0.0, 0.3));
             let gamma = if random.chance(0.5) { 0.0 } else { gamma };
             ("weber-sonine", format!("a = 1\nmu = {mu}\ngamma = {gamma}"), [0.0, 1.0])
         }
-        6 => ("log-ratio", format!("a = 1\nb = {}", random.rounded(0.05, 0.8)), [0.1, 1.0]),
-        7 => ("log-square", format!("a = 1\nb = {}", random.rounded(0.0, 0.8)), [0.1, 1.0]),
+        6 => ("log-ratio", format!("a = 1\nb = {}", rounded(random, 0.05, 0.8)), [0.1, 1.0]),
+        7 => ("log-square", format!("a = 1\nb = {}", rounded(random, 0.0, 0.8)), [0.1, 1.0]),
         8 => (
             "macdonald",
             format!(
                 "a = 1\nmu = {}\nkappa = {}",
-                random.rounded(-0.4, 0.4),
-                random.rounded(0.1, 5.0)
+                rounded(random, -0.4, 0.4),
+                rounded(random, 0.1, 5.0)
             ),
             [-1.0, 1.0],
         ),
         _ => (
             "yukawa",
-            format!("a = 1\nchi0 = {}\nm = {}", random.rounded(0.0, 3.0), random.below(3)),
+            format!("a = 1\nchi0 = {}\nm = {}", rounded(random, 0.0, 3.0), random.index(3)),
             [0.0, 1.0],
         ),
     };

@@ -3,31 +3,7 @@
 use std::fmt::Write;
 
 use shtaerman::{Contact, Error};
-
-/// A generator of numbers: Weyl's sequence, mixed (G. Steele, D. Lea, C. Flood, OOPSLA 2014).
-pub(crate) struct Random(u64);
-
-impl Random {
-    fn bits(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * (self.bits() >> 11) as f64 / (1u64 << 53) as f64
-    }
-
-    fn power(&mut self, low: f64, high: f64) -> f64 {
-        10f64.powf(self.between(low, high))
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.between(0.0, count as f64) as usize).min(count - 1)
-    }
-}
+use shtaerman_random::Random;
 
 /// What lies under the punch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -92,20 +68,20 @@ const LAW_PRESSURE: f64 = 0.01;
 impl Drawn {
     /// Problem `index` of a seed; it depends on these two alone.
     pub(crate) fn new(seed: u64, index: u64) -> Self {
-        let random = &mut Random(seed ^ index.wrapping_mul(0xd134_2543_de82_ef95));
-        let geometry = match random.below(8) {
+        let random = &mut Random::new(seed ^ index.wrapping_mul(0xd134_2543_de82_ef95));
+        let geometry = match random.index(8) {
             0..=2 => Geometry::Plane,
             3 => Geometry::Pair(random.between(0.05, 0.8)),
             4 => Geometry::Row(random.between(2.1, 6.0)),
             5 => Geometry::Wave,
             _ => Geometry::Circular,
         };
-        let ground = match (geometry, random.below(6)) {
+        let ground = match (geometry, random.index(6)) {
             (Geometry::Plane | Geometry::Pair(_) | Geometry::Circular, 0) => {
                 Ground::Graded(random.between(0.05, 0.5))
             }
             (Geometry::Plane | Geometry::Circular, 1) => {
-                Ground::Layer(random.power(-0.5, 0.7), random.below(2) == 0)
+                Ground::Layer(random.power(-0.5, 0.7), random.index(2) == 0)
             }
             (Geometry::Plane, 2) => {
                 Ground::Coating(random.power(-0.7, 0.3), random.power(-0.5, 0.7))
@@ -113,11 +89,11 @@ impl Drawn {
             _ => Ground::Plain,
         };
         let is_layered = matches!(ground, Ground::Layer(..) | Ground::Coating(..));
-        let roughness = match random.below(3) {
+        let roughness = match random.index(3) {
             0 if !is_layered => 0.0,
             _ => random.power(-2.5, 0.5),
         };
-        let is_bent = roughness > 0.0 && ground == Ground::Plain && random.below(6) == 0;
+        let is_bent = roughness > 0.0 && ground == Ground::Plain && random.index(6) == 0;
         let exponent = if is_bent { random.between(0.4, 0.9) } else { 1.0 };
         let height = random.power(-3.0, -1.5);
         let is_even = geometry == Geometry::Circular;
@@ -125,7 +101,7 @@ impl Drawn {
         let turn = match geometry {
             _ if is_even => Turn::Moment(0.0),
             Geometry::Wave => Turn::Tilt(0.0),
-            _ if random.below(2) == 0 => Turn::Tilt(height * random.between(-0.5, 0.5)),
+            _ if random.index(2) == 0 => Turn::Tilt(height * random.between(-0.5, 0.5)),
             _ => Turn::Moment(random.between(-0.3, 0.3)),
         };
         let force = random.power(-2.5, -0.5);
@@ -218,18 +194,18 @@ fn profile(random: &mut Random, geometry: Geometry, height: f64) -> String {
     let shift = random.between(-0.4, 0.4);
     let waves = |random: &mut Random, phase: f64| {
         let mut text = String::new();
-        for k in 1..=1 + random.below(6) {
+        for k in 1..=1 + random.index(6) {
             let size = height * random.between(-1.0, 1.0) / (k * k) as f64;
             let shift = phase * random.between(0.0, 6.0);
             let _ = write!(text, " + {size:.6}*cos({k}*pi*u + {shift:.4})");
         }
         text
     };
-    match (geometry, random.below(4)) {
+    match (geometry, random.index(4)) {
         (Geometry::Wave, _) => format!("0{}", waves(random, 1.0)),
         (Geometry::Circular, 0) => format!("{height:.6}*u^2{}", waves(random, 0.0)),
         (Geometry::Circular, 1) => format!("{height:.6}*u"),
-        (Geometry::Circular, _) => format!("{height:.6}*u^{}", 2 + 2 * random.below(2)),
+        (Geometry::Circular, _) => format!("{height:.6}*u^{}", 2 + 2 * random.index(2)),
         (_, 0) => format!("{height:.6}*(u - {shift:.4})^2{}", waves(random, 1.0)),
         (_, 1) => format!("{height:.6}*abs(u - {shift:.4})"),
         (_, 2) => format!("{height:.6}*((u - {shift:.4})^2 + 0.3*u^3)"),

@@ -11,12 +11,14 @@
 
 mod circles;
 mod modules;
+mod surface;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use circles::{Graph, circles};
 use modules::{Imports, Modules};
+use surface::surface;
 
 /// The most files of one folder that may import one another in a circle.
 const MOST_FILES: usize = 3;
@@ -63,6 +65,35 @@ fn sizes_are_told() {
         lines(&texts(&repository().join("crates/shtaerman/src")))
     );
     assert!(!of_contact.is_empty());
+}
+
+/// What a user can name is a promise: a change of it is meant, and is seen in the listing. `shtaerman` shows modules of `shtaerman_input` as its own.
+#[test]
+fn the_public_interface_is_the_one_listed() {
+    const RENEW: &str = "RENEW_LISTINGS";
+    for (name, folder) in
+        [("fredholm", "fredholm"), ("shtaerman", "shtaerman"), ("shtaerman_input", "input")]
+    {
+        let root = repository().join(format!("crates/{folder}/src/lib.rs"));
+        let now = surface(name, &root);
+        let listing =
+            repository().join(format!("crates/shtaerman/tests/data/public_api/{name}.txt"));
+        if std::env::var_os(RENEW).is_some() {
+            let text: String = now.iter().map(|line| format!("{line}\n")).collect();
+            std::fs::write(&listing, text).unwrap();
+        }
+        let text = std::fs::read_to_string(&listing).unwrap();
+        let listed: BTreeSet<String> = text.lines().map(str::to_owned).collect();
+        let gone = listed.difference(&now).map(|line| format!("- {line}\n"));
+        let new = now.difference(&listed).map(|line| format!("+ {line}\n"));
+        let changes: String = gone.chain(new).collect();
+        assert!(
+            changes.is_empty(),
+            "{} differs from the sources:\n{changes}If that is meant, renew it with `{RENEW}=1 cargo test -p shtaerman --test structure`, \
+             and say in CHANGELOG.md what changed.",
+            listing.display()
+        );
+    }
 }
 
 /// Whether a line defines a named number.

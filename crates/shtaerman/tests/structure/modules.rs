@@ -14,7 +14,7 @@ type Alias = Vec<String>;
 pub(crate) type Imports = BTreeMap<PathBuf, BTreeMap<PathBuf, BTreeSet<String>>>;
 
 /// A module, be it a file or a block within one.
-#[derive(Debug, Default)]
+#[derive(Default)]
 struct Module {
     file: PathBuf,
     children: BTreeSet<String>,
@@ -23,10 +23,19 @@ struct Module {
     globs: Vec<Alias>,
     /// Paths that the code of the module names, each from its first segment on.
     named: BTreeSet<Alias>,
+    /// All that is written in it.
+    content: Vec<Item>,
+}
+
+/// What a path leads to, by the path of the module it stands in and its name.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Found {
+    Item(Vec<String>, String),
+    Module(Vec<String>),
 }
 
 /// All modules of a crate, tests left out, by their paths from the root of the crate.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Modules {
     by_path: BTreeMap<Vec<String>, Module>,
 }
@@ -71,7 +80,18 @@ impl Modules {
                 }
             }
         }
+        module.content = items.to_vec();
         self.by_path.insert(path.to_vec(), module);
+    }
+
+    /// What is written in each module.
+    pub(crate) fn contents(&self) -> impl Iterator<Item = (&[String], &[Item])> {
+        self.by_path.iter().map(|(path, module)| (path.as_slice(), module.content.as_slice()))
+    }
+
+    /// What is written in a module.
+    pub(crate) fn content(&self, path: &[String]) -> &[Item] {
+        self.by_path.get(path).map_or(&[], |module| &module.content)
     }
 
     /// Every file with the files that define what it names, and the paths by which it does.
@@ -80,7 +100,7 @@ impl Modules {
         for (path, module) in &self.by_path {
             let found = imports.entry(module.file.clone()).or_default();
             for named in module.named.iter().chain(module.aliases.values()).chain(&module.globs) {
-                let target = self.resolve(path, named, 0);
+                let target = self.resolve(path, named);
                 if let Some(target) = target.filter(|target| *target != module.file) {
                     found.entry(target).or_default().insert(named.join("::"));
                 }
@@ -90,10 +110,24 @@ impl Modules {
     }
 
     /// The file in which what a path stands for is defined; none for other crates and for modules as a whole.
-    fn resolve(&self, from: &[String], path: &[String], depth: usize) -> Option<PathBuf> {
+    fn resolve(&self, from: &[String], path: &[String]) -> Option<PathBuf> {
+        let found = self.locate(from, path);
+        let place = found.iter().find_map(|found| match found {
+            Found::Item(place, _) => self.by_path.get(place),
+            Found::Module(_) => None,
+        });
+        place.map(|module| module.file.clone())
+    }
+
+    /// What a path stands for: an item, a module, or both of the same name; nothing for other crates.
+    pub(crate) fn locate(&self, from: &[String], path: &[String]) -> Vec<Found> {
+        self.follow(from, path, 0)
+    }
+
+    fn follow(&self, from: &[String], path: &[String], depth: usize) -> Vec<Found> {
         const DEEPEST: usize = 32;
         if depth > DEEPEST {
-            return None;
+            return Vec::new();
         }
         let mut place = from.to_vec();
         let mut rest = path;
@@ -107,22 +141,29 @@ impl Modules {
             rest = &rest[1..];
         }
         while let Some((name, after)) = rest.split_first() {
-            let module = self.by_path.get(&place)?;
-            if module.children.contains(name) {
-                place.push(name.clone());
+            let Some(module) = self.by_path.get(&place) else { return Vec::new() };
+            let child = [place.as_slice(), std::slice::from_ref(name)].concat();
+            let is_child = module.children.contains(name);
+            let is_item = module.items.contains(name);
+            // An associated item or a variant is found by its type.
+            if is_item && (after.is_empty() || !is_child) {
+                let also = is_child.then_some(Found::Module(child));
+                return also.into_iter().chain([Found::Item(place, name.clone())]).collect();
+            }
+            if is_child {
+                place = child;
                 rest = after;
                 continue;
             }
-            if module.items.contains(name) {
-                return Some(module.file.clone());
-            }
             if let Some(alias) = module.aliases.get(name).filter(|alias| *alias != path) {
-                return self.resolve(&place, &[alias, after].concat(), depth + 1);
+                return self.follow(&place, &[alias, after].concat(), depth + 1);
             }
-            let through = |glob: &Alias| self.resolve(&place, &[glob, rest].concat(), depth + 1);
-            return module.globs.iter().filter(|glob| *glob != path).find_map(through);
+            let through = |glob: &Alias| self.follow(&place, &[glob, rest].concat(), depth + 1);
+            let globs = module.globs.iter().filter(|glob| *glob != path);
+            let found = globs.map(through).find(|found| !found.is_empty());
+            return found.unwrap_or_default();
         }
-        None
+        vec![Found::Module(place)]
     }
 
     /// All files.
@@ -224,7 +265,7 @@ fn is_for_tests(attribute: &Attribute) -> bool {
         && attribute.parse_args::<syn::Ident>().is_ok_and(|condition| condition == "test")
 }
 
-fn attributes(item: &Item) -> &[Attribute] {
+pub(crate) fn attributes(item: &Item) -> &[Attribute] {
     match item {
         Item::Const(item) => &item.attrs,
         Item::Enum(item) => &item.attrs,
@@ -240,7 +281,7 @@ fn attributes(item: &Item) -> &[Attribute] {
     }
 }
 
-fn name_of(item: &Item) -> Option<String> {
+pub(crate) fn name_of(item: &Item) -> Option<String> {
     let name = match item {
         Item::Const(item) => &item.ident,
         Item::Enum(item) => &item.ident,

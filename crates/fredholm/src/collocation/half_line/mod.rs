@@ -55,8 +55,8 @@ use crate::kernel::MacdonaldHalfLine;
 /// ```
 ///
 /// # Errors
-/// [`Error::InSpectrum`] for a parameter at or below `-1/G^(0)`, [`Error::InvalidParameter`] for one that is not finite, for `x_max` negative, not
-/// finite or too far, and for a tolerance that is not positive; [`Error::NotFinite`] when `f` is not finite on the section. A tolerance that is out of reach is
+/// [`Error::InSpectrum`] for a parameter at or below `-1/G^(0)`, [`Error::InvalidParameter`] for one that is not finite, for `x_max` negative or not
+/// finite, and for a tolerance that is not positive; [`Error::BeyondMethod`] for one too far; [`Error::NotFinite`] when `f` is not finite on the section. A tolerance that is out of reach is
 /// no error: see [`HalfLineSolution::converged`].
 pub fn solve_half_line(
     kernel: &MacdonaldHalfLine,

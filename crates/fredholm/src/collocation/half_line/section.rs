@@ -39,9 +39,14 @@ impl Layout {
         (self.length * self.stretch / self.step).ceil()
     }
 
+    /// How many nodes it needs.
+    fn nodes(self) -> f64 {
+        self.right() + (FARTHEST / self.step).ceil()
+    }
+
     /// Whether it does not need too many nodes.
     pub(super) fn fits(self) -> bool {
-        self.right() + FARTHEST / self.step <= MOST_NODES
+        self.nodes() <= MOST_NODES
     }
 }
 
@@ -84,7 +89,7 @@ impl Section {
         let left = (first(end_exponent) / step).ceil();
         let right = layout.right();
         if !layout.fits() {
-            return Err(too_long(length));
+            return Err(too_long(layout));
         }
         let (left, count) = (left as usize, (left + right) as usize + 1);
         let band = (REACH * stretch / step + left as f64).min(count as f64);
@@ -183,10 +188,10 @@ fn assemble(
     matrix
 }
 
-fn too_long(length: f64) -> Error {
-    Error::InvalidParameter {
-        name: "length of the section in decay lengths",
-        value: length,
-        requirement: "such that 30000 nodes suffice: less far, a coarser tolerance, or a parameter farther from the spectrum",
+fn too_long(layout: Layout) -> Error {
+    Error::BeyondMethod {
+        what: "number of nodes on the section of the half-line that matters",
+        value: layout.nodes(),
+        limit: "at most 30000: places less far from the end, a coarser tolerance, or a parameter farther from the spectrum need fewer",
     }
 }

@@ -10,12 +10,12 @@ use shtaerman::quantity::Dimension;
 use shtaerman::{Criterion, Error, StressField};
 
 use super::problem_file;
-use crate::Failure;
 use crate::arguments::{StressArguments, StressFormat};
 use crate::failure::shown;
 use crate::output::{Content, Outputs};
 use crate::plot::{Format, render};
 use crate::report::{self, StressReport, Stresses, YieldReport};
+use crate::{Failure, clock};
 use section::{Section, Units};
 
 pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
@@ -36,6 +36,7 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let limit = yield_stress(arguments, &file)?;
 
     let contact = problem_file::solve(&file, !arguments.no_audit)?;
+    clock::answered("its stresses");
     let field = StressField::new(&contact, Some(ratio)).map_err(|error| file.locate(error))?;
     let load = [contact.force(), contact.moment()];
     let peaks = [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];
