@@ -19,7 +19,7 @@ fn a_stated_error_covers_rounding_too() {
     let mut checked = 0;
     for (name, draw) in KERNELS.iter().filter(|(name, _)| *name != "macdonald half-line") {
         for number in 0..COUNT {
-            let mut random = Random::new(SEED + 1000 * number);
+            let mut random = Random::of_case(SEED, number);
             let drawn = draw(&mut random, 40).unwrap();
             let case = format!("{name}, number {number}: {}", drawn.parameters);
             if let Some([difference, stated]) = compare(&*drawn.relation, &mut random) {

@@ -216,7 +216,7 @@ fn what_is_wrong_with_a_study_is_told() {
         (["-o", "out", "--threads", "0"], "must be from 1"),
         (["-o", "study.toml", "--threads", "1"], "is a file"),
         (["-o", "none", "--summary", "--yes"], "there is no folder"),
-        (["-o", "out", "--plot", "study.toml"], "study.toml"),
+        (["-o", "out", "--plot", "study.toml"], "use .svg or .png"),
     ] {
         let run = folder.run(&[&["sweep", "study.toml"], arguments.as_slice()].concat());
         run.refusal();
@@ -263,7 +263,7 @@ fn sobols_indices_of_a_linear_answer_add_up() {
     // On the whole base the settlement is linear in the force for a flat punch: all of its variance is that of the force.
     let study = r#"[dimensionless]
 theta0 = 2.0
-profile = "flat"
+profile = "0"
 force = 1.0
 moment = 0
 [solver]
