@@ -31,6 +31,11 @@ fn files_are_read_or_refused_with_a_message() {
 }
 
 #[test]
+fn calls_with_odd_numbers_are_answered_or_refused() {
+    put_through("calls", 20);
+}
+
+#[test]
 fn problems_are_solved_or_refused_and_answers_keep_the_schema() {
     put_through("problems", 12);
 }

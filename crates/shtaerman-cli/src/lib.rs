@@ -11,7 +11,6 @@ mod failure;
 mod output;
 pub mod plot;
 mod report;
-mod signals;
 
 use std::io::Write;
 use std::path::Path;
@@ -30,7 +29,7 @@ const BAD_INPUT: u8 = 2;
 /// Runs the command line on the arguments of this process.
 #[must_use]
 pub fn run() -> ExitCode {
-    signals::watch();
+    output::watch_signals();
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => return explain(&error),

@@ -4,6 +4,7 @@ mod content;
 mod identity;
 mod pending;
 mod prepared;
+mod signals;
 
 use std::path::{Path, PathBuf};
 
@@ -13,6 +14,7 @@ use prepared::{Prepared, folder};
 
 pub(crate) use content::Content;
 pub(crate) use pending::interrupt;
+pub(crate) use signals::watch_signals;
 
 /// Everything a command writes: prepared first, then put in place together.
 #[derive(Debug, Default)]

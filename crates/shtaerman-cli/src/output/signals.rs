@@ -1,14 +1,14 @@
 //! Signals end a run without anything left behind.
 
-use crate::output;
+use super::pending::interrupt;
 
 /// Exit code of an interrupted run.
 const INTERRUPTED: i32 = 130;
 
-/// From here on a signal that asks for an end is answered by [`output::interrupt`]. Without a handler the run still ends, only without our exit code, and
+/// From here on a signal that asks for an end is answered by [`interrupt`]. Without a handler the run still ends, only without our exit code, and
 /// with a temporary file left.
 #[cfg(unix)]
-pub(crate) fn watch() {
+pub(crate) fn watch_signals() {
     use signal_hook::consts::{
         SIGALRM, SIGHUP, SIGINT, SIGPROF, SIGQUIT, SIGTERM, SIGUSR1, SIGUSR2, SIGVTALRM, SIGXCPU,
         SIGXFSZ,
@@ -31,15 +31,15 @@ pub(crate) fn watch() {
                     "the processor time that this process may take is used up",
                 );
             }
-            output::interrupt(INTERRUPTED);
+            interrupt(INTERRUPTED);
         }
     };
     let _ = std::thread::Builder::new().name("signals".to_owned()).spawn(answer);
 }
 
 #[cfg(not(unix))]
-pub(crate) fn watch() {
-    let _ = ctrlc::set_handler(|| output::interrupt(INTERRUPTED));
+pub(crate) fn watch_signals() {
+    let _ = ctrlc::set_handler(|| interrupt(INTERRUPTED));
 }
 
 /// The signals that whoever started this process told it to ignore, bit by bit: `nohup` does so, and a shell for what runs in the background. Where the system
