@@ -32,7 +32,7 @@ fn files_are_read_or_refused_with_a_message() {
 
 #[test]
 fn calls_with_odd_numbers_are_answered_or_refused() {
-    put_through("calls", 20);
+    put_through("calls", 6);
 }
 
 #[test]
