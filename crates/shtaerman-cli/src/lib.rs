@@ -21,6 +21,8 @@ use clap::error::ErrorKind;
 
 use arguments::Arguments;
 use failure::Failure;
+pub use failure::told;
+pub use report::contact_plot;
 use shtaerman::legible;
 
 /// Exit code of bad input.
