@@ -7,7 +7,7 @@ use shtaerman::{Answer, Error, PressureCurve, Stress, StressField};
 use shtaerman_cli::plot::{Format, Size, render};
 
 use crate::errors::raised;
-use crate::running::{Ended, run};
+use crate::running::done;
 
 /// A solved contact, in the units of its problem.
 #[pyclass(frozen, module = "shtaerman._shtaerman")]
@@ -143,14 +143,14 @@ impl Contact {
             return Ok(None);
         }
         let contact = self.contact.clone();
-        let found = done(run(py, None, move |_| contact.sensitivities())?)?;
+        let found = done(py, move || contact.sensitivities())?;
         found.map(|found| Some(json(&found))).map_err(|error| raised(&error))
     }
 
     /// The same contact with the errors of its audit.
     fn audited(&self, py: Python<'_>) -> PyResult<Self> {
         let contact = self.contact.clone();
-        let found = done(run(py, None, move |_| contact.audited())?)?;
+        let found = done(py, move || contact.audited())?;
         found.map(Self::from).map_err(|error| raised(&error))
     }
 
@@ -177,7 +177,11 @@ impl Contact {
     }
 
     /// The pressure at places of the closed base.
-    fn pressure<'py>(&self, py: Python<'py>, x: PyReadonlyArray1<'py, f64>) -> PyResult<Array<'py>> {
+    fn pressure<'py>(
+        &self,
+        py: Python<'py>,
+        x: PyReadonlyArray1<'py, f64>,
+    ) -> PyResult<Array<'py>> {
         let (contact, x) = (&self.contact, x.as_array().to_vec());
         // One by one: what a place gives does not depend on the others.
         let found: Result<Vec<f64>, Error> =
@@ -236,14 +240,6 @@ impl Contact {
         let bytes = render(&plot, Format::Svg, Size::default());
         let bytes = bytes.map_err(|error| PyRuntimeError::new_err(error.to_string()))?;
         String::from_utf8(bytes).map_err(|error| PyRuntimeError::new_err(error.to_string()))
-    }
-}
-
-/// The result of work without a time limit.
-fn done<T>(ended: Ended<T>) -> PyResult<T> {
-    match ended {
-        Ended::Done(found) => Ok(found),
-        Ended::Late => Err(PyRuntimeError::new_err("there was no time limit")),
     }
 }
 

@@ -4,7 +4,9 @@
 //! answer. The other half, in Python, makes the text from keywords and dictionaries and gives results their names.
 
 mod contact;
+mod equation;
 mod errors;
+mod find;
 mod many;
 mod problem;
 mod running;
@@ -16,7 +18,11 @@ mod _shtaerman {
     #[pymodule_export]
     use crate::contact::Contact;
     #[pymodule_export]
+    use crate::equation::{command_json, solve_equation};
+    #[pymodule_export]
     use crate::errors::ConvergenceError;
+    #[pymodule_export]
+    use crate::find::{find_crown, find_profile, find_value};
     #[pymodule_export]
     use crate::many::{is_varied_directly, solve_single, solve_varied};
     #[pymodule_export]

@@ -7,9 +7,9 @@ use std::sync::atomic::AtomicBool;
 use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
+use shtaerman::Error;
 use shtaerman::document::{FileError, load_bytes};
 use shtaerman::file::{ALTERNATIVES, ProblemFile};
-use shtaerman::Error;
 
 use crate::contact::Contact;
 use crate::errors::raised;
@@ -149,9 +149,7 @@ impl Problem {
         };
         // Where the interpreter was interrupted, that is raised; where the search was, its time is over.
         match run(py, limit, work)? {
-            Ended::Done(Some(found)) => {
-                found.map(Contact::from).map_err(|error| raised(&error))
-            }
+            Ended::Done(Some(found)) => found.map(Contact::from).map_err(|error| raised(&error)),
             Ended::Done(None) | Ended::Late => {
                 Err(raised(&Error::TimeLimit { limit: limit.unwrap_or_default() }))
             }

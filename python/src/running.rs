@@ -37,7 +37,8 @@ pub(crate) fn run<T: Send + 'static>(
         // Nobody listens any more where the user interrupted.
         let _ = sender.send(work(&theirs));
     });
-    started.map_err(|error| PyRuntimeError::new_err(format!("no thread can be started: {error}")))?;
+    started
+        .map_err(|error| PyRuntimeError::new_err(format!("no thread can be started: {error}")))?;
     py.detach(|| {
         // The channel is of this thread alone.
         let receiver = receiver;
@@ -59,4 +60,15 @@ pub(crate) fn run<T: Send + 'static>(
             }
         }
     })
+}
+
+/// The result of work without a time limit, which an interrupt leaves to itself.
+pub(crate) fn done<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
+    match run(py, None, |_| work())? {
+        Ended::Done(found) => Ok(found),
+        Ended::Late => Err(PyRuntimeError::new_err("there was no time limit")),
+    }
 }

@@ -84,7 +84,7 @@ impl Failure {
     }
 
     /// The message on one line, then the line of the file with a caret where there is one, then advice.
-    fn message(&self) -> String {
+    pub(crate) fn message(&self) -> String {
         let words = match self {
             Self::Problem(error) => told(error),
             other => format!("{}\n", legible(&other.to_string())),

@@ -11,7 +11,8 @@ use crate::expression::{Defect, Interval, Reflection, remainder_of_sum};
 use crate::frame::Frame;
 use crate::profile::Resolution;
 use crate::{
-    Contact, ContactKind, Error, Foundation, Load, Profile, Punch, Rotational, Scaling, Solver, Vertical,
+    Contact, ContactKind, Error, Foundation, Load, Profile, Punch, Rotational, Scaling, Solver,
+    Vertical,
 };
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.

@@ -7,6 +7,9 @@
 """
 
 from ._contact import Audit, Contact, Derivatives, Errors, Method, Sensitivities, Stress, Warned
+from ._equation import EquationAnswer, EquationErrors, Spectrum, equation, roughness, spectrum
+from ._find import Crown, Crowned, Found, Shaped, find
+from ._gradient import value_and_gradient
 from ._many import Contacts, solve_many
 from ._parts import Foundation, Load, Punch, Solver
 from ._problem import Problem
@@ -19,8 +22,13 @@ __all__ = [
     "Contact",
     "Contacts",
     "ConvergenceError",
+    "Crown",
+    "Crowned",
     "Derivatives",
+    "EquationAnswer",
+    "EquationErrors",
     "Errors",
+    "Found",
     "Foundation",
     "Load",
     "Method",
@@ -28,10 +36,17 @@ __all__ = [
     "Profile",
     "Punch",
     "Sensitivities",
+    "Shaped",
     "Solver",
+    "Spectrum",
     "Stress",
     "Warned",
     "__version__",
+    "equation",
+    "find",
+    "roughness",
     "solve",
     "solve_many",
+    "spectrum",
+    "value_and_gradient",
 ]

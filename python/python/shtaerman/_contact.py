@@ -106,6 +106,8 @@ class Derivatives:
     """By the force (N/m), where it is prescribed."""
     settlement: float | None = None
     """By the settlement (m), where it is prescribed."""
+    profile: float | None = None
+    """By the logarithm of the scale of the profile: ``d/ds`` at ``s = 1`` for the base ``s f(x)``; from the linearised equation alone."""
 
 
 @dataclass(frozen=True)
@@ -366,7 +368,7 @@ class Contact:
         parts, error = self._engine.stress(across.ravel(), down.ravel(), poisson_ratio)
         is_single = across.ndim == 0
         shaped = [float(part[0]) if is_single else part.reshape(across.shape) for part in parts]
-        return Stress(*shaped, error=error)
+        return Stress(**dict(zip(_STRESSES, shaped, strict=True)), error=error)
 
     def to_json(self, points: int = _POINTS, at: Any = None) -> str:
         """The answer of ``shtaerman solve --format json``, byte for byte: with the pressure at ``points`` places, or ``at`` places of one's own."""
@@ -424,6 +426,8 @@ class Contact:
         return self
 
 
+#: Parts of a stress as they are computed.
+_STRESSES = ("sigma_x", "sigma_y", "sigma_z", "tau_xy", "von_mises", "max_shear")
 #: What the card of a notebook shows.
 _SHOWN = ("settlement", "tilt", "force", "moment", "mean_pressure", "peak_pressure", "peak_pressure_at", "contact_width")
 
@@ -449,4 +453,5 @@ def _errors(solved: engine.Contact) -> Errors | None:
 
 
 def _sensitivities(known: dict[str, Any]) -> Sensitivities:
-    return Sensitivities(**{name: Derivatives(**part) if isinstance(part, dict) else part for name, part in known.items()})
+    parts: dict[str, Any] = {name: Derivatives(**part) if isinstance(part, dict) else part for name, part in known.items()}
+    return Sensitivities(**parts)
