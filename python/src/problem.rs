@@ -8,7 +8,7 @@ use numpy::PyArray1;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use shtaerman::Error;
-use shtaerman::document::{FileError, load_bytes};
+use shtaerman::document::{Document, FileError, ValueKind, load_bytes};
 use shtaerman::file::{ALTERNATIVES, ProblemFile};
 
 use crate::contact::Contact;
@@ -32,6 +32,19 @@ impl Problem {
     pub(crate) fn file(&self) -> &Arc<ProblemFile> {
         &self.file
     }
+}
+
+/// The document of a text with values replaced, also tables by plain values: here that is no slip of who types an option.
+fn replaced(content: &[u8], name: &str, overrides: &[String]) -> Result<Document, FileError> {
+    let mut document = Document::from_bytes(content, name)?;
+    for text in overrides {
+        let (key, value) = text.split_once('=').unwrap_or((text, ""));
+        if document.get(key).is_some_and(|old| matches!(old.kind(), ValueKind::Table(_))) {
+            document.remove(key);
+        }
+        document.set(key, value)?;
+    }
+    Ok(document)
 }
 
 /// The bytes of a file, or the fault of who named it.
@@ -70,7 +83,9 @@ impl Problem {
         overrides: Vec<String>,
         profile: Option<Sampled<'_>>,
     ) -> PyResult<Self> {
-        let read = ProblemFile::from_bytes(content, name, Path::new(&folder), &overrides);
+        let document =
+            replaced(content, name, &overrides).map_err(|error| raised(&error.into()))?;
+        let read = ProblemFile::from_document(document, Path::new(&folder));
         let file = read.map_err(|error| raised(&error))?;
         let problem = match &profile {
             Some(sampled) => sampled.on(file.problem()).map_err(|e| raised(&file.locate(e)))?,

@@ -114,7 +114,7 @@ def find(
     problem: ProblemLike | None = None,
     /,
     *,
-    pressure: str,
+    pressure: str | None = None,
     zero: Literal["centre", "lowest"] = "centre",
     points: int = 201,
     **keywords: Any,

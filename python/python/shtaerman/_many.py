@@ -92,7 +92,7 @@ def solve_many(
 def _is_varied(name: str, value: Any) -> bool:
     if name == "profile" or value is None or isinstance(value, (str, bytes, Mapping)):
         return False
-    return bool(np.ndim(value))
+    return isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) > 0
 
 
 def _column(name: str, value: Any) -> npt.NDArray[Any]:

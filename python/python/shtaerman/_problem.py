@@ -18,8 +18,6 @@ if TYPE_CHECKING:
 
 #: Points, or the pieces of a callable, that take the place of the profile in the text.
 _Sampled: TypeAlias = tuple[FloatArray, FloatArray] | list[tuple[float, float, FloatArray]]
-#: What :func:`solve` takes: a problem, the path of a problem file, its text, or its tables as a dictionary.
-ProblemLike: TypeAlias = "Problem | str | os.PathLike[str] | Mapping[str, Any]"
 
 _NAME = "problem"
 
@@ -239,6 +237,10 @@ class Problem:
         self._content, self._name, self._folder = content, name, folder
         self._overrides, self._sampled = overrides, sampled
         self._engine = engine.Problem(content, name, folder, overrides, sampled)
+
+
+#: What :func:`solve` takes: a problem, the path of a problem file, its text, or its tables as a dictionary.
+ProblemLike: TypeAlias = Problem | str | os.PathLike[str] | Mapping[str, Any]
 
 
 def problem_of(problem: ProblemLike | None, keywords: Mapping[str, Any], function: str) -> Problem:

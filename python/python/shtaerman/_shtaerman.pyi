@@ -7,7 +7,22 @@ from typing import Any, final
 import numpy as np
 import numpy.typing as npt
 
-__all__: list[str]
+__all__ = [
+    "Contact",
+    "ConvergenceError",
+    "Problem",
+    "__version__",
+    "command_json",
+    "find_crown",
+    "find_profile",
+    "find_value",
+    "is_varied_directly",
+    "load",
+    "solve_equation",
+    "solve_single",
+    "solve_varied",
+    "superseded",
+]
 __version__: str
 
 _Array = npt.NDArray[np.float64]

@@ -58,8 +58,11 @@ impl ProblemFile {
         Self::from_document(overridden(bytes, name, overrides, OVERRIDE)?, folder)
     }
 
-    /// Reads a problem from a document with its overrides.
-    pub(super) fn from_document(mut document: Document, folder: &Path) -> Result<Self, Error> {
+    /// Reads a problem from a document with its overrides; `folder` is where a measured profile is looked for.
+    ///
+    /// # Errors
+    /// [`Error::File`] with file, line and field.
+    pub fn from_document(mut document: Document, folder: &Path) -> Result<Self, Error> {
         // Poisson's ratio goes with theta0 where it is that of a bonded layer.
         let has_layer = document.get("dimensionless.base").is_some();
         for group in ALTERNATIVES {
