@@ -11,6 +11,7 @@ mod many;
 mod problem;
 mod running;
 mod sampled;
+mod sweep;
 
 /// What `shtaerman/__init__.py` builds on; no one else should import it.
 #[pyo3::pymodule]
@@ -27,6 +28,9 @@ mod _shtaerman {
     use crate::many::{is_varied_directly, solve_single, solve_varied};
     #[pymodule_export]
     use crate::problem::{Problem, load, superseded};
+
+    #[pymodule_export]
+    use crate::sweep::{is_swept, sweep_theta0};
 
     /// Version of the package and of the library.
     #[pymodule_export]

@@ -123,7 +123,7 @@ impl Varied {
 /// Cases to be solved.
 enum Cases {
     /// One problem with columns of values.
-    Varied { problem: shtaerman::Problem, columns: Vec<(Varied, Vec<f64>)>, count: usize },
+    Varied { problem: Box<shtaerman::Problem>, columns: Vec<(Varied, Vec<f64>)>, count: usize },
     /// Problems of their own.
     Single(Vec<Result<(shtaerman::Problem, Arc<ProblemFile>), String>>),
 }
@@ -146,9 +146,10 @@ impl Cases {
     ) -> Option<Case> {
         let (problem, file) = match self {
             Self::Varied { problem, columns, .. } => {
-                let varied = columns.iter().try_fold(problem.clone(), |problem, (vary, values)| {
-                    (vary.0)(&problem, values[index])
-                });
+                let varied =
+                    columns.iter().try_fold(problem.as_ref().clone(), |problem, (vary, values)| {
+                        (vary.0)(&problem, values[index])
+                    });
                 match varied {
                     Ok(problem) => (problem, file),
                     Err(error) => return Some(Case::failed(text(&error))),
@@ -262,7 +263,7 @@ pub(crate) fn solve_varied<'py>(
         Ok((varied.ok_or_else(fault)?, values.as_array().to_vec()))
     });
     let columns = columns.collect::<PyResult<Vec<_>>>()?;
-    let cases = Cases::Varied { problem: problem.problem().clone(), columns, count };
+    let cases = Cases::Varied { problem: Box::new(problem.problem().clone()), columns, count };
     told(py, cases, Arc::clone(problem.file()), audit, threads)
 }
 

@@ -53,6 +53,10 @@ pub(crate) fn run<T: Send + 'static>(
                 Err(RecvTimeoutError::Timeout) => {}
             }
             let is_late = left.is_some_and(|left| left.is_zero());
+            #[allow(
+                clippy::redundant_closure_for_method_calls,
+                reason = "the method itself is for one lifetime only"
+            )]
             let signals = Python::attach(|py| py.check_signals());
             if signals.is_err() || is_late {
                 stop.store(true, Ordering::Relaxed);

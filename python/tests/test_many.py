@@ -117,3 +117,47 @@ def test_tables_and_data_sets() -> None:
 def test_warnings_of_cases() -> None:
     found = st.solve_many(BARE, contact=["unilateral", "bilateral"], profile="9*xi^2", force=1.0)
     assert found.warnings.tolist() == ["", "negative_pressure"]
+
+
+SWEPT = ["settlement", "tilt", "force", "moment", "pressure_left", "pressure_right", "mean_pressure", "stiffness", "theta0"]
+
+
+@pytest.mark.parametrize(
+    "load",
+    [{"force": 2.0, "moment": 0.3}, {"force": 2.0, "eccentricity": 0.1}, {"settlement": 1.0, "tilt": 0.2}, {"settlement": 1.0, "moment": 0.1}],
+)
+def test_a_sweep_over_theta0_tells_what_single_solves_tell(load: dict[str, float]) -> None:
+    problem = st.Problem(st.Foundation(theta0=1.0), st.Punch(profile="xi^2 + exp(xi)"), st.Load(**load), st.Solver(contact="bilateral"))
+    theta0 = np.concatenate([[0.0], np.geomspace(0.01, 500, 23)]).reshape(4, 6)
+    swept, single = st.solve_many(problem, theta0=theta0, outputs=SWEPT), st.solve_many(problem, theta0=theta0)
+    assert swept.shape == (4, 6) and swept.solved.all() and (swept.error.kind == "estimate").all()
+    # One decomposition tells nothing of what lies between the edges.
+    with pytest.raises(AttributeError, match="outputs"):
+        swept.peak_pressure
+    for name in SWEPT:
+        if name == "stiffness":
+            assert swept.stiffness == pytest.approx(single.stiffness, rel=1e-10, abs=1e-10)
+            continue
+        error = "pressure" if "pressure" in name else name
+        allowed = sum(getattr(found.error, error, 0.0) for found in (swept, single))
+        assert (np.abs(getattr(swept, name) - getattr(single, name)) <= allowed + 1e-300).all(), name
+    assert swept.relative_error.max() < 1e-10
+    one, many = (st.solve_many(problem, theta0=np.geomspace(0.1, 9, 50_000), outputs=SWEPT, threads=k) for k in (1, 3))
+    assert one.settlement.tobytes() == many.settlement.tobytes() and one.pressure_left.tobytes() == many.pressure_left.tobytes()
+
+
+def test_cases_of_a_sweep_that_are_none_say_why() -> None:
+    problem = st.Problem(st.Foundation(theta0=1.0), st.Punch(), st.Load(force=2.0), st.Solver(contact="bilateral"))
+    found = st.solve_many(problem, theta0=[1.0, -1.0, np.nan, np.inf], outputs=["settlement", "pressure_left"])
+    assert found.solved.tolist() == [True, False, False, False] and np.isnan(found.settlement[1:]).all()
+    assert "theta0 = -1: must be finite and not negative" in found.reason[1]
+    assert found.to_pandas().columns.tolist()[:2] == ["theta0", "settlement"]
+
+
+def test_outputs_alone_change_no_bit() -> None:
+    every, some = st.solve_many(BARE, theta0=[1.0, 2.0]), st.solve_many(BARE, theta0=[1.0, 2.0], outputs=["tilt"])
+    assert some.tilt.tobytes() == every.tilt.tobytes() and some.error.tilt.tobytes() == every.error.tilt.tobytes()
+    assert np.isnan(some.error.pressure).all()
+    for outputs, said in [(["tild"], "is none"), ("tilt", "a list of names")]:
+        with pytest.raises(ValueError, match=said):
+            st.solve_many(BARE, theta0=[1.0], outputs=outputs)

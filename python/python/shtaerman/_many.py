@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,6 +21,21 @@ if TYPE_CHECKING:
 #: Cases that are tried to find one that is a problem at all.
 _TRIED = 1000
 _STIFFNESS = ("stiffness_00", "stiffness_01", "stiffness_10", "stiffness_11")
+_OUTPUTS = (
+    "settlement",
+    "tilt",
+    "force",
+    "moment",
+    "pressure_left",
+    "pressure_middle",
+    "pressure_right",
+    "mean_pressure",
+    "peak_pressure",
+    "peak_pressure_at",
+    "contact_width",
+    "theta0",
+    "stiffness",
+)
 _ERRORS = ("pressure", "settlement", "tilt", "force", "moment")
 
 
@@ -28,6 +43,7 @@ def solve_many(
     problem: ProblemLike | None = None,
     /,
     *,
+    outputs: Sequence[str] | None = None,
     audit: bool = False,
     threads: int | None = None,
     **keywords: Any,
@@ -41,6 +57,10 @@ def solve_many(
     ----------
     problem:
         As in :func:`solve`.
+    outputs:
+        Names of the arrays that are wanted, with their errors; all of them where left out. Where ``theta0`` alone varies in bilateral contact, and none but ``settlement``, ``tilt``, ``force``,
+        ``moment``, ``pressure_left``, ``pressure_right``, ``mean_pressure``, ``stiffness`` and ``theta0`` are wanted, one decomposition serves all cases: millions in a second, equal
+        to single solves within the errors of both, though not to the last bit, and without warnings.
     audit:
         Whether every answer is audited; without, the errors are those that the method states.
     threads:
@@ -84,9 +104,46 @@ def solve_many(
     inputs = {name: np.broadcast_to(column, shape) for name, column in columns.items()}
     if 0 in shape:
         raise ValueError(f"solve_many(): there are no cases: the arrays have the shape {shape}")
+    wanted = _wanted(outputs)
     base = _base(problem, fixed, inputs)
+    if wanted is not None and not audit:
+        swept = _swept(base, inputs, wanted, threads)
+        if swept is not None:
+            return Contacts._of(base, inputs, shape, swept, wanted)
     found = _solved(base, inputs, audit, threads)
-    return Contacts._of(base, inputs, shape, found)
+    return Contacts._of(base, inputs, shape, found, wanted)
+
+
+def _wanted(outputs: Sequence[str] | None) -> list[str] | None:
+    """Names of the numbers behind the outputs and their errors."""
+    if outputs is None:
+        return None
+    if isinstance(outputs, str) or not all(isinstance(name, str) for name in outputs):
+        raise ValueError(f"outputs: must be a list of names, got {outputs!r}")
+    wanted: list[str] = []
+    for name in outputs:
+        if name not in _OUTPUTS:
+            raise ValueError(f"outputs: {name!r} is none: there are {', '.join(_OUTPUTS)}")
+        wanted.extend(_STIFFNESS if name == "stiffness" else [name])
+        error = "pressure" if "pressure" in name else name
+        if error in _ERRORS and name != "peak_pressure_at":
+            wanted.append(f"error_{error}")
+    return list(dict.fromkeys([*wanted, "relative_error"]))
+
+
+def _swept(base: Problem, inputs: Mapping[str, npt.NDArray[Any]], wanted: list[str], threads: int) -> Any:
+    """What a sweep over theta0 tells, in the form of :func:`_solved`; none where single solves have to."""
+    if set(inputs) != {"theta0"} or inputs["theta0"].dtype.kind != "f" or not all(map(engine.is_swept, wanted)):
+        return None
+    theta0 = np.ascontiguousarray(inputs["theta0"], dtype=np.float64).ravel()
+    found = engine.sweep_theta0(base._engine, theta0, wanted, threads)
+    if found is None:
+        return None
+    numbers, faults = found
+    kinds, warnings, reasons = (np.full(theta0.size, text, dtype=object) for text in ("estimate", "", ""))
+    for case, reason in faults:
+        kinds[case], reasons[case] = "", reason
+    return wanted, numbers, kinds, warnings, reasons
 
 
 def _is_varied(name: str, value: Any) -> bool:
@@ -171,15 +228,27 @@ class Contacts:
         raise TypeError("Contacts are made by solve_many()")
 
     @classmethod
-    def _of(cls, problem: Problem, inputs: dict[str, npt.NDArray[Any]], shape: tuple[int, ...], found: Any) -> Contacts:
+    def _of(
+        cls,
+        problem: Problem,
+        inputs: dict[str, npt.NDArray[Any]],
+        shape: tuple[int, ...],
+        found: Any,
+        wanted: list[str] | None,
+    ) -> Contacts:
         names, numbers, kinds, warnings, reasons = found
         made = cls.__new__(cls)
         made._problem, made._inputs, made._shape = problem, inputs, shape
-        made._found = {name: numbers[:, at].copy().reshape(shape) for at, name in enumerate(names)}
+        made._found = {name: numbers[:, at].copy().reshape(shape) for at, name in enumerate(names) if wanted is None or name in wanted}
         made._kinds, made._warnings, made._reasons = (
             np.array(texts, dtype=object).reshape(shape) for texts in (kinds, warnings, reasons)
         )
         return made
+
+    def _array(self, name: str) -> FloatArray:
+        if name not in self._found:
+            raise AttributeError(f"{name.partition('_0')[0].partition('_1')[0]} was not asked for: name it in outputs")
+        return self._found[name]
 
     @property
     def shape(self) -> tuple[int, ...]:
@@ -194,78 +263,80 @@ class Contacts:
     @property
     def settlement(self) -> FloatArray:
         """Settlement ``delta`` (m)."""
-        return self._found["settlement"]
+        return self._array("settlement")
 
     @property
     def tilt(self) -> FloatArray:
         """Tilt ``alpha`` (rad)."""
-        return self._found["tilt"]
+        return self._array("tilt")
 
     @property
     def force(self) -> FloatArray:
         """Force ``P`` (N/m; N under a circular punch)."""
-        return self._found["force"]
+        return self._array("force")
 
     @property
     def moment(self) -> FloatArray:
         """Moment ``M`` (N m/m; N m under a circular punch)."""
-        return self._found["moment"]
+        return self._array("moment")
 
     @property
     def pressure_left(self) -> FloatArray:
         """Pressure at the left edge (Pa)."""
-        return self._found["pressure_left"]
+        return self._array("pressure_left")
 
     @property
     def pressure_middle(self) -> FloatArray:
         """Pressure in the middle (Pa)."""
-        return self._found["pressure_middle"]
+        return self._array("pressure_middle")
 
     @property
     def pressure_right(self) -> FloatArray:
         """Pressure at the right edge (Pa)."""
-        return self._found["pressure_right"]
+        return self._array("pressure_right")
 
     @property
     def mean_pressure(self) -> FloatArray:
         """Mean pressure over the base (Pa)."""
-        return self._found["mean_pressure"]
+        return self._array("mean_pressure")
 
     @property
     def peak_pressure(self) -> FloatArray:
         """The largest pressure (Pa)."""
-        return self._found["peak_pressure"]
+        return self._array("peak_pressure")
 
     @property
     def peak_pressure_at(self) -> FloatArray:
         """Its place (m)."""
-        return self._found["peak_pressure_at"]
+        return self._array("peak_pressure_at")
 
     @property
     def contact_width(self) -> FloatArray:
         """Width of all zones together (m)."""
-        return self._found["contact_width"]
+        return self._array("contact_width")
 
     @property
     def theta0(self) -> FloatArray:
         """``2 a/(pi E* chi)``."""
-        return self._found["theta0"]
+        return self._array("theta0")
 
     @property
     def stiffness(self) -> FloatArray:
         """Tangent stiffness, two more axes of length 2."""
-        parts = [self._found[name] for name in _STIFFNESS]
+        parts = [self._array(name) for name in _STIFFNESS]
         return np.stack(parts, axis=-1).reshape(*self._shape, 2, 2)
 
     @property
     def relative_error(self) -> FloatArray:
         """The largest error relative to its size; infinite where nothing is stated."""
-        return self._found["relative_error"]
+        return self._array("relative_error")
 
     @property
     def error(self) -> Errors:
         """The errors as arrays; ``kind`` is ``"bound"``, ``"estimate"``, or empty where nothing is stated and the errors are NaN."""
-        parts: dict[str, Any] = {name: self._found[f"error_{name}"] for name in _ERRORS}
+        # Of what was not asked for nothing is stated.
+        nothing = np.full(self._shape, np.nan)
+        parts: dict[str, Any] = {name: self._found.get(f"error_{name}", nothing) for name in _ERRORS}
         kinds: Any = self._kinds
         return Errors(kind=kinds, **parts)
 

@@ -16,12 +16,14 @@ __all__ = [
     "find_crown",
     "find_profile",
     "find_value",
+    "is_swept",
     "is_varied_directly",
     "load",
     "solve_equation",
     "solve_single",
     "solve_varied",
     "superseded",
+    "sweep_theta0",
 ]
 __version__: str
 
@@ -116,6 +118,10 @@ def superseded(overrides: Sequence[str], later: Sequence[str]) -> list[str]: ...
 def is_varied_directly(name: str) -> bool: ...
 def solve_varied(problem: Problem, columns: Sequence[tuple[str, _Array]], audit: bool, threads: int) -> _Told: ...
 def solve_single(problem: Problem, problems: Sequence[tuple[Problem | None, str]], audit: bool, threads: int) -> _Told: ...
+def is_swept(name: str) -> bool: ...
+def sweep_theta0(
+    problem: Problem, theta0: _Array, names: Sequence[str], threads: int
+) -> tuple[_Array, list[tuple[int, str]]] | None: ...
 def find_value(
     problem: Problem, unknown: str, goal: str, wanted: float | str, audit: bool
 ) -> tuple[float, float, float, float, int, list[tuple[str, float]], Contact]: ...
