@@ -92,17 +92,26 @@ impl Failure {
     }
 
     /// The message on one line, then the line of the file with a caret where there is one, then advice.
-    fn message(&self) -> String {
-        let mut message = format!("error: {}\n", legible(&self.to_string()));
-        if let Self::Problem(shtaerman::Error::File(fault) | shtaerman::Error::Beyond(fault)) = self
-        {
-            message.push_str(&snippet(fault));
-            if let Some(help) = fault.help() {
-                message.push_str(&format!("help: {}\n", legible(help)));
-            }
-        }
-        message
+    pub(crate) fn message(&self) -> String {
+        let words = match self {
+            Self::Problem(error) => told(error),
+            other => format!("{}\n", legible(&other.to_string())),
+        };
+        format!("error: {words}")
     }
+}
+
+/// An error as the command line tells it: the message on one line, then the line of the file with a caret where there is one, then advice.
+#[must_use]
+pub fn told(error: &shtaerman::Error) -> String {
+    let mut words = format!("{}\n", legible(&error.to_string()));
+    if let shtaerman::Error::File(fault) | shtaerman::Error::Beyond(fault) = error {
+        words.push_str(&snippet(fault));
+        if let Some(help) = fault.help() {
+            words.push_str(&format!("help: {}\n", legible(help)));
+        }
+    }
+    words
 }
 
 /// One line for standard error, such as a warning.

@@ -21,6 +21,8 @@ use clap::error::ErrorKind;
 
 use arguments::Arguments;
 use failure::Failure;
+pub use failure::told;
+pub use report::contact_plot;
 use shtaerman::legible;
 
 /// Exit code of bad input.
@@ -40,6 +42,45 @@ pub fn run() -> ExitCode {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => failure.report(),
     }
+}
+
+/// Why a command that was called by another program has no result.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Refusal {
+    /// The exit code that the command would have ended with.
+    pub exit_code: u8,
+    /// What it would have told on standard error, without `error: `.
+    pub message: String,
+}
+
+impl Refusal {
+    fn new(exit_code: u8, told: &str) -> Self {
+        let message = told.strip_prefix("error: ").unwrap_or(told).trim_end().to_owned();
+        Self { exit_code, message }
+    }
+}
+
+/// The JSON of a command that finds all from its arguments, `spectrum` or `roughness`, as it would print it.
+///
+/// # Errors
+/// [`Refusal`] with its exit code.
+///
+/// ```
+/// let arguments = ["spectrum", "log", "--a", "1", "--count", "2"].map(str::to_owned);
+/// let spectrum = shtaerman_cli::json_of(&arguments)?;
+/// assert!(spectrum.contains("eigenvalue"));
+/// # Ok::<(), shtaerman_cli::Refusal>(())
+/// ```
+pub fn json_of(arguments: &[String]) -> Result<String, Refusal> {
+    let name = std::iter::once("shtaerman");
+    let parsed = Arguments::try_parse_from(name.chain(arguments.iter().map(String::as_str)));
+    let parsed = parsed.map_err(|error| {
+        let text = error.render().to_string();
+        let shown: Vec<String> = text.lines().map(legible).collect();
+        Refusal::new(BAD_INPUT, &shown.join("\n"))
+    })?;
+    let found = commands::json_of(&parsed.command);
+    found.map_err(|failure| Refusal::new(failure.exit_code(), &failure.message()))
 }
 
 /// Prints help, the version, or what is wrong with the arguments.

@@ -55,6 +55,7 @@ mod scaling;
 mod sensitivity;
 pub mod solver;
 pub mod stress;
+mod sweep;
 mod variation;
 
 #[doc(inline)]
@@ -70,6 +71,9 @@ pub use punch::Punch;
 pub use sensitivity::{Derivatives, Sensitivities};
 #[doc(inline)]
 pub use solver::Solver;
+
+#[doc(inline)]
+pub use sweep::{Swept, Theta0Sweep};
 
 #[doc(no_inline)]
 pub use answer::convergence::{self, Convergence};

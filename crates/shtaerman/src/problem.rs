@@ -1,5 +1,8 @@
 //! A contact problem, physical or dimensionless.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use fredholm::basis::Function;
 
 use crate::deadline::Deadline;
@@ -8,7 +11,8 @@ use crate::expression::{Defect, Interval, Reflection, remainder_of_sum};
 use crate::frame::Frame;
 use crate::profile::Resolution;
 use crate::{
-    ContactKind, Error, Foundation, Load, Profile, Punch, Rotational, Scaling, Solver, Vertical,
+    Contact, ContactKind, Error, Foundation, Load, Profile, Punch, Rotational, Scaling, Solver,
+    Vertical,
 };
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
@@ -171,6 +175,23 @@ impl Problem {
     pub(crate) fn timed(&self) -> Option<Self> {
         let limit = self.solver.time_limit().filter(|_| !self.deadline.is_set())?;
         Some(Self { deadline: Deadline::after(limit), ..self.clone() })
+    }
+
+    /// [Solves](Self::solve) the problem unless `stop` is set meanwhile, from another thread: the search then ends at its next step, and there is no answer.
+    ///
+    /// # Errors
+    /// Those of [`Problem::solve`].
+    pub fn solve_unless(&self, stop: &Arc<AtomicBool>) -> Option<Result<Contact, Error>> {
+        let limit = self.solver.time_limit();
+        let deadline = Deadline::unless(stop, limit);
+        let found = Self { deadline: deadline.clone(), ..self.clone() }.solve();
+        let (is_past, is_stopped) = (deadline.is_past(), stop.load(Ordering::Relaxed));
+        deadline.lift();
+        match found {
+            Err(_) if is_stopped => None,
+            Err(_) if is_past => Some(Err(Error::TimeLimit { limit: limit.unwrap_or_default() })),
+            found => Some(found),
+        }
     }
 
     /// When the search for its answer has to come to its end.

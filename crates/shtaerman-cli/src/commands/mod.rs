@@ -35,3 +35,12 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Roughness(arguments) => roughness::run(arguments),
     }
 }
+
+/// The JSON of a command that finds all from its arguments.
+pub(crate) fn json_of(command: &Command) -> Result<String, Failure> {
+    match command {
+        Command::Spectrum(arguments) => spectrum::json(arguments),
+        Command::Roughness(arguments) => roughness::json(arguments),
+        _ => Err(Failure::Usage("only spectrum and roughness take no problem file".to_owned())),
+    }
+}

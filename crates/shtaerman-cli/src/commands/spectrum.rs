@@ -40,6 +40,14 @@ pub(super) fn run(arguments: &SpectrumArguments) -> Result<(), Failure> {
     verdict(&spectrum)
 }
 
+/// The spectrum as JSON, whatever the format asked for; fails where it is to be verified and does not pass.
+pub(super) fn json(arguments: &SpectrumArguments) -> Result<String, Failure> {
+    let kernel = kernel(arguments)?;
+    let spectrum = Spectrum::new(&kernel, arguments.count, arguments.verify).map_err(usage)?;
+    verdict(&spectrum)?;
+    Content::json(&spectrum).text()
+}
+
 /// Values that make no sense are the fault of the arguments, and named as they are written there.
 fn usage(error: shtaerman::Error) -> Failure {
     match error {

@@ -3,8 +3,11 @@
 use std::fmt;
 use std::fs::File;
 use std::io::{self, BufWriter, Cursor, Seek, Write};
+use std::path::Path;
 
 use serde::Serialize;
+
+use crate::Failure;
 
 /// Bytes that are handed to the system together.
 const BUFFER: usize = 1 << 16;
@@ -44,6 +47,14 @@ impl<'a> Content<'a> {
             serde_json::to_writer_pretty(&mut *out, &value)?;
             out.write_all(b"\n")
         })
+    }
+
+    /// What it writes, as text.
+    pub(crate) fn text(self) -> Result<String, Failure> {
+        let unwritten = |error: io::Error| Failure::unwritten(Path::new("memory"), &error);
+        let mut bytes = Vec::new();
+        self.write_to(&mut bytes).map_err(unwritten)?;
+        String::from_utf8(bytes).map_err(|error| unwritten(io::Error::other(error)))
     }
 
     /// CSV with a header.

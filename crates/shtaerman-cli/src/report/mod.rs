@@ -6,6 +6,7 @@ mod extras;
 mod find;
 mod npz;
 mod number;
+mod picture;
 mod stress;
 mod sweep;
 mod table;
@@ -16,6 +17,7 @@ pub(crate) use extras::{extras, surface_csv};
 pub(crate) use find::{CrownReport, FoundReport, ShapedReport};
 pub(crate) use npz::{Array, npz};
 pub(crate) use number::significant;
+pub use picture::contact_plot;
 pub(crate) use stress::{
     StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
 };

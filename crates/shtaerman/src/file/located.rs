@@ -9,7 +9,7 @@ use crate::document::{load_bytes, overridden};
 use crate::{Contact, Error, Problem};
 
 /// Keys of which a file has one; an override of one replaces the other.
-const ALTERNATIVES: [&[&str]; 9] = [
+pub const ALTERNATIVES: [&[&str]; 9] = [
     &["load.force", "load.settlement"],
     &["load.moment", "load.eccentricity", "load.tilt"],
     &["foundation.roughness", "foundation.subgrade_modulus"],

@@ -44,7 +44,7 @@ use crate::document::Document;
 use crate::{Error, Problem};
 
 pub use any::AnyFile;
-pub use located::ProblemFile;
+pub use located::{ALTERNATIVES, ProblemFile};
 
 /// Reads a problem from text; a measured profile is looked for in the current folder. `name` is for messages.
 ///

@@ -219,6 +219,15 @@ impl Profile {
         matches!(self.shape, Shape::Function(_))
     }
 
+    /// Positions and heights of the points of a measured profile, in the units of the problem.
+    #[must_use]
+    pub fn points(&self) -> Option<(&[f64], &[f64])> {
+        match &self.shape {
+            Shape::Measured(spline) => Some((spline.abscissas(), spline.ordinates())),
+            Shape::Flat | Shape::Expression(_) | Shape::Function(_) => None,
+        }
+    }
+
     /// Number of points of a measured profile.
     #[must_use]
     pub fn measured_points(&self) -> Option<usize> {

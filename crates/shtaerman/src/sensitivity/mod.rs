@@ -67,8 +67,8 @@ impl Sensitivities {
 
 impl Derivatives {
     fn is_finite(&self) -> bool {
-        let Self { roughness, young_modulus, theta0, force, settlement, error } = *self;
-        let all = [roughness, young_modulus, theta0, force, settlement, Some(error)];
+        let Self { roughness, young_modulus, theta0, force, settlement, profile, error } = *self;
+        let all = [roughness, young_modulus, theta0, force, settlement, profile, Some(error)];
         all.into_iter().flatten().all(f64::is_finite)
     }
 }
@@ -91,6 +91,10 @@ pub struct Derivatives {
     /// With respect to the settlement (m), where it is prescribed.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub settlement: Option<f64>,
+    /// With respect to the logarithm of the scale of the profile, `d/ds` at `s = 1` for the base `s f(x)`: for the crown `x^2/(2R)` it is `-R d/dR`. By the linearised equation
+    /// alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub profile: Option<f64>,
     /// Largest estimated error, relative to the largest elasticity `|d ln q/d ln parameter|` of the quantity (or to 1, if that is larger).
     pub error: f64,
 }

@@ -7,16 +7,20 @@
 //! `dq/d ln E = -s D q`, `dq/d ln B = (F q - w q - D q)/kappa`,
 //!
 //! `s = -d ln theta/d ln E`, 1 for a rigid punch, `F q` the sum of the derivatives by the logarithms of the prescribed force and moment, `w` 1 for pressures,
-//! forces and moments, 0 for displacements and lengths.
+//! forces and moments, 0 for displacements and lengths. By the scale of the profile itself, with `G q` the sum of the derivatives by the logarithms of the prescribed settlement and
+//! tilt, and now `w = kappa` for displacements,
+//!
+//! `dq/d ln f = (w q - F q + (1 - kappa) D q)/kappa - G q`.
 
 use super::{Derivatives, QUANTITIES, Sensitivities, Values, values};
 use crate::contact::{Linearised, Rates};
 use crate::frame::Frame;
-use crate::{Contact, Layering, Rotational, Roughness, Scaling, Vertical};
+use crate::{Contact, Law, Layering, Rotational, Roughness, Scaling, Vertical};
 
-/// Force and pressure among the quantities followed.
+/// Force, pressure and width among the quantities followed.
 const FORCE: usize = 1;
 const PRESSURE: usize = 3;
+const WIDTH: usize = 4;
 
 impl Contact {
     /// The [sensitivities](Self::sensitivities) by the linearised equation alone, for little more than a step of Newton's method; `None` where only
@@ -102,6 +106,9 @@ impl<'c> Units<'c> {
                 }
             }
         }
+        let [profile, profile_error] = self.by_profile(k, found, value, body);
+        slot.profile = Some(profile);
+        elasticities.push([0.0, profile_error]);
         let size = (elasticities.iter())
             .fold(value.abs(), |most, [rate, _]| most.max(rate.abs()))
             .max(f64::MIN_POSITIVE);
@@ -126,6 +133,45 @@ impl<'c> Units<'c> {
         let error =
             unit * (vertical.abs() * sizes[1][k] + rotational.abs() * sizes[2][k]) + body[1].abs();
         [(unit * of(&found.rates) - own - body[0]) / exponent, error / exponent]
+    }
+
+    /// By the logarithm of the scale of the profile.
+    fn by_profile(&self, k: usize, found: &Linearised, value: f64, body: Estimated) -> Estimated {
+        let exponent = match self.contact.problem().foundation().law() {
+            Law::Power(exponent) => exponent,
+            Law::Linear | Law::Smooth => 1.0,
+        };
+        let unit = self.quantities[k];
+        let sum = |[vertical, rotational]: [f64; 2], rates: &[Rates; 3]| {
+            unit * (vertical * rates[1][k] + rotational * rates[2][k])
+        };
+        let sizes = found.errors.map(|rates| rates.map(f64::abs));
+        let (forces, displacements) = (self.forces(), self.displacements());
+        let weight = match k {
+            FORCE | PRESSURE => 1.0,
+            WIDTH => 0.0,
+            _ => exponent,
+        };
+        let [by_forces, by_displacements] = [forces, displacements].map(|l| sum(l, &found.rates));
+        let rate = (weight * value - by_forces + (1.0 - exponent) * body[0]) / exponent;
+        let error = (sum(forces.map(f64::abs), &sizes) + (1.0 - exponent) * body[1].abs())
+            / exponent
+            + sum(displacements.map(f64::abs), &sizes);
+        [rate - by_displacements, error]
+    }
+
+    /// The prescribed settlement and tilt without dimensions; 0 for what else is prescribed.
+    fn displacements(&self) -> [f64; 2] {
+        let load = self.contact.problem().dimensionless_load();
+        let vertical = match load.vertical {
+            Vertical::Settlement(settlement) => settlement,
+            Vertical::Force(_) => 0.0,
+        };
+        let rotational = match load.rotational {
+            Rotational::Tilt(tilt) => tilt,
+            Rotational::Moment(_) | Rotational::Eccentricity(_) => 0.0,
+        };
+        [vertical, rotational]
     }
 
     /// The prescribed force and moment without dimensions; 0 for what else is prescribed.

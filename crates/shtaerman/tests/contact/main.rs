@@ -17,6 +17,7 @@ mod references;
 mod resolutions;
 mod smooth_limit;
 mod surface;
+mod sweep;
 mod symmetry;
 mod time_limit;
 #[path = "../../../input/src/expression/tests/trees.rs"]

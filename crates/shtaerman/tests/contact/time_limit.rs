@@ -1,5 +1,7 @@
 //! Searches that their time limit ends.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use shtaerman::{Contact, Error, Problem, Profile, Punch, Solver};
@@ -83,4 +85,23 @@ fn a_limit_that_is_not_reached_changes_nothing() {
     let again = two.problem().with_force(0.5).unwrap();
     assert!(again.solve().is_ok());
     assert!(Solver::default().with_time_limit(Duration::ZERO).is_err());
+}
+
+#[test]
+fn a_caller_who_does_not_wait_ends_a_search() {
+    let wavy = Profile::expression("xi^2 + 0.3*cos(9*xi)").unwrap();
+    let problem = problem(5.0, Punch::new(1.0).unwrap().with_profile(wavy));
+    let exact = problem.solve().unwrap();
+    let stop = Arc::new(AtomicBool::new(true));
+    assert!(problem.solve_unless(&stop).is_none());
+    stop.store(false, Ordering::Relaxed);
+    let contact = problem.solve_unless(&stop).unwrap().unwrap();
+    assert_eq!(contact.settlement().to_bits(), exact.settlement().to_bits());
+    // What is asked of an answer afterwards is no search that could be ended.
+    stop.store(true, Ordering::Relaxed);
+    assert_eq!(contact.sensitivities(), exact.sensitivities());
+    let limit = Duration::from_nanos(1);
+    stop.store(false, Ordering::Relaxed);
+    let late = over(&problem).solve_unless(&stop).unwrap();
+    assert_eq!(late.unwrap_err(), Error::TimeLimit { limit });
 }

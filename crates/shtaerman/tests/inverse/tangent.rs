@@ -370,3 +370,50 @@ fn a_pressure_without_a_largest_value_has_no_derivative() {
         assert!(contact.difference_sensitivities().unwrap().peak_pressure.is_none());
     }
 }
+
+/// The derivative by the logarithm of the scale of the profile, against differences of complete solves.
+#[test]
+fn the_scale_of_the_profile_is_a_parameter_like_others() {
+    let eccentric = Rotational::Eccentricity(4e-4);
+    let (moment, tilt) = (Rotational::Moment(200.0), Rotational::Tilt(-2e-5));
+    for (geometry, roughness, load) in [
+        (PLANE, Roughness::from(CHI), forced(0.5e6, moment)),
+        (PLANE, Roughness::from(CHI), forced(0.5e6, eccentric)),
+        (PLANE, Roughness::from(CHI), settled(tilt)),
+        (PLANE, power(), forced(0.5e6, moment)),
+        (PLANE, power(), settled(moment)),
+        (PLANE, Roughness::Smooth, forced(0.5e6, moment)),
+        (PLANE, Roughness::Smooth, settled(tilt)),
+        (DISK, Roughness::from(CHI), forced(2e3, Rotational::Moment(0.0))),
+        (DISK, power(), settled(Rotational::Moment(0.0))),
+    ] {
+        let at = |scale: f64| {
+            let profile = format!("{scale:e}*({PARABOLA} + 0.2*x^2*xi)");
+            let profile =
+                if geometry == DISK { format!("{scale:e}*({PARABOLA})") } else { profile };
+            problem(geometry, roughness, &profile, load).solve().unwrap()
+        };
+        let contact = at(1.0);
+        let found = contact.tangent_sensitivities().unwrap();
+        let h = 1e-3;
+        let quotient = |of: fn(&Contact) -> f64| {
+            let central = |h: f64| (of(&at(1.0 + h)) - of(&at(1.0 - h))) / (2.0 * h);
+            (4.0 * central(h) - central(2.0 * h)) / 3.0
+        };
+        let a = contact.problem().punch().half_width();
+        for (derivatives, of, size) in [
+            (found.settlement, Contact::settlement as fn(&Contact) -> f64, contact.settlement()),
+            (found.force, Contact::force, contact.force()),
+            (found.tilt, Contact::tilt, contact.settlement() / a),
+            (found.peak_pressure, Contact::peak_pressure, contact.peak_pressure()),
+            (Some(found.contact_width), Contact::contact_width, contact.contact_width()),
+        ] {
+            let Some(derivatives) = derivatives else { continue };
+            let rate = derivatives.profile.unwrap();
+            // The differences leave h^4 times a fifth derivative, and the rounding of a solve over h.
+            let allowed = (derivatives.error + 2e-9) * size.abs().max(rate.abs());
+            let off = (rate - quotient(of)).abs();
+            assert!(off <= allowed, "{geometry:?} {roughness:?} {load:?}: {rate:e}, {off:e} off");
+        }
+    }
+}

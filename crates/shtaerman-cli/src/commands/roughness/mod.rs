@@ -9,8 +9,8 @@ use shtaerman::{Error, Roughness};
 
 use crate::Failure;
 use crate::arguments::{
-    BearingArguments, ColumnOrder, GreenwoodWilliamsonArguments, Law, OutputArguments,
-    ReportFormat, RoughnessArguments, RoughnessSource, TableArguments,
+    BearingArguments, ColumnOrder, GreenwoodWilliamsonArguments, Law, ReportFormat,
+    RoughnessArguments, RoughnessSource, TableArguments,
 };
 use crate::output::{Content, Input, Outputs, check_writable};
 use findings::{Curve, Findings, LawReport, State};
@@ -26,28 +26,18 @@ const CROWDED: f64 = 0.1;
 const PLASTIC: f64 = 0.6;
 
 pub(super) fn run(arguments: &RoughnessArguments) -> Result<(), Failure> {
-    match &arguments.source {
-        RoughnessSource::GreenwoodWilliamson(source) => {
-            finish(&source.output, None, || greenwood_williamson(source))
-        }
+    let (output, input) = match &arguments.source {
+        RoughnessSource::GreenwoodWilliamson(source) => (&source.output, None),
         RoughnessSource::Bearing(source) => {
             let trace = source.trace.as_deref().map(|path| Input { what: "the trace", path });
-            finish(&source.output, trace, || bearing(source))
+            (&source.output, trace)
         }
         RoughnessSource::Table(source) => {
-            let table_file = Input { what: "the table", path: &source.file };
-            finish(&source.output, Some(table_file), || table(source))
+            (&source.output, Some(Input { what: "the table", path: &source.file }))
         }
-    }
-}
-
-fn finish(
-    output: &OutputArguments,
-    input: Option<Input<'_>>,
-    find: impl Fn() -> Result<Findings, Failure>,
-) -> Result<(), Failure> {
+    };
     check_writable(&[output.output.as_deref()], input.as_slice())?;
-    let findings = find()?;
+    let findings = findings(&arguments.source)?;
     let text = match output.format {
         ReportFormat::Table => findings.table().into(),
         ReportFormat::Json => Content::json(&findings),
@@ -56,6 +46,19 @@ fn finish(
     let mut outputs = Outputs::default();
     outputs.result(output.output.as_deref(), text);
     outputs.write()
+}
+
+/// What is found as JSON, whatever the format asked for.
+pub(super) fn json(arguments: &RoughnessArguments) -> Result<String, Failure> {
+    Content::json(&findings(&arguments.source)?).text()
+}
+
+fn findings(source: &RoughnessSource) -> Result<Findings, Failure> {
+    match source {
+        RoughnessSource::GreenwoodWilliamson(source) => greenwood_williamson(source),
+        RoughnessSource::Bearing(source) => bearing(source),
+        RoughnessSource::Table(source) => table(source),
+    }
 }
 
 fn greenwood_williamson(source: &GreenwoodWilliamsonArguments) -> Result<Findings, Failure> {

@@ -1,0 +1,52 @@
+"""Contact of a rigid punch with a rough elastic body (Shtaerman's model), with stated errors.
+
+>>> import shtaerman as st
+>>> contact = st.solve(young_modulus="200 GPa", poisson_ratio=0.3, roughness=1.2e-14, half_width="5 mm", force="0.8 MN/m")
+>>> contact.mean_pressure
+80000000.0
+"""
+
+from ._contact import Audit, Contact, Derivatives, Errors, Method, Sensitivities, Stress, Warned
+from ._equation import EquationAnswer, EquationErrors, Spectrum, equation, roughness, spectrum
+from ._find import Crown, Crowned, Found, Shaped, find
+from ._gradient import value_and_gradient
+from ._many import Contacts, solve_many
+from ._parts import Foundation, Load, Punch, Solver
+from ._problem import Problem
+from ._profile import Profile
+from ._shtaerman import ConvergenceError, __version__
+from ._solve import solve
+
+__all__ = [
+    "Audit",
+    "Contact",
+    "Contacts",
+    "ConvergenceError",
+    "Crown",
+    "Crowned",
+    "Derivatives",
+    "EquationAnswer",
+    "EquationErrors",
+    "Errors",
+    "Found",
+    "Foundation",
+    "Load",
+    "Method",
+    "Problem",
+    "Profile",
+    "Punch",
+    "Sensitivities",
+    "Shaped",
+    "Solver",
+    "Spectrum",
+    "Stress",
+    "Warned",
+    "__version__",
+    "equation",
+    "find",
+    "roughness",
+    "solve",
+    "solve_many",
+    "spectrum",
+    "value_and_gradient",
+]

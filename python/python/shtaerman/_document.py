@@ -1,0 +1,136 @@
+"""Problem files from dictionaries and keywords.
+
+What a user states becomes the text of a problem file, so that all of it is read, checked and solved as the command line does.
+"""
+
+from __future__ import annotations
+
+import difflib
+import json
+import numbers
+import re
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+FOUNDATION = (
+    "young_modulus",
+    "poisson_ratio",
+    "roughness",
+    "subgrade_modulus",
+    "yield_stress",
+    "grading_exponent",
+    "grading_modulus",
+    "thickness",
+    "base",
+    "coating",
+)
+PUNCH = (
+    "half_width",
+    "profile",
+    "geometry",
+    "outer_half_width",
+    "inner_half_gap",
+    "period",
+    "radius",
+)
+LOAD = ("force", "settlement", "moment", "eccentricity", "tilt")
+SOLVER = ("contact", "method", "n", "tolerance", "time_limit")
+#: What only a dimensionless problem has.
+BARE = ("theta0", "lambda0", "exponent")
+VERTICAL = ("force", "settlement")
+ROTATIONAL = ("moment", "eccentricity", "tilt")
+
+_TABLES = {"foundation": FOUNDATION, "punch": PUNCH, "load": LOAD, "solver": SOLVER}
+_KEYWORDS = (*FOUNDATION, *PUNCH, *LOAD, *SOLVER, *BARE, "body")
+
+
+def table_of(keyword: str, is_dimensionless: bool, function: str) -> str:
+    """The table of a problem file that a keyword belongs to; empty for the tables themselves."""
+    if keyword == "body":
+        return ""
+    for table, keys in _TABLES.items():
+        if keyword in keys:
+            return "dimensionless" if is_dimensionless and table != "solver" else table
+    if keyword in BARE:
+        return "dimensionless"
+    near = difflib.get_close_matches(keyword, _KEYWORDS, 1)
+    hint = f": did you mean {near[0]!r}?" if near else f": it takes {', '.join(_KEYWORDS)}"
+    raise TypeError(f"{function}() got an unexpected keyword argument {keyword!r}{hint}")
+
+
+def nested(keywords: Mapping[str, Any], function: str) -> dict[str, Any]:
+    """Keywords as the tables of a problem file; a base that is not given is flat, and a load without moment, eccentricity or tilt is central."""
+    given = {name: value for name, value in keywords.items() if value is not None}
+    is_dimensionless = any(name in given for name in BARE)
+    tables: dict[str, Any] = {}
+    for name, value in given.items():
+        table = table_of(name, is_dimensionless, function)
+        home = tables.setdefault(table, {}) if table else tables
+        home[name] = value
+    punch = tables.setdefault("dimensionless" if is_dimensionless else "punch", {})
+    load = tables.setdefault("dimensionless" if is_dimensionless else "load", {})
+    punch.setdefault("profile", 0)
+    if not any(name in load for name in ROTATIONAL):
+        load["moment"] = 0
+    return tables
+
+
+def toml(tables: Mapping[str, Any]) -> str:
+    """A dictionary as TOML, tables first level by level."""
+    lines: list[str] = []
+    plain = {name: value for name, value in tables.items() if not isinstance(value, Mapping)}
+    lines.extend(f"{_key(name)} = {toml_value(value, str(name))}" for name, value in plain.items())
+    for name, table in tables.items():
+        if isinstance(table, Mapping):
+            lines.extend(["", f"[{_key(name)}]"] if lines else [f"[{_key(name)}]"])
+            lines.extend(
+                f"{_key(key)} = {toml_value(value, f'{name}.{key}')}"
+                for key, value in table.items()
+                if value is not None
+            )
+    return "\n".join(lines) + "\n"
+
+
+def toml_value(value: Any, key: str) -> str:
+    """One value as TOML; ``key`` is for messages."""
+    if isinstance(value, np.generic) or (isinstance(value, np.ndarray) and value.ndim == 0):
+        value = value.item()
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return _string(value)
+    if isinstance(value, numbers.Integral):
+        return str(int(value))
+    if isinstance(value, numbers.Real):
+        return repr(float(value))
+    if isinstance(value, Mapping):
+        entries = (
+            f"{_key(name)} = {toml_value(inner, f'{key}.{name}')}"
+            for name, inner in value.items()
+            if inner is not None
+        )
+        return "{ " + ", ".join(entries) + " }"
+    if isinstance(value, np.ndarray):
+        raise ValueError(
+            f"{key}: is an array of shape {value.shape}, where one value is wanted; solve_many takes arrays"
+        )
+    raise ValueError(
+        f"{key}: is of type {type(value).__name__}: must be a number in SI units or text such as '5 mm'"
+    )
+
+
+def _key(name: object) -> str:
+    if not isinstance(name, str):
+        raise ValueError(f"{name!r}: is no key of a problem file, whose keys are text")
+    return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else _string(name)
+
+
+def _string(text: str) -> str:
+    # JSON escapes what TOML does, but for DEL; lone surrogates are no text.
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError as error:
+        raise ValueError(f"{text!r}: is no text: {error.reason}") from None
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

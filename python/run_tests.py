@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Builds the package and runs all that tests it: pytest, the examples, mypy and stubtest.
+
+    python3 python/run_tests.py
+
+Needs Python 3.10 or newer and a Rust toolchain. What Python needs is installed into a virtual environment of its own, `target/python-tests`; the compiled half is built as the tests of the workspace are,
+in the same folder, so that after `cargo test --workspace` little is left to be compiled. Arguments go to pytest. `--wheel` tests what `pip install ./python` installs instead: an optimised
+build from nothing, which takes some minutes.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+import sysconfig
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parent
+TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
+if not TARGET.is_absolute():
+    TARGET = ROOT / TARGET
+NEEDED = ["matplotlib>=3.6", "mypy>=1.11", "numpy>=1.23", "pandas>=1.5", "pandas-stubs", "pytest>=7.4", "scipy>=1.10", "xarray>=2023.1"]
+
+
+def run(*command: object, **variables: str) -> None:
+    words = [str(word) for word in command]
+    print("$", " ".join(words), flush=True)
+    # A test of the package must not see another one that happens to be on the path.
+    environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PYTHONHOME")}
+    done = subprocess.run(words, cwd=ROOT, env={**environment, **variables}, check=False)
+    if done.returncode:
+        sys.exit(done.returncode)
+
+
+def environment() -> Path:
+    """The interpreter of a virtual environment with all that is needed."""
+    folder = TARGET / "python-tests"
+    python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+    asked = hashlib.sha256(repr((sys.version, NEEDED)).encode()).hexdigest()
+    mark = folder / "installed"
+    if python.exists() and mark.exists() and mark.read_text() == asked:
+        return python
+    shutil.rmtree(folder, ignore_errors=True)
+    run(sys.executable, "-m", "venv", folder)
+    run(python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *NEEDED)
+    mark.write_text(asked)
+    return python
+
+
+def install(python: Path) -> None:
+    """Puts the package into the environment: its Python files, and the compiled half beside them."""
+    # As `cargo test --workspace` builds, so that no dependency is compiled twice; for no interpreter in particular, as the module is for all of them.
+    run("cargo", "build", "--quiet", "--workspace", "--lib", "--bins", "--tests", PYO3_NO_PYTHON="1")
+    packages = subprocess.run(
+        [str(python), "-c", "import sysconfig; print(sysconfig.get_path('platlib'))"], capture_output=True, text=True, check=True
+    )
+    place = Path(packages.stdout.strip()) / "shtaerman"
+    shutil.rmtree(place, ignore_errors=True)
+    shutil.copytree(HERE / "python" / "shtaerman", place, ignore=shutil.ignore_patterns("__pycache__", "*.so", "*.pyd"))
+    built, name = {
+        "nt": ("_shtaerman.dll", "_shtaerman.pyd"),
+        "darwin": ("lib_shtaerman.dylib", "_shtaerman.abi3.so"),
+    }.get(os.name if os.name == "nt" else sys.platform, ("lib_shtaerman.so", "_shtaerman.abi3.so"))
+    shutil.copyfile(TARGET / "debug" / built, place / name)
+
+
+def main(arguments: list[str]) -> None:
+    if sys.version_info < (3, 10):
+        sys.exit(f"Python 3.10 or newer is needed, this is {sysconfig.get_python_version()}")
+    is_wheel = "--wheel" in arguments
+    python = environment()
+    if is_wheel:
+        run("cargo", "build", "--quiet", "--release", "-p", "shtaerman-cli")
+        run(python, "-m", "pip", "install", "--disable-pip-version-check", "--force-reinstall", "--no-deps", HERE)
+    else:
+        install(python)
+    program = TARGET / ("release" if is_wheel else "debug") / ("shtaerman.exe" if os.name == "nt" else "shtaerman")
+    rest = [argument for argument in arguments if argument != "--wheel"]
+    # pytest before mypy: what it finds is the more telling.
+    run(python, "-m", "pytest", "-q", "-c", HERE / "pyproject.toml", "--rootdir", HERE, *(rest or [HERE / "tests"]), SHTAERMAN=str(program))
+    checked = ("--config-file", HERE / "pyproject.toml", "--cache-dir", TARGET / "mypy")
+    run(python, "-m", "mypy", *checked, "-p", "shtaerman")
+    run(python, "-m", "mypy.stubtest", "--mypy-config-file", HERE / "pyproject.toml", "shtaerman")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])

@@ -1,0 +1,78 @@
+//! Work without the interpreter, which an interrupt ends.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread::Builder;
+use std::time::{Duration, Instant};
+
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::{PyResult, Python};
+
+/// How often it is looked whether the user wants to end it.
+const TICK: Duration = Duration::from_millis(50);
+/// Stack of a thread that does what the main one would, in bytes.
+const STACK: usize = 8 << 20;
+
+/// What came of it.
+pub(crate) enum Ended<T> {
+    /// It came to its end.
+    Done(T),
+    /// The time was over before.
+    Late,
+}
+
+/// Does `work` on another thread, without holding the interpreter, until it ends, the time is over or the user interrupts. In both other cases the flag that
+/// `work` is given is set, and what it still does is left to itself.
+pub(crate) fn run<T: Send + 'static>(
+    py: Python<'_>,
+    limit: Option<Duration>,
+    work: impl FnOnce(&Arc<AtomicBool>) -> T + Send + 'static,
+) -> PyResult<Ended<T>> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let (sender, receiver) = channel();
+    let end = limit.and_then(|limit| Instant::now().checked_add(limit));
+    let theirs = Arc::clone(&stop);
+    let started = Builder::new().stack_size(STACK).spawn(move || {
+        // Nobody listens any more where the user interrupted.
+        let _ = sender.send(work(&theirs));
+    });
+    started
+        .map_err(|error| PyRuntimeError::new_err(format!("no thread can be started: {error}")))?;
+    py.detach(|| {
+        // The channel is of this thread alone.
+        let receiver = receiver;
+        loop {
+            let left = end.map(|end| end.saturating_duration_since(Instant::now()));
+            match receiver.recv_timeout(left.map_or(TICK, |left| left.min(TICK))) {
+                Ok(found) => return Ok(Ended::Done(found)),
+                Err(RecvTimeoutError::Disconnected) => {
+                    let message = "the solver ended without an answer: please report the problem";
+                    return Err(PyRuntimeError::new_err(message));
+                }
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+            let is_late = left.is_some_and(|left| left.is_zero());
+            #[allow(
+                clippy::redundant_closure_for_method_calls,
+                reason = "the method itself is for one lifetime only"
+            )]
+            let signals = Python::attach(|py| py.check_signals());
+            if signals.is_err() || is_late {
+                stop.store(true, Ordering::Relaxed);
+                return signals.map(|()| Ended::Late);
+            }
+        }
+    })
+}
+
+/// The result of work without a time limit, which an interrupt leaves to itself.
+pub(crate) fn done<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+) -> PyResult<T> {
+    match run(py, None, |_| work())? {
+        Ended::Done(found) => Ok(found),
+        Ended::Late => Err(PyRuntimeError::new_err("there was no time limit")),
+    }
+}
