@@ -1,7 +1,7 @@
 //! A contact problem, physical or dimensionless.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use fredholm::basis::Function;
 
@@ -11,8 +11,7 @@ use crate::expression::{Defect, Interval, Reflection, remainder_of_sum};
 use crate::frame::Frame;
 use crate::profile::Resolution;
 use crate::{
-    Contact, ContactKind, Error, Foundation, Load, Profile, Punch, Rotational, Scaling, Solver,
-    Vertical,
+    ContactKind, Error, Foundation, Load, Profile, Punch, Rotational, Scaling, Solver, Vertical,
 };
 
 /// Chebyshev degrees for each measured point, so that none falls between the first samples.
@@ -177,21 +176,10 @@ impl Problem {
         Some(Self { deadline: Deadline::after(limit), ..self.clone() })
     }
 
-    /// [Solves](Self::solve) the problem unless `stop` is set meanwhile, from another thread: the search then ends at its next step, and there is no answer.
-    ///
-    /// # Errors
-    /// Those of [`Problem::solve`].
-    pub fn solve_unless(&self, stop: &Arc<AtomicBool>) -> Option<Result<Contact, Error>> {
-        let limit = self.solver.time_limit();
-        let deadline = Deadline::unless(stop, limit);
-        let found = Self { deadline: deadline.clone(), ..self.clone() }.solve();
-        let (is_past, is_stopped) = (deadline.is_past(), stop.load(Ordering::Relaxed));
-        deadline.lift();
-        match found {
-            Err(_) if is_stopped => None,
-            Err(_) if is_past => Some(Err(Error::TimeLimit { limit: limit.unwrap_or_default() })),
-            found => Some(found),
-        }
+    /// The same problem with the time that its solver allows running from now on, and with an end of it where `stop` is set.
+    pub(crate) fn stopped_by(&self, stop: &Arc<AtomicBool>) -> Self {
+        let deadline = Deadline::unless(stop, self.solver.time_limit());
+        Self { deadline, ..self.clone() }
     }
 
     /// When the search for its answer has to come to its end.

@@ -1,5 +1,8 @@
 //! From a problem to its contact: setting, route, solution, and what is to be said of that.
 
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use super::Contact;
 use super::balance::State;
 use super::method::MethodName;
@@ -47,6 +50,25 @@ impl Problem {
         let limit = self.solver().time_limit().unwrap_or_default();
         // What the end of the time made of the search.
         found.map_err(|error| if is_past { Error::TimeLimit { limit } } else { error })
+    }
+
+    /// [Solves](Self::solve) the problem unless `stop` is set meanwhile, from another thread: the search then ends at its next step, and there is no answer.
+    ///
+    /// # Errors
+    /// Those of [`Problem::solve`].
+    pub fn solve_unless(&self, stop: &Arc<AtomicBool>) -> Option<Result<Contact, Error>> {
+        let stoppable = self.stopped_by(stop);
+        let found = stoppable.solve();
+        let (is_past, is_stopped) = (stoppable.deadline().is_past(), stop.load(Ordering::Relaxed));
+        stoppable.deadline().lift();
+        match found {
+            Err(_) if is_stopped => None,
+            Err(_) if is_past => {
+                let limit = self.solver().time_limit().unwrap_or_default();
+                Some(Err(Error::TimeLimit { limit }))
+            }
+            found => Some(found),
+        }
     }
 
     /// The solution with heights counted from the level of the base, and put back there.
