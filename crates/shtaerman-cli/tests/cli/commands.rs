@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::{DIMENSIONLESS, Folder, PHYSICAL, assert_valid, number, schema};
+use crate::support::{DIMENSIONLESS, Folder, PHYSICAL, assert_valid, is_ignored, number, schema};
 
 #[test]
 fn reproduce_counts_143_of_144() {
@@ -170,7 +170,8 @@ fn an_interrupt_ends_with_130() {
     let mut input = child.stdin.take().unwrap();
     input.write_all("# a comment\n".repeat(200_000).as_bytes()).unwrap();
     let id = child.id().to_string();
-    let sent = std::process::Command::new("kill").args(["-INT", &id]).status().unwrap();
+    let signal = if is_ignored(2) { "-TERM" } else { "-INT" };
+    let sent = std::process::Command::new("kill").args([signal, &id]).status().unwrap();
     assert!(sent.success());
     assert_eq!(child.wait().unwrap().code(), Some(130));
     drop(input);

@@ -179,6 +179,15 @@ pub(crate) fn finished(output: std::process::Output) -> Run {
     }
 }
 
+/// Whether the tests were started to ignore a signal, as a shell does with `INT` and `QUIT` for what runs in the background: the program then ignores it, too.
+#[cfg(unix)]
+pub(crate) fn is_ignored(signal: u32) -> bool {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let ignored = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    let ignored = ignored.map_or(0, |mask| u64::from_str_radix(mask.trim(), 16).unwrap());
+    ignored >> (signal - 1) & 1 == 1
+}
+
 /// The root of the repository.
 pub(crate) fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..").canonicalize().unwrap()
