@@ -23,7 +23,18 @@ ROOT = HERE.parent
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
 if not TARGET.is_absolute():
     TARGET = ROOT / TARGET
-NEEDED = ["matplotlib>=3.6", "mypy>=1.11", "numpy>=1.23", "pandas>=1.5", "pandas-stubs", "pytest>=7.4", "scipy>=1.10", "xarray>=2023.1"]
+NEEDED = [
+    "distributed>=2024.1",
+    "matplotlib>=3.6",
+    "mypy>=1.11",
+    "numpy>=1.23",
+    "pandas>=1.5",
+    "pandas-stubs",
+    "pyarrow>=14",
+    "pytest>=7.4",
+    "scipy>=1.10",
+    "xarray>=2023.1",
+]
 
 
 def run(*command: object, **variables: str) -> None:

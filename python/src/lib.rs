@@ -11,6 +11,7 @@ mod many;
 mod problem;
 mod running;
 mod sampled;
+mod study;
 mod sweep;
 
 /// What `shtaerman/__init__.py` builds on; no one else should import it.
@@ -29,6 +30,8 @@ mod _shtaerman {
     #[pymodule_export]
     use crate::problem::{Problem, load, superseded};
 
+    #[pymodule_export]
+    use crate::study::{Results, Study};
     #[pymodule_export]
     use crate::sweep::{is_swept, sweep_theta0};
 

@@ -130,6 +130,18 @@ pub struct SolveArguments {
     /// Add how settlement and largest pressure change with roughness, modulus and load (estimated); JSON has it anyway but on cells or panels, where it takes eighteen more solves.
     #[arg(long)]
     pub sensitivities: bool,
+    /// Solve for several values of a key, such as load.force="0.1..2 MN/m:20" (with :log behind it for a logarithmic scale) or foundation.roughness="1e-15,1e-14 m/Pa"; given again, for all
+    /// combinations. `sweep` takes more, into a folder.
+    #[arg(
+        long,
+        value_name = "KEY=VALUES",
+        allow_hyphen_values = true,
+        conflicts_with_all = ["cross_check", "at", "datum_distance", "datum_depth", "surface", "sensitivities"]
+    )]
+    pub vary: Vec<String>,
+    /// What is kept of each answer of --vary, such as settlement,peak_pressure.
+    #[arg(long, value_name = "NAMES", requires = "vary")]
+    pub outputs: Option<String>,
 }
 
 /// `shtaerman find`.

@@ -8,9 +8,11 @@ pub mod arguments;
 mod clock;
 mod commands;
 mod failure;
+mod npz;
 mod output;
 pub mod plot;
 mod report;
+mod results;
 
 use std::io::Write;
 use std::path::Path;
@@ -23,6 +25,7 @@ use arguments::Arguments;
 use failure::Failure;
 pub use failure::told;
 pub use report::contact_plot;
+pub use results::{PartFormat, StudyResults};
 use shtaerman::legible;
 
 /// Exit code of bad input.
@@ -45,12 +48,19 @@ pub fn run() -> ExitCode {
 }
 
 /// Why a command that was called by another program has no result.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{message}")]
 pub struct Refusal {
     /// The exit code that the command would have ended with.
     pub exit_code: u8,
     /// What it would have told on standard error, without `error: `.
     pub message: String,
+}
+
+impl From<Failure> for Refusal {
+    fn from(failure: Failure) -> Self {
+        Self::new(failure.exit_code(), &failure.message())
+    }
 }
 
 impl Refusal {
@@ -80,7 +90,7 @@ pub fn json_of(arguments: &[String]) -> Result<String, Refusal> {
         Refusal::new(BAD_INPUT, &shown.join("\n"))
     })?;
     let found = commands::json_of(&parsed.command);
-    found.map_err(|failure| Refusal::new(failure.exit_code(), &failure.message()))
+    found.map_err(Refusal::from)
 }
 
 /// Prints help, the version, or what is wrong with the arguments.

@@ -73,7 +73,7 @@ pub use sensitivity::{Derivatives, Sensitivities};
 pub use solver::Solver;
 
 #[doc(inline)]
-pub use sweep::{Swept, Theta0Sweep};
+pub use sweep::{LoadSweep, LoadSwept, Swept, SweptErrors, Theta0Sweep};
 
 #[doc(no_inline)]
 pub use answer::convergence::{self, Convergence};

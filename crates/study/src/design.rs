@@ -6,6 +6,9 @@ use rand_chacha::rand_core::{Rng, SeedableRng};
 /// Most points of a scrambled Sobol sequence.
 pub(crate) const LONGEST_SOBOL: usize = 1 << 16;
 
+/// The least share of a distribution that is drawn; the largest is as far from 1.
+pub(crate) const LEAST_SHARE: f64 = 1.0 / (1u64 << 53) as f64;
+
 /// How the cases fill the space of the varied values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Design {
@@ -64,6 +67,10 @@ impl Shares {
 
     /// The share of one variable in one case. A grid has none.
     pub(crate) fn at(&self, case: usize, variable: usize) -> f64 {
+        self.drawn(case, variable).clamp(LEAST_SHARE, 1.0 - LEAST_SHARE)
+    }
+
+    fn drawn(&self, case: usize, variable: usize) -> f64 {
         match self.design {
             Design::Grid => 0.5,
             Design::LatinHypercube { count, seed } => {

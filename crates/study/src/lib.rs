@@ -20,12 +20,13 @@
 //! "#;
 //! let study = Study::from_bytes(text.as_bytes(), "study.toml", Path::new(""), &[])?;
 //! assert_eq!(study.cases(), 3);
-//! let row = study.solve(1);
+//! let row = &study.solve(1..2)[0];
 //! assert_eq!(row.inputs[0].to_string(), "2.0");
 //! assert!(row.outputs[0].is_finite() && row.errors[0].is_some_and(|error| error < 1e-9));
 //! # Ok::<(), shtaerman::Error>(())
 //! ```
 
+mod columns;
 mod design;
 mod distribution;
 mod indices;
@@ -35,7 +36,9 @@ mod read;
 mod row;
 mod study;
 mod summary;
+mod way;
 
+pub use columns::Column;
 pub use design::Design;
 pub use distribution::Distribution;
 pub use indices::{Index, Indices};

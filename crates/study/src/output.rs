@@ -1,6 +1,8 @@
 //! What is kept of an answer.
 
-use shtaerman::{Contact, Errors};
+use shtaerman::{Contact, Errors, Rotational, Vertical};
+
+use crate::way::SweptCase;
 
 /// A quantity of an answer, by the name that it has in the JSON answer.
 #[derive(Debug, Clone, Copy)]
@@ -10,40 +12,80 @@ pub struct Output {
     value: fn(&Contact) -> f64,
     /// The stated error, where the answer states one for this quantity.
     error: fn(&Errors) -> Option<f64>,
+    /// The same of a case of a sweep, where a sweep tells it.
+    pub(crate) swept: Option<fn(&SweptCase) -> f64>,
+    pub(crate) swept_error: Option<fn(&SweptCase) -> f64>,
 }
 
-/// All outputs, in the order of the answer.
+type Value = fn(&Contact) -> f64;
+type Swept = fn(&SweptCase) -> f64;
+
+impl Output {
+    const fn new(name: &'static str, value: Value) -> Self {
+        Self { name, value, error: |_| None, swept: None, swept_error: None }
+    }
+
+    const fn with_error(self, error: fn(&Errors) -> Option<f64>) -> Self {
+        Self { error, ..self }
+    }
+
+    const fn with_swept(self, swept: Swept) -> Self {
+        Self { swept: Some(swept), ..self }
+    }
+
+    const fn with_swept_error(self, error: Swept) -> Self {
+        Self { swept_error: Some(error), ..self }
+    }
+}
+
+/// All outputs, in the order of the answer. What is prescribed has no error in a sweep.
 const OUTPUTS: [Output; 13] = [
-    Output { name: "theta0", value: Contact::theta0, error: |_| None },
-    Output { name: "settlement", value: Contact::settlement, error: |e| Some(e.settlement) },
-    Output { name: "tilt", value: Contact::tilt, error: |e| Some(e.tilt) },
-    Output { name: "force", value: Contact::force, error: |e| Some(e.force) },
-    Output { name: "moment", value: Contact::moment, error: |e| Some(e.moment) },
-    Output { name: "pressure_left", value: Contact::pressure_left, error: |e| Some(e.pressure) },
-    Output {
-        name: "pressure_middle",
-        value: Contact::pressure_middle,
-        error: |e| Some(e.pressure),
-    },
-    Output { name: "pressure_right", value: Contact::pressure_right, error: |e| Some(e.pressure) },
-    Output { name: "mean_pressure", value: Contact::mean_pressure, error: |_| None },
-    Output {
-        name: "peak_pressure",
-        value: Contact::peak_pressure,
-        error: |e| Some(e.peak_pressure.unwrap_or(e.pressure)),
-    },
-    Output { name: "peak_pressure_at", value: Contact::peak_pressure_at, error: |_| None },
-    Output {
-        name: "contact_width",
-        value: Contact::contact_width,
-        // Each zone has two ends.
-        error: |_| None,
-    },
-    Output {
-        name: "number_of_zones",
-        value: |contact| contact.zones().len() as f64,
-        error: |_| None,
-    },
+    Output::new("theta0", Contact::theta0).with_swept(|case| case.theta0),
+    Output::new("settlement", Contact::settlement)
+        .with_error(|e| Some(e.settlement))
+        .with_swept(|case| case.contact.settlement)
+        .with_swept_error(|case| match case.load.vertical() {
+            Vertical::Force(_) => case.errors.displacement,
+            Vertical::Settlement(_) => 0.0,
+        }),
+    Output::new("tilt", Contact::tilt)
+        .with_error(|e| Some(e.tilt))
+        .with_swept(|case| case.contact.tilt)
+        .with_swept_error(|case| match case.load.rotational() {
+            Rotational::Moment(_) | Rotational::Eccentricity(_) => case.errors.displacement,
+            Rotational::Tilt(_) => 0.0,
+        }),
+    Output::new("force", Contact::force)
+        .with_error(|e| Some(e.force))
+        .with_swept(|case| case.contact.force)
+        .with_swept_error(|case| match case.load.vertical() {
+            Vertical::Force(_) => 0.0,
+            Vertical::Settlement(_) => case.errors.force,
+        }),
+    Output::new("moment", Contact::moment)
+        .with_error(|e| Some(e.moment))
+        .with_swept(|case| case.contact.moment)
+        .with_swept_error(|case| match case.load.rotational() {
+            Rotational::Moment(_) => 0.0,
+            Rotational::Eccentricity(_) | Rotational::Tilt(_) => case.errors.force,
+        }),
+    Output::new("pressure_left", Contact::pressure_left)
+        .with_error(|e| Some(e.pressure))
+        .with_swept(|case| case.contact.pressure_left)
+        .with_swept_error(|case| case.errors.pressure),
+    Output::new("pressure_middle", Contact::pressure_middle).with_error(|e| Some(e.pressure)),
+    Output::new("pressure_right", Contact::pressure_right)
+        .with_error(|e| Some(e.pressure))
+        .with_swept(|case| case.contact.pressure_right)
+        .with_swept_error(|case| case.errors.pressure),
+    // Over the two half-widths of the base.
+    Output::new("mean_pressure", Contact::mean_pressure)
+        .with_swept(|case| 0.5 * case.contact.force),
+    Output::new("peak_pressure", Contact::peak_pressure)
+        .with_error(|e| Some(e.peak_pressure.unwrap_or(e.pressure))),
+    Output::new("peak_pressure_at", Contact::peak_pressure_at),
+    Output::new("contact_width", Contact::contact_width),
+    Output::new("number_of_zones", |contact| contact.zones().len() as f64),
 ];
 
 impl Output {

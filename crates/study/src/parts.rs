@@ -22,10 +22,10 @@ pub struct Part {
 }
 
 impl Part {
-    /// The name of its file.
+    /// The name of its file, which ends as the name of the format.
     #[must_use]
-    pub fn file_name(&self) -> String {
-        format!("part-{:08}.csv", self.number)
+    pub fn file_name(&self, format: &str) -> String {
+        format!("part-{:08}.{format}", self.number)
     }
 }
 
@@ -36,6 +36,8 @@ pub struct Manifest {
     pub schema: String,
     /// The version of the program: another one may round differently.
     pub version: String,
+    /// The format of the parts, such as `csv`.
+    pub format: String,
     /// The study file.
     pub study: String,
     /// SHA-256 of the study with its overrides and of its measured profile.
@@ -76,7 +78,7 @@ impl Study {
     ///
     /// # Errors
     /// [`Error::File`] where the measured profile can be read no more.
-    pub fn manifest(&self, name: &str) -> Result<Manifest, Error> {
+    pub fn manifest(&self, name: &str, format: &str) -> Result<Manifest, Error> {
         let mut digest = Sha256::new();
         digest.update(self.text.as_bytes());
         if let Some(path) = self.measured_profile()? {
@@ -89,6 +91,7 @@ impl Study {
         Ok(Manifest {
             schema: SCHEMA.to_owned(),
             version: env!("CARGO_PKG_VERSION").to_owned(),
+            format: format.to_owned(),
             study: name.to_owned(),
             digest: digest.finalize().iter().map(|byte| format!("{byte:02x}")).collect(),
             cases: self.cases,
@@ -128,7 +131,7 @@ impl Study {
     /// # Errors
     /// [`PartFault`] unless it is that part of this study, and whole.
     pub fn rows(&self, part: &Part, lines: &[Vec<String>]) -> Result<Vec<Row>, PartFault> {
-        let fault = |text: &str| PartFault(format!("{}: {text}", part.file_name()));
+        let fault = |text: &str| PartFault(format!("part {}: {text}", part.number));
         let (heads, lines) = lines.split_first().ok_or_else(|| fault("is empty"))?;
         if *heads != self.columns() {
             return Err(fault("has other columns"));

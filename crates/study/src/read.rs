@@ -1,6 +1,7 @@
 //! The table `[study]`.
 
 use std::path::Path;
+use std::sync::OnceLock;
 
 use shtaerman::document::{Document, Field, FileError, TableReader, ValueKind};
 use shtaerman::file::ProblemFile;
@@ -13,8 +14,9 @@ use crate::{Design, Distribution, Input, Output, Study, Variable, Variation};
 const MOST: usize = 100_000_000;
 /// Most variables.
 const MOST_VARIABLES: usize = 64;
-/// Cases of a part of the results, and the most.
+/// Cases of a part of the results of a study in which they make fewer parts than are usual, and the most.
 const PART_SIZE: usize = 256;
+const USUAL_PARTS: usize = 100;
 const LARGEST_PART: usize = 100_000;
 /// Cases that are audited in a study without audit, and the most.
 const AUDITED_SAMPLE: usize = 20;
@@ -66,11 +68,13 @@ pub(crate) fn study(
         is_audited: table.boolean("audit")?.unwrap_or(false),
         audited_sample: count(&table, "audited_sample", 0..=LARGEST_SAMPLE)?
             .unwrap_or(AUDITED_SAMPLE),
-        part_size: count(&table, "part_size", 1..=LARGEST_PART)?.unwrap_or(PART_SIZE),
+        part_size: count(&table, "part_size", 1..=LARGEST_PART)?
+            .unwrap_or((cases / USUAL_PARTS).clamp(PART_SIZE, LARGEST_PART)),
         cases,
         shares,
         variables,
         text,
+        way: OnceLock::new(),
     };
     // Only this table: the rest is that of a problem.
     table.finish()?;

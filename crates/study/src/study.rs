@@ -1,16 +1,21 @@
 //! A study and its cases.
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use shtaerman::document::{Document, FileError, load_bytes, overridden};
 use shtaerman::file::ProblemFile;
 use shtaerman::{Contact, Error};
 
 use crate::design::{Shares, sample};
+use crate::way::{Way, row};
 use crate::{Design, Distribution, Input, Output, Row, read};
 
 /// An override of a study, for messages.
 const OVERRIDE: &str = "study.count=100";
+/// Cases of a sweep that a thread takes together.
+const SWEPT_TOGETHER: usize = 4096;
 
 /// How one key is varied.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,6 +52,7 @@ pub struct Study {
     pub(crate) shares: Shares,
     /// The text of the file and its overrides: two studies are the same where these are.
     pub(crate) text: String,
+    pub(crate) way: OnceLock<Way>,
 }
 
 impl Study {
@@ -158,46 +164,49 @@ impl Study {
         inputs
     }
 
-    /// Solves a case.
+    /// Solves cases, one after the other; each row depends on its case alone.
     #[must_use]
-    pub fn solve(&self, case: usize) -> Row {
-        self.row(case, self.is_audited)
+    pub fn solve(&self, cases: Range<usize>) -> Vec<Row> {
+        match &self.way().swept {
+            Some(swept) => swept.rows(self, cases),
+            None => cases.map(|case| self.single(case, self.is_audited)).collect(),
+        }
+    }
+
+    /// How many cases are best solved together: many where each takes less than a microsecond.
+    #[must_use]
+    pub fn block(&self) -> usize {
+        if self.way().swept.is_some() { SWEPT_TOGETHER } else { 1 }
     }
 
     /// Solves a case and audits the answer.
     #[must_use]
     pub fn solve_audited(&self, case: usize) -> Row {
-        self.row(case, true)
+        self.single(case, true)
     }
 
-    fn row(&self, case: usize, is_audited: bool) -> Row {
+    pub(crate) fn single(&self, case: usize, is_audited: bool) -> Row {
         let inputs = self.inputs(case);
-        match self.contact(&inputs, is_audited) {
-            Ok(contact) => Row {
-                case,
-                inputs,
-                outputs: self.outputs.iter().map(|output| output.value(&contact)).collect(),
-                errors: self.outputs.iter().map(|output| output.error(&contact)).collect(),
-                error_kind: contact
-                    .error()
-                    .map_or_else(String::new, |error| error.kind.name().to_owned()),
-                reason: String::new(),
-            },
-            Err(error) => Row {
-                case,
-                inputs,
-                outputs: vec![f64::NAN; self.outputs.len()],
-                errors: vec![None; self.outputs.len()],
-                error_kind: String::new(),
-                reason: error.to_string(),
-            },
-        }
+        let contact = self.contact(&inputs, is_audited);
+        row(self, case, inputs, contact)
     }
 
     fn contact(&self, inputs: &[Input], is_audited: bool) -> Result<Contact, Error> {
+        if let Some(varied) = &self.way().varied {
+            let contact = varied.problem(inputs)?.solve()?;
+            return if is_audited { contact.audited() } else { Ok(contact) };
+        }
         let file = self.file(inputs)?;
         let contact = file.solve()?;
         if is_audited { contact.audited().map_err(|error| file.locate(error)) } else { Ok(contact) }
+    }
+
+    /// How the cases are computed, found when the first of them is asked for.
+    fn way(&self) -> &Way {
+        self.way.get_or_init(|| match self.file(&self.inputs(0)) {
+            Ok(file) => Way::of(self, file.problem()),
+            Err(_) => Way::default(),
+        })
     }
 
     /// The problem with these values.

@@ -16,6 +16,7 @@ from ._problem import Problem
 from ._profile import Profile
 from ._shtaerman import ConvergenceError, __version__
 from ._solve import solve
+from ._sweep import Sweep, sweep
 
 __all__ = [
     "Audit",
@@ -40,6 +41,7 @@ __all__ = [
     "Solver",
     "Spectrum",
     "Stress",
+    "Sweep",
     "Warned",
     "__version__",
     "equation",
@@ -48,5 +50,6 @@ __all__ = [
     "solve",
     "solve_many",
     "spectrum",
+    "sweep",
     "value_and_gradient",
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from typing import Any
 
@@ -20,3 +21,11 @@ def each(function: Callable[[FloatArray], FloatArray], x: Any, name: str = "x") 
     array = places(x, name)
     found = function(array.ravel()).reshape(array.shape)
     return float(found) if array.ndim == 0 and not isinstance(x, np.ndarray) else found
+
+
+def processors() -> int:
+    """How many processors this process may use."""
+    try:
+        return len(os.sched_getaffinity(0))
+    except AttributeError:
+        return os.cpu_count() or 1

@@ -81,20 +81,20 @@ def toml(tables: Mapping[str, Any]) -> str:
     """A dictionary as TOML, tables first level by level."""
     lines: list[str] = []
     plain = {name: value for name, value in tables.items() if not isinstance(value, Mapping)}
-    lines.extend(f"{_key(name)} = {toml_value(value, str(name))}" for name, value in plain.items())
+    lines.extend(f"{key_text(name)} = {toml_value(value, str(name))}" for name, value in plain.items())
     for name, table in tables.items():
         if isinstance(table, Mapping):
-            lines.extend(["", f"[{_key(name)}]"] if lines else [f"[{_key(name)}]"])
+            lines.extend(["", f"[{key_text(name)}]"] if lines else [f"[{key_text(name)}]"])
             lines.extend(
-                f"{_key(key)} = {toml_value(value, f'{name}.{key}')}"
+                f"{key_text(key)} = {toml_value(value, f'{name}.{key}')}"
                 for key, value in table.items()
                 if value is not None
             )
     return "\n".join(lines) + "\n"
 
 
-def toml_value(value: Any, key: str) -> str:
-    """One value as TOML; ``key`` is for messages."""
+def toml_value(value: Any, where: str) -> str:
+    """One value as TOML; ``where`` is its key, for messages."""
     if isinstance(value, np.generic) or (isinstance(value, np.ndarray) and value.ndim == 0):
         value = value.item()
     if isinstance(value, bool):
@@ -107,21 +107,22 @@ def toml_value(value: Any, key: str) -> str:
         return repr(float(value))
     if isinstance(value, Mapping):
         entries = (
-            f"{_key(name)} = {toml_value(inner, f'{key}.{name}')}"
+            f"{key_text(name)} = {toml_value(inner, f'{where}.{name}')}"
             for name, inner in value.items()
             if inner is not None
         )
         return "{ " + ", ".join(entries) + " }"
     if isinstance(value, np.ndarray):
         raise ValueError(
-            f"{key}: is an array of shape {value.shape}, where one value is wanted; solve_many takes arrays"
+            f"{where}: is an array of shape {value.shape}, where one value is wanted; solve_many takes arrays"
         )
     raise ValueError(
-        f"{key}: is of type {type(value).__name__}: must be a number in SI units or text such as '5 mm'"
+        f"{where}: is of type {type(value).__name__}: must be a number in SI units or text such as '5 mm'"
     )
 
 
-def _key(name: object) -> str:
+def key_text(name: object) -> str:
+    """A key as TOML."""
     if not isinstance(name, str):
         raise ValueError(f"{name!r}: is no key of a problem file, whose keys are text")
     return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else _string(name)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _shtaerman as engine
+from ._arrays import processors
 from ._contact import Errors
 from ._problem import Problem, ProblemLike, problem_of
 from ._profile import FloatArray
@@ -91,7 +91,7 @@ def solve_many(
     'force = -1'
     """
     if threads is None:
-        threads = _processors()
+        threads = processors()
     if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
         raise ValueError(f"threads: must be a whole number of at least 1, got {threads!r}")
     columns = {name: _column(name, value) for name, value in keywords.items() if _is_varied(name, value)}
@@ -199,13 +199,6 @@ def _single(base: Problem, inputs: Mapping[str, npt.NDArray[Any]], case: int) ->
         return base.replace(**_values(inputs, case))._engine, ""
     except ValueError as error:
         return None, str(error)
-
-
-def _processors() -> int:
-    try:
-        return len(os.sched_getaffinity(0))
-    except AttributeError:
-        return os.cpu_count() or 1
 
 
 class Contacts:

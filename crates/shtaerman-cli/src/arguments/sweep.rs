@@ -4,6 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::results::PartFormat;
+
 /// `shtaerman sweep`.
 #[derive(Debug, Args)]
 pub struct SweepArguments {
@@ -13,6 +15,9 @@ pub struct SweepArguments {
     /// Folder for the results, made where it is not there; parts of the same study that are in it are kept, so that a run that was ended goes on.
     #[arg(long, short, value_name = "FOLDER")]
     pub output: PathBuf,
+    /// Format of the parts.
+    #[arg(long, value_enum, default_value_t)]
+    pub format: PartFormat,
     /// Override a key of the file, such as load.moment=0 or study.design=sobol; may be given again.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub overrides: Vec<String>,

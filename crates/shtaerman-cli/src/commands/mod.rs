@@ -14,6 +14,7 @@ mod spectrum;
 mod stress;
 mod sweep;
 mod validate;
+mod vary;
 
 use crate::Failure;
 use crate::arguments::Command;

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::time::Duration;
 
-use shtaerman::document::read_bytes;
+use shtaerman::document::{FileError, load_bytes, read_bytes};
 use shtaerman::equation::EquationFile;
 use shtaerman::file::{AnyFile, ProblemFile};
 use shtaerman::quantity::Dimension;
@@ -42,6 +42,18 @@ fn overrides(arguments: &ProblemArguments) -> Result<Vec<String>, Failure> {
         overrides.push(format!("solver.time_limit={limit:e}"));
     }
     Ok(overrides)
+}
+
+/// The bytes of the problem, and its overrides.
+pub(super) fn content(arguments: &ProblemArguments) -> Result<(Vec<u8>, Vec<String>), Failure> {
+    let overrides = overrides(arguments)?;
+    if arguments.file == Path::new("-") {
+        return Ok((standard_input()?, overrides));
+    }
+    let name = arguments.file.display().to_string();
+    let bytes = load_bytes(&arguments.file)
+        .map_err(|message| Error::from(FileError::new(message).in_file(Some(&name))))?;
+    Ok((bytes, overrides))
 }
 
 fn read_problem(arguments: &ProblemArguments) -> Result<ProblemFile, Failure> {

@@ -7,7 +7,7 @@ use shtaerman::quantity::{Dimension, engineering};
 use shtaerman::{Answer, Contact, Datum, PressureCurve, Problem, SurfaceCurve};
 
 use super::problem_file::Solved;
-use super::{places, problem_file};
+use super::{places, problem_file, vary};
 use crate::arguments::{ReportFormat, SolveArguments};
 use crate::failure::{say, shown};
 use crate::output::{Content, Outputs};
@@ -18,6 +18,9 @@ use crate::{Failure, clock, report};
 const EDGE_SLACK: f64 = 1e-12;
 
 pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
+    if !arguments.vary.is_empty() {
+        return vary::run(arguments);
+    }
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
     let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
     places::check_points(arguments.points)?;

@@ -1,34 +1,29 @@
 //! `shtaerman sweep`.
 
 use std::io::{IsTerminal, Write, stderr};
-use std::num::NonZero;
 use std::path::Path;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 use std::time::{Duration, Instant};
 
-use shtaerman_study::{Manifest, Part, Row, Study, Summary};
+use shtaerman_study::{Part, Row, Study, Summary};
 
 use crate::Failure;
 use crate::arguments::SweepArguments;
 use crate::failure::{say, shown};
-use crate::output::{Content, Input, Outputs, check_writable};
+use crate::output::{Input, Outputs, check_writable};
 use crate::plot::{Format, Size, render};
 use crate::report;
+use crate::results::{Results, processors};
 
 /// Studies of more cases ask first.
 const MANY: usize = 1_000_000;
 /// Most threads.
 const MOST_THREADS: usize = 1024;
-/// What the folder of results says of itself.
-const MANIFEST: &str = "study.json";
-/// Largest manifest and part that are read, in bytes.
-const LARGEST_FILE: u64 = 1 << 30;
 /// How often the line of progress is written anew.
 const TICK: Duration = Duration::from_millis(250);
 
 pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
+    arguments.format.check()?;
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
     let threads = threads(arguments.threads)?;
     let shard = arguments.shard.as_deref().map_or(Ok(Shard::WHOLE), Shard::read)?;
@@ -37,10 +32,12 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     check_writable(&[arguments.plot.as_deref()], &[input])?;
     check_size(&study, arguments.yes || arguments.summary)?;
     let name = arguments.file.file_name().unwrap_or(arguments.file.as_os_str());
-    let manifest = study.manifest(&shown(Path::new(name)))?;
-    prepare(&arguments.output, &manifest, arguments.summary)?;
+    let name = shown(Path::new(name));
+    let results =
+        Results::open(study, &name, &arguments.output, arguments.format, arguments.summary)?;
+    let study = results.study();
 
-    let mut run = Run::new(&study, &arguments.output, threads);
+    let mut run = Run::new(&results, threads);
     let chosen: Vec<Part> = study.parts().filter(|part| shard.has(part)).collect();
     let total: usize = chosen.iter().map(|part| part.cases.len()).sum();
     for part in &chosen {
@@ -51,9 +48,9 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
         run.audit_sample(&chosen);
     }
     let mut outputs = Outputs::default();
-    outputs.result(None, report::sweep_table(&study, &manifest, &run.report(chosen.len())));
+    outputs.result(None, report::sweep_table(study, results.manifest(), &run.report(chosen.len())));
     if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        let plot = report::response(&study, &run.curves).map_err(Failure::Usage)?;
+        let plot = report::response(study, &run.curves).map_err(Failure::Usage)?;
         outputs.file(path, render(&plot, format, Size::default())?);
     }
     outputs.write()
@@ -65,7 +62,7 @@ fn threads(asked: Option<usize>) -> Result<usize, Failure> {
         Some(count) => {
             Err(Failure::Usage(format!("--threads {count}: must be from 1 to {MOST_THREADS}")))
         }
-        None => Ok(thread::available_parallelism().map_or(1, NonZero::get)),
+        None => Ok(processors()),
     }
 }
 
@@ -104,9 +101,9 @@ fn check_size(study: &Study, is_wanted: bool) -> Result<(), Failure> {
         return Ok(());
     }
     let start = Instant::now();
-    let row = study.solve(0);
-    let each = start.elapsed().as_secs_f64();
-    let bytes = study.fields(&row).iter().map(|field| field.len() + 1).sum::<usize>() as f64;
+    let rows = study.solve(0..study.block());
+    let each = start.elapsed().as_secs_f64() / rows.len() as f64;
+    let bytes = study.fields(&rows[0]).iter().map(|field| field.len() + 1).sum::<usize>() as f64;
     let cases = study.cases() as f64;
     Err(Failure::Usage(format!(
         "the study has {} cases: at {:.1e} s and {bytes} bytes each some {:.1e} hours on one core and {:.1e} GB; --yes runs it, fewer values or design = \"sobol\" make it smaller",
@@ -117,73 +114,10 @@ fn check_size(study: &Study, is_wanted: bool) -> Result<(), Failure> {
     )))
 }
 
-/// Makes the folder, or finds it to belong to this study.
-fn prepare(folder: &Path, manifest: &Manifest, is_read_only: bool) -> Result<(), Failure> {
-    let path = folder.join(MANIFEST);
-    if !folder.exists() {
-        if is_read_only {
-            return Err(Failure::Usage(format!("there is no folder {}", shown(folder))));
-        }
-        std::fs::create_dir(folder).map_err(|error| Failure::unwritable(folder, &error))?;
-    }
-    if !folder.is_dir() {
-        return Err(Failure::Usage(format!(
-            "{} is a file: --output names a folder",
-            shown(folder)
-        )));
-    }
-    let Some(bytes) = read(&path)? else {
-        let is_empty = folder
-            .read_dir()
-            .map_err(|error| Failure::unwritable(folder, &error))?
-            .next()
-            .is_none();
-        if !is_empty || is_read_only {
-            return Err(Failure::Usage(format!(
-                "{} has no {MANIFEST}: it is no folder of results, take an empty one",
-                shown(folder)
-            )));
-        }
-        let mut outputs = Outputs::default();
-        outputs.file(&path, Content::json(manifest));
-        return outputs.write();
-    };
-    let known: Option<Manifest> = serde_json::from_slice(&bytes).ok();
-    match known {
-        Some(known) if known.belongs_with(manifest) => Ok(()),
-        Some(known) => Err(Failure::Usage(different(folder, &known, manifest))),
-        None => Err(Failure::Usage(format!(
-            "{} is no manifest of a study: take another folder",
-            shown(&path)
-        ))),
-    }
-}
-
-/// Says in what a folder differs from the study.
-fn different(folder: &Path, known: &Manifest, manifest: &Manifest) -> String {
-    let what = if known.version == manifest.version {
-        format!("another study, {} with {} cases as it was then", known.study, known.cases)
-    } else {
-        format!("version {} of the program", known.version)
-    };
-    format!("{} has results of {what}: take another folder, or remove it", shown(folder))
-}
-
-/// The bytes of a file; none where it is not there.
-fn read(path: &Path) -> Result<Option<Vec<u8>>, Failure> {
-    match path.metadata() {
-        Ok(metadata) if metadata.is_file() && metadata.len() <= LARGEST_FILE => {
-            std::fs::read(path).map(Some).map_err(|error| Failure::unwritable(path, &error))
-        }
-        Ok(_) => Err(Failure::Usage(format!("{} is no file of results", shown(path)))),
-        Err(_) => Ok(None),
-    }
-}
-
 /// A study on its way.
 struct Run<'s> {
+    results: &'s Results,
     study: &'s Study,
-    folder: &'s Path,
     threads: usize,
     summary: Summary,
     /// Parts that were there, were computed and are missing.
@@ -195,10 +129,11 @@ struct Run<'s> {
 }
 
 impl<'s> Run<'s> {
-    fn new(study: &'s Study, folder: &'s Path, threads: usize) -> Self {
+    fn new(results: &'s Results, threads: usize) -> Self {
+        let study = results.study();
         Self {
+            results,
             study,
-            folder,
             threads,
             summary: Summary::new(study),
             parts: [0; 3],
@@ -210,24 +145,17 @@ impl<'s> Run<'s> {
 
     /// Takes a part from its file, or computes and writes it.
     fn take(&mut self, part: &Part, is_read_only: bool, total: usize) -> Result<(), Failure> {
-        let path = self.folder.join(part.file_name());
-        let known = self.known(part, &path)?;
+        let known = self.known(part)?;
         self.parts[usize::from(known.is_none()) + usize::from(known.is_none() && is_read_only)] +=
             1;
         let rows = match known {
             Some(rows) => rows,
             None if is_read_only => return Ok(()),
             None => {
-                let rows = self.solved(part, total);
+                let rows =
+                    self.results.solve(part, self.threads, &|done| self.progress.tell(done, total));
                 self.progress.clear();
-                let heads = self.study.columns();
-                let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
-                let mut outputs = Outputs::default();
-                outputs.file(
-                    &path,
-                    Content::csv(&heads, rows.iter().map(|row| self.study.fields(row))),
-                );
-                outputs.write()?;
+                self.results.write(part, &rows)?;
                 rows
             }
         };
@@ -238,53 +166,14 @@ impl<'s> Run<'s> {
     }
 
     /// The rows of a part that is there and whole; one that is not is told and computed again.
-    fn known(&self, part: &Part, path: &Path) -> Result<Option<Vec<Row>>, Failure> {
-        let Some(bytes) = read(path)? else { return Ok(None) };
-        let mut reader = csv::ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .from_reader(bytes.as_slice());
-        let lines: Result<Vec<Vec<String>>, _> = reader
-            .records()
-            .map(|record| record.map(|fields| fields.iter().map(str::to_owned).collect()))
-            .collect();
-        let fault = match (lines, bytes.ends_with(b"\n")) {
-            (Ok(lines), true) => match self.study.rows(part, &lines) {
-                Ok(rows) => return Ok(Some(rows)),
-                Err(fault) => fault.0,
-            },
-            _ => format!("{}: is cut short", part.file_name()),
-        };
-        say("warning", &format!("{fault}: it is computed again"));
-        Ok(None)
-    }
-
-    /// The cases of a part on all threads; each row depends on its case alone.
-    fn solved(&self, part: &Part, total: usize) -> Vec<Row> {
-        let cases = part.cases.clone();
-        let next = AtomicUsize::new(cases.start);
-        let rows = Mutex::new(Vec::with_capacity(cases.len()));
-        let work = || {
-            loop {
-                let case = next.fetch_add(1, Ordering::Relaxed);
-                if case >= cases.end {
-                    return;
-                }
-                let row = self.study.solve(case);
-                let mut rows = rows.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-                rows.push(row);
-                self.progress.tell(rows.len(), total);
+    fn known(&self, part: &Part) -> Result<Option<Vec<Row>>, Failure> {
+        match self.results.known(part)? {
+            Some(Err(fault)) => {
+                say("warning", &format!("{}: it is computed again", fault.0));
+                Ok(None)
             }
-        };
-        thread::scope(|scope| {
-            for _ in 1..self.threads.min(cases.len()) {
-                scope.spawn(work);
-            }
-            work();
-        });
-        let mut rows = rows.into_inner().unwrap_or_else(std::sync::PoisonError::into_inner);
-        rows.sort_by_key(|row| row.case);
-        rows
+            known => Ok(known.and_then(Result::ok)),
+        }
     }
 
     /// Audits some of the cases of these parts, chosen by the seed of the study.
@@ -297,7 +186,9 @@ impl<'s> Run<'s> {
         self.audited = chosen
             .into_iter()
             .filter(|case| here(*case))
-            .map(|case| (self.study.solve(case), self.study.solve_audited(case)))
+            .flat_map(|case| self.study.solve(case..case + 1))
+            .map(|row| (self.study.solve_audited(row.case), row))
+            .map(|(audited, row)| (row, audited))
             .filter(|(row, _)| row.is_answered())
             .collect();
     }

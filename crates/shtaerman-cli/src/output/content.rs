@@ -58,14 +58,11 @@ impl<'a> Content<'a> {
     }
 
     /// CSV with a header.
-    pub(crate) fn csv<'h>(
-        header: &[&'h str],
+    pub(crate) fn csv(
+        header: &[impl AsRef<str>],
         rows: impl IntoIterator<Item = Vec<String>> + 'a,
-    ) -> Self
-    where
-        'h: 'a,
-    {
-        let header = header.to_vec();
+    ) -> Self {
+        let header: Vec<String> = header.iter().map(|head| head.as_ref().to_owned()).collect();
         Self::stream(move |out| {
             let mut writer = csv::Writer::from_writer(out);
             writer.write_record(&header).map_err(unwrapped)?;

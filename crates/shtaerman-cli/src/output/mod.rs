@@ -16,6 +16,9 @@ pub(crate) use content::Content;
 pub(crate) use pending::interrupt;
 pub(crate) use signals::watch_signals;
 
+/// How names of temporary files begin.
+pub(crate) const TEMPORARY: &str = ".shtaerman-";
+
 /// Everything a command writes: prepared first, then put in place together.
 #[derive(Debug, Default)]
 pub(crate) struct Outputs<'a> {

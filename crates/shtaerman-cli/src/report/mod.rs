@@ -4,7 +4,6 @@ mod answer;
 mod equation;
 mod extras;
 mod find;
-mod npz;
 mod number;
 mod picture;
 mod stress;
@@ -15,11 +14,10 @@ pub(crate) use answer::{answer_csv, answer_table};
 pub(crate) use equation::{equation_csv, equation_table};
 pub(crate) use extras::{extras, surface_csv};
 pub(crate) use find::{CrownReport, FoundReport, ShapedReport};
-pub(crate) use npz::{Array, npz};
 pub(crate) use number::significant;
 pub use picture::contact_plot;
 pub(crate) use stress::{
     StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
 };
-pub(crate) use sweep::{SweepReport, keep, response, sweep_table};
+pub(crate) use sweep::{SweepReport, columns, keep, response, rows_table, sweep_table};
 pub(crate) use table::Table;

@@ -7,7 +7,8 @@ use serde::{Serialize, Serializer};
 use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
 use shtaerman::{Criterion, FirstYield, Peak, Stress, StressField};
 
-use super::{Array, Table, npz, significant};
+use super::{Table, significant};
+use crate::npz::{Array, npz};
 use crate::arguments::StressComponent;
 use crate::output::Content;
 
@@ -363,10 +364,10 @@ pub(crate) fn stress_npz(stresses: &Stresses) -> Content<'_> {
     let lengths = [stresses.y.len(), stresses.x.len()];
     let shape = if stresses.is_grid { &lengths[..] } else { &lengths[..1] };
     let places = [("x", &lengths[1..], &stresses.x), ("y", &lengths[..1], &stresses.y)]
-        .map(|(name, shape, values)| Array::new(name, shape, values.iter().copied()));
+        .map(|(name, shape, values)| Array::numbers(name, shape, values.iter().copied()));
     let components = COMPONENTS.map(|(name, which)| {
         let values = stresses.stresses.iter().map(move |stress| component(stress, which));
-        Array::new(name, shape, values)
+        Array::numbers(name, shape, values)
     });
     npz(places.into_iter().chain(components).collect())
 }

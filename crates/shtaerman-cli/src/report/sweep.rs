@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use shtaerman_study::{Design, Manifest, Row, Study, Summary};
+use shtaerman_study::{Column, Design, Manifest, Row, Study, Summary};
 
 use super::{Table, significant};
 use crate::plot::{ResponseCurve, ResponsePlot};
@@ -96,6 +96,36 @@ pub(crate) fn sweep_table(study: &Study, manifest: &Manifest, report: &SweepRepo
     text.push_str(&indices(study, summary));
     text.push_str(&audits(study, report.audited));
     text
+}
+
+/// What varies and the outputs of each case.
+pub(crate) fn rows_table(study: &Study, rows: &[Row]) -> String {
+    let units = units(study);
+    let keys = study.variables().iter().map(|variable| variable.key.clone());
+    let names = study.outputs().iter().map(|output| format!("{}{units}", output.name));
+    let heads: Vec<String> = keys.chain(names).collect();
+    let mut table = Table::new(&heads.iter().map(String::as_str).collect::<Vec<_>>());
+    for row in rows {
+        let inputs = row.inputs.iter().map(|input| match input.number() {
+            Some(value) => significant(value, DIGITS),
+            None => input.to_string(),
+        });
+        let outputs = row.outputs.iter().map(|value| significant(*value, DIGITS));
+        table.row(inputs.chain(outputs).collect());
+    }
+    format!("{table}\n")
+}
+
+/// The columns of rows as a JSON object of arrays.
+pub(crate) fn columns(study: &Study, rows: &[Row]) -> serde_json::Value {
+    let array = |column: Column| match column {
+        Column::Whole(values) => serde_json::Value::from(values),
+        // NaN becomes null.
+        Column::Number(values) => serde_json::Value::from(values),
+        Column::Text(values) => serde_json::Value::from(values),
+    };
+    let arrays = study.arrays(rows).into_iter().map(array);
+    serde_json::Value::Object(study.columns().into_iter().zip(arrays).collect())
 }
 
 /// What is said of units behind a name.

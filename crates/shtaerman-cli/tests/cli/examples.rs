@@ -1,5 +1,7 @@
 //! Every example and both forms of `init`: they solve, and files and answers are what the schemas say.
 
+use std::path::Path;
+
 use crate::support::{
     DIMENSIONLESS, Folder, PHYSICAL, assert_valid, number, repository, schema, toml_as_json,
 };
@@ -27,12 +29,21 @@ fn all_examples() -> Vec<String> {
 /// A folder with a copy of `examples/`, so that the commands of the headings run as they are written.
 fn copy() -> Folder {
     let folder = Folder::new();
-    std::fs::create_dir(folder.path("examples")).unwrap();
-    for entry in std::fs::read_dir(repository().join("examples")).unwrap() {
-        let entry = entry.unwrap();
-        std::fs::copy(entry.path(), folder.path("examples").join(entry.file_name())).unwrap();
-    }
+    copy_folder(&repository().join("examples"), &folder.path("examples"));
     folder
+}
+
+fn copy_folder(from: &Path, to: &Path) {
+    std::fs::create_dir(to).unwrap();
+    for entry in std::fs::read_dir(from).unwrap() {
+        let entry = entry.unwrap();
+        let place = to.join(entry.file_name());
+        if entry.path().is_dir() {
+            copy_folder(&entry.path(), &place);
+        } else {
+            std::fs::copy(entry.path(), place).unwrap();
+        }
+    }
 }
 
 #[test]

@@ -127,10 +127,12 @@ fn outputs() {
     assert_eq!(folder.read("s.json"), first);
     for kernel in KERNELS {
         folder
-            .run(&[&["spectrum"], kernel, &["--plot", "k.png", "--count", "2"]].concat())
+            .run(&[&["spectrum"], kernel, &["--plot", "k.svg", "--count", "2"]].concat())
             .answer();
-        assert!(std::fs::read(folder.path("k.png")).unwrap().starts_with(b"\x89PNG"));
+        assert!(folder.read("k.svg").contains("n = 1"), "{kernel:?}");
     }
+    folder.run(&["spectrum", "log", "--a", "1", "--plot", "k.png", "--count", "2"]).answer();
+    assert!(std::fs::read(folder.path("k.png")).unwrap().starts_with(b"\x89PNG"));
 }
 
 #[test]

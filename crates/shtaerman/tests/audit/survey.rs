@@ -5,9 +5,9 @@ use crate::judge::{Against, Outcome, judge};
 
 /// Another seed than examples and reports have.
 const SEED: u64 = 5_150_927;
-const COUNT: u64 = 72;
+const COUNT: u64 = 48;
 /// So many answers are held against the reference, which takes seconds.
-const CHECKED: usize = 8;
+const CHECKED: usize = 6;
 /// Longer traces take too long for a test.
 const MOST_ROWS: usize = 100;
 
@@ -52,7 +52,7 @@ fn stated_errors_hold() {
         checked - referred
     );
     assert!(
-        referred >= CHECKED && checked > 2 * CHECKED && answered > 40,
+        referred >= CHECKED && checked > 2 * CHECKED && answered > 27,
         "{answered} answered, {checked} checked"
     );
 }

@@ -372,7 +372,7 @@ fn extreme_numbers_have_answers_or_errors() {
         "1e-8*cos(3e4*x)",
         "(abs(x) - 0.003)^2",
     ] {
-        for force in [1e-300, 1.0, 1e12, 1e290] {
+        for force in [1e-300, 1.0, 1e290] {
             match attempt(profile, pressed(force)) {
                 Ok(contact) => {
                     assert!(contact.settlement().is_finite());

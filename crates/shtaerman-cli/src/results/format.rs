@@ -1,0 +1,105 @@
+//! The formats of parts.
+
+use shtaerman_study::{Column, Part, PartFault, Row, Study};
+
+use super::parquet;
+use crate::Failure;
+use crate::npz::{self, Array, Values};
+use crate::output::Content;
+
+/// The format of the parts of a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+pub enum PartFormat {
+    /// Text, a line for each case.
+    #[default]
+    Csv,
+    /// Arrays for `NumPy`, one for each column.
+    Npz,
+    /// Columns, for tools that take many files as one table.
+    Parquet,
+}
+
+impl PartFormat {
+    /// Its name, with which the files end.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Csv => "csv",
+            Self::Npz => "npz",
+            Self::Parquet => "parquet",
+        }
+    }
+
+    /// Whether this program writes it.
+    ///
+    /// # Errors
+    /// [`Failure::Usage`] for Parquet where it was built without.
+    pub(crate) fn check(self) -> Result<(), Failure> {
+        if self == Self::Parquet && !cfg!(feature = "parquet") {
+            let message = "--format parquet: this program was built without it; build it with `cargo build --release --features parquet`, use st.sweep of the Python package, or take npz";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        Ok(())
+    }
+
+    /// What the file of a part with these rows has.
+    pub(super) fn content<'r>(self, study: &'r Study, rows: &'r [Row]) -> Result<Content<'r>, Failure> {
+        Ok(match self {
+            Self::Csv => {
+                let heads = study.columns();
+                Content::csv(&heads, rows.iter().map(|row| study.fields(row)))
+            }
+            Self::Npz => npz::npz(arrays(study, rows)),
+            Self::Parquet => return self.check().and_then(|()| parquet::content(study, rows)),
+        })
+    }
+
+    /// The rows of a part from the bytes of its file.
+    pub(super) fn rows(
+        self,
+        study: &Study,
+        part: &Part,
+        bytes: &[u8],
+    ) -> Result<Vec<Row>, PartFault> {
+        let cut = || PartFault(format!("part {}: is cut short", part.number));
+        match self {
+            Self::Csv => {
+                let lines = lines(bytes).ok_or_else(cut)?;
+                study.rows(part, &lines)
+            }
+            Self::Npz => {
+                let names = study.columns();
+                let columns: Option<Vec<Column>> = npz::Archive::new(bytes)
+                    .and_then(|mut archive| names.iter().map(|name| archive.column(name)).collect());
+                study.rows_of_arrays(part, &columns.ok_or_else(cut)?)
+            }
+            Self::Parquet => {
+                let columns = parquet::columns(study, bytes);
+                study.rows_of_arrays(part, &columns.ok_or_else(cut)?)
+            }
+        }
+    }
+}
+
+/// The lines of a whole CSV file, that of the heads first.
+fn lines(bytes: &[u8]) -> Option<Vec<Vec<String>>> {
+    if !bytes.ends_with(b"\n") {
+        return None;
+    }
+    let mut reader =
+        csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes);
+    let lines = reader.records().map(|record| {
+        record.ok().map(|fields| fields.iter().map(str::to_owned).collect::<Vec<String>>())
+    });
+    lines.collect()
+}
+
+fn arrays<'r>(study: &Study, rows: &[Row]) -> Vec<Array<'r>> {
+    let names = study.columns();
+    let values = study.arrays(rows).into_iter().map(|column| match column {
+        Column::Whole(values) => Values::Whole(values),
+        Column::Number(values) => Values::Numbers(Box::new(values.into_iter())),
+        Column::Text(values) => Values::Texts(values),
+    });
+    let array = |(name, values)| Array::new(name, &[rows.len()], values);
+    names.into_iter().zip(values).map(array).collect()
+}

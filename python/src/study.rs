@@ -1,0 +1,212 @@
+//! Studies and folders of their results.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use numpy::{PyArray1, PyReadonlyArray1};
+use pyo3::IntoPyObjectExt;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use shtaerman_cli::{PartFormat, Refusal, StudyResults};
+use shtaerman_study::{Column, Design, Part, Row};
+
+use crate::errors::{ConvergenceError, raised};
+use crate::running::done;
+
+/// A problem with some of its values varied, as a study file states it.
+#[pyclass(frozen, module = "shtaerman._shtaerman")]
+pub(crate) struct Study(Arc<shtaerman_study::Study>);
+
+/// The results of a study in a folder.
+#[pyclass(frozen, module = "shtaerman._shtaerman")]
+pub(crate) struct Results(Arc<StudyResults>);
+
+fn refused(refusal: Refusal) -> PyErr {
+    match refusal.exit_code {
+        1 | 3 => ConvergenceError::new_err(refusal.message),
+        _ => PyValueError::new_err(refusal.message),
+    }
+}
+
+/// The columns of rows: arrays of numbers, lists of texts.
+fn arrays<'py>(
+    py: Python<'py>,
+    study: &shtaerman_study::Study,
+    rows: &[Row],
+) -> PyResult<Vec<Bound<'py, PyAny>>> {
+    let array = |column| match column {
+        Column::Whole(values) => PyArray1::from_vec(py, values).into_bound_py_any(py),
+        Column::Number(values) => PyArray1::from_vec(py, values).into_bound_py_any(py),
+        Column::Text(values) => values.into_bound_py_any(py),
+    };
+    study.arrays(rows).into_iter().map(array).collect()
+}
+
+/// The part of this number.
+fn part(study: &shtaerman_study::Study, number: usize) -> PyResult<Part> {
+    let fault = || PyValueError::new_err(format!("there is no part {number}"));
+    study.parts().nth(number).ok_or_else(fault)
+}
+
+#[pymethods]
+impl Study {
+    #[new]
+    fn new(content: &[u8], name: &str, folder: PathBuf, overrides: Vec<String>) -> PyResult<Self> {
+        let read = shtaerman_study::Study::from_bytes(content, name, &folder, &overrides);
+        Ok(Self(Arc::new(read.map_err(|error| raised(&error))?)))
+    }
+
+    #[getter]
+    fn cases(&self) -> usize {
+        self.0.cases()
+    }
+
+    /// How many parts the results have.
+    #[getter]
+    fn parts(&self) -> usize {
+        self.0.parts().len()
+    }
+
+    #[getter]
+    fn columns(&self) -> Vec<String> {
+        self.0.columns()
+    }
+
+    #[getter]
+    fn variables(&self) -> Vec<String> {
+        self.0.variables().iter().map(|variable| variable.key.clone()).collect()
+    }
+
+    #[getter]
+    fn outputs(&self) -> Vec<&'static str> {
+        self.0.outputs().iter().map(|output| output.name).collect()
+    }
+
+    #[getter]
+    fn is_audited(&self) -> bool {
+        self.0.is_audited()
+    }
+
+    /// How many values each variable of a grid has, in order; none for other designs.
+    #[getter]
+    fn shape(&self) -> Option<Vec<usize>> {
+        if self.0.design() != Design::Grid {
+            return None;
+        }
+        let count = |variable: &shtaerman_study::Variable| match &variable.variation {
+            shtaerman_study::Variation::Values(values) => Some(values.len()),
+            shtaerman_study::Variation::Drawn(_) => None,
+        };
+        self.0.variables().iter().map(count).collect()
+    }
+
+    /// Whether these are the cases of a part.
+    fn is_part(&self, number: usize, cases: PyReadonlyArray1<'_, i64>) -> PyResult<bool> {
+        let part = part(&self.0, number)?;
+        Ok(part.cases.map(|case| case as i64).eq(cases.as_array().iter().copied()))
+    }
+
+    /// How many cases are best solved together.
+    #[getter]
+    fn block(&self) -> usize {
+        self.0.block()
+    }
+
+    /// Solves cases one after the other.
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        first: usize,
+        end: usize,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let study = Arc::clone(&self.0);
+        let cases = first.min(study.cases())..end.min(study.cases());
+        let rows = done(py, move || study.solve(cases))?;
+        arrays(py, &self.0, &rows)
+    }
+
+    /// The sample of the cases that is audited: without and with audit.
+    #[allow(clippy::type_complexity, reason = "two lists of columns")]
+    fn audited_sample<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<(Vec<Bound<'py, PyAny>>, Vec<Bound<'py, PyAny>>)> {
+        let study = Arc::clone(&self.0);
+        let (plain, audited) = done(py, move || {
+            let cases = study.audited_sample();
+            let plain: Vec<Row> =
+                cases.iter().flat_map(|case| study.solve(*case..case + 1)).collect();
+            let audited: Vec<Row> = cases.iter().map(|case| study.solve_audited(*case)).collect();
+            (plain, audited)
+        })?;
+        Ok((arrays(py, &self.0, &plain)?, arrays(py, &self.0, &audited)?))
+    }
+
+    /// The folder of its results: made unless they are only read.
+    fn results(
+        &self,
+        name: &str,
+        folder: PathBuf,
+        format: &str,
+        is_read_only: bool,
+    ) -> PyResult<Results> {
+        let format = match format {
+            "csv" => PartFormat::Csv,
+            "npz" => PartFormat::Npz,
+            "parquet" => PartFormat::Parquet,
+            other => {
+                let message = format!("format: must be csv, npz or parquet, got {other:?}");
+                return Err(PyValueError::new_err(message));
+            }
+        };
+        let study = self.0.as_ref().clone();
+        let opened = StudyResults::open(study, name, &folder, format, is_read_only);
+        Ok(Results(Arc::new(opened.map_err(refused)?)))
+    }
+}
+
+#[pymethods]
+impl Results {
+    /// Where a part is, or will be.
+    fn path(&self, number: usize) -> PyResult<PathBuf> {
+        Ok(self.0.path(&part(self.0.study(), number)?))
+    }
+
+    /// The columns of a part that is there and whole.
+    fn arrays<'py>(
+        &self,
+        py: Python<'py>,
+        number: usize,
+    ) -> PyResult<Option<Vec<Bound<'py, PyAny>>>> {
+        let part = part(self.0.study(), number)?;
+        let results = Arc::clone(&self.0);
+        let rows = done(py, move || results.rows(&part))?.map_err(refused)?;
+        rows.map(|rows| arrays(py, self.0.study(), &rows)).transpose()
+    }
+
+    /// The columns of a part, computed.
+    fn solve<'py>(
+        &self,
+        py: Python<'py>,
+        number: usize,
+        threads: usize,
+    ) -> PyResult<Vec<Bound<'py, PyAny>>> {
+        let part = part(self.0.study(), number)?;
+        let results = Arc::clone(&self.0);
+        let rows = done(py, move || results.solve(&part, threads))?;
+        arrays(py, self.0.study(), &rows)
+    }
+
+    /// Computes a part and writes its file unless it is there and whole; whether it was computed.
+    fn complete(&self, py: Python<'_>, number: usize, threads: usize) -> PyResult<bool> {
+        let part = part(self.0.study(), number)?;
+        let results = Arc::clone(&self.0);
+        let completed = done(py, move || {
+            if results.rows(&part)?.is_some() {
+                return Ok(false);
+            }
+            results.write(&part, &results.solve(&part, threads)).map(|()| true)
+        })?;
+        completed.map_err(refused)
+    }
+}
