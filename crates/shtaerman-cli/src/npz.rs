@@ -71,7 +71,9 @@ fn entry(name: &str) -> String {
 /// Magic, length of the header, header, little-endian values.
 fn npy(array: Array<'_>, out: &mut impl Write) -> io::Result<()> {
     let width = match &array.values {
-        Values::Texts(texts) => texts.iter().map(|text| text.chars().count()).max().unwrap_or(0).max(1),
+        Values::Texts(texts) => {
+            texts.iter().map(|text| text.chars().count()).max().unwrap_or(0).max(1)
+        }
         Values::Numbers(_) | Values::Whole(_) => 0,
     };
     let kind = match &array.values {

@@ -89,7 +89,7 @@ impl Study {
     /// # Errors
     /// [`PartFault`] unless it is that part of this study, and whole.
     pub fn rows_of_arrays(&self, part: &Part, arrays: &[Column]) -> Result<Vec<Row>, PartFault> {
-        let fault = |text: &str| PartFault(format!("part {}: {text}", part.number));
+        let fault = |text: &str| PartFault(text.to_owned());
         if arrays.len() != self.columns().len() {
             return Err(fault("has other columns"));
         }

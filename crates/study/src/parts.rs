@@ -131,7 +131,7 @@ impl Study {
     /// # Errors
     /// [`PartFault`] unless it is that part of this study, and whole.
     pub fn rows(&self, part: &Part, lines: &[Vec<String>]) -> Result<Vec<Row>, PartFault> {
-        let fault = |text: &str| PartFault(format!("part {}: {text}", part.number));
+        let fault = |text: &str| PartFault(text.to_owned());
         let (heads, lines) = lines.split_first().ok_or_else(|| fault("is empty"))?;
         if *heads != self.columns() {
             return Err(fault("has other columns"));

@@ -216,7 +216,8 @@ fn ends(variation: &Variation) -> [f64; 2] {
             .filter_map(Input::number)
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]),
         Variation::Drawn(distribution) => {
-            let ends = [distribution.quantile(LEAST_SHARE), distribution.quantile(1.0 - LEAST_SHARE)];
+            let ends =
+                [distribution.quantile(LEAST_SHARE), distribution.quantile(1.0 - LEAST_SHARE)];
             [ends[0].min(ends[1]).max(0.0), ends[0].max(ends[1])]
         }
     }

@@ -18,7 +18,8 @@ fn alone(problem: &str, study: &Study, row: &Row) -> Contact {
         .zip(&row.inputs)
         .map(|(variable, input)| format!("{}={input}", variable.key))
         .collect();
-    let file = ProblemFile::from_bytes(problem.as_bytes(), "problem.toml", Path::new(""), &overrides);
+    let file =
+        ProblemFile::from_bytes(problem.as_bytes(), "problem.toml", Path::new(""), &overrides);
     file.unwrap().solve().unwrap()
 }
 
@@ -74,7 +75,13 @@ fn replaced_values_give_the_bits_of_files_read_anew() {
                 study.outputs().iter().zip(row.outputs.iter().zip(&row.errors))
             {
                 let exact = output.value(&contact);
-                assert_eq!(value.to_bits(), exact.to_bits(), "{} of case {}", output.name, row.case);
+                assert_eq!(
+                    value.to_bits(),
+                    exact.to_bits(),
+                    "{} of case {}",
+                    output.name,
+                    row.case
+                );
                 assert_eq!(*error, output.error(&contact), "{} of case {}", output.name, row.case);
             }
         }
@@ -115,9 +122,17 @@ fn a_sweep_over_theta0_and_loads_agrees_with_single_solves_within_its_errors() {
                 let exact = output.value(&contact);
                 let room = error.unwrap_or(0.0) + Output::error(output, &contact).unwrap_or(0.0);
                 let apart = (value - exact).abs();
-                assert!(apart <= room, "{} of {:?}: {apart:e}, stated {room:e}", output.name, row.inputs);
+                assert!(
+                    apart <= room,
+                    "{} of {:?}: {apart:e}, stated {room:e}",
+                    output.name,
+                    row.inputs
+                );
                 // An error that states nothing would pass.
-                assert!(room <= 1e-7 * (1.0 + exact.abs() + row.outputs[0].abs() * 1e3), "{room:e}");
+                assert!(
+                    room <= 1e-7 * (1.0 + exact.abs() + row.outputs[0].abs() * 1e3),
+                    "{room:e}"
+                );
             }
         }
     }

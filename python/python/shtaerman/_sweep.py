@@ -7,7 +7,6 @@ import os
 import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -46,12 +45,28 @@ class _Source:
     overrides: tuple[str, ...]
 
     def study(self) -> engine.Study:
-        return _study(self)
+        return _STUDIES.get(self)
 
 
-@lru_cache(maxsize=4)
-def _study(source: _Source) -> engine.Study:
-    return engine.Study(source.content, source.name, source.folder, list(source.overrides))
+class _Studies:
+    """The last few studies that were read: each of many tasks asks for the same one."""
+
+    MOST = 4
+
+    def __init__(self) -> None:
+        self._read: dict[_Source, engine.Study] = {}
+
+    def get(self, source: _Source) -> engine.Study:
+        found = self._read.pop(source, None)
+        if found is None:
+            found = engine.Study(source.content, source.name, source.folder, list(source.overrides))
+        self._read[source] = found
+        while len(self._read) > self.MOST:
+            self._read.pop(next(iter(self._read)), None)
+        return found
+
+
+_STUDIES = _Studies()
 
 
 @dataclass(frozen=True)

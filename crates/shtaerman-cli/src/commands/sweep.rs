@@ -11,7 +11,7 @@ use crate::Failure;
 use crate::arguments::SweepArguments;
 use crate::failure::{say, shown};
 use crate::output::{Input, Outputs, check_writable};
-use crate::plot::{Format, Size, render};
+use crate::plot::{Format, render};
 use crate::report;
 use crate::results::{Results, processors};
 
@@ -50,8 +50,9 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     let mut outputs = Outputs::default();
     outputs.result(None, report::sweep_table(study, results.manifest(), &run.report(chosen.len())));
     if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        let plot = report::response(study, &run.curves).map_err(Failure::Usage)?;
-        outputs.file(path, render(&plot, format, Size::default())?);
+        let (plot, size) =
+            report::response(study, &run.curves, Some(&run.summary)).map_err(Failure::Usage)?;
+        outputs.file(path, render(&plot, format, size)?);
     }
     outputs.write()
 }
@@ -169,7 +170,9 @@ impl<'s> Run<'s> {
     fn known(&self, part: &Part) -> Result<Option<Vec<Row>>, Failure> {
         match self.results.known(part)? {
             Some(Err(fault)) => {
-                say("warning", &format!("{}: it is computed again", fault.0));
+                let path = self.results.path(part);
+                let name = shown(Path::new(path.file_name().unwrap_or(path.as_os_str())));
+                say("warning", &format!("{name}: {}: it is computed again", fault.0));
                 Ok(None)
             }
             known => Ok(known.and_then(Result::ok)),

@@ -10,7 +10,7 @@ use crate::Failure;
 use crate::arguments::{ReportFormat, SolveArguments};
 use crate::failure::say;
 use crate::output::{Content, Input, Outputs, check_writable};
-use crate::plot::{Format, Size, render};
+use crate::plot::{Format, render};
 use crate::{report, results};
 
 /// Most cases; more belong into a folder.
@@ -36,8 +36,12 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let rows = results::solved(&study, 0..study.cases(), results::processors(), &|_| ());
     if let Some(refused) = rows.iter().find(|row| !row.is_answered()) {
         let count = rows.iter().filter(|row| !row.is_answered()).count();
-        let message =
-            format!("{count} of {} cases have no answer; case {}: {}", rows.len(), refused.case, refused.reason);
+        let message = format!(
+            "{count} of {} cases have no answer; case {}: {}",
+            rows.len(),
+            refused.case,
+            refused.reason
+        );
         if count == rows.len() {
             return Err(Failure::Check(message));
         }
@@ -53,8 +57,8 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     };
     outputs.result(arguments.output.output.as_deref(), content);
     if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        let plot = report::response(&study, &rows).map_err(Failure::Usage)?;
-        outputs.file(path, render(&plot, format, Size::default())?);
+        let (plot, size) = report::response(&study, &rows, None).map_err(Failure::Usage)?;
+        outputs.file(path, render(&plot, format, size)?);
     }
     outputs.write()
 }
@@ -77,7 +81,8 @@ fn study(arguments: &SolveArguments) -> Result<Study, Failure> {
     bytes.extend(table.as_bytes());
     let path = &arguments.problem.file;
     let folder = path.parent().unwrap_or(Path::new(""));
-    Ok(Study::from_bytes(&bytes, &problem_file::name(path), folder, &overrides)?)
+    let name = format!("{} with --vary", problem_file::name(path));
+    Ok(Study::from_bytes(&bytes, &name, folder, &overrides)?)
 }
 
 /// Text as TOML has it.

@@ -49,12 +49,16 @@ impl<'a> Content<'a> {
         })
     }
 
+    /// What it writes.
+    pub(crate) fn bytes(self) -> Result<Vec<u8>, Failure> {
+        let mut bytes = Vec::new();
+        self.write_to(&mut bytes).map_err(|error| in_memory(&error))?;
+        Ok(bytes)
+    }
+
     /// What it writes, as text.
     pub(crate) fn text(self) -> Result<String, Failure> {
-        let unwritten = |error: io::Error| Failure::unwritten(Path::new("memory"), &error);
-        let mut bytes = Vec::new();
-        self.write_to(&mut bytes).map_err(unwritten)?;
-        String::from_utf8(bytes).map_err(|error| unwritten(io::Error::other(error)))
+        String::from_utf8(self.bytes()?).map_err(|error| in_memory(&io::Error::other(error)))
     }
 
     /// CSV with a header.
@@ -103,6 +107,10 @@ impl<'a> Content<'a> {
             other => other.write_to(file),
         }
     }
+}
+
+fn in_memory(error: &io::Error) -> Failure {
+    Failure::unwritten(Path::new("memory"), error)
 }
 
 /// The error of the system, which says whether a pipe was closed.

@@ -77,6 +77,8 @@ pub struct Axis {
     pub reversed: bool,
     /// Numbers that must lie within the axis, whatever the curves do.
     pub include: Vec<f64>,
+    /// Names of the places 0, 1, 2 and so on, in place of numbers.
+    pub names: Vec<String>,
 }
 
 impl Axis {
@@ -95,7 +97,14 @@ impl Axis {
     /// An axis with a scale.
     #[must_use]
     pub fn with_scale(label: impl Into<String>, scale: Scale) -> Self {
-        Self { label: label.into(), scale, reversed: false, include: Vec::new() }
+        Self { label: label.into(), scale, reversed: false, include: Vec::new(), names: Vec::new() }
+    }
+
+    /// A linear axis whose places 0, 1, 2 and so on have names.
+    #[must_use]
+    pub fn of_names(names: Vec<String>) -> Self {
+        let last = names.len() as f64 - 0.5;
+        Self { names, ..Self::linear("").including(-0.5).including(last) }
     }
 
     /// The axis turned round.

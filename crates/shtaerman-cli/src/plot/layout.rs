@@ -261,6 +261,9 @@ fn left_margin(axis: &Axis, ticks: &Ticks) -> f64 {
 
 /// As many ticks as fit along a length without their labels touching.
 fn ticks(axis: &Axis, range: Range, length: f64, horizontal: bool) -> Ticks {
+    if !axis.names.is_empty() {
+        return Ticks::named(&axis.names);
+    }
     let spacing = if horizontal { 75.0 } else { 30.0 };
     let most = ((length / spacing) as usize).clamp(2, 24);
     let extent = |label: &str| if horizontal { text::width(label, TICK) + 10.0 } else { 15.0 };

@@ -62,32 +62,37 @@ impl MapPlot {
     }
 
     fn levels(&self) -> (Vec<f64>, Palette) {
-        let finite = || self.values.iter().copied().filter(|value| value.is_finite());
-        let low = finite().fold(f64::INFINITY, f64::min);
-        let high = finite().fold(f64::NEG_INFINITY, f64::max);
-        let (low, high) = self.limits.unwrap_or((low, high));
-        if low.is_nan() || low >= high || high.is_nan() {
-            return (Vec::new(), Palette::Sequential);
-        }
-        // A small part of the other sign, such as that of rounding, is no reason for two colours.
-        let both = low < -0.1 * high.abs() && high > 0.1 * low.abs();
-        let reach = high.max(-low);
-        // White is zero: as many bands on either side.
-        let (low, high) = if both { (-reach, reach) } else { (low, high) };
-        let ticks = Ticks::new(Scale::Linear, Range { low, high }, BANDS);
-        // A level at an end of the range parts nothing.
-        let apart = 1e-9 * (high - low);
-        let places = ticks.labelled.into_iter().map(|tick| tick.place);
-        let levels = places.filter(|place| *place > low + apart && *place < high - apart).collect();
-        let palette = if both {
-            Palette::Diverging
-        } else if high <= -0.1 * low {
-            Palette::Reversed
-        } else {
-            Palette::Sequential
-        };
-        (levels, palette)
+        levels(&self.values, self.limits)
     }
+}
+
+/// Round levels between values, of which those beyond the limits count as these, and the colours for them.
+pub(super) fn levels(values: &[f64], limits: Option<(f64, f64)>) -> (Vec<f64>, Palette) {
+    let finite = || values.iter().copied().filter(|value| value.is_finite());
+    let low = finite().fold(f64::INFINITY, f64::min);
+    let high = finite().fold(f64::NEG_INFINITY, f64::max);
+    let (low, high) = limits.unwrap_or((low, high));
+    if low.is_nan() || low >= high || high.is_nan() {
+        return (Vec::new(), Palette::Sequential);
+    }
+    // A small part of the other sign, such as that of rounding, is no reason for two colours.
+    let both = low < -0.1 * high.abs() && high > 0.1 * low.abs();
+    let reach = high.max(-low);
+    // White is zero: as many bands on either side.
+    let (low, high) = if both { (-reach, reach) } else { (low, high) };
+    let ticks = Ticks::new(Scale::Linear, Range { low, high }, BANDS);
+    // A level at an end of the range parts nothing.
+    let apart = 1e-9 * (high - low);
+    let places = ticks.labelled.into_iter().map(|tick| tick.place);
+    let levels = places.filter(|place| *place > low + apart && *place < high - apart).collect();
+    let palette = if both {
+        Palette::Diverging
+    } else if high <= -0.1 * low {
+        Palette::Reversed
+    } else {
+        Palette::Sequential
+    };
+    (levels, palette)
 }
 
 impl Plot for MapPlot {

@@ -33,6 +33,7 @@ mod shape;
 mod solution;
 mod text;
 mod ticks;
+mod tornado;
 
 pub use axis::{Axis, Scale};
 pub use colour::{Colour, Palette};
@@ -47,5 +48,6 @@ pub use figure::{
 pub use format::{Format, PNG_PIXELS_PER_UNIT, Size};
 pub use map::MapPlot;
 pub use render::render;
-pub use response::{ResponseCurve, ResponsePlot};
+pub use response::{ResponseCurve, ResponseMap, ResponsePlot, ResponseSurface};
 pub use solution::SolutionPlot;
+pub use tornado::{Bars, TornadoPlot};

@@ -3,7 +3,9 @@
 use super::Plot;
 use super::axis::Axis;
 use super::colour::Colour;
-use super::figure::{Arrangement, Figure, Layer, LegendPlace, Line, Panel};
+use super::figure::{Arrangement, ColourBar, Contours, Figure, Layer, LegendPlace, Line, Panel};
+use super::format::Size;
+use super::map::levels;
 
 /// One panel for each output, below each other.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -27,21 +29,24 @@ pub struct ResponseCurve {
     pub points: Vec<(f64, f64)>,
 }
 
+/// Heights of the title and of a panel of a map, and panels for which there is room.
+const TITLE: u32 = 60;
+const PANEL: u32 = 280;
+const MOST_PANELS: usize = 12;
 /// Values whose ends are further apart than this, as a ratio, are drawn on a logarithmic axis.
 const DECADES: f64 = 30.0;
 
+/// A linear axis, or a logarithmic one for positive values that are far apart.
+fn axis(label: &str, values: impl Iterator<Item = f64>) -> Axis {
+    let [low, high] =
+        values.fold([f64::INFINITY, 0.0f64], |[low, high], x| [low.min(x), high.max(x)]);
+    if low > 0.0 && high > DECADES * low { Axis::logarithmic(label) } else { Axis::linear(label) }
+}
+
 impl Plot for ResponsePlot {
     fn figure(&self) -> Figure {
-        let values = || self.curves.iter().flat_map(|curve| &curve.points).map(|point| point.0);
-        let ends =
-            values().fold([f64::INFINITY, 0.0f64], |[low, high], x| [low.min(x), high.max(x)]);
-        let horizontal = |label: &str| {
-            if ends[0] > 0.0 && ends[1] > DECADES * ends[0] {
-                Axis::logarithmic(label)
-            } else {
-                Axis::linear(label)
-            }
-        };
+        let values = self.curves.iter().flat_map(|curve| &curve.points).map(|point| point.0);
+        let horizontal = axis(&self.horizontal_label, values);
         let panel = |curve: &ResponseCurve| {
             let colour = Colour::BLUE;
             let layers = if self.is_connected {
@@ -57,7 +62,7 @@ impl Plot for ResponsePlot {
             };
             Panel {
                 heading: String::new(),
-                horizontal: horizontal(&self.horizontal_label),
+                horizontal: horizontal.clone(),
                 vertical: Axis::linear(&curve.label),
                 layers,
             }
@@ -66,6 +71,72 @@ impl Plot for ResponsePlot {
             title: self.title.clone(),
             notes: Vec::new(),
             panels: self.curves.iter().map(panel).collect(),
+            arrangement: Arrangement::Stacked,
+            legend: LegendPlace::Panel,
+        }
+    }
+}
+
+/// Outputs over two varied values, as bands of colour; one panel for each output.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ResponseMap {
+    /// Title; empty for none.
+    pub title: String,
+    /// Labels of the two varied values, along and up.
+    pub labels: [String; 2],
+    /// Their values.
+    pub values: [Vec<f64>; 2],
+    /// The outputs.
+    pub surfaces: Vec<ResponseSurface>,
+}
+
+/// One output over the grid.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ResponseSurface {
+    /// Name and unit.
+    pub label: String,
+    /// Values, one row for each of the values up.
+    pub values: Vec<f64>,
+}
+
+impl ResponseMap {
+    /// A picture with room for each panel.
+    #[must_use]
+    pub fn size(&self) -> Size {
+        let usual = Size::default();
+        let height = TITLE + PANEL * self.surfaces.len().min(MOST_PANELS) as u32;
+        Size { height: height.max(usual.height), ..usual }
+    }
+}
+
+impl Plot for ResponseMap {
+    fn figure(&self) -> Figure {
+        let [x, y] = &self.values;
+        let panel = |surface: &ResponseSurface| {
+            let (levels, palette) = levels(&surface.values, None);
+            let contours = Contours {
+                x: x.clone(),
+                y: y.clone(),
+                values: surface.values.clone(),
+                levels: levels.clone(),
+                palette,
+            };
+            // The heading names it.
+            let label = String::new();
+            let bar = (!levels.is_empty()).then_some(ColourBar { label, levels, palette });
+            Panel {
+                heading: surface.label.clone(),
+                horizontal: axis(&self.labels[0], x.iter().copied()),
+                vertical: axis(&self.labels[1], y.iter().copied()),
+                layers: std::iter::once(Layer::Contours(contours))
+                    .chain(bar.map(Layer::ColourBar))
+                    .collect(),
+            }
+        };
+        Figure {
+            title: self.title.clone(),
+            notes: Vec::new(),
+            panels: self.surfaces.iter().map(panel).collect(),
             arrangement: Arrangement::Stacked,
             legend: LegendPlace::Panel,
         }

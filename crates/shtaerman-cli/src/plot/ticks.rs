@@ -34,6 +34,14 @@ impl Ticks {
         }
     }
 
+    /// The places 0, 1, 2 and so on with their names.
+    pub(super) fn named(names: &[String]) -> Self {
+        let named = names.iter().enumerate();
+        let labelled =
+            named.map(|(place, name)| Tick { place: place as f64, label: name.clone() }).collect();
+        Self { labelled, ..Self::default() }
+    }
+
     /// The common power of ten as text; empty when it is one.
     pub(super) fn multiplier(&self) -> String {
         match self.exponent {

@@ -8,8 +8,8 @@ use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_
 use shtaerman::{Criterion, FirstYield, Peak, Stress, StressField};
 
 use super::{Table, significant};
-use crate::npz::{Array, npz};
 use crate::arguments::StressComponent;
+use crate::npz::{Array, npz};
 use crate::output::Content;
 
 /// Name of this JSON layout and its version.

@@ -2,10 +2,15 @@
 
 use std::fmt::Write;
 
-use shtaerman_study::{Column, Design, Manifest, Row, Study, Summary};
+use shtaerman_study::{
+    Column, Design, Indices, Input, Manifest, Output, Row, Study, Summary, Variation,
+};
 
 use super::{Table, significant};
-use crate::plot::{ResponseCurve, ResponsePlot};
+use crate::plot::{
+    Bars, Figure, Plot, ResponseCurve, ResponseMap, ResponsePlot, ResponseSurface, Size,
+    TornadoPlot,
+};
 
 /// Significant digits of a value, and of an error.
 const DIGITS: usize = 6;
@@ -183,13 +188,25 @@ fn audits(study: &Study, audited: &[(Row, Row)]) -> String {
     text
 }
 
-/// The outputs over the first variable that is a number: curves where it is the only one, else points.
+/// The outputs over the varied values: bars for Sobol's indices, bands of colour over a grid of two numbers, else over the first variable that is a number, as a curve where it is the only one.
 ///
 /// # Errors
 /// Why there is nothing to draw.
-pub(crate) fn response(study: &Study, rows: &[Row]) -> Result<ResponsePlot, String> {
+pub(crate) fn response(
+    study: &Study,
+    rows: &[Row],
+    summary: Option<&Summary>,
+) -> Result<(Figure, Size), String> {
+    if let Some(indices) = summary.and_then(|summary| summary.indices.as_ref()) {
+        return Ok((tornado(study, indices).figure(), Size::default()));
+    }
     let variables = study.variables();
     let numeric = |index: usize| rows.iter().all(|row| row.inputs[index].number().is_some());
+    if variables.len() == 2 && rows.len() == study.cases() && numeric(0) && numeric(1) {
+        if let Some(map) = response_map(study, rows) {
+            return Ok((map.figure(), map.size()));
+        }
+    }
     let Some(variable) = (0..variables.len()).find(|index| numeric(*index)) else {
         return Err("--plot: none of the varied values is a number".to_owned());
     };
@@ -202,10 +219,56 @@ pub(crate) fn response(study: &Study, rows: &[Row]) -> Result<ResponsePlot, Stri
             .filter_map(|row| Some((row.inputs[variable].number()?, row.outputs[index])))
             .collect(),
     });
-    Ok(ResponsePlot {
+    let plot = ResponsePlot {
         title: "Response".to_owned(),
         horizontal_label: format!("{}{units}", variables[variable].key),
         is_connected: variables.len() == 1 && study.design() == Design::Grid,
         curves: curves.collect(),
+    };
+    Ok((plot.figure(), Size::default()))
+}
+
+/// The outputs over a whole grid of two numbers; none unless both have at least two different values in increasing order.
+fn response_map(study: &Study, rows: &[Row]) -> Option<ResponseMap> {
+    let values = |index: usize| match &study.variables()[index].variation {
+        Variation::Values(values) if study.design() == Design::Grid => {
+            let numbers: Vec<f64> = values.iter().filter_map(Input::number).collect();
+            let is_increasing = numbers.len() > 1 && numbers.is_sorted_by(|a, b| a < b);
+            is_increasing.then_some(numbers)
+        }
+        _ => None,
+    };
+    // The last variable changes fastest: it goes along.
+    let (up, along) = (values(0)?, values(1)?);
+    let units = units(study);
+    let label = |index: usize| format!("{}{units}", study.variables()[index].key);
+    let surface = |(index, output): (usize, &Output)| ResponseSurface {
+        label: format!("{}{units}", output.name),
+        values: rows.iter().map(|row| row.outputs[index]).collect(),
+    };
+    Some(ResponseMap {
+        title: "Response".to_owned(),
+        labels: [label(1), label(0)],
+        values: [along, up],
+        // What is the same everywhere, such as a prescribed value, has no map.
+        surfaces: study.outputs().iter().enumerate().map(surface).filter(is_varied).collect(),
     })
+    .filter(|map| !map.surfaces.is_empty())
+}
+
+fn is_varied(surface: &ResponseSurface) -> bool {
+    surface.values.iter().any(|value| *value != surface.values[0])
+}
+
+fn tornado(study: &Study, indices: &Indices) -> TornadoPlot {
+    let bars = |(index, output): (usize, &Output)| Bars {
+        name: output.name.to_owned(),
+        shares: indices.of(index).map(|found| [found.first, found.total]).collect(),
+    };
+    TornadoPlot {
+        title: "Which value matters".to_owned(),
+        notes: vec![format!("Sobol's indices from {} groups: estimates", indices.groups())],
+        names: study.variables().iter().map(|variable| variable.key.clone()).collect(),
+        outputs: study.outputs().iter().enumerate().map(bars).collect(),
+    }
 }

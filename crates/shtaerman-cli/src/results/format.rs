@@ -42,7 +42,11 @@ impl PartFormat {
     }
 
     /// What the file of a part with these rows has.
-    pub(super) fn content<'r>(self, study: &'r Study, rows: &'r [Row]) -> Result<Content<'r>, Failure> {
+    pub(super) fn content<'r>(
+        self,
+        study: &'r Study,
+        rows: &'r [Row],
+    ) -> Result<Content<'r>, Failure> {
         Ok(match self {
             Self::Csv => {
                 let heads = study.columns();
@@ -60,7 +64,7 @@ impl PartFormat {
         part: &Part,
         bytes: &[u8],
     ) -> Result<Vec<Row>, PartFault> {
-        let cut = || PartFault(format!("part {}: is cut short", part.number));
+        let cut = || PartFault("is cut short".to_owned());
         match self {
             Self::Csv => {
                 let lines = lines(bytes).ok_or_else(cut)?;
@@ -68,8 +72,10 @@ impl PartFormat {
             }
             Self::Npz => {
                 let names = study.columns();
-                let columns: Option<Vec<Column>> = npz::Archive::new(bytes)
-                    .and_then(|mut archive| names.iter().map(|name| archive.column(name)).collect());
+                let columns: Option<Vec<Column>> =
+                    npz::Archive::new(bytes).and_then(|mut archive| {
+                        names.iter().map(|name| archive.column(name)).collect()
+                    });
                 study.rows_of_arrays(part, &columns.ok_or_else(cut)?)
             }
             Self::Parquet => {
@@ -85,8 +91,7 @@ fn lines(bytes: &[u8]) -> Option<Vec<Vec<String>>> {
     if !bytes.ends_with(b"\n") {
         return None;
     }
-    let mut reader =
-        csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes);
+    let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(bytes);
     let lines = reader.records().map(|record| {
         record.ok().map(|fields| fields.iter().map(str::to_owned).collect::<Vec<String>>())
     });

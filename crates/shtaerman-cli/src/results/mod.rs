@@ -65,9 +65,19 @@ impl Results {
     ///
     /// # Errors
     /// [`Failure`] where the file cannot be read, and, inside, why what is there does not count.
-    pub(crate) fn known(&self, part: &Part) -> Result<Option<Result<Vec<Row>, PartFault>>, Failure> {
-        let read = read(&self.path(part))?;
-        Ok(read.map(|bytes| self.format.rows(&self.study, part, &bytes)))
+    pub(crate) fn known(
+        &self,
+        part: &Part,
+    ) -> Result<Option<Result<Vec<Row>, PartFault>>, Failure> {
+        let Some(bytes) = read(&self.path(part))? else { return Ok(None) };
+        let rows = match self.format.rows(&self.study, part, &bytes) {
+            Ok(rows) => rows,
+            Err(fault) => return Ok(Some(Err(fault))),
+        };
+        // What says the same in other bytes was not written by this program as it is.
+        let ours = self.format.content(&self.study, &rows)?.bytes()?;
+        let kept = if ours == bytes { Ok(rows) } else { Err(PartFault("was changed".to_owned())) };
+        Ok(Some(kept))
     }
 
     /// Writes a part whole, or not at all.

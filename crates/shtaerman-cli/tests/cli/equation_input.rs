@@ -250,9 +250,7 @@ fn slow_kernels_are_said_to_be_slow() {
 /// The right answer or a clear refusal, and never a NaN.
 #[test]
 fn hostile_values() {
-    let values = [
-        "nan", "inf", "-1e308", "1e-308", "1e-320", "0", "-0.0", "745.5", "1e400",
-    ];
+    let values = ["nan", "inf", "-1e308", "1e-308", "1e-320", "0", "-0.0", "745.5", "1e400"];
     for value in values {
         let lambda = SECOND.replace("= 1.0\nrhs", &format!("= {value}\nrhs"));
         let half_length = SECOND.replace("\na = 1.0", &format!("\na = {value}"));

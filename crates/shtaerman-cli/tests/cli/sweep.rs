@@ -294,3 +294,89 @@ audited_sample = 0
         }
     }
 }
+
+#[test]
+fn parts_are_arrays_for_numpy_too_and_a_cut_one_is_done_again() {
+    let folder = Folder::new();
+    folder.write("study.toml", STUDY);
+    folder.run(&["sweep", "study.toml", "-o", "text"]).answer();
+    folder.run(&["sweep", "study.toml", "-o", "arrays", "--format", "npz"]).answer();
+    let part = folder.path("arrays/part-00000000.npz");
+    let whole = std::fs::read(&part).unwrap();
+    let told = folder.run(&["sweep", "study.toml", "-o", "arrays", "--format", "npz"]).answer();
+    assert!(told.contains(" 0 computed"), "{told}");
+    std::fs::write(&part, &whole[..whole.len() - 40]).unwrap();
+    let again = folder.run(&["sweep", "study.toml", "-o", "arrays", "--format", "npz"]);
+    assert!(again.stderr.contains("is cut short: it is computed again"), "{}", again.stderr);
+    assert!(std::fs::read(&part).unwrap() == whole);
+    // One bit.
+    let mut flipped = whole.clone();
+    flipped[whole.len() / 2] ^= 1;
+    std::fs::write(&part, &flipped).unwrap();
+    folder.run(&["sweep", "study.toml", "-o", "arrays", "--format", "npz"]).answer();
+    assert!(std::fs::read(&part).unwrap() == whole);
+    let other = folder.run(&["sweep", "study.toml", "-o", "text", "--format", "npz"]);
+    assert_eq!(other.code, Some(2));
+    assert!(other.stderr.contains("has results of this study as csv, not npz"), "{}", other.stderr);
+    if !cfg!(feature = "parquet") {
+        let refused = folder.run(&["sweep", "study.toml", "-o", "p", "--format", "parquet"]);
+        assert_eq!(refused.code, Some(2));
+        assert!(refused.stderr.contains("--features parquet"), "{}", refused.stderr);
+        assert!(!folder.path("p").exists());
+    }
+}
+
+#[test]
+fn a_few_cases_need_no_file() {
+    let folder = Folder::new();
+    folder.write("punch.toml", crate::support::PHYSICAL);
+    let csv = folder
+        .run(&["solve", "punch.toml", "--vary", "load.force=0.2..1 MN/m:5", "--format", "csv"])
+        .answer();
+    let lines: Vec<&str> = csv.lines().collect();
+    assert_eq!(lines.len(), 6, "{csv}");
+    let place = lines[0].split(',').position(|name| name == "settlement").unwrap();
+    let alone =
+        folder.run(&["solve", "punch.toml", "--set", "load.force=0.4 MN/m", "--format", "json"]);
+    let settlement = alone.json()["physical"]["settlement"].as_f64().unwrap();
+    let told: f64 = lines[2].split(',').nth(place).unwrap().parse().unwrap();
+    assert_eq!(told, settlement);
+    assert!(lines[2].contains("bound"), "each case is audited: {csv}");
+
+    let grid = [
+        "solve",
+        "punch.toml",
+        "--vary",
+        "load.force=0.2..1 MN/m:3:log",
+        "--vary",
+        "foundation.roughness=1e-14,1e-13 m/Pa",
+        "--outputs",
+        "settlement,peak_pressure",
+        "--no-audit",
+    ];
+    let json =
+        folder.run(&[grid.as_slice(), &["--format", "json", "--plot", "map.svg"]].concat()).json();
+    assert_eq!(json["settlement"].as_array().unwrap().len(), 6);
+    assert_eq!(json["foundation.roughness"][3], 1e-13);
+    // The middle of a logarithmic range is the geometric mean of its ends.
+    assert!(
+        (json["load.force"][1].as_f64().unwrap() / (0.2e6f64 * 1e6).sqrt() - 1.0).abs() < 1e-14
+    );
+    assert!(folder.read("map.svg").contains("settlement"));
+    let table = folder.run(&grid).answer();
+    assert!(table.contains("largest errors (") && table.contains("): settlement"), "{table}");
+
+    for (vary, said) in [
+        ("load.force", "write KEY=FROM..TO:COUNT"),
+        ("load.force=1..2", "write KEY=FROM..TO:COUNT"),
+        ("load.force=1,,2", "write KEY=FROM..TO:COUNT"),
+        ("load.forse=1..2:3", "load.forse"),
+        ("load.force=1..2 mm:3", "load.force"),
+        ("load.force=1..2:100000", "at most 10000"),
+        ("load.force=-1,-2", "greater than zero"),
+    ] {
+        let refused = folder.run(&["solve", "punch.toml", "--vary", vary]);
+        assert_eq!(refused.code, Some(2), "{vary}: {}", refused.stderr);
+        assert!(refused.stderr.contains(said), "{vary}: {}", refused.stderr);
+    }
+}
