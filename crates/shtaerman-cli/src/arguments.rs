@@ -139,7 +139,7 @@ pub struct SolveArguments {
         conflicts_with_all = ["cross_check", "at", "datum_distance", "datum_depth", "surface", "sensitivities"]
     )]
     pub vary: Vec<String>,
-    /// What is kept of each answer of --vary, such as settlement,peak_pressure.
+    /// What is kept of each answer of --vary, such as "settlement, tilt".
     #[arg(long, value_name = "NAMES", requires = "vary")]
     pub outputs: Option<String>,
 }

@@ -101,6 +101,29 @@ impl Failure {
     }
 }
 
+/// Why a command that was called by another program has no result.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[error("{message}")]
+pub struct Refusal {
+    /// The exit code that the command would have ended with.
+    pub exit_code: u8,
+    /// What it would have told on standard error, without `error: `.
+    pub message: String,
+}
+
+impl From<Failure> for Refusal {
+    fn from(failure: Failure) -> Self {
+        Self::new(failure.exit_code(), &failure.message())
+    }
+}
+
+impl Refusal {
+    pub(crate) fn new(exit_code: u8, told: &str) -> Self {
+        let message = told.strip_prefix("error: ").unwrap_or(told).trim_end().to_owned();
+        Self { exit_code, message }
+    }
+}
+
 /// An error as the command line tells it: the message on one line, then the line of the file with a caret where there is one, then advice.
 #[must_use]
 pub fn told(error: &shtaerman::Error) -> String {

@@ -8,7 +8,6 @@ pub mod arguments;
 mod clock;
 mod commands;
 mod failure;
-mod npz;
 mod output;
 pub mod plot;
 mod report;
@@ -23,7 +22,7 @@ use clap::error::ErrorKind;
 
 use arguments::Arguments;
 use failure::Failure;
-pub use failure::told;
+pub use failure::{Refusal, told};
 pub use report::contact_plot;
 pub use results::{PartFormat, StudyResults};
 use shtaerman::legible;
@@ -48,28 +47,6 @@ pub fn run() -> ExitCode {
 }
 
 /// Why a command that was called by another program has no result.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-#[error("{message}")]
-pub struct Refusal {
-    /// The exit code that the command would have ended with.
-    pub exit_code: u8,
-    /// What it would have told on standard error, without `error: `.
-    pub message: String,
-}
-
-impl From<Failure> for Refusal {
-    fn from(failure: Failure) -> Self {
-        Self::new(failure.exit_code(), &failure.message())
-    }
-}
-
-impl Refusal {
-    fn new(exit_code: u8, told: &str) -> Self {
-        let message = told.strip_prefix("error: ").unwrap_or(told).trim_end().to_owned();
-        Self { exit_code, message }
-    }
-}
-
 /// The JSON of a command that finds all from its arguments, `spectrum` or `roughness`, as it would print it.
 ///
 /// # Errors

@@ -1,6 +1,6 @@
 //! The rows of a part, column by column, as files of arrays have them.
 
-use crate::{Input, Part, PartFault, Row, Study, Variation};
+use crate::{Input, Part, PartFault, Row, Study};
 
 /// The values of one column.
 #[derive(Debug, Clone, PartialEq)]
@@ -70,12 +70,8 @@ impl Study {
     /// A column for each variable: of numbers where all of its values are.
     fn input_arrays(&self, inputs: &[&[Input]]) -> Vec<Column> {
         let array = |(index, variable): (usize, &crate::Variable)| {
-            let is_number = match &variable.variation {
-                Variation::Values(values) => values.iter().all(|value| value.number().is_some()),
-                Variation::Drawn(_) => true,
-            };
             let values = inputs.iter().map(|values| &values[index]);
-            if is_number {
+            if variable.is_number() {
                 Column::Number(values.map(|value| value.number().unwrap_or(f64::NAN)).collect())
             } else {
                 Column::Text(values.map(ToString::to_string).collect())

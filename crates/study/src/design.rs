@@ -14,7 +14,7 @@ pub(crate) const LEAST_SHARE: f64 = 1.0 / (1u64 << 53) as f64;
 pub enum Design {
     /// Every combination; the last variable changes fastest.
     Grid,
-    /// Each of as many equal shares of every distribution is met once (M. D. McKay et al., Technometrics 21 (1979) 239).
+    /// Each of as many equal shares of every distribution is met once (Technometrics 21 (1979) 239).
     LatinHypercube {
         /// Number of cases.
         count: usize,

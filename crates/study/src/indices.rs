@@ -89,12 +89,12 @@ impl Indices {
     /// Takes a row in; rows come in the order of their cases, and groups that are not whole are left out.
     pub(crate) fn add(&mut self, row: &Row) {
         let size = self.variables + 2;
-        if row.case % size == 0 {
+        if row.case.is_multiple_of(size) {
             self.group.clear();
         }
         self.group.push(row.clone());
         let is_whole = self.group.len() == size
-            && self.group[0].case % size == 0
+            && self.group[0].case.is_multiple_of(size)
             && self.group.iter().all(Row::is_answered)
             && row.case + 1 == self.group[0].case + size;
         if is_whole {

@@ -34,8 +34,10 @@ mod output;
 mod parts;
 mod read;
 mod row;
+mod solving;
 mod study;
 mod summary;
+mod variable;
 mod way;
 
 pub use columns::Column;
@@ -45,5 +47,6 @@ pub use indices::{Index, Indices};
 pub use output::Output;
 pub use parts::{Manifest, Part, PartFault};
 pub use row::{Input, Row};
-pub use study::{Study, Variable, Variation};
+pub use study::Study;
 pub use summary::{Extreme, Summary};
+pub use variable::{Variable, Variation};

@@ -1,8 +1,6 @@
 //! What is kept of an answer.
 
-use shtaerman::{Contact, Errors, Rotational, Vertical};
-
-use crate::way::SweptCase;
+use shtaerman::{Contact, Errors, Load, Rotational, Swept, SweptErrors, Vertical};
 
 /// A quantity of an answer, by the name that it has in the JSON answer.
 #[derive(Debug, Clone, Copy)]
@@ -17,8 +15,17 @@ pub struct Output {
     pub(crate) swept_error: Option<fn(&SweptCase) -> f64>,
 }
 
+/// A case of a sweep, for the outputs.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SweptCase {
+    pub(crate) theta0: f64,
+    pub(crate) load: Load,
+    pub(crate) contact: Swept,
+    pub(crate) errors: SweptErrors,
+}
+
 type Value = fn(&Contact) -> f64;
-type Swept = fn(&SweptCase) -> f64;
+type OfSwept = fn(&SweptCase) -> f64;
 
 impl Output {
     const fn new(name: &'static str, value: Value) -> Self {
@@ -29,11 +36,11 @@ impl Output {
         Self { error, ..self }
     }
 
-    const fn with_swept(self, swept: Swept) -> Self {
+    const fn with_swept(self, swept: OfSwept) -> Self {
         Self { swept: Some(swept), ..self }
     }
 
-    const fn with_swept_error(self, error: Swept) -> Self {
+    const fn with_swept_error(self, error: OfSwept) -> Self {
         Self { swept_error: Some(error), ..self }
     }
 }

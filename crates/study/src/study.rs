@@ -1,39 +1,18 @@
 //! A study and its cases.
 
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
+use shtaerman::Error;
 use shtaerman::document::{Document, FileError, load_bytes, overridden};
 use shtaerman::file::ProblemFile;
-use shtaerman::{Contact, Error};
 
 use crate::design::{Shares, sample};
-use crate::way::{Way, row};
-use crate::{Design, Distribution, Input, Output, Row, read};
+use crate::way::Way;
+use crate::{Design, Input, Output, Variable, Variation, read};
 
 /// An override of a study, for messages.
 const OVERRIDE: &str = "study.count=100";
-/// Cases of a sweep that a thread takes together.
-const SWEPT_TOGETHER: usize = 4096;
-
-/// How one key is varied.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Variation {
-    /// These values, one after the other.
-    Values(Vec<Input>),
-    /// Drawn from a distribution.
-    Drawn(Distribution),
-}
-
-/// A varied key of the problem file.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Variable {
-    /// The dotted key, such as `load.force`.
-    pub key: String,
-    /// Its values.
-    pub variation: Variation,
-}
 
 /// A problem file with some of its values varied.
 #[derive(Debug, Clone)]
@@ -164,53 +143,8 @@ impl Study {
         inputs
     }
 
-    /// Solves cases, one after the other; each row depends on its case alone.
-    #[must_use]
-    pub fn solve(&self, cases: Range<usize>) -> Vec<Row> {
-        match &self.way().swept {
-            Some(swept) => swept.rows(self, cases),
-            None => cases.map(|case| self.single(case, self.is_audited)).collect(),
-        }
-    }
-
-    /// How many cases are best solved together: many where each takes less than a microsecond.
-    #[must_use]
-    pub fn block(&self) -> usize {
-        if self.way().swept.is_some() { SWEPT_TOGETHER } else { 1 }
-    }
-
-    /// Solves a case and audits the answer.
-    #[must_use]
-    pub fn solve_audited(&self, case: usize) -> Row {
-        self.single(case, true)
-    }
-
-    pub(crate) fn single(&self, case: usize, is_audited: bool) -> Row {
-        let inputs = self.inputs(case);
-        let contact = self.contact(&inputs, is_audited);
-        row(self, case, inputs, contact)
-    }
-
-    fn contact(&self, inputs: &[Input], is_audited: bool) -> Result<Contact, Error> {
-        if let Some(varied) = &self.way().varied {
-            let contact = varied.problem(inputs)?.solve()?;
-            return if is_audited { contact.audited() } else { Ok(contact) };
-        }
-        let file = self.file(inputs)?;
-        let contact = file.solve()?;
-        if is_audited { contact.audited().map_err(|error| file.locate(error)) } else { Ok(contact) }
-    }
-
-    /// How the cases are computed, found when the first of them is asked for.
-    fn way(&self) -> &Way {
-        self.way.get_or_init(|| match self.file(&self.inputs(0)) {
-            Ok(file) => Way::of(self, file.problem()),
-            Err(_) => Way::default(),
-        })
-    }
-
     /// The problem with these values.
-    fn file(&self, inputs: &[Input]) -> Result<ProblemFile, Error> {
+    pub(crate) fn file(&self, inputs: &[Input]) -> Result<ProblemFile, Error> {
         let mut document = self.problem.clone();
         for (variable, input) in self.variables.iter().zip(inputs) {
             document.set(&variable.key, &input.to_string())?;

@@ -1,14 +1,11 @@
 //! How the cases of a study are computed: only what changes anew.
 
-use std::ops::Range;
-
 use shtaerman::document::{Document, ValueKind};
-use shtaerman::{
-    Contact, Error, Load, LoadSweep, LoadSwept, Problem, Rotational, Swept, SweptErrors, Vertical,
-};
+use shtaerman::{Error, Load, LoadSweep, LoadSwept, Problem, Rotational, Vertical};
 
 use crate::design::LEAST_SHARE;
-use crate::{Input, Output, Row, Study, Variable, Variation};
+use crate::output::SweptCase;
+use crate::{Input, Variable, Variation};
 
 /// How a problem takes another value of a key.
 type Setter = fn(&Problem, f64) -> Result<Problem, Error>;
@@ -45,15 +42,6 @@ enum Place {
     Rotational,
 }
 
-/// A case of a sweep, for the outputs.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct SweptCase {
-    pub(crate) theta0: f64,
-    pub(crate) load: Load,
-    pub(crate) contact: Swept,
-    pub(crate) errors: SweptErrors,
-}
-
 /// The setter of a key of a problem file.
 fn setter(key: &str) -> Option<Setter> {
     Some(match key {
@@ -79,14 +67,17 @@ fn place(key: &str) -> Option<Place> {
 }
 
 impl Way {
-    /// The cheapest way that gives the cases of a study, from its problem with the first values.
-    pub(crate) fn of(study: &Study, problem: &Problem) -> Self {
-        let varied = VariedCases::of(&study.problem, &study.variables, problem);
-        let is_sweep = varied.is_some()
-            && !study.is_audited
-            && study.outputs.iter().all(|output| output.swept.is_some());
+    /// The cheapest way that gives the cases, from the file and its problem with the first values.
+    pub(crate) fn of(
+        document: &Document,
+        variables: &[Variable],
+        problem: &Problem,
+        may_sweep: bool,
+    ) -> Self {
+        let varied = VariedCases::of(document, variables, problem);
+        let is_sweep = varied.is_some() && may_sweep;
         // Where a sweep fails, single solves say why.
-        let swept = is_sweep.then(|| SweptCases::of(&study.variables, problem).ok()).flatten();
+        let swept = is_sweep.then(|| SweptCases::of(variables, problem).ok()).flatten();
         Self { swept: swept.flatten(), varied }
     }
 }
@@ -95,15 +86,11 @@ impl VariedCases {
     /// None unless every key stands in the file, as a plain value that a problem can be given anew.
     fn of(document: &Document, variables: &[Variable], problem: &Problem) -> Option<Self> {
         let setter = |variable: &Variable| {
-            let is_number = match &variable.variation {
-                Variation::Values(values) => values.iter().all(|value| value.number().is_some()),
-                Variation::Drawn(_) => true,
-            };
             // A table, such as that of a power law, is more than the value.
             let is_plain = document
                 .get(&variable.key)
                 .is_some_and(|known| !matches!(known.kind(), ValueKind::Table(_)));
-            setter(&variable.key).filter(|_| is_number && is_plain)
+            setter(&variable.key).filter(|_| variable.is_number() && is_plain)
         };
         let setters = variables.iter().map(setter).collect::<Option<_>>()?;
         Some(Self { problem: problem.clone(), setters })
@@ -136,7 +123,7 @@ impl SweptCases {
     }
 
     /// Contacts of cases with these values; NaN where `theta0` or the load are none.
-    fn cases(&self, inputs: &[Vec<Input>]) -> Vec<SweptCase> {
+    pub(crate) fn cases(&self, inputs: &[Vec<Input>]) -> Vec<SweptCase> {
         let (mut theta0, mut loads) = (Vec::new(), Vec::new());
         for values in inputs {
             let (mut parameter, mut load) = (self.theta0, self.load);
@@ -162,31 +149,6 @@ impl SweptCases {
                 errors,
             })
             .collect()
-    }
-
-    /// The rows of cases.
-    pub(crate) fn rows(&self, study: &Study, cases: Range<usize>) -> Vec<Row> {
-        let inputs: Vec<Vec<Input>> = cases.clone().map(|case| study.inputs(case)).collect();
-        let found = self.cases(&inputs);
-        let row = |((case, inputs), swept): ((usize, Vec<Input>), SweptCase)| {
-            let told = |output: &Output| output.swept.map_or(f64::NAN, |value| value(&swept));
-            let outputs: Vec<f64> = study.outputs.iter().map(told).collect();
-            // What a sweep cannot tell is no case, or one of its own.
-            if outputs.iter().any(|value| !value.is_finite()) {
-                return study.single(case, false);
-            }
-            let error =
-                |output: &Output| Some(output.swept_error.map(|error| error(&swept))).flatten();
-            Row {
-                case,
-                inputs,
-                errors: study.outputs.iter().map(error).collect(),
-                outputs,
-                error_kind: "estimate".to_owned(),
-                reason: String::new(),
-            }
-        };
-        cases.zip(inputs).zip(found).map(row).collect()
     }
 }
 
@@ -220,34 +182,5 @@ fn ends(variation: &Variation) -> [f64; 2] {
                 [distribution.quantile(LEAST_SHARE), distribution.quantile(1.0 - LEAST_SHARE)];
             [ends[0].min(ends[1]).max(0.0), ends[0].max(ends[1])]
         }
-    }
-}
-
-/// What is kept of a contact, or why there is none.
-pub(crate) fn row(
-    study: &Study,
-    case: usize,
-    inputs: Vec<Input>,
-    contact: Result<Contact, Error>,
-) -> Row {
-    match contact {
-        Ok(contact) => Row {
-            case,
-            inputs,
-            outputs: study.outputs.iter().map(|output| output.value(&contact)).collect(),
-            errors: study.outputs.iter().map(|output| output.error(&contact)).collect(),
-            error_kind: contact
-                .error()
-                .map_or_else(String::new, |error| error.kind.name().to_owned()),
-            reason: String::new(),
-        },
-        Err(error) => Row {
-            case,
-            inputs,
-            outputs: vec![f64::NAN; study.outputs.len()],
-            errors: vec![None; study.outputs.len()],
-            error_kind: String::new(),
-            reason: error.to_string(),
-        },
     }
 }

@@ -2,6 +2,7 @@
 
 mod content;
 mod identity;
+pub(crate) mod npz;
 mod pending;
 mod prepared;
 mod signals;

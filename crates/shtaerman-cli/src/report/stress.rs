@@ -9,8 +9,8 @@ use shtaerman::{Criterion, FirstYield, Peak, Stress, StressField};
 
 use super::{Table, significant};
 use crate::arguments::StressComponent;
-use crate::npz::{Array, npz};
 use crate::output::Content;
+use crate::output::npz::{Array, npz};
 
 /// Name of this JSON layout and its version.
 const SCHEMA: &str = "shtaerman-stress/2";

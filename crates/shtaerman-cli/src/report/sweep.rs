@@ -202,10 +202,13 @@ pub(crate) fn response(
     }
     let variables = study.variables();
     let numeric = |index: usize| rows.iter().all(|row| row.inputs[index].number().is_some());
-    if variables.len() == 2 && rows.len() == study.cases() && numeric(0) && numeric(1) {
-        if let Some(map) = response_map(study, rows) {
-            return Ok((map.figure(), map.size()));
-        }
+    if variables.len() == 2
+        && rows.len() == study.cases()
+        && numeric(0)
+        && numeric(1)
+        && let Some(map) = response_map(study, rows)
+    {
+        return Ok((map.figure(), map.size()));
     }
     let Some(variable) = (0..variables.len()).find(|index| numeric(*index)) else {
         return Err("--plot: none of the varied values is a number".to_owned());

@@ -4,8 +4,8 @@ use shtaerman_study::{Column, Part, PartFault, Row, Study};
 
 use super::parquet;
 use crate::Failure;
-use crate::npz::{self, Array, Values};
 use crate::output::Content;
+use crate::output::npz::{self, Array, Values};
 
 /// The format of the parts of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use shtaerman_study::{Part, Row, Study};
 
 use super::{PartFormat, Results};
-use crate::Refusal;
+use crate::failure::Refusal;
 
 /// The results of a study in a folder, as `shtaerman sweep` keeps them.
 ///

@@ -6,7 +6,7 @@ use shtaerman_study::Column;
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
-use crate::output::Content;
+use super::Content;
 
 const MAGIC: &[u8] = b"\x93NUMPY\x01\x00";
 /// Headers end at multiples of this.
