@@ -1,5 +1,7 @@
 //! Whatever way the cases of a study are computed, they are those of single solves.
 
+#![allow(clippy::unwrap_used, reason = "a test may fail by panicking")]
+
 use std::path::Path;
 
 use shtaerman::Contact;

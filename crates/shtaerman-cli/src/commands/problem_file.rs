@@ -3,17 +3,21 @@
 use std::path::Path;
 use std::time::Duration;
 
-use shtaerman::document::{FileError, load_bytes, read_bytes};
+use shtaerman::document::{Document, FileError, load_bytes, read_bytes};
 use shtaerman::equation::EquationFile;
 use shtaerman::file::{AnyFile, ProblemFile};
 use shtaerman::quantity::Dimension;
 use shtaerman::{Contact, Error};
+use shtaerman_study::Study;
 
 use super::places;
 use crate::arguments::ProblemArguments;
 use crate::failure::shown;
 use crate::output::{Input, check_writable, interrupt};
 use crate::{Failure, clock};
+
+/// The table that makes a problem file a study.
+const STUDY: &str = "study";
 
 /// Reads the problem, with its overrides; `-` is standard input. The outputs must be writable, and none of them a file that is read.
 pub(super) fn read(
@@ -59,14 +63,31 @@ pub(super) fn content(arguments: &ProblemArguments) -> Result<(Vec<u8>, Vec<Stri
 fn read_problem(arguments: &ProblemArguments) -> Result<ProblemFile, Failure> {
     let overrides = overrides(arguments)?;
     if arguments.file != Path::new("-") {
-        return Ok(ProblemFile::open(&arguments.file, &overrides)?);
+        return ProblemFile::open(&arguments.file, &overrides).map_err(advised);
     }
-    Ok(ProblemFile::from_bytes(
-        &standard_input()?,
-        &name(&arguments.file),
-        Path::new(""),
-        &overrides,
-    )?)
+    let bytes = standard_input()?;
+    ProblemFile::from_bytes(&bytes, &name(&arguments.file), Path::new(""), &overrides)
+        .map_err(advised)
+}
+
+/// The fault, with the command for a file that states a study.
+fn advised(error: Error) -> Failure {
+    Failure::Problem(match error {
+        Error::File(fault) if fault.field() == Some(STUDY) => Error::File(
+            fault.with_help("a study is computed by `shtaerman sweep STUDY.toml --output FOLDER`"),
+        ),
+        other => other,
+    })
+}
+
+/// The study of a file that states one, with its overrides.
+pub(super) fn read_study(arguments: &ProblemArguments) -> Result<Option<Study>, Failure> {
+    let (bytes, overrides) = content(arguments)?;
+    let name = name(&arguments.file);
+    let is_study = Document::from_bytes(&bytes, &name).is_ok_and(|file| file.get(STUDY).is_some());
+    let folder = arguments.file.parent().unwrap_or(Path::new(""));
+    let study = is_study.then(|| Study::from_bytes(&bytes, &name, folder, &overrides));
+    Ok(study.transpose()?)
 }
 
 /// Reads the equation, with its overrides; `-` is standard input.

@@ -1,5 +1,7 @@
 //! `shtaerman validate`.
 
+use std::path::Path;
+
 use shtaerman::equation::{Equation, Kind};
 use shtaerman::file::AnyFile;
 use shtaerman::{Law, Problem};
@@ -11,9 +13,19 @@ use crate::output::Outputs;
 use crate::report::significant;
 
 pub(super) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
-    let said = match problem_file::read_any(&arguments.problem)? {
-        AnyFile::Problem(file) => problem(file.problem()),
-        AnyFile::Equation(file) => equation(file.equation()),
+    // Standard input is read once.
+    let is_file = arguments.problem.file != Path::new("-");
+    let study = if is_file { problem_file::read_study(&arguments.problem)? } else { None };
+    let said = match study {
+        Some(study) => format!(
+            "study of {} cases over {}",
+            study.cases(),
+            study.variables().iter().map(|one| one.key.as_str()).collect::<Vec<_>>().join(", ")
+        ),
+        None => match problem_file::read_any(&arguments.problem)? {
+            AnyFile::Problem(file) => problem(file.problem()),
+            AnyFile::Equation(file) => equation(file.equation()),
+        },
     };
     let mut outputs = Outputs::default();
     let name = problem_file::name(&arguments.problem.file);

@@ -373,10 +373,29 @@ fn a_few_cases_need_no_file() {
         ("load.forse=1..2:3", "load.forse"),
         ("load.force=1..2 mm:3", "load.force"),
         ("load.force=1..2:100000", "at most 10000"),
-        ("load.force=-1,-2", "greater than zero"),
+        ("foundation.poisson_ratio=0.7,0.8", "poisson_ratio"),
     ] {
         let refused = folder.run(&["solve", "punch.toml", "--vary", vary]);
         assert_eq!(refused.code, Some(2), "{vary}: {}", refused.stderr);
         assert!(refused.stderr.contains(said), "{vary}: {}", refused.stderr);
     }
+}
+
+#[test]
+fn other_commands_know_a_study_when_they_see_one() {
+    let folder = folder(STUDY);
+    let solved = folder.run(&["solve", "study.toml"]);
+    assert_eq!(solved.code, Some(2));
+    assert!(
+        solved.stderr.contains("help: a study is computed by `shtaerman sweep"),
+        "{}",
+        solved.stderr
+    );
+    let valid = folder.run(&["validate", "study.toml"]).answer();
+    assert!(
+        valid.contains("valid; study of 10 cases over foundation.roughness, load.force"),
+        "{valid}"
+    );
+    let broken = folder.run(&["validate", "study.toml", "--set", "study.design=sobel"]);
+    assert_eq!(broken.code, Some(2), "{}", broken.stderr);
 }
