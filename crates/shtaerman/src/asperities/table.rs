@@ -38,12 +38,7 @@ impl Table {
         let pressures = || data.iter().map(|pair| pair[0]);
         let [least, most] =
             [pressures().fold(f64::INFINITY, f64::min), pressures().fold(0.0, f64::max)];
-        require(
-            most > least,
-            "pressure",
-            most,
-            "different in at least two rows",
-        )?;
+        require(most > least, "pressure", most, "different in at least two rows")?;
         Ok(Self { data })
     }
 

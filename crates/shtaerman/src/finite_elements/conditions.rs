@@ -13,7 +13,10 @@ pub(super) fn check_share(share: f64) -> Result<(), Error> {
 }
 
 /// Refuses problems whose contact no table describes.
-pub(super) fn check_problem(problem: &Problem) -> Result<(), Error> {
+///
+/// # Errors
+/// [`Error::NoTable`] for a dimensionless and for a bilateral problem.
+pub fn check_problem(problem: &Problem) -> Result<(), Error> {
     let reason = if problem.is_dimensionless() {
         "a dimensionless problem has no units that a finite-element model could share: its lengths are in half-widths and its displacements in chi E; state it in [foundation], [punch] and [load]"
     } else if problem.solver().contact() == ContactKind::Bilateral {

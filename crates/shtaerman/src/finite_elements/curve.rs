@@ -78,9 +78,15 @@ pub fn moment_curve(problem: &Problem, tipping_share: f64, share: f64) -> Result
     check_share(share)?;
     check_problem(problem)?;
     let requirement = "greater than 0 and less than 1: at P a the punch tips over";
-    require(tipping_share > 0.0 && tipping_share < 1.0, "moment share", tipping_share, requirement)?;
+    require(
+        tipping_share > 0.0 && tipping_share < 1.0,
+        "moment share",
+        tipping_share,
+        requirement,
+    )?;
     if problem.is_wave() {
-        let reason = "a base that fills its whole period cannot tilt: it has no curve of the moment";
+        let reason =
+            "a base that fills its whole period cannot tilt: it has no curve of the moment";
         return Err(Error::NoTable { reason });
     }
     let force = match problem.load().vertical() {

@@ -90,7 +90,8 @@ mod tests {
         assert!(is_input_file(model) && !is_input_file(b"p,v\n1,2\n"));
         let table = read_input_file(model, "a.inp", Some([1.0, 1.0])).unwrap();
         assert_eq!(table.count(), 3);
-        let Roughness::Power { coefficient, exponent } = table.fit_power().unwrap().roughness else {
+        let Roughness::Power { coefficient, exponent } = table.fit_power().unwrap().roughness
+        else {
             panic!("a power")
         };
         assert!((coefficient - 1.0).abs() < 1e-12 && (exponent - 0.5).abs() < 1e-12);

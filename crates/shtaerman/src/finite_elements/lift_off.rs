@@ -33,9 +33,7 @@ fn places(problem: &Problem) -> Vec<[f64; 2]> {
         let measured = profile.points().map_or(&[][..], |(positions, _)| positions);
         let marked = measured.iter().map(|x| x / half_width);
         places.extend(
-            marked
-                .chain(profile.breakpoints(half_width))
-                .filter(|xi| *xi > left && *xi < right),
+            marked.chain(profile.breakpoints(half_width)).filter(|xi| *xi > left && *xi < right),
         );
     }
     places.sort_by(f64::total_cmp);
@@ -89,7 +87,8 @@ mod tests {
     use crate::{Elastic, Foundation, Load, Profile, Punch};
 
     fn lifted(profile: &str, rotational: Rotational) -> f64 {
-        let steel = Foundation::new(Elastic::new(2e11, 0.3).unwrap()).with_roughness(1e-14).unwrap();
+        let steel =
+            Foundation::new(Elastic::new(2e11, 0.3).unwrap()).with_roughness(1e-14).unwrap();
         let punch = Punch::new(2.0).unwrap().with_profile(Profile::expression(profile).unwrap());
         lift_off(&Problem::new(steel, punch, Load::force(1.0).unwrap()).unwrap(), rotational)
     }

@@ -34,7 +34,7 @@ mod overclosure;
 mod penalty;
 mod units;
 
-pub use conditions::SHARES;
+pub use conditions::{SHARES, check_problem};
 pub use curve::{LoadCurve, force_curve, moment_curve};
 pub use input_file::{is_input_file, read_input_file};
 pub use overclosure::Overclosure;

@@ -179,8 +179,7 @@ mod tests {
                             let pressure = pair[0][0] + t * (pair[1][0] - pair[0][0]);
                             let exact = law.displacement(pressure);
                             let off = (interpolated(table.points(), pressure) - exact).abs();
-                            worst =
-                                worst.max(off / exact.max(law.displacement(reference)));
+                            worst = worst.max(off / exact.max(law.displacement(reference)));
                         }
                     }
                     let context = format!("{exponent} {share} {span}: {worst}");
@@ -223,7 +222,10 @@ mod tests {
             (law, [1.0, 2.0], f64::NAN),
             (Roughness::power(1e-9, 0.01).unwrap(), [1.0, 2.0], 1e-5),
         ] {
-            assert!(Overclosure::new(law, pressures, share).is_err(), "{law:?} {pressures:?} {share}");
+            assert!(
+                Overclosure::new(law, pressures, share).is_err(),
+                "{law:?} {pressures:?} {share}"
+            );
         }
     }
 }

@@ -58,7 +58,8 @@ impl Penalty {
         let [less, more] = [energy(force * (1.0 - STEP))?, energy(force * (1.0 + STEP))?];
         let mean_pressure = (more - less) / (2.0 * STEP * force);
         let settlement = settlement(contact, datum)? - lift_off(problem, standing(contact));
-        let requirement = "greater than zero since lift-off, for a share of it to be a length: name a datum";
+        let requirement =
+            "greater than zero since lift-off, for a share of it to be a length: name a datum";
         require(settlement > 0.0, "settlement", settlement, requirement)?;
         let stiffness = mean_pressure / (share * settlement);
         Ok(Self { stiffness, mean_pressure, settlement, share })
