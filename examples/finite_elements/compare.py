@@ -11,6 +11,7 @@ A half-plane has no end. On the far sides of the block, 100 half-widths away, th
 (Flamant): what that leaves out is of the order of (half-width/distance)^2. `--boundary fixed` fixes the far sides instead, as many models do.
 
 Compared are pressures at all nodes of the punch, the width of contact and the settlement relative to a point in the depth, which depends on no gauge.
+The case `springs` is another one: the whole contact as exported springs, pressed and turned, against single solves.
 Only the standard library of Python is needed, CalculiX (`ccx`) and the program.
 """
 
@@ -238,8 +239,9 @@ class Shtaerman:
             sys.exit(f"{' '.join(run.args)}:\n{run.stderr}")
         return run.stdout
 
-    def export(self, path, share):
-        self.run("export calculix", "--units", "mm", "--share", str(share), "--output", str(path))
+    def export(self, path, share, content="surface"):
+        options = ["--units", "mm", "--share", str(share), "--content", content]
+        self.run("export calculix", *options, "--output", str(path))
 
     def solve(self, places, depth):
         places = ",".join(f"{x:.13e} mm" for x in places)
@@ -281,12 +283,94 @@ def compared(names, name, count, options, folder):
     }
 
 
+# A spring between a fixed node and one that is pressed, and one that turns a rigid cube about the axis 3.
+FORCE_SPRING = """*NODE, NSET=WATCHED
+1, 0., 10., 0.
+2, 0., 0., 0.
+*ELEMENT, TYPE=SPRINGA, ELSET=PUNCH_FORCE
+1, 1, 2
+*INCLUDE, INPUT=force.inp
+*BOUNDARY
+1, 1, 3
+2, 1, 1
+2, 3, 3
+*STEP, NLGEOM, INC=1000
+*STATIC
+0.01, 1.
+*CLOAD
+2, 2, {load}
+*NODE PRINT, NSET=WATCHED
+U
+*END STEP
+"""
+MOMENT_SPRING = """*NODE, NSET=CUBE
+1, 0., 0., 0.
+2, 1., 0., 0.
+3, 1., 1., 0.
+4, 0., 1., 0.
+5, 0., 0., 1.
+6, 1., 0., 1.
+7, 1., 1., 1.
+8, 0., 1., 1.
+*NODE, NSET=WATCHED
+9, 0., 0., 0.
+10, 0., 0., 0.
+11, 0., 0., -1.
+*ELEMENT, TYPE=C3D8, ELSET=CUBE
+1, 1, 2, 3, 4, 5, 6, 7, 8
+*ELEMENT, TYPE=SPRINGA, ELSET=PUNCH_MOMENT
+2, 11, 10
+*MATERIAL, NAME=STEEL
+*ELASTIC
+2.e5, 0.3
+*SOLID SECTION, ELSET=CUBE, MATERIAL=STEEL
+*RIGID BODY, NSET=CUBE, REF NODE=9, ROT NODE=10
+*INCLUDE, INPUT=moment.inp
+*BOUNDARY
+9, 1, 3
+10, 1, 2
+11, 1, 3
+*STEP, NLGEOM, INC=1000
+*STATIC
+0.01, 1.
+*CLOAD
+10, 3, {load}
+*NODE PRINT, NSET=WATCHED
+U
+*END STEP
+"""
+
+
+def springs(options, folder):
+    """Shares that the settlement under 0.6 of the force, and the rotation under 0.7 of the largest moment, are off by."""
+    force, moment = 0.6 * FORCE, 0.7 * 0.5 * FORCE * HALF_WIDTH
+    off = []
+    for content, deck, load, overrides in [
+        ("force", FORCE_SPRING, -force, [f"load.force={force * 1e3}"]),
+        ("moment", MOMENT_SPRING, moment, [f"load.moment={moment}"]),
+    ]:
+        Shtaerman(options.shtaerman, CROWNED, [CROWN]).export(folder / f"{content}.inp", options.share, content)
+        (folder / "spring.inp").write_text(deck.format(load=load))
+        run = subprocess.run([options.ccx, "spring"], cwd=folder, capture_output=True, text=True)
+        if run.returncode != 0 or "*ERROR" in run.stdout:
+            sys.exit(f"{options.ccx} failed:\n{run.stdout[-2000:]}{run.stderr}")
+        rows = last_block(folder / "spring.dat", "displacements")
+        answer = Shtaerman(options.shtaerman, CROWNED, [CROWN, *overrides]).run("solve", "--format", "json")
+        physical = json.loads(answer)["physical"]
+        if content == "force":
+            # The crown lifts off at zero.
+            off.append(-rows[-1][2] / (physical["settlement"] * 1e3) - 1)
+        else:
+            off.append(rows[1][3] / -physical["tilt"] - 1)
+    return off
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--ccx", default="ccx", help="CalculiX")
     parser.add_argument("--shtaerman", default="shtaerman", help="the program")
     parser.add_argument("--meshes", default="10,20,40", help="elements under half of the punch")
-    parser.add_argument("--case", action="append", choices=list(CASES), help="one of the cases; may be given again")
+    parser.add_argument("--case", action="append", choices=[*CASES, "springs"], help="one of the cases; may be given again")
     parser.add_argument("--share", type=float, default=1e-3, help="share of the law that the table may be off by")
     parser.add_argument("--far", type=float, default=FAR, help="distance of the far sides, in half-widths")
     parser.add_argument("--boundary", choices=["half-plane", "fixed"], default="half-plane", help="what the far sides do")
@@ -296,7 +380,13 @@ def main():
     names = ["pressure", "width", "settlement"]
     worst = 0.0
     print(f"{'case':30} {'elements':>8} " + " ".join(f"{name:>11}" for name in names))
-    for name in options.case or CASES:
+    for name in options.case or [*CASES, "springs"]:
+        if name == "springs":
+            with tempfile.TemporaryDirectory() as folder:
+                settled, turned = springs(options, Path(folder))
+            print(f"springs: settlement {settled:.2e}, rotation {turned:.2e}")
+            worst = max(worst, abs(settled), abs(turned))
+            continue
         for count in [int(text) for text in options.meshes.split(",")]:
             with tempfile.TemporaryDirectory() as folder:
                 found = compared(names, name, count, options, Path(folder))
