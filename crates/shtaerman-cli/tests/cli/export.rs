@@ -39,10 +39,7 @@ fn an_exported_table_reads_back_as_the_law() {
                 let (found, kappa) = if exponent == 1.0 {
                     (number(&json, "/roughness"), 1.0)
                 } else {
-                    (
-                        number(&json, "/roughness/coefficient"),
-                        number(&json, "/roughness/exponent"),
-                    )
+                    (number(&json, "/roughness/coefficient"), number(&json, "/roughness/exponent"))
                 };
                 // At the pressures of the table, where the law is used.
                 for pressure in [1e3, 8e7, 1e9] {
@@ -81,14 +78,15 @@ fn the_table_begins_at_zero_grows_and_reaches_beyond_the_contact() {
         rows(&text, SURFACE).len()
     };
     assert_eq!(count(&[]), 2);
-    let [coarse, fine] =
-        ["0.01", "0.0001"].map(|share| count(&["--set", POWER, "--share", share]));
-    assert!((9..12).contains(&(fine / coarse)), "{coarse} {fine}");
+    let [coarse, fine] = ["0.01", "0.0001"].map(|share| count(&["--set", POWER, "--share", share]));
+    // As the root of the share.
+    assert!((8..12).contains(&(fine / coarse)), "{coarse} {fine}");
 }
 
 #[test]
 fn a_linear_law_and_the_penalty_stand_in_comments() {
-    let folder = Folder::with(UNILATERAL);
+    // Under a central force the crown lifts off at zero.
+    let folder = Folder::with(&UNILATERAL.replace("\"100 N\"", "0"));
     let text = folder.run(&["export", "abaqus", "punch.toml", "--units", "mm"]).answer();
     let linear: Vec<f64> = text
         .lines()
