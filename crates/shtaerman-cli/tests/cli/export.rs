@@ -234,7 +234,9 @@ fn input_files_of_others_need_their_units() {
 /// below 0.7 %, and at the corners of a flat one the pressure is off by up to 9 %; the book has finer meshes.
 #[test]
 fn calculix_finds_the_same_contacts() {
-    let Some(ccx) = std::env::var_os("SHTAERMAN_CCX") else { return };
+    let Some(ccx) = std::env::var_os("SHTAERMAN_CCX").filter(|ccx| !ccx.is_empty()) else {
+        return;
+    };
     for (case, most) in [
         ("crowned punch, linear layer", "0.01"),
         ("crowned punch, power law", "0.01"),

@@ -38,8 +38,20 @@ pub(super) fn settlement(contact: &Contact, datum: Option<Datum>) -> Result<f64,
 /// What goes with every force of a load: its tilt, or its eccentricity.
 pub(super) fn standing(contact: &Contact) -> Rotational {
     match contact.problem().load().rotational() {
-        Rotational::Tilt(tilt) => Rotational::Tilt(tilt),
-        _ => Rotational::Eccentricity(contact.moment() / contact.force()),
+        Rotational::Moment(moment) if moment != 0.0 => {
+            Rotational::Eccentricity(moment / contact.force())
+        }
+        other => other,
+    }
+}
+
+/// What stays when the force of a contact changes by itself: its tilt, or its moment.
+pub(super) fn held(contact: &Contact) -> Rotational {
+    match contact.problem().load().rotational() {
+        Rotational::Eccentricity(eccentricity) => {
+            Rotational::Moment(eccentricity * contact.force())
+        }
+        other => other,
     }
 }
 

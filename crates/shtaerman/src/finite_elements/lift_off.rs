@@ -14,10 +14,11 @@ const INTERVALS: usize = 4096;
 /// The base is looked at in 4097 places, at its kinks and measured points: a smooth profile between them is known to the square of their distance, some `1e-8` of its height.
 pub(super) fn lift_off(problem: &Problem, rotational: Rotational) -> f64 {
     let base = places(problem);
+    let lowest = |tilt: f64| base.iter().map(|[x, f]| f + tilt * x).fold(f64::INFINITY, f64::min);
     match rotational {
-        Rotational::Tilt(tilt) => {
-            base.iter().map(|[x, f]| f + tilt * x).fold(f64::INFINITY, f64::min)
-        }
+        Rotational::Tilt(tilt) => lowest(tilt),
+        // Nothing turns what is the same in all periods.
+        _ if problem.is_wave() => lowest(0.0),
         Rotational::Eccentricity(at) => standing(&base, at),
         Rotational::Moment(_) => standing(&base, 0.0),
     }

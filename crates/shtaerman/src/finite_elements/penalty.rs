@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use super::conditions::{check_problem, check_share, settlement, standing, under};
+use super::conditions::{check_problem, check_share, held, settlement, standing, under};
 use super::lift_off::lift_off;
 use crate::answer::datum::integral;
 use crate::error::require;
-use crate::{Contact, Datum, Error, Rotational, Roughness};
+use crate::{Contact, Datum, Error, Roughness, Scaling};
 
 /// Relative step of the force: the difference is off by its square, and rounding of the answers by their `1e-12` over it.
 const STEP: f64 = 1e-3;
@@ -46,11 +46,7 @@ impl Penalty {
             let reason = "on a smooth surface the pressure is infinite at corners, and a penalty changes the settlement by more than its inverse";
             return Err(Error::NoTable { reason });
         }
-        let (force, moment) = (contact.force(), contact.moment());
-        let rotational = match problem.load().rotational() {
-            Rotational::Tilt(tilt) => Rotational::Tilt(tilt),
-            _ => Rotational::Moment(moment),
-        };
+        let (force, rotational) = (contact.force(), held(contact));
         let energy = |force: f64| -> Result<f64, Error> {
             Ok(0.5 * squared(&under(problem, force, rotational)?))
         };
@@ -69,11 +65,19 @@ impl Penalty {
 fn squared(contact: &Contact) -> f64 {
     let problem = contact.problem();
     let half_width = problem.punch().half_width();
+    // A zone of a wave may pass the end of the base: the next period is the same.
+    let shifts: &[f64] = if problem.is_wave() { &[-2.0, 0.0, 2.0] } else { &[0.0] };
     let kinks = problem.profile().breakpoints(half_width);
-    let mut cuts: Vec<f64> = kinks.into_iter().map(|xi| xi * half_width).collect();
+    let shifted = |shift: f64| kinks.iter().map(move |xi| (xi + shift) * half_width);
+    let mut cuts: Vec<f64> = shifts.iter().copied().flat_map(shifted).collect();
     cuts.push(0.0);
     cuts.sort_by(f64::total_cmp);
-    let at = |x: f64| contact.pressure(x).unwrap_or(0.0);
+    let scale = problem.scaling().map_or(1.0, Scaling::pressure);
+    let at = |x: f64| {
+        let xi = x / half_width;
+        let on_base = if problem.is_wave() { xi - 2.0 * (0.5 * xi).round() } else { xi };
+        scale * contact.pressure_at(on_base)
+    };
     let density: &dyn Fn(f64) -> f64 = if problem.is_circular() {
         // p = p0 + p1 cos phi: half of the circle on either side of the axis.
         &|x| {

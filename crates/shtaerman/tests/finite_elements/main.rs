@@ -48,6 +48,13 @@ fn the_penalty_is_the_sensitivity_to_a_linear_layer() {
         plane(chi, "x^2/(2*2)", Load::settlement(5e-6).unwrap()),
         on(steel(chi), Punch::pair(HALF_WIDTH, 2e-3).unwrap(), "x^2/(2*20)", force(8e5)),
         on(steel(chi), Punch::periodic(HALF_WIDTH, 15e-3).unwrap(), "x^2/(2*2)", force(8e5)),
+        // A wave that is not its own mirror image, in touch at its crests.
+        on(
+            steel(chi),
+            Punch::periodic(HALF_WIDTH, 2.0 * HALF_WIDTH).unwrap(),
+            "4e-6*cos(pi*x/a) + 1e-6*sin(2*pi*x/a)",
+            force(8e5),
+        ),
         on(steel(chi), Punch::circular(HALF_WIDTH).unwrap(), "x^2/(2*2)", force(6e3)),
         on(
             steel(chi),
@@ -127,11 +134,20 @@ fn force_curves_are_near_to_solves_between_their_points() {
     let share = 2e-3;
     let cases = [
         (plane(1.2e-14, "0", force(8e5)), None),
-        (plane(power, "x^2/(2*2)", force(8e5)), Some(Datum::Distance(0.5))),
+        (plane(power, "x^2/(2*2) + 1e-5", force(8e5)), Some(Datum::Distance(0.5))),
         (plane(steep, "x^2/(2*20)", force(8e5)), Some(Datum::Depth(0.05))),
-        (plane(1.2e-14, "x^2/(2*2)", force(8e5).with_eccentricity(1e-3).unwrap()), None),
-        (plane(1.2e-14, "abs(x)/1000", force(8e5).with_tilt(4e-4).unwrap()), None),
+        (plane(1.2e-14, "x^2/(2*2)", force(8e5).with_eccentricity(2e-3).unwrap()), None),
+        (plane(1.2e-14, "x^2/(2*2)", force(8e5).with_tilt(1e-3).unwrap()), None),
         (on(steel(power), Punch::circular(HALF_WIDTH).unwrap(), "x^2/(2*2)", force(6e3)), None),
+        (
+            on(
+                steel(1.2e-14),
+                Punch::periodic(HALF_WIDTH, 2.0 * HALF_WIDTH).unwrap(),
+                "4e-6*cos(pi*x/a) + 1e-6*sin(2*pi*x/a)",
+                force(8e5),
+            ),
+            None,
+        ),
     ];
     for (index, (problem, datum)) in cases.iter().enumerate() {
         let own = problem.solve().unwrap();
