@@ -11,6 +11,8 @@ A half-plane has no end. On the far sides of the block, 100 half-widths away, th
 (Flamant): what that leaves out is of the order of (half-width/distance)^2. `--boundary fixed` fixes the far sides instead, as many models do.
 
 Compared are pressures at all nodes of the punch, the width of contact and the settlement relative to a point in the depth, which depends on no gauge.
+`--contact surface` takes surface-to-surface contact instead, and for the linear layer the linear law that stands in the comments of the exported file; with a table CalculiX 2.20
+finds no force there.
 The case `springs` is another one: the whole contact as exported springs, pressed and turned, against single solves.
 Only the standard library of Python is needed, CalculiX (`ccx`) and the program.
 """
@@ -130,13 +132,23 @@ def flamant(x, y):
     return right, down
 
 
-def model(mesh, table, settlement, boundary):
+def linear_law(text):
+    """The exported file with the linear law of its comments in place of the table; as it is where there is none before the table."""
+    head, _, rest = text.partition("*SURFACE INTERACTION, NAME=ROUGH_LAYER\n")
+    comment = "** *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n** "
+    if comment not in head:
+        return text
+    slope = head.split(comment)[1].split("\n")[0]
+    return f"*SURFACE INTERACTION, NAME=ROUGH_LAYER\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{slope}\n"
+
+
+def model(mesh, table, settlement, boundary, contact):
     """The whole input file."""
     lines = mesh.elements()
     lines += ["*MATERIAL, NAME=STEEL", "*ELASTIC", f"{YOUNG}, {POISSON}"]
     lines += ["*SOLID SECTION, ELSET=BODY, MATERIAL=STEEL", "*SOLID SECTION, ELSET=PUNCH, MATERIAL=STEEL"]
     lines += [f"*INCLUDE, INPUT={table}"]
-    lines += ["*CONTACT PAIR, INTERACTION=ROUGH_LAYER, TYPE=NODE TO SURFACE", "BASE, GROUND"]
+    lines += [f"*CONTACT PAIR, INTERACTION=ROUGH_LAYER, TYPE={contact.upper()} TO SURFACE", "BASE, GROUND"]
     lines += ["*NSET, NSET=WATCHED"]
     lines += [f"{mesh.body(i, 0, 0)}," for i in range(mesh.count + 1)] + [f"{mesh.body(0, mesh.datum(), 0)},"]
     lines += ["*BOUNDARY", "BODY_NODES, 3, 3", "PUNCH_NODES, 1, 1", "PUNCH_NODES, 3, 3"]
@@ -184,9 +196,10 @@ def contact_pressures(path):
     return pressures
 
 
-def calculix(program, folder, mesh, table, settlement, boundary):
+def calculix(options, folder, mesh, table, settlement):
     """Force, displacements of the watched nodes into the body, and pressures at the nodes of the punch."""
-    (folder / "model.inp").write_text(model(mesh, table, settlement, boundary))
+    program = options.ccx
+    (folder / "model.inp").write_text(model(mesh, table, settlement, options.boundary, options.contact))
     for name in ("model.dat", "model.frd"):
         (folder / name).unlink(missing_ok=True)
     run = subprocess.run([program, "model"], cwd=folder, capture_output=True, text=True)
@@ -200,12 +213,12 @@ def calculix(program, folder, mesh, table, settlement, boundary):
     return -2 * total / mesh.thickness, displacements, pressures
 
 
-def under_the_force(program, folder, mesh, table, guess, stiffness, boundary):
+def under_the_force(options, folder, mesh, table, guess, stiffness):
     """The settlement under the force, by the secant rule, and what CalculiX finds there."""
     tried = []
     settlement = guess
     for _ in range(MOST_RUNS):
-        found = calculix(program, folder, mesh, table, settlement, boundary)
+        found = calculix(options, folder, mesh, table, settlement)
         tried.append((settlement, found[0]))
         if abs(found[0] / FORCE - 1) < FORCE_MET:
             return settlement, found
@@ -264,15 +277,15 @@ def compared(names, name, count, options, folder):
     mesh = Mesh(count, height, options.far * HALF_WIDTH)
     table = folder / "table.inp"
     program.export(table, options.share)
+    if options.contact == "surface":
+        table.write_text(linear_law(table.read_text()))
     answer = program.solve(mesh.x[: count + 1], mesh.depth[mesh.datum()])
     physical = answer["physical"]
     guess = physical["settlement"] * 1e3
     if options.boundary == "fixed":
         guess -= flamant(0.0, mesh.depth[-1])[1]
     stiffness = physical["stiffness"][0][0] * 1e-6
-    settlement, found = under_the_force(
-        options.ccx, folder, mesh, table.name, guess, stiffness, options.boundary
-    )
+    settlement, found = under_the_force(options, folder, mesh, table.name, guess, stiffness)
     force, displacements, pressures = found
     exact = [pressure * 1e-6 for pressure in answer["pressure"]["pressure"]]
     peak = physical["peak_pressure"] * 1e-6
@@ -378,6 +391,7 @@ def main():
     parser.add_argument("--share", type=float, default=1e-3, help="share of the law that the table may be off by")
     parser.add_argument("--far", type=float, default=FAR, help="distance of the far sides, in half-widths")
     parser.add_argument("--boundary", choices=["half-plane", "fixed"], default="half-plane", help="what the far sides do")
+    parser.add_argument("--contact", choices=["node", "surface"], default="node", help="what is in contact with a surface")
     parser.add_argument("--most", type=float, help="fail where a difference on the last mesh is larger than this")
     options = parser.parse_args()
     options.shtaerman = str(Path(options.shtaerman).resolve()) if "/" in options.shtaerman else options.shtaerman

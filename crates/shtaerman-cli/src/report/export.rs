@@ -90,7 +90,7 @@ impl Model {
         }
         self.deck.comment(match self.program {
             Program::Abaqus => "Beyond the last point Abaqus goes on with the last slope.",
-            Program::CalculiX => "Beyond the last point CalculiX keeps the last pressure: see that no pressure of the model gets there. CalculiX uses tables in contact of TYPE=NODE TO SURFACE; with SURFACE TO SURFACE version 2.20 gives no pressure, and no message.",
+            Program::CalculiX => "Beyond the last point CalculiX keeps the last pressure: see that no pressure of the model gets there. CalculiX uses tables in contact of TYPE=NODE TO SURFACE; with SURFACE TO SURFACE version 2.20 gives no pressure without a message, or breaks down.",
         });
         self.deck.line("*SURFACE INTERACTION, NAME=ROUGH_LAYER");
         self.deck.line("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR");
