@@ -8,7 +8,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-pub use export::{Content, ExportArguments, ModelUnits, Program};
+pub use export::{ExportArguments, Exported, ModelUnits, Program};
 pub use roughness::{
     BearingArguments, ColumnOrder, GreenwoodWilliamsonArguments, Law, RoughnessArguments,
     RoughnessSource, TableArguments,

@@ -18,7 +18,7 @@ pub enum Program {
 
 /// What a finite-element model takes over.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Content {
+pub enum Exported {
     /// The rough layer: pressure against overclosure, and the penalty stiffness that may stand beside it.
     Surface,
     /// The whole contact: force against settlement since lift-off.
@@ -53,7 +53,7 @@ pub struct ExportArguments {
         default_value = "surface",
         value_delimiter = ','
     )]
-    pub content: Vec<Content>,
+    pub content: Vec<Exported>,
     /// Units of the model; the file tells them.
     #[arg(long, value_enum, value_name = "UNITS", default_value = "si")]
     pub units: ModelUnits,

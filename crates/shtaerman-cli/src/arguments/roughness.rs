@@ -133,7 +133,7 @@ pub enum ColumnOrder {
 /// `shtaerman roughness table`.
 #[derive(Debug, Args)]
 pub struct TableArguments {
-    /// Table in two columns, or an input file of Abaqus or CalculiX with a tabular pressure-overclosure law.
+    /// Table in two columns, or an input file of Abaqus or `CalculiX` with a tabular pressure-overclosure law.
     #[arg(value_name = "FILE")]
     pub file: PathBuf,
     /// What the columns are; in an input file pressure, then overclosure.

@@ -8,7 +8,7 @@ use shtaerman::quantity::Dimension;
 use shtaerman::{Contact, Datum, Error};
 
 use super::{places, problem_file};
-use crate::arguments::{Content, ExportArguments, ModelUnits, Program};
+use crate::arguments::{ExportArguments, Exported, ModelUnits, Program};
 use crate::output::Outputs;
 use crate::report::{ForceExport, Model, SurfaceExport};
 use crate::{Failure, clock};
@@ -32,7 +32,7 @@ pub(super) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
     let located = |error: Error| named(&file, error);
     for content in contents(arguments) {
         match content {
-            Content::Surface => {
+            Exported::Surface => {
                 let (contact, table) = surface(&file, &factors)?;
                 check_table(arguments, units, &table)?;
                 let penalty = match Penalty::new(&contact, factors.share, datum) {
@@ -46,13 +46,13 @@ pub(super) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
                 let Factors { share, reach, .. } = factors;
                 model.surface(&SurfaceExport { contact, table, penalty, share, reach });
             }
-            Content::Force => {
+            Exported::Force => {
                 let curve = force_curve(file.problem(), factors.load, factors.share, datum);
                 let curve = curve.map_err(located)?;
                 check_curve(arguments, &curve)?;
                 model.force(&ForceExport { problem: file.problem(), curve, datum });
             }
-            Content::Moment => {
+            Exported::Moment => {
                 let curve = moment_curve(file.problem(), factors.moment, factors.share);
                 let curve = curve.map_err(located)?;
                 check_curve(arguments, &curve)?;
@@ -67,8 +67,8 @@ pub(super) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
 }
 
 /// What was asked for, once each and in one order.
-fn contents(arguments: &ExportArguments) -> impl Iterator<Item = Content> {
-    let all = [Content::Surface, Content::Force, Content::Moment];
+fn contents(arguments: &ExportArguments) -> impl Iterator<Item = Exported> {
+    let all = [Exported::Surface, Exported::Force, Exported::Moment];
     all.into_iter().filter(|content| arguments.content.contains(content))
 }
 

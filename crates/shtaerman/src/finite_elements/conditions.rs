@@ -9,7 +9,8 @@ pub const SHARES: [f64; 2] = [1e-8, 0.5];
 /// Refuses a share that no table is made for.
 pub(super) fn check_share(share: f64) -> Result<(), Error> {
     let requirement = "from 1e-8 to 0.5";
-    require(share >= SHARES[0] && share <= SHARES[1], "share", share, requirement).map(|_| ())
+    let is_sound = (SHARES[0]..=SHARES[1]).contains(&share);
+    require(is_sound, "share", share, requirement).map(|_| ())
 }
 
 /// Refuses problems whose contact no table describes.

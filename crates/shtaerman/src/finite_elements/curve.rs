@@ -36,7 +36,7 @@ pub struct LoadCurve {
 /// let [settlement, force] = curve.points[curve.points.len() - 1];
 /// assert_eq!(force, 1.6e6);
 /// assert!((settlement / problem.with_force(1.6e6)?.solve()?.settlement() - 1.0).abs() < 1e-9);
-/// # Ok::<(), shtaerman::Error>(())
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 ///
 /// # Errors

@@ -64,8 +64,9 @@ impl Overclosure {
                 Ok(Self { points, deviation: 0.0 })
             }
             Roughness::Power { exponent, .. } => {
-                let ends = [reference, largest].map(|pressure| roughness.displacement(pressure));
-                Self::graded(Power { exponent, reference, ends }, share)
+                let pressures = [reference, largest];
+                let ends = pressures.map(|pressure| roughness.displacement(pressure));
+                Self::graded(Power { exponent, pressures, ends }, share)
             }
         }
     }
@@ -101,11 +102,12 @@ impl Overclosure {
 }
 
 /// A power law between zero and a largest pressure.
+#[derive(Clone, Copy)]
 struct Power {
     exponent: f64,
-    /// The reference pressure (Pa).
-    reference: f64,
-    /// Overclosures under the reference and under the largest pressure (m).
+    /// The reference and the largest pressure (Pa).
+    pressures: [f64; 2],
+    /// The overclosures under them (m).
     ends: [f64; 2],
 }
 
@@ -119,10 +121,13 @@ impl Power {
     fn points(&self, count: usize) -> Vec<[f64; 2]> {
         let last = self.last();
         let point = |index: usize| {
+            if index == count {
+                return [self.pressures[1], self.ends[1]];
+            }
             let s = last * index as f64 / count as f64;
             // Under the reference overclosure.
             let grown = if s <= 1.0 { s * s } else { (2.0 * (s - 1.0)).exp() };
-            [self.reference * grown.powf(1.0 / self.exponent), self.ends[0] * grown]
+            [self.pressures[0] * grown.powf(1.0 / self.exponent), self.ends[0] * grown]
         };
         (0..=count).map(point).collect()
     }

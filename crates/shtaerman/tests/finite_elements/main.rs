@@ -1,5 +1,5 @@
 //! Tables for finite-element models against sensitivities, closed forms and solves of their own.
-#![expect(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
+#![expect(clippy::unwrap_used, reason = "a test may fail by panicking")]
 
 use shtaerman::finite_elements::{LoadCurve, Penalty, force_curve, moment_curve};
 use shtaerman::{
