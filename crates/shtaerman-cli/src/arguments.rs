@@ -1,5 +1,6 @@
 //! The arguments of the command line.
 
+mod export;
 mod roughness;
 mod sweep;
 
@@ -7,6 +8,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+pub use export::{ExportArguments, Exported, ModelUnits, Program};
 pub use roughness::{
     BearingArguments, ColumnOrder, GreenwoodWilliamsonArguments, Law, RoughnessArguments,
     RoughnessSource, TableArguments,
@@ -56,6 +58,8 @@ pub enum Command {
     Sweep(SweepArguments),
     /// Turn what is known of a rough surface into the roughness of a problem file.
     Roughness(RoughnessArguments),
+    /// Write the rough layer, or the whole contact, as tables for a finite-element program.
+    Export(ExportArguments),
 }
 
 /// How results are written.

@@ -25,7 +25,7 @@
 //!
 //! Names are those of the problem file ([`mod@file`] reads it) and of the JSON answer ([`answer`] writes it). The rest is in modules: [`profile`] and [`expression`] for bases,
 //! [`material`] for what a foundation is made of, [`contact`] for what an answer is made of, [`stress`] below the surface, [`inverse`] for the way back from a wish to
-//! a problem, [`asperities`] for measured roughness, [`equation`] for integral equations without mechanics.
+//! a problem, [`asperities`] for measured roughness, [`finite_elements`] for tables that other programs read, [`equation`] for integral equations without mechanics.
 //!
 //! Equation numbers are those of S. M. Mkhitaryan, *On the solution to integral equations of one class of mixed and
 //! contact problems by the degenerate kernel method*, Proceedings of NAS of Armenia, Mechanics.
@@ -37,6 +37,7 @@ mod deadline;
 pub mod equation;
 mod error;
 pub mod file;
+pub mod finite_elements;
 mod foundation;
 mod frame;
 mod geometry;

@@ -133,18 +133,18 @@ pub enum ColumnOrder {
 /// `shtaerman roughness table`.
 #[derive(Debug, Args)]
 pub struct TableArguments {
-    /// Table in two columns.
-    #[arg(value_name = "FILE.csv")]
+    /// Table in two columns, or an input file of Abaqus or `CalculiX` with a tabular pressure-overclosure law.
+    #[arg(value_name = "FILE")]
     pub file: PathBuf,
-    /// What the columns are.
+    /// What the columns are; in an input file pressure, then overclosure.
     #[arg(long, value_enum, value_name = "ORDER", default_value = "approach-pressure")]
     pub columns: ColumnOrder,
-    /// Unit of the approach.
-    #[arg(long, value_name = "UNIT", default_value = "m")]
-    pub approach_unit: String,
-    /// Unit of the pressure.
-    #[arg(long, value_name = "UNIT", default_value = "Pa")]
-    pub pressure_unit: String,
+    /// Unit of the approach [default: m; of an input file the one that it tells, as exported ones do].
+    #[arg(long, value_name = "UNIT")]
+    pub approach_unit: Option<String>,
+    /// Unit of the pressure [default: Pa; of an input file the one that it tells].
+    #[arg(long, value_name = "UNIT")]
+    pub pressure_unit: Option<String>,
     /// The law that goes into the problem file [default: that with the smaller largest deviation].
     #[arg(long, value_enum, value_name = "LAW")]
     pub law: Option<Law>,

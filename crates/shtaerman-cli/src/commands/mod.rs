@@ -2,6 +2,7 @@
 
 mod convergence;
 mod equation;
+mod export;
 mod find;
 mod init;
 mod places;
@@ -34,6 +35,7 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Spectrum(arguments) => spectrum::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Roughness(arguments) => roughness::run(arguments),
+        Command::Export(arguments) => export::run(arguments),
     }
 }
 

@@ -1,7 +1,9 @@
 //! Results as text: tables for people, JSON and CSV for programs.
 
 mod answer;
+mod deck;
 mod equation;
+mod export;
 mod extras;
 mod find;
 mod number;
@@ -12,6 +14,7 @@ mod table;
 
 pub(crate) use answer::{answer_csv, answer_table};
 pub(crate) use equation::{equation_csv, equation_table};
+pub(crate) use export::{ForceExport, Model, SurfaceExport};
 pub(crate) use extras::{extras, surface_csv};
 pub(crate) use find::{CrownReport, FoundReport, ShapedReport};
 pub(crate) use number::significant;

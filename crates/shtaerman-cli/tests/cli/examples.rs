@@ -132,6 +132,7 @@ fn the_command_of_each_heading_runs() {
             let words = match arguments[0] {
                 "solve" => ["settlement", "tilt"],
                 "equation" => ["int phi", "phi("],
+                "export" => ["** Units: N, mm, MPa", "0., 0."],
                 _ => ["eigenvalue", "bilinear sum"],
             };
             assert!(words.iter().all(|word| table.contains(word)), "{command}: {table}");

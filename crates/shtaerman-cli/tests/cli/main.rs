@@ -10,6 +10,7 @@ mod equation;
 mod equation_closed_forms;
 mod equation_input;
 mod examples;
+mod export;
 mod extras;
 mod files;
 mod find;

@@ -182,7 +182,7 @@ fn a_softening_table_has_a_linear_law_and_says_why() {
 #[test]
 fn refusals() {
     let folder = Folder::new();
-    folder.write("t.csv", "0,0\n1,1\n");
+    folder.write("t.csv", "0,1\n1,1\n");
     folder.write("bad.csv", "0,0\n1,-1\n2,2\n");
     folder.write("flat.csv", "0,1\n1,1\n2,1\n");
     let gw = ["gw", "--deviation=0.5 um", "--density=1e10", "--radius=10 um", "--modulus=110 GPa"];

@@ -118,7 +118,7 @@ impl Contact {
 }
 
 /// `int_left^right f dx` by the double-exponential rule, which minds no logarithm at an end.
-fn integral(left: f64, right: f64, f: &dyn Fn(f64) -> f64) -> f64 {
+pub(crate) fn integral(left: f64, right: f64, f: &dyn Fn(f64) -> f64) -> f64 {
     let step = REACH / f64::from(HALF_COUNT);
     let length = right - left;
     (-HALF_COUNT..=HALF_COUNT)

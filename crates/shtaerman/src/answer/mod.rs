@@ -1,7 +1,7 @@
 //! The answer as data: what the faces print and other programs read.
 
 pub mod convergence;
-mod datum;
+pub(crate) mod datum;
 mod surface_curve;
 
 pub use datum::{Datum, RelativeSettlement};

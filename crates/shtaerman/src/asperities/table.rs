@@ -20,7 +20,7 @@ impl Table {
     /// Pairs of approach (m), counted from first touch, and pressure (Pa).
     ///
     /// # Errors
-    /// [`Error::InvalidValue`] for a value that is negative or not finite, and for fewer than two different pressures above zero.
+    /// [`Error::InvalidValue`] for a value that is negative or not finite, and for fewer than two different pressures.
     pub fn new(pairs: impl IntoIterator<Item = [f64; 2]>) -> Result<Self, Error> {
         let mut data = Vec::new();
         for [approach, pressure] in pairs {
@@ -34,14 +34,11 @@ impl Table {
             )?;
             data.push([pressure, approach]);
         }
-        let loaded = || data.iter().map(|pair| pair[0]).filter(|p| *p > 0.0);
-        let [least, most] = [loaded().fold(f64::INFINITY, f64::min), loaded().fold(0.0, f64::max)];
-        require(
-            most > least,
-            "pressure",
-            most,
-            "in at least two rows greater than zero and different",
-        )?;
+        // First touch is a row as any other: it makes one more enough for a linear law.
+        let pressures = || data.iter().map(|pair| pair[0]);
+        let [least, most] =
+            [pressures().fold(f64::INFINITY, f64::min), pressures().fold(0.0, f64::max)];
+        require(most > least, "pressure", most, "different in at least two rows")?;
         Ok(Self { data })
     }
 

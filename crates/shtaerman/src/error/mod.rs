@@ -389,6 +389,13 @@ pub enum Error {
         remedy: &'static str,
     },
 
+    /// The problem has no table for a finite-element program.
+    #[error("no table: {reason}")]
+    NoTable {
+        /// Why, and what would be right.
+        reason: &'static str,
+    },
+
     /// An inverse problem has no answer.
     #[error(transparent)]
     Inverse(#[from] InverseError),

@@ -3,7 +3,9 @@
 mod findings;
 mod read;
 
-use shtaerman::asperities::{BearingCurve, GreenwoodWilliamson, open_table, open_trace};
+use shtaerman::asperities::{BearingCurve, GreenwoodWilliamson, Table, open_trace, read_table};
+use shtaerman::document::{FileError, load_bytes};
+use shtaerman::finite_elements::{is_input_file, read_input_file};
 use shtaerman::quantity::Dimension;
 use shtaerman::{Error, Roughness};
 
@@ -14,7 +16,7 @@ use crate::arguments::{
 };
 use crate::output::{Content, Input, Outputs, check_writable};
 use findings::{Curve, Findings, LawReport, State};
-use read::{number, optional_quantity, pair, quantity, unit, usage};
+use read::{number, optional_quantity, optional_unit, pair, quantity, unit, usage};
 
 /// `1/m^2`.
 const DENSITY: Dimension = Dimension::new(-2, 0, 0);
@@ -208,12 +210,7 @@ fn bearing(source: &BearingArguments) -> Result<Findings, Failure> {
 }
 
 fn table(source: &TableArguments) -> Result<Findings, Failure> {
-    let units = [
-        unit("approach-unit", &source.approach_unit, Dimension::LENGTH)?,
-        unit("pressure-unit", &source.pressure_unit, Dimension::PRESSURE)?,
-    ];
-    let pressure_first = source.columns == ColumnOrder::PressureApproach;
-    let table = open_table(&source.file, units, pressure_first)?;
+    let table = open(source)?;
     let mut findings = Findings::new("table");
     let in_file = |error: Error| Failure::Usage(format!("{}: {error}", source.file.display()));
     let linear = table.fit_linear().map_err(in_file)?;
@@ -231,4 +228,31 @@ fn table(source: &TableArguments) -> Result<Findings, Failure> {
     }
     findings.choose(source.law.unwrap_or(better))?;
     Ok(findings)
+}
+
+/// The table of a file of columns or of an input file.
+fn open(source: &TableArguments) -> Result<Table, Failure> {
+    let bytes = load_bytes(&source.file).map_err(|message| {
+        FileError::new(message).in_file(Some(&source.file.display().to_string()))
+    })?;
+    let name = source.file.display().to_string();
+    let approach =
+        optional_unit("approach-unit", source.approach_unit.as_ref(), Dimension::LENGTH)?;
+    let pressure =
+        optional_unit("pressure-unit", source.pressure_unit.as_ref(), Dimension::PRESSURE)?;
+    if is_input_file(&bytes) {
+        let units = match (approach, pressure) {
+            (Some(approach), Some(pressure)) => Some([approach, pressure]),
+            (None, None) => None,
+            _ => {
+                return Err(Failure::Usage(
+                    "--approach-unit and --pressure-unit: of an input file both are needed, or none where it tells its units".to_owned(),
+                ));
+            }
+        };
+        return Ok(read_input_file(&bytes, &name, units)?);
+    }
+    let units = [approach.unwrap_or(1.0), pressure.unwrap_or(1.0)];
+    let pressure_first = source.columns == ColumnOrder::PressureApproach;
+    Ok(read_table(&bytes, &name, units, pressure_first)?)
 }

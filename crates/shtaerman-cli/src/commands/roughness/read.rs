@@ -47,6 +47,14 @@ pub(super) fn unit(name: &str, text: &str, dimension: Dimension) -> Result<f64, 
     }
 }
 
+pub(super) fn optional_unit(
+    name: &str,
+    text: Option<&String>,
+    dimension: Dimension,
+) -> Result<Option<f64>, Failure> {
+    text.map(|text| unit(name, text, dimension)).transpose()
+}
+
 /// Whether `shtaerman roughness` has an option of this name: a law has quantities that are none.
 fn is_option(name: &str) -> bool {
     let command = RoughnessArguments::augment_args(clap::Command::new("roughness"));
