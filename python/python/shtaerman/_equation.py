@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -13,7 +14,7 @@ import numpy.typing as npt
 
 from . import _document as document
 from . import _shtaerman as engine
-from ._arrays import places
+from ._arrays import counted, places
 from ._contact import Method, Warned
 from ._kernel import Kernel
 from ._parts import Quantity
@@ -106,8 +107,11 @@ def equation(
     >>> found.phi.shape
     (2,)
     """
-    if isinstance(points, bool) or not isinstance(points, int) or not 2 <= points <= 1_000_000:
-        raise ValueError(f"points: must be a whole number from 2 to 1000000, got {points!r}")
+    points = counted(points)
+    if solver is not None and not isinstance(solver, Mapping):
+        raise ValueError(f"solver: must be a dictionary with method, n and tolerance, got {type(solver).__name__}")
+    if callable(kernel):
+        raise ValueError("kernel: is a function: a kernel of one's own is st.Kernel(function, ...)")
     asked = None if at is None else places(at, "at")
     listed = None if asked is None else asked.ravel()
     if isinstance(kernel, Kernel):
@@ -116,6 +120,8 @@ def equation(
             raise ValueError(f"equation(): {what}: does not go with a kernel of one's own, which is stated by kind, lambda_ and rhs")
         told = _own(kernel, kind, lambda_, rhs, solver or {}, points, listed)
     else:
+        if callable(rhs):
+            raise ValueError("rhs: is a function, which goes with a kernel of one's own; with a kernel by name it must be an expression in x or a number")
         stated: dict[str, Any] = {"equation.kind": kind, "equation.lambda": lambda_, "equation.rhs": rhs, "kernel.name": kernel}
         stated.update({f"kernel.{name}": value for name, value in parameters.items()})
         stated.update({f"solver.{name}": value for name, value in (solver or {}).items()})
@@ -294,5 +300,9 @@ def _command(command: str, words: list[str], options: Mapping[str, Any], flags: 
             raise ValueError(f"{command}(): {name} must be a number or text, got {type(value).__name__}")
         text = repr(value) if isinstance(value, (int, float)) else os.fspath(value)
         arguments.append(f"--{name.replace('_', '-')}={text}")
-    found: dict[str, Any] = json.loads(engine.command_json(arguments))
+    try:
+        found: dict[str, Any] = json.loads(engine.command_json(arguments))
+    except ValueError as error:
+        # How the command line is called helps nobody here.
+        raise ValueError(re.split(r"\n\n(?:Usage:|For more information)", str(error))[0].rstrip()) from None
     return found
