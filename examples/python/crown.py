@@ -1,11 +1,13 @@
-"""A crown found by optimisers of SciPy, with exact gradients.
+# %% [markdown]
+# # A crown found by optimisers of SciPy, with exact gradients
+#
+# What one learns: `value_and_gradient()` gives what an optimiser wants, for little more than one solve.
+#
+#     python examples/python/crown.py
+#
+# A punch with the crown `s x^2/(2*20)`: without a crown the pressure peaks at the edges, with much of it in the middle.
 
-What one learns: value_and_gradient() gives what an optimiser wants, for little more than one solve.
-
-    python examples/python/crown.py
-"""
-
-# %% A punch with the crown s x^2/(2*20): without a crown the pressure peaks at the edges, with much of it in the middle.
+# %%
 import math
 
 import numpy as np
@@ -23,7 +25,11 @@ def crowned(logarithm: float, force: float = 0.8e6) -> st.Problem:
     return st.Problem(steel, st.Punch(half_width="5 mm", profile=base), st.Load(force=force))
 
 
-# %% The lowest peak. Where it moves from the edges to the middle the derivative changes its sign, with a jump, and that is the optimum.
+# %% [markdown]
+# The lowest peak. Where it moves from the edges to the middle the derivative changes its sign, with a jump, and that is the optimum.
+
+
+# %%
 def slope(logarithm: float) -> float:
     _, gradient = st.value_and_gradient(crowned(logarithm), "peak_pressure", ["profile"])
     return float(gradient[0])
@@ -33,12 +39,18 @@ best, report = optimize.brentq(slope, math.log(0.1), math.log(100.0), xtol=1e-12
 lowest = crowned(best).solve()
 print(f"radius {RADIUS / math.exp(best):.6f} m: peak {lowest.peak_pressure / 1e6:.4f} MPa, after {report.function_calls} gradients")
 
-# %% The command line has a search of its own for that, without derivatives.
+# %% [markdown]
+# The command line has a search of its own for that, without derivatives.
+
+# %%
 crown = st.find("crown", crowned(0.0))
 assert crown.best.radius is not None
 print(f"radius {crown.best.radius:.6f} m: peak {crown.best.contact.peak_pressure / 1e6:.4f} MPa, by find, after {crown.evaluations} solves")
 
-# %% Crown and force together: a peak of 150 MPa, and contact over 9 of the 10 mm.
+# %% [markdown]
+# Crown and force together: a peak of 150 MPa, and contact over 9 of the 10 mm.
+
+# %%
 WANTED = np.array([150e6, 9e-3])
 
 
@@ -62,3 +74,5 @@ solution = optimize.least_squares(residual, x0=[math.log(10.0), 0.0], jac=jacobi
 logarithm, force = unknown_of(solution.x)
 both = crowned(logarithm, force).solve()
 print(f"radius {RADIUS / math.exp(logarithm):.6f} m, force {force / 1e6:.6f} MN/m: peak {both.peak_pressure / 1e6:.4f} MPa, width {both.contact_width * 1e3:.6f} mm")
+assert abs(lowest.peak_pressure / crown.best.contact.peak_pressure - 1.0) < 1e-8
+assert abs(both.peak_pressure / 150e6 - 1.0) < 1e-9 and abs(both.contact_width / 9e-3 - 1.0) < 1e-9

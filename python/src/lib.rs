@@ -8,6 +8,7 @@ mod equation;
 mod errors;
 mod find;
 mod many;
+mod own;
 mod problem;
 mod running;
 mod sampled;
@@ -27,6 +28,8 @@ mod _shtaerman {
     use crate::find::{find_crown, find_profile, find_value};
     #[pymodule_export]
     use crate::many::{is_varied_directly, solve_single, solve_varied};
+    #[pymodule_export]
+    use crate::own::solve_own;
     #[pymodule_export]
     use crate::problem::{Problem, load, superseded};
 

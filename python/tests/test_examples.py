@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import collections
 import doctest
 import importlib
+import json
+import math
 import pkgutil
 import re
 import runpy
@@ -11,7 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT
+from conftest import ROOT, Program
 
 import shtaerman as st
 
@@ -19,8 +22,31 @@ FOLDER = ROOT / "examples/python"
 MODULES = [module.name for module in pkgutil.iter_modules(st.__path__) if module.name != "_shtaerman"]
 
 
+SCRIPTS = sorted(FOLDER.glob("*.py"))
+#: Those whose tests below look at what they found.
+LOOKED_AT = {"first_contact", "many_cases", "crown", "design_study", "paper_tables", "own_kernel", "calibration"}
+
+
+@pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: path.stem)
+def test_examples_are_notebooks_that_assert_what_they_claim(path: Path) -> None:
+    """Percent format: text in markdown cells alone, each followed by code; so editors and jupytext open them."""
+    text = path.read_text(encoding="utf-8")
+    cells = re.split(r"^(?=# %%)", text, flags=re.MULTILINE)
+    assert cells[0] == "" and cells[1].startswith("# %% [markdown]\n# # ")
+    for cell in cells[1:]:
+        mark, *lines = cell.strip("\n").split("\n")
+        if mark == "# %% [markdown]":
+            assert all(line.startswith("# ") or line in ("#", "") for line in lines), cell
+        else:
+            assert mark == "# %%" and lines, cell
+            compile("\n".join(lines), path.name, "exec")
+    assert f"python examples/python/{path.name}" in text and "assert " in text
+
+
 def test_every_example_is_tested() -> None:
-    assert {path.stem for path in FOLDER.glob("*.py")} == {"first_contact", "many_cases", "crown"}
+    assert LOOKED_AT == {name.removeprefix("test_") for name in globals() if name.startswith("test_")} & {path.stem for path in SCRIPTS}
+    listed = (ROOT / "README.md").read_text(encoding="utf-8") + (ROOT / "docs/src/python.md").read_text(encoding="utf-8")
+    assert all(path.stem in listed for path in SCRIPTS)
 
 
 def test_first_contact(capsys: pytest.CaptureFixture[str]) -> None:
@@ -47,6 +73,50 @@ def test_crown() -> None:
     assert lowest.peak_pressure == pytest.approx(crown.best.contact.peak_pressure, rel=1e-8)
     assert said["both"].peak_pressure == pytest.approx(150e6, rel=1e-9)
     assert said["both"].contact_width == pytest.approx(9e-3, rel=1e-9)
+
+
+def test_design_study() -> None:
+    """The robust crown against a search by brute force over radius, force and eccentricity."""
+    said = runpy.run_path(str(FOLDER / "design_study.py"))
+    radii = np.linspace(said["smallest"], said["largest"], 41).tolist()
+    worst = [said["peaks"](radius).max() for radius in radii]
+    assert min(worst) == pytest.approx(said["robust"].max(), rel=2e-3) and min(worst) >= said["robust"].max() * (1 - 1e-9)
+    assert said["smallest"] < said["radius"] < said["largest"] and said["contact"].error.kind == "bound"
+
+
+def test_paper_tables(program: Program) -> None:
+    """What the script counts is what `shtaerman reproduce` says."""
+    said = runpy.run_path(str(FOLDER / "paper_tables.py"))
+    told = json.loads(program.json("reproduce"))
+    reasons = collections.Counter(figure["reason"] for figure in told["figures"])
+    named = {None: "true", "truncation": "truncated", "pressure_formula": "pressure formula", "sign": "sign", "misprint": "misprint"}
+    assert {named[reason]: count for reason, count in reasons.items()} == said["count"]
+
+
+def test_own_kernel() -> None:
+    """Its kernel at places is the function in closed form."""
+    said = runpy.run_path(str(FOLDER / "own_kernel.py"))
+    for h in (0.05, 1.0, 10.0):
+        split = said["layer"](h).function
+        for distance in (1e-9, 1e-4, 3e-3 * h, 0.1, 2.0):
+            a, b = split(0.0, distance, distance)
+            exact = -math.log(math.tanh(0.25 * math.pi * distance / h))
+            assert a * math.log(distance) + b == pytest.approx(exact, abs=1e-13 * abs(math.log(distance)) + 1e-14)
+    assert said["force"][10.0] < said["force"][1.0] < said["force"][0.1]
+
+
+def test_calibration() -> None:
+    """The fit against a search without derivatives."""
+    said = runpy.run_path(str(FOLDER / "calibration.py"))
+    chi, zero = math.exp(said["fit"].x[0]), 1e-6 * said["fit"].x[1]
+
+    def misfit(roughness: float, offset: float) -> float:
+        found = st.solve_many(said["plate"].replace(roughness=roughness), force=said["force"], outputs=["settlement"])
+        return float(((found.settlement + offset - said["measured"]) ** 2).sum())
+
+    best = misfit(chi, zero)
+    for share in (0.999, 1.001):
+        assert misfit(share * chi, zero) > best and misfit(chi, share * zero) > best
 
 
 @pytest.mark.parametrize("name", MODULES)

@@ -259,3 +259,31 @@ fn the_suite_finds_small_faults() {
         }
     }
 }
+
+/// A smooth kernel by its values.
+struct Smooth(fn(f64, f64) -> f64);
+
+impl Kernel for Smooth {
+    fn interval(&self) -> Interval {
+        Interval::unit()
+    }
+    fn singularity(&self) -> Singularity {
+        Singularity::None
+    }
+    fn split(&self, x: f64, s: f64, _distance: f64) -> Split {
+        Split { factor: 0.0, rest: (self.0)(x, s) }
+    }
+}
+
+/// What is small on the diagonal, or at a place of it, is held against its size beside it.
+#[test]
+fn smooth_kernels_may_vanish_on_the_diagonal() {
+    let good: [fn(f64, f64) -> f64; 4] =
+        [|x, s| (x - s).powi(2), |x, s| x + s, |x, s| x * s, |x, s| (x - s).cos() - 1.0];
+    for kernel in good {
+        let report = conformance::check_kernel(&Smooth(kernel)).unwrap();
+        assert!(report.passes(), "{report}");
+    }
+    let other: fn(f64, f64) -> f64 = |x, s| if x == s { 0.0 } else { 1.0 + x * s };
+    assert!(!conformance::check_kernel(&Smooth(other)).unwrap().passes());
+}

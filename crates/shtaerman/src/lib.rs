@@ -102,3 +102,8 @@ pub use shtaerman_input::{document, expression, legible, quantity};
 pub use solver::{AIM, ContactKind, MethodChoice};
 #[doc(no_inline)]
 pub use stress::{Criterion, FirstYield, Peak, Stress, StressField};
+
+/// The Rust of the chapter *Ten tasks* of the book, which runs with the tests of the documentation.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/src/ten-tasks.md")]
+mod ten_tasks {}

@@ -10,6 +10,7 @@ from ._contact import Audit, Contact, Derivatives, Errors, Method, Sensitivities
 from ._equation import EquationAnswer, EquationErrors, Spectrum, equation, roughness, spectrum
 from ._find import Crown, Crowned, Found, Shaped, find
 from ._gradient import value_and_gradient
+from ._kernel import Kernel
 from ._many import Contacts, solve_many
 from ._parts import Foundation, Load, Punch, Solver
 from ._problem import Problem
@@ -31,6 +32,7 @@ __all__ = [
     "Errors",
     "Found",
     "Foundation",
+    "Kernel",
     "Load",
     "Method",
     "Problem",

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from . import _shtaerman as engine
-from ._arrays import each, places
+from ._arrays import counted, each, finite, places
 from ._problem import Problem
 from ._profile import FloatArray
 
@@ -338,7 +338,14 @@ class Contact:
         return each(self._engine.pressure, x)
 
     def displacement(self, x: Any) -> Any:
-        """Elastic displacement of the surface (m) at any places, an array of their shape; positive into the body, without the layer, in the gauge of the settlement."""
+        """Elastic displacement of the surface (m) at any places, an array of their shape; positive into the body, without the layer, in the gauge of the settlement.
+
+        Raises
+        ------
+        ValueError
+            For a place that is NaN or infinite.
+        """
+        finite(x)
         return each(self._engine.displacement, x)
 
     def gap(self, x: Any) -> Any:
@@ -364,7 +371,13 @@ class Contact:
         ValueError
             For a body whose stresses are not known, and a depth above the surface.
         """
-        across, down = np.broadcast_arrays(places(x), places(z, "z"))
+        one, other = places(x), places(z, "z")
+        try:
+            across, down = np.broadcast_arrays(one, other)
+        except ValueError:
+            raise ValueError(f"stress(): the shapes of x and z do not go together: {one.shape} and {other.shape}") from None
+        if poisson_ratio is not None:
+            poisson_ratio = finite(poisson_ratio, "poisson_ratio").item()
         parts, error = self._engine.stress(across.ravel(), down.ravel(), poisson_ratio)
         is_single = across.ndim == 0
         shaped = [float(part[0]) if is_single else part.reshape(across.shape) for part in parts]
@@ -372,9 +385,7 @@ class Contact:
 
     def to_json(self, points: int = _POINTS, at: Any = None) -> str:
         """The answer of ``shtaerman solve --format json``, byte for byte: with the pressure at ``points`` places, or ``at`` places of one's own."""
-        if isinstance(points, bool) or not isinstance(points, int) or not 2 <= points <= 1_000_000:
-            raise ValueError(f"points: must be a whole number from 2 to 1000000, got {points!r}")
-        return self._stated._engine.to_json(points, None if at is None else places(at, "at").ravel())
+        return self._stated._engine.to_json(counted(points), None if at is None else places(at, "at").ravel())
 
     def to_dict(self, points: int = _POINTS, at: Any = None) -> dict[str, Any]:
         """The answer of ``shtaerman solve --format json`` as a dictionary."""
@@ -401,11 +412,16 @@ class Contact:
         )
 
     def _repr_html_(self) -> str:
-        rows = [(name.replace("_", " "), f"{getattr(self, name):.6g}") for name in _SHOWN]
+        def shown(name: str, digits: str, value: float) -> str:
+            units = _SHOWN[name]
+            unit = "" if self._is_bare else units[1 if self._problem.is_circular else 0]
+            return f"{value:{digits}} {unit}".rstrip()
+
+        rows = [(name.replace("_", " "), shown(name, ".6g", getattr(self, name))) for name in _SHOWN]
         error = self.error
         if error is not None:
-            rows.append((f"error of the pressure ({error.kind})", f"{error.pressure:.2g}"))
-            rows.append((f"error of the settlement ({error.kind})", f"{error.settlement:.2g}"))
+            rows.append((f"error of the pressure ({error.kind})", shown("mean_pressure", ".2g", error.pressure)))
+            rows.append((f"error of the settlement ({error.kind})", shown("settlement", ".2g", error.settlement)))
         cells = "".join(f"<tr><td>{html.escape(name)}</td><td>{html.escape(value)}</td></tr>" for name, value in rows)
         notes = "".join(f"<p>{html.escape(warning.message)}</p>" for warning in self.warnings)
         picture = self.to_svg()
@@ -428,8 +444,17 @@ class Contact:
 
 #: Parts of a stress as they are computed.
 _STRESSES = ("sigma_x", "sigma_y", "sigma_z", "tau_xy", "von_mises", "max_shear")
-#: What the card of a notebook shows.
-_SHOWN = ("settlement", "tilt", "force", "moment", "mean_pressure", "peak_pressure", "peak_pressure_at", "contact_width")
+#: What the card of a notebook shows, with the units of a plane and of a circular punch.
+_SHOWN = {
+    "settlement": ("m", "m"),
+    "tilt": ("rad", "rad"),
+    "force": ("N/m", "N"),
+    "moment": ("N m/m", "N m"),
+    "mean_pressure": ("Pa", "Pa"),
+    "peak_pressure": ("Pa", "Pa"),
+    "peak_pressure_at": ("m", "m"),
+    "contact_width": ("m", "m"),
+}
 
 
 def _restored(problem: Problem, version: str, is_audited: bool, is_bare: bool) -> Contact:

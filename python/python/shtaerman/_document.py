@@ -42,6 +42,9 @@ BARE = ("theta0", "lambda0", "exponent")
 VERTICAL = ("force", "settlement")
 ROTATIONAL = ("moment", "eccentricity", "tilt")
 
+#: Whole numbers of TOML have 64 bits; larger ones of Python are written as floats.
+_BEYOND_INTEGERS = 2**63
+
 _TABLES = {"foundation": FOUNDATION, "punch": PUNCH, "load": LOAD, "solver": SOLVER}
 _KEYWORDS = (*FOUNDATION, *PUNCH, *LOAD, *SOLVER, *BARE, "body")
 
@@ -78,7 +81,20 @@ def nested(keywords: Mapping[str, Any], function: str) -> dict[str, Any]:
 
 
 def toml(tables: Mapping[str, Any]) -> str:
-    """A dictionary as TOML, tables first level by level."""
+    """A dictionary as TOML, tables first level by level.
+
+    Raises
+    ------
+    ValueError
+        For what is no value of a problem file, with its key.
+    """
+    try:
+        return _toml(tables)
+    except RecursionError:
+        raise ValueError("the tables are nested too deeply, or contain themselves") from None
+
+
+def _toml(tables: Mapping[str, Any]) -> str:
     lines: list[str] = []
     plain = {name: value for name, value in tables.items() if not isinstance(value, Mapping)}
     lines.extend(f"{key_text(name)} = {toml_value(value, str(name))}" for name, value in plain.items())
@@ -101,10 +117,13 @@ def toml_value(value: Any, where: str) -> str:
         return "true" if value else "false"
     if isinstance(value, str):
         return _string(value)
-    if isinstance(value, numbers.Integral):
+    if isinstance(value, numbers.Integral) and abs(int(value)) < _BEYOND_INTEGERS:
         return str(int(value))
     if isinstance(value, numbers.Real):
-        return repr(float(value))
+        try:
+            return repr(float(value))
+        except OverflowError:
+            raise ValueError(f"{key}: is beyond the range of double precision") from None
     if isinstance(value, Mapping):
         entries = (
             f"{key_text(name)} = {toml_value(inner, f'{where}.{name}')}"

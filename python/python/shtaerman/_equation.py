@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Mapping
+import re
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,12 +14,11 @@ import numpy.typing as npt
 
 from . import _document as document
 from . import _shtaerman as engine
-from ._arrays import places
+from ._arrays import counted, places
 from ._contact import Method, Warned
+from ._kernel import Kernel
 from ._parts import Quantity
 from ._profile import FloatArray
-
-_EQUATION = ("kind", "rhs")
 
 
 @dataclass(frozen=True)
@@ -54,7 +54,7 @@ class EquationAnswer:
     warnings: list[Warned]
     """What a user should know."""
     answer: dict[str, Any]
-    """The answer of ``shtaerman equation --format json``."""
+    """The answer of ``shtaerman equation --format json``; on a kernel of one's own what of it there is."""
 
 
 def equation(
@@ -63,8 +63,8 @@ def equation(
     *,
     kind: str | None = None,
     lambda_: float | None = None,
-    rhs: str | float | None = None,
-    kernel: str | None = None,
+    rhs: str | float | Callable[[float], Any] | None = None,
+    kernel: str | Kernel | None = None,
     points: int = 201,
     at: npt.ArrayLike | None = None,
     audit: bool = True,
@@ -72,16 +72,18 @@ def equation(
     solver: Mapping[str, Any] | None = None,
     **parameters: Any,
 ) -> EquationAnswer:
-    """Solves ``phi + lambda int K phi ds = f`` or ``int K phi ds = f`` on one of the seven kernels, as ``shtaerman equation`` does.
+    """Solves ``phi + lambda int K phi ds = f`` or ``int K phi ds = f`` on one of the seven kernels, as ``shtaerman equation`` does, or on a kernel of one's own.
 
     Parameters
     ----------
     problem:
         The path of an equation file, its text, or a dictionary with its tables; the keywords then replace its values.
     kind, lambda_, rhs:
-        ``"second"`` (with ``lambda_``) or ``"first"``, and the right-hand side as an expression in ``x``.
+        ``"second"`` (with ``lambda_``) or ``"first"``, and the right-hand side as an expression in ``x``. On a kernel of one's own it may also be a function of one float, which should
+        be smooth; an expression has its kinks and jumps found.
     kernel:
-        ``"log"``, ``"log-ratio"``, ``"log-sine"``, ``"power"``, ``"macdonald"``, ``"weber-sonine"``, ``"yukawa"`` or ``"log-square"``, with its parameters as further keywords.
+        ``"log"``, ``"log-ratio"``, ``"log-sine"``, ``"power"``, ``"macdonald"``, ``"weber-sonine"``, ``"yukawa"`` or ``"log-square"``, with its parameters as further keywords; or a
+        :class:`Kernel`, for the second kind, by collocation: errors are estimates then, without audit and cross-check.
     points, at:
         At how many places, or at which, the solution is told.
     audit:
@@ -89,7 +91,7 @@ def equation(
     cross_check:
         Whether it is compared with the other method.
     solver:
-        ``method``, ``n`` and ``tolerance``.
+        ``method``, ``n`` and ``tolerance``; on a kernel of one's own ``tolerance`` alone.
 
     Raises
     ------
@@ -105,15 +107,27 @@ def equation(
     >>> found.phi.shape
     (2,)
     """
-    stated: dict[str, Any] = {"equation.kind": kind, "equation.lambda": lambda_, "equation.rhs": rhs, "kernel.name": kernel}
-    stated.update({f"kernel.{name}": value for name, value in parameters.items()})
-    stated.update({f"solver.{name}": value for name, value in (solver or {}).items()})
-    given = {name: value for name, value in stated.items() if value is not None}
-    content, name, overrides = _content(problem, given)
-    if isinstance(points, bool) or not isinstance(points, int) or not 2 <= points <= 1_000_000:
-        raise ValueError(f"points: must be a whole number from 2 to 1000000, got {points!r}")
+    points = counted(points)
+    if solver is not None and not isinstance(solver, Mapping):
+        raise ValueError(f"solver: must be a dictionary with method, n and tolerance, got {type(solver).__name__}")
+    if callable(kernel):
+        raise ValueError("kernel: is a function: a kernel of one's own is st.Kernel(function, ...)")
     asked = None if at is None else places(at, "at")
-    told = engine.solve_equation(content, name, overrides, points, None if asked is None else asked.ravel(), audit, cross_check)
+    listed = None if asked is None else asked.ravel()
+    if isinstance(kernel, Kernel):
+        if problem is not None or parameters or cross_check:
+            what = "the other problem" if problem is not None else ", ".join(parameters) or "cross_check"
+            raise ValueError(f"equation(): {what}: does not go with a kernel of one's own, which is stated by kind, lambda_ and rhs")
+        told = _own(kernel, kind, lambda_, rhs, solver or {}, points, listed)
+    else:
+        if callable(rhs):
+            raise ValueError("rhs: is a function, which goes with a kernel of one's own; with a kernel by name it must be an expression in x or a number")
+        stated: dict[str, Any] = {"equation.kind": kind, "equation.lambda": lambda_, "equation.rhs": rhs, "kernel.name": kernel}
+        stated.update({f"kernel.{name}": value for name, value in parameters.items()})
+        stated.update({f"solver.{name}": value for name, value in (solver or {}).items()})
+        given = {name: value for name, value in stated.items() if value is not None}
+        content, name, overrides = _content(problem, given)
+        told = engine.solve_equation(content, name, overrides, points, listed, audit, cross_check)
     answer: dict[str, Any] = json.loads(told)
     samples = answer["solution"]
     shape = (len(samples["x"]),) if asked is None else asked.shape
@@ -128,6 +142,50 @@ def equation(
         [Warned(**warning) for warning in answer["warnings"]],
         answer,
     )
+
+
+def _own(
+    kernel: Kernel,
+    kind: str | None,
+    lambda_: float | None,
+    rhs: str | float | Callable[[float], Any] | None,
+    solver: Mapping[str, Any],
+    points: int,
+    at: FloatArray | None,
+) -> str:
+    """The JSON of the answer on a kernel of one's own."""
+    if kind != "second":
+        raise ValueError(f"kind: must be 'second' on a kernel of one's own, whose spectral relation is not known, got {kind!r}")
+    if rhs is None:
+        raise ValueError("rhs: is missing: must be an expression in x, a number or a function")
+    given = rhs if callable(rhs) or isinstance(rhs, str) else repr(_number("rhs", rhs))
+    for name, value in solver.items():
+        if name == "tolerance" or value is None or (name, value) in _COLLOCATION:
+            continue
+        raise ValueError(f"solver.{name}: is {value!r}: a kernel of one's own is solved by collocation, and only tolerance can be chosen")
+    tolerance = solver.get("tolerance")
+    return engine.solve_own(
+        kernel.function,
+        0.0 if isinstance(kernel.singularity, str) else kernel.singularity,
+        kernel.interval,
+        kernel.even,
+        _number("lambda_", lambda_),
+        given,
+        None if tolerance is None else _number("solver.tolerance", tolerance),
+        points,
+        at,
+    )
+
+
+#: What may be said of the solver beside the tolerance, as it says nothing new.
+_COLLOCATION = (("method", "auto"), ("method", "sinc"))
+
+
+def _number(name: str, value: Any) -> float:
+    array = np.asarray(value)
+    if array.shape != () or array.dtype.kind not in "iuf" or not np.isfinite(array):
+        raise ValueError(f"{name}: is {value!r}: must be a finite number")
+    return float(array)
 
 
 def _content(problem: str | os.PathLike[str] | Mapping[str, Any] | None, given: Mapping[str, Any]) -> tuple[bytes, str, list[str]]:
@@ -242,5 +300,9 @@ def _command(command: str, words: list[str], options: Mapping[str, Any], flags: 
             raise ValueError(f"{command}(): {name} must be a number or text, got {type(value).__name__}")
         text = repr(value) if isinstance(value, (int, float)) else os.fspath(value)
         arguments.append(f"--{name.replace('_', '-')}={text}")
-    found: dict[str, Any] = json.loads(engine.command_json(arguments))
+    try:
+        found: dict[str, Any] = json.loads(engine.command_json(arguments))
+    except ValueError as error:
+        # How the command line is called helps nobody here.
+        raise ValueError(re.split(r"\n\n(?:Usage:|For more information)", str(error))[0].rstrip()) from None
     return found

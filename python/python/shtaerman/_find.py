@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal, overload
 
-import numpy as np
-
 from . import _shtaerman as engine
+from ._arrays import counted, finite
 from ._contact import Contact
 from ._parts import Quantity
 from ._problem import Problem, ProblemLike, problem_of
@@ -192,6 +191,8 @@ def _value(unknown: str, asked: Problem, given: dict[str, Quantity], audit: bool
     if len(given) != 1:
         raise ValueError(f"find({unknown!r}): needs one of peak_pressure, contact_width and settlement, got {len(given)}")
     ((goal, wanted),) = given.items()
+    if not isinstance(wanted, str):
+        wanted = finite(wanted, goal).item()
     value, goal_value, reached, error, solves, changes, contact = engine.find_value(asked._engine, unknown, goal, wanted, audit)
     known: dict[str, Any] = dict(changes)
     if "coefficient" in known:
@@ -209,7 +210,6 @@ def _shaped(asked: Problem, pressure: str | None, zero: str, points: int) -> Sha
         raise ValueError(f"find('profile'): pressure must be an expression in x, got {type(pressure).__name__}")
     if zero not in ("centre", "lowest"):
         raise ValueError(f"find('profile'): zero must be 'centre' or 'lowest', got {zero!r}")
-    if isinstance(points, bool) or not isinstance(points, (int, np.integer)) or not 2 <= points <= 1_000_000:
-        raise ValueError(f"find('profile'): points must be a whole number from 2 to 1000000, got {points!r}")
-    (x, heights, pressures), numbers = engine.find_profile(asked._engine, pressure, zero == "lowest", max(int(points), 3))
+    points = counted(points, "find('profile'): points")
+    (x, heights, pressures), numbers = engine.find_profile(asked._engine, pressure, zero == "lowest", max(points, 3))
     return Shaped(x, heights, pressures, *numbers)

@@ -158,6 +158,8 @@ def _column(name: str, value: Any) -> npt.NDArray[Any]:
         array = np.asarray(value)
     except ValueError:
         raise ValueError(f"{name}: must be an array of numbers, got rows of different lengths") from None
+    if np.ma.is_masked(value):
+        raise ValueError(f"{name}: has masked values: leave them out, x.compressed(), or fill them")
     if array.dtype.kind in "iuf":
         return array.astype(np.float64)
     if array.dtype.kind == "U" or (array.dtype.kind == "O" and all(isinstance(text, str) for text in array.flat)):

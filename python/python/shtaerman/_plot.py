@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ._arrays import counted
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -21,8 +23,7 @@ def contact_figure(contact: Contact, points: int) -> Figure:
         from matplotlib.figure import Figure
     except ImportError as error:
         raise ImportError("plot() needs matplotlib: pip install 'shtaerman[plot]', or use to_svg()") from error
-    if points < 2:
-        raise ValueError(f"points: must be at least 2, got {points}")
+    points = counted(points)
     is_bare = contact._is_bare
     half_width = 1.0 if is_bare else contact.problem.half_width
     # Dense at the edges, where the pressure changes most; the edges themselves are exact.

@@ -91,6 +91,8 @@ class Problem:
         ValueError
             With line and field.
         """
+        if not isinstance(text, str):
+            raise TypeError(f"Problem.parse() takes the text of a problem file, got {type(text).__name__}")
         made = cls.__new__(cls)
         made._take(text.encode("utf-8", "surrogateescape"), _NAME, "", [], None)
         return made.replace(**keywords)
@@ -104,6 +106,8 @@ class Problem:
         ValueError
             With the field.
         """
+        if not isinstance(tables, Mapping):
+            raise TypeError(f"Problem.from_dict() takes a dictionary with the tables of a problem file, got {type(tables).__name__}")
         made = cls.__new__(cls)
         made._take_tables({key: dict(value) if isinstance(value, Mapping) else value for key, value in tables.items()}, "")
         return made.replace(**keywords)
@@ -183,9 +187,18 @@ class Problem:
         return self._engine.gauge
 
     def height(self, x: Any) -> Any:
-        """The base ``f(x)`` (m) at places from edge to edge, as an array of their shape."""
-        from ._arrays import each
+        """The base ``f(x)`` (m) at places from edge to edge, as an array of their shape.
 
+        Raises
+        ------
+        ValueError
+            For a place beyond the base, also for NaN.
+        """
+        from ._arrays import each, finite
+
+        beyond = np.abs(finite(x)).max(initial=0.0)
+        if beyond > self.half_width:
+            raise ValueError(f"x: reaches to {beyond} from the middle, beyond the punch, whose base is known to {self.half_width}")
         return each(self._engine.heights, x)
 
     def to_toml(self) -> str:
@@ -258,6 +271,8 @@ def problem_of(problem: ProblemLike | None, keywords: Mapping[str, Any], functio
     if isinstance(problem, str):
         # A path has no line breaks, and a problem has some.
         is_text = "\n" in problem
+        if not problem:
+            raise ValueError(f"{function}(): empty text is neither a path nor a problem")
         return Problem.parse(problem, **keywords) if is_text else Problem.open(problem, **keywords)
     raise ValueError(f"{function}() takes a Problem, a path, the text of a problem file, a dictionary or keywords, got {type(problem).__name__}")
 

@@ -151,11 +151,13 @@ def points(x: Any, f: Any) -> tuple[FloatArray, FloatArray]:
 
 
 def _floats(what: str, values: Any) -> FloatArray:
-    """An array of real numbers; text and complex numbers are none."""
+    """An array of real numbers; text and complex numbers are none, nor are values that are masked."""
     try:
         array = np.asarray(values)
     except ValueError:
         raise ValueError(f"{what}: must be an array of numbers, got rows of different lengths") from None
+    if np.ma.is_masked(values):
+        raise ValueError(f"{what}: has masked values: leave them out, x.compressed(), or fill them")
     if array.dtype.kind not in "iuf":
         raise ValueError(f"{what}: must be an array of real numbers, got {_kind(values, array)}")
     return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)

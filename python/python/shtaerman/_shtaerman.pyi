@@ -1,6 +1,6 @@
 """The compiled half of the package: problems, contacts and what is asked of them, as NumPy arrays."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from os import PathLike
 from pathlib import Path
 from typing import Any, final
@@ -23,6 +23,7 @@ __all__ = [
     "is_varied_directly",
     "load",
     "solve_equation",
+    "solve_own",
     "solve_single",
     "solve_varied",
     "superseded",
@@ -175,5 +176,16 @@ def solve_equation(
     at: _Array | None,
     audit: bool,
     cross_check: bool,
+) -> str: ...
+def solve_own(
+    kernel: Callable[..., Any],
+    singularity: float | None,
+    interval: Sequence[float],
+    is_even: bool,
+    parameter: float,
+    right_hand_side: str | Callable[[float], Any],
+    tolerance: float | None,
+    points: int,
+    at: _Array | None,
 ) -> str: ...
 def command_json(arguments: Sequence[str]) -> str: ...

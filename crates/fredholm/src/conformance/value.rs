@@ -77,13 +77,15 @@ fn bad_densities(kernel: &dyn Kernel, points: &[f64]) -> f64 {
     points.iter().filter(is_bad).count() as f64
 }
 
-/// `|K(x, x + d) - A(x, x) sigma(d) - B(x, x)|` over `|A sigma| + |B|`, less what the change of `A` and `B` over `d` explains.
+/// `|K(x, x + d) - A(x, x) sigma(d) - B(x, x)|` over `|A sigma| + |B|` and the size of `K` farther off, less what the change of `A` and `B` over `d` explains.
 fn split_error(kernel: &dyn Kernel, points: &[f64]) -> f64 {
     let singularity = kernel.singularity();
     let mut worst = 0.0f64;
     for &x in points {
         let at = kernel.split(x, x, 0.0);
         let room = (x - kernel.interval().left()).min(kernel.extent().right() - x);
+        // A smooth kernel may vanish on the diagonal: its size is that over the room.
+        let across = kernel.pair(x, x + 0.5 * room, 0.5 * room).value.abs();
         for share in DISTANCES {
             let s = x + share * room;
             let distance = s - x;
@@ -91,7 +93,7 @@ fn split_error(kernel: &dyn Kernel, points: &[f64]) -> f64 {
                 Singularity::None => 0.0,
                 _ => at.factor * singularity.value(distance),
             };
-            let size = singular.abs() + at.rest.abs();
+            let size = singular.abs() + at.rest.abs() + across;
             let found = kernel.pair(x, s, distance).value;
             // The smooth parts change by about d ln d times their own size over the room.
             let explained = 40.0 * share * (1.0 - share.ln());

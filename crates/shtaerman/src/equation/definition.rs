@@ -7,8 +7,9 @@ use fredholm::kernel::SpectralRelation;
 
 use super::family::{Family, NamedKernel};
 use super::parts::Parts;
+use super::{places, right_hand_side};
 use crate::error::require;
-use crate::expression::{self, Expression, Line};
+use crate::expression::Expression;
 use crate::{Error, MethodChoice, Solver};
 
 /// Lowest degree of the degenerate kernel: its error is judged from a quarter of it.
@@ -17,12 +18,8 @@ pub const LEAST_DEGREE: usize = 8;
 pub const MOST_DEGREE: usize = 20_000;
 /// Most breakpoints of the right-hand side that get panels of their own.
 pub(super) const MOST_BREAKS: usize = 15;
-/// A place this far beyond an end, relative to the length, is the end.
-const END_SLACK: f64 = 1e-12;
 /// On a half-line a right-hand side must be finite up to so many times what is shown: the section that is solved, with room.
 const HALF_LINE_RANGE: f64 = 6.0;
-/// Places at which the rounding of a right-hand side is looked at.
-const ROUNDED_PLACES: u32 = 65;
 
 /// Which kind of equation.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,7 +91,7 @@ impl Equation {
             relation: OnceCell::new(),
             parts: OnceCell::new(),
         };
-        equation.check_right_hand_side()?;
+        right_hand_side::require_finite(&equation.rhs, equation.range())?;
         Ok(equation)
     }
 
@@ -134,19 +131,7 @@ impl Equation {
     /// # Errors
     /// [`Error::BeyondInterval`] for a place that is not in the closed interval.
     pub fn place(&self, x: f64) -> Result<f64, Error> {
-        let interval = self.kernel.kernel().interval();
-        if interval.contains(x) && x.is_finite() {
-            return Ok(x);
-        }
-        let (left, right) = (interval.left(), interval.right());
-        let slack = END_SLACK * if right.is_finite() { right - left } else { 1.0 };
-        if x.is_finite() && x < left && left - x <= slack {
-            return Ok(left);
-        }
-        if x.is_finite() && x > right && x - right <= slack {
-            return Ok(right);
-        }
-        Err(Error::BeyondInterval { at: x, left, right })
+        places::within(self.kernel.kernel().interval(), x)
     }
 
     pub(super) fn function(&self) -> &dyn Fn(f64) -> f64 {
@@ -164,38 +149,14 @@ impl Equation {
         Interval::new(interval.left(), end).unwrap_or(extent)
     }
 
-    /// What rounding may make of the right-hand side: the largest width of an enclosure of all that its formula may come out as, at places all over the interval.
+    /// What rounding may make of the right-hand side ([`right_hand_side::rounding`]).
     pub(super) fn rounding(&self) -> f64 {
-        let range = self.range();
-        let width = |i: u32| {
-            let share = f64::from(i) / f64::from(ROUNDED_PLACES - 1);
-            let x = range.left() + share * (range.right() - range.left());
-            let values = expression::Interval::point(x).map(|x| self.rhs.enclose(&[x]));
-            values.filter(|values| values.is_finite()).map(|values| values.interval.length())
-        };
-        (0..ROUNDED_PLACES).filter_map(width).fold(0.0, f64::max)
+        right_hand_side::rounding(&self.rhs, self.range())
     }
 
     /// Places strictly inside the interval where the right-hand side has a kink or a jump.
     pub(super) fn breakpoints(&self) -> Vec<f64> {
-        let interval = self.range();
-        let Some(range) = expression::Interval::new(interval.left(), interval.right()) else {
-            return Vec::new();
-        };
-        let mut places = self.rhs.breakpoints(&Line::identity(), range).places;
-        places.retain(|x| interval.left() < *x && *x < interval.right());
-        places
-    }
-
-    fn check_right_hand_side(&self) -> Result<(), Error> {
-        let interval = self.range();
-        let Some(range) = expression::Interval::new(interval.left(), interval.right()) else {
-            return Ok(());
-        };
-        match self.rhs.find_not_finite(&Line::identity(), range) {
-            Some((at, defect)) => Err(Error::RightHandSide { at, defect }),
-            None => Ok(()),
-        }
+        right_hand_side::breakpoints(&self.rhs, self.range())
     }
 }
 
@@ -205,7 +166,7 @@ pub fn suggestion(written: &str) -> Option<&'static str> {
     shtaerman_input::nearest(written, Family::names())
 }
 
-fn check_solver(kind: Kind, solver: &Solver) -> Result<(), Error> {
+pub(super) fn check_solver(kind: Kind, solver: &Solver) -> Result<(), Error> {
     if let Some(tolerance) = solver.tolerance {
         let sensible = tolerance > 0.0 && tolerance < 1.0;
         require(sensible, "tolerance", tolerance, "greater than 0 and less than 1")?;

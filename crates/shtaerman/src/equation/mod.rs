@@ -41,8 +41,11 @@ mod definition;
 mod draft;
 mod family;
 mod file;
+mod own;
 mod parts;
+mod places;
 mod plan;
+mod right_hand_side;
 mod solved;
 mod spectrum;
 
@@ -52,5 +55,6 @@ pub use cross_check::EquationCheck;
 pub use definition::{Equation, Kind, LEAST_DEGREE, MOST_DEGREE, suggestion};
 pub use family::{Family, KernelError, NamedKernel, Parameter};
 pub use file::{EquationFile, is_equation};
+pub use own::{OwnAnswer, OwnKernel, RightHandSide, SolvedOwn, solve_own};
 pub use solved::SolvedEquation;
 pub use spectrum::{CheckReport, SPECTRUM_SCHEMA, Spectrum, SpectrumCheck};

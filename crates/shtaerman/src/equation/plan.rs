@@ -28,7 +28,7 @@ const ROUNDING: f64 = 1e-14;
 const SQUARE_SUMMABLE: f64 = 0.5;
 
 /// A relative error above this is no answer, unless it was asked for.
-const USEFUL: f64 = 0.01;
+pub(super) const USEFUL: f64 = 0.01;
 /// A relative error above this is nothing to compare with: under jumps the degenerate kernel has little more than a digit, and still shows whether collocation is right.
 const COMPARABLE: f64 = 0.1;
 
@@ -246,15 +246,7 @@ impl Equation {
                 ),
             });
         }
-        if let Some([left, right]) = self.parts().unproved.first() {
-            draft.warnings.push(Warning {
-                code: WarningCode::NotProved,
-                message: format!(
-                    "between x = {left} and x = {right} nothing could be proved of the right-hand side: it was looked at in thousands of places, and what is narrower \
-                     than their distances may be hidden there from every error that is stated"
-                ),
-            });
-        }
+        draft.warnings.extend(self.parts().warning());
         let integral = draft.solution.integral.filter(|integral| integral.is_finite());
         if integral.is_none() {
             draft.warnings.push(Warning {

@@ -4,7 +4,7 @@ use fredholm::bounds;
 use fredholm::equation::{ErrorStatement, Method, Solution};
 
 use super::draft::Draft;
-use super::{Equation, EquationAudit, Kind};
+use super::{Equation, EquationAudit, Kind, places};
 use crate::error::require;
 use crate::solver::AIM;
 use crate::{Error, ErrorKind, Warning, WarningCode};
@@ -144,15 +144,7 @@ impl<'a> SolvedEquation<'a> {
             let share = |i: usize| (i as f64 / steps).powi(2);
             return Ok((0..count).map(|i| left + share(i) * (right - left)).collect());
         }
-        let (centre, half) = (left.midpoint(right), 0.5 * right - 0.5 * left);
-        let mut places: Vec<f64> = fredholm::basis::chebyshev::points(count - 1)
-            .into_iter()
-            .rev()
-            .map(|xi| (centre + half * xi).clamp(left, right))
-            .collect();
-        places[0] = left;
-        places[count - 1] = right;
-        Ok(places)
+        Ok(places::from_end_to_end([left, right], count))
     }
 
     /// The largest place at which the solution is known.

@@ -339,6 +339,18 @@ pub enum Error {
         n: usize,
     },
 
+    /// The same of an equation on a kernel of one's own.
+    #[error(
+        "{}: collocation with n = {n} states a relative error of {reached:.1e}; the kernel has too narrow a peak, a kink or a jump beside x = s, the right-hand side is too rough, \
+         or -1/lambda is nearly an eigenvalue; a tolerance says which error would do", unsolved(*reached)
+    )]
+    OwnEquationUnsolved {
+        /// The relative error.
+        reached: f64,
+        /// Number of nodes.
+        n: usize,
+    },
+
     /// The other method of a cross-check failed, so that any difference would be allowed.
     #[error(
         "nothing to compare with: the {method} method with n = {n}, which is to check the answer, states a relative error of {reached:.1e} itself; \
@@ -457,6 +469,7 @@ impl Error {
                 | Self::ZonesTooClose { .. }
                 | Self::EquationTolerance { .. }
                 | Self::EquationUnsolved { .. }
+                | Self::OwnEquationUnsolved { .. }
                 | Self::CheckUnsolved { .. }
                 | Self::NoReference { .. }
                 | Self::Beyond(_)

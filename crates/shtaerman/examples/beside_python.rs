@@ -1,0 +1,72 @@
+//! What `python/benches/beside_rust.py` holds the Python package against: seconds of the same work in Rust alone, one line for each time that it was done.
+//!
+//!     cargo run --release -p shtaerman --example beside_python -- sweep COUNT THREADS REPEATS
+//!     cargo run --release -p shtaerman --example beside_python -- solve FILE.toml REPEATS
+
+use std::error::Error;
+use std::time::Instant;
+
+use shtaerman::{Foundation, Load, Problem, Profile, Punch, Solver, Swept};
+
+/// `theta0` that a thread does at once.
+const BLOCK: usize = 1 << 14;
+
+/// Settlements and right edge pressures of a parabola for so many `theta0` from 0.01 to 100, all of them kept.
+fn sweep(count: usize, threads: usize) -> Result<f64, Box<dyn Error>> {
+    let punch = Punch::new(1.0)?.with_profile(Profile::expression("xi^2")?);
+    let problem = Problem::new(Foundation::dimensionless(1.0)?, punch, Load::force(2.0)?)?;
+    let problem = problem.with_solver(Solver::bilateral());
+    let step = (1e4f64).ln() / (count - 1) as f64;
+    let theta0: Vec<f64> = (0..count).map(|i| 0.01 * (step * i as f64).exp()).collect();
+    let start = Instant::now();
+    let sweep = problem.theta0_sweep([theta0[0], theta0[count - 1]])?.ok_or("no sweep")?;
+    let mut kept = vec![[0.0f64; 2]; count];
+    let share = count.div_ceil(threads).next_multiple_of(BLOCK);
+    std::thread::scope(|scope| {
+        for (theta0, kept) in theta0.chunks(share).zip(kept.chunks_mut(share)) {
+            let sweep = &sweep;
+            scope.spawn(move || {
+                let mut swept = vec![Swept::default(); BLOCK];
+                for (theta0, kept) in theta0.chunks(BLOCK).zip(kept.chunks_mut(BLOCK)) {
+                    sweep.run(theta0, &mut swept);
+                    for (kept, swept) in kept.iter_mut().zip(&swept) {
+                        *kept = [swept.settlement, swept.pressure_right];
+                    }
+                }
+            });
+        }
+    });
+    let seconds = start.elapsed().as_secs_f64();
+    let sum: f64 = kept.iter().map(|[settlement, _]| settlement).sum();
+    assert!(sum.is_finite());
+    Ok(seconds)
+}
+
+/// Reads, solves and audits a problem file that is in memory.
+fn solve(text: &str) -> Result<f64, Box<dyn Error>> {
+    let start = Instant::now();
+    let contact = shtaerman::file::parse(text, "problem.toml")?.solve()?.audited()?;
+    let seconds = start.elapsed().as_secs_f64();
+    assert!(contact.settlement().is_finite());
+    Ok(seconds)
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    match words[..] {
+        ["sweep", count, threads, repeats] => {
+            for _ in 0..repeats.parse()? {
+                println!("{}", sweep(count.parse()?, threads.parse()?)?);
+            }
+        }
+        ["solve", file, repeats] => {
+            let text = std::fs::read_to_string(file)?;
+            for _ in 0..repeats.parse()? {
+                println!("{}", solve(&text)?);
+            }
+        }
+        _ => return Err("sweep COUNT THREADS REPEATS, or solve FILE.toml REPEATS".into()),
+    }
+    Ok(())
+}
