@@ -1,5 +1,9 @@
 # %% [markdown]
-# # A study on several processes
+# # A study on several processes, with Dask
+#
+# What one learns: how a study that outgrows one process goes to workers, and that its rows are those of single solves.
+#
+#     python examples/python/dask_study.py
 #
 # How the tolerances of a drawing spread the largest pressure, computed by the workers of a Dask cluster. Here the cluster is two processes of this machine; on others it is whatever
 # `distributed.Client` is connected with. Needs `pip install './python[dask,pandas]'`.
@@ -9,6 +13,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+
 import shtaerman as st
 
 study = {
@@ -43,6 +48,11 @@ def main() -> st.Sweep:
         found = st.sweep(study, folder, client=client)
     pressure = found.arrays()["peak_pressure"]
     low, high = np.quantile(pressure, [0.05, 0.95]) / 1e6
+    # A row is the solve of its case, to the last bit.
+    rows = found.arrays()
+    problem = {name: table for name, table in study.items() if name != "study"}
+    alone = st.solve(problem, roughness=rows["foundation.roughness"][100], force=rows["load.force"][100], audit=False)
+    assert rows["peak_pressure"][100] == alone.peak_pressure
     print(f"largest pressure: {pressure.mean() / 1e6:.1f} MPa in the mean, {low:.1f} to {high:.1f} MPa in nine of ten cases")
     return found
 

@@ -24,7 +24,7 @@ MODULES = [module.name for module in pkgutil.iter_modules(st.__path__) if module
 
 SCRIPTS = sorted(FOLDER.glob("*.py"))
 #: Those whose tests below look at what they found.
-LOOKED_AT = {"first_contact", "many_cases", "crown", "design_study", "paper_tables", "own_kernel", "calibration"}
+LOOKED_AT = {"first_contact", "many_cases", "crown", "design_study", "paper_tables", "own_kernel", "calibration", "dask_study"}
 
 
 @pytest.mark.parametrize("path", SCRIPTS, ids=lambda path: path.stem)
@@ -117,6 +117,16 @@ def test_calibration() -> None:
     best = misfit(chi, zero)
     for share in (0.999, 1.001):
         assert misfit(share * chi, zero) > best and misfit(chi, share * zero) > best
+
+
+def test_dask_study(capsys: pytest.CaptureFixture[str]) -> None:
+    found = runpy.run_path(str(FOLDER / "dask_study.py"))["main"]()
+    rows = found.arrays()
+    assert rows["case"].tolist() == list(range(256)) and (rows["reason"] == "").all()
+    # Of 256 points of a Sobol sequence the mean of the force is nearly that of its distribution.
+    assert rows["load.force"].mean() == pytest.approx(0.6e6, rel=2e-3)
+    assert rows["foundation.roughness"].mean() == pytest.approx(2e-14, rel=1e-2)
+    assert "largest pressure" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("name", MODULES)
