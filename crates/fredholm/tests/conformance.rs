@@ -97,8 +97,8 @@ fn kernel_5_macdonald() {
         (0.1, 4.0, 10.0),
     ] {
         let kernel = Macdonald::new(a, mu, kappa).unwrap();
+        let relation = kernel.relation(TERMS).unwrap();
         for count in [20, 200] {
-            let relation = kernel.relation(TERMS).unwrap();
             let name = format!("mu = {mu}, kappa = {kappa}, a = {a}");
             require(&name, &kernel, &relation, count);
         }

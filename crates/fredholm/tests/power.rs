@@ -203,9 +203,7 @@ fn says_what_was_wrong() {
 /// jump inside to be 1 and 2.
 #[test]
 fn the_error_covers_what_lies_between_neighbouring_numbers() {
-    for (exponent, parameter) in
-        [(0.6, 1.0), (0.75, 0.3), (0.8, 0.2), (0.85, 1.0), (0.9, 0.3), (0.95, 0.1)]
-    {
+    for (exponent, parameter) in [(0.6, 1.0), (0.8, 0.2), (0.85, 1.0), (0.95, 0.1)] {
         let kernel = power(1.0, exponent);
         let u = |d: f64| d.powf(1.0 - exponent) / (1.0 - exponent);
         let f = |x: f64| 1.0 + parameter * (u(1.0 - x) + u(1.0 + x));

@@ -123,7 +123,7 @@ def toml_value(value: Any, where: str) -> str:
         try:
             return repr(float(value))
         except OverflowError:
-            raise ValueError(f"{key}: is beyond the range of double precision") from None
+            raise ValueError(f"{where}: is beyond the range of double precision") from None
     if isinstance(value, Mapping):
         entries = (
             f"{key_text(name)} = {toml_value(inner, f'{where}.{name}')}"
