@@ -12,7 +12,7 @@ pub enum Program {
     /// Abaqus.
     Abaqus,
     /// `CalculiX`.
-    #[value(name = "calculix")]
+    #[value(name = "calculix", help = "CalculiX")]
     CalculiX,
 }
 

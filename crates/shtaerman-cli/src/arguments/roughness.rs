@@ -134,7 +134,10 @@ pub enum ColumnOrder {
 #[derive(Debug, Args)]
 pub struct TableArguments {
     /// Table in two columns, or an input file of Abaqus or `CalculiX` with a tabular pressure-overclosure law.
-    #[arg(value_name = "FILE")]
+    #[arg(
+        value_name = "FILE",
+        help = "Table in two columns, or an input file of Abaqus or CalculiX with a tabular pressure-overclosure law"
+    )]
     pub file: PathBuf,
     /// What the columns are; in an input file pressure, then overclosure.
     #[arg(long, value_enum, value_name = "ORDER", default_value = "approach-pressure")]

@@ -10,7 +10,7 @@ use shtaerman::{Contact, Datum, Error};
 use super::{places, problem_file};
 use crate::arguments::{ExportArguments, Exported, ModelUnits, Program};
 use crate::output::Outputs;
-use crate::report::{ForceExport, Model, SurfaceExport};
+use crate::report::{ForceExport, Model, SurfaceExport, significant};
 use crate::{Failure, clock};
 
 /// The most points that `CalculiX` keeps of a table (`plconloc` in `materialdata_sp.f`).
@@ -54,7 +54,7 @@ pub(super) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
             }
             Exported::Moment => {
                 let curve = moment_curve(file.problem(), factors.moment, factors.share);
-                let curve = curve.map_err(located)?;
+                let curve = curve.map_err(|error| tilted(&file, &factors, error))?;
                 check_curve(arguments, &curve)?;
                 model.moment(&curve);
             }
@@ -102,6 +102,20 @@ fn named(file: &ProblemFile, error: Error) -> Failure {
         }
         other => other.into(),
     }
+}
+
+/// An error of the moment curve: its moments are none of the file's.
+fn tilted(file: &ProblemFile, factors: &Factors, error: Error) -> Failure {
+    let Error::LiftsOff { value, limit, .. } = error else { return named(file, error) };
+    if limit == 0.0 {
+        let message = "--content moment: the circular base does not touch as a whole, and its contact under a moment is no disk, which is not solved";
+        return Failure::Usage(message.to_owned());
+    }
+    Failure::Usage(format!(
+        "--moment-share {}: the circular punch lifts off on one side, which is not solved; full contact holds up to a share of {}",
+        factors.moment,
+        significant(factors.moment * limit / value.abs(), 3)
+    ))
 }
 
 /// Refuses a table that the program would read as another one.

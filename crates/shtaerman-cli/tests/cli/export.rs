@@ -161,6 +161,7 @@ fn refuses_in_the_words_of_the_user() {
         .replace("\"0.8 MN/m\"", "\"6 kN\"")
         .replace("\"100 N\"", "0");
     folder.write("disk.toml", &disk);
+    let flat = "punch.profile=0";
     let wide = "foundation.roughness={ coefficient = 1e-13, exponent = 0.4 }";
     let bilateral = "solver.contact=bilateral";
     for (more, said) in [
@@ -189,6 +190,19 @@ fn refuses_in_the_words_of_the_user() {
         ),
         (vec!["abaqus", "punch.toml", "--length", "0"], "--length `0`: must be finite"),
         (vec!["abaqus", "disk.toml", "--length", "1 m"], "--length: a circular punch has none"),
+        (
+            vec![
+                "abaqus",
+                "disk.toml",
+                "--content",
+                "moment",
+                "--moment-share",
+                "0.9",
+                "--set",
+                flat,
+            ],
+            "--moment-share 0.9: the circular punch lifts off on one side, which is not solved; full contact holds up to a share of 0.",
+        ),
         (vec!["abaqus", "punch.toml", "-o", "punch.toml"], "punch.toml is the problem file"),
         (vec!["abaqus", "punch.toml", "-o", "gone/a.inp"], "gone/a.inp cannot be written"),
         (

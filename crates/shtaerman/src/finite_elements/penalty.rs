@@ -37,7 +37,7 @@ impl Penalty {
     /// # Errors
     /// [`Error::InvalidValue`] for a share outside of [`SHARES`](super::SHARES), and for a settlement since lift-off that is not positive in the gauge of the problem;
     /// [`Error::NoTable`] for a dimensionless and for a bilateral contact, and for a smooth surface, whose energy a penalty does not change to first order;
-    /// those of [`Problem::solve`] and of [`Contact::relative_settlement`].
+    /// those of [`Problem::solve`](crate::Problem::solve) and of [`Contact::relative_settlement`].
     pub fn new(contact: &Contact, share: f64, datum: Option<Datum>) -> Result<Self, Error> {
         check_share(share)?;
         let problem = contact.problem();
