@@ -83,7 +83,8 @@ fn rows(
     stop: &Arc<AtomicBool>,
 ) -> Option<Vec<f64>> {
     let width = asked.len();
-    let mut rows = vec![f64::NAN; theta0.len() * width];
+    // Zeros are pages that nobody has touched yet: the threads do, each its own.
+    let mut rows = vec![0.0; theta0.len() * width];
     let share = theta0.len().div_ceil(threads.max(1)).next_multiple_of(BLOCK);
     let fill = |theta0: &[f64], rows: &mut [f64]| {
         let mut swept = vec![Swept::default(); BLOCK.min(theta0.len())];
@@ -97,6 +98,8 @@ fn rows(
                     let relative_error = sweep.relative_error();
                     let case = Row { theta0: *theta0, swept, load, relative_error };
                     row.iter_mut().zip(asked).for_each(|(place, told)| *place = told(&case));
+                } else {
+                    row.fill(f64::NAN);
                 }
             }
         }

@@ -94,6 +94,26 @@ def test_numbers_of_many_kinds_are_the_same_number(contact: st.Contact) -> None:
     assert contact.pressure(x).flags.writeable and contact.pressure(np.ma.array(x)).tolist() == contact.pressure(x).tolist()
 
 
+def test_many_cases_of_a_problem_in_any_form(contact: st.Contact, root: Any) -> None:
+    path = root / "examples/crowned_punch.toml"
+    text = path.read_text(encoding="utf-8")
+    tables = {
+        "foundation": {"young_modulus": "200 GPa", "poisson_ratio": 0.3, "roughness": 1.2e-14},
+        "punch": {"half_width": 5e-3, "profile": "x^2 / (2*20)"},
+        "load": {"force": 8e5, "moment": 0},
+    }
+    expected = [contact.problem.replace(force=force).solve(audit=False).settlement for force in (1e5, 8e5)]
+    for form in (path, str(path), text, tables, contact.problem):
+        assert st.solve_many(form, force=[1e5, 8e5], threads=np.int64(2)).settlement.tolist() == expected
+
+
+def test_heights_at_the_end_of_the_range() -> None:
+    tall = st.Problem(st.Foundation(theta0=1.0), st.Punch(profile=lambda x: 1.5e308 * x), st.Load(force=1.0))
+    assert tall.height([-0.5, 1.0]).tolist() == pytest.approx([-0.75e308, 1.5e308], rel=1e-14)
+    tiny = st.Problem(st.Foundation(theta0=1.0), st.Punch(profile=lambda x: 1e-300 * x), st.Load(force=1.0))
+    assert tiny.height(0.5) == pytest.approx(0.5e-300, rel=1e-14)
+
+
 def test_a_contact_does_not_change(contact: st.Contact) -> None:
     for name in ("force", "anything"):
         with pytest.raises(AttributeError):

@@ -111,6 +111,9 @@ def _toml(tables: Mapping[str, Any]) -> str:
 
 def toml_value(value: Any, where: str) -> str:
     """One value as TOML; ``where`` is its key, for messages."""
+    if type(value) is float:
+        # Most values are; the classes below are slow to ask for.
+        return repr(value)
     if isinstance(value, np.generic) or (isinstance(value, np.ndarray) and value.ndim == 0):
         value = value.item()
     if isinstance(value, bool):
@@ -140,11 +143,17 @@ def toml_value(value: Any, where: str) -> str:
     )
 
 
+_BARE_KEY = re.compile(r"[A-Za-z0-9_-]+").fullmatch
+
+
 def key_text(name: object) -> str:
     """A key as TOML."""
     if not isinstance(name, str):
         raise ValueError(f"{name!r}: is no key of a problem file, whose keys are text")
-    return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else _string(name)
+    return name if _BARE_KEY(name) else _string(name)
+
+
+_ESCAPED = json.JSONEncoder(ensure_ascii=False).encode
 
 
 def _string(text: str) -> str:
@@ -153,4 +162,4 @@ def _string(text: str) -> str:
         text.encode("utf-8")
     except UnicodeEncodeError as error:
         raise ValueError(f"{text!r}: is no text: {error.reason}") from None
-    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+    return _ESCAPED(text).replace("\x7f", "\\u007f")

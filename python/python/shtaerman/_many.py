@@ -92,7 +92,7 @@ def solve_many(
     """
     if threads is None:
         threads = processors()
-    if isinstance(threads, bool) or not isinstance(threads, int) or threads < 1:
+    if isinstance(threads, bool) or not isinstance(threads, (int, np.integer)) or threads < 1:
         raise ValueError(f"threads: must be a whole number of at least 1, got {threads!r}")
     columns = {name: _column(name, value) for name, value in keywords.items() if _is_varied(name, value)}
     fixed = {name: value for name, value in keywords.items() if name not in columns}
@@ -140,7 +140,10 @@ def _swept(base: Problem, inputs: Mapping[str, npt.NDArray[Any]], wanted: list[s
     if found is None:
         return None
     numbers, faults = found
-    kinds, warnings, reasons = (np.full(theta0.size, text, dtype=object) for text in ("estimate", "", ""))
+    # One text for all cases takes the room of one.
+    kinds, warnings, reasons = (np.broadcast_to(np.array(text, dtype=object), theta0.shape) for text in ("estimate", "", ""))
+    if faults:
+        kinds, reasons = kinds.copy(), reasons.copy()
     for case, reason in faults:
         kinds[case], reasons[case] = "", reason
     return wanted, numbers, kinds, warnings, reasons
@@ -234,9 +237,11 @@ class Contacts:
         names, numbers, kinds, warnings, reasons = found
         made = cls.__new__(cls)
         made._problem, made._inputs, made._shape = problem, inputs, shape
-        made._found = {name: numbers[:, at].copy().reshape(shape) for at, name in enumerate(names) if wanted is None or name in wanted}
+        kept = [(name, numbers[:, at]) for at, name in enumerate(names) if wanted is None or name in wanted]
+        # Columns are views where all of them are kept: copies of millions of cases take as long as the cases.
+        made._found = {name: (column if len(kept) == len(names) else column.copy()).reshape(shape) for name, column in kept}
         made._kinds, made._warnings, made._reasons = (
-            np.array(texts, dtype=object).reshape(shape) for texts in (kinds, warnings, reasons)
+            np.asarray(texts, dtype=object).reshape(shape) for texts in (kinds, warnings, reasons)
         )
         return made
 

@@ -115,11 +115,13 @@ def _not_resolved(left: float, right: float, degree: int, rest: float) -> NoRetu
 def _chebyshev(heights: FloatArray) -> FloatArray:
     """Coefficients of the polynomial through heights at the roots of a Chebyshev polynomial, from right to left."""
     count = heights.size
-    doubled = np.concatenate([heights, heights[::-1]])
+    # By a power of two, which is exact: sums of the largest numbers must not overflow.
+    scale = int(np.frexp(np.abs(heights).max())[1])
+    doubled = np.ldexp(np.concatenate([heights, heights[::-1]]), -scale)
     phases = np.exp(-0.5j * np.pi * np.arange(count) / count)
     coefficients: FloatArray = np.real(np.fft.fft(doubled)[:count] * phases) / count
     coefficients[0] *= 0.5
-    return coefficients
+    return np.ldexp(coefficients, scale)
 
 
 def _shortened(coefficients: FloatArray, size: float) -> FloatArray:
