@@ -3,7 +3,8 @@
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
-use shtaerman::{Answer, Error, PressureCurve, Stress, StressField};
+use shtaerman::file::ProblemFile;
+use shtaerman::{Answer, Error, PressureCurve, Stress, StressField, Warning};
 use shtaerman_cli::plot::{Format, Size, render};
 
 use crate::errors::raised;
@@ -13,11 +14,26 @@ use crate::running::done;
 #[pyclass(frozen, module = "shtaerman._shtaerman")]
 pub(crate) struct Contact {
     contact: shtaerman::Contact,
+    /// What an engineer would doubt.
+    doubts: Vec<Warning>,
 }
 
 impl From<shtaerman::Contact> for Contact {
     fn from(contact: shtaerman::Contact) -> Self {
-        Self { contact }
+        let doubts = contact.sense_checks();
+        Self { contact, doubts }
+    }
+}
+
+impl Contact {
+    /// The answer to the problem of a file.
+    pub(crate) fn to(file: &ProblemFile, contact: shtaerman::Contact) -> Self {
+        let doubts = file.sense_checks(&contact);
+        Self { contact, doubts }
+    }
+
+    fn all_warnings(&self) -> Vec<Warning> {
+        [self.contact.warnings(), &self.doubts].concat()
     }
 }
 
@@ -131,7 +147,7 @@ impl Contact {
     /// Codes and texts of the warnings as JSON.
     #[getter]
     fn warnings(&self) -> String {
-        json(&self.contact.warnings())
+        json(&self.all_warnings())
     }
 
     /// The sensitivities as JSON, by differences of complete solves where the linearised equation gives none and that is wanted.
@@ -149,14 +165,14 @@ impl Contact {
 
     /// The same contact with the errors of its audit.
     fn audited(&self, py: Python<'_>) -> PyResult<Self> {
-        let contact = self.contact.clone();
+        let (contact, doubts) = (self.contact.clone(), self.doubts.clone());
         let found = done(py, move || contact.audited())?;
-        found.map(Self::from).map_err(|error| raised(&error))
+        found.map(|contact| Self { contact, doubts }).map_err(|error| raised(&error))
     }
 
     /// The same contact in numbers without dimensions.
     fn dimensionless(&self) -> Self {
-        Self { contact: self.contact.dimensionless() }
+        Self { contact: self.contact.dimensionless(), doubts: self.doubts.clone() }
     }
 
     /// The JSON of the command line, byte for byte but for the line break at its end: with the pressure at `at`, or at `points` places.
@@ -167,6 +183,7 @@ impl Contact {
         };
         let curve = curve.map_err(|error| raised(&error))?;
         let mut answer = Answer::new(&self.contact, curve);
+        answer.warnings = self.all_warnings();
         if self.contact.is_nearly_smooth() {
             answer = answer.with_implied_edge_pressure(self.contact.implied_edge_pressures());
         }

@@ -164,7 +164,9 @@ impl Problem {
         };
         // Where the interpreter was interrupted, that is raised; where the search was, its time is over.
         match run(py, limit, work)? {
-            Ended::Done(Some(found)) => found.map(Contact::from).map_err(|error| raised(&error)),
+            Ended::Done(Some(found)) => found
+                .map(|contact| Contact::to(&self.file, contact))
+                .map_err(|error| raised(&error)),
             Ended::Done(None) | Ended::Late => {
                 Err(raised(&Error::TimeLimit { limit: limit.unwrap_or_default() }))
             }

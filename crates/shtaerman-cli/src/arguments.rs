@@ -116,6 +116,9 @@ pub struct SolveArguments {
     /// Leave out the audit: errors are then those that the method states of itself.
     #[arg(long)]
     pub no_audit: bool,
+    /// End with exit code 2 where an engineer would doubt the input: steep bases, large angles, pressures that no solid bears, moduli without a unit and the like, which are warnings otherwise.
+    #[arg(long)]
+    pub strict: bool,
     /// Places for the pressure, separated by commas: metres or with a unit; xi for a dimensionless file.
     #[arg(long, value_name = "X1,X2,...", allow_hyphen_values = true)]
     pub at: Option<String>,

@@ -32,17 +32,23 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         Solved::Answer(contact) => (contact, None),
         Solved::Unfinished(contact, limit) => (contact, Some(limit)),
     };
+    let doubts = file.sense_checks(&contact);
+    if arguments.strict && !doubts.is_empty() {
+        let said: Vec<&str> = doubts.iter().map(|doubt| doubt.message.as_str()).collect();
+        return Err(Failure::Usage(format!("--strict: {}", said.join("; "))));
+    }
     clock::answered("its curve");
     let curve = match places {
         Some(places) => PressureCurve::at(&contact, places)?,
         None => PressureCurve::along(&contact, arguments.points)?,
     };
-    let answer = Answer::new(&contact, curve);
+    let mut answer = Answer::new(&contact, curve);
+    answer.warnings = [contact.warnings(), &doubts].concat();
     if let Some(limit) = over {
         let mut outputs = Outputs::default();
         outputs.result(None, text(arguments, &contact, &answer, None));
         outputs.write()?;
-        warn(arguments, &contact);
+        warn(arguments, &answer);
         return Err(Failure::Unfinished(limit));
     }
     clock::answered("what was asked for beside it, such as sensitivities,");
@@ -64,7 +70,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         outputs.file(path, render(&report::contact_plot(&contact)?, format, Size::default())?);
     }
     outputs.write()?;
-    warn(arguments, &contact);
+    warn(arguments, &answer);
     match &answer.cross_check {
         Some(check) if !check.agrees => Err(Failure::Check(format!(
             "the reference, {}, differs by more than it and the answer state: pressure {:.1e}, settlement {:.1e}, tilt {:.1e}, force {:.1e}, moment {:.1e}, without dimensions",
@@ -101,9 +107,9 @@ fn text<'a>(
 }
 
 /// Says the warnings that the result itself does not show.
-fn warn(arguments: &SolveArguments, contact: &Contact) {
+fn warn(arguments: &SolveArguments, answer: &Answer) {
     if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {
-        for warning in contact.warnings() {
+        for warning in &answer.warnings {
             say("warning", &warning.message);
         }
     }

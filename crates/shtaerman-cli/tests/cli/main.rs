@@ -25,6 +25,7 @@ mod places;
 mod references;
 mod roughness;
 mod schemas;
+mod sense;
 mod spectrum;
 mod stress;
 mod support;

@@ -2,6 +2,7 @@
 
 pub mod convergence;
 pub(crate) mod datum;
+mod sense;
 mod surface_curve;
 
 pub use datum::{Datum, RelativeSettlement};
@@ -266,7 +267,7 @@ impl Answer {
             audit: contact.audited_by().map(AuditReport::new),
             complementarity: contact.complementarity(),
             cross_check: None,
-            warnings: contact.warnings().to_vec(),
+            warnings: [contact.warnings(), &contact.sense_checks()].concat(),
         }
     }
 

@@ -35,6 +35,20 @@ pub enum WarningCode {
     NoIntegral,
     /// Of the right-hand side of an equation nothing was proved somewhere.
     NotProved,
+    /// The base is steep where it touches; the model assumes small slopes.
+    SteepBase,
+    /// The tilt is no small angle.
+    LargeTilt,
+    /// The largest pressure is above what any solid bears elastically.
+    HighPressure,
+    /// The settlement is more than the half-width.
+    LargeDisplacement,
+    /// A modulus without a unit is taken in Pa and softer than rubber.
+    SoftModulus,
+    /// The largest pressure is above the yield stress.
+    AboveYield,
+    /// The base is wider than machines have; millimetres may be meant.
+    WideBase,
 }
 
 /// A warning with its text.

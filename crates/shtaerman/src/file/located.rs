@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use super::read::read;
 use super::{physical, profile};
-use crate::document::{Document, FileError};
+use crate::document::{Document, FileError, Value, ValueKind};
 use crate::document::{load_bytes, overridden};
-use crate::{Contact, Error, Problem};
+use crate::quantity::{Dimension, engineering};
+use crate::{Contact, Error, Problem, Warning, WarningCode};
 
 /// Keys of which a file has one; an override of one replaces the other.
 pub const ALTERNATIVES: [&[&str]; 9] = [
@@ -20,6 +21,9 @@ pub const ALTERNATIVES: [&[&str]; 9] = [
     &["dimensionless.moment", "dimensionless.eccentricity", "dimensionless.tilt"],
     &["dimensionless.theta0", "dimensionless.poisson_ratio"],
 ];
+
+/// Moduli below this (Pa) are those of gels: rubber begins at about 1 MPa.
+const SOFTEST: f64 = 1e6;
 
 /// An override, for messages.
 pub(super) const OVERRIDE: &str = "load.force=\"1 MN/m\"";
@@ -100,6 +104,33 @@ impl ProblemFile {
         Ok(foundation.map(|table| physical::yield_stress(&table)).transpose()?.flatten())
     }
 
+    /// What an engineer would doubt about an answer to this file beside [`Contact::sense_checks`]: a modulus without a unit that no solid has, and pressures above the yield stress.
+    #[must_use]
+    pub fn sense_checks(&self, contact: &Contact) -> Vec<Warning> {
+        let mut found = contact.sense_checks();
+        let bare = self.document.get("foundation.young_modulus").map(Value::kind);
+        if let Some(modulus) = bare.and_then(plain_number).filter(|modulus| *modulus < SOFTEST) {
+            let message = format!(
+                "foundation.young_modulus = {modulus} has no unit and is taken in Pa, which is softer than rubber: is \"{modulus} GPa\" meant?"
+            );
+            found.push(Warning { code: WarningCode::SoftModulus, message });
+        }
+        let peak = contact.peak_pressure();
+        if let Ok(Some(limit)) = self.yield_stress()
+            && peak.is_finite()
+            && peak > limit
+        {
+            let shown = |value| engineering(value, Dimension::PRESSURE);
+            let message = format!(
+                "the largest pressure, {}, is above the yield stress, {}: `shtaerman stress` says where and when the body yields",
+                shown(peak),
+                shown(limit)
+            );
+            found.push(Warning { code: WarningCode::AboveYield, message });
+        }
+        found
+    }
+
     /// Solves the problem as [`Problem::solve`] does.
     ///
     /// # Errors
@@ -112,6 +143,14 @@ impl ProblemFile {
     #[must_use]
     pub fn locate(&self, error: Error) -> Error {
         locate(&self.document, error)
+    }
+}
+
+fn plain_number(kind: &ValueKind) -> Option<f64> {
+    match kind {
+        ValueKind::Integer(value) => Some(*value as f64),
+        ValueKind::Float(value) => Some(*value),
+        _ => None,
     }
 }
 

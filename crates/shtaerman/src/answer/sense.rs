@@ -1,0 +1,142 @@
+//! Whether an answer is one of mechanics as the model has it, or of a slip in the input.
+
+use crate::contact::{Warning, WarningCode};
+use crate::quantity::{Dimension, engineering};
+use crate::{Contact, Problem};
+
+/// Slopes and angles above this are not small: `tan x` and `x` differ by 0.3 %.
+const SMALL_SLOPE: f64 = 0.1;
+/// Share of the contact modulus that no solid bears elastically: ideal crystals yield at about a tenth of their modulus (A. Kelly, N. H. Macmillan, Strong Solids, 1986).
+const ELASTIC_SHARE: f64 = 0.1;
+/// Half-widths above this (m) are rare, and those in millimetres that were read as metres.
+const WIDE: f64 = 1.0;
+/// Places in each zone of contact between which slopes are taken.
+const PLACES: usize = 400;
+
+impl Contact {
+    /// What an engineer would doubt about a physical answer, with the number and the likely slip: slopes, angles, pressures, displacements and sizes beyond those for which the model is made.
+    ///
+    /// ```
+    /// use shtaerman::{Elastic, Foundation, Load, Problem, Punch, WarningCode};
+    ///
+    /// let steel = Foundation::new(Elastic::new(200e9, 0.3)?).with_roughness(1.2e-14)?;
+    /// let bar = Problem::new(steel, Punch::new(5e-3)?, Load::force(0.8e6)?)?;
+    /// assert!(bar.solve()?.sense_checks().is_empty());
+    /// // The force meant was per millimetre.
+    /// let heavy = bar.with_force(0.8e9)?.solve()?;
+    /// assert_eq!(heavy.sense_checks()[0].code, WarningCode::HighPressure);
+    /// # Ok::<(), shtaerman::Error>(())
+    /// ```
+    #[must_use]
+    pub fn sense_checks(&self) -> Vec<Warning> {
+        let Some(scaling) = self.problem().scaling() else { return Vec::new() };
+        let (half_width, modulus) = (scaling.half_width(), scaling.contact_modulus());
+        let length = |value| engineering(value, Dimension::LENGTH);
+        let stress = |value| engineering(value, Dimension::PRESSURE);
+        let mut found = Vec::new();
+        let mut doubt = |is_doubtful: bool, code, message: String| {
+            if is_doubtful {
+                found.push(Warning { code, message });
+            }
+        };
+        doubt(
+            half_width > WIDE,
+            WarningCode::WideBase,
+            format!("the half-width is {}: are millimetres meant?", length(half_width)),
+        );
+        if let Some((slope, x)) = steepest(self.problem(), self.zones()) {
+            doubt(
+                slope > SMALL_SLOPE,
+                WarningCode::SteepBase,
+                format!(
+                    "the base has the slope {slope:.2} at x = {}, and small slopes are assumed: a profile takes metres and gives metres",
+                    length(x)
+                ),
+            );
+        }
+        doubt(
+            self.tilt().abs() > SMALL_SLOPE,
+            WarningCode::LargeTilt,
+            format!(
+                "the tilt is {:.3} rad, and small angles are assumed: is the moment in N m per m?",
+                self.tilt()
+            ),
+        );
+        let peak = self.peak_pressure();
+        doubt(
+            peak.is_finite() && peak > ELASTIC_SHARE * modulus,
+            WarningCode::HighPressure,
+            format!(
+                "the largest pressure, {}, is above a tenth of the contact modulus, {}: no solid bears that elastically; is the load per metre of length, and the modulus in GPa?",
+                stress(peak),
+                stress(modulus)
+            ),
+        );
+        let settlement = self.settlement();
+        doubt(
+            settlement.abs() > half_width,
+            WarningCode::LargeDisplacement,
+            format!(
+                "the settlement, {}, is more than the half-width, {}, and small displacements are assumed",
+                length(settlement),
+                length(half_width)
+            ),
+        );
+        found
+    }
+}
+
+/// The steepest slope of the base in the zones of contact, and its place (m); steps are none.
+fn steepest(problem: &Problem, zones: Vec<[f64; 2]>) -> Option<(f64, f64)> {
+    let half_width = problem.punch().half_width();
+    let profile = problem.profile();
+    let breaks = profile.breakpoints(half_width);
+    let mut steepest: Option<(f64, f64)> = None;
+    for [left, right] in zones {
+        let place = |k: usize| (left + (right - left) * k as f64 / PLACES as f64) / half_width;
+        for (from, to) in (0..PLACES).map(|k| (place(k), place(k + 1))) {
+            let is_broken = breaks.iter().any(|at| from <= *at && *at <= to);
+            let rise = profile.height(to, half_width) - profile.height(from, half_width);
+            let slope = (rise / ((to - from) * half_width)).abs();
+            if !is_broken && slope.is_finite() && steepest.is_none_or(|(most, _)| slope > most) {
+                steepest = Some((slope, 0.5 * (from + to) * half_width));
+            }
+        }
+    }
+    steepest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Elastic, Foundation, Load, Profile, Punch};
+
+    fn codes(half_width: f64, profile: &str, force: f64, modulus: f64) -> Vec<WarningCode> {
+        let foundation = Foundation::new(Elastic::new(modulus, 0.3).unwrap());
+        let foundation = foundation.with_roughness(0.1 * half_width / modulus).unwrap();
+        let punch = Punch::new(half_width).unwrap();
+        let punch = punch.with_profile(Profile::expression(profile).unwrap());
+        let load = Load::force(force).unwrap();
+        let contact = Problem::new(foundation, punch, load).unwrap().solve().unwrap();
+        contact.sense_checks().into_iter().map(|warning| warning.code).collect()
+    }
+
+    #[test]
+    fn each_slip_is_found_and_plain_work_raises_none() {
+        assert_eq!(codes(5e-3, "x^2 / 40", 0.8e6, 200e9), []);
+        // Millimetres read as metres, with a load to match.
+        assert_eq!(codes(5.0, "x^2 / 40000", 0.8e9, 200e9), [WarningCode::WideBase]);
+        // A radius in millimetres.
+        assert!(codes(5e-3, "x^2 / (2*0.02)", 0.8e9, 200e9).contains(&WarningCode::SteepBase));
+        // Gigapascals left out.
+        let soft = codes(5e-3, "0", 0.8e6, 200e6);
+        assert!(soft.contains(&WarningCode::HighPressure), "{soft:?}");
+        let softer = codes(5e-3, "0", 0.8e6, 2e6);
+        assert!(softer.contains(&WarningCode::LargeDisplacement), "{softer:?}");
+    }
+
+    #[test]
+    fn a_step_is_no_slope() {
+        assert_eq!(codes(5e-3, "1e-7*step(x - 0.001)", 0.8e6, 200e9), []);
+    }
+}
