@@ -3,6 +3,9 @@
 use crate::kernel::Kernel;
 use crate::rule::Rule;
 
+/// Places of a panel at which two resolutions are compared: between its nodes and towards its ends, where they differ most.
+pub(crate) const BESIDE: [f64; 6] = [-0.997, -0.93, -0.4, 0.41, 0.94, 0.998];
+
 /// What the variable `u` of a panel is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Chart {

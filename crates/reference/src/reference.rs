@@ -4,7 +4,7 @@ use crate::grid::{Fineness, JOINED};
 use crate::kernel::Kernel;
 use crate::panel::Place;
 use crate::problem::{Layer, Problem, Refusal, Rotational, Vertical};
-use crate::rough::Solved;
+use crate::rough::{self, Solved};
 use crate::smooth;
 use crate::zones::{places, settle};
 
@@ -44,7 +44,7 @@ pub struct Reference<'a> {
     problem: &'a Problem<'a>,
     coarse: Solved,
     fine: Solved,
-    /// How far both differ on each panel of the finer one, in the density of a smooth surface.
+    /// How far both differ on each panel of the finer one, in the pressure, on a smooth surface in the density.
     differences: Vec<f64>,
     /// What rounding does to the equation.
     rounding: f64,
@@ -122,7 +122,7 @@ impl<'a> Problem<'a> {
         let differences = if self.layer == Layer::None {
             smooth::differences(self, &coarse, &fine)
         } else {
-            vec![]
+            rough::differences(self, &coarse, &fine)
         };
         Ok(Reference {
             problem: self,
@@ -223,7 +223,9 @@ impl Reference<'_> {
         };
         let off = self.rounding + joined;
         let rounded = (at(layers[1] + off) - at(layers[1] - off)).abs();
-        [two, 2.0 * (one - two).abs() + rounded]
+        let on_panel = smooth::find(self.problem, &self.fine, x)
+            .map_or(0.0, |found| self.differences[found.index]);
+        [two, 2.0 * (one - two).abs().max(on_panel) + rounded]
     }
 
     fn smooth_pressure(&self, x: f64) -> [f64; 2] {

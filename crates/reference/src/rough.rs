@@ -3,7 +3,7 @@
 use faer::linalg::solvers::Solve;
 
 use crate::grid::Grid;
-use crate::panel::Place;
+use crate::panel::{BESIDE, Panel, Place};
 use crate::problem::{Layer, Problem, Refusal, Rotational, Vertical};
 
 /// Most steps of Newton's method.
@@ -74,6 +74,19 @@ impl Solved {
         let potential: f64 = row.iter().zip(&self.pressures).map(|(a, p)| a * p).sum();
         problem.depth(x, self.settlement, self.tilt) - problem.theta * potential
     }
+}
+
+/// How far the pressures of two solutions differ on each panel of the second, at places all over the panel: at one they may meet by chance, at all of them not.
+pub(crate) fn differences(problem: &Problem<'_>, first: &Solved, second: &Solved) -> Vec<f64> {
+    let of_panel = |panel: &Panel| {
+        BESIDE.iter().fold(0.0f64, |most, t| {
+            let x = panel.at(*t).x();
+            let [one, two] =
+                [first, second].map(|solved| problem.pressure(solved.layer(problem, x))[0]);
+            most.max((one - two).abs())
+        })
+    };
+    second.grid.panels.iter().map(of_panel).collect()
 }
 
 /// Solves `v + theta K p(v) = delta - alpha x - f` at the nodes by Newton's method. Where `v` comes out negative there is no contact.

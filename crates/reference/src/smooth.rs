@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::grid::{Cutter, Fineness, Grid};
 use crate::kernel::Kernel;
-use crate::panel::{Chart, Panel};
+use crate::panel::{BESIDE, Chart, Panel};
 use crate::problem::{Layer, Problem, Refusal, Rotational, Vertical};
 use crate::rough::{Solved, solve_dense};
 use crate::zones;
@@ -23,9 +23,6 @@ const MOST_EXCHANGES: usize = 6;
 const STEP: f64 = 1e-5;
 /// Ends this close to one of the base or to a break are held there.
 const AT_WALL: f64 = 1e-9;
-
-/// Places of a panel at which two resolutions are compared: between its nodes and towards its ends, where they differ most.
-const BESIDE: [f64; 6] = [-0.997, -0.93, -0.4, 0.41, 0.94, 0.998];
 
 /// A zone with what is known of its ends: the axis of a disk is no end.
 #[derive(Debug, Clone, Copy)]

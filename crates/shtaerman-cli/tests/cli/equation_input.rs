@@ -250,7 +250,15 @@ fn slow_kernels_are_said_to_be_slow() {
 /// The right answer or a clear refusal, and never a NaN.
 #[test]
 fn hostile_values() {
-    let values = ["nan", "inf", "-1e308", "1e-308", "1e-320", "0", "-0.0", "745.5", "1e400"];
+    hostile(&["nan", "inf", "-1e308", "1e400", "0"]);
+}
+
+#[test]
+fn extreme_values() {
+    hostile(&["1e-308", "1e-320", "-0.0", "745.5"]);
+}
+
+fn hostile(values: &[&str]) {
     for value in values {
         let lambda = SECOND.replace("= 1.0\nrhs", &format!("= {value}\nrhs"));
         let half_length = SECOND.replace("\na = 1.0", &format!("\na = {value}"));
