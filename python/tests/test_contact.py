@@ -190,3 +190,12 @@ def test_threads_of_python_solve_at_the_same_time(contact: st.Contact) -> None:
     for thread in threads:
         thread.join()
     assert found == [contact.to_json()] * 4
+
+
+def test_slips_are_doubted() -> None:
+    steel = dict(young_modulus="200 GPa", poisson_ratio=0.3, roughness="1.2e-14 m/Pa", half_width="5 mm", profile="x^2 / (2*20)")
+    assert st.solve(**steel, force="0.8 MN/m", audit=False).warnings == []
+    heavy = st.solve(**steel, force="0.8 GN/m", audit=False)
+    assert "high_pressure" in [warning.code for warning in heavy.warnings]
+    soft = st.solve(**{**steel, "young_modulus": 200.0}, force="0.8 N/m", audit=False)
+    assert any('is "200 GPa" meant?' in warning.message for warning in soft.warnings)

@@ -13,10 +13,13 @@
 //! ```
 
 use crate::document::FileError;
-use crate::shortened;
+use crate::{quantity, shortened};
 
 /// The most rows that are read: a file within its limit of bytes may have ten times as many, and each takes more memory than its text.
 pub const MAXIMUM_ROWS: usize = 5_000_000;
+
+/// Relative difference below which two values are of one unit: the rounding of its digits.
+const SAME: f64 = 1e-12;
 
 /// Longest field that a message quotes.
 const LONGEST_FIELD: usize = 40;
@@ -44,7 +47,7 @@ impl Columns {
     /// semicolons a decimal comma is read as well.
     ///
     /// # Errors
-    /// [`FileError`] with the file and line: no UTF-8, text in a number's place, a missing column, values that are not finite, more than [`MAXIMUM_ROWS`] rows.
+    /// [`FileError`] with the file and line: no UTF-8, a header with other units in brackets, text in a number's place, a missing column, values that are not finite, more than [`MAXIMUM_ROWS`] rows.
     pub fn read(&self, content: &[u8], file_name: &str) -> Result<Vec<Row>, FileError> {
         let fault = |message: String| FileError::new(message).in_file(Some(file_name));
         let content = content.strip_prefix(b"\xef\xbb\xbf").unwrap_or(content);
@@ -63,6 +66,8 @@ impl Columns {
                 && fields.iter().all(|field| field.parse::<f64>().is_err());
             if is_header {
                 header_seen = true;
+                self.compare(&fields)
+                    .map_err(|message| fault(format!("line {}: {message}", index + 1)))?;
                 continue;
             }
             if rows.len() == MAXIMUM_ROWS {
@@ -77,6 +82,20 @@ impl Columns {
             rows.push(Row { line: index + 1, values });
         }
         Ok(rows)
+    }
+
+    /// Units that a header has in brackets are those in which the numbers are read.
+    fn compare(&self, header: &[String]) -> Result<(), String> {
+        for ((field, name), unit) in header.iter().zip(self.names).zip(self.units) {
+            let Some((symbol, said)) = bracketed(field) else { continue };
+            if (said - unit).abs() > SAME * unit.abs() {
+                let symbol = shortened(symbol, LONGEST_FIELD);
+                return Err(format!(
+                    "the header has the {name} in {symbol}, which is {said} in SI, and it is read in a unit that is {unit}: state the unit of the column, or correct the header"
+                ));
+            }
+        }
+        Ok(())
     }
 
     fn values(&self, fields: &[String]) -> Result<[f64; 2], String> {
@@ -106,6 +125,19 @@ impl Columns {
     }
 }
 
+/// The unit in the last brackets of a field of a header, such as `height [um]` or `height (um)`, with its SI value; none where they have no unit.
+fn bracketed(field: &str) -> Option<(&str, f64)> {
+    let field = field.trim_end();
+    let open = match field.as_bytes().last()? {
+        b']' => '[',
+        b')' => '(',
+        _ => return None,
+    };
+    let symbol = field.get(field.rfind(open)? + 1..field.len() - 1)?.trim();
+    let unit = quantity::parse(&format!("1 {symbol}")).ok()?;
+    unit.unit_written().then_some((symbol, unit.value))
+}
+
 fn fields(line: &str) -> Vec<String> {
     let separated =
         |separator: char| line.split(separator).map(|field| unquoted(field).to_owned()).collect();
@@ -133,6 +165,21 @@ mod tests {
         let columns = Columns { names: ["position", "height"], units: [1.0, 1e3] };
         let error = columns.read(b"x,f\n0,1\n1,-1e306\n", "a.csv").unwrap_err();
         let said = "a.csv: line 3: the height is -1e306, in a unit that is 1000 in SI: together more than the largest number, 1.8e308";
+        assert_eq!(error.to_string(), said);
+    }
+
+    #[test]
+    fn units_of_a_header_are_those_that_are_read() {
+        let columns = Columns { names: ["position", "height"], units: [1e-3, 1e-6] };
+        for header in
+            ["x [mm],f (um)", "x,f", "x (measured), f [1]", "\"x [mm]\";\"f [µm]\"", "1 [m),2 ]"]
+        {
+            let text =
+                format!("{header}\n{}", if header.contains(';') { "1;2\n" } else { "1,2\n" });
+            assert_eq!(columns.read(text.as_bytes(), "a.csv").unwrap().len(), 1, "{header}");
+        }
+        let error = columns.read(b"# trace\nx [mm],f [mm]\n1,2\n", "a.csv").unwrap_err();
+        let said = "a.csv: line 2: the header has the height in mm, which is 0.001 in SI, and it is read in a unit that is 0.000001: state the unit of the column, or correct the header";
         assert_eq!(error.to_string(), said);
     }
 

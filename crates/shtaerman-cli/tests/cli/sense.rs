@@ -41,13 +41,15 @@ fn slips_are_doubted_with_their_number_and_refused_when_asked() {
     folder.write("steel.toml", STEEL);
     assert_eq!(folder.run(&["solve", "steel.toml", "--strict"]).code, Some(0));
     for (slip, code, said) in [
-        ("load.force=62 GN/m", "high_pressure", "is above a tenth of the contact modulus"),
+        ("load.force=62 GN/m", "high_pressure", "is above a tenth of the modulus that resists it"),
         ("foundation.young_modulus=200", "soft_modulus", "is \"200 GPa\" meant?"),
         ("punch.half_width=5", "wide_base", "the half-width is 5 m: are millimetres meant?"),
         ("load.force=4 MN/m", "above_yield", "is above the yield stress, 350 MPa"),
         ("punch.profile=x^2/(2*0.0001)", "steep_base", "small slopes are assumed"),
     ] {
-        let run = folder.run(&["solve", "steel.toml", "--set", slip, "--format", "json", "--no-audit"]);
+        let run =
+            folder.run(&["solve", "steel.toml", "--set", slip, "--format", "json", "--no-audit"]);
+        let stderr = run.stderr.clone();
         let json = run.json();
         let codes: Vec<&str> = json["warnings"]
             .as_array()
@@ -56,13 +58,61 @@ fn slips_are_doubted_with_their_number_and_refused_when_asked() {
             .map(|warning| warning["code"].as_str().unwrap())
             .collect();
         assert!(codes.contains(&code), "{slip}: {codes:?}");
-        assert!(run.stderr.contains(said), "{slip}: {}", run.stderr);
-        let strict = folder.run(&["solve", "steel.toml", "--set", slip, "--no-audit", "--strict", "-o", "out.txt"]);
+        assert!(stderr.contains(said), "{slip}: {stderr}");
+        let strict = folder.run(&[
+            "solve",
+            "steel.toml",
+            "--set",
+            slip,
+            "--no-audit",
+            "--strict",
+            "-o",
+            "out.txt",
+        ]);
         assert_eq!(strict.code, Some(2), "{slip}");
-        assert!(strict.stderr.starts_with("error: --strict: ") && strict.stderr.contains(said), "{}", strict.stderr);
+        assert!(
+            strict.stderr.starts_with("error: --strict: ") && strict.stderr.contains(said),
+            "{}",
+            strict.stderr
+        );
         assert!(!folder.path("out.txt").exists());
     }
     // With its unit a soft modulus is meant.
-    let gel = folder.run(&["solve", "steel.toml", "--set", "foundation.young_modulus=50 kPa", "--set", "load.force=1 N/m"]);
+    let gel = folder.run(&[
+        "solve",
+        "steel.toml",
+        "--set",
+        "foundation.young_modulus=50 kPa",
+        "--set",
+        "load.force=1 N/m",
+    ]);
     assert!(!gel.stdout.contains("softer than rubber"), "{}", gel.stdout);
+}
+
+#[test]
+fn a_yield_stress_without_its_unit_is_doubted() {
+    let folder = Folder::new();
+    folder.write("steel.toml", STEEL);
+    let run =
+        |yield_stress: &str| folder.run(&["stress", "steel.toml", "--yield-stress", yield_stress]);
+    let doubted = run("350").answer();
+    assert!(doubted.contains("is \"350 MPa\" meant?"), "{doubted}");
+    let plain = run("350 MPa").answer();
+    assert!(!plain.contains("meant?"), "{plain}");
+}
+
+#[test]
+fn a_header_with_another_unit_is_refused() {
+    let folder = Folder::new();
+    folder.write("trace.csv", "x [mm],height [um]\n-6,1\n-2,0.2\n2,0.1\n6,1.2\n");
+    let set = |units: &str| format!("punch.profile={{ csv = \"trace.csv\"{units} }}");
+    folder.write("steel.toml", STEEL);
+    let refused = folder.run(&["solve", "steel.toml", "--set", &set("")]);
+    assert!(
+        refused.refusal().contains("trace.csv: line 1: the header has the position in mm"),
+        "{}",
+        refused.stderr
+    );
+    let right = set(", x_unit = \"mm\", f_unit = \"um\"");
+    folder.run(&["solve", "steel.toml", "--set", &right, "--no-audit"]).answer();
 }

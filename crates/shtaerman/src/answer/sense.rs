@@ -2,7 +2,7 @@
 
 use crate::contact::{Warning, WarningCode};
 use crate::quantity::{Dimension, engineering};
-use crate::{Contact, Problem};
+use crate::{Contact, Foundation, LayerBase, Layering, Problem};
 
 /// Slopes and angles above this are not small: `tan x` and `x` differ by 0.3 %.
 const SMALL_SLOPE: f64 = 0.1;
@@ -30,7 +30,8 @@ impl Contact {
     #[must_use]
     pub fn sense_checks(&self) -> Vec<Warning> {
         let Some(scaling) = self.problem().scaling() else { return Vec::new() };
-        let (half_width, modulus) = (scaling.half_width(), scaling.contact_modulus());
+        let half_width = scaling.half_width();
+        let modulus = resisting_modulus(self.problem().foundation(), scaling.contact_modulus());
         let length = |value| engineering(value, Dimension::LENGTH);
         let stress = |value| engineering(value, Dimension::PRESSURE);
         let mut found = Vec::new();
@@ -67,7 +68,7 @@ impl Contact {
             peak.is_finite() && peak > ELASTIC_SHARE * modulus,
             WarningCode::HighPressure,
             format!(
-                "the largest pressure, {}, is above a tenth of the contact modulus, {}: no solid bears that elastically; is the load per metre of length, and the modulus in GPa?",
+                "the largest pressure, {}, is above a tenth of the modulus that resists it, {}: no solid bears that elastically; is the load per metre of length, and the modulus in GPa?",
                 stress(peak),
                 stress(modulus)
             ),
@@ -83,6 +84,21 @@ impl Contact {
             ),
         );
         found
+    }
+}
+
+/// `E*`; of a layer bonded to a rigid base, which cannot evade to the sides, `E (1 - nu)/((1 + nu)(1 - 2 nu))` where that is larger.
+fn resisting_modulus(foundation: &Foundation, contact_modulus: f64) -> f64 {
+    let is_confined = matches!(
+        foundation.layering(),
+        Some(Layering::Layer { base: LayerBase::Bonded { .. }, .. })
+    );
+    match foundation.material() {
+        Some(material) if is_confined => {
+            let (e, nu) = (material.young_modulus(), material.poisson_ratio());
+            contact_modulus.max(e * (1.0 - nu) / ((1.0 + nu) * (1.0 - 2.0 * nu)))
+        }
+        _ => contact_modulus,
     }
 }
 
@@ -109,7 +125,7 @@ fn steepest(problem: &Problem, zones: Vec<[f64; 2]>) -> Option<(f64, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Elastic, Foundation, Load, Profile, Punch};
+    use crate::{Elastic, Load, Profile, Punch};
 
     fn codes(half_width: f64, profile: &str, force: f64, modulus: f64) -> Vec<WarningCode> {
         let foundation = Foundation::new(Elastic::new(modulus, 0.3).unwrap());

@@ -45,6 +45,8 @@ pub enum WarningCode {
     LargeDisplacement,
     /// A modulus without a unit is taken in Pa and softer than rubber.
     SoftModulus,
+    /// A yield stress without a unit is taken in Pa and below that of anything that is machined.
+    LowYieldStress,
     /// The largest pressure is above the yield stress.
     AboveYield,
     /// The base is wider than machines have; millimetres may be meant.
@@ -62,6 +64,8 @@ pub struct Warning {
 
 /// Degrees per unit of `theta0` below which the layers of width `1/theta0` at the edges are hardly resolved. At half or twice 4 of 10 answers change, within what they state (survey).
 const LAYER_DEGREES: f64 = 4.0;
+/// Moduli and yield stresses below this (Pa) are those of gels: rubber begins at about 1 MPa.
+const SOFTEST: f64 = 1e6;
 /// Most intervals a message names. At half or twice 3 of 32 answers change, within what they state (survey).
 const MOST_PLACES: usize = 6;
 
@@ -193,6 +197,23 @@ impl Warning {
             engineering(LAYER_DEGREES * theta0, Dimension::NONE)
         );
         Some(Self { code: WarningCode::LowDegree, message })
+    }
+
+    /// A modulus that was written without a unit (Pa), by its key; none where a solid may have it.
+    pub(crate) fn soft_modulus(key: &str, modulus: f64) -> Option<Self> {
+        let message = format!(
+            "{key} = {modulus} has no unit and is taken in Pa, which is softer than rubber: is \"{modulus} GPa\" meant?"
+        );
+        (modulus < SOFTEST).then_some(Self { code: WarningCode::SoftModulus, message })
+    }
+
+    /// A yield stress that was written without a unit (Pa), by its key or option; none where a metal may have it.
+    #[must_use]
+    pub fn low_yield_stress(key: &str, stress: f64) -> Option<Self> {
+        let message = format!(
+            "{key} = {stress} has no unit and is taken in Pa, which no metal is as soft as: is \"{stress} MPa\" meant?"
+        );
+        (stress < SOFTEST).then_some(Self { code: WarningCode::LowYieldStress, message })
     }
 
     /// The relative error aimed at, and the one reached.

@@ -22,9 +22,6 @@ pub const ALTERNATIVES: [&[&str]; 9] = [
     &["dimensionless.theta0", "dimensionless.poisson_ratio"],
 ];
 
-/// Moduli below this (Pa) are those of gels: rubber begins at about 1 MPa.
-const SOFTEST: f64 = 1e6;
-
 /// An override, for messages.
 pub(super) const OVERRIDE: &str = "load.force=\"1 MN/m\"";
 
@@ -108,13 +105,12 @@ impl ProblemFile {
     #[must_use]
     pub fn sense_checks(&self, contact: &Contact) -> Vec<Warning> {
         let mut found = contact.sense_checks();
-        let bare = self.document.get("foundation.young_modulus").map(Value::kind);
-        if let Some(modulus) = bare.and_then(plain_number).filter(|modulus| *modulus < SOFTEST) {
-            let message = format!(
-                "foundation.young_modulus = {modulus} has no unit and is taken in Pa, which is softer than rubber: is \"{modulus} GPa\" meant?"
-            );
-            found.push(Warning { code: WarningCode::SoftModulus, message });
+        let bare = |key| self.document.get(key).map(Value::kind).and_then(plain_number);
+        for key in ["foundation.young_modulus", "foundation.coating.young_modulus"] {
+            found.extend(bare(key).and_then(|modulus| Warning::soft_modulus(key, modulus)));
         }
+        let key = "foundation.yield_stress";
+        found.extend(bare(key).and_then(|stress| Warning::low_yield_stress(key, stress)));
         let peak = contact.peak_pressure();
         if let Ok(Some(limit)) = self.yield_stress()
             && peak.is_finite()

@@ -104,7 +104,11 @@ fn greenwood_williamson(source: &GreenwoodWilliamsonArguments) -> Result<Finding
     }
     let highest = range.map_or(pressure, |range| Some(range[1])).unwrap_or(f64::NAN);
     let share = model.contact_share(highest).map_err(usage)?;
-    if share > CROWDED {
+    if share > 1.0 {
+        findings.note(format!(
+            "the model has {share:.2} times the surface in contact at the highest pressure, which is more than there is: are the density in 1/m^2 and the pressure in Pa?"
+        ));
+    } else if share > CROWDED {
         findings.note(format!(
             "{:.0} % of the surface are in contact at the highest pressure: asperities feel their neighbours, which the model leaves out",
             100.0 * share

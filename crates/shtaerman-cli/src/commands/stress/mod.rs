@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use shtaerman::file::ProblemFile;
 use shtaerman::quantity::Dimension;
-use shtaerman::{Criterion, Error, StressField};
+use shtaerman::{Contact, Criterion, Error, StressField, Warning, WarningCode};
 
 use super::problem_file;
 use crate::arguments::{StressArguments, StressFormat};
@@ -42,6 +42,7 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let peaks = [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];
     let mut report = StressReport::new(&field, load, !problem.is_dimensionless(), &peaks);
     report.add_warnings(contact.warnings());
+    report.add_warnings(&doubts(arguments, &file, &contact));
     if let Some((stress, is_asked)) = limit {
         report.set_yield(stress, loads_at_yield(&file, stress, ratio, is_asked)?);
     }
@@ -124,6 +125,17 @@ fn yield_stress(
         return Ok(Some((stress, true)));
     }
     Err(Failure::Usage(format!("--yield-stress {text}: must be finite and greater than zero")))
+}
+
+/// What an engineer would doubt. Pressures above the yield stress are none here, where loads at yield are what is told.
+fn doubts(arguments: &StressArguments, file: &ProblemFile, contact: &Contact) -> Vec<Warning> {
+    let mut doubts = file.sense_checks(contact);
+    doubts.retain(|doubt| doubt.code != WarningCode::AboveYield);
+    if !file.problem().is_dimensionless() {
+        let bare = arguments.yield_stress.as_ref().and_then(|text| text.trim().parse().ok());
+        doubts.extend(bare.and_then(|stress| Warning::low_yield_stress("--yield-stress", stress)));
+    }
+    doubts
 }
 
 /// The loads at first yield; that there is none is an error where they were asked for, else a warning.
