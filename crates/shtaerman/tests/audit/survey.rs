@@ -23,6 +23,7 @@ fn a_second_half_of_stated_errors_holds() {
     stated_errors_hold(SEED + 1);
 }
 
+#[allow(clippy::panic, reason = "a part of tests")]
 fn stated_errors_hold(seed: u64) {
     println!("seed {seed}");
     let name = format!("shtaerman_survey_{}_{seed}", std::process::id());
