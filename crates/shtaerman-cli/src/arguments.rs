@@ -29,6 +29,9 @@ pub struct Arguments {
     /// What to do.
     #[command(subcommand)]
     pub command: Command,
+    /// No warnings and no progress on standard error; errors are told.
+    #[arg(long, short, global = true, help_heading = "Everywhere")]
+    pub quiet: bool,
 }
 
 /// The commands.
@@ -60,6 +63,10 @@ pub enum Command {
     Roughness(RoughnessArguments),
     /// Write the rough layer, or the whole contact, as tables for a finite-element program.
     Export(ExportArguments),
+    /// Write what completes commands and options in a shell.
+    Completions(CompletionsArguments),
+    /// Write a page for `man` about each command.
+    Man(ManArguments),
 }
 
 /// How results are written.
@@ -365,9 +372,44 @@ pub struct InitArguments {
     /// Write an equation file, for `shtaerman equation`.
     #[arg(long)]
     pub equation: bool,
+    /// Whose base is pressed.
+    #[arg(long, value_enum, default_value_t = ExampleGeometry::Plane, conflicts_with_all = ["dimensionless", "equation"])]
+    pub geometry: ExampleGeometry,
     /// Overwrite an existing file.
     #[arg(long)]
     pub force: bool,
+}
+
+/// The geometries of which there is an example.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ExampleGeometry {
+    /// A long punch.
+    Plane,
+    /// A round punch.
+    Circular,
+    /// A wavy face.
+    Periodic,
+    /// Two feet of one body.
+    Pair,
+}
+
+/// Arguments of `completions`.
+#[derive(Debug, Args)]
+pub struct CompletionsArguments {
+    /// The shell.
+    #[arg(value_enum)]
+    pub shell: clap_complete::Shell,
+    /// File to write [default: the terminal].
+    #[arg(long, short, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+/// Arguments of `man`.
+#[derive(Debug, Args)]
+pub struct ManArguments {
+    /// Folder that is there, into which `shtaerman.1`, `shtaerman-solve.1` and the others are written.
+    #[arg(value_name = "FOLDER")]
+    pub folder: PathBuf,
 }
 
 /// `shtaerman reproduce`.

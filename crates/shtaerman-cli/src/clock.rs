@@ -7,6 +7,7 @@ use std::thread::{self, Builder};
 use std::time::{Duration, Instant};
 
 use crate::Failure;
+use crate::failure::is_quiet;
 
 /// Commands that take less than this show no progress, and how often the line is written anew.
 const FIRST: Duration = Duration::from_secs(1);
@@ -54,7 +55,7 @@ impl Clock {
 
 /// Starts the clock of a command. At the limit `end` ends the process with the exit code of [`Error::TimeLimit`](shtaerman::Error::TimeLimit), unless the clock was [stopped](stop) before.
 pub(crate) fn start(limit: Option<Duration>, end: fn(i32) -> !) {
-    let is_seen = stderr().is_terminal();
+    let is_seen = stderr().is_terminal() && !is_quiet();
     if limit.is_none() && !is_seen {
         return;
     }

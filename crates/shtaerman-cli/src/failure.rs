@@ -3,6 +3,7 @@
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use miette::{
@@ -137,9 +138,27 @@ pub fn told(error: &shtaerman::Error) -> String {
     words
 }
 
-/// One line for standard error, such as a warning.
+/// One line for standard error.
 pub(crate) fn say(kind: &str, text: &str) {
     print(&format!("{kind}: {}\n", legible(text)));
+}
+
+/// A warning, unless none are wanted.
+pub(crate) fn warn(text: &str) {
+    if !is_quiet() {
+        say("warning", text);
+    }
+}
+
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// From here on nothing but errors goes to standard error.
+pub(crate) fn be_quiet() {
+    QUIET.store(true, Ordering::Relaxed);
+}
+
+pub(crate) fn is_quiet() -> bool {
+    QUIET.load(Ordering::Relaxed)
 }
 
 /// A path as a message or a table shows it.

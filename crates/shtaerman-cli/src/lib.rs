@@ -38,6 +38,9 @@ pub fn run() -> ExitCode {
         Ok(arguments) => arguments,
         Err(error) => return explain(&error),
     };
+    if arguments.quiet {
+        failure::be_quiet();
+    }
     let done = commands::execute(&arguments.command);
     clock::stop();
     match done {

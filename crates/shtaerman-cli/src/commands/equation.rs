@@ -8,7 +8,7 @@ use shtaerman::quantity::Dimension;
 use super::{places, problem_file};
 use crate::Failure;
 use crate::arguments::{EquationArguments, ReportFormat};
-use crate::failure::{say, shown};
+use crate::failure::{self, shown};
 use crate::output::{Content, Input, Outputs, check_writable};
 use crate::plot::{Format, Size, SolutionPlot, render};
 use crate::report;
@@ -51,7 +51,7 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
     outputs.write()?;
     if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {
         for warning in solved.warnings() {
-            say("warning", &warning.message);
+            failure::warn(&warning.message);
         }
     }
     verdict(&answer)

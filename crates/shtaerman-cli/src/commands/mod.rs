@@ -1,10 +1,12 @@
 //! One file a command.
 
+mod completions;
 mod convergence;
 mod equation;
 mod export;
 mod find;
 mod init;
+mod man;
 mod places;
 mod problem_file;
 mod regularity;
@@ -36,6 +38,8 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Roughness(arguments) => roughness::run(arguments),
         Command::Export(arguments) => export::run(arguments),
+        Command::Completions(arguments) => completions::run(arguments),
+        Command::Man(arguments) => man::run(arguments),
     }
 }
 

@@ -9,7 +9,7 @@ use shtaerman::{Answer, Contact, Datum, PressureCurve, Problem, SurfaceCurve};
 use super::problem_file::Solved;
 use super::{places, problem_file, vary};
 use crate::arguments::{ReportFormat, SolveArguments};
-use crate::failure::{say, shown};
+use crate::failure::{self, shown};
 use crate::output::{Content, Outputs};
 use crate::plot::{Format, Size, render};
 use crate::{Failure, clock, report};
@@ -110,7 +110,7 @@ fn text<'a>(
 fn warn(arguments: &SolveArguments, answer: &Answer) {
     if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {
         for warning in &answer.warnings {
-            say("warning", &warning.message);
+            failure::warn(&warning.message);
         }
     }
 }

@@ -9,7 +9,7 @@ use shtaerman_study::{Part, Row, Study, Summary};
 
 use crate::Failure;
 use crate::arguments::SweepArguments;
-use crate::failure::{say, shown};
+use crate::failure::{self, shown};
 use crate::output::{Input, Outputs, check_writable};
 use crate::plot::{Format, render};
 use crate::report;
@@ -172,7 +172,7 @@ impl<'s> Run<'s> {
             Some(Err(fault)) => {
                 let path = self.results.path(part);
                 let name = shown(Path::new(path.file_name().unwrap_or(path.as_os_str())));
-                say("warning", &format!("{name}: {}: it is computed again", fault.0));
+                failure::warn(&format!("{name}: {}: it is computed again", fault.0));
                 Ok(None)
             }
             known => Ok(known.and_then(Result::ok)),
@@ -225,7 +225,7 @@ impl Progress {
     fn new() -> Self {
         Self {
             since: Instant::now(),
-            is_seen: stderr().is_terminal(),
+            is_seen: stderr().is_terminal() && !failure::is_quiet(),
             finished: 0,
             last: Mutex::new(None),
         }

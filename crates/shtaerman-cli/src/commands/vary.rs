@@ -8,7 +8,7 @@ use shtaerman_study::{Row, Study};
 use super::problem_file;
 use crate::Failure;
 use crate::arguments::{ReportFormat, SolveArguments};
-use crate::failure::say;
+use crate::failure;
 use crate::output::{Content, Input, Outputs, check_writable};
 use crate::plot::{Format, render};
 use crate::{report, results};
@@ -45,7 +45,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         if count == rows.len() {
             return Err(Failure::Check(message));
         }
-        say("warning", &message);
+        failure::warn(&message);
     }
     let mut outputs = Outputs::default();
     let content = match arguments.output.format {

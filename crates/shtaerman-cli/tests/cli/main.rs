@@ -26,6 +26,7 @@ mod references;
 mod roughness;
 mod schemas;
 mod sense;
+mod shells;
 mod spectrum;
 mod stress;
 mod support;

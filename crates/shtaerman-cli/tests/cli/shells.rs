@@ -1,0 +1,85 @@
+//! What shells and `man` read, and a quiet run.
+
+use std::process::Command;
+
+use crate::support::Folder;
+
+const COMMANDS: [&str; 15] = [
+    "solve",
+    "find",
+    "validate",
+    "init",
+    "reproduce",
+    "regularity",
+    "convergence",
+    "equation",
+    "stress",
+    "spectrum",
+    "sweep",
+    "roughness",
+    "export",
+    "completions",
+    "man",
+];
+
+#[test]
+fn completions_have_all_commands_and_bash_takes_them() {
+    let folder = Folder::new();
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        let script = folder.run(&["completions", shell]).answer();
+        for command in COMMANDS {
+            assert!(script.contains(command), "{shell}: {command}");
+        }
+    }
+    folder.run(&["completions", "bash", "--output", "c.sh"]).answer();
+    let asked = "source ./c.sh; COMP_WORDS=(shtaerman sol); COMP_CWORD=1; _shtaerman shtaerman sol shtaerman; echo \"${COMPREPLY[*]}\"";
+    // Where there is no bash, nobody completes in it.
+    if let Ok(told) = Command::new("bash").args(["-c", asked]).current_dir(folder.path("")).output()
+    {
+        assert_eq!(String::from_utf8_lossy(&told.stdout), "solve\n");
+    }
+    assert!(folder.run(&["completions", "csh"]).refusal().contains("csh"));
+}
+
+#[test]
+fn every_command_has_a_page() {
+    let folder = Folder::new();
+    std::fs::create_dir(folder.path("man1")).unwrap();
+    let said = folder.run(&["man", "man1"]).answer();
+    assert!(said.contains("pages to man1"), "{said}");
+    for command in COMMANDS {
+        let page = folder.read(&format!("man1/shtaerman-{command}.1"));
+        assert!(page.starts_with(".ie") && page.contains(".SH SYNOPSIS"), "{command}: {page}");
+    }
+    assert!(folder.read("man1/shtaerman-solve.1").contains("sensitivities"));
+    assert!(folder.read("man1/shtaerman-roughness-table.1").contains("FILE"));
+    folder.run(&["man", "nowhere"]).failure(2);
+}
+
+#[test]
+fn a_quiet_run_tells_errors_only() {
+    let folder = Folder::new();
+    folder.run(&["init"]).answer();
+    let heavy =
+        ["solve", "punch.toml", "--set", "load.force=0.8 GN/m", "--format", "json", "--no-audit"];
+    let loud = folder.run(&heavy);
+    assert!(loud.stderr.contains("warning: "), "{}", loud.stderr);
+    let quiet = folder.run(&[&heavy[..], &["--quiet"]].concat());
+    assert_eq!((quiet.stderr.as_str(), &quiet.stdout), ("", &loud.stdout));
+    assert!(folder.run(&["-q", "solve", "nowhere.toml"]).refusal().contains("nowhere.toml"));
+}
+
+#[test]
+fn every_geometry_has_an_example() {
+    let folder = Folder::new();
+    for geometry in ["plane", "circular", "periodic", "pair"] {
+        folder.run(&["init", "--geometry", geometry, "--force"]).answer();
+        assert!(folder.read("punch.toml").contains("shtaerman solve punch.toml --plot punch.svg"));
+        assert!(
+            geometry == "plane"
+                || folder.read("punch.toml").contains(&format!("geometry = \"{geometry}\""))
+        );
+        folder.run(&["solve", "punch.toml", "--no-audit", "--strict"]).answer();
+    }
+    folder.run(&["init", "--geometry", "round"]).refusal();
+}
