@@ -17,8 +17,8 @@ pub use format::PartFormat;
 pub use shared::StudyResults;
 pub(crate) use solving::{processors, solved};
 
-/// What the folder says of itself.
-const MANIFEST: &str = "study.json";
+/// What the folder says of itself. Programs that read a folder of Parquet parts as one table leave out what begins with an underscore.
+const MANIFEST: &str = "_study.json";
 /// Largest manifest and part that are read, in bytes.
 const LARGEST_FILE: u64 = 1 << 30;
 
