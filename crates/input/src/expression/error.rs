@@ -5,6 +5,8 @@ use std::ops::Range;
 
 use thiserror::Error;
 
+use crate::quantity::{self, Dimension, Quantity, engineering};
+
 /// Why a text is not an expression, and where.
 ///
 /// [`reason`](Self::reason) says what was wrong with its values, [`help`](Self::help) says what
@@ -165,7 +167,15 @@ impl ExpressionError {
             MissingOperator { left, right } if is_number(left) && is_number(right) => {
                 "write a number without spaces and with one decimal point".to_owned()
             }
-            MissingOperator { left, right } => format!("write {left}*{right}"),
+            MissingOperator { left, right } => match in_si(left, right) {
+                Some(value) => {
+                    format!(
+                        "a formula is in SI units, metres for lengths: {left} {right} is {}",
+                        engineering(value, Dimension::NONE)
+                    )
+                }
+                None => format!("write {left}*{right}"),
+            },
             StrayComma => "the decimal mark is a point: write 0.5, not 0,5".to_owned(),
             ChainedComparison => "write (a < b)*(b < c) for a < b < c".to_owned(),
             UnclosedBracket => "close it with `)`".to_owned(),
@@ -227,8 +237,20 @@ fn help_for_name(name: &str, suggestion: &Option<String>, known: &[String]) -> S
     if ["inf", "infinity", "nan"].contains(&name.to_ascii_lowercase().as_str()) {
         return "infinite and undefined constants cannot be written".to_owned();
     }
+    // A power without its sign, such as x2.
+    let base = name.trim_end_matches(|last: char| last.is_ascii_digit());
+    let power = &name[base.len()..];
+    if !power.is_empty() && power != "1" && known.iter().any(|known| known == base) {
+        return format!("did you mean `{base}^{power}`?");
+    }
     match suggestion {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("the names are {}", known.join(", ")),
     }
+}
+
+/// The SI value of a number with a unit of length behind it; none where it is something else.
+fn in_si(number: &str, unit: &str) -> Option<f64> {
+    let text = format!("{number} {unit}");
+    quantity::parse(&text).ok().filter(Quantity::unit_written)?.of(Dimension::LENGTH, &text).ok()
 }
