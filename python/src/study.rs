@@ -8,7 +8,7 @@ use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use shtaerman_cli::{PartFormat, Refusal, StudyResults};
-use shtaerman_study::{Column, Design, Part, Row};
+use shtaerman_study::{Column, Design, Index, Part, Row, Summary};
 
 use crate::errors::{ConvergenceError, raised};
 use crate::running::done;
@@ -98,6 +98,37 @@ impl Study {
             shtaerman_study::Variation::Drawn(_) => None,
         };
         self.0.variables().iter().map(count).collect()
+    }
+
+    /// Sobol's indices of each output for each variable, with their standard errors: first order, total. None for other designs.
+    fn sobol_indices(
+        &self,
+        cases: PyReadonlyArray1<'_, i64>,
+        answered: PyReadonlyArray1<'_, bool>,
+        outputs: Vec<PyReadonlyArray1<'_, f64>>,
+    ) -> Option<Vec<Vec<[f64; 4]>>> {
+        let mut summary = Summary::new(&self.0);
+        for (at, (case, is_answered)) in
+            cases.as_array().iter().zip(answered.as_array().iter()).enumerate()
+        {
+            let values =
+                outputs.iter().map(|values| values.as_array().get(at).copied().unwrap_or(f64::NAN));
+            summary.add(&Row {
+                case: usize::try_from(*case).ok()?,
+                inputs: Vec::new(),
+                outputs: values.collect(),
+                errors: vec![None; outputs.len()],
+                error_kind: String::new(),
+                reason: if *is_answered { String::new() } else { "none".to_owned() },
+            });
+        }
+        let indices = summary.indices?;
+        let of_output = |output| {
+            let four =
+                |index: Index| [index.first, index.first_error, index.total, index.total_error];
+            indices.of(output).map(four).collect()
+        };
+        Some((0..outputs.len()).map(of_output).collect())
     }
 
     /// Whether these are the cases of a part.

@@ -257,3 +257,26 @@ def test_a_folder_of_something_else_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("mine")
     with pytest.raises(ValueError, match="is a file"):
         st.sweep(STUDY, tmp_path / "file")
+
+
+def test_indices_are_those_of_a_sum(tmp_path: Path) -> None:
+    # A bilateral contact is linear in settlement and tilt, which vary with the variances 4/12 and 0.16.
+    flat = {"theta0": 1.0, "profile": "0", "settlement": 1.0, "tilt": 0.0}
+    varied = {
+        "dimensionless.settlement": {"distribution": "uniform", "from": 1, "to": 3},
+        "dimensionless.tilt": {"distribution": "normal", "mean": 0, "standard_deviation": 0.4},
+    }
+    design = {"design": "sobol-indices", "count": 2048, "seed": 11, "audited_sample": 0, "vary": varied, "outputs": ["pressure_right", "force"]}
+    found = st.sweep({"dimensionless": flat, "solver": {"contact": "bilateral"}, "study": design}, tmp_path / "out")
+    [lifted, turned] = [
+        st.solve(theta0=1.0, profile="0", contact="bilateral", settlement=settlement, tilt=tilt).pressure_right for settlement, tilt in [(1.0, 0.0), (0.0, 1.0)]
+    ]
+    variances = [lifted**2 * 4 / 12, turned**2 * 0.16]
+    indices = found.indices()
+    for key, variance in zip(varied, variances):
+        told = indices["pressure_right"][key]
+        for name in ("first", "total"):
+            assert abs(told[name] - variance / sum(variances)) < 3 * told[f"{name}_error"] < 0.1, (key, told)
+    assert abs(indices["force"]["dimensionless.tilt"]["total"]) < 1e-12
+    with pytest.raises(ValueError, match="sobol-indices"):
+        st.sweep(STUDY, tmp_path / "other").indices()

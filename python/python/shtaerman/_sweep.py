@@ -469,6 +469,24 @@ class Sweep:
             }
         return told
 
+    def indices(self) -> dict[str, dict[str, dict[str, float]]]:
+        """Sobol's indices, for ``design = "sobol-indices"``: for each output and each key that varies the share of the variance that the key brings about alone (``first``) and together with all
+        others (``total``), each with its standard error for independent groups (``first_error``, ``total_error``). Estimates; NaN where nothing varies.
+
+        Raises
+        ------
+        ValueError
+            For other designs.
+        """
+        arrays = self.arrays()
+        answered = np.array([not reason for reason in arrays["reason"]], dtype=bool)
+        found = self._study.sobol_indices(arrays["case"], answered, [arrays[name] for name in self.outputs])
+        if found is None:
+            raise ValueError('indices(): only a study with design = "sobol-indices" has them')
+        names = ("first", "first_error", "total", "total_error")
+        of_output = (dict(zip(self.variables, (dict(zip(names, four)) for four in output))) for output in found)
+        return dict(zip(self.outputs, of_output))
+
     def __repr__(self) -> str:
         return f"<Sweep: {self.cases} cases in {self._study.parts} parts, {len(self.paths)} there, varied: {', '.join(self.variables)}; {self._folder}>"
 

@@ -66,9 +66,9 @@ impl Table {
         let differ = loaded.iter().any(|pair| pair[0] != loaded[0][0]);
         require(
             differ,
-            "approach",
+            "rows under load",
             loaded.len() as f64,
-            "greater than zero under at least two different pressures",
+            "at least two, under different pressures, for a power law: `--law linear` takes one",
         )?;
         fit::power(&loaded)
     }
