@@ -1,8 +1,8 @@
 //! Work without the interpreter, which an interrupt ends.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
 use std::thread::Builder;
 use std::time::{Duration, Instant};
 
@@ -13,6 +13,8 @@ use pyo3::{PyResult, Python};
 const TICK: Duration = Duration::from_millis(50);
 /// Stack of a thread that does what the main one would, in bytes.
 const STACK: usize = 8 << 20;
+/// Most threads that wait for the next work: no more are busy at a time than Python threads solve.
+const MOST_WAITING: usize = 8;
 
 /// What came of it.
 pub(crate) enum Ended<T> {
@@ -20,6 +22,37 @@ pub(crate) enum Ended<T> {
     Done(T),
     /// The time was over before.
     Late,
+}
+
+type Job = Box<dyn FnOnce() + Send>;
+
+/// A thread that does one piece of work after another, until its sender is dropped. To start one, and to fill its memory anew, takes longer than a short solve may.
+struct Worker(Sender<Job>);
+
+impl Worker {
+    fn start() -> std::io::Result<Self> {
+        let (sender, jobs) = channel::<Job>();
+        Builder::new().stack_size(STACK).spawn(move || jobs.into_iter().for_each(|job| job()))?;
+        Ok(Self(sender))
+    }
+}
+
+/// Workers of one process that wait. The lock is taken while the interpreter is held, as it is where a process forks: no fork finds it locked.
+struct Waiting {
+    process: u32,
+    workers: Vec<Worker>,
+}
+
+static WAITING: Mutex<Waiting> = Mutex::new(Waiting { process: 0, workers: Vec::new() });
+
+fn waiting<T>(_holds_the_interpreter: Python<'_>, change: impl FnOnce(&mut Vec<Worker>) -> T) -> T {
+    let mut waiting = WAITING.lock().unwrap_or_else(PoisonError::into_inner);
+    let process = std::process::id();
+    if waiting.process != process {
+        // A fork has none of the threads.
+        *waiting = Waiting { process, workers: Vec::new() };
+    }
+    change(&mut waiting.workers)
 }
 
 /// Does `work` on another thread, without holding the interpreter, until it ends, the time is over or the user interrupts. In both other cases the flag that
@@ -33,13 +66,17 @@ pub(crate) fn run<T: Send + 'static>(
     let (sender, receiver) = channel();
     let end = limit.and_then(|limit| Instant::now().checked_add(limit));
     let theirs = Arc::clone(&stop);
-    let started = Builder::new().stack_size(STACK).spawn(move || {
+    let job: Job = Box::new(move || {
         // Nobody listens any more where the user interrupted.
         let _ = sender.send(work(&theirs));
     });
-    started
-        .map_err(|error| PyRuntimeError::new_err(format!("no thread can be started: {error}")))?;
-    py.detach(|| {
+    let refused = |error| PyRuntimeError::new_err(format!("no thread can be started: {error}"));
+    let worker = waiting(py, Vec::pop).map_or_else(Worker::start, Ok).map_err(refused)?;
+    worker
+        .0
+        .send(job)
+        .map_err(|_| PyRuntimeError::new_err("a thread ended: please report the problem"))?;
+    let ended = py.detach(|| {
         // The channel is of this thread alone.
         let receiver = receiver;
         loop {
@@ -63,7 +100,15 @@ pub(crate) fn run<T: Send + 'static>(
                 return signals.map(|()| Ended::Late);
             }
         }
-    })
+    });
+    if matches!(ended, Ok(Ended::Done(_))) {
+        waiting(py, |workers| {
+            if workers.len() < MOST_WAITING {
+                workers.push(worker);
+            }
+        });
+    }
+    ended
 }
 
 /// The result of work without a time limit, which an interrupt leaves to itself.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt;
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
 use shtaerman_cli::{PartFormat, Refusal, StudyResults};
 use shtaerman_study::{Column, Design, Index, Part, Row, Summary};
@@ -23,7 +23,9 @@ pub(crate) struct Results(Arc<StudyResults>);
 
 fn refused(refusal: Refusal) -> PyErr {
     match refusal.exit_code {
-        1 | 3 => ConvergenceError::new_err(refusal.message),
+        // What could not be written: no other check of a study ends with this code.
+        1 => PyOSError::new_err(refusal.message),
+        3 => ConvergenceError::new_err(refusal.message),
         _ => PyValueError::new_err(refusal.message),
     }
 }

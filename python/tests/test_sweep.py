@@ -228,6 +228,9 @@ def test_a_worker_of_another_version_is_refused(tmp_path: Path, monkeypatch: pyt
         (STUDY, {"threads": 0}, "threads: must be"),
         (STUDY, {"overrides": "study.seed=1"}, "overrides: must be a list"),
         (STUDY, {"map": map, "client": object()}, "not both"),
+        (STUDY, {"client": 3}, "client: must be a distributed.Client, got int"),
+        (STUDY, {"map": 3}, "map: must be a function"),
+        (STUDY, {"map": lambda *_: None}, "map: must give an iterable"),
         (STUDY.replace("count = 9", "count = 900000"), {}, "has 2700000 cases"),
         (3, {}, "takes a path"),
         ({"study": 3}, {}, "study: is missing"),
@@ -257,6 +260,22 @@ def test_a_folder_of_something_else_is_left_alone(tmp_path: Path) -> None:
     (tmp_path / "file").write_text("mine")
     with pytest.raises(ValueError, match="is a file"):
         st.sweep(STUDY, tmp_path / "file")
+
+
+@pytest.mark.parametrize("format", ["csv", "npz", "parquet"])
+def test_what_cannot_be_written_is_an_os_error(tmp_path: Path, format: str) -> None:
+    out = tmp_path / "out"
+    st.sweep(STUDY, out, format=format)
+    whole = contents(out)
+    part = next(name for name in whole if name.startswith("part-00000001"))
+    (out / part).unlink()
+    # A folder stands where the part should: nobody can write there, root neither.
+    (out / part).mkdir()
+    with pytest.raises(OSError, match=part):
+        st.sweep(STUDY, out, format=format)
+    (out / part).rmdir()
+    st.sweep(STUDY, out, format=format)
+    assert contents(out) == whole
 
 
 def test_indices_are_those_of_a_sum(tmp_path: Path) -> None:

@@ -49,7 +49,6 @@ pub fn run() -> ExitCode {
     }
 }
 
-/// Why a command that was called by another program has no result.
 /// The JSON of a command that finds all from its arguments, `spectrum` or `roughness`, as it would print it.
 ///
 /// # Errors

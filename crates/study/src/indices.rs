@@ -51,9 +51,12 @@ impl Moments {
         self.squares / (self.count - 1.0).max(1.0)
     }
 
-    /// The standard error of the mean.
+    /// The standard error of the mean; NaN of a single value, which tells nothing of it.
     fn error(&self) -> f64 {
-        (self.variance() / self.count.max(1.0)).sqrt()
+        if self.count < 2.0 {
+            return f64::NAN;
+        }
+        (self.variance() / self.count).sqrt()
     }
 }
 

@@ -12,6 +12,8 @@ use crate::{Design, Distribution, Input, Output, Study, Variable, Variation};
 
 /// Most values of one variable, and most cases of a design that is drawn.
 const MOST: usize = 100_000_000;
+/// Fewest groups for Sobol's indices: a standard error from `n` of them is itself uncertain by `1/sqrt(2 (n - 1))`, here by 18 %, and from one there is none.
+const FEWEST_GROUPS: usize = 16;
 /// Most variables.
 const MOST_VARIABLES: usize = 64;
 /// Cases of a part of the results of a study in which they make fewer parts than are usual, and the most.
@@ -78,7 +80,24 @@ pub(crate) fn study(
     };
     // Only this table: the rest is that of a problem.
     table.finish()?;
+    check(&study, &table)?;
     Ok(study)
+}
+
+/// Reads the problem with the first case: a wrong key or unit is told before anything is computed, where the key is varied.
+fn check(study: &Study, table: &TableReader<'_>) -> Result<(), shtaerman::Error> {
+    let Err(error) = study.file(&study.inputs(0)) else { return Ok(()) };
+    if let shtaerman::Error::File(fault) = &error
+        && let Some(variable) = study.variables.iter().find(|v| fault.field() == Some(&v.key))
+    {
+        let told = table.required("vary")?.table()?.required(&variable.key)?.error(fault.message());
+        return Err(match fault.help() {
+            Some(help) => told.with_help(help),
+            None => told,
+        }
+        .into());
+    }
+    Err(error)
 }
 
 fn count(
@@ -87,6 +106,18 @@ fn count(
     range: std::ops::RangeInclusive<usize>,
 ) -> Result<Option<usize>, FileError> {
     table.optional(key).map(|field| field.count(range)).transpose()
+}
+
+/// A count of values that are kept, and limited for that.
+fn kept(field: &Field<'_>, range: std::ops::RangeInclusive<usize>) -> Result<usize, FileError> {
+    let most = *range.end() as i64;
+    field.count(range).map_err(|error| {
+        if field.integer().is_ok_and(|count| count > most) {
+            error.with_help("a grid over several keys with fewer values each has as many cases: how long they take is estimated and asked about")
+        } else {
+            error
+        }
+    })
 }
 
 fn combinations(variables: &[Variable]) -> Option<usize> {
@@ -108,7 +139,8 @@ fn design(table: &TableReader<'_>, name: &str) -> Result<Design, FileError> {
         return Ok(Design::Grid);
     }
     let longest = if name.starts_with("sobol") { LONGEST_SOBOL } else { MOST };
-    let count = table.required("count")?.count(1..=longest)?;
+    let fewest = if name == "sobol-indices" { FEWEST_GROUPS } else { 1 };
+    let count = kept(&table.required("count")?, fewest..=longest)?;
     let seed = self::count(table, "seed", 0..=u32::MAX as usize)?.unwrap_or(0);
     Ok(match name {
         "latin-hypercube" => Design::LatinHypercube { count, seed: seed as u64 },
@@ -158,6 +190,9 @@ fn variables(
                     .error("is no key of the problem file")
                     .with_help("quote the dotted key: vary.\"load.force\" = .."));
             }
+            if key.starts_with("study.") {
+                return Err(field.error("is no key of the problem, which alone can vary"));
+            }
             let trial = Trial { key, problem, folder };
             Ok(Variable { key: key.to_owned(), variation: variation(&field, is_grid, &trial)? })
         })
@@ -178,7 +213,11 @@ impl Trial<'_> {
         document.set(self.key, text).map_err(|error| field.error(error.to_string()))?;
         match ProblemFile::from_document(document, self.folder) {
             Err(shtaerman::Error::File(fault)) if fault.field() == Some(self.key) => {
-                Err(field.error(format!("is refused: {fault}")))
+                let told = field.error(format!("is refused: {}: {}", self.key, fault.message()));
+                Err(match fault.help() {
+                    Some(help) => told.with_help(help),
+                    None => told,
+                })
             }
             _ => Ok(()),
         }
@@ -220,7 +259,7 @@ fn variation(field: &Field<'_>, is_grid: bool, trial: &Trial<'_>) -> Result<Vari
         None => false,
     };
     let distribution = ends(&table, is_logarithmic, trial)?;
-    match count(&table, "count", 1..=MOST)? {
+    match table.optional("count").map(|field| kept(&field, 1..=MOST)).transpose()? {
         Some(count) => Ok(Variation::Values(spaced(distribution, count))),
         None => drawn(field, distribution, is_grid),
     }

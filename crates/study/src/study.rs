@@ -57,9 +57,7 @@ impl Study {
         overrides: &[String],
     ) -> Result<Self, Error> {
         let document = overridden(bytes, name, overrides, OVERRIDE)?;
-        let study = read::study(document, folder, overrides)?;
-        study.check()?;
-        Ok(study)
+        read::study(document, folder, overrides)
     }
 
     /// Number of cases.
@@ -150,10 +148,5 @@ impl Study {
             document.set(&variable.key, &input.to_string())?;
         }
         ProblemFile::from_document(document, &self.folder)
-    }
-
-    /// Reads the problem with the first case: a wrong key or unit is told before anything is computed.
-    fn check(&self) -> Result<(), Error> {
-        self.file(&self.inputs(0)).map(drop)
     }
 }

@@ -8,13 +8,13 @@ import time
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _document as document
+from . import _parquet as parquet
 from . import _shtaerman as engine
 from ._arrays import processors
 
@@ -98,53 +98,10 @@ def _complete(study: engine.Study, results: engine.Results, format: str, part: i
     path = os.fspath(results.path(part))
     if format != "parquet":
         return path, results.complete(part, threads)
-    if _read_parquet(study, part, path) is not None:
+    if parquet.read(study, part, path) is not None:
         return path, False
-    _write_parquet(study.columns, results.solve(part, threads), path)
+    parquet.write(study.columns, results.solve(part, threads), path)
     return path, True
-
-
-def _pyarrow() -> Any:
-    try:
-        # It has no types of its own.
-        import_module("pyarrow.parquet")
-        return import_module("pyarrow")
-    except ImportError as error:
-        raise ImportError("format='parquet' needs pyarrow: pip install 'shtaerman[parquet]'") from error
-
-
-def _write_parquet(names: Sequence[str], columns: Sequence[Any], path: str) -> None:
-    """Whole or not at all: beside its place first."""
-    pyarrow = _pyarrow()
-    fields = [pyarrow.field(name, _type(pyarrow, column), nullable=False) for name, column in zip(names, columns, strict=True)]
-    table = pyarrow.table(list(columns), schema=pyarrow.schema(fields))
-    beside = Path(path).with_name(f".shtaerman-{os.getpid()}-{Path(path).name}")
-    try:
-        pyarrow.parquet.write_table(table, beside, compression="none")
-        os.replace(beside, path)
-    finally:
-        beside.unlink(missing_ok=True)
-
-
-def _type(pyarrow: Any, column: Any) -> Any:
-    if isinstance(column, list):
-        return pyarrow.string()
-    return pyarrow.int64() if column.dtype.kind == "i" else pyarrow.float64()
-
-
-def _read_parquet(study: engine.Study, part: int, path: str) -> list[Any] | None:
-    """The columns of a part that is there and whole."""
-    if not os.path.exists(path):
-        return None
-    pyarrow = _pyarrow()
-    try:
-        table = pyarrow.parquet.read_table(path)
-    except (pyarrow.ArrowException, OSError):
-        return None
-    if table.column_names != list(study.columns):
-        return None
-    columns = [column.to_pylist() if pyarrow.types.is_string(column.type) else column.to_numpy() for column in table.columns]
-    return columns if study.is_part(part, columns[0]) else None
 
 
 def sweep(
@@ -197,6 +154,8 @@ def sweep(
     ------
     ValueError
         For what is wrong with the study, for a folder that has something else, and for workers of another version.
+    OSError
+        Where a part cannot be written, as on a full disk; what was written stays, and the same call goes on there.
 
     Examples
     --------
@@ -212,9 +171,13 @@ def sweep(
     if format not in _FORMATS:
         raise ValueError(f"format: must be one of {', '.join(_FORMATS)}, got {format!r}")
     if format == "parquet":
-        _pyarrow()
+        parquet.pyarrow_of()
     if client is not None and map is not None:
         raise ValueError("sweep(): give client or map, not both")
+    if map is not None and not callable(map):
+        raise ValueError(f"map: must be a function that maps as the builtin does, got {type(map).__name__}")
+    if client is not None and not (callable(getattr(client, "map", None)) and callable(getattr(client, "cancel", None))):
+        raise ValueError(f"client: must be a distributed.Client, got {type(client).__name__}")
     source = _source(study, overrides)
     read = source.study()
     if read.cases > _MANY and not yes:
@@ -258,7 +221,9 @@ def _computed(
     if not missing:
         return
     tasks = [_Task(source, engine.__version__, folder, format, parts, 1) for parts in _cut(study, missing)]
-    done: Iterable[list[str]] = _distributed(client, tasks) if map is None else map(_work, tasks)
+    done: Any = _distributed(client, tasks) if map is None else map(_work, tasks)
+    if not isinstance(done, Iterable):
+        raise ValueError(f"map: must give an iterable of what the function gave, gave {type(done).__name__}")
     for paths in done:
         yield len(paths)
 
@@ -376,7 +341,7 @@ class Sweep:
 
     def _read(self, part: int) -> list[Any] | None:
         if self._format == "parquet":
-            return _read_parquet(self._study, part, os.fspath(self._results.path(part)))
+            return parquet.read(self._study, part, os.fspath(self._results.path(part)))
         return self._results.arrays(part)
 
     def _is_whole(self, part: int) -> bool:

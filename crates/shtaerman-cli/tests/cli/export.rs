@@ -53,6 +53,19 @@ fn an_exported_table_reads_back_as_the_law() {
 }
 
 #[test]
+fn a_table_of_few_points_is_still_a_power_law() {
+    let folder = Folder::with(UNILATERAL);
+    for exponent in [0.9, 0.99, 0.999] {
+        let law = format!("foundation.roughness={{ coefficient = 1e-12, exponent = {exponent} }}");
+        let export = ["export", "abaqus", "punch.toml", "--share", "0.1", "--set", &law];
+        folder.run(&[&export[..], &["-o", "rough.inp"]].concat()).answer();
+        let json = folder.run(&["roughness", "table", "rough.inp", "--format", "json"]).json();
+        let found = number(&json, "/roughness/exponent");
+        assert!((found / exponent - 1.0).abs() < 1e-10, "{exponent}: {found}");
+    }
+}
+
+#[test]
 fn the_table_begins_at_zero_grows_and_reaches_beyond_the_contact() {
     let folder = Folder::with(UNILATERAL);
     let solve = ["solve", "punch.toml", "--set", POWER, "--format", "json", "--at", "0"];

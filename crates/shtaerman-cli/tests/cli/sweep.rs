@@ -201,6 +201,8 @@ fn what_is_wrong_with_a_study_is_told() {
         ("part_size = 3", "parts = 3", "parts"),
         ("part_size = 3", "count = 3", "goes with design"),
         ("[study]", "[studies]", "study"),
+        ("vary.\"load.force\"", "vary.\"study.part_size\"", "is no key of the problem"),
+        (force, "{ from = 1, to = 2, count = 1000000000000 }", "a grid over several keys"),
     ] {
         let folder = folder(&STUDY.replacen(old, new, 1));
         let run = folder.run(&["sweep", "study.toml", "-o", "out"]);
@@ -222,6 +224,29 @@ fn what_is_wrong_with_a_study_is_told() {
         run.refusal();
         assert!(run.stderr.contains(words), "{arguments:?}: {}", run.stderr);
     }
+}
+
+#[test]
+fn what_is_wrong_with_a_drawn_study_is_told_where_it_stands() {
+    let drawn = STUDY.split("[study]").next().unwrap().to_owned()
+        + r#"[study]
+design = "sobol-indices"
+count = 16
+vary."load.force" = { distribution = "uniform", from = "0.2 MN/m", to = "1 MN/m" }
+outputs = ["settlement"]
+"#;
+    for (old, new, words) in [
+        // A standard error needs more than one group.
+        ("count = 16", "count = 1", "study.count"),
+        ("load.force\" =", "load.forse\" =", "study.toml:17: study.vary.load.forse"),
+        ("load.force\" =", "load.moments\" =", "load.moments: is not a known key"),
+    ] {
+        let folder = folder(&drawn.replacen(old, new, 1));
+        let run = folder.run(&["sweep", "study.toml", "-o", "out"]);
+        assert!(run.refusal().contains(words), "{new}: {}", run.stderr);
+        assert!(!run.stderr.contains("--set"), "{new}: {}", run.stderr);
+    }
+    folder(&drawn).run(&["sweep", "study.toml", "-o", "out"]).answer();
 }
 
 #[test]

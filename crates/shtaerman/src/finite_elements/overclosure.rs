@@ -74,7 +74,8 @@ impl Overclosure {
     fn graded(power: Power, share: f64) -> Result<Self, Error> {
         let (exponent, last) = (power.exponent, power.last());
         let density = ((1.0 - exponent) / (2.0 * exponent * share)).sqrt();
-        let mut count = (density * last).ceil().max(1.0) as usize;
+        // One point besides zero would be a linear law to whoever reads the table.
+        let mut count = (density * last).ceil().max(2.0) as usize;
         loop {
             let points = power.points(count);
             let requirement = "larger for so small an exponent: the first pressures of the table would be below the smallest number";
@@ -209,6 +210,19 @@ mod tests {
         for (i, [_, v]) in points.iter().enumerate() {
             let square = law.displacement(80e6) * (i as f64 / m as f64).powi(2);
             assert!((v - square).abs() <= 1e-15 * square);
+        }
+    }
+
+    /// Two points besides zero give the exponent back.
+    #[test]
+    fn a_power_law_stays_one_in_the_coarsest_table() {
+        for exponent in [0.9, 0.99, 0.999, 0.999_999] {
+            let law = Roughness::power(1e-12, exponent).unwrap();
+            let table = Overclosure::new(law, [80e6, 2e9], 0.1).unwrap();
+            let [.., [p0, v0], [p1, v1]] = table.points() else { panic!("{exponent}") };
+            assert!(*p0 > 0.0, "{exponent}: {:?}", table.points());
+            let found = (v1 / v0).ln() / (p1 / p0).ln();
+            assert!((found - exponent).abs() < 1e-14, "{exponent}: {found}");
         }
     }
 
