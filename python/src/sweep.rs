@@ -111,9 +111,6 @@ fn told(name: &str) -> Option<Told> {
         "error_moment" => {
             |block, rows, width| block.write(rows, width, |row| row.error(2, row.has_moment()))
         }
-        "relative_error" => {
-            |block, rows, width| block.write(rows, width, |row| row.block.relative_error)
-        }
         _ => return None,
     })
 }
@@ -200,8 +197,8 @@ fn rows(
     (!stop.load(Ordering::Relaxed)).then_some(rows)
 }
 
-/// The numbers case by case, and the reasons of cases that are none.
-type Found<'py> = (Bound<'py, PyArray2<f64>>, Vec<(usize, String)>);
+/// The numbers case by case, the relative error of them all, and the reasons of cases that are none.
+type Found<'py> = (Bound<'py, PyArray2<f64>>, f64, Vec<(usize, String)>);
 
 /// What is asked for at many `theta0`, by one decomposition; none where single solves have to tell.
 #[pyfunction]
@@ -226,12 +223,14 @@ pub(crate) fn sweep_theta0<'py>(
         .map(|(case, error)| (case, text(&error)))
         .collect();
     let asked_of = problem.problem().clone();
-    let work = move |stop: &Arc<AtomicBool>| -> Result<Option<Vec<f64>>, Error> {
+    let work = move |stop: &Arc<AtomicBool>| -> Result<Option<(Vec<f64>, f64)>, Error> {
         let Some(sweep) = asked_of.theta0_sweep(range)? else { return Ok(None) };
-        Ok(rows(&sweep, asked_of.load(), &shares, &asked, stop))
+        let rows = rows(&sweep, asked_of.load(), &shares, &asked, stop);
+        Ok(rows.map(|rows| (rows, sweep.relative_error())))
     };
     let Ended::Done(found) = run(py, None, work)? else { return Ok(None) };
-    let Some(rows) = found.map_err(|error| raised(&error))? else { return Ok(None) };
+    let found = found.map_err(|error| raised(&error))?;
+    let Some((rows, relative_error)) = found else { return Ok(None) };
     let count = rows.len() / width;
-    Ok(Some((PyArray1::from_vec(py, rows).reshape([count, width])?, reasons)))
+    Ok(Some((PyArray1::from_vec(py, rows).reshape([count, width])?, relative_error, reasons)))
 }

@@ -4,11 +4,15 @@ from __future__ import annotations
 
 import copy
 import math
+import os
 import pickle
+import select
 import signal
+import struct
 import subprocess
 import sys
 import textwrap
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from typing import Any
 
@@ -123,6 +127,37 @@ def test_a_contact_does_not_change(contact: st.Contact) -> None:
     contact.stiffness[:] = 0.0
     contact.to_dict()["pressure"]["x"].clear()
     assert contact.to_json() == before and contact.zones[0, 0] < 0.0
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="processes are never forked there")
+@pytest.mark.filterwarnings("ignore:.*multi-threaded.*:DeprecationWarning")
+def test_a_fork_solves_without_the_threads_of_its_parent(contact: st.Contact) -> None:
+    def solved() -> float:
+        return st.solve(contact.problem).settlement
+
+    here = solved()
+    read, write = os.pipe()
+    child = os.fork()
+    if child == 0:
+        # Nothing of pytest runs twice.
+        try:
+            os.write(write, struct.pack("2d", solved(), solved()))
+        finally:
+            os._exit(0)
+    os.close(write)
+    told, _, _ = select.select([read], [], [], 60.0)
+    if not told:
+        os.kill(child, signal.SIGKILL)
+    os.waitpid(child, 0)
+    assert told and struct.unpack("2d", os.read(read, 16)) == (here, here)
+    assert solved() == here
+
+
+def test_threads_of_python_solve_side_by_side(contact: st.Contact) -> None:
+    problems = [contact.problem.replace(force=4e5 + 1e4 * case) for case in range(40)]
+    alone = [st.solve(problem).settlement for problem in problems]
+    with ThreadPoolExecutor(12) as threads:
+        assert list(threads.map(lambda problem: st.solve(problem).settlement, problems)) == alone
 
 
 def test_what_else_is_copied_and_pickled() -> None:

@@ -133,20 +133,22 @@ def _wanted(outputs: Sequence[str] | None) -> list[str] | None:
 
 def _swept(base: Problem, inputs: Mapping[str, npt.NDArray[Any]], wanted: list[str], threads: int) -> Any:
     """What a sweep over theta0 tells, in the form of :func:`_solved`; none where single solves have to."""
-    if set(inputs) != {"theta0"} or inputs["theta0"].dtype.kind != "f" or not all(map(engine.is_swept, wanted)):
+    if set(inputs) != {"theta0"} or inputs["theta0"].dtype.kind != "f" or not all(engine.is_swept(name) for name in wanted if name != "relative_error"):
         return None
     theta0 = np.ascontiguousarray(inputs["theta0"], dtype=np.float64).ravel()
-    found = engine.sweep_theta0(base._engine, theta0, wanted, threads)
+    names = [name for name in wanted if name != "relative_error"]
+    found = engine.sweep_theta0(base._engine, theta0, names, threads)
     if found is None:
         return None
-    numbers, faults = found
-    # One text for all cases takes the room of one.
+    numbers, relative_error, faults = found
+    # What is the same for all cases takes the room of one.
+    relative_errors = np.broadcast_to(np.array(relative_error), theta0.shape)
     kinds, warnings, reasons = (np.broadcast_to(np.array(text, dtype=object), theta0.shape) for text in ("estimate", "", ""))
     if faults:
-        kinds, reasons = kinds.copy(), reasons.copy()
+        relative_errors, kinds, reasons = relative_errors.copy(), kinds.copy(), reasons.copy()
     for case, reason in faults:
-        kinds[case], reasons[case] = "", reason
-    return wanted, numbers, kinds, warnings, reasons
+        relative_errors[case], kinds[case], reasons[case] = np.nan, "", reason
+    return [*names, "relative_error"], [*numbers.T, relative_errors], kinds, warnings, reasons
 
 
 def _is_varied(name: str, value: Any) -> bool:
@@ -189,14 +191,18 @@ def _values(inputs: Mapping[str, npt.NDArray[Any]], case: int) -> dict[str, Any]
 
 
 def _solved(base: Problem, inputs: Mapping[str, npt.NDArray[Any]], audit: bool, threads: int) -> Any:
+    """Names, a column of numbers for each, and the kinds of errors, warnings and reasons."""
     def is_direct(name: str, values: npt.NDArray[Any]) -> bool:
         return values.dtype.kind == "f" and engine.is_varied_directly(name)
 
     if inputs and all(is_direct(name, values) for name, values in inputs.items()):
         columns = [(name, np.ascontiguousarray(values, dtype=np.float64).ravel()) for name, values in inputs.items()]
-        return engine.solve_varied(base._engine, columns, audit, threads)
-    count = next(iter(inputs.values())).size if inputs else 1
-    return engine.solve_single(base._engine, [_single(base, inputs, case) for case in range(count)], audit, threads)
+        found = engine.solve_varied(base._engine, columns, audit, threads)
+    else:
+        count = next(iter(inputs.values())).size if inputs else 1
+        found = engine.solve_single(base._engine, [_single(base, inputs, case) for case in range(count)], audit, threads)
+    names, numbers, *texts = found
+    return names, numbers.T, *texts
 
 
 def _single(base: Problem, inputs: Mapping[str, npt.NDArray[Any]], case: int) -> tuple[engine.Problem | None, str]:
@@ -234,10 +240,10 @@ class Contacts:
         found: Any,
         wanted: list[str] | None,
     ) -> Contacts:
-        names, numbers, kinds, warnings, reasons = found
+        names, columns, kinds, warnings, reasons = found
         made = cls.__new__(cls)
         made._problem, made._inputs, made._shape = problem, inputs, shape
-        kept = [(name, numbers[:, at]) for at, name in enumerate(names) if wanted is None or name in wanted]
+        kept = [(name, column) for name, column in zip(names, columns, strict=True) if wanted is None or name in wanted]
         # Columns are views where all of them are kept: copies of millions of cases take as long as the cases.
         made._found = {name: (column if len(kept) == len(names) else column.copy()).reshape(shape) for name, column in kept}
         made._kinds, made._warnings, made._reasons = (
