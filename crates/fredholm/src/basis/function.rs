@@ -1,6 +1,7 @@
 //! A function resolved by a Chebyshev series.
 
 use super::chebyshev::{ChebyshevSeries, points};
+use super::table::ChebyshevTable;
 use crate::Error;
 
 /// First degree tried; high enough that a feature of a hundredth of the interval is seen at once.
@@ -15,10 +16,10 @@ const RESOLVED: f64 = 1e-12;
 const PLAIN_PLATEAU: f64 = 1e-13;
 /// Degree from which on every plateau is believed.
 const BELIEVED_FROM: usize = 1 << 14;
-/// Fewest and most points between the nodes at which a resolved series is checked.
-const CHECKS: [usize; 2] = [1021, 4093];
-/// Terms that all these checks together may add up.
-const WORK: usize = 1 << 22;
+/// Points between the nodes at which a resolved series is checked.
+const CHECKS: usize = 4093;
+/// Series of a higher degree are checked by a table: its value costs as much as Clenshaw's sum of so many terms, in time (measured).
+const LARGEST_SUMMED: usize = 64;
 
 /// A function on `[-1, 1]` with a Chebyshev series found by doubling the degree until the coefficients reach rounding
 /// *and* the series agrees with the function between the nodes.
@@ -34,7 +35,7 @@ impl Function {
     /// Last degree tried.
     pub const LAST_DEGREE: usize = 1 << 17;
 
-    /// Resolves `f`, as far as its values show: it is asked at the nodes, and at a thousand to four thousand points between them. A feature that lies between all of these
+    /// Resolves `f`, as far as its values show: it is asked at the nodes, and at four thousand points between them. A feature that lies between all of these
     /// is hidden, and the series is that of the function without it. A function that is not resolved at degree 131072 (a kink, a jump) comes back with its best series and
     /// [`is_resolved`](Self::is_resolved) false.
     ///
@@ -165,11 +166,12 @@ fn trimmed(series: &ChebyshevSeries, negligible: f64) -> ChebyshevSeries {
 /// Largest difference at a golden-ratio sequence of points, which no Chebyshev grid resonates with.
 fn error_between_nodes(f: &dyn Fn(f64) -> f64, series: &ChebyshevSeries) -> Result<f64, Error> {
     const STEP: f64 = 0.618_033_988_749_894_9;
+    let table = (series.degree() > LARGEST_SUMMED).then(|| ChebyshevTable::new(series));
+    let value = |x: f64| table.as_ref().map_or_else(|| series.evaluate(x), |t| t.evaluate(x));
     let mut worst = 0.0f64;
-    let checks = (WORK / series.degree().max(1)).clamp(CHECKS[0], CHECKS[1]);
-    for i in 1..=checks {
+    for i in 1..=CHECKS {
         let x = 2.0 * (i as f64 * STEP).fract() - 1.0;
-        worst = worst.max((finite(f, x)? - series.evaluate(x)).abs());
+        worst = worst.max((finite(f, x)? - value(x)).abs());
     }
     Ok(worst)
 }

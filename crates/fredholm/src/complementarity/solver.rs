@@ -80,6 +80,22 @@ impl Complementarity {
         start: &[bool],
         feasible: &[f64],
     ) -> Result<ComplementaritySolution, Error> {
+        self.solve_until(&|| false, right, conditions, start, feasible)
+    }
+
+    /// The same; where the safe method is needed, which can take many steps, and `is_over` says meanwhile that there is no more time for it, what it has come to: `z >= 0` that meets
+    /// the conditions.
+    ///
+    /// # Errors
+    /// Those of [`Complementarity::solve`].
+    pub fn solve_until(
+        &self,
+        is_over: &dyn Fn() -> bool,
+        right: &[f64],
+        conditions: &[Condition],
+        start: &[bool],
+        feasible: &[f64],
+    ) -> Result<ComplementaritySolution, Error> {
         let lists = [right.len(), start.len(), feasible.len()];
         let rows = conditions.iter().flat_map(|c| [c.row.len(), c.column.len()]);
         if let Some(found) = lists.into_iter().chain(rows).find(|&found| found != self.order) {
@@ -88,7 +104,7 @@ impl Complementarity {
         let problem = Problem { matrix: self, right, conditions };
         match problem.exchanged(start)? {
             Some(solution) => Ok(solution),
-            None => problem.descended(feasible),
+            None => problem.descended(feasible, is_over),
         }
     }
 
@@ -132,13 +148,20 @@ impl Problem<'_> {
 
     /// The primal active set method: from a point that meets the conditions, towards the solution on the set as far as signs
     /// allow; a component that becomes zero leaves, and when the solution is reached all that penetrate come in.
-    fn descended(&self, feasible: &[f64]) -> Result<ComplementaritySolution, Error> {
+    fn descended(
+        &self,
+        feasible: &[f64],
+        is_over: &dyn Fn() -> bool,
+    ) -> Result<ComplementaritySolution, Error> {
         let mut z = feasible.to_vec();
         let mut set: Vec<bool> = z.iter().map(|z| *z > 0.0).collect();
         let most = 20 * self.matrix.order + 100;
         let mut left = f64::INFINITY;
         for iterations in 1..=most {
             let Some(Restricted { values, multipliers }) = self.restricted(&set)? else { break };
+            if is_over() {
+                return Ok(ComplementaritySolution { values: z, multipliers, iterations });
+            }
             // Those that came in at zero and would become negative are sent back at once.
             let blocked: Vec<usize> =
                 (0..z.len()).filter(|&i| set[i] && z[i] == 0.0 && values[i] < 0.0).collect();
@@ -334,12 +357,30 @@ mod tests {
                     let found = matrix.solve(right, conditions, &[true; 90], feasible).unwrap();
                     check(&case, &found);
                     let problem = Problem { matrix, right, conditions };
-                    let safe = problem.descended(feasible).unwrap();
+                    let safe = problem.descended(feasible, &|| false).unwrap();
                     check(&case, &safe);
                     let difference = (found.values.iter().zip(&safe.values))
                         .fold(0.0f64, |most, (one, two)| most.max((one - two).abs()));
                     assert!(difference < 1e-6, "{parameter} {e} {stiffness}: {difference:e}");
                 }
+            }
+        }
+    }
+
+    #[test]
+    fn without_time_the_safe_method_has_a_pressure_that_carries_the_load() {
+        let case = case(60, 1.0, 0.3, |x| 40.0 * (x * x + 0.2 * (9.0 * x).sin()));
+        let Case { matrix, right, conditions, feasible } = &case;
+        let problem = Problem { matrix, right, conditions };
+        let whole = problem.descended(feasible, &|| false).unwrap();
+        for steps in 0..whole.iterations {
+            let left = std::cell::Cell::new(steps);
+            let is_over = || left.replace(left.get().saturating_sub(1)) == 0;
+            let ended = problem.descended(feasible, &is_over).unwrap();
+            assert!(ended.iterations == steps + 1 && ended.values.iter().all(|z| *z >= 0.0));
+            for condition in conditions {
+                let sum = dot(&condition.row, &ended.values);
+                assert!((sum - condition.value).abs() < 1e-12, "{steps}: {sum}");
             }
         }
     }

@@ -67,6 +67,13 @@ impl Caller<'_> {
         self.chosen(name, sound)
     }
 
+    /// One of so many ways.
+    fn way(&mut self, name: &str, count: usize) -> usize {
+        let way = self.random.below(count);
+        self.note(name, way);
+        way
+    }
+
     fn chosen(&mut self, name: &str, sound: f64) -> f64 {
         let value = if self.random.one_in(self.odd) { self.odd() } else { sound };
         self.note(name, format!("{value:e}"));
@@ -78,7 +85,7 @@ impl Caller<'_> {
     }
 
     fn foundation(&mut self, length: f64) -> Result<Foundation, Error> {
-        let foundation = match self.random.below(6) {
+        let foundation = match self.way("foundation", 6) {
             0 => {
                 let foundation = Foundation::dimensionless(self.size("theta0", -3.0, 4.0))?;
                 if self.random.one_in(3) {
@@ -94,7 +101,7 @@ impl Caller<'_> {
             }
             _ => Foundation::new(self.elastic()?),
         };
-        let roughness: Roughness = match self.random.below(4) {
+        let roughness: Roughness = match self.way("roughness", 4) {
             0 => 0.0.into(),
             1 => {
                 let coefficient = self.size("coefficient", -12.0, -4.0);
@@ -103,7 +110,7 @@ impl Caller<'_> {
             _ => self.size("roughness", -18.0, -8.0).into(),
         };
         let foundation = foundation.with_roughness(roughness)?;
-        Ok(match self.random.below(8) {
+        Ok(match self.way("layering", 8) {
             0 => foundation.with_layering(self.layering(length)?),
             1 => foundation.with_influence(self.influence(length)?),
             _ => foundation,
@@ -133,7 +140,7 @@ impl Caller<'_> {
 
     fn punch(&mut self) -> Result<Punch, Error> {
         let length = self.size("half-width", -4.0, 0.0);
-        let punch = match self.random.below(7) {
+        let punch = match self.way("punch", 7) {
             0 => Punch::circular(length)?,
             1 => Punch::pair(length, length * self.between("gap", 0.02, 0.95))?,
             2 => Punch::periodic(length, length * self.between("period", 2.0, 9.0))?,
@@ -151,7 +158,7 @@ impl Caller<'_> {
     fn profile(&mut self, height: f64, length: f64) -> Result<Profile, Error> {
         let place = self.between("place", -0.5, 0.5);
         let odd = self.odd();
-        match self.random.below(8) {
+        match self.way("profile", 8) {
             0 => Ok(Profile::flat()),
             1 => Ok(Profile::from_fn(move |x| height * (x / length - place).powi(2))),
             2 => {
@@ -187,7 +194,7 @@ impl Caller<'_> {
             Load::force(self.size("force", 0.0, 8.0))?
         };
         let factor = self.between("rotation", -0.8, 0.8);
-        match self.random.below(5) {
+        match self.way("load", 5) {
             0 => load.with_moment(factor * length * 1e4),
             1 => load.with_eccentricity(factor * length),
             2 => load.with_tilt(factor * 1e-3),
@@ -196,7 +203,7 @@ impl Caller<'_> {
     }
 
     fn solver(&mut self) -> Result<Solver, Error> {
-        let solver = match self.random.below(4) {
+        let solver = match self.way("solver", 4) {
             0 => Solver::bilateral(),
             1 => Solver::spectral(self.random.below(60))?,
             2 => Solver::unilateral().with_tolerance(self.size("tolerance", -13.0, -1.0))?,
@@ -214,7 +221,7 @@ impl Caller<'_> {
         let foundation = self.foundation(length)?;
         let load = self.load(length)?;
         let problem = Problem::new(foundation, punch, load)?.with_solver(self.solver()?);
-        match self.random.below(14) {
+        match self.way("change", 14) {
             0 => problem.with_force(self.size("new force", 0.0, 8.0)),
             1 => problem.with_settlement(length * self.size("new settlement", -5.0, -2.0)),
             2 => problem.with_moment(self.between("new moment", -1.0, 1.0)),

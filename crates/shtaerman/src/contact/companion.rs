@@ -36,6 +36,7 @@ pub(super) fn companion(problem: &Problem, roughness: Roughness) -> Option<Probl
         geometry,
         scaling,
     };
-    let solver = Solver { contact: problem.solver().contact, ..Solver::default() };
+    let Solver { contact, time_limit, .. } = *problem.solver();
+    let solver = Solver { contact, time_limit, ..Solver::default() };
     problem.with_solver(solver).in_frame(frame).ok()
 }

@@ -3,6 +3,7 @@
 //! At a free end the pressure vanishes. As it does, an end that moves by `e` changes the pressure elsewhere by `e^2` only: so each end has a step of its own, to where
 //! the pressure beside it, carried on straight, would vanish.
 
+use super::brackets::Brackets;
 use super::intervals::SLIVER;
 use super::iteration::{CUTS, STEPS};
 use super::search::Equation;
@@ -69,6 +70,7 @@ pub(super) fn settle<E: Equation>(
     let mut latest: Option<E::Solved> = None;
     let mut worst_before: Option<f64> = None;
     let mut step: Option<Step> = None;
+    let mut brackets = Brackets::default();
     let mut stalls = 0;
     for _ in 0..STEPS {
         let solved = equation.solve(&zones, effort, latest.as_ref())?;
@@ -105,7 +107,8 @@ pub(super) fn settle<E: Equation>(
         } else {
             stalls = 0;
         }
-        let next = moved(equation, &zones, &ends);
+        brackets.learn(&zones, &ends);
+        let next = moved(equation, &zones, &ends, &brackets);
         if !released && is_still(&zones, &next) {
             return Ok(solved);
         }
@@ -259,7 +262,7 @@ fn release(zones: &mut [Zone], ends: &Ends) -> bool {
 }
 
 /// The zones after steps that neither empty a zone nor jump over a gap nor cross a wall.
-fn moved<E: Equation>(equation: &E, zones: &[Zone], ends: &Ends) -> Vec<Zone> {
+fn moved<E: Equation>(equation: &E, zones: &[Zone], ends: &Ends, brackets: &Brackets) -> Vec<Zone> {
     let mut next: Vec<Zone> = Vec::with_capacity(zones.len());
     for (j, zone) in zones.iter().enumerate() {
         let mut moved = *zone;
@@ -271,7 +274,7 @@ fn moved<E: Equation>(equation: &E, zones: &[Zone], ends: &Ends) -> Vec<Zone> {
             };
             // Beside a narrow gap the pressure changes within it.
             let gap = gap.unwrap_or(f64::INFINITY);
-            let step = ends[j][side].outwards(length);
+            let step = brackets.within(j, side, at, ends[j][side].outwards(length));
             let step = step.clamp(-STRIDE * length.min(gap), (0.5 * gap).min(length));
             let to = if side == 0 { at - step } else { at + step };
             let wall = equation.walls().beyond(side, zone.middle());

@@ -55,7 +55,11 @@ impl Contact {
         if !is_plane || frame.law() != Law::Linear || frame.theta0() == 0.0 {
             return None;
         }
-        let smooth = companion(problem, Roughness::Smooth)?.solve_smooth().ok()?;
+        let companion = companion(problem, Roughness::Smooth)?;
+        // Within a time of its own.
+        let timed = companion.timed().unwrap_or(companion);
+        let smooth = timed.solve_smooth().ok().filter(|_| !timed.deadline().is_past())?;
+        timed.deadline().lift();
         // E* chi = 2 a/(pi theta0)
         let unit = self.scale(Scaling::pressure) * (FRAC_PI_2 * frame.theta0()).sqrt();
         let intensities = smooth.corner_intensity()?.into_iter();

@@ -9,6 +9,7 @@
 mod accuracy;
 mod audit;
 mod balance;
+mod brackets;
 mod cells;
 mod check;
 mod companion;

@@ -108,7 +108,9 @@ impl Contact {
     pub(super) fn on_base(&self, x: f64) -> Result<f64, Error> {
         let half_width = self.half_width();
         if x.abs() <= half_width {
-            return Ok((x / half_width).clamp(-1.0, 1.0));
+            let xi = (x / half_width).clamp(-1.0, 1.0);
+            // The reciprocal of a subnormal place overflows.
+            return Ok(if xi.is_subnormal() { 0.0 } else { xi });
         }
         let variable = if self.is_as_stated() { self.problem().coordinate() } else { "xi" };
         Err(Error::BeyondPunch { variable, at: x, left: -half_width, right: half_width })

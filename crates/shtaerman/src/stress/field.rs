@@ -11,6 +11,8 @@ use crate::error::{finite, require};
 
 /// Distances from an end of a panel, relative to its length, that count as the end.
 const AT_END: f64 = 1e-18;
+/// Distances beyond this, relative to that of the farthest panel from the origin, are taken as this: stresses are below `1e-100` of the pressure there, and the cube does not overflow.
+const FARTHEST: f64 = 1e100;
 /// Depths below this, relative to the shortest panel, are taken as this.
 const LEAST_DEPTH: f64 = 1e-16;
 
@@ -30,6 +32,7 @@ pub struct StressField {
     /// Units of length and stress: all inside is without dimensions.
     pub(super) units: [f64; 2],
     shortest: f64,
+    farthest: f64,
     error: f64,
 }
 
@@ -80,7 +83,9 @@ impl StressField {
         check(panels, period)?;
         let (panels, error) = sampling::resolved(panels, period, effort, pressure)?;
         let shortest = panels.iter().map(Panel::length).fold(f64::INFINITY, f64::min);
-        Ok(Self { panels, period, poisson_ratio, units: [1.0; 2], shortest, error })
+        let reach = panels.iter().map(|panel| panel.left.abs().max(panel.right.abs()));
+        let farthest = FARTHEST * reach.fold(0.0, f64::max);
+        Ok(Self { panels, period, poisson_ratio, units: [1.0; 2], shortest, farthest, error })
     }
 
     /// The same field in units of length and stress.
@@ -154,7 +159,7 @@ impl StressField {
 
     /// The stress at `x` and `depth`. On the surface `-p` in both directions; at the end of a panel with a jump of the pressure, where the limit depends on
     /// the direction, the larger `p` of both sides is taken; under an infinite corner it is infinite. Depths less than `1e-16` of the shortest panel
-    /// count as that.
+    /// count as that, and so do distances beyond `1e100` of the farthest end of a panel.
     ///
     /// # Errors
     /// [`Error::InvalidValue`] unless `x` is finite and `depth` is finite and not negative.
@@ -170,7 +175,8 @@ impl StressField {
             let pressure = self.surface(x);
             return self.assembled([-2.0 * pressure, 0.0, 0.0]);
         }
-        let depth = depth.max(LEAST_DEPTH * self.shortest);
+        let depth = depth.clamp(LEAST_DEPTH * self.shortest, self.farthest);
+        let x = x.clamp(-self.farthest, self.farthest);
         let potential = self.potential::<false>(x, depth);
         self.assembled(parts(&potential, depth))
     }

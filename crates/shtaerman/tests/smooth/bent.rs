@@ -61,3 +61,33 @@ fn a_trace_is_as_exact_as_the_formula_it_was_taken_from() {
         assert!(reached < 1e-10, "{reached:e}");
     }
 }
+
+/// A wedge that becomes steeper at `k`: `P = E* (s c + 2 t sqrt(c^2 - k^2))`, a load that grows as the root of the distance of the edge from the bend.
+#[test]
+fn an_edge_just_beyond_a_bend_is_found() {
+    let (half_width, k, [s, t]) = (0.23, 0.069f64, [3e-3, 3.5e-3]);
+    let modulus = 2e11 / (1.0 - 0.09);
+    let body = Foundation::new(Elastic::new(2e11, 0.3).unwrap());
+    let wedge = Profile::expression(&format!("{s}*abs(x) + {t}*(abs(x - {k}) + abs(x + {k}))"));
+    let punch = Punch::new(half_width).unwrap().with_profile(wedge.unwrap());
+    for beyond in [-1e-2f64, -1e-5, -1e-9, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 3e-3, 1e-2, 0.1, 1.0] {
+        let c = k * (1.0 + beyond);
+        let bent = if beyond > 0.0 { k * (beyond * (2.0 + beyond)).sqrt() } else { 0.0 };
+        let force = modulus * (s * c + 2.0 * t * bent);
+        for moment in [0.0, 1e-4 * force * k] {
+            let load = Load::force(force).unwrap().with_moment(moment).unwrap();
+            let contact = Problem::new(body.clone(), punch.clone(), load).unwrap().solve().unwrap();
+            let zones = contact.zones();
+            let [left, right] = zones[0];
+            assert!(zones.len() == 1 && right > 0.0 && left < 0.0, "{beyond:e}: {zones:?}");
+            if moment == 0.0 {
+                let stated = contact.error().unwrap().zones.unwrap();
+                for edge in [-left, right] {
+                    assert!((edge - c).abs() <= stated + 1e-15 * c, "{beyond:e}: {edge} {c}");
+                }
+                assert!(stated <= 1e-3 * c, "{beyond:e}: {stated:e} stated");
+            }
+            close(contact.force(), force, 1e-9, "the load is carried");
+        }
+    }
+}

@@ -28,6 +28,15 @@ fn thin_layers_tend_to_it() {
 }
 
 #[test]
+fn a_place_whose_reciprocal_overflows_is_the_axis() {
+    let contact = solve("1e-6*(1 - cos(300*x)) + 0.05*x^2", pressed(200.0)).dimensionless();
+    let axis = contact.pressure(0.0).unwrap();
+    for x in [5e-324, -1e-310, f64::MIN_POSITIVE, 1e-300, 1e-100] {
+        close(contact.pressure(x).unwrap() / axis, 1.0, 1e-9, "pressure beside the axis");
+    }
+}
+
+#[test]
 fn conditions_of_contact() {
     let profile = "1e-6*(1 - cos(300*x)) + 0.05*x^2";
     let contact = solve(profile, pressed(200.0));

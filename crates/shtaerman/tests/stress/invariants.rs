@@ -90,6 +90,19 @@ fn far_away_the_stress_is_flamants() {
 }
 
 #[test]
+fn there_is_no_place_too_far() {
+    let field = field();
+    for far in [1e90, 1e110, 1e160, 1e300, f64::MAX] {
+        for (x, y) in [(far, 1.0), (-far, 0.0), (1.0, far), (far, far)] {
+            let stress = field.stress(x, y).unwrap();
+            for part in [stress.sigma_x, stress.sigma_y, stress.sigma_z, stress.tau_xy] {
+                assert!(part.abs() < 1e-85, "{x:e} {y:e}: {stress:?}");
+            }
+        }
+    }
+}
+
+#[test]
 fn mirrored_pressures_have_mirrored_stresses() {
     let field = field();
     let panels = [[-1.0, -0.3], [0.4, 1.0], [1.0, 2.0]];

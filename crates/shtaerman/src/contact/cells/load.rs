@@ -3,6 +3,7 @@
 use fredholm::complementarity::{Complementarity, ComplementaritySolution, Condition};
 
 use super::{Cell, Cells};
+use crate::deadline::Deadline;
 use crate::{Error, Load, Rotational, Vertical};
 
 /// `theta0` of a layer too thin to matter. Half and twice change none of 32 answers (survey).
@@ -67,17 +68,21 @@ impl Loaded {
     /// Begins with the cells that carry.
     pub(in crate::contact) fn solve(
         &self,
+        deadline: &Deadline,
         cells: &Cells,
         matrix: Vec<f64>,
         theta: f64,
     ) -> Result<ComplementaritySolution, Error> {
+        let is_over = || deadline.is_past();
+        let Self { right, conditions, feasible, .. } = self;
         let matrix = Complementarity::new(matrix, theta)?;
-        Ok(matrix.solve(&self.right, &self.conditions, &cells.carrying(), &self.feasible)?)
+        Ok(matrix.solve_until(&is_over, right, conditions, &cells.carrying(), feasible)?)
     }
 }
 
 /// Solves without a layer, `theta K p = delta0 - alpha0 xi - f0`, for `z`: with one too thin to matter.
 pub(in crate::contact) fn solve_thin(
+    deadline: &Deadline,
     cells: &Cells,
     (roots, matrix): (Vec<f64>, Vec<f64>),
     load: Load,
@@ -87,7 +92,7 @@ pub(in crate::contact) fn solve_thin(
     let [level, slope] = resting(cells, load, &height);
     let above = |x: f64| height(x) - (level + slope * x);
     let loaded = Loaded::new(cells, roots, load, LAYER / theta, above);
-    Ok(loaded.solve(cells, matrix, LAYER)?.values)
+    Ok(loaded.solve(deadline, cells, matrix, LAYER)?.values)
 }
 
 /// The line on which the base would rest on rigid ground under the force, `level + slope x`: heights counted from it keep their digits where the base is nearly flat against what is

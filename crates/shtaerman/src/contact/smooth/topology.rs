@@ -16,7 +16,8 @@ pub(super) fn find(base: &Base<'_>, count: usize) -> Result<Vec<[f64; 2]>, Error
     let mut cells = cells(base, count);
     cells.settle(|cells| {
         let equations = (cells.roots(), matrix(base, cells)?);
-        solve_thin(cells, equations, load, factor * base.problem.theta0, |xi| base.height(xi))
+        let theta = factor * base.problem.theta0;
+        solve_thin(&base.problem.deadline, cells, equations, load, theta, |xi| base.height(xi))
     })?;
     Ok(cells.intervals())
 }

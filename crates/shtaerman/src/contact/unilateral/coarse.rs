@@ -106,7 +106,7 @@ fn pressures(base: &Base<'_>, cells: &Cells) -> Result<Vec<f64>, Error> {
                 if tangent(p) { [exponent * v / p, (1.0 - exponent) * v] } else { [v / p, 0.0] }
             })
             .collect();
-        let next = equations.solve(&linearised, &carrying)?;
+        let next = equations.solve(base, &linearised, &carrying)?;
         carrying = next.iter().map(|p| *p > 0.0).collect();
         let change = (next.iter().zip(&pressures))
             .fold(0.0f64, |most, (one, other)| most.max((one - other).abs()));
@@ -141,7 +141,12 @@ impl Equations {
     }
 
     /// Pressures for the layer `v = c p + d` of each cell.
-    fn solve(&self, layer: &[[f64; 2]], carrying: &[bool]) -> Result<Vec<f64>, Error> {
+    fn solve(
+        &self,
+        base: &Base<'_>,
+        layer: &[[f64; 2]],
+        carrying: &[bool],
+    ) -> Result<Vec<f64>, Error> {
         let Loaded { roots, conditions, right, feasible } = &self.loaded;
         let count = roots.len();
         // y = sqrt(c) z: the layer becomes the unit matrix.
@@ -164,7 +169,8 @@ impl Equations {
             (0..count).map(|i| (right[i] - roots[i] * layer[i][1]) / scales[i]).collect();
         let feasible: Vec<f64> =
             feasible.iter().zip(&scales).map(|(value, scale)| value * scale).collect();
-        let found = Complementarity::new(matrix, self.theta)?.solve(
+        let found = Complementarity::new(matrix, self.theta)?.solve_until(
+            &|| base.problem.deadline().is_past(),
             &right,
             &conditions,
             carrying,

@@ -105,8 +105,9 @@ impl<'s, 'b, 'p, 'o> Newton<'s, 'b, 'p, 'o> {
                 solution: trial.solution,
                 frame,
             };
+            let is_over = self.system.base.problem.deadline().is_past();
             match next {
-                Some(next) if !is_still => trial = next,
+                Some(next) if !is_still && !is_over => trial = next,
                 Some(next) => return Ok(found(next, frame)),
                 None if is_still || trial.merit.sqrt() <= STAGNANT => {
                     return Ok(found(trial, frame));

@@ -134,7 +134,8 @@ impl SmoothDisk {
         }
         let ground = Ground::new(self.exponent)?;
         let (slope, joints, tolerance) = (&self.slope, self.joints.clone(), self.tolerance);
-        Ok(Shape { slope, breaks, joints, tolerance, noise: 0.0, ground, part: Part::Revolution })
+        let (part, deadline) = (Part::Revolution, self.deadline.clone());
+        Ok(Shape { slope, breaks, joints, tolerance, noise: 0.0, ground, part, deadline })
     }
 
     fn samples(&self) -> impl Iterator<Item = (f64, f64)> + '_ {

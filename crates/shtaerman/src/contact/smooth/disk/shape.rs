@@ -8,6 +8,7 @@ use crate::contact::smooth::Curve;
 use crate::contact::smooth::detail::{DEEPEST, NOISE};
 use crate::contact::smooth::ground::Ground;
 use crate::contact::smooth::legendre::integral;
+use crate::deadline::Deadline;
 
 /// Panels of an integral at most, and its accuracy over that of what is made of it. At half or twice 6 of 27 answers change, within what they state (survey).
 const MOST_PANELS: usize = 512;
@@ -64,6 +65,8 @@ pub(in crate::contact::smooth) struct Shape<'p> {
     pub(in crate::contact::smooth) noise: f64,
     pub(in crate::contact::smooth) ground: Ground,
     pub(in crate::contact::smooth) part: Part,
+    /// Once past nothing is halved any more.
+    pub(in crate::contact::smooth) deadline: Deadline,
 }
 
 impl Shape<'_> {
@@ -149,7 +152,8 @@ impl Shape<'_> {
             let difference = (both - panel.whole).abs();
             let is_noise =
                 difference >= 0.5 * panel.before && difference <= NOISE * size + self.noise;
-            let is_last = panel.depth >= DEEPEST || halved >= MOST_PANELS;
+            let is_last =
+                panel.depth >= DEEPEST || halved >= MOST_PANELS || self.deadline.is_past();
             let is_beside_axis = panel.ends[1] == FRAC_PI_2 && panel.depth >= BESIDE_AXIS;
             if difference <= agreed || is_noise || is_last || !difference.is_finite() {
                 sum += both;
@@ -231,7 +235,8 @@ mod tests {
     fn homogeneous(slope: &Curve, breaks: Vec<f64>) -> Shape<'_> {
         let ground = Ground::new(0.0).unwrap();
         let joints = Vec::new();
-        Shape { slope, breaks, joints, tolerance: 0.0, noise: 0.0, ground, part: Part::Revolution }
+        let (part, deadline) = (Part::Revolution, Deadline::default());
+        Shape { slope, breaks, joints, tolerance: 0.0, noise: 0.0, ground, part, deadline }
     }
 
     #[test]

@@ -130,7 +130,7 @@ impl Segment {
             !is_settled && panel.depth < DEEPEST && panel.tail.is_finite()
         };
         let mut panels = vec![first];
-        while panels.len() < MOST_PANELS {
+        while panels.len() < MOST_PANELS && !shape.deadline.is_past() {
             let open = panels.iter().enumerate().filter(|(_, panel)| is_open(panel));
             let worst = open.max_by(|one, two| one.1.tail.total_cmp(&two.1.tail));
             let Some((i, &Sampled { ends: [from, to], depth, tail, .. })) = worst else { break };

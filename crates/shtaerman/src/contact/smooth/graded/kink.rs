@@ -216,6 +216,7 @@ mod tests {
             noise: 0.0,
             ground: Ground::new(mu).unwrap(),
             part,
+            deadline: crate::deadline::Deadline::default(),
         };
         [Part::Even, Part::Odd].map(of)
     }

@@ -13,6 +13,7 @@ use crate::contact::smooth::disk::transform::Transform;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::system::Place;
 use crate::contact::zones::Zone;
+use crate::deadline::Deadline;
 
 /// More breakpoints than these do not get panels of their own: what they cost grows with their square, five seconds for 200. Traces of 300 points are within. Half and twice change none of 32 answers (survey).
 const MOST_BREAKS: usize = 320;
@@ -45,6 +46,7 @@ struct Halves {
     tolerance: f64,
     /// Rounding of the slopes.
     noise: f64,
+    deadline: Deadline,
 }
 
 impl Halves {
@@ -60,6 +62,7 @@ impl Halves {
             noise,
             ground: ground.powers.clone(),
             part,
+            deadline: self.deadline.clone(),
         }
     }
 
@@ -281,7 +284,8 @@ fn halves(
     let odd: Curve = Arc::new(move |r| 0.5 * (other(centre + r) + other(centre - r)));
     let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
     tidy(&mut breaks, zone);
-    Halves { slopes: [even, odd], breaks, tolerance, noise }
+    let deadline = base.problem.deadline.clone();
+    Halves { slopes: [even, odd], breaks, tolerance, noise, deadline }
 }
 
 /// Breaks in order, without those that the middle is known not to be.

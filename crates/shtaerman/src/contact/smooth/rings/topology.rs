@@ -66,5 +66,6 @@ fn solve(base: &Base<'_>, cells: &Cells) -> Result<Vec<f64>, Error> {
     };
     let load = Load { vertical, rotational: Rotational::Tilt(0.0) };
     let equations = (roots, matrix(cells)?);
-    solve_thin(cells, equations, load, base.problem.theta0, |r| base.height(r))
+    let deadline = &base.problem.deadline;
+    solve_thin(deadline, cells, equations, load, base.problem.theta0, |r| base.height(r))
 }
