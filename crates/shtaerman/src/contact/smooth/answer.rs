@@ -7,7 +7,6 @@ use super::band::wrapped;
 use super::detail::COMPARED;
 use super::edges;
 use super::full::FullWave;
-use super::legendre;
 use super::problem::{Base, SmoothProblem};
 use super::system::{Part, Place, Solved};
 use super::told::{Told, compared, places};
@@ -130,7 +129,7 @@ impl SmoothContact {
             (0..PANELS)
                 .map(|i| {
                     let from = start + width * i as f64;
-                    legendre::integral(from, from + width, |angle| part.density(angle))
+                    fredholm::inversion::integral(from, from + width, |angle| part.density(angle))
                 })
                 .sum()
         };

@@ -2,10 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::angular::Angular;
-use super::harmonics::Harmonics;
+use fredholm::inversion::{Angular, Conjugate, Harmonics};
+
 use super::problem::{Sample, SmoothProblem, SmoothProfile};
-use super::slopes::Slopes;
 use crate::contact::accuracy::SAFETY;
 
 /// Samples for each harmonic, and at least. At half or twice 5 of 24 answers change, within what they state (survey).
@@ -36,7 +35,7 @@ pub(super) fn wrapped(xi: f64) -> f64 {
 
 /// The slope of a wave as a short series that its heights confirm.
 pub(super) struct Band {
-    pub(super) slopes: Slopes,
+    pub(super) slopes: Conjugate,
     /// `(xi, f0)` from `-1` to `1`, equally spaced by a power of one half.
     pub(super) samples: Vec<Sample>,
 }
@@ -48,9 +47,9 @@ impl Band {
         if problem.pieces != [[-1.0, 1.0]] || !profile.breaks.is_empty() {
             return None;
         }
-        let slopes = Slopes::sampled(&Turn(profile), false)?;
+        let slopes = Conjugate::sampled(&Turn(profile), false)?;
         let series = slopes.series()?.heights();
-        let count = (A_HARMONIC * series.len()).max(FEWEST).next_power_of_two();
+        let count = (A_HARMONIC * series.highest()).max(FEWEST).next_power_of_two();
         let allowed = SAFETY * slopes.mode_error();
         let mut samples = Vec::with_capacity(count + 1);
         for i in 0..=count {
@@ -129,7 +128,7 @@ mod tests {
                 -PI * (PI * x).sin() - u * (-u * u).exp()
             },
         );
-        assert!(Slopes::sampled(&Turn(&problem.profile), false).is_some());
+        assert!(Conjugate::sampled(&Turn(&problem.profile), false).is_some());
         assert!(Band::of(&problem).is_none());
     }
 }

@@ -4,7 +4,6 @@ use std::f64::consts::{FRAC_PI_2, LN_2, LN_10, PI};
 
 use super::detail::{COARSE, FINE};
 use super::kernel::{Remainder, SmoothKernel};
-use super::linear::Symmetric;
 use crate::Error;
 use crate::contact::zones::Zone;
 
@@ -84,12 +83,12 @@ pub(super) fn couple(
         offsets.push(offsets[offsets.len() - 1] + count);
     }
     let order = offsets[zones.len()];
-    let mut matrix = Symmetric::zero(order);
+    let mut matrix = vec![0.0; order * order];
     let nodes: Vec<Nodes> = zones.iter().zip(counts).map(|(z, n)| Nodes::new(*z, *n)).collect();
     for j in 0..zones.len() {
-        matrix.add(offsets[j], offsets[j], LN_2 - nodes[j].half.ln());
+        add(&mut matrix, order, [offsets[j], offsets[j]], LN_2 - nodes[j].half.ln());
         for k in 1..counts[j] {
-            matrix.add(offsets[j] + k, offsets[j] + k, 1.0);
+            add(&mut matrix, order, [offsets[j] + k, offsets[j] + k], 1.0);
         }
         for i in j..zones.len() {
             if i == j && kernel.period().is_none() {
@@ -101,7 +100,12 @@ pub(super) fn couple(
                 let first = if i == j { m } else { 0 };
                 let (factor, row) = (scale(m) * norm(m), &block[m * counts[i]..][..counts[i]]);
                 for n in first..counts[i] {
-                    matrix.add(offsets[j] + m, offsets[i] + n, factor * row[n] * scales[n]);
+                    add(
+                        &mut matrix,
+                        order,
+                        [offsets[i] + n, offsets[j] + m],
+                        factor * row[n] * scales[n],
+                    );
                 }
             }
         }
@@ -116,8 +120,8 @@ pub(super) fn couple(
             rights[2][row + k] = scale(k) * norm(k) * f;
         }
     }
-    let singular = fredholm::Error::Singular { parameter: 0.0, smallest: 0.0 };
-    let mut found = matrix.solve(rights).ok_or(Error::Equation(singular))?.into_iter();
+    fredholm::eliminate_positive(&matrix, &mut rights)?;
+    let mut found = rights.into_iter();
     let mut split = || -> Vec<Vec<f64>> {
         let all = found.next().unwrap_or_default();
         offsets
@@ -126,6 +130,11 @@ pub(super) fn couple(
             .collect()
     };
     Ok(Coupled { level: split(), tilted: split(), profile: split() })
+}
+
+/// Adds to an entry of the lower triangle.
+pub(super) fn add(matrix: &mut [f64], order: usize, [row, column]: [usize; 2], value: f64) {
+    matrix[row * order + column] += value;
 }
 
 /// `int cos^2(k phi) dphi` over a half turn.

@@ -1,7 +1,7 @@
 //! The density of a zone as one short series, where the slope of the profile is one: no angles, and many places at once.
 
 /// Points that are summed side by side.
-pub(super) const LANES: usize = 8;
+const LANES: usize = 8;
 /// Last terms that add up to less than this share of the largest are dropped. At half or twice 2 of 32 answers change, within what they state (survey).
 const NEGLIGIBLE: f64 = 0.01 * f64::EPSILON;
 

@@ -15,12 +15,6 @@ pub(super) const FINE: Detail = Detail { digits: 17.0, panels: 8 };
 pub(super) const COMPARED: Detail = Detail { digits: 12.0, panels: 7 };
 /// Coefficients or differences this small relative to the largest value, that do not fall when a panel is halved, are noise. Half and twice change none of 32 answers (survey).
 pub(super) const NOISE: f64 = 1e-11;
-/// Last coefficients relative to the largest value that count as resolved, at best. At half or twice 6 of 26 answers change, within what they state (survey).
-pub(super) const RESOLVED: f64 = 4e-16;
-/// A slope at a kink, or a jump where panels meet, is rounding below this share of the largest slope: panels are made to meet, as a jump would be a pole. Half and twice change none of 32 answers (survey).
-pub(super) const HARMLESS: f64 = 1e-9;
-/// Panels are halved at most this often.
-pub(super) const DEEPEST: u32 = 44;
 /// Cubes of the numbers of modes, added up over all solutions of a problem, after which the search for zones ends: about fifteen seconds; and what a panel costs in the
 /// same unit. Half and twice change none of 32 answers (survey).
 pub(super) const MOST_WORK: f64 = 3e11;

@@ -3,11 +3,12 @@
 use std::f64::consts::{PI, SQRT_2};
 use std::sync::Arc;
 
+use fredholm::inversion::{Conjugate, integral};
+
 use super::answer::PANELS;
 use super::band::{Band, Turn, wrapped};
 use super::detail::{COMPARED, FINE};
 use super::problem::SmoothProblem;
-use super::slopes::Slopes;
 use super::told::compared;
 use crate::contact::check::BETWEEN;
 use crate::contact::extremes::RISE;
@@ -17,7 +18,7 @@ use crate::contact::steps::INSIDE;
 /// Full contact of a wave: `p0 = P0/2 - F/theta0` with `F = sum k f_k cos(k pi xi + ..)`, as `int K cos(k pi eta) deta = cos(k pi xi)/k` for `L = 2`.
 #[derive(Debug, Clone)]
 pub(super) struct FullWave {
-    pub(super) slopes: Arc<Slopes>,
+    pub(super) slopes: Arc<Conjugate>,
     pub(super) theta0: f64,
     pub(super) force: f64,
     /// Estimated errors of `F` and of the mean of the profile, by other panels.
@@ -35,11 +36,11 @@ impl FullWave {
         let angles = |places: &[f64]| -> Vec<f64> { places.iter().map(|at| at * PI).collect() };
         let [bends, joints] = [&profile.breaks, &profile.joints].map(|places| angles(places));
         let resolved = |panels: usize| {
-            Slopes::on_panels(&Turn(profile), [&bends, &joints], [panels, 2], profile.tolerance)
+            Conjugate::on_panels(&Turn(profile), [&bends, &joints], [panels, 2], profile.tolerance)
         };
         let (slopes, other) = (Arc::new(resolved(FINE.panels)), resolved(COMPARED.panels));
         // Over the whole turn.
-        let along = |slopes: &Slopes, angle: f64| slopes.conjugate(2.0 * angle - PI);
+        let along = |slopes: &Conjugate, angle: f64| slopes.conjugate(2.0 * angle - PI);
         let difference = compared(|angle| along(&slopes, angle), |angle| along(&other, angle));
         let error = [difference + slopes.error(), (slopes.mean() - other.mean()).abs()];
         Self { slopes, theta0, force, error }
@@ -64,9 +65,7 @@ impl FullWave {
             (0..=PANELS).map(|i| 2.0 * i as f64 / PANELS as f64 - 1.0).collect();
         cuts.extend(breaks);
         cuts.sort_by(f64::total_cmp);
-        cuts.windows(2)
-            .map(|pair| super::legendre::integral(pair[0], pair[1], |xi| xi * self.pressure(xi)))
-            .sum()
+        cuts.windows(2).map(|pair| integral(pair[0], pair[1], |xi| xi * self.pressure(xi))).sum()
     }
 
     /// The pressure at equally spaced places.

@@ -7,7 +7,6 @@
 //! free [edges] by Newton's method, and the [check] between nodes corrects the topology. A base that repeats without gaps has its own
 //! [answer](wave) in full contact.
 
-mod angular;
 mod answer;
 mod balance;
 mod band;
@@ -19,18 +18,11 @@ mod disk;
 mod edges;
 mod full;
 mod graded;
-mod ground;
-mod harmonics;
 mod kernel;
-mod legendre;
-mod linear;
 mod linearised;
 mod open;
-mod panels;
 mod problem;
 mod rings;
-mod roots;
-mod slopes;
 mod stated;
 mod system;
 mod told;

@@ -10,54 +10,26 @@
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 use std::sync::Arc;
 
-use super::angular::Angular;
+pub(super) use fredholm::inversion::Place;
+use fredholm::inversion::{Angular, Conjugate};
+
 use super::balance::Centred;
 use super::coupling::{Coupled, couple, modes};
 use super::density::Density;
 use super::detail::Detail;
 use super::kernel::{Remainder, SmoothKernel};
 use super::problem::Base;
-use super::slopes::Slopes;
 use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::balance::State;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 
-/// A place by its distances from the ends of a zone.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Place {
-    pub(super) from_left: f64,
-    pub(super) from_right: f64,
-}
-
-impl Place {
-    /// `phi`, which counts from the right end.
-    pub(super) fn angle(&self) -> f64 {
-        let length = self.from_left + self.from_right;
-        if self.from_right < self.from_left {
-            2.0 * (self.from_right / length).sqrt().asin()
-        } else {
-            PI - 2.0 * (self.from_left / length).sqrt().asin()
-        }
-    }
-
-    /// `cos phi`.
-    pub(super) fn cosine(&self) -> f64 {
-        let length = self.from_left + self.from_right;
-        if self.from_right < self.from_left {
-            1.0 - 2.0 * self.from_right / length
-        } else {
-            2.0 * self.from_left / length - 1.0
-        }
-    }
-}
-
 /// A zone with its pressure.
 #[derive(Debug, Clone)]
 pub(super) struct Part {
     pub(super) zone: Zone,
-    pub(super) slopes: Arc<Slopes>,
+    pub(super) slopes: Arc<Conjugate>,
     /// `s_k`.
     smooth: Vec<f64>,
     /// `gamma_k` of the modes that are coupled.
@@ -266,7 +238,7 @@ impl Solved {
         base: &Base<'_>,
         zones: &[Zone],
         detail: Detail,
-        resolved: Vec<(Arc<Slopes>, f64)>,
+        resolved: Vec<(Arc<Conjugate>, f64)>,
     ) -> Result<Self, Error> {
         let kernel = base.problem.kernel;
         let counts = modes(kernel, zones, detail.digits)?;
@@ -469,7 +441,7 @@ fn beside_line(load: Load, reference: f64, lean: f64) -> Load {
 }
 
 /// The slope of the profile on a zone about its mean, which is returned too.
-fn resolved(base: &Base<'_>, zone: Zone, panels: usize) -> (Arc<Slopes>, f64) {
+fn resolved(base: &Base<'_>, zone: Zone, panels: usize) -> (Arc<Conjugate>, f64) {
     let profile = &base.problem.profile;
     let inside = |at: &&f64| zone.left() < **at && **at < zone.right();
     let angle =
@@ -482,7 +454,7 @@ fn resolved(base: &Base<'_>, zone: Zone, panels: usize) -> (Arc<Slopes>, f64) {
     let nearest = zone.left().max(-zone.right()).max(0.0);
     let rounding = OF_A_VALUE * nearest / zone.length();
     let tolerance = profile.tolerance.max(rounding);
-    let slopes = Slopes::resolve(&on_zone, [&bends, &joints], [panels, 1], tolerance);
+    let slopes = Conjugate::resolve(&on_zone, [&bends, &joints], [panels, 1], tolerance);
     (Arc::new(slopes), on_zone.mean)
 }
 

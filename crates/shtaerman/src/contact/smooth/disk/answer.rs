@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use fredholm::inversion::Shape;
+
 use super::SmoothDisk;
 use super::check::{Check, regular};
 use super::field::Field;
-use super::shape::Shape;
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;

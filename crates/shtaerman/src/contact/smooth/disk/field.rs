@@ -2,10 +2,9 @@
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 
-use super::shape::{Shape, Weight};
-use super::transform::Transform;
+use fredholm::inversion::{AbelTransform, Powers, Shape, TURN, Weight};
+
 use crate::contact::balance::State;
-use crate::contact::smooth::ground::{Ground, TURN};
 
 /// A disk of contact.
 #[derive(Debug, Clone)]
@@ -14,8 +13,8 @@ pub(super) struct Field {
     pub(super) radius: f64,
     pub(super) is_free: bool,
     pub(super) state: State,
-    pub(super) transform: Transform,
-    ground: Ground,
+    pub(super) transform: AbelTransform,
+    ground: Powers,
     /// `e`.
     modulus: f64,
     /// `delta0 - f0(0)`.
@@ -32,7 +31,7 @@ impl Field {
         is_free: bool,
         state: State,
     ) -> Self {
-        let ground = shape.ground.clone();
+        let ground = shape.powers.clone();
         let rate = rate(&ground, modulus, radius);
         // d(c) = P0/rate - c int h(c cos t) sin^mu t cos^2 t dt
         let corner = if is_free {
@@ -40,7 +39,7 @@ impl Field {
         } else {
             state.force / rate - radius * shape.integral(radius, Weight::CosineSquared)
         };
-        let transform = Transform::new(shape, radius);
+        let transform = AbelTransform::new(shape, radius);
         Self { radius, is_free, state, transform, ground, modulus, depth, corner }
     }
 
@@ -172,6 +171,6 @@ impl Field {
 }
 
 /// `dP0/d delta0` of a disk.
-pub(super) fn rate(ground: &Ground, modulus: f64, radius: f64) -> f64 {
+pub(super) fn rate(ground: &Powers, modulus: f64, radius: f64) -> f64 {
     2.0 * modulus * radius * ground.power(radius) / (1.0 + ground.exponent())
 }

@@ -15,15 +15,15 @@ mod answer;
 mod check;
 mod field;
 mod radius;
-pub(super) mod shape;
-pub(super) mod transform;
 
 use answer::SmoothDiskContact;
 
 use std::fmt;
+use std::sync::Arc;
+
+use fredholm::inversion::{Powers, Shape, Symmetry, Weight};
 
 use super::Curve;
-use super::ground::Ground;
 use crate::contact::balance::State;
 use crate::contact::parts::MOST_CUTS;
 use crate::contact::steps::{REACH, rise};
@@ -33,7 +33,6 @@ use crate::error::require;
 use crate::{Error, Load, Rotational, Vertical};
 use check::Check;
 use field::Field;
-use shape::{Part, Shape, Weight};
 
 /// A circular punch on a smooth body, without dimensions:
 ///
@@ -60,6 +59,8 @@ pub(crate) struct SmoothDisk {
     pub(crate) is_unilateral: bool,
     /// When the search for rings has to come to its end.
     pub(crate) deadline: Deadline,
+    /// Whether it is past.
+    pub(crate) is_over: Arc<dyn Fn() -> bool + Send + Sync>,
 }
 
 impl fmt::Debug for SmoothDisk {
@@ -120,7 +121,7 @@ impl SmoothDisk {
     }
 
     /// `e`.
-    pub(super) fn modulus(&self, ground: &Ground) -> f64 {
+    pub(super) fn modulus(&self, ground: &Powers) -> f64 {
         ground.modulus(std::f64::consts::PI * self.theta0)
     }
 
@@ -132,10 +133,10 @@ impl SmoothDisk {
         if breaks.len() > MOST_CUTS {
             breaks.clear();
         }
-        let ground = Ground::new(self.exponent)?;
-        let (slope, joints, tolerance) = (&self.slope, self.joints.clone(), self.tolerance);
-        let (part, deadline) = (Part::Revolution, self.deadline.clone());
-        Ok(Shape { slope, breaks, joints, tolerance, noise: 0.0, ground, part, deadline })
+        let powers = Powers::new(self.exponent)?;
+        let (slope, joints, tolerance) = (&*self.slope, self.joints.clone(), self.tolerance);
+        let (part, is_over) = (Symmetry::Revolution, &*self.is_over);
+        Ok(Shape { slope, breaks, joints, tolerance, noise: 0.0, powers, part, is_over })
     }
 
     fn samples(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
@@ -195,7 +196,7 @@ impl SmoothDisk {
     /// Contact up to a wall.
     fn full(&self, shape: &Shape<'_>, radius: f64) -> Candidate {
         // P0 = rate [depth - c int h(c cos t) sin^(2+mu) t dt]
-        let compliance = 1.0 / field::rate(&shape.ground, self.modulus(&shape.ground), radius);
+        let compliance = 1.0 / field::rate(&shape.powers, self.modulus(&shape.powers), radius);
         let mean = radius * shape.integral(radius, Weight::SineSquared);
         let (depth, force) = match self.load.vertical {
             Vertical::Force(force) => (force * compliance + mean, force),
@@ -213,9 +214,9 @@ impl SmoothDisk {
         shape: &'a Shape<'_>,
         limit: f64,
     ) -> impl Iterator<Item = Candidate> + 'a {
-        let modulus = self.modulus(&shape.ground);
+        let modulus = self.modulus(&shape.powers);
         let force = move |c: f64| {
-            let rate = field::rate(&shape.ground, modulus, c);
+            let rate = field::rate(&shape.powers, modulus, c);
             rate * c * shape.integral(c, Weight::CosineSquared)
         };
         let height = (self.height)(0.0);
@@ -243,7 +244,7 @@ impl SmoothDisk {
             Vertical::Force(_) => depth + (self.height)(0.0),
         };
         let state = State { settlement, tilt: 0.0, force, moment: 0.0 };
-        Field::new(shape, self.modulus(&shape.ground), [radius, depth], is_free, state)
+        Field::new(shape, self.modulus(&shape.powers), [radius, depth], is_free, state)
     }
 
     /// The same with the tilt of the load.

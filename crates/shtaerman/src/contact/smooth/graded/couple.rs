@@ -6,7 +6,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::modes::{gains, inside, norms, outside};
+use fredholm::inversion::ultraspherical::{gains, inside, norms, outside};
+
 use super::parts::Parts;
 use super::strip::Ground;
 use crate::Error;
@@ -81,7 +82,7 @@ pub(super) fn couple(
                 } else {
                     (zones[i].left() - zones[j].right() + from_right, -1.0)
                 };
-                let values = outside(ground, counts[i], distance / source.half);
+                let values = outside(&ground.powers, counts[i], distance / source.half);
                 let mut parity = 1.0;
                 for ((slot, d), a) in slots.iter_mut().zip(values).zip(&heights[i]) {
                     *slot = parity * d;
@@ -96,7 +97,7 @@ pub(super) fn couple(
     fredholm::eliminate(&matrix, &mut rights)?;
     let split = |all: &Vec<f64>| -> Vec<Vec<f64>> {
         let zone = |(pair, count): (&[usize], &usize)| {
-            let gains = gains(ground, *count);
+            let gains = gains(&ground.powers, *count);
             all[pair[0]..pair[1]].iter().zip(gains).map(|(u, l)| u / l).collect()
         };
         offsets.windows(2).zip(counts).map(zone).collect()
@@ -166,5 +167,5 @@ fn summed(
             }
         }
     }
-    sums.iter().zip(norms(ground, count)).map(|(sum, norm)| sum / norm).collect()
+    sums.iter().zip(norms(&ground.powers, count)).map(|(sum, norm)| sum / norm).collect()
 }

@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
+use fredholm::inversion::ultraspherical::{Ripple, inside};
+use fredholm::inversion::{AbelTransform, Kink};
+
 use super::edges;
-use super::kink::Kink;
-use super::modes::{Ripple, inside};
 use super::settled::Settled;
 use super::strip::{Ground, Strip};
 use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
-use crate::contact::smooth::disk::transform::Transform;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::system::Place;
 
@@ -19,7 +19,7 @@ pub(super) struct Field {
     pub(super) ground: Ground,
     kinks: Vec<Kink>,
     /// Even and odd, of what is neither kink nor polynomial.
-    pub(super) transforms: Option<[Transform; 2]>,
+    pub(super) transforms: Option<[AbelTransform; 2]>,
     /// Densities at the left and the right end; none at free ones.
     pub(super) densities: [f64; 2],
     /// How fast the density falls when an end moves outwards, and the error of that.
@@ -41,8 +41,8 @@ impl Field {
             |side: usize| if strip.zone.is_free(side) { 0.0 } else { strip.end_density(side) };
         let transforms = settled.parts.on_panels(ground);
         let kinks = settled.parts.kink_rises(ground);
-        let rises = |transforms: &Option<[Transform; 2]>| {
-            let ends = transforms.as_ref().map(|all| all.each_ref().map(Transform::end_slope));
+        let rises = |transforms: &Option<[AbelTransform; 2]>| {
+            let ends = transforms.as_ref().map(|all| all.each_ref().map(AbelTransform::end_slope));
             let [even, odd] = ends.unwrap_or_default();
             edges::with_others(ground, settled, [even + kinks[0], odd + kinks[1]])
         };
@@ -75,7 +75,7 @@ impl Field {
     pub(super) fn truncated(&self) -> Self {
         Self {
             transforms: self.transforms.as_ref().map(less),
-            ripple: self.ripple.truncated(&self.ground),
+            ripple: self.ripple.truncated(&self.ground.powers),
             ..self.clone()
         }
     }
@@ -92,7 +92,7 @@ impl Field {
 
     /// Number of coefficients.
     pub(super) fn size(&self) -> usize {
-        let transforms = self.transforms.iter().flatten().map(Transform::size);
+        let transforms = self.transforms.iter().flatten().map(AbelTransform::size);
         transforms.sum::<usize>() + self.ripple.count() + self.kinks.len()
     }
 
@@ -204,7 +204,8 @@ impl Field {
         let s = xi - self.strip.centre();
         let r = s.abs().max(self.strip.half());
         let excess = (r - self.strip.half()) / self.strip.half();
-        let mut sum = self.ripple.displacement(&self.ground, self.lowest, excess, s.signum());
+        let mut sum =
+            self.ripple.displacement(&self.ground.powers, self.lowest, excess, s.signum());
         if let Some(transforms) = &self.transforms {
             let [even, odd] = transforms.each_ref().map(|all| all.displacement(r, 0.0));
             sum += even + odd * s.signum();
@@ -215,12 +216,12 @@ impl Field {
     }
 }
 
-fn less(transforms: &[Transform; 2]) -> [Transform; 2] {
-    transforms.each_ref().map(Transform::truncated)
+fn less(transforms: &[AbelTransform; 2]) -> [AbelTransform; 2] {
+    transforms.each_ref().map(AbelTransform::truncated)
 }
 
-fn slope_rounding(transforms: &Option<[Transform; 2]>, half: f64) -> f64 {
-    let all = transforms.as_ref().map(|all| all.each_ref().map(Transform::slope_rounding));
+fn slope_rounding(transforms: &Option<[AbelTransform; 2]>, half: f64) -> f64 {
+    let all = transforms.as_ref().map(|all| all.each_ref().map(AbelTransform::slope_rounding));
     all.map_or(0.0, |[even, odd]| even + half * odd)
 }
 

@@ -2,18 +2,15 @@
 
 use std::sync::Arc;
 
-use super::kink::Kink;
-use super::modes::{gains, norms};
-use super::series::Series;
+use fredholm::inversion::ultraspherical::{gains, norms};
+use fredholm::inversion::{AbelTransform, Kink, Series, Shape, Symmetry, Weight};
+
 use super::strip::Ground;
 use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
 use crate::contact::smooth::Curve;
-use crate::contact::smooth::disk::shape::{Part, Shape, Weight};
-use crate::contact::smooth::disk::transform::Transform;
 use crate::contact::smooth::problem::Base;
 use crate::contact::smooth::system::Place;
 use crate::contact::zones::Zone;
-use crate::deadline::Deadline;
 
 /// More breakpoints than these do not get panels of their own: what they cost grows with their square, five seconds for 200. Traces of 300 points are within. Half and twice change none of 32 answers (survey).
 const MOST_BREAKS: usize = 320;
@@ -46,13 +43,13 @@ struct Halves {
     tolerance: f64,
     /// Rounding of the slopes.
     noise: f64,
-    deadline: Deadline,
+    is_over: Box<dyn Fn() -> bool>,
 }
 
 impl Halves {
-    fn shape(&self, ground: &Ground, part: Part) -> Shape<'_> {
-        let index = usize::from(part == Part::Odd);
-        let (slope, noise) = (&self.slopes[index], self.noise);
+    fn shape(&self, ground: &Ground, part: Symmetry) -> Shape<'_> {
+        let index = usize::from(part == Symmetry::Odd);
+        let (slope, noise) = (&*self.slopes[index], self.noise);
         let (breaks, tolerance) = (self.breaks.clone(), self.tolerance);
         Shape {
             slope,
@@ -60,14 +57,14 @@ impl Halves {
             joints: Vec::new(),
             tolerance,
             noise,
-            ground: ground.powers.clone(),
+            powers: ground.powers.clone(),
             part,
-            deadline: self.deadline.clone(),
+            is_over: &*self.is_over,
         }
     }
 
     fn shapes(&self, ground: &Ground) -> [Shape<'_>; 2] {
-        [Part::Even, Part::Odd].map(|part| self.shape(ground, part))
+        [Symmetry::Even, Symmetry::Odd].map(|part| self.shape(ground, part))
     }
 }
 
@@ -103,10 +100,11 @@ impl Parts {
         let rest = Arc::new(without(&clamped, zone, &kinks));
         let by_place =
             |y: f64| rest(if y < 0.0 { left + half * (1.0 + y) } else { right - half * (1.0 - y) });
-        let rest = match is_short.then(|| Series::new(ground, half, noise, &by_place)).flatten() {
-            Some(series) => Rest::Smooth(series),
-            None => Rest::Bent(halves(base, zone, &cuts, rest, noise * steepest)),
-        };
+        let rest =
+            match is_short.then(|| Series::new(&ground.powers, half, noise, &by_place)).flatten() {
+                Some(series) => Rest::Smooth(series),
+                None => Rest::Bent(halves(base, zone, &cuts, rest, noise * steepest)),
+            };
         let centre = 0.5 * (left + right);
         let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
         tidy(&mut breaks, zone);
@@ -128,9 +126,9 @@ impl Parts {
 
     /// `a_n` of the profile above its height in the middle, of what has no halves.
     pub(super) fn heights(&self, ground: &Ground, count: usize) -> Option<Vec<f64>> {
-        let (gains, series) = (gains(ground, count.max(2)), self.series()?);
+        let (gains, series) = (gains(&ground.powers, count.max(2)), self.series()?);
         let mut heights = vec![0.0; count.max(2)];
-        let norms = norms(ground, count);
+        let norms = norms(&ground.powers, count);
         for kink in &self.kinks {
             let own = kink.heights(&ground.powers, &norms);
             heights.iter_mut().zip(own).for_each(|(sum, a)| *sum += a);
@@ -227,9 +225,9 @@ impl Parts {
     }
 
     /// The even and odd transforms of what is neither kink nor polynomial, if there is any.
-    pub(super) fn on_panels(&self, ground: &Ground) -> Option<[Transform; 2]> {
+    pub(super) fn on_panels(&self, ground: &Ground) -> Option<[AbelTransform; 2]> {
         let Rest::Bent(halves) = &self.rest else { return None };
-        Some(halves.shapes(ground).map(|shape| Transform::new(&shape, self.half)))
+        Some(halves.shapes(ground).map(|shape| AbelTransform::new(&shape, self.half)))
     }
 }
 
@@ -285,7 +283,8 @@ fn halves(
     let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
     tidy(&mut breaks, zone);
     let deadline = base.problem.deadline.clone();
-    Halves { slopes: [even, odd], breaks, tolerance, noise, deadline }
+    let is_over = Box::new(move || deadline.is_past());
+    Halves { slopes: [even, odd], breaks, tolerance, noise, is_over }
 }
 
 /// Breaks in order, without those that the middle is known not to be.

@@ -2,8 +2,9 @@
 
 use std::f64::consts::PI;
 
+use fredholm::inversion::ultraspherical::Ripple;
+
 use super::couple::{Coupled, couple};
-use super::modes::Ripple;
 use super::parts::Parts;
 use super::strip::{Ground, Strip};
 use crate::Error;
@@ -92,7 +93,7 @@ fn alone(base: &Base<'_>, ground: &Ground, zone: &Zone) -> Settled {
     let load = lowered(base.problem.load, height);
     let [depth, tilt] = centred.depth_and_tilt(&load);
     let levels = [full * depth, -tilt * ground.total()];
-    let ripple = Ripple::new(ground, parts.modes(), Vec::new());
+    let ripple = Ripple::new(&ground.powers, parts.modes(), Vec::new());
     let [even, odd] = parts.lowest();
     let lowest = [levels[0] - even, b * levels[1] - odd];
     let strip = Strip {
@@ -161,7 +162,7 @@ fn together(
         let levels = [density[0], density[1] / b];
         let [even, odd] = parts.lowest();
         let lowest = [density[0] - even, density[1] - odd];
-        let ripple = Ripple::new(ground, parts.modes(), density);
+        let ripple = Ripple::new(&ground.powers, parts.modes(), density);
         let strip = Strip {
             zone,
             state,

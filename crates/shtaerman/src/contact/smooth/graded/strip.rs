@@ -10,25 +10,25 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
+use fredholm::inversion::Powers;
 use libm::tgamma;
 
 use crate::Error;
 use crate::contact::balance::State;
-use crate::contact::smooth::ground;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 
 /// The kernel with its `theta0`.
 #[derive(Debug, Clone)]
 pub(super) struct Ground {
-    pub(super) powers: ground::Ground,
+    pub(super) powers: Powers,
     /// `e`.
     pub(super) modulus: f64,
 }
 
 impl Ground {
     pub(super) fn new(exponent: f64, theta0: f64) -> Result<Self, Error> {
-        let powers = ground::Ground::new(exponent)?;
+        let powers = Powers::new(exponent)?;
         let response = theta0 * PI / (tgamma(exponent) * (FRAC_PI_2 * exponent).cos());
         let modulus = powers.modulus(response);
         Ok(Self { powers, modulus })
@@ -36,7 +36,7 @@ impl Ground {
 
     /// `B`.
     pub(super) fn total(&self) -> f64 {
-        self.powers.sines().total()
+        self.powers.total()
     }
 }
 

@@ -1,8 +1,9 @@
 //! The base of revolution with its walls and samples.
 
+use fredholm::inversion::Shape;
+
 use crate::contact::search::Work;
 use crate::contact::smooth::disk::SmoothDisk;
-use crate::contact::smooth::disk::shape::Shape;
 use crate::contact::smooth::problem::{MOST_SAMPLES, SAMPLES, USUAL_CELLS};
 use crate::contact::steps::{REACH, rise};
 use crate::contact::valleys;

@@ -5,11 +5,11 @@
 
 use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 
-use super::kernel::Harmonic;
+use fredholm::inversion::RingKernel;
+
 use super::ring::{Ring, Spot, along, distance};
 use crate::Error;
-use crate::contact::smooth::coupling::{MOST_MODES, share};
-use crate::contact::smooth::linear::Symmetric;
+use crate::contact::smooth::coupling::{MOST_MODES, add, share};
 
 /// The Chebyshev nodes of a ring.
 #[derive(Debug, Clone)]
@@ -106,7 +106,7 @@ fn narrowest(c: f64, rings: &[Ring]) -> f64 {
 
 /// Solves for densities whose displacements times `sqrt(r)` have given modes, ring by ring; beside a disk of radius `c` that does not move.
 pub(super) fn solve(
-    harmonic: Harmonic,
+    harmonic: RingKernel,
     c: f64,
     rings: &[Nodes],
     rights: &[Vec<Vec<f64>>],
@@ -116,7 +116,7 @@ pub(super) fn solve(
         offsets.push(offsets[offsets.len() - 1] + nodes.count());
     }
     let order = offsets[rings.len()];
-    let mut matrix = Symmetric::zero(order);
+    let mut matrix = vec![0.0; order * order];
     for (j, target) in rings.iter().enumerate() {
         for (i, source) in rings.iter().enumerate().skip(j) {
             let block = block(harmonic, c, target, source, i == j);
@@ -124,7 +124,7 @@ pub(super) fn solve(
                 let first = if i == j { m } else { 0 };
                 for n in first..source.count() {
                     let value = scale(m) * norm(m) * block[m * source.count() + n] * scale(n);
-                    matrix.add(offsets[j] + m, offsets[i] + n, value);
+                    add(&mut matrix, order, [offsets[i] + n, offsets[j] + m], value);
                 }
             }
         }
@@ -135,15 +135,15 @@ pub(super) fn solve(
         };
         right.iter().flat_map(of).collect()
     };
-    let singular = fredholm::Error::Singular { parameter: 0.0, smallest: 0.0 };
-    let found = matrix.solve(rights.iter().map(scaled).collect());
+    let mut found: Vec<Vec<f64>> = rights.iter().map(scaled).collect();
+    fredholm::eliminate_positive(&matrix, &mut found)?;
     let split = |all: Vec<f64>| -> Vec<Vec<f64>> {
         offsets
             .windows(2)
             .map(|w| all[w[0]..w[1]].iter().enumerate().map(|(k, z)| z * scale(k)).collect())
             .collect()
     };
-    Ok(found.ok_or(Error::Equation(singular))?.into_iter().map(split).collect())
+    Ok(found.into_iter().map(split).collect())
 }
 
 /// `int cos^2(k phi) dphi` over a half turn.
@@ -157,7 +157,7 @@ fn scale(k: usize) -> f64 {
 }
 
 /// Coefficients on the target of the displacement by each mode of the source.
-fn block(harmonic: Harmonic, c: f64, target: &Nodes, source: &Nodes, is_own: bool) -> Vec<f64> {
+fn block(harmonic: RingKernel, c: f64, target: &Nodes, source: &Nodes, is_own: bool) -> Vec<f64> {
     let (rows, columns) = (target.count(), source.count());
     let logarithms = if is_own { own_logarithms(source) } else { Vec::new() };
     let mut block = vec![0.0; rows * columns];

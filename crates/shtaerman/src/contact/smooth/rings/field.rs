@@ -2,7 +2,9 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use super::kernel::{Harmonic, mean};
+use fredholm::inversion::RingKernel;
+use fredholm::special::arithmetic_geometric_mean as mean;
+
 use super::ring::distance;
 use super::system::{Core, Part, Solved, cosines};
 
@@ -40,7 +42,7 @@ impl Part {
         let is_outside = r > 0.5 * (ring.inner() + ring.outer());
         let beyond = if is_outside { r - ring.outer() } else { ring.inner() - r }.max(0.0);
         let length = if is_outside { distance(ring.outer(), beyond) } else { distance(r, beyond) };
-        let taken = self.sum(c, |place| Harmonic::Even.taken(c, [r, r - c], place));
+        let taken = self.sum(c, |place| RingKernel::Axisymmetric.taken(c, [r, r - c], place));
         if length.is_nan() || length > FAR {
             let whole =
                 |[s, _]: [f64; 2]| s.sqrt() * PI / (2.0 * mean(0.5 * (r + s), 0.5 * (r - s).abs()));
@@ -72,9 +74,9 @@ impl Part {
             .map(|(mass, &angle)| {
                 let half = if is_outside { 0.5 * angle } else { 0.5 * (PI - angle) };
                 let y = length + 2.0 * ring.half * half.sin().powi(2);
-                let factor = Harmonic::Even.factor(y);
+                let factor = RingKernel::Axisymmetric.factor(y);
                 let added = (factor - 1.0) * cosines(&logarithm, angle);
-                mass * (added + Harmonic::Even.rest(y))
+                mass * (added + RingKernel::Axisymmetric.rest(y))
             })
             .sum();
         own - self.slopes().outside(excess, side) + rest

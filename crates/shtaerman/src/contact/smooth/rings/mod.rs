@@ -15,7 +15,6 @@ mod check;
 mod coupling;
 mod edges;
 mod field;
-mod kernel;
 mod ring;
 mod stated;
 mod system;

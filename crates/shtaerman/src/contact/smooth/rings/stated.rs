@@ -54,6 +54,10 @@ impl Problem {
             tolerance: if measured { MEASURED } else { 0.0 },
             is_unilateral: self.solver().contact == ContactKind::Unilateral,
             deadline: self.deadline().clone(),
+            is_over: {
+                let deadline = self.deadline().clone();
+                Arc::new(move || deadline.is_past())
+            },
         }
     }
 

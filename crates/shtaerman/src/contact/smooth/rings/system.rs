@@ -11,17 +11,14 @@
 use std::f64::consts::{LN_10, PI};
 use std::sync::Arc;
 
+use fredholm::inversion::{AbelTransform, Angular, Conjugate, RingKernel, Shape};
+
 use super::base::Base;
 use super::coupling::{self, Nodes, norm};
-use super::kernel::Harmonic;
 use super::ring::Ring;
 use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
 use crate::contact::balance::State;
-use crate::contact::smooth::angular::Angular;
 use crate::contact::smooth::detail::{Detail, FINE};
-use crate::contact::smooth::disk::shape::Shape;
-use crate::contact::smooth::disk::transform::Transform;
-use crate::contact::smooth::slopes::Slopes;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Vertical};
@@ -33,7 +30,7 @@ const MODES_OF_BASE: usize = 192;
 #[derive(Debug, Clone)]
 pub(super) struct Part {
     pub(super) nodes: Nodes,
-    slopes: Arc<Slopes>,
+    slopes: Arc<Conjugate>,
     /// Angles at which the base bends.
     bends: Vec<f64>,
     /// `s_k`.
@@ -47,7 +44,7 @@ impl Part {
         &self.nodes.ring
     }
 
-    pub(super) fn slopes(&self) -> &Slopes {
+    pub(super) fn slopes(&self) -> &Conjugate {
         &self.slopes
     }
 
@@ -102,7 +99,7 @@ pub(super) struct Core {
     /// `c`.
     pub(super) radius: f64,
     pub(super) is_free: bool,
-    pub(super) transform: Arc<Transform>,
+    pub(super) transform: Arc<AbelTransform>,
     /// `delta0 - f0(0)`.
     pub(super) level: f64,
     /// `d(c)` and its slope.
@@ -182,11 +179,11 @@ impl Solved {
             rings.iter().zip(&profiles.counts).map(|(ring, n)| Nodes::new(*ring, *n)).collect();
         // Heights of the axis and transform, about the reference.
         let core = disk.map(|_| {
-            let transform = Transform::new(&base.shape, c);
+            let transform = AbelTransform::new(&base.shape, c);
             (Arc::new(transform), base.height(0.0) - reference)
         });
         let levels: Vec<Vec<f64>> =
-            nodes.iter().map(|nodes| left(Harmonic::Even, c, nodes)).collect();
+            nodes.iter().map(|nodes| left(RingKernel::Axisymmetric, c, nodes)).collect();
         let mut heights = profiles.heights.clone();
         if let Some((transform, axis)) = &core {
             for (heights, nodes) in heights.iter_mut().zip(&nodes) {
@@ -197,10 +194,10 @@ impl Solved {
             }
         }
         let rights = [levels.clone(), heights];
-        let mut found = coupling::solve(Harmonic::Even, c, &nodes, &rights)?.into_iter();
+        let mut found = coupling::solve(RingKernel::Axisymmetric, c, &nodes, &rights)?.into_iter();
         let [level, profile] = [0; 2].map(|_| found.next().unwrap_or_default());
-        let (theta0, modulus) = (base.problem.theta0, base.problem.modulus(&base.shape.ground));
-        let weight = Harmonic::Even.weight() / theta0;
+        let (theta0, modulus) = (base.problem.theta0, base.problem.modulus(&base.shape.powers));
+        let weight = RingKernel::Axisymmetric.weight() / theta0;
         let rate = 2.0 * modulus * c + weight * product(&levels, &level);
         let free =
             core.as_ref().map_or(0.0, |(transform, axis)| 2.0 * modulus * transform.volume(-axis))
@@ -258,10 +255,10 @@ impl Solved {
         let c = self.inside();
         let nodes: Vec<Nodes> = self.parts.iter().map(|part| part.nodes.clone()).collect();
         let levers: Vec<Vec<f64>> =
-            nodes.iter().map(|nodes| left(Harmonic::Tilt, c, nodes)).collect();
+            nodes.iter().map(|nodes| left(RingKernel::Tilted, c, nodes)).collect();
         let right = [levers.clone()];
-        let tilted = coupling::solve(Harmonic::Tilt, c, &nodes, &right)?;
-        let weight = Harmonic::Tilt.weight() / self.theta0;
+        let tilted = coupling::solve(RingKernel::Tilted, c, &nodes, &right)?;
+        let weight = RingKernel::Tilted.weight() / self.theta0;
         let rings: f64 = tilted.first().map_or(0.0, |found| product(&levers, found));
         let moment_tilt = 4.0 / 3.0 * self.modulus * c.powi(3) + weight * rings;
         Ok(Stiffness { force_settlement: self.rate, coupling: 0.0, moment_tilt })
@@ -270,13 +267,15 @@ impl Solved {
     /// Force of a zone.
     pub(super) fn force(&self, zone: usize) -> f64 {
         let c = self.inside();
-        let weight = Harmonic::Even.weight() / self.theta0;
+        let weight = RingKernel::Axisymmetric.weight() / self.theta0;
         if let Some(part) = self.ring(zone) {
             return weight * part.sum(c, |[r, _]| r.sqrt());
         }
         let Some(core) = &self.core else { return 0.0 };
         let own = 2.0 * self.modulus * core.transform.volume(core.level);
-        let taken = |[r, beside]: [f64; 2]| r.sqrt() * (1.0 - Harmonic::Even.left(c, [r, beside]));
+        let taken = |[r, beside]: [f64; 2]| {
+            r.sqrt() * (1.0 - RingKernel::Axisymmetric.left(c, [r, beside]))
+        };
         own - self.parts.iter().map(|part| weight * part.sum(c, taken)).sum::<f64>()
     }
 
@@ -297,7 +296,7 @@ impl Solved {
 
 /// The profiles on rings: their slopes, numbers of modes and coefficients.
 struct Profiles {
-    slopes: Vec<Slopes>,
+    slopes: Vec<Conjugate>,
     bends: Vec<Vec<f64>>,
     counts: Vec<usize>,
     heights: Vec<Vec<f64>>,
@@ -319,10 +318,10 @@ impl Profiles {
                 shape.breaks.iter().filter(inside).map(|at| ring.angle_of(*at)).collect()
             })
             .collect();
-        let slopes: Vec<Slopes> = (rings.iter().zip(&bends))
+        let slopes: Vec<Conjugate> = (rings.iter().zip(&bends))
             .map(|(ring, bends)| {
                 let on_ring = OnRing { base, ring: *ring, reference };
-                Slopes::resolve(&on_ring, [bends, &[]], [detail.panels, 1], shape.tolerance)
+                Conjugate::resolve(&on_ring, [bends, &[]], [detail.panels, 1], shape.tolerance)
             })
             .collect();
         let most = if detail.digits >= FINE.digits { MODES_OF_BASE } else { MODES_OF_BASE / 2 };
@@ -348,7 +347,7 @@ fn needed(heights: &[f64], digits: f64) -> usize {
 }
 
 /// Modes of what a unit settlement, or tilt, leaves to the rings, times `sqrt(r)`.
-fn left(harmonic: Harmonic, c: f64, nodes: &Nodes) -> Vec<f64> {
+fn left(harmonic: RingKernel, c: f64, nodes: &Nodes) -> Vec<f64> {
     let values: Vec<f64> = (0..nodes.count())
         .map(|q| {
             let place = nodes.beside(q, c);
@@ -365,7 +364,13 @@ fn product(one: &[Vec<f64>], two: &[Vec<f64>]) -> f64 {
 }
 
 /// `d(c)` and `d'(c)`.
-fn edge(base: &Base<'_>, transform: &Transform, level: f64, c: f64, parts: &[Part]) -> [f64; 2] {
+fn edge(
+    base: &Base<'_>,
+    transform: &AbelTransform,
+    level: f64,
+    c: f64,
+    parts: &[Part],
+) -> [f64; 2] {
     let sum = |f: &dyn Fn([f64; 2]) -> f64| -> f64 {
         PI * parts.iter().map(|part| part.sum(c, f)).sum::<f64>()
     };

@@ -29,6 +29,7 @@ fn one_disk_is_that_of_galins_transforms() {
             tolerance: 0.0,
             is_unilateral,
             deadline: Deadline::default(),
+            is_over: Arc::new(|| false),
         };
         let (one, two) = (disk.solve().unwrap(), solve(&disk).unwrap());
         let [[left, right]] = two.zones()[..] else { panic!("one disk") };
@@ -60,6 +61,7 @@ fn one_disk_is_that_of_galins_transforms() {
         tolerance: 0.0,
         is_unilateral: true,
         deadline: Deadline::default(),
+        is_over: Arc::new(|| false),
     };
     let refused = solve(&refused);
     assert!(matches!(refused, Err(Error::InvalidValue { field: "moment", value: 0.1, .. })));

@@ -2,8 +2,9 @@
 
 use std::f64::consts::{LN_2, PI};
 
+use fredholm::special::arithmetic_geometric_mean as mean;
+
 use super::base::Base;
-use super::kernel::mean;
 use crate::contact::cells::{Cell, Cells, LIMITS, solve_thin};
 use crate::contact::valleys;
 use crate::{Error, Load, Rotational, Vertical};

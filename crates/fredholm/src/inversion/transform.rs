@@ -1,16 +1,14 @@
 //! `G` on panels, and what follows from it: pressure and displacement.
 //!
-//! Between kinks `b < x` of the base `G` is smooth in `s = sqrt(x^2 - b^2)`, on graded ground but for a power `s^(1+mu)` at the kink; on each panel of `s` it
+//! Between kinks `b < x` of the base `G` is smooth in `s = sqrt(x^2 - b^2)`, on graded powers but for a power `s^(1+mu)` at the kink; on each panel of `s` it
 //! is a polynomial.
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::shape::{Part, Shape};
-use crate::contact::smooth::detail::{DEEPEST, HARMLESS, NOISE, RESOLVED};
-use crate::contact::smooth::ground::{Ground, NEAREST, PLAIN, TURN, distant};
-use crate::contact::smooth::legendre::{
-    ORDER, RULE, derivative, integral, integral_at_nodes, series, series_at,
-};
+use super::powers::{NEAREST, PLAIN, Powers, TURN, distant};
+use super::rule::{ORDER, RULE, derivative, integral, integral_at_nodes, series, series_at};
+use super::shape::{Shape, Symmetry};
+use super::{DEEPEST, HARMLESS, NOISE, RESOLVED};
 
 /// There are at most so many panels. Half and twice change none of 26 answers (survey).
 const MOST_PANELS: usize = 128;
@@ -118,7 +116,7 @@ impl Segment {
         };
         let first = sampled([0.0, leg(ends[1], ends[0])], 0, f64::INFINITY);
         let size = size.max(largest(&first.values));
-        let rounded = shape.noise * if shape.part == Part::Odd { 1.0 } else { ends[1] };
+        let rounded = shape.noise * if shape.part == Symmetry::Odd { 1.0 } else { ends[1] };
         let resolved = |own: f64| shape.tolerance.max(RESOLVED) * own + rounded;
         let noise = (10.0 * shape.tolerance).max(NOISE) * size + rounded;
         let is_open = |panel: &Sampled| {
@@ -130,7 +128,7 @@ impl Segment {
             !is_settled && panel.depth < DEEPEST && panel.tail.is_finite()
         };
         let mut panels = vec![first];
-        while panels.len() < MOST_PANELS && !shape.deadline.is_past() {
+        while panels.len() < MOST_PANELS && !(shape.is_over)() {
             let open = panels.iter().enumerate().filter(|(_, panel)| is_open(panel));
             let worst = open.max_by(|one, two| one.1.tail.total_cmp(&two.1.tail));
             let Some((i, &Sampled { ends: [from, to], depth, tail, .. })) = worst else { break };
@@ -151,13 +149,13 @@ impl Segment {
     }
 
     /// `int dG (x^2 - r^2)^-beta` over the part beyond `r`.
-    fn pressure(&self, ground: &Ground, r: f64) -> f64 {
+    fn pressure(&self, powers: &Powers, r: f64) -> f64 {
         let [kink, end] = self.ends;
         if r >= end {
             return 0.0;
         }
         if r == kink {
-            return if ground.exponent() == 0.0 { self.at_kink() } else { self.at_place(ground) };
+            return if powers.exponent() == 0.0 { self.at_kink() } else { self.at_place(powers) };
         }
         let is_inside = r > kink;
         // s = scale cosh y or scale sinh y
@@ -172,16 +170,16 @@ impl Segment {
                 }
             };
             let turn = panel.ends.map(place);
-            sum += if ground.exponent() == 0.0 {
+            sum += if powers.exponent() == 0.0 {
                 stepwise_at_nodes(turn, STEP, |y| {
                     let hyperbolic = if is_inside { f64::cosh } else { f64::sinh };
                     panel.slopes_at(&y.map(|y| scale * hyperbolic(y)))
                 })
             } else if is_inside {
-                let f = |y: f64| panel.slope(scale * y.cosh()) * ground.power(scale * y.sinh());
-                ground.graded(0, turn, [STEP, f64::INFINITY], f)
+                let f = |y: f64| panel.slope(scale * y.cosh()) * powers.power(scale * y.sinh());
+                powers.graded(0, turn, [STEP, f64::INFINITY], f)
             } else {
-                let f = |y: f64| panel.slope(scale * y.sinh()) * ground.power(scale * y.cosh());
+                let f = |y: f64| panel.slope(scale * y.sinh()) * powers.power(scale * y.cosh());
                 stepwise(turn, STEP, f)
             };
         }
@@ -189,9 +187,9 @@ impl Segment {
     }
 
     /// `int dG s^(mu-1)`: at a kink `G` rises as `s^(1+mu)`.
-    fn at_place(&self, ground: &Ground) -> f64 {
+    fn at_place(&self, powers: &Powers) -> f64 {
         let Some(first) = self.panels.first() else { return 0.0 };
-        let mu = ground.exponent();
+        let mu = powers.exponent();
         let [_, to] = first.ends;
         let f = |panel: &Panel, s: f64| panel.slope(s) * s.powf(mu - 1.0);
         let is_kink = self.ends[0] > 0.0 && to < SHORT * leg(self.ends[1], self.ends[0]);
@@ -203,10 +201,10 @@ impl Segment {
             let start = first.slope(0.0);
             let rounded =
                 if start.abs() > first.blown(largest(&first.values)) { 0.0 } else { start };
-            ground.integral(-1, first.ends, |s| f(first, s) - rounded * s.powf(mu - 1.0))
+            powers.integral(-1, first.ends, |s| f(first, s) - rounded * s.powf(mu - 1.0))
         };
         for panel in &self.panels[1..] {
-            sum += ground.graded(-1, panel.ends, [f64::INFINITY; 2], |s| f(panel, s));
+            sum += powers.graded(-1, panel.ends, [f64::INFINITY; 2], |s| f(panel, s));
         }
         sum
     }
@@ -252,14 +250,14 @@ impl Segment {
     }
 
     /// `int (level - G) x^(mu+l) dx/(r^2 - x^2)^((1+mu)/2)`, `r` not inside.
-    fn displacement(&self, ground: &Ground, lever: i32, r: f64, level: f64) -> f64 {
+    fn displacement(&self, powers: &Powers, lever: i32, r: f64, level: f64) -> f64 {
         let kink = self.ends[0];
         let scale = leg(r, kink);
         let mut sum = 0.0;
         for panel in &self.panels {
             let place = |s: f64| s.atan2(self.beyond(s, r));
             let turn = panel.ends.map(place);
-            if ground.exponent() == 0.0 && lever == 0 {
+            if powers.exponent() == 0.0 && lever == 0 {
                 sum += stepwise_at_nodes(turn, TURN, |y| {
                     let places = y.map(|y| scale * y.sin());
                     let values = panel.values_at(&places);
@@ -273,28 +271,28 @@ impl Segment {
             };
             let graded = |y: f64| {
                 let x = kink.hypot(scale * y.sin());
-                depth(y) * ground.power(x / (scale * y.cos())) * x.powi(lever)
+                depth(y) * powers.power(x / (scale * y.cos())) * x.powi(lever)
             };
             let shift = if kink == 0.0 { lever } else { PLAIN };
             let mut turn = turn;
             if kink > 0.0 && turn[0] == 0.0 {
                 // A power of x is none beyond the kink, however close to the axis.
                 let first = turn[1].min(NEAREST * kink / scale);
-                sum += ground.integral(PLAIN, [0.0, first], graded);
+                sum += powers.integral(PLAIN, [0.0, first], graded);
                 turn[0] = first;
             }
-            sum += ground.graded(shift, turn, [TURN, FRAC_PI_2], graded);
+            sum += powers.graded(shift, turn, [TURN, FRAC_PI_2], graded);
         }
         sum
     }
 
     /// `int (level - G) x^mu dx`.
-    fn volume(&self, ground: &Ground, level: f64) -> f64 {
+    fn volume(&self, powers: &Powers, level: f64) -> f64 {
         let kink = self.ends[0];
         let shift = if kink == 0.0 { 0 } else { PLAIN };
         let of = |panel: &Panel| {
-            ground.integral(shift, panel.ends, |s| {
-                (level - panel.value(s)) * ratio(s, kink) * ground.power(kink.hypot(s))
+            powers.integral(shift, panel.ends, |s| {
+                (level - panel.value(s)) * ratio(s, kink) * powers.power(kink.hypot(s))
             })
         };
         self.panels.iter().map(of).sum()
@@ -338,16 +336,16 @@ fn in_parts([from, to]: [f64; 2], step: f64, part: impl Fn(f64, f64) -> f64) -> 
 
 /// `G` between the axis and the edge of the contact.
 #[derive(Debug, Clone)]
-pub(in crate::contact::smooth) struct Transform {
+pub struct AbelTransform {
     segments: Vec<Segment>,
-    ground: Ground,
-    part: Part,
+    powers: Powers,
+    part: Symmetry,
     is_zero: bool,
 }
 
-impl Transform {
+impl AbelTransform {
     /// Up to the radius.
-    pub(in crate::contact::smooth) fn new(shape: &Shape<'_>, radius: f64) -> Self {
+    pub fn new(shape: &Shape<'_>, radius: f64) -> Self {
         let mut cuts = vec![0.0];
         cuts.extend(shape.breaks.iter().filter(|at| **at < radius));
         cuts.push(radius);
@@ -356,17 +354,17 @@ impl Transform {
             cuts.windows(2).map(|pair| Segment::new(shape, [pair[0], pair[1]], size)).collect();
         let mut panels = segments.iter().flat_map(|segment| &segment.panels);
         let is_zero = panels.all(|panel| panel.count == 0);
-        Self { segments, ground: shape.ground.clone(), part: shape.part, is_zero }
+        Self { segments, powers: shape.powers.clone(), part: shape.part, is_zero }
     }
 
     /// Whether there is anything that [`truncated`](Self::truncated) leaves out.
-    pub(in crate::contact::smooth) fn has_tail(&self) -> bool {
+    pub fn has_tail(&self) -> bool {
         let mut panels = self.segments.iter().flat_map(|segment| &segment.panels);
         panels.any(|panel| panel.count > ORDER - 2)
     }
 
     /// The same with less of each series, for a comparison.
-    pub(in crate::contact::smooth) fn truncated(&self) -> Self {
+    pub fn truncated(&self) -> Self {
         let mut other = self.clone();
         for panel in other.segments.iter_mut().flat_map(|segment| &mut segment.panels) {
             panel.values[ORDER - 2..].fill(0.0);
@@ -376,33 +374,33 @@ impl Transform {
     }
 
     /// `int_r^c G'(x) dx/(x^2 - r^2)^beta`; infinite at a kink of a homogeneous body.
-    pub(in crate::contact::smooth) fn pressure(&self, r: f64) -> f64 {
+    pub fn pressure(&self, r: f64) -> f64 {
         if self.is_zero {
             return 0.0;
         }
-        self.segments.iter().map(|segment| segment.pressure(&self.ground, r)).sum()
+        self.segments.iter().map(|segment| segment.pressure(&self.powers, r)).sum()
     }
 
     /// `(2/pi) cos(pi mu/2) int_0^c (level - G(x)) x^mu dx/(r^2 - x^2)^((1+mu)/2)` for `r >= c`; in the plane times `r/x` for even, `x` for odd
     /// displacements.
-    pub(in crate::contact::smooth) fn displacement(&self, r: f64, level: f64) -> f64 {
+    pub fn displacement(&self, r: f64, level: f64) -> f64 {
         let lever = self.part.lever();
         if self.is_zero && level == 0.0 {
             return 0.0;
         }
-        let of = |segment: &Segment| segment.displacement(&self.ground, lever, r, level);
+        let of = |segment: &Segment| segment.displacement(&self.powers, lever, r, level);
         let sum: f64 = self.segments.iter().map(of).sum();
-        let arm = if self.part == Part::Even { r } else { 1.0 };
-        self.ground.beside() * arm * sum
+        let arm = if self.part == Symmetry::Even { r } else { 1.0 };
+        self.powers.beside() * arm * sum
     }
 
     /// `int_0^c (level - G(x)) x^mu dx`.
-    pub(in crate::contact::smooth) fn volume(&self, level: f64) -> f64 {
-        self.segments.iter().map(|segment| segment.volume(&self.ground, level)).sum()
+    pub fn volume(&self, level: f64) -> f64 {
+        self.segments.iter().map(|segment| segment.volume(&self.powers, level)).sum()
     }
 
     /// What rounding of `G` makes of `G'` on the longest panels of each segment.
-    pub(in crate::contact::smooth) fn slope_rounding(&self) -> f64 {
+    pub fn slope_rounding(&self) -> f64 {
         let of = |segment: &Segment| {
             let size = segment
                 .panels
@@ -416,7 +414,7 @@ impl Transform {
     }
 
     /// `G'(c)`.
-    pub(in crate::contact::smooth) fn end_slope(&self) -> f64 {
+    pub fn end_slope(&self) -> f64 {
         let Some(segment) = self.segments.last() else { return 0.0 };
         let [kink, end] = segment.ends;
         let s = leg(end, kink);
@@ -424,12 +422,12 @@ impl Transform {
     }
 
     /// Number of coefficients.
-    pub(in crate::contact::smooth) fn size(&self) -> usize {
+    pub fn size(&self) -> usize {
         self.segments.iter().map(|segment| ORDER * segment.panels.len()).sum()
     }
 
     /// The kinks inside the contact, the axis first and the edge last.
-    pub(in crate::contact::smooth) fn cuts(&self) -> Vec<f64> {
+    pub fn cuts(&self) -> Vec<f64> {
         let edge = self.segments.last().map(|segment| segment.ends[1]);
         self.segments.iter().map(|segment| segment.ends[0]).chain(edge).collect()
     }
@@ -470,11 +468,11 @@ mod tests {
     fn powers_beside_the_axis_are_integrated() {
         // int_0^Y sinh^mu y cosh y dy = sinh^(1+mu) Y/(1+mu)
         for mu in [0.1f64, 0.5, 0.9] {
-            let ground = Ground::new(mu).unwrap();
+            let powers = Powers::new(mu).unwrap();
             for end in [0.5f64, 5.0, 20.0, 200.0] {
                 let scale = end.sinh();
                 let f = |y: f64| (y.sinh() / scale).powf(mu) * y.cosh() / scale;
-                let found = ground.graded(0, [0.0, end], [STEP, f64::INFINITY], f);
+                let found = powers.graded(0, [0.0, end], [STEP, f64::INFINITY], f);
                 let rounding = 1e-14 + 2e-16 * end;
                 assert!((found * (1.0 + mu) - 1.0).abs() < rounding, "{mu} {end}: {found}");
             }

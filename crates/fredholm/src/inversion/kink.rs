@@ -10,9 +10,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::modes::inside;
-use crate::contact::smooth::ground::{GROWTH, Ground, NEAREST, PLAIN, TURN};
-use crate::contact::smooth::system::Place;
+use super::Place;
+use super::powers::{GROWTH, NEAREST, PLAIN, Powers, TURN};
+use super::ultraspherical::inside;
 
 /// Panels towards the kink itself, each this share of the one before: what is left falls as its square. At half or twice 1 of 8 differ beyond what is stated (survey).
 const INWARDS: i32 = 14;
@@ -20,14 +20,15 @@ const SHARE: f64 = 0.25;
 
 /// A kink in a zone of the half-length `half`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Kink {
+pub struct Kink {
     /// `k`, from the middle.
-    pub(super) at: f64,
+    pub at: f64,
     /// Distances from the left and the right end.
-    pub(super) place: Place,
+    pub place: Place,
     /// `A`: half the jump of the slope.
-    pub(super) size: f64,
-    pub(super) half: f64,
+    pub size: f64,
+    /// `b`.
+    pub half: f64,
 }
 
 impl Kink {
@@ -46,32 +47,32 @@ impl Kink {
     }
 
     /// `G_e(b)`, `G_o(b)`.
-    pub(super) fn transforms(&self, ground: &Ground) -> [f64; 2] {
-        let (sine, cosine, mu) = (self.sine(), self.cosine(), ground.exponent());
-        let [near, rest] = ground.sines().both(sine, cosine);
-        let even = ground.power(sine) * sine - mu * cosine * near;
+    pub fn transforms(&self, powers: &Powers) -> [f64; 2] {
+        let (sine, cosine, mu) = (self.sine(), self.cosine(), powers.exponent());
+        let [near, rest] = powers.sines().both(sine, cosine);
+        let even = powers.power(sine) * sine - mu * cosine * near;
         [self.size * self.half * even, self.odd_size() * rest]
     }
 
     /// `G_e'(b)`, `G_o'(b)`.
-    pub(super) fn rises(&self, ground: &Ground) -> [f64; 2] {
-        let rise = self.size * ground.power(self.sine()) / self.sine();
+    pub fn rises(&self, powers: &Powers) -> [f64; 2] {
+        let rise = self.size * powers.power(self.sine()) / self.sine();
         [rise, rise * self.at / (self.half * self.half)]
     }
 
     /// `mu int h_e sin t S dt`, `int h_o sin^(2+mu) t dt`.
-    pub(super) fn levers(&self, ground: &Ground) -> [f64; 2] {
-        let (sine, cosine, mu) = (self.sine(), self.cosine(), ground.exponent());
-        let [near, rest] = ground.sines().both(sine, cosine);
-        let power = ground.power(sine) * sine;
+    pub fn levers(&self, powers: &Powers) -> [f64; 2] {
+        let (sine, cosine, mu) = (self.sine(), self.cosine(), powers.exponent());
+        let [near, rest] = powers.sines().both(sine, cosine);
+        let power = powers.power(sine) * sine;
         let even = mu * (power / (1.0 + mu) - cosine * near);
         [self.size * even, self.odd_size() * ((1.0 + mu) * rest + power * cosine) / (2.0 + mu)]
     }
 
     /// `a_n` of `A |s - k|` from `n = 2` on, the first two zero.
-    pub(super) fn heights(&self, ground: &Ground, norms: &[f64]) -> Vec<f64> {
+    pub fn heights(&self, powers: &Powers, norms: &[f64]) -> Vec<f64> {
         // (1-y^2)^(mu/2-1/2) c_n is a derivative twice, of (1-y^2)^(mu/2+3/2) c_(n-2) of the order mu/2 + 2.
-        let mu = ground.exponent();
+        let mu = powers.exponent();
         let scale = 2.0 * self.size * self.half * self.sine().powf(3.0 + mu);
         let mut heights = vec![0.0; norms.len()];
         let place = (self.at / self.half).clamp(-1.0, 1.0);
@@ -83,7 +84,7 @@ impl Kink {
     }
 
     /// `int (G_e' + s G_o') (x^2 - s^2)^-beta dx` at a place as far from the kink, which is given because of its digits.
-    pub(super) fn pressure(&self, ground: &Ground, place: Place, from_kink: f64) -> f64 {
+    pub fn pressure(&self, powers: &Powers, place: Place, from_kink: f64) -> f64 {
         // From the kink: the rounding of two distances from the ends would be felt close to it.
         let s = self.at + from_kink;
         let (apart, mirrored) = (from_kink.abs(), (s + self.at).abs());
@@ -92,20 +93,20 @@ impl Kink {
         let end = outer.from_left.sqrt() * outer.from_right.sqrt();
         let scale = apart.sqrt() * mirrored.sqrt();
         if scale == 0.0 {
-            return self.size * at_kink(ground, m, m * mirrored, end);
+            return self.size * at_kink(powers, m, m * mirrored, end);
         }
         let f = |v: f64| {
             let (square, sum) = (v * v, v * v + scale * scale);
             let x = square + m * m;
-            let power = ground.power((square * sum / x).sqrt());
+            let power = powers.power((square * sum / x).sqrt());
             (square + m * mirrored) / (x * sum.sqrt()) * power
         };
-        self.size * outwards(ground, [scale, end], f)
+        self.size * outwards(powers, [scale, end], f)
     }
 
     /// What the halves add to the displacement beside the zone by `(2/pi) cos(pi mu/2)`, at `|s| = r` and the sign of `s`.
-    pub(super) fn displacement(&self, ground: &Ground, r: f64, sign: f64) -> f64 {
-        let (k, b, mu) = (self.at.abs(), self.half, ground.exponent());
+    pub fn displacement(&self, powers: &Powers, r: f64, sign: f64) -> f64 {
+        let (k, b, mu) = (self.at.abs(), self.half, powers.exponent());
         let scale = ((r - k) * (r + k)).sqrt();
         let end = self.place.from_left.sqrt() * self.place.from_right.sqrt();
         let beyond = ((r - b) * (r + b)).max(0.0).sqrt();
@@ -115,52 +116,52 @@ impl Kink {
             let v = scale * sine;
             let x = v.hypot(k);
             let [by_sine, by_cosine] = [v / x, k / x];
-            let power = ground.power(by_sine);
-            let [near, rest] = ground.sines().both_by(by_sine, by_cosine, power);
+            let power = powers.power(by_sine);
+            let [near, rest] = powers.sines().both_by(by_sine, by_cosine, power);
             let even = by_sine * by_sine - mu * by_cosine * by_sine * near / power;
             let odd = if is_near { -near } else { rest };
-            ground.power(sine / cosine) * (r * self.size * even + arm * v * odd / power)
+            powers.power(sine / cosine) * (r * self.size * even + arm * v * odd / power)
         };
-        let (turn, total) = (end.atan2(beyond), ground.sines().total());
+        let (turn, total) = (end.atan2(beyond), powers.total());
         let first = (NEAREST * k / scale).min(TURN).min(turn);
         let mut sum = 0.0;
         if first > 0.0 {
             // B - S is plain at the kink but for S.
-            sum += ground.integral(0, [0.0, first], |y| f(y, true));
+            sum += powers.integral(0, [0.0, first], |y| f(y, true));
             let plain = |y: f64| {
                 let (sine, cosine) = y.sin_cos();
                 let v = scale * sine;
-                v * ground.power(v.hypot(k) / (scale * cosine))
+                v * powers.power(v.hypot(k) / (scale * cosine))
             };
-            sum += arm * total * ground.integral(PLAIN, [0.0, first], plain);
+            sum += arm * total * powers.integral(PLAIN, [0.0, first], plain);
         }
         let shift = if first > 0.0 { PLAIN } else { 0 };
-        sum += ground.graded(shift, [first, turn], [TURN, FRAC_PI_2], |y| f(y, false));
+        sum += powers.graded(shift, [first, turn], [TURN, FRAC_PI_2], |y| f(y, false));
         if k > 0.0 {
-            let within = |y: f64| ground.power(y.tan()) * y.sin();
+            let within = |y: f64| powers.power(y.tan()) * y.sin();
             let turn = [0.0, (k / r).min(1.0).asin()];
-            sum += arm * total * r * ground.graded(0, turn, [TURN, FRAC_PI_2], within);
+            sum += arm * total * r * powers.graded(0, turn, [TURN, FRAC_PI_2], within);
         }
         -sum
     }
 }
 
 /// `int_0^end f` for a power at zero and other singular places at `scale` and beyond, as far from the axis.
-fn outwards(ground: &Ground, [scale, end]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
+fn outwards(powers: &Powers, [scale, end]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
     let mut at = end.min(NEAREST * scale);
-    let mut sum = ground.integral(0, [0.0, at], &f);
+    let mut sum = powers.integral(0, [0.0, at], &f);
     while at < end {
         let next =
             if end <= (1.0 + GROWTH) * at * (1.0 + SHARE) { end } else { (1.0 + GROWTH) * at };
-        sum += ground.integral(PLAIN, [at, next], &f);
+        sum += powers.integral(PLAIN, [at, next], &f);
         at = next;
     }
     sum
 }
 
 /// `int_0^end (v^2 + offset) v^(2 mu - 1) (m^2 + v^2)^(-1-mu/2) dv`.
-fn at_kink(ground: &Ground, m: f64, offset: f64, end: f64) -> f64 {
-    let mu = ground.exponent();
+fn at_kink(powers: &Powers, m: f64, offset: f64, end: f64) -> f64 {
+    let mu = powers.exponent();
     if m == 0.0 {
         return end.powf(mu) / mu;
     }
@@ -175,12 +176,12 @@ fn at_kink(ground: &Ground, m: f64, offset: f64, end: f64) -> f64 {
     for panel in 0..INWARDS {
         let to = first * SHARE.powi(panel);
         let f = |v: f64| (regular(v) - middle) * power(v);
-        sum += ground.integral(PLAIN, [SHARE * to, to], f);
+        sum += powers.integral(PLAIN, [SHARE * to, to], f);
     }
     let mut at = first;
     while at < end {
         let next = end.min((1.0 + GROWTH) * at);
-        sum += ground.integral(PLAIN, [at, next], |v| regular(v) * power(v));
+        sum += powers.integral(PLAIN, [at, next], |v| regular(v) * power(v));
         at = next;
     }
     sum
@@ -188,12 +189,10 @@ fn at_kink(ground: &Ground, m: f64, offset: f64, end: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::Arc;
-
+    use super::super::{AbelTransform, Shape, Symmetry, Weight};
     use super::*;
-    use crate::contact::smooth::Curve;
-    use crate::contact::smooth::disk::shape::{Part, Shape, Weight};
-    use crate::contact::smooth::disk::transform::Transform;
+
+    type Slope = Box<dyn Fn(f64) -> f64>;
 
     const HALF: f64 = 0.8;
 
@@ -207,53 +206,53 @@ mod tests {
     }
 
     /// The halves of the slope on panels.
-    fn shapes(slopes: &[Curve; 2], at: f64, mu: f64) -> [Shape<'_>; 2] {
-        let of = |part: Part| Shape {
+    fn shapes(slopes: &[Slope; 2], at: f64, mu: f64) -> [Shape<'_>; 2] {
+        let of = |part: Symmetry| Shape {
             joints: Vec::new(),
-            slope: &slopes[usize::from(part == Part::Odd)],
+            slope: &*slopes[usize::from(part == Symmetry::Odd)],
             breaks: vec![at.abs()],
             tolerance: 0.0,
             noise: 0.0,
-            ground: Ground::new(mu).unwrap(),
+            powers: Powers::new(mu).unwrap(),
             part,
-            deadline: crate::deadline::Deadline::default(),
+            is_over: &|| false,
         };
-        [Part::Even, Part::Odd].map(of)
+        [Symmetry::Even, Symmetry::Odd].map(of)
     }
 
-    fn slopes(at: f64) -> [Curve; 2] {
+    fn slopes(at: f64) -> [Slope; 2] {
         let (k, odd) = (at.abs(), if at > 0.0 { -0.7 } else { 0.7 });
         [
-            Arc::new(move |r| if r > k { 0.7 } else { 0.0 }),
-            Arc::new(move |r| if r < k { odd } else { 0.0 }),
+            Box::new(move |r| if r > k { 0.7 } else { 0.0 }),
+            Box::new(move |r| if r < k { odd } else { 0.0 }),
         ]
     }
 
     #[test]
     fn kinks_are_those_of_the_transforms_on_panels() {
         for (mu, at) in [(0.1, 0.3), (0.5, -0.05), (0.9, 0.7), (0.5, 1e-3)] {
-            let (ground, kink, slopes) = (Ground::new(mu).unwrap(), kink(at), slopes(at));
+            let (powers, kink, slopes) = (Powers::new(mu).unwrap(), kink(at), slopes(at));
             let shapes = shapes(&slopes, at, mu);
-            let transforms = shapes.each_ref().map(|shape| Transform::new(shape, HALF));
+            let transforms = shapes.each_ref().map(|shape| AbelTransform::new(shape, HALF));
             let weights = [Weight::Lever, Weight::SineSquared];
             for part in 0..2 {
                 let exact = shapes[part].transform(HALF);
-                assert!((kink.transforms(&ground)[part] - exact).abs() < 4e-15, "{mu} {at}");
+                assert!((kink.transforms(&powers)[part] - exact).abs() < 4e-15, "{mu} {at}");
                 let exact = shapes[part].integral(HALF, weights[part]);
-                assert!((kink.levers(&ground)[part] - exact).abs() < 4e-15, "{mu} {at}");
+                assert!((kink.levers(&powers)[part] - exact).abs() < 4e-15, "{mu} {at}");
                 let exact = transforms[part].end_slope();
-                assert!((kink.rises(&ground)[part] - exact).abs() < 1e-11, "{mu} {at}");
+                assert!((kink.rises(&powers)[part] - exact).abs() < 1e-11, "{mu} {at}");
             }
             for s in [-0.79, -0.4, -0.06, 0.01, 0.29, 0.5, 0.799] {
                 let [even, odd] = transforms.each_ref().map(|all| all.pressure(f64::abs(s)));
-                let found = kink.pressure(&ground, place(s), s - at);
+                let found = kink.pressure(&powers, place(s), s - at);
                 let exact = even + s * odd;
                 // It is the panels that lose digits.
                 assert!((found - exact).abs() < 4e-9, "{mu} {at} {s}: {found} {exact}");
             }
             for s in [0.8001, 1.0, -1.7, 30.0f64] {
                 let [even, odd] = transforms.each_ref().map(|all| all.displacement(s.abs(), 0.0));
-                let found = ground.beside() * kink.displacement(&ground, s.abs(), s.signum());
+                let found = powers.beside() * kink.displacement(&powers, s.abs(), s.signum());
                 let exact = even + s.signum() * odd;
                 assert!((found - exact).abs() < 1e-11, "{mu} {at} {s}: {found} {exact}");
             }
@@ -262,11 +261,11 @@ mod tests {
 
     #[test]
     fn heights_are_integrals_of_polynomials() {
-        use crate::contact::smooth::graded::{modes::norms, strip};
+        use super::super::ultraspherical::norms;
         for (mu, at) in [(0.1, 0.3), (0.7, -0.79), (0.4, 0.0)] {
-            let (ground, kink) = (strip::Ground::new(mu, 1.0).unwrap(), kink(at));
-            let norms = norms(&ground, 12);
-            let heights = kink.heights(&ground.powers, &norms);
+            let (powers, kink) = (Powers::new(mu).unwrap(), kink(at));
+            let norms = norms(&powers, 12);
+            let heights = kink.heights(&powers, &norms);
             let corner = (at / HALF).acos();
             for n in 2..12 {
                 // From both ends, y = -+ cos t
@@ -276,7 +275,7 @@ mod tests {
                         let height = 0.7 * (HALF * y - at).abs();
                         height * inside(0.5 * mu, 12, y)[n] * t.sin().powf(mu)
                     };
-                    ground.powers.graded(0, [0.0, turn], [0.2, f64::INFINITY], f)
+                    powers.graded(0, [0.0, turn], [0.2, f64::INFINITY], f)
                 };
                 let sum = part(1.0, corner) + part(-1.0, std::f64::consts::PI - corner);
                 assert!((heights[n] - sum / norms[n]).abs() < 1e-13, "{mu} {at} {n}: {sum}");
@@ -294,7 +293,7 @@ mod tests {
             (0.9, 0.7, 0.1, 0.091_421_476_640_009_53),
             (0.02, 0.0, 2e-8, 10.622_153_339_117_082),
         ] {
-            let found = kink(at).pressure(&Ground::new(mu).unwrap(), place(s), s - at);
+            let found = kink(at).pressure(&Powers::new(mu).unwrap(), place(s), s - at);
             assert!((found / exact - 1.0).abs() < 1e-13, "{mu} {at} {s}: {found} {exact}");
         }
     }
@@ -303,13 +302,13 @@ mod tests {
     fn kinks_near_the_middle_are_nearly_in_the_middle() {
         // To first order in k the peak moves with the kink; d/dk of p is that of a displacement that steps, by differences from far off.
         for mu in [0.02, 0.5, 0.9] {
-            let ground = Ground::new(mu).unwrap();
-            let at = |k: f64, s: f64| kink(k).pressure(&ground, place(s), s - k);
+            let powers = Powers::new(mu).unwrap();
+            let at = |k: f64, s: f64| kink(k).pressure(&powers, place(s), s - k);
             // The height in the middle, which depths are measured from, has a kink in k.
             let beside = |k: f64, s: f64| {
-                let flat = ground.flat_beside((s * s / (HALF * HALF) - 1.0).sqrt());
-                let own = kink(k).displacement(&ground, s.abs(), s.signum());
-                ground.beside() * own - 0.7 * k.abs() * flat
+                let flat = powers.flat_beside((s * s / (HALF * HALF) - 1.0).sqrt());
+                let own = kink(k).displacement(&powers, s.abs(), s.signum());
+                powers.beside() * own - 0.7 * k.abs() * flat
             };
             for s in [0.5f64, -0.2, 0.79] {
                 let rate = (at(1e-4, s) - at(-1e-4, s)) / 2e-4;

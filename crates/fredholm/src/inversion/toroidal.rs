@@ -10,60 +10,58 @@
 
 use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, LN_2, PI};
 
-use crate::contact::iteration::STEPS;
-
-/// The spread at which a series of fifth order is exact: its sixth power is the rounding (theory). A duplication takes a quarter of it.
-const SPREAD: f64 = 1e-3;
+use crate::special::arithmetic_geometric_mean as mean;
+use crate::special::elliptic::{carlson_first_kind, carlson_second_kind};
 
 /// A harmonic of the angle about the axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Harmonic {
+pub enum RingKernel {
     /// Without angle: settlement.
-    Even,
+    Axisymmetric,
     /// The cosine: tilt.
-    Tilt,
+    Tilted,
 }
 
-impl Harmonic {
+impl RingKernel {
     /// `Q_(m - 1/2)(cosh y)`.
-    pub(super) fn whole(self, y: f64) -> f64 {
+    pub fn whole(self, y: f64) -> f64 {
         match self {
-            Self::Even => FRAC_PI_2 / mean((0.5 * y).cosh(), (0.5 * y).sinh().abs()),
-            Self::Tilt => {
+            Self::Axisymmetric => FRAC_PI_2 / mean((0.5 * y).cosh(), (0.5 * y).sinh().abs()),
+            Self::Tilted => {
                 let y = y.abs();
-                let second = carlson_second([0.0, -(-2.0 * y).exp_m1(), 1.0]);
+                let second = carlson_second_kind(0.0, -(-2.0 * y).exp_m1(), 1.0);
                 2.0 / 3.0 * (-1.5 * y).exp() * second
             }
         }
     }
 
     /// `P_(m - 1/2)(cosh y)`.
-    pub(super) fn factor(self, y: f64) -> f64 {
+    pub fn factor(self, y: f64) -> f64 {
         match self {
-            Self::Even => 1.0 / mean((0.5 * y).cosh(), 1.0),
-            Self::Tilt => {
+            Self::Axisymmetric => 1.0 / mean((0.5 * y).cosh(), 1.0),
+            Self::Tilted => {
                 let y = y.abs();
                 let (square, rest) = ((-2.0 * y).exp(), -(-2.0 * y).exp_m1());
-                let first = carlson_first([0.0, square, 1.0]);
-                let second = carlson_second([0.0, square, 1.0]);
+                let first = carlson_first_kind(0.0, square, 1.0);
+                let second = carlson_second_kind(0.0, square, 1.0);
                 FRAC_2_PI * (0.5 * y).exp() * (first - rest / 3.0 * second)
             }
         }
     }
 
     /// `Q + P ln|y|`.
-    pub(super) fn rest(self, y: f64) -> f64 {
+    pub fn rest(self, y: f64) -> f64 {
         if y == 0.0 {
             return match self {
-                Self::Even => 3.0 * LN_2,
-                Self::Tilt => 3.0 * LN_2 - 2.0,
+                Self::Axisymmetric => 3.0 * LN_2,
+                Self::Tilted => 3.0 * LN_2 - 2.0,
             };
         }
         self.whole(y) + self.factor(y) * y.abs().ln()
     }
 
     /// `H_m` of a disk of radius `c`; places by radius and distance from the disk.
-    pub(super) fn taken(self, c: f64, [r, beside_r]: [f64; 2], [s, beside_s]: [f64; 2]) -> f64 {
+    pub fn taken(self, c: f64, [r, beside_r]: [f64; 2], [s, beside_s]: [f64; 2]) -> f64 {
         if c == 0.0 {
             return 0.0;
         }
@@ -71,80 +69,28 @@ impl Harmonic {
         let [x, y] =
             [(r, beside_r), (s, beside_s)].map(|(at, beside)| beside / at * ((at + c) / at));
         match self {
-            Self::Even => 2.0 * c / root * carlson_first([x, y, 1.0]),
-            Self::Tilt => 2.0 / 3.0 * (c / root).powi(3) * carlson_second([x, y, 1.0]),
+            Self::Axisymmetric => 2.0 * c / root * carlson_first_kind(x, y, 1.0),
+            Self::Tilted => 2.0 / 3.0 * (c / root).powi(3) * carlson_second_kind(x, y, 1.0),
         }
     }
 
     /// The part of a unit settlement, or tilt, at `r` that a disk of radius `c` leaves to the rings.
-    pub(super) fn left(self, c: f64, [r, beside]: [f64; 2]) -> f64 {
+    pub fn left(self, c: f64, [r, beside]: [f64; 2]) -> f64 {
         let root = (beside * (r + c)).sqrt();
         let angle = root.atan2(c);
         match self {
-            Self::Even => FRAC_2_PI * angle,
-            Self::Tilt => FRAC_2_PI * (r * angle + c * (root / r)),
+            Self::Axisymmetric => FRAC_2_PI * angle,
+            Self::Tilted => FRAC_2_PI * (r * angle + c * (root / r)),
         }
     }
 
     /// Force, or moment, of the density that belongs to the part left, per its integral over the angle.
-    pub(super) fn weight(self) -> f64 {
+    pub fn weight(self) -> f64 {
         match self {
-            Self::Even => 2.0 * PI,
-            Self::Tilt => PI,
+            Self::Axisymmetric => 2.0 * PI,
+            Self::Tilted => PI,
         }
     }
-}
-
-/// The arithmetic-geometric mean.
-pub(super) fn mean(mut one: f64, mut two: f64) -> f64 {
-    for _ in 0..STEPS {
-        if (one - two).abs() <= f64::EPSILON * one {
-            break;
-        }
-        (one, two) = (0.5 * (one + two), (one * two).sqrt());
-    }
-    0.5 * (one + two)
-}
-
-/// `R_F`.
-fn carlson_first([mut x, mut y, mut z]: [f64; 3]) -> f64 {
-    for _ in 0..STEPS {
-        let centre = (x + y + z) / 3.0;
-        let [dx, dy, dz] = [x, y, z].map(|part| 1.0 - part / centre);
-        if dx.abs().max(dy.abs()).max(dz.abs()) < SPREAD {
-            let (two, three) = (dx * dy - dz * dz, dx * dy * dz);
-            let series =
-                1.0 - two / 10.0 + three / 14.0 + two * two / 24.0 - 3.0 * two * three / 44.0;
-            return series / centre.sqrt();
-        }
-        let added = (x * y).sqrt() + (y * z).sqrt() + (z * x).sqrt();
-        [x, y, z] = [x, y, z].map(|part| 0.25 * (part + added));
-    }
-    f64::NAN
-}
-
-/// `R_D`.
-fn carlson_second([mut x, mut y, mut z]: [f64; 3]) -> f64 {
-    let (mut sum, mut share) = (0.0, 1.0);
-    for _ in 0..STEPS {
-        let centre = (x + y + 3.0 * z) / 5.0;
-        let [dx, dy, dz] = [x, y, z].map(|part| 1.0 - part / centre);
-        if dx.abs().max(dy.abs()).max(dz.abs()) < SPREAD {
-            let (a, b) = (dx * dy, dz * dz);
-            let (two, three) = (a - 6.0 * b, (3.0 * a - 8.0 * b) * dz);
-            let (four, five) = (3.0 * (a - b) * b, a * b * dz);
-            let series = 1.0 - 3.0 * two / 14.0 + three / 6.0 + 9.0 * two * two / 88.0
-                - 3.0 * four / 22.0
-                - 9.0 * two * three / 52.0
-                + 3.0 * five / 26.0;
-            return sum + share * series / (centre * centre.sqrt());
-        }
-        let added = (x * y).sqrt() + (y * z).sqrt() + (z * x).sqrt();
-        sum += 3.0 * share / (z.sqrt() * (z + added));
-        share *= 0.25;
-        [x, y, z] = [x, y, z].map(|part| 0.25 * (part + added));
-    }
-    f64::NAN
 }
 
 #[cfg(test)]
@@ -161,7 +107,7 @@ mod tests {
     #[test]
     fn kernels_are_integrals_of_bessel_functions() {
         // Q_(m - 1/2)(cosh y) = int_0^pi cos(m t) dt/sqrt(2 (cosh y - cos t)), P_(n)(cosh y) = (1/pi) int_0^pi (cosh y + sinh y cos t)^n dt
-        for (harmonic, m) in [(Harmonic::Even, 0.0), (Harmonic::Tilt, 1.0)] {
+        for (harmonic, m) in [(RingKernel::Axisymmetric, 0.0), (RingKernel::Tilted, 1.0)] {
             for y in [0.3f64, -1.0, 4.0] {
                 let first = quarter(|t| {
                     2.0 * (m * 2.0 * t).cos() / (2.0 * (y.cosh() - (2.0 * t).cos())).sqrt()
@@ -179,7 +125,7 @@ mod tests {
     fn what_a_disk_takes() {
         // x = c sin t
         let (c, r, s) = (0.4f64, 0.5f64, 0.9f64);
-        for (harmonic, m) in [(Harmonic::Even, 0), (Harmonic::Tilt, 1)] {
+        for (harmonic, m) in [(RingKernel::Axisymmetric, 0), (RingKernel::Tilted, 1)] {
             let sum = quarter(|t| {
                 let x = c * t.sin();
                 let roots = ((r * r - x * x) * (s * s - x * x)).sqrt();
@@ -190,7 +136,7 @@ mod tests {
             assert!((found / exact - 1.0).abs() < 1e-5, "{m}: {found} {exact}");
         }
         // With the disk up to the nearer place nothing is left.
-        for harmonic in [Harmonic::Even, Harmonic::Tilt] {
+        for harmonic in [RingKernel::Axisymmetric, RingKernel::Tilted] {
             let whole = harmonic.whole((0.9f64 / 0.4).ln());
             assert!((harmonic.taken(0.4, [0.4, 0.0], [0.9, 0.5]) / whole - 1.0).abs() < 1e-14);
         }

@@ -2,10 +2,10 @@
 
 use std::f64::consts::{PI, TAU};
 
+use super::ROUNDING;
 use super::angular::Angular;
-use super::legendre::integral;
 use super::panels::Panel;
-use crate::contact::accuracy::ROUNDING;
+use super::rule::integral;
 
 /// The nearest offset at which both sides of a place are compared, in roundings of the angle, and how much farther each next one is. At half or twice stated errors grow up to 2 times (survey).
 pub(super) const NEAREST: f64 = 1e4;

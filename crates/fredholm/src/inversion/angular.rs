@@ -1,9 +1,9 @@
-//! A profile over the angle of a zone or of a wave.
+//! A function of an angle.
 
-use crate::contact::accuracy::OF_A_VALUE;
+use super::OF_A_VALUE;
 
 /// A profile as function of the angle.
-pub(super) trait Angular {
+pub trait Angular {
     /// `f`.
     fn height(&self, angle: f64) -> f64;
     /// Rounding of heights, given the largest of them and of their slopes: of the sum that a height is, and of the place.

@@ -3,12 +3,9 @@
 use std::collections::VecDeque;
 use std::f64::consts::FRAC_PI_2;
 
-use crate::contact::accuracy::OF_A_VALUE;
-use crate::contact::smooth::Curve;
-use crate::contact::smooth::detail::{DEEPEST, NOISE};
-use crate::contact::smooth::ground::Ground;
-use crate::contact::smooth::legendre::integral;
-use crate::deadline::Deadline;
+use super::powers::Powers;
+use super::rule::integral;
+use super::{DEEPEST, NOISE, OF_A_VALUE};
 
 /// Panels of an integral at most, and its accuracy over that of what is made of it. At half or twice 6 of 27 answers change, within what they state (survey).
 const MOST_PANELS: usize = 512;
@@ -20,9 +17,12 @@ const FARTHEST: f64 = 500.0;
 
 /// What the slope is multiplied by, `r = x cos t`, besides `sin^mu t`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(in crate::contact::smooth) enum Weight {
+pub enum Weight {
+    /// 1.
     One,
+    /// `sin^2 t`.
     SineSquared,
+    /// `cos^2 t`.
     CosineSquared,
     /// `mu sin t S(t)`, `S = int_0^t sin^mu`, without `sin^mu t`.
     Lever,
@@ -32,7 +32,7 @@ pub(in crate::contact::smooth) enum Weight {
 
 /// Which displacements a transform is of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::contact::smooth) enum Part {
+pub enum Symmetry {
     /// Those of a disk that do not depend on the angle.
     Revolution,
     /// In the plane, even.
@@ -41,9 +41,9 @@ pub(in crate::contact::smooth) enum Part {
     Odd,
 }
 
-impl Part {
+impl Symmetry {
     /// The power of `t` in the displacement beside the contact, besides `t^mu`.
-    pub(in crate::contact::smooth) fn lever(self) -> i32 {
+    pub fn lever(self) -> i32 {
         match self {
             Self::Revolution => 0,
             Self::Even => -1,
@@ -53,41 +53,44 @@ impl Part {
 }
 
 /// The base of revolution, or half of an even or odd one.
-pub(in crate::contact::smooth) struct Shape<'p> {
-    pub(in crate::contact::smooth) slope: &'p Curve,
+pub struct Shape<'p> {
+    /// `h(r)`, at a kink on either side.
+    pub slope: &'p dyn Fn(f64) -> f64,
     /// Where it bends, increasing, all positive.
-    pub(in crate::contact::smooth) breaks: Vec<f64>,
+    pub breaks: Vec<f64>,
     /// Where one polynomial ends and another begins, increasing, all positive: integrals are cut there.
-    pub(in crate::contact::smooth) joints: Vec<f64>,
+    pub joints: Vec<f64>,
     /// To which share integrals are wanted.
-    pub(in crate::contact::smooth) tolerance: f64,
+    pub tolerance: f64,
     /// Rounding of the slope beyond that of its size.
-    pub(in crate::contact::smooth) noise: f64,
-    pub(in crate::contact::smooth) ground: Ground,
-    pub(in crate::contact::smooth) part: Part,
-    /// Once past nothing is halved any more.
-    pub(in crate::contact::smooth) deadline: Deadline,
+    pub noise: f64,
+    /// Those of the kernel.
+    pub powers: Powers,
+    /// Which displacements it is of.
+    pub part: Symmetry,
+    /// Whether nothing is to be halved any more, as the time is over.
+    pub is_over: &'p dyn Fn() -> bool,
 }
 
 impl Shape<'_> {
     /// `G(x) = x^(1-mu) int_0^x h(r) dr/(x^2 - r^2)^((1-mu)/2)`: the height above `f0(0)` that a disk of the radius `x` with a free edge settles by. Of an odd part in the
     /// plane `G/x`, of an even one `x int_0^{pi/2} h(x cos t) (cos t sin^mu t + mu sin t S(t)) dt`.
-    pub(in crate::contact::smooth) fn transform(&self, x: f64) -> f64 {
+    pub fn transform(&self, x: f64) -> f64 {
         self.transformed(x, |at| ((x - at) * (x + at)).sqrt())
     }
 
     fn transformed(&self, x: f64, leg: impl Fn(f64) -> f64) -> f64 {
         match self.part {
-            Part::Revolution => x * self.integrated(x, Weight::One, leg),
-            Part::Even => x * self.integrated(x, Weight::Level, leg),
-            Part::Odd => self.integrated(x, Weight::One, leg),
+            Symmetry::Revolution => x * self.integrated(x, Weight::One, leg),
+            Symmetry::Even => x * self.integrated(x, Weight::Level, leg),
+            Symmetry::Odd => self.integrated(x, Weight::One, leg),
         }
     }
 
     fn weight(&self, weight: Weight, angle: f64) -> f64 {
-        let ground = &self.ground;
-        let lever = || ground.exponent() * angle.sin() * ground.sines().at(angle);
-        let power = || ground.power(angle.sin());
+        let powers = &self.powers;
+        let lever = || powers.exponent() * angle.sin() * powers.sines().at(angle);
+        let power = || powers.power(angle.sin());
         match weight {
             Weight::One => power(),
             Weight::SineSquared => power() * angle.sin().powi(2),
@@ -98,13 +101,13 @@ impl Shape<'_> {
     }
 
     /// `G(x)` at `x = sqrt(b^2 + s^2)`, however small `s` is against the kink `b`.
-    pub(in crate::contact::smooth) fn transform_beyond(&self, kink: f64, s: f64) -> f64 {
+    pub fn transform_beyond(&self, kink: f64, s: f64) -> f64 {
         let x = kink.hypot(s);
         self.transformed(x, |at| ((kink - at) * (kink + at) + s * s).sqrt())
     }
 
     /// `int_0^{pi/2} h(x cos t) w(t) dt`.
-    pub(in crate::contact::smooth) fn integral(&self, x: f64, weight: Weight) -> f64 {
+    pub fn integral(&self, x: f64, weight: Weight) -> f64 {
         self.integrated(x, weight, |at| ((x - at) * (x + at)).sqrt())
     }
 
@@ -135,7 +138,7 @@ impl Shape<'_> {
         let mut panels: VecDeque<Panel> = (pieces.iter().enumerate())
             .map(|(piece, &(turn, ends))| {
                 let mut whole = 0.0;
-                for (angle, weight) in self.ground.nodes(turn) {
+                for (angle, weight) in self.powers.nodes(turn) {
                     let term = weight * value(angle, ends);
                     whole += term;
                     size += term.abs();
@@ -147,13 +150,12 @@ impl Shape<'_> {
         // The first in, the first out: where there is an end to it, no place is left out.
         let (mut sum, mut halved) = (0.0, 0);
         while let Some(panel) = panels.pop_front() {
-            let halves = panel.halves(&self.ground, |angle| value(angle, pieces[panel.piece].1));
+            let halves = panel.halves(&self.powers, |angle| value(angle, pieces[panel.piece].1));
             let both = halves[0].whole + halves[1].whole;
             let difference = (both - panel.whole).abs();
             let is_noise =
                 difference >= 0.5 * panel.before && difference <= NOISE * size + self.noise;
-            let is_last =
-                panel.depth >= DEEPEST || halved >= MOST_PANELS || self.deadline.is_past();
+            let is_last = panel.depth >= DEEPEST || halved >= MOST_PANELS || (self.is_over)();
             let is_beside_axis = panel.ends[1] == FRAC_PI_2 && panel.depth >= BESIDE_AXIS;
             if difference <= agreed || is_noise || is_last || !difference.is_finite() {
                 sum += both;
@@ -212,13 +214,13 @@ struct Panel {
 }
 
 impl Panel {
-    fn halves(&self, ground: &Ground, f: impl Fn(f64) -> f64) -> [Self; 2] {
+    fn halves(&self, powers: &Powers, f: impl Fn(f64) -> f64) -> [Self; 2] {
         let [from, to] = self.ends;
         let middle = 0.5 * (from + to);
         [[from, middle], [middle, to]].map(|ends| Self {
             piece: self.piece,
             ends,
-            whole: ground.integral(0, ends, &f),
+            whole: powers.integral(0, ends, &f),
             depth: self.depth + 1,
             before: self.before,
         })
@@ -228,22 +230,29 @@ impl Panel {
 #[cfg(test)]
 mod tests {
     use std::f64::consts::PI;
-    use std::sync::Arc;
 
     use super::*;
 
-    fn homogeneous(slope: &Curve, breaks: Vec<f64>) -> Shape<'_> {
-        let ground = Ground::new(0.0).unwrap();
-        let joints = Vec::new();
-        let (part, deadline) = (Part::Revolution, Deadline::default());
-        Shape { slope, breaks, joints, tolerance: 0.0, noise: 0.0, ground, part, deadline }
+    fn homogeneous(slope: &dyn Fn(f64) -> f64, breaks: Vec<f64>) -> Shape<'_> {
+        let powers = Powers::new(0.0).unwrap();
+        let (joints, part) = (Vec::new(), Symmetry::Revolution);
+        Shape {
+            slope,
+            breaks,
+            joints,
+            tolerance: 0.0,
+            noise: 0.0,
+            powers,
+            part,
+            is_over: &|| false,
+        }
     }
 
     #[test]
     fn transforms_of_a_cone_with_a_flat_are_known() {
         // h = 1 beyond b: G = x acos(b/x), int h cos^2 = (t - sin t cos t)/2 .. with t = acos(b/x)
         let b = 0.25;
-        let slope: Curve = Arc::new(move |r| if r < b { 0.0 } else { 1.0 });
+        let slope = |r: f64| if r < b { 0.0 } else { 1.0 };
         let shape = homogeneous(&slope, vec![b]);
         for x in [0.3f64, 0.7, 1.0] {
             let t = (b / x).acos();
@@ -258,7 +267,7 @@ mod tests {
             assert!((shape.transform_beyond(b, s) / exact - 1.0).abs() < 1e-14, "{s}");
         }
         // h = sqrt(r): int_0^{pi/2} sqrt(cos t) dt = (2 pi)^(3/2)/Gamma(1/4)^2
-        let slope: Curve = Arc::new(f64::sqrt);
+        let slope = f64::sqrt;
         let shape = homogeneous(&slope, Vec::new());
         let exact = (2.0 * PI).powf(1.5) / 3.625_609_908_221_908f64.powi(2);
         assert!((shape.integral(1.0, Weight::One) - exact).abs() < 1e-14);

@@ -12,72 +12,73 @@ use std::sync::Arc;
 
 use libm::tgamma;
 
-use super::legendre::{ORDER, RULE, integral};
+use super::STEPS;
+use super::rule::{ORDER, RULE, integral};
 use crate::Error;
-use crate::contact::iteration::STEPS;
 
 /// A start below this share of the end is none. Half and twice change none of 19 answers (survey).
 const NOTHING: f64 = 1e-18;
 /// Share of the way to a singular place that a step takes. Half and twice change none of 19 answers (survey).
 const CLOSING: f64 = 0.75;
 /// Share of the way from zero that the next step takes. At half or twice 14 of 20 answers change, within what they state (survey).
-pub(super) const GROWTH: f64 = 3.0;
+pub(crate) const GROWTH: f64 = 3.0;
 /// A first step beside a singular place is so long, in distances from there. At half or twice 6 of 13 answers change, within what they state (survey).
-pub(super) const NEAREST: f64 = 1.5;
+pub(crate) const NEAREST: f64 = 1.5;
 /// Length of a step in the angle within which polynomials are integrated exactly. At half or twice 1 of 22 answers change, within what they state (survey).
-pub(super) const TURN: f64 = 0.5;
+pub const TURN: f64 = 0.5;
 
 /// In the place of the shift of an exponent: no power at zero.
-pub(super) const PLAIN: i32 = 2;
+pub const PLAIN: i32 = 2;
 
 /// From here on below the end polynomials of `e^y` are so small that half of the way left is one step. Half and twice change none of 20 answers (survey).
 const DISTANT: f64 = 8.0;
 
 /// The length of a step of a logarithm, this far below the end, that may be longer than others.
-pub(super) fn distant(left: f64) -> Option<f64> {
+pub(crate) fn distant(left: f64) -> Option<f64> {
     (left >= DISTANT).then_some(0.5 * left)
 }
 
 /// A Gauss rule for functions `x^e g(x)` on an interval from zero.
 #[derive(Debug)]
-pub(super) struct PowerRule {
+pub(crate) struct PowerRule {
     /// Places in `(0, 1)`, and their weights over `u^e`.
     nodes: Vec<(f64, f64)>,
 }
 
 impl PowerRule {
     fn new(exponent: f64) -> Result<Self, Error> {
-        let nodes = fredholm::quadrature::gauss_power(ORDER, exponent)?;
+        let nodes = crate::quadrature::gauss_power(ORDER, exponent)?;
         let plain = |u: f64, weight: f64| (u, weight * u.powf(-exponent));
         Ok(Self { nodes: nodes.iter().map(|node| plain(node.from_left, node.weight)).collect() })
     }
 
     /// `int_0^end f`.
-    pub(super) fn integral(&self, end: f64, f: impl Fn(f64) -> f64) -> f64 {
+    pub(crate) fn integral(&self, end: f64, f: impl Fn(f64) -> f64) -> f64 {
         end * self.nodes.iter().map(|(u, weight)| weight * f(end * u)).sum::<f64>()
     }
 }
 
 /// The exponent `mu` and what belongs to it.
 #[derive(Debug, Clone)]
-pub(super) struct Ground {
+pub struct Powers {
     exponent: f64,
     /// For `x^(mu-1)`, `x^mu` and `x^(mu+1)`; none on a homogeneous body, where all powers are plain.
     rules: Option<Arc<[PowerRule; 3]>>,
     sines: Arc<SinePower>,
 }
 
-impl Ground {
+impl Powers {
     /// # Errors
     /// [`Error::InvalidValue`] unless `0 <= mu < 1`.
-    pub(super) fn new(exponent: f64) -> Result<Self, Error> {
+    pub fn new(exponent: f64) -> Result<Self, Error> {
         let requirement = "at least 0 and less than 1";
-        crate::error::require(
-            (0.0..1.0).contains(&exponent),
-            "grading_exponent",
-            exponent,
-            requirement,
-        )?;
+        if !(0.0..1.0).contains(&exponent) {
+            return Err(Error::InvalidParameter {
+                name: "exponent of grading",
+                value: exponent,
+                requirement,
+            });
+        }
         let rules = if exponent > 0.0 {
             let rule = |shift: f64| PowerRule::new(exponent + shift);
             Some(Arc::new([rule(-1.0)?, rule(0.0)?, rule(1.0)?]))
@@ -88,43 +89,43 @@ impl Ground {
     }
 
     /// `mu`.
-    pub(super) fn exponent(&self) -> f64 {
+    pub fn exponent(&self) -> f64 {
         self.exponent
     }
 
     /// `beta = (1-mu)/2`: at a corner the pressure is singular as `d^-beta`.
-    pub(super) fn corner_exponent(&self) -> f64 {
+    pub fn corner_exponent(&self) -> f64 {
         0.5 * (1.0 - self.exponent)
     }
 
     /// `x^mu`.
-    pub(super) fn power(&self, x: f64) -> f64 {
+    pub fn power(&self, x: f64) -> f64 {
         if self.exponent == 0.0 { 1.0 } else { x.powf(self.exponent) }
     }
 
     /// `(c^2 - r^2)^beta` from the root of `c^2 - r^2`.
-    pub(super) fn taper(&self, root: f64) -> f64 {
+    pub fn taper(&self, root: f64) -> f64 {
         if self.exponent == 0.0 { root } else { root.powf(1.0 - self.exponent) }
     }
 
     /// `sqrt(2 pi) (2c)^-beta`: of `(c^2 - r^2)^-beta` the factor of `d^-beta/sqrt(2 pi)` at the edge.
-    pub(super) fn corner(&self, half: f64) -> f64 {
+    pub fn corner(&self, half: f64) -> f64 {
         (2.0 * PI).sqrt() * (2.0 * half).powf(-self.corner_exponent())
     }
 
     /// `4^beta pi/(Lambda Gamma(1-beta)^2)`, the `E` of `p = (E/pi) [d(c) (c^2 - r^2)^-beta + ..]`, if `Lambda int W_k p s ds` is the displacement.
-    pub(super) fn modulus(&self, response: f64) -> f64 {
+    pub fn modulus(&self, response: f64) -> f64 {
         let beta = self.corner_exponent();
         4f64.powf(beta) * PI / (response * tgamma(1.0 - beta).powi(2))
     }
 
     /// `(2/pi) cos(pi mu/2)`.
-    pub(super) fn beside(&self) -> f64 {
+    pub fn beside(&self) -> f64 {
         2.0 / PI * (FRAC_PI_2 * self.exponent).cos()
     }
 
     /// `(2/pi) cos(pi mu/2) mu B int_0^{asin(1/y)} tan^mu t/sin t dt` by `sqrt(y^2 - 1)`: what a flat strip that settles by 1 makes of the surface beside it.
-    pub(super) fn flat_beside(&self, root: f64) -> f64 {
+    pub fn flat_beside(&self, root: f64) -> f64 {
         let (mu, sines) = (self.exponent, &self.sines);
         let scale = self.beside() * mu * sines.total;
         let square = 1.0 + root * root;
@@ -137,8 +138,14 @@ impl Ground {
         }
     }
 
-    pub(super) fn sines(&self) -> &SinePower {
+    pub(crate) fn sines(&self) -> &SinePower {
         &self.sines
+    }
+
+    /// `B = int_0^{pi/2} sin^mu t dt`.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.sines.total
     }
 
     /// The rule for `x^(mu + shift)`, `shift` -1, 0 or 1; none for others.
@@ -148,7 +155,7 @@ impl Ground {
     }
 
     /// `int_from^to f`, where `f` at zero is `x^(mu + shift)` times something smooth, or [`PLAIN`].
-    pub(super) fn integral(&self, shift: i32, [from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
+    pub fn integral(&self, shift: i32, [from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
         match self.rule(shift) {
             Some(rule) if from == 0.0 => rule.integral(to, f),
             _ => integral(from, to, f),
@@ -156,7 +163,7 @@ impl Ground {
     }
 
     /// Nodes and weights of that for `x^mu` at zero.
-    pub(super) fn nodes(&self, [from, to]: [f64; 2]) -> Vec<(f64, f64)> {
+    pub fn nodes(&self, [from, to]: [f64; 2]) -> Vec<(f64, f64)> {
         match self.rule(0) {
             Some(rule) if from == 0.0 => {
                 rule.nodes.iter().map(|(u, weight)| (to * u, to * weight)).collect()
@@ -170,7 +177,7 @@ impl Ground {
     }
 
     /// The same in steps no longer than `step` where `f` has a power at zero, and another at `end`.
-    pub(super) fn graded(
+    pub fn graded(
         &self,
         shift: i32,
         [from, to]: [f64; 2],
@@ -202,7 +209,7 @@ impl Ground {
 
 /// `S(psi) = int_0^psi sin^mu`.
 #[derive(Debug)]
-pub(super) struct SinePower {
+pub(crate) struct SinePower {
     /// `S(pi/2)`.
     total: f64,
     /// Of `S/sin^(1+mu)` by `sin^2`, and of `(S(pi/2) - S)/cos` by `cos^2`.
@@ -237,18 +244,13 @@ impl SinePower {
         Self { total, near, far, close, remote, exponent }
     }
 
-    /// `S(pi/2)`.
-    pub(super) fn total(&self) -> f64 {
-        self.total
-    }
-
     /// `S(psi)` and `S(pi/2) - S(psi)` from sine and cosine.
-    pub(super) fn both(&self, sine: f64, cosine: f64) -> [f64; 2] {
+    pub(crate) fn both(&self, sine: f64, cosine: f64) -> [f64; 2] {
         self.both_by(sine, cosine, sine.powf(self.exponent))
     }
 
     /// The same from `sin^mu` too.
-    pub(super) fn both_by(&self, sine: f64, cosine: f64, power: f64) -> [f64; 2] {
+    pub(crate) fn both_by(&self, sine: f64, cosine: f64, power: f64) -> [f64; 2] {
         if sine < cosine {
             let near = sine * power * sum(&self.near, sine * sine);
             [near, self.total - near]
@@ -259,7 +261,7 @@ impl SinePower {
     }
 
     /// `S(psi)` for `0 <= psi <= pi/2`.
-    pub(super) fn at(&self, angle: f64) -> f64 {
+    pub(crate) fn at(&self, angle: f64) -> f64 {
         let (sine, cosine) = angle.sin_cos();
         self.both(sine, cosine)[0]
     }
@@ -278,7 +280,7 @@ mod tests {
     #[test]
     fn the_integral_of_a_power_of_the_sine() {
         for mu in [0.0, 0.3, 0.9] {
-            let ground = Ground::new(mu).unwrap();
+            let ground = Powers::new(mu).unwrap();
             for angle in [1e-9, 0.2, 0.785, 0.786, 1.2, FRAC_PI_2] {
                 let f = |x: f64| x.sin().powf(mu);
                 let exact = ground.graded(0, [0.0, angle], [0.25, f64::INFINITY], f);
@@ -287,14 +289,14 @@ mod tests {
             }
         }
         // Of the power 0 it is the angle.
-        assert!((Ground::new(0.0).unwrap().sines().at(1.1) - 1.1).abs() < 1e-15);
+        assert!((Powers::new(0.0).unwrap().sines().at(1.1) - 1.1).abs() < 1e-15);
     }
 
     #[test]
     fn powers_at_both_ends() {
         // B(1/2 + mu/2, 1/2 - mu/2) = 2 int_0^{pi/2} tan^mu = pi/cos(pi mu/2)
         for mu in [0.2, 0.5, 0.7] {
-            let ground = Ground::new(mu).unwrap();
+            let ground = Powers::new(mu).unwrap();
             let to = FRAC_PI_2 - 1e-6;
             let found = ground.graded(0, [0.0, to], [0.5, FRAC_PI_2], |y| y.tan().powf(mu));
             let cut = (FRAC_PI_2 - to).powf(1.0 - mu) / (1.0 - mu);

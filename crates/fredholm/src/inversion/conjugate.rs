@@ -12,11 +12,10 @@ use std::sync::OnceLock;
 
 use super::angular::Angular;
 use super::harmonics::{Harmonics, Resolved};
-use super::legendre::{ORDER, RULE, integral};
 use super::panels::{Builder, Panel, join};
 use super::roots::{Local, NEAREST, Root};
-use crate::contact::accuracy::ROUNDING;
-use crate::contact::smooth::detail::{HARMLESS, RESOLVED};
+use super::rule::{ORDER, RULE, integral};
+use super::{HARMLESS, RESOLVED, ROUNDING};
 
 /// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding. At half or twice 3 of 32 answers change, within what they state (survey).
 const REMOTE: f64 = 0.48;
@@ -25,7 +24,7 @@ const FIRST: usize = 96;
 const CONSTANT: f64 = 1.5e-3;
 /// `g` on panels, over the half turn of a zone (odd beyond it) or over the whole turn of a wave.
 #[derive(Debug, Clone)]
-pub(super) struct Slopes {
+pub struct Conjugate {
     panels: Vec<Panel>,
     is_odd: bool,
     /// Where `g` jumps, and how it does: there `F` is infinite.
@@ -50,10 +49,10 @@ pub(super) struct Slopes {
     first: OnceLock<Vec<f64>>,
 }
 
-impl Slopes {
+impl Conjugate {
     /// Resolves a profile over one half turn `0 .. pi`, or over two `-pi .. pi`, between given angles where it bends, and others where only higher derivatives jump, to a relative `tolerance`;
     /// with at first so many `[panels, half turns]`.
-    pub(super) fn resolve(
+    pub fn resolve(
         profile: &dyn Angular,
         [bends, joints]: [&[f64]; 2],
         [panels, turns]: [usize; 2],
@@ -69,7 +68,7 @@ impl Slopes {
     }
 
     /// The slope as a short series by equally spaced samples, if it is one.
-    pub(super) fn sampled(profile: &dyn Angular, is_odd: bool) -> Option<Self> {
+    pub fn sampled(profile: &dyn Angular, is_odd: bool) -> Option<Self> {
         let Resolved { series, mean, largest, heights } = Harmonics::sampled(profile, is_odd)?;
         let error = ROUNDING * largest;
         Some(Self {
@@ -89,7 +88,7 @@ impl Slopes {
     }
 
     /// The slope on panels.
-    pub(super) fn on_panels(
+    pub fn on_panels(
         profile: &dyn Angular,
         [bends, joints]: [&[f64]; 2],
         [panels, turns]: [usize; 2],
@@ -176,13 +175,13 @@ impl Slopes {
     }
 
     /// The angles at which `g` falls at once, and by how much: there `F` is plus infinity.
-    pub(super) fn hollows(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+    pub fn hollows(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
         let is_bend = |at: f64| self.bends.contains(&at) || !self.is_odd && at == PI;
         self.jumps.iter().copied().filter(move |(at, jump)| *jump < 0.0 && is_bend(*at))
     }
 
     /// Nodes with their values of `g` and weights.
-    pub(super) fn nodes(&self) -> impl Iterator<Item = (f64, f64, f64)> + '_ {
+    pub fn nodes(&self) -> impl Iterator<Item = (f64, f64, f64)> + '_ {
         self.panels.iter().flat_map(|panel| {
             let (middle, half) = (panel.middle(), panel.half());
             (0..ORDER).map(move |i| {
@@ -192,52 +191,62 @@ impl Slopes {
     }
 
     /// Number of panels.
-    pub(super) fn panels(&self) -> usize {
+    pub fn panels(&self) -> usize {
         self.panels.len()
     }
 
-    pub(super) fn is_odd(&self) -> bool {
+    /// Whether it is the slope over a half turn, odd beyond it.
+    #[must_use]
+    pub fn is_odd(&self) -> bool {
         self.is_odd
     }
 
     /// Largest `|g|`.
-    pub(super) fn largest(&self) -> f64 {
+    pub fn largest(&self) -> f64 {
         self.largest
     }
 
     /// Shortest panel.
-    pub(super) fn finest(&self) -> f64 {
+    pub fn finest(&self) -> f64 {
         self.panels.iter().fold(PI, |least, panel| least.min(2.0 * panel.half()))
     }
 
-    pub(super) fn mean(&self) -> f64 {
+    /// Mean of `f` over the angle.
+    #[must_use]
+    pub fn mean(&self) -> f64 {
         self.mean
     }
 
-    pub(super) fn error(&self) -> f64 {
+    /// Estimated error of `F`.
+    #[must_use]
+    pub fn error(&self) -> f64 {
         self.error + 4.0 * f64::EPSILON * self.largest
     }
 
-    pub(super) fn end_error(&self) -> f64 {
+    /// The same at the ends of the interval.
+    #[must_use]
+    pub fn end_error(&self) -> f64 {
         self.end_error + 4.0 * f64::EPSILON * self.largest
     }
 
-    pub(super) fn mode_error(&self) -> f64 {
+    /// Rounding of each of the first coefficients of `f`.
+    #[must_use]
+    pub fn mode_error(&self) -> f64 {
         self.mode_error
     }
 
     /// Whether equally spaced samples gave all, whatever the panels.
-    pub(super) fn is_sampled(&self) -> bool {
+    pub fn is_sampled(&self) -> bool {
         self.series.is_some() && self.panels.is_empty()
     }
 
     /// The short series of `F` and `f`, where there is one.
-    pub(super) fn series(&self) -> Option<&Harmonics> {
+    pub fn series(&self) -> Option<&Harmonics> {
         self.series.as_ref()
     }
 
     /// `F(phi)`.
-    pub(super) fn conjugate(&self, angle: f64) -> f64 {
+    pub fn conjugate(&self, angle: f64) -> f64 {
         let is_at = |at: f64| at == angle || !self.is_odd && at == angle + TAU;
         if let Some((_, jump)) = self.jumps.iter().find(|(at, _)| is_at(*at)) {
             return -jump * f64::INFINITY;
@@ -260,7 +269,7 @@ impl Slopes {
     /// `int g(t) ln|2 cos(t/2)| dt` over a whole turn; none where panels do not resolve `g`.
     ///
     /// Parts of panels are no longer than they are away from `pi`, where the logarithm has its pole.
-    pub(super) fn turning(&self) -> Option<f64> {
+    pub fn turning(&self) -> Option<f64> {
         if self.panels.is_empty() || !self.roots.is_empty() {
             return None;
         }
@@ -287,7 +296,7 @@ impl Slopes {
     }
 
     /// `f_0 .. f_degree` over a half turn.
-    pub(super) fn coefficients(&self, degree: usize) -> Vec<f64> {
+    pub fn coefficients(&self, degree: usize) -> Vec<f64> {
         let mut coefficients = vec![0.0; degree + 1];
         coefficients[0] = self.mean;
         if let Some(series) = &self.series {
@@ -319,7 +328,7 @@ impl Slopes {
     }
 
     /// `sum_{k >= 1} f_k (side/w)^k` for `w > 1`, given `w - 1`, and `side = 1` beyond `t = 0` or `-1` beyond `t = pi`.
-    pub(super) fn outside(&self, excess: f64, side: f64) -> f64 {
+    pub fn outside(&self, excess: f64, side: f64) -> f64 {
         if let Some(series) = self.series.as_ref().filter(|_| self.is_odd) {
             return series.outside(side / (1.0 + excess));
         }
@@ -391,7 +400,7 @@ mod tests {
 
     fn gives_itself(has_slope: bool, tolerance: f64) {
         let series = Series(vec![0.3, -1.0, 0.5, 0.25, 0.0, 0.0, 0.0, 2.0], has_slope);
-        let slopes = Slopes::resolve(&series, [&[0.7], &[1.9]], [8, 1], 0.0);
+        let slopes = Conjugate::resolve(&series, [&[0.7], &[1.9]], [8, 1], 0.0);
         for angle in [0.0, 1e-9, 0.01, 0.391, 0.7, 1.5, 3.0, 3.139, PI] {
             let exact: f64 = (series.0.iter().enumerate())
                 .map(|(k, f)| k as f64 * f * (k as f64 * angle).cos())
@@ -425,7 +434,7 @@ mod tests {
                 Some(3.0 * (3.0 * t).cos() - 0.5 * t.sin())
             }
         }
-        let slopes = Slopes::resolve(&Wave, [&[], &[]], [8, 2], 0.0);
+        let slopes = Conjugate::resolve(&Wave, [&[], &[]], [8, 2], 0.0);
         for t in [-PI, -1.0, 0.0, 0.2, 3.0] {
             let exact = 3.0 * (3.0 * t).sin() + 0.5 * t.cos();
             assert!((slopes.conjugate(t) - exact).abs() < 1e-13);

@@ -4,9 +4,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::LazyLock;
 
 use super::angular::Angular;
-use super::slopes::Slopes;
-use crate::contact::accuracy::ROUNDING;
-use crate::contact::iteration::GOLDEN;
+use super::conjugate::Conjugate;
+use super::{GOLDEN, ROUNDING};
 
 /// Harmonics that are tried. At half or twice 5 of 20 answers change, within what they state (survey).
 const COUNTS: [usize; 3] = [24, 48, 96];
@@ -15,7 +14,7 @@ const FINEST: f64 = 0.01;
 
 /// `F = sum k (f_k cos(k t) + h_k sin(k t))`, the conjugate of the slope of `f = mean + sum f_k cos(k t) + h_k sin(k t)`.
 #[derive(Debug, Clone)]
-pub(super) struct Harmonics {
+pub struct Harmonics {
     /// `k f_k` from `k = 1`.
     cosines: Vec<f64>,
     /// `k h_k` from `k = 1`; empty for an even `f`.
@@ -23,7 +22,7 @@ pub(super) struct Harmonics {
 }
 
 /// What equally spaced samples tell of a smooth profile.
-pub(super) struct Resolved {
+pub(crate) struct Resolved {
     pub(super) series: Harmonics,
     /// Mean of `f` over the angle.
     pub(super) mean: f64,
@@ -44,7 +43,7 @@ const CHECKED: usize = 7;
 
 impl Harmonics {
     /// The series, if it is short.
-    pub(super) fn short(slopes: &Slopes) -> Option<Self> {
+    pub(super) fn short(slopes: &Conjugate) -> Option<Self> {
         if slopes.finest() < FINEST {
             return None;
         }
@@ -118,18 +117,18 @@ impl Harmonics {
     }
 
     /// `f_1 .. f_degree`, zero from some degree on.
-    pub(super) fn coefficients(&self, degree: usize) -> impl Iterator<Item = f64> + '_ {
+    pub fn coefficients(&self, degree: usize) -> impl Iterator<Item = f64> + '_ {
         let terms = self.cosines.iter().chain(std::iter::repeat(&0.0));
         terms.take(degree).enumerate().map(|(k, term)| term / (k + 1) as f64)
     }
 
     /// The highest harmonic.
-    pub(super) fn len(&self) -> usize {
+    pub fn highest(&self) -> usize {
         self.cosines.len().max(self.sines.len())
     }
 
     /// The series of `f - mean`, the conjugate of which is that of the slope: its [conjugate](Self::conjugate) are the heights.
-    pub(super) fn heights(&self) -> Self {
+    pub fn heights(&self) -> Self {
         let divided = |terms: &[f64]| -> Vec<f64> {
             terms.iter().enumerate().map(|(k, term)| term / (k + 1) as f64).collect()
         };
@@ -137,11 +136,11 @@ impl Harmonics {
     }
 
     /// `k f_k` from `k = 1`.
-    pub(super) fn cosines(&self) -> &[f64] {
+    pub fn cosines(&self) -> &[f64] {
         &self.cosines
     }
 
-    fn new(slopes: &Slopes, count: usize) -> Self {
+    fn new(slopes: &Conjugate, count: usize) -> Self {
         let turns = if slopes.is_odd() { 2.0 } else { 1.0 };
         let mut cosines = vec![0.0; count];
         let mut sines = vec![0.0; if slopes.is_odd() { 0 } else { count }];
@@ -161,7 +160,7 @@ impl Harmonics {
     }
 
     /// `F(t)`.
-    pub(super) fn conjugate(&self, angle: f64) -> f64 {
+    pub fn conjugate(&self, angle: f64) -> f64 {
         let (sine, cosine) = angle.sin_cos();
         let [even, _] = clenshaw(&self.cosines, cosine);
         let [_, odd] = clenshaw(&self.sines, cosine);
@@ -169,7 +168,7 @@ impl Harmonics {
     }
 
     /// `sum f_k ratio^k`.
-    pub(super) fn outside(&self, ratio: f64) -> f64 {
+    pub fn outside(&self, ratio: f64) -> f64 {
         self.cosines
             .iter()
             .enumerate()
@@ -220,7 +219,7 @@ mod tests {
     fn harmonics_have_their_own_conjugates() {
         // Of cos(k t + a) it is k cos(k t + a).
         // A bend that is none keeps the panels.
-        let slopes = Slopes::resolve(&Wave, [&[0.7], &[]], [8, 2], 0.0);
+        let slopes = Conjugate::resolve(&Wave, [&[0.7], &[]], [8, 2], 0.0);
         let series = Harmonics::short(&slopes).unwrap();
         let sampled = Harmonics::sampled(&Wave, false).unwrap();
         assert!(sampled.mean.abs() < 1e-15);
