@@ -1,6 +1,6 @@
 //! A function of an angle.
 
-use super::OF_A_VALUE;
+use super::accuracy::OF_A_VALUE;
 
 /// A profile as function of the angle.
 pub trait Angular {

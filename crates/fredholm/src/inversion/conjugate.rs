@@ -10,18 +10,23 @@
 use std::f64::consts::{FRAC_2_PI, PI, TAU};
 use std::sync::OnceLock;
 
+use super::accuracy::{HARMLESS, RESOLVED, ROUNDING};
 use super::angular::Angular;
 use super::harmonics::{Harmonics, Resolved};
 use super::panels::{Builder, Panel, join};
 use super::roots::{Local, NEAREST, Root};
 use super::rule::{ORDER, RULE, integral};
-use super::{HARMLESS, RESOLVED, ROUNDING};
 
 /// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding. At half or twice 3 of 32 answers change, within what they state (survey).
 const REMOTE: f64 = 0.48;
 const FIRST: usize = 96;
 /// Powers of the distance below this are none: the slope jumps. Half and twice change none of 30 answers (survey).
 const CONSTANT: f64 = 1.5e-3;
+/// Harmonics that are tried of a slope on panels. At half or twice 5 of 20 answers change, within what they state (survey).
+const COUNTS: [usize; 3] = [24, 48, 96];
+/// Shorter panels than this show something that no short series has. Half and twice change none of 20 answers (survey).
+const FINEST: f64 = 0.01;
+
 /// `g` on panels, over the half turn of a zone (odd beyond it) or over the whole turn of a wave.
 #[derive(Debug, Clone)]
 pub struct Conjugate {
@@ -169,9 +174,20 @@ impl Conjugate {
             first: OnceLock::new(),
         };
         if slopes.jumps.is_empty() && slopes.roots.is_empty() {
-            slopes.series = Harmonics::short(&slopes);
+            slopes.series = slopes.short_series();
         }
         slopes
+    }
+
+    /// The series of the slope on panels, if it is short.
+    fn short_series(&self) -> Option<Harmonics> {
+        if self.finest() < FINEST {
+            return None;
+        }
+        let allowed = ROUNDING * self.largest;
+        COUNTS.into_iter().find_map(|count| {
+            Harmonics::of_nodes(self.nodes(), self.is_odd, count).if_short(allowed)
+        })
     }
 
     /// The angles at which `g` falls at once, and by how much: there `F` is plus infinity.
@@ -181,7 +197,7 @@ impl Conjugate {
     }
 
     /// Nodes with their values of `g` and weights.
-    pub fn nodes(&self) -> impl Iterator<Item = (f64, f64, f64)> + '_ {
+    fn nodes(&self) -> impl Iterator<Item = (f64, f64, f64)> + '_ {
         self.panels.iter().flat_map(|panel| {
             let (middle, half) = (panel.middle(), panel.half());
             (0..ORDER).map(move |i| {
@@ -207,7 +223,7 @@ impl Conjugate {
     }
 
     /// Shortest panel.
-    pub fn finest(&self) -> f64 {
+    fn finest(&self) -> f64 {
         self.panels.iter().fold(PI, |least, panel| least.min(2.0 * panel.half()))
     }
 

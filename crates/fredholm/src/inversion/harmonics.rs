@@ -3,14 +3,8 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::LazyLock;
 
+use super::accuracy::{GOLDEN, ROUNDING};
 use super::angular::Angular;
-use super::conjugate::Conjugate;
-use super::{GOLDEN, ROUNDING};
-
-/// Harmonics that are tried. At half or twice 5 of 20 answers change, within what they state (survey).
-const COUNTS: [usize; 3] = [24, 48, 96];
-/// Shorter panels than this show something that no short series has. Half and twice change none of 20 answers (survey).
-const FINEST: f64 = 0.01;
 
 /// `F = sum k (f_k cos(k t) + h_k sin(k t))`, the conjugate of the slope of `f = mean + sum f_k cos(k t) + h_k sin(k t)`.
 #[derive(Debug, Clone)]
@@ -42,23 +36,6 @@ static TABLES: LazyLock<[Vec<f64>; 2]> = LazyLock::new(|| {
 const CHECKED: usize = 7;
 
 impl Harmonics {
-    /// The series, if it is short.
-    pub(super) fn short(slopes: &Conjugate) -> Option<Self> {
-        if slopes.finest() < FINEST {
-            return None;
-        }
-        let allowed = ROUNDING * slopes.largest();
-        for count in COUNTS {
-            let found = Self::new(slopes, count);
-            let tail = 2 * count / 3;
-            let is_rounding = |terms: &[f64]| terms.iter().skip(tail).all(|t| t.abs() <= allowed);
-            if is_rounding(&found.cosines) && is_rounding(&found.sines) {
-                return Some(found.without(0.1 * allowed));
-            }
-        }
-        None
-    }
-
     /// The series by equally spaced samples of the slope, where it is known and smooth; with `is_odd` over a half turn, else over a whole one.
     pub(super) fn sampled(profile: &dyn Angular, is_odd: bool) -> Option<Resolved> {
         profile.slope(1.0)?;
@@ -94,13 +71,11 @@ impl Harmonics {
                 mass *= sign;
             }
         }
-        let tail = 2 * samples / 3;
         let allowed = ROUNDING * largest;
-        let is_rounding = |terms: &[f64]| terms.iter().skip(tail).all(|t| t.abs() <= allowed);
-        if !(mean.is_finite() && is_rounding(&cosines) && is_rounding(&sines)) {
+        if !mean.is_finite() {
             return None;
         }
-        let series = Self { cosines, sines }.without(0.1 * allowed);
+        let series = Self { cosines, sines }.if_short(allowed)?;
         let reach = PI - start;
         let meets = |i: usize| {
             let angle = start + reach * (i as f64 * GOLDEN).fract();
@@ -140,14 +115,29 @@ impl Harmonics {
         &self.cosines
     }
 
-    fn new(slopes: &Conjugate, count: usize) -> Self {
-        let turns = if slopes.is_odd() { 2.0 } else { 1.0 };
+    /// Of the slope with these values and weights at angles, over one half turn or a whole one.
+    pub(super) fn of_nodes(
+        nodes: impl Iterator<Item = (f64, f64, f64)>,
+        is_odd: bool,
+        count: usize,
+    ) -> Self {
+        let turns = if is_odd { 2.0 } else { 1.0 };
         let mut cosines = vec![0.0; count];
-        let mut sines = vec![0.0; if slopes.is_odd() { 0 } else { count }];
-        for (angle, value, weight) in slopes.nodes() {
+        let mut sines = vec![0.0; if is_odd { 0 } else { count }];
+        for (angle, value, weight) in nodes {
             add(&mut cosines, &mut sines, turns / PI * weight * value, angle);
         }
         Self { cosines, sines }
+    }
+
+    /// The same without what is rounding, if that are all harmonics of the last third; `allowed` is its size.
+    pub(super) fn if_short(self, allowed: f64) -> Option<Self> {
+        let is_rounding = |terms: &[f64]| {
+            let tail = 2 * terms.len() / 3;
+            terms.iter().skip(tail).all(|term| term.abs() <= allowed)
+        };
+        let is_short = is_rounding(&self.cosines) && is_rounding(&self.sines);
+        is_short.then(|| self.without(0.1 * allowed))
     }
 
     /// Without the last terms below a threshold.
@@ -201,6 +191,7 @@ fn clenshaw(terms: &[f64], cosine: f64) -> [f64; 2] {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Conjugate;
     use super::*;
 
     struct Wave;
@@ -220,7 +211,7 @@ mod tests {
         // Of cos(k t + a) it is k cos(k t + a).
         // A bend that is none keeps the panels.
         let slopes = Conjugate::resolve(&Wave, [&[0.7], &[]], [8, 2], 0.0);
-        let series = Harmonics::short(&slopes).unwrap();
+        let series = slopes.series().unwrap();
         let sampled = Harmonics::sampled(&Wave, false).unwrap();
         assert!(sampled.mean.abs() < 1e-15);
         for i in -20..=20 {

@@ -10,7 +10,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::Place;
+use super::place::Place;
 use super::powers::{GROWTH, NEAREST, PLAIN, Powers, TURN};
 use super::ultraspherical::inside;
 

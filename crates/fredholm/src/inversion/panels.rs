@@ -2,9 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use super::accuracy::{DEEPEST, NOISE, OF_A_VALUE, ROUNDING};
 use super::angular::Angular;
 use super::rule::{ORDER, RULE, cauchy, derivative, polynomials};
-use super::{DEEPEST, NOISE, OF_A_VALUE, ROUNDING};
 
 /// There are at most so many panels. Half and twice change none of 32 answers (survey).
 const MOST_PANELS: usize = 40_000;

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use libm::tgamma;
 
-use super::STEPS;
+use super::accuracy::STEPS;
 use super::rule::{ORDER, RULE, integral};
 use crate::Error;
 

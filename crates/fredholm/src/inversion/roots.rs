@@ -2,7 +2,7 @@
 
 use std::f64::consts::{PI, TAU};
 
-use super::ROUNDING;
+use super::accuracy::ROUNDING;
 use super::angular::Angular;
 use super::panels::Panel;
 use super::rule::integral;

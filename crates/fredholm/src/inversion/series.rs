@@ -3,7 +3,7 @@
 //! `h = sum g_k c_k` of the order `mu/2 + 1` is the slope of `f0 = sum a_n c_n` of the order `mu/2`, `a_n = b (1+mu) g_(n-1)/(n (n+mu))`, and that profile takes the
 //! coefficients `a_n/l_n` of the [polynomials](super::modes) away from the pressure.
 
-use super::OF_A_VALUE;
+use super::accuracy::OF_A_VALUE;
 use super::powers::Powers;
 use super::ultraspherical::{gains, inside};
 use crate::basis::ChebyshevSeries;

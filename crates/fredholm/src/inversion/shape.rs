@@ -3,9 +3,9 @@
 use std::collections::VecDeque;
 use std::f64::consts::FRAC_PI_2;
 
+use super::accuracy::{DEEPEST, NOISE, OF_A_VALUE};
 use super::powers::Powers;
 use super::rule::integral;
-use super::{DEEPEST, NOISE, OF_A_VALUE};
 
 /// Panels of an integral at most, and its accuracy over that of what is made of it. At half or twice 6 of 27 answers change, within what they state (survey).
 const MOST_PANELS: usize = 512;

@@ -5,10 +5,10 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use super::accuracy::{DEEPEST, HARMLESS, NOISE, RESOLVED};
 use super::powers::{NEAREST, PLAIN, Powers, TURN, distant};
 use super::rule::{ORDER, RULE, derivative, integral, integral_at_nodes, series, series_at};
 use super::shape::{Shape, Symmetry};
-use super::{DEEPEST, HARMLESS, NOISE, RESOLVED};
 
 /// There are at most so many panels. Half and twice change none of 26 answers (survey).
 const MOST_PANELS: usize = 128;
