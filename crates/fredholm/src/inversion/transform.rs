@@ -69,6 +69,17 @@ impl Panel {
         self.ends[1] - self.ends[0]
     }
 
+    /// The part up to `to`.
+    fn within(&self, to: f64) -> Self {
+        let [from, end] = self.ends;
+        if to >= end {
+            return self.clone();
+        }
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let values = self.values_at(&RULE.nodes.map(|u| middle + half * u));
+        Self::new([from, to], RULE.coefficients(&values))
+    }
+
     /// The derivative of a series blows the rounding of its coefficients up by the square of their number.
     fn blown(&self, size: f64) -> f64 {
         24.0 * f64::EPSILON * (self.count * self.count) as f64 * size / self.length()
@@ -138,6 +149,14 @@ impl Segment {
         }
         let panels = panels.iter().map(|panel| Panel::new(panel.ends, panel.values)).collect();
         Self { ends, panels }
+    }
+
+    /// The part up to `end`, by the same polynomials.
+    fn within(&self, end: f64) -> Self {
+        let to = leg(end, self.ends[0]);
+        let kept = self.panels.iter().filter(|panel| panel.ends[0] < to);
+        let panels = kept.map(|panel| panel.within(to)).collect();
+        Self { ends: [self.ends[0], end], panels }
     }
 
     /// `sqrt(x^2 - r^2)` or its negative square at the end `s` of a panel.
@@ -357,6 +376,16 @@ impl AbelTransform {
         Self { segments, powers: shape.powers.clone(), part: shape.part, is_zero }
     }
 
+    /// The same up to a smaller radius, by the same polynomials: as accurate relative to `G` at the old one. None where it ends in the first part of a segment, whose polynomial says nothing of a share.
+    #[must_use]
+    pub fn within(&self, radius: f64) -> Option<Self> {
+        let inside = self.segments.iter().filter(|segment| segment.ends[0] < radius);
+        let cut = |segment: &Segment| segment.within(segment.ends[1].min(radius));
+        let segments: Vec<Segment> = inside.map(cut).collect();
+        let is_told = segments.last().is_some_and(|last| last.panels.len() > 1);
+        is_told.then(|| Self { segments, ..self.clone() })
+    }
+
     /// Whether there is anything that [`truncated`](Self::truncated) leaves out.
     pub fn has_tail(&self) -> bool {
         let mut panels = self.segments.iter().flat_map(|segment| &segment.panels);
@@ -477,6 +506,40 @@ mod tests {
                 assert!((found * (1.0 + mu) - 1.0).abs() < rounding, "{mu} {end}: {found}");
             }
         }
+    }
+
+    #[test]
+    fn a_part_of_a_transform_is_the_transform_of_a_part() {
+        let mut parts = 0;
+        for (mu, breaks) in [(0.0, vec![]), (0.4, vec![]), (0.0, vec![0.3]), (0.4, vec![0.3])] {
+            let kink = breaks.first().copied();
+            let slope = |r: f64| (3.0 * r).sin() + if kink.is_some_and(|at| r > at) { 1.0 } else { 0.0 };
+            let shape = Shape {
+                slope: &slope,
+                breaks,
+                joints: Vec::new(),
+                tolerance: 0.0,
+                noise: 0.0,
+                powers: Powers::new(mu).unwrap(),
+                part: Symmetry::Revolution,
+                is_over: &|| false,
+            };
+            let whole = AbelTransform::new(&shape, 1.0);
+            for radius in [0.2, 0.3, 0.55, 1.0] {
+                let own = AbelTransform::new(&shape, radius);
+                let Some(part) = whole.within(radius) else { continue };
+                parts += 1;
+                let close = |what: &str, one: f64, two: f64| {
+                    assert!((one - two).abs() < 1e-11, "{mu} {kink:?} {radius} {what}: {one} {two}");
+                };
+                close("volume", part.volume(0.7), own.volume(0.7));
+                close("pressure", part.pressure(0.13), own.pressure(0.13));
+                close("beside", part.displacement(1.1, 0.7), own.displacement(1.1, 0.7));
+                close("slope", part.end_slope(), own.end_slope());
+            }
+            assert!(whole.within(1e-9).is_none());
+        }
+        assert!(parts > 8, "{parts}");
     }
 
     fn short([from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {

@@ -3,13 +3,11 @@
 use std::sync::Arc;
 
 use fredholm::inversion::ultraspherical::{gains, norms};
-use fredholm::inversion::{AbelTransform, Kink, Series, Shape, Symmetry, Weight};
+use fredholm::inversion::{AbelTransform, Kink, Powers, Series, Shape, Symmetry, Weight};
 
-use super::strip::Ground;
+use super::super::base::Base;
+use super::super::pressure::place;
 use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
-use crate::contact::smooth::Curve;
-use crate::contact::smooth::problem::Base;
-use crate::contact::smooth::system::Place;
 use crate::contact::zones::Zone;
 
 /// More breakpoints than these do not get panels of their own: what they cost grows with their square, five seconds for 200. Traces of 300 points are within. Half and twice change none of 32 answers (survey).
@@ -19,8 +17,12 @@ const SAMPLES: usize = 8;
 /// Share of the half-width over which the slopes of transforms are taken. At half or twice 8 of 10 answers change, within what they state (survey).
 const STEP: f64 = 1e-3;
 
+/// A slope as a function of the place, or of the distance from the middle of a zone.
+type Slope = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
+
 /// The profile on a zone.
-pub(super) struct Parts {
+#[derive(Debug)]
+pub(super) struct OnZone {
     kinks: Vec<Kink>,
     rest: Rest,
     breaks: Vec<f64>,
@@ -31,6 +33,7 @@ pub(super) struct Parts {
 }
 
 /// The profile without its kinks.
+#[derive(Debug)]
 enum Rest {
     Smooth(Series),
     Bent(Halves),
@@ -38,16 +41,22 @@ enum Rest {
 
 /// The even and the odd part of a slope about the middle of a zone.
 struct Halves {
-    slopes: [Curve; 2],
+    slopes: [Slope; 2],
     breaks: Vec<f64>,
     tolerance: f64,
     /// Rounding of the slopes.
     noise: f64,
-    is_over: Box<dyn Fn() -> bool>,
+    is_over: Box<dyn Fn() -> bool + Send + Sync>,
+}
+
+impl std::fmt::Debug for Halves {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Halves").field("breaks", &self.breaks).finish_non_exhaustive()
+    }
 }
 
 impl Halves {
-    fn shape(&self, ground: &Ground, part: Symmetry) -> Shape<'_> {
+    fn shape(&self, powers: &Powers, part: Symmetry) -> Shape<'_> {
         let index = usize::from(part == Symmetry::Odd);
         let (slope, noise) = (&*self.slopes[index], self.noise);
         let (breaks, tolerance) = (self.breaks.clone(), self.tolerance);
@@ -57,31 +66,26 @@ impl Halves {
             joints: Vec::new(),
             tolerance,
             noise,
-            powers: ground.powers.clone(),
+            powers: powers.clone(),
             part,
             is_over: &*self.is_over,
         }
     }
 
-    fn shapes(&self, ground: &Ground) -> [Shape<'_>; 2] {
-        [Symmetry::Even, Symmetry::Odd].map(|part| self.shape(ground, part))
+    fn shapes(&self, powers: &Powers) -> [Shape<'_>; 2] {
+        [Symmetry::Even, Symmetry::Odd].map(|part| self.shape(powers, part))
     }
 }
 
-impl Parts {
-    pub(super) fn new(base: &Base<'_>, ground: &Ground, zone: &Zone) -> Self {
+impl OnZone {
+    pub(super) fn new(base: &Arc<Base>, powers: &Powers, zone: &Zone) -> Self {
         let [left, right] = zone.ends;
         let half = 0.5 * zone.length();
-        let profile = &base.problem.profile;
-        let slope: Curve = match &profile.slope {
-            Some(slope) => Arc::clone(slope),
-            None => Arc::new(|_| f64::NAN),
-        };
-        let clamped: Curve =
-            Arc::new(move |xi: f64| slope(xi.max(left.next_up()).min(right.next_down())));
+        let (own, inside_of) = (Arc::clone(base), *zone);
+        let clamped: Slope = Arc::new(move |xi: f64| own.slope(inside_of.inside(xi)));
         let inside = |at: &f64| left < *at && *at < right;
-        let bends: Vec<f64> = profile.breaks.iter().copied().filter(inside).collect();
-        let mut cuts = profile.cuts();
+        let bends: Vec<f64> = base.breaks.iter().copied().filter(inside).collect();
+        let mut cuts = base.cuts();
         cuts.retain(inside);
         if cuts.len() > MOST_BREAKS {
             cuts.clone_from(&bends);
@@ -101,14 +105,14 @@ impl Parts {
         let by_place =
             |y: f64| rest(if y < 0.0 { left + half * (1.0 + y) } else { right - half * (1.0 - y) });
         let rest =
-            match is_short.then(|| Series::new(&ground.powers, half, noise, &by_place)).flatten() {
+            match is_short.then(|| Series::new(powers, half, noise, &by_place)).flatten() {
                 Some(series) => Rest::Smooth(series),
                 None => Rest::Bent(halves(base, zone, &cuts, rest, noise * steepest)),
             };
         let centre = 0.5 * (left + right);
         let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
         tidy(&mut breaks, zone);
-        Self { kinks, rest, breaks, tolerance: profile.tolerance, half, steepest }
+        Self { kinks, rest, breaks, tolerance: base.tolerance, half, steepest }
     }
 
     /// Where the halves bend.
@@ -125,18 +129,18 @@ impl Parts {
     }
 
     /// `a_n` of the profile above its height in the middle, of what has no halves.
-    pub(super) fn heights(&self, ground: &Ground, count: usize) -> Option<Vec<f64>> {
-        let (gains, series) = (gains(&ground.powers, count.max(2)), self.series()?);
+    pub(super) fn heights(&self, powers: &Powers, count: usize) -> Option<Vec<f64>> {
+        let (gains, series) = (gains(powers, count.max(2)), self.series()?);
         let mut heights = vec![0.0; count.max(2)];
-        let norms = norms(&ground.powers, count);
+        let norms = norms(powers, count);
         for kink in &self.kinks {
-            let own = kink.heights(&ground.powers, &norms);
+            let own = kink.heights(powers, &norms);
             heights.iter_mut().zip(own).for_each(|(sum, a)| *sum += a);
         }
         let modes = series.modes.iter().zip(&gains).map(|(m, l)| m * l);
         heights.iter_mut().zip(modes).for_each(|(sum, a)| *sum += a);
         // Force and moment tell the first two.
-        let [even, odd] = self.levers(ground);
+        let [even, odd] = self.levers(powers);
         [heights[0], heights[1]] = [gains[0] * even, gains[1] * odd * self.half];
         heights.truncate(count);
         Some(heights)
@@ -160,23 +164,23 @@ impl Parts {
     }
 
     /// `G_e(b)`, `G_o(b)`, but for the polynomials from the third on.
-    pub(super) fn transforms(&self, ground: &Ground) -> [f64; 2] {
+    pub(super) fn transforms(&self, powers: &Powers) -> [f64; 2] {
         let mut sums = match &self.rest {
             Rest::Smooth(_) => {
                 let [even, odd] = self.lowest();
                 [even, odd / self.half]
             }
-            Rest::Bent(halves) => halves.shapes(ground).map(|shape| shape.transform(self.half)),
+            Rest::Bent(halves) => halves.shapes(powers).map(|shape| shape.transform(self.half)),
         };
         for kink in &self.kinks {
-            add(&mut sums, kink.transforms(&ground.powers));
+            add(&mut sums, kink.transforms(powers));
         }
         sums
     }
 
     /// `mu b int h_e sin t S dt` and `(2+mu)/(1+mu) int h_o sin^(2+mu) t dt`: an even and an odd density of the same force and moment.
-    pub(super) fn levers(&self, ground: &Ground) -> [f64; 2] {
-        let mu = ground.powers.exponent();
+    pub(super) fn levers(&self, powers: &Powers) -> [f64; 2] {
+        let mu = powers.exponent();
         let scales = [self.half, (2.0 + mu) / (1.0 + mu)];
         let mut sums = match &self.rest {
             Rest::Smooth(_) => {
@@ -184,50 +188,50 @@ impl Parts {
                 [even, odd / self.half]
             }
             Rest::Bent(halves) => {
-                let [even, odd] = halves.shapes(ground);
+                let [even, odd] = halves.shapes(powers);
                 let even = even.integral(self.half, Weight::Lever);
                 [scales[0] * even, scales[1] * odd.integral(self.half, Weight::SineSquared)]
             }
         };
         for kink in &self.kinks {
-            let [even, odd] = kink.levers(&ground.powers);
+            let [even, odd] = kink.levers(powers);
             add(&mut sums, [scales[0] * even, scales[1] * odd]);
         }
         sums
     }
 
     /// `G_e'(b)`, `G_o'(b)` of what is no polynomial, from inside and the [transforms](Self::transforms) at the end.
-    pub(super) fn rises(&self, ground: &Ground, ends: [f64; 2]) -> [f64; 2] {
-        let Rest::Bent(halves) = &self.rest else { return self.kink_rises(ground) };
-        let shapes = halves.shapes(ground);
+    pub(super) fn rises(&self, powers: &Powers, ends: [f64; 2]) -> [f64; 2] {
+        let Rest::Bent(halves) = &self.rest else { return self.kink_rises(powers) };
+        let shapes = halves.shapes(powers);
         let at = |steps: f64| {
             let x = self.half * (1.0 - STEP * steps);
             shapes.each_ref().map(|shape| shape.transform(x))
         };
         let mut ends = ends;
         for kink in &self.kinks {
-            add(&mut ends, kink.transforms(&ground.powers).map(|own| -own));
+            add(&mut ends, kink.transforms(powers).map(|own| -own));
         }
         let [one, two] = [1.0, 2.0].map(at);
         let mut sums =
             [0, 1].map(|k| (3.0 * ends[k] - 4.0 * one[k] + two[k]) / (2.0 * STEP * self.half));
-        add(&mut sums, self.kink_rises(ground));
+        add(&mut sums, self.kink_rises(powers));
         sums
     }
 
     /// The same of the kinks.
-    pub(super) fn kink_rises(&self, ground: &Ground) -> [f64; 2] {
+    pub(super) fn kink_rises(&self, powers: &Powers) -> [f64; 2] {
         let mut sums = [0.0; 2];
         for kink in &self.kinks {
-            add(&mut sums, kink.rises(&ground.powers));
+            add(&mut sums, kink.rises(powers));
         }
         sums
     }
 
     /// The even and odd transforms of what is neither kink nor polynomial, if there is any.
-    pub(super) fn on_panels(&self, ground: &Ground) -> Option<[AbelTransform; 2]> {
+    pub(super) fn on_panels(&self, powers: &Powers) -> Option<[AbelTransform; 2]> {
         let Rest::Bent(halves) = &self.rest else { return None };
-        Some(halves.shapes(ground).map(|shape| AbelTransform::new(&shape, self.half)))
+        Some(halves.shapes(powers).map(|shape| AbelTransform::new(&shape, self.half)))
     }
 }
 
@@ -237,12 +241,11 @@ fn add(sums: &mut [f64; 2], [even, odd]: [f64; 2]) {
 }
 
 /// The jumps of the slope at the cuts.
-fn kinks(slope: &Curve, zone: &Zone, cuts: &[f64], steepest: f64) -> Vec<Kink> {
-    let [left, right] = zone.ends;
-    let offset = OF_A_VALUE * left.abs().max(right.abs());
+fn kinks(slope: &Slope, zone: &Zone, cuts: &[f64], steepest: f64) -> Vec<Kink> {
+    let offset = OF_A_VALUE * zone.left().abs().max(zone.right().abs());
     let kink = |&at: &f64| {
         let size = 0.5 * (slope(at + offset) - slope(at - offset));
-        let place = Place { from_left: at - left, from_right: right - at };
+        let place = place(zone, at);
         let from_middle = 0.5 * (place.from_left - place.from_right);
         Kink { at: from_middle, place, size, half: 0.5 * zone.length() }
     };
@@ -251,7 +254,7 @@ fn kinks(slope: &Curve, zone: &Zone, cuts: &[f64], steepest: f64) -> Vec<Kink> {
 
 /// The slope by `xi` without that of kinks.
 fn without(
-    slope: &Curve,
+    slope: &Slope,
     zone: &Zone,
     kinks: &[Kink],
 ) -> impl Fn(f64) -> f64 + Send + Sync + use<> {
@@ -269,20 +272,20 @@ fn without(
 
 /// The halves of what is left.
 fn halves(
-    base: &Base<'_>,
+    base: &Arc<Base>,
     zone: &Zone,
     cuts: &[f64],
     rest: Arc<impl Fn(f64) -> f64 + Send + Sync + 'static>,
     noise: f64,
 ) -> Halves {
     let [left, right] = zone.ends;
-    let (centre, tolerance) = (0.5 * (left + right), base.problem.profile.tolerance);
+    let (centre, tolerance) = (0.5 * (left + right), base.tolerance);
     let other = Arc::clone(&rest);
-    let even: Curve = Arc::new(move |r| 0.5 * (rest(centre + r) - rest(centre - r)));
-    let odd: Curve = Arc::new(move |r| 0.5 * (other(centre + r) + other(centre - r)));
+    let even: Slope = Arc::new(move |r| 0.5 * (rest(centre + r) - rest(centre - r)));
+    let odd: Slope = Arc::new(move |r| 0.5 * (other(centre + r) + other(centre - r)));
     let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
     tidy(&mut breaks, zone);
-    let deadline = base.problem.deadline.clone();
+    let deadline = base.deadline().clone();
     let is_over = Box::new(move || deadline.is_past());
     Halves { slopes: [even, odd], breaks, tolerance, noise, is_over }
 }

@@ -1,48 +1,26 @@
-//! The kernels of smooth plane contact.
+//! The kernels of a half-plane under one punch, a pair, or a row.
 
 use std::f64::consts::PI;
 
-/// The kernel `K(d)` of the elastic displacement, without dimensions.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) enum SmoothKernel {
-    /// `ln 1/|d|`.
-    #[default]
-    Plane,
-    /// `ln 1/(2 sin(pi |d|/L))`: what repeats with the period `L >= 2`.
-    Periodic {
-        /// `L` in half-widths.
-        period: f64,
-    },
+/// The kernel `ln 1/|d|`, or `ln 1/(2 sin(pi |d|/L))` of what repeats with a period.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Kernel {
+    /// `L >= 2` in half-widths.
+    pub(super) period: Option<f64>,
 }
 
-impl SmoothKernel {
-    pub(super) fn period(self) -> Option<f64> {
-        match self {
-            Self::Plane => None,
-            Self::Periodic { period } => Some(period),
-        }
+impl Kernel {
+    /// The shifts of the sources of `ln 1/|d|` that are taken exactly: the zones and, in a row, their neighbours on either side.
+    pub(super) fn shifts(self) -> impl Iterator<Item = f64> {
+        let period = self.period.unwrap_or(0.0);
+        let images: &[f64] = if self.period.is_some() { &[0.0, -1.0, 1.0] } else { &[0.0] };
+        images.iter().map(move |m| m * period)
     }
 
-    /// The sources of `ln 1/|d|` that are taken exactly: the zones and, in a row, their neighbours on either side.
-    pub(super) fn images(self) -> &'static [f64] {
-        match self {
-            Self::Plane => &[0.0],
-            Self::Periodic { .. } => &[0.0, -1.0, 1.0],
-        }
-    }
-
-    /// What the [images](Self::images) leave of the kernel, smooth for `|d| < 2L`; nothing on the plane.
+    /// What these leave of the kernel, smooth for `|d| < 2L`; nothing on the plane.
     pub(super) fn remainder(self) -> Option<Remainder> {
-        let period = self.period()?;
+        let period = self.period?;
         Some(Remainder { period, level: 3.0 * period.ln() - (2.0 * PI).ln() })
-    }
-
-    /// A place moved by whole periods to within half a period of zero.
-    pub(super) fn reduced(self, xi: f64) -> f64 {
-        match self.period() {
-            Some(period) if xi.abs() >= 0.5 * period => xi - period * (xi / period).round(),
-            _ => xi,
-        }
     }
 }
 
@@ -103,13 +81,13 @@ mod tests {
 
     #[test]
     fn the_parts_add_up() {
-        let kernel = SmoothKernel::Periodic { period: 2.7 };
+        let kernel = Kernel { period: Some(2.7) };
         for d in [1e-9f64, 0.3, 1.0, 1.349_999, 1.35, 2.0, 2.2949, 2.2951, 2.699, 3.1] {
-            let images: f64 = kernel.images().iter().map(|m| -(d + m * 2.7).abs().ln()).sum();
+            let images: f64 = kernel.shifts().map(|shift| -(d + shift).abs().ln()).sum();
             let exact = -(2.0 * (PI * d / 2.7).sin().abs()).ln();
             let found = images + kernel.remainder().unwrap().at(d);
             assert!((found - exact).abs() < 1e-13 * (1.0 + exact.abs()), "{d}: {found} {exact}");
         }
-        assert!(SmoothKernel::Plane.remainder().is_none());
+        assert!(Kernel { period: None }.remainder().is_none());
     }
 }
