@@ -23,7 +23,7 @@ use clap::error::ErrorKind;
 use arguments::Arguments;
 use failure::Failure;
 pub use failure::{Refusal, told};
-pub use report::contact_plot;
+pub use report::{ContactPicture, contact_picture, contact_plot};
 pub use results::{PartFormat, StudyResults};
 use shtaerman::legible;
 

@@ -4,18 +4,19 @@ use serde_json::json;
 use shtaerman::convergence::{Convergence, FIRST_DEGREE, Quantity};
 use shtaerman::{Error, Problem};
 
+use super::picture::Picture;
 use super::problem_file;
 use crate::Failure;
 use crate::arguments::{ConvergenceArguments, ReportFormat};
 use crate::output::{Content, Outputs};
-use crate::plot::{ConvergencePlot, ConvergenceSeries, Format, Size, render};
+use crate::plot::{ConvergencePlot, ConvergenceSeries};
 use crate::report::{self, Table};
 
 /// Lowest `--max-n`.
 const LEAST_DEGREE: usize = 4 * FIRST_DEGREE;
 
 pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
     if arguments.max_n < LEAST_DEGREE {
         return Err(Failure::Usage(format!(
@@ -44,8 +45,8 @@ pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
     };
     let mut outputs = Outputs::default();
     outputs.result(arguments.output.output.as_deref(), text);
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        outputs.file(path, render(&plot(problem, &study), format, Size::default())?);
+    if let Some(picture) = picture {
+        picture.draw(&plot(problem, &study), &mut outputs)?;
     }
     outputs.write()
 }
@@ -127,7 +128,7 @@ fn plot(problem: &Problem, study: &Convergence) -> ConvergencePlot {
     });
     ConvergencePlot {
         title: "Convergence of the degenerate kernel".to_owned(),
-        notes: vec![format!("theta0 = {}", report::significant(problem.theta0(), 6))],
+        notes: vec![format!("θ₀ = {}", report::significant(problem.theta0(), 6))],
         series: series.collect(),
         count_label: "n, highest Chebyshev degree".to_owned(),
         difference_label: "relative difference from n/2".to_owned(),

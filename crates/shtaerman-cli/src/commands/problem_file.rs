@@ -121,6 +121,14 @@ pub(super) fn name(path: &Path) -> String {
     if path == Path::new("-") { "standard input".to_owned() } else { shown(path) }
 }
 
+/// The name of the file without its folder and suffix, for titles; none for standard input.
+pub(super) fn stem(path: &Path) -> String {
+    if path == Path::new("-") {
+        return String::new();
+    }
+    path.file_stem().map_or(String::new(), |stem| shown(Path::new(stem)))
+}
+
 /// What came of a solve.
 pub(super) enum Solved {
     Answer(Contact),

@@ -6,12 +6,13 @@ use std::path::Path;
 use shtaerman::quantity::{Dimension, engineering};
 use shtaerman::{Answer, Contact, Datum, PressureCurve, Problem, SurfaceCurve};
 
+use super::picture::Picture;
 use super::problem_file::Solved;
 use super::{places, problem_file, vary};
 use crate::arguments::{ReportFormat, SolveArguments};
 use crate::failure::{self, shown};
 use crate::output::{Content, Outputs};
-use crate::plot::{Format, Size, render};
+use crate::report::{ContactPicture, contact_picture};
 use crate::{Failure, clock, report};
 
 /// A place this far beyond an edge, in half-widths, is the edge: units round (200 mil and 5.08 mm).
@@ -21,12 +22,17 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     if !arguments.vary.is_empty() {
         return vary::run(arguments);
     }
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
     places::check_points(arguments.points)?;
     let file = problem_file::read(&arguments.problem, &outputs)?;
     let places =
         arguments.at.as_deref().map(|text| parse_places(text, file.problem())).transpose()?;
+    let dimension =
+        if file.problem().is_dimensionless() { Dimension::NONE } else { Dimension::LENGTH };
+    let window = (arguments.x_range.as_deref())
+        .map(|text| places::range("--x-range", text, dimension))
+        .transpose()?;
     let extras = Extras::new(arguments, file.problem())?;
     let (contact, over) = match problem_file::solved(&file, !arguments.no_audit)? {
         Solved::Answer(contact) => (contact, None),
@@ -65,9 +71,15 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let mut outputs = Outputs::default();
     let text = text(arguments, &contact, &answer, arguments.plot.as_deref());
     outputs.result(arguments.output.output.as_deref(), text);
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
+    if let Some(picture) = picture {
         clock::answered("its plot");
-        outputs.file(path, render(&report::contact_plot(&contact)?, format, Size::default())?);
+        let wanted = ContactPicture {
+            name: problem_file::stem(&arguments.problem.file),
+            title: arguments.picture.title.clone(),
+            x_range: window,
+            ..ContactPicture::default()
+        };
+        picture.draw(&contact_picture(&contact, &wanted)?, &mut outputs)?;
     }
     outputs.write()?;
     warn(arguments, &answer);

@@ -7,11 +7,11 @@ use std::time::{Duration, Instant};
 
 use shtaerman_study::{Part, Row, Study, Summary};
 
+use super::picture::{Picture, Titled};
 use crate::Failure;
 use crate::arguments::SweepArguments;
 use crate::failure::{self, shown};
 use crate::output::{Input, Outputs, check_writable};
-use crate::plot::{Format, render};
 use crate::report;
 use crate::results::{Results, processors};
 
@@ -24,7 +24,7 @@ const TICK: Duration = Duration::from_millis(250);
 
 pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     arguments.format.check()?;
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let threads = threads(arguments.threads)?;
     let shard = arguments.shard.as_deref().map_or(Ok(Shard::WHOLE), Shard::read)?;
     let study = Study::open(&arguments.file, &arguments.overrides)?;
@@ -49,10 +49,10 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     }
     let mut outputs = Outputs::default();
     outputs.result(None, report::sweep_table(study, results.manifest(), &run.report(chosen.len())));
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        let (plot, size) =
+    if let Some(picture) = picture {
+        let (figure, size) =
             report::response(study, &run.curves, Some(&run.summary)).map_err(Failure::Usage)?;
-        outputs.file(path, render(&plot, format, size)?);
+        picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
     outputs.write()
 }

@@ -5,12 +5,12 @@ use std::path::Path;
 
 use shtaerman_study::{Row, Study};
 
+use super::picture::{Picture, Titled};
 use super::problem_file;
 use crate::Failure;
 use crate::arguments::{ReportFormat, SolveArguments};
 use crate::failure;
 use crate::output::{Content, Input, Outputs, check_writable};
-use crate::plot::{Format, render};
 use crate::{report, results};
 
 /// Most cases; more belong into a folder.
@@ -19,7 +19,7 @@ const MOST: usize = 10_000;
 const FORM: &str = "write KEY=FROM..TO:COUNT, such as load.force=\"0.1..2 MN/m:20\", with :log behind it for a logarithmic scale, or KEY=VALUE,VALUE,.. with a unit behind the last";
 
 pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
     let path = &arguments.problem.file;
     check_writable(&outputs, &[Input { what: "the problem file", path }])?;
@@ -56,9 +56,9 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         }
     };
     outputs.result(arguments.output.output.as_deref(), content);
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        let (plot, size) = report::response(&study, &rows, None).map_err(Failure::Usage)?;
-        outputs.file(path, render(&plot, format, size)?);
+    if let Some(picture) = picture {
+        let (figure, size) = report::response(&study, &rows, None).map_err(Failure::Usage)?;
+        picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
     outputs.write()
 }

@@ -92,6 +92,16 @@ pub(super) fn superscript(exponent: i32) -> String {
     exponent.to_string().chars().map(raise).collect()
 }
 
+/// A round number, such as 1200, 0.25 or 5·10⁶.
+pub(super) fn round_number(value: f64) -> String {
+    if (1e-3..1e5).contains(&value) || value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    let text = format!("{value:e}");
+    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    format!("{digits}·10{}", superscript(exponent.parse().unwrap_or(0)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -116,5 +126,6 @@ mod tests {
     fn exponents_are_raised() {
         assert_eq!(superscript(-12), "⁻¹²");
         assert_eq!(superscript(304), "³⁰⁴");
+        assert_eq!([1200.0, 0.25, 5e6].map(round_number), ["1200", "0.25", "5·10⁶"]);
     }
 }

@@ -196,9 +196,9 @@ pub(crate) fn response(
     study: &Study,
     rows: &[Row],
     summary: Option<&Summary>,
-) -> Result<(Figure, Size), String> {
+) -> Result<(Figure, Option<Size>), String> {
     if let Some(indices) = summary.and_then(|summary| summary.indices.as_ref()) {
-        return Ok((tornado(study, indices).figure(), Size::default()));
+        return Ok((tornado(study, indices).figure(), None));
     }
     let variables = study.variables();
     let numeric = |index: usize| rows.iter().all(|row| row.inputs[index].number().is_some());
@@ -208,7 +208,7 @@ pub(crate) fn response(
         && numeric(1)
         && let Some(map) = response_map(study, rows)
     {
-        return Ok((map.figure(), map.size()));
+        return Ok((map.figure(), Some(map.size())));
     }
     let Some(variable) = (0..variables.len()).find(|index| numeric(*index)) else {
         return Err("--plot: none of the varied values is a number".to_owned());
@@ -228,7 +228,7 @@ pub(crate) fn response(
         is_connected: variables.len() == 1 && study.design() == Design::Grid,
         curves: curves.collect(),
     };
-    Ok((plot.figure(), Size::default()))
+    Ok((plot.figure(), None))
 }
 
 /// The outputs over a whole grid of two numbers; none unless both have at least two different values in increasing order.

@@ -14,6 +14,7 @@ const SHARE: f64 = 0.01;
 
 /// The map of a component over the grid; `peaks` are those of von Mises and Tresca.
 pub(super) fn plot(
+    problem: &str,
     component: StressComponent,
     field: &StressField,
     grid: &Stresses,
@@ -39,7 +40,7 @@ pub(super) fn plot(
         (factor(across, Dimension::LENGTH), factor(highest, Dimension::PRESSURE));
     let title = name(component);
     MapPlot {
-        title: format!("{} below the contact", capitalised(title)),
+        title: titled(problem, title),
         notes: notes(component, field, peaks, units),
         x: grid.x.iter().map(|x| x * length).collect(),
         depth: grid.y.iter().map(|y| y * length).collect(),
@@ -67,6 +68,15 @@ fn name(component: StressComponent) -> &'static str {
         StressComponent::Tresca => "Tresca stress",
         StressComponent::VonMises => "von Mises stress",
     }
+}
+
+/// The name of the file and what is drawn.
+fn titled(problem: &str, what: &str) -> String {
+    let what = format!("{what} below the contact");
+    if problem.is_empty() {
+        return capitalised(&what);
+    }
+    format!("{}: {what}", capitalised(&problem.replace('_', " ")))
 }
 
 fn capitalised(text: &str) -> String {

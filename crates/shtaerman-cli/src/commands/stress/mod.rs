@@ -9,17 +9,17 @@ use shtaerman::file::ProblemFile;
 use shtaerman::quantity::Dimension;
 use shtaerman::{Contact, Criterion, Error, StressField, Warning, WarningCode};
 
+use super::picture::Picture;
 use super::problem_file;
 use crate::arguments::{StressArguments, StressFormat};
 use crate::failure::shown;
 use crate::output::{Content, Outputs};
-use crate::plot::{Format, render};
 use crate::report::{self, StressReport, Stresses, YieldReport};
 use crate::{Failure, clock};
 use section::{Section, Units};
 
 pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     if arguments.format == StressFormat::Npz && arguments.output.is_none() {
         let message = "--format npz is no text: give --output FILE.npz";
         return Err(Failure::Usage(message.to_owned()));
@@ -54,9 +54,10 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let mut outputs = Outputs::default();
     let text = written(arguments, report, places.as_ref(), grid.as_ref())?;
     outputs.result(arguments.output.as_deref(), text);
-    if let (Some(path), Some(format), Some(grid)) = (&arguments.plot, format, &grid) {
-        let plot = map::plot(arguments.component, &field, grid, &peaks, units);
-        outputs.file(path, render(&plot, format, plot.size())?);
+    if let (Some(picture), Some(grid)) = (picture, &grid) {
+        let name = problem_file::stem(&arguments.problem.file);
+        let plot = map::plot(&name, arguments.component, &field, grid, &peaks, units);
+        picture.draw(&plot, &mut outputs)?;
     }
     outputs.write()
 }
