@@ -78,6 +78,7 @@ const PRESSURES: &[Step] =
     &[Step::new(LEAST, 0, "psi"), Step::new(3, 3, "ksi"), Step::new(6, 6, "Msi")];
 const FORCES_PER_INCH: &[Step] = &[Step::new(LEAST, 0, "lbf/in"), Step::new(3, 3, "kip/in")];
 const FORCES: &[Step] = &[Step::new(LEAST, 0, "lbf"), Step::new(3, 3, "kip")];
+const MOMENTS_PER_INCH: &[Step] = &[Step::new(LEAST, 0, "lbf in/in"), Step::new(3, 3, "kip in/in")];
 const MOMENTS: &[Step] = &[Step::new(LEAST, 0, "lbf in"), Step::new(3, 3, "kip in")];
 
 /// The units in which tables, plots and columns show results; SI with prefixes unless others were chosen.
@@ -123,7 +124,7 @@ impl OutputUnits {
             (Measure::Pressure, "MPa", 6),
             (Measure::ForcePerLength, "N/mm", 3),
             (Measure::Force, "N", 0),
-            (Measure::MomentPerLength, "N", 0),
+            (Measure::MomentPerLength, "N mm/mm", 0),
             (Measure::Moment, "N mm", -3),
             (Measure::Compliance, "µm/MPa", -12),
         ]
@@ -138,7 +139,7 @@ impl OutputUnits {
             (Measure::Pressure, DisplayUnit::stepped(PSI, PRESSURES)),
             (Measure::ForcePerLength, DisplayUnit::stepped(POUND_FORCE / INCH, FORCES_PER_INCH)),
             (Measure::Force, DisplayUnit::stepped(POUND_FORCE, FORCES)),
-            (Measure::MomentPerLength, DisplayUnit::stepped(POUND_FORCE, FORCES)),
+            (Measure::MomentPerLength, DisplayUnit::stepped(POUND_FORCE, MOMENTS_PER_INCH)),
             (Measure::Moment, DisplayUnit::stepped(POUND_FORCE * INCH, MOMENTS)),
             (Measure::Compliance, DisplayUnit::of_size("µin/ksi", 1e-9 * INCH / PSI)),
         ]

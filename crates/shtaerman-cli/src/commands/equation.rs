@@ -133,13 +133,16 @@ fn plot(
         Kind::First => "∫ K φ = f".to_owned(),
     };
     Ok(SolutionPlot {
-        title: if name.is_empty() {
-            format!("{kind}, f = {}", equation.right_hand_side())
-        } else {
-            format!("{}: {kind}, f = {}", name.replace('_', " "), equation.right_hand_side())
+        title: match report::heading(name) {
+            Some(name) => format!("{name}: {kind}, f = {}", equation.right_hand_side()),
+            None => format!("{kind}, f = {}", equation.right_hand_side()),
         },
         notes: vec![
-            format!("{}: K = {}", equation.kernel().title(), equation.kernel().family().formula),
+            symbols(&format!(
+                "{}: K = {}",
+                equation.kernel().title(),
+                equation.kernel().family().formula
+            )),
             format!("{}, n = {}; {}", method(solved.method()), solved.size(), sureness(answer)),
         ],
         points: places.into_iter().zip(values).collect(),
@@ -171,16 +174,20 @@ fn method(name: &str) -> &str {
     }
 }
 
+/// Formulas as they are printed.
+fn symbols(text: &str) -> String {
+    let printed =
+        [("^2", "²"), ("^3", "³"), ("lambda", "λ"), ("phi", "φ"), ("theta", "θ"), (" - ", " − ")];
+    printed.iter().fold(text.to_owned(), |text, (plain, symbol)| text.replace(plain, symbol))
+}
+
 /// How sure the answer is.
 fn sureness(answer: &EquationAnswer<'_>) -> String {
     let kind = answer.error.kind.name();
     match answer.error.solution_sup {
         Some(error) => {
-            format!(
-                "error of {} at most {} ({kind})",
-                answer.error.of,
-                report::significant(error, 2)
-            )
+            let of = symbols(answer.error.of);
+            format!("error of {of} at most {} ({kind})", report::significant(error, 2))
         }
         None => "error unknown".to_owned(),
     }

@@ -4,12 +4,13 @@ use super::Plot;
 use super::axis::Axis;
 use super::colour::Colour;
 use super::figure::{
-    Area, Arrangement, Band, Base, Corner, Dash, Figure, Layer, LegendPlace, Line, Mark, Panel,
-    Pole, Words,
+    Area, Arrangement, Band, Base, Dash, Figure, Layer, LegendPlace, Line, Mark, Panel, Pole,
 };
 
-/// Most zones whose ends are marked: of more, the marks would hide the curve.
-const MOST_MARKED: usize = 16;
+/// Most ends of zones that are marked: more would hide the curve.
+const MOST_MARKED: usize = 32;
+/// Room below the deepest point, as a share of the range of depths.
+const BELOW: f64 = 0.16;
 
 /// A contact: pressure over the position and, below it, punch, rough layer and body pressed into each other.
 ///
@@ -33,16 +34,18 @@ pub struct ContactPlot {
     pub punch_base: Vec<(f64, f64)>,
     /// Position, and the depths of the upper and lower side of the rough layer.
     pub layer: Vec<(f64, f64, f64)>,
-    /// What is said of the layer, such as how thick it is drawn where it is free.
+    /// What the layer is, such as `rough layer, drawn 1 µm thick where free`.
     pub layer_name: String,
     /// Surface of the elastic body, below the punch and outside: position and depth.
     pub body_surface: Vec<(f64, f64)>,
     /// Edges of the punch.
     pub edges: Vec<f64>,
-    /// Zones of contact, where they are not the full base.
-    pub contact_zones: Vec<[f64; 2]>,
+    /// Ends of the zones of contact, where they are not edges.
+    pub contact_ends: Vec<f64>,
     /// Ends of what is shown; none for everything.
     pub window: Option<[f64; 2]>,
+    /// Whether that is a part only, of which an inset shows the whole.
+    pub is_part: bool,
     /// How many units of the position one of the depth is, where both are lengths.
     pub length_of_depth: Option<f64>,
     /// Label of the position, such as `x [mm]`.
@@ -58,7 +61,7 @@ impl Plot for ContactPlot {
         let mut panels = vec![self.pressure_panel()];
         if !(self.punch_base.is_empty() && self.body_surface.is_empty()) {
             panels[0].horizontal.label.clear();
-            if self.window.is_some() {
+            if self.is_part {
                 panels[0].inset = Some(Box::new(self.whole()));
             }
             panels.push(self.surface_panel());
@@ -129,16 +132,25 @@ impl ContactPlot {
         let body = Line { width: 1.4, ..Line::new("", self.body_surface.clone(), Colour::BLUE) };
         let base = Line { width: 1.8, ..Line::new("", self.punch_base.clone(), Colour::INK) };
         layers.extend([Layer::Line(body), Layer::Line(base)]);
-        layers.extend(self.layer_name().map(|text| {
-            Layer::Words(Words { text, corner: Corner::LowerLeft, colour: Colour::INK })
-        }));
-        let vertical = Axis::linear(&self.depth_label).including(0.0).reversed();
+        let mut vertical = Axis::linear(&self.depth_label).including(0.0).reversed();
+        vertical.include.extend(self.deepest());
         let panel = Panel::new(self.position_axis(), vertical, layers);
         Panel { length_of_height: self.length_of_depth, ..panel }
     }
 
-    fn layer_name(&self) -> Option<String> {
-        (!self.layer.is_empty() && !self.layer_name.is_empty()).then(|| self.layer_name.clone())
+    /// A place below what is shown, so that there is body to be seen.
+    fn deepest(&self) -> Option<f64> {
+        let lines = self.punch_base.iter().chain(&self.body_surface);
+        let shown = lines.filter(|point| self.is_shown(point.0)).map(|point| point.1);
+        let [high, deep] = shown
+            .filter(|depth| depth.is_finite())
+            .fold([0.0f64, 0.0f64], |[high, deep], depth| [high.min(depth), deep.max(depth)]);
+        let below = deep + BELOW * (deep - high);
+        below.is_finite().then_some(below)
+    }
+
+    fn is_shown(&self, at: f64) -> bool {
+        self.window.is_none_or(|[left, right]| (left..=right).contains(&at))
     }
 
     /// Punch, layer and body as areas.
@@ -154,10 +166,10 @@ impl ContactPlot {
         }));
         if !self.layer.is_empty() {
             layers.push(Layer::Band(Band {
-                name: name("rough layer"),
+                name: name(&self.layer_name),
                 points: self.layer.clone(),
                 colour: Colour::LAYER,
-                opacity: 0.75,
+                opacity: 0.65,
             }));
         }
         layers.push(Layer::Area(Area {
@@ -185,25 +197,17 @@ impl ContactPlot {
 
     /// Marks at the edges of the punch and at the ends of the contact zones.
     fn marks(&self, named: bool) -> Vec<Layer> {
-        let mark = |name: &str, at: f64, dash: Dash| {
-            let name = if named { name } else { "" };
-            Layer::Mark(Mark { dash, ..Mark::vertical(name, at) })
+        let marked = |name: &str, places: &[f64], dash: Dash| -> Vec<Layer> {
+            let shown = places.iter().filter(|at| self.is_shown(**at)).enumerate();
+            let mark = |(index, at): (usize, &f64)| {
+                let name = if named && index == 0 { name } else { "" };
+                Layer::Mark(Mark { dash, ..Mark::vertical(name, *at) })
+            };
+            let layers: Vec<Layer> = shown.map(mark).collect();
+            if layers.len() <= MOST_MARKED { layers } else { Vec::new() }
         };
-        let is_shown =
-            |at: &f64| self.window.is_none_or(|[left, right]| (left..=right).contains(at));
-        let edges = self.edges.iter().filter(|at| is_shown(at)).enumerate();
-        let mut layers: Vec<Layer> = edges
-            .map(|(index, at)| {
-                mark(if index == 0 { "edges of the punch" } else { "" }, *at, Dash::Dashed)
-            })
-            .collect();
-        let ends = self.contact_zones.iter().flatten().filter(|at| is_shown(at));
-        let ends: Vec<f64> = ends.copied().collect();
-        if ends.len() <= 2 * MOST_MARKED {
-            layers.extend(ends.iter().enumerate().map(|(index, at)| {
-                mark(if index == 0 { "ends of the contact" } else { "" }, *at, Dash::Dotted)
-            }));
-        }
+        let mut layers = marked("edges of the punch", &self.edges, Dash::Dashed);
+        layers.extend(marked("ends of the contact", &self.contact_ends, Dash::Dotted));
         layers
     }
 }

@@ -7,9 +7,9 @@ use super::canvas::{Anchor, Canvas, Frame, Point, Style};
 use super::colour::Colour;
 use super::cross::arrow_at;
 use super::draw_map::{draw_colour_bar, draw_contours, draw_cross};
-use super::figure::{Area, Band, Base, Corner, Figure, Layer, Line, Mark, Panel, Pole, Words};
+use super::figure::{Area, Band, Base, Figure, Layer, Line, Mark, Panel, Pole};
 use super::format::Size;
-use super::layout::{AxisLayout, Layout, PanelLayout, RIM, TICK_MARK, line_height};
+use super::layout::{AxisLayout, Layout, PanelLayout, TICK_MARK, line_height};
 use super::mapping::{Mapping, style};
 use super::shape;
 use super::text;
@@ -20,17 +20,17 @@ pub(super) fn figure(figure: &Figure, size: Size, theme: Theme) -> Scene {
     let mut canvas = Canvas::new(size, theme);
     let layout = Layout::new(figure, size, theme.sizes());
     let sizes = layout.sizes;
-    let mut top = RIM;
+    let mut top = sizes.rim;
     for (lines, size, colour) in
         [(&layout.title, sizes.title, Colour::INK), (&layout.notes, sizes.note, Colour::GREY)]
     {
         for line in lines {
-            let at = (RIM, top + 0.5 * line_height(size));
+            let at = (sizes.rim, top + 0.5 * line_height(size));
             canvas.text(at, line, style(size, colour, Anchor::Start));
             top += line_height(size);
         }
     }
-    layout.legend.0.draw(&mut canvas, (RIM, layout.legend.1));
+    layout.legend.0.draw(&mut canvas, (sizes.rim, layout.legend.1));
     for (panel, layout) in figure.panels.iter().zip(&layout.panels) {
         draw_panel(&mut canvas, panel, layout);
     }
@@ -54,7 +54,7 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
         let style = style(sizes.label, Colour::GREY, Anchor::Middle);
         canvas.text(frame.centre(), "no numbers to draw", style);
     }
-    draw_words(canvas, panel, layout);
+    draw_exaggeration(canvas, layout);
     if let (Some(panel), Some(layout)) = (&panel.inset, &layout.inset) {
         draw_inset(canvas, panel, layout);
     }
@@ -69,36 +69,15 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
     draw_vertical_axis(canvas, &mapping);
 }
 
-/// Words in corners, above each other, and by how much heights are drawn larger than lengths.
-fn draw_words(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
+/// By how much heights are drawn larger than lengths, in the lower right corner.
+fn draw_exaggeration(canvas: &mut Canvas, layout: &PanelLayout) {
+    let Some(factor) = layout.exaggeration else { return };
     let (frame, size) = (layout.frame, canvas.sizes().tick);
-    let words = panel.layers.iter().filter_map(|layer| match layer {
-        Layer::Words(words) => Some(words.clone()),
-        _ => None,
-    });
-    let exaggeration = layout.exaggeration.map(|factor| Words {
-        text: format!("heights drawn {} times as large as lengths", text::round_number(factor)),
-        corner: Corner::LowerRight,
-        colour: Colour::INK,
-    });
-    let margin = 0.7 * f64::from(size);
-    let mut taken = [0.0; 3];
-    for words in words.chain(exaggeration) {
-        let (slot, anchor, x) = match words.corner {
-            Corner::UpperLeft => (0, Anchor::Start, frame.left + margin),
-            Corner::LowerLeft => (1, Anchor::Start, frame.left + margin),
-            Corner::LowerRight => (2, Anchor::End, frame.right - margin),
-        };
-        let offset = 0.5 * line_height(size) + 0.3 * margin + taken[slot];
-        let y = if words.corner == Corner::UpperLeft {
-            frame.top + offset
-        } else {
-            frame.bottom - offset
-        };
-        taken[slot] += line_height(size);
-        let text = text::fit(&text::clean(&words.text), size, frame.width() - 2.0 * margin);
-        canvas.text((x, y), &text, style(size, words.colour, anchor));
-    }
+    let words = format!("heights exaggerated {} times", text::round_number(factor));
+    let words = text::fit(&words, size, frame.width());
+    let margin = 0.6 * f64::from(size);
+    let at = (frame.right - margin, frame.bottom - 0.5 * line_height(size) - 0.2 * margin);
+    canvas.text(at, &words, style(size, Colour::INK, Anchor::End));
 }
 
 /// A small panel on its own ground.
@@ -224,8 +203,8 @@ fn draw_layer(canvas: &mut Canvas, mapping: &Mapping<'_>, layer: &Layer) -> bool
             draw_pole(canvas, mapping, pole);
             false
         }
-        // Beside the frame, which clips what is drawn here, and above all else.
-        Layer::ColourBar(_) | Layer::Words(_) => false,
+        // Beside the frame, which clips what is drawn here.
+        Layer::ColourBar(_) => false,
     }
 }
 

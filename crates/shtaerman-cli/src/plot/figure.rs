@@ -100,8 +100,6 @@ pub enum Layer {
     Cross(Cross),
     /// A place where a curve runs out of the frame to infinity.
     Pole(Pole),
-    /// Words in the panel.
-    Words(Words),
 }
 
 /// A value over a rectangular grid, drawn as bands of colour between levels.
@@ -143,28 +141,6 @@ pub struct Pole {
     pub colour: Colour,
     /// Whether it goes up, and not down.
     pub is_upward: bool,
-}
-
-/// A corner of a frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Corner {
-    /// Upper left.
-    UpperLeft,
-    /// Lower left.
-    LowerLeft,
-    /// Lower right.
-    LowerRight,
-}
-
-/// Words in a corner of a frame.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Words {
-    /// The words.
-    pub text: String,
-    /// Where.
-    pub corner: Corner,
-    /// Their colour.
-    pub colour: Colour,
 }
 
 /// A marked point.

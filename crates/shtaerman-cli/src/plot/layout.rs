@@ -12,22 +12,18 @@ use super::text;
 use super::theme::Sizes;
 use super::ticks::Ticks;
 
-/// Space at the rim of the picture.
-pub(super) const RIM: f64 = 14.0;
 /// Length of a tick mark.
 pub(super) const TICK_MARK: f64 = 5.0;
 /// From one line of text to the next, in sizes of the font.
 const LEADING: f64 = 1.4;
-/// Space between panels.
-const BETWEEN: f64 = 16.0;
 /// Space beside a colour bar, its width, and the space between the numbers and the label.
 pub(super) const BAR_GAP: f64 = 14.0;
 pub(super) const BAR_WIDTH: f64 = 16.0;
 pub(super) const BAR_LABEL_GAP: f64 = 6.0;
 /// Frames are not made smaller than this.
 const SMALLEST_FRAME: f64 = 40.0;
-/// Frames lower than this make notes and legends give way.
-const ROOMY_FRAME: f64 = 70.0;
+/// Frames lower than this, in sizes of tick labels, make notes and legends give way.
+const ROOMY_FRAME: f64 = 5.0;
 
 /// Height of a line of text.
 pub(super) fn line_height(size: u32) -> f64 {
@@ -78,18 +74,20 @@ impl Layout {
     }
 
     fn is_roomy(&self) -> bool {
-        self.panels.iter().all(|panel| panel.frame.height() >= ROOMY_FRAME)
+        self.panels
+            .iter()
+            .all(|panel| panel.frame.height() >= ROOMY_FRAME * f64::from(self.sizes.tick))
     }
 
     fn with(figure: &Figure, size: Size, sizes: Sizes, lines: usize, legends: bool) -> Self {
         let (width, height) = (f64::from(size.width), f64::from(size.height));
-        let room = width - 2.0 * RIM;
+        let room = width - 2.0 * sizes.rim;
         let title = text::wrap(&text::clean(&figure.title), sizes.title, room, 2);
         let notes = figure.notes.iter().take(lines);
         let mut notes: Vec<String> =
             notes.flat_map(|note| text::wrap(&text::clean(note), sizes.note, room, 2)).collect();
         notes.truncate(lines);
-        let mut top = RIM;
+        let mut top = sizes.rim;
         top += line_height(sizes.title) * title.len() as f64;
         top += line_height(sizes.note) * notes.len() as f64;
         let rows = if legends { (0.25 * height / Legend::row(sizes)) as usize } else { 0 };
@@ -98,7 +96,12 @@ impl Layout {
         if legend.height() > 0.0 {
             top = legend_top + legend.height();
         }
-        let area = Frame { left: RIM, top: top + 6.0, right: width - RIM, bottom: height - RIM };
+        let area = Frame {
+            left: sizes.rim,
+            top: top + 6.0,
+            right: width - sizes.rim,
+            bottom: height - sizes.rim,
+        };
         let panels = panels(figure, area, legends, sizes);
         Self { title, notes, legend: (legend, legend_top), panels, sizes }
     }
@@ -124,12 +127,12 @@ struct Rows {
 
 fn panels(figure: &Figure, area: Frame, legends: bool, sizes: Sizes) -> Vec<PanelLayout> {
     let ranges = shared_ranges(figure);
-    let cells = cells(figure, area);
+    let cells = cells(figure, area, sizes.between);
     let parts = figure.panels.iter().zip(&cells).zip(&ranges);
     let rows: Vec<Rows> = parts
         .map(|((panel, cell), ranges)| rows(figure, panel, *cell, *ranges, legends, sizes))
         .collect();
-    let cells = even_heights(figure, &cells, &rows);
+    let cells = even_heights(figure, &cells, &rows, sizes.between);
     let mut built: Vec<PanelLayout> = Vec::new();
     for (((panel, cell), ranges), rows) in figure.panels.iter().zip(cells).zip(ranges).zip(rows) {
         let bottom = cell.bottom - rows.below;
@@ -185,7 +188,7 @@ fn inset(panel: &Panel, around: Frame, sizes: Sizes) -> Option<PanelLayout> {
     let top = around.top + line_height(sizes.tick) + 2.0;
     let frame = Frame { left: right - width, top, right, bottom: top + height };
     let (across, down) = panel_ranges(panel);
-    let mut horizontal = ticks(&panel.horizontal, across, 0.8 * width, true, sizes);
+    let mut horizontal = ticks(&panel.horizontal, across, 1.5 * width, true, sizes);
     // Its ends and its middle are enough.
     while horizontal.labelled.len() > 3 {
         let mut index = 0;
@@ -224,18 +227,18 @@ fn align(figure: &Figure, panels: &mut [PanelLayout]) {
     }
 }
 
-fn cells(figure: &Figure, area: Frame) -> Vec<Frame> {
+fn cells(figure: &Figure, area: Frame, between: f64) -> Vec<Frame> {
     let count = figure.panels.len().max(1) as f64;
-    let gaps = BETWEEN * (count - 1.0);
+    let gaps = between * (count - 1.0);
     let cell = |index: usize| match figure.arrangement {
         Arrangement::Stacked => {
             let height = (area.height() - gaps) / count;
-            let top = area.top + index as f64 * (height + BETWEEN);
+            let top = area.top + index as f64 * (height + between);
             Frame { top, bottom: top + height, ..area }
         }
         Arrangement::SideBySide => {
             let width = (area.width() - gaps) / count;
-            let left = area.left + index as f64 * (width + BETWEEN);
+            let left = area.left + index as f64 * (width + between);
             Frame { left, right: left + width, ..area }
         }
     };
@@ -243,7 +246,7 @@ fn cells(figure: &Figure, area: Frame) -> Vec<Frame> {
 }
 
 /// Stacked cells of such heights that all frames are equally high.
-fn even_heights(figure: &Figure, cells: &[Frame], rows: &[Rows]) -> Vec<Frame> {
+fn even_heights(figure: &Figure, cells: &[Frame], rows: &[Rows], between: f64) -> Vec<Frame> {
     if figure.arrangement == Arrangement::SideBySide {
         return cells.to_vec();
     }
@@ -254,7 +257,7 @@ fn even_heights(figure: &Figure, cells: &[Frame], rows: &[Rows]) -> Vec<Frame> {
     let even = |(cell, rows): (&Frame, &Rows)| {
         let bottom = top + frame + rows.above + rows.below;
         let even = Frame { top, bottom, ..*cell };
-        top = bottom + BETWEEN;
+        top = bottom + between;
         even
     };
     cells.iter().zip(rows).map(even).collect()

@@ -23,6 +23,10 @@ enum Sample {
 }
 
 impl Sample {
+    fn is_mark(self) -> bool {
+        matches!(self, Self::Stroke { upright: true, .. } | Self::Arrow)
+    }
+
     fn width(self) -> f64 {
         match self {
             Self::Stroke { upright: true, .. } => 4.0,
@@ -68,6 +72,8 @@ impl Legend {
                 entries.push(entry);
             }
         }
+        // What is drawn stands before what is marked.
+        entries.sort_by_key(|entry| entry.sample.is_mark());
         for entry in &mut entries {
             entry.name = text::fit(&entry.name, size, width - SAMPLE - GAP);
         }
@@ -153,7 +159,7 @@ fn entry(layer: &Layer) -> Option<Entry> {
         Layer::Area(area) => (&area.name, area.colour, Sample::Swatch { opacity: area.opacity }),
         Layer::Cross(cross) => (&cross.name, Colour::INK, Sample::Cross),
         Layer::Pole(pole) => (&pole.name, pole.colour, Sample::Arrow),
-        Layer::Contours(_) | Layer::ColourBar(_) | Layer::Words(_) => return None,
+        Layer::Contours(_) | Layer::ColourBar(_) => return None,
     };
     let name = text::clean(name);
     (!name.is_empty()).then_some(Entry { name, colour, sample })

@@ -36,6 +36,8 @@ pub struct MapPlot {
     pub values: Vec<f64>,
     /// The smallest and largest value that is told apart; `None` for those of the values.
     pub limits: Option<(f64, f64)>,
+    /// The largest value anywhere, where it is known; it may lie between the points.
+    pub largest: Option<f64>,
     /// Zones of contact.
     pub zones: Vec<[f64; 2]>,
     /// Place of the largest value, with its name in the legend.
@@ -72,7 +74,13 @@ impl MapPlot {
         let ([first, second, ..], Some(last)) = (levels, levels.last()) else { return [false; 2] };
         let step = (1.0 + ROUNDING) * (second - first);
         let is_beyond = |value: f64| [first - value > step, value - last > step];
-        let cut = self.values.iter().copied().filter(|value| !value.is_nan()).map(is_beyond);
+        let cut = self
+            .values
+            .iter()
+            .copied()
+            .chain(self.largest)
+            .filter(|value| !value.is_nan())
+            .map(is_beyond);
         cut.fold([false; 2], |[below, above], [low, high]| [below || low, above || high])
     }
 }

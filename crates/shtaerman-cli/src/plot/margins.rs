@@ -58,7 +58,7 @@ pub(super) fn ticks(
     };
     let fits = |ticks: &Ticks| {
         let count = ticks.labelled.len();
-        count <= most.max(3)
+        count <= MOST_TICKS
             && (1..count).into_iter().all(|i| reach(i - 1, ticks).1 <= reach(i, ticks).0)
     };
     let mut ticks = Ticks::new(axis.scale, range, most);

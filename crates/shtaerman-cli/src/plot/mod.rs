@@ -45,8 +45,8 @@ pub use convergence::{ConvergencePlot, ConvergenceSeries};
 pub use curves::{Curve, CurvePanel, CurveScaling, CurvesPlot};
 pub use error::PlotError;
 pub use figure::{
-    Area, Arrangement, Band, Base, ColourBar, Contours, Corner, Cross, Dash, Figure, Layer,
-    LegendPlace, Line, Mark, Panel, Plot, Pole, Words,
+    Area, Arrangement, Band, Base, ColourBar, Contours, Cross, Dash, Figure, Layer, LegendPlace,
+    Line, Mark, Panel, Plot, Pole,
 };
 pub use format::{Format, Look, PNG_PIXELS_PER_UNIT, Size};
 pub use map::MapPlot;

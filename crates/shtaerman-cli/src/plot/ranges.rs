@@ -106,8 +106,7 @@ fn layer_points(layer: &Layer) -> Vec<(f64, f64)> {
         | Layer::Mark(_)
         | Layer::ColourBar(_)
         | Layer::Cross(_)
-        | Layer::Pole(_)
-        | Layer::Words(_) => Vec::new(),
+        | Layer::Pole(_) => Vec::new(),
     }
 }
 

@@ -31,8 +31,33 @@ pub(super) fn width(text: &str, size: u32) -> f64 {
     units * f64::from(size) / 2048.0
 }
 
-/// The text on one line, without characters that XML forbids.
+/// The text on one line, without characters that XML forbids, its numbers as they are printed: minus signs and powers of ten.
 pub(super) fn clean(text: &str) -> String {
+    let words = legal(text);
+    let printed: Vec<String> = words.split(' ').map(printed).collect();
+    printed.join(" ")
+}
+
+/// A word with its numbers as they are printed.
+fn printed(word: &str) -> String {
+    let opening = word.len() - word.trim_start_matches(['(', '[', '±', '=']).len();
+    let (before, rest) = word.split_at(opening);
+    let closing = rest.trim_end_matches([',', ';', ':', ')', ']', '.']).len();
+    let (number, after) = rest.split_at(closing);
+    // Words such as `inf` are numbers to a parser.
+    if number.parse::<f64>().is_err() || !number.ends_with(|c: char| c.is_ascii_digit()) {
+        return word.to_owned();
+    }
+    let number = match number.split_once(['e', 'E']) {
+        Some((digits, exponent)) => {
+            format!("{digits}·10{}", superscript(exponent.parse().unwrap_or(0)))
+        }
+        None => number.to_owned(),
+    };
+    format!("{before}{}{after}", number.replace('-', "−"))
+}
+
+fn legal(text: &str) -> String {
     let allowed = |c: &char| !matches!(c, '\u{fffe}' | '\u{ffff}');
     let spaced = text.chars().filter(allowed).map(|c| if c.is_control() { ' ' } else { c });
     let spaced: String = spaced.collect();
@@ -120,6 +145,12 @@ mod tests {
     #[test]
     fn cleaning_keeps_text_legal_in_xml() {
         assert_eq!(clean(" a\u{0}b\n\tc\u{ffff} "), "a b c");
+    }
+
+    #[test]
+    fn numbers_are_printed() {
+        let said = "at x = -5 mm (1.5e-16), f-2, -x, 2e5; E-3 case-1e5 1e";
+        assert_eq!(clean(said), "at x = −5 mm (1.5·10⁻¹⁶), f-2, -x, 2·10⁵; E-3 case-1e5 1e");
     }
 
     #[test]

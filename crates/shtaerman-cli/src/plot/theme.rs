@@ -25,6 +25,9 @@ pub(super) struct Sizes {
     pub(super) tick: u32,
     pub(super) legend: u32,
     pub(super) stroke: f64,
+    /// Space at the rim of the picture, and between panels.
+    pub(super) rim: f64,
+    pub(super) between: f64,
 }
 
 impl Theme {
@@ -55,6 +58,8 @@ impl Theme {
                 tick: 12,
                 legend: 12,
                 stroke: 1.0,
+                rim: 14.0,
+                between: 16.0,
             },
             Self::Print => Sizes {
                 title: 13,
@@ -64,6 +69,8 @@ impl Theme {
                 tick: 10,
                 legend: 10,
                 stroke: 0.75,
+                rim: 5.0,
+                between: 9.0,
             },
         }
     }

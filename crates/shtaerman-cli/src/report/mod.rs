@@ -18,6 +18,7 @@ pub(crate) use export::{ForceExport, Model, SurfaceExport};
 pub(crate) use extras::{extras, surface_csv};
 pub(crate) use find::{CrownReport, FoundReport, ShapedReport};
 pub(crate) use number::significant;
+pub(crate) use picture::heading;
 pub use picture::{ContactPicture, contact_picture, contact_plot};
 pub(crate) use stress::{
     StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,

@@ -6,7 +6,7 @@ use shtaerman::{Peak, StressField};
 use super::section::Units;
 use crate::arguments::StressComponent;
 use crate::plot::MapPlot;
-use crate::report::{Stresses, significant};
+use crate::report::{Stresses, heading, significant};
 
 /// Values beyond this multiple of what all but a hundredth reach are a peak at a corner, which would leave no colours for the rest.
 const PEAK: f64 = 1.6;
@@ -46,6 +46,9 @@ pub(super) fn plot(
         depth: grid.y.iter().map(|y| y * length).collect(),
         values: values.iter().map(|value| value * stress).collect(),
         limits: limits.map(|(low, high)| (low * stress, high * stress)),
+        largest: peak(component, peaks)
+            .map(|(peak, share)| share * peak.value * stress)
+            .filter(|value| !value.is_nan()),
         zones: zones(field, grid).into_iter().map(|zone| zone.map(|x| x * length)).collect(),
         cross: cross(component, grid, peaks)
             .map(|(x, y)| ((x * length, y * length), "largest in the body".to_owned())),
@@ -73,10 +76,10 @@ fn name(component: StressComponent) -> &'static str {
 /// The name of the file and what is drawn.
 fn titled(problem: &str, what: &str) -> String {
     let what = format!("{what} below the contact");
-    if problem.is_empty() {
-        return capitalised(&what);
+    match heading(problem) {
+        Some(name) => format!("{name}: {what}"),
+        None => capitalised(&what),
     }
-    format!("{}: {what}", capitalised(&problem.replace('_', " ")))
 }
 
 fn capitalised(text: &str) -> String {

@@ -8,6 +8,7 @@ use shtaerman::{Contact, Error, PressureCurve};
 
 use crate::plot::ContactPlot;
 use surfaces::Surfaces;
+pub(crate) use words::heading;
 
 /// Points of the plotted curves.
 const PLOT_POINTS: usize = 401;
@@ -73,8 +74,9 @@ pub fn contact_picture(contact: &Contact, wanted: &ContactPicture) -> Result<Con
         layer_name: shown.layer_name(&surfaces, wanted),
         body_surface: shown.line(&surfaces.body),
         edges: surfaces.edges.iter().map(|at| at * x).collect(),
-        contact_zones: surfaces.ends(contact).iter().map(|zone| zone.map(|at| at * x)).collect(),
-        window: window.map(|window| window.map(|at| at * x)),
+        contact_ends: surfaces.ends(contact).iter().map(|at| at * x).collect(),
+        window: Some(window.unwrap_or_else(|| surfaces.reach()).map(|at| at * x)),
+        is_part: window.is_some(),
         length_of_depth: shown.length_of_depth(),
         position_label: shown.length.label.clone(),
         pressure_label: shown.pressure.label.clone(),
@@ -160,15 +162,12 @@ impl Shown {
         };
         let reach = window
             .map_or(problem.punch().half_width(), |[left, right]| left.abs().max(right.abs()));
-        let depths = surfaces.depths();
+        let repeated = surfaces.repeated(&curve.x, &curve.pressure);
+        let most = largest_shown(contact, &repeated).unwrap_or_else(|| largest(&curve.pressure));
+        let depths = surfaces.depths(window);
         Self {
             length: unit(reach, Measure::Length, "x", "ξ = x/a"),
-            pressure: unit(
-                largest(&curve.pressure),
-                Measure::Pressure,
-                "pressure p",
-                "pressure p/E",
-            ),
+            pressure: unit(most, Measure::Pressure, "pressure p", "pressure p/E"),
             depth: unit(largest(&depths), Measure::Displacement, "depth", "depth / (χE)"),
             is_physical,
         }
@@ -188,7 +187,7 @@ impl Shown {
         self.is_physical.then(|| self.length.factor / self.depth.factor)
     }
 
-    /// How thick the layer is drawn where it is free: the model knows only by how much it is compressed.
+    /// What the layer is, and how thick it is drawn where it is free: the model knows only by how much it is compressed.
     fn layer_name(&self, surfaces: &Surfaces, wanted: &ContactPicture) -> String {
         let thickness = match surfaces.thickness {
             Some(thickness) if self.is_physical => {
@@ -197,6 +196,6 @@ impl Shown {
             Some(thickness) => super::significant(thickness, 2),
             None => return String::new(),
         };
-        format!("the free layer is drawn {thickness} thick: the model knows its compression alone")
+        format!("rough layer, drawn {thickness} thick where free")
     }
 }

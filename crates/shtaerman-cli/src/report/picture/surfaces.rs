@@ -70,7 +70,8 @@ impl Surfaces {
             lines.edges = lines.shifted(edges.into_iter());
         }
         let found = lines.found(contact, places, window);
-        lines.thickness = thickness(contact, &found);
+        let shown = found.iter().filter(|at| is_in(window, at.x)).copied().collect::<Vec<_>>();
+        lines.thickness = thickness(contact, &shown);
         lines.draw(&found);
         lines
     }
@@ -90,24 +91,26 @@ impl Surfaces {
         points
     }
 
-    /// The zones of contact, where they are not the full base, repeated.
-    pub(super) fn ends(&self, contact: &Contact) -> Vec<[f64; 2]> {
+    /// The ends of the zones of contact, where they are not the full base, repeated.
+    pub(super) fn ends(&self, contact: &Contact) -> Vec<f64> {
         if contact.dimensionless().zones() == contact.problem().punch().pieces() {
             return Vec::new();
         }
-        let repeated = self
-            .shifts
-            .iter()
-            .flat_map(|shift| contact.zones().into_iter().map(move |zone| zone.map(|x| x + shift)));
-        repeated.filter(|zone| self.is_within(zone[0]) && self.is_within(zone[1])).collect()
+        let is_edge = |x: &f64| self.pieces.iter().flatten().any(|edge| edge == x);
+        let ends: Vec<f64> =
+            contact.zones().into_iter().flatten().filter(|x| !is_edge(x)).collect();
+        self.shifted(ends.into_iter())
     }
 
-    /// All depths that are drawn.
-    pub(super) fn depths(&self) -> Vec<f64> {
-        let base = self.base.iter().map(|point| point.1);
-        base.chain(self.body.iter().map(|point| point.1))
-            .filter(|depth| depth.is_finite())
-            .collect()
+    /// The ends of what is drawn.
+    pub(super) fn reach(&self) -> [f64; 2] {
+        self.reach
+    }
+
+    /// All depths that are shown.
+    pub(super) fn depths(&self, window: Option<[f64; 2]>) -> Vec<f64> {
+        let points = self.base.iter().chain(&self.body).filter(|point| is_in(window, point.0));
+        points.map(|point| point.1).filter(|depth| depth.is_finite()).collect()
     }
 
     fn is_within(&self, x: f64) -> bool {
@@ -140,10 +143,7 @@ impl Surfaces {
                 .collect(),
         };
         // Outside of a window a rough line is enough.
-        let is_shown = |index: usize, x: f64| match window {
-            Some([left, right]) => (left..=right).contains(&x) || index.is_multiple_of(4),
-            None => true,
-        };
+        let is_shown = |index: usize, x: f64| is_in(window, x) || index.is_multiple_of(4);
         let under = places.iter().enumerate().filter(|(index, x)| is_shown(*index, **x));
         let mut all: Vec<f64> = under.map(|(_, x)| *x).collect();
         all.extend(beside.iter().flat_map(|x| [*x, -x]));
@@ -192,6 +192,10 @@ impl Surfaces {
             }
         }
     }
+}
+
+fn is_in(window: Option<[f64; 2]>, x: f64) -> bool {
+    window.is_none_or(|[left, right]| (left..=right).contains(&x))
 }
 
 /// The thickness that the free layer is drawn with.

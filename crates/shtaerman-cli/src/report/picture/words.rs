@@ -19,7 +19,7 @@ pub(super) fn title(contact: &Contact, wanted: &ContactPicture) -> String {
 }
 
 /// The name of a file as words.
-fn heading(name: &str) -> Option<String> {
+pub(crate) fn heading(name: &str) -> Option<String> {
     let words = name.replace('_', " ");
     let mut letters = words.trim().chars();
     letters.next().map(|first| first.to_uppercase().chain(letters).collect())
@@ -45,7 +45,8 @@ fn load(contact: &Contact, units: &OutputUnits) -> String {
     if !is_there(contact) {
         return said;
     }
-    let per = if problem.is_circular() { "" } else { " per unit length" };
+    // N m per m is N, which the chosen units of a moment say themselves.
+    let per = if problem.is_circular() || units.has(moment_measure) { "" } else { " m/m" };
     format!("{said}, moment {}{per}", units.shown_with_digits(moment, moment_measure, DIGITS))
 }
 
