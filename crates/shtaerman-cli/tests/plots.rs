@@ -241,7 +241,7 @@ fn nasty_numbers_never_fail() {
                 edges: x.clone(),
                 contact_ends: y.clone(),
                 window: x.first().zip(y.first()).map(|(x, y)| [*x, *y]),
-                is_part: true,
+                whole: "all".to_owned(),
                 length_of_depth: y.first().copied(),
                 largest_shown: x.first().copied(),
                 ..flat_punch()

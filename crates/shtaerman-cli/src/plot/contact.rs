@@ -10,7 +10,7 @@ use super::figure::{
 /// Most ends of zones that are marked: more would hide the curve.
 const MOST_MARKED: usize = 32;
 /// Room below the deepest point, as a share of the range of depths.
-const BELOW: f64 = 0.16;
+const BELOW: f64 = 0.08;
 
 /// A contact: pressure over the position and, below it, punch, rough layer and body pressed into each other.
 ///
@@ -44,8 +44,8 @@ pub struct ContactPlot {
     pub contact_ends: Vec<f64>,
     /// Ends of what is shown; none for everything.
     pub window: Option<[f64; 2]>,
-    /// Whether that is a part only, of which an inset shows the whole.
-    pub is_part: bool,
+    /// What the whole is called, where that is a part only: an inset shows it.
+    pub whole: String,
     /// How many units of the position one of the depth is, where both are lengths.
     pub length_of_depth: Option<f64>,
     /// Label of the position, such as `x [mm]`.
@@ -61,8 +61,8 @@ impl Plot for ContactPlot {
         let mut panels = vec![self.pressure_panel()];
         if !(self.punch_base.is_empty() && self.body_surface.is_empty()) {
             panels[0].horizontal.label.clear();
-            if self.is_part {
-                panels[0].inset = Some(Box::new(self.whole()));
+            if !self.whole.is_empty() {
+                panels[0].inset = Some(Box::new(self.inset()));
             }
             panels.push(self.surface_panel());
         }
@@ -183,16 +183,17 @@ impl ContactPlot {
     }
 
     /// The whole base with the window in it, as an inset.
-    fn whole(&self) -> Panel {
+    fn inset(&self) -> Panel {
         let mut layers = self.bodies(false);
         for at in self.window.into_iter().flatten() {
-            let dash = Dash::Solid;
-            let colour = Colour::VERMILION;
+            let (dash, colour) = (Dash::Solid, Colour::VERMILION);
             layers.push(Layer::Mark(Mark { dash, colour, ..Mark::vertical("", at) }));
         }
         let vertical = Axis::linear("").including(0.0).reversed();
-        let panel = Panel::new(Axis::linear(""), vertical, layers);
-        Panel { heading: "the whole base, and what is shown".to_owned(), ..panel }
+        let ends = self.body_surface.first().zip(self.body_surface.last());
+        let ends = ends.map(|(first, last)| [first.0, last.0]);
+        let panel = Panel::new(Axis::linear("").between(ends), vertical, layers);
+        Panel { heading: self.whole.clone(), ..panel }
     }
 
     /// Marks at the edges of the punch and at the ends of the contact zones.

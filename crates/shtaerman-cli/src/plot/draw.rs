@@ -54,7 +54,7 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
         let style = style(sizes.label, Colour::GREY, Anchor::Middle);
         canvas.text(frame.centre(), "no numbers to draw", style);
     }
-    draw_exaggeration(canvas, layout);
+    draw_exaggeration(canvas, &mapping);
     if let (Some(panel), Some(layout)) = (&panel.inset, &layout.inset) {
         draw_inset(canvas, panel, layout);
     }
@@ -69,22 +69,27 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
     draw_vertical_axis(canvas, &mapping);
 }
 
-/// By how much heights are drawn larger than lengths, in the lower right corner.
-fn draw_exaggeration(canvas: &mut Canvas, layout: &PanelLayout) {
-    let Some(factor) = layout.exaggeration else { return };
-    let (frame, size) = (layout.frame, canvas.sizes().tick);
-    let words = format!("heights exaggerated {} times", text::round_number(factor));
-    let words = text::fit(&words, size, frame.width());
-    let margin = 0.6 * f64::from(size);
-    let at = (frame.right - margin, frame.bottom - 0.5 * line_height(size) - 0.2 * margin);
-    canvas.text(at, &words, style(size, Colour::INK, Anchor::End));
+/// By how much heights are drawn larger than lengths, at the right below the axis.
+fn draw_exaggeration(canvas: &mut Canvas, mapping: &Mapping<'_>) {
+    let Some(factor) = mapping.layout.exaggeration else { return };
+    let (frame, sizes) = (mapping.layout.frame, canvas.sizes());
+    let factor = text::round_number(factor);
+    let label = text::width(&mapping.panel.horizontal.label, sizes.label);
+    let multiplier = text::width(&mapping.layout.horizontal.ticks.multiplier(), sizes.tick);
+    let room = 0.5 * (frame.width() - label) - multiplier - f64::from(sizes.tick);
+    let long = format!("heights exaggerated {factor} times");
+    let words =
+        if text::width(&long, sizes.tick) <= room { long } else { format!("heights ×{factor}") };
+    let row = frame.bottom + TICK_MARK + line_height(sizes.tick) + 0.5 * line_height(sizes.label);
+    let at = (frame.right - multiplier, row);
+    canvas.text(at, &words, style(sizes.tick, Colour::GREY, Anchor::End));
 }
 
 /// A small panel on its own ground.
 fn draw_inset(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
     let (frame, size) = (layout.frame, canvas.sizes().tick);
-    let below = frame.bottom + 1.2 * line_height(size);
-    let (left, right) = (frame.left - 0.6 * f64::from(size), frame.right + 0.6 * f64::from(size));
+    let margin = 0.5 * f64::from(size);
+    let (left, right, below) = (frame.left - margin, frame.right + margin, frame.bottom + margin);
     let ground =
         [(left, layout.top + 1.0), (right, layout.top + 1.0), (right, below), (left, below)];
     canvas.fill(&ground, Colour::PAPER, 0.85);
@@ -98,12 +103,6 @@ fn draw_inset(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
     let heading = text::fit(&text::clean(&panel.heading), size, frame.width());
     let above = (frame.left, frame.top - 0.5 * line_height(size));
     canvas.text(above, &heading, style(size, Colour::GREY, Anchor::Start));
-    for tick in &layout.horizontal.ticks.labelled {
-        let x = mapping.across(tick.place);
-        canvas.line((x, frame.bottom), (x, frame.bottom + 3.0), Colour::INK, 1.0);
-        let at = (x, frame.bottom + 3.0 + 0.5 * line_height(size));
-        canvas.text(at, &tick.label, style(size, Colour::GREY, Anchor::Middle));
-    }
 }
 
 fn draw_grid(canvas: &mut Canvas, mapping: &Mapping<'_>) {
@@ -175,7 +174,11 @@ fn draw_vertical_axis(canvas: &mut Canvas, mapping: &Mapping<'_>) {
     }
     let above = (frame.left, frame.top - 0.5 * line_height(sizes.tick));
     canvas.text(above, &ticks.multiplier(), style(sizes.tick, Colour::INK, Anchor::Start));
-    let label = axis_label(&mapping.panel.vertical, sizes.label, frame.height() + 20.0);
+    let label = axis_label(
+        &mapping.panel.vertical,
+        sizes.label,
+        frame.height() + 4.0 * f64::from(sizes.label),
+    );
     let upright = Style { upright: true, ..style(sizes.label, Colour::INK, Anchor::Middle) };
     canvas.text((mapping.layout.label, frame.centre().1), &label, upright);
 }

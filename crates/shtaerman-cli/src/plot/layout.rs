@@ -188,21 +188,12 @@ fn inset(panel: &Panel, around: Frame, sizes: Sizes) -> Option<PanelLayout> {
     let top = around.top + line_height(sizes.tick) + 2.0;
     let frame = Frame { left: right - width, top, right, bottom: top + height };
     let (across, down) = panel_ranges(panel);
-    let mut horizontal = ticks(&panel.horizontal, across, 1.5 * width, true, sizes);
-    // Its ends and its middle are enough.
-    while horizontal.labelled.len() > 3 {
-        let mut index = 0;
-        horizontal.labelled.retain(|_| {
-            index += 1;
-            index % 2 == 1
-        });
-    }
     Some(PanelLayout {
         frame,
         top: around.top,
         label: frame.left,
         legend: Legend::default(),
-        horizontal: AxisLayout { range: across, ticks: horizontal },
+        horizontal: AxisLayout { range: across, ticks: Ticks::default() },
         vertical: AxisLayout { range: down, ticks: Ticks::default() },
         exaggeration: None,
         inset: None,
@@ -273,7 +264,7 @@ fn rows(
 ) -> Rows {
     let legend = match figure.legend {
         LegendPlace::Panel if legends => {
-            let most = ((0.3 * cell.height() / Legend::row(sizes)) as usize).max(1);
+            let most = ((0.3 * cell.height() / Legend::row(sizes)) as usize).max(3);
             Legend::new(&[panel], cell.width() - 60.0, most, sizes)
         }
         _ => Legend::default(),

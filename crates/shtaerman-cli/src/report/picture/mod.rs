@@ -17,7 +17,7 @@ const CLIPPED: f64 = 0.02;
 /// A contact less wide than this share of the base is shown larger, with its neighbourhood.
 const NARROW: f64 = 0.25;
 /// That neighbourhood on either side, in widths of the contact.
-const BESIDE: f64 = 0.75;
+const BESIDE: f64 = 1.0;
 /// Error of the pressure, relative to its largest value, from which on it can be seen in a plot.
 const VISIBLE: f64 = 1e-3;
 
@@ -76,7 +76,7 @@ pub fn contact_picture(contact: &Contact, wanted: &ContactPicture) -> Result<Con
         edges: surfaces.edges.iter().map(|at| at * x).collect(),
         contact_ends: surfaces.ends(contact).iter().map(|at| at * x).collect(),
         window: Some(window.unwrap_or_else(|| surfaces.reach()).map(|at| at * x)),
-        is_part: window.is_some(),
+        whole: window.map_or_else(String::new, |_| shown.whole(contact, wanted)),
         length_of_depth: shown.length_of_depth(),
         position_label: shown.length.label.clone(),
         pressure_label: shown.pressure.label.clone(),
@@ -185,6 +185,17 @@ impl Shown {
     /// A depth of one unit, in units of the position.
     fn length_of_depth(&self) -> Option<f64> {
         self.is_physical.then(|| self.length.factor / self.depth.factor)
+    }
+
+    /// What an inset shows around a part.
+    fn whole(&self, contact: &Contact, wanted: &ContactPicture) -> String {
+        let half_width = contact.problem().punch().half_width();
+        if self.is_physical {
+            let edge = wanted.units.shown_with_digits(half_width, Measure::Length, 4);
+            format!("the whole base, to ±{edge}")
+        } else {
+            "the whole base".to_owned()
+        }
     }
 
     /// What the layer is, and how thick it is drawn where it is free: the model knows only by how much it is compressed.
