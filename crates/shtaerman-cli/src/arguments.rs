@@ -7,6 +7,7 @@ mod roughness;
 mod spectrum;
 mod started;
 mod sweep;
+mod units;
 
 use std::path::PathBuf;
 
@@ -25,6 +26,7 @@ pub use roughness::{
 pub use spectrum::{KernelArguments, SpectrumArguments};
 pub use started::{CompletionsArguments, ExampleGeometry, InitArguments, ManArguments};
 pub use sweep::SweepArguments;
+pub use units::{SenseArguments, UnitArguments};
 
 /// Contact of a rigid punch with a rough elastic body (Shtaerman's model).
 ///
@@ -137,9 +139,9 @@ pub struct SolveArguments {
     /// Leave out the audit: errors are then those that the method states of itself.
     #[arg(long)]
     pub no_audit: bool,
-    /// End with exit code 2 where an engineer would doubt the input: steep bases, large angles, pressures that no solid bears, moduli without a unit and the like, which are warnings otherwise.
-    #[arg(long)]
-    pub strict: bool,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
     /// Places for the pressure, separated by commas: metres or with a unit; xi for a dimensionless file.
     #[arg(long, value_name = "X1,X2,...", allow_hyphen_values = true)]
     pub at: Option<String>,
@@ -170,6 +172,9 @@ pub struct SolveArguments {
     /// What is kept of each answer of --vary, such as "settlement, tilt".
     #[arg(long, value_name = "NAMES", requires = "vary")]
     pub outputs: Option<String>,
+    #[command(flatten)]
+    /// The units of the result.
+    pub units: UnitArguments,
     #[command(flatten)]
     /// How the picture looks.
     pub picture: PictureArguments,
@@ -256,6 +261,12 @@ pub struct StressArguments {
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
     #[command(flatten)]
+    /// The units of the result.
+    pub units: UnitArguments,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
+    #[command(flatten)]
     /// How the picture looks.
     pub picture: PictureArguments,
 }
@@ -314,6 +325,9 @@ pub struct ConvergenceArguments {
     /// Draw the differences over n (.svg, .png or .pdf).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    #[command(flatten)]
+    /// The units of the result.
+    pub units: UnitArguments,
     #[command(flatten)]
     /// How the picture looks.
     pub picture: PictureArguments,

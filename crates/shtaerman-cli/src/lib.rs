@@ -12,6 +12,7 @@ mod output;
 pub mod plot;
 mod report;
 mod results;
+mod terminal;
 
 use std::io::Write;
 use std::path::Path;

@@ -2,7 +2,7 @@
 
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::{OutputArguments, ProblemArguments};
+use super::{OutputArguments, ProblemArguments, SenseArguments, UnitArguments};
 
 /// `shtaerman find`.
 #[derive(Debug, Args)]
@@ -44,6 +44,12 @@ pub struct FindForceArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
+    #[command(flatten)]
+    /// The units of the result.
+    pub units: UnitArguments,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
 }
 
 /// `shtaerman find roughness`.
@@ -68,6 +74,12 @@ pub struct FindRoughnessArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
+    #[command(flatten)]
+    /// The units of the result.
+    pub units: UnitArguments,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
 }
 
 /// `shtaerman find crown`.
@@ -85,6 +97,12 @@ pub struct FindCrownArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
+    #[command(flatten)]
+    /// The units of the result.
+    pub units: UnitArguments,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
 }
 
 /// Where the profile of `shtaerman find profile` is zero.
@@ -114,4 +132,7 @@ pub struct FindProfileArguments {
     #[command(flatten)]
     /// The result; CSV is the trace, as `profile = { csv = ".." }` reads it.
     pub output: OutputArguments,
+    #[command(flatten)]
+    /// The units of the result.
+    pub units: UnitArguments,
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::PictureArguments;
+use super::{PictureArguments, UnitArguments};
 use crate::results::PartFormat;
 
 /// `shtaerman sweep`.
@@ -37,6 +37,9 @@ pub struct SweepArguments {
     /// Run studies of more than a million cases.
     #[arg(long)]
     pub yes: bool,
+    #[command(flatten)]
+    /// The units of the result.
+    pub units: UnitArguments,
     #[command(flatten)]
     /// How the picture looks.
     pub picture: PictureArguments,

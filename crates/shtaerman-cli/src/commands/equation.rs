@@ -74,7 +74,7 @@ fn content<'a>(
             if let Some(path) = &arguments.plot {
                 let _ = writeln!(text, "plot: {}", shown(path));
             }
-            text.into()
+            Content::page(&text)
         }
         ReportFormat::Json => Content::json(answer),
         ReportFormat::Csv => report::equation_csv(answer),

@@ -18,7 +18,7 @@ pub(super) fn run(arguments: &ReproduceArguments) -> Result<(), Failure> {
     let reproduction = paper::reproduce()?;
     let mut outputs = Outputs::default();
     let text = match arguments.output.format {
-        ReportFormat::Table => table(&reproduction).into(),
+        ReportFormat::Table => Content::page(&table(&reproduction)),
         ReportFormat::Json => json(&reproduction),
         ReportFormat::Csv => csv(&reproduction),
     };

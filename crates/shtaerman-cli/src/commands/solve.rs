@@ -3,7 +3,8 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use shtaerman::quantity::{Dimension, engineering};
+use shtaerman::file::ProblemFile;
+use shtaerman::quantity::{Dimension, Measure, OutputUnits};
 use shtaerman::{Answer, Contact, Datum, PressureCurve, Problem, SurfaceCurve};
 
 use super::picture::Picture;
@@ -12,7 +13,7 @@ use super::{places, problem_file, vary};
 use crate::arguments::{ReportFormat, SolveArguments};
 use crate::failure::{self, shown};
 use crate::output::{Content, Outputs};
-use crate::report::{ContactPicture, contact_picture};
+use crate::report::{ContactPicture, Shown, contact_picture};
 use crate::{Failure, clock, report};
 
 /// A place this far beyond an edge, in half-widths, is the edge: units round (200 mil and 5.08 mm).
@@ -25,9 +26,8 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
     places::check_points(arguments.points)?;
-    let file = problem_file::read(&arguments.problem, &outputs)?;
-    let places =
-        arguments.at.as_deref().map(|text| parse_places(text, file.problem())).transpose()?;
+    let file = problem_file::read(&arguments.problem, &arguments.units, &outputs)?;
+    let places = arguments.at.as_deref().map(|text| parse_places(text, &file)).transpose()?;
     let dimension =
         if file.problem().is_dimensionless() { Dimension::NONE } else { Dimension::LENGTH };
     let window = (arguments.x_range.as_deref())
@@ -38,11 +38,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         Solved::Answer(contact) => (contact, None),
         Solved::Unfinished(contact, limit) => (contact, Some(limit)),
     };
-    let doubts = file.sense_checks(&contact);
-    if arguments.strict && !doubts.is_empty() {
-        let said: Vec<&str> = doubts.iter().map(|doubt| doubt.message.as_str()).collect();
-        return Err(Failure::Usage(format!("--strict: {}", said.join("; "))));
-    }
+    let doubts = problem_file::doubts(&file, &contact, &arguments.sense)?;
     clock::answered("its curve");
     let curve = match places {
         Some(places) => PressureCurve::at(&contact, places)?,
@@ -52,7 +48,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     answer.warnings = [contact.warnings(), &doubts].concat();
     if let Some(limit) = over {
         let mut outputs = Outputs::default();
-        outputs.result(None, text(arguments, &contact, &answer, None));
+        outputs.result(None, text(arguments, &contact, &answer, file.units(), None));
         outputs.write()?;
         warn(arguments, &answer);
         return Err(Failure::Unfinished(limit));
@@ -69,7 +65,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         }
     }
     let mut outputs = Outputs::default();
-    let text = text(arguments, &contact, &answer, arguments.plot.as_deref());
+    let text = text(arguments, &contact, &answer, file.units(), arguments.plot.as_deref());
     outputs.result(arguments.output.output.as_deref(), text);
     if let Some(picture) = picture {
         clock::answered("its plot");
@@ -77,7 +73,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
             name: problem_file::stem(&arguments.problem.file),
             title: arguments.picture.title.clone(),
             x_range: window,
-            ..ContactPicture::default()
+            units: file.units().clone(),
         };
         picture.draw(&contact_picture(&contact, &wanted)?, &mut outputs)?;
     }
@@ -102,19 +98,21 @@ fn text<'a>(
     arguments: &SolveArguments,
     contact: &Contact,
     answer: &'a Answer,
+    units: &OutputUnits,
     plot: Option<&Path>,
 ) -> Content<'a> {
     match arguments.output.format {
         ReportFormat::Table => {
             let name = problem_file::name(&arguments.problem.file);
-            let mut text = report::answer_table(&name, contact, answer, arguments.at.is_some());
+            let mut text =
+                report::answer_table(&name, contact, answer, units, arguments.at.is_some());
             if let Some(path) = plot {
                 let _ = writeln!(text, "plot: {}", shown(path));
             }
-            text.into()
+            Content::page(&text)
         }
         ReportFormat::Json => Content::json(answer),
-        ReportFormat::Csv => report::answer_csv(answer),
+        ReportFormat::Csv => report::answer_csv(answer, &Shown::of(contact.problem(), units)),
     }
 }
 
@@ -191,9 +189,11 @@ fn extended(answer: Answer, contact: &Contact, extras: &Extras) -> Result<Answer
 }
 
 /// The places of `--at`: lengths, or bare numbers for a dimensionless problem.
-fn parse_places(text: &str, problem: &Problem) -> Result<Vec<f64>, Failure> {
+fn parse_places(text: &str, file: &ProblemFile) -> Result<Vec<f64>, Failure> {
+    let problem = file.problem();
     let dimension = if problem.is_dimensionless() { Dimension::NONE } else { Dimension::LENGTH };
     let half_width = problem.punch().half_width();
+    let shown = Shown::of(problem, file.units());
     places::parse(text, dimension, &|place| {
         if place.abs() <= half_width {
             return Ok(place);
@@ -203,8 +203,8 @@ fn parse_places(text: &str, problem: &Problem) -> Result<Vec<f64>, Failure> {
         }
         Err(format!(
             "is beyond the punch, which reaches from {} to {}",
-            engineering(-half_width, dimension),
-            engineering(half_width, dimension)
+            shown.value(-half_width, Measure::Length),
+            shown.value(half_width, Measure::Length)
         ))
     })
 }

@@ -27,7 +27,7 @@ pub(super) fn run(arguments: &SpectrumArguments) -> Result<(), Failure> {
             if let Some(path) = &arguments.plot {
                 text.push_str(&format!("\nplot: {}\n", shown(path)));
             }
-            text.into()
+            Content::page(&text)
         }
         ReportFormat::Json => Content::json(&spectrum),
         ReportFormat::Csv => csv(&spectrum),

@@ -8,11 +8,12 @@ use std::time::{Duration, Instant};
 use shtaerman_study::{Part, Row, Study, Summary};
 
 use super::picture::{Picture, Titled};
+use super::problem_file;
 use crate::Failure;
 use crate::arguments::SweepArguments;
 use crate::failure::{self, shown};
-use crate::output::{Input, Outputs, check_writable};
-use crate::report;
+use crate::output::{Content, Input, Outputs, check_writable};
+use crate::report::{self, StudyUnits};
 use crate::results::{Results, processors};
 
 /// Studies of more cases ask first.
@@ -30,6 +31,8 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     let study = Study::open(&arguments.file, &arguments.overrides)?;
     let input = Input { what: "the study file", path: &arguments.file };
     check_writable(&[arguments.plot.as_deref()], &[input])?;
+    let units: Vec<String> = problem_file::units_override(&arguments.units)?.into_iter().collect();
+    let units = StudyUnits::new(&study, &units)?;
     check_size(&study, arguments.yes || arguments.summary)?;
     let name = arguments.file.file_name().unwrap_or(arguments.file.as_os_str());
     let name = shown(Path::new(name));
@@ -48,10 +51,11 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
         run.audit_sample(&chosen);
     }
     let mut outputs = Outputs::default();
-    outputs.result(None, report::sweep_table(study, results.manifest(), &run.report(chosen.len())));
+    let table = report::sweep_table(study, &units, results.manifest(), &run.report(chosen.len()));
+    outputs.result(None, Content::page(&table));
     if let Some(picture) = picture {
-        let (figure, size) =
-            report::response(study, &run.curves, Some(&run.summary)).map_err(Failure::Usage)?;
+        let (figure, size) = report::response(study, &units, &run.curves, Some(&run.summary))
+            .map_err(Failure::Usage)?;
         picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
     outputs.write()

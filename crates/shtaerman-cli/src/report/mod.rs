@@ -8,7 +8,9 @@ mod extras;
 mod find;
 mod number;
 mod picture;
+mod shown;
 mod stress;
+mod study_units;
 mod sweep;
 mod table;
 
@@ -20,8 +22,10 @@ pub(crate) use find::{CrownReport, FoundReport, ShapedReport};
 pub(crate) use number::significant;
 pub(crate) use picture::heading;
 pub use picture::{ContactPicture, contact_picture, contact_plot};
+pub(crate) use shown::Shown;
 pub(crate) use stress::{
     StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
 };
-pub(crate) use sweep::{SweepReport, columns, keep, response, rows_table, sweep_table};
+pub(crate) use study_units::{Scaled, StudyUnits};
+pub(crate) use sweep::{SweepReport, columns, keep, response, rows_csv, rows_table, sweep_table};
 pub(crate) use table::Table;
