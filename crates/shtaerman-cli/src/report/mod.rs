@@ -13,6 +13,7 @@ mod stress;
 mod study_units;
 mod sweep;
 mod table;
+mod trace;
 
 pub(crate) use answer::{answer_csv, answer_table};
 pub(crate) use equation::{equation_csv, equation_table};
@@ -29,3 +30,4 @@ pub(crate) use stress::{
 pub(crate) use study_units::{Scaled, StudyUnits};
 pub(crate) use sweep::{SweepReport, columns, keep, response, rows_csv, rows_table, sweep_table};
 pub(crate) use table::Table;
+pub(crate) use trace::{TraceReport, trace_csv};

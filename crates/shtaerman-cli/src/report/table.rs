@@ -10,6 +10,9 @@ use crate::terminal::WIDTH;
 /// Rows of a long table that are set together: a row in the making takes more than a kilobyte.
 const PIECE: usize = 10_000;
 
+/// Fewer words than this behind a number are its unit.
+const UNIT_WORDS: usize = 3;
+
 /// Blanks around a cell.
 const PADDING: u16 = 2;
 
@@ -181,8 +184,13 @@ impl Layout {
     }
 }
 
-/// Characters of the longest word.
+/// Characters of the longest word; a number stays with its unit.
 fn longest_word(text: &str) -> usize {
+    let mut words = text.split_whitespace();
+    let is_value = words.next().is_some_and(|word| word.parse::<f64>().is_ok());
+    if is_value && words.count() < UNIT_WORDS {
+        return text.chars().count();
+    }
     text.split_whitespace().map(|word| word.chars().count()).max().unwrap_or(0)
 }
 
