@@ -195,7 +195,7 @@ fn doubts_end_every_command_that_solves_when_asked() {
         "--radius",
         "10 um",
     ];
-    let gw = [&gw[..], &["--modulus", "110 GPa", "--pressure", "2 GPa"]].concat();
+    let gw = [&gw[..], &["--modulus", "110 GPa", "--pressure", "20 GPa"]].concat();
     let said = folder.run(&gw).answer();
     let said = said.split_whitespace().collect::<Vec<_>>().join(" ");
     assert!(said.contains("surface in contact at the highest pressure"), "{said}");
