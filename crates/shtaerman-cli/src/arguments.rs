@@ -1,5 +1,6 @@
 //! The arguments of the command line.
 
+mod common;
 mod export;
 mod find;
 mod picture;
@@ -15,6 +16,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+pub use common::{OutputArguments, ProblemArguments, ReportFormat};
 pub use export::{ExportArguments, Exported, ModelUnits, Program};
 pub use find::{
     FindArguments, FindCrownArguments, FindForceArguments, FindProfileArguments,
@@ -88,42 +90,6 @@ pub enum Command {
     Completions(CompletionsArguments),
     /// Write a page for `man` about each command.
     Man(ManArguments),
-}
-
-/// How results are written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum ReportFormat {
-    /// A table for people, in engineering units.
-    Table,
-    /// JSON, in SI units.
-    Json,
-    /// CSV, in SI units.
-    Csv,
-}
-
-/// Where results go.
-#[derive(Debug, Args)]
-pub struct OutputArguments {
-    /// Format of the result.
-    #[arg(long, value_enum, default_value = "table", value_name = "FORMAT")]
-    pub format: ReportFormat,
-    /// Write the result to this file instead of the terminal.
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-}
-
-/// A problem file with overrides.
-#[derive(Debug, Args)]
-pub struct ProblemArguments {
-    /// Problem file (TOML); `-` reads standard input.
-    #[arg(value_name = "FILE.toml")]
-    pub file: PathBuf,
-    /// Override a key of the file, such as load.force="1 MN/m"; may be given again.
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    pub overrides: Vec<String>,
-    /// End with exit code 3 when there is no answer after this time, such as "10 s"; `solve` shows the best so far then. In place of the key `solver.time_limit`.
-    #[arg(long, value_name = "TIME")]
-    pub time_limit: Option<String>,
 }
 
 /// `shtaerman solve`.

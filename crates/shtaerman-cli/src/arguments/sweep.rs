@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::{PictureArguments, UnitArguments};
+use super::picture::PictureArguments;
+use super::units::UnitArguments;
 use crate::results::PartFormat;
 
 /// `shtaerman sweep`.

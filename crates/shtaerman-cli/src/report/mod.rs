@@ -8,6 +8,7 @@ mod extras;
 mod find;
 mod number;
 mod picture;
+mod shaped;
 mod shown;
 mod stress;
 mod study_units;
@@ -19,10 +20,11 @@ pub(crate) use answer::{answer_csv, answer_table};
 pub(crate) use equation::{equation_csv, equation_table};
 pub(crate) use export::{ForceExport, Model, SurfaceExport};
 pub(crate) use extras::{extras, surface_csv};
-pub(crate) use find::{CrownReport, FoundReport, ShapedReport};
+pub(crate) use find::{CrownReport, FoundReport};
 pub(crate) use number::significant;
 pub(crate) use picture::heading;
 pub use picture::{ContactPicture, contact_picture, contact_plot};
+pub(crate) use shaped::ShapedReport;
 pub(crate) use shown::Shown;
 pub(crate) use stress::{
     StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
