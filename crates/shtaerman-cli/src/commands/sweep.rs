@@ -54,8 +54,10 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     let table = report::sweep_table(study, &units, results.manifest(), &run.report(chosen.len()));
     outputs.result(None, Content::page(&table));
     if let Some(picture) = picture {
-        let (figure, size) = report::response(study, &units, &run.curves, Some(&run.summary))
-            .map_err(Failure::Usage)?;
+        let stem = problem_file::stem(&arguments.file);
+        let (figure, size) =
+            report::response(&stem, study, &units, &run.curves, Some(&run.summary))
+                .map_err(Failure::Usage)?;
         picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
     outputs.write()
