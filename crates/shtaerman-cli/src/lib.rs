@@ -12,6 +12,7 @@ mod output;
 pub mod plot;
 mod report;
 mod results;
+mod terminal;
 
 use std::io::Write;
 use std::path::Path;
@@ -23,7 +24,7 @@ use clap::error::ErrorKind;
 use arguments::Arguments;
 use failure::Failure;
 pub use failure::{Refusal, told};
-pub use report::contact_plot;
+pub use report::{ContactPicture, contact_picture, contact_plot};
 pub use results::{PartFormat, StudyResults};
 use shtaerman::legible;
 

@@ -1,16 +1,18 @@
 //! `shtaerman find`.
 
-use shtaerman::Error;
 use shtaerman::file::ProblemFile;
 use shtaerman::inverse::{self, Found, Goal, Normalisation};
 use shtaerman::quantity::Dimension;
+use shtaerman::{Contact, Error, Warning};
 
 use super::{places, problem_file};
 use crate::Failure;
 use crate::arguments::{
     FindArguments, FindCrownArguments, FindForceArguments, FindProfileArguments,
-    FindRoughnessArguments, OutputArguments, ProblemArguments, ReportFormat, Unknown, Zero,
+    FindRoughnessArguments, OutputArguments, ProblemArguments, ReportFormat, SenseArguments,
+    UnitArguments, Unknown, Zero,
 };
+use crate::failure;
 use crate::output::{Content, Outputs};
 use crate::report::{CrownReport, FoundReport, ShapedReport};
 
@@ -24,12 +26,15 @@ pub(super) fn run(arguments: &FindArguments) -> Result<(), Failure> {
 }
 
 fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
-    let file = read(&arguments.problem, &arguments.output)?;
+    let file = read(&arguments.problem, &arguments.units, &arguments.output)?;
     let goal = goal(&file, [&arguments.peak_pressure, &arguments.contact_width, &None])?;
     let found = located(&file, inverse::force(file.problem(), goal))?;
     let found = audited(&file, found, arguments.no_audit)?;
     let name = problem_file::name(&arguments.problem.file);
-    let report = FoundReport::force(file.problem(), &found);
+    let mut report = FoundReport::force(file.problem(), &found, file.units());
+    let warnings = warnings(&file, &found.contact, &arguments.sense)?;
+    say(&arguments.output, &warnings);
+    report.warn(warnings);
     write(
         &arguments.output,
         || report.table(&name, &found),
@@ -39,13 +44,16 @@ fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
 }
 
 fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
-    let file = read(&arguments.problem, &arguments.output)?;
+    let file = read(&arguments.problem, &arguments.units, &arguments.output)?;
     let FindRoughnessArguments { peak_pressure, contact_width, settlement, .. } = arguments;
     let goal = goal(&file, [peak_pressure, contact_width, settlement])?;
     let found = located(&file, inverse::roughness(file.problem(), goal))?;
     let found = audited(&file, found, arguments.no_audit)?;
     let name = problem_file::name(&arguments.problem.file);
-    let report = FoundReport::roughness(file.problem(), &found);
+    let mut report = FoundReport::roughness(file.problem(), &found, file.units());
+    let warnings = warnings(&file, &found.contact, &arguments.sense)?;
+    say(&arguments.output, &warnings);
+    report.warn(warnings);
     write(
         &arguments.output,
         || report.table(&name, &found),
@@ -55,7 +63,7 @@ fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
 }
 
 fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
-    let file = read(&arguments.problem, &arguments.output)?;
+    let file = read(&arguments.problem, &arguments.units, &arguments.output)?;
     let limit = arguments
         .peak_pressure
         .as_deref()
@@ -70,18 +78,15 @@ fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
         }
     }
     let name = problem_file::name(&arguments.problem.file);
-    let report = CrownReport::new(&crown);
-    write(
-        &arguments.output,
-        || report.table(&name, &crown),
-        || Content::json(&report),
-        || report.csv(),
-    )
+    let warnings = warnings(&file, &crown.best.contact, &arguments.sense)?;
+    say(&arguments.output, &warnings);
+    let report = CrownReport::new(&crown, file.units(), warnings);
+    write(&arguments.output, || report.table(&name), || Content::json(&report), || report.csv())
 }
 
 fn profile(arguments: &FindProfileArguments) -> Result<(), Failure> {
     places::check_points(arguments.points)?;
-    let file = read(&arguments.problem, &arguments.output)?;
+    let file = read(&arguments.problem, &arguments.units, &arguments.output)?;
     let normalisation = match arguments.zero {
         Zero::Centre => Normalisation::Centre,
         Zero::Lowest => Normalisation::Lowest,
@@ -95,16 +100,37 @@ fn profile(arguments: &FindProfileArguments) -> Result<(), Failure> {
     );
     let shaped = located(&file, shaped)?;
     let name = problem_file::name(&arguments.problem.file);
-    let report = ShapedReport::new(file.problem(), pressure, shaped);
+    let report = ShapedReport::new(file.problem(), file.units(), pressure, shaped);
     write(&arguments.output, || report.table(&name), || Content::json(&report), || report.csv())
 }
 
-fn read(problem: &ProblemArguments, output: &OutputArguments) -> Result<ProblemFile, Failure> {
-    problem_file::read(problem, &[output.output.as_deref()])
+fn read(
+    problem: &ProblemArguments,
+    units: &UnitArguments,
+    output: &OutputArguments,
+) -> Result<ProblemFile, Failure> {
+    problem_file::read(problem, units, &[output.output.as_deref()])
 }
 
 fn located<T>(file: &ProblemFile, result: Result<T, Error>) -> Result<T, Failure> {
     result.map_err(|error| file.locate(error).into())
+}
+
+/// What a user should know about the contact found, and what an engineer would doubt.
+fn warnings(
+    file: &ProblemFile,
+    contact: &Contact,
+    sense: &SenseArguments,
+) -> Result<Vec<Warning>, Failure> {
+    let doubts = problem_file::doubts(file, contact, sense)?;
+    Ok([contact.warnings(), &doubts].concat())
+}
+
+/// Says the warnings that the result itself does not show.
+fn say(output: &OutputArguments, warnings: &[Warning]) {
+    if output.format != ReportFormat::Table || output.output.is_some() {
+        warnings.iter().for_each(|warning| failure::warn(&warning.message));
+    }
 }
 
 /// What was found with the audit of its contact.
@@ -167,7 +193,7 @@ fn write<'a>(
     csv: impl FnOnce() -> Content<'a>,
 ) -> Result<(), Failure> {
     let text = match output.format {
-        ReportFormat::Table => table().into(),
+        ReportFormat::Table => Content::page(&table()),
         ReportFormat::Json => json(),
         ReportFormat::Csv => csv(),
     };

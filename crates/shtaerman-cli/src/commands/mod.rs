@@ -7,15 +7,18 @@ mod export;
 mod find;
 mod init;
 mod man;
+mod picture;
 mod places;
 mod problem_file;
 mod regularity;
 mod reproduce;
 mod roughness;
+mod schema;
 mod solve;
 mod spectrum;
 mod stress;
 mod sweep;
+mod trace;
 mod validate;
 mod vary;
 
@@ -38,6 +41,8 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Roughness(arguments) => roughness::run(arguments),
         Command::Export(arguments) => export::run(arguments),
+        Command::Trace(arguments) => trace::run(arguments),
+        Command::Schema(arguments) => schema::run(arguments),
         Command::Completions(arguments) => completions::run(arguments),
         Command::Man(arguments) => man::run(arguments),
     }

@@ -7,12 +7,13 @@ use std::time::{Duration, Instant};
 
 use shtaerman_study::{Part, Row, Study, Summary};
 
+use super::picture::{Picture, Titled};
+use super::problem_file;
 use crate::Failure;
 use crate::arguments::SweepArguments;
 use crate::failure::{self, shown};
-use crate::output::{Input, Outputs, check_writable};
-use crate::plot::{Format, render};
-use crate::report;
+use crate::output::{Content, Input, Outputs, check_writable};
+use crate::report::{self, StudyUnits};
 use crate::results::{Results, processors};
 
 /// Studies of more cases ask first.
@@ -24,12 +25,14 @@ const TICK: Duration = Duration::from_millis(250);
 
 pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     arguments.format.check()?;
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let threads = threads(arguments.threads)?;
     let shard = arguments.shard.as_deref().map_or(Ok(Shard::WHOLE), Shard::read)?;
     let study = Study::open(&arguments.file, &arguments.overrides)?;
     let input = Input { what: "the study file", path: &arguments.file };
     check_writable(&[arguments.plot.as_deref()], &[input])?;
+    let units: Vec<String> = problem_file::units_override(&arguments.units)?.into_iter().collect();
+    let units = StudyUnits::new(&study, &units)?;
     check_size(&study, arguments.yes || arguments.summary)?;
     let name = arguments.file.file_name().unwrap_or(arguments.file.as_os_str());
     let name = shown(Path::new(name));
@@ -48,11 +51,14 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
         run.audit_sample(&chosen);
     }
     let mut outputs = Outputs::default();
-    outputs.result(None, report::sweep_table(study, results.manifest(), &run.report(chosen.len())));
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        let (plot, size) =
-            report::response(study, &run.curves, Some(&run.summary)).map_err(Failure::Usage)?;
-        outputs.file(path, render(&plot, format, size)?);
+    let table = report::sweep_table(study, &units, results.manifest(), &run.report(chosen.len()));
+    outputs.result(None, Content::page(&table));
+    if let Some(picture) = picture {
+        let stem = problem_file::stem(&arguments.file);
+        let (figure, size) =
+            report::response(&stem, study, &units, &run.curves, Some(&run.summary))
+                .map_err(Failure::Usage)?;
+        picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
     outputs.write()
 }

@@ -8,19 +8,28 @@ mod extras;
 mod find;
 mod number;
 mod picture;
+mod shaped;
+mod shown;
 mod stress;
+mod study_units;
 mod sweep;
 mod table;
+mod trace;
 
 pub(crate) use answer::{answer_csv, answer_table};
 pub(crate) use equation::{equation_csv, equation_table};
 pub(crate) use export::{ForceExport, Model, SurfaceExport};
 pub(crate) use extras::{extras, surface_csv};
-pub(crate) use find::{CrownReport, FoundReport, ShapedReport};
+pub(crate) use find::{CrownReport, FoundReport};
 pub(crate) use number::significant;
-pub use picture::contact_plot;
+pub(crate) use picture::heading;
+pub use picture::{ContactPicture, contact_picture, contact_plot};
+pub(crate) use shaped::ShapedReport;
+pub(crate) use shown::Shown;
 pub(crate) use stress::{
     StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
 };
-pub(crate) use sweep::{SweepReport, columns, keep, response, rows_table, sweep_table};
+pub(crate) use study_units::{Scaled, StudyUnits};
+pub(crate) use sweep::{SweepReport, columns, keep, response, rows_csv, rows_table, sweep_table};
 pub(crate) use table::Table;
+pub(crate) use trace::{TraceReport, trace_csv};

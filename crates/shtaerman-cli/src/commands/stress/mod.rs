@@ -9,23 +9,23 @@ use shtaerman::file::ProblemFile;
 use shtaerman::quantity::Dimension;
 use shtaerman::{Contact, Criterion, Error, StressField, Warning, WarningCode};
 
+use super::picture::Picture;
 use super::problem_file;
 use crate::arguments::{StressArguments, StressFormat};
-use crate::failure::shown;
+use crate::failure;
 use crate::output::{Content, Outputs};
-use crate::plot::{Format, render};
-use crate::report::{self, StressReport, Stresses, YieldReport};
+use crate::report::{self, Shown, StressReport, Stresses, YieldReport};
 use crate::{Failure, clock};
 use section::{Section, Units};
 
 pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     if arguments.format == StressFormat::Npz && arguments.output.is_none() {
         let message = "--format npz is no text: give --output FILE.npz";
         return Err(Failure::Usage(message.to_owned()));
     }
     let outputs = [arguments.output.as_deref(), arguments.plot.as_deref()];
-    let file = problem_file::read(&arguments.problem, &outputs)?;
+    let file = problem_file::read(&arguments.problem, &arguments.units, &outputs)?;
     let problem = file.problem();
     problem.check_stresses().map_err(|error| file.locate(error))?;
     let units = Units::of(problem);
@@ -40,9 +40,10 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let field = StressField::new(&contact, Some(ratio)).map_err(|error| file.locate(error))?;
     let load = [contact.force(), contact.moment()];
     let peaks = [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];
-    let mut report = StressReport::new(&field, load, !problem.is_dimensionless(), &peaks);
+    let mut report = StressReport::new(&field, load, Shown::of(problem, file.units()), &peaks);
     report.add_warnings(contact.warnings());
-    report.add_warnings(&doubts(arguments, &file, &contact));
+    let doubts = doubts(arguments, &file, &contact);
+    report.add_warnings(&problem_file::refuse(&arguments.sense, doubts)?);
     if let Some((stress, is_asked)) = limit {
         report.set_yield(stress, loads_at_yield(&file, stress, ratio, is_asked)?);
     }
@@ -52,11 +53,13 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let grid =
         if needs_grid || arguments.plot.is_some() { Some(section.stresses(&field)?) } else { None };
     let mut outputs = Outputs::default();
-    let text = written(arguments, report, places.as_ref(), grid.as_ref())?;
+    let shown = Shown::of(problem, file.units());
+    let text = written(arguments, report, &shown, places.as_ref(), grid.as_ref())?;
     outputs.result(arguments.output.as_deref(), text);
-    if let (Some(path), Some(format), Some(grid)) = (&arguments.plot, format, &grid) {
-        let plot = map::plot(arguments.component, &field, grid, &peaks, units);
-        outputs.file(path, render(&plot, format, plot.size())?);
+    if let (Some(picture), Some(grid)) = (picture, &grid) {
+        let name = problem_file::stem(&arguments.problem.file);
+        let plot = map::plot(&name, arguments.component, &field, grid, &peaks, &shown);
+        picture.draw(&plot, &mut outputs)?;
     }
     outputs.write()
 }
@@ -65,6 +68,7 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
 fn written<'a>(
     arguments: &StressArguments,
     mut report: StressReport<'a>,
+    shown: &Shown,
     places: Option<&'a Stresses>,
     grid: Option<&'a Stresses>,
 ) -> Result<Content<'a>, Failure> {
@@ -76,9 +80,9 @@ fn written<'a>(
             let name = problem_file::name(&arguments.problem.file);
             let mut text = report::stress_table(&name, &report, places);
             if let Some(path) = &arguments.plot {
-                let _ = writeln!(text, "plot: {}", shown(path));
+                let _ = writeln!(text, "plot: {}", failure::shown(path));
             }
-            text.into()
+            Content::page(&text)
         }
         StressFormat::Json => {
             let asked = places.or(grid.filter(|_| arguments.grid.is_some()));
@@ -87,7 +91,7 @@ fn written<'a>(
             }
             Content::json(report)
         }
-        StressFormat::Csv => report::stress_csv(chosen()?),
+        StressFormat::Csv => report::stress_csv(chosen()?, shown),
         StressFormat::Npz => report::stress_npz(chosen()?),
     })
 }
