@@ -1,5 +1,6 @@
 //! The arguments of the command line.
 
+mod explore;
 mod export;
 mod roughness;
 mod started;
@@ -9,6 +10,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+pub use explore::ExploreArguments;
 pub use export::{ExportArguments, Exported, ModelUnits, Program};
 pub use roughness::{
     BearingArguments, ColumnOrder, GreenwoodWilliamsonArguments, Law, RoughnessArguments,
@@ -61,6 +63,8 @@ pub enum Command {
     Spectrum(SpectrumArguments),
     /// Run a study: a problem file with some of its values varied.
     Sweep(SweepArguments),
+    /// Explore a problem on a local page in the browser.
+    Explore(ExploreArguments),
     /// Turn what is known of a rough surface into the roughness of a problem file.
     Roughness(RoughnessArguments),
     /// Write the rough layer, or the whole contact, as tables for a finite-element program.
@@ -286,7 +290,8 @@ pub enum StressFormat {
 }
 
 /// A component or an equivalent of the stress.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum StressComponent {
     /// Along the surface.
     SigmaX,
@@ -298,12 +303,15 @@ pub enum StressComponent {
     TauXy,
     /// Largest principal stress.
     #[value(name = "sigma-1")]
+    #[serde(rename = "sigma-1")]
     Sigma1,
     /// Middle principal stress.
     #[value(name = "sigma-2")]
+    #[serde(rename = "sigma-2")]
     Sigma2,
     /// Least principal stress.
     #[value(name = "sigma-3")]
+    #[serde(rename = "sigma-3")]
     Sigma3,
     /// Largest shear stress, half of tresca.
     MaxShear,

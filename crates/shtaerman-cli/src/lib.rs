@@ -12,6 +12,7 @@ mod output;
 pub mod plot;
 mod report;
 mod results;
+mod snippets;
 
 use std::io::Write;
 use std::path::Path;
@@ -21,6 +22,7 @@ use clap::Parser;
 use clap::error::ErrorKind;
 
 use arguments::Arguments;
+pub use commands::explore::PageEngine;
 use failure::Failure;
 pub use failure::{Refusal, told};
 pub use report::contact_plot;

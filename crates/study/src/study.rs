@@ -57,6 +57,18 @@ impl Study {
         overrides: &[String],
     ) -> Result<Self, Error> {
         let document = overridden(bytes, name, overrides, OVERRIDE)?;
+        Self::from_document(document, folder, overrides)
+    }
+
+    /// Reads a study from a document with its overrides, which are told apart from the text of the file.
+    ///
+    /// # Errors
+    /// As [`Study::from_bytes`].
+    pub fn from_document(
+        document: Document,
+        folder: &Path,
+        overrides: &[String],
+    ) -> Result<Self, Error> {
         read::study(document, folder, overrides)
     }
 

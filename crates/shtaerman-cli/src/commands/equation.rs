@@ -13,6 +13,8 @@ use crate::output::{Content, Input, Outputs, check_writable};
 use crate::plot::{Format, Size, SolutionPlot, render};
 use crate::report;
 
+/// Points of the curve, where no number is asked for.
+pub(super) const POINTS: usize = 201;
 /// Points of the plotted curve.
 const PLOT_POINTS: usize = 401;
 

@@ -3,6 +3,7 @@
 mod completions;
 mod convergence;
 mod equation;
+pub(crate) mod explore;
 mod export;
 mod find;
 mod init;
@@ -36,6 +37,7 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Stress(arguments) => stress::run(arguments),
         Command::Spectrum(arguments) => spectrum::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Explore(arguments) => explore::run(arguments),
         Command::Roughness(arguments) => roughness::run(arguments),
         Command::Export(arguments) => export::run(arguments),
         Command::Completions(arguments) => completions::run(arguments),

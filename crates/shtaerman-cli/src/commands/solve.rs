@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use shtaerman::quantity::{Dimension, engineering};
-use shtaerman::{Answer, Contact, Datum, PressureCurve, Problem, SurfaceCurve};
+use shtaerman::{Answer, Contact, Datum, PressureCurve, Problem, SurfaceCurve, Warning};
 
 use super::problem_file::Solved;
 use super::{places, problem_file, vary};
@@ -156,6 +156,19 @@ impl Extras {
         };
         Ok(Self { data, surface: arguments.surface, sensitivities })
     }
+}
+
+/// The answer as `--format json` writes it where nothing is asked for beside it.
+pub(super) fn answer(
+    contact: &Contact,
+    curve: PressureCurve,
+    doubts: &[Warning],
+) -> Result<Answer, Failure> {
+    let sensitivities = Sensitivities::IfLinearised;
+    let extras = Extras { data: Vec::new(), surface: None, sensitivities };
+    let mut answer = Answer::new(contact, curve);
+    answer.warnings = [contact.warnings(), doubts].concat();
+    extended(answer, contact, &extras)
 }
 
 fn extended(answer: Answer, contact: &Contact, extras: &Extras) -> Result<Answer, Failure> {

@@ -30,15 +30,45 @@ pub(crate) fn answer_table(
         "{name}: {} contact, {surface}, {} method with n = {}\n\n",
         answer.contact, answer.method.name, answer.method.n
     );
-    let table = match (&answer.physical, &answer.dimensionless) {
+    text.push_str(&quantities(contact, answer).to_string());
+    text.push('\n');
+    text.push_str(&answer_notes(contact, answer));
+    text.push_str(&super::extras(answer));
+    if with_places {
+        text.push('\n');
+        let physical = answer.physical.is_some();
+        text.push_str(&places(&answer.pressure, physical).to_string());
+    }
+    if !answer.warnings.is_empty() {
+        text.push('\n');
+    }
+    for warning in &answer.warnings {
+        let _ = writeln!(text, "warning: {}", warning.message);
+    }
+    text
+}
+
+/// The quantities of an answer for people: name, value, note.
+fn quantities(contact: &Contact, answer: &Answer) -> Table {
+    match (&answer.physical, &answer.dimensionless) {
         (Some(quantities @ Quantities { physical: Some(physical), .. }), _) => {
             physical_table(contact, quantities, physical)
         }
         (_, Some(dimensionless)) => dimensionless_table(contact, dimensionless),
         (_, None) => Table::new(&[""; 3]),
-    };
-    text.push_str(&table.to_string());
-    let _ = writeln!(text, "\nmethod: {}", answer.method.reason);
+    }
+}
+
+/// The rows of the table: name, value, note.
+#[must_use]
+pub(crate) fn answer_rows(contact: &Contact, answer: &Answer) -> Vec<Vec<String>> {
+    quantities(contact, answer).cells()
+}
+
+/// How it was found and how sure it is, a line each.
+#[must_use]
+pub(crate) fn answer_notes(contact: &Contact, answer: &Answer) -> String {
+    let mut text = format!("method: {}\n", answer.method.reason);
     if let Some(error) = &answer.error {
         text.push_str(&error_line(contact, error));
     }
@@ -55,18 +85,6 @@ pub(crate) fn answer_table(
     }
     if let Some(check) = &answer.cross_check {
         text.push_str(&cross_check_line(check));
-    }
-    text.push_str(&super::extras(answer));
-    if with_places {
-        text.push('\n');
-        let physical = answer.physical.is_some();
-        text.push_str(&places(&answer.pressure, physical).to_string());
-    }
-    if !answer.warnings.is_empty() {
-        text.push('\n');
-    }
-    for warning in &answer.warnings {
-        let _ = writeln!(text, "warning: {}", warning.message);
     }
     text
 }

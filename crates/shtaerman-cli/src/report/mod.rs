@@ -12,7 +12,7 @@ mod stress;
 mod sweep;
 mod table;
 
-pub(crate) use answer::{answer_csv, answer_table};
+pub(crate) use answer::{answer_csv, answer_notes, answer_rows, answer_table};
 pub(crate) use equation::{equation_csv, equation_table};
 pub(crate) use export::{ForceExport, Model, SurfaceExport};
 pub(crate) use extras::{extras, surface_csv};

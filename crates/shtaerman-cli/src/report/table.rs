@@ -35,6 +35,13 @@ impl Table {
         self.inner.add_row(cells);
     }
 
+    /// What is in its cells, row by row, without its heads.
+    #[must_use]
+    pub(crate) fn cells(&self) -> Vec<Vec<String>> {
+        let rows = self.inner.row_iter();
+        rows.map(|row| row.cell_iter().map(comfy_table::Cell::content).collect()).collect()
+    }
+
     /// Writes a table of any number of rows, which are made twice: for the widths of the columns, and to be written.
     ///
     /// # Errors

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::stated::Stated;
-use crate::document::{Document, Field, FileError, TableReader, ValueKind, load_bytes};
+use crate::document::{Document, Field, FileError, TableReader, ValueKind};
 use crate::frame::Frame;
 use crate::profile::{CsvOptions, read_csv};
 use crate::quantity::{self, Dimension};
@@ -73,7 +73,6 @@ fn expression(field: &Field<'_>, frame: &Frame) -> Result<Profile, FileError> {
 fn measured(field: &Field<'_>, frame: &Frame, folder: &Path) -> Result<Profile, FileError> {
     let table = field.table()?;
     let csv = table.required("csv")?;
-    let path = folder.join(csv.string()?);
     let physical = frame.scaling().is_some();
     let half_width = frame.half_width();
     let options = CsvOptions {
@@ -82,8 +81,7 @@ fn measured(field: &Field<'_>, frame: &Frame, folder: &Path) -> Result<Profile, 
         flip: table.boolean("flip")?.unwrap_or(false),
         cover: [-half_width, half_width],
     };
-    let name = path.display().to_string();
-    let bytes = load_bytes(&path).map_err(|message| csv.error(format!("{name} {message}")))?;
+    let (name, bytes) = csv.load(folder)?;
     read_csv(&bytes, &name, &options).map_err(|error| csv.error(error))
 }
 

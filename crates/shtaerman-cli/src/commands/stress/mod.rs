@@ -16,7 +16,8 @@ use crate::output::{Content, Outputs};
 use crate::plot::{Format, render};
 use crate::report::{self, StressReport, Stresses, YieldReport};
 use crate::{Failure, clock};
-use section::{Section, Units};
+pub(super) use map::{limits, name, plot, zones};
+pub(super) use section::{Section, Units};
 
 pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
@@ -55,7 +56,7 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let text = written(arguments, report, places.as_ref(), grid.as_ref())?;
     outputs.result(arguments.output.as_deref(), text);
     if let (Some(path), Some(format), Some(grid)) = (&arguments.plot, format, &grid) {
-        let plot = map::plot(arguments.component, &field, grid, &peaks, units);
+        let plot = plot(arguments.component, &field, grid, &peaks, units);
         outputs.file(path, render(&plot, format, plot.size())?);
     }
     outputs.write()

@@ -1,0 +1,78 @@
+//! What the page can ask, and how it is answered.
+
+use serde_json::{Value, json};
+use shtaerman::document::Document;
+use shtaerman::equation::is_equation;
+
+use super::asked::{self, Asked};
+use super::{contact, kernel, map, paper, start, study};
+use crate::Failure;
+
+/// Answers the page, with the numbers that the command line gives.
+#[derive(Debug, Default)]
+pub struct PageEngine;
+
+impl shtaerman_explore::Engine for PageEngine {
+    fn answer(&mut self, operation: &str, body: &[u8]) -> Vec<u8> {
+        let answer = answer(operation, body).unwrap_or_else(|failure| asked::fault(&failure));
+        answer.to_string().into_bytes()
+    }
+}
+
+/// A problem and whether its answer is to be audited.
+#[derive(Debug, serde::Deserialize)]
+struct AskedSolve {
+    #[serde(flatten)]
+    problem: Asked,
+    #[serde(default)]
+    audit: bool,
+}
+
+fn answer(operation: &str, body: &[u8]) -> Result<Value, Failure> {
+    match operation {
+        "start" => Ok(start::without_file()),
+        "read" => read(&asked::read(body)?),
+        "solve" => {
+            let AskedSolve { problem, audit } = asked::read(body)?;
+            contact::told(&problem, audit)
+        }
+        "csv" => contact::csv(&asked::read(body)?),
+        "svg" => contact::svg(&asked::read(body)?),
+        "map" => map::told(&asked::read(body)?),
+        "map-svg" => map::svg(&asked::read(body)?),
+        "study" => study::told(&asked::read(body)?),
+        "kernel" => kernel::told(&asked::read(body)?),
+        "equation" => kernel::equation(&asked::read(body)?),
+        "paper" => paper::tables(),
+        "curve" => paper::curve(&asked::read(body)?),
+        other => Err(Failure::Usage(format!("the page has no question {other:?}"))),
+    }
+}
+
+/// The kind and the tree of a file, and its values in SI units.
+fn read(asked: &Asked) -> Result<Value, Failure> {
+    let document = asked.document()?;
+    let checked = match kind(&document) {
+        "study" => asked.study().map(drop),
+        "equation" => asked.equation().map(drop),
+        _ => asked.problem().map(drop),
+    };
+    let mut told = json!({
+        "kind": kind(&document),
+        "tree": contact::tree(document.root()),
+        "inputs": contact::inputs(&document),
+    });
+    // A file that makes no sense is shown all the same.
+    if let Err(failure) = checked {
+        told["fault"] = asked::fault(&failure)["fault"].take();
+    }
+    Ok(told)
+}
+
+fn kind(document: &Document) -> &'static str {
+    match (document.get("study").is_some(), is_equation(document)) {
+        (true, _) => "study",
+        (false, true) => "equation",
+        (false, false) => "problem",
+    }
+}

@@ -1,0 +1,84 @@
+//! What the page begins with.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+use shtaerman::document::{Document, ValueKind, load_bytes};
+use shtaerman_study::Output;
+
+use super::{asked, kernel};
+use crate::failure::shown;
+
+macro_rules! example {
+    ($name:literal) => {
+        ($name, include_str!(concat!("../../../../../examples/", $name, ".toml")))
+    };
+}
+
+/// The examples that the page offers.
+const EXAMPLES: [(&str, &str); 14] = [
+    example!("crowned_punch"),
+    example!("flat_punch"),
+    example!("eccentric_load"),
+    example!("two_punches"),
+    example!("wave"),
+    example!("rough_ball"),
+    example!("rubber_layer"),
+    example!("coated_shaft"),
+    example!("power_layer"),
+    example!("measured_profile"),
+    example!("paper_row"),
+    example!("studies/force_and_roughness"),
+    example!("equation_power"),
+    example!("equation_log"),
+];
+
+const TRACE: (&str, &str) =
+    ("measured_profile.csv", include_str!("../../../../../examples/measured_profile.csv"));
+
+/// What the page begins with where it has no file.
+pub(super) fn without_file() -> Value {
+    told(Value::Null)
+}
+
+/// What the page begins with for a file that was read.
+pub(super) fn with_file(path: &Path, bytes: &[u8]) -> Value {
+    let name = path.file_name().map_or_else(|| shown(path), |name| shown(Path::new(name)));
+    let text = String::from_utf8_lossy(bytes);
+    told(json!({ "name": name, "toml": text, "files": files(path, &text) }))
+}
+
+fn told(file: Value) -> Value {
+    json!({
+        "version": env!("CARGO_PKG_VERSION"),
+        "file": file,
+        "examples": examples(),
+        "kernels": kernel::families(),
+        "outputs": Output::names(),
+        "time_limit": asked::TIME_LIMIT.as_secs_f64(),
+    })
+}
+
+fn examples() -> Value {
+    let example = |(name, toml): &(&str, &str)| {
+        let title = toml.lines().next().unwrap_or_default().trim_start_matches("# ");
+        let (trace, content) = TRACE;
+        let files = if toml.contains(trace) { json!({ trace: content }) } else { json!({}) };
+        let name = name.rsplit('/').next().unwrap_or(name);
+        json!({ "name": format!("{name}.toml"), "title": title, "toml": toml, "files": files })
+    };
+    Value::Array(EXAMPLES.iter().map(example).collect())
+}
+
+/// The measured profile that a file names, each byte a character of the same number; that it cannot be read is told when the problem is solved.
+fn files(path: &Path, text: &str) -> Value {
+    let Ok(document) = Document::parse(text, "") else { return json!({}) };
+    let keys = ["punch.profile.csv", "dimensionless.profile.csv"];
+    let Some(value) = keys.into_iter().find_map(|key| document.get(key)) else { return json!({}) };
+    let ValueKind::String(name) = value.kind() else { return json!({}) };
+    let folder = path.parent().unwrap_or(Path::new(""));
+    match load_bytes(&folder.join(name)) {
+        Ok(bytes) => json!({ name: bytes.into_iter().map(char::from).collect::<String>() }),
+        Err(_) => json!({}),
+    }
+}
