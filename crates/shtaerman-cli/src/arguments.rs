@@ -111,6 +111,14 @@ pub struct ProblemArguments {
     pub time_limit: Option<String>,
 }
 
+/// Where a report goes.
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// Write a report to this file: inputs as given and in SI units, model, answer, pictures, error and audit, sense checks, and the command that repeats it (.html, or .pdf where there is a Chromium).
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
+}
+
 /// `shtaerman solve`.
 #[derive(Debug, Args)]
 pub struct SolveArguments {
@@ -156,12 +164,15 @@ pub struct SolveArguments {
         long,
         value_name = "KEY=VALUES",
         allow_hyphen_values = true,
-        conflicts_with_all = ["cross_check", "at", "datum_distance", "datum_depth", "surface", "sensitivities"]
+        conflicts_with_all = ["cross_check", "at", "datum_distance", "datum_depth", "surface", "sensitivities", "report"]
     )]
     pub vary: Vec<String>,
     /// What is kept of each answer of --vary, such as "settlement, tilt".
     #[arg(long, value_name = "NAMES", requires = "vary")]
     pub outputs: Option<String>,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// `shtaerman find`.
@@ -204,6 +215,9 @@ pub struct FindForceArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// `shtaerman find roughness`.
@@ -228,6 +242,9 @@ pub struct FindRoughnessArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// `shtaerman find crown`.
@@ -245,6 +262,9 @@ pub struct FindCrownArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// Where the profile of `shtaerman find profile` is zero.
@@ -274,6 +294,9 @@ pub struct FindProfileArguments {
     #[command(flatten)]
     /// The result; CSV is the trace, as `profile = { csv = ".." }` reads it.
     pub output: OutputArguments,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// How stresses are written.
@@ -360,6 +383,9 @@ pub struct StressArguments {
     /// Draw a map to this file (.svg or .png).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// `shtaerman validate`.
@@ -442,6 +468,9 @@ pub struct EquationArguments {
     /// Number of points of the curve, from end to end and denser at the ends; a half-line is shown to 12/kappa.
     #[arg(long, value_name = "COUNT", default_value_t = 201, conflicts_with = "at")]
     pub points: usize,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// `shtaerman spectrum`.

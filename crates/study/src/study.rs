@@ -72,6 +72,12 @@ impl Study {
         read::study(document, folder, overrides)
     }
 
+    /// The document of the problem that is varied, without the table `[study]`.
+    #[must_use]
+    pub fn problem(&self) -> &Document {
+        &self.problem
+    }
+
     /// Number of cases.
     #[must_use]
     pub fn cases(&self) -> usize {

@@ -33,6 +33,9 @@ pub struct SweepArguments {
     /// Draw the outputs over the varied value, or over one of several, to this file (.svg or .png).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    #[command(flatten)]
+    /// The report.
+    pub report: super::ReportArguments,
     /// Run studies of more than a million cases.
     #[arg(long)]
     pub yes: bool,

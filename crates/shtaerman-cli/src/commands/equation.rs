@@ -2,16 +2,17 @@
 
 use std::fmt::Write;
 
-use shtaerman::equation::{EquationAnswer, Kind, SolvedEquation};
+use shtaerman::equation::{EquationAnswer, EquationFile, Kind, SolvedEquation};
 use shtaerman::quantity::Dimension;
 
+use super::sheet::{self, ReportFile};
 use super::{places, problem_file};
 use crate::Failure;
 use crate::arguments::{EquationArguments, ReportFormat};
 use crate::failure::{self, shown};
 use crate::output::{Content, Input, Outputs, check_writable};
 use crate::plot::{Format, Size, SolutionPlot, render};
-use crate::report;
+use crate::report::{self, Sheet};
 
 /// Points of the curve, where no number is asked for.
 pub(super) const POINTS: usize = 201;
@@ -21,7 +22,12 @@ const PLOT_POINTS: usize = 401;
 pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
     let input = Input { what: "the problem file", path: &arguments.file };
-    let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
+    let report_file = ReportFile::of(&arguments.report)?;
+    let outputs = [
+        arguments.output.output.as_deref(),
+        arguments.plot.as_deref(),
+        report_file.as_ref().map(|report| report.path),
+    ];
     check_writable(&outputs, &[input])?;
     places::check_points(arguments.points)?;
     let file = problem_file::read_equation(&arguments.file, &arguments.overrides)?;
@@ -49,6 +55,9 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
     if let (Some(path), Some(format)) = (&arguments.plot, format) {
         let plot = plot(&solved).map_err(|error| file.locate(error))?;
         outputs.file(path, render(&plot, format, Size::default())?);
+    }
+    if let Some(path) = &report_file {
+        path.add(&mut outputs, &sheet(arguments, &file, &solved, &answer)?)?;
     }
     outputs.write()?;
     if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {
@@ -78,6 +87,24 @@ fn content<'a>(
     })
 }
 
+/// The report of a solution.
+fn sheet(
+    arguments: &EquationArguments,
+    file: &EquationFile,
+    solved: &SolvedEquation<'_>,
+    answer: &EquationAnswer<'_>,
+) -> Result<Sheet, Failure> {
+    let name = problem_file::name(&arguments.file);
+    let told = report::equation_table(&name, solved, answer, arguments.at.is_some())?;
+    let mut sheet = Sheet::new(&format!("Integral equation: {name}"), &sheet::command(), &told);
+    sheet.document(file.document());
+    sheet.options(sheet::option("--at", arguments.at.as_deref()));
+    sheet.equation(file.equation());
+    let plot = plot(solved).map_err(|error| file.locate(error))?;
+    sheet.picture("The solution.", &plot, Size { width: 860, height: 420 })?;
+    Ok(sheet)
+}
+
 /// The failure of a cross-check that found more than both errors allow.
 fn verdict(answer: &EquationAnswer<'_>) -> Result<(), Failure> {
     match &answer.cross_check {
@@ -92,7 +119,7 @@ fn verdict(answer: &EquationAnswer<'_>) -> Result<(), Failure> {
     }
 }
 
-fn parse_places(text: &str, file: &shtaerman::equation::EquationFile) -> Result<Vec<f64>, Failure> {
+fn parse_places(text: &str, file: &EquationFile) -> Result<Vec<f64>, Failure> {
     places::parse(text, Dimension::NONE, &|x| {
         file.equation().place(x).map_err(|error| {
             let words = error.to_string();

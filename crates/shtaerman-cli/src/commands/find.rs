@@ -1,10 +1,11 @@
 //! `shtaerman find`.
 
-use shtaerman::Error;
 use shtaerman::file::ProblemFile;
 use shtaerman::inverse::{self, Found, Goal, Normalisation};
 use shtaerman::quantity::Dimension;
+use shtaerman::{Contact, Error};
 
+use super::sheet::{self, ReportFile};
 use super::{places, problem_file};
 use crate::Failure;
 use crate::arguments::{
@@ -12,7 +13,8 @@ use crate::arguments::{
     FindRoughnessArguments, OutputArguments, ProblemArguments, ReportFormat, Unknown, Zero,
 };
 use crate::output::{Content, Outputs};
-use crate::report::{CrownReport, FoundReport, ShapedReport};
+use crate::plot::{Arrangement, Curve, CurvePanel, CurveScaling, CurvesPlot, Size};
+use crate::report::{CrownReport, Entry, FoundReport, ShapedReport, Sheet};
 
 pub(super) fn run(arguments: &FindArguments) -> Result<(), Failure> {
     match &arguments.unknown {
@@ -24,14 +26,24 @@ pub(super) fn run(arguments: &FindArguments) -> Result<(), Failure> {
 }
 
 fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
-    let file = read(&arguments.problem, &arguments.output)?;
-    let goal = goal(&file, [&arguments.peak_pressure, &arguments.contact_width, &None])?;
+    let report_file = ReportFile::of(&arguments.report)?;
+    let file = read(&arguments.problem, &arguments.output, report_file.as_ref())?;
+    let FindForceArguments { peak_pressure, contact_width, .. } = arguments;
+    let goal = goal(&file, [peak_pressure, contact_width, &None])?;
+    let given = options([peak_pressure, contact_width, &None]);
     let found = located(&file, inverse::force(file.problem(), goal))?;
     let found = audited(&file, found, arguments.no_audit)?;
     let name = problem_file::name(&arguments.problem.file);
     let report = FoundReport::force(file.problem(), &found);
+    let sheet = || {
+        let told = report.table(&name, &found);
+        let title = format!("Force for a goal: {name}");
+        of_contact(&title, &told, &file, &found.contact, given)
+    };
     write(
         &arguments.output,
+        report_file.as_ref(),
+        sheet,
         || report.table(&name, &found),
         || Content::json(&report),
         || report.csv(),
@@ -39,15 +51,24 @@ fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
 }
 
 fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
-    let file = read(&arguments.problem, &arguments.output)?;
+    let report_file = ReportFile::of(&arguments.report)?;
+    let file = read(&arguments.problem, &arguments.output, report_file.as_ref())?;
     let FindRoughnessArguments { peak_pressure, contact_width, settlement, .. } = arguments;
     let goal = goal(&file, [peak_pressure, contact_width, settlement])?;
+    let given = options([peak_pressure, contact_width, settlement]);
     let found = located(&file, inverse::roughness(file.problem(), goal))?;
     let found = audited(&file, found, arguments.no_audit)?;
     let name = problem_file::name(&arguments.problem.file);
     let report = FoundReport::roughness(file.problem(), &found);
+    let sheet = || {
+        let told = report.table(&name, &found);
+        let title = format!("Roughness for a goal: {name}");
+        of_contact(&title, &told, &file, &found.contact, given)
+    };
     write(
         &arguments.output,
+        report_file.as_ref(),
+        sheet,
         || report.table(&name, &found),
         || Content::json(&report),
         || report.csv(),
@@ -55,7 +76,8 @@ fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
 }
 
 fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
-    let file = read(&arguments.problem, &arguments.output)?;
+    let report_file = ReportFile::of(&arguments.report)?;
+    let file = read(&arguments.problem, &arguments.output, report_file.as_ref())?;
     let limit = arguments
         .peak_pressure
         .as_deref()
@@ -71,8 +93,16 @@ fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
     }
     let name = problem_file::name(&arguments.problem.file);
     let report = CrownReport::new(&crown);
+    let sheet = || {
+        let told = report.table(&name, &crown);
+        let title = format!("Crown: {name}");
+        let given = options([&arguments.peak_pressure, &None, &None]);
+        of_contact(&title, &told, &file, &crown.best.contact, given)
+    };
     write(
         &arguments.output,
+        report_file.as_ref(),
+        sheet,
         || report.table(&name, &crown),
         || Content::json(&report),
         || report.csv(),
@@ -81,7 +111,8 @@ fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
 
 fn profile(arguments: &FindProfileArguments) -> Result<(), Failure> {
     places::check_points(arguments.points)?;
-    let file = read(&arguments.problem, &arguments.output)?;
+    let report_file = ReportFile::of(&arguments.report)?;
+    let file = read(&arguments.problem, &arguments.output, report_file.as_ref())?;
     let normalisation = match arguments.zero {
         Zero::Centre => Normalisation::Centre,
         Zero::Lowest => Normalisation::Lowest,
@@ -96,11 +127,72 @@ fn profile(arguments: &FindProfileArguments) -> Result<(), Failure> {
     let shaped = located(&file, shaped)?;
     let name = problem_file::name(&arguments.problem.file);
     let report = ShapedReport::new(file.problem(), pressure, shaped);
-    write(&arguments.output, || report.table(&name), || Content::json(&report), || report.csv())
+    let sheet = || {
+        let title = format!("Profile for a pressure: {name}");
+        let told = report.table(&name);
+        let mut sheet = sheet::of_file(&title, &sheet::command(), &told, &file);
+        sheet.options(sheet::option("--pressure", Some(pressure)));
+        let size = Size { width: 860, height: 480 };
+        sheet.picture("The profile found, and the pressure under it.", &shape(&report), size)?;
+        Ok(sheet)
+    };
+    write(
+        &arguments.output,
+        report_file.as_ref(),
+        sheet,
+        || report.table(&name),
+        || Content::json(&report),
+        || report.csv(),
+    )
 }
 
-fn read(problem: &ProblemArguments, output: &OutputArguments) -> Result<ProblemFile, Failure> {
-    problem_file::read(problem, &[output.output.as_deref()])
+fn read(
+    problem: &ProblemArguments,
+    output: &OutputArguments,
+    report: Option<&ReportFile<'_>>,
+) -> Result<ProblemFile, Failure> {
+    problem_file::read(problem, &[output.output.as_deref(), report.map(|report| report.path)])
+}
+
+/// The report of a contact that was found.
+fn of_contact(
+    title: &str,
+    told: &str,
+    file: &ProblemFile,
+    contact: &Contact,
+    given: Vec<Entry>,
+) -> Result<Sheet, Failure> {
+    let mut sheet = sheet::of_contact(title, &sheet::command(), told, file, contact)?;
+    sheet.options(given);
+    sheet.contact(contact)?;
+    Ok(sheet)
+}
+
+/// What was wanted, as inputs of a report.
+fn options([peak_pressure, contact_width, settlement]: [&Option<String>; 3]) -> Vec<Entry> {
+    let given = [
+        ("--peak-pressure", peak_pressure),
+        ("--contact-width", contact_width),
+        ("--settlement", settlement),
+    ];
+    given.into_iter().filter_map(|(name, text)| sheet::option(name, text.as_deref())).collect()
+}
+
+/// A profile and its pressure, each over the base.
+fn shape(report: &ShapedReport) -> CurvesPlot {
+    let panel = |(name, points): (String, Vec<(f64, f64)>)| CurvePanel {
+        heading: name.clone(),
+        curves: vec![Curve { name, points }],
+    };
+    CurvesPlot {
+        title: String::new(),
+        notes: Vec::new(),
+        panels: report.curves().map(panel).into(),
+        scaling: CurveScaling::Normalised,
+        arrangement: Arrangement::SideBySide,
+        horizontal_label: report.position_label().to_owned(),
+        vertical_label: "of the largest".to_owned(),
+    }
 }
 
 fn located<T>(file: &ProblemFile, result: Result<T, Error>) -> Result<T, Failure> {
@@ -162,6 +254,8 @@ fn number(
 /// Writes the result in the format asked for.
 fn write<'a>(
     output: &OutputArguments,
+    report: Option<&ReportFile<'_>>,
+    sheet: impl FnOnce() -> Result<Sheet, Failure>,
     table: impl FnOnce() -> String,
     json: impl FnOnce() -> Content<'a>,
     csv: impl FnOnce() -> Content<'a>,
@@ -173,5 +267,8 @@ fn write<'a>(
     };
     let mut outputs = Outputs::default();
     outputs.result(output.output.as_deref(), text);
+    if let Some(report) = report {
+        report.add(&mut outputs, &sheet()?)?;
+    }
     outputs.write()
 }

@@ -13,6 +13,7 @@ mod problem_file;
 mod regularity;
 mod reproduce;
 mod roughness;
+mod sheet;
 mod solve;
 mod spectrum;
 mod stress;

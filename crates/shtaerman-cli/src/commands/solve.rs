@@ -3,15 +3,18 @@
 use std::fmt::Write;
 use std::path::Path;
 
+use shtaerman::file::ProblemFile;
 use shtaerman::quantity::{Dimension, engineering};
 use shtaerman::{Answer, Contact, Datum, PressureCurve, Problem, SurfaceCurve, Warning};
 
 use super::problem_file::Solved;
+use super::sheet::{self, ReportFile};
 use super::{places, problem_file, vary};
 use crate::arguments::{ReportFormat, SolveArguments};
 use crate::failure::{self, shown};
 use crate::output::{Content, Outputs};
 use crate::plot::{Format, Size, render};
+use crate::report::Sheet;
 use crate::{Failure, clock, report};
 
 /// A place this far beyond an edge, in half-widths, is the edge: units round (200 mil and 5.08 mm).
@@ -22,7 +25,12 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         return vary::run(arguments);
     }
     let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
-    let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
+    let report = ReportFile::of(&arguments.report)?;
+    let outputs = [
+        arguments.output.output.as_deref(),
+        arguments.plot.as_deref(),
+        report.as_ref().map(|report| report.path),
+    ];
     places::check_points(arguments.points)?;
     let file = problem_file::read(&arguments.problem, &outputs)?;
     let places =
@@ -69,6 +77,10 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         clock::answered("its plot");
         outputs.file(path, render(&report::contact_plot(&contact)?, format, Size::default())?);
     }
+    if let Some(report) = &report {
+        clock::answered("its report");
+        report.add(&mut outputs, &sheet(arguments, &file, &contact, &answer)?)?;
+    }
     outputs.write()?;
     warn(arguments, &answer);
     match &answer.cross_check {
@@ -104,6 +116,29 @@ fn text<'a>(
         ReportFormat::Json => Content::json(answer),
         ReportFormat::Csv => report::answer_csv(answer),
     }
+}
+
+/// The report of an answer.
+fn sheet(
+    arguments: &SolveArguments,
+    file: &ProblemFile,
+    contact: &Contact,
+    answer: &Answer,
+) -> Result<Sheet, Failure> {
+    let name = problem_file::name(&arguments.problem.file);
+    let told = report::answer_table(&name, contact, answer, arguments.at.is_some());
+    let title = format!("Contact: {name}");
+    let mut sheet = sheet::of_contact(&title, &sheet::command(), &told, file, contact)?;
+    sheet.options(
+        [
+            ("--at", arguments.at.as_deref()),
+            ("--datum-distance", arguments.datum_distance.as_deref()),
+            ("--datum-depth", arguments.datum_depth.as_deref()),
+        ]
+        .into_iter()
+        .filter_map(|(name, given)| sheet::option(name, given)),
+    );
+    Ok(sheet)
 }
 
 /// Says the warnings that the result itself does not show.

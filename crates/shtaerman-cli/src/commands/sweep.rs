@@ -5,14 +5,17 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
+use shtaerman::document::{load_bytes, overridden};
+use shtaerman::file::ProblemFile;
 use shtaerman_study::{Part, Row, Study, Summary};
 
+use super::sheet::{self, ReportFile};
 use crate::Failure;
 use crate::arguments::SweepArguments;
 use crate::failure::{self, shown};
 use crate::output::{Input, Outputs, check_writable};
-use crate::plot::{Format, render};
-use crate::report;
+use crate::plot::{Format, Size, render};
+use crate::report::{self, Sheet};
 use crate::results::{Results, processors};
 
 /// Studies of more cases ask first.
@@ -29,7 +32,9 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     let shard = arguments.shard.as_deref().map_or(Ok(Shard::WHOLE), Shard::read)?;
     let study = Study::open(&arguments.file, &arguments.overrides)?;
     let input = Input { what: "the study file", path: &arguments.file };
-    check_writable(&[arguments.plot.as_deref()], &[input])?;
+    let report = ReportFile::of(&arguments.report)?;
+    let report_path = report.as_ref().map(|report| report.path);
+    check_writable(&[arguments.plot.as_deref(), report_path], &[input])?;
     check_size(&study, arguments.yes || arguments.summary)?;
     let name = arguments.file.file_name().unwrap_or(arguments.file.as_os_str());
     let name = shown(Path::new(name));
@@ -48,13 +53,41 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
         run.audit_sample(&chosen);
     }
     let mut outputs = Outputs::default();
-    outputs.result(None, report::sweep_table(study, results.manifest(), &run.report(chosen.len())));
+    let told = report::sweep_table(study, results.manifest(), &run.report(chosen.len()));
+    if let Some(report) = &report {
+        report.add(&mut outputs, &sheet(arguments, &name, study, &run, &told)?)?;
+    }
+    outputs.result(None, told);
     if let (Some(path), Some(format)) = (&arguments.plot, format) {
         let (plot, size) =
             report::response(study, &run.curves, Some(&run.summary)).map_err(Failure::Usage)?;
         outputs.file(path, render(&plot, format, size)?);
     }
     outputs.write()
+}
+
+/// The report of a study: that of the problem that it varies, with its response.
+fn sheet(
+    arguments: &SweepArguments,
+    name: &str,
+    study: &Study,
+    run: &Run<'_>,
+    told: &str,
+) -> Result<Sheet, Failure> {
+    let bytes = load_bytes(&arguments.file).map_err(Failure::Usage)?;
+    let document = overridden(&bytes, name, &arguments.overrides, "study.count=100")?;
+    let mut sheet = Sheet::new(&format!("Study: {name}"), &sheet::command(), told);
+    sheet.document(&document);
+    let folder = arguments.file.parent().unwrap_or(Path::new(""));
+    // What varies may be missing in the problem itself, which then has no model of its own.
+    if let Ok(file) = ProblemFile::from_document(study.problem().clone(), folder) {
+        sheet.problem(file.problem());
+    }
+    // Where nothing can be drawn, the table stands alone.
+    if let Ok((plot, _)) = report::response(study, &run.curves, Some(&run.summary)) {
+        sheet.picture("The response.", &plot, Size { width: 860, height: 560 })?;
+    }
+    Ok(sheet)
 }
 
 fn threads(asked: Option<usize>) -> Result<usize, Failure> {

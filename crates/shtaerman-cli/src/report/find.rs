@@ -448,6 +448,18 @@ impl ShapedReport {
         }
     }
 
+    /// The profile and the pressure over the base: name and points of each.
+    pub(crate) fn curves(&self) -> [(String, Vec<(f64, f64)>); 2] {
+        let Trace { x, f, p } = &self.profile;
+        let over = |values: &[f64]| x.iter().copied().zip(values.iter().copied()).collect();
+        [("profile".to_owned(), over(f)), ("pressure".to_owned(), over(p))]
+    }
+
+    /// What the places of the curves are.
+    pub(crate) fn position_label(&self) -> &'static str {
+        if self.shown.is_physical { "x [m]" } else { "ξ = x/a" }
+    }
+
     pub(crate) fn table(&self, name: &str) -> String {
         let shown = self.shown;
         let length = |value| shown.value(value, Dimension::LENGTH);

@@ -8,9 +8,11 @@ mod extras;
 mod find;
 mod number;
 mod picture;
+mod sheet;
 mod stress;
 mod sweep;
 mod table;
+mod words;
 
 pub(crate) use answer::{answer_csv, answer_notes, answer_rows, answer_table};
 pub(crate) use equation::{equation_csv, equation_table};
@@ -19,8 +21,10 @@ pub(crate) use extras::{extras, surface_csv};
 pub(crate) use find::{CrownReport, FoundReport, ShapedReport};
 pub(crate) use number::significant;
 pub use picture::contact_plot;
+pub(crate) use sheet::{Entry, Sheet};
 pub(crate) use stress::{
     StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
 };
 pub(crate) use sweep::{SweepReport, columns, keep, response, rows_table, sweep_table};
 pub(crate) use table::Table;
+pub(crate) use words::{Shown, sentences};

@@ -20,7 +20,7 @@ pub(super) const TIME_LIMIT: Duration = Duration::from_secs(10);
 const LIMIT: &str = "solver.time_limit";
 
 /// A problem file that is on no disk.
-#[derive(Debug, Clone, Default, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(default)]
 pub(super) struct Asked {
     /// What to call it in messages and commands.
@@ -35,8 +35,12 @@ impl Asked {
     /// The document.
     pub(super) fn document(&self) -> Result<Document, Failure> {
         let document = Document::from_bytes(self.toml.as_bytes(), &self.name)?;
-        let files = self.files.iter().map(|(name, text)| (name.clone(), bytes(text)));
-        Ok(document.with_attached(Attached::new(files)))
+        Ok(document.with_attached(Attached::new(self.contents())))
+    }
+
+    /// The files and their bytes.
+    pub(super) fn contents(&self) -> impl Iterator<Item = (String, Vec<u8>)> {
+        self.files.iter().map(|(name, text)| (name.clone(), bytes(text)))
     }
 
     /// The problem, which ends in time.

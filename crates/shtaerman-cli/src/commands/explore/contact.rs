@@ -7,11 +7,10 @@ use shtaerman::quantity::{self, Dimension, DisplayUnit};
 use shtaerman::{Answer, Contact, Law, PressureCurve, Warning};
 
 use super::asked::{self, Asked};
-use super::words::{self, Shown};
 use crate::commands::problem_file::{self, Solved};
-use crate::commands::solve;
+use crate::commands::{sheet, solve};
 use crate::output::Content;
-use crate::report;
+use crate::report::{self, Shown};
 use crate::{Failure, snippets};
 
 /// Points of the pressure curve, as many as `solve` gives.
@@ -55,7 +54,7 @@ pub(super) fn told(asked: &Asked, is_audited: bool) -> Result<Value, Failure> {
         "answer": serde_json::to_value(&answer).map_err(asked::unwritable)?,
         "cards": cards(contact),
         "table": report::answer_rows(contact, &answer),
-        "words": words::sentences(contact),
+        "words": report::sentences(contact),
         "notes": report::answer_notes(contact, &answer),
         "picture": picture(contact)?,
         "inputs": inputs(&document),
@@ -219,4 +218,19 @@ pub(super) fn svg(asked: &Asked) -> Result<Value, Failure> {
     let plot = report::contact_plot(&solution.contact)?;
     let bytes = crate::plot::render(&plot, crate::plot::Format::Svg, crate::plot::Size::default())?;
     Ok(json!({ "text": Content::from(bytes).text()? }))
+}
+
+/// The report as `solve --report` writes it.
+pub(super) fn report(asked: &Asked) -> Result<Value, Failure> {
+    let solution = Solution::new(asked, true)?;
+    let (file, contact, answer) = (&solution.file, &solution.contact, solution.answer()?);
+    let told = report::answer_table(&asked.name, contact, &answer, false);
+    let name = snippets::quoted(&asked.name);
+    let command = format!("shtaerman solve {name} --report report.html");
+    let title = format!("Contact: {}", asked.name);
+    let mut sheet = sheet::of_contact(&title, &command, &told, file, contact)?;
+    for (name, content) in asked.contents() {
+        sheet.file(&name, &content);
+    }
+    Ok(json!({ "text": sheet.html() }))
 }

@@ -9,12 +9,14 @@ use super::{contact, kernel, map, paper, start, study};
 use crate::Failure;
 
 /// Answers the page, with the numbers that the command line gives.
-#[derive(Debug, Default)]
-pub struct PageEngine;
+#[derive(Default)]
+pub struct PageEngine {
+    stressed: Option<map::Stressed>,
+}
 
 impl shtaerman_explore::Engine for PageEngine {
     fn answer(&mut self, operation: &str, body: &[u8]) -> Vec<u8> {
-        let answer = answer(operation, body).unwrap_or_else(|failure| asked::fault(&failure));
+        let answer = self.told(operation, body).unwrap_or_else(|failure| asked::fault(&failure));
         answer.to_string().into_bytes()
     }
 }
@@ -28,24 +30,33 @@ struct AskedSolve {
     audit: bool,
 }
 
-fn answer(operation: &str, body: &[u8]) -> Result<Value, Failure> {
-    match operation {
-        "start" => Ok(start::without_file()),
-        "read" => read(&asked::read(body)?),
-        "solve" => {
-            let AskedSolve { problem, audit } = asked::read(body)?;
-            contact::told(&problem, audit)
+impl PageEngine {
+    fn told(&mut self, operation: &str, body: &[u8]) -> Result<Value, Failure> {
+        match operation {
+            "start" => Ok(start::without_file()),
+            "read" => read(&asked::read(body)?),
+            "solve" => {
+                let AskedSolve { problem, audit } = asked::read(body)?;
+                contact::told(&problem, audit)
+            }
+            "csv" => contact::csv(&asked::read(body)?),
+            "svg" => contact::svg(&asked::read(body)?),
+            "report" => contact::report(&asked::read(body)?),
+            "map" => map::told(&mut self.stressed, &asked::read(body)?),
+            "map-svg" => map::svg(&mut self.stressed, &asked::read(body)?),
+            "study" => study::told(&asked::read(body)?),
+            "kernel" => kernel::told(&asked::read(body)?),
+            "equation" => kernel::equation(&asked::read(body)?),
+            "paper" => paper::tables(),
+            "curve" => paper::curve(&asked::read(body)?),
+            other => Err(Failure::Usage(format!("the page has no question {other:?}"))),
         }
-        "csv" => contact::csv(&asked::read(body)?),
-        "svg" => contact::svg(&asked::read(body)?),
-        "map" => map::told(&asked::read(body)?),
-        "map-svg" => map::svg(&asked::read(body)?),
-        "study" => study::told(&asked::read(body)?),
-        "kernel" => kernel::told(&asked::read(body)?),
-        "equation" => kernel::equation(&asked::read(body)?),
-        "paper" => paper::tables(),
-        "curve" => paper::curve(&asked::read(body)?),
-        other => Err(Failure::Usage(format!("the page has no question {other:?}"))),
+    }
+}
+
+impl std::fmt::Debug for PageEngine {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.debug_struct("PageEngine").finish_non_exhaustive()
     }
 }
 

@@ -25,26 +25,24 @@ pub(super) struct AskedMap {
     component: StressComponent,
     /// Points along the surface and in depth.
     points: [usize; 2],
-    /// Whether the load at first yield is wanted, too.
+    /// Whether the largest stresses and the load at first yield are wanted, too, which takes longer than a coarse map.
     #[serde(default)]
-    first_yield: bool,
+    peaks: bool,
     /// Poisson's ratio, for a file without dimensions.
     poisson_ratio: Option<f64>,
 }
 
-/// The stresses of a contact on the grid of `stress`.
-struct Stressed {
+/// The stresses of a contact, kept for the next question about the same one.
+pub(super) struct Stressed {
+    problem: Asked,
+    ratio: f64,
     solution: Solution,
     field: StressField,
-    peaks: [Peak; 2],
-    grid: report::Stresses,
-    units: Units,
-    ratio: f64,
+    peaks: Option<[Peak; 2]>,
 }
 
 impl Stressed {
     fn new(asked: &AskedMap) -> Result<Self, Failure> {
-        let points = asked.points.map(|count| count.clamp(2, MOST));
         let solution = Solution::new(&asked.problem, false)?;
         let problem = solution.file.problem();
         problem.check_stresses().map_err(|error| solution.file.locate(error))?;
@@ -52,60 +50,87 @@ impl Stressed {
         let ratio = stated.or(asked.poisson_ratio).ok_or(Error::NoPoissonRatio)?;
         let field = StressField::new(&solution.contact, Some(ratio))
             .map_err(|error| solution.file.locate(error))?;
-        let peaks = [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];
-        let units = Units::of(problem);
-        let grid = Section::usual(points).stresses(&field)?;
-        Ok(Self { solution, field, peaks, grid, units, ratio })
+        Ok(Self { problem: asked.problem.clone(), ratio, solution, field, peaks: None })
+    }
+
+    /// The one that is known, or a new one.
+    fn of<'k>(known: &'k mut Option<Self>, asked: &AskedMap) -> Result<&'k mut Self, Failure> {
+        let fits = |known: &Self| {
+            known.problem == asked.problem
+                && asked.poisson_ratio.is_none_or(|ratio| ratio == known.ratio)
+        };
+        let stressed = match known.take().filter(fits) {
+            Some(stressed) => stressed,
+            None => Self::new(asked)?,
+        };
+        Ok(known.insert(stressed))
+    }
+
+    fn peaks(&mut self) -> [Peak; 2] {
+        let field = &self.field;
+        let found = || [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];
+        *self.peaks.get_or_insert_with(found)
+    }
+
+    fn grid(&self, asked: &AskedMap) -> Result<report::Stresses, Failure> {
+        Section::usual(asked.points.map(|count| count.clamp(2, MOST))).stresses(&self.field)
     }
 }
 
 /// The map as numbers.
-pub(super) fn told(asked: &AskedMap) -> Result<Value, Failure> {
-    let stressed = Stressed::new(asked)?;
-    let Stressed { solution, field, peaks, grid, ratio, .. } = &stressed;
-    let problem = solution.file.problem();
-    let is_physical = !problem.is_dimensionless();
+pub(super) fn told(known: &mut Option<Stressed>, asked: &AskedMap) -> Result<Value, Failure> {
+    let stressed = Stressed::of(known, asked)?;
+    let peaks = asked.peaks.then(|| stressed.peaks());
+    let grid = stressed.grid(asked)?;
+    let Stressed { solution, field, ratio, .. } = &*stressed;
+    let is_physical = !solution.file.problem().is_dimensionless();
     let values = grid.values(asked.component);
-    let limits = stress::limits(&values);
-    let shown = |value: f64, dimension: Dimension| match (value.is_finite(), is_physical) {
-        (false, _) => "infinite".to_owned(),
-        (true, true) => engineering(value, dimension),
-        (true, false) => significant(value, 6),
-    };
-    let peak = |peak: &Peak, share: f64| {
-        let x = shown(peak.x, Dimension::LENGTH);
-        let place = match (peak.is_corner, peak.depth == 0.0) {
-            (true, _) => format!("at the edge x = {x}, as a limit"),
-            (false, true) => format!("at x = {x} on the surface"),
-            (false, false) => format!("at x = {x}, {} deep", shown(peak.depth, Dimension::LENGTH)),
-        };
-        let value = share * peak.value;
-        json!({
-            "si": value.is_finite().then_some(value),
-            "value": shown(value, Dimension::PRESSURE),
-            "x": peak.x,
-            "depth": peak.depth,
-            "place": place,
-        })
-    };
-    let first_yield = match solution.file.yield_stress()?.filter(|_| asked.first_yield) {
+    let first_yield = match solution.file.yield_stress()?.filter(|_| asked.peaks) {
         None => Value::Null,
         Some(limit) => first_yield(solution, limit, *ratio)?,
+    };
+    let peak = |index: usize, share: f64| {
+        peaks.map(|peaks| peak(&peaks[index], share, field, is_physical))
     };
     Ok(json!({
         "name": stress::name(asked.component),
         "x": grid.x,
         "depth": grid.y,
         "values": values,
-        "limits": limits.map(|(low, high)| [low, high]),
-        "zones": stress::zones(field, grid),
-        "von_mises": peak(&peaks[0], 1.0),
-        "max_shear": peak(&peaks[1], 0.5),
+        "limits": stress::limits(&values).map(|(low, high)| [low, high]),
+        "zones": stress::zones(field, &grid),
+        "von_mises": peak(0, 1.0),
+        "max_shear": peak(1, 0.5),
         "error": field.error(),
         "poisson_ratio": ratio,
         "is_physical": is_physical,
         "first_yield": first_yield,
     }))
+}
+
+/// A largest stress and its place; of the repetitions of a row the one in the middle.
+fn peak(peak: &Peak, share: f64, field: &StressField, is_physical: bool) -> Value {
+    let shown = |value: f64, dimension: Dimension| match (value.is_finite(), is_physical) {
+        (false, _) => "infinite".to_owned(),
+        (true, true) => engineering(value, dimension),
+        (true, false) => significant(value, 6),
+    };
+    let shift = field.period().map_or(0.0, |period| period * (peak.x / period).round());
+    let at = peak.x - shift;
+    let x = shown(at, Dimension::LENGTH);
+    let place = match (peak.is_corner, peak.depth == 0.0) {
+        (true, _) => format!("at the edge x = {x}, as a limit"),
+        (false, true) => format!("at x = {x} on the surface"),
+        (false, false) => format!("at x = {x}, {} deep", shown(peak.depth, Dimension::LENGTH)),
+    };
+    let value = share * peak.value;
+    json!({
+        "si": value.is_finite().then_some(value),
+        "value": shown(value, Dimension::PRESSURE),
+        "x": at,
+        "depth": peak.depth,
+        "place": place,
+    })
 }
 
 /// The loads at first yield, or why there are none.
@@ -123,9 +148,11 @@ fn first_yield(solution: &Solution, limit: f64, ratio: f64) -> Result<Value, Fai
 }
 
 /// The map as `stress --plot` draws it.
-pub(super) fn svg(asked: &AskedMap) -> Result<Value, Failure> {
-    let Stressed { field, peaks, grid, units, .. } = Stressed::new(asked)?;
-    let plot = stress::plot(asked.component, &field, &grid, &peaks, units);
+pub(super) fn svg(known: &mut Option<Stressed>, asked: &AskedMap) -> Result<Value, Failure> {
+    let stressed = Stressed::of(known, asked)?;
+    let (peaks, grid) = (stressed.peaks(), stressed.grid(asked)?);
+    let units = Units::of(stressed.solution.file.problem());
+    let plot = stress::plot(asked.component, &stressed.field, &grid, &peaks, units);
     let bytes = render(&plot, Format::Svg, plot.size())?;
     Ok(json!({ "text": Content::from(bytes).text()? }))
 }

@@ -8,7 +8,6 @@ mod map;
 mod paper;
 mod start;
 mod study;
-mod words;
 
 pub use engine::PageEngine;
 

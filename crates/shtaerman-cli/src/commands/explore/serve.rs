@@ -17,7 +17,7 @@ const WORKER: &str = "--worker";
 
 pub(in crate::commands) fn run(arguments: &ExploreArguments) -> Result<(), Failure> {
     if arguments.worker {
-        return shtaerman_explore::work(stdin(), stdout().lock(), &mut PageEngine)
+        return shtaerman_explore::work(stdin(), stdout().lock(), &mut PageEngine::default())
             .map_err(|error| Failure::unwritten(Path::new("standard output"), &error));
     }
     let start = match &arguments.file {

@@ -10,11 +10,12 @@ use shtaerman::quantity::Dimension;
 use shtaerman::{Contact, Criterion, Error, StressField, Warning, WarningCode};
 
 use super::problem_file;
+use super::sheet::{self, ReportFile};
 use crate::arguments::{StressArguments, StressFormat};
 use crate::failure::shown;
 use crate::output::{Content, Outputs};
-use crate::plot::{Format, render};
-use crate::report::{self, StressReport, Stresses, YieldReport};
+use crate::plot::{Format, MapPlot, render};
+use crate::report::{self, Sheet, StressReport, Stresses, YieldReport};
 use crate::{Failure, clock};
 pub(super) use map::{limits, name, plot, zones};
 pub(super) use section::{Section, Units};
@@ -25,7 +26,12 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
         let message = "--format npz is no text: give --output FILE.npz";
         return Err(Failure::Usage(message.to_owned()));
     }
-    let outputs = [arguments.output.as_deref(), arguments.plot.as_deref()];
+    let sheet_file = ReportFile::of(&arguments.report)?;
+    let outputs = [
+        arguments.output.as_deref(),
+        arguments.plot.as_deref(),
+        sheet_file.as_ref().map(|report| report.path),
+    ];
     let file = problem_file::read(&arguments.problem, &outputs)?;
     let problem = file.problem();
     problem.check_stresses().map_err(|error| file.locate(error))?;
@@ -50,9 +56,15 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let places = places.map(|places| stresses_at(&field, places)).transpose()?;
     let wants_grid = arguments.grid.is_some() || arguments.format != StressFormat::Json;
     let needs_grid = places.is_none() && arguments.format != StressFormat::Table && wants_grid;
-    let grid =
-        if needs_grid || arguments.plot.is_some() { Some(section.stresses(&field)?) } else { None };
+    let is_drawn = arguments.plot.is_some() || sheet_file.is_some();
+    let grid = if needs_grid || is_drawn { Some(section.stresses(&field)?) } else { None };
     let mut outputs = Outputs::default();
+    if let (Some(path), Some(grid)) = (&sheet_file, &grid) {
+        let name = problem_file::name(&arguments.problem.file);
+        let told = report::stress_table(&name, &report, places.as_ref());
+        let plot = plot(arguments.component, &field, grid, &peaks, units);
+        path.add(&mut outputs, &sheet(arguments, &file, &contact, &told, &plot)?)?;
+    }
     let text = written(arguments, report, places.as_ref(), grid.as_ref())?;
     outputs.result(arguments.output.as_deref(), text);
     if let (Some(path), Some(format), Some(grid)) = (&arguments.plot, format, &grid) {
@@ -91,6 +103,34 @@ fn written<'a>(
         StressFormat::Csv => report::stress_csv(chosen()?),
         StressFormat::Npz => report::stress_npz(chosen()?),
     })
+}
+
+/// The report of the stresses under a contact.
+fn sheet(
+    arguments: &StressArguments,
+    file: &ProblemFile,
+    contact: &Contact,
+    told: &str,
+    plot: &MapPlot,
+) -> Result<Sheet, Failure> {
+    let title = format!("Stresses: {}", problem_file::name(&arguments.problem.file));
+    let mut sheet = sheet::of_contact(&title, &sheet::command(), told, file, contact)?;
+    let given = arguments.poisson_ratio.map(|ratio| ratio.to_string());
+    sheet.options(
+        [
+            ("--yield-stress", arguments.yield_stress.as_deref()),
+            ("--poisson-ratio", given.as_deref()),
+            ("--at", arguments.at.as_deref()),
+            ("--grid", arguments.grid.as_deref()),
+            ("--x-range", arguments.x_range.as_deref()),
+            ("--depth", arguments.depth.as_deref()),
+        ]
+        .into_iter()
+        .filter_map(|(name, given)| sheet::option(name, given)),
+    );
+    sheet.picture("Stresses below the surface.", plot, plot.size())?;
+    sheet.contact(contact)?;
+    Ok(sheet)
 }
 
 fn poisson_ratio(arguments: &StressArguments, file: &ProblemFile) -> Result<f64, Failure> {

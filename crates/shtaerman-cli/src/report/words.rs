@@ -3,7 +3,7 @@
 use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
 use shtaerman::{Contact, Rotational, Vertical};
 
-use crate::report::significant;
+use super::significant;
 
 /// Significant digits of a value without dimensions, and of an error.
 const DIGITS: usize = 6;
@@ -17,13 +17,13 @@ const MOST_ZONES: usize = 3;
 
 /// How values are shown: with units, or as numbers.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Shown {
+pub(crate) struct Shown {
     is_physical: bool,
     is_circular: bool,
 }
 
 impl Shown {
-    pub(super) fn of(contact: &Contact) -> Self {
+    pub(crate) fn of(contact: &Contact) -> Self {
         let problem = contact.problem();
         Self { is_physical: !problem.is_dimensionless(), is_circular: problem.is_circular() }
     }
@@ -35,7 +35,7 @@ impl Shown {
         if self.is_physical { engineering(value, unit) } else { significant(value, DIGITS) }
     }
 
-    pub(super) fn error(self, value: f64, unit: impl Into<DisplayUnit>) -> String {
+    pub(crate) fn error(self, value: f64, unit: impl Into<DisplayUnit>) -> String {
         if self.is_physical {
             engineering_with_digits(value, unit, ERROR_DIGITS)
         } else {
@@ -43,27 +43,27 @@ impl Shown {
         }
     }
 
-    pub(super) fn length(self, value: f64) -> String {
+    pub(crate) fn length(self, value: f64) -> String {
         self.value(value, Dimension::LENGTH)
     }
 
-    pub(super) fn pressure(self, value: f64) -> String {
+    pub(crate) fn pressure(self, value: f64) -> String {
         self.value(value, Dimension::PRESSURE)
     }
 
-    pub(super) fn angle(self, value: f64) -> String {
+    pub(crate) fn angle(self, value: f64) -> String {
         self.value(value, DisplayUnit::angle())
     }
 
-    pub(super) fn force(self, value: f64) -> String {
+    pub(crate) fn force(self, value: f64) -> String {
         self.value(value, self.force_unit())
     }
 
-    pub(super) fn moment(self, value: f64) -> String {
+    pub(crate) fn moment(self, value: f64) -> String {
         self.value(value, self.moment_unit())
     }
 
-    pub(super) fn force_unit(self) -> DisplayUnit {
+    pub(crate) fn force_unit(self) -> DisplayUnit {
         if self.is_circular {
             DisplayUnit::prefixed("N")
         } else {
@@ -71,13 +71,13 @@ impl Shown {
         }
     }
 
-    pub(super) fn moment_unit(self) -> DisplayUnit {
+    pub(crate) fn moment_unit(self) -> DisplayUnit {
         if self.is_circular { Dimension::MOMENT.into() } else { DisplayUnit::prefixed("N") }
     }
 }
 
 /// What the answer says: how the punch moves, where it touches, where it presses most, how sure that is.
-pub(super) fn sentences(contact: &Contact) -> Vec<String> {
+pub(crate) fn sentences(contact: &Contact) -> Vec<String> {
     let mut said = vec![motion(contact), touching(contact), pressing(contact)];
     said.extend(certainty(contact));
     said
@@ -101,7 +101,7 @@ fn motion(contact: &Contact) -> String {
     let is_level = (contact.tilt() * half_width).abs() <= ROUNDING * contact.settlement().abs();
     let side = if contact.tilt() > 0.0 { "left" } else { "right" };
     let tilts = match load.rotational() {
-        Rotational::Tilt(_) if is_level => {
+        Rotational::Tilt(_) if is_level && contact.moment() != 0.0 => {
             format!(" and is held level by a moment of {}", shown.moment(contact.moment()))
         }
         _ if is_level => " and stays level".to_owned(),

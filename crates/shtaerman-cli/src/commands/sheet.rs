@@ -1,0 +1,99 @@
+//! `--report`: what a command found as a page that is printed, signed and kept.
+
+use std::path::Path;
+
+use shtaerman::Contact;
+use shtaerman::document::load_bytes;
+use shtaerman::file::ProblemFile;
+
+use super::problem_file;
+use crate::Failure;
+use crate::arguments::ReportArguments;
+use crate::output::{Content, Outputs, Printer};
+use crate::plot::Size;
+use crate::report::{self, Entry, Sheet};
+use crate::snippets;
+
+/// Size of the picture of a contact.
+const PICTURE: Size = Size { width: 860, height: 540 };
+
+/// Where a report goes.
+pub(super) struct ReportFile<'a> {
+    pub(super) path: &'a Path,
+    /// What prints it, for a PDF.
+    printer: Option<Printer>,
+}
+
+impl<'a> ReportFile<'a> {
+    /// The report that was asked for; that it cannot be is told before anything is computed.
+    pub(super) fn of(arguments: &'a ReportArguments) -> Result<Option<Self>, Failure> {
+        let Some(path) = arguments.report.as_deref() else { return Ok(None) };
+        let suffix = path.extension().map(|suffix| suffix.to_string_lossy().to_ascii_lowercase());
+        let printer = match suffix.as_deref() {
+            Some("html" | "htm") => None,
+            Some("pdf") => Some(Printer::find()?),
+            _ => {
+                let message = format!("--report {}: must end in .html or .pdf", path.display());
+                return Err(Failure::Usage(message));
+            }
+        };
+        Ok(Some(Self { path, printer }))
+    }
+
+    /// Adds the report to what is written.
+    pub(super) fn add(&self, outputs: &mut Outputs<'_>, sheet: &Sheet) -> Result<(), Failure> {
+        let html = sheet.html();
+        let content = match &self.printer {
+            None => Content::from(html),
+            Some(printer) => Content::from(printer.pdf(&html)?),
+        };
+        outputs.file(self.path, content);
+        Ok(())
+    }
+}
+
+/// The command of this process, as a shell takes it again.
+pub(super) fn command() -> String {
+    let words = std::env::args_os().skip(1);
+    let quoted: Vec<String> = words.map(|word| snippets::quoted(&word.to_string_lossy())).collect();
+    format!("shtaerman {}", quoted.join(" "))
+}
+
+/// The report about a contact that was found for a file: inputs, model, words, picture, checks.
+pub(super) fn of_contact(
+    title: &str,
+    command: &str,
+    told: &str,
+    file: &ProblemFile,
+    contact: &Contact,
+) -> Result<Sheet, Failure> {
+    let mut sheet = of_file(title, command, told, file);
+    sheet.words(report::sentences(contact));
+    sheet.picture(
+        "Pressure over the base; below it the base and the deformed surface.",
+        &report::contact_plot(contact)?,
+        PICTURE,
+    )?;
+    let doubts = file.sense_checks(contact);
+    let warnings = contact.warnings().iter().chain(&doubts);
+    sheet.warnings(warnings.map(|warning| warning.message.as_str()));
+    Ok(sheet)
+}
+
+/// The report about a file: inputs and model.
+pub(super) fn of_file(title: &str, command: &str, told: &str, file: &ProblemFile) -> Sheet {
+    let mut sheet = Sheet::new(title, command, told);
+    sheet.document(file.document());
+    sheet.problem(file.problem());
+    if let Some(path) = file.measured_profile()
+        && let Ok(content) = load_bytes(path)
+    {
+        sheet.file(&problem_file::name(path), &content);
+    }
+    sheet
+}
+
+/// An option of the command line, where it was given.
+pub(super) fn option(name: &str, given: Option<&str>) -> Option<Entry> {
+    given.map(|text| Entry::option(name, text))
+}
