@@ -14,6 +14,7 @@ use shtaerman::document::FileError;
 use shtaerman::legible;
 
 use crate::plot::PlotError;
+use crate::terminal::{has_colours, painted_message};
 
 /// Why a command ends without its result.
 #[derive(Debug, thiserror::Error)]
@@ -168,7 +169,9 @@ pub(crate) fn shown(path: &Path) -> String {
 
 /// Writes to standard error; where that is closed or full, nobody is left to be told.
 pub(crate) fn print(text: &str) {
-    let _ = std::io::stderr().lock().write_all(text.as_bytes());
+    let stream = std::io::stderr();
+    let text = if has_colours(&stream) { painted_message(text) } else { text.to_owned() };
+    let _ = stream.lock().write_all(text.as_bytes());
 }
 
 /// Longest source line that is shown, in bytes.

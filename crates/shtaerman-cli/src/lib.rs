@@ -13,6 +13,7 @@ pub mod plot;
 mod report;
 mod results;
 mod snippets;
+mod terminal;
 
 use std::io::Write;
 use std::path::Path;
@@ -25,7 +26,7 @@ use arguments::Arguments;
 pub use commands::explore::PageEngine;
 use failure::Failure;
 pub use failure::{Refusal, told};
-pub use report::contact_plot;
+pub use report::{ContactPicture, contact_picture, contact_plot};
 pub use results::{PartFormat, StudyResults};
 use shtaerman::legible;
 

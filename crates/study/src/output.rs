@@ -46,7 +46,7 @@ impl Output {
 }
 
 /// All outputs, in the order of the answer. What is prescribed has no error in a sweep.
-const OUTPUTS: [Output; 13] = [
+const OUTPUTS: [Output; 14] = [
     Output::new("theta0", Contact::theta0).with_swept(|case| case.theta0),
     Output::new("settlement", Contact::settlement)
         .with_error(|e| Some(e.settlement))
@@ -88,6 +88,7 @@ const OUTPUTS: [Output; 13] = [
     // Over the two half-widths of the base.
     Output::new("mean_pressure", Contact::mean_pressure)
         .with_swept(|case| 0.5 * case.contact.force),
+    Output::new("mean_contact_pressure", Contact::mean_contact_pressure),
     Output::new("peak_pressure", Contact::peak_pressure)
         .with_error(|e| Some(e.peak_pressure.unwrap_or(e.pressure))),
     Output::new("peak_pressure_at", Contact::peak_pressure_at),

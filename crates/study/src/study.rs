@@ -133,6 +133,18 @@ impl Study {
         Ok(self.file(&self.inputs(0))?.measured_profile().map(Path::to_owned))
     }
 
+    /// The problem of the first case, with overrides `KEY=VALUE` that are no part of the study, such as the units in which results are shown.
+    ///
+    /// # Errors
+    /// As [`ProblemFile::from_document`].
+    pub fn first(&self, overrides: &[String]) -> Result<ProblemFile, Error> {
+        let mut document = self.document(&self.inputs(0))?;
+        for (key, value) in overrides.iter().filter_map(|text| text.split_once('=')) {
+            document.set(key, value)?;
+        }
+        ProblemFile::from_document(document, &self.folder)
+    }
+
     /// The varied values of a case.
     #[must_use]
     pub fn inputs(&self, case: usize) -> Vec<Input> {
@@ -161,10 +173,14 @@ impl Study {
 
     /// The problem with these values.
     pub(crate) fn file(&self, inputs: &[Input]) -> Result<ProblemFile, Error> {
+        ProblemFile::from_document(self.document(inputs)?, &self.folder)
+    }
+
+    fn document(&self, inputs: &[Input]) -> Result<Document, Error> {
         let mut document = self.problem.clone();
         for (variable, input) in self.variables.iter().zip(inputs) {
             document.set(&variable.key, &input.to_string())?;
         }
-        ProblemFile::from_document(document, &self.folder)
+        Ok(document)
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::OutputArguments;
+use super::{OutputArguments, SenseArguments};
 
 /// `shtaerman roughness`.
 #[derive(Debug, Args)]
@@ -70,6 +70,9 @@ pub struct GreenwoodWilliamsonArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
 }
 
 /// `shtaerman roughness bearing`.

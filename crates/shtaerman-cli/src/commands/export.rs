@@ -8,7 +8,7 @@ use shtaerman::quantity::Dimension;
 use shtaerman::{Contact, Datum, Error};
 
 use super::{places, problem_file};
-use crate::arguments::{ExportArguments, Exported, ModelUnits, Program};
+use crate::arguments::{ExportArguments, Exported, ModelUnits, Program, UnitArguments};
 use crate::output::Outputs;
 use crate::report::{ForceExport, Model, SurfaceExport, significant};
 use crate::{Failure, clock};
@@ -20,7 +20,15 @@ const CALCULIX_DISTANCE: f64 = 1e-10;
 
 pub(super) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
     let factors = Factors::parse(arguments)?;
-    let file = problem_file::read(&arguments.problem, &[arguments.output.as_deref()])?;
+    let file = problem_file::read(
+        &arguments.problem,
+        &UnitArguments::default(),
+        &[arguments.output.as_deref()],
+    )?;
+    if arguments.sense.strict {
+        let contact = problem_file::solve(&file, false)?;
+        problem_file::doubts(&file, &contact, &arguments.sense)?;
+    }
     let datum = datum(arguments)?;
     let units = units(arguments.units);
     let mut model = Model::new(

@@ -8,6 +8,7 @@ mod export;
 mod find;
 mod init;
 mod man;
+mod picture;
 mod places;
 mod problem_file;
 mod regularity;

@@ -11,7 +11,7 @@ use crate::Failure;
 use crate::arguments::ReportArguments;
 use crate::output::{Content, Outputs, Printer};
 use crate::plot::Size;
-use crate::report::{self, Entry, Sheet};
+use crate::report::{self, ContactPicture, Entry, Sheet, Told, contact_picture};
 use crate::snippets;
 
 /// Size of the picture of a contact.
@@ -63,16 +63,17 @@ pub(super) fn command() -> String {
 pub(super) fn of_contact(
     title: &str,
     command: &str,
-    told: &str,
+    told: &Told,
     file: &ProblemFile,
     contact: &Contact,
 ) -> Result<Sheet, Failure> {
     let mut sheet = of_file(title, command, told, file);
-    sheet.words(report::sentences(contact));
+    sheet.words(report::sentences(contact, file.units()));
+    let wanted = ContactPicture { units: file.units().clone(), ..ContactPicture::default() };
     sheet.picture(
-        "Pressure over the base; below it the base and the deformed surface.",
-        &report::contact_plot(contact)?,
-        PICTURE,
+        "Pressure over the base; below it base, asperities and the deformed body.",
+        &contact_picture(contact, &wanted)?,
+        Some(PICTURE),
     )?;
     let doubts = file.sense_checks(contact);
     let warnings = contact.warnings().iter().chain(&doubts);
@@ -81,7 +82,7 @@ pub(super) fn of_contact(
 }
 
 /// The report about a file: inputs and model.
-pub(super) fn of_file(title: &str, command: &str, told: &str, file: &ProblemFile) -> Sheet {
+pub(super) fn of_file(title: &str, command: &str, told: &Told, file: &ProblemFile) -> Sheet {
     let mut sheet = Sheet::new(title, command, told);
     sheet.document(file.document());
     sheet.problem(file.problem());
@@ -93,7 +94,8 @@ pub(super) fn of_file(title: &str, command: &str, told: &str, file: &ProblemFile
     sheet
 }
 
-/// An option of the command line, where it was given.
-pub(super) fn option(name: &str, given: Option<&str>) -> Option<Entry> {
-    given.map(|text| Entry::option(name, text))
+/// Options of the command line, those that were given, as inputs of a report.
+pub(super) fn options(given: &[(&str, Option<&str>)]) -> Vec<Entry> {
+    let given = given.iter().filter_map(|(name, text)| Some((name, (*text)?)));
+    given.map(|(name, text)| Entry::option(name, text)).collect()
 }

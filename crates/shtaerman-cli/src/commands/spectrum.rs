@@ -3,11 +3,12 @@
 use shtaerman::equation::{Family, KernelError, NamedKernel, Parameter, Spectrum};
 use shtaerman::quantity::{self, Dimension};
 
+use super::picture::Picture;
 use crate::Failure;
 use crate::arguments::{KernelArguments, ReportFormat, SpectrumArguments};
 use crate::failure::shown;
 use crate::output::{Content, Outputs, check_writable};
-use crate::plot::{Arrangement, Curve, CurvePanel, CurveScaling, CurvesPlot, Format, Size, render};
+use crate::plot::{Arrangement, Curve, CurvePanel, CurveScaling, CurvesPlot};
 use crate::report::{self, Table};
 
 /// Eigenfunctions that are drawn.
@@ -16,7 +17,7 @@ const DRAWN: usize = 5;
 const PLOT_INTERVALS: u32 = 400;
 
 pub(super) fn run(arguments: &SpectrumArguments) -> Result<(), Failure> {
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()], &[])?;
     let kernel = kernel(arguments)?;
     let spectrum = Spectrum::new(&kernel, arguments.count, arguments.verify).map_err(usage)?;
@@ -26,15 +27,15 @@ pub(super) fn run(arguments: &SpectrumArguments) -> Result<(), Failure> {
             if let Some(path) = &arguments.plot {
                 text.push_str(&format!("\nplot: {}\n", shown(path)));
             }
-            text.into()
+            Content::page(&text)
         }
         ReportFormat::Json => Content::json(&spectrum),
         ReportFormat::Csv => csv(&spectrum),
     };
     let mut outputs = Outputs::default();
     outputs.result(arguments.output.output.as_deref(), text);
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        outputs.file(path, render(&plot(&spectrum), format, Size::default())?);
+    if let Some(picture) = picture {
+        picture.draw(&plot(&spectrum), &mut outputs)?;
     }
     outputs.write()?;
     verdict(&spectrum)

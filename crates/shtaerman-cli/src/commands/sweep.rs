@@ -9,13 +9,15 @@ use shtaerman::document::{load_bytes, overridden};
 use shtaerman::file::ProblemFile;
 use shtaerman_study::{Part, Row, Study, Summary};
 
+use super::picture::{Picture, Titled};
+use super::problem_file;
 use super::sheet::{self, ReportFile};
 use crate::Failure;
 use crate::arguments::SweepArguments;
 use crate::failure::{self, shown};
-use crate::output::{Input, Outputs, check_writable};
-use crate::plot::{Format, Size, render};
-use crate::report::{self, Sheet};
+use crate::output::{Content, Input, Outputs, check_writable};
+use crate::plot::Size;
+use crate::report::{self, Sheet, StudyUnits, Told};
 use crate::results::{Results, processors};
 
 /// Studies of more cases ask first.
@@ -27,14 +29,16 @@ const TICK: Duration = Duration::from_millis(250);
 
 pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     arguments.format.check()?;
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let threads = threads(arguments.threads)?;
     let shard = arguments.shard.as_deref().map_or(Ok(Shard::WHOLE), Shard::read)?;
     let study = Study::open(&arguments.file, &arguments.overrides)?;
     let input = Input { what: "the study file", path: &arguments.file };
-    let report = ReportFile::of(&arguments.report)?;
-    let report_path = report.as_ref().map(|report| report.path);
+    let report_file = ReportFile::of(&arguments.report)?;
+    let report_path = report_file.as_ref().map(|report| report.path);
     check_writable(&[arguments.plot.as_deref(), report_path], &[input])?;
+    let units: Vec<String> = problem_file::units_override(&arguments.units)?.into_iter().collect();
+    let units = StudyUnits::new(&study, &units)?;
     check_size(&study, arguments.yes || arguments.summary)?;
     let name = arguments.file.file_name().unwrap_or(arguments.file.as_os_str());
     let name = shown(Path::new(name));
@@ -53,15 +57,16 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
         run.audit_sample(&chosen);
     }
     let mut outputs = Outputs::default();
-    let told = report::sweep_table(study, results.manifest(), &run.report(chosen.len()));
-    if let Some(report) = &report {
-        report.add(&mut outputs, &sheet(arguments, &name, study, &run, &told)?)?;
+    let table = report::sweep_table(study, &units, results.manifest(), &run.report(chosen.len()));
+    if let Some(report_file) = &report_file {
+        let sheet = sheet(arguments, &name, &run, &units, &table)?;
+        report_file.add(&mut outputs, &sheet)?;
     }
-    outputs.result(None, told);
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        let (plot, size) =
-            report::response(study, &run.curves, Some(&run.summary)).map_err(Failure::Usage)?;
-        outputs.file(path, render(&plot, format, size)?);
+    outputs.result(None, Content::page(&table.to_string()));
+    if let Some(picture) = picture {
+        let (figure, size) = report::response(study, &units, &run.curves, Some(&run.summary))
+            .map_err(Failure::Usage)?;
+        picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
     outputs.write()
 }
@@ -70,9 +75,9 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
 fn sheet(
     arguments: &SweepArguments,
     name: &str,
-    study: &Study,
     run: &Run<'_>,
-    told: &str,
+    units: &StudyUnits,
+    told: &Told,
 ) -> Result<Sheet, Failure> {
     let bytes = load_bytes(&arguments.file).map_err(Failure::Usage)?;
     let document = overridden(&bytes, name, &arguments.overrides, "study.count=100")?;
@@ -80,12 +85,13 @@ fn sheet(
     sheet.document(&document);
     let folder = arguments.file.parent().unwrap_or(Path::new(""));
     // What varies may be missing in the problem itself, which then has no model of its own.
-    if let Ok(file) = ProblemFile::from_document(study.problem().clone(), folder) {
+    if let Ok(file) = ProblemFile::from_document(run.study.problem().clone(), folder) {
         sheet.problem(file.problem());
     }
     // Where nothing can be drawn, the table stands alone.
-    if let Ok((plot, _)) = report::response(study, &run.curves, Some(&run.summary)) {
-        sheet.picture("The response.", &plot, Size { width: 860, height: 560 })?;
+    let drawn = report::response(run.study, units, &run.curves, Some(&run.summary));
+    if let Ok((figure, _)) = drawn {
+        sheet.picture("The response.", &figure, Some(Size { width: 860, height: 560 }))?;
     }
     Ok(sheet)
 }

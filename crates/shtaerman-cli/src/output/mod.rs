@@ -10,6 +10,7 @@ mod signals;
 
 use std::path::{Path, PathBuf};
 
+use crate::terminal::has_colours;
 use crate::{Failure, clock};
 use identity::identity;
 use prepared::{Prepared, folder};
@@ -116,6 +117,7 @@ fn place(path: &Path) -> Option<PathBuf> {
 }
 
 fn print(content: Content<'_>) -> Result<(), Failure> {
+    let content = if has_colours(&std::io::stdout()) { content.painted() } else { content };
     match content.write_to(&mut std::io::stdout().lock()) {
         // The reader of a pipe (`head`) may leave when it has enough.
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {

@@ -54,12 +54,7 @@ impl Plot for ConvergencePlot {
         Figure {
             title: self.title.clone(),
             notes: self.notes.clone(),
-            panels: vec![Panel {
-                heading: String::new(),
-                horizontal: Axis::logarithmic(&self.count_label),
-                vertical,
-                layers,
-            }],
+            panels: vec![Panel::new(Axis::logarithmic(&self.count_label), vertical, layers)],
             arrangement: Arrangement::Stacked,
             legend: LegendPlace::Panel,
         }

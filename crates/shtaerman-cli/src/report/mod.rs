@@ -9,9 +9,12 @@ mod find;
 mod number;
 mod picture;
 mod sheet;
+mod shown;
 mod stress;
+mod study_units;
 mod sweep;
 mod table;
+mod told;
 mod words;
 
 pub(crate) use answer::{answer_csv, answer_notes, answer_rows, answer_table};
@@ -20,11 +23,15 @@ pub(crate) use export::{ForceExport, Model, SurfaceExport};
 pub(crate) use extras::{extras, surface_csv};
 pub(crate) use find::{CrownReport, FoundReport, ShapedReport};
 pub(crate) use number::significant;
-pub use picture::contact_plot;
+pub(crate) use picture::heading;
+pub use picture::{ContactPicture, contact_picture, contact_plot};
 pub(crate) use sheet::{Entry, Sheet};
+pub(crate) use shown::Shown;
 pub(crate) use stress::{
     StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
 };
-pub(crate) use sweep::{SweepReport, columns, keep, response, rows_table, sweep_table};
+pub(crate) use study_units::{Scaled, StudyUnits};
+pub(crate) use sweep::{SweepReport, columns, keep, response, rows_csv, rows_table, sweep_table};
 pub(crate) use table::Table;
-pub(crate) use words::{Shown, sentences};
+pub(crate) use told::{Part, Told};
+pub(crate) use words::sentences;

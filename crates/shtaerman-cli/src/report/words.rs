@@ -1,13 +1,12 @@
 //! An answer in sentences.
 
-use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
+use shtaerman::quantity::{Measure, OutputUnits};
 use shtaerman::{Contact, Rotational, Vertical};
 
-use super::significant;
+use super::{Shown, significant};
 
-/// Significant digits of a value without dimensions, and of an error.
+/// Significant digits of a value.
 const DIGITS: usize = 6;
-const ERROR_DIGITS: usize = 2;
 /// A tilt below this share of what its error or rounding makes is told as none.
 const ROUNDING: f64 = 1e-12;
 /// Places this near to an edge, in half-widths, are that edge.
@@ -15,78 +14,52 @@ const NEAR: f64 = 1e-9;
 /// Most zones that are told one by one.
 const MOST_ZONES: usize = 3;
 
-/// How values are shown: with units, or as numbers.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Shown {
-    is_physical: bool,
-    is_circular: bool,
+/// Values of a contact as sentences show them.
+struct Words {
+    shown: Shown,
 }
 
-impl Shown {
-    pub(crate) fn of(contact: &Contact) -> Self {
-        let problem = contact.problem();
-        Self { is_physical: !problem.is_dimensionless(), is_circular: problem.is_circular() }
+impl Words {
+    fn of(contact: &Contact, units: &OutputUnits) -> Self {
+        Self { shown: Shown::of(contact.problem(), units) }
     }
 
-    fn value(self, value: f64, unit: impl Into<DisplayUnit>) -> String {
-        if !value.is_finite() {
-            return "infinite".to_owned();
-        }
-        if self.is_physical { engineering(value, unit) } else { significant(value, DIGITS) }
+    fn length(&self, value: f64) -> String {
+        self.shown.with_digits(value, Measure::Length, DIGITS)
     }
 
-    pub(crate) fn error(self, value: f64, unit: impl Into<DisplayUnit>) -> String {
-        if self.is_physical {
-            engineering_with_digits(value, unit, ERROR_DIGITS)
-        } else {
-            significant(value, ERROR_DIGITS)
-        }
+    fn depth(&self, value: f64) -> String {
+        self.shown.with_digits(value, Measure::Displacement, DIGITS)
     }
 
-    pub(crate) fn length(self, value: f64) -> String {
-        self.value(value, Dimension::LENGTH)
+    fn pressure(&self, value: f64) -> String {
+        self.shown.with_digits(value, Measure::Pressure, DIGITS)
     }
 
-    pub(crate) fn pressure(self, value: f64) -> String {
-        self.value(value, Dimension::PRESSURE)
+    fn angle(&self, value: f64) -> String {
+        self.shown.with_digits(value, Measure::Angle, DIGITS)
     }
 
-    pub(crate) fn angle(self, value: f64) -> String {
-        self.value(value, DisplayUnit::angle())
+    fn force(&self, value: f64) -> String {
+        self.shown.with_digits(value, self.shown.force(), DIGITS)
     }
 
-    pub(crate) fn force(self, value: f64) -> String {
-        self.value(value, self.force_unit())
-    }
-
-    pub(crate) fn moment(self, value: f64) -> String {
-        self.value(value, self.moment_unit())
-    }
-
-    pub(crate) fn force_unit(self) -> DisplayUnit {
-        if self.is_circular {
-            DisplayUnit::prefixed("N")
-        } else {
-            Dimension::FORCE_PER_LENGTH.into()
-        }
-    }
-
-    pub(crate) fn moment_unit(self) -> DisplayUnit {
-        if self.is_circular { Dimension::MOMENT.into() } else { DisplayUnit::prefixed("N") }
+    fn moment(&self, value: f64) -> String {
+        self.shown.with_digits(value, self.shown.moment(), DIGITS)
     }
 }
 
 /// What the answer says: how the punch moves, where it touches, where it presses most, how sure that is.
-pub(crate) fn sentences(contact: &Contact) -> Vec<String> {
-    let mut said = vec![motion(contact), touching(contact), pressing(contact)];
-    said.extend(certainty(contact));
+pub(crate) fn sentences(contact: &Contact, units: &OutputUnits) -> Vec<String> {
+    let shown = &Words::of(contact, units);
+    let mut said = vec![motion(contact, shown), touching(contact, shown), pressing(contact, shown)];
+    said.extend(certainty(contact, &shown.shown));
     said
 }
 
-fn motion(contact: &Contact) -> String {
-    let shown = Shown::of(contact);
+fn motion(contact: &Contact, shown: &Words) -> String {
     let load = contact.problem().load();
-    let depth = shown.length(contact.settlement().abs());
+    let depth = shown.depth(contact.settlement().abs());
     let sinks = match load.vertical() {
         Vertical::Force(_) if contact.settlement() < 0.0 => {
             format!("Against its gauge the punch stands {depth} above zero")
@@ -117,8 +90,7 @@ fn motion(contact: &Contact) -> String {
     format!("{sinks}{tilts}.")
 }
 
-fn touching(contact: &Contact) -> String {
-    let shown = Shown::of(contact);
+fn touching(contact: &Contact, shown: &Words) -> String {
     let punch = contact.problem().punch();
     let zones = contact.zones();
     let width = shown.length(contact.contact_width());
@@ -144,8 +116,7 @@ fn touching(contact: &Contact) -> String {
     )
 }
 
-fn pressing(contact: &Contact) -> String {
-    let shown = Shown::of(contact);
+fn pressing(contact: &Contact, shown: &Words) -> String {
     let peak = contact.peak_pressure();
     let xi = contact.dimensionless().peak_pressure_at();
     let place = if (xi + 1.0).abs() < NEAR {
@@ -174,14 +145,15 @@ fn pressing(contact: &Contact) -> String {
     format!("The pressure is largest {place}: {}{beside}.", shown.pressure(peak))
 }
 
-fn certainty(contact: &Contact) -> Option<String> {
-    let shown = Shown::of(contact);
+fn certainty(contact: &Contact, shown: &Shown) -> Option<String> {
     let error = contact.error()?;
     let is_bound = error.kind.name() == "bound";
-    let pressure = shown.error(error.pressure, Dimension::PRESSURE);
+    let pressure = shown.few_digits(error.pressure, Measure::Pressure);
     let (what, value) = match contact.problem().load().vertical() {
-        Vertical::Force(_) => ("settlement", shown.error(error.settlement, Dimension::LENGTH)),
-        Vertical::Settlement(_) => ("force", shown.error(error.force, shown.force_unit())),
+        Vertical::Force(_) => {
+            ("settlement", shown.few_digits(error.settlement, Measure::Displacement))
+        }
+        Vertical::Settlement(_) => ("force", shown.few_digits(error.force, shown.force())),
     };
     let sure = if is_bound { "is guaranteed to be" } else { "is estimated to be" };
     Some(format!(

@@ -30,6 +30,7 @@ mod geometry;
 mod layering;
 mod load;
 mod located;
+mod output;
 mod physical;
 mod profile;
 mod read;

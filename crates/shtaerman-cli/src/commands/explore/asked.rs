@@ -43,6 +43,11 @@ impl Asked {
         self.files.iter().map(|(name, text)| (name.clone(), bytes(text)))
     }
 
+    /// Its name without the suffix.
+    pub(super) fn stem(&self) -> &str {
+        self.name.strip_suffix(".toml").unwrap_or(&self.name)
+    }
+
     /// The problem, which ends in time.
     pub(super) fn problem(&self) -> Result<ProblemFile, Failure> {
         Ok(ProblemFile::from_document(limited(self.document()?)?, Path::new(""))?)

@@ -3,14 +3,15 @@
 use serde_json::{Map, Value, json};
 use shtaerman::document::{Document, Table, ValueKind};
 use shtaerman::file::ProblemFile;
-use shtaerman::quantity::{self, Dimension, DisplayUnit};
-use shtaerman::{Answer, Contact, Law, PressureCurve, Warning};
+use shtaerman::quantity::{self, Measure, OutputUnits};
+use shtaerman::{Answer, Contact, Errors, Law, PressureCurve, Warning};
 
 use super::asked::{self, Asked};
 use crate::commands::problem_file::{self, Solved};
 use crate::commands::{sheet, solve};
 use crate::output::Content;
-use crate::report::{self, Shown};
+use crate::plot::{Format, Look, Plot, render_as};
+use crate::report::{self, ContactPicture, Shown, contact_picture};
 use crate::{Failure, snippets};
 
 /// Points of the pressure curve, as many as `solve` gives.
@@ -49,13 +50,14 @@ impl Solution {
 pub(super) fn told(asked: &Asked, is_audited: bool) -> Result<Value, Failure> {
     let solution = Solution::new(asked, is_audited)?;
     let (contact, answer) = (&solution.contact, solution.answer()?);
+    let units = solution.file.units();
     let document = asked.document()?;
     Ok(json!({
         "answer": serde_json::to_value(&answer).map_err(asked::unwritable)?,
-        "cards": cards(contact),
-        "table": report::answer_rows(contact, &answer),
-        "words": report::sentences(contact),
-        "notes": report::answer_notes(contact, &answer),
+        "cards": cards(contact, units),
+        "table": report::answer_rows(contact, &answer, units),
+        "words": report::sentences(contact, units),
+        "notes": report::answer_notes(contact, &answer, units),
         "picture": picture(contact)?,
         "inputs": inputs(&document),
         "unfinished": contact.is_unfinished(),
@@ -64,61 +66,55 @@ pub(super) fn told(asked: &Asked, is_audited: bool) -> Result<Value, Failure> {
     }))
 }
 
-/// The figures that are looked at first, each with its stated error.
-fn cards(contact: &Contact) -> Value {
-    let shown = Shown::of(contact);
+/// The figures that are looked at first, each with its stated error, as the table shows them.
+fn cards(contact: &Contact, units: &OutputUnits) -> Value {
+    let shown = Shown::of(contact.problem(), units);
     let errors = contact.error();
-    let error = |value: Option<f64>, unit: DisplayUnit| {
-        value.filter(|value| value.is_finite()).map(|value| shown.error(value, unit))
-    };
-    let length = || DisplayUnit::from(Dimension::LENGTH);
     let kind = errors.map(|errors| errors.kind.name());
-    let card = |key: &str, name: &str, value: String, si: f64, error: Option<String>| json!({ "key": key, "name": name, "value": value, "si": finite(si), "error": error, "kind": kind });
-    let peak = errors.and_then(|e| e.peak_pressure.or(Some(e.pressure)));
-    json!([
-        card(
+    let of = |error: fn(&Errors) -> Option<f64>| errors.as_ref().and_then(error);
+    let figures = [
+        (
             "settlement",
             "Settlement",
-            shown.length(contact.settlement()),
             contact.settlement(),
-            error(errors.map(|e| e.settlement), length())
+            Measure::Displacement,
+            of(|e| Some(e.settlement)),
         ),
-        card(
-            "tilt",
-            "Tilt",
-            shown.angle(contact.tilt()),
-            contact.tilt(),
-            error(errors.map(|e| e.tilt), DisplayUnit::angle())
-        ),
-        card(
+        ("tilt", "Tilt", contact.tilt(), Measure::Angle, of(|e| Some(e.tilt))),
+        ("force", "Force", contact.force(), shown.force(), of(|e| Some(e.force))),
+        ("moment", "Moment", contact.moment(), shown.moment(), of(|e| Some(e.moment))),
+        (
             "peak_pressure",
             "Largest pressure",
-            shown.pressure(contact.peak_pressure()),
             contact.peak_pressure(),
-            error(peak, Dimension::PRESSURE.into())
+            Measure::Pressure,
+            of(|e| e.peak_pressure.or(Some(e.pressure))),
         ),
-        card(
+        (
             "contact_width",
             "Contact width",
-            shown.length(contact.contact_width()),
             contact.contact_width(),
-            error(errors.and_then(|e| e.zones), length())
+            Measure::Length,
+            of(|e| e.zones),
         ),
-        card(
-            "force",
-            "Force",
-            shown.force(contact.force()),
-            contact.force(),
-            error(errors.map(|e| e.force), shown.force_unit())
-        ),
-        card(
-            "moment",
-            "Moment",
-            shown.moment(contact.moment()),
-            contact.moment(),
-            error(errors.map(|e| e.moment), shown.moment_unit())
-        ),
-    ])
+    ];
+    let card = |(key, name, value, measure, error): (&str, &str, f64, Measure, Option<f64>)| {
+        let error = error.filter(|error| error.is_finite());
+        // The table shows what it states no error of as it is.
+        let value_shown = match key {
+            "peak_pressure" | "contact_width" => shown.value(value, measure),
+            _ => shown.certain(value, error, measure),
+        };
+        json!({
+            "key": key,
+            "name": name,
+            "value": if value.is_finite() { value_shown } else { "infinite".to_owned() },
+            "si": finite(value),
+            "error": error.map(|error| shown.few_digits(error, measure)),
+            "kind": kind,
+        })
+    };
+    Value::Array(figures.into_iter().map(card).collect())
 }
 
 /// JSON has no infinity.
@@ -208,25 +204,39 @@ fn plain(value: &shtaerman::document::Value) -> Value {
 
 /// The pressure curve as `solve --format csv` writes it.
 pub(super) fn csv(asked: &Asked) -> Result<Value, Failure> {
-    let answer = Solution::new(asked, false)?.answer()?;
-    Ok(json!({ "text": report::answer_csv(&answer).text()? }))
+    let solution = Solution::new(asked, false)?;
+    let shown = Shown::of(solution.file.problem(), solution.file.units());
+    Ok(json!({ "text": report::answer_csv(&solution.answer()?, &shown).text()? }))
 }
 
 /// The picture as `solve --plot` draws it.
 pub(super) fn svg(asked: &Asked) -> Result<Value, Failure> {
     let solution = Solution::new(asked, true)?;
-    let plot = report::contact_plot(&solution.contact)?;
-    let bytes = crate::plot::render(&plot, crate::plot::Format::Svg, crate::plot::Size::default())?;
-    Ok(json!({ "text": Content::from(bytes).text()? }))
+    let wanted = ContactPicture {
+        name: asked.stem().to_owned(),
+        units: solution.file.units().clone(),
+        ..ContactPicture::default()
+    };
+    let plot = contact_picture(&solution.contact, &wanted)?;
+    Ok(json!({ "text": drawn(&plot)? }))
+}
+
+/// A picture as a command draws it where nothing is said about its looks.
+pub(super) fn drawn(plot: &dyn Plot) -> Result<String, Failure> {
+    let bytes = render_as(plot, Format::Svg, Look::default())?;
+    Content::from(bytes).text()
 }
 
 /// The report as `solve --report` writes it.
 pub(super) fn report(asked: &Asked) -> Result<Value, Failure> {
     let solution = Solution::new(asked, true)?;
     let (file, contact, answer) = (&solution.file, &solution.contact, solution.answer()?);
-    let told = report::answer_table(&asked.name, contact, &answer, false);
-    let name = snippets::quoted(&asked.name);
-    let command = format!("shtaerman solve {name} --report report.html");
+    let told = report::answer_table(&asked.name, contact, &answer, file.units(), false);
+    let command = format!(
+        "shtaerman solve {} --report {}",
+        snippets::quoted(&asked.name),
+        snippets::quoted(&format!("{}.html", asked.stem()))
+    );
     let title = format!("Contact: {}", asked.name);
     let mut sheet = sheet::of_contact(&title, &command, &told, file, contact)?;
     for (name, content) in asked.contents() {

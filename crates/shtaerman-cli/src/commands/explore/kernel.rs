@@ -87,6 +87,6 @@ pub(super) fn equation(asked: &Asked) -> Result<Value, Failure> {
     let answer = solved.answer(places).map_err(|error| file.locate(error))?;
     Ok(json!({
         "answer": serde_json::to_value(&answer).map_err(asked::unwritable)?,
-        "text": report::equation_table(&asked.name, &solved, &answer, false)?,
+        "text": report::equation_table(&asked.name, &solved, &answer, false)?.to_string(),
     }))
 }

@@ -2,17 +2,15 @@
 
 use serde::Deserialize;
 use serde_json::{Value, json};
-use shtaerman::quantity::{Dimension, engineering};
+use shtaerman::quantity::Measure;
 use shtaerman::{Criterion, Error, Peak, StressField};
 
 use super::asked::{self, Asked};
-use super::contact::Solution;
+use super::contact::{self, Solution};
 use crate::Failure;
 use crate::arguments::StressComponent;
-use crate::commands::stress::{self, Section, Units};
-use crate::output::Content;
-use crate::plot::{Format, render};
-use crate::report::{self, YieldReport, significant};
+use crate::commands::stress::{self, Section};
+use crate::report::{self, Shown, YieldReport};
 
 /// Points of a map that are asked for at most, in each direction.
 const MOST: usize = 400;
@@ -89,9 +87,9 @@ pub(super) fn told(known: &mut Option<Stressed>, asked: &AskedMap) -> Result<Val
         None => Value::Null,
         Some(limit) => first_yield(solution, limit, *ratio)?,
     };
-    let peak = |index: usize, share: f64| {
-        peaks.map(|peaks| peak(&peaks[index], share, field, is_physical))
-    };
+    let shown = Shown::of(solution.file.problem(), solution.file.units());
+    let peak =
+        |index: usize, share: f64| peaks.map(|peaks| peak(&peaks[index], share, field, &shown));
     Ok(json!({
         "name": stress::name(asked.component),
         "x": grid.x,
@@ -109,24 +107,22 @@ pub(super) fn told(known: &mut Option<Stressed>, asked: &AskedMap) -> Result<Val
 }
 
 /// A largest stress and its place; of the repetitions of a row the one in the middle.
-fn peak(peak: &Peak, share: f64, field: &StressField, is_physical: bool) -> Value {
-    let shown = |value: f64, dimension: Dimension| match (value.is_finite(), is_physical) {
-        (false, _) => "infinite".to_owned(),
-        (true, true) => engineering(value, dimension),
-        (true, false) => significant(value, 6),
+fn peak(peak: &Peak, share: f64, field: &StressField, shown: &Shown) -> Value {
+    let of = |value: f64, measure: Measure| {
+        if value.is_finite() { shown.value(value, measure) } else { "infinite".to_owned() }
     };
     let shift = field.period().map_or(0.0, |period| period * (peak.x / period).round());
     let at = peak.x - shift;
-    let x = shown(at, Dimension::LENGTH);
+    let x = of(at, Measure::Length);
     let place = match (peak.is_corner, peak.depth == 0.0) {
         (true, _) => format!("at the edge x = {x}, as a limit"),
         (false, true) => format!("at x = {x} on the surface"),
-        (false, false) => format!("at x = {x}, {} deep", shown(peak.depth, Dimension::LENGTH)),
+        (false, false) => format!("at x = {x}, {} deep", of(peak.depth, Measure::Length)),
     };
     let value = share * peak.value;
     json!({
         "si": value.is_finite().then_some(value),
-        "value": shown(value, Dimension::PRESSURE),
+        "value": of(value, Measure::Pressure),
         "x": at,
         "depth": peak.depth,
         "place": place,
@@ -151,8 +147,9 @@ fn first_yield(solution: &Solution, limit: f64, ratio: f64) -> Result<Value, Fai
 pub(super) fn svg(known: &mut Option<Stressed>, asked: &AskedMap) -> Result<Value, Failure> {
     let stressed = Stressed::of(known, asked)?;
     let (peaks, grid) = (stressed.peaks(), stressed.grid(asked)?);
-    let units = Units::of(stressed.solution.file.problem());
-    let plot = stress::plot(asked.component, &stressed.field, &grid, &peaks, units);
-    let bytes = render(&plot, Format::Svg, plot.size())?;
-    Ok(json!({ "text": Content::from(bytes).text()? }))
+    let file = &stressed.solution.file;
+    let shown = Shown::of(file.problem(), file.units());
+    let name = asked.problem.stem();
+    let plot = stress::plot(name, asked.component, &stressed.field, &grid, &peaks, &shown);
+    Ok(json!({ "text": contact::drawn(&plot)? }))
 }

@@ -3,6 +3,7 @@
 use shtaerman::quantity::Dimension;
 use shtaerman::{Problem, StressField};
 
+use super::super::places;
 use crate::Failure;
 use crate::arguments::StressArguments;
 use crate::report::Stresses;
@@ -42,8 +43,9 @@ pub(in crate::commands) struct Section {
 impl Section {
     pub(super) fn parse(arguments: &StressArguments, units: Units) -> Result<Self, Failure> {
         let points = arguments.grid.as_deref().map_or(Ok(GRID), parse_grid)?;
-        let range =
-            arguments.x_range.as_deref().map(|text| parse_range(text, units)).transpose()?;
+        let range = (arguments.x_range.as_deref())
+            .map(|text| places::range("--x-range", text, units.length()))
+            .transpose()?;
         let depth = match arguments.depth.as_deref() {
             None => None,
             Some(text) => {
@@ -112,20 +114,6 @@ fn parse_grid(text: &str) -> Result<[usize; 2], Failure> {
         Some(product) if product <= MOST_POINTS => Ok(points),
         _ => Err(refused(&format!("has too many points: at most {MOST_POINTS} together"))),
     }
-}
-
-fn parse_range(text: &str, units: Units) -> Result<[f64; 2], Failure> {
-    let Some((from, to)) = text.split_once("..") else {
-        return Err(Failure::Usage(format!(
-            "--x-range {text}: must be two places, such as \"-4 mm..4 mm\""
-        )));
-    };
-    let range =
-        [quantity("--x-range", from, units.length())?, quantity("--x-range", to, units.length())?];
-    if range[0] < range[1] && (range[1] - range[0]).is_finite() {
-        return Ok(range);
-    }
-    Err(Failure::Usage(format!("--x-range {text}: must go from left to right")))
 }
 
 /// The places `x,y; x,y`.

@@ -10,10 +10,12 @@ use std::fmt::Write;
 use sha2::{Digest, Sha256};
 use shtaerman::document::Document;
 use shtaerman::equation::Equation;
+use shtaerman::quantity::OutputUnits;
 use shtaerman::{Answer, Contact, PressureCurve, Problem};
 
+use super::Told;
 use crate::Failure;
-use crate::plot::{Format, Plot, Size, render};
+use crate::plot::{Format, Look, Plot, Size, Theme, render_as};
 use math::escaped;
 
 pub(crate) use inputs::Entry;
@@ -39,7 +41,7 @@ pub(crate) struct Sheet {
 
 impl Sheet {
     /// The report of what `command` told about a file: its own text, word by word.
-    pub(crate) fn new(title: &str, command: &str, told: &str) -> Self {
+    pub(crate) fn new(title: &str, command: &str, told: &Told) -> Self {
         Self {
             title: title.to_owned(),
             command: command.to_owned(),
@@ -84,15 +86,19 @@ impl Sheet {
     }
 
     /// How a contact was found, and how sure it is, where the command tells only what follows from it.
-    pub(crate) fn contact(&mut self, contact: &Contact) -> Result<(), Failure> {
+    pub(crate) fn contact(
+        &mut self,
+        contact: &Contact,
+        units: &OutputUnits,
+    ) -> Result<(), Failure> {
         let curve = PressureCurve::along(contact, 2)?;
-        self.sure(&super::answer_notes(contact, &Answer::new(contact, curve)));
+        self.sure(&super::answer_notes(contact, &Answer::new(contact, curve), units));
         Ok(())
     }
 
     /// Lines about how sure the answer is, beside those that the command tells.
     pub(crate) fn sure(&mut self, lines: &str) {
-        let more = told::sorted(&format!(": \n{lines}"));
+        let more = told::sorted(&Told::new(format!("\n{lines}")));
         for line in more.sure {
             if !self.told.sure.contains(&line) {
                 self.told.sure.push(line);
@@ -114,9 +120,10 @@ impl Sheet {
         &mut self,
         caption: &str,
         plot: &dyn Plot,
-        size: Size,
+        size: Option<Size>,
     ) -> Result<(), Failure> {
-        let bytes = render(plot, Format::Svg, size)?;
+        let look = Look { size, theme: Theme::Screen, dots_per_inch: None };
+        let bytes = render_as(plot, Format::Svg, look)?;
         let svg = String::from_utf8_lossy(&bytes).into_owned();
         self.pictures.push((caption.to_owned(), inlined(&svg, self.pictures.len(), caption)));
         Ok(())

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::super::{Part, Table};
 use super::math::escaped;
 
 /// The parts of what was told.
@@ -22,87 +23,63 @@ const SURE: [&str; 7] =
     ["method", "error", "audit", "complementarity", "cross-check", "no audit", "errors"];
 
 /// Sorts what a command told.
-pub(super) fn sorted(text: &str) -> Told {
-    let mut told = Told::default();
-    let mut lines = text.lines().peekable();
-    if let Some(first) = lines.next_if(|line| !line.starts_with(' ')) {
-        told.heading = first.split_once(": ").map_or(first, |(_, rest)| rest).to_owned();
-    }
-    while let Some(line) = lines.next() {
-        if line.trim().is_empty() || line.starts_with("plot: ") || line.starts_with("report: ") {
-            continue;
-        }
-        if line.starts_with(' ') {
-            let mut rows = vec![cells(line)];
-            while let Some(next) = lines.next_if(|next| next.starts_with(' ')) {
-                rows.push(cells(next));
-            }
-            told.answer.push_str(&table(&rows));
-            continue;
-        }
-        if let Some(warning) = line.strip_prefix("warning: ") {
-            told.warnings.push(warning.to_owned());
-            continue;
-        }
-        match line
-            .split_once(": ")
-            .filter(|(name, _)| SURE.iter().any(|word| name.starts_with(word)))
-        {
-            Some((name, rest)) => told.sure.push((name.to_owned(), rest.to_owned())),
-            None => {
-                let _ = write!(told.answer, "<p>{}</p>", escaped(line));
+pub(super) fn sorted(told: &super::super::Told) -> Told {
+    let mut sorted = Told::default();
+    let mut is_first = true;
+    for part in told.parts() {
+        match part {
+            Part::Table(found) => sorted.answer.push_str(&table(found)),
+            Part::Lines(lines) => {
+                for line in lines.lines() {
+                    sorted.line(line, std::mem::take(&mut is_first));
+                }
             }
         }
     }
-    told
+    sorted
 }
 
-/// The cells of a row: two blanks or more are between them, and an empty one at the left is seen by more before it than others have.
-fn cells(line: &str) -> Vec<String> {
-    let mut cells: Vec<String> = line
-        .trim()
-        .split("  ")
-        .map(str::trim)
-        .filter(|cell| !cell.is_empty())
-        .map(str::to_owned)
-        .collect();
-    if line.len() - line.trim_start().len() > 3
-        && !cells[0].starts_with(|c: char| c.is_ascii_digit())
-    {
-        cells.insert(0, String::new());
+impl Told {
+    fn line(&mut self, line: &str, is_first: bool) {
+        if is_first {
+            self.heading = line.split_once(": ").map_or(line, |(_, rest)| rest).to_owned();
+        } else if let Some(warning) = line.strip_prefix("warning: ") {
+            self.warnings.push(warning.to_owned());
+        } else if !line.trim().is_empty() {
+            let named = line.split_once(": ");
+            match named.filter(|(name, _)| SURE.iter().any(|word| name.starts_with(word))) {
+                Some((name, rest)) => self.sure.push((name.to_owned(), rest.to_owned())),
+                None => {
+                    let _ = write!(self.answer, "<p>{}</p>", escaped(line));
+                }
+            }
+        }
     }
-    cells
 }
 
-/// A table; a first row of which no cell is a number is its head where it has more than three cells.
-fn table(rows: &[Vec<String>]) -> String {
-    let most = rows.iter().map(Vec::len).max().unwrap_or(0);
-    let has_head = most > 3 && rows.len() > 1;
+/// A table: the first cell of a row names it; without heads the second is its value and others are notes.
+fn table(table: &Table) -> String {
     let mut text = String::from("<table class=\"told\">");
-    let mut body = rows;
-    if has_head && let Some((head, rest)) = rows.split_first() {
-        body = rest;
-        let missing = most - head.len().min(most);
+    let heads = table.heads();
+    if let Some(heads) = &heads {
         text.push_str("<thead><tr>");
-        text.push_str(&"<th></th>".repeat(missing));
-        for cell in head {
-            let _ = write!(text, "<th scope=\"col\">{}</th>", escaped(cell));
+        for head in heads {
+            let _ = write!(text, "<th scope=\"col\">{}</th>", escaped(head));
         }
         text.push_str("</tr></thead>");
     }
     text.push_str("<tbody>");
-    for row in body {
+    for row in table.cells() {
         text.push_str("<tr>");
         for (index, cell) in row.iter().enumerate() {
             let cell = escaped(cell);
-            let _ = match index {
-                0 => write!(text, "<th scope=\"row\">{cell}</th>"),
-                1 if !has_head => write!(text, "<td><b>{cell}</b></td>"),
-                _ if !has_head => write!(text, "<td class=\"note\">{cell}</td>"),
-                _ => write!(text, "<td>{cell}</td>"),
+            let _ = match (index, &heads) {
+                (0, _) => write!(text, "<th scope=\"row\">{cell}</th>"),
+                (1, None) => write!(text, "<td><b>{cell}</b></td>"),
+                (_, None) => write!(text, "<td class=\"note\">{cell}</td>"),
+                (_, Some(_)) => write!(text, "<td>{cell}</td>"),
             };
         }
-        text.push_str(&"<td></td>".repeat(most - row.len()));
         text.push_str("</tr>");
     }
     text.push_str("</tbody></table>");
@@ -111,36 +88,37 @@ fn table(rows: &[Vec<String>]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::super as report;
     use super::*;
-
-    const SOLVED: &str = "punch.toml: unilateral contact, theta0 = 1, sinc method with n = 67\n\n settlement           2.97858 µm  gauge: ln(a/|x-s|)\n pressure, left edge  125 MPa\n\nmethod: one zone\nerror (bound), at most: pressure 58 µPa\naudit (bound): the residual\n\nwarning: the base is <steep>\nplot: a.svg\n";
 
     #[test]
     fn lines_are_sorted_by_what_they_are_about() {
-        let told = sorted(SOLVED);
-        assert_eq!(told.heading, "unilateral contact, theta0 = 1, sinc method with n = 67");
-        let row = "<tr><th scope=\"row\">settlement</th><td><b>2.97858 µm</b></td><td class=\"note\">gauge: ln(a/|x-s|)</td></tr>";
-        assert!(told.answer.contains(row), "{}", told.answer);
-        let names: Vec<&str> = told.sure.iter().map(|(name, _)| name.as_str()).collect();
+        let mut told = report::Told::new("punch.toml: unilateral contact, theta0 = 1\n\n");
+        let mut rows = Table::new(&["", "", ""]);
+        rows.row(["settlement", "3 µm", "gauge: <a>"].map(str::to_owned).to_vec());
+        told.table(rows);
+        told.push_str("\nmethod: one zone\nerror (bound), at most: pressure 58 µPa\naudit (bound): the residual\n\nset: load.force = 1\nwarning: the base is <steep>\n");
+        let sorted = sorted(&told);
+        assert_eq!(sorted.heading, "unilateral contact, theta0 = 1");
+        assert_eq!(
+            sorted.answer,
+            "<table class=\"told\"><tbody><tr><th scope=\"row\">settlement</th><td><b>3 µm</b></td><td class=\"note\">gauge: &lt;a&gt;</td></tr></tbody></table><p>set: load.force = 1</p>"
+        );
+        let names: Vec<&str> = sorted.sure.iter().map(|(name, _)| name.as_str()).collect();
         assert_eq!(names, ["method", "error (bound), at most", "audit (bound)"]);
-        assert_eq!(told.warnings, ["the base is <steep>"]);
-        assert!(!told.answer.contains("a.svg"));
+        assert_eq!(sorted.warnings, ["the base is <steep>"]);
     }
 
     #[test]
     fn tables_with_heads_keep_them() {
-        let text = "x: crowns\n\n              radius  peak pressure   at     contact width\n least        4.2 m   100 MPa         0 m    10 mm\n lowest peak  7.3 m   84.7 MPa        -5 mm  10 mm\n\n111 solves\n";
-        let told = sorted(text);
-        assert!(
-            told.answer.contains("<thead><tr><th scope=\"col\"></th><th scope=\"col\">radius</th>"),
-            "{}",
-            told.answer
+        let mut rows = Table::new(&["", "radius"]);
+        rows.row(["least", "4.2 m"].map(str::to_owned).to_vec());
+        let mut told = report::Told::new("x: crowns\n");
+        told.table(rows);
+        let shown = sorted(&told).answer;
+        assert_eq!(
+            shown,
+            "<table class=\"told\"><thead><tr><th scope=\"col\"></th><th scope=\"col\">radius</th></tr></thead><tbody><tr><th scope=\"row\">least</th><td>4.2 m</td></tr></tbody></table>"
         );
-        assert!(
-            told.answer.contains("<tr><th scope=\"row\">least</th><td>4.2 m</td>"),
-            "{}",
-            told.answer
-        );
-        assert!(told.answer.contains("<p>111 solves</p>"));
     }
 }
