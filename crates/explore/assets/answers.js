@@ -57,7 +57,10 @@ export function showTrouble(fault, isTold) {
   const place = byId("trouble");
   show(place, Boolean(fault));
   document.querySelector(".contact").classList.toggle("stale", Boolean(fault));
-  if (!fault) return;
+  if (!fault) {
+    place.replaceChildren();
+    return;
+  }
   const [first, ...rest] = fault.message.split("\n");
   const parts = [html("p", {}, isTold ? `${fault.what}${fault.help ? `; ${fault.help}` : ""}` : first)];
   // The place in the file is told where no control shows it.

@@ -124,8 +124,9 @@ function punch() {
 /** A round punch bears a force, a long one a force per length. */
 function loadFor(geometry) {
   const a = state.halfWidth || 5e-3;
-  const force = state.si["load.force"];
-  const moment = state.si["load.moment"];
+  const stated = (key) => (state.get(key) === undefined ? undefined : state.si[key]);
+  const force = stated("load.force");
+  const moment = stated("load.moment");
   const [factor, f, m] = geometry === "circular" ? [2 * a, "force", "moment"] : [1 / (2 * a), "line_force", "force"];
   if (force !== undefined) state.set("load.force", quantity(force * factor, f));
   if (moment) state.set("load.moment", quantity(moment * factor, m));

@@ -71,9 +71,9 @@ function draw(map) {
   const inner = width - LEFT - RIGHT;
   const tall = Math.min(460, Math.max(120, (inner * depth) / (x1 - x0)));
   const height = tall + TOP + BOTTOM;
-  const length = map.is_physical ? axisUnit(Math.max(Math.abs(x0), Math.abs(x1)), "length") : { factor: 1, label: "" };
+  const length = map.units?.length ?? (map.is_physical ? axisUnit(Math.max(Math.abs(x0), Math.abs(x1)), "length") : { factor: 1, label: "" });
   const [low, high] = map.limits ?? [0, 1];
-  const unit = map.is_physical ? axisUnit(Math.max(Math.abs(low), Math.abs(high)), "pressure") : { factor: 1, label: "" };
+  const unit = map.units?.pressure ?? (map.is_physical ? axisUnit(Math.max(Math.abs(low), Math.abs(high)), "pressure") : { factor: 1, label: "" });
   const levels = bands(low * unit.factor, high * unit.factor);
   const colour = painter(levels, low < 0 && high > 0 ? BOTH : low < 0 ? [...CIVIDIS].reverse() : CIVIDIS);
   paint(map, { inner, tall, factor: unit.factor, colour });

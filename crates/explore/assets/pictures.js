@@ -47,7 +47,7 @@ function draw(answer) {
   show(zoom, near !== null);
   const range = near && !whole ? near : [-1.3 * a, 1.3 * a];
   const bare = !picture.is_physical;
-  const length = bare ? { factor: 1, label: "" } : axisUnit(Math.max(...range.map(Math.abs)), "length");
+  const length = bare ? { factor: 1, label: "" } : picture.units?.length ?? axisUnit(Math.max(...range.map(Math.abs)), "length");
   const x = range.map((one) => one * length.factor);
   const xLabel = bare ? "ξ = x/a" : `x [${length.label}]`;
   drawPressure(answer, { x, xLabel, length, bare });
@@ -63,15 +63,15 @@ function drawPressure(answer, { x, xLabel, length, bare }) {
   // Near a corner the curve leaves the picture.
   const isCut = picture.is_smooth && mean > 0 && high > CORNER * mean && values.some((one) => !Number.isFinite(one));
   if (isCut) high = CORNER * mean;
-  const unit = bare ? { factor: 1, label: "" } : axisUnit(Math.max(Math.abs(low), Math.abs(high)), "pressure");
+  const unit = bare ? { factor: 1, label: "" } : picture.units?.pressure ?? axisUnit(Math.max(Math.abs(low), Math.abs(high)), "pressure");
   const points = picture.x.map((at, i) => [at * length.factor, values[i] * unit.factor]);
   const error = picture.error ?? 0;
   const isSeen = error > 1e-3 * Math.max(Math.abs(low), Math.abs(high));
   const tension = points.map(([at, p]) => [at, Math.min(0, p)]);
   const pulls = points.some(([, p]) => p < 0);
   const kind = (answer.answer.error?.kind ?? "") === "bound" ? "guaranteed bounds" : "estimated error";
-  const shown = (value) => (bare ? digits(value, 6) : quantity(value, "pressure", 6));
-  const place = (value) => (bare ? digits(value, 5) : quantity(value, "length", 5));
+  const shown = told(picture, "pressure", "pressure", 6);
+  const place = told(picture, "length", "length", 5);
   const peak = (answer.answer.physical ?? answer.answer.dimensionless)?.peak_pressure;
   pressure.draw({
     x,
@@ -103,6 +103,13 @@ function drawPressure(answer, { x, xLabel, length, bare }) {
   ]);
 }
 
+/** How a value is read out: in the units that the file chose, else with a prefix of its own. */
+function told(picture, which, kind, count) {
+  const unit = picture.units?.[which];
+  if (!picture.is_physical) return (value) => digits(value, count);
+  return unit ? (value) => `${digits(value * unit.factor, count)} ${unit.label}` : (value) => quantity(value, kind, count);
+}
+
 /** The edges of the base, where it has some. */
 function edges(picture) {
   const isWave = picture.geometry === "periodic" && picture.pieces.length === 1 && Math.abs((state.si["punch.period"] ?? NaN) / 2 - picture.half_width) < 1e-9 * picture.half_width;
@@ -122,7 +129,7 @@ function drawSurfaces(answer, { x, xLabel, length, bare, range }) {
   const [shallow, deep] = ends(depths, { room: 0.12 });
   low = Math.max(low, shallow - 1.2 * (deep - shallow));
   high = Math.min(high, deep + 1.2 * (deep - shallow));
-  const unit = bare ? { factor: 1, label: "" } : axisUnit(Math.max(Math.abs(low), Math.abs(high)), "length");
+  const unit = bare ? { factor: 1, label: "" } : picture.units?.depth ?? axisUnit(Math.max(Math.abs(low), Math.abs(high)), "length");
   const scaled = (points) => points.map(([at, depth]) => [at * length.factor, (depth ?? NaN) * unit.factor]);
   const punches = bases.map(scaled);
   const skin = scaled(body);
@@ -130,7 +137,8 @@ function drawSurfaces(answer, { x, xLabel, length, bare, range }) {
   const layers = picture.zones.map(([from, to]) =>
     picture.x.map((at, i) => [at, picture.base[i]]).filter(([at]) => at >= from - 1e-12 && at <= to + 1e-12).map(([at, depth]) => [at * length.factor, between(surface.x, surface.displacement, at) * unit.factor, depth * unit.factor]),
   );
-  const shown = (value) => (bare ? digits(value, 5) : quantity(value, "length", 5));
+  const shown = told(picture, "depth", "length", 5);
+  const place = told(picture, "length", "length", 5);
   surfaces.draw({
     x,
     y: [low * unit.factor, high * unit.factor],
@@ -152,8 +160,8 @@ function drawSurfaces(answer, { x, xLabel, length, bare, range }) {
       const base = picture.pieces.some(([from, to]) => real >= from && real <= to) ? between(picture.x, picture.base, real) : NaN;
       const isTouching = picture.zones.some(([from, to]) => real >= from && real <= to);
       const gap = Number.isFinite(base) && Number.isFinite(depth) ? `, ${isTouching ? "layer" : "gap"} ${shown(Math.max(0, depth - base) || Math.abs(depth - base))}` : "";
-      if (!Number.isFinite(depth)) return { text: `${name} = ${shown(real)}` };
-      return { text: `${name} = ${shown(real)}:  body ${shown(depth)} deep${gap}`, dots: [[at, depth * unit.factor, "k-body"], [at, base * unit.factor, "k-punch"]] };
+      if (!Number.isFinite(depth)) return { text: `${name} = ${place(real)}` };
+      return { text: `${name} = ${place(real)}:  body ${shown(depth)} deep${gap}`, dots: [[at, depth * unit.factor, "k-body"], [at, base * unit.factor, "k-punch"]] };
     },
   });
   const { left, right, top, bottom } = surfaces.frame;

@@ -16,7 +16,10 @@ pub struct ExploreArguments {
     /// Do not open the browser; the address is printed.
     #[arg(long)]
     pub no_browser: bool,
+    /// How long a solve may take, such as "30 s"; what takes twice as long is ended.
+    #[arg(long, value_name = "TIME", default_value = "10 s")]
+    pub time_limit: String,
     /// Be a process that computes for the page.
-    #[arg(long, hide = true, exclusive = true)]
+    #[arg(long, hide = true, conflicts_with_all = ["file", "port", "no_browser"])]
     pub worker: bool,
 }

@@ -170,7 +170,7 @@ fn of_contact(
     contact: &Contact,
     given: Vec<Entry>,
 ) -> Result<Sheet, Failure> {
-    let mut sheet = sheet::of_contact(title, &sheet::command(), told, file, contact)?;
+    let mut sheet = sheet::of_contact([title, ""], &sheet::command(), told, file, contact)?;
     sheet.options(given);
     sheet.contact(contact, file.units())?;
     Ok(sheet)

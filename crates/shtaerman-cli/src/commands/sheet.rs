@@ -59,9 +59,9 @@ pub(super) fn command() -> String {
     format!("shtaerman {}", quoted.join(" "))
 }
 
-/// The report about a contact that was found for a file: inputs, model, words, picture, checks.
+/// The report, of this title, about a contact that was found for a file of this name: inputs, model, words, picture, checks.
 pub(super) fn of_contact(
-    title: &str,
+    [title, name]: [&str; 2],
     command: &str,
     told: &Told,
     file: &ProblemFile,
@@ -69,7 +69,11 @@ pub(super) fn of_contact(
 ) -> Result<Sheet, Failure> {
     let mut sheet = of_file(title, command, told, file);
     sheet.words(report::sentences(contact, file.units()));
-    let wanted = ContactPicture { units: file.units().clone(), ..ContactPicture::default() };
+    let wanted = ContactPicture {
+        name: name.to_owned(),
+        units: file.units().clone(),
+        ..ContactPicture::default()
+    };
     sheet.picture(
         "Pressure over the base; below it base, asperities and the deformed body.",
         &contact_picture(contact, &wanted)?,

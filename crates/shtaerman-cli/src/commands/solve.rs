@@ -134,7 +134,9 @@ fn sheet(
     let with_places = arguments.at.is_some();
     let told = report::answer_table(&name, contact, answer, file.units(), with_places);
     let title = format!("Contact: {name}");
-    let mut sheet = sheet::of_contact(&title, &sheet::command(), &told, file, contact)?;
+    let stem = problem_file::stem(&arguments.problem.file);
+    let heads = [title.as_str(), &stem];
+    let mut sheet = sheet::of_contact(heads, &sheet::command(), &told, file, contact)?;
     sheet.options(sheet::options(&[
         ("--at", arguments.at.as_deref()),
         ("--datum-distance", arguments.datum_distance.as_deref()),
@@ -195,13 +197,15 @@ impl Extras {
     }
 }
 
-/// The answer as `--format json` writes it where nothing is asked for beside it.
+/// The answer where nothing is asked for beside it: as `--format json` writes it, or as the table shows it.
 pub(super) fn answer(
     contact: &Contact,
     curve: PressureCurve,
     doubts: &[Warning],
+    is_for_people: bool,
 ) -> Result<Answer, Failure> {
-    let sensitivities = Sensitivities::IfLinearised;
+    let sensitivities =
+        if is_for_people { Sensitivities::Left } else { Sensitivities::IfLinearised };
     let extras = Extras { data: Vec::new(), surface: None, sensitivities };
     let mut answer = Answer::new(contact, curve);
     answer.warnings = [contact.warnings(), doubts].concat();

@@ -10,7 +10,7 @@ pub(crate) enum Part {
     /// Lines, each with its end.
     Lines(String),
     /// A table.
-    Table(Table),
+    Table(Box<Table>),
 }
 
 /// Lines and tables in their order.
@@ -40,7 +40,7 @@ impl Told {
 
     /// Adds a table.
     pub(crate) fn table(&mut self, table: Table) {
-        self.parts.push(Part::Table(table));
+        self.parts.push(Part::Table(Box::new(table)));
     }
 
     /// Adds all of another.
@@ -48,7 +48,7 @@ impl Told {
         for part in other.parts {
             match part {
                 Part::Lines(lines) => self.push_str(&lines),
-                Part::Table(table) => self.table(table),
+                Part::Table(table) => self.table(*table),
             }
         }
     }

@@ -97,6 +97,7 @@ fn touching(contact: &Contact, shown: &Words) -> String {
     if contact.dimensionless().zones() == punch.pieces() {
         return match zones.len() {
             1 => format!("It touches along its whole base, {width} wide."),
+            2 => format!("Both bases touch wholly, {width} together."),
             count => format!("All {count} bases touch wholly, {width} together."),
         };
     }

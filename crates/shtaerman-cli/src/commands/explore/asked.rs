@@ -7,15 +7,13 @@ use std::time::Duration;
 use serde::Deserialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
-use shtaerman::document::{Attached, Document, FileError};
+use shtaerman::document::{Attached, Document};
 use shtaerman::equation::EquationFile;
 use shtaerman::file::ProblemFile;
+use shtaerman::quantity::Dimension;
 use shtaerman_study::Study;
 
 use crate::Failure;
-
-/// The time that the page gives a solve which states no limit of its own, or a longer one.
-pub(super) const TIME_LIMIT: Duration = Duration::from_secs(10);
 
 const LIMIT: &str = "solver.time_limit";
 
@@ -29,6 +27,9 @@ pub(super) struct Asked {
     pub(super) toml: String,
     /// The files that it names, each byte a character of the same number.
     pub(super) files: BTreeMap<String, String>,
+    /// The time (s) that a solve may take which states no limit of its own, or a longer one.
+    #[serde(rename = "time_limit_of_the_program")]
+    limit: f64,
 }
 
 impl Asked {
@@ -36,6 +37,27 @@ impl Asked {
     pub(super) fn document(&self) -> Result<Document, Failure> {
         let document = Document::from_bytes(self.toml.as_bytes(), &self.name)?;
         Ok(document.with_attached(Attached::new(self.contents())))
+    }
+
+    /// The document with a limit of time. There is no clock in a browser, which ends what takes too long by itself.
+    fn limited(&self) -> Result<Document, Failure> {
+        let mut document = self.document()?;
+        if cfg!(target_family = "wasm") {
+            document.remove(LIMIT);
+            return Ok(document);
+        }
+        let table = document.reader().table("solver")?;
+        let stated = table.map(|table| table.quantity("time_limit", Dimension::TIME));
+        // A fault of the file is told by whoever reads the problem.
+        let is_shorter = match stated {
+            Some(Ok(Some(stated))) => stated <= self.limit,
+            Some(Err(_)) => true,
+            Some(Ok(None)) | None => false,
+        };
+        if !is_shorter {
+            document.set(LIMIT, &format!("{:?}", self.limit))?;
+        }
+        Ok(document)
     }
 
     /// The files and their bytes.
@@ -50,12 +72,17 @@ impl Asked {
 
     /// The problem, which ends in time.
     pub(super) fn problem(&self) -> Result<ProblemFile, Failure> {
-        Ok(ProblemFile::from_document(limited(self.document()?)?, Path::new(""))?)
+        Ok(ProblemFile::from_document(self.limited()?, Path::new(""))?)
+    }
+
+    /// The problem as it is stated, without the limit of time of the page.
+    pub(super) fn stated(&self) -> Result<ProblemFile, Failure> {
+        Ok(ProblemFile::from_document(self.document()?, Path::new(""))?)
     }
 
     /// The study.
     pub(super) fn study(&self) -> Result<Study, Failure> {
-        Ok(Study::from_document(limited(self.document()?)?, Path::new(""), &[])?)
+        Ok(Study::from_document(self.limited()?, Path::new(""), &[])?)
     }
 
     /// The equation.
@@ -70,31 +97,15 @@ fn bytes(text: &str) -> Vec<u8> {
     narrow.unwrap_or_else(|_| text.as_bytes().to_vec())
 }
 
-/// The document with a limit of time. There is no clock in a browser, which ends what takes too long by itself.
-fn limited(mut document: Document) -> Result<Document, FileError> {
-    if cfg!(target_family = "wasm") {
-        document.remove(LIMIT);
-        return Ok(document);
-    }
-    let limit = TIME_LIMIT.as_secs_f64();
-    let stated = document.reader().table("solver")?;
-    let stated =
-        stated.map(|table| table.quantity("time_limit", shtaerman::quantity::Dimension::TIME));
-    // A fault of the file is told by whoever reads the problem.
-    let is_shorter = match stated {
-        Some(Ok(Some(stated))) => stated <= limit,
-        Some(Err(_)) => true,
-        Some(Ok(None)) | None => false,
-    };
-    if !is_shorter {
-        document.set(LIMIT, &format!("{limit:?}"))?;
-    }
-    Ok(document)
-}
-
-/// What was posted.
-pub(super) fn read<T: DeserializeOwned>(body: &[u8]) -> Result<T, Failure> {
-    serde_json::from_slice(body).map_err(|error| {
+/// What was posted, with the limit of time that the program has for it, whatever the page says.
+pub(super) fn read<T: DeserializeOwned>(body: &[u8], limit: Duration) -> Result<T, Failure> {
+    let read = serde_json::from_slice(body).and_then(|mut posted: Value| {
+        if let Some(posted) = posted.as_object_mut() {
+            posted.insert("time_limit_of_the_program".to_owned(), json!(limit.as_secs_f64()));
+        }
+        serde_json::from_value(posted)
+    });
+    read.map_err(|error| {
         Failure::Usage(format!("the question of the page makes no sense: {error}"))
     })
 }
@@ -130,19 +141,26 @@ mod tests {
     const FLAT: &str = "[dimensionless]\ntheta0 = 1\nprofile = \"0\"\nforce = 1\nmoment = 0\n";
 
     fn asked(toml: &str) -> Asked {
-        Asked { name: "x.toml".to_owned(), toml: toml.to_owned(), ..Asked::default() }
+        Asked { name: "x.toml".to_owned(), toml: toml.to_owned(), limit: 10.0, ..Asked::default() }
     }
 
     #[test]
     fn every_solve_ends_in_time() {
         let limit = |toml: &str| asked(toml).problem().unwrap().problem().solver().time_limit();
-        assert_eq!(limit(FLAT), Some(TIME_LIMIT));
+        assert_eq!(limit(FLAT), Some(Duration::from_secs(10)));
         let with = |text: &str| limit(&format!("{FLAT}[solver]\ntime_limit = {text}\n"));
         assert_eq!(with("\"2 s\""), Some(Duration::from_secs(2)));
-        assert_eq!(with("3600"), Some(TIME_LIMIT));
+        assert_eq!(with("3600"), Some(Duration::from_secs(10)));
         let wrong =
             asked(&format!("{FLAT}[solver]\ntime_limit = \"2 m\"\n")).problem().unwrap_err();
         assert!(wrong.to_string().contains("x.toml:7: solver.time_limit"), "{wrong}");
+    }
+
+    #[test]
+    fn the_page_cannot_set_the_limit_of_the_program() {
+        let posted = json!({ "name": "x.toml", "toml": FLAT, "time_limit_of_the_program": 1e9 });
+        let asked: Asked = read(posted.to_string().as_bytes(), Duration::from_secs(3)).unwrap();
+        assert_eq!(asked.limit, 3.0);
     }
 
     #[test]

@@ -39,17 +39,17 @@ impl Solution {
         Ok(Self { file, contact, doubts })
     }
 
-    /// The answer as `solve --format json` writes it.
-    pub(super) fn answer(&self) -> Result<Answer, Failure> {
+    /// The answer as `solve --format json` writes it, or as its table shows it.
+    pub(super) fn answer(&self, is_for_people: bool) -> Result<Answer, Failure> {
         let curve = PressureCurve::along(&self.contact, POINTS)?;
-        solve::answer(&self.contact, curve, &self.doubts)
+        solve::answer(&self.contact, curve, &self.doubts, is_for_people)
     }
 }
 
 /// Everything that the page shows of a contact.
 pub(super) fn told(asked: &Asked, is_audited: bool) -> Result<Value, Failure> {
     let solution = Solution::new(asked, is_audited)?;
-    let (contact, answer) = (&solution.contact, solution.answer()?);
+    let (contact, answer) = (&solution.contact, solution.answer(false)?);
     let units = solution.file.units();
     let document = asked.document()?;
     Ok(json!({
@@ -58,7 +58,7 @@ pub(super) fn told(asked: &Asked, is_audited: bool) -> Result<Value, Failure> {
         "table": report::answer_rows(contact, &answer, units),
         "words": report::sentences(contact, units),
         "notes": report::answer_notes(contact, &answer, units),
-        "picture": picture(contact)?,
+        "picture": picture(contact, units)?,
         "inputs": inputs(&document),
         "unfinished": contact.is_unfinished(),
         "python": snippets::python(&document),
@@ -123,7 +123,7 @@ fn finite(value: f64) -> Value {
 }
 
 /// What the pictures are drawn from, in the units of the problem.
-fn picture(contact: &Contact) -> Result<Value, Failure> {
+fn picture(contact: &Contact, units: &OutputUnits) -> Result<Value, Failure> {
     let problem = contact.problem();
     let punch = problem.punch();
     let half_width = punch.half_width();
@@ -136,6 +136,18 @@ fn picture(contact: &Contact) -> Result<Value, Failure> {
     let heights: Vec<Value> =
         places.iter().map(|&x| finite(contact.elastic_displacement(x))).collect();
     let base: Vec<Value> = curve.x.iter().map(|&x| finite(contact.base_depth(x))).collect();
+    let largest = |values: &[f64]| {
+        values
+            .iter()
+            .filter(|value| value.is_finite())
+            .fold(0.0f64, |most, value| most.max(value.abs()))
+    };
+    let highest = largest(&curve.pressure);
+    let deepest = curve.x.iter().map(|&x| contact.base_depth(x).abs()).fold(0.0, f64::max);
+    let unit = |largest: f64, measure: Measure| {
+        let unit = units.axis(largest, measure);
+        json!({ "factor": unit.factor, "label": unit.label })
+    };
     let pressures: Vec<Value> = curve.pressure.iter().map(|&p| finite(p)).collect();
     Ok(json!({
         "x": curve.x,
@@ -151,8 +163,26 @@ fn picture(contact: &Contact) -> Result<Value, Failure> {
         "is_smooth": problem.foundation().law() == Law::Smooth,
         "coordinate": problem.coordinate(),
         "error": contact.error().map(|error| error.pressure),
+        "units": units.are_chosen().then(|| json!({
+            "length": unit(half_width, Measure::Length),
+            "depth": unit(deepest, Measure::Displacement),
+            "pressure": unit(highest, Measure::Pressure),
+        })),
         "has_stresses": problem.check_stresses().is_ok(),
     }))
+}
+
+/// The units of the axes of a map, where the file states some.
+pub(super) fn chosen_units(units: &OutputUnits, x: &[f64], highest: f64) -> Value {
+    if !units.are_chosen() {
+        return Value::Null;
+    }
+    let unit = |largest: f64, measure: Measure| {
+        let unit = units.axis(largest, measure);
+        json!({ "factor": unit.factor, "label": unit.label })
+    };
+    let widest = x.iter().fold(0.0f64, |most, x| most.max(x.abs()));
+    json!({ "length": unit(widest, Measure::Length), "pressure": unit(highest, Measure::Pressure) })
 }
 
 /// Every number and quantity of a file by its dotted key, with its SI value.
@@ -206,7 +236,7 @@ fn plain(value: &shtaerman::document::Value) -> Value {
 pub(super) fn csv(asked: &Asked) -> Result<Value, Failure> {
     let solution = Solution::new(asked, false)?;
     let shown = Shown::of(solution.file.problem(), solution.file.units());
-    Ok(json!({ "text": report::answer_csv(&solution.answer()?, &shown).text()? }))
+    Ok(json!({ "text": report::answer_csv(&solution.answer(false)?, &shown).text()? }))
 }
 
 /// The picture as `solve --plot` draws it.
@@ -230,7 +260,7 @@ pub(super) fn drawn(plot: &dyn Plot) -> Result<String, Failure> {
 /// The report as `solve --report` writes it.
 pub(super) fn report(asked: &Asked) -> Result<Value, Failure> {
     let solution = Solution::new(asked, true)?;
-    let (file, contact, answer) = (&solution.file, &solution.contact, solution.answer()?);
+    let (file, contact, answer) = (&asked.stated()?, &solution.contact, solution.answer(true)?);
     let told = report::answer_table(&asked.name, contact, &answer, file.units(), false);
     let command = format!(
         "shtaerman solve {} --report {}",
@@ -238,7 +268,7 @@ pub(super) fn report(asked: &Asked) -> Result<Value, Failure> {
         snippets::quoted(&format!("{}.html", asked.stem()))
     );
     let title = format!("Contact: {}", asked.name);
-    let mut sheet = sheet::of_contact(&title, &command, &told, file, contact)?;
+    let mut sheet = sheet::of_contact([&title, asked.stem()], &command, &told, file, contact)?;
     for (name, content) in asked.contents() {
         sheet.file(&name, &content);
     }

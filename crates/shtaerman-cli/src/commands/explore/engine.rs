@@ -1,5 +1,7 @@
 //! What the page can ask, and how it is answered.
 
+use std::time::Duration;
+
 use serde_json::{Value, json};
 use shtaerman::document::Document;
 use shtaerman::equation::is_equation;
@@ -9,9 +11,17 @@ use super::{contact, kernel, map, paper, start, study};
 use crate::Failure;
 
 /// Answers the page, with the numbers that the command line gives.
-#[derive(Default)]
 pub struct PageEngine {
     stressed: Option<map::Stressed>,
+    limit: Duration,
+}
+
+impl PageEngine {
+    /// An engine that gives each solve this time.
+    #[must_use]
+    pub fn new(limit: Duration) -> Self {
+        Self { stressed: None, limit }
+    }
 }
 
 impl shtaerman_explore::Engine for PageEngine {
@@ -33,22 +43,22 @@ struct AskedSolve {
 impl PageEngine {
     fn told(&mut self, operation: &str, body: &[u8]) -> Result<Value, Failure> {
         match operation {
-            "start" => Ok(start::without_file()),
-            "read" => read(&asked::read(body)?),
+            "start" => Ok(start::without_file(self.limit)),
+            "read" => read(&asked::read(body, self.limit)?),
             "solve" => {
-                let AskedSolve { problem, audit } = asked::read(body)?;
+                let AskedSolve { problem, audit } = asked::read(body, self.limit)?;
                 contact::told(&problem, audit)
             }
-            "csv" => contact::csv(&asked::read(body)?),
-            "svg" => contact::svg(&asked::read(body)?),
-            "report" => contact::report(&asked::read(body)?),
-            "map" => map::told(&mut self.stressed, &asked::read(body)?),
-            "map-svg" => map::svg(&mut self.stressed, &asked::read(body)?),
-            "study" => study::told(&asked::read(body)?),
-            "kernel" => kernel::told(&asked::read(body)?),
-            "equation" => kernel::equation(&asked::read(body)?),
+            "csv" => contact::csv(&asked::read(body, self.limit)?),
+            "svg" => contact::svg(&asked::read(body, self.limit)?),
+            "report" => contact::report(&asked::read(body, self.limit)?),
+            "map" => map::told(&mut self.stressed, &asked::read(body, self.limit)?),
+            "map-svg" => map::svg(&mut self.stressed, &asked::read(body, self.limit)?),
+            "study" => study::told(&asked::read(body, self.limit)?),
+            "kernel" => kernel::told(&asked::read(body, self.limit)?),
+            "equation" => kernel::equation(&asked::read(body, self.limit)?),
             "paper" => paper::tables(),
-            "curve" => paper::curve(&asked::read(body)?),
+            "curve" => paper::curve(&asked::read(body, self.limit)?),
             other => Err(Failure::Usage(format!("the page has no question {other:?}"))),
         }
     }

@@ -90,6 +90,7 @@ pub(super) fn told(known: &mut Option<Stressed>, asked: &AskedMap) -> Result<Val
     let shown = Shown::of(solution.file.problem(), solution.file.units());
     let peak =
         |index: usize, share: f64| peaks.map(|peaks| peak(&peaks[index], share, field, &shown));
+    let highest = stress::limits(&values).map_or(0.0, |(low, high)| low.abs().max(high.abs()));
     Ok(json!({
         "name": stress::name(asked.component),
         "x": grid.x,
@@ -102,6 +103,7 @@ pub(super) fn told(known: &mut Option<Stressed>, asked: &AskedMap) -> Result<Val
         "error": field.error(),
         "poisson_ratio": ratio,
         "is_physical": is_physical,
+        "units": contact::chosen_units(&shown.units, &grid.x, highest),
         "first_yield": first_yield,
     }))
 }

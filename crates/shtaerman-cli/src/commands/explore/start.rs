@@ -1,12 +1,14 @@
 //! What the page begins with.
 
 use std::path::Path;
+use std::time::Duration;
 
 use serde_json::{Value, json};
 use shtaerman::document::{Document, ValueKind, load_bytes};
+use shtaerman::quantity::OutputUnits;
 use shtaerman_study::Output;
 
-use super::{asked, kernel};
+use super::kernel;
 use crate::failure::shown;
 
 macro_rules! example {
@@ -37,25 +39,27 @@ const TRACE: (&str, &str) =
     ("measured_profile.csv", include_str!("../../../../../examples/measured_profile.csv"));
 
 /// What the page begins with where it has no file.
-pub(super) fn without_file() -> Value {
-    told(Value::Null)
+pub(super) fn without_file(limit: Duration) -> Value {
+    told(&Value::Null, limit)
 }
 
 /// What the page begins with for a file that was read.
-pub(super) fn with_file(path: &Path, bytes: &[u8]) -> Value {
+pub(super) fn with_file(path: &Path, bytes: &[u8], limit: Duration) -> Value {
     let name = path.file_name().map_or_else(|| shown(path), |name| shown(Path::new(name)));
     let text = String::from_utf8_lossy(bytes);
-    told(json!({ "name": name, "toml": text, "files": files(path, &text) }))
+    let file = json!({ "name": name, "toml": text, "files": files(path, &text) });
+    told(&file, limit)
 }
 
-fn told(file: Value) -> Value {
+fn told(file: &Value, limit: Duration) -> Value {
     json!({
         "version": env!("CARGO_PKG_VERSION"),
         "file": file,
         "examples": examples(),
         "kernels": kernel::families(),
         "outputs": Output::names(),
-        "time_limit": asked::TIME_LIMIT.as_secs_f64(),
+        "time_limit": limit.as_secs_f64(),
+        "unit_systems": OutputUnits::SYSTEMS,
     })
 }
 

@@ -118,7 +118,9 @@ fn sheet(
     map: &MapPlot,
 ) -> Result<Sheet, Failure> {
     let title = format!("Stresses: {}", problem_file::name(&arguments.problem.file));
-    let mut sheet = sheet::of_contact(&title, &sheet::command(), told, file, contact)?;
+    let stem = problem_file::stem(&arguments.problem.file);
+    let heads = [title.as_str(), &stem];
+    let mut sheet = sheet::of_contact(heads, &sheet::command(), told, file, contact)?;
     let ratio = arguments.poisson_ratio.map(|ratio| ratio.to_string());
     sheet.options(sheet::options(&[
         ("--yield-stress", arguments.yield_stress.as_deref()),

@@ -1,4 +1,4 @@
-//! Formulas as MathML, which browsers draw by themselves.
+//! Formulas as `MathML`, which browsers draw by themselves.
 
 /// Text as HTML holds it.
 pub(super) fn escaped(text: &str) -> String {

@@ -234,5 +234,10 @@ fn inlined(svg: &str, index: usize, caption: &str) -> String {
         }
         _ => String::new(),
     };
-    format!("<svg role=\"img\" aria-label=\"{}\" {seen}{rest}", escaped(caption))
+    let role = if rest.contains("role=\"img\"") {
+        String::new()
+    } else {
+        format!("role=\"img\" aria-label=\"{}\" ", escaped(caption))
+    };
+    format!("<svg {role}{seen}{rest}")
 }
