@@ -14,8 +14,8 @@ const RIGHT = 88;
 const TOP = 10;
 const BOTTOM = 40;
 
-/** Colours that grow steadily lighter, and are told apart by everyone (cividis, at even steps). */
-const CIVIDIS = [[0, 32, 76], [0, 42, 102], [32, 56, 109], [59, 70, 107], [81, 83, 108], [101, 97, 112], [120, 112, 118], [140, 127, 119], [161, 143, 114], [183, 160, 104], [206, 178, 89], [230, 197, 67], [254, 232, 56]];
+/** Colours that grow steadily lighter, and are told apart by everyone (viridis, at even steps). */
+const VIRIDIS = [[68, 1, 84], [72, 33, 115], [67, 62, 133], [56, 88, 140], [45, 112, 142], [37, 133, 142], [30, 155, 138], [42, 176, 127], [82, 197, 105], [134, 213, 73], [194, 223, 35], [253, 231, 37]];
 /** From blue over pale to red, for values of both signs (after ColorBrewer's RdBu). */
 const BOTH = [[5, 48, 97], [33, 102, 172], [67, 147, 195], [146, 197, 222], [209, 229, 240], [247, 247, 247], [253, 219, 199], [244, 165, 130], [214, 96, 77], [178, 24, 43], [103, 0, 31]];
 
@@ -75,7 +75,7 @@ function draw(map) {
   const [low, high] = map.limits ?? [0, 1];
   const unit = map.units?.pressure ?? (map.is_physical ? axisUnit(Math.max(Math.abs(low), Math.abs(high)), "pressure") : { factor: 1, label: "" });
   const levels = bands(low * unit.factor, high * unit.factor);
-  const colour = painter(levels, low < 0 && high > 0 ? BOTH : low < 0 ? [...CIVIDIS].reverse() : CIVIDIS);
+  const colour = painter(levels, low < 0 && high > 0 ? BOTH : low < 0 ? [...VIRIDIS].reverse() : VIRIDIS);
   paint(map, { inner, tall, factor: unit.factor, colour });
   Object.assign(canvas.style, { left: `${LEFT}px`, top: `${TOP}px`, width: `${inner}px`, height: `${tall}px` });
   canvas.hidden = false;

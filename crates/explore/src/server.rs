@@ -9,7 +9,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use http_body_util::{BodyExt, Full, LengthLimitError, Limited};
-use hyper::body::{Bytes, Incoming};
+use hyper::body::{Body, Bytes, Incoming};
 use hyper::header::{CONTENT_TYPE, HeaderValue};
 use hyper::server::conn::http1;
 use hyper::service::service_fn;
@@ -175,15 +175,20 @@ impl Server {
     }
 
     async fn answer(&self, operation: &str, incoming: Incoming) -> Response<Full<Bytes>> {
+        let too_large = || {
+            let message = format!("a question has at most {} bytes", self.limits.body);
+            told(StatusCode::PAYLOAD_TOO_LARGE, &message)
+        };
+        // What it says of its own length is enough to refuse it.
+        if incoming.size_hint().lower() > self.limits.body as u64 {
+            return too_large();
+        }
         let limited = Limited::new(incoming, self.limits.body).collect();
         let read = match timeout(self.limits.reading, limited).await {
             Err(_) => {
                 return told(StatusCode::REQUEST_TIMEOUT, "the question did not come to its end");
             }
-            Ok(Err(error)) if error.is::<LengthLimitError>() => {
-                let message = format!("a question has at most {} bytes", self.limits.body);
-                return told(StatusCode::PAYLOAD_TOO_LARGE, &message);
-            }
+            Ok(Err(error)) if error.is::<LengthLimitError>() => return too_large(),
             Ok(Err(_)) => return told(StatusCode::BAD_REQUEST, "the question broke off"),
             Ok(Ok(read)) => read.to_bytes(),
         };

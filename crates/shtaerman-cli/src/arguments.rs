@@ -108,6 +108,14 @@ pub struct OutputArguments {
     pub output: Option<PathBuf>,
 }
 
+impl OutputArguments {
+    /// Whether a table goes to the terminal.
+    #[must_use]
+    pub fn is_table(&self) -> bool {
+        self.format == ReportFormat::Table && self.output.is_none()
+    }
+}
+
 /// A problem file with overrides.
 #[derive(Debug, Args)]
 pub struct ProblemArguments {

@@ -59,7 +59,8 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
         picture.draw(&plot, &mut outputs)?;
     }
     if let Some(path) = &report_file {
-        path.add(&mut outputs, &sheet(arguments, &file, &solved, &answer)?)?;
+        let sheet = sheet(arguments, &file, &solved, &answer)?;
+        path.add(&mut outputs, &sheet, arguments.output.is_table())?;
     }
     outputs.write()?;
     if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {

@@ -292,7 +292,7 @@ fn write<'a>(
     let mut outputs = Outputs::default();
     outputs.result(output.output.as_deref(), text);
     if let Some(report) = report {
-        report.add(&mut outputs, &sheet()?)?;
+        report.add(&mut outputs, &sheet()?, output.is_table())?;
     }
     outputs.write()
 }

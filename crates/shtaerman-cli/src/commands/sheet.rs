@@ -9,6 +9,7 @@ use shtaerman::file::ProblemFile;
 use super::problem_file;
 use crate::Failure;
 use crate::arguments::ReportArguments;
+use crate::failure::shown;
 use crate::output::{Content, Outputs, Printer};
 use crate::plot::Size;
 use crate::report::{self, ContactPicture, Entry, Sheet, Told, contact_picture};
@@ -40,14 +41,22 @@ impl<'a> ReportFile<'a> {
         Ok(Some(Self { path, printer }))
     }
 
-    /// Adds the report to what is written.
-    pub(super) fn add(&self, outputs: &mut Outputs<'_>, sheet: &Sheet) -> Result<(), Failure> {
+    /// Adds the report to what is written; where a table is shown on the terminal (`is_told`), it is said below it.
+    pub(super) fn add(
+        &self,
+        outputs: &mut Outputs<'_>,
+        sheet: &Sheet,
+        is_told: bool,
+    ) -> Result<(), Failure> {
         let html = sheet.html();
         let content = match &self.printer {
             None => Content::from(html),
             Some(printer) => Content::from(printer.pdf(&html)?),
         };
         outputs.file(self.path, content);
+        if is_told {
+            outputs.result(None, format!("report: {}\n", shown(self.path)));
+        }
         Ok(())
     }
 }

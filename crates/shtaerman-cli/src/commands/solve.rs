@@ -82,7 +82,8 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     }
     if let Some(report) = &report {
         clock::answered("its report");
-        report.add(&mut outputs, &sheet(arguments, &file, &contact, &answer)?)?;
+        let sheet = sheet(arguments, &file, &contact, &answer)?;
+        report.add(&mut outputs, &sheet, arguments.output.is_table())?;
     }
     outputs.write()?;
     warn(arguments, &answer);

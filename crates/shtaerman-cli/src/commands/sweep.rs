@@ -58,11 +58,11 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     }
     let mut outputs = Outputs::default();
     let table = report::sweep_table(study, &units, results.manifest(), &run.report(chosen.len()));
+    outputs.result(None, Content::page(&table.to_string()));
     if let Some(report_file) = &report_file {
         let sheet = sheet(arguments, &name, &run, &units, &table)?;
-        report_file.add(&mut outputs, &sheet)?;
+        report_file.add(&mut outputs, &sheet, true)?;
     }
-    outputs.result(None, Content::page(&table.to_string()));
     if let Some(picture) = picture {
         let (figure, size) = report::response(study, &units, &run.curves, Some(&run.summary))
             .map_err(Failure::Usage)?;

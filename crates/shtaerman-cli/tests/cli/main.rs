@@ -23,6 +23,7 @@ mod outputs;
 mod overrides;
 mod places;
 mod references;
+mod report;
 mod roughness;
 mod schemas;
 mod sense;

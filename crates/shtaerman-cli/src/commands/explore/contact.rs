@@ -42,7 +42,9 @@ impl Solution {
     /// The answer as `solve --format json` writes it, or as its table shows it.
     pub(super) fn answer(&self, is_for_people: bool) -> Result<Answer, Failure> {
         let curve = PressureCurve::along(&self.contact, POINTS)?;
-        solve::answer(&self.contact, curve, &self.doubts, is_for_people)
+        // The best so far is not asked how it changes.
+        let is_plain = is_for_people || self.contact.is_unfinished();
+        solve::answer(&self.contact, curve, &self.doubts, is_plain)
     }
 }
 

@@ -64,13 +64,20 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
         .as_ref()
         .filter(|_| is_drawn)
         .map(|grid| plot(&name, arguments.component, &field, grid, &peaks, &shown));
-    if let (Some(path), Some(map)) = (&sheet_file, &map) {
-        let name = problem_file::name(&arguments.problem.file);
-        let told = report::stress_table(&name, &report, places.as_ref());
-        path.add(&mut outputs, &sheet(arguments, &file, &contact, &told, map)?)?;
-    }
+    let sheet = match &map {
+        Some(map) if sheet_file.is_some() => {
+            let name = problem_file::name(&arguments.problem.file);
+            let told = report::stress_table(&name, &report, places.as_ref());
+            Some(sheet(arguments, &file, &contact, &told, map)?)
+        }
+        _ => None,
+    };
     let text = written(arguments, report, &shown, places.as_ref(), grid.as_ref())?;
     outputs.result(arguments.output.as_deref(), text);
+    if let (Some(path), Some(sheet)) = (&sheet_file, &sheet) {
+        let is_told = arguments.format == StressFormat::Table && arguments.output.is_none();
+        path.add(&mut outputs, sheet, is_told)?;
+    }
     if let (Some(picture), Some(map)) = (picture, &map) {
         picture.draw(map, &mut outputs)?;
     }
