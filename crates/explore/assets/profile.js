@@ -233,16 +233,43 @@ function csv(control) {
     );
     return html("div", { class: "field" }, html("label", { for: id }, label), pick);
   };
-  const flip = html("input", {
-    type: "checkbox",
-    checked: profile.flip === true,
-    "data-key": "flip",
-    onchange: () => {
-      state.set(`${path()}.flip`, flip.checked ? true : undefined);
+  const tick = (key, label, on = true, value = profile[key]) => {
+    const box = html("input", { type: "checkbox", checked: value === on, "data-key": key });
+    box.addEventListener("change", () => {
+      state.set(`${path()}.${key}`, box.checked ? on : undefined);
       state.changed({});
-    },
-  });
-  return [drop, ...(state.isDimensionless ? [] : [unit("x_unit", "Unit of positions"), unit("f_unit", "Unit of heights")]), html("label", { class: "check" }, flip, "Heights were measured towards the body")];
+    });
+    return html("label", { class: "check" }, box, label);
+  };
+  const text = (key, label, value, put, hint) => {
+    const id = unique("trace");
+    const input = html("input", { type: "text", id, value: value ?? "", placeholder: hint ?? "", "data-key": key });
+    input.addEventListener("input", () => {
+      put(input.value.trim() === "" ? undefined : written(input.value));
+      state.changed({ by: input });
+    });
+    return html("div", { class: "field" }, html("label", { for: id }, label), input);
+  };
+  const plain = (key) => (value) => state.set(`${path()}.${key}`, value);
+  const filter = (cutoff) => state.set(`${path()}.filter`, cutoff === undefined ? undefined : { kind: "gauss", cutoff });
+  const isOpen = ["x_column", "f_column", "skip", "reverse", "filter"].some((key) => profile[key] !== undefined);
+  return [
+    drop,
+    ...(state.isDimensionless ? [] : [unit("x_unit", "Unit of positions"), unit("f_unit", "Unit of heights")]),
+    tick("centre", "Its middle lies under the middle of the punch"),
+    tick("level", "Take its mean line away", "mean-line"),
+    tick("flip", "Heights were measured towards the body"),
+    html(
+      "details",
+      { open: isOpen },
+      html("summary", { "data-key": "trace more" }, "More about the trace"),
+      text("x_column", "Column of positions", profile.x_column, plain("x_column"), "1"),
+      text("f_column", "Column of heights", profile.f_column, plain("f_column"), "2"),
+      text("skip", "Lines to skip", profile.skip, plain("skip"), "0"),
+      text("filter", "Gaussian filter, cutoff", profile.filter?.cutoff, filter, "0.8 mm"),
+      tick("reverse", "Turn it end for end"),
+    ),
+  ];
 }
 
 /** Takes a trace that was dropped or chosen. */
@@ -258,6 +285,7 @@ export async function take(file, said) {
   state.files[file.name] = text;
   const old = state.get(path());
   const units = state.isDimensionless ? {} : { x_unit: old?.x_unit ?? "mm", f_unit: old?.f_unit ?? "um" };
-  state.set(path(), { csv: file.name, ...units, ...(old?.flip && { flip: true }) });
+  const { csv: _csv, x_unit: _x, f_unit: _f, ...rest } = typeof old === "object" && old !== null ? old : {};
+  state.set(path(), { csv: file.name, ...units, ...rest });
   state.changed({ isBuilt: true });
 }

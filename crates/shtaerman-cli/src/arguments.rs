@@ -5,9 +5,11 @@ mod export;
 mod find;
 mod picture;
 mod roughness;
+mod schema;
 mod spectrum;
 mod started;
 mod sweep;
+mod trace;
 mod units;
 
 use std::path::PathBuf;
@@ -25,9 +27,11 @@ pub use roughness::{
     BearingArguments, ColumnOrder, GreenwoodWilliamsonArguments, Law, RoughnessArguments,
     RoughnessSource, TableArguments,
 };
+pub use schema::{SchemaArguments, SchemaName};
 pub use spectrum::{KernelArguments, SpectrumArguments};
 pub use started::{CompletionsArguments, ExampleGeometry, InitArguments, ManArguments};
 pub use sweep::SweepArguments;
+pub use trace::{Level, TraceArguments};
 pub use units::{SenseArguments, UnitArguments};
 
 /// Contact of a rigid punch with a rough elastic body (Shtaerman's model).
@@ -80,6 +84,10 @@ pub enum Command {
     Roughness(RoughnessArguments),
     /// Write the rough layer, or the whole contact, as tables for a finite-element program.
     Export(ExportArguments),
+    /// Show what is read of a measured trace, and what is made of it.
+    Trace(TraceArguments),
+    /// Write the JSON Schema of problem files, or of the JSON of a command.
+    Schema(SchemaArguments),
     /// Write what completes commands and options in a shell.
     Completions(CompletionsArguments),
     /// Write a page for `man` about each command.

@@ -133,7 +133,9 @@ pub fn told(error: &shtaerman::Error) -> String {
     if let shtaerman::Error::File(fault) | shtaerman::Error::Beyond(fault) = error {
         words.push_str(&snippet(fault));
         if let Some(help) = fault.help() {
-            words.push_str(&format!("help: {}\n", legible(help)));
+            // Lines to be added to the file stand on lines of their own.
+            let shown: Vec<String> = help.lines().map(legible).collect();
+            words.push_str(&format!("help: {}\n", shown.join("\n  ")));
         }
     }
     words

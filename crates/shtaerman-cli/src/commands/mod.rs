@@ -14,11 +14,13 @@ mod problem_file;
 mod regularity;
 mod reproduce;
 mod roughness;
+mod schema;
 mod sheet;
 mod solve;
 mod spectrum;
 mod stress;
 mod sweep;
+mod trace;
 mod validate;
 mod vary;
 
@@ -42,6 +44,8 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Explore(arguments) => explore::run(arguments),
         Command::Roughness(arguments) => roughness::run(arguments),
         Command::Export(arguments) => export::run(arguments),
+        Command::Trace(arguments) => trace::run(arguments),
+        Command::Schema(arguments) => schema::run(arguments),
         Command::Completions(arguments) => completions::run(arguments),
         Command::Man(arguments) => man::run(arguments),
     }

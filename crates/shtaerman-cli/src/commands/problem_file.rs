@@ -62,7 +62,8 @@ pub(super) fn units_override(arguments: &UnitArguments) -> Result<Option<String>
                 names.join(", ")
             )));
         }
-        return Ok(Some(format!("output.units={}", quoted(text))));
+        // As a table it takes the place of a table in the file, too.
+        return Ok(Some(format!("output.units={{ system = {} }}", quoted(text))));
     }
     let pair = |part: &str| {
         let (key, unit) = part.split_once('=')?;

@@ -37,6 +37,7 @@ mod text;
 mod theme;
 mod ticks;
 mod tornado;
+mod trace;
 
 pub use axis::{Axis, Scale};
 pub use colour::{Colour, Palette};
@@ -55,3 +56,4 @@ pub use response::{ResponseCurve, ResponseMap, ResponsePlot, ResponseSurface};
 pub use solution::SolutionPlot;
 pub use theme::Theme;
 pub use tornado::{Bars, TornadoPlot};
+pub use trace::TracePlot;

@@ -8,6 +8,10 @@ pub(super) fn shared_ranges(figure: &Figure) -> Vec<(Range, Range)> {
     let mut ranges: Vec<_> = figure.panels.iter().map(panel_ranges).collect();
     let all = ranges.iter().copied().reduce(|a, b| (a.0.union(b.0), a.1.union(b.1)));
     let Some(all) = all else { return ranges };
+    // Ends that differ on purpose are kept.
+    if figure.panels.windows(2).any(|pair| pair[0].horizontal.limits != pair[1].horizontal.limits) {
+        return ranges;
+    }
     let same = |scale: fn(&Panel) -> super::axis::Scale| {
         figure.panels.windows(2).all(|pair| scale(&pair[0]) == scale(&pair[1]))
     };

@@ -15,6 +15,7 @@ mod study_units;
 mod sweep;
 mod table;
 mod told;
+mod trace;
 mod words;
 
 pub(crate) use answer::{answer_csv, answer_notes, answer_rows, answer_table};
@@ -34,4 +35,5 @@ pub(crate) use study_units::{Scaled, StudyUnits};
 pub(crate) use sweep::{SweepReport, columns, keep, response, rows_csv, rows_table, sweep_table};
 pub(crate) use table::Table;
 pub(crate) use told::{Part, Told};
+pub(crate) use trace::{TraceReport, trace_csv};
 pub(crate) use words::sentences;

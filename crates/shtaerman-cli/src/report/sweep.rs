@@ -139,7 +139,7 @@ fn scaled(study: &Study, units: &StudyUnits) -> (Vec<Scaled>, Vec<Scaled>) {
 pub(crate) fn rows_csv<'a>(study: &'a Study, units: &StudyUnits, rows: &'a [Row]) -> Content<'a> {
     let (inputs, outputs) = scaled(study, units);
     let of = |name: &str| {
-        let error = name.strip_prefix("error_");
+        let error = name.strip_suffix("_error");
         let names = study.outputs().iter().map(|output| output.name);
         let keys = study.variables().iter().map(|variable| variable.key.as_str());
         let position = |mut all: Box<dyn Iterator<Item = &str> + '_>, name: &str| {

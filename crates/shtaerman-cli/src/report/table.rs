@@ -10,6 +10,9 @@ use crate::terminal::WIDTH;
 /// Rows of a long table that are set together: a row in the making takes more than a kilobyte.
 const PIECE: usize = 10_000;
 
+/// Fewer words than this behind a number are its unit.
+const UNIT_WORDS: usize = 3;
+
 /// Blanks around a cell.
 const PADDING: u16 = 2;
 
@@ -164,15 +167,14 @@ impl Layout {
         columns.iter().map(|index| usize::from(self.widths[*index] + PADDING)).sum()
     }
 
-    /// Makes columns of several words less wide, the widest first, until the whole is at most [`WIDTH`] wide, where that is possible.
+    /// Makes columns of several words less wide, those with most room first, until the whole is at most [`WIDTH`] wide, where that is possible.
     fn fit(&mut self) {
         let all: Vec<usize> = (0..self.widths.len()).collect();
         while self.total(&all) > WIDTH {
             let can_shrink = all.iter().filter(|index| self.widths[**index] > self.least[**index]);
-            let Some(widest) = can_shrink.copied().max_by_key(|index| self.widths[*index]) else {
-                return;
-            };
-            self.widths[widest] -= 1;
+            let slack = |index: &usize| self.widths[*index] - self.least[*index];
+            let Some(loosest) = can_shrink.copied().max_by_key(slack) else { return };
+            self.widths[loosest] -= 1;
         }
     }
 
@@ -194,8 +196,13 @@ impl Layout {
     }
 }
 
-/// Characters of the longest word.
+/// Characters of the longest word; a number stays with its unit.
 fn longest_word(text: &str) -> usize {
+    let mut words = text.split_whitespace();
+    let is_value = words.next().is_some_and(|word| word.parse::<f64>().is_ok());
+    if is_value && words.count() < UNIT_WORDS {
+        return text.chars().count();
+    }
     text.split_whitespace().map(|word| word.chars().count()).max().unwrap_or(0)
 }
 
@@ -247,6 +254,6 @@ mod tests {
         let text = many.to_string();
         assert!(text.lines().all(|line| line.chars().count() <= WIDTH), "{text}");
         assert!((0..12).all(|index| text.contains(&format!("{index}.2345678e-10"))), "{text}");
-        assert_eq!(text.matches("head1 ").count(), 3, "{text}");
+        assert_eq!(text.matches("head1 ").count(), 4, "{text}");
     }
 }

@@ -218,7 +218,7 @@ fn what_is_wrong_with_a_study_is_told() {
         (["-o", "out", "--threads", "0"], "must be from 1"),
         (["-o", "study.toml", "--threads", "1"], "is a file"),
         (["-o", "none", "--summary", "--yes"], "there is no folder"),
-        (["-o", "out", "--plot", "study.toml"], "use .svg or .png"),
+        (["-o", "out", "--plot", "study.toml"], "use .svg"),
     ] {
         let run = folder.run(&[&["sweep", "study.toml"], arguments.as_slice()].concat());
         run.refusal();

@@ -38,6 +38,7 @@ mod refused;
 mod section;
 mod solver;
 mod stated;
+mod trace;
 
 use std::path::Path;
 
