@@ -31,7 +31,10 @@ function askFor(isAudited) {
   solve.ask({ ...state.question(), audit: isAudited }, isAudited);
 }
 
+const panel = byId("panel-contact");
+
 function answered(answer, isAudited, isLast) {
+  if (isLast && (isAudited || answer.fault)) panel.removeAttribute("aria-busy");
   if (answer.fault) {
     if (!isLast) return;
     // An answer whose audit took too long is an answer all the same.
@@ -98,6 +101,7 @@ state.addEventListener("change", ({ detail }) => {
     show(byId("editor-fault"), false);
   }
   document.title = `${state.name}: Shtaerman`;
+  panel.setAttribute("aria-busy", "true");
   askFor(false);
   audit();
 });

@@ -36,11 +36,15 @@ new ResizeObserver(() => shown && host.clientWidth > 0 && draw(shown)).observe(h
 /** Asks for the map: a coarse one while something moves. */
 export function askMap(isMoving, isWanted = true) {
   show(card, isWanted);
-  if (!isWanted) return;
+  if (!isWanted) {
+    card.removeAttribute("aria-busy");
+    return;
+  }
   show(byId("map-ratio-field"), state.isDimensionless);
   const question = { ...state.question(), component: component.value, points: isMoving ? COARSE : FINE, peaks: !isMoving };
   const stated = Number(ratio.value);
   if (state.isDimensionless && Number.isFinite(stated)) question.poisson_ratio = stated;
+  card.setAttribute("aria-busy", "true");
   latest.ask(question, isMoving);
 }
 
@@ -52,7 +56,8 @@ export function forgetMap() {
   byId("map-legend").replaceChildren();
 }
 
-function answered(answer) {
+function answered(answer, isMoving, isLast) {
+  if (isLast && !isMoving) card.removeAttribute("aria-busy");
   if (answer.fault) {
     legend(byId("map-legend"), [["k-none", answer.fault.what ?? answer.fault.message, "none"]]);
     shown = null;

@@ -67,9 +67,12 @@ class Watched:
 
     def settle(self) -> None:
         """Waits until the answer with its audit is shown, and nothing is under way."""
-        self.page.wait_for_function("() => document.querySelector('#cards .figure') !== null", timeout=20000)
-        self.page.wait_for_timeout(250)
-        self.page.wait_for_load_state("networkidle")
+        self.page.wait_for_function(
+            "() => document.querySelector('#cards .figure') && !document.querySelector('#panel-contact[aria-busy], #map-card[aria-busy]:not([hidden])')",
+            timeout=20000,
+        )
+        # What a screen reader is told follows.
+        self.page.wait_for_timeout(150)
 
     def card(self, key: str) -> tuple[str, float]:
         """What a card shows, and its value in SI units."""

@@ -67,6 +67,10 @@ def environment() -> Path:
     return python
 
 
+def is_place(argument: str) -> bool:
+    return Path(argument.split("::")[0]).exists()
+
+
 def main(arguments: list[str]) -> int:
     browser = installed()
     if browser is None:
@@ -83,7 +87,7 @@ def main(arguments: list[str]) -> int:
         program = str(TARGET / "debug" / ("shtaerman.exe" if os.name == "nt" else "shtaerman"))
     python = environment()
     variables = {"SHTAERMAN": program, "SHTAERMAN_CHROMIUM": browser, "SCREENSHOTS": str(FOLDER / "screenshots"), "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir", HERE, *(arguments or [HERE])]
+    command = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir", HERE, *arguments, *([] if any(map(is_place, arguments)) else [HERE])]
     print("$", *map(str, command), flush=True)
     return subprocess.run(list(map(str, command)), cwd=ROOT, env={**os.environ, **variables}, check=False).returncode
 
