@@ -67,7 +67,7 @@ function load() {
     choice({ label: "*What turns", key: "rotational", value: rotational, options: [["moment", "Moment"], ["eccentricity", "Eccentricity"], ["tilt", "Tilt"]], chosen: (key) => pick(ROTATION, key) }),
     quantityOf({ path: `${table}.${rotational}`, label: { moment: "Moment", eccentricity: "Eccentricity", tilt: "Tilt" }[rotational], symbol: { moment: "M", eccentricity: "e", tilt: "α" }[rotational], kind: kind(rotational), range: { scale: "signed", reach: reach[rotational] } }),
     choice({
-      label: "Contact",
+      label: "Contact: unilateral or bilateral",
       key: "contact",
       value: contact,
       options: [["unilateral", "May lift off"], ["bilateral", "Held together"]],

@@ -99,7 +99,7 @@ function build() {
     slider.input.title = range;
     return slider.element;
   });
-  form.replaceChildren(html("fieldset", {}, html("legend", {}, "Kernel"), options), html("fieldset", {}, html("legend", {}, "Parameters"), sliders));
+  form.replaceChildren(html("fieldset", {}, html("legend", {}, "Kernel"), options), html("fieldset", {}, html("legend", {}, "Parameters"), sliders, html("p", { class: "hint" }, "weight w = ", html("span", { class: "formula" }, pretty(family.weight)), `, integrals by ${family.measure}`)));
   if (focused !== null) form.querySelector(`input[name="kernel"][value="${focused}"]`)?.focus();
 }
 

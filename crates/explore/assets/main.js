@@ -6,9 +6,10 @@ import { ask, Latest } from "./engine.js";
 import { blame, showInputs } from "./inputs.js";
 import { showKernels } from "./kernels.js";
 import { askMap, forgetMap } from "./map.js";
+import { showModel } from "./model.js";
 import { showPaper } from "./paper.js";
 import { showPictures } from "./pictures.js";
-import { writeDrawn } from "./profile.js";
+import { take as takeTrace, writeDrawn } from "./profile.js";
 import { state } from "./state.js";
 import { showStudy } from "./study.js";
 import "./theme.js";
@@ -56,6 +57,7 @@ function answered(answer, isAudited, isLast) {
   showInputs();
   showAnswer(answer);
   showPictures(answer);
+  showModel(answer);
   if (isAudited && isLast) askMap(false, answer.picture.has_stresses);
   else askMap(true, answer.picture.has_stresses);
   showUnits();
@@ -228,7 +230,7 @@ document.addEventListener("drop", async (event) => {
   event.preventDefault();
   const [file] = event.dataTransfer?.files ?? [];
   if (file && /\.toml$/i.test(file.name)) take(file.name, await file.text(), state.files);
-  else if (file) said("Drop problem files (.toml) here, and traces on the control of the profile.");
+  else if (file) takeTrace(file);
 });
 
 async function begin() {

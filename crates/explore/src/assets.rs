@@ -36,6 +36,7 @@ pub const ASSETS: &[Asset] = assets![
     ("/kernels.js", "kernels.js", JAVASCRIPT),
     ("/main.js", "main.js", JAVASCRIPT),
     ("/map.js", "map.js", JAVASCRIPT),
+    ("/model.js", "model.js", JAVASCRIPT),
     ("/paper.js", "paper.js", JAVASCRIPT),
     ("/pictures.js", "pictures.js", JAVASCRIPT),
     ("/profile.js", "profile.js", JAVASCRIPT),

@@ -22,7 +22,6 @@ use tokio::time::{sleep, timeout};
 use crate::assets::ASSETS;
 use crate::guard;
 use crate::pool::{Pool, Unanswered};
-use crate::work::question;
 
 /// The port that is tried first, so that links and what the browser keeps stay the same from one day to the next.
 pub const DEFAULT_PORT: u16 = 4117;
@@ -192,7 +191,8 @@ impl Server {
             Ok(Err(_)) => return told(StatusCode::BAD_REQUEST, "the question broke off"),
             Ok(Ok(read)) => read.to_bytes(),
         };
-        match self.pool.answer(question(operation, &read)).await {
+        let question = [operation.as_bytes(), b"\n", &read].concat();
+        match self.pool.answer(question).await {
             Ok(answer) => body(JSON, answer.into()),
             Err(unanswered @ Unanswered::Crowded) => {
                 told(StatusCode::SERVICE_UNAVAILABLE, &unanswered.to_string())

@@ -11,12 +11,7 @@ pub trait Engine {
     fn answer(&mut self, operation: &str, body: &[u8]) -> Vec<u8>;
 }
 
-/// A question as it goes through the pipe: the operation, a line feed, the body.
-pub(crate) fn question(operation: &str, body: &[u8]) -> Vec<u8> {
-    [operation.as_bytes(), b"\n", body].concat()
-}
-
-/// Answers what comes from `input` until that ends; then the process ends, too, whatever it is computing: the server is gone.
+/// Answers what comes from `input`, each question an operation, a line feed and a body, until that ends; then the process ends, too, whatever it is computing: the server is gone.
 ///
 /// # Errors
 /// Those of `output`.

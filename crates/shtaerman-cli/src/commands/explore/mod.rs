@@ -15,3 +15,9 @@ pub use engine::PageEngine;
 mod serve;
 #[cfg(not(target_family = "wasm"))]
 pub(super) use serve::run;
+
+/// In a browser there is nothing to be served.
+#[cfg(target_family = "wasm")]
+pub(super) fn run(_: &crate::arguments::ExploreArguments) -> Result<(), crate::Failure> {
+    Err(crate::Failure::Usage("there is no server in a browser".to_owned()))
+}

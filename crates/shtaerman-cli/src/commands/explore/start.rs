@@ -1,14 +1,17 @@
 //! What the page begins with.
 
+#[cfg(not(target_family = "wasm"))]
 use std::path::Path;
 use std::time::Duration;
 
 use serde_json::{Value, json};
+#[cfg(not(target_family = "wasm"))]
 use shtaerman::document::{Document, ValueKind, load_bytes};
 use shtaerman::quantity::OutputUnits;
 use shtaerman_study::Output;
 
 use super::kernel;
+#[cfg(not(target_family = "wasm"))]
 use crate::failure::shown;
 
 macro_rules! example {
@@ -44,6 +47,7 @@ pub(super) fn without_file(limit: Duration) -> Value {
 }
 
 /// What the page begins with for a file that was read.
+#[cfg(not(target_family = "wasm"))]
 pub(super) fn with_file(path: &Path, bytes: &[u8], limit: Duration) -> Value {
     let name = path.file_name().map_or_else(|| shown(path), |name| shown(Path::new(name)));
     let text = String::from_utf8_lossy(bytes);
@@ -75,6 +79,7 @@ fn examples() -> Value {
 }
 
 /// The measured profile that a file names, each byte a character of the same number; that it cannot be read is told when the problem is solved.
+#[cfg(not(target_family = "wasm"))]
 fn files(path: &Path, text: &str) -> Value {
     let Ok(document) = Document::parse(text, "") else { return json!({}) };
     let keys = ["punch.profile.csv", "dimensionless.profile.csv"];
