@@ -14,7 +14,7 @@ pub(crate) const PUNCH: &str = include_str!("../../../../examples/crowned_punch.
 
 /// The page on a port of its own, until it is dropped.
 pub(crate) struct Page {
-    process: Child,
+    pub(crate) process: Child,
     pub(crate) port: u16,
 }
 

@@ -156,3 +156,64 @@ fn a_port_that_is_taken_is_told_and_another_is_taken_where_none_was_asked_for() 
         assert_eq!(told.status.code(), Some(2), "{limit}");
     }
 }
+
+/// The processes whose parent is this one.
+#[cfg(target_os = "linux")]
+fn children(of: u32) -> Vec<u32> {
+    let entries = std::fs::read_dir("/proc").unwrap().flatten();
+    let numbers = entries.filter_map(|entry| entry.file_name().to_str()?.parse::<u32>().ok());
+    let parent = |process: &u32| {
+        let text = std::fs::read_to_string(format!("/proc/{process}/stat")).ok()?;
+        // Behind the name in parentheses: the state, then the parent.
+        text.rsplit_once(')')?.1.split_whitespace().nth(1)?.parse::<u32>().ok()
+    };
+    numbers.filter(|process| parent(process) == Some(of)).collect()
+}
+
+/// However the server ends, the processes that compute for it end with it, in the middle of a computation, too.
+#[cfg(target_os = "linux")]
+#[test]
+fn nothing_computes_on_when_the_page_is_closed() {
+    let mut page = Page::open(&["--time-limit", "10 min"]);
+    let mut stream = page.connect();
+    let question = page.question("solve", &endless().to_string());
+    stream.write_all(question.as_bytes()).unwrap();
+    let since = Instant::now();
+    let workers = loop {
+        let workers = children(page.process.id());
+        if !workers.is_empty() || since.elapsed() > Duration::from_secs(20) {
+            break workers;
+        }
+        sleep(Duration::from_millis(20));
+    };
+    assert!(!workers.is_empty());
+    sleep(Duration::from_millis(300));
+    page.process.kill().unwrap();
+    page.process.wait().unwrap();
+    let is_there = |process: &u32| std::path::Path::new(&format!("/proc/{process}")).exists();
+    let since = Instant::now();
+    while workers.iter().any(is_there) && since.elapsed() < Duration::from_secs(20) {
+        sleep(Duration::from_millis(20));
+    }
+    assert!(!workers.iter().any(is_there), "{workers:?} compute on");
+}
+
+/// Who closes the page, or moves on, does not leave a computation behind.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_question_that_nobody_waits_for_is_ended() {
+    let page = Page::open(&["--time-limit", "10 min"]);
+    let mut stream = page.connect();
+    let question = page.question("solve", &endless().to_string());
+    stream.write_all(question.as_bytes()).unwrap();
+    sleep(Duration::from_millis(500));
+    let before = children(page.process.id());
+    assert!(!before.is_empty());
+    drop(stream);
+    let since = Instant::now();
+    while children(page.process.id()).iter().any(|one| before.contains(one)) {
+        assert!(since.elapsed() < Duration::from_secs(20), "{before:?} compute on");
+        sleep(Duration::from_millis(20));
+    }
+    assert!(solve(&page)["answer"].is_object());
+}
