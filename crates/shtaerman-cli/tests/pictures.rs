@@ -1,4 +1,5 @@
 //! Pictures of contacts: what they show of the answer, and what they must not show.
+#![expect(clippy::unwrap_used, reason = "helpers outside of test functions fail by panicking")]
 
 use std::path::PathBuf;
 

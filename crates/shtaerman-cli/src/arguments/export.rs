@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::{ProblemArguments, SenseArguments};
+use super::common::ProblemArguments;
+use super::units::SenseArguments;
 
 /// The program that reads the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

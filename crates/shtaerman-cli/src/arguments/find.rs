@@ -2,7 +2,8 @@
 
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::{OutputArguments, ProblemArguments, ReportArguments, SenseArguments, UnitArguments};
+use super::common::{OutputArguments, ProblemArguments, ReportArguments};
+use super::units::{SenseArguments, UnitArguments};
 
 /// `shtaerman find`.
 #[derive(Debug, Args)]

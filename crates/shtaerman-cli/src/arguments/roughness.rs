@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::{OutputArguments, SenseArguments};
+use super::common::OutputArguments;
+use super::units::SenseArguments;
 
 /// `shtaerman roughness`.
 #[derive(Debug, Args)]

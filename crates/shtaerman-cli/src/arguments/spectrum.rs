@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::{OutputArguments, PictureArguments};
+use super::common::OutputArguments;
+use super::picture::PictureArguments;
 
 /// `shtaerman spectrum`.
 #[derive(Debug, Args)]

@@ -4,7 +4,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::{PictureArguments, UnitArguments};
+use super::common::ReportArguments;
+use super::picture::PictureArguments;
+use super::units::UnitArguments;
 use crate::results::PartFormat;
 
 /// `shtaerman sweep`.
@@ -36,7 +38,7 @@ pub struct SweepArguments {
     pub plot: Option<PathBuf>,
     #[command(flatten)]
     /// The report.
-    pub report: super::ReportArguments,
+    pub report: ReportArguments,
     /// Run studies of more than a million cases.
     #[arg(long)]
     pub yes: bool,

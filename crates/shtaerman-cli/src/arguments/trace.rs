@@ -4,7 +4,9 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::{OutputArguments, PictureArguments, UnitArguments};
+use super::common::OutputArguments;
+use super::picture::PictureArguments;
+use super::units::UnitArguments;
 
 /// `shtaerman trace`.
 #[derive(Debug, Args)]
@@ -27,7 +29,7 @@ pub struct TraceArguments {
     /// Unit of the heights [default: that of the header, or metres].
     #[arg(long, value_name = "UNIT")]
     pub f_unit: Option<String>,
-    /// Encoding, such as windows-1252 or shift_jis [default: what can be told].
+    /// Encoding, such as windows-1252 or utf-16 [default: what can be told].
     #[arg(long, value_name = "NAME")]
     pub encoding: Option<String>,
     /// Positions grow to the left: change their sign.

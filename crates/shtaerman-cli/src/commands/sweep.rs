@@ -64,8 +64,10 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
         report_file.add(&mut outputs, &sheet, true)?;
     }
     if let Some(picture) = picture {
-        let (figure, size) = report::response(study, &units, &run.curves, Some(&run.summary))
-            .map_err(Failure::Usage)?;
+        let stem = problem_file::stem(&arguments.file);
+        let (figure, size) =
+            report::response(&stem, study, &units, &run.curves, Some(&run.summary))
+                .map_err(Failure::Usage)?;
         picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
     outputs.write()
@@ -89,7 +91,8 @@ fn sheet(
         sheet.problem(file.problem());
     }
     // Where nothing can be drawn, the table stands alone.
-    let drawn = report::response(run.study, units, &run.curves, Some(&run.summary));
+    let stem = problem_file::stem(&arguments.file);
+    let drawn = report::response(&stem, run.study, units, &run.curves, Some(&run.summary));
     if let Ok((figure, _)) = drawn {
         sheet.picture("The response.", &figure, Some(Size { width: 860, height: 560 }))?;
     }

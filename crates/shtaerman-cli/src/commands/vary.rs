@@ -57,8 +57,9 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     };
     outputs.result(arguments.output.output.as_deref(), content);
     if let Some(picture) = picture {
+        let name = problem_file::stem(&arguments.problem.file);
         let (figure, size) =
-            report::response(&study, &units, &rows, None).map_err(Failure::Usage)?;
+            report::response(&name, &study, &units, &rows, None).map_err(Failure::Usage)?;
         picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
     outputs.write()

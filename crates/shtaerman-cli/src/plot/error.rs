@@ -1,6 +1,6 @@
 //! What can go wrong when a picture is made.
 
-use super::format::{Look, Size};
+use super::format::{MOST_PIXELS, RESOLUTIONS, Size};
 
 /// Why a picture was not made.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -37,7 +37,7 @@ pub enum PlotError {
     /// The resolution is out of range, or makes more pixels than are held.
     #[error(
         "{dots} dots per inch: from {} to {} are drawn, and at most {} million pixels in all",
-        Look::RESOLUTIONS[0], Look::RESOLUTIONS[1], Look::MOST_PIXELS / 1_000_000
+        RESOLUTIONS[0], RESOLUTIONS[1], MOST_PIXELS / 1_000_000
     )]
     Resolution {
         /// Dots per inch asked for.

@@ -3,8 +3,6 @@
 use std::path::Path;
 
 use super::error::PlotError;
-use super::figure::Plot;
-use super::theme::Theme;
 
 /// Pixels of a PNG per unit of [`Size`] where no resolution is asked for: sharp on a dense screen.
 pub const PNG_PIXELS_PER_UNIT: u32 = 2;
@@ -66,42 +64,9 @@ impl Size {
     }
 }
 
-/// How a picture is made.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Look {
-    /// Its size; none for the one that suits plot and theme.
-    pub size: Option<Size>,
-    /// Where it is to be looked at.
-    pub theme: Theme,
-    /// Pixels of a PNG for each inch, 50 to 1200; none for 192.
-    pub dots_per_inch: Option<u32>,
-}
-
-impl Look {
-    /// The least and the most dots per inch.
-    pub const RESOLUTIONS: [u32; 2] = [50, 1200];
-    /// The most pixels of a PNG.
-    pub const MOST_PIXELS: u64 = 80_000_000;
-
-    /// The size asked for, or the one that suits plot and theme.
-    pub(super) fn size_of(self, plot: &dyn Plot) -> Size {
-        self.size.unwrap_or_else(|| match plot.usual_size() {
-            Some(size) => self.theme.scaled(size),
-            None => self.theme.size(),
-        })
-    }
-
-    pub(super) fn resolution(self, size: Size) -> Result<u32, PlotError> {
-        let dots = self.dots_per_inch.unwrap_or(PNG_PIXELS_PER_UNIT * UNITS_PER_INCH);
-        let [least, most] = Self::RESOLUTIONS;
-        let part = f64::from(dots) / f64::from(UNITS_PER_INCH);
-        let pixels = f64::from(size.width) * f64::from(size.height) * part * part;
-        if (least..=most).contains(&dots) && pixels <= Self::MOST_PIXELS as f64 {
-            return Ok(dots);
-        }
-        Err(PlotError::Resolution { dots })
-    }
-}
+/// The least and the most dots per inch of a PNG, and the most pixels.
+pub(super) const RESOLUTIONS: [u32; 2] = [50, 1200];
+pub(super) const MOST_PIXELS: u64 = 80_000_000;
 
 impl Default for Size {
     /// 800 x 600.

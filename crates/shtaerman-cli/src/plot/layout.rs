@@ -200,13 +200,14 @@ fn inset(panel: &Panel, around: Frame, sizes: Sizes) -> Option<PanelLayout> {
     })
 }
 
-/// Frames below each other begin at one place, frames beside each other end at one height.
+/// Frames below each other begin and end at one place, frames beside each other end at one height.
 fn align(figure: &Figure, panels: &mut [PanelLayout]) {
     match figure.arrangement {
         Arrangement::Stacked => {
             let left = panels.iter().map(|panel| panel.frame.left).fold(0.0, f64::max);
+            let right = panels.iter().map(|panel| panel.frame.right).fold(f64::INFINITY, f64::min);
             for panel in panels {
-                panel.frame.left = left;
+                (panel.frame.left, panel.frame.right) = (left, right);
             }
         }
         Arrangement::SideBySide => {

@@ -24,6 +24,7 @@ mod figure;
 mod format;
 mod layout;
 mod legend;
+mod look;
 mod map;
 mod mapping;
 mod margins;
@@ -49,7 +50,8 @@ pub use figure::{
     Area, Arrangement, Band, Base, ColourBar, Contours, Cross, Dash, Figure, Layer, LegendPlace,
     Line, Mark, Panel, Plot, Pole,
 };
-pub use format::{Format, Look, PNG_PIXELS_PER_UNIT, Size};
+pub use format::{Format, PNG_PIXELS_PER_UNIT, Size};
+pub use look::Look;
 pub use map::MapPlot;
 pub use render::{render, render_as};
 pub use response::{ResponseCurve, ResponseMap, ResponsePlot, ResponseSurface};

@@ -9,10 +9,10 @@ use kuva::backend::raster::RasterBackend;
 use kuva::render::render::Scene;
 
 use super::error::PlotError;
-use super::format::{Look, Size, UNITS_PER_INCH};
+use super::format::{MOST_PIXELS, Size, UNITS_PER_INCH};
 
 /// Fine pixels that are held at once, at most: 4 bytes each.
-const MOST_FINE_PIXELS: u64 = Look::MOST_PIXELS;
+const MOST_FINE_PIXELS: u64 = MOST_PIXELS;
 
 /// Pixels for each unit of a size.
 fn pixels_per_unit(dots_per_inch: u32) -> f64 {

@@ -5,7 +5,8 @@ use kuva::render::render::Scene;
 
 use super::error::PlotError;
 use super::figure::{Figure, Plot};
-use super::format::{Format, Look, Size};
+use super::format::{Format, Size};
+use super::look::Look;
 use super::{draw, raster, text};
 
 /// Draws a plot for a screen and returns the bytes of the file.

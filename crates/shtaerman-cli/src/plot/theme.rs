@@ -1,7 +1,6 @@
 //! How pictures look: sizes of text, widths of strokes, and what becomes of colours.
 
 use super::colour::Colour;
-use super::format::Size;
 
 /// Where a picture is to be looked at. All have the same parts in the same places.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -31,23 +30,6 @@ pub(super) struct Sizes {
 }
 
 impl Theme {
-    /// The size of a picture for which none is asked: 800 x 600, in print 160 mm x 120 mm.
-    #[must_use]
-    pub fn size(self) -> Size {
-        match self {
-            Self::Screen | Self::Dark => Size::default(),
-            Self::Print => Size { width: 605, height: 454 },
-        }
-    }
-
-    /// A size meant for a screen, in the proportion of the theme's own.
-    #[must_use]
-    pub fn scaled(self, size: Size) -> Size {
-        let part = f64::from(self.size().width) / f64::from(Size::default().width);
-        let scaled = |length: u32| (f64::from(length) * part).round() as u32;
-        Size { width: scaled(size.width), height: scaled(size.height) }
-    }
-
     pub(super) fn sizes(self) -> Sizes {
         match self {
             Self::Screen | Self::Dark => Sizes {

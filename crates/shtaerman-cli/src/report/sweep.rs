@@ -6,7 +6,7 @@ use shtaerman_study::{
     Column, Design, Indices, Input, Manifest, Output, Row, Study, Summary, Variation,
 };
 
-use super::{Scaled, StudyUnits, Table, Told, significant};
+use super::{Scaled, StudyUnits, Table, Told, heading, significant};
 use crate::output::Content;
 use crate::plot::{
     Bars, Figure, Plot, ResponseCurve, ResponseMap, ResponsePlot, ResponseSurface, Size,
@@ -107,7 +107,7 @@ pub(crate) fn sweep_table(
         );
     }
     text.push_str(&indices(study, summary));
-    text.push_str(&audits(study, report.audited));
+    text.push_str(&audits(study, units, report.audited));
     text
 }
 
@@ -211,7 +211,7 @@ fn indices(study: &Study, summary: &Summary) -> String {
 }
 
 /// One line for each output: how the errors of the sample compare with those of its audits.
-fn audits(study: &Study, audited: &[(Row, Row)]) -> String {
+fn audits(study: &Study, units: &StudyUnits, audited: &[(Row, Row)]) -> String {
     if audited.is_empty() {
         return String::new();
     }
@@ -222,12 +222,13 @@ fn audits(study: &Study, audited: &[(Row, Row)]) -> String {
             audited.iter().filter_map(|pair| row(pair).errors[index]).reduce(f64::max)
         };
         if let (Some(stated), Some(found)) = (largest(|pair| &pair.0), largest(|pair| &pair.1)) {
+            let factor = units.column(study, output.name).factor;
             let _ = write!(
                 text,
                 "; {} stated to {}, audited {}",
                 output.name,
-                significant(stated, ERROR_DIGITS),
-                significant(found, ERROR_DIGITS)
+                significant(stated * factor, ERROR_DIGITS),
+                significant(found * factor, ERROR_DIGITS)
             );
         }
     }
@@ -243,13 +244,14 @@ fn audits(study: &Study, audited: &[(Row, Row)]) -> String {
 /// # Errors
 /// Why there is nothing to draw.
 pub(crate) fn response(
+    name: &str,
     study: &Study,
     units: &StudyUnits,
     rows: &[Row],
     summary: Option<&Summary>,
 ) -> Result<(Figure, Option<Size>), String> {
     if let Some(indices) = summary.and_then(|summary| summary.indices.as_ref()) {
-        return Ok((tornado(study, indices).figure(), None));
+        return Ok((tornado(name, study, indices).figure(), None));
     }
     let variables = study.variables();
     let numeric = |index: usize| rows.iter().all(|row| row.inputs[index].number().is_some());
@@ -257,7 +259,7 @@ pub(crate) fn response(
         && rows.len() == study.cases()
         && numeric(0)
         && numeric(1)
-        && let Some(map) = response_map(study, units, rows)
+        && let Some(map) = response_map(name, study, units, rows)
     {
         return Ok((map.figure(), Some(map.size())));
     }
@@ -267,7 +269,7 @@ pub(crate) fn response(
     let (inputs, outputs) = scaled(study, units);
     let input = &inputs[variable];
     let curves = outputs.iter().enumerate().map(|(index, output)| ResponseCurve {
-        label: output.name.clone(),
+        label: words(&output.name),
         points: rows
             .iter()
             .filter(|row| row.is_answered())
@@ -278,7 +280,7 @@ pub(crate) fn response(
             .collect(),
     });
     let plot = ResponsePlot {
-        title: "Response".to_owned(),
+        title: titled(name, &format!("response to {}", variables[variable].key)),
         horizontal_label: input.name.clone(),
         is_connected: variables.len() == 1 && study.design() == Design::Grid,
         curves: curves.collect(),
@@ -287,7 +289,12 @@ pub(crate) fn response(
 }
 
 /// The outputs over a whole grid of two numbers; none unless both have at least two different values in increasing order.
-fn response_map(study: &Study, units: &StudyUnits, rows: &[Row]) -> Option<ResponseMap> {
+fn response_map(
+    name: &str,
+    study: &Study,
+    units: &StudyUnits,
+    rows: &[Row],
+) -> Option<ResponseMap> {
     let values = |index: usize| match &study.variables()[index].variation {
         Variation::Values(values) if study.design() == Design::Grid => {
             let numbers: Vec<f64> = values.iter().filter_map(Input::number).collect();
@@ -301,13 +308,16 @@ fn response_map(study: &Study, units: &StudyUnits, rows: &[Row]) -> Option<Respo
     let (inputs, outputs) = scaled(study, units);
     let label = |index: usize| inputs[index].name.clone();
     let surface = |(index, output): (usize, &Scaled)| ResponseSurface {
-        label: output.name.clone(),
+        label: words(&output.name),
         values: rows.iter().map(|row| row.outputs[index] * output.factor).collect(),
     };
     let along = along.into_iter().map(|value| value * inputs[1].factor).collect();
     let up = up.into_iter().map(|value| value * inputs[0].factor).collect();
     Some(ResponseMap {
-        title: "Response".to_owned(),
+        title: titled(
+            name,
+            &format!("response to {} and {}", study.variables()[0].key, study.variables()[1].key),
+        ),
         labels: [label(1), label(0)],
         values: [along, up],
         // What is the same everywhere, such as a prescribed value, has no map.
@@ -316,17 +326,30 @@ fn response_map(study: &Study, units: &StudyUnits, rows: &[Row]) -> Option<Respo
     .filter(|map| !map.surfaces.is_empty())
 }
 
+/// The name of the file and what is drawn.
+fn titled(name: &str, what: &str) -> String {
+    match heading(name) {
+        Some(name) => format!("{name}: {what}"),
+        None => what.to_owned(),
+    }
+}
+
+/// The name of an output as words.
+fn words(name: &str) -> String {
+    name.replace('_', " ")
+}
+
 fn is_varied(surface: &ResponseSurface) -> bool {
     surface.values.iter().any(|value| *value != surface.values[0])
 }
 
-fn tornado(study: &Study, indices: &Indices) -> TornadoPlot {
+fn tornado(name: &str, study: &Study, indices: &Indices) -> TornadoPlot {
     let bars = |(index, output): (usize, &Output)| Bars {
-        name: output.name.to_owned(),
+        name: words(output.name),
         shares: indices.of(index).map(|found| [found.first, found.total]).collect(),
     };
     TornadoPlot {
-        title: "Which value matters".to_owned(),
+        title: titled(name, "which value matters"),
         notes: vec![format!("Sobol's indices from {} groups: estimates", indices.groups())],
         names: study.variables().iter().map(|variable| variable.key.clone()).collect(),
         outputs: study.outputs().iter().enumerate().map(bars).collect(),

@@ -150,7 +150,7 @@ impl Layout {
             let longest = cells
                 .by_ref()
                 .chain(heads.get(index).copied())
-                .map(|cell| cell.content())
+                .map(Cell::content)
                 .map(|content| longest_word(&content))
                 .fold(0, usize::max);
             self.least[index] = self.least[index].max(longest as u16);

@@ -84,11 +84,12 @@ impl Response {
     /// None where the connection was ended without one.
     pub(crate) fn read(input: &mut impl BufRead) -> Option<Self> {
         let mut line = String::new();
-        match input.read_line(&mut line) {
-            Ok(0) => return None,
-            Ok(_) => {}
-            Err(error) if error.kind() == ErrorKind::ConnectionReset => return None,
-            Err(error) => panic!("{error}"),
+        let read = input.read_line(&mut line);
+        if matches!(&read, Err(error) if error.kind() == ErrorKind::ConnectionReset) {
+            return None;
+        }
+        if read.unwrap() == 0 {
+            return None;
         }
         let status = line.split(' ').nth(1).unwrap().parse().unwrap();
         let mut headers = Vec::new();

@@ -44,7 +44,7 @@ pub(super) fn read(field: &Field<'_>, frame: &Frame, folder: &Path) -> Result<Pr
         .levelled(over, &options)
         .filtered(&options, &name)
         .map_err(|error| csv.error(error))?;
-    treated.profile(&name).map_err(|error| csv.error(error))
+    Profile::from_trace(treated, &name).map_err(|error| csv.error(error))
 }
 
 /// The options of a trace; lengths are numbers in a dimensionless problem.

@@ -35,7 +35,19 @@ pub fn read_csv(
         ..TraceOptions::default()
     };
     let trace = Trace::read(content, file_name, &options)?.arranged(&options);
-    trace.covering(cover, file_name)?.profile(file_name)
+    Profile::from_trace(trace.covering(cover, file_name)?, file_name)
+}
+
+impl Profile {
+    /// The cubic spline through a trace; `name` is for messages.
+    ///
+    /// # Errors
+    /// [`FileError`] for values that are not finite, as sums of huge ones may be.
+    pub fn from_trace(trace: Trace, name: &str) -> Result<Self, FileError> {
+        let (positions, heights) = trace.into_points();
+        Self::from_points(positions, heights)
+            .map_err(|error| FileError::new(error.to_string()).in_file(Some(name)))
+    }
 }
 
 #[cfg(test)]

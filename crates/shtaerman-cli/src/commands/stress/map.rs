@@ -20,6 +20,7 @@ pub(in crate::commands) fn plot(
     peaks: &[Peak; 2],
     shown: &Shown,
 ) -> MapPlot {
+    let peaks = &peaks.map(|peak| within(peak, field, grid));
     let values = grid.values(component);
     let largest = |along: &[f64]| along.iter().fold(0.0f64, |most, value| most.max(value.abs()));
     let limits = limits(&values);
@@ -88,6 +89,17 @@ fn capitalised(text: &str) -> String {
         Some(first) if !text.starts_with("von ") => first.to_uppercase().chain(letters).collect(),
         _ => text.replacen("von", "Von", 1),
     }
+}
+
+/// A peak of a periodic pressure, in the period that is shown.
+fn within(peak: Peak, field: &StressField, grid: &Stresses) -> Peak {
+    let (Some(period), Some(first), Some(last)) = (field.period(), grid.x.first(), grid.x.last())
+    else {
+        return peak;
+    };
+    let middle = first.midpoint(*last);
+    let periods = ((middle - peak.x) / period).round();
+    Peak { x: peak.x + periods * period, ..peak }
 }
 
 /// The peak that belongs to a component, with its share of the equivalent stress.

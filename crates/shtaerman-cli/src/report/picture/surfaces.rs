@@ -67,7 +67,7 @@ impl Surfaces {
         if !is_wave {
             let edges = lines.pieces.iter().flatten().copied();
             let edges: Vec<f64> = edges.collect();
-            lines.edges = lines.shifted(edges.into_iter());
+            lines.edges = lines.shifted(&edges);
         }
         let found = lines.found(contact, places, window);
         let shown = found.iter().filter(|at| is_in(window, at.x)).copied().collect::<Vec<_>>();
@@ -99,7 +99,7 @@ impl Surfaces {
         let is_edge = |x: &f64| self.pieces.iter().flatten().any(|edge| edge == x);
         let ends: Vec<f64> =
             contact.zones().into_iter().flatten().filter(|x| !is_edge(x)).collect();
-        self.shifted(ends.into_iter())
+        self.shifted(&ends)
     }
 
     /// The ends of what is drawn.
@@ -119,8 +119,8 @@ impl Surfaces {
         (left - slack..=right + slack).contains(&x)
     }
 
-    fn shifted(&self, places: impl Iterator<Item = f64> + Clone) -> Vec<f64> {
-        let shifted = self.shifts.iter().flat_map(|shift| places.clone().map(move |x| x + shift));
+    fn shifted(&self, places: &[f64]) -> Vec<f64> {
+        let shifted = self.shifts.iter().flat_map(|shift| places.iter().map(move |x| x + shift));
         shifted.filter(|x| self.is_within(*x)).collect()
     }
 

@@ -5,7 +5,6 @@ mod level;
 
 use shtaerman_input::columns::{Columns, Dialect, Row, Separator, Sheet};
 
-use super::Profile;
 use crate::document::FileError;
 
 /// Where a trace lies under the punch.
@@ -193,13 +192,9 @@ impl Trace {
         Ok(Self { positions, heights, ..self })
     }
 
-    /// The spline through the points.
-    ///
-    /// # Errors
-    /// [`FileError`] for values that are not finite, as sums of huge ones may be.
-    pub fn profile(self, name: &str) -> Result<Profile, FileError> {
-        Profile::from_points(self.positions, self.heights)
-            .map_err(|error| FileError::new(error.to_string()).in_file(Some(name)))
+    /// The points.
+    pub(crate) fn into_points(self) -> (Vec<f64>, Vec<f64>) {
+        (self.positions, self.heights)
     }
 
     /// Positions (m), increasing.
