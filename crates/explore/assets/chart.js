@@ -165,7 +165,7 @@ export class Chart {
   }
 }
 
-function shown(value) {
+export function shown(value) {
   const size = Math.abs(value);
   if (size !== 0 && (size >= 1e6 || size < 1e-4)) {
     const power = Math.floor(Math.log10(size) + 1e-12);

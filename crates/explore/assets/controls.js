@@ -163,7 +163,7 @@ export class Slider {
     const id = unique("s");
     this.output = html("output", { for: id }, "");
     this.input = html("input", { type: "range", id, min: 0, max: STEPS, step: 1 });
-    this.element = html("div", { class: "slide" }, html("label", { for: id }, label, " ", this.output), this.input);
+    this.element = html("div", { class: "slide" }, html("label", { for: id }, label, " = ", this.output), this.input);
     const show = () => {
       const text = quantity(this.value, kind);
       this.output.textContent = text;

@@ -1,7 +1,8 @@
 // Asks the program: over HTTP, or in a worker of the browser where the page has no server.
 
-/** How long a question may be under way before a newer one ends it, in milliseconds. */
+/** How long a question may be under way before a newer one ends it, in milliseconds; and one that is asked while nothing moves, such as an audit. */
 const PATIENCE = 1500;
+const PATIENCE_AT_REST = 60;
 
 let transport = overHttp;
 
@@ -38,9 +39,11 @@ export class Latest {
   #running = null;
   #next = null;
 
-  constructor(operation, answered) {
-    this.operation = operation;
-    this.answered = answered;
+  /** `isAtRest` tells by the note of a question whether it is one for which what moves does not wait. */
+  constructor(operation, answered, isAtRest = () => false) {
+    Object.assign(this, { operation, answered, isAtRest });
+    /** How long the last answer took, in milliseconds. */
+    this.took = 0;
   }
 
   get isBusy() {
@@ -49,18 +52,20 @@ export class Latest {
 
   ask(question, note) {
     this.#next = { question, note };
-    if (!this.#running) this.#begin();
-    else if (performance.now() - this.#running.since > PATIENCE) this.#running.abort.abort();
-    else if (!this.#running.timer) {
-      const running = this.#running;
-      running.timer = setTimeout(() => this.#next && running.abort.abort(), PATIENCE - (performance.now() - running.since));
+    const running = this.#running;
+    if (!running) {
+      this.#begin();
+      return;
     }
+    const left = (this.isAtRest(running.note) ? PATIENCE_AT_REST : PATIENCE) - (performance.now() - running.since);
+    if (left <= 0) running.abort.abort();
+    else if (!running.timer) running.timer = setTimeout(() => this.#next && running.abort.abort(), left);
   }
 
   async #begin() {
     const { question, note } = this.#next;
     this.#next = null;
-    const running = { since: performance.now(), abort: new AbortController(), timer: 0 };
+    const running = { note, since: performance.now(), abort: new AbortController(), timer: 0 };
     this.#running = running;
     let answer = null;
     try {
@@ -69,6 +74,7 @@ export class Latest {
       // Ended for a newer question.
     }
     clearTimeout(running.timer);
+    this.took = performance.now() - running.since;
     this.#running = null;
     const isLast = this.#next === null;
     if (!isLast) this.#begin();

@@ -23,7 +23,7 @@ const RANGES = {
 };
 /** Where a kernel takes a parameter in another range. */
 const OTHERS = { macdonald: { mu: { scale: "linear", min: -0.45, max: 0.45, value: 0.2 } }, "weber-sonine": { mu: { scale: "linear", min: 0, max: 4, value: 0 } } };
-const SYMBOLS = { a: "a", b: "b", alpha: "α", mu: "μ", kappa: "κ", gamma: "γ", chi0: "χ₀", m: "m" };
+const SYMBOLS = { a: "a", b: "b/a", alpha: "α", mu: "μ", kappa: "κ", gamma: "γ", chi0: "χ₀", m: "m" };
 const PHYSICAL = {
   log: "strip punch, plane strain",
   "log-ratio": "odd loads on two strips",
@@ -86,13 +86,13 @@ function build() {
   const sliders = family.parameters.map(({ name, is_whole: isWhole, range }) => {
     const slider = new Slider({
       label: SYMBOLS[name] ?? name,
-      value: values[name],
+      value: name === "b" ? values.b / values.a : values[name],
       range: rangeOf(family, name),
       isWhole,
       moved: (value) => {
-        // The inner end stays inside the outer one.
+        // The inner end stays at its share of the outer one.
+        if (name === "a" && "b" in values) values.b *= value / values.a;
         values[name] = name === "b" ? value * values.a : value;
-        if (name === "a" && "b" in values) values.b = Math.min(values.b, 0.98 * value);
         askKernel();
       },
     });

@@ -18,7 +18,7 @@ import "./theme.js";
 const REST = 180;
 
 let begun = null;
-const solve = new Latest("solve", answered);
+const solve = new Latest("solve", answered, (isAudited) => isAudited);
 const audit = settled(() => askFor(true), REST);
 
 const isDrawn = () => state.drawn && state.get(`${state.punch}.profile.csv`) === "drawn.csv";

@@ -1,12 +1,14 @@
 // Stresses below the surface, as bands of colour.
 
 import { byId, html, show, svg } from "./dom.js";
-import { legend } from "./chart.js";
+import { legend, shown as number } from "./chart.js";
 import { Latest } from "./engine.js";
 import { state } from "./state.js";
 import { axisUnit, digits, ticks } from "./units.js";
 
-const COARSE = [61, 31];
+/** Points of the map while something moves: as many as come in the time, in milliseconds, that a redraw may take. */
+const COARSE = [[61, 31], [41, 21], [25, 13]];
+const IN_TIME = 45;
 const FINE = [161, 81];
 const BANDS = 14;
 const LEFT = 62;
@@ -25,7 +27,8 @@ const component = byId("component");
 const canvas = html("canvas", { "aria-hidden": "true" });
 const picture = svg("svg", { role: "img", "aria-label": "Stress below the surface" });
 host.append(canvas, picture);
-const latest = new Latest("map", answered);
+const latest = new Latest("map", answered, (isMoving) => !isMoving);
+let coarseness = 0;
 let shown = null;
 
 component.addEventListener("change", () => askMap(false));
@@ -41,7 +44,7 @@ export function askMap(isMoving, isWanted = true) {
     return;
   }
   show(byId("map-ratio-field"), state.isDimensionless);
-  const question = { ...state.question(), component: component.value, points: isMoving ? COARSE : FINE, peaks: !isMoving };
+  const question = { ...state.question(), component: component.value, points: isMoving ? COARSE[coarseness] : FINE, peaks: !isMoving };
   const stated = Number(ratio.value);
   if (state.isDimensionless && Number.isFinite(stated)) question.poisson_ratio = stated;
   card.setAttribute("aria-busy", "true");
@@ -51,6 +54,7 @@ export function askMap(isMoving, isWanted = true) {
 /** Another problem: what is shown is not its map. */
 export function forgetMap() {
   shown = null;
+  coarseness = 0;
   canvas.hidden = true;
   picture.replaceChildren();
   byId("map-legend").replaceChildren();
@@ -67,6 +71,9 @@ function answered(answer, isMoving, isLast) {
   }
   shown = answer;
   draw(answer);
+  if (isMoving && latest.took > IN_TIME) coarseness = Math.min(coarseness + 1, COARSE.length - 1);
+  else if (isMoving && latest.took < IN_TIME / 3) coarseness = Math.max(coarseness - 1, 0);
+  document.dispatchEvent(new CustomEvent("mapped", { detail: { isMoving, isLast } }));
 }
 
 function draw(map) {
@@ -88,10 +95,10 @@ function draw(map) {
   const py = (y) => TOP + (y / depth) * tall;
   const parts = [svg("rect", { class: "frame", x: LEFT, y: TOP, width: inner, height: tall })];
   for (const at of ticks(x0 * length.factor, x1 * length.factor, Math.max(3, inner / 80))) {
-    parts.push(svg("text", { x: px(at / length.factor), y: TOP + tall + 16, "text-anchor": "middle" }, digits(at, 5)));
+    parts.push(svg("text", { x: px(at / length.factor), y: TOP + tall + 16, "text-anchor": "middle" }, number(at)));
   }
   for (const at of ticks(0, depth * length.factor, Math.max(2, tall / 45))) {
-    parts.push(svg("text", { x: LEFT - 8, y: py(at / length.factor) + 4, "text-anchor": "end" }, digits(at, 5)));
+    parts.push(svg("text", { x: LEFT - 8, y: py(at / length.factor) + 4, "text-anchor": "end" }, number(at)));
   }
   parts.push(svg("text", { x: LEFT + inner / 2, y: height - 6, "text-anchor": "middle" }, map.is_physical ? `x [${length.label}]` : "ξ = x/a"));
   parts.push(svg("text", { x: 13, y: TOP + tall / 2, "text-anchor": "middle", transform: `rotate(-90 13 ${TOP + tall / 2})` }, map.is_physical ? `depth [${length.label}]` : "depth/a"));
@@ -184,7 +191,7 @@ function bar(levels, colour, { x, tall, label }) {
   });
   const every = Math.max(1, Math.ceil(levels.length / Math.max(2, tall / 24)));
   levels.forEach((level, i) => {
-    if (i % every === 0) parts.push(svg("text", { x: x + 19, y: TOP + 16 + (bands - i) * each + 4 }, digits(level, 4)));
+    if (i % every === 0) parts.push(svg("text", { x: x + 19, y: TOP + 16 + (bands - i) * each + 4 }, number(level)));
   });
   return parts;
 }

@@ -144,7 +144,7 @@ function build() {
   const options = keys().map((key) => [key, named(key)]);
   form.replaceChildren(
     group(0, "Vary", chosen.first, options),
-    group(1, "and, if you like,", chosen.second, [["", "nothing else"], ...options.filter(([key]) => key !== chosen.first)]),
+    group(1, "and with it", chosen.second, [["", "nothing else"], ...options.filter(([key]) => key !== chosen.first)]),
     html(
       "fieldset",
       { class: "group" },
@@ -223,19 +223,29 @@ function curves() {
   return all;
 }
 
+/** The unit of a column: the one that the file chose, or one that suits its values. */
+function unitOf(key, values) {
+  const numbers = values.filter((one) => typeof one === "number" && Number.isFinite(one));
+  return found.units?.[key] ?? axisUnit(Math.max(0, ...numbers.map(Math.abs)), kindOf(key));
+}
+
+/** A value in words, in the unit that the file chose, else with a prefix of its own. */
+function said(key, value, count) {
+  const unit = found.units?.[key];
+  return unit ? `${digits(value * unit.factor, count)} ${unit.label}`.trim() : quantity(value, kindOf(key), count);
+}
+
 function draw() {
   const all = curves();
-  const xKind = kindOf(chosen.first);
-  const yKind = kindOf(chosen.output);
   const points = [...all.values()].flat();
   const xs = points.map(([x]) => x);
   if (xs.length === 0) return;
   const isLog = valuesOf(0, chosen.first).scale === "log" && Math.min(...xs) > 0;
-  const xUnit = axisUnit(Math.max(...xs.map(Math.abs)), xKind);
+  const xUnit = unitOf(chosen.first, xs);
   const values = points.map(([, y]) => y ?? NaN);
-  const yUnit = axisUnit(Math.max(0, ...values.filter(Number.isFinite).map(Math.abs)), yKind);
+  const yUnit = unitOf(chosen.output, values);
   const y = ends(values.map((one) => one * yUnit.factor), { zero: false });
-  const named_ = (value) => (chosen.second ? (typeof value === "number" ? quantity(value, kindOf(chosen.second)) : String(value)) : named(chosen.output));
+  const named_ = (value) => (chosen.second ? (typeof value === "number" ? said(chosen.second, value, 3) : String(value)) : named(chosen.output));
   const layers = [];
   const names = [];
   let index = 0;
@@ -257,11 +267,11 @@ function draw() {
     xLabel: label(named(chosen.first), xUnit),
     yLabel: label(chosen.output.replaceAll("_", " "), yUnit),
     layers,
-    description: `${named(chosen.output)} over ${named(chosen.first)}: from ${quantity(Math.min(...values.filter(Number.isFinite)), yKind)} to ${quantity(Math.max(...values.filter(Number.isFinite)), yKind)}`,
+    description: `${named(chosen.output)} over ${named(chosen.first)}: from ${said(chosen.output, Math.min(...values.filter(Number.isFinite)), 3)} to ${said(chosen.output, Math.max(...values.filter(Number.isFinite)), 3)}`,
     readings: (at) => {
       const read = [...all].map(([value, curve]) => [value, between(curve.map(([x]) => x * xUnit.factor), curve.map(([, one]) => (one ?? NaN) * yUnit.factor), at)]);
-      const told = read.filter(([, one]) => Number.isFinite(one)).map(([value, one]) => `${chosen.second ? `${named_(value)}: ` : ""}${quantity(one / yUnit.factor, yKind, 5)}`);
-      return { text: `${quantity(at / xUnit.factor, xKind, 4)}:  ${told.join("; ")}`, dots: read.map(([, one], i) => [at, one, `k${i % 8}`]) };
+      const told = read.filter(([, one]) => Number.isFinite(one)).map(([value, one]) => `${chosen.second ? `${named_(value)}: ` : ""}${said(chosen.output, one / yUnit.factor, 5)}`);
+      return { text: `${said(chosen.first, at / xUnit.factor, 4)}:  ${told.join("; ")}`, dots: read.map(([, one], i) => [at, one, `k${i % 8}`]) };
     },
   });
   legend(byId("study-legend"), names);
@@ -278,15 +288,27 @@ const label = (name, unit) => (unit.label ? `${name} [${unit.label}]` : name);
 
 function table() {
   const { columns, variables, outputs, cases } = found;
-  const names = [...variables, ...outputs.flatMap((name) => [name, `${name}_error`])].filter((name) => name in columns);
-  const head = html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "case"), names.map((name) => html("th", { scope: "col", class: "number" }, name.replaceAll("_", " ")))));
+  const shown = [
+    ...variables.filter((key) => key in columns).map((key) => column(named(key), columns[key], unitOf(key, columns[key]), 6)),
+    ...outputs.flatMap((key) => {
+      const unit = unitOf(key, columns[key]);
+      const errors = columns[`${key}_error`];
+      return [column(key.replaceAll("_", " "), columns[key], unit, 6), ...(errors ? [column("±", errors, unit, 2)] : [])];
+    }),
+  ];
+  const head = html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "case"), shown.map(({ name }) => html("th", { scope: "col", class: "number" }, name))));
   const count = Math.min(cases, MOST_ROWS);
-  const cell = (value) => html("td", { class: "number" }, typeof value === "number" ? digits(value, 6) : value ?? "none");
-  const rows = Array.from({ length: count }, (_, i) => html("tr", { title: columns.reason?.[i] || null }, html("th", { scope: "row" }, String(columns.case?.[i] ?? i)), names.map((name) => cell(columns[name][i]))));
+  const rows = Array.from({ length: count }, (_, i) => html("tr", { title: columns.reason?.[i] || null }, html("th", { scope: "row" }, String(columns.case?.[i] ?? i)), shown.map(({ cell }) => html("td", { class: "number" }, cell(i)))));
   const refused = (columns.reason ?? []).filter(Boolean);
-  const caption = html("caption", { class: "unseen" }, "The cases of the study in SI units");
+  const caption = html("caption", { class: "unseen" }, "The cases of the study, each answer with its stated error");
   byId("cases").replaceChildren(caption, head, html("tbody", {}, rows));
-  byId("study-command").textContent = `${cases} cases, SI units${refused.length ? `; ${refused.length} refused, the first: ${refused[0]}` : ""}. The same: shtaerman sweep ${stem()}-study.toml --output ${stem()}-study`;
+  byId("study-command").textContent = `${cases} cases${refused.length ? `; ${refused.length} refused, the first: ${refused[0]}` : ""}. The same, in SI units as the CSV is: shtaerman sweep ${stem()}-study.toml --output ${stem()}-study`;
+}
+
+/** A column of the table: its name with the unit, and what stands in a row. */
+function column(name, values, unit, count) {
+  const cell = (i) => (typeof values[i] === "number" ? digits(values[i] * unit.factor, count) : values[i] ?? "none");
+  return { name: label(name, unit), cell };
 }
 
 const stem = () => state.name.replace(/\.toml$/, "");

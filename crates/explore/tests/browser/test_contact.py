@@ -228,6 +228,19 @@ def test_units_of_ones_own(watched: Watched) -> None:
     watched.settle()
     assert watched.card("peak_pressure")[0] == "18.2087 ksi"
     assert 'units = "inch"' in watched.toml()
+    # The study has them, too; its CSV stays in SI units.
+    watched.page.click("#tab-study")
+    watched.page.locator("#cases tbody tr").first.wait_for()
+    names = watched.page.locator("#cases thead th").all_inner_texts()
+    cells = watched.page.locator("#cases tbody tr").first.locator("th, td").all_inner_texts()
+    row = dict(zip(names, cells, strict=True))
+    with watched.page.expect_download() as told:
+        watched.page.click("#save-cases")
+    lines = Path(told.value.path()).read_text().splitlines()
+    si = dict(zip(lines[0].split(","), lines[1].split(","), strict=True))
+    for name, key, unit in (("peak pressure [psi]", "peak_pressure", 6894.757293168), ("force [lbf/in]", "load.force", 175.1268352)):
+        assert abs(float(row[name]) * unit / float(si[key]) - 1) < 1e-5, name
+    assert "peak pressure [psi]" in watched.page.inner_html("#study-chart")
 
 
 def test_a_hostile_profile_is_ended_in_time(context: BrowserContext, tmp_path: Path) -> None:

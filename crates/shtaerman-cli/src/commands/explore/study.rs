@@ -1,7 +1,7 @@
 //! Cases of a study for the page.
 
 use serde::Deserialize;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 use super::asked::Asked;
 use crate::Failure;
@@ -34,12 +34,22 @@ pub(super) fn told(asked: &AskedStudy) -> Result<Value, Failure> {
     let rows = study.solve(from..end);
     let variables: Vec<&str> = study.variables().iter().map(|one| one.key.as_str()).collect();
     let outputs: Vec<&str> = study.outputs().iter().map(|output| output.name).collect();
+    let chosen = report::StudyUnits::new(&study, &[])?;
+    let units: Map<String, Value> = variables
+        .iter()
+        .chain(&outputs)
+        .filter_map(|name| {
+            let unit = chosen.chosen(name)?;
+            Some(((*name).to_owned(), json!({ "factor": unit.factor, "label": unit.label })))
+        })
+        .collect();
     Ok(json!({
         "cases": cases,
         "from": from,
         "to": end,
         "variables": variables,
         "outputs": outputs,
+        "units": units,
         "columns": report::columns(&study, &rows),
         "is_dimensionless": study.is_dimensionless(),
     }))

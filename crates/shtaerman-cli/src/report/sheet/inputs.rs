@@ -11,6 +11,8 @@ use super::math::escaped;
 const LONGEST: usize = 90;
 /// Most values of a list that are shown.
 const MOST_ITEMS: usize = 8;
+/// From here on a number is shown with a power of ten.
+const LONG: f64 = 1e7;
 
 /// An input: its key, what was given, what that is in SI units, and where it stands.
 #[derive(Debug, Clone, PartialEq)]
@@ -124,7 +126,9 @@ fn si(value: &Value, key: &str, dimension: Dimension) -> String {
 fn shown(value: f64, dimension: Dimension) -> String {
     let unit = dimension.unit();
     let separator = if unit.is_empty() { "" } else { " " };
-    format!("{}{separator}{unit}", plain(value))
+    // Nobody counts eleven zeros.
+    let number = if value.abs() >= LONG { format!("{value:e}") } else { plain(value) };
+    format!("{number}{separator}{unit}")
 }
 
 /// The dimension of a bare number, by its key.
@@ -186,7 +190,7 @@ mod tests {
         // 29e6 psi are 29e6 times 6894.757293168362 Pa.
         assert_eq!(
             told("foundation.young_modulus"),
-            ("29e6 psi", "199947961501.88248 Pa", "line 2")
+            ("29e6 psi", "1.9994796150188248e11 Pa", "line 2")
         );
         assert_eq!(told("foundation.roughness"), ("0", "0 m/Pa", "line 3"));
         assert_eq!(told("punch.half_width"), ("0.005", "0.005 m", "line 5"));
