@@ -39,11 +39,14 @@ export function showAnswer(answer) {
   byId("cards").replaceChildren(...cards.map((key) => card(answer.cards.find((one) => one.key === key))));
   say(answer.words);
   const { warnings } = answer.answer;
-  byId("warnings").replaceChildren(...warnings.map((warning) => html("li", { "data-code": warning.code }, warning.message)));
-  show(byId("warnings"), warnings.length > 0);
+  // An error a little above what was aimed at is stated with the answer: it belongs to the notes.
+  const doubts = warnings.filter(({ code }) => code !== "tolerance_not_met");
+  byId("warnings").replaceChildren(...doubts.map((warning) => html("li", { "data-code": warning.code }, warning.message)));
+  show(byId("warnings"), doubts.length > 0);
   const rows = answer.table.map(([name, shown, note]) => html("tr", {}, html("th", { scope: "row" }, name), html("td", {}, html("strong", {}, shown)), html("td", { class: "note" }, note)));
   byId("table").tBodies[0].replaceChildren(...rows);
-  const notes = answer.notes.split("\n").filter(Boolean).map((line) => {
+  const short = warnings.filter((warning) => !doubts.includes(warning)).map(({ message }) => `accuracy: ${message}`);
+  const notes = [...answer.notes.split("\n").filter(Boolean), ...short].map((line) => {
     const at = line.indexOf(": ");
     return html("div", {}, html("dt", {}, `${line.slice(0, at)}:`), html("dd", {}, line.slice(at + 2)));
   });
@@ -62,7 +65,7 @@ export function showTrouble(fault, isTold) {
     return;
   }
   const [first, ...rest] = fault.message.split("\n");
-  const parts = [html("p", {}, isTold ? `${fault.what}${fault.help ? `; ${fault.help}` : ""}` : first)];
+  const parts = [html("p", {}, isTold ? `${fault.field ? `${fault.field}: ` : ""}${fault.what}${fault.help ? `; ${fault.help}` : ""}` : first)];
   // The place in the file is told where no control shows it.
   if (!isTold && rest.length) parts.push(html("pre", {}, rest.join("\n")));
   place.replaceChildren(...parts);

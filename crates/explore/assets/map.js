@@ -103,7 +103,10 @@ function draw(map) {
   parts.push(svg("text", { x: LEFT + inner / 2, y: height - 6, "text-anchor": "middle" }, map.is_physical ? `x [${length.label}]` : "ξ = x/a"));
   parts.push(svg("text", { x: 13, y: TOP + tall / 2, "text-anchor": "middle", transform: `rotate(-90 13 ${TOP + tall / 2})` }, map.is_physical ? `depth [${length.label}]` : "depth/a"));
   for (const [from, to] of map.zones) parts.push(svg("path", { class: "touch", d: `M${px(Math.max(from, x0))} ${TOP - 2}H${px(Math.min(to, x1))}` }));
-  parts.push(...bar(levels, colour, { x: LEFT + inner + 12, tall, label: map.is_physical ? `[${unit.label}]` : "/E" }));
+  // What lies beyond the ends of the bar has the colour of the last band: an arrow says so.
+  const reach = [Math.min(...map.values), Math.max(...map.values)].map((one) => one * unit.factor);
+  const beyond = [reach[0] < levels[0] - 1e-9 * (levels.at(-1) - levels[0]), reach[1] > levels.at(-1) + 1e-9 * (levels.at(-1) - levels[0])];
+  parts.push(...bar(levels, colour, beyond, { x: LEFT + inner + 12, tall, label: map.is_physical ? `[${unit.label}]` : "/E" }));
   const peak = component.value === "von-mises" ? map.von_mises : component.value === "max-shear" ? map.max_shear : null;
   if (peak && peak.x >= x0 && peak.x <= x1 && peak.depth <= depth) {
     const cross = `M${px(peak.x) - 6} ${py(peak.depth)}h12m-6 -6v12`;
@@ -182,16 +185,22 @@ function paint(map, { inner, tall, factor, colour }) {
   context.putImageData(image, 0, 0);
 }
 
-function bar(levels, colour, { x, tall, label }) {
+function bar(levels, colour, beyond, { x, tall, label }) {
   const bands = colour.colours.length;
-  const each = (tall - 16) / bands;
+  const above = beyond[1] ? 9 : 0;
+  const top = TOP + 16 + above;
+  const each = (tall - 16 - above - (beyond[0] ? 9 : 0)) / bands;
   const parts = [svg("text", { x, y: TOP + 8 }, label)];
   colour.colours.forEach(([r, g, b], band) => {
-    parts.push(svg("rect", { x, y: TOP + 16 + (bands - 1 - band) * each, width: 14, height: each + 0.5, fill: `rgb(${r} ${g} ${b})` }));
+    parts.push(svg("rect", { x, y: top + (bands - 1 - band) * each, width: 14, height: each + 0.5, fill: `rgb(${r} ${g} ${b})` }));
   });
+  const arrow = ([r, g, b], from, to) => svg("path", { d: `M${x} ${from}h14L${x + 7} ${to}Z`, fill: `rgb(${r} ${g} ${b})` });
+  const bottom = top + bands * each;
+  if (beyond[1]) parts.push(arrow(colour.colours.at(-1), top, top - 9));
+  if (beyond[0]) parts.push(arrow(colour.colours[0], bottom, bottom + 9));
   const every = Math.max(1, Math.ceil(levels.length / Math.max(2, tall / 24)));
   levels.forEach((level, i) => {
-    if (i % every === 0) parts.push(svg("text", { x: x + 19, y: TOP + 16 + (bands - i) * each + 4 }, number(level)));
+    if (i % every === 0) parts.push(svg("text", { x: x + 19, y: top + (bands - i) * each + 4 }, number(level)));
   });
   return parts;
 }

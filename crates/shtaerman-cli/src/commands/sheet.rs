@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use shtaerman::Contact;
 use shtaerman::document::load_bytes;
 use shtaerman::file::ProblemFile;
+use shtaerman::{Contact, Warning, WarningCode};
 
 use super::problem_file;
 use crate::Failure;
@@ -89,8 +89,14 @@ pub(super) fn of_contact(
         Some(PICTURE),
     )?;
     let doubts = file.sense_checks(contact);
-    let warnings = contact.warnings().iter().chain(&doubts);
-    sheet.warnings(warnings.map(|warning| warning.message.as_str()));
+    // An error a little above what was aimed at is no doubt of an engineer's: it is stated with the answer.
+    let is_accuracy = |warning: &&Warning| warning.code == WarningCode::ToleranceNotMet;
+    let (accuracy, other): (Vec<_>, Vec<_>) =
+        contact.warnings().iter().chain(&doubts).partition(is_accuracy);
+    sheet.warnings(other.iter().map(|warning| warning.message.as_str()));
+    for warning in accuracy {
+        sheet.accuracy(&warning.message);
+    }
     Ok(sheet)
 }
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use crate::support::{DIMENSIONLESS, Folder, PROGRAM, UNILATERAL};
+use crate::support::{DIMENSIONLESS, Folder, PROGRAM, UNILATERAL, repository};
 
 /// The report of a command in the folder.
 fn report(folder: &Folder, arguments: &[&str]) -> String {
@@ -142,6 +142,22 @@ fn every_command_that_has_a_result_has_a_report() {
             "{arguments:?}"
         );
         std::fs::remove_file(folder.path("report.html")).unwrap();
+    }
+}
+
+#[test]
+fn an_error_above_what_was_aimed_at_is_no_doubt_of_an_engineer() {
+    for example in ["two_punches.toml", "rough_ball.toml", "crowned_punch.toml"] {
+        let folder = Folder::with(UNILATERAL);
+        std::fs::copy(repository().join("examples").join(example), folder.path(example)).unwrap();
+        let html = report(&folder, &["solve", example]);
+        assert!(html.contains("Nothing was found that an engineer would doubt"), "{example}");
+        let json = folder.run(&["solve", example, "--format", "json"]).json();
+        for warning in json["warnings"].as_array().unwrap() {
+            assert_eq!(warning["code"], "tolerance_not_met", "{example}");
+            let said = warning["message"].as_str().unwrap();
+            assert!(html.contains(&format!("<dt>accuracy</dt><dd>{said}</dd>")), "{said}");
+        }
     }
 }
 

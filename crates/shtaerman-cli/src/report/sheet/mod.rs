@@ -115,6 +115,12 @@ impl Sheet {
         }
     }
 
+    /// How far the answer is from what was aimed at: beside how sure it is, and not among the warnings.
+    pub(crate) fn accuracy(&mut self, message: &str) {
+        self.told.warnings.retain(|known| known != message);
+        self.told.sure.push(("accuracy".to_owned(), message.to_owned()));
+    }
+
     /// A picture with its caption.
     pub(crate) fn picture(
         &mut self,
