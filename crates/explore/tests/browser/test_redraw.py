@@ -13,6 +13,7 @@ TIMES = Path(os.environ["SCREENSHOTS"]).parent / "redraw.txt"
 #: What the page promises on two cores, in milliseconds.
 PROMISE = 50
 MOVES = 24
+FEW = 6
 #: Other work on the machine only adds to a time: the best of some rounds is told.
 ROUNDS = 3
 #: What takes longer to solve than the promise allows; it is measured all the same.
@@ -46,7 +47,10 @@ MEASURE = """async (moves) => {
         const mapped = hasMap ? heard('mapped', follows).then(drawn).then(() => times.map.push(performance.now() - before)) : null;
         slider.value = Number(slider.value) + (i % 8 < 4 ? 6 : -6);
         slider.dispatchEvent(new Event('input', { bubbles: true }));
-        await Promise.all([solved, mapped]);
+        // A map that takes very long is ended for a newer one.
+        const patience = new Promise((resolve) => setTimeout(resolve, 2000));
+        await solved;
+        await Promise.race([mapped, patience]);
     }
     return times;
 }"""
@@ -62,15 +66,16 @@ def test_the_answer_follows_a_slider_in_time(watched: Watched, example: str) -> 
     watched.example(example)
     best: dict[str, float] = {}
     most: dict[str, float] = {}
+    moves = FEW if example in LONGER else MOVES
     for _ in range(ROUNDS):
-        times = watched.page.evaluate(MEASURE, MOVES)
+        times = watched.page.evaluate(MEASURE, moves)
         watched.settle()
-        assert len(times["answer"]) == MOVES
+        assert len(times["answer"]) == moves
         for what, found in times.items():
             if found:
                 best[what] = min(best.get(what, float("inf")), statistics.median(found))
                 most[what] = min(most.get(what, float("inf")), max(found))
-        if max(best.values()) < PROMISE:
+        if example in LONGER or max(best.values()) < PROMISE:
             break
     told = f"programs for each processor {crowding():.1f}; " + "; ".join(f"{what}: median {best[what]:.1f} ms, largest {most[what]:.1f} ms" for what in best)
     with TIMES.open("w" if example == EXAMPLES[0] else "a") as file:
