@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Builds the package and runs all that tests it: pytest, the examples, mypy and stubtest.
+"""Builds the package and runs all that tests it: pytest, the examples, mypy and stubtest; then the tests of the page in a browser.
 
     python3 python/run_tests.py
 
@@ -96,6 +96,9 @@ def main(arguments: list[str]) -> None:
     checked = ("--config-file", HERE / "pyproject.toml", "--cache-dir", TARGET / "mypy")
     run(python, "-m", "mypy", *checked, "-p", "shtaerman")
     run(python, "-m", "mypy.stubtest", "--mypy-config-file", HERE / "pyproject.toml", "shtaerman")
+    # The page, whose snippets of Python run in this environment.
+    if not rest:
+        run(sys.executable, ROOT / "crates" / "explore" / "tests" / "browser" / "run.py", SHTAERMAN=str(program))
 
 
 if __name__ == "__main__":

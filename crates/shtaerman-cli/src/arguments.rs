@@ -1,6 +1,7 @@
 //! The arguments of the command line.
 
 mod common;
+mod explore;
 mod export;
 mod find;
 mod picture;
@@ -16,7 +17,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
-pub use common::{OutputArguments, ProblemArguments, ReportFormat};
+pub use common::{OutputArguments, ProblemArguments, ReportArguments, ReportFormat};
+pub use explore::ExploreArguments;
 pub use export::{ExportArguments, Exported, ModelUnits, Program};
 pub use find::{
     FindArguments, FindCrownArguments, FindForceArguments, FindProfileArguments,
@@ -78,6 +80,8 @@ pub enum Command {
     Spectrum(SpectrumArguments),
     /// Run a study: a problem file with some of its values varied.
     Sweep(SweepArguments),
+    /// Explore a problem on a local page in the browser.
+    Explore(ExploreArguments),
     /// Turn what is known of a rough surface into the roughness of a problem file.
     Roughness(RoughnessArguments),
     /// Write the rough layer, or the whole contact, as tables for a finite-element program.
@@ -140,7 +144,7 @@ pub struct SolveArguments {
         long,
         value_name = "KEY=VALUES",
         allow_hyphen_values = true,
-        conflicts_with_all = ["cross_check", "at", "datum_distance", "datum_depth", "surface", "sensitivities"]
+        conflicts_with_all = ["cross_check", "at", "datum_distance", "datum_depth", "surface", "sensitivities", "report"]
     )]
     pub vary: Vec<String>,
     /// What is kept of each answer of --vary, such as "settlement, tilt".
@@ -152,6 +156,9 @@ pub struct SolveArguments {
     #[command(flatten)]
     /// How the picture looks.
     pub picture: PictureArguments,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// How stresses are written.
@@ -168,7 +175,8 @@ pub enum StressFormat {
 }
 
 /// A component or an equivalent of the stress.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum StressComponent {
     /// Along the surface.
     SigmaX,
@@ -180,12 +188,15 @@ pub enum StressComponent {
     TauXy,
     /// Largest principal stress.
     #[value(name = "sigma-1")]
+    #[serde(rename = "sigma-1")]
     Sigma1,
     /// Middle principal stress.
     #[value(name = "sigma-2")]
+    #[serde(rename = "sigma-2")]
     Sigma2,
     /// Least principal stress.
     #[value(name = "sigma-3")]
+    #[serde(rename = "sigma-3")]
     Sigma3,
     /// Largest shear stress, half of tresca.
     MaxShear,
@@ -243,6 +254,9 @@ pub struct StressArguments {
     #[command(flatten)]
     /// How the picture looks.
     pub picture: PictureArguments,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// `shtaerman validate`.
@@ -340,4 +354,7 @@ pub struct EquationArguments {
     #[command(flatten)]
     /// How the picture looks.
     pub picture: PictureArguments,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }

@@ -12,6 +12,7 @@ mod output;
 pub mod plot;
 mod report;
 mod results;
+mod snippets;
 mod terminal;
 
 use std::io::Write;
@@ -22,6 +23,7 @@ use clap::Parser;
 use clap::error::ErrorKind;
 
 use arguments::Arguments;
+pub use commands::explore::PageEngine;
 use failure::Failure;
 pub use failure::{Refusal, told};
 pub use report::{ContactPicture, contact_picture, contact_plot};

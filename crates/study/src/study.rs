@@ -57,7 +57,25 @@ impl Study {
         overrides: &[String],
     ) -> Result<Self, Error> {
         let document = overridden(bytes, name, overrides, OVERRIDE)?;
+        Self::from_document(document, folder, overrides)
+    }
+
+    /// Reads a study from a document with its overrides, which are told apart from the text of the file.
+    ///
+    /// # Errors
+    /// As [`Study::from_bytes`].
+    pub fn from_document(
+        document: Document,
+        folder: &Path,
+        overrides: &[String],
+    ) -> Result<Self, Error> {
         read::study(document, folder, overrides)
+    }
+
+    /// The document of the problem that is varied, without the table `[study]`.
+    #[must_use]
+    pub fn problem(&self) -> &Document {
+        &self.problem
     }
 
     /// Number of cases.

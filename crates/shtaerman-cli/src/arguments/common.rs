@@ -26,6 +26,14 @@ pub struct OutputArguments {
     pub output: Option<PathBuf>,
 }
 
+impl OutputArguments {
+    /// Whether a table goes to the terminal.
+    #[must_use]
+    pub fn is_table(&self) -> bool {
+        self.format == ReportFormat::Table && self.output.is_none()
+    }
+}
+
 /// A problem file with overrides.
 #[derive(Debug, Args)]
 pub struct ProblemArguments {
@@ -38,4 +46,12 @@ pub struct ProblemArguments {
     /// End with exit code 3 when there is no answer after this time, such as "10 s"; `solve` shows the best so far then. In place of the key `solver.time_limit`.
     #[arg(long, value_name = "TIME")]
     pub time_limit: Option<String>,
+}
+
+/// Where a report goes.
+#[derive(Debug, Args)]
+pub struct ReportArguments {
+    /// Write a report to this file: inputs as given and in SI units, model, answer, pictures, error and audit, sense checks, and the command that repeats it (.html, or .pdf where there is a Chromium).
+    #[arg(long, value_name = "FILE")]
+    pub report: Option<PathBuf>,
 }

@@ -2,7 +2,7 @@
 
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::common::{OutputArguments, ProblemArguments};
+use super::common::{OutputArguments, ProblemArguments, ReportArguments};
 use super::units::{SenseArguments, UnitArguments};
 
 /// `shtaerman find`.
@@ -51,6 +51,9 @@ pub struct FindForceArguments {
     #[command(flatten)]
     /// What becomes of doubts.
     pub sense: SenseArguments,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// `shtaerman find roughness`.
@@ -81,6 +84,9 @@ pub struct FindRoughnessArguments {
     #[command(flatten)]
     /// What becomes of doubts.
     pub sense: SenseArguments,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// `shtaerman find crown`.
@@ -104,6 +110,9 @@ pub struct FindCrownArguments {
     #[command(flatten)]
     /// What becomes of doubts.
     pub sense: SenseArguments,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// Where the profile of `shtaerman find profile` is zero.
@@ -136,4 +145,7 @@ pub struct FindProfileArguments {
     #[command(flatten)]
     /// The units of the result.
     pub units: UnitArguments,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::common::ReportArguments;
 use super::picture::PictureArguments;
 use super::units::UnitArguments;
 use crate::results::PartFormat;
@@ -35,6 +36,9 @@ pub struct SweepArguments {
     /// Draw the outputs over the varied value, or over one of several, to this file (.svg, .png or .pdf).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
     /// Run studies of more than a million cases.
     #[arg(long)]
     pub yes: bool,

@@ -2,25 +2,30 @@
 
 use std::fmt::Write;
 
-use shtaerman::equation::{EquationAnswer, Kind, SolvedEquation};
+use shtaerman::equation::{EquationAnswer, EquationFile, Kind, SolvedEquation};
 use shtaerman::quantity::Dimension;
 
 use super::picture::Picture;
+use super::sheet::{self, ReportFile};
 use super::{places, problem_file};
 use crate::Failure;
 use crate::arguments::{EquationArguments, ReportFormat};
 use crate::failure::{self, shown};
 use crate::output::{Content, Input, Outputs, check_writable};
-use crate::plot::SolutionPlot;
-use crate::report;
+use crate::plot::{Size, SolutionPlot};
+use crate::report::{self, Sheet};
 
+/// Points of the curve, where no number is asked for.
+pub(super) const POINTS: usize = 201;
 /// Points of the plotted curve.
 const PLOT_POINTS: usize = 401;
 
 pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
     let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let input = Input { what: "the problem file", path: &arguments.file };
-    let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
+    let report_file = ReportFile::of(&arguments.report)?;
+    let report_path = report_file.as_ref().map(|report| report.path);
+    let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref(), report_path];
     check_writable(&outputs, &[input])?;
     places::check_points(arguments.points)?;
     let file = problem_file::read_equation(&arguments.file, &arguments.overrides)?;
@@ -53,6 +58,10 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
         let plot = plot(&name, &solved, &answer, window).map_err(|error| file.locate(error))?;
         picture.draw(&plot, &mut outputs)?;
     }
+    if let Some(path) = &report_file {
+        let sheet = sheet(arguments, &file, &solved, &answer)?;
+        path.add(&mut outputs, &sheet, arguments.output.is_table())?;
+    }
     outputs.write()?;
     if arguments.output.format != ReportFormat::Table || arguments.output.output.is_some() {
         for warning in solved.warnings() {
@@ -74,11 +83,30 @@ fn content<'a>(
             if let Some(path) = &arguments.plot {
                 let _ = writeln!(text, "plot: {}", shown(path));
             }
-            Content::page(&text)
+            Content::page(&text.to_string())
         }
         ReportFormat::Json => Content::json(answer),
         ReportFormat::Csv => report::equation_csv(answer),
     })
+}
+
+/// The report of a solution.
+fn sheet(
+    arguments: &EquationArguments,
+    file: &EquationFile,
+    solved: &SolvedEquation<'_>,
+    answer: &EquationAnswer<'_>,
+) -> Result<Sheet, Failure> {
+    let name = problem_file::name(&arguments.file);
+    let told = report::equation_table(&name, solved, answer, arguments.at.is_some())?;
+    let mut sheet = Sheet::new(&format!("Integral equation: {name}"), &sheet::command(), &told);
+    sheet.document(file.document());
+    sheet.options(sheet::options(&[("--at", arguments.at.as_deref())]));
+    sheet.equation(file.equation());
+    let stem = problem_file::stem(&arguments.file);
+    let plot = plot(&stem, solved, answer, None).map_err(|error| file.locate(error))?;
+    sheet.picture("The solution.", &plot, Some(Size { width: 860, height: 420 }))?;
+    Ok(sheet)
 }
 
 /// The failure of a cross-check that found more than both errors allow.
@@ -95,7 +123,7 @@ fn verdict(answer: &EquationAnswer<'_>) -> Result<(), Failure> {
     }
 }
 
-fn parse_places(text: &str, file: &shtaerman::equation::EquationFile) -> Result<Vec<f64>, Failure> {
+fn parse_places(text: &str, file: &EquationFile) -> Result<Vec<f64>, Failure> {
     places::parse(text, Dimension::NONE, &|x| {
         file.equation().place(x).map_err(|error| {
             let words = error.to_string();

@@ -3,6 +3,7 @@
 mod completions;
 mod convergence;
 mod equation;
+pub(crate) mod explore;
 mod export;
 mod find;
 mod init;
@@ -14,6 +15,7 @@ mod regularity;
 mod reproduce;
 mod roughness;
 mod schema;
+mod sheet;
 mod solve;
 mod spectrum;
 mod stress;
@@ -39,6 +41,7 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Stress(arguments) => stress::run(arguments),
         Command::Spectrum(arguments) => spectrum::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Explore(arguments) => explore::run(arguments),
         Command::Roughness(arguments) => roughness::run(arguments),
         Command::Export(arguments) => export::run(arguments),
         Command::Trace(arguments) => trace::run(arguments),

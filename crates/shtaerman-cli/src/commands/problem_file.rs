@@ -191,7 +191,8 @@ pub(super) fn solved(file: &ProblemFile, is_audited: bool) -> Result<Solved, Fai
     match problem.with_solver(solver).solve_or_best() {
         Ok(contact) if contact.is_unfinished() => {
             let best = contact.clone();
-            let audited = clock::in_time(move || best.with_audit()).filter(|_| is_audited);
+            let audit = || clock::in_time(move || best.with_audit());
+            let audited = if is_audited { audit() } else { None };
             Ok(Solved::Unfinished(audited.unwrap_or(contact), limit))
         }
         Ok(contact) if !is_audited => Ok(Solved::Answer(contact)),

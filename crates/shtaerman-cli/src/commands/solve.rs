@@ -5,15 +5,16 @@ use std::path::Path;
 
 use shtaerman::file::ProblemFile;
 use shtaerman::quantity::{Dimension, Measure, OutputUnits};
-use shtaerman::{Answer, Contact, Datum, PressureCurve, Problem, SurfaceCurve};
+use shtaerman::{Answer, Contact, Datum, PressureCurve, Problem, SurfaceCurve, Warning};
 
 use super::picture::Picture;
 use super::problem_file::Solved;
+use super::sheet::{self, ReportFile};
 use super::{places, problem_file, vary};
 use crate::arguments::{ReportFormat, SolveArguments};
 use crate::failure::{self, shown};
 use crate::output::{Content, Outputs};
-use crate::report::{ContactPicture, Shown, contact_picture};
+use crate::report::{ContactPicture, Sheet, Shown, contact_picture};
 use crate::{Failure, clock, report};
 
 /// A place this far beyond an edge, in half-widths, is the edge: units round (200 mil and 5.08 mm).
@@ -24,7 +25,9 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         return vary::run(arguments);
     }
     let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
-    let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
+    let report = ReportFile::of(&arguments.report)?;
+    let report_path = report.as_ref().map(|report| report.path);
+    let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref(), report_path];
     places::check_points(arguments.points)?;
     let file = problem_file::read(&arguments.problem, &arguments.units, &outputs)?;
     let places = arguments.at.as_deref().map(|text| parse_places(text, &file)).transpose()?;
@@ -77,6 +80,11 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         };
         picture.draw(&contact_picture(&contact, &wanted)?, &mut outputs)?;
     }
+    if let Some(report) = &report {
+        clock::answered("its report");
+        let sheet = sheet(arguments, &file, &contact, &answer)?;
+        report.add(&mut outputs, &sheet, arguments.output.is_table())?;
+    }
     outputs.write()?;
     warn(arguments, &answer);
     match &answer.cross_check {
@@ -109,11 +117,33 @@ fn text<'a>(
             if let Some(path) = plot {
                 let _ = writeln!(text, "plot: {}", shown(path));
             }
-            Content::page(&text)
+            Content::page(&text.to_string())
         }
         ReportFormat::Json => Content::json(answer),
         ReportFormat::Csv => report::answer_csv(answer, &Shown::of(contact.problem(), units)),
     }
+}
+
+/// The report of an answer.
+fn sheet(
+    arguments: &SolveArguments,
+    file: &ProblemFile,
+    contact: &Contact,
+    answer: &Answer,
+) -> Result<Sheet, Failure> {
+    let name = problem_file::name(&arguments.problem.file);
+    let with_places = arguments.at.is_some();
+    let told = report::answer_table(&name, contact, answer, file.units(), with_places);
+    let title = format!("Contact: {name}");
+    let stem = problem_file::stem(&arguments.problem.file);
+    let heads = [title.as_str(), &stem];
+    let mut sheet = sheet::of_contact(heads, &sheet::command(), &told, file, contact)?;
+    sheet.options(sheet::options(&[
+        ("--at", arguments.at.as_deref()),
+        ("--datum-distance", arguments.datum_distance.as_deref()),
+        ("--datum-depth", arguments.datum_depth.as_deref()),
+    ]));
+    Ok(sheet)
 }
 
 /// Says the warnings that the result itself does not show.
@@ -166,6 +196,21 @@ impl Extras {
         };
         Ok(Self { data, surface: arguments.surface, sensitivities })
     }
+}
+
+/// The answer where nothing is asked for beside it: as `--format json` writes it, or as the table shows it.
+pub(super) fn answer(
+    contact: &Contact,
+    curve: PressureCurve,
+    doubts: &[Warning],
+    is_for_people: bool,
+) -> Result<Answer, Failure> {
+    let sensitivities =
+        if is_for_people { Sensitivities::Left } else { Sensitivities::IfLinearised };
+    let extras = Extras { data: Vec::new(), surface: None, sensitivities };
+    let mut answer = Answer::new(contact, curve);
+    answer.warnings = [contact.warnings(), doubts].concat();
+    extended(answer, contact, &extras)
 }
 
 fn extended(answer: Answer, contact: &Contact, extras: &Extras) -> Result<Answer, Failure> {

@@ -5,15 +5,19 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
+use shtaerman::document::{load_bytes, overridden};
+use shtaerman::file::ProblemFile;
 use shtaerman_study::{Part, Row, Study, Summary};
 
 use super::picture::{Picture, Titled};
 use super::problem_file;
+use super::sheet::{self, ReportFile};
 use crate::Failure;
 use crate::arguments::SweepArguments;
 use crate::failure::{self, shown};
 use crate::output::{Content, Input, Outputs, check_writable};
-use crate::report::{self, StudyUnits};
+use crate::plot::Size;
+use crate::report::{self, Sheet, StudyUnits, Told};
 use crate::results::{Results, processors};
 
 /// Studies of more cases ask first.
@@ -30,7 +34,9 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     let shard = arguments.shard.as_deref().map_or(Ok(Shard::WHOLE), Shard::read)?;
     let study = Study::open(&arguments.file, &arguments.overrides)?;
     let input = Input { what: "the study file", path: &arguments.file };
-    check_writable(&[arguments.plot.as_deref()], &[input])?;
+    let report_file = ReportFile::of(&arguments.report)?;
+    let report_path = report_file.as_ref().map(|report| report.path);
+    check_writable(&[arguments.plot.as_deref(), report_path], &[input])?;
     let units: Vec<String> = problem_file::units_override(&arguments.units)?.into_iter().collect();
     let units = StudyUnits::new(&study, &units)?;
     check_size(&study, arguments.yes || arguments.summary)?;
@@ -52,7 +58,11 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     }
     let mut outputs = Outputs::default();
     let table = report::sweep_table(study, &units, results.manifest(), &run.report(chosen.len()));
-    outputs.result(None, Content::page(&table));
+    outputs.result(None, Content::page(&table.to_string()));
+    if let Some(report_file) = &report_file {
+        let sheet = sheet(arguments, &name, &run, &units, &table)?;
+        report_file.add(&mut outputs, &sheet, true)?;
+    }
     if let Some(picture) = picture {
         let stem = problem_file::stem(&arguments.file);
         let (figure, size) =
@@ -61,6 +71,32 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
         picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
     outputs.write()
+}
+
+/// The report of a study: that of the problem that it varies, with its response.
+fn sheet(
+    arguments: &SweepArguments,
+    name: &str,
+    run: &Run<'_>,
+    units: &StudyUnits,
+    told: &Told,
+) -> Result<Sheet, Failure> {
+    let bytes = load_bytes(&arguments.file).map_err(Failure::Usage)?;
+    let document = overridden(&bytes, name, &arguments.overrides, "study.count=100")?;
+    let mut sheet = Sheet::new(&format!("Study: {name}"), &sheet::command(), told);
+    sheet.document(&document);
+    let folder = arguments.file.parent().unwrap_or(Path::new(""));
+    // What varies may be missing in the problem itself, which then has no model of its own.
+    if let Ok(file) = ProblemFile::from_document(run.study.problem().clone(), folder) {
+        sheet.problem(file.problem());
+    }
+    // Where nothing can be drawn, the table stands alone.
+    let stem = problem_file::stem(&arguments.file);
+    let drawn = report::response(&stem, run.study, units, &run.curves, Some(&run.summary));
+    if let Ok((figure, _)) = drawn {
+        sheet.picture("The response.", &figure, Some(Size { width: 860, height: 560 }))?;
+    }
+    Ok(sheet)
 }
 
 fn threads(asked: Option<usize>) -> Result<usize, Failure> {

@@ -5,6 +5,7 @@ mod identity;
 pub(crate) mod npz;
 mod pending;
 mod prepared;
+mod printer;
 mod signals;
 
 use std::path::{Path, PathBuf};
@@ -16,6 +17,7 @@ use prepared::{Prepared, folder};
 
 pub(crate) use content::Content;
 pub(crate) use pending::interrupt;
+pub(crate) use printer::Printer;
 pub(crate) use signals::watch_signals;
 
 /// How names of temporary files begin.

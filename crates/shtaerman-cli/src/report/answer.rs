@@ -8,7 +8,7 @@ use shtaerman::{
     Quantities, Rotational, Vertical,
 };
 
-use super::{Shown, Table, significant};
+use super::{Shown, Table, Told, significant};
 use crate::output::Content;
 
 /// Significant digits of a table.
@@ -22,18 +22,37 @@ pub(crate) fn answer_table(
     answer: &Answer,
     units: &OutputUnits,
     with_places: bool,
-) -> String {
+) -> Told {
     let shown = &Shown::of(contact.problem(), units);
     let surface = match &answer.dimensionless {
         Some(_) => format!("theta0 = {}", significant(contact.theta0(), DIGITS)),
         None => "smooth surface".to_owned(),
     };
-    let mut text = format!(
+    let mut text = Told::new(format!(
         "{name}: {} contact, {surface}, {} method with n = {}\n\n",
         answer.contact, answer.method.name, answer.method.n
-    );
+    ));
+    text.table(quantities(contact, answer, shown));
+    text.push('\n');
+    text.push_str(&answer_notes(contact, answer, units));
+    text.append(super::extras(contact, answer, shown));
+    if with_places {
+        text.push('\n');
+        text.table(places(&answer.pressure, shown));
+    }
+    if !answer.warnings.is_empty() {
+        text.push('\n');
+    }
+    for warning in &answer.warnings {
+        let _ = writeln!(text, "warning: {}", warning.message);
+    }
+    text
+}
+
+/// The quantities of an answer for people: name, value, note.
+fn quantities(contact: &Contact, answer: &Answer, shown: &Shown) -> Table {
     let errors = answer.error.as_ref();
-    let table = match (&answer.physical, &answer.dimensionless) {
+    match (&answer.physical, &answer.dimensionless) {
         (Some(quantities @ Quantities { physical: Some(physical), .. }), _) => {
             let errors = errors.and_then(|error| error.physical.as_ref());
             physical_table(contact, quantities, physical, errors, shown)
@@ -43,11 +62,25 @@ pub(crate) fn answer_table(
             dimensionless_table(contact, dimensionless, errors, shown)
         }
         (_, None) => Table::new(&[""; 3]),
-    };
-    text.push_str(&table.to_string());
-    let _ = writeln!(text, "\nmethod: {}", answer.method.reason);
+    }
+}
+
+/// The rows of the table: name, value, note.
+#[must_use]
+pub(crate) fn answer_rows(
+    contact: &Contact,
+    answer: &Answer,
+    units: &OutputUnits,
+) -> Vec<Vec<String>> {
+    quantities(contact, answer, &Shown::of(contact.problem(), units)).cells()
+}
+
+/// How it was found and how sure it is, a line each.
+#[must_use]
+pub(crate) fn answer_notes(contact: &Contact, answer: &Answer, units: &OutputUnits) -> String {
+    let mut text = format!("method: {}\n", answer.method.reason);
     if let Some(error) = &answer.error {
-        text.push_str(&error_line(contact, error, shown));
+        text.push_str(&error_line(contact, error, &Shown::of(contact.problem(), units)));
     }
     if let Some(audit) = &answer.audit {
         let _ = writeln!(text, "audit ({}): {}", audit.kind, audit.reason);
@@ -62,17 +95,6 @@ pub(crate) fn answer_table(
     }
     if let Some(check) = &answer.cross_check {
         text.push_str(&cross_check_line(check));
-    }
-    text.push_str(&super::extras(contact, answer, shown));
-    if with_places {
-        text.push('\n');
-        text.push_str(&places(&answer.pressure, shown).to_string());
-    }
-    if !answer.warnings.is_empty() {
-        text.push('\n');
-    }
-    for warning in &answer.warnings {
-        let _ = writeln!(text, "warning: {}", warning.message);
     }
     text
 }

@@ -5,7 +5,7 @@ use shtaerman::{
     Answer, Contact, Datum, Derivatives, Errors, Quantities, Roughness, Sensitivities, SurfaceCurve,
 };
 
-use super::{Shown, Table, significant};
+use super::{Shown, Table, Told, significant};
 use crate::output::Content;
 
 /// Significant digits of a derivative.
@@ -13,14 +13,14 @@ const DIGITS: usize = 4;
 
 /// The tables of what was asked for, each after an empty line.
 #[must_use]
-pub(crate) fn extras(contact: &Contact, answer: &Answer, shown: &Shown) -> String {
+pub(crate) fn extras(contact: &Contact, answer: &Answer, shown: &Shown) -> Told {
     let quantities = match (&answer.physical, &answer.dimensionless) {
         (Some(physical), _) => physical,
         (None, Some(bare)) => bare,
-        (None, None) => return String::new(),
+        (None, None) => return Told::default(),
     };
     let Quantities { relative_settlement: relative, sensitivities, .. } = quantities;
-    let mut text = String::new();
+    let mut text = Told::default();
     let length = |value: f64| shown.value(value, Measure::Displacement);
     if !relative.is_empty() {
         let mut table = Table::new(&["settlement relative to", "", "which itself moves by"]);
@@ -32,11 +32,11 @@ pub(crate) fn extras(contact: &Contact, answer: &Answer, shown: &Shown) -> Strin
             table.row(vec![datum, length(relative.settlement), length(relative.displacement)]);
         }
         text.push('\n');
-        text.push_str(&table.to_string());
+        text.table(table);
     }
     if let Some(sensitivities) = sensitivities {
         text.push('\n');
-        text.push_str(&sensitivity_table(sensitivities, quantities, contact).to_string());
+        text.table(sensitivity_table(sensitivities, quantities, contact));
         text.push_str(&format!(
             "per cent for each per cent (estimate), the {} kept; what is zero has no per cent\n",
             sensitivities.held

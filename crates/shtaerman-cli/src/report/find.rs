@@ -9,7 +9,7 @@ use shtaerman::inverse::{Crown, Crowned, Found, Goal};
 use shtaerman::quantity::{Dimension, Measure, OutputUnits};
 use shtaerman::{Contact, Problem, Rotational, Roughness, Scaling, Warning};
 
-use super::{Shown, Table, significant};
+use super::{Shown, Table, Told, significant};
 use crate::output::Content;
 
 /// Version of the layout; `schema/find.schema.json` describes it.
@@ -227,7 +227,7 @@ impl FoundReport {
         self.warnings = warnings;
     }
 
-    pub(crate) fn table(&self, name: &str, found: &Found) -> String {
+    pub(crate) fn table(&self, name: &str, found: &Found) -> Told {
         let problem = found.contact.problem();
         let shown = &self.shown;
         let wanted = |value| value_of(shown, value, self.measures[1]);
@@ -236,12 +236,12 @@ impl FoundReport {
             Some(_) => ", keeping the tilt",
             None => "",
         };
-        let mut text = format!(
+        let mut text = Told::new(format!(
             "{name}: the {} for a {} of {}{kept}\n\n",
             self.unknown,
             found.goal.name(),
             wanted(self.goal.wanted)
-        );
+        ));
         let mut table = Table::new(&["", "", ""]);
         if self.unknown == "roughness" {
             let (value, note) = match problem.scaling().map(Scaling::roughness) {
@@ -254,7 +254,7 @@ impl FoundReport {
             table.row(vec!["roughness".to_owned(), value, note]);
         }
         self.contact.rows(shown, problem.gauge(), &mut table);
-        text.push_str(&table.to_string());
+        text.table(table);
         let _ = writeln!(
             text,
             "\nreached: {} by {} solves, off by {} of it",
@@ -357,10 +357,10 @@ impl CrownReport {
         }
     }
 
-    pub(crate) fn table(&self, name: &str) -> String {
+    pub(crate) fn table(&self, name: &str) -> Told {
         let shown = &self.shown;
         let pressure = |value| value_of(shown, value, Measure::Pressure);
-        let mut text = match self.limit {
+        let heading = match self.limit {
             Some(limit) => format!(
                 "{name}: the crown radii, base x^2/(2R), that keep the peak pressure at {} or below\n\n",
                 pressure(limit)
@@ -369,6 +369,7 @@ impl CrownReport {
                 format!("{name}: the crown radius, base x^2/(2R), of the lowest peak pressure\n\n")
             }
         };
+        let mut text = Told::new(heading);
         let mut table = Table::new(&["", "radius", "peak pressure", "at", "contact width"]);
         let rows = [("least", &self.least), ("lowest peak", &None), ("largest", &self.largest)];
         for (name, row) in rows {
@@ -384,7 +385,7 @@ impl CrownReport {
                 value_of(shown, contact.contact_width, Measure::Length),
             ]);
         }
-        text.push_str(&table.to_string());
+        text.table(table);
         let _ =
             writeln!(text, "\n{} solves; set is the crown of the lowest peak", self.evaluations);
         text.push_str(&set_lines(&self.set));

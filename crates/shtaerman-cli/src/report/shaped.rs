@@ -8,7 +8,7 @@ use shtaerman::inverse::Shaped;
 use shtaerman::quantity::{Measure, OutputUnits};
 
 use super::find::{SCHEMA, key, system, value_of};
-use super::{Shown, Table};
+use super::{Shown, Table, Told};
 use crate::output::Content;
 
 /// The trace of a profile, in the units of the problem.
@@ -63,12 +63,26 @@ impl ShapedReport {
         }
     }
 
-    pub(crate) fn table(&self, name: &str) -> String {
+    /// The profile and the pressure over the base: name and points of each.
+    pub(crate) fn curves(&self) -> [(String, Vec<(f64, f64)>); 2] {
+        let Trace { x, f, p } = &self.profile;
+        let over = |values: &[f64]| x.iter().copied().zip(values.iter().copied()).collect();
+        [("profile".to_owned(), over(f)), ("pressure".to_owned(), over(p))]
+    }
+
+    /// What the places of the curves are.
+    pub(crate) fn position_label(&self) -> &'static str {
+        if self.shown.is_physical { "x [m]" } else { "ξ = x/a" }
+    }
+
+    pub(crate) fn table(&self, name: &str) -> Told {
         let shown = &self.shown;
         let length = |value| value_of(shown, value, Measure::Displacement);
         let Trace { x, f, p } = &self.profile;
-        let mut text =
-            format!("{name}: the profile under which the pressure is {}\n\n", self.pressure);
+        let mut text = Told::new(format!(
+            "{name}: the profile under which the pressure is {}\n\n",
+            self.pressure
+        ));
         let mut table = Table::new(&["", "", ""]);
         let mut row = |name: &str, value: String, note: &str| {
             table.row(vec![name.to_owned(), value, note.to_owned()]);
@@ -85,7 +99,7 @@ impl ShapedReport {
         row("profile, highest", length(highest), "");
         row("profile, edges", length(f[0]), &format!("and {}", length(f[f.len() - 1])));
         let note = shown.few_digits(self.error, Measure::Displacement);
-        text.push_str(&table.to_string());
+        text.table(table);
         let _ = writeln!(text, "\nerror (estimate) of the heights, at most: {note}");
         let keys = key(shown, "punch", "profile");
         let units = if shown.is_physical && shown.units.are_chosen() {

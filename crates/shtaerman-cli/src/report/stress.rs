@@ -7,7 +7,7 @@ use serde::{Serialize, Serializer};
 use shtaerman::quantity::Measure;
 use shtaerman::{Criterion, FirstYield, Peak, Stress, StressField};
 
-use super::{Shown, Table, significant};
+use super::{Shown, Table, Told, significant};
 use crate::arguments::StressComponent;
 use crate::output::Content;
 use crate::output::npz::{Array, npz};
@@ -244,14 +244,14 @@ pub(crate) fn stress_table(
     name: &str,
     report: &StressReport<'_>,
     places: Option<&Stresses>,
-) -> String {
+) -> Told {
     let physical = report.shown.is_physical;
     let units = if physical { "" } else { "; lengths in half-widths, stresses in E" };
     let length = |value| report.shown(value, Measure::Length);
     let stress = |value| report.shown(value, Measure::Pressure);
-    let mut text = format!(
+    let mut text = Told::new(format!(
         "{name}: stresses below the contact, plane strain, tension positive, y is depth{units}\n\n"
-    );
+    ));
     let mut table = Table::new(&["", "", ""]);
     let mut row = |name: &str, value: String, note: String| {
         table.row(vec![name.to_owned(), value, note]);
@@ -277,7 +277,7 @@ pub(crate) fn stress_table(
         row(name, stress(peak.value), place(peak, &length));
     }
     row("Poisson's ratio", significant(report.poisson_ratio, 6), String::new());
-    text.push_str(&table.to_string());
+    text.table(table);
     let digits = |value: f64| report.shown.few_digits(value, Measure::Pressure);
     let _ = writeln!(
         text,
@@ -306,7 +306,7 @@ pub(crate) fn stress_table(
                 place(&peak, &length),
             ]);
         }
-        text.push_str(&table.to_string());
+        text.table(table);
     }
     if let Some(places) = places {
         text.push('\n');
@@ -317,7 +317,7 @@ pub(crate) fn stress_table(
             let values = COMPONENTS.iter().map(|(_, which)| stress(component(at, *which)));
             table.row([length(x), length(y)].into_iter().chain(values).collect());
         }
-        text.push_str(&table.to_string());
+        text.table(table);
     }
     if !report.warnings.is_empty() {
         text.push('\n');

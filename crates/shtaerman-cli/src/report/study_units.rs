@@ -1,6 +1,6 @@
 //! The units of the outputs and of the varied values of a study.
 
-use shtaerman::quantity::{Measure, OutputUnits};
+use shtaerman::quantity::{AxisUnit, Measure, OutputUnits};
 use shtaerman_study::Study;
 
 use super::Shown;
@@ -24,6 +24,12 @@ impl StudyUnits {
         let file = study.first(overrides)?;
         let units: &OutputUnits = file.units();
         Ok(Self(units.are_chosen().then(|| Shown::of(file.problem(), units))))
+    }
+
+    /// The unit of an output or a varied key, where units were chosen and it has one.
+    pub(crate) fn chosen(&self, name: &str) -> Option<AxisUnit> {
+        let shown = self.0.as_ref().filter(|shown| shown.is_physical)?;
+        measure(shown, name).map(|measure| shown.units.column(measure))
     }
 
     /// An output or a varied key.

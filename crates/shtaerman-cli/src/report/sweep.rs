@@ -6,7 +6,7 @@ use shtaerman_study::{
     Column, Design, Indices, Input, Manifest, Output, Row, Study, Summary, Variation,
 };
 
-use super::{Scaled, StudyUnits, Table, heading, significant};
+use super::{Scaled, StudyUnits, Table, Told, heading, significant};
 use crate::output::Content;
 use crate::plot::{
     Bars, Figure, Plot, ResponseCurve, ResponseMap, ResponsePlot, ResponseSurface, Size,
@@ -44,7 +44,7 @@ pub(crate) fn sweep_table(
     units: &StudyUnits,
     manifest: &Manifest,
     report: &SweepReport<'_>,
-) -> String {
+) -> Told {
     let SweepReport { summary, .. } = report;
     let design = match study.design() {
         Design::Grid => "a grid".to_owned(),
@@ -55,12 +55,12 @@ pub(crate) fn sweep_table(
         }
         Design::Random { seed, .. } => format!("random cases with seed {seed}"),
     };
-    let mut text = format!(
+    let mut text = Told::new(format!(
         "{}: {} cases, {design} over {}\n\n",
         manifest.study,
         manifest.cases,
         manifest.variables.join(", ")
-    );
+    ));
     let mut table = Table::new(&[
         "output",
         "least",
@@ -85,7 +85,8 @@ pub(crate) fn sweep_table(
             extreme.error.map_or(String::new(), |error| shown(error, ERROR_DIGITS)),
         ]);
     }
-    let _ = writeln!(text, "{table}");
+    text.table(table);
+    text.push('\n');
     let _ = writeln!(
         text,
         "parts: {} computed, {} kept, {} missing, of {}; {} cases answered, {} refused",

@@ -49,6 +49,19 @@ impl Table {
         self.inner.add_row(cells);
     }
 
+    /// The heads of its columns, where it has some.
+    #[must_use]
+    pub(crate) fn heads(&self) -> Option<Vec<String>> {
+        self.inner.header().map(|row| row.cell_iter().map(Cell::content).collect())
+    }
+
+    /// What is in its cells, row by row, without its heads.
+    #[must_use]
+    pub(crate) fn cells(&self) -> Vec<Vec<String>> {
+        let rows = self.inner.row_iter();
+        rows.map(|row| row.cell_iter().map(Cell::content).collect()).collect()
+    }
+
     /// Writes a table of any number of rows, which are made twice: for the widths of the columns, and to be written.
     ///
     /// # Errors

@@ -25,6 +25,7 @@ mod pages;
 mod pictures;
 mod places;
 mod references;
+mod report;
 mod roughness;
 mod schemas;
 mod sense;

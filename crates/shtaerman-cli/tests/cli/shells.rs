@@ -4,7 +4,7 @@ use std::process::Command;
 
 use crate::support::Folder;
 
-const COMMANDS: [&str; 17] = [
+const COMMANDS: [&str; 18] = [
     "solve",
     "find",
     "validate",
@@ -16,6 +16,7 @@ const COMMANDS: [&str; 17] = [
     "stress",
     "spectrum",
     "sweep",
+    "explore",
     "roughness",
     "export",
     "trace",

@@ -59,6 +59,12 @@ impl EquationFile {
         Ok(Self { equation, document })
     }
 
+    /// The document, overrides included.
+    #[must_use]
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
     /// The equation.
     #[must_use]
     pub fn equation(&self) -> &Equation {

@@ -87,6 +87,12 @@ impl ProblemFile {
         self.measured.as_deref()
     }
 
+    /// The document, overrides included.
+    #[must_use]
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
     /// The problem.
     #[must_use]
     pub fn problem(&self) -> &Problem {

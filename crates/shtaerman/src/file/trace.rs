@@ -1,8 +1,8 @@
 //! `profile = { csv = ".." }`: a measured trace.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use crate::document::{Field, FileError, TableReader, Value, ValueKind, load_bytes};
+use crate::document::{Field, FileError, TableReader, Value, ValueKind};
 use crate::frame::Frame;
 use crate::profile::{Column, Dialect, Place, Profile, Trace, TraceOptions};
 use crate::quantity::{self, Dimension};
@@ -15,22 +15,15 @@ const KEYS: [&str; 13] = [
     "x_shift", "centre", "level", "filter",
 ];
 
-/// The trace that a field of a problem states, with what is to be done to it.
-pub(super) struct Stated {
-    pub(super) path: PathBuf,
-    pub(super) options: TraceOptions,
-}
-
 /// The spline through the trace.
 pub(super) fn read(field: &Field<'_>, frame: &Frame, folder: &Path) -> Result<Profile, FileError> {
     let half_width = frame.half_width();
     let is_period = frame.geometry().is_wave(half_width);
     let physical = frame.scaling().is_some();
-    let Stated { path, options } = stated(field, physical, folder)?;
+    let options = stated(field, physical)?;
     let table = field.table()?;
     let csv = table.required("csv")?;
-    let name = path.display().to_string();
-    let bytes = load_bytes(&path).map_err(|message| csv.error(format!("{name} {message}")))?;
+    let (name, bytes) = csv.load(folder)?;
     let over = [-half_width, half_width];
     let options = TraceOptions { is_periodic: is_period, ..options };
     let trace = Trace::read(&bytes, &name, &options).map_err(|error| csv.error(error))?;
@@ -55,13 +48,8 @@ pub(super) fn read(field: &Field<'_>, frame: &Frame, folder: &Path) -> Result<Pr
 }
 
 /// The options of a trace; lengths are numbers in a dimensionless problem.
-pub(super) fn stated(
-    field: &Field<'_>,
-    physical: bool,
-    folder: &Path,
-) -> Result<Stated, FileError> {
+fn stated(field: &Field<'_>, physical: bool) -> Result<TraceOptions, FileError> {
     let table = field.table()?;
-    let path = folder.join(table.required("csv")?.string()?);
     let length = |field: &Field<'_>| {
         field.quantity(if physical { Dimension::LENGTH } else { Dimension::NONE })
     };
@@ -74,7 +62,7 @@ pub(super) fn stated(
         Some(field) => field.one_of(&["none", "mean-line"])? == "mean-line",
         None => false,
     };
-    let options = TraceOptions {
+    Ok(TraceOptions {
         units: Some([unit(&table, "x_unit", physical)?, unit(&table, "f_unit", physical)?]),
         dialect: dialect(&table)?,
         is_reversed: table.boolean("reverse")?.unwrap_or(false),
@@ -83,8 +71,7 @@ pub(super) fn stated(
         is_levelled,
         cutoff: cutoff(&table, &length)?,
         is_periodic: false,
-    };
-    Ok(Stated { path, options })
+    })
 }
 
 fn dialect(table: &TableReader<'_>) -> Result<Dialect, FileError> {

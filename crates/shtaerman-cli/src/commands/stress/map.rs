@@ -12,7 +12,7 @@ const PEAK: f64 = 1.6;
 const SHARE: f64 = 0.01;
 
 /// The map of a component over the grid; `peaks` are those of von Mises and Tresca.
-pub(super) fn plot(
+pub(in crate::commands) fn plot(
     problem: &str,
     component: StressComponent,
     field: &StressField,
@@ -57,7 +57,8 @@ pub(super) fn plot(
     }
 }
 
-fn name(component: StressComponent) -> &'static str {
+/// What a component is called.
+pub(in crate::commands) fn name(component: StressComponent) -> &'static str {
     match component {
         StressComponent::SigmaX => "stress σx",
         StressComponent::SigmaY => "stress σy",
@@ -145,7 +146,7 @@ fn notes(
 }
 
 /// The zones within the grid; those of a periodic pressure with their repetitions.
-fn zones(field: &StressField, grid: &Stresses) -> Vec<[f64; 2]> {
+pub(in crate::commands) fn zones(field: &StressField, grid: &Stresses) -> Vec<[f64; 2]> {
     const MOST_REPETITIONS: f64 = 200.0;
     let (Some(left), Some(right)) = (grid.x.first(), grid.x.last()) else { return Vec::new() };
     let zones = field.zones();
@@ -163,7 +164,7 @@ fn zones(field: &StressField, grid: &Stresses) -> Vec<[f64; 2]> {
 }
 
 /// The values to tell apart, without peaks at corners.
-fn limits(values: &[f64]) -> Option<(f64, f64)> {
+pub(in crate::commands) fn limits(values: &[f64]) -> Option<(f64, f64)> {
     let mut sorted: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
     let (first, last) = (*sorted.first()?, *sorted.last()?);

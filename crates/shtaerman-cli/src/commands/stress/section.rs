@@ -18,12 +18,12 @@ const REACH: f64 = 2.0;
 
 /// The dimension of lengths on the command line.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Units {
+pub(in crate::commands) struct Units {
     pub(super) is_physical: bool,
 }
 
 impl Units {
-    pub(super) fn of(problem: &Problem) -> Self {
+    pub(in crate::commands) fn of(problem: &Problem) -> Self {
         Self { is_physical: problem.scaling().is_some() }
     }
 
@@ -34,7 +34,7 @@ impl Units {
 
 /// A rectangle below the surface with a grid.
 #[derive(Debug)]
-pub(super) struct Section {
+pub(in crate::commands) struct Section {
     points: [usize; 2],
     range: Option<[f64; 2]>,
     depth: Option<f64>,
@@ -61,8 +61,13 @@ impl Section {
         Ok(Self { points, range, depth })
     }
 
+    /// The usual rectangle with this number of points.
+    pub(in crate::commands) fn usual(points: [usize; 2]) -> Self {
+        Self { points, range: None, depth: None }
+    }
+
     /// The stresses on the grid, from the surface down.
-    pub(super) fn stresses(&self, field: &StressField) -> Result<Stresses, Failure> {
+    pub(in crate::commands) fn stresses(&self, field: &StressField) -> Result<Stresses, Failure> {
         let zones = field.zones();
         let left = zones.first().map_or(-1.0, |zone| zone[0]);
         let right = zones.last().map_or(1.0, |zone| zone[1]);

@@ -8,7 +8,6 @@ use shtaerman::{Contact, Error, PressureCurve};
 
 use crate::plot::ContactPlot;
 use surfaces::Surfaces;
-pub(crate) use words::heading;
 
 /// Points of the plotted curves.
 const PLOT_POINTS: usize = 401;

@@ -4,6 +4,7 @@ use shtaerman::quantity::{Measure, OutputUnits};
 use shtaerman::{Contact, ContactKind, Geometry, Law, Roughness, Scaling};
 
 use super::ContactPicture;
+use crate::report::heading::heading;
 use crate::report::number::significant;
 
 /// Digits of a number in a title or a note.
@@ -16,13 +17,6 @@ pub(super) fn title(contact: &Contact, wanted: &ContactPicture) -> String {
         Some(name) => format!("{name}: {said}"),
         None => said,
     }
-}
-
-/// The name of a file as words.
-pub(crate) fn heading(name: &str) -> Option<String> {
-    let words = name.replace('_', " ");
-    let mut letters = words.trim().chars();
-    letters.next().map(|first| first.to_uppercase().chain(letters).collect())
 }
 
 fn load(contact: &Contact, units: &OutputUnits) -> String {
