@@ -80,8 +80,8 @@ impl Study {
     }
 
     #[getter]
-    fn outputs(&self) -> Vec<&'static str> {
-        self.0.outputs().iter().map(|output| output.name).collect()
+    fn outputs(&self) -> Vec<&str> {
+        self.0.outputs().iter().map(|output| output.name.as_str()).collect()
     }
 
     #[getter]
@@ -95,11 +95,7 @@ impl Study {
         if self.0.design() != Design::Grid {
             return None;
         }
-        let count = |variable: &shtaerman_study::Variable| match &variable.variation {
-            shtaerman_study::Variation::Values(values) => Some(values.len()),
-            shtaerman_study::Variation::Drawn(_) => None,
-        };
-        self.0.variables().iter().map(count).collect()
+        self.0.variables().iter().map(|variable| variable.variation.count()).collect()
     }
 
     /// Sobol's indices of each output for each variable, with their standard errors: first order, total. None for other designs.
@@ -203,6 +199,11 @@ impl Results {
     /// Where a part is, or will be.
     fn path(&self, number: usize) -> PyResult<PathBuf> {
         Ok(self.0.path(&part(self.0.study(), number)?))
+    }
+
+    /// Removes what runs that were killed have left of files they wrote.
+    fn sweep_out(&self) {
+        self.0.sweep_out();
     }
 
     /// The columns of a part that is there and whole.

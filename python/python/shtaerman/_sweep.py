@@ -195,6 +195,7 @@ def sweep(
         if progress is not None:
             progress(done, len(chosen))
     found._audit()
+    results.sweep_out()
     return found
 
 

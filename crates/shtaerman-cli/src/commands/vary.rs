@@ -24,7 +24,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let path = &arguments.problem.file;
     check_writable(&outputs, &[Input { what: "the problem file", path }])?;
     let study = study(arguments)?;
-    if let Some(path) = study.measured_profile()? {
+    for path in study.measured_profiles()? {
         check_writable(&outputs, &[Input { what: "the measured profile", path: &path }])?;
     }
     if study.cases() > MOST {

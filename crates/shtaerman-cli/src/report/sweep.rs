@@ -2,9 +2,7 @@
 
 use std::fmt::Write;
 
-use shtaerman_study::{
-    Column, Design, Indices, Input, Manifest, Output, Row, Study, Summary, Variation,
-};
+use shtaerman_study::{Column, Design, Indices, Manifest, Output, Row, Study, Summary};
 
 use super::{Table, significant};
 use crate::plot::{
@@ -68,7 +66,7 @@ pub(crate) fn sweep_table(study: &Study, manifest: &Manifest, report: &SweepRepo
     ]);
     for extreme in summary.extremes.iter().filter(|_| summary.answered > 0) {
         table.row(vec![
-            extreme.name.to_owned(),
+            extreme.name.clone(),
             significant(extreme.least.0, DIGITS),
             extreme.least.1.to_string(),
             significant(extreme.largest.0, DIGITS),
@@ -145,7 +143,7 @@ fn indices(study: &Study, summary: &Summary) -> String {
     for (output, index) in study.outputs().iter().zip(0..) {
         for (variable, found) in study.variables().iter().zip(indices.of(index)) {
             table.row(vec![
-                output.name.to_owned(),
+                output.name.clone(),
                 variable.key.clone(),
                 format!("{:.4}", found.first),
                 format!("{:.4}", found.first_error),
@@ -233,13 +231,13 @@ pub(crate) fn response(
 
 /// The outputs over a whole grid of two numbers; none unless both have at least two different values in increasing order.
 fn response_map(study: &Study, rows: &[Row]) -> Option<ResponseMap> {
-    let values = |index: usize| match &study.variables()[index].variation {
-        Variation::Values(values) if study.design() == Design::Grid => {
-            let numbers: Vec<f64> = values.iter().filter_map(Input::number).collect();
-            let is_increasing = numbers.len() > 1 && numbers.is_sorted_by(|a, b| a < b);
-            is_increasing.then_some(numbers)
+    let values = |index: usize| {
+        if study.design() != Design::Grid {
+            return None;
         }
-        _ => None,
+        let numbers: Vec<f64> = study.variables()[index].variation.numbers().collect();
+        let is_increasing = numbers.len() > 1 && numbers.is_sorted_by(|a, b| a < b);
+        is_increasing.then_some(numbers)
     };
     // The last variable changes fastest: it goes along.
     let (up, along) = (values(0)?, values(1)?);
@@ -265,7 +263,7 @@ fn is_varied(surface: &ResponseSurface) -> bool {
 
 fn tornado(study: &Study, indices: &Indices) -> TornadoPlot {
     let bars = |(index, output): (usize, &Output)| Bars {
-        name: output.name.to_owned(),
+        name: output.name.clone(),
         shares: indices.of(index).map(|found| [found.first, found.total]).collect(),
     };
     TornadoPlot {

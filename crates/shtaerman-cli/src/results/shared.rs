@@ -85,4 +85,9 @@ impl StudyResults {
     pub fn write(&self, part: &Part, rows: &[Row]) -> Result<(), Refusal> {
         Ok(self.0.write(part, rows)?)
     }
+
+    /// Removes what runs that were killed have left of files they wrote: temporary files that are a minute old and that no process holds.
+    pub fn sweep_out(&self) {
+        self.0.sweep_out();
+    }
 }
