@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 import subprocess
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -76,6 +77,26 @@ def test_places_stresses_and_searches_are_those_of_single_calls(tmp_path: Path, 
     for case, roughness in enumerate((1e-14, 2e-14)):
         alone = st.find("force", {**tables, "load": load}, peak_pressure="150 MPa", audit=False, roughness=roughness)
         assert arrays["found"][case] == alone.value == arrays["force"][case]
+
+
+def test_results_go_to_other_processes(tmp_path: Path) -> None:
+    found = st.sweep(EQUATION, tmp_path / "out")
+    again = pickle.loads(pickle.dumps(found))
+    assert again.folder == found.folder and again.cases == 3
+    assert all((again.arrays()[name] == values).all() for name, values in found.arrays().items())
+    assert again.audited_sample[0].keys() == found.audited_sample[0].keys()
+
+
+def test_a_client_that_does_not_wait_is_refused(tmp_path: Path) -> None:
+    class Client:
+        asynchronous = True
+
+        def map(self) -> None: ...
+
+        def cancel(self) -> None: ...
+
+    with pytest.raises(ValueError, match="is asynchronous"):
+        st.sweep(EQUATION, tmp_path / "out", client=Client())
 
 
 @pytest.mark.parametrize(

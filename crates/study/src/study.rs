@@ -13,8 +13,8 @@ use crate::find::Find;
 use crate::way::Way;
 use crate::{Design, Input, Output, Variable, Variation, read};
 
-/// Keys under which a profile is stated.
-const PROFILES: [&str; 2] = ["punch.profile", "dimensionless.profile"];
+/// Keys of the files of measured profiles.
+const PROFILES: [&str; 2] = ["punch.profile.csv", "dimensionless.profile.csv"];
 /// An override of a study, for messages.
 const OVERRIDE: &str = "study.count=100";
 
@@ -132,7 +132,7 @@ impl Study {
         let mut found: Vec<PathBuf> = of_case(&first)?.into_iter().collect();
         for (place, variable) in self.variables.iter().enumerate() {
             let Variation::Values(values) = &variable.variation else { continue };
-            if !PROFILES.iter().any(|key| variable.key.starts_with(key)) {
+            if !PROFILES.contains(&variable.key.as_str()) {
                 continue;
             }
             for value in values {

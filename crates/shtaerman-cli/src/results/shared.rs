@@ -1,9 +1,11 @@
 //! Folders of results for other programs.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use shtaerman_study::{Part, Row, Study};
 
+use super::solving::solved_unless;
 use super::{PartFormat, Results};
 use crate::failure::Refusal;
 
@@ -76,6 +78,12 @@ impl StudyResults {
     #[must_use]
     pub fn solve(&self, part: &Part, threads: usize) -> Vec<Row> {
         self.0.solve(part, threads, &|_| ())
+    }
+
+    /// The same, or none where the flag is set before all of them are: it is looked at between cases.
+    #[must_use]
+    pub fn solve_unless(&self, part: &Part, threads: usize, stop: &AtomicBool) -> Option<Vec<Row>> {
+        solved_unless(self.0.study(), part.cases.clone(), threads, &|_| (), stop)
     }
 
     /// Writes a part whole, or not at all.
