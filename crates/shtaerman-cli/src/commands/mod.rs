@@ -51,6 +51,8 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
     }
 }
 
+pub(crate) use export::exported;
+
 /// The JSON of a command that finds all from its arguments.
 pub(crate) fn json_of(command: &Command) -> Result<String, Failure> {
     match command {

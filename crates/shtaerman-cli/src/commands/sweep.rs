@@ -47,17 +47,19 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     let study = results.study();
 
     let mut run = Run::new(&results, threads);
-    let chosen: Vec<Part> = study.parts().filter(|part| shard.has(part)).collect();
-    let total: usize = chosen.iter().map(|part| part.cases.len()).sum();
-    for part in &chosen {
-        run.take(part, arguments.summary, total)?;
+    // Not kept in a list: a study may have billions of them.
+    let chosen = || study.parts().skip(shard.index).step_by(shard.count);
+    let total = shard.cases(study);
+    for part in chosen() {
+        run.take(&part, arguments.summary, total)?;
     }
     run.clear();
     if !arguments.summary {
-        run.audit_sample(&chosen);
+        run.audit_sample(shard);
+        results.sweep_out();
     }
     let mut outputs = Outputs::default();
-    let table = report::sweep_table(study, &units, results.manifest(), &run.report(chosen.len()));
+    let table = report::sweep_table(study, &units, results.manifest(), &run.report(chosen().len()));
     outputs.result(None, Content::page(&table.to_string()));
     if let Some(report_file) = &report_file {
         let sheet = sheet(arguments, &name, &run, &units, &table)?;
@@ -133,8 +135,19 @@ impl Shard {
         }
     }
 
-    fn has(&self, part: &Part) -> bool {
-        part.number % self.count == self.index
+    /// Whether the part of a case is one of them.
+    fn has(self, study: &Study, case: usize) -> bool {
+        case / study.part_size() % self.count == self.index
+    }
+
+    /// How many cases it has.
+    fn cases(self, study: &Study) -> usize {
+        let parts = study.parts().len();
+        let own = parts.saturating_sub(self.index).div_ceil(self.count);
+        let size = study.part_size();
+        // The last part may be a shorter one.
+        let has_last = parts > 0 && (parts - 1) % self.count == self.index;
+        own * size - if has_last { parts * size - study.cases() } else { 0 }
     }
 }
 
@@ -221,16 +234,15 @@ impl<'s> Run<'s> {
         }
     }
 
-    /// Audits some of the cases of these parts, chosen by the seed of the study.
-    fn audit_sample(&mut self, parts: &[Part]) {
+    /// Audits some of the cases of a shard, chosen by the seed of the study.
+    fn audit_sample(&mut self, shard: Shard) {
         if self.study.is_audited() {
             return;
         }
         let chosen = self.study.audited_sample();
-        let here = |case: usize| parts.iter().any(|part| part.cases.contains(&case));
         self.audited = chosen
             .into_iter()
-            .filter(|case| here(*case))
+            .filter(|case| shard.has(self.study, *case))
             .flat_map(|case| self.study.solve(case..case + 1))
             .map(|row| (self.study.solve_audited(row.case), row))
             .map(|(audited, row)| (row, audited))

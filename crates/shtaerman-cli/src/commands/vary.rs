@@ -25,7 +25,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let path = &arguments.problem.file;
     check_writable(&outputs, &[Input { what: "the problem file", path }])?;
     let study = study(arguments)?;
-    if let Some(path) = study.measured_profile()? {
+    for path in study.measured_profiles()? {
         check_writable(&outputs, &[Input { what: "the measured profile", path: &path }])?;
     }
     if study.cases() > MOST {
@@ -136,7 +136,7 @@ fn table(study: &Study, units: &StudyUnits, rows: &[Row]) -> String {
     let mut text = report::rows_table(study, units, rows);
     let stated = study.outputs().iter().enumerate().filter_map(|(index, output)| {
         let largest = rows.iter().filter_map(|row| row.errors[index]).reduce(f64::max)?;
-        let scaled = units.column(study, output.name);
+        let scaled = units.column(study, &output.name);
         Some(format!("{} {:.1e}", output.name, largest * scaled.factor))
     });
     let stated: Vec<String> = stated.collect();

@@ -16,12 +16,9 @@ use identity::identity;
 use prepared::{Prepared, folder};
 
 pub(crate) use content::Content;
-pub(crate) use pending::interrupt;
+pub(crate) use pending::{TEMPORARY, interrupt, sweep_out};
 pub(crate) use printer::Printer;
 pub(crate) use signals::watch_signals;
-
-/// How names of temporary files begin.
-pub(crate) const TEMPORARY: &str = ".shtaerman-";
 
 /// Everything a command writes: prepared first, then put in place together.
 #[derive(Debug, Default)]

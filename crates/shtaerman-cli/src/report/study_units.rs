@@ -1,5 +1,6 @@
 //! The units of the outputs and of the varied values of a study.
 
+use shtaerman::file::AnyFile;
 use shtaerman::quantity::{AxisUnit, Measure, OutputUnits};
 use shtaerman_study::Study;
 
@@ -21,7 +22,8 @@ impl StudyUnits {
     /// # Errors
     /// Those of the first case.
     pub(crate) fn new(study: &Study, overrides: &[String]) -> Result<Self, shtaerman::Error> {
-        let file = study.first(overrides)?;
+        // Equations have no units.
+        let AnyFile::Problem(file) = study.first(overrides)? else { return Ok(Self(None)) };
         let units: &OutputUnits = file.units();
         Ok(Self(units.are_chosen().then(|| Shown::of(file.problem(), units))))
     }
@@ -58,8 +60,10 @@ fn last(name: &str) -> &str {
 
 /// What an output or a key measures, where it has one unit.
 fn measure(shown: &Shown, name: &str) -> Option<Measure> {
+    // A function at a place, such as `pressure(2 mm)`.
+    let name = name.split_once('(').map_or(name, |(function, _)| function.trim_end());
     Some(match last(name) {
-        "settlement" => Measure::Displacement,
+        "settlement" | "displacement" => Measure::Displacement,
         "tilt" => Measure::Angle,
         "force" => shown.force(),
         "moment" => shown.moment(),
@@ -69,11 +73,23 @@ fn measure(shown: &Shown, name: &str) -> Option<Measure> {
         | "mean_pressure"
         | "mean_contact_pressure"
         | "peak_pressure"
+        | "pressure"
+        | "max_von_mises"
+        | "max_shear"
         | "young_modulus"
         | "grading_modulus"
         | "yield_stress" => Measure::Pressure,
-        "peak_pressure_at" | "contact_width" | "half_width" | "outer_half_width"
-        | "inner_half_gap" | "period" | "radius" | "eccentricity" | "thickness" => Measure::Length,
+        "peak_pressure_at"
+        | "max_von_mises_depth"
+        | "max_shear_depth"
+        | "contact_width"
+        | "half_width"
+        | "outer_half_width"
+        | "inner_half_gap"
+        | "period"
+        | "radius"
+        | "eccentricity"
+        | "thickness" => Measure::Length,
         "roughness" => Measure::Compliance,
         _ => return None,
     })

@@ -2,9 +2,7 @@
 
 use std::fmt::Write;
 
-use shtaerman_study::{
-    Column, Design, Indices, Input, Manifest, Output, Row, Study, Summary, Variation,
-};
+use shtaerman_study::{Column, Design, Indices, Manifest, Output, Row, Study, Summary};
 
 use super::{Scaled, StudyUnits, Table, Told, heading, significant};
 use crate::output::Content;
@@ -72,7 +70,7 @@ pub(crate) fn sweep_table(
         "error, largest",
     ]);
     for extreme in summary.extremes.iter().filter(|_| summary.answered > 0) {
-        let Scaled { name, factor } = units.column(study, extreme.name);
+        let Scaled { name, factor } = units.column(study, &extreme.name);
         let shown = |value: f64, digits: usize| significant(value * factor, digits);
         table.row(vec![
             name,
@@ -131,7 +129,7 @@ pub(crate) fn rows_table(study: &Study, units: &StudyUnits, rows: &[Row]) -> Str
 /// The varied keys and the outputs with their units.
 fn scaled(study: &Study, units: &StudyUnits) -> (Vec<Scaled>, Vec<Scaled>) {
     let inputs = study.variables().iter().map(|variable| units.column(study, &variable.key));
-    let outputs = study.outputs().iter().map(|output| units.column(study, output.name));
+    let outputs = study.outputs().iter().map(|output| units.column(study, &output.name));
     (inputs.collect(), outputs.collect())
 }
 
@@ -140,7 +138,7 @@ pub(crate) fn rows_csv<'a>(study: &'a Study, units: &StudyUnits, rows: &'a [Row]
     let (inputs, outputs) = scaled(study, units);
     let of = |name: &str| {
         let error = name.strip_suffix("_error");
-        let names = study.outputs().iter().map(|output| output.name);
+        let names = study.outputs().iter().map(|output| output.name.as_str());
         let keys = study.variables().iter().map(|variable| variable.key.as_str());
         let position = |mut all: Box<dyn Iterator<Item = &str> + '_>, name: &str| {
             all.position(|known| known == name)
@@ -195,7 +193,7 @@ fn indices(study: &Study, summary: &Summary) -> String {
     for (output, index) in study.outputs().iter().zip(0..) {
         for (variable, found) in study.variables().iter().zip(indices.of(index)) {
             table.row(vec![
-                output.name.to_owned(),
+                output.name.clone(),
                 variable.key.clone(),
                 format!("{:.4}", found.first),
                 format!("{:.4}", found.first_error),
@@ -222,7 +220,7 @@ fn audits(study: &Study, units: &StudyUnits, audited: &[(Row, Row)]) -> String {
             audited.iter().filter_map(|pair| row(pair).errors[index]).reduce(f64::max)
         };
         if let (Some(stated), Some(found)) = (largest(|pair| &pair.0), largest(|pair| &pair.1)) {
-            let factor = units.column(study, output.name).factor;
+            let factor = units.column(study, &output.name).factor;
             let _ = write!(
                 text,
                 "; {} stated to {}, audited {}",
@@ -295,13 +293,13 @@ fn response_map(
     units: &StudyUnits,
     rows: &[Row],
 ) -> Option<ResponseMap> {
-    let values = |index: usize| match &study.variables()[index].variation {
-        Variation::Values(values) if study.design() == Design::Grid => {
-            let numbers: Vec<f64> = values.iter().filter_map(Input::number).collect();
-            let is_increasing = numbers.len() > 1 && numbers.is_sorted_by(|a, b| a < b);
-            is_increasing.then_some(numbers)
+    let values = |index: usize| {
+        if study.design() != Design::Grid {
+            return None;
         }
-        _ => None,
+        let numbers: Vec<f64> = study.variables()[index].variation.numbers().collect();
+        let is_increasing = numbers.len() > 1 && numbers.is_sorted_by(|a, b| a < b);
+        is_increasing.then_some(numbers)
     };
     // The last variable changes fastest: it goes along.
     let (up, along) = (values(0)?, values(1)?);
@@ -345,7 +343,7 @@ fn is_varied(surface: &ResponseSurface) -> bool {
 
 fn tornado(name: &str, study: &Study, indices: &Indices) -> TornadoPlot {
     let bars = |(index, output): (usize, &Output)| Bars {
-        name: words(output.name),
+        name: words(&output.name),
         shares: indices.of(index).map(|found| [found.first, found.total]).collect(),
     };
     TornadoPlot {

@@ -32,6 +32,7 @@ mod sense;
 mod shells;
 mod spectrum;
 mod stress;
+mod studies;
 mod support;
 mod sweep;
 mod time_limit;

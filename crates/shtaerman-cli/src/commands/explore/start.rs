@@ -61,7 +61,7 @@ fn told(file: &Value, limit: Duration) -> Value {
         "file": file,
         "examples": examples(),
         "kernels": kernel::families(),
-        "outputs": Output::names(),
+        "outputs": Output::quantities(),
         "time_limit": limit.as_secs_f64(),
         "unit_systems": OutputUnits::SYSTEMS,
     })

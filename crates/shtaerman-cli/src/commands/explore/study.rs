@@ -33,7 +33,7 @@ pub(super) fn told(asked: &AskedStudy) -> Result<Value, Failure> {
     let end = from.saturating_add(asked.count.min(MOST_TOGETHER)).min(cases);
     let rows = study.solve(from..end);
     let variables: Vec<&str> = study.variables().iter().map(|one| one.key.as_str()).collect();
-    let outputs: Vec<&str> = study.outputs().iter().map(|output| output.name).collect();
+    let outputs: Vec<&str> = study.outputs().iter().map(|output| output.name.as_str()).collect();
     let chosen = report::StudyUnits::new(&study, &[])?;
     let units: Map<String, Value> = variables
         .iter()

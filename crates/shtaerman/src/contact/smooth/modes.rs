@@ -13,7 +13,7 @@ const MOST_MODES: usize = 4000;
 /// Angle at which the slope of a density over `cos phi` is taken at an end first; the others are twice to sixteen times that. At half or twice 23 of 32 answers change, within what they state (survey).
 const BESIDE: f64 = 0.01;
 /// The same times the number of modes where the last of them are not small: one wave of these.
-const WAVES: f64 = 2.0 * std::f64::consts::PI;
+const WAVES: f64 = 2.0 * PI;
 
 /// Modes by zones.
 pub(super) type Modes = Vec<Vec<f64>>;
