@@ -1,18 +1,20 @@
 //! From the residual of an answer to the errors of its parts.
 
-use crate::allowance::allowance;
+use crate::allowance::{allowance, unit};
 use crate::density::Density;
 use crate::displacements::Line;
 use crate::distance::{Distance, Windows};
+use crate::grading::{Cuts, Limits, panels};
 use crate::ground::Raised;
 use crate::highest::highest;
 use crate::layer;
+use crate::modelled::Modelled;
 use crate::norms::Reach;
 use crate::panel::Panel;
 use crate::problem::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Problem, Refusal};
 use crate::profile::Profile;
 use crate::residual::{Bounded, Residual};
-use crate::sample::{Limits, compared, halves, panels};
+use crate::sample::{compared, halves};
 use crate::shape::{Shape, restored};
 
 /// A pressure is resampled to this share of what is allowed.
@@ -33,7 +35,7 @@ const MOST_OF_IT: f64 = 0.3;
 /// # Errors
 /// [`Refusal`] where no bound was found: nothing is then known of the answer.
 pub fn audit(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Bound, Refusal> {
-    resample(problem, 1.0, answer).and_then(|panels| bound(problem, answer, &panels))
+    audit_on(problem, answer, |panels| panels)
 }
 
 /// The same on panels half as long: a second bound from other numbers, with which the first can be compared.
@@ -44,10 +46,27 @@ pub fn audit_on_halved_panels(
     problem: &Problem<'_>,
     answer: &Answer<'_>,
 ) -> Result<Bound, Refusal> {
-    let panels = resample(problem, 1.0, answer)?;
-    let halved: Vec<Panel> =
-        panels.iter().flat_map(|panel| halves(answer.pressure, panel)).collect();
-    bound(problem, answer, &halved)
+    audit_on(problem, answer, |panels| {
+        panels.iter().flat_map(|panel| halves(answer.pressure, panel)).collect()
+    })
+}
+
+/// The audit on panels that are made of those of the resampled pressure.
+fn audit_on(
+    problem: &Problem<'_>,
+    answer: &Answer<'_>,
+    changed: impl Fn(Vec<Panel>) -> Vec<Panel>,
+) -> Result<Bound, Refusal> {
+    let scale = scale(1.0, answer)?;
+    let base = modelled(problem, scale);
+    let posed = Problem { profile: &base, cuts: base.cuts(), ..*problem };
+    let panels = resample(&posed, problem.cuts, (1.0, scale), answer)?;
+    bound(&posed, answer, &changed(panels))
+}
+
+/// The base of a problem by polynomials, for a layer in which a pressure of this size gives as much.
+pub(crate) fn modelled<'a>(problem: &Problem<'a>, scale: f64) -> Modelled<'a> {
+    Modelled::new(problem.profile, problem.pieces, problem.cuts, scale * unit(problem.theta))
 }
 
 fn bound(problem: &Problem<'_>, answer: &Answer<'_>, sampled: &[Panel]) -> Result<Bound, Refusal> {
@@ -62,12 +81,8 @@ fn bound(problem: &Problem<'_>, answer: &Answer<'_>, sampled: &[Panel]) -> Resul
     audit.bound()
 }
 
-/// Panels of the pressure on all zones, of a layer `p^kappa`.
-pub(crate) fn resample(
-    problem: &Problem<'_>,
-    kappa: f64,
-    answer: &Answer<'_>,
-) -> Result<Vec<Panel>, Refusal> {
+/// The size of the pressure of an answer in a layer `p^kappa`.
+pub(crate) fn scale(kappa: f64, answer: &Answer<'_>) -> Result<f64, Refusal> {
     let places = answer.zones.iter().flat_map(|[left, right]| {
         (0..=SAMPLES).map(move |i| left + (right - left) * f64::from(i) / f64::from(SAMPLES))
     });
@@ -77,24 +92,27 @@ pub(crate) fn resample(
         // Peaks of a bent layer say little of its potential, which has to be known to what the layer gives.
         scale = scale.min(PEAKED * sizes.iter().sum::<f64>() / sizes.len() as f64);
     }
-    if scale.is_nan() || scale <= 0.0 || scale.is_infinite() {
-        return Err(Refusal::NoPressure);
-    }
-    let tolerance = |left: f64, right: f64| {
-        let exact = RESOLVED * scale * allowance(problem.theta, right - left);
-        exact.max(layer::pressure_error(kappa, scale, known(problem.profile, left, right)))
+    let is_known = !scale.is_nan() && scale > 0.0 && scale.is_finite();
+    is_known.then_some(scale).ok_or(Refusal::NoPressure)
+}
+
+/// Panels of the pressure on all zones, of this size, in a layer `p^kappa`; `joints` are places where they are cut, whether the base is smooth there or not.
+pub(crate) fn resample(
+    problem: &Problem<'_>,
+    joints: &[f64],
+    (kappa, scale): (f64, f64),
+    answer: &Answer<'_>,
+) -> Result<Vec<Panel>, Refusal> {
+    let exact = |left: f64, right: f64| RESOLVED * scale * allowance(problem.theta, right - left);
+    let known = |left: f64, right: f64| {
+        layer::pressure_error(kappa, scale, known(problem.profile, left, right))
     };
     let exponent = problem.kernel.singularity().exponent();
+    let limits = Limits { exact: &exact, known: &known, scale, exponent };
+    let cuts = Cuts { all: joints, bent: problem.cuts };
     let mut found = Vec::new();
     for zone in answer.zones {
-        let is_done = panels(
-            answer.pressure,
-            *zone,
-            problem.cuts,
-            &Limits { tolerance: &tolerance, scale, exponent },
-            MOST_PANELS,
-            &mut found,
-        );
+        let is_done = panels(answer.pressure, *zone, &cuts, &limits, MOST_PANELS, &mut found);
         if !is_done {
             return Err(Refusal::TooManyPanels);
         }
@@ -107,7 +125,7 @@ pub(crate) fn resample(
 pub(crate) fn known(profile: &dyn Profile, left: f64, right: f64) -> f64 {
     let width = |share: f64| {
         let [below, above] = profile.height(left + share * (right - left));
-        above - below
+        0.5 * (above - below)
     };
     let [one, two] = KNOWN.map(width);
     let least = one.min(two);

@@ -88,7 +88,7 @@ impl Residual<'_> {
         // One rounding of each of these.
         let sizes = [turned, line, height, above, off, potential, value];
         let size: f64 = sizes.iter().map(|term| term.abs()).sum();
-        let error = self.theta * rounding + evaluated + (high - low) + UNIT * size;
+        let error = self.theta * rounding + evaluated + 0.5 * (high - low) + UNIT * size;
         (value, error + self.scaled * self.given(x, height, q, value))
     }
 

@@ -1,7 +1,7 @@
 //! The residual on a window that can be resolved: interpolation of what is analytic in the disk about it, and bounds of the rest.
 
 use crate::allowance::{UNIT, allowance};
-use crate::chebyshev::{lebesgue, nodes};
+use crate::chebyshev::{MOST, lebesgue, nodes};
 use crate::fitted::{Fitted, fit};
 use crate::heights::{Heights, Known};
 use crate::potentials::Potentials;
@@ -145,9 +145,12 @@ impl Residual<'_> {
         let mut potentials = Potentials::default();
         self.density.potentials(&places, &mut potentials);
         let mut largest = 0.0f64;
-        let values = (places.iter().zip(self.density.values(&places)).zip(potentials.finished()))
-            .map(|((x, q), potential)| {
-                let (w, error) = self.formed(*x, self.profile.height(*x), q, potential);
+        let mut heights = [[0.0; 2]; MOST];
+        self.profile.heights(&places, &mut heights[..places.len()]);
+        let densities = self.density.values(&places);
+        let values = (places.iter().zip(heights).zip(densities).zip(potentials.finished()))
+            .map(|(((x, height), q), potential)| {
+                let (w, error) = self.formed(*x, height, q, potential);
                 largest = largest.max(error);
                 w
             })
