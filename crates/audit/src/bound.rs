@@ -1,5 +1,7 @@
 //! From the residual of an answer to the errors of its parts.
 
+use std::cell::Cell;
+
 use crate::allowance::{allowance, unit};
 use crate::density::Density;
 use crate::displacements::Line;
@@ -23,6 +25,8 @@ const RESOLVED: f64 = 0.3;
 const KNOWN: [f64; 2] = [0.317, 0.718];
 /// Places of a zone where the size of the pressure is looked at.
 const SAMPLES: u32 = 32;
+/// Free displacements are found from panels that are not shorter than this share of the longest.
+const WEIGHTY: f64 = 1e-2;
 /// A pressure in a bent layer is resolved as if its peaks were at most so many times its mean. Under a parabola on a firm body `(1 - x^2)^(1/kappa)` is 3.7 times its mean for `kappa = 0.1`; beside
 /// steps it is more by orders.
 const PEAKED: f64 = 8.0;
@@ -191,6 +195,7 @@ impl Audit<'_> {
                 self.problem.prescribed.force.is_some(),
                 self.problem.prescribed.moment.is_some(),
             ],
+            noise: Cell::new(0.0),
         }
     }
 
@@ -198,7 +203,9 @@ impl Audit<'_> {
     fn settle(&mut self) {
         let Prescribed { force, moment } = self.problem.prescribed;
         let residual = self.residual();
+        let widest = self.density.panels.iter().fold(0.0f64, |most, panel| most.max(panel.half()));
         let places: Vec<(f64, f64, f64)> = (self.density.panels.iter())
+            .filter(|panel| panel.half() >= WEIGHTY * widest)
             .map(|panel| (panel.middle(), panel.right - panel.left))
             .map(|(x, weight)| (x, weight, residual.at(x).0))
             .collect();
@@ -253,6 +260,10 @@ impl Audit<'_> {
         for gap in self.gaps() {
             residual.beside_zones(gap, MOST_WINDOWS, &mut gaps).map_err(refused)?;
         }
+        let wide = zones.iter().chain(&gaps).filter(|window| !window.is_narrow);
+        let others = wide.fold(0.0f64, |most, window| most.max(window.at_numbers));
+        residual.look_closer(&mut zones, others);
+        residual.look_closer(&mut gaps, others);
         let windows = Windows { zones: &zones, gaps: &gaps };
         // First with all of the base, then with what of it may be in contact.
         let whole = self.hull(&windows, f64::INFINITY);

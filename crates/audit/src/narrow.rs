@@ -3,7 +3,6 @@
 use crate::allowance::allowance;
 use crate::density::Density;
 use crate::kernel::Singularity;
-use crate::potentials::Potentials;
 use crate::residual::{Bounded, Residual, blur};
 
 /// Numbers of a window that are looked at one by one.
@@ -45,40 +44,46 @@ impl Residual<'_> {
         }
     }
 
-    /// A window of some units of the machine: its numbers one by one, and between them what can be at most; where that is no more than is allowed, one of them tells it all.
+    /// A window of some units of the machine: what one of its numbers tells, and between them what can be at most.
     fn narrow(&self, [left, right]: [f64; 2]) -> Bounded {
         let middle = 0.5 * (left + right);
         let is_inside = self.density.panel_at(middle).is_some();
+        let seen = self.seen(&[middle], is_inside);
         let variation = self.variation([left, right]);
-        let crude = |seen: Seen| {
-            let least = seen.least - variation;
-            (if is_inside { seen.largest + variation } else { (-least).max(0.0) }, least)
-        };
-        let mut seen = self.seen(&[middle], is_inside);
-        let (mut largest, mut least) = crude(seen);
-        let mut at_numbers = largest;
-        if largest > allowance(self.theta, right - left) * self.density.largest() {
-            let numbers: Vec<f64> = std::iter::successors(Some(left), |x| Some(x.next_up()))
-                .take_while(|x| *x <= right)
-                .take(MOST_NUMBERS + 1)
-                .collect();
-            // Beside the origin there are more than can be looked at.
-            if numbers.len() <= MOST_NUMBERS {
-                seen = self.seen(&numbers, is_inside);
-                (largest, least) = crude(seen);
-                at_numbers = seen.at_numbers;
-            }
-        }
+        let least = seen.least - variation;
+        let largest = if is_inside { seen.largest + variation } else { (-least).max(0.0) };
         let norm = largest * (right - left).sqrt();
-        Bounded { left, right, largest, norm, at_numbers, least, is_narrow: true }
+        Bounded { left, right, largest, norm, at_numbers: largest, least, is_narrow: true }
+    }
+
+    /// Looks at all numbers of those narrow windows that would say more than the others, and more than is allowed.
+    pub(crate) fn look_closer(&self, windows: &mut [Bounded], others: f64) {
+        let mut most = others;
+        for window in windows.iter_mut().filter(|window| window.is_narrow) {
+            let [left, right] = [window.left, window.right];
+            let allowed = allowance(self.theta, right - left) * self.density.largest();
+            if window.at_numbers > most.max(allowed) {
+                let numbers: Vec<f64> = std::iter::successors(Some(left), |x| Some(x.next_up()))
+                    .take_while(|x| *x <= right)
+                    .take(MOST_NUMBERS + 1)
+                    .collect();
+                // Beside the origin there are more than can be looked at.
+                if numbers.len() <= MOST_NUMBERS {
+                    let is_inside = self.density.panel_at(0.5 * (left + right)).is_some();
+                    window.at_numbers =
+                        window.at_numbers.min(self.seen(&numbers, is_inside).at_numbers);
+                }
+            }
+            most = most.max(window.at_numbers);
+        }
     }
 
     /// The residual at numbers.
     fn seen(&self, numbers: &[f64], is_inside: bool) -> Seen {
         let mut seen = Seen { largest: 0.0, least: f64::INFINITY, at_numbers: 0.0 };
-        let mut potentials = Potentials::default();
-        self.density.potentials(numbers, &mut potentials);
-        for (&x, potential) in numbers.iter().zip(potentials.finished()) {
+        let mut potentials = [(0.0, 0.0); MOST_NUMBERS];
+        self.density.potentials(numbers, &mut potentials[..numbers.len()]);
+        for (&x, potential) in numbers.iter().zip(potentials) {
             let (height, q) = (self.profile.height(x), self.density.value(x));
             let (w, error) = self.formed(x, height, q, potential);
             // Of what may be off by the error.

@@ -67,6 +67,10 @@ pub(crate) fn is_short(panel: &Panel) -> bool {
     panel.right - panel.left <= COARSE * FINEST * size
 }
 
+/// A part of a panel on which the mean is at least this share of the largest negative value is as good as negative; what is less deep than this share of what was found is not looked into.
+const MOSTLY: f64 = 0.25;
+const SHALLOW: f64 = 0.125;
+
 /// Places of a panel where an answer is compared with its resampled pressure, between the nodes of both, and towards its ends, where an answer may have a layer of its own that no node
 /// of a panel sees.
 const COMPARED: [f64; 9] =
@@ -100,16 +104,16 @@ pub(crate) fn adjusted(panel: &Panel, [a, b]: [f64; 2], [c, d]: [f64; 2]) -> Pan
     Panel::new(panel.left, panel.right, RULE.expand(&values))
 }
 
-/// A lower bound of a panel's polynomial on a part of it, and an upper bound of its size there.
-pub(crate) fn range_on(panel: &Panel, left: f64, right: f64) -> (f64, f64) {
+/// A lower bound of a panel's polynomial on a part of it, and its mean there.
+pub(crate) fn range_on(panel: &Panel, left: f64, right: f64) -> [f64; 2] {
     let own = |nodes: &[f64; ORDER]| nodes.map(|x| panel.own(x));
     let values = |nodes: &[f64; ORDER]| evaluate_at(&panel.coefficients, &own(nodes));
     let (part, _) = sampled_at(&values, left, right);
-    let rounding = 32.0 * f64::EPSILON * panel.largest;
-    (part.coefficients[0] - part.swing - rounding, part.largest + rounding)
+    let mean = part.coefficients[0];
+    [mean - part.swing - 32.0 * f64::EPSILON * panel.largest, mean]
 }
 
-/// Bounds of `||min(q, 0)||` squared, of its integral and of its size on a panel.
+/// Bounds of `||min(q, 0)||` squared, of its integral and of its size on a panel, each within some times what it is.
 pub(crate) fn negative_part(panel: &Panel) -> [f64; 3] {
     let mut sums = [0.0f64; 3];
     if panel.coefficients[0] >= panel.swing {
@@ -117,16 +121,19 @@ pub(crate) fn negative_part(panel: &Panel) -> [f64; 3] {
     }
     let mut stack = vec![(panel.left, panel.right)];
     let width = panel.right - panel.left;
+    // What is left when halves are below rounding of the panel is counted in full.
+    let rounding = 64.0 * f64::EPSILON * panel.largest;
     while let Some((left, right)) = stack.pop() {
-        let (least, _) = range_on(panel, left, right);
+        let [least, mean] = range_on(panel, left, right);
         let middle = 0.5 * (left + right);
         let depth = (-least).max(0.0);
-        // What is left when halves are below rounding of the panel is counted in full.
-        let is_small = depth <= 64.0 * f64::EPSILON * panel.largest;
         if least >= 0.0 {
             continue;
         }
+        // So is what is negative on most of it, and what is no deeper than a part of what was found.
+        let is_small = depth <= rounding.max(SHALLOW * sums[2]);
         if is_small
+            || mean <= -MOSTLY * depth
             || right - left <= 1e-9 * width
             || middle <= left
             || middle >= right

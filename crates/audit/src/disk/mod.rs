@@ -3,6 +3,7 @@
 mod field;
 mod kernel;
 mod potential;
+mod series;
 #[cfg(test)]
 mod shells;
 #[cfg(test)]
@@ -138,7 +139,7 @@ impl<'a> Audit<'a> {
         let kernel = Harmonic::new(order, problem.exponent);
         let resampled =
             |density: &dyn Fn(f64) -> f64| Self::panels((problem, joints), zones, density);
-        let found = Radial::new(kernel, problem.exponent, resampled(&*density)?);
+        let found = Radial::new(kernel.clone(), problem.exponent, resampled(&*density)?);
         let (given, own) = if order == 0 {
             (force, std::f64::consts::TAU * found.integral(|_| 1.0))
         } else {
