@@ -19,6 +19,6 @@ pub(crate) use lowest::{Lowest, lowest};
 pub(crate) use skyline::{Skyline, SkylineFactor};
 pub(crate) use symmetric::{Eigensystem, Factored};
 pub(crate) use tridiagonal::Tridiagonal;
-pub(crate) use tridiagonal_spectrum::SymmetricTridiagonal;
+pub(crate) use tridiagonal_spectrum::{SymmetricTridiagonal, VECTORS};
 pub(crate) use vector::dot;
 pub(crate) use vectorised::vectorised;
