@@ -63,6 +63,25 @@ pub trait Kernel {
         Pair { value: split.value(self.singularity(), distance), factor: split.factor }
     }
 
+    /// [`pair`](Self::pair) for one point `x` and many points `s`, none of which is `x`, with their distances from it: the values `K(x, s)` and the factors `A(x, s)`. All lists have one
+    /// length.
+    ///
+    /// One by one unless said otherwise: worth a way of its own where that takes many numbers at once.
+    fn pairs(
+        &self,
+        x: f64,
+        points: &[f64],
+        distances: &[f64],
+        values: &mut [f64],
+        factors: &mut [f64],
+    ) {
+        let results = values.iter_mut().zip(factors);
+        for ((s, distance), (value, factor)) in points.iter().zip(distances).zip(results) {
+            let pair = self.pair(x, *s, *distance);
+            (*value, *factor) = (pair.value, pair.factor);
+        }
+    }
+
     /// Whether the kernel and its measure keep their values under the reflection about the middle `c` of the interval,
     /// `K(2c - x, 2c - s) = K(x, s)`: collocation then splits into an even and an odd problem of half the size.
     ///
@@ -94,6 +113,12 @@ pub trait Kernel {
     /// centre of a disk, where the rim asks for a deeper corner, the grid has nodes too far from each other to resolve the kernel.
     fn settled(&self) -> f64 {
         0.0
+    }
+
+    /// The length over which the kernel decays, or has any other feature, away from its singularity, where that is shorter than the interval; infinite unless said otherwise. Collocation spreads
+    /// nodes accordingly.
+    fn decay_length(&self) -> f64 {
+        f64::INFINITY
     }
 
     /// Nodes on either side of the middle with which adaptive collocation should begin, where the kernel has features finer than the interval; 0 leaves it to the parameter.
@@ -133,6 +158,17 @@ macro_rules! forward_kernel {
             $kernel.pair(x, s, distance)
         }
 
+        fn pairs(
+            &$this,
+            x: f64,
+            points: &[f64],
+            distances: &[f64],
+            values: &mut [f64],
+            factors: &mut [f64],
+        ) {
+            $kernel.pairs(x, points, distances, values, factors);
+        }
+
         fn is_even(&$this) -> bool {
             $kernel.is_even()
         }
@@ -151,6 +187,10 @@ macro_rules! forward_kernel {
 
         fn settled(&$this) -> f64 {
             $kernel.settled()
+        }
+
+        fn decay_length(&$this) -> f64 {
+            $kernel.decay_length()
         }
 
         fn first_half_count(&$this) -> f64 {
