@@ -25,8 +25,12 @@ const LEAST_SHARE: f64 = 0.4;
 const SLOW: f64 = 0.25;
 /// Safety on those.
 const SAFETY_SLOW: f64 = 3.0;
-/// Nodes on either side of the middle that corners need, times the power with which solutions leave their end values. Measured, power kernels.
-const IN_CORNERS: f64 = 36.0;
+/// Nodes on either side of the middle that corners need, times the power with which solutions leave their end values. Measured, power kernels with exponents of 0.7 to 0.9.
+const IN_CORNERS: f64 = 38.0;
+/// The same where the ends differ. Measured, Weber-Sonine kernels with `gamma` of 0.25 and 0.4.
+const IN_UNLIKE_CORNERS: f64 = 48.0;
+/// Nodes on either side for each power of `x` as which solutions vanish at the centre. Measured, Weber-Sonine kernel of order 5.
+const AT_CENTRE: f64 = 17.0;
 /// Fewest nodes on either side of the middle of a panel.
 const LEAST_HALF_COUNT: usize = 4;
 /// Most nodes on either side of the middle of a panel.
@@ -230,8 +234,11 @@ impl<K: Kernel + ?Sized> Problem<'_, K> {
         if self.least.round() > most as f64 {
             return Err(self.too_many(breaks, most));
         }
-        let exponent = self.kernel.end_exponent();
-        let corners = if exponent < 1.0 { IN_CORNERS / exponent } else { 0.0 };
+        let (at_ends, at_centre) = (self.kernel.end_exponent(), self.kernel.centre_exponent());
+        let in_corners = if self.kernel.is_even() { IN_CORNERS } else { IN_UNLIKE_CORNERS };
+        let is_smooth = at_ends >= 1.0 && at_centre == 0.0;
+        let corners = if is_smooth { 0.0 } else { in_corners / at_ends.min(1.0) };
+        let corners = corners + AT_CENTRE * at_centre;
         let share = (self.tolerance.ln() / MEASURED.ln()).clamp(LEAST_SHARE, 1.0);
         Ok((share * self.least.max(corners)).min(most as f64))
     }

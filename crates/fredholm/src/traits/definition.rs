@@ -121,6 +121,12 @@ pub trait Kernel {
         f64::INFINITY
     }
 
+    /// The power `mu` of `x` as which the kernel and solutions vanish at the centre of a disk, 0 unless said otherwise: the kernel falls from its diagonal as `(s/x)^mu` for `s < x`, the faster the
+    /// higher the power. Collocation crowds nodes the less at the ends.
+    fn centre_exponent(&self) -> f64 {
+        0.0
+    }
+
     /// Nodes on either side of the middle with which adaptive collocation should begin, where the kernel has features finer than the interval; 0 leaves it to the parameter.
     fn first_half_count(&self) -> f64 {
         0.0
@@ -191,6 +197,10 @@ macro_rules! forward_kernel {
 
         fn decay_length(&$this) -> f64 {
             $kernel.decay_length()
+        }
+
+        fn centre_exponent(&$this) -> f64 {
+            $kernel.centre_exponent()
         }
 
         fn first_half_count(&$this) -> f64 {
