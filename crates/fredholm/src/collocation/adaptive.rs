@@ -146,7 +146,7 @@ pub fn solve_adaptive_in_parts(
     // A bad interval or breakpoint is refused before the function is asked for thousands of values.
     boundaries(kernel.interval(), breaks)?;
     let strength = parameter * kernel.interval().half_length();
-    let least = first_half_count(strength).max(kernel.first_half_count());
+    let least = sufficient_half_count(strength).max(kernel.first_half_count());
     let sampled = Sampled::new(kernel.interval(), &f, cuts)?;
     let panels = sampled.partition(&f, breaks, tolerance);
     let joints = panels.as_deref().map(|panels| sampled.joints(panels, breaks));
@@ -340,10 +340,19 @@ fn following(half_count: usize, error: f64, tolerance: f64) -> usize {
     (half_count as f64 * growth).ceil() as usize
 }
 
-/// Nodes on either side of the middle that give about 12 digits for the logarithm and a right-hand side of a few terms; `strength` is
+/// Nodes on either side of the middle that give about 13 digits for the logarithm and a right-hand side of a few terms, as the finest of three that are compared; `strength` is
 /// `lambda` times the half-length. Measured.
 #[must_use]
 pub fn first_half_count(strength: f64) -> f64 {
-    let decades = strength.abs().max(1.0).log10();
-    (27.0 + 15.0 * decades).min(160.0)
+    half_count(22.0, 16.0, strength)
+}
+
+/// The same for 12 digits on nodes that stand alone.
+fn sufficient_half_count(strength: f64) -> f64 {
+    half_count(27.0, 15.0, strength)
+}
+
+/// So many nodes for a small parameter, and so many more for each decade of a large one.
+fn half_count(least: f64, more: f64, strength: f64) -> f64 {
+    (least + more * strength.abs().max(1.0).log10()).min(160.0)
 }
