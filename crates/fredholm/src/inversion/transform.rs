@@ -541,7 +541,7 @@ mod tests {
                 close("beside", part.displacement(1.1, 0.7), own.displacement(1.1, 0.7));
                 close("slope", part.end_slope(), own.end_slope());
             }
-            assert!(whole.within(1e-9).is_none());
+            assert!(whole.within(1e-60).is_none());
         }
         assert!(parts > 8, "{parts}");
     }

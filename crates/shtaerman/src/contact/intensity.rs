@@ -59,7 +59,8 @@ impl Contact {
         let companion = companion(problem, Roughness::Smooth)?;
         // Within a time of its own.
         let timed = companion.timed().unwrap_or(companion);
-        let smooth = smooth::solve(&Setting::new(&timed)).ok().filter(|_| !timed.deadline().is_past())?;
+        let smooth =
+            smooth::solve(&Setting::new(&timed)).ok().filter(|_| !timed.deadline().is_past())?;
         timed.deadline().lift();
         // E* chi = 2 a/(pi theta0)
         let unit = self.scale(Scaling::pressure) * (FRAC_PI_2 * frame.theta0()).sqrt();

@@ -6,7 +6,6 @@ mod load;
 
 pub(super) use load::{Loaded, closing_in, solve_thin};
 
-
 use super::iteration::STEPS;
 use super::valleys::CELLS_A_ZONE;
 use crate::Error;

@@ -181,7 +181,11 @@ impl<P: Pressure> Solution for SmoothContact<P> {
         let zones = self.solved.zones();
         let intensity = |j: usize, side: usize| {
             let is_free = zones[j].is_free(side);
-            if is_free { 0.0 } else { self.solved.intensity(j, side) * self.solved.density(j, side).value }
+            if is_free {
+                0.0
+            } else {
+                self.solved.intensity(j, side) * self.solved.density(j, side).value
+            }
         };
         let of = |&([left, _], j, is_mirrored): &([f64; 2], usize, bool)| {
             if is_mirrored {
@@ -200,9 +204,7 @@ impl<P: Pressure> Solution for SmoothContact<P> {
     fn pressure(&self, xi: f64) -> f64 {
         let at = self.base.located(xi);
         match self.touching(at) {
-            Some((j, zone)) => {
-                self.solved.on_side(j, place(&zone, at), xi.signum())
-            }
+            Some((j, zone)) => self.solved.on_side(j, place(&zone, at), xi.signum()),
             None if xi.is_nan() => xi,
             None => 0.0,
         }

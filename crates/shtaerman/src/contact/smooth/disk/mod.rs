@@ -13,8 +13,8 @@
 //! On a [ring] the kernel is a logarithm of the radius and what is smooth beside it, so the [modes](super::modes) of plane contact serve; a disk inside the rings is eliminated by the transforms. Rings are
 //! solved for on homogeneous ground, without a tilt.
 
-mod coupling;
 mod core;
+mod coupling;
 mod ring;
 mod ring_part;
 mod solved;
@@ -45,7 +45,9 @@ pub(super) fn solve(base: Arc<Base>) -> Result<Arc<dyn Solution>, Error> {
     let found = contact(&disk);
     let found = match found {
         Ok(found) => found,
-        Err(error @ (Error::InvalidValue { .. } | Error::Overflow { .. } | Error::TimeLimit { .. })) => {
+        Err(
+            error @ (Error::InvalidValue { .. } | Error::Overflow { .. } | Error::TimeLimit { .. }),
+        ) => {
             return Err(error);
         }
         Err(_) => return Err(disk.rings()),

@@ -115,11 +115,7 @@ impl Partial {
         }
     }
 
-    fn attempt(
-        &self,
-        force: f64,
-        first: Option<[f64; 2]>,
-    ) -> Result<SmoothContact<Solved>, Error> {
+    fn attempt(&self, force: f64, first: Option<[f64; 2]>) -> Result<SmoothContact<Solved>, Error> {
         let plane = Plane::new(Arc::new(self.turned.under(force)));
         let tried = first.and_then(|zone| tried(&plane, zone));
         let found = tried.map_or_else(|| contact(&plane), Ok)?;
