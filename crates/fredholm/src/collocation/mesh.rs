@@ -86,7 +86,7 @@ impl Mesh {
         let count = left_ends.len() * grid.count();
         let empty = || Vec::with_capacity(count);
         let mut mesh = Self {
-            grid: Arc::clone(&grid),
+            grid,
             boundaries,
             left_ends,
             positions: empty(),
@@ -96,11 +96,11 @@ impl Mesh {
         };
         for &end in &mesh.left_ends {
             let (left, right) = (mesh.boundaries[end], mesh.boundaries[end + 1]);
-            for node in grid.nodes().iter().map(|node| node.carried(left, right)) {
+            for node in mesh.grid.nodes().iter().map(|node| node.carried(left, right)) {
                 mesh.positions.push(node.position);
                 mesh.from_left.push(node.from_left);
                 mesh.from_right.push(node.from_right);
-                mesh.weights.push(grid.step() * node.derivative);
+                mesh.weights.push(mesh.grid.step() * node.derivative);
             }
         }
         mesh

@@ -88,7 +88,7 @@ impl SincWeights {
                         add(terms, corrections[range].iter().rev(), is_logarithm);
                     }
                     Differences::Growing(range) => {
-                        add(terms, corrections[range].iter(), is_logarithm)
+                        add(terms, corrections[range].iter(), is_logarithm);
                     }
                 }
             },

@@ -150,9 +150,10 @@ impl SymmetricTridiagonal {
                 square += next * next;
             }
             next = 1.0;
-            for i in meeting + 1..order {
-                next *= -self.beside[i - 1] * pivots.up[i][lane];
-                vector[i] = next;
+            let beyond = vector.iter_mut().zip(&pivots.up).skip(meeting + 1);
+            for ((entry, up), beside) in beyond.zip(&self.beside[meeting..]) {
+                next *= -beside * up[lane];
+                *entry = next;
                 square += next * next;
             }
             let scale = 1.0 / f64::sqrt(square);
