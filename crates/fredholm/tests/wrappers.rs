@@ -29,6 +29,11 @@ impl Kernel for Peculiar {
         Pair { value: 2.0 + (x + s).cos(), factor: 0.125 }
     }
 
+    fn pairs(&self, _x: f64, points: &[f64], _: &[f64], values: &mut [f64], factors: &mut [f64]) {
+        values.copy_from_slice(points);
+        factors.fill(0.375);
+    }
+
     fn is_even(&self) -> bool {
         // It is not: only whether the answer arrives is asked here.
         self.measure(0.5) > 100.0
@@ -50,6 +55,14 @@ impl Kernel for Peculiar {
         1e-9
     }
 
+    fn decay_length(&self) -> f64 {
+        0.0625
+    }
+
+    fn centre_exponent(&self) -> f64 {
+        3.5
+    }
+
     fn first_half_count(&self) -> f64 {
         37.0
     }
@@ -64,7 +77,9 @@ fn answers(kernel: &dyn Kernel) -> Vec<f64> {
     let (x, s, distance) = (0.3, 0.7, 0.4);
     let (interval, extent) = (kernel.interval(), kernel.extent());
     let (split, pair) = (kernel.split(x, s, distance), kernel.pair(x, s, distance));
-    vec![
+    let (mut values, mut factors) = ([0.0; 2], [0.0; 2]);
+    kernel.pairs(x, &[s, -s], &[distance, x + s], &mut values, &mut factors);
+    let mut answers = vec![
         interval.left(),
         interval.right(),
         extent.left(),
@@ -79,9 +94,13 @@ fn answers(kernel: &dyn Kernel) -> Vec<f64> {
         kernel.mass_function(x),
         kernel.end_exponent(),
         kernel.settled(),
+        kernel.decay_length(),
+        kernel.centre_exponent(),
         kernel.first_half_count(),
         kernel.value(x, s),
-    ]
+    ];
+    answers.extend(values.into_iter().chain(factors));
+    answers
 }
 
 #[test]

@@ -1,11 +1,11 @@
 //! Angular prolate spheroidal functions of even degree difference.
 
 use super::legendre::{LegendreBasis, square_of_height};
-use crate::linear::SymmetricTridiagonal;
+use crate::linear::{SymmetricTridiagonal, VECTORS};
 use crate::{Error, memory};
 
-/// `-ln` of the size at which coefficients are cut off.
-const DIGITS: f64 = 40.0;
+/// The inverse of the size at which coefficients are cut off.
+const CUT_OFF: f64 = 2e17;
 
 /// The functions `S_0 .. S_{count-1}`: the bounded even solutions, with `n` zeros in `(0, 1)`, of
 ///
@@ -44,11 +44,18 @@ impl Spheroidal {
         let order = sufficient_order(harmonic, kappa, highest, matrix.order()).max(count + 2);
         let matrix = matrix.truncated(order);
         let separation = matrix.eigenvalues(0..count);
-        let mut coefficients = Vec::with_capacity(count * order);
-        for (n, value) in separation.iter().enumerate() {
-            let mut vector = matrix.eigenvector(*value);
-            orient(harmonic, n, &mut vector);
-            coefficients.extend(vector);
+        let strengths = super::legendre::strengths(harmonic, order);
+        let mut coefficients = vec![0.0; count * order];
+        let rows = coefficients.chunks_mut(VECTORS * order);
+        for ((group, values), rows) in separation.chunks(VECTORS).enumerate().zip(rows) {
+            // The lower functions have fewer coefficients; the rest of their rows stays untouched.
+            let highest = values.iter().fold(0.0, |most: f64, value| most.max(*value));
+            let enough = sufficient_order(harmonic, kappa, highest, order);
+            let enough = enough.max(VECTORS * (group + 1) + 2).min(order);
+            matrix.eigenvectors(values, enough, rows.chunks_exact_mut(order));
+            for (n, row) in (VECTORS * group..).zip(rows.chunks_exact_mut(order)) {
+                orient(n, &mut row[..enough], &strengths);
+            }
         }
         Ok(Self { basis: LegendreBasis::new(harmonic, order), separation, coefficients })
     }
@@ -108,25 +115,24 @@ fn matrix(harmonic: u32, kappa: f64, order: usize) -> SymmetricTridiagonal {
 
 /// How many basis functions the highest function needs: beyond the turning point its coefficients fall by the larger root of `b r^2 - (T_jj - Lambda) r + b = 0` from one to the next.
 fn sufficient_order(harmonic: u32, kappa: f64, highest: f64, most: usize) -> usize {
-    let mut fallen = 0.0;
+    let mut fallen = 1.0;
     for j in 0..most {
         let l = f64::from(harmonic) + 2.0 * j as f64;
         let (height, beside) = square_of_height(harmonic, j);
         let gap = 0.5 * (l * (l + 1.0) + kappa * kappa * height - highest);
         let beside = kappa * kappa * beside;
         if gap > beside {
-            fallen += ((gap + ((gap - beside) * (gap + beside)).sqrt()) / beside).ln();
+            fallen *= (gap + ((gap - beside) * (gap + beside)).sqrt()) / beside;
         }
-        if fallen > DIGITS {
+        if fallen > CUT_OFF {
             return j + 2;
         }
     }
     most
 }
 
-/// Gives `S_n(0)`, a sum of `(-1)^j d_j` with positive factors, the sign `(-1)^n`.
-fn orient(harmonic: u32, n: usize, vector: &mut [f64]) {
-    let strengths = super::legendre::strengths(harmonic, vector.len());
+/// Gives `S_n(0)`, the sum of `(-1)^j d_j` with the strengths of the basis, the sign `(-1)^n`.
+fn orient(n: usize, vector: &mut [f64], strengths: &[f64]) {
     let at_equator: f64 = (vector.iter().zip(strengths).enumerate())
         .map(|(j, (d, c))| if j.is_multiple_of(2) { d * c } else { -d * c })
         .sum();

@@ -3,17 +3,36 @@
 use std::f64::consts::SQRT_2;
 use std::sync::Arc;
 
+use super::check::Check;
 use super::estimate::largest;
-use super::mesh::Mesh;
+use super::mesh::{Mesh, boundaries};
 use super::operator::require_finite_parameter;
 use super::resolution::{Misfit, between_numbers};
-use super::{Estimate, SincGrid, SincOperator, SincSolution};
+use super::{Estimate, SincFactor, SincGrid, SincOperator, SincSolution};
 use crate::Error;
 use crate::kernel::Kernel;
 use crate::quadrature::places::Sampled;
 
-/// Growth of the number of nodes.
+/// Growth of the number of nodes where they do not see the right-hand side.
 const RATIO: f64 = SQRT_2;
+/// Least and most growth of the number of nodes.
+const LEAST_GROWTH: f64 = 1.2;
+const MOST_GROWTH: f64 = 2.0;
+/// The tolerance for which numbers of nodes were measured, and how much fewer are tried first for coarser ones.
+const MEASURED: f64 = 1e-12;
+const LEAST_SHARE: f64 = 0.4;
+/// Errors that fall by less than this from one number of nodes to the next may fluctuate.
+const SLOW: f64 = 0.25;
+/// Safety on those.
+const SAFETY_SLOW: f64 = 3.0;
+/// Nodes on either side of the middle that corners need, times the power with which solutions leave their end values. Measured, power kernels with exponents of 0.7 to 0.9.
+const IN_CORNERS: f64 = 38.0;
+/// The same where the ends differ. Measured, Weber-Sonine kernels with `gamma` of 0.25 and 0.4.
+const IN_UNLIKE_CORNERS: f64 = 48.0;
+/// Nodes on either side for each power of `x` as which solutions vanish at the centre. Measured, Weber-Sonine kernel of order 5.
+const AT_CENTRE: f64 = 17.0;
+/// Fewest nodes on either side of the middle of a panel.
+const LEAST_HALF_COUNT: usize = 4;
 /// Most nodes on either side of the middle of a panel.
 const LARGEST_HALF_COUNT: usize = 1500;
 /// Most nodes on either side of the middles of all panels together.
@@ -43,7 +62,7 @@ pub struct AdaptiveSolution {
 /// Solves `phi + parameter K phi = f` to a tolerance relative to the largest value of the solution, by collocation on
 /// growing numbers of nodes.
 ///
-/// The error is judged from three solutions, between their nodes as well as at them, and from the right-hand side itself, at some 6000 places that no
+/// The error is that which a rule on twice as many nodes finds, between the nodes as well as at them; and the right-hand side itself is looked at, at some 6000 places that no
 /// grid has: where a narrow feature lies between the nodes it gets panels of its own, and what stays unresolved is part of the estimate.
 ///
 /// **What a sampled function can hide.** `f` is known where it was asked, and nowhere else. A feature narrower than about a 4000th of the interval may lie between all
@@ -124,10 +143,10 @@ pub fn solve_adaptive_in_parts(
             requirement: "finite and positive",
         });
     }
-    let strength = parameter * kernel.interval().half_length();
-    let start = first_half_count(strength).max(kernel.first_half_count());
     // A bad interval or breakpoint is refused before the function is asked for thousands of values.
-    Mesh::new(grid(kernel, start)?, kernel.interval(), breaks)?;
+    boundaries(kernel.interval(), breaks)?;
+    let strength = parameter * kernel.interval().half_length();
+    let least = sufficient_half_count(strength).max(kernel.first_half_count());
     let sampled = Sampled::new(kernel.interval(), &f, cuts)?;
     let panels = sampled.partition(&f, breaks, tolerance);
     let joints = panels.as_deref().map(|panels| sampled.joints(panels, breaks));
@@ -135,13 +154,13 @@ pub fn solve_adaptive_in_parts(
         Some(panels) => sampled.thinned(&f, &panels),
         None => sampled,
     };
-    let problem = Problem { kernel, parameter, f: &f, tolerance, sampled: &sampled };
-    let breaks = problem.with_joints(breaks, &joints.unwrap_or_default(), start)?;
-    problem.resolved(&breaks, start)
+    let problem = Problem { kernel, parameter, f: &f, tolerance, least, sampled: &sampled };
+    let breaks = problem.with_joints(breaks, &joints.unwrap_or_default())?;
+    problem.resolved(&breaks)
 }
 
 fn grid(kernel: &(impl Kernel + ?Sized), half_count: f64) -> Result<Arc<SincGrid>, Error> {
-    Ok(Arc::new(SincGrid::new(kernel, (half_count.round() as usize).max(4))?))
+    Ok(Arc::new(SincGrid::new(kernel, (half_count.round() as usize).max(LEAST_HALF_COUNT))?))
 }
 
 /// Most nodes on either side of the middle of a panel, where there are so many breakpoints.
@@ -154,24 +173,22 @@ struct Problem<'p, K: ?Sized> {
     parameter: f64,
     f: &'p dyn Fn(f64) -> f64,
     tolerance: f64,
+    /// Fewest nodes on either side of the middle of a panel.
+    least: f64,
     sampled: &'p Sampled,
 }
 
 impl<K: Kernel + ?Sized> Problem<'_, K> {
     /// The breakpoints with those of narrow features: of several choices the one on whose panels the nodes miss least.
-    fn with_joints(
-        &self,
-        breaks: &[f64],
-        choices: &[Vec<f64>; 2],
-        start: f64,
-    ) -> Result<Vec<f64>, Error> {
+    fn with_joints(&self, breaks: &[f64], choices: &[Vec<f64>; 2]) -> Result<Vec<f64>, Error> {
         let mut best = (f64::INFINITY, breaks.to_vec());
         for joints in choices.iter().filter(|joints| !joints.is_empty()) {
             let all: Vec<f64> = breaks.iter().chain(joints).copied().collect();
             if all.len() > MOST_JOINTS {
                 continue;
             }
-            let grid = grid(self.kernel, RATIO * start)?;
+            let Ok(first) = self.first(&all) else { continue };
+            let grid = grid(self.kernel, first)?;
             let mesh = Mesh::new(grid, self.kernel.interval(), &all)?;
             let misfit = Misfit::new(&mesh, self.f, self.sampled)?.mean();
             if misfit < best.0 {
@@ -182,21 +199,18 @@ impl<K: Kernel + ?Sized> Problem<'_, K> {
     }
 
     /// A solution on nodes that see the right-hand side, as far as that can be had.
-    fn resolved(&self, breaks: &[f64], mut start: f64) -> Result<AdaptiveSolution, Error> {
-        let mut before = f64::INFINITY;
+    fn resolved(&self, breaks: &[f64]) -> Result<AdaptiveSolution, Error> {
+        let (mut before, mut start) = (f64::INFINITY, self.first(breaks)?);
         loop {
-            let mut found = self.refined(breaks, start)?;
+            let (mut found, growth) = self.refined(breaks, start)?;
             let missed =
                 Misfit::new(found.solution.mesh(), self.f, self.sampled)?.missed(self.kernel);
             let scale = largest(found.solution.values());
-            // Where 1 + parameter K is nearly singular, what is missed grows as the solution does.
-            let growth =
-                if self.parameter < 0.0 { (scale / self.sampled.largest).max(1.0) } else { 1.0 };
             // (1 + lambda K)^-1 lambda K is at most 1 for a positive kernel, however large lambda is.
             let unseen = (self.parameter.abs() * missed.potential).min(missed.largest);
             let unseen = SAFETY * growth * unseen;
             let larger = RATIO * found.half_count as f64;
-            let may_grow = larger * RATIO <= most(breaks) as f64 && found.converged;
+            let may_grow = larger <= most(breaks) as f64 && found.converged;
             if unseen > self.tolerance * scale && unseen < STUCK * before && may_grow {
                 (before, start) = (unseen, larger);
                 continue;
@@ -212,6 +226,21 @@ impl<K: Kernel + ?Sized> Problem<'_, K> {
             found.converged = found.estimate.solution <= self.tolerance * scale;
             return Ok(found);
         }
+    }
+
+    /// How many nodes on either side of the middle of a panel are tried first: the weaker the power with which solutions leave their end values, the more there are in the corners.
+    fn first(&self, breaks: &[f64]) -> Result<f64, Error> {
+        let most = most(breaks);
+        if self.least.round() > most as f64 {
+            return Err(self.too_many(breaks, most));
+        }
+        let (at_ends, at_centre) = (self.kernel.end_exponent(), self.kernel.centre_exponent());
+        let in_corners = if self.kernel.is_even() { IN_CORNERS } else { IN_UNLIKE_CORNERS };
+        let is_smooth = at_ends >= 1.0 && at_centre == 0.0;
+        let corners = if is_smooth { 0.0 } else { in_corners / at_ends.min(1.0) };
+        let corners = corners + AT_CENTRE * at_centre;
+        let share = (self.tolerance.ln() / MEASURED.ln()).clamp(LEAST_SHARE, 1.0);
+        Ok((share * self.least.max(corners)).min(most as f64))
     }
 
     /// What asks for more nodes than there may be: the kernel, or else the breakpoints.
@@ -231,54 +260,99 @@ impl<K: Kernel + ?Sized> Problem<'_, K> {
         }
     }
 
-    /// Solutions on growing numbers of nodes until differences say that it is enough.
-    fn refined(&self, breaks: &[f64], start: f64) -> Result<AdaptiveSolution, Error> {
-        let (kernel, tolerance) = (self.kernel, self.tolerance);
-        let solve = |half_count: usize| {
-            let operator = SincOperator::with_breaks(kernel, half_count, breaks)?;
-            let solution = operator.factor(self.parameter)?.solve(&operator.sample(self.f)?)?;
-            let rounding = operator.rounding(&solution)?;
-            Ok::<_, Error>((solution, rounding))
-        };
+    /// Solutions on growing numbers of nodes until their errors say that it is enough; the last, and by what errors grow.
+    fn refined(&self, breaks: &[f64], start: f64) -> Result<(AdaptiveSolution, f64), Error> {
         let most = most(breaks);
-        let mut sequence = half_counts(start).take_while(|half_count| *half_count <= most);
-        let mut next = || sequence.next();
-        let (Some(n1), Some(n2), Some(n3)) = (next(), next(), next()) else {
-            return Err(self.too_many(breaks, most));
-        };
-        let mass = |x: f64| kernel.mass_function(x);
-        let ((first, _), (mut previous, _)) = (solve(n1)?, solve(n2)?);
-        let mut before = Estimate::weighted(&first, &previous, &mass)?;
-        let mut half_count = n3;
+        let mut half_count = (start.round() as usize).max(LEAST_HALF_COUNT);
+        let mut before = f64::INFINITY;
         loop {
-            let (solution, rounding) = solve(half_count)?;
-            let difference = Estimate::weighted(&previous, &solution, &mass)?;
-            let estimate = Estimate::extrapolated(&before, &difference, &solution, rounding, RATIO);
+            let Level { solution, error, growth, rounding, sizes } =
+                self.level(breaks, half_count)?;
             let scale = largest(solution.values());
-            let converged = estimate.solution <= tolerance * scale;
-            let stagnant = difference.solution > 0.5 * before.solution;
-            let out_of_reach = rounding > tolerance * scale;
-            let settled = difference.solution <= rounding
-                || (stagnant && (out_of_reach || difference.solution <= STAGNANT * scale));
-            match next() {
-                Some(larger) if !converged && !settled => half_count = larger,
-                _ => return Ok(AdaptiveSolution { solution, estimate, converged, half_count }),
+            let is_slow = error.solution > SLOW * before;
+            let mut estimate = error.stated(scale, rounding, sizes);
+            if is_slow {
+                estimate.solution = estimate.solution.max(SAFETY_SLOW * before);
             }
-            previous = solution;
-            before = difference;
+            let wanted = self.tolerance * scale;
+            let converged = estimate.solution <= wanted;
+            let is_stagnant = error.solution > STUCK * before;
+            let is_rounding =
+                error.solution <= rounding || (is_stagnant && error.solution <= STAGNANT * scale);
+            let next = following(half_count, estimate.solution / scale, self.tolerance).min(most);
+            if converged || is_rounding || next == half_count {
+                let found = AdaptiveSolution { solution, estimate, converged, half_count };
+                return Ok((found, growth));
+            }
+            half_count = next;
+            before = error.solution;
         }
+    }
+
+    /// By what errors of the right-hand side and rounding grow, at least 1: `(1 + parameter K)^-1` is at most 1 in `L2` where nothing is negative; elsewhere from the solution itself and from
+    /// that for a step in the middle, in which every eigenfunction has its share.
+    fn growth(&self, factor: &SincFactor<'_>, solution: &SincSolution) -> Result<f64, Error> {
+        if self.parameter >= 0.0 {
+            return Ok(1.0);
+        }
+        let centre = self.kernel.interval().centre();
+        let places = solution.mesh().positions().iter();
+        let step: Vec<f64> = places.map(|x| if *x < centre { 0.0 } else { 1.0 }).collect();
+        let answer = largest(factor.solve(&step)?.values());
+        Ok((largest(solution.values()) / self.sampled.largest).max(answer).max(1.0))
+    }
+
+    /// The solution on so many nodes.
+    fn level(&self, breaks: &[f64], half_count: usize) -> Result<Level, Error> {
+        let finer = Arc::new(SincGrid::new(self.kernel, 2 * half_count)?);
+        let mesh = Mesh::new(Arc::new(finer.coarser()), self.kernel.interval(), breaks)?;
+        let finer = mesh.with_grid(finer);
+        let operator = SincOperator::on_mesh(self.kernel, mesh)?;
+        let factor = operator.factor(self.parameter)?;
+        let solution = factor.solve(&operator.sample(self.f)?)?;
+        let growth = self.growth(&factor, &solution)?;
+        let rounding = growth * operator.rounding(&solution)?;
+        let check = Check { kernel: self.kernel, operator: &operator, finer };
+        let error = check.error(&factor, &solution, self.f)?;
+        let centre = operator.interval().centre();
+        let sizes = [
+            operator.integral_of_size(|x| self.kernel.mass_function(x)),
+            operator.integral_of_size(|x| x - centre),
+        ];
+        Ok(Level { solution, error, growth, rounding, sizes })
     }
 }
 
-/// Nodes on either side of the middle that give about 13 digits for the logarithm and a right-hand side of a few terms; `strength` is
+/// A solution with its error as it was found, and the rounding it carries.
+struct Level {
+    solution: SincSolution,
+    error: Estimate,
+    growth: f64,
+    rounding: f64,
+    /// The integrals of `|u|` and `|x - c|`.
+    sizes: [f64; 2],
+}
+
+/// How many nodes are tried next where the error, relative to the solution, is larger than the tolerance: in proportion to the digits, for errors that fall as `exp(-c n)`.
+fn following(half_count: usize, error: f64, tolerance: f64) -> usize {
+    let growth = tolerance.ln() / error.ln();
+    let growth = if error < 1.0 { growth.clamp(LEAST_GROWTH, MOST_GROWTH) } else { MOST_GROWTH };
+    (half_count as f64 * growth).ceil() as usize
+}
+
+/// Nodes on either side of the middle that give about 13 digits for the logarithm and a right-hand side of a few terms, as the finest of three that are compared; `strength` is
 /// `lambda` times the half-length. Measured.
 #[must_use]
 pub fn first_half_count(strength: f64) -> f64 {
-    let decades = strength.abs().max(1.0).log10();
-    (22.0 + 16.0 * decades).min(160.0)
+    half_count(22.0, 16.0, strength)
 }
 
-/// Two coarser numbers, the start, and ever larger ones.
-fn half_counts(start: f64) -> impl Iterator<Item = usize> {
-    (-2..).map(move |power| ((start * RATIO.powi(power)).round() as usize).max(4))
+/// The same for 12 digits on nodes that stand alone.
+fn sufficient_half_count(strength: f64) -> f64 {
+    half_count(27.0, 15.0, strength)
+}
+
+/// So many nodes for a small parameter, and so many more for each decade of a large one.
+fn half_count(least: f64, more: f64, strength: f64) -> f64 {
+    (least + more * strength.abs().max(1.0).log10()).min(160.0)
 }

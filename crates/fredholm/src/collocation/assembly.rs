@@ -1,12 +1,13 @@
 //! The scaled symmetric matrix of a kernel on a mesh, split by parity where that is possible.
 
-use std::ops::Range;
-
+use super::entries::{Entries, Scratch, with_mass};
 use super::mesh::Mesh;
-use super::weights::SincWeights;
 use crate::kernel::Kernel;
-use crate::linear::{dot, multiply_rows};
+use crate::linear::{dot, multiply_rows, sum, vectorised};
 use crate::{Error, memory};
+
+/// Rows and columns of a square of a matrix that is copied at once.
+const SQUARE: usize = 16;
 
 /// The functions a block acts on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -117,17 +118,25 @@ impl Block {
     /// entries changes `K phi` by. The distance `d_ij` of two nodes of a panel is a difference of their distances from its end, of which `r_ij` is the smaller one, and `d K'(d)` is
     /// about as large as `K(d)`. The entries are taken with what stands in them beside the kernel, which may be much larger and cancel in the sum.
     pub(super) fn rounded_potential(&self, z: &[f64], mesh: &Mesh) -> f64 {
-        let sum = |(i, row): (usize, &[f64])| {
-            let terms = row.iter().zip(z).enumerate();
-            let sum: f64 = terms
-                .map(|(j, (entry, z))| {
-                    let relative = mesh.cancellation(self.first + i, self.first + j);
-                    (entry * z).abs() * (1.0 + relative)
-                })
-                .sum();
-            if self.roots[i] > 0.0 { sum / self.roots[i] } else { 0.0 }
-        };
-        self.matrix.chunks_exact(self.order()).enumerate().map(sum).fold(0.0, f64::max)
+        let mut relative = vec![0.0; self.order()];
+        let mut largest = 0.0f64;
+        for (i, row) in self.matrix.chunks_exact(self.order()).enumerate() {
+            let index = self.first + i;
+            mesh.cancellations(index, self.first..self.first + self.order(), &mut relative);
+            let sum = vectorised(
+                #[inline(always)]
+                || {
+                    for ((relative, entry), z) in relative.iter_mut().zip(row).zip(z) {
+                        *relative = (entry * z).abs() * (1.0 + *relative);
+                    }
+                    sum(&relative)
+                },
+            );
+            if self.roots[i] > 0.0 {
+                largest = largest.max(sum / self.roots[i]);
+            }
+        }
+        largest
     }
 
     /// How many times the sum over the block makes the sum over all nodes.
@@ -142,12 +151,7 @@ pub(super) fn blocks(
     mesh: &Mesh,
     masses: &[f64],
 ) -> Result<Vec<Block>, Error> {
-    let entries = Entries {
-        kernel,
-        mesh,
-        masses,
-        weights: SincWeights::new(kernel.singularity(), mesh.panel_count()),
-    };
+    let entries = Entries::new(kernel, mesh, masses);
     let mut blocks = if kernel.is_even() && mesh.is_symmetric() {
         let half = mesh.count() / 2 + 1;
         memory::admit(half, 2.0 * with_factor(half))?;
@@ -181,71 +185,27 @@ fn require_finite(block: &Block, mesh: &Mesh) -> Result<(), Error> {
     match culprit {
         Some(place) => Err(Error::NotFinite {
             what: "kernel",
-            at: mesh.node(block.first + place % block.order()).position,
+            at: mesh.positions()[block.first + place % block.order()],
             value: block.matrix[place],
         }),
         None => Ok(()),
     }
 }
 
-struct Entries<'k, K: ?Sized> {
-    kernel: &'k K,
-    mesh: &'k Mesh,
-    masses: &'k [f64],
-    weights: SincWeights,
-}
-
 impl<K: Kernel + ?Sized> Entries<'_, K> {
-    /// The entry of the unscaled matrix on the diagonal, less the weight.
-    fn diagonal(&self, i: usize) -> f64 {
-        if self.masses[i] == 0.0 {
-            return 0.0;
-        }
-        let x = self.mesh.node(i).position;
-        self.weights.at_node(self.kernel.split(x, x, 0.0), self.mesh.weights()[i])
-    }
-
-    /// The entries `(i, j)` of the unscaled matrix, less the weight, for the nodes `j` of a range that ends before `i`.
-    fn row(&self, i: usize, range: Range<usize>, row: &mut [f64]) {
-        if self.masses[i] == 0.0 {
-            row[..range.len()].fill(0.0);
-            return;
-        }
-        let x = self.mesh.node(i).position;
-        let first = range.start;
-        let mut distances = vec![0.0; range.len()];
-        for segment in self.mesh.segments(range) {
-            let same_panel = self.mesh.same_panel(i, segment.start);
-            let local = segment.start - first..segment.end - first;
-            let distances = &mut distances[local.clone()];
-            self.mesh.distances(i, segment.clone(), distances);
-            let entries = segment.zip(distances.iter()).zip(&mut row[local]);
-            if same_panel {
-                entries.for_each(|((j, &distance), entry)| {
-                    if self.masses[j] == 0.0 {
-                        *entry = 0.0;
-                        return;
-                    }
-                    let pair = self.kernel.pair(x, self.mesh.node(j).position, distance);
-                    *entry = self.weights.apart(pair, distance, i - j);
-                });
-            } else {
-                entries.for_each(|((j, &distance), entry)| {
-                    *entry = self.kernel.pair(x, self.mesh.node(j).position, distance).value;
-                });
-            }
-        }
-    }
-
     fn whole(&self) -> Block {
         let roots: Vec<f64> = self.masses.iter().map(|mass| mass.sqrt()).collect();
         let order = roots.len();
         let mut matrix = vec![0.0; order * order];
+        let mut scratch = Scratch::new(order);
         for i in 0..order {
             let row = &mut matrix[i * order..=i * order + i];
-            self.row(i, 0..i, row);
+            self.row(i, 0..i, row, &mut scratch);
             row[i] = self.diagonal(i);
-            scale(row, &roots, roots[i]);
+            vectorised(
+                #[inline(always)]
+                || scale(row, &roots, roots[i]),
+            );
         }
         mirror(&mut matrix, order);
         Block { part: Part::Whole, first: 0, roots, matrix, boundary_rows: Vec::new() }
@@ -265,29 +225,36 @@ impl<K: Kernel + ?Sized> Entries<'_, K> {
         let mut even = vec![0.0; even_order * even_order];
         let mut odd = vec![0.0; odd_order * odd_order];
         let (mut same, mut images) = (vec![0.0; even_order], vec![0.0; even_order]);
+        let mut scratch = Scratch::new(even_order);
         for a in 0..even_order {
             let i = middle + a;
             let images = &mut images[..=a];
-            self.row(i, middle..i, &mut same);
+            self.row(i, middle..i, &mut same, &mut scratch);
             same[a] = self.diagonal(i);
             // The images of nodes `middle .. i` are `i' .. middle'` from left to right.
             if has_middle && a == 0 {
                 images[0] = same[0];
             } else {
-                self.row(i, count - 1 - i..count - middle, images);
-                images.reverse();
+                self.row(i, count - 1 - i..count - middle, images, &mut scratch);
             }
-            let pairs = || same.iter().zip(images.iter());
-            let row = &mut even[a * even_order..=a * even_order + a];
-            row.iter_mut().zip(pairs()).for_each(|(entry, (s, m))| *entry = s + m);
-            scale(row, &roots, roots[a]);
-            if a >= skipped {
+            let (same, images) = (&same[..=a], &*images);
+            let even = &mut even[a * even_order..=a * even_order + a];
+            let odd = (a >= skipped).then(|| {
                 let start = (a - skipped) * odd_order;
-                let row = &mut odd[start..=start + a - skipped];
-                let pairs = pairs().skip(skipped);
-                row.iter_mut().zip(pairs).for_each(|(entry, (s, m))| *entry = s - m);
-                scale(row, &roots[skipped..], roots[a]);
-            }
+                &mut odd[start..=start + a - skipped]
+            });
+            vectorised(
+                #[inline(always)]
+                || {
+                    let pairs = same.iter().zip(images.iter().rev());
+                    even.iter_mut().zip(pairs).for_each(|(entry, (s, m))| *entry = s + m);
+                    scale(even, &roots, roots[a]);
+                    let Some(odd) = odd else { return };
+                    let pairs = same.iter().zip(images.iter().rev()).skip(skipped);
+                    odd.iter_mut().zip(pairs).for_each(|(entry, (s, m))| *entry = s - m);
+                    scale(odd, &roots[skipped..], roots[a]);
+                },
+            );
         }
         mirror(&mut even, even_order);
         mirror(&mut odd, odd_order);
@@ -307,38 +274,52 @@ impl<K: Kernel + ?Sized> Entries<'_, K> {
 }
 
 /// Multiplies by the roots of the weights of the columns and of the row.
+#[inline(always)]
 fn scale(row: &mut [f64], roots: &[f64], root: f64) {
     row.iter_mut().zip(roots).for_each(|(entry, column)| *entry = (root * *entry) * column);
 }
 
-/// Copies the lower triangle to the upper one.
+/// Copies the lower triangle to the upper one, square by square: a column of a large matrix is spread over all its memory.
 fn mirror(matrix: &mut [f64], order: usize) {
-    for i in 0..order {
-        for j in 0..i {
-            matrix[j * order + i] = matrix[i * order + j];
+    for rows in (0..order).step_by(SQUARE) {
+        for columns in (0..=rows).step_by(SQUARE) {
+            for i in rows..order.min(rows + SQUARE) {
+                for j in columns..i.min(columns + SQUARE) {
+                    matrix[j * order + i] = matrix[i * order + j];
+                }
+            }
         }
     }
 }
 
 /// `m_j K(x_b, x_j)` for every boundary `x_b` of the panels: a row for each.
-fn boundary_rows(kernel: &(impl Kernel + ?Sized), mesh: &Mesh, masses: &[f64]) -> Vec<f64> {
-    let row = |boundary: usize| {
-        let x = mesh.boundaries()[boundary];
-        (0..mesh.count()).map(move |j| {
-            let distance = mesh.distance_to_boundary(boundary, j);
-            match masses[j] {
-                0.0 => 0.0,
-                mass => mass * kernel.pair(x, mesh.node(j).position, distance).value,
-            }
-        })
-    };
+pub(super) fn boundary_rows(
+    kernel: &(impl Kernel + ?Sized),
+    mesh: &Mesh,
+    masses: &[f64],
+) -> Vec<f64> {
     let boundaries = mesh.boundaries().len();
-    if kernel.is_even() && mesh.is_symmetric() {
-        let mut rows: Vec<f64> = (0..boundaries.div_ceil(2)).flat_map(row).collect();
+    let is_even = kernel.is_even() && mesh.is_symmetric();
+    let half = if is_even { boundaries.div_ceil(2) } else { boundaries };
+    let mut rows = vec![0.0; half * mesh.count()];
+    let Some(inside) = with_mass(masses, 0..mesh.count()) else { return rows };
+    let mut distances = vec![0.0; inside.len()];
+    let mut factors = distances.clone();
+    for (boundary, row) in rows.chunks_exact_mut(mesh.count()).enumerate() {
+        let x = mesh.boundaries()[boundary];
+        for (distance, j) in distances.iter_mut().zip(inside.clone()) {
+            *distance = mesh.distance_to_boundary(boundary, j);
+        }
+        let row = &mut row[inside.clone()];
+        kernel.pairs(x, &mesh.positions()[inside.clone()], &distances, row, &mut factors);
+        for (entry, mass) in row.iter_mut().zip(&masses[inside.clone()]) {
+            *entry = if *mass > 0.0 { mass * *entry } else { 0.0 };
+        }
+    }
+    if is_even {
         let mirrored: Vec<f64> =
             rows[..boundaries / 2 * mesh.count()].iter().rev().copied().collect();
         rows.extend(mirrored);
-        return rows;
     }
-    (0..boundaries).flat_map(row).collect()
+    rows
 }

@@ -12,6 +12,11 @@ const SAFETY_SLOW: f64 = 3.0;
 /// Safety on the geometric model.
 const SAFETY: f64 = 10.0;
 
+/// Safety on an error that was found from the residual at some places. Survey, see [`solve_adaptive`](super::solve_adaptive).
+const SAFETY_FOUND: f64 = 5.0;
+/// Errors above this share of the solution are no small part of it.
+const UNKNOWN: f64 = 1e-3;
+
 /// An estimate of the error of a solution: likely, not guaranteed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
@@ -69,33 +74,15 @@ impl Estimate {
         })
     }
 
-    /// The error of the finest of three solutions on numbers of nodes that grow by one ratio, from their differences: the
-    /// larger of `d_23 rho/(1 - rho)`, `rho = d_23/d_12`, as for algebraic convergence, and `10 scale (d_23/scale)^sqrt(ratio)`,
-    /// as for convergence like `exp(-c sqrt(n))`, which singular corners leave of the geometric; for `rho > 1/4` three times the larger difference; never less than `rounding`.
-    pub(super) fn extrapolated(
-        first: &Self,
-        second: &Self,
-        finest: &SincSolution,
-        rounding: f64,
-        ratio: f64,
-    ) -> Self {
-        let ratio = ratio.sqrt();
-        let scale = largest(finest.values());
-        let length =
-            finest.mesh().boundaries().last().unwrap_or(&0.0) - finest.mesh().boundaries()[0];
-        let (integral_scale, integral_rounding) = (scale * length, rounding * length);
-        let moment_scale = 0.5 * length;
+    /// What is stated of a solution of this scale with errors that were found as these, and with this rounding; `sizes` are those of the two integrals of a function that is 1 in size. Where
+    /// the error is no small part of the solution, the solution is not resolved, and its whole scale is stated.
+    pub(super) fn stated(&self, scale: f64, rounding: f64, sizes: [f64; 2]) -> Self {
+        let least = if self.solution > UNKNOWN * scale { scale } else { rounding };
+        let [integral, first_moment] = sizes.map(|size| least * size);
         Self {
-            solution: extrapolate(first.solution, second.solution, scale, ratio).max(rounding),
-            integral: extrapolate(first.integral, second.integral, integral_scale, ratio)
-                .max(integral_rounding),
-            first_moment: extrapolate(
-                first.first_moment,
-                second.first_moment,
-                integral_scale * moment_scale,
-                ratio,
-            )
-            .max(integral_rounding * moment_scale),
+            solution: (SAFETY_FOUND * self.solution).max(least),
+            integral: (SAFETY_FOUND * self.integral).max(integral),
+            first_moment: (SAFETY_FOUND * self.first_moment).max(first_moment),
         }
     }
 }

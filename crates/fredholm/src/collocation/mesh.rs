@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::SincGrid;
-use crate::quadrature::map::Node;
+use crate::linear::vectorised;
 use crate::{Error, Interval};
 
 /// Most nodes of a mesh.
@@ -33,7 +33,10 @@ pub(super) struct Mesh {
     boundaries: Vec<f64>,
     /// For each panel the index of its left end in `boundaries`; its right end is the next one.
     left_ends: Vec<usize>,
-    nodes: Vec<(usize, Node)>,
+    /// `x` of every node, and its distances to the ends of its panel.
+    positions: Vec<f64>,
+    from_left: Vec<f64>,
+    from_right: Vec<f64>,
     weights: Vec<f64>,
 }
 
@@ -71,20 +74,40 @@ impl Mesh {
                 limit: "at most 8001 over all panels: fewer kinks, steps and narrow features need fewer",
             });
         }
-        let nodes: Vec<(usize, Node)> = left_ends
-            .iter()
-            .enumerate()
-            .flat_map(|(panel, &end)| {
-                let (left, right) = (boundaries[end], boundaries[end + 1]);
-                grid.nodes().iter().map(move |node| (panel, node.carried(left, right)))
-            })
-            .collect();
-        let weights = nodes.iter().map(|(_, node)| grid.step() * node.derivative).collect();
-        Ok(Self { grid, boundaries, left_ends, nodes, weights })
+        Ok(Self::carried(grid, boundaries, left_ends))
+    }
+
+    /// Another grid on the same panels, however many nodes that makes: it is looked at, and nothing is solved on it.
+    pub(super) fn with_grid(&self, grid: Arc<SincGrid>) -> Self {
+        Self::carried(grid, self.boundaries.clone(), self.left_ends.clone())
+    }
+
+    fn carried(grid: Arc<SincGrid>, boundaries: Vec<f64>, left_ends: Vec<usize>) -> Self {
+        let count = left_ends.len() * grid.count();
+        let empty = || Vec::with_capacity(count);
+        let mut mesh = Self {
+            grid,
+            boundaries,
+            left_ends,
+            positions: empty(),
+            from_left: empty(),
+            from_right: empty(),
+            weights: empty(),
+        };
+        for &end in &mesh.left_ends {
+            let (left, right) = (mesh.boundaries[end], mesh.boundaries[end + 1]);
+            for node in mesh.grid.nodes().iter().map(|node| node.carried(left, right)) {
+                mesh.positions.push(node.position);
+                mesh.from_left.push(node.from_left);
+                mesh.from_right.push(node.from_right);
+                mesh.weights.push(mesh.grid.step() * node.derivative);
+            }
+        }
+        mesh
     }
 
     pub(super) fn count(&self) -> usize {
-        self.nodes.len()
+        self.positions.len()
     }
 
     /// Nodes of one panel.
@@ -115,25 +138,34 @@ impl Mesh {
         &self.weights
     }
 
-    pub(super) fn node(&self, index: usize) -> &Node {
-        &self.nodes[index].1
+    /// `x` of every node, from left to right.
+    pub(super) fn positions(&self) -> &[f64] {
+        &self.positions
+    }
+
+    pub(super) fn place(&self, index: usize) -> Place {
+        Place {
+            position: self.positions[index],
+            from_left: self.from_left[index],
+            from_right: self.from_right[index],
+            panel: self.panel(index),
+        }
     }
 
     pub(super) fn places(&self) -> impl ExactSizeIterator<Item = Place> + '_ {
-        self.nodes.iter().map(|&(panel, node)| Place {
-            position: node.position,
-            from_left: node.from_left,
-            from_right: node.from_right,
-            panel,
-        })
+        (0..self.count()).map(|index| self.place(index))
+    }
+
+    /// The panel of a node.
+    pub(super) fn panel(&self, index: usize) -> usize {
+        index / self.panel_count()
     }
 
     /// The places midway between neighbouring nodes of a panel, those that numbers tell apart from both.
     pub(super) fn midway(&self) -> impl Iterator<Item = f64> + '_ {
-        let panels = self.nodes.chunks_exact(self.panel_count());
+        let panels = self.positions.chunks_exact(self.panel_count());
         let pairs = panels.flat_map(|nodes| nodes.iter().zip(&nodes[1..]));
-        pairs.filter_map(|((_, left), (_, right))| {
-            let (left, right) = (left.position, right.position);
+        pairs.filter_map(|(&left, &right)| {
             let middle = left.midpoint(right);
             (left < middle && middle < right).then_some(middle)
         })
@@ -148,11 +180,6 @@ impl Mesh {
             && (0..panels).all(|k| self.left_ends[k] + self.left_ends[panels - 1 - k] == count - 2)
     }
 
-    /// Whether two nodes lie in one panel.
-    pub(super) fn same_panel(&self, i: usize, j: usize) -> bool {
-        self.nodes[i].0 == self.nodes[j].0
-    }
-
     /// Cuts a range of nodes at the breakpoints.
     pub(super) fn segments(
         &self,
@@ -163,43 +190,66 @@ impl Mesh {
             .map(move |panel| range.start.max(panel * count)..range.end.min((panel + 1) * count))
     }
 
-    /// `|x_i - x_j|` for nodes `j` of one panel that lie left of `x_i`; across a breakpoint or a gap from the distances to it.
+    /// `|x_i - x_j|` for nodes `j` of one panel; across a breakpoint or a gap from the distances to it.
     pub(super) fn distances(&self, i: usize, segment: Range<usize>, distances: &mut [f64]) {
-        let (panel, x) = &self.nodes[i];
-        let nodes = &self.nodes[segment];
-        let Some((left_panel, _)) = nodes.first() else { return };
-        if left_panel == panel {
-            for (distance, (_, s)) in distances.iter_mut().zip(nodes) {
-                *distance = x.distance(s);
-            }
-        } else {
-            let gap = self.boundaries[self.left_ends[*panel]]
-                - self.boundaries[self.left_ends[*left_panel] + 1];
-            for (distance, (_, s)) in distances.iter_mut().zip(nodes) {
-                *distance = s.from_right + gap + x.from_left;
-            }
-        }
+        let (own, other) = (self.panel(i), self.panel(segment.start));
+        let (from_left, from_right) = (&self.from_left[segment.clone()], &self.from_right[segment]);
+        let (left, right) = (self.from_left[i], self.from_right[i]);
+        let ends = |panel: usize| {
+            let end = self.left_ends[panel];
+            (self.boundaries[end], self.boundaries[end + 1])
+        };
+        vectorised(
+            #[inline(always)]
+            || {
+                if own == other {
+                    between(left, right, from_left, from_right, distances);
+                } else if own > other {
+                    let beyond = (ends(own).0 - ends(other).1, left);
+                    let sums = distances.iter_mut().zip(from_right);
+                    sums.for_each(|(distance, s)| *distance = s + beyond.0 + beyond.1);
+                } else {
+                    let beyond = (ends(other).0 - ends(own).1, right);
+                    let sums = distances.iter_mut().zip(from_left);
+                    sums.for_each(|(distance, s)| *distance = s + beyond.0 + beyond.1);
+                }
+            },
+        );
     }
 
-    /// The smaller distance of two nodes of a panel from its nearer end over their distance from each other: how much of the relative rounding of the one the other has. 0 for a node
-    /// and itself and across a breakpoint.
-    pub(super) fn cancellation(&self, i: usize, j: usize) -> f64 {
-        let ((panel, x), (other, s)) = (&self.nodes[i], &self.nodes[j]);
-        let distance = x.distance(s);
-        if panel != other || distance == 0.0 {
-            return 0.0;
+    /// For the nodes of a range the smaller distance of it and of node `i` from their nearer ends over their distance from each other: how much of the relative rounding of the one the
+    /// other has. 0 for a node and itself and across a breakpoint.
+    pub(super) fn cancellations(&self, i: usize, range: Range<usize>, found: &mut [f64]) {
+        found[..range.len()].fill(0.0);
+        let own = self.panel(i) * self.panel_count();
+        let inside = range.start.max(own)..range.end.min(own + self.panel_count());
+        if inside.is_empty() {
+            return;
         }
-        x.from_left.min(x.from_right).min(s.from_left).min(s.from_right) / distance
+        let found = &mut found[inside.start - range.start..inside.end - range.start];
+        let (from_left, from_right) = (&self.from_left[inside.clone()], &self.from_right[inside]);
+        let (left, right) = (self.from_left[i], self.from_right[i]);
+        let nearer = if left < right { left } else { right };
+        vectorised(
+            #[inline(always)]
+            || {
+                between(left, right, from_left, from_right, found);
+                for ((found, left), right) in found.iter_mut().zip(from_left).zip(from_right) {
+                    let other = if left < right { left } else { right };
+                    let smaller = if nearer < *other { nearer } else { *other };
+                    *found = if *found == 0.0 { 0.0 } else { smaller / *found };
+                }
+            },
+        );
     }
 
     /// Distance of a node to a boundary.
     pub(super) fn distance_to_boundary(&self, boundary: usize, j: usize) -> f64 {
-        let (panel, node) = &self.nodes[j];
-        let end = self.left_ends[*panel];
+        let end = self.left_ends[self.panel(j)];
         if boundary <= end {
-            self.boundaries[end] - self.boundaries[boundary] + node.from_left
+            self.boundaries[end] - self.boundaries[boundary] + self.from_left[j]
         } else {
-            self.boundaries[boundary] - self.boundaries[end + 1] + node.from_right
+            self.boundaries[boundary] - self.boundaries[end + 1] + self.from_right[j]
         }
     }
 
@@ -215,6 +265,16 @@ impl Mesh {
         let (left, right) = (self.boundaries[self.left_ends[panel]], right_end(panel));
         let position = if x.is_nan() { x } else { x.clamp(left, right) };
         Place { position, from_left: position - left, from_right: right - position, panel }
+    }
+}
+
+/// The distances of points of one panel from another, each given by its distances to the ends: from those to the end that is nearer to both.
+#[inline(always)]
+fn between(left: f64, right: f64, from_left: &[f64], from_right: &[f64], distances: &mut [f64]) {
+    for ((distance, l), r) in distances.iter_mut().zip(from_left).zip(from_right) {
+        let is_left = left + l < right + r;
+        let difference = if is_left { left - l } else { right - r };
+        *distance = difference.abs();
     }
 }
 
@@ -251,7 +311,8 @@ fn disjoint(interval: Interval, panels: &[(f64, f64)]) -> Result<(Vec<f64>, Vec<
     Ok((boundaries, left_ends))
 }
 
-fn boundaries(interval: Interval, breaks: &[f64]) -> Result<Vec<f64>, Error> {
+/// The ends of the panels between breakpoints.
+pub(super) fn boundaries(interval: Interval, breaks: &[f64]) -> Result<Vec<f64>, Error> {
     if !interval.is_finite() {
         return Err(Error::InvalidParameter {
             name: "right end",

@@ -24,7 +24,9 @@
 
 mod adaptive;
 mod assembly;
+mod check;
 mod eigenpairs;
+mod entries;
 mod estimate;
 mod factor;
 mod grid;

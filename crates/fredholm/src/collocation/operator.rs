@@ -102,7 +102,7 @@ impl SincOperator {
         Self::on_mesh(kernel, mesh)
     }
 
-    fn on_mesh(kernel: &(impl Kernel + ?Sized), mesh: Mesh) -> Result<Self, Error> {
+    pub(super) fn on_mesh(kernel: &(impl Kernel + ?Sized), mesh: Mesh) -> Result<Self, Error> {
         let masses = masses(kernel, &mesh)?;
         let blocks = blocks(kernel, &mesh, &masses)?;
         Ok(Self {
@@ -201,6 +201,12 @@ impl SincOperator {
         Ok(estimate::ROUNDING * (largest(solution.values()) + solution.parameter().abs() * entries))
     }
 
+    /// `int |u| dm`.
+    pub(super) fn integral_of_size(&self, u: impl Fn(f64) -> f64) -> f64 {
+        let terms = self.mesh.positions().iter().zip(&self.masses);
+        terms.map(|(x, mass)| u(*x).abs() * mass).sum()
+    }
+
     /// Weights of the nodes in the measure of the kernel.
     pub(crate) fn node_masses(&self) -> &[f64] {
         &self.masses
@@ -230,7 +236,7 @@ impl SincOperator {
         match values.iter().position(|value| !value.is_finite()) {
             Some(index) => Err(Error::NotFinite {
                 what: "right-hand side",
-                at: self.mesh.node(index).position,
+                at: self.mesh.positions()[index],
                 value: values[index],
             }),
             None => Ok(()),
@@ -262,18 +268,20 @@ impl SincOperator {
         masses
     }
 
-    /// Nodes so deep in a corner that their mass vanishes, or that nothing changes any more, have the potential of that end of their panel.
+    /// Nodes in a corner have the potential of that end of their panel.
     fn fill_corners(&self, potential: &mut [f64], boundaries: &[f64]) {
-        let is_corner = |mass: f64, place: Place| {
-            mass == 0.0 || (place.panel == 0 && place.from_left < self.settled)
-        };
         let corners = potential.iter_mut().zip(&self.masses).zip(self.mesh.places());
         for ((potential, _), place) in
-            corners.filter(|((_, mass), place)| is_corner(**mass, *place))
+            corners.filter(|((_, mass), place)| self.is_corner(**mass, *place))
         {
             let at_left = place.from_left < place.from_right;
             *potential = boundaries[self.mesh.left_end(place.panel) + usize::from(!at_left)];
         }
+    }
+
+    /// Whether a node is so deep in a corner that its mass vanishes, or that nothing changes any more.
+    pub(super) fn is_corner(&self, mass: f64, place: Place) -> bool {
+        mass == 0.0 || (place.panel == 0 && place.from_left < self.settled)
     }
 }
 
@@ -281,7 +289,7 @@ impl SincOperator {
 const VANISHING: f64 = 1e-280;
 
 /// `h x'(t_j) m(x_j)`.
-fn masses(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Result<Vec<f64>, Error> {
+pub(super) fn masses(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Result<Vec<f64>, Error> {
     let mass = |(weight, place): (&f64, Place)| {
         let density = kernel.measure(place.position);
         if density.is_finite() && density >= 0.0 {

@@ -7,7 +7,6 @@ use super::solution::{line, sine_of_turns};
 use super::{Place, SincOperator, SincSolution};
 use crate::Error;
 use crate::linear::dot;
-use crate::quadrature::map::inverse;
 
 /// Points fixed beforehand: every solution on the nodes of one operator is then evaluated at all of them by a product
 /// with one matrix, `P x N` multiplications for `P` points.
@@ -80,7 +79,7 @@ fn require(found: usize, what: &'static str, expected: usize) -> Result<(), Erro
 pub(super) fn sinc_row(mesh: &Mesh, place: Place) -> impl Iterator<Item = f64> + use<> {
     let half_count = mesh.grid().half_count() as f64;
     let at_end = place.from_left <= 0.0 || place.from_right <= 0.0;
-    let tau = inverse(place.from_left, place.from_right) / mesh.grid().step();
+    let tau = mesh.grid().inverse(place) / mesh.grid().step();
     let nearest = tau.round();
     let at_node = (tau - nearest).abs() < 1e-13;
     let sine = sine_of_turns(tau, nearest);

@@ -12,7 +12,6 @@ use super::mesh::Mesh;
 use super::solution::Bubble;
 use crate::Error;
 use crate::kernel::Kernel;
-use crate::quadrature::map::inverse;
 use crate::quadrature::places::{Sampled, dominant};
 
 /// Changes of a function below this share of its largest value are rounding of the function itself.
@@ -181,7 +180,7 @@ impl<'m> Interpolant<'m> {
         if place.from_left <= 0.0 || place.from_right <= 0.0 {
             return line;
         }
-        let tau = inverse(place.from_left, place.from_right) / self.mesh.grid().step();
+        let tau = self.mesh.grid().inverse(place) / self.mesh.grid().step();
         line + self.bubble.at(place.panel, tau)
     }
 }

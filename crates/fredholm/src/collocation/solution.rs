@@ -1,14 +1,14 @@
 //! A solution of collocation, which can be evaluated anywhere.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::mesh::Mesh;
 use super::{Place, SincGrid};
-use crate::quadrature::map::inverse;
+use crate::linear::vectorised;
 
 /// Independent partial sums of the interpolation.
-const LANES: usize = 4;
+const LANES: usize = 8;
 /// A point this close to a node, in steps, is that node.
 const AT_NODE: f64 = 1e-13;
 
@@ -134,14 +134,12 @@ impl SincSolution {
     /// ```
     #[must_use]
     pub fn density_at(&self, place: Place) -> f64 {
-        let Place { from_left, from_right, .. } = place;
         let count = self.mesh.panel_count();
         let start = place.panel.min(self.mesh.panels() - 1) * count;
         let masses = &self.masses[start..start + count];
         let grid = self.mesh.grid();
         let half_count = grid.half_count() as f64;
-        let t = inverse(from_left, from_right);
-        let tau = t / grid.step();
+        let tau = grid.inverse(place) / grid.step();
         let nearest = tau.round();
         let mass = if (tau - nearest).abs() < AT_NODE && nearest.abs() <= half_count {
             masses[(nearest + half_count) as usize]
@@ -154,8 +152,7 @@ impl SincSolution {
             }
             sum * sine_of_turns(tau, nearest)
         };
-        let half = 0.5 * (from_left + from_right);
-        mass / (grid.step() * FRAC_PI_2 * t.cosh() * (from_left / half) * from_right)
+        mass / (grid.step() * grid.derivative(place))
     }
 
     /// `(K phi)(x)` for `x` in the closed interval.
@@ -173,13 +170,19 @@ impl SincSolution {
         if place.from_right <= 0.0 {
             return self.boundaries[end + 1];
         }
-        let t = inverse(place.from_left, place.from_right);
+        let t = self.mesh.grid().inverse(place);
         line(&self.boundaries, end, place) + self.interpolate(place.panel, t)
     }
 
     /// The interpolated part of `K phi` at `t` in a panel, beside the straight line.
     pub(super) fn interpolate(&self, panel: usize, t: f64) -> f64 {
         self.bubble.at(panel, t / self.mesh.grid().step())
+    }
+
+    /// `(K phi)` at a place inside a panel, of which `tau = t/h` is known.
+    pub(super) fn potential_between(&self, place: Place, tau: f64) -> f64 {
+        let end = self.mesh.left_end(place.panel);
+        line(&self.boundaries, end, place) + self.bubble.at(place.panel, tau)
     }
 
     pub(super) fn mesh(&self) -> &Arc<Mesh> {
@@ -247,25 +250,29 @@ impl Pairs {
         Self { sums, differences }
     }
 
-    /// Two fractions share one division: divisions are what it costs.
     fn sum(&self, tau: f64) -> f64 {
+        vectorised(
+            #[inline(always)]
+            || self.sum_of_lanes(tau),
+        )
+    }
+
+    #[inline(always)]
+    fn sum_of_lanes(&self, tau: f64) -> f64 {
         let mut totals = [0.0; LANES];
         let mut index: [f64; LANES] = std::array::from_fn(|lane| (lane + 1) as f64);
-        let (sums, differences) =
-            (self.sums.chunks_exact(2 * LANES), self.differences.chunks_exact(2 * LANES));
-        let rest = sums.remainder().iter().zip(differences.remainder());
-        for (s, d) in sums.zip(differences) {
+        let (sums, rest_of_sums) = self.sums.as_chunks::<LANES>();
+        let (differences, rest) = self.differences.as_chunks::<LANES>();
+        for (s, d) in sums.iter().zip(differences) {
             for lane in 0..LANES {
-                let (i, j) = (index[lane], index[lane] + LANES as f64);
-                // As products: next to a node the difference of squares would lose what the sine has.
-                let (p, q) = ((tau - i) * (tau + i), (tau - j) * (tau + j));
-                let (a, b) = (s[lane] * tau + d[lane], s[lane + LANES] * tau + d[lane + LANES]);
-                totals[lane] += (a * q + b * p) / (p * q);
-                index[lane] += 2.0 * LANES as f64;
+                // As a product: next to a node the difference of squares would lose what the sine has.
+                let denominator = (tau - index[lane]) * (tau + index[lane]);
+                totals[lane] += (s[lane] * tau + d[lane]) / denominator;
+                index[lane] += LANES as f64;
             }
         }
         let mut total: f64 = totals.iter().sum();
-        for ((s, d), j) in rest.zip((0..).map(|k| index[0] + f64::from(k))) {
+        for ((s, d), j) in rest_of_sums.iter().zip(rest).zip(index) {
             total += (s * tau + d) / ((tau - j) * (tau + j));
         }
         total

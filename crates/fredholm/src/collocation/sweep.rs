@@ -157,15 +157,19 @@ impl Sweep {
 
     /// The values at many parameters, as many as the shorter of the two lists has.
     pub fn run(&self, parameters: &[f64], values: &mut [SweepValue]) {
-        vectorised(|| {
-            let (chunks, places) = (parameters.chunks(LANES), values.chunks_mut(LANES));
-            for (chunk, places) in chunks.zip(places) {
-                let mut lanes = [0.0; LANES];
-                lanes[..chunk.len()].copy_from_slice(chunk);
-                let count = chunk.len().min(places.len());
-                places[..count].copy_from_slice(&self.lanes(&lanes)[..count]);
-            }
-        });
+        // Inlined, or else it is compiled for no vectors.
+        vectorised(
+            #[inline(always)]
+            || {
+                let (chunks, places) = (parameters.chunks(LANES), values.chunks_mut(LANES));
+                for (chunk, places) in chunks.zip(places) {
+                    let mut lanes = [0.0; LANES];
+                    lanes[..chunk.len()].copy_from_slice(chunk);
+                    let count = chunk.len().min(places.len());
+                    places[..count].copy_from_slice(&self.lanes(&lanes)[..count]);
+                }
+            },
+        );
     }
 
     /// [`run`](Self::run) on several threads, with the same result to the last bit.

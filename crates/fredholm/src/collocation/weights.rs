@@ -1,9 +1,11 @@
 //! Exact integrals of the sinc functions against the singular functions.
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::ops::Range;
 
 use crate::kernel::{Pair, Singularity, Split};
-use crate::special::{cosine_integral_pi, oscillatory_tail};
+use crate::linear::vectorised;
+use crate::special::{cosine_integral_pi, oscillatory_tail, powers};
 
 /// Euler's constant.
 const EULER: f64 = 0.577_215_664_901_532_9;
@@ -55,6 +57,44 @@ impl SincWeights {
         }
     }
 
+    /// [`apart`](Self::apart) for neighbouring nodes on one side of a node, from the farthest to the nearest or the other way round: turns the values of the kernel into the entries.
+    /// `differences` are how many places off they are, and the distances are used up.
+    pub(super) fn apart_in_row(
+        &self,
+        values: &mut [f64],
+        factors: &[f64],
+        distances: &mut [f64],
+        differences: Differences,
+    ) {
+        let corrections = match self {
+            Self::Logarithm(corrections) => corrections,
+            Self::Power(power) => {
+                if power.exponent != 0.0 {
+                    powers(distances, -power.exponent);
+                } else {
+                    distances.fill(1.0);
+                }
+                &power.corrections
+            }
+            Self::Smooth => return,
+        };
+        let is_logarithm = matches!(self, Self::Logarithm(_));
+        vectorised(
+            #[inline(always)]
+            || {
+                let terms = values.iter_mut().zip(factors).zip(&*distances);
+                match differences {
+                    Differences::Falling(range) => {
+                        add(terms, corrections[range].iter().rev(), is_logarithm);
+                    }
+                    Differences::Growing(range) => {
+                        add(terms, corrections[range].iter(), is_logarithm);
+                    }
+                }
+            },
+        );
+    }
+
     /// The same for a node and itself; `weight` is `h dx/dt`.
     pub(super) fn at_node(&self, split: Split, weight: f64) -> f64 {
         let Split { factor, rest } = split;
@@ -62,6 +102,33 @@ impl SincWeights {
             Self::Logarithm(c) => factor * (weight.ln() + c[0]) + rest,
             Self::Power(power) => factor * power.at_node(weight) + rest,
             Self::Smooth => rest,
+        }
+    }
+}
+
+/// How many places neighbouring nodes are off, from left to right.
+#[derive(Debug, Clone)]
+pub(super) enum Differences {
+    /// Left of the node, so that they fall.
+    Falling(Range<usize>),
+    /// Right of it.
+    Growing(Range<usize>),
+}
+
+/// `value += factor correction power`, without the power for the logarithm.
+#[inline(always)]
+fn add<'v>(
+    terms: impl Iterator<Item = ((&'v mut f64, &'v f64), &'v f64)>,
+    corrections: impl Iterator<Item = &'v f64>,
+    is_logarithm: bool,
+) {
+    if is_logarithm {
+        for (((value, factor), _), correction) in terms.zip(corrections) {
+            *value += factor * correction;
+        }
+    } else {
+        for (((value, factor), power), correction) in terms.zip(corrections) {
+            *value += factor * (power * correction);
         }
     }
 }

@@ -6,6 +6,7 @@ use super::{
     EndExponents, Expansion, Gram, Kernel, Moments, Parity, Singularity, SpectralRelation, Split,
 };
 use crate::basis::{self, Function};
+use crate::special::logarithms;
 use crate::{Error, Interval};
 
 /// `K(x, s) = ln l/|x - s|` on `(-a, a)`, with the gauge length `l`, 1 unless said: the plane punch.
@@ -70,6 +71,20 @@ impl Kernel for Logarithm {
 
     fn split(&self, _x: f64, _s: f64, _distance: f64) -> Split {
         Split { factor: -1.0, rest: self.offset }
+    }
+
+    fn pairs(
+        &self,
+        _x: f64,
+        _points: &[f64],
+        distances: &[f64],
+        values: &mut [f64],
+        factors: &mut [f64],
+    ) {
+        values.copy_from_slice(distances);
+        logarithms(values);
+        values.iter_mut().for_each(|value| *value = self.offset - *value);
+        factors.fill(-1.0);
     }
 
     fn is_even(&self) -> bool {

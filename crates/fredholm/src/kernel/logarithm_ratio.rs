@@ -9,6 +9,7 @@ use super::{
 use crate::basis::Function;
 use crate::basis::harmonics::Harmonics;
 use crate::special::elliptic::{carlson_first_kind, complete_first_kind};
+use crate::special::logarithms_of_one_and;
 use crate::{Error, Interval};
 
 /// Range of the ends: squares neither overflow nor vanish.
@@ -161,11 +162,31 @@ impl Kernel for LogarithmRatio {
     fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
         Pair { value: ratio(x, s, distance), factor: -1.0 }
     }
+
+    fn pairs(
+        &self,
+        x: f64,
+        points: &[f64],
+        distances: &[f64],
+        values: &mut [f64],
+        factors: &mut [f64],
+    ) {
+        ratios(x, points, distances, values);
+        factors.fill(-1.0);
+    }
 }
 
 /// `ln((x + s)/|x - s|)`: the sum would lose the digits of a small value, `2 s/x` where `s` is far below `x`.
 pub(super) fn ratio(x: f64, s: f64, distance: f64) -> f64 {
     (2.0 * (x.min(s) / distance)).ln_1p()
+}
+
+/// [`ratio`] for many points.
+pub(super) fn ratios(x: f64, points: &[f64], distances: &[f64], values: &mut [f64]) {
+    for ((value, s), distance) in values.iter_mut().zip(points).zip(distances) {
+        *value = 2.0 * (x.min(*s) / distance);
+    }
+    logarithms_of_one_and(values);
 }
 
 impl SpectralRelation for LogarithmRatio {

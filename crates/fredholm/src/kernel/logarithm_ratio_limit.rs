@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_4, PI};
 
 use super::half_sums::half_sums;
-use super::logarithm_ratio::ratio;
+use super::logarithm_ratio::{ratio, ratios};
 use super::{
     EndExponents, Expansion, Gram, Kernel, Moments, Pair, Parity, Singularity, SpectralRelation,
     Split,
@@ -68,6 +68,18 @@ impl Kernel for LogarithmRatioLimit {
 
     fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
         Pair { value: ratio(x, s, distance), factor: -1.0 }
+    }
+
+    fn pairs(
+        &self,
+        x: f64,
+        points: &[f64],
+        distances: &[f64],
+        values: &mut [f64],
+        factors: &mut [f64],
+    ) {
+        ratios(x, points, distances, values);
+        factors.fill(-1.0);
     }
 
     // At 0 both parts of the split are infinite; the kernel vanishes on both sides of that corner.

@@ -10,6 +10,7 @@ use crate::basis::Function;
 use crate::basis::harmonics::Harmonics;
 use crate::quadrature::double_exponential;
 use crate::special::exponential_sum::ExponentialSum;
+use crate::special::logarithms;
 use crate::{Error, Interval, memory};
 
 /// `pi` less its nearest double.
@@ -218,6 +219,21 @@ impl Kernel for LogarithmSine {
 
     fn pair(&self, _x: f64, _s: f64, distance: f64) -> Pair {
         Pair { value: -(2.0 * (0.5 * distance).sin()).ln(), factor: -1.0 }
+    }
+
+    fn pairs(
+        &self,
+        _x: f64,
+        _points: &[f64],
+        distances: &[f64],
+        values: &mut [f64],
+        factors: &mut [f64],
+    ) {
+        let chords = values.iter_mut().zip(distances);
+        chords.for_each(|(chord, distance)| *chord = 2.0 * (0.5 * distance).sin());
+        logarithms(values);
+        values.iter_mut().for_each(|value| *value = -*value);
+        factors.fill(-1.0);
     }
 
     fn is_even(&self) -> bool {

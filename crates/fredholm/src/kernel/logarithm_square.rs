@@ -12,6 +12,7 @@ use crate::basis::harmonics::Harmonics;
 use crate::basis::interval_moments::interval_moments;
 use crate::quadrature::double_exponential;
 use crate::special::exponential_sum::ExponentialSum;
+use crate::special::logarithms;
 use crate::{Error, Interval};
 
 /// Nodes on either side of the middle of the rule for the integrals of the Gram matrix; 1e-16 up to `j = 1e6`.
@@ -170,6 +171,23 @@ impl Kernel for LogarithmSquare {
 
     fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
         Pair { value: self.offset - (x + s).ln() - distance.ln(), factor: -1.0 }
+    }
+
+    fn pairs(
+        &self,
+        x: f64,
+        points: &[f64],
+        distances: &[f64],
+        values: &mut [f64],
+        factors: &mut [f64],
+    ) {
+        values.copy_from_slice(distances);
+        logarithms(values);
+        factors.iter_mut().zip(points).for_each(|(sum, s)| *sum = x + s);
+        logarithms(factors);
+        let logarithms = values.iter_mut().zip(&*factors);
+        logarithms.for_each(|(value, sum)| *value = self.offset - sum - *value);
+        factors.fill(-1.0);
     }
 }
 

@@ -9,6 +9,7 @@ use crate::basis::expansion::expand_by_rule;
 use crate::basis::gegenbauer;
 use crate::quadrature::Rule;
 use crate::quadrature::gauss_jacobi;
+use crate::special::powers;
 use crate::{Error, Interval, memory};
 
 /// From here on `Gamma(n + mu)/Gamma(n)` by Stirling's series, whose terms kept reach rounding.
@@ -125,6 +126,19 @@ impl Kernel for Power {
 
     fn pair(&self, _x: f64, _s: f64, distance: f64) -> Pair {
         Pair { value: distance.powf(-self.exponent), factor: self.exponent }
+    }
+
+    fn pairs(
+        &self,
+        _x: f64,
+        _points: &[f64],
+        distances: &[f64],
+        values: &mut [f64],
+        factors: &mut [f64],
+    ) {
+        values.copy_from_slice(distances);
+        powers(values, -self.exponent);
+        factors.fill(self.exponent);
     }
 
     fn is_even(&self) -> bool {

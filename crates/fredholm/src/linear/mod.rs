@@ -21,6 +21,6 @@ pub use positive::eliminate_positive;
 pub(crate) use skyline::{Skyline, SkylineFactor};
 pub(crate) use symmetric::{Eigensystem, Factored};
 pub(crate) use tridiagonal::Tridiagonal;
-pub(crate) use tridiagonal_spectrum::SymmetricTridiagonal;
-pub(crate) use vector::dot;
+pub(crate) use tridiagonal_spectrum::{SymmetricTridiagonal, VECTORS};
+pub(crate) use vector::{dot, sum};
 pub(crate) use vectorised::vectorised;

@@ -6,6 +6,8 @@ use super::vectorised::vectorised;
 
 /// Eigenvalues sought at once: their divisions do not wait for each other, with three of the widest vectors.
 const LANES: usize = 24;
+/// Eigenvectors found at once.
+pub(crate) const VECTORS: usize = 8;
 /// Newton's method has ended where a step is longer than this share of the one before: it converges quadratically, and from afar takes steps that fall.
 const SLOWEST: f64 = 0.9;
 /// The distance from its limit at which the interval is then ended, over the last step or rounding, and by what that grows where the eigenvalue is not inside.
@@ -89,8 +91,6 @@ impl SymmetricTridiagonal {
         [bounds[0] - room * bounds[0].abs(), bounds[1] + room * bounds[1].abs()]
     }
 
-    /// By bisection until each interval holds one eigenvalue, by Newton's method from there as long as it stays inside, and by bisection of what is left around its limit: the
-    /// result is that of bisection alone.
     /// How many eigenvalues lie below each shift, and Newton's step from there to a zero of the determinant.
     #[inline(always)]
     fn probe(&self, shifts: [f64; LANES]) -> [Probe; LANES] {
@@ -121,49 +121,92 @@ impl SymmetricTridiagonal {
         })
     }
 
-    /// The eigenvector of unit length that belongs to an eigenvalue apart from the others: from both ends to the row where elimination downwards and upwards meet with the smallest
-    /// rest (K. V. Fernando, SIAM J. Matrix Anal. Appl. 18 (1997) 1013), so that small components are as accurate as large ones.
-    pub(crate) fn eigenvector(&self, value: f64) -> Vec<f64> {
-        let order = self.order();
-        let (down, up) = (self.pivots_down(value), self.pivots_up(value));
-        let rest = |i: usize| (down[i] + up[i] - (self.diagonal[i] - value)).abs();
-        let meeting = (0..order).fold(0, |best, i| if rest(i) < rest(best) { i } else { best });
-        let mut vector = vec![0.0; order];
-        vector[meeting] = 1.0;
-        for i in (0..meeting).rev() {
-            vector[i] = -self.beside[i] * vector[i + 1] / down[i];
-        }
-        for i in meeting + 1..order {
-            vector[i] = -self.beside[i - 1] * vector[i - 1] / up[i];
-        }
-        let length = vector.iter().map(|entry| entry * entry).sum::<f64>().sqrt();
-        vector.iter_mut().for_each(|entry| *entry /= length);
-        vector
-    }
-
-    fn pivots_down(&self, value: f64) -> Vec<f64> {
-        let mut pivots = Vec::with_capacity(self.order());
-        let mut coupled = 0.0;
-        for (i, entry) in self.diagonal.iter().enumerate() {
-            let pivot = apart_from_zero((entry - value) - coupled);
-            coupled = self.beside.get(i).map_or(0.0, |beside| beside * beside / pivot);
-            pivots.push(pivot);
-        }
-        pivots
-    }
-
-    fn pivots_up(&self, value: f64) -> Vec<f64> {
-        let mut pivots = vec![0.0; self.order()];
-        let mut coupled = 0.0;
-        for (i, entry) in self.diagonal.iter().enumerate().rev() {
-            let pivot = apart_from_zero((entry - value) - coupled);
-            if i > 0 {
-                coupled = self.beside[i - 1] * self.beside[i - 1] / pivot;
+    /// The eigenvectors of unit length of the matrix of the first `order` rows and columns that belong to eigenvalues apart from the others, at most [`VECTORS`] of them, each in a list of its own: from both
+    /// ends to the row where elimination downwards and upwards meet with the smallest rest (K. V. Fernando, SIAM J. Matrix Anal. Appl. 18 (1997) 1013), so that small components are as accurate as
+    /// large ones. What a list has beyond the order stays.
+    pub(crate) fn eigenvectors<'v>(
+        &self,
+        values: &[f64],
+        order: usize,
+        vectors: impl Iterator<Item = &'v mut [f64]>,
+    ) {
+        let Some(&last) = values.last() else { return };
+        let order = order.min(self.order());
+        let mut lanes = [last; VECTORS];
+        lanes.iter_mut().zip(values).for_each(|(lane, value)| *lane = *value);
+        let pivots = vectorised(
+            #[inline(always)]
+            || self.pivots(lanes, order),
+        );
+        for (lane, vector) in vectors.take(values.len()).enumerate() {
+            let vector = &mut vector[..order];
+            let meeting = pivots.meeting[lane] as usize;
+            vector[meeting] = 1.0;
+            let mut square = 1.0;
+            let mut next = 1.0;
+            for i in (0..meeting).rev() {
+                next *= -self.beside[i] * pivots.down[i][lane];
+                vector[i] = next;
+                square += next * next;
             }
-            pivots[i] = pivot;
+            next = 1.0;
+            let beyond = vector.iter_mut().zip(&pivots.up).skip(meeting + 1);
+            for ((entry, up), beside) in beyond.zip(&self.beside[meeting..]) {
+                next *= -beside * up[lane];
+                *entry = next;
+                square += next * next;
+            }
+            let scale = 1.0 / f64::sqrt(square);
+            vector.iter_mut().for_each(|entry| *entry *= scale);
         }
-        pivots
     }
+
+    /// Inverse pivots of some shifted matrices at once.
+    #[inline(always)]
+    fn pivots(&self, shifts: [f64; VECTORS], order: usize) -> Pivots {
+        let mut down = Vec::with_capacity(order);
+        let mut coupled = [0.0; VECTORS];
+        for (i, entry) in self.diagonal[..order].iter().enumerate() {
+            let beside = self.beside.get(i).copied().unwrap_or(0.0);
+            let coupling = beside * beside;
+            let mut inverses = [0.0; VECTORS];
+            for lane in 0..VECTORS {
+                let pivot = (entry - shifts[lane]) - coupled[lane];
+                let pivot = if pivot.abs() < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { pivot };
+                inverses[lane] = 1.0 / pivot;
+                coupled[lane] = coupling * inverses[lane];
+            }
+            down.push(inverses);
+        }
+        let mut up = vec![[0.0; VECTORS]; order];
+        let (mut least, mut meeting) = ([f64::INFINITY; VECTORS], [0.0; VECTORS]);
+        coupled = [0.0; VECTORS];
+        for i in (0..order).rev() {
+            let entry = self.diagonal[i];
+            let beside = if i > 0 { self.beside[i - 1] } else { 0.0 };
+            let coupling = beside * beside;
+            let before = if i > 0 { down[i - 1] } else { [0.0; VECTORS] };
+            for lane in 0..VECTORS {
+                let pivot = (entry - shifts[lane]) - coupled[lane];
+                let pivot = if pivot.abs() < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { pivot };
+                // Both pivots less the entry.
+                let rest = (pivot - coupling * before[lane]).abs();
+                let is_less = rest < least[lane];
+                least[lane] = if is_less { rest } else { least[lane] };
+                meeting[lane] = if is_less { i as f64 } else { meeting[lane] };
+                up[i][lane] = 1.0 / pivot;
+                coupled[lane] = coupling * up[i][lane];
+            }
+        }
+        Pivots { down, up, meeting }
+    }
+}
+
+/// Inverse pivots of elimination downwards and upwards, and the rows where the two meet best, for some matrices.
+struct Pivots {
+    down: Vec<[f64; VECTORS]>,
+    up: Vec<[f64; VECTORS]>,
+    meeting: [f64; VECTORS],
 }
 
 /// What is known at a shift.
@@ -263,14 +306,15 @@ impl Search {
     }
 }
 
-/// A pivot that vanishes is moved by less than rounding.
-fn apart_from_zero(pivot: f64) -> f64 {
-    if pivot.abs() < f64::MIN_POSITIVE { f64::MIN_POSITIVE } else { pivot }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    fn eigenvector(matrix: &SymmetricTridiagonal, value: f64) -> Vec<f64> {
+        let mut vector = vec![f64::NAN; matrix.order()];
+        matrix.eigenvectors(&[value], matrix.order(), std::iter::once(&mut vector[..]));
+        vector
+    }
 
     #[test]
     fn second_differences() {
@@ -283,7 +327,7 @@ mod tests {
                 let angle = std::f64::consts::PI * (k as f64 + 1.0) / (order as f64 + 1.0);
                 let exact = 4.0 * (0.5 * angle).sin().powi(2);
                 assert!((value - exact).abs() < 4e-15, "{order} {k}: {value} {exact}");
-                let vector = matrix.eigenvector(*value);
+                let vector = eigenvector(&matrix, *value);
                 let scale = vector[0] / angle.sin();
                 for (i, entry) in vector.iter().enumerate() {
                     assert!((entry - scale * ((i as f64 + 1.0) * angle).sin()).abs() < 1e-12);
@@ -298,13 +342,13 @@ mod tests {
         let matrix = SymmetricTridiagonal::new(vec![1e-16, 1.0], vec![1e-18]);
         let values = matrix.eigenvalues(0..2);
         assert!((values[0] / 1e-16 - 1.0).abs() < 1e-15 && (values[1] - 1.0).abs() < 1e-15);
-        let vector = matrix.eigenvector(values[0]);
+        let vector = eigenvector(&matrix, values[0]);
         assert!((vector[1] / vector[0] / -1e-18 - 1.0).abs() < 1e-14);
         // Nothing beside the diagonal.
         let matrix = SymmetricTridiagonal::new(vec![0.0, 3.0, 7.0], vec![0.0; 2]);
         for (value, exact) in matrix.eigenvalues(0..3).iter().zip([0.0, 3.0, 7.0]) {
             assert!((value - exact).abs() <= 2e-16 * exact + 1e-300, "{value} {exact}");
         }
-        assert_eq!(matrix.eigenvector(3.0), [0.0, 1.0, 0.0]);
+        assert_eq!(eigenvector(&matrix, 3.0), [0.0, 1.0, 0.0]);
     }
 }

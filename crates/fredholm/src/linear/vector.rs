@@ -19,6 +19,19 @@ pub(crate) fn dot(left: &[f64], right: &[f64]) -> f64 {
     sums.iter().sum::<f64>() + rest
 }
 
+/// `sum_i terms_i`.
+#[inline(always)]
+pub(crate) fn sum(terms: &[f64]) -> f64 {
+    let (chunks, rest) = terms.as_chunks::<LANES>();
+    let mut sums = [0.0; LANES];
+    for chunk in chunks {
+        for lane in 0..LANES {
+            sums[lane] += chunk[lane];
+        }
+    }
+    sums.iter().sum::<f64>() + rest.iter().sum::<f64>()
+}
+
 /// Euclidean norm.
 pub(crate) fn norm(vector: &[f64]) -> f64 {
     dot(vector, vector).sqrt()

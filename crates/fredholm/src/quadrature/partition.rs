@@ -36,8 +36,10 @@ const NUMBERS: f64 = 8.0;
 const OWN: [f64; 6] = [0.0137, 0.1713, 0.3829, 0.5774, 0.8147, 0.9931];
 
 /// Values compared at once, and after how many of these it is asked whether one has failed.
-const LANES: usize = 8;
-const GROUPS: usize = 8;
+const LANES: usize = 32;
+const GROUPS: usize = 2;
+/// Of the last terms of a series so much, relative to the largest value, may be left out: it is less than counts.
+const FADED: f64 = f64::EPSILON;
 
 /// A panel of a partition.
 #[derive(Debug, Clone, Copy)]
@@ -224,7 +226,7 @@ impl Sampled {
         let (left, right) = panel;
         let (centre, half) = (left.midpoint(right), 0.5 * (right - left));
         let values = nodes.places.each_ref().map(|t| f(centre + half * t));
-        let polynomial = Polynomial { centre, scale: 1.0 / half, series: nodes.series(&values) };
+        let polynomial = Polynomial::new((centre, half), nodes.series(&values), self.largest);
         let own = own(panel).map(|x| {
             let [value] = polynomial.evaluate([x]);
             let difference = (value - f(x)).abs();
@@ -285,22 +287,50 @@ impl Nodes {
     }
 }
 
+/// `(2k + 1)/(k + 1)` and `(k + 1)/(k + 2)`: divisions take longer than all the rest.
+const RECURRENCE: [[f64; 2]; NODES] = {
+    let mut recurrence = [[0.0; 2]; NODES];
+    let mut k = 0;
+    while k < NODES {
+        let n = k as f64;
+        recurrence[k] = [(2.0 * n + 1.0) / (n + 1.0), (n + 1.0) / (n + 2.0)];
+        k += 1;
+    }
+    recurrence
+};
+
 /// `sum_k a_k P_k(t)`, `t = (x - centre) scale`.
 struct Polynomial {
     centre: f64,
     scale: f64,
     series: [f64; NODES],
+    /// Terms that count.
+    count: usize,
 }
 
 impl Polynomial {
+    /// From `a_k`; the last of them may be left out beside a largest value.
+    fn new((centre, half): (f64, f64), series: [f64; NODES], largest: f64) -> Self {
+        let mut left_out = 0.0;
+        let mut count = NODES;
+        while count > 1 {
+            left_out += series[count - 1].abs();
+            if left_out.is_nan() || left_out > FADED * largest {
+                break;
+            }
+            count -= 1;
+        }
+        Self { centre, scale: 1.0 / half, series, count }
+    }
+
     /// By Clenshaw's recurrence.
     #[inline(always)]
     fn evaluate<const N: usize>(&self, x: [f64; N]) -> [f64; N] {
         let t = x.map(|x| (x - self.centre) * self.scale);
-        let (mut next, mut current) = ([0.0; N], [self.series[NODES - 1]; N]);
-        for k in (0..NODES - 1).rev() {
-            let n = k as f64;
-            let (up, down) = ((2.0 * n + 1.0) / (n + 1.0), (n + 1.0) / (n + 2.0));
+        let last = self.count - 1;
+        let (mut next, mut current) = ([0.0; N], [self.series[last]; N]);
+        for k in (0..last).rev() {
+            let [up, down] = RECURRENCE[k];
             for lane in 0..N {
                 let sum = (self.series[k] + up * t[lane] * current[lane]) - down * next[lane];
                 (next[lane], current[lane]) = (current[lane], sum);

@@ -1,6 +1,7 @@
 //! Special functions for which no library of ours serves.
 
 mod cosine_integral;
+mod elementary;
 pub(crate) mod elliptic;
 pub(crate) mod exponential_sum;
 mod gamma_quotient;
@@ -8,6 +9,7 @@ mod macdonald;
 mod oscillatory_tail;
 
 pub use cosine_integral::cosine_integral_pi;
+pub(crate) use elementary::{logarithms, logarithms_of_one_and, powers};
 pub use elliptic::arithmetic_geometric_mean;
 pub(crate) use gamma_quotient::{half_gamma_quotient, mean_digamma};
 pub use macdonald::macdonald;

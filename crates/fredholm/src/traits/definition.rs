@@ -63,6 +63,25 @@ pub trait Kernel {
         Pair { value: split.value(self.singularity(), distance), factor: split.factor }
     }
 
+    /// [`pair`](Self::pair) for one point `x` and many points `s`, none of which is `x`, with their distances from it: the values `K(x, s)` and the factors `A(x, s)`. All lists have one
+    /// length.
+    ///
+    /// One by one unless said otherwise: worth a way of its own where that takes many numbers at once.
+    fn pairs(
+        &self,
+        x: f64,
+        points: &[f64],
+        distances: &[f64],
+        values: &mut [f64],
+        factors: &mut [f64],
+    ) {
+        let results = values.iter_mut().zip(factors);
+        for ((s, distance), (value, factor)) in points.iter().zip(distances).zip(results) {
+            let pair = self.pair(x, *s, *distance);
+            (*value, *factor) = (pair.value, pair.factor);
+        }
+    }
+
     /// Whether the kernel and its measure keep their values under the reflection about the middle `c` of the interval,
     /// `K(2c - x, 2c - s) = K(x, s)`: collocation then splits into an even and an odd problem of half the size.
     ///
@@ -93,6 +112,18 @@ pub trait Kernel {
     /// The distance from the left end within which potentials `K phi` have their end value to rounding; 0 leaves it open. Collocation takes that value there: at the
     /// centre of a disk, where the rim asks for a deeper corner, the grid has nodes too far from each other to resolve the kernel.
     fn settled(&self) -> f64 {
+        0.0
+    }
+
+    /// The length over which the kernel decays, or has any other feature, away from its singularity, where that is shorter than the interval; infinite unless said otherwise. Collocation spreads
+    /// nodes accordingly.
+    fn decay_length(&self) -> f64 {
+        f64::INFINITY
+    }
+
+    /// The power `mu` of `x` as which the kernel and solutions vanish at the centre of a disk, 0 unless said otherwise: the kernel falls from its diagonal as `(s/x)^mu` for `s < x`, the faster the
+    /// higher the power. Collocation crowds nodes the less at the ends.
+    fn centre_exponent(&self) -> f64 {
         0.0
     }
 
@@ -133,6 +164,17 @@ macro_rules! forward_kernel {
             $kernel.pair(x, s, distance)
         }
 
+        fn pairs(
+            &$this,
+            x: f64,
+            points: &[f64],
+            distances: &[f64],
+            values: &mut [f64],
+            factors: &mut [f64],
+        ) {
+            $kernel.pairs(x, points, distances, values, factors);
+        }
+
         fn is_even(&$this) -> bool {
             $kernel.is_even()
         }
@@ -151,6 +193,14 @@ macro_rules! forward_kernel {
 
         fn settled(&$this) -> f64 {
             $kernel.settled()
+        }
+
+        fn decay_length(&$this) -> f64 {
+            $kernel.decay_length()
+        }
+
+        fn centre_exponent(&$this) -> f64 {
+            $kernel.centre_exponent()
         }
 
         fn first_half_count(&$this) -> f64 {

@@ -112,8 +112,12 @@ impl Kernel for Macdonald {
         true
     }
 
-    /// The faded factor has features of the decay length: about `7 kappa a` nodes resolve it.
+    fn decay_length(&self) -> f64 {
+        self.decay().recip()
+    }
+
+    /// *Measured* for the order 0 and 12 digits: 45, 90, 195 nodes for 10, 40, 120 decay lengths in half the interval.
     fn first_half_count(&self) -> f64 {
-        7.0 * self.decay() * self.half_length()
+        32.0 + 1.5 * self.decay() * self.half_length()
     }
 }

@@ -167,6 +167,10 @@ impl Kernel for WeberSonine {
         if self.order > 0.0 { at_rim.min(self.order) } else { at_rim }
     }
 
+    fn centre_exponent(&self) -> f64 {
+        self.order
+    }
+
     /// `x^mu`, with which harmonics are integrated: the moment of a tilt has `mu = 1`.
     fn mass_function(&self, x: f64) -> f64 {
         if self.order == 0.0 { 1.0 } else { x.powf(self.order) }

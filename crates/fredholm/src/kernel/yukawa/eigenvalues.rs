@@ -17,7 +17,7 @@ const GROWTH: f64 = 4.0;
 /// The first panel reaches to this `q`, where the integrand goes as `exp(-2q)`.
 const FIRST: f64 = 2.0;
 /// Functions whose sums run along together, in registers.
-const LANES: usize = 16;
+const LANES: usize = 24;
 /// So many `j` at a time, for which the tables of all nodes stay near the processor.
 const STRIP: usize = 256;
 /// Coefficients of functions of unit length below this do not count.

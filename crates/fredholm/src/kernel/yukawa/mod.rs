@@ -164,6 +164,15 @@ impl Kernel for Yukawa {
         s
     }
 
+    fn decay_length(&self) -> f64 {
+        self.screening.recip()
+    }
+
+    /// *Measured* for the harmonics 0 and 2 and 12 digits: 60, 80, 135 nodes for 10, 40, 100 decay lengths in the radius.
+    fn first_half_count(&self) -> f64 {
+        40.0 + self.screening * self.radius()
+    }
+
     fn mass_function(&self, x: f64) -> f64 {
         x.powi(self.harmonic() as i32)
     }
