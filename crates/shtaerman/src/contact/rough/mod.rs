@@ -17,10 +17,10 @@ mod harmonic;
 mod layer;
 mod linearised;
 mod mirror;
+mod panels;
 mod power;
 mod refinement;
 mod solved;
-mod spots;
 mod system;
 
 use answer::UnilateralContact;
@@ -55,14 +55,14 @@ impl Setting {
     /// The whole base in contact, where the pressure may pull, on panels; none where they do not serve.
     pub(super) fn whole_base_on_panels(&self) -> Result<Option<Arc<dyn Solution>>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
-        Ok(spots::solve_whole(&base)?.map(|contact| Arc::new(contact) as Arc<dyn Solution>))
+        Ok(panels::solve_whole(&base)?.map(|contact| Arc::new(contact) as Arc<dyn Solution>))
     }
 
     /// The same by the equations of the zones, in every geometry and for every layer but a smooth one.
     pub(super) fn whole_base(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
         if (base.is_for_panels() || base.ground.is_closed())
-            && let Some(contact) = spots::solve_whole(&base)?
+            && let Some(contact) = panels::solve_whole(&base)?
         {
             base.require_no_tension(contact.pulls_most())?;
             return Ok(Arc::new(contact));
@@ -122,7 +122,7 @@ fn wave(base: &Base<'_>) -> Result<Arc<dyn Solution>, Error> {
     {
         return Ok(answer);
     }
-    let full = spots::solve_whole(&base.kept())?.ok_or_else(unknown)?;
+    let full = panels::solve_whole(&base.kept())?.ok_or_else(unknown)?;
     match full.pulls_most() {
         None => Ok(Arc::new(full.lifting())),
         Some(least) => open(&base.clone().shifted(least)),
@@ -179,7 +179,7 @@ fn open(base: &Base<'_>) -> Result<Arc<dyn Solution>, Error> {
             break;
         }
         let found: Result<Arc<dyn Solution>, Error> = match way {
-            Way::Panels => spots::solve(base)
+            Way::Panels => panels::solve(base)
                 .and_then(|contact| Ok(Arc::new(contact.ok_or_else(unknown)?) as _)),
             Way::Collocation(effort) => collocated(&base.with_effort(effort)),
         };

@@ -19,7 +19,7 @@ const PULLING: f64 = 1e-10;
 
 /// A contact in many zones with its errors.
 #[derive(Debug, Clone)]
-pub(in crate::contact::unilateral) struct SpotContact {
+pub(in crate::contact::rough) struct SpotContact {
     pub(super) setting: Setting,
     pub(super) level: Level,
     /// On the panels before the last, and on the last.
@@ -32,7 +32,7 @@ pub(in crate::contact::unilateral) struct SpotContact {
 
 impl SpotContact {
     /// Where full contact pulls most; none where it does so no more than rounding.
-    pub(in crate::contact::unilateral) fn pulls_most(&self) -> Option<f64> {
+    pub(in crate::contact::rough) fn pulls_most(&self) -> Option<f64> {
         let nodes = self.level.field.panels().nodes().iter().zip(&self.level.given);
         let (y, least) = nodes.min_by(|one, two| one.1.total_cmp(two.1))?;
         let known_to = self.accuracy.pressure / self.level.layer.slope(self.level.largest());
@@ -41,7 +41,7 @@ impl SpotContact {
     }
 
     /// The same as contact that might lift off, and does not.
-    pub(in crate::contact::unilateral) fn lifting(self) -> Self {
+    pub(in crate::contact::rough) fn lifting(self) -> Self {
         let complementarity = Some(Complementarity { tension: 0.0, penetration: 0.0 });
         Self { complementarity, ..self }
     }

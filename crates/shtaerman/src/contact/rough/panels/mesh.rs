@@ -1,7 +1,7 @@
 //! Panels of the zones: cut where the profile bends, and ever shorter towards the ends of the zones and towards those bends.
 
 use crate::contact::intervals::SLIVER;
-use crate::contact::unilateral::base::Base;
+use crate::contact::rough::base::Base;
 use crate::contact::zones::Zone;
 
 /// Length of a panel over its distance from a free end of its zone, and from a corner or a bend: with 0.6 at free ends as well answers take a sixth more time, with 0.7 everywhere those on graded ground

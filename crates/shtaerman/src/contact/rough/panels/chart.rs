@@ -4,7 +4,7 @@
 
 use fredholm::multipole::PanelKernel;
 
-use crate::contact::unilateral::base::Base;
+use crate::contact::rough::base::Base;
 
 /// `xi = centre + half y` with `|y| <= 1`, and the kernel by `y`.
 #[derive(Debug, Clone, Copy)]

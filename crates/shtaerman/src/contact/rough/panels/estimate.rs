@@ -4,7 +4,7 @@ use super::level::Level;
 use crate::contact::accuracy::{Accuracy, ROUNDING, Sizes};
 use crate::contact::parts::Smoothness;
 use crate::contact::resolutions::{Change, Trust, UNKNOWN};
-use crate::contact::unilateral::base::Base;
+use crate::contact::rough::base::Base;
 use crate::contact::zones::Zone;
 
 /// Places on each panel where levels are compared. At half or twice 27 of 32 answers change, within what they state (survey).

@@ -10,8 +10,8 @@ use super::level::{Found, Known, Task};
 use crate::Error;
 use crate::contact::accuracy::STAGNANT;
 use crate::contact::iteration::{CUTS, STEPS};
-use crate::contact::unilateral::extent::reference_pressure;
-use crate::contact::unilateral::layer::FAINT;
+use crate::contact::rough::extent::reference_pressure;
+use crate::contact::rough::layer::FAINT;
 
 /// Residuals of a step relative to what it is to take away: by the square of what the step before left, within these. At half or twice stated errors grow up to 1.7 times (survey).
 const INEXACT: [f64; 2] = [1e-4, 0.1];

@@ -10,11 +10,11 @@ use super::mesh::{Fineness, LONGEST, panels};
 use super::positive::positive;
 use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::balance::State;
+use crate::contact::rough::base::Base;
+use crate::contact::rough::base::SAMPLES_A_PART;
+use crate::contact::rough::coarse::Coarse;
+use crate::contact::rough::layer::Layer;
 use crate::contact::search::Equation;
-use crate::contact::unilateral::base::Base;
-use crate::contact::unilateral::base::SAMPLES_A_PART;
-use crate::contact::unilateral::coarse::Coarse;
-use crate::contact::unilateral::layer::Layer;
 use crate::contact::zones::Zone;
 use crate::{Error, Rotational, Vertical};
 
@@ -38,7 +38,7 @@ pub(super) struct Known<'k> {
 
 /// The contact on given zones.
 #[derive(Debug, Clone)]
-pub(in crate::contact::unilateral) struct Level {
+pub(in crate::contact::rough) struct Level {
     pub(super) zones: Vec<Zone>,
     pub(super) state: State,
     pub(super) field: PanelField,

@@ -9,8 +9,8 @@ use super::chart::Chart;
 use super::level::{Level, System};
 use crate::contact::accuracy::SAFETY;
 use crate::contact::rates::{Linearised, Rates};
+use crate::contact::rough::base::Base;
 use crate::contact::stiffness::Stiffness;
-use crate::contact::unilateral::base::Base;
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational, Vertical};
 
