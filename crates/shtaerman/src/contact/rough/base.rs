@@ -1,41 +1,41 @@
-//! The base of the punch as unilateral contact sees it: where it bends and where an edge of the contact can rest.
+//! The base of the punch as contact on a rough surface sees it: where it bends and where an edge of the contact can rest.
 
 use std::cell::OnceCell;
 use std::rc::Rc;
 use std::sync::Arc;
 
-use super::anchor::Anchor;
 use super::coarse::{self, Coarse};
-use super::effort::Effort;
 use super::layer::Layer;
+use super::surface::{Surface, Tangent};
 use crate::contact::ground::Ground;
 use crate::contact::ground::of_problem::ground;
 use crate::contact::parts::{MOST_BREAKS, Parts, Smoothness};
 use crate::contact::revolution::require_even;
-use crate::contact::search::{Equation, Work};
 use crate::contact::setting::Setting;
 use crate::contact::steps::{BESIDE, rise};
-use crate::contact::valleys;
-use crate::contact::valleys::{MOST_CELLS, SAMPLES};
+use crate::contact::valleys::{self, MOST_CELLS, SAMPLES};
 use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
-use crate::{ContactKind, Error, Load, Problem, Rotational, Scaling, Vertical};
+use crate::{ContactKind, Error, Load, Problem, Rotational, Vertical};
 
 /// Most samples that show the ups and downs of a profile.
 const MOST_SAMPLES: usize = 8192;
-/// Parts shorter than so many steps have samples of their own, so many. Half and twice change none of 32 answers (survey).
-const SHORT: f64 = 8.0;
+/// Samples between two measured points, and of a part between other bends that has fewer otherwise. Half and twice change none of 32 answers (survey).
+pub(super) const SAMPLES_A_POINT: usize = 4;
 pub(super) const SAMPLES_A_PART: usize = 24;
 /// Length of base within which all zones must lie for heights from a tangent. Half and twice change none of 20 answers (survey).
 const SMALL_ZONES: f64 = 0.1;
+/// Ends this close to a wall are there: the check looks just inside a wall. Half and twice change none of 20 answers (survey).
+const AT_WALL: f64 = 1e-11;
+/// Cells to begin with, at most where panels follow them.
+const CELLS: usize = 1024;
 
 /// A dimensionless problem with what is worth knowing about its profile.
 #[derive(Clone)]
-pub(super) struct Base<'p> {
-    pub(super) setting: &'p Setting,
-    pub(super) problem: &'p Problem,
+pub(super) struct Base {
+    pub(super) surface: Surface,
+    /// What is asked for: of a circular base without its tilt, with a tangent that of what lies above it.
     pub(super) load: Load,
-    pub(super) theta: f64,
     /// What the punch stands on.
     pub(super) ground: Arc<dyn Ground>,
     pub(super) layer: Layer,
@@ -43,111 +43,73 @@ pub(super) struct Base<'p> {
     pub(super) is_bilateral: bool,
     /// The pieces of the base, from left to right; of a circular one the radius.
     pub(super) pieces: Vec<[f64; 2]>,
-    /// The middle of the base: where it has no gaps, of the part of the wave that is looked at.
-    pub(super) origin: f64,
-    /// Where the profile is cut into smooth parts.
+    /// Where the profile is cut into smooth parts, and what these are.
     pub(super) breaks: Vec<f64>,
-    /// What these are.
     pub(super) smoothness: Smoothness,
     /// Where ends of the contact can rest.
     pub(super) walls: Walls,
     /// Samples `(xi, f0)` from edge to edge.
     pub(super) samples: Vec<(f64, f64)>,
-    /// More of them in parts that fall between those.
-    beside: Vec<(f64, f64)>,
-    /// Whether base and load are their own mirror images; not asked of a base without bends on a linear layer, where nothing comes of it.
-    pub(super) is_mirrored: bool,
-    /// Where heights are counted from.
-    pub(super) anchor: Option<Anchor>,
     /// What cells tell, once that is asked for.
     coarse: OnceCell<Rc<Coarse>>,
-    /// How far collocation goes.
-    pub(super) effort: Effort,
-    /// What was done so far.
-    pub(super) work: Work,
 }
 
-/// Samples of the parts that are shorter than a few steps.
-fn beside(problem: &Problem, joints: &[f64], step: f64) -> Result<Vec<(f64, f64)>, Error> {
-    let mut samples = Vec::new();
-    let parts = joints.windows(2).filter(|part| part[1] - part[0] < SHORT * step);
-    for part in parts {
-        for i in 0..=SAMPLES_A_PART {
-            let xi = part[0] + (part[1] - part[0]) * i as f64 / SAMPLES_A_PART as f64;
+/// Samples of the pieces that show the ups and downs of the profile.
+fn samples(problem: &Problem, pieces: &[[f64; 2]]) -> Result<Vec<(f64, f64)>, Error> {
+    let wanted = SAMPLES_A_POINT * problem.profile().measured_points().unwrap_or(0);
+    let count = wanted.clamp(SAMPLES, MOST_SAMPLES);
+    let length: f64 = pieces.iter().map(|[left, right]| right - left).sum();
+    let mut samples = Vec::with_capacity(count + pieces.len());
+    for [left, right] in pieces {
+        let mut steps = ((count as f64 * (right - left) / length).ceil() as usize).max(2);
+        if wanted == 0 && steps >= SAMPLES / 4 {
+            let height = |xi| problem.dimensionless_profile(xi);
+            steps = valleys::steps(height, [*left, *right], steps, MOST_SAMPLES);
+        }
+        for i in 0..=steps {
+            let xi = left + (right - left) * i as f64 / steps as f64;
             samples.push((xi, problem.finite_profile(xi)?));
         }
     }
     Ok(samples)
 }
 
-/// Whether base and load of an open contact are their own mirror images.
-fn is_mirrored(base: &Base<'_>) -> bool {
-    let is_open = !base.ground.is_disk() && !base.ground.is_closed();
-    let is_even = |values: &[f64]| values.iter().zip(values.iter().rev()).all(|(a, b)| *a == -*b);
-    let ends: Vec<f64> = base.pieces.iter().flatten().copied().collect();
-    is_open && is_even(&base.breaks) && is_even(&ends) && base.problem.is_symmetric()
-}
-
-impl<'p> Base<'p> {
-    pub(super) fn new(setting: &'p Setting, kind: ContactKind) -> Result<Self, Error> {
+impl Base {
+    pub(super) fn new(setting: &Setting, kind: ContactKind) -> Result<Self, Error> {
         let problem = setting.problem();
-        let wanted = 4 * problem.profile().measured_points().unwrap_or(0);
-        let count = wanted.clamp(SAMPLES, MOST_SAMPLES);
         let ground = ground(problem)?;
         let pieces = if ground.is_disk() { vec![[0.0, 1.0]] } else { problem.frame().pieces() };
-        let length: f64 = pieces.iter().map(|[left, right]| right - left).sum();
-        let mut samples = Vec::with_capacity(count + pieces.len());
-        for [left, right] in &pieces {
-            let steps = ((count as f64 * (right - left) / length).ceil() as usize).max(2);
-            let steps = if wanted > 0 || steps < SAMPLES / 4 {
-                steps
-            } else {
-                let height = |xi| problem.dimensionless_profile(xi);
-                valleys::steps(height, [*left, *right], steps, MOST_SAMPLES)
-            };
-            for i in 0..=steps {
-                let xi = left + (right - left) * i as f64 / steps as f64;
-                samples.push((xi, problem.finite_profile(xi)?));
-            }
-        }
         let parts = setting.parts_between_points();
-        let beside = beside(problem, &parts.joints, length / count as f64)?;
         let mut base = Self {
-            setting,
-            problem,
+            surface: Surface::new(setting, ground.as_ref()),
             load: setting.load(),
-            theta: setting.theta0(),
             layer: Layer::new(problem)?,
             is_bilateral: kind == ContactKind::Bilateral,
-            origin: 0.0,
             smoothness: parts.smoothness,
             breaks: parts.joints,
             walls: Walls::of(&pieces),
             ground,
+            samples: samples(problem, &pieces)?,
             pieces,
-            samples,
-            beside,
-            is_mirrored: false,
-            anchor: None,
             coarse: OnceCell::new(),
-            effort: Effort::MOST,
-            work: Work::default(),
         };
-        let serves = !base.breaks.is_empty() || !base.layer.is_linear();
-        base.is_mirrored = serves && is_mirrored(&base);
         base.find_steps();
         base.require_geometry()?;
         base.require_load()?;
         Ok(base)
     }
 
-    /// `df0/dxi`, at a kink to the right, or what it has beyond the slope of the tangent; NaN where the profile has none.
-    pub(super) fn slope(&self, xi: f64) -> f64 {
-        let frame = self.problem.frame();
-        let scale = frame.scaling().map_or(1.0, Scaling::displacement);
-        let slope = self.problem.profile().slope(self.on_base(xi), frame.half_width());
-        let tangent = self.anchor.map_or(0.0, |anchor| anchor.slope());
-        slope.unwrap_or(f64::NAN) / scale - tangent
+    pub(super) fn problem(&self) -> &Problem {
+        self.surface.setting.problem()
+    }
+
+    pub(super) fn theta(&self) -> f64 {
+        self.surface.setting.theta0()
+    }
+
+    /// `k theta0`.
+    pub(super) fn strength(&self) -> f64 {
+        self.ground.strength() * self.theta()
     }
 
     /// The same base with all of it in contact, where the pressure may pull.
@@ -161,13 +123,8 @@ impl<'p> Base<'p> {
         self
     }
 
-    /// The same base under another load, with nothing done so far.
-    pub(super) fn under(&self, load: Load) -> Self {
-        Self { load, work: Work::default(), coarse: OnceCell::new(), ..self.clone() }
-    }
-
     /// Where the force acts, if the load says so.
-    pub(super) fn line_of_force(&self) -> Option<f64> {
+    fn line_of_force(&self) -> Option<f64> {
         match (self.load.vertical, self.load.rotational) {
             (Vertical::Force(force), Rotational::Moment(moment)) => Some(moment / force),
             (_, Rotational::Eccentricity(e)) => Some(e),
@@ -177,20 +134,20 @@ impl<'p> Base<'p> {
 
     /// `f0(xi)`, or what it has beyond its tangent.
     pub(super) fn height(&self, xi: f64) -> f64 {
-        match &self.anchor {
-            Some(anchor) => anchor.rise(self.problem, xi),
-            None => self.problem.dimensionless_profile(self.on_base(xi)),
+        self.surface.height(xi)
+    }
+
+    /// The same, looked up at a sample.
+    pub(super) fn sampled_height(&self, xi: f64) -> f64 {
+        match self.samples.binary_search_by(|(at, _)| at.total_cmp(&xi)) {
+            Ok(sample) => self.samples[sample].1,
+            Err(_) => self.height(xi),
         }
     }
 
-    /// `f0(xi)`, which must be finite.
-    pub(super) fn finite_height(&self, xi: f64) -> Result<f64, Error> {
-        self.problem.checked(xi, self.height(xi))
-    }
-
-    /// The place on the base: a wave without gaps goes on beyond its period.
-    pub(super) fn on_base(&self, xi: f64) -> f64 {
-        if self.ground.is_closed() && xi.abs() > 1.0 { xi - 2.0 * (0.5 * xi).round() } else { xi }
+    /// `f0` at places, which must be finite.
+    pub(super) fn heights(&self, places: &[f64]) -> Result<Vec<f64>, Error> {
+        places.iter().map(|&xi| self.problem().checked(xi, self.height(xi))).collect()
     }
 
     /// The wave seen between `cut` and `cut + 2`.
@@ -199,33 +156,21 @@ impl<'p> Base<'p> {
         let window = [cut + BESIDE, cut + 2.0 - BESIDE];
         let images = |at: f64| [at - 2.0, at, at + 2.0].into_iter();
         let inside = |at: &f64| *at > window[0] && *at < window[1];
-        let mut breaks: Vec<f64> =
-            self.breaks.iter().flat_map(|at| images(*at)).filter(inside).collect();
         // Where the period is joined the profile may bend.
-        breaks.extend([-1.0, 1.0].into_iter().filter(inside));
+        let breaks = self.breaks.iter().flat_map(|at| images(*at)).chain([-1.0, 1.0]);
+        let mut breaks: Vec<f64> = breaks.filter(inside).collect();
         breaks.sort_by(f64::total_cmp);
         breaks.dedup();
-        let mut samples: Vec<(f64, f64)> = (self.samples.iter())
-            .flat_map(|&(at, height)| images(at).map(move |at| (at, height)))
-            .filter(|(at, _)| inside(at))
-            .collect();
+        let samples =
+            self.samples.iter().flat_map(|&(at, height)| images(at).map(move |at| (at, height)));
+        let mut samples: Vec<(f64, f64)> = samples.filter(|(at, _)| inside(at)).collect();
         samples.sort_by(|one, two| one.0.total_cmp(&two.0));
         self.walls = Walls::of(&[window]);
-        (self.breaks, self.samples, self.pieces, self.origin) =
-            (breaks, samples, vec![window], cut + 1.0);
+        (self.breaks, self.samples, self.pieces) = (breaks, samples, vec![window]);
+        self.surface.origin = cut + 1.0;
         self.coarse = OnceCell::new();
         self.find_steps();
         self
-    }
-
-    /// Whether this is one punch on a half-plane with a linear layer.
-    pub(super) fn is_plain(&self) -> bool {
-        self.is_line() && self.pieces.len() == 1
-    }
-
-    /// Whether the kernel is the logarithm, and the layer linear: of one punch or of two.
-    pub(super) fn is_line(&self) -> bool {
-        self.ground.is_logarithm() && self.layer.is_linear()
     }
 
     /// Whether panels serve: on any ground with fast products.
@@ -233,11 +178,14 @@ impl<'p> Base<'p> {
         self.ground.panel_kernel().is_some()
     }
 
+    pub(super) fn is_measured(&self) -> bool {
+        self.problem().profile().measured_points().is_some()
+    }
+
     /// Whether panels are tried first: the third derivative of the base jumps at measured points, where collocation loses its digits, or the base falls into more parts than
     /// that has panels for.
     pub(super) fn is_for_panels(&self) -> bool {
-        let is_measured = self.problem.profile().measured_points().is_some();
-        self.has_panels() && (is_measured || self.breaks.len() > MOST_BREAKS)
+        self.has_panels() && (self.is_measured() || self.breaks.len() > MOST_BREAKS)
     }
 
     /// Whether a zone is the whole circle of a wave without gaps.
@@ -245,9 +193,17 @@ impl<'p> Base<'p> {
         self.ground.is_closed() && zone.length() >= 2.0
     }
 
-    /// The same with so much effort.
-    pub(super) fn with_effort(&self, effort: Effort) -> Self {
-        Self { effort, work: Work::default(), ..self.clone() }
+    /// A zone about this interval. Walls, steps of the base too, hold the contact until they pull: where the pressure rises towards one a free end would be led away from it.
+    pub(super) fn zone(&self, ends: [f64; 2]) -> Zone {
+        let walls = [0, 1].map(|side| {
+            let inwards = if side == 0 { AT_WALL } else { -AT_WALL };
+            self.walls.near(side, ends[side] + inwards, 2.0 * AT_WALL)
+        });
+        let zone = Zone::new(
+            [0, 1].map(|side| walls[side].unwrap_or(ends[side])),
+            walls.map(|wall| wall.is_none()),
+        );
+        if self.ground.is_disk() { zone.about_axis() } else { zone }
     }
 
     /// The pieces of the base as zones.
@@ -265,20 +221,20 @@ impl<'p> Base<'p> {
 
     /// Number of cells that show every valley of the profile.
     pub(super) fn cells(&self) -> usize {
-        const USUAL: usize = 1024;
+        let is_line = self.ground.is_logarithm() && self.layer.is_linear();
         // Many zones under one plane punch are for panels.
-        let most = if self.is_plain() { USUAL } else { MOST_CELLS };
-        valleys::cells(self.valleys(), USUAL, most)
+        let most = if is_line && self.pieces.len() == 1 { CELLS } else { MOST_CELLS };
+        valleys::cells(self.valleys().count(), CELLS, most)
     }
 
-    /// Number of valleys of the profile.
-    pub(super) fn valleys(&self) -> usize {
-        valleys::valleys(&self.samples).count()
+    /// Where the profile has valleys.
+    pub(super) fn valleys(&self) -> impl Iterator<Item = f64> {
+        valleys::valleys(&self.samples)
     }
 
     fn find_steps(&mut self) {
         for &place in &self.breaks {
-            if let Some(rise) = rise(|xi| self.height(xi), place) {
+            if let Some(rise) = rise(|xi| self.surface.height(xi), place) {
                 self.walls.add_step(place, rise);
             }
         }
@@ -287,46 +243,49 @@ impl<'p> Base<'p> {
     /// Refuses what a geometry does not know, and leaves out of the load what it answers elsewhere.
     fn require_geometry(&mut self) -> Result<(), Error> {
         if self.ground.is_disk() {
-            require_even(self.problem)?;
+            require_even(self.problem())?;
             // Tilt and moment belong to another harmonic.
             self.load.rotational = Rotational::Tilt(0.0);
         }
         if self.ground.is_closed() {
-            let (field, value) = match self.problem.load().rotational {
-                Rotational::Moment(value) => ("moment", value),
-                Rotational::Eccentricity(value) => ("eccentricity", value),
-                Rotational::Tilt(value) => ("tilt", value),
-            };
-            require(
-                value == 0.0,
-                field,
-                value,
-                "zero where the base fills the period: a wave cannot tilt",
-            )?;
+            let (field, value) = stated(self.problem().load().rotational);
+            let needed = "zero where the base fills the period: a wave cannot tilt";
+            require(value == 0.0, field, value, needed)?;
             self.load.rotational = Rotational::Tilt(0.0);
         }
         Ok(())
     }
 
-    /// Refuses what no contact can balance.
+    /// Refuses what no contact can balance, and displacements that leave the base clear of the body.
     fn require_load(&self) -> Result<(), Error> {
         if self.is_bilateral {
             return Ok(());
         }
-        self.problem.check_balance()?;
-        if self.touches_nowhere() {
+        self.problem().check_balance()?;
+        let beside = self.beside()?;
+        if self.load.keeps_clear(self.samples.iter().chain(&beside)) {
             return Err(Error::NoContact);
         }
         Ok(())
     }
 
-    /// Whether the prescribed displacements leave the base clear of the body.
-    pub(super) fn touches_nowhere(&self) -> bool {
-        self.load.keeps_clear(self.samples.iter().chain(&self.beside))
+    /// Samples of the parts that are so short that few of the others lie in them.
+    fn beside(&self) -> Result<Vec<(f64, f64)>, Error> {
+        let is_short = |part: &&[f64]| {
+            let [first, last] =
+                [part[0], part[1]].map(|end| self.samples.partition_point(|(at, _)| *at < end));
+            last - first < SAMPLES_A_PART / 2
+        };
+        let mut samples = Vec::new();
+        for part in self.breaks.windows(2).filter(is_short) {
+            for i in 0..=SAMPLES_A_PART {
+                let xi = part[0] + (part[1] - part[0]) * i as f64 / SAMPLES_A_PART as f64;
+                samples.push((xi, self.problem().finite_profile(xi)?));
+            }
+        }
+        Ok(samples)
     }
-}
 
-impl Base<'_> {
     /// Where the base touches, to about a cell.
     pub(super) fn coarse(&self) -> Result<Rc<Coarse>, Error> {
         if let Some(known) = self.coarse.get() {
@@ -337,7 +296,7 @@ impl Base<'_> {
     }
 
     /// The same with heights from the tangent where the zones are, if these are small: differences of heights have few digits there. None where they are not, or the profile has no tangent.
-    pub(super) fn anchored(&self) -> Option<Self> {
+    pub(super) fn on_tangent(&self) -> Option<Self> {
         if self.ground.is_disk() || self.ground.is_closed() {
             return None;
         }
@@ -350,11 +309,20 @@ impl Base<'_> {
         if right - left >= SMALL_ZONES {
             return None;
         }
-        let anchor = Anchor::new(self.problem, 0.5 * (left + right))?;
-        let rise = |&(xi, _): &(f64, f64)| (xi, anchor.rise(self.problem, xi));
-        let mut base = self.under(anchor.load(self.load));
-        base.samples = self.samples.iter().map(rise).collect();
-        base.anchor = Some(anchor);
-        Some(base)
+        let tangent = Tangent::new(self.problem(), 0.5 * (left + right))?;
+        let mut surface = self.surface.clone();
+        surface.tangent = Some(tangent);
+        let (load, coarse) = (tangent.load(self.load), OnceCell::new());
+        let samples = self.samples.iter().map(|&(xi, _)| (xi, surface.height(xi))).collect();
+        Some(Self { surface, load, coarse, samples, ..self.clone() })
+    }
+}
+
+/// Name and value of a rotational load.
+pub(super) fn stated(rotational: Rotational) -> (&'static str, f64) {
+    match rotational {
+        Rotational::Moment(value) => ("moment", value),
+        Rotational::Eccentricity(value) => ("eccentricity", value),
+        Rotational::Tilt(value) => ("tilt", value),
     }
 }

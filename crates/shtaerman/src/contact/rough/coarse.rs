@@ -3,11 +3,9 @@
 use fredholm::complementarity::{Complementarity, Condition};
 
 use super::base::Base;
-use super::extent::reference_pressure;
-use super::layer::FAINT;
+use super::layer::{FAINT, reference_pressure};
 use crate::contact::cells::{Cell, Cells, LIMITS, Loaded, closing_in};
 use crate::contact::iteration::STEPS;
-use crate::contact::search::Equation;
 use crate::contact::steps::BESIDE;
 use crate::contact::valleys::{self, CELLS_A_ZONE};
 use crate::contact::zones::Zone;
@@ -35,7 +33,7 @@ impl Coarse {
     }
 
     /// The same as zones.
-    pub(super) fn zones(&self, base: &Base<'_>) -> Vec<Zone> {
+    pub(super) fn zones(&self, base: &Base) -> Vec<Zone> {
         self.intervals.iter().map(|ends| base.zone(*ends)).collect()
     }
 
@@ -59,7 +57,7 @@ impl Coarse {
 }
 
 /// Zones and pressures to about a cell.
-pub(super) fn loaded(base: &Base<'_>, count: usize) -> Result<Coarse, Error> {
+pub(super) fn loaded(base: &Base, count: usize) -> Result<Coarse, Error> {
     let mut cells = cells(base, count);
     let mut found = Coarse::default();
     cells.settle(|cells| {
@@ -72,9 +70,9 @@ pub(super) fn loaded(base: &Base<'_>, count: usize) -> Result<Coarse, Error> {
 }
 
 /// About so many cells of the base.
-fn cells(base: &Base<'_>, count: usize) -> Cells {
+fn cells(base: &Base, count: usize) -> Cells {
     let length: f64 = base.pieces.iter().map(|[left, right]| right - left).sum();
-    let valleys: Vec<f64> = valleys::valleys(&base.samples).collect();
+    let valleys: Vec<f64> = base.valleys().collect();
     let pieces = base.pieces.iter().map(|&[left, right]| {
         let steps = (count as f64 * (right - left) / length).ceil() as usize;
         let inside: Vec<f64> =
@@ -88,9 +86,9 @@ fn cells(base: &Base<'_>, count: usize) -> Cells {
 }
 
 /// Pressures of the cells.
-fn pressures(base: &Base<'_>, cells: &Cells) -> Result<Vec<f64>, Error> {
+fn pressures(base: &Base, cells: &Cells) -> Result<Vec<f64>, Error> {
     let equations = Equations::new(base, cells);
-    let reference = reference_pressure(base, &base.whole_extent());
+    let reference = reference_pressure(base, base.pieces.iter().copied());
     let exponent = base.layer.exponent();
     let mut pressures = vec![reference; cells.cells().len()];
     let mut carrying = cells.carrying();
@@ -126,7 +124,7 @@ struct Equations {
 }
 
 impl Equations {
-    fn new(base: &Base<'_>, cells: &Cells) -> Self {
+    fn new(base: &Base, cells: &Cells) -> Self {
         let places: Vec<[f64; 2]> = cells.cells().iter().map(Cell::ends).collect();
         let (matrix, masses) = base.ground.cells(&places);
         let roots: Vec<f64> = masses.iter().map(|mass| mass.sqrt()).collect();
@@ -136,17 +134,11 @@ impl Equations {
         };
         let load = Load { vertical, ..base.load };
         let loaded = Loaded::new(cells, roots, load, 1.0, |xi| base.height(xi));
-        let theta = base.ground.strength() * base.theta;
-        Self { matrix, loaded, theta }
+        Self { matrix, loaded, theta: base.strength() }
     }
 
     /// Pressures for the layer `v = c p + d` of each cell.
-    fn solve(
-        &self,
-        base: &Base<'_>,
-        layer: &[[f64; 2]],
-        carrying: &[bool],
-    ) -> Result<Vec<f64>, Error> {
+    fn solve(&self, base: &Base, layer: &[[f64; 2]], carrying: &[bool]) -> Result<Vec<f64>, Error> {
         let Loaded { roots, conditions, right, feasible } = &self.loaded;
         let count = roots.len();
         // y = sqrt(c) z: the layer becomes the unit matrix.
@@ -170,7 +162,7 @@ impl Equations {
         let feasible: Vec<f64> =
             feasible.iter().zip(&scales).map(|(value, scale)| value * scale).collect();
         let found = Complementarity::new(matrix, self.theta)?.solve_until(
-            &|| base.problem.deadline().is_past(),
+            &|| base.problem().deadline().is_past(),
             &right,
             &conditions,
             carrying,

@@ -1,269 +1,175 @@
 //! The linearised equation on the zones of a solution: how everything changes with the body and the load.
 //!
-//! `law(p0) + theta0 K p0 = delta0 - alpha0 xi - f0` is written for the displacement `v` of the layer, `p0 = p(v)`: for a law that bends `dlaw/dp0` is infinite at a
-//! free edge, but `p'(v)` vanishes there. Changed by a parameter on zones that stay,
+//! `law(p0) + theta0 K p0 = delta0 - alpha0 xi - f0` is written for the displacement `v` of the layer, `p0 = p(v)`: for a law that bends `dlaw/dp0` is infinite at a free edge, but
+//! `p'(v)` vanishes there. Changed by a parameter on zones that stay,
 //!
 //! `v' + theta0 K(p'(v) v') = delta0' - alpha0' xi - (theta0)'/theta0 * theta0 K p0`,
 //!
-//! the operator of Newton's steps and of the stiffness. What a free edge `e` adds is of second order, as the pressure vanishes there; it moves by `e' = -v'/(dv/dxi)`.
+//! a sum of the responses to `-theta0 K p0`, to 1 and to `-y`. What a free edge `e` adds is of second order, as the pressure vanishes there; it moves by `e' = -v'/(dv/dxi)`.
 
-mod tilted;
+use fredholm::collocation::extrapolate;
 
-use fredholm::SincSolution;
-use fredholm::collocation::{extrapolate, first_half_count, rounding};
-
-use super::answer::UnilateralContact;
-use super::base::Base;
-use super::effort::Effort;
-use super::refinement::RATIO;
-use super::solved::{end_node, place};
-use super::system::{FEWEST, Factor, Resolution, System};
-use crate::contact::accuracy::ROUNDING;
-use crate::contact::ground::SHARP;
+use super::frame::{Direction, Frame};
+use super::nodes::{Field, Response, answered};
+use super::solved::Solved;
+use super::surface::Surface;
+use crate::contact::accuracy::{ROUNDING, SAFETY};
 use crate::contact::rates::{Linearised, Rates};
-use crate::contact::setting::Setting;
-use crate::contact::zones::{EndKind, Zone};
-use crate::{ContactKind, Error, Load, Rotational};
+use crate::contact::stiffness::Stiffness;
+use crate::{Error, Load};
 
-/// Nodes of a full base that was not collocated, for each Chebyshev degree of its profile. At half or twice 3 of 10 answers change, within what they state (survey).
-const NODES_PER_DEGREE: f64 = 2.0;
+/// The first-order changes by the three inputs, each with what is rounding of it.
+pub(super) type Changes = [[Rates; 2]; 3];
 
-/// A solution, on whatever nodes.
-struct Known<'k, 'p> {
-    base: &'k Base<'p>,
-    zones: &'k [Zone],
-    /// `v(xi)`.
-    layer: &'k dyn Fn(f64) -> f64,
-    /// `theta0 K p0` at `xi`.
-    displacement: &'k dyn Fn(f64) -> f64,
-    tilt: f64,
-    /// Where the pressure is largest.
-    peak: f64,
-    /// Rounding of `v` over the length `1/theta0` in which its slope at an edge changes where the layer is thin.
-    noise: f64,
+/// The directions of the body, of `D` and of `beta`.
+pub(super) fn directions<F>(parts: &[Response<F>; 3]) -> [Direction; 3] {
+    let locals = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+    [0, 1, 2].map(|k| Direction { local: locals[k], carried: parts[k].carried })
 }
 
-impl UnilateralContact {
-    /// The first-order change of the solution.
-    pub(super) fn first_order(&self, load: Load, peak: f64) -> Option<Linearised> {
-        let (solved, setting) = (self.solved(), self.setting());
-        let mut base = Base::new(setting, setting.problem().solver().contact).ok()?;
-        base.anchor = self.anchor();
-        base.load.vertical = load.vertical;
-        // The tilt of a disk is another harmonic, a wave has none.
-        if !base.ground.is_disk() && !base.ground.is_closed() {
-            base.load.rotational = load.rotational;
-        }
-        let located = self.locate(peak).abs();
-        let is_corner = solved.zones.iter().any(|zone| {
-            (0..2).any(|side| zone.kinds[side] == EndKind::Wall && zone.ends[side].abs() == located)
-        });
-        // There the pressure goes as `d^(1-mu)`, and no double is near enough to a corner: differences tell.
-        if is_corner && base.ground.exponent() >= SHARP {
-            return None;
-        }
-        base.anchor = self.anchor();
-        if base.ground.is_closed() {
-            base = base.shifted(solved.hull.centre - 1.0);
-        }
-        // As the solution itself was cut.
-        base.breaks = solved.breaks();
-        let tilt = if base.ground.is_disk() { 0.0 } else { solved.state.tilt };
-        let known = Known {
-            base: &base,
-            zones: &solved.zones,
-            layer: &|xi| solved.layer(&base, xi),
-            displacement: &|xi| solved.state.settlement - tilt * xi - solved.layer_at(xi, 0.0),
-            tilt,
-            peak: self.locate(peak),
-            noise: base.steepness() * solved.rounding(),
-        };
-        let found = known.linearised(solved.panel_count() / 2)?;
-        match self.tilted() {
-            Some(tilted) => tilted::turned(&base, solved, tilted, found, peak),
-            None => Some(found),
-        }
-    }
-}
-
-impl Setting {
-    /// The first-order change of a solution by the degenerate kernel, given its displacement `theta0 K p0` and the degree that its profile needs.
-    pub(in crate::contact) fn linearised_whole_base(
-        &self,
-        displacement: &dyn Fn(f64) -> f64,
-        profile_degree: usize,
-        peak: f64,
-    ) -> Option<Linearised> {
-        let base = Base::new(self, ContactKind::Bilateral).ok()?;
-        let base = base.cut(&self.collocated_parts());
-        let panels = base.breaks.len() + 1;
-        let smooth = first_half_count(base.steepness()).max(FEWEST as f64);
-        let wanted = smooth + NODES_PER_DEGREE * profile_degree as f64;
-        // Of a linear layer the pressure itself counts for nothing.
-        let known = Known {
-            base: &base,
-            zones: &base.whole(),
-            layer: &|_| 1.0,
-            displacement,
-            tilt: 0.0,
-            peak,
-            noise: 0.0,
-        };
-        known.linearised(wanted.min(0.5 * Effort::LITTLE.nodes as f64 / panels as f64) as usize)
-    }
-}
-
-impl Known<'_, '_> {
-    /// By three numbers of nodes, the last of which is given.
-    fn linearised(&self, half_count: usize) -> Option<Linearised> {
-        let level = |power: i32| {
-            let count = (half_count as f64 * RATIO.powi(power)).round().max(FEWEST as f64) as usize;
-            Level::new(self, count).and_then(|level| level.rates()).ok()
-        };
-        let (coarse, middle, fine) = (level(-2)?, level(-1)?, level(0)?);
-        let errors = std::array::from_fn(|input| {
-            std::array::from_fn(|k| {
-                let of = |found: &[Change; 3]| found[input].rates[k];
-                let (one, two, three) = (of(&coarse), of(&middle), of(&fine));
-                let scale = three.abs().max(f64::MIN_POSITIVE);
-                let resolved = extrapolate((one - two).abs(), (two - three).abs(), scale, RATIO);
-                resolved + fine[input].noise[k]
-            })
-        });
-        Some(Linearised { rates: fine.map(|change| change.rates), errors })
-    }
-}
-
-/// A first-order change, with its rounding.
-#[derive(Default, Clone, Copy)]
-struct Change {
-    rates: Rates,
-    noise: Rates,
-}
-
-/// A free edge: the node beside it, and `dv/dxi` outwards there with its rounding.
+/// A free edge.
 struct Edge {
-    node: usize,
+    /// What the layer answers there.
+    layer: [f64; 3],
+    /// `dv/dxi` outwards.
     slope: f64,
+    /// The rounding of that.
     noise: f64,
 }
 
-/// The linearised equation on some nodes.
-struct Level<'k, 'b, 'p> {
-    known: &'k Known<'b, 'p>,
-    system: System<'b, 'p>,
-    /// `v` at the nodes.
-    layer: Vec<f64>,
+/// A resolution of a solution.
+pub(super) struct Known<'k, F> {
+    pub(super) frame: Frame,
+    pub(super) parts: &'k [Response<F>; 3],
+    /// `theta0 K p0`.
+    pub(super) displacement: &'k dyn Fn(f64) -> f64,
+    /// Where the pressure is largest, and `dp0/dv` there.
+    pub(super) peak: (f64, f64),
 }
 
-impl<'k, 'b, 'p> Level<'k, 'b, 'p> {
-    fn new(known: &'k Known<'b, 'p>, half_count: usize) -> Result<Self, Error> {
-        let resolution = Resolution::new(&known.base.ground, half_count as f64)?;
-        let system = System::new(known.base, &resolution, known.zones)?;
-        let layer = system.positions.iter().map(|&xi| (known.layer)(xi)).collect();
-        Ok(Self { known, system, layer })
+impl<F: Field> Known<'_, F> {
+    fn layer(&self, xi: f64) -> [f64; 3] {
+        answered(self.parts, &self.frame, (self.displacement)(xi), xi)
     }
 
-    fn rates(&self) -> Result<[Change; 3], Error> {
-        let system = &self.system;
-        let law = self.known.base.layer;
-        let factor = if law.is_linear() {
-            Factor::Linear(system.operator.factor(system.parameter())?)
-        } else {
-            let weights: Vec<f64> = self.layer.iter().map(|v| law.slope(*v)).collect();
-            Factor::Weighted(system.operator.factor_weighted(system.parameter(), &weights)?)
+    /// The changes by `ln theta0` and by what is prescribed; none by an eccentricity, nor by a tilt that cannot be.
+    pub(super) fn changes(&self, solved: Option<(&Solved<F>, &Surface)>) -> Result<Changes, Error> {
+        let edges = solved.map_or_else(Vec::new, |(solved, surface)| self.edges(solved, surface));
+        let is_disk = solved.is_some_and(|(solved, _)| solved.ground.is_disk());
+        let (at, modulus) = self.peak;
+        let at_peak = self.layer(at);
+        let [body, frame @ ..] = directions(self.parts);
+        let change = |share: f64, values: [f64; 2]| -> Result<[Rates; 2], Error> {
+            let wanted = self.frame.conditions_for(values);
+            let [raise, turn] = self.frame.met(&frame, (share, &body), wanted)?;
+            let sum = [(share, body), (raise, frame[0]), (turn, frame[1])];
+            let of = |layer: &[f64; 3]| -> f64 {
+                sum.iter().zip(layer).map(|((factor, _), part)| factor * part).sum()
+            };
+            let parts = sum.iter().zip(self.parts);
+            let noise: f64 = parts.map(|((factor, _), part)| factor.abs() * part.noise).sum();
+            let (mut width, mut width_noise) = (0.0, 0.0);
+            // An image on the other side of the axis moves along.
+            let sides = if is_disk { 2.0 } else { 1.0 };
+            for edge in &edges {
+                let moved = -sides * of(&edge.layer) / edge.slope;
+                width += moved;
+                width_noise += (sides * noise + moved.abs() * edge.noise) / edge.slope.abs();
+            }
+            let state = self.frame.changes(&Direction::sum(&sum));
+            let rates = [state.settlement, state.force, state.tilt, modulus * of(&at_peak), width];
+            Ok([rates, [0.0, 0.0, 0.0, modulus * noise, width_noise]])
         };
-        let frame = system.frame(&factor)?;
-        let given: Vec<f64> =
-            system.positions.iter().map(|&xi| -(self.known.displacement)(xi)).collect();
-        let elastic = system.direction(&factor.solve(&given)?, 1.0, [0.0; 2]);
-        let edges = self.edges()?;
-        // The tilt of a disk is another harmonic, a wave has none.
-        let is_level = system.ground.is_disk() || system.ground.is_closed();
-        let rotates =
-            !is_level && !matches!(system.base.load.rotational, Rotational::Eccentricity(_));
-        let rates = |share: f64, prescribed: [f64; 2]| -> Result<Change, Error> {
-            let conditions = system.conditions_for(prescribed);
-            let local = system.met(&frame, &elastic.scaled(share), conditions)?;
-            let right: Vec<f64> = (system.operator.positions().zip(&given))
-                .map(|(y, g)| share * g + local[0] - local[1] * y)
-                .collect();
-            let solution = factor.solve(&right)?;
-            Ok(self.change(&solution, share, local, &edges))
-        };
+        let none = [[0.0; 5]; 2];
+        let rotates = self.frame.rotates();
         Ok([
-            rates(1.0, [0.0, 0.0])?,
-            rates(0.0, [1.0, 0.0])?,
-            if rotates { rates(0.0, [0.0, 1.0])? } else { Change::default() },
+            change(1.0, [0.0, 0.0])?,
+            change(0.0, [1.0, 0.0])?,
+            if rotates { change(0.0, [0.0, 1.0])? } else { none },
         ])
     }
 
-    /// What a change of the layer with these changes of `ln theta0`, `D` and `beta` amounts to.
-    fn change(
-        &self,
-        solution: &SincSolution,
-        share: f64,
-        local: [f64; 2],
-        edges: &[Edge],
-    ) -> Change {
-        let system = &self.system;
-        let state = system.changes(&system.direction(solution, 1.0, local));
-        let Known { base, layer, displacement, peak, noise: of_layer, .. } = self.known;
-        let place = place(&system.panels, &system.hull, *peak);
-        let given = -share * displacement(*peak) + local[0] - local[1] * place.position;
-        let slope = base.layer.slope(layer(*peak));
-        let pressure = slope * solution.evaluate_place(place, given);
-        let rounded = rounding(solution);
-        // An image on the other side of the axis moves along.
-        let sides = if base.ground.is_disk() { 2.0 } else { 1.0 };
-        let (mut width, mut noise) = (0.0, 0.0);
-        for Edge { node, slope, noise: of_slope } in edges {
-            let moved = -sides * solution.values()[*node] / slope;
-            width += moved;
-            noise += (sides * rounded + moved.abs() * (of_slope + of_layer)) / slope.abs();
+    /// The free edges with `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm`, as the pressure vanishes there.
+    fn edges(&self, solved: &Solved<F>, surface: &Surface) -> Vec<Edge> {
+        let zones = &solved.nodes.zones;
+        if zones.iter().all(|zone| !zone.has_free_end()) {
+            return Vec::new();
         }
-        Change {
-            rates: [state.settlement, state.force, state.tilt, pressure, width],
-            noise: [0.0, 0.0, 0.0, slope * rounded, noise],
-        }
+        let unit = solved.strength * solved.ground.measure(&self.frame.hull);
+        let masses = solved.field.masses();
+        // Where the layer is thin the slope changes within a length 1/theta0.
+        let of_layer = solved.strength * solved.layer.slope(solved.deepest()) * solved.rounding();
+        let edge = |(side, at): (usize, f64)| {
+            let (tilt, profile) = (solved.state.tilt, surface.slope(at));
+            let (mut body, mut size) = (0.0, tilt.abs() + profile.abs());
+            for (&xi, mass) in solved.nodes.places.iter().zip(&masses) {
+                let part = unit * mass * solved.ground.slope(at, xi);
+                body += part;
+                size += part.abs();
+            }
+            let slope = -tilt - profile - body;
+            let slope = if side == 0 { -slope } else { slope };
+            Edge { layer: self.layer(at), slope, noise: ROUNDING * size + of_layer }
+        };
+        zones.iter().flat_map(|zone| zone.free_ends()).map(edge).collect()
     }
+}
 
-    /// The free edges.
-    fn edges(&self) -> Result<Vec<Edge>, Error> {
-        let Known { base, zones, .. } = self.known;
-        let free: Vec<(usize, usize)> = (0..zones.len())
-            .flat_map(|zone| zones[zone].free_ends().map(move |(side, _)| (zone, side)))
-            .collect();
-        if free.is_empty() {
-            return Ok(Vec::new());
-        }
-        let system = &self.system;
-        let pressures: Vec<f64> = self.layer.iter().map(|v| base.layer.pressure(*v)).collect();
-        let nothing = vec![0.0; pressures.len()];
-        let solution = system.operator.response(system.parameter(), &nothing, &pressures)?;
-        let measure = system.ground.measure(&system.hull);
-        let masses: Vec<f64> = solution.node_masses().iter().map(|mass| measure * mass).collect();
-        let count = system.panel_count();
-        Ok(free
-            .into_iter()
-            .map(|(zone, side)| {
-                let node = end_node(&system.panels, count, zone, side);
-                let (slope, noise) = self.layer_slope(zones[zone].ends[side], &masses);
-                Edge { node, slope: if side == 0 { -slope } else { slope }, noise }
-            })
-            .collect())
-    }
+/// The first-order change of a solution whose largest pressure is at `peak`; none where no coarser one tells its error.
+pub(super) fn linearised<F: Field>(
+    solved: &Solved<F>,
+    surface: &Surface,
+    load: Load,
+    peak: f64,
+) -> Option<Linearised> {
+    let height = surface.height(peak);
+    let changes = |solved: &Solved<F>| -> Option<Changes> {
+        let known = Known {
+            frame: solved.nodes.frame.under(load),
+            parts: solved.responses.as_ref()?,
+            displacement: &|xi| solved.displacement(xi),
+            peak: (peak, solved.layer.slope(solved.layer_at(peak, height))),
+        };
+        known.changes(Some((solved, surface))).ok()
+    };
+    let levels = solved.coarser.iter().chain([solved]);
+    let levels: Vec<Changes> = levels.filter_map(changes).collect();
+    compared(&levels, F::RATIO)
+}
 
-    /// `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm` at a free edge, where the pressure vanishes, and its rounding.
-    fn layer_slope(&self, edge: f64, masses: &[f64]) -> (f64, f64) {
-        let Known { base, tilt, .. } = self.known;
-        let profile = base.slope(edge);
-        let (mut body, mut size) = (0.0, tilt.abs() + profile.abs());
-        for (&xi, mass) in self.system.positions.iter().zip(masses) {
-            let part = self.system.strength() * mass * base.ground.slope(edge, xi);
-            body += part;
-            size += part.abs();
+/// The last of two resolutions with its difference from the one before, of three whose nodes grow by a ratio with what is left of these.
+pub(super) fn compared(levels: &[Changes], ratio: Option<f64>) -> Option<Linearised> {
+    let [.., before, last] = levels else { return None };
+    let first = levels.len().checked_sub(3).and_then(|first| levels.get(first)).zip(ratio);
+    let errors = std::array::from_fn(|input| {
+        let of = |level: &Changes, k: usize| level[input][0][k];
+        let mut errors: Rates = std::array::from_fn(|k| {
+            let change = (of(last, k) - of(before, k)).abs();
+            let left = match first {
+                Some((first, ratio)) => {
+                    let scale = of(last, k).abs().max(f64::MIN_POSITIVE);
+                    extrapolate((of(before, k) - of(first, k)).abs(), change, scale, ratio)
+                }
+                None => SAFETY * change,
+            };
+            left + last[input][1][k]
+        });
+        // One of settlement and tilt may agree by chance.
+        let displacement = errors[0].max(errors[2]);
+        for k in [0, 2] {
+            errors[k] = if errors[k] > 0.0 { displacement } else { 0.0 };
         }
-        (-tilt - profile - body, ROUNDING * size)
-    }
+        errors
+    });
+    Some(Linearised { rates: last.map(|[rates, _]| rates), errors })
+}
+
+/// The error of the stiffness: for all entries the largest difference from a coarser resolution, as one may be nothing by chance.
+pub(super) fn stiffness_error<F: Field>(solved: &Solved<F>) -> Option<Stiffness> {
+    let before = solved.coarser.last().filter(|before| before.responses.is_some())?;
+    let (one, other) = (solved.stiffness().matrix(), before.stiffness().matrix());
+    let entries = one.as_flattened().iter().zip(other.as_flattened());
+    let error = entries
+        .fold(0.0f64, |most, (a, b)| most.max(SAFETY * (a - b).abs()).max(ROUNDING * a.abs()));
+    Some(Stiffness { force_settlement: error, coupling: error, moment_tilt: error })
 }

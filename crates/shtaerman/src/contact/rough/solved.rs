@@ -2,48 +2,34 @@
 
 use std::sync::Arc;
 
-use fredholm::SincSolution;
-use fredholm::collocation::{Place, rounding};
-
-use super::base::Base;
+use super::frame::Direction;
 use super::layer::Layer;
+use super::nodes::{Discrete, Field, Nodes, Response, Step, answered};
+use crate::Error;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
-use crate::contact::ground::{Ground, Hull};
+use crate::contact::ground::Ground;
 use crate::contact::stiffness::Stiffness;
-use crate::contact::zones::Zone;
-
-/// A panel in `xi`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Panel {
-    pub(super) left: f64,
-    pub(super) right: f64,
-    pub(super) zone: usize,
-}
-
-impl Panel {
-    pub(super) fn length(&self) -> f64 {
-        self.right - self.left
-    }
-}
 
 /// The pressure on given zones under the load; at free edges it need not vanish yet.
 #[derive(Debug, Clone)]
-pub(super) struct Solved {
-    pub(super) zones: Vec<Zone>,
-    pub(super) panels: Vec<Panel>,
+pub(super) struct Solved<F> {
+    pub(super) nodes: Arc<Nodes>,
     pub(super) ground: Arc<dyn Ground>,
+    /// `k theta0`.
+    pub(super) strength: f64,
     pub(super) layer: Layer,
-    pub(super) hull: Hull,
-    /// `xi` of the nodes.
-    pub(super) positions: Vec<f64>,
-    /// The displacement `v` of the layer; its integrals are those of the pressure.
-    pub(super) solution: SincSolution,
-    /// `D` and `beta`.
+    /// The displacement `v` of the layer at the nodes.
+    pub(super) given: Vec<f64>,
+    pub(super) field: F,
     pub(super) local: [f64; 2],
     pub(super) state: State,
-    pub(super) stiffness: Stiffness,
+    /// `theta K p` at the nodes.
+    displaced: Vec<f64>,
+    pub(super) responses: Option<Arc<[Response<F>; 3]>>,
     pub(super) stated: Stated,
+    /// Up to two coarser resolutions of the same.
+    pub(super) coarser: Vec<Self>,
 }
 
 /// What a solution is known to.
@@ -55,76 +41,85 @@ pub(super) struct Stated {
 }
 
 impl Stated {
-    /// With what a kernel that is not known to all digits leaves in a displacement, and that in the pressure and in the ends.
-    pub(super) fn with_kernel(self, base: &Base<'_>, solved: &Solved) -> Self {
-        let body = base.ground.strength() * base.theta * solved.state.force.abs();
-        let missed = base.ground.kernel_error() * body;
-        if missed == 0.0 {
-            return self;
-        }
-        let Stiffness { force_settlement, moment_tilt, .. } = solved.stiffness;
-        let raised = self.accuracy.with_profile_error(missed, [force_settlement, moment_tilt]);
-        let slope = solved.layer.slope(solved.deepest());
-        let pressure = raised.pressure + 2.0 * missed * slope;
-        let longest = solved.zones.iter().map(Zone::length).fold(0.0, f64::max);
-        let edge = self.edge + missed * longest / solved.deepest();
-        Self { accuracy: Accuracy { pressure, ..raised }, edge }
-    }
-
     /// Of a solution that others are to be compared with.
-    pub(super) fn none() -> Self {
-        let unknown = f64::INFINITY;
-        let accuracy = Accuracy {
-            kind: ErrorKind::Estimate,
-            pressure: unknown,
-            settlement: unknown,
-            tilt: unknown,
-            force: unknown,
-            moment: unknown,
-        };
-        Self { accuracy, edge: unknown }
+    fn none() -> Self {
+        let [pressure, settlement, tilt, force, moment] = [f64::INFINITY; 5];
+        let kind = ErrorKind::Estimate;
+        let accuracy = Accuracy { kind, pressure, settlement, tilt, force, moment };
+        Self { accuracy, edge: f64::INFINITY }
     }
 }
 
-impl Solved {
-    /// Nodes of one panel.
-    pub(super) fn panel_count(&self) -> usize {
-        self.positions.len() / self.panels.len()
+/// The largest size of some values.
+pub(super) fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, value| most.max(value.abs()))
+}
+
+impl<F: Field> Solved<F> {
+    pub(super) fn new<D: Discrete<Field = F>>(on: &D, step: Step<D::Pressure>) -> Self {
+        let (base, nodes) = (on.base(), Arc::clone(on.nodes()));
+        let direction = step.direction();
+        let Step { layer: given, local, pressed } = step;
+        let field = on.field(pressed.pressure);
+        let moment = base.ground.is_closed().then(|| {
+            let masses = field.masses();
+            let moments = nodes.places.iter().zip(masses);
+            base.ground.measure(&nodes.frame.hull)
+                * moments.map(|(xi, mass)| base.surface.on_base(*xi) * mass).sum::<f64>()
+        });
+        Self {
+            ground: Arc::clone(&base.ground),
+            strength: base.strength(),
+            layer: base.layer,
+            given,
+            field,
+            local,
+            state: nodes.frame.state(&direction, moment),
+            displaced: pressed.displaced,
+            responses: None,
+            stated: Stated::none(),
+            coarser: Vec::new(),
+            nodes,
+        }
     }
 
-    /// Where zones are cut into panels.
-    pub(super) fn breaks(&self) -> Vec<f64> {
-        let pairs = self.panels.windows(2).filter(|pair| pair[0].zone == pair[1].zone);
-        pairs.map(|pair| pair[1].left).collect()
+    /// With its responses, perhaps from those of a solution nearby.
+    pub(super) fn answering<D: Discrete<Field = F>>(
+        mut self,
+        on: &D,
+        inverse: &D::Inverse<'_>,
+        near: Option<&Self>,
+    ) -> Result<Self, Error> {
+        let gauge = self.nodes.frame.gauge_of(self.state.force);
+        let body: Vec<f64> = self.displaced.iter().map(|u| gauge - u).collect();
+        let near = near.and_then(|near| Some((near, near.responses.clone()?)));
+        let near = near.map(|(near, parts)| {
+            move |xi: f64| answered(&parts, &near.nodes.frame, near.displacement(xi), xi)
+        });
+        let near = near.as_ref().map(|near| near as &dyn Fn(f64) -> [f64; 3]);
+        self.responses = Some(Arc::new(on.responses(inverse, &body, near)?));
+        Ok(self)
+    }
+
+    /// Largest displacement of the layer at the nodes, of either sign.
+    pub(super) fn deepest(&self) -> f64 {
+        largest(&self.given)
+    }
+
+    /// Largest `|p0|` at the nodes.
+    pub(super) fn largest(&self) -> f64 {
+        self.given.iter().fold(0.0, |most, v| most.max(self.layer.pressure(*v).abs()))
+    }
+
+    /// A bound of what is added up in the displacement of the layer.
+    pub(super) fn size(&self) -> f64 {
+        self.deepest() + largest(&self.displaced)
     }
 
     /// Rounding of the displacement of the layer: of what the body gives, and of `D - beta y - f0`, whose terms are large where small zones lie far from the middle.
     pub(super) fn rounding(&self) -> f64 {
         let [constant, slope] = self.local;
-        rounding(&self.solution) + f64::EPSILON * (constant.abs() + slope.abs())
-    }
-
-    /// Rounding of the pressure.
-    pub(super) fn pressure_rounding(&self) -> f64 {
-        self.layer.slope(self.deepest()) * self.rounding()
-    }
-
-    /// Rounding of the edges: that of the layer over its mean slope.
-    pub(super) fn edge_rounding(&self) -> f64 {
-        let longest = self.zones.iter().map(Zone::length).fold(0.0, f64::max);
-        let slope = self.deepest() / longest;
-        if slope > 0.0 { self.rounding() / slope } else { 0.0 }
-    }
-
-    /// Largest displacement of the layer at the nodes, of either sign.
-    pub(super) fn deepest(&self) -> f64 {
-        self.solution.values().iter().fold(0.0, |most, v| most.max(v.abs()))
-    }
-
-    /// Largest `|p0|` at the nodes.
-    pub(super) fn largest(&self) -> f64 {
-        let pressure = |v: &f64| self.layer.pressure(*v).abs();
-        self.solution.values().iter().map(pressure).fold(0.0, f64::max)
+        F::ROUNDING * self.size() + f64::EPSILON * (constant.abs() + slope.abs())
     }
 
     /// What the pressure is not known to, as a share of the largest.
@@ -132,67 +127,32 @@ impl Solved {
         self.stated.accuracy.pressure / self.largest().max(f64::MIN_POSITIVE)
     }
 
-    /// Displacement of the layer at the left (0) or right (1) end of a zone.
-    pub(super) fn end_layer(&self, zone: usize, side: usize) -> f64 {
-        self.solution.values()[end_node(&self.panels, self.panel_count(), zone, side)]
+    /// `D - beta y - f0 - theta K p`, given the height: what the layer gives in a zone, minus the gap beside.
+    pub(super) fn layer_at(&self, xi: f64, height: f64) -> f64 {
+        let right = self.local[0] - self.local[1] * self.nodes.frame.local(xi) - height;
+        right - self.field.at(xi)
     }
 
-    /// Force on a zone, but for a factor.
-    pub(super) fn zone_force(&self, zone: usize) -> f64 {
-        let count = self.panel_count();
-        let masses = self.solution.node_masses().chunks_exact(count);
-        (self.panels.iter().zip(masses))
-            .filter(|(panel, _)| panel.zone == zone)
-            .map(|(_, masses)| masses.iter().sum::<f64>())
-            .sum()
-    }
-
-    /// `p0(xi)` for `xi` in a zone, with the height of the base there.
+    /// The pressure of that.
     pub(super) fn pressure_at(&self, xi: f64, height: f64) -> f64 {
         self.layer.pressure(self.layer_at(xi, height))
     }
 
-    /// The displacement of the layer for `xi` in a zone, below zero where it pulls.
-    pub(super) fn layer(&self, base: &Base<'_>, xi: f64) -> f64 {
-        self.layer_at(xi, base.height(xi))
+    /// `theta0 k int K(xi, eta) p0 dm`.
+    pub(super) fn displacement(&self, xi: f64) -> f64 {
+        self.field.at(xi) - self.nodes.frame.gauge_of(self.state.force)
     }
 
-    /// The same with the height of the base there.
-    pub(super) fn layer_at(&self, xi: f64, height: f64) -> f64 {
-        let place = place(&self.panels, &self.hull, xi);
-        let right_hand_side = self.local[0] - self.local[1] * place.position - height;
-        self.solution.evaluate_place(place, right_hand_side)
+    /// The largest displacement of the layer, of either sign, at the free ends.
+    pub(super) fn at_ends(&self, height: impl Fn(f64) -> f64) -> f64 {
+        let ends = self.nodes.zones.iter().flat_map(|zone| zone.free_ends());
+        ends.map(|(_, at)| self.layer_at(at, height(at)).abs()).fold(0.0, f64::max)
     }
 
-    /// `theta0 k int K(xi, eta) p0 dm` for `xi` outside the zones.
-    pub(super) fn displacement_outside(&self, xi: f64) -> f64 {
-        let Hull { centre, half } = self.hull;
-        let y = (xi - centre) / half;
-        let local = self.solution.integral(|t| self.ground.value(y, t));
-        let gauge = self.ground.gauge(&self.hull);
-        self.solution.parameter() * (local - self.solution.integral(|_| 1.0) * gauge)
-    }
-}
-
-/// A place in the panels, or the nearest there is.
-pub(super) fn place(panels: &[Panel], hull: &Hull, xi: f64) -> Place {
-    let Hull { centre, half } = *hull;
-    let panel = panels.partition_point(|panel| panel.right < xi).min(panels.len() - 1);
-    let Panel { left, right, .. } = panels[panel];
-    let xi = xi.clamp(left, right);
-    Place {
-        position: (xi - centre) / half,
-        from_left: ((xi - left) / half).max(0.0),
-        from_right: ((right - xi) / half).max(0.0),
-        panel,
-    }
-}
-
-/// Index of the node next to an end of a zone.
-pub(super) fn end_node(panels: &[Panel], count: usize, zone: usize, side: usize) -> usize {
-    if side == 0 {
-        count * panels.partition_point(|panel| panel.zone < zone)
-    } else {
-        (count * panels.partition_point(|panel| panel.zone <= zone)).saturating_sub(1)
+    /// `d(P0, M0)/d(delta0, -alpha0)`; free edges that move add nothing of first order, as the pressure vanishes there. NaN without responses.
+    pub(super) fn stiffness(&self) -> Stiffness {
+        let carried = |k: usize| self.responses.as_ref().map_or([f64::NAN; 2], |r| r[k].carried);
+        let direction = |local, k| Direction { local, carried: carried(k) };
+        self.nodes.frame.stiffness(&[direction([1.0, 0.0], 1), direction([0.0, 1.0], 2)])
     }
 }

@@ -69,7 +69,7 @@ impl Anchor {
 
 /// The panels of all zones from left to right; none where they are too many.
 pub(super) fn panels(
-    base: &Base<'_>,
+    base: &Base,
     joints: &[f64],
     zones: &[Zone],
     fineness: Fineness,
@@ -77,7 +77,7 @@ pub(super) fn panels(
 ) -> Option<Vec<[f64; 2]>> {
     let mut panels = Vec::new();
     let layer = layer(base);
-    let is_measured = base.problem.profile().measured_points().is_some();
+    let is_measured = base.is_measured();
     for zone in zones {
         let inside = joints.partition_point(|at| *at <= zone.left())
             ..joints.partition_point(|at| *at < zone.right());
@@ -111,19 +111,22 @@ pub(super) fn panels(
 }
 
 /// The length of the layer, of one that bends under about the mean pressure.
-fn layer(base: &Base<'_>) -> f64 {
-    let strength =
-        if base.layer.is_linear() { base.theta } else { base.steepness() / base.ground.strength() };
+fn layer(base: &Base) -> f64 {
+    let strength = if base.layer.is_linear() {
+        base.theta()
+    } else {
+        base.steepness() / base.ground.strength()
+    };
     strength.max(1.0).powf(-1.0 / (1.0 - base.ground.exponent()))
 }
 
 /// A share of lengths for a pressure that goes on as `d^power ln d`, for one that goes on as `d^(power - mu)`.
-fn share(base: &Base<'_>, share: f64, power: f64) -> f64 {
+fn share(base: &Base, share: f64, power: f64) -> f64 {
     share.powf(power / (power - base.ground.exponent()))
 }
 
 /// Both ends of a zone.
-fn ends(base: &Base<'_>, zone: &Zone, layer: f64, fineness: Fineness) -> [Anchor; 2] {
+fn ends(base: &Base, zone: &Zone, layer: f64, fineness: Fineness) -> [Anchor; 2] {
     [0, 1].map(|side| {
         let least = if base.is_joined(zone) {
             // The seam of a wave that touches all over is no corner.
@@ -144,14 +147,9 @@ fn ends(base: &Base<'_>, zone: &Zone, layer: f64, fineness: Fineness) -> [Anchor
 }
 
 /// The bend of the profile at the left or right end of a piece.
-fn bend(
-    base: &Base<'_>,
-    piece: [f64; 2],
-    is_left: bool,
-    (layer, fineness): (f64, Fineness),
-) -> Anchor {
+fn bend(base: &Base, piece: [f64; 2], is_left: bool, (layer, fineness): (f64, Fineness)) -> Anchor {
     let at = if is_left { piece[0] } else { piece[1] };
-    let shortest = if base.problem.profile().measured_points().is_some() {
+    let shortest = if base.is_measured() {
         POINT * layer
     } else if base.walls.contains(at) {
         fineness.ends * share(base, CORNER, 1.0) * layer
@@ -185,7 +183,7 @@ fn graded(anchors: &[Anchor], piece: [f64; 2], longest: f64, panels: &mut Vec<[f
 }
 
 /// Halves of a piece until the profile is a polynomial on each.
-fn resolved(base: &Base<'_>, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2]> {
+fn resolved(base: &Base, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2]> {
     let longest = fineness.longest;
     let mut pieces = Vec::new();
     let mut left_to_do = vec![(piece, 0)];
@@ -202,7 +200,7 @@ fn resolved(base: &Base<'_>, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2
 }
 
 /// Whether the polynomial through so many Chebyshev points shows the profile between them.
-fn is_polynomial(base: &Base<'_>, [left, right]: [f64; 2], fineness: Fineness) -> bool {
+fn is_polynomial(base: &Base, [left, right]: [f64; 2], fineness: Fineness) -> bool {
     let Fineness { order, straight, .. } = fineness;
     let place = |y: f64| base.height(0.5 * (left + right) + 0.5 * (right - left) * y);
     let points: Vec<f64> = (0..order)
