@@ -22,6 +22,9 @@ use crate::{Error, Load};
 /// Tension over the largest pressure that is none. Half and twice change none of 10 answers (survey).
 const PULLING: f64 = 1e-10;
 
+/// Samples are no closer to the ends of panels than this share of them.
+const APART: f64 = 1e-5;
+
 /// Zones, pressure, settlement, tilt, force and moment of a contact on a rough surface, without dimensions.
 #[derive(Debug, Clone)]
 pub(super) struct RoughContact<F> {
@@ -153,14 +156,22 @@ impl<F: Field + 'static> Solution for RoughContact<F> {
     /// The nodes, both ends of the base and of the zones, and a place in every gap.
     fn sample(&self) -> (Vec<f64>, Vec<f64>) {
         let Solved { nodes, given, layer, .. } = &self.solved;
-        let ends = nodes.zones.iter().flat_map(|zone| zone.ends).chain(self.beside.iter().copied());
+        let ends = nodes.zones.iter().map(|zone| zone.ends).chain(nodes.panels.iter().copied());
+        let ends = ends.flatten().chain(self.beside.iter().copied());
         let ends = ends.flat_map(|place| self.surface.images(place)).chain([-1.0, 1.0]);
         let ends = ends.map(|xi| (xi + 0.0, self.pressure(xi)));
-        let known = nodes.places.iter().zip(given).flat_map(|(place, v)| {
+        let values = nodes.places.chunks(nodes.a_panel()).zip(given.chunks(nodes.a_panel()));
+        let known =
+            nodes.panels.iter().zip(values).flat_map(|([left, right], (places, values))| {
+                // The end itself counts for nodes so close to it that the pressure at a corner is hardly more.
+                let least = APART * (right - left);
+                let is_apart = move |at: f64| at - left > least && right - at > least;
+                places.iter().zip(values).filter(move |(at, _)| is_apart(**at))
+            });
+        let known = known.flat_map(|(place, v)| {
             let at = |xi: f64| (xi + 0.0, self.kept(xi, *place, layer.pressure(*v)));
             self.surface.images(*place).map(at)
         });
-        // Of a node that rounds to an end the end counts: beside a corner the pressure may change from one to the other.
         let mut samples: Vec<(f64, f64)> = ends.chain(known).collect();
         samples.sort_by(|one, two| one.0.total_cmp(&two.0));
         samples.dedup_by(|one, two| one.0 == two.0);

@@ -10,7 +10,7 @@
 use fredholm::collocation::extrapolate;
 
 use super::frame::{Direction, Frame};
-use super::nodes::{Field, Response, answered};
+use super::nodes::{Field, Response};
 use super::solved::Solved;
 use super::surface::Surface;
 use crate::contact::accuracy::{ROUNDING, SAFETY};
@@ -48,8 +48,10 @@ pub(super) struct Known<'k, F> {
 }
 
 impl<F: Field> Known<'_, F> {
+    /// What the layer answers at a place.
     fn layer(&self, xi: f64) -> [f64; 3] {
-        answered(self.parts, &self.frame, (self.displacement)(xi), xi)
+        let right = [-(self.displacement)(xi), 1.0, -self.frame.local(xi)];
+        [0, 1, 2].map(|k| right[k] - self.parts[k].field.at(xi))
     }
 
     /// The changes by `ln theta0` and by what is prescribed; none by an eccentricity, nor by a tilt that cannot be.

@@ -92,10 +92,9 @@ struct Trial<P> {
     pressed: Pressed<P>,
     /// What the equation makes of `v`, less `v`.
     residual: Vec<f64>,
-    norm: f64,
     /// What the conditions of the load lack.
     lack: [f64; 2],
-    /// Both over their scales.
+    /// The norms of both over their scales.
     merit: f64,
 }
 
@@ -132,27 +131,29 @@ impl<'o, D: Discrete> Newton<'o, D> {
             let size = self.size(&trial);
             let enough = (self.on.residual() * self.on.norm(&trial.layer)).max(ROUNDING * size);
             let small = STAGNANT * size;
-            let is_met = trial.norm <= enough || trial.norm > 0.5 * before && trial.norm <= small;
+            // With what the load lacks: where the body gives nothing the layer alone leaves nothing.
+            let left = trial.merit * scales[2];
+            let is_met = left <= enough || left > 0.5 * before && left <= small;
             let is_over = self.on.base().problem().deadline().is_past();
             if !is_blind && (is_met || is_over) {
                 return self.found(trial);
             }
             let [least, most] = INEXACT;
-            let share = (trial.norm / before).powi(2).clamp(least, most);
-            before = trial.norm;
+            let share = (left / before).powi(2).clamp(least, most);
+            before = left;
             let inverse = self.on.inverse(Some(self.slopes(&trial)))?;
-            let residual = (share * trial.norm).max(0.5 * enough);
+            let residual = (share * left).max(0.5 * enough);
             let Trial { residual: right, lack, .. } = &trial;
             let task = Task { right, lack: *lack, start: None, residual };
             let step = self.on.solve(&inverse, task)?;
             match self.shortened(&trial, &step, is_blind, &scales) {
                 Some(next) => trial = next,
-                None if trial.norm <= small => return self.found(trial),
+                None if left <= small => return self.found(trial),
                 None => break,
             }
             is_blind = false;
         }
-        let (residual, tolerance) = (trial.norm / self.size(&trial), STAGNANT);
+        let (residual, tolerance) = (trial.merit, STAGNANT);
         Err(fredholm::Error::NotConverged { iterations: STEPS, residual, tolerance }.into())
     }
 
@@ -207,10 +208,10 @@ impl<'o, D: Discrete> Newton<'o, D> {
             .map(|((right, displaced), v)| right - displaced - v)
             .collect();
         let lack = nodes.frame.lack(&Direction { local, carried: pressed.carried });
-        let norm = self.on.norm(&residual);
         let [vertical, rotational, size] = *scales;
-        let merit = (norm / size).hypot(lack[0] / vertical).hypot(lack[1] / rotational);
-        Ok(Trial { layer, local, pressed, residual, norm, lack, merit })
+        let norm = self.on.norm(&residual) / size;
+        let merit = norm.hypot(lack[0] / vertical).hypot(lack[1] / rotational);
+        Ok(Trial { layer, local, pressed, residual, lack, merit })
     }
 
     /// What the conditions of the load and the residual are held against.

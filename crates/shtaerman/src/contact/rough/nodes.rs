@@ -98,23 +98,14 @@ impl<P> Step<P> {
 /// What the layer answers, with its pressure, to a right-hand side of the linearised equation.
 #[derive(Debug, Clone)]
 pub(super) struct Response<F> {
+    /// What the layer answers at the nodes, where others begin with that.
+    pub(super) layer: Vec<f64>,
     /// The displacement of the pressure.
     pub(super) field: F,
     /// Force, and moment about the centre.
     pub(super) carried: [f64; 2],
     /// What the layer is not known to.
     pub(super) noise: f64,
-}
-
-/// What the layer answers at a place to `-theta0 K p0`, of which this is the displacement there, to 1 and to `-y`.
-pub(super) fn answered<F: Field>(
-    parts: &[Response<F>; 3],
-    frame: &Frame,
-    displacement: f64,
-    xi: f64,
-) -> [f64; 3] {
-    let right = [-displacement, 1.0, -frame.local(xi)];
-    [0, 1, 2].map(|k| right[k] - parts[k].field.at(xi))
 }
 
 /// The equation on nodes.

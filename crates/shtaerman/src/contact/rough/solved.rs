@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::frame::Direction;
 use super::layer::Layer;
-use super::nodes::{Discrete, Field, Nodes, Response, Step, answered};
+use super::nodes::{Discrete, Field, Nodes, Response, Step};
 use crate::Error;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
@@ -92,9 +92,11 @@ impl<F: Field> Solved<F> {
     ) -> Result<Self, Error> {
         let gauge = self.nodes.frame.gauge_of(self.state.force);
         let body: Vec<f64> = self.displaced.iter().map(|u| gauge - u).collect();
-        let near = near.and_then(|near| Some((near, near.responses.clone()?)));
-        let near = near.map(|(near, parts)| {
-            move |xi: f64| answered(&parts, &near.nodes.frame, near.displacement(xi), xi)
+        let near = near.and_then(|near| near.responses.clone()).map(|parts| {
+            move |xi: f64| {
+                let known = parts.each_ref().map(|part| part.field.interpolated(&part.layer, xi));
+                known.map(|value| value.unwrap_or(0.0))
+            }
         });
         let near = near.as_ref().map(|near| near as &dyn Fn(f64) -> [f64; 3]);
         self.responses = Some(Arc::new(on.responses(inverse, &body, near)?));

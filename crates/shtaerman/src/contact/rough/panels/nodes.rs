@@ -263,7 +263,8 @@ impl Discrete for PanelNodes<'_> {
             let terms = rights[k].iter().zip(&found.values).zip(&found.potential);
             let left = terms.map(|((b, v), u)| b - v - self.parameter * u).collect();
             let noise = share * largest(rights[k]);
-            Ok(Solution { pressures: inverse.pressures(&found.values), left, noise })
+            let pressures = inverse.pressures(&found.values);
+            Ok(Solution { layer: found.values, pressures, left, noise })
         };
         let (body, level) = (solved(0)?, solved(1)?);
         // What does not turn has no use for the third.
@@ -282,6 +283,7 @@ impl Discrete for PanelNodes<'_> {
 /// The pressures of a response, what is left of its equation, and what that leaves of the layer.
 #[derive(Clone)]
 struct Solution {
+    layer: Vec<f64>,
     pressures: Vec<f64>,
     left: Vec<f64>,
     noise: f64,
@@ -299,7 +301,8 @@ impl PanelNodes<'_> {
         let [force, turn] = self.carried(&solution.pressures);
         let turn = if self.nodes.frame.turns { turn - half * by_turn } else { 0.0 };
         let field = self.field(solution.pressures.clone());
-        Response { field, carried: [force + by_force, turn], noise: solution.noise }
+        let (layer, noise) = (solution.layer.clone(), solution.noise);
+        Response { layer, field, carried: [force + by_force, turn], noise }
     }
 }
 

@@ -229,6 +229,7 @@ impl Discrete for SincNodes<'_> {
     ) -> Result<[Response<SincField>; 3], Error> {
         let [level, tilted] = inverse.frame.clone();
         Ok([inverse.solve(body)?, level, tilted].map(|solution| Response {
+            layer: Vec::new(),
             carried: self.carried(&solution),
             noise: rounding(&solution),
             field: self.field(solution),
