@@ -1,5 +1,7 @@
 //! The answer, by either discretisation.
 
+use std::sync::Arc;
+
 use super::base::Base;
 use super::linearised::{linearised, stiffness_error};
 use super::nodes::Field;
@@ -84,6 +86,21 @@ impl<F: Field> RoughContact<F> {
         (*least < -known_to.max(PULLING * deepest)).then_some(*xi)
     }
 
+    /// Refuses tension of a layer that bends, which has none.
+    ///
+    /// # Errors
+    /// [`Error::Pulls`].
+    pub(super) fn without_tension(self) -> Result<Arc<dyn Solution>, Error> {
+        match self.pulls_most().filter(|_| !self.solved.layer.is_linear()) {
+            None => Ok(Arc::new(self)),
+            Some(at) => {
+                let frame = self.surface.setting.problem().frame();
+                let (variable, at) = (frame.coordinate(), at * frame.half_width());
+                Err(Error::Pulls { variable, at })
+            }
+        }
+    }
+
     /// The same as contact that might lift off, and does not.
     pub(super) fn lifting(self) -> Self {
         let complementarity = Some(Complementarity { tension: 0.0, penetration: 0.0 });
@@ -103,7 +120,7 @@ impl<F: Field> RoughContact<F> {
     }
 }
 
-impl<F: Field + 'static> Solution for RoughContact<F> {
+impl<F: Field> Solution for RoughContact<F> {
     fn state(&self) -> State {
         self.state
     }

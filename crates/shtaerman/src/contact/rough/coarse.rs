@@ -23,10 +23,6 @@ pub(super) struct Coarse {
 }
 
 impl Coarse {
-    pub(super) fn is_empty(&self) -> bool {
-        self.intervals.is_empty()
-    }
-
     /// The intervals of contact to about a cell.
     pub(super) fn intervals(&self) -> &[[f64; 2]] {
         &self.intervals

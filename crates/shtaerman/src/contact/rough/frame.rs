@@ -31,6 +31,12 @@ pub(super) struct Direction {
 }
 
 impl Direction {
+    /// Those of `D` and `beta`, given what they carry.
+    pub(super) fn of_local([level, tilted]: [[f64; 2]; 2]) -> [Self; 2] {
+        let of = |local, carried| Self { local, carried };
+        [of([1.0, 0.0], level), of([0.0, 1.0], tilted)]
+    }
+
     /// The sum of directions, each times its factor.
     pub(super) fn sum(parts: &[(f64, Self)]) -> Self {
         let added = |of: fn(&Self) -> [f64; 2]| {

@@ -21,12 +21,6 @@ use crate::{Error, Load};
 /// The first-order changes by the three inputs, each with what is rounding of it.
 pub(super) type Changes = [[Rates; 2]; 3];
 
-/// The directions of the body, of `D` and of `beta`.
-pub(super) fn directions<F>(parts: &[Response<F>; 3]) -> [Direction; 3] {
-    let locals = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
-    [0, 1, 2].map(|k| Direction { local: locals[k], carried: parts[k].carried })
-}
-
 /// A free edge.
 struct Edge {
     /// What the layer answers there.
@@ -60,7 +54,9 @@ impl<F: Field> Known<'_, F> {
         let is_disk = solved.is_some_and(|(solved, _)| solved.ground.is_disk());
         let (at, modulus) = self.peak;
         let at_peak = self.layer(at);
-        let [body, frame @ ..] = directions(self.parts);
+        let [body, frame @ ..] = self.parts.each_ref().map(|part| part.carried);
+        let (body, frame) =
+            (Direction { local: [0.0; 2], carried: body }, Direction::of_local(frame));
         let change = |share: f64, values: [f64; 2]| -> Result<[Rates; 2], Error> {
             let wanted = self.frame.conditions_for(values);
             let [raise, turn] = self.frame.met(&frame, (share, &body), wanted)?;
@@ -97,15 +93,13 @@ impl<F: Field> Known<'_, F> {
         if zones.iter().all(|zone| !zone.has_free_end()) {
             return Vec::new();
         }
-        let unit = solved.strength * solved.ground.measure(&self.frame.hull);
-        let masses = solved.field.masses();
         // Where the layer is thin the slope changes within a length 1/theta0.
         let of_layer = solved.strength * solved.layer.slope(solved.deepest()) * solved.rounding();
         let edge = |(side, at): (usize, f64)| {
             let (tilt, profile) = (solved.state.tilt, surface.slope(at));
             let (mut body, mut size) = (0.0, tilt.abs() + profile.abs());
-            for (&xi, mass) in solved.nodes.places.iter().zip(&masses) {
-                let part = unit * mass * solved.ground.slope(at, xi);
+            for (&xi, mass) in solved.nodes.places.iter().zip(&solved.masses) {
+                let part = solved.strength * mass * solved.ground.slope(at, xi);
                 body += part;
                 size += part.abs();
             }

@@ -24,17 +24,18 @@ mod turned;
 
 use std::sync::Arc;
 
+use super::check::Check;
 use super::parts::{Parts, require_few};
-use super::search::{ALLOWED, complementary, unknown};
+use super::promise::ROUGHEST;
+use super::search::{complementary, unknown};
 use super::setting::Setting;
 use super::solution::Solution;
 use super::steps::BESIDE;
 use crate::{ContactKind, Error};
 use answer::RoughContact;
 use base::Base;
-use check::check;
-use panels::OnPanels;
-use sinc::{Collocation, Effort, SincField};
+use panels::{ManyPanels, OnPanels};
+use sinc::{Collocation, Effort};
 
 impl Setting {
     /// The solution with the pressure nowhere negative: the zones of contact are part of the answer.
@@ -55,52 +56,42 @@ impl Setting {
 
     /// The whole base in contact, where the pressure may pull, on panels; none where they do not serve.
     pub(super) fn whole_base_on_panels(&self) -> Result<Option<Arc<dyn Solution>>, Error> {
-        Ok(panels::solve_whole(&Base::new(self, ContactKind::Bilateral)?)?.map(shared))
+        let found = on_panels(&Base::new(self, ContactKind::Bilateral)?);
+        found.ok().map(RoughContact::without_tension).transpose()
     }
 
     /// The same by the equations of the zones, in every geometry and for every layer but a smooth one.
     pub(super) fn whole_base(&self) -> Result<Arc<dyn Solution>, Error> {
         let base = Base::new(self, ContactKind::Bilateral)?;
         if (base.is_for_panels() || base.ground.is_closed())
-            && let Some(contact) = panels::solve_whole(&base)?
+            && let Ok(found) = on_panels(&base)
         {
-            base.require_no_tension(contact.pulls_most())?;
-            return Ok(shared(contact));
+            return found.without_tension();
         }
-        require_few(&base.breaks)?;
-        Ok(shared(full(&base)?))
+        collocated(&base)
     }
 
     /// The same by collocation on these parts.
     pub(super) fn collocated(&self, parts: &Parts) -> Result<Arc<dyn Solution>, Error> {
-        Ok(shared(full(&Base::new(self, ContactKind::Bilateral)?.cut(parts))?))
+        collocated(&Base::new(self, ContactKind::Bilateral)?.cut(parts))
     }
-}
-
-fn shared<C: Solution + 'static>(contact: C) -> Arc<dyn Solution> {
-    Arc::new(contact)
 }
 
 /// The answer on the whole base, collocated.
-fn full(base: &Base) -> Result<RoughContact<SincField>, Error> {
+fn collocated(base: &Base) -> Result<Arc<dyn Solution>, Error> {
+    require_few(&base.breaks)?;
     let solved = Collocation::new(base, Effort::MOST).whole()?;
-    let left = check(base, &solved, ALLOWED);
-    base.require_no_tension(left.pulling.first().map(|[from, to]| 0.5 * (from + to)))?;
-    RoughContact::new(base, solved, &left)
+    RoughContact::new(base, solved, &Check::none())?.without_tension()
 }
 
-impl Base {
-    /// Refuses tension of a layer that bends, which has none.
-    fn require_no_tension(&self, at: Option<f64>) -> Result<(), Error> {
-        match at.filter(|_| !self.layer.is_linear()) {
-            None => Ok(()),
-            Some(at) => {
-                let frame = self.problem().frame();
-                let (variable, at) = (frame.coordinate(), at * frame.half_width());
-                Err(Error::Pulls { variable, at })
-            }
-        }
-    }
+/// The answer on panels.
+fn on_panels(base: &Base) -> Result<RoughContact<OnPanels>, Error> {
+    let mut panels = ManyPanels::new(base);
+    let (solved, left) =
+        if base.is_bilateral { (panels.whole()?, Check::none()) } else { panels.lifting()? };
+    let found = RoughContact::new(base, solved, &left)?;
+    let serves = found.relative_error() <= ROUGHEST || base.problem().deadline().is_past();
+    if serves { Ok(found) } else { Err(unknown()) }
 }
 
 /// The answer for a wave without gaps: seen from the middle of a gap it is one more base with ends, and so it is from where full contact pulls most.
@@ -112,18 +103,17 @@ fn wave(base: &Base) -> Result<Arc<dyn Solution>, Error> {
     {
         return Ok(answer);
     }
-    let full: RoughContact<OnPanels> = panels::solve_whole(&base.kept())?.ok_or_else(unknown)?;
+    let full = on_panels(&base.kept())?;
     match full.pulls_most() {
-        None => Ok(shared(full.lifting())),
+        None => Ok(Arc::new(full.lifting())),
         Some(least) => open(&base.clone().shifted(least)),
     }
 }
 
 /// Whether a wave that was cut here touches beside the cut.
 fn touches_about(solution: &dyn Solution, cut: f64) -> bool {
-    let sides = [-2.0 * BESIDE, 2.0 * BESIDE].into_iter();
-    let mut beside = sides.flat_map(|step| [cut + step, cut + 2.0 + step]);
-    beside.any(|xi| xi.abs() <= 1.0 && solution.touches(xi))
+    let beside = [-2.0 * BESIDE, 2.0 * BESIDE].map(|step| [cut + step, cut + 2.0 + step]);
+    beside.as_flattened().iter().any(|xi| xi.abs() <= 1.0 && solution.touches(*xi))
 }
 
 /// A way to solve the equation of a base with ends.
@@ -137,13 +127,13 @@ enum Way {
 impl Way {
     fn solve(self, base: &Base) -> Result<Arc<dyn Solution>, Error> {
         match self {
-            Self::Panels => Ok(shared(panels::solve(base)?.ok_or_else(unknown)?)),
+            Self::Panels => Ok(Arc::new(on_panels(base)?)),
             Self::Collocation(effort) => {
                 require_few(&base.breaks)?;
                 let on_tangent = base.on_tangent();
                 let base = on_tangent.as_ref().unwrap_or(base);
                 let (solved, left) = complementary(&Collocation::new(base, effort))?;
-                Ok(shared(RoughContact::new(base, solved, &left)?))
+                Ok(Arc::new(RoughContact::new(base, solved, &left)?))
             }
         }
     }

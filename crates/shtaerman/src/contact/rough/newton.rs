@@ -73,7 +73,8 @@ fn linear<D: Discrete>(on: &D, near: Option<Start>) -> Result<Found<'_, D>, Erro
     let right = on.nodes().right(local);
     let start = near.map(|near| near.layer);
     // At least the norm of a uniform pressure.
-    let uniform = frame.force().map_or(0.0, |force| force / frame.hull.half) / on.extent().sqrt();
+    let area = on.base().area(on.nodes().zones.iter().map(|zone| zone.ends));
+    let uniform = frame.force().map_or(0.0, |force| force / area);
     let near = start.as_ref().map_or(0.0, |start| on.norm(start));
     let size = [near, uniform, on.norm(&right)].into_iter().find(|size| *size > 0.0);
     let residual = on.residual() * size.unwrap_or(1.0);
@@ -172,7 +173,7 @@ impl<'o, D: Discrete> Newton<'o, D> {
         let values = [&trial.layer, &trial.pressed.displaced, &self.on.nodes().heights];
         let local: f64 = trial.local.iter().map(|part| part.abs()).sum();
         let added: f64 = values.into_iter().map(|values| largest(values)).sum();
-        self.on.extent().sqrt() * (added + local)
+        added + local
     }
 
     /// The longest of the halved steps that lowers what is left.
@@ -225,6 +226,6 @@ impl<'o, D: Discrete> Newton<'o, D> {
         });
         let by = |is_force: bool| if is_force { force } else { layer };
         let frame = &nodes.frame;
-        [by(frame.is_by_force()), by(frame.is_by_moment()), self.on.extent().sqrt() * layer]
+        [by(frame.is_by_force()), by(frame.is_by_moment()), layer]
     }
 }

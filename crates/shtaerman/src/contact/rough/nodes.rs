@@ -1,6 +1,7 @@
 //! What both discretisations are to the rest: zones with nodes, a factored equation on them, and displacements anywhere.
 
 use std::fmt::Debug;
+use std::ops::Range;
 use std::sync::Arc;
 
 use super::base::Base;
@@ -37,7 +38,7 @@ impl Nodes {
     }
 
     /// The panels of a zone.
-    pub(super) fn panels_of(&self, zone: &Zone) -> std::ops::Range<usize> {
+    pub(super) fn panels_of(&self, zone: &Zone) -> Range<usize> {
         let first = self.panels.partition_point(|[_, right]| *right <= zone.left());
         first..self.panels.partition_point(|[left, _]| *left < zone.right())
     }
@@ -52,6 +53,11 @@ impl Nodes {
     pub(super) fn right(&self, [constant, slope]: [f64; 2]) -> Vec<f64> {
         let places = self.locals.iter().zip(&self.heights);
         places.map(|(y, height)| constant - slope * y - height).collect()
+    }
+
+    /// `-y` at the nodes.
+    pub(super) fn lever(&self) -> Vec<f64> {
+        self.locals.iter().map(|y| -y).collect()
     }
 
     /// Places on all panels, given from -1 to 1 on each.
@@ -76,9 +82,8 @@ pub(super) struct Pressed<P> {
 pub(super) struct Task<'t> {
     pub(super) right: &'t [f64],
     pub(super) lack: [f64; 2],
-    /// Values to begin with.
+    /// Values to begin with, and the norm of the residual that is small enough: nothing to those who solve directly.
     pub(super) start: Option<&'t [f64]>,
-    /// The norm of the residual that is small enough; nothing to those who solve directly.
     pub(super) residual: f64,
 }
 
@@ -98,7 +103,7 @@ impl<P> Step<P> {
 /// What the layer answers, with its pressure, to a right-hand side of the linearised equation.
 #[derive(Debug, Clone)]
 pub(super) struct Response<F> {
-    /// What the layer answers at the nodes, where others begin with that.
+    /// The layer at the nodes, where others begin with that.
     pub(super) layer: Vec<f64>,
     /// The displacement of the pressure.
     pub(super) field: F,
@@ -123,6 +128,28 @@ pub(super) trait Discrete {
 
     fn nodes(&self) -> &Arc<Nodes>;
 
+    /// `theta`.
+    fn parameter(&self) -> f64;
+
+    /// `p dm` at the nodes, but for the measure.
+    fn masses(&self, pressure: &Self::Pressure) -> Vec<f64>;
+
+    /// A pressure with its potential `K p` at the nodes.
+    fn with_potential(
+        &self,
+        pressure: Self::Pressure,
+        potential: &[f64],
+    ) -> Pressed<Self::Pressure> {
+        let (ground, nodes) = (self.base().ground.as_ref(), self.nodes());
+        let (frame, masses) = (&nodes.frame, self.masses(&pressure));
+        let unit = ground.area() * ground.measure(&frame.hull);
+        let turn: f64 = masses.iter().zip(&nodes.locals).map(|(mass, y)| mass * y).sum();
+        let turn = if frame.turns { unit * frame.hull.half * turn } else { 0.0 };
+        let carried = [unit * masses.iter().sum::<f64>(), turn];
+        let displaced = potential.iter().map(|u| self.parameter() * u).collect();
+        Pressed { pressure, displaced, carried }
+    }
+
     fn pressed(&self, pressures: Vec<f64>) -> Result<Pressed<Self::Pressure>, Error>;
 
     /// For the slopes `w = dp0/dv` of the law at the nodes; none where they are 1.
@@ -134,12 +161,8 @@ pub(super) trait Discrete {
         task: Task<'_>,
     ) -> Result<Step<Self::Pressure>, Error>;
 
-    /// A norm of values at the nodes, of 1 the root of `extent`.
+    /// A norm of values at the nodes, of 1 about 1.
     fn norm(&self, values: &[f64]) -> f64;
-
-    fn extent(&self) -> f64 {
-        1.0
-    }
 
     /// The residual that is small enough, relative to the norm of the layer, rounding aside.
     fn residual(&self) -> f64 {
@@ -148,17 +171,17 @@ pub(super) trait Discrete {
 
     fn field(&self, pressure: Self::Pressure) -> Self::Field;
 
-    /// The responses to these values at the nodes, to 1 and to `-y`; perhaps from what the layer about answers at any place.
+    /// The responses to these values at the nodes, to 1 and to `-y`; perhaps from those on other nodes.
     fn responses(
         &self,
         inverse: &Self::Inverse<'_>,
         body: &[f64],
-        near: Option<&dyn Fn(f64) -> [f64; 3]>,
+        near: Option<&[Response<Self::Field>; 3]>,
     ) -> Result<[Response<Self::Field>; 3], Error>;
 }
 
 /// The displacements of a pressure on nodes, anywhere.
-pub(super) trait Field: Debug + Clone + Send + Sync {
+pub(super) trait Field: Debug + Clone + Send + Sync + 'static {
     /// Name of the method.
     const NAME: MethodName;
     /// Rounding of what the layer gives, relative to what is added up in it.
@@ -168,9 +191,6 @@ pub(super) trait Field: Debug + Clone + Send + Sync {
 
     /// `theta K p` at a place in the zones or beside them, in local coordinates.
     fn at(&self, xi: f64) -> f64;
-
-    /// `p dm` at the nodes, but for the measure.
-    fn masses(&self) -> Vec<f64>;
 
     /// The function of these values at the nodes at a place of the zones, where that is sooner known than the displacement.
     fn interpolated(&self, _values: &[f64], _xi: f64) -> Option<f64> {

@@ -21,6 +21,8 @@ pub(super) struct Solved<F> {
     pub(super) layer: Layer,
     /// The displacement `v` of the layer at the nodes.
     pub(super) given: Vec<f64>,
+    /// `p0 dm` at the nodes.
+    pub(super) masses: Vec<f64>,
     pub(super) field: F,
     pub(super) local: [f64; 2],
     pub(super) state: State,
@@ -60,19 +62,20 @@ impl<F: Field> Solved<F> {
         let (base, nodes) = (on.base(), Arc::clone(on.nodes()));
         let direction = step.direction();
         let Step { layer: given, local, pressed } = step;
-        let field = on.field(pressed.pressure);
+        let measure = base.ground.measure(&nodes.frame.hull);
+        let masses = on.masses(&pressed.pressure).into_iter();
+        let masses: Vec<f64> = masses.map(|mass| measure * mass).collect();
         let moment = base.ground.is_closed().then(|| {
-            let masses = field.masses();
-            let moments = nodes.places.iter().zip(masses);
-            base.ground.measure(&nodes.frame.hull)
-                * moments.map(|(xi, mass)| base.surface.on_base(*xi) * mass).sum::<f64>()
+            let moments = nodes.places.iter().zip(&masses);
+            moments.map(|(xi, mass)| base.surface.on_base(*xi) * mass).sum()
         });
         Self {
             ground: Arc::clone(&base.ground),
             strength: base.strength(),
             layer: base.layer,
             given,
-            field,
+            masses,
+            field: on.field(pressed.pressure),
             local,
             state: nodes.frame.state(&direction, moment),
             displaced: pressed.displaced,
@@ -92,13 +95,7 @@ impl<F: Field> Solved<F> {
     ) -> Result<Self, Error> {
         let gauge = self.nodes.frame.gauge_of(self.state.force);
         let body: Vec<f64> = self.displaced.iter().map(|u| gauge - u).collect();
-        let near = near.and_then(|near| near.responses.clone()).map(|parts| {
-            move |xi: f64| {
-                let known = parts.each_ref().map(|part| part.field.interpolated(&part.layer, xi));
-                known.map(|value| value.unwrap_or(0.0))
-            }
-        });
-        let near = near.as_ref().map(|near| near as &dyn Fn(f64) -> [f64; 3]);
+        let near = near.and_then(|near| near.responses.as_deref());
         self.responses = Some(Arc::new(on.responses(inverse, &body, near)?));
         Ok(self)
     }
@@ -154,7 +151,6 @@ impl<F: Field> Solved<F> {
     /// `d(P0, M0)/d(delta0, -alpha0)`; free edges that move add nothing of first order, as the pressure vanishes there. NaN without responses.
     pub(super) fn stiffness(&self) -> Stiffness {
         let carried = |k: usize| self.responses.as_ref().map_or([f64::NAN; 2], |r| r[k].carried);
-        let direction = |local, k| Direction { local, carried: carried(k) };
-        self.nodes.frame.stiffness(&[direction([1.0, 0.0], 1), direction([0.0, 1.0], 2)])
+        self.nodes.frame.stiffness(&Direction::of_local([carried(1), carried(2)]))
     }
 }

@@ -1,6 +1,5 @@
 //! Many zones against collocation, cells, and what must hold.
 
-use super::panels::solve;
 use super::*;
 use crate::contact::balance::State;
 use crate::contact::complementarity::Complementarity;
@@ -8,13 +7,13 @@ use crate::contact::method::MethodName;
 use crate::contact::setting::Setting;
 use crate::{ContactKind, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
 
-type OnPanelsContact = RoughContact<OnPanels>;
+fn base(problem: &Problem) -> Base {
+    Base::new(&Setting::new(problem), ContactKind::Unilateral).unwrap()
+}
 
 /// By collocation, if that finds the zones.
-fn collocated(problem: &Problem) -> Option<RoughContact<SincField>> {
-    let base = Base::new(&Setting::new(problem), ContactKind::Unilateral).unwrap();
-    let (solved, left) = complementary(&Collocation::new(&base, Effort::MOST)).ok()?;
-    Some(RoughContact::new(&base, solved, &left).unwrap())
+fn by_collocation(problem: &Problem) -> Option<Arc<dyn Solution>> {
+    Way::Collocation(Effort::MOST).solve(&base(problem)).ok()
 }
 
 /// What is added up in a displacement.
@@ -69,15 +68,14 @@ fn trace(points: i32, theta0: f64) -> Profile {
     Profile::from_points(positions, heights).unwrap()
 }
 
-fn panels(problem: &Problem) -> OnPanelsContact {
-    let base = Base::new(&Setting::new(problem), ContactKind::Unilateral).unwrap();
-    solve(&base).unwrap().unwrap()
+fn panels(problem: &Problem) -> RoughContact<OnPanels> {
+    on_panels(&base(problem)).unwrap()
 }
 
 /// Compares with collocation on the same problem, where that finds the zones; their number.
 fn agrees(problem: &Problem) -> Option<usize> {
     let found = panels(problem);
-    let exact = collocated(problem)?;
+    let exact = by_collocation(problem)?;
     let (one, other) = (found.state(), exact.state());
     let size = size(problem, &found);
     for (a, b) in [
@@ -112,7 +110,7 @@ fn agrees(problem: &Problem) -> Option<usize> {
         // The responses have d ln d at free edges, for which the panels are not made.
         assert!((a - b).abs() < 1e-8 * other.force_settlement, "{a} {b}");
     }
-    states_what_it_is_off(problem, &found, &exact);
+    states_what_it_is_off(problem, &found, exact.as_ref());
     Some(zones.len())
 }
 

@@ -1,4 +1,4 @@
-//! Contact in many zones ("contact spots"), on panels with fast products.
+//! Polynomials on many panels, with fast products: many zones, and bases that bend often.
 //!
 //! Each zone is cut into panels at the measured points, where the third derivative of the spline jumps, and towards its ends, where the pressure goes on as `d^2 ln d`; on each
 //! the pressure is a polynomial through Gauss nodes. The equation on all zones is solved by GMRES with products by a fast multipole method
@@ -10,4 +10,4 @@ mod positive;
 mod search;
 
 pub(super) use nodes::OnPanels;
-pub(super) use search::{solve, solve_whole};
+pub(super) use search::ManyPanels;

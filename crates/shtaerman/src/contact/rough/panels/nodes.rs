@@ -17,6 +17,7 @@ use crate::contact::rough::base::Base;
 use crate::contact::rough::frame::Frame;
 use crate::contact::rough::nodes::{Discrete, Field, Nodes, Pressed, Response, Step, Task};
 use crate::contact::rough::solved::largest;
+use crate::contact::search::unknown;
 use crate::contact::zones::Zone;
 
 /// Most nodes. Half and twice change none of 32 answers (survey).
@@ -26,8 +27,9 @@ const GROUP: f64 = 0.25;
 const MOST_GROUPS: f64 = 400.0;
 /// How panels that are too long are shortened, twice at most.
 const SHORTER: f64 = 0.25;
-/// Residuals of responses relative to their right-hand sides; of integrals the square is left. At half or twice 29 of 32 answers change, within what they state (survey).
-const RESIDUALS: [f64; 2] = [1e-9, 1e-12];
+/// Residuals of responses relative to their right-hand sides, on the panels before the last and on those; of integrals the square is left. Rates are known to about the square root of that where edges
+/// are free.
+const RESIDUALS: [f64; 2] = [1e-7, 1e-10];
 /// Places on each panel where finenesses are compared. At half or twice 27 of 32 answers change, within what they state (survey).
 const PLACES: [f64; 2] = [-0.78, 0.26];
 
@@ -37,6 +39,8 @@ pub(super) struct Effort {
     pub(super) fineness: Fineness,
     /// Residual relative to the layer.
     pub(super) residual: f64,
+    /// What the layer gives at free ends over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off.
+    pub(super) good: f64,
 }
 
 /// The displacements of a pressure on panels.
@@ -46,7 +50,12 @@ pub(in crate::contact::rough) struct OnPanels {
     hull: Hull,
     /// `theta`.
     parameter: f64,
-    pressures: Arc<Vec<f64>>,
+}
+
+impl OnPanels {
+    fn local(&self, xi: f64) -> f64 {
+        (xi - self.hull.centre) / self.hull.half
+    }
 }
 
 impl Field for OnPanels {
@@ -56,16 +65,11 @@ impl Field for OnPanels {
     const RATIO: Option<f64> = None;
 
     fn at(&self, xi: f64) -> f64 {
-        self.parameter * self.field.at((xi - self.hull.centre) / self.hull.half)
-    }
-
-    fn masses(&self) -> Vec<f64> {
-        let weights = self.field.panels().weights().iter();
-        weights.zip(self.pressures.iter()).map(|(weight, p)| weight * p).collect()
+        self.parameter * self.field.at(self.local(xi))
     }
 
     fn interpolated(&self, values: &[f64], xi: f64) -> Option<f64> {
-        self.field.panels().interpolate(values, (xi - self.hull.centre) / self.hull.half)
+        self.field.panels().interpolate(values, self.local(xi))
     }
 
     fn between() -> Vec<f64> {
@@ -80,7 +84,7 @@ pub(super) struct PanelNodes<'b> {
     kernel: PanelKernel,
     nodes: Arc<Nodes>,
     parameter: f64,
-    effort: Effort,
+    residual: f64,
     /// The length of all zones in local coordinates.
     total: f64,
 }
@@ -91,24 +95,34 @@ pub(super) struct PanelInverse {
     slopes: Option<Vec<f64>>,
 }
 
+impl PanelInverse {
+    /// The pressures of changes of the layer.
+    fn pressures(&self, layer: &[f64]) -> Vec<f64> {
+        match &self.slopes {
+            None => layer.to_vec(),
+            Some(slopes) => slopes.iter().zip(layer).map(|(w, v)| w * v).collect(),
+        }
+    }
+}
+
 impl<'b> PanelNodes<'b> {
-    /// On these zones, cut at joints; none where there are too many nodes.
+    /// On these zones, cut at joints.
+    ///
+    /// # Errors
+    /// [`Error::NotComplementary`] where there are too many nodes, or none.
     pub(super) fn new(
         base: &'b Base,
         joints: &[f64],
         zones: &[Zone],
         effort: Effort,
-    ) -> Result<Option<Self>, Error> {
-        let Some((kernel, half)) = base.ground.panel_kernel() else { return Ok(None) };
+    ) -> Result<Self, Error> {
+        let (kernel, half) = base.ground.panel_kernel().ok_or_else(unknown)?;
         let hull = Hull { centre: base.surface.origin, half };
         let frame = Frame::new(base, hull, 0.0);
-        let Some(operator) = operator(base, (kernel, &frame), joints, zones, effort.fineness)?
-        else {
-            return Ok(None);
-        };
+        let operator = operator(base, (kernel, &frame), joints, zones, effort.fineness)?;
         let on_base = |y: &f64| hull.centre + half * y;
         let bounds = operator.panels().bounds().iter();
-        let panels = bounds.map(|panel| [on_base(&panel[0]), on_base(&panel[1])]).collect();
+        let panels = bounds.map(|panel| panel.each_ref().map(on_base)).collect();
         let locals = operator.panels().nodes().to_vec();
         let places: Vec<f64> = locals.iter().map(on_base).collect();
         let heights = base.heights(&places)?;
@@ -116,7 +130,7 @@ impl<'b> PanelNodes<'b> {
         let parameter = base.strength() * base.ground.scale(&hull);
         let zones = zones.to_vec();
         let nodes = Arc::new(Nodes { zones, panels, places, locals, heights, frame });
-        Ok(Some(Self { base, operator, kernel, nodes, parameter, effort, total }))
+        Ok(Self { base, operator, kernel, nodes, parameter, residual: effort.residual, total })
     }
 
     /// The conditions of the load that are met by pressures, for what is lacking of them.
@@ -129,8 +143,8 @@ impl<'b> PanelNodes<'b> {
         }
         if frame.is_by_moment() {
             let row = locals.iter().map(|y| half * y + frame.lever()).collect();
-            let column = locals.iter().map(|y| -y).collect();
-            conditions.push(PanelCondition { row, column, value: lack[1] / half });
+            let (column, value) = (self.nodes.lever(), lack[1] / half);
+            conditions.push(PanelCondition { row, column, value });
         }
         conditions
     }
@@ -144,29 +158,9 @@ impl<'b> PanelNodes<'b> {
         }
     }
 
-    /// The pressure with its potential.
-    fn with_potential(&self, pressure: Vec<f64>, potential: Vec<f64>) -> Pressed<Vec<f64>> {
-        let carried = self.carried(&pressure);
-        let displaced = potential.into_iter().map(|u| self.parameter * u).collect();
-        Pressed { pressure, displaced, carried }
-    }
-
-    /// Force, and moment about the centre.
-    fn carried(&self, pressure: &[f64]) -> [f64; 2] {
-        let (frame, panels) = (&self.nodes.frame, self.operator.panels());
-        let half = frame.hull.half;
-        let turn = if frame.turns { half * half * panels.integral(pressure, |y| y) } else { 0.0 };
-        [half * panels.integral(pressure, |_| 1.0), turn]
-    }
-}
-
-impl PanelInverse {
-    /// The pressures of changes of the layer.
-    fn pressures(&self, layer: &[f64]) -> Vec<f64> {
-        match &self.slopes {
-            None => layer.to_vec(),
-            Some(slopes) => slopes.iter().zip(layer).map(|(w, v)| w * v).collect(),
-        }
+    fn integral(&self, one: &[f64], other: &[f64]) -> f64 {
+        let products: Vec<f64> = one.iter().zip(other).map(|(a, b)| a * b).collect();
+        self.operator.panels().integral(&products, |_| 1.0)
     }
 }
 
@@ -186,15 +180,23 @@ impl Discrete for PanelNodes<'_> {
         &self.nodes
     }
 
+    fn parameter(&self) -> f64 {
+        self.parameter
+    }
+
+    fn masses(&self, pressure: &Vec<f64>) -> Vec<f64> {
+        let weights = self.operator.panels().weights().iter();
+        weights.zip(pressure).map(|(weight, p)| weight * p).collect()
+    }
+
     fn pressed(&self, pressures: Vec<f64>) -> Result<Pressed<Vec<f64>>, Error> {
         let potential = self.operator.potential(&pressures);
-        Ok(self.with_potential(pressures, potential))
+        Ok(self.with_potential(pressures, &potential))
     }
 
     /// Groups of a quarter of the layer where the law is steepest.
     fn inverse(&self, slopes: Option<Vec<f64>>) -> Result<PanelInverse, Error> {
-        let firmest =
-            slopes.as_ref().map_or(1.0, |w| w.iter().fold(0.0f64, |most, w| most.max(*w)));
+        let firmest = slopes.as_ref().map_or(1.0, |slopes| largest(slopes));
         let strength = (self.parameter * firmest).max(f64::MIN_POSITIVE);
         let layer = (GROUP / strength).powf(1.0 / (1.0 - self.base.ground.exponent()));
         let longest = layer.max(self.total / MOST_GROUPS);
@@ -209,36 +211,30 @@ impl Discrete for PanelNodes<'_> {
         Task { right, lack, start, residual }: Task<'_>,
     ) -> Result<Step<Vec<f64>>, Error> {
         let nothing = vec![0.0; right.len()];
-        let tolerance = residual.max(OF_A_VALUE * self.norm(right));
-        let equation = self.equation(inverse);
+        let residual = residual.max(OF_A_VALUE * self.norm(right)) * self.total.sqrt();
         let conditions = self.conditions(lack);
-        let found = equation.solve(right, &conditions, start.unwrap_or(&nothing), tolerance)?;
+        let start = start.unwrap_or(&nothing);
+        let found = self.equation(inverse).solve(right, &conditions, start, residual)?;
         let mut multipliers = found.multipliers.into_iter();
         let frame = &self.nodes.frame;
         let local = [frame.is_by_force(), frame.is_by_moment()]
             .map(|is_free| if is_free { multipliers.next().unwrap_or(0.0) } else { 0.0 });
-        let pressed = self.with_potential(inverse.pressures(&found.values), found.potential);
+        let pressed = self.with_potential(inverse.pressures(&found.values), &found.potential);
         Ok(Step { layer: found.values, local, pressed })
     }
 
-    /// Root of the integral of the square.
+    /// Root of the mean square.
     fn norm(&self, values: &[f64]) -> f64 {
-        let squares: Vec<f64> = values.iter().map(|value| value * value).collect();
-        self.operator.panels().integral(&squares, |_| 1.0).sqrt()
-    }
-
-    fn extent(&self) -> f64 {
-        self.total
+        (self.integral(values, values) / self.total).sqrt()
     }
 
     fn residual(&self) -> f64 {
-        self.effort.residual
+        self.residual
     }
 
     fn field(&self, pressures: Vec<f64>) -> OnPanels {
         let (hull, parameter) = (self.nodes.frame.hull, self.parameter);
-        let field = self.operator.field(&pressures);
-        OnPanels { field, hull, parameter, pressures: Arc::new(pressures) }
+        OnPanels { field: self.operator.field(&pressures), hull, parameter }
     }
 
     /// These have `d ln d` at free edges, for which the panels are not made.
@@ -246,92 +242,79 @@ impl Discrete for PanelNodes<'_> {
         &self,
         inverse: &PanelInverse,
         body: &[f64],
-        near: Option<&dyn Fn(f64) -> [f64; 3]>,
+        near: Option<&[Response<OnPanels>; 3]>,
     ) -> Result<[Response<OnPanels>; 3], Error> {
         let share = RESIDUALS[usize::from(near.is_some())];
-        let near: Vec<[f64; 3]> = near.map_or_else(
-            || vec![[0.0; 3]; body.len()],
-            |near| self.nodes.places.iter().map(|xi| near(*xi)).collect(),
-        );
-        let lever: Vec<f64> = self.nodes.locals.iter().map(|y| -y).collect();
-        let rights = [body, &vec![1.0; body.len()], &lever];
-        let equation = self.equation(inverse);
-        let solved = |k: usize| -> Result<Solution, Error> {
-            let start: Vec<f64> = near.iter().map(|values| values[k]).collect();
-            let tolerance = share * self.norm(rights[k]);
-            let found = equation.solve(rights[k], &[], &start, tolerance)?;
-            let terms = rights[k].iter().zip(&found.values).zip(&found.potential);
+        let (ones, lever, turns) =
+            (vec![1.0; body.len()], self.nodes.lever(), self.nodes.frame.turns);
+        let solved = |k: usize, right: &[f64]| -> Result<Solution, Error> {
+            let near = near.map(|near| &near[k]);
+            let value = |xi: &f64| near.and_then(|near| near.field.interpolated(&near.layer, *xi));
+            let start: Vec<f64> =
+                self.nodes.places.iter().map(|xi| value(xi).unwrap_or(0.0)).collect();
+            let residual = share * self.norm(right) * self.total.sqrt();
+            let found = self.equation(inverse).solve(right, &[], &start, residual)?;
+            let terms = right.iter().zip(&found.values).zip(&found.potential);
             let left = terms.map(|((b, v), u)| b - v - self.parameter * u).collect();
-            let noise = share * largest(rights[k]);
-            let pressures = inverse.pressures(&found.values);
-            Ok(Solution { layer: found.values, pressures, left, noise })
+            let pressed = self.with_potential(inverse.pressures(&found.values), &found.potential);
+            Ok(Solution { layer: found.values, pressed, left, noise: share * largest(right) })
         };
-        let (body, level) = (solved(0)?, solved(1)?);
+        let (body, level) = (solved(0, body)?, solved(1, &ones)?);
         // What does not turn has no use for the third.
-        let turned = if self.nodes.frame.turns { solved(2)? } else { level.clone() };
-        let known = [&level.pressures, &turned.pressures];
-        let mut responses = [&body, &level, &turned].map(|solution| self.response(solution, known));
-        let is_joined = self.nodes.zones.iter().any(|zone| self.base.is_joined(zone));
-        if is_joined && self.base.layer.is_linear() {
+        let turned = if turns { Some(solved(2, &lever)?) } else { None };
+        let half = self.nodes.frame.hull.half;
+        // The operator is symmetric: with what is left against the pressures of 1 and of `-y`, of a residual the square counts in force and moment.
+        let carried = |solution: &Solution| {
+            let by = |unit: &Solution| half * self.integral(&unit.pressed.pressure, &solution.left);
+            let [force, turn] = solution.pressed.carried;
+            [force + by(&level), turn - turned.as_ref().map_or(0.0, |turned| half * by(turned))]
+        };
+        let [mut by_body, by_level] = [carried(&body), carried(&level)];
+        let by_turned = turned.as_ref().map(carried);
+        if self.base.layer.is_linear()
+            && self.nodes.zones.iter().any(|zone| self.base.is_joined(zone))
+        {
             // On a whole circle potentials have no mean, and no more has what a linear layer gives to them.
-            responses[0].carried[0] = 0.0;
+            by_body[0] = 0.0;
         }
-        Ok(responses)
+        let response = |Solution { layer, pressed, noise, .. }: Solution, carried: [f64; 2]| {
+            Response { layer, field: self.field(pressed.pressure), carried, noise }
+        };
+        let level = response(level, by_level);
+        let turned = turned.zip(by_turned).map(|(turned, carried)| response(turned, carried));
+        Ok([response(body, by_body), level.clone(), turned.unwrap_or(level)])
     }
 }
 
-/// The pressures of a response, what is left of its equation, and what that leaves of the layer.
-#[derive(Clone)]
+/// A response with what is left of its equation.
 struct Solution {
     layer: Vec<f64>,
-    pressures: Vec<f64>,
+    pressed: Pressed<Vec<f64>>,
     left: Vec<f64>,
     noise: f64,
 }
 
-impl PanelNodes<'_> {
-    /// The operator is symmetric: with what is left against the pressures of the responses to 1 and to `-y`, of a residual the square counts in force and moment.
-    fn response(&self, solution: &Solution, known: [&Vec<f64>; 2]) -> Response<OnPanels> {
-        let half = self.nodes.frame.hull.half;
-        let [by_force, by_turn] = known.map(|pressures| {
-            let products: Vec<f64> =
-                pressures.iter().zip(&solution.left).map(|(p, l)| p * l).collect();
-            half * self.operator.panels().integral(&products, |_| 1.0)
-        });
-        let [force, turn] = self.carried(&solution.pressures);
-        let turn = if self.nodes.frame.turns { turn - half * by_turn } else { 0.0 };
-        let field = self.field(solution.pressures.clone());
-        let (layer, noise) = (solution.layer.clone(), solution.noise);
-        Response { layer, field, carried: [force + by_force, turn], noise }
-    }
-}
-
-/// The operator on panels of these zones; none where there are too many nodes. Where they crowd beside long panels, whose neighbours all act directly, those are cut.
+/// The operator on panels of these zones. Where they crowd beside long panels, whose neighbours all act directly, those are cut.
 fn operator(
     base: &Base,
     (kernel, frame): (PanelKernel, &Frame),
     joints: &[f64],
     zones: &[Zone],
     mut fineness: Fineness,
-) -> Result<Option<PanelOperator>, Error> {
+) -> Result<PanelOperator, Error> {
     loop {
-        let Some(bounds) = panels(base, joints, zones, fineness, MOST_NODES) else {
-            return Ok(None);
-        };
+        let bounds = panels(base, joints, zones, fineness, MOST_NODES).ok_or_else(unknown)?;
         let local = |xi: f64| frame.local(xi).clamp(-1.0, 1.0);
         let bounds: Vec<[f64; 2]> = bounds.into_iter().map(|panel| panel.map(local)).collect();
         if bounds.iter().any(|[left, right]| left >= right) {
-            return Ok(None);
+            return Err(unknown());
         }
-        let panels = Panels::new(bounds, fineness.order)?;
-        match PanelOperator::new(kernel, panels) {
-            Err(fredholm::Error::TooLarge { .. })
-                if fineness.longest > SHORTER * SHORTER * LONGEST =>
-            {
-                fineness.longest *= SHORTER;
-            }
-            Err(fredholm::Error::TooLarge { .. }) => return Ok(None),
-            operator => return Ok(Some(operator?)),
+        match PanelOperator::new(kernel, Panels::new(bounds, fineness.order)?) {
+            Err(fredholm::Error::TooLarge { .. }) => fineness.longest *= SHORTER,
+            operator => return Ok(operator?),
+        }
+        if fineness.longest < SHORTER * SHORTER * LONGEST {
+            return Err(unknown());
         }
     }
 }

@@ -2,16 +2,14 @@
 
 use fredholm::collocation::first_half_count;
 
-use super::field::{RATIO, SincField};
-use super::nodes::{Resolution, SincNodes};
+use super::nodes::{RATIO, Resolution, SincField, SincNodes};
 use crate::Error;
 use crate::contact::check::Check;
 use crate::contact::edges::{EndState, settle};
 use crate::contact::rough::base::Base;
-use crate::contact::rough::check::check;
 use crate::contact::rough::newton::{self, Found};
 use crate::contact::rough::solved::Solved;
-use crate::contact::rough::{coarse, refinement};
+use crate::contact::rough::{check, coarse, refinement};
 use crate::contact::search::{Equation, Start, Work, unknown};
 use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
@@ -22,15 +20,24 @@ const NODES_A_VALLEY: f64 = 12.0;
 const MOST_FOR_VALLEYS: f64 = 160.0;
 /// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything.
 const ALL_NOISE: f64 = 0.1;
+/// Share of a panel beside its end over which the slope of the layer is taken. At half or twice 14 of 32 answers change, within what they state (survey).
+const BESIDE: f64 = 0.02;
+
+type OnZones = Solved<SincField>;
 
 /// Most nodes of all panels together, and cubes of their numbers, added up over Newton steps.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::contact::rough) struct Effort {
-    pub(super) nodes: usize,
-    pub(super) work: f64,
+    nodes: usize,
+    work: f64,
 }
 
 impl Effort {
+    /// Most nodes on either side of the middle of each of so many panels.
+    pub(super) fn room(&self, panels: usize) -> f64 {
+        self.nodes as f64 / (2.0 * panels.max(1) as f64)
+    }
+
     /// About ten seconds.
     pub(in crate::contact::rough) const MOST: Self = Self { nodes: 2400, work: 1e11 };
     /// About half a second, as long as an answer on panels with fast products takes.
@@ -50,24 +57,20 @@ impl<'b> Collocation<'b> {
     }
 
     /// The answer on the whole base.
-    pub(in crate::contact::rough) fn whole(&self) -> Result<Solved<SincField>, Error> {
+    pub(in crate::contact::rough) fn whole(&self) -> Result<OnZones, Error> {
         let zones = self.base.whole();
         let resolution = self.effort(&zones, None)?;
         self.finer_than(settle(self, &zones, &resolution)?, &resolution)
     }
 
     /// The answer on growing numbers of nodes, from one on few.
-    pub(in crate::contact::rough) fn finer_than(
-        &self,
-        coarse: Solved<SincField>,
-        resolution: &Resolution,
-    ) -> Result<Solved<SincField>, Error> {
-        let next = |solved: &Solved<SincField>, level: usize| {
+    fn finer_than(&self, coarse: OnZones, resolution: &Resolution) -> Result<OnZones, Error> {
+        let next = |solved: &OnZones, level: usize| {
             let strength = resolution.strength * RATIO.powi(level as i32);
-            let nodes = 2.0 * strength * solved.nodes.panels.len() as f64;
-            let is_spent = self.work.spent() > self.effort.work;
+            let is_too_much = strength > self.effort.room(solved.nodes.panels.len())
+                || self.work.spent() > self.effort.work;
             // Two are compared with the first in any case.
-            if level > 2 && (nodes > self.effort.nodes as f64 || is_spent) {
+            if level > 2 && is_too_much {
                 return Ok(None);
             }
             let resolution = Resolution::new(&self.base.ground, strength)?;
@@ -91,7 +94,7 @@ impl<'b> Collocation<'b> {
 }
 
 impl Equation for Collocation<'_> {
-    type Solved = Solved<SincField>;
+    type Solved = OnZones;
     type Effort = Resolution;
     const MOST_ZONES: usize = 40;
 
@@ -148,17 +151,15 @@ impl Equation for Collocation<'_> {
     fn effort(&self, zones: &[Zone], before: Option<Resolution>) -> Result<Resolution, Error> {
         // Fewer than those that the answer begins with, which is compared with what was found, and so few that there is room for both and one more.
         let panels: usize = zones.iter().map(|zone| zone.panels(&self.base.breaks).len()).sum();
-        let room = self.effort.nodes as f64 / (2.0 * RATIO * panels.max(1) as f64);
-        let wanted = self.strength(zones).min(room) / RATIO;
+        let wanted = self.strength(zones).min(self.effort.room(panels) / RATIO) / RATIO;
         match before.filter(|known| known.strength >= wanted) {
             Some(known) => Ok(known),
             None => Resolution::new(&self.base.ground, wanted),
         }
     }
 
-    fn finer(&self, solved: &Solved<SincField>, effort: &Resolution) -> Option<Resolution> {
-        let room = self.effort.nodes as f64 / (2.0 * solved.nodes.panels.len() as f64);
-        let finer = (effort.strength * RATIO).min(room);
+    fn finer(&self, solved: &OnZones, effort: &Resolution) -> Option<Resolution> {
+        let finer = (effort.strength * RATIO).min(self.effort.room(solved.nodes.panels.len()));
         let is_finer = finer > effort.strength;
         if is_finer { Resolution::new(&self.base.ground, finer).ok() } else { None }
     }
@@ -167,8 +168,8 @@ impl Equation for Collocation<'_> {
         &self,
         zones: &[Zone],
         effort: &Resolution,
-        near: Option<&Solved<SincField>>,
-    ) -> Result<Solved<SincField>, Error> {
+        near: Option<&OnZones>,
+    ) -> Result<OnZones, Error> {
         let nodes = SincNodes::new(self.base, effort, zones)?;
         let Found { step, inverse } = newton::solve(&nodes, near, None)?;
         let solved = Solved::new(&nodes, step).answering(&nodes, &inverse, None)?;
@@ -176,33 +177,68 @@ impl Equation for Collocation<'_> {
         Ok(solved)
     }
 
-    fn zones(&self, solved: &Solved<SincField>) -> Vec<Zone> {
+    fn zones(&self, solved: &OnZones) -> Vec<Zone> {
         solved.nodes.zones.clone()
     }
 
-    fn force(&self, solved: &Solved<SincField>, zone: usize) -> f64 {
-        solved.zone_force(zone)
+    fn force(&self, solved: &OnZones, zone: usize) -> f64 {
+        let (panels, count) = (solved.panels_of(zone), solved.nodes.a_panel());
+        solved.masses[panels.start * count..panels.end * count].iter().sum()
     }
 
-    fn ends(&self, solved: &Solved<SincField>) -> Vec<[EndState; 2]> {
-        solved.ends()
+    fn ends(&self, solved: &OnZones) -> Vec<[EndState; 2]> {
+        let (rounding, scale) = (solved.rounding(), solved.deepest());
+        let end = |zone: usize, side: usize| {
+            let (value, step) = solved.end(zone, side);
+            EndState { value, rounding, scale, none: 0.0, enough: rounding, step }
+        };
+        (0..solved.nodes.zones.len()).map(|zone| [end(zone, 0), end(zone, 1)]).collect()
     }
 
-    fn check(&self, solved: &Solved<SincField>, allowed: f64) -> Check {
-        check(self.base, solved, allowed)
+    fn check(&self, solved: &OnZones, allowed: f64) -> Check {
+        check::check(self.base, solved, allowed)
     }
 
-    fn refined(
-        &self,
-        coarse: Solved<SincField>,
-        effort: &Resolution,
-    ) -> Result<Solved<SincField>, Error> {
+    fn refined(&self, coarse: OnZones, effort: &Resolution) -> Result<OnZones, Error> {
         let solved = self.finer_than(coarse, effort)?;
         let is_noise = solved.noise() > ALL_NOISE && !self.deadline().is_past();
         if is_noise { Err(unknown()) } else { Ok(solved) }
     }
 
-    fn noise(&self, solved: &Solved<SincField>, _left: &Check) -> f64 {
+    fn noise(&self, solved: &OnZones, _left: &Check) -> f64 {
         2.0 * solved.noise()
+    }
+}
+
+impl OnZones {
+    fn panels_of(&self, zone: usize) -> std::ops::Range<usize> {
+        self.nodes.panels_of(&self.nodes.zones[zone])
+    }
+
+    /// The layer at an end, and Newton's step outwards to where it would vanish if it went on straight from there.
+    ///
+    /// The pressure vanishes at a free end as the layer does, straight; where that is so it does not change to first order when the end moves, and each end falls as the layer beside it
+    /// says.
+    fn end(&self, zone: usize, side: usize) -> (f64, f64) {
+        let (panels, count) = (self.panels_of(zone), self.nodes.a_panel());
+        let panel = if side == 0 { panels.start } else { panels.end - 1 };
+        let [left, right] = self.nodes.panels[panel];
+        let node = |k: usize| panel * count + if side == 0 { k } else { count - 1 - k };
+        let depth = |k: usize| match side {
+            0 => self.nodes.places[node(k)] - left,
+            _ => right - self.nodes.places[node(k)],
+        };
+        // The node nearest to a distance from the end; those of a panel are in order.
+        let beside = |distance: f64| -> [f64; 2] {
+            let k = (1..count - 1).find(|k| depth(*k) >= distance).unwrap_or(count - 1);
+            [depth(k), self.given[node(k)]]
+        };
+        // Within the length in which a thin layer bends, the slope far from the answer says nothing.
+        let first = beside(BESIDE * (right - left));
+        let second = beside(2.0 * first[0]);
+        let at_end = self.given[node(0)];
+        let [one, two] = [first, second].map(|[depth, v]| (v - at_end) / depth);
+        let slope = (one * second[0] - two * first[0]) / (second[0] - first[0]);
+        (at_end, at_end / slope)
     }
 }
