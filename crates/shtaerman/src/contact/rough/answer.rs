@@ -220,7 +220,7 @@ impl<F: Field> Solution for RoughContact<F> {
         }
         let found = linearised(solved, &self.surface, load, place)?;
         match &self.tilted {
-            Some(tilted) => tilted.linearised(solved, found, load.vertical, peak),
+            Some(tilted) => Some(tilted.linearised(solved, found, load.vertical, peak)),
             None => Some(found),
         }
     }

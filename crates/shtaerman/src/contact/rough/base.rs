@@ -7,6 +7,7 @@ use std::sync::Arc;
 use super::coarse::{self, Coarse};
 use super::layer::Layer;
 use super::surface::{Surface, Tangent};
+use crate::contact::check::between_breaks;
 use crate::contact::ground::Ground;
 use crate::contact::ground::of_problem::ground;
 use crate::contact::parts::{MOST_BREAKS, Parts, Smoothness};
@@ -262,28 +263,14 @@ impl Base {
             return Ok(());
         }
         self.problem().check_balance()?;
-        let beside = self.beside()?;
+        // Parts between breaks may be so short that no sample lies in them.
+        let places = between_breaks(&self.breaks, [f64::NEG_INFINITY, f64::INFINITY]);
+        let heights = self.heights(&places)?;
+        let beside: Vec<(f64, f64)> = places.into_iter().zip(heights).collect();
         if self.load.keeps_clear(self.samples.iter().chain(&beside)) {
             return Err(Error::NoContact);
         }
         Ok(())
-    }
-
-    /// Samples of the parts that are so short that few of the others lie in them.
-    fn beside(&self) -> Result<Vec<(f64, f64)>, Error> {
-        let is_short = |part: &&[f64]| {
-            let [first, last] =
-                [part[0], part[1]].map(|end| self.samples.partition_point(|(at, _)| *at < end));
-            last - first < SAMPLES_A_PART / 2
-        };
-        let mut samples = Vec::new();
-        for part in self.breaks.windows(2).filter(is_short) {
-            for i in 0..=SAMPLES_A_PART {
-                let xi = part[0] + (part[1] - part[0]) * i as f64 / SAMPLES_A_PART as f64;
-                samples.push((xi, self.problem().finite_profile(xi)?));
-            }
-        }
-        Ok(samples)
     }
 
     /// Where the base touches, to about a cell.

@@ -125,6 +125,20 @@ enum Way {
 }
 
 impl Way {
+    /// The ways that suit a base, in the order in which they are tried.
+    fn of(base: &Base) -> Vec<Self> {
+        // Edges of several zones may begin many lengths of the layer away, as cells are longer than it is: steps then take them nearer by a half each, which dense equations make long.
+        let takes_steps =
+            || base.valleys().count() > 1 && 2.0 * base.steepness() > base.cells() as f64;
+        if !base.has_panels() {
+            vec![Self::Collocation(Effort::MOST)]
+        } else if base.is_for_panels() || takes_steps() {
+            vec![Self::Panels, Self::Collocation(Effort::LITTLE)]
+        } else {
+            vec![Self::Collocation(Effort::LITTLE), Self::Panels]
+        }
+    }
+
     fn solve(self, base: &Base) -> Result<Arc<dyn Solution>, Error> {
         match self {
             Self::Panels => Ok(Arc::new(on_panels(base)?)),
@@ -139,43 +153,15 @@ impl Way {
     }
 }
 
-/// The ways that suit a base, in the order in which they are tried: until one has all digits that are aimed at; the best of them counts.
-fn ways(base: &Base) -> Vec<Way> {
-    let most = Way::Collocation(Effort::MOST);
-    let little = Way::Collocation(Effort::LITTLE);
-    if !base.has_panels() {
-        vec![most]
-    } else if base.is_for_panels() {
-        vec![Way::Panels, most]
-    } else if takes_many_steps(base) {
-        vec![Way::Panels, little, most]
-    } else {
-        vec![little, Way::Panels, most]
-    }
-}
-
-/// Whether edges of several zones begin many lengths of the layer away, as cells are longer than it is: steps then take them nearer by a half each, which dense equations make long.
-fn takes_many_steps(base: &Base) -> bool {
-    base.valleys().count() > 1 && 2.0 * base.steepness() > base.cells() as f64
-}
-
-/// The answer for a base with ends.
+/// The answer for a base with ends, by the way that has all digits that are aimed at, or comes nearest to them.
 fn open(base: &Base) -> Result<Arc<dyn Solution>, Error> {
     let aim = base.problem().solver().tolerance.unwrap_or(base.problem().aim());
     let enough = if base.is_for_panels() { f64::INFINITY } else { aim };
     let mut best: Option<Arc<dyn Solution>> = None;
     let mut refusal = unknown();
-    let mut is_lost = false;
-    for way in ways(base) {
-        // More nodes find no zones that few did not.
-        if is_lost && best.is_some() {
-            break;
-        }
+    for way in Way::of(base) {
         match way.solve(base) {
-            Err(error) => {
-                is_lost |= matches!(way, Way::Collocation(_));
-                refusal = error;
-            }
+            Err(error) => refusal = error,
             Ok(found) => {
                 let error = found.relative_error();
                 if best.as_ref().is_none_or(|best| error < best.relative_error()) {

@@ -6,7 +6,6 @@
 
 mod mesh;
 mod nodes;
-mod positive;
 mod search;
 
 pub(super) use nodes::OnPanels;

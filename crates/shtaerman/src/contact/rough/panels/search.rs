@@ -9,10 +9,10 @@ use std::sync::Arc;
 
 use super::mesh::{Fineness, LONGEST, STRAIGHT};
 use super::nodes::{Effort, OnPanels, PanelNodes};
-use super::positive::positive;
 use crate::Error;
 use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::check::Check;
+use crate::contact::iteration::{Point, crossing};
 use crate::contact::rough::base::{Base, SAMPLES_A_PART, SAMPLES_A_POINT};
 use crate::contact::rough::check::check;
 use crate::contact::rough::coarse::Coarse;
@@ -51,7 +51,7 @@ const CORRECTIONS: usize = 4;
 
 type OnZones = Solved<OnPanels>;
 /// Places of a piece of the base from end to end, with the heights there.
-type Places = Vec<(f64, f64)>;
+type Places = Vec<Point>;
 
 /// A base with places that show every bend of its profile.
 pub(in crate::contact::rough) struct ManyPanels<'b> {
@@ -190,6 +190,19 @@ impl<'b> ManyPanels<'b> {
         };
         self.pieces.iter().flat_map(on_piece).map(|ends| base.zone(ends)).collect()
     }
+}
+
+/// Where a function with these values at places from end to end of a piece of the base is positive; values up to `none` are zero.
+fn positive(f: &impl Fn(f64) -> f64, points: &[Point], none: f64) -> Vec<[f64; 2]> {
+    let Some((first, last)) = points.first().zip(points.last()) else { return Vec::new() };
+    let crossed = points.windows(2).filter(|pair| (pair[0].1 > 0.0) != (pair[1].1 > 0.0));
+    let edges = crossed.map(|pair| crossing(f, pair[0], pair[1], none));
+    // Edges in turn open and close a zone.
+    let begins = (first.1 > 0.0).then_some(first.0);
+    let ends = (last.1 > 0.0).then_some(last.0);
+    let edges: Vec<f64> = begins.into_iter().chain(edges).chain(ends).collect();
+    let zones = edges.as_chunks::<2>().0.iter().copied();
+    zones.filter(|[left, right]| left < right).collect()
 }
 
 /// Where the profile bends.

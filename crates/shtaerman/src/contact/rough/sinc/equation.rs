@@ -22,6 +22,8 @@ const MOST_FOR_VALLEYS: f64 = 160.0;
 const ALL_NOISE: f64 = 0.1;
 /// Share of a panel beside its end over which the slope of the layer is taken. At half or twice 14 of 32 answers change, within what they state (survey).
 const BESIDE: f64 = 0.02;
+/// The least part of that.
+const NEAREST: f64 = 1e-3;
 
 type OnZones = Solved<SincField>;
 
@@ -233,12 +235,17 @@ impl OnZones {
             let k = (1..count - 1).find(|k| depth(*k) >= distance).unwrap_or(count - 1);
             [depth(k), self.given[node(k)]]
         };
-        // Within the length in which a thin layer bends, the slope far from the answer says nothing.
-        let first = beside(BESIDE * (right - left));
-        let second = beside(2.0 * first[0]);
         let at_end = self.given[node(0)];
-        let [one, two] = [first, second].map(|[depth, v]| (v - at_end) / depth);
-        let slope = (one * second[0] - two * first[0]) / (second[0] - first[0]);
-        (at_end, at_end / slope)
+        let step = |distance: f64| {
+            let first = beside(distance);
+            let second = beside(2.0 * first[0]);
+            let [one, two] = [first, second].map(|[depth, v]| (v - at_end) / depth);
+            at_end * (second[0] - first[0]) / (one * second[0] - two * first[0])
+        };
+        // Within the length in which a thin layer bends, the slope far from the answer says nothing; near it that over the step itself is the one at the end.
+        let far = BESIDE * (right - left);
+        let first = step(far);
+        let near = first.abs().max(NEAREST * far);
+        (at_end, if first * at_end > 0.0 && near < far { step(near) } else { first })
     }
 }
