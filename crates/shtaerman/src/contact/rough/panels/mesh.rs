@@ -67,7 +67,8 @@ impl Anchor {
         let share = |share: f64, power: f64| share.powf(power / (power - exponent));
         let side = zone.ends.iter().position(|end| *end == at);
         let is_free = side.is_some_and(|side| zone.is_free(side));
-        let is_corner = (side.is_some() && !base.is_joined(zone)) || base.walls.contains(at);
+        let is_corner =
+            if side.is_some() { !base.is_joined(zone) } else { base.walls.contains(at) };
         let least = if is_free {
             let root = share(FREE.sqrt(), 2.0) * (zone.length().min(LONG) * layer).sqrt();
             let kappa = base.layer.exponent();

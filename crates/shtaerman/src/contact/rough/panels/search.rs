@@ -177,11 +177,13 @@ impl<'b> ManyPanels<'b> {
             let inside = if at_end { None } else { solved.field.interpolated(&solved.given, xi) };
             (xi, inside.unwrap_or_else(|| solved.layer_at(xi, height)))
         };
+        // Of zones and of the gaps between them the ends and the middles.
+        let ends: Vec<f64> = solved.nodes.zones.iter().flat_map(|zone| zone.ends).collect();
+        let middles = ends.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+        let marks: Vec<f64> = ends.iter().copied().chain(middles).collect();
         let on_piece = |piece: &Places| {
             let [first, last] = [piece[0].0, piece[piece.len() - 1].0];
-            let inside = |zone: &&Zone| zone.left() >= first && zone.right() <= last;
-            let own = solved.nodes.zones.iter().filter(inside);
-            let own = own.flat_map(|zone| [zone.left(), zone.middle(), zone.right()]);
+            let own = marks.iter().copied().filter(|xi| (first..=last).contains(xi));
             let mut points: Vec<(f64, f64)> = piece.iter().map(|place| value(*place)).collect();
             points.extend(own.map(|xi| value((xi, base.height(xi)))));
             points.sort_by(|one, two| one.0.total_cmp(&two.0));
