@@ -39,6 +39,7 @@ pub mod degenerate;
 pub mod equation;
 mod error;
 mod interval;
+pub mod inversion;
 pub mod kernel;
 mod linear;
 pub mod memory;
@@ -55,4 +56,4 @@ pub use degenerate::{
 };
 pub use error::Error;
 pub use interval::Interval;
-pub use linear::eliminate;
+pub use linear::{eliminate, eliminate_positive};

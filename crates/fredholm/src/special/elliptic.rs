@@ -1,4 +1,4 @@
-//! Elliptic integrals of the first kind.
+//! Elliptic integrals, by means and duplications.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -10,11 +10,17 @@ const DUPLICATIONS: usize = 600;
 /// The complete integral `K(k) = pi/(2 AGM(1, k'))` by its complementary modulus `k' = sqrt(1 - k^2)`, `0 < k' <= 1`
 /// (DLMF 19.8.5). From `k'` it keeps all digits as `k -> 1`, where `K ~ ln(4/k')`.
 pub(crate) fn complete_first_kind(complementary_modulus: f64) -> f64 {
-    FRAC_PI_2 / mean(1.0, complementary_modulus)
+    FRAC_PI_2 / arithmetic_geometric_mean(1.0, complementary_modulus)
 }
 
-/// The arithmetic-geometric mean of two positive numbers.
-fn mean(mut a: f64, mut g: f64) -> f64 {
+/// The arithmetic-geometric mean of two numbers that are not negative.
+///
+/// ```
+/// let lemniscate = std::f64::consts::FRAC_PI_2 / fredholm::special::arithmetic_geometric_mean(1.0, 2f64.sqrt());
+/// assert!((lemniscate - 1.311_028_777_146_059_9).abs() < 1e-15);
+/// ```
+#[must_use]
+pub fn arithmetic_geometric_mean(mut a: f64, mut g: f64) -> f64 {
     for _ in 0..MEAN_STEPS {
         if (a - g).abs() <= 4.0 * f64::EPSILON * a {
             break;
@@ -51,6 +57,36 @@ pub(crate) fn carlson_first_kind(x: f64, y: f64, z: f64) -> f64 {
     series / mean.sqrt()
 }
 
+/// Carlson's symmetric integral `R_D(x, y, z) = (3/2) int_0^inf dt / ((t+z) sqrt((t+x)(t+y)(t+z)))`, `z` positive, the others not negative and at most one of them 0, by duplication (DLMF
+/// 19.36.2).
+pub(crate) fn carlson_second_kind(x: f64, y: f64, z: f64) -> f64 {
+    let [mut x, mut y, mut z] = [x, y, z];
+    let (mut sum, mut share) = (0.0, 1.0);
+    let mut mean = (x + y + 3.0 * z) / 5.0;
+    for _ in 0..DUPLICATIONS {
+        let spread = (mean - x).abs().max((mean - y).abs()).max((mean - z).abs());
+        // The series below leaves out the 6th power of the spread.
+        if spread < 1e-3 * mean {
+            break;
+        }
+        let (p, q, r) = (x.sqrt(), y.sqrt(), z.sqrt());
+        let shift = p * q + p * r + q * r;
+        sum += 3.0 * share / (r * (z + shift));
+        share *= 0.25;
+        (x, y, z) = (0.25 * (x + shift), 0.25 * (y + shift), 0.25 * (z + shift));
+        mean = (x + y + 3.0 * z) / 5.0;
+    }
+    let [dx, dy, dz] = [x, y, z].map(|part| 1.0 - part / mean);
+    let (a, b) = (dx * dy, dz * dz);
+    let (e2, e3) = (a - 6.0 * b, (3.0 * a - 8.0 * b) * dz);
+    let (e4, e5) = (3.0 * (a - b) * b, a * b * dz);
+    let series = 1.0 - 3.0 * e2 / 14.0 + e3 / 6.0 + 9.0 * e2 * e2 / 88.0
+        - 3.0 * e4 / 22.0
+        - 9.0 * e2 * e3 / 52.0
+        + 3.0 * e5 / 26.0;
+    sum + share * series / (mean * mean.sqrt())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -68,6 +104,10 @@ mod tests {
             }
         }
         assert!(carlson_first_kind(f64::NAN, 1.0, 1.0).is_nan());
+        // R_D(0, y, 1) = 3 (K - E)/k^2 with k'^2 = y; ellipk and ellipe of mpmath.
+        let exact = 3.0 * (2.156_515_647_499_643_4 - 1.211_056_027_568_459_5) / 0.75;
+        assert!((carlson_second_kind(0.0, 0.25, 1.0) / exact - 1.0).abs() < 1e-15);
+        assert!((carlson_second_kind(2.0, 2.0, 2.0) * 2f64.powf(1.5) - 1.0).abs() < 1e-15);
     }
 
     const COMPLETE: [(f64, f64); 7] = [

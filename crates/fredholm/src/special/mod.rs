@@ -8,6 +8,7 @@ mod macdonald;
 mod oscillatory_tail;
 
 pub use cosine_integral::cosine_integral_pi;
+pub use elliptic::arithmetic_geometric_mean;
 pub(crate) use gamma_quotient::{half_gamma_quotient, mean_digamma};
 pub use macdonald::macdonald;
 pub(crate) use macdonald::{

@@ -3,10 +3,12 @@
 use super::stiffness::Stiffness;
 use crate::{Load, Rotational, Vertical};
 
-/// The linear relation between displacements and forces of a bilateral contact: `P = c11 delta - c12 alpha - F1`,
-/// `M = c12 delta - c22 alpha - F2`, (3.7), without dimensions.
+/// The linear relation between displacements and forces of a contact on zones that stay: `P = c11 d - c12 alpha - F1`, `M - c P = c12 d - c22 alpha - F2`, (3.7), without dimensions, with the depth
+/// `d = delta - alpha c` at a place `c`: about the middle of the base short zones near an edge would lose twice their digits.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Balance {
+    /// `c`.
+    pub(super) centre: f64,
     /// `c11`, `c12`, `c22`.
     pub(super) stiffness: Stiffness,
     /// `F1`, `F2`: force and moment of the response to the profile.
@@ -47,23 +49,67 @@ impl State {
 impl Balance {
     /// The state under a load.
     pub(super) fn state(&self, load: &Load) -> State {
-        let [force, moment] = self.free;
-        let vertical = match load.vertical {
-            Vertical::Force(prescribed) => prescribed + force,
-            Vertical::Settlement(prescribed) => prescribed,
-        };
-        let rotational = match load.rotational {
-            Rotational::Moment(prescribed) => prescribed + moment,
-            Rotational::Tilt(prescribed) => prescribed,
-            Rotational::Eccentricity(e) => moment - e * force,
-        };
-        let [settlement, turn] = self.stiffness.displaced(load, [vertical, rotational]);
-        let State { settlement, tilt, .. } =
-            State { settlement, tilt: -turn, force: 0.0, moment: 0.0 }.given(load);
+        self.state_of(load, self.depth_and_tilt(load), [0.0; 2])
+    }
+
+    /// Depth at the middle and tilt under a load.
+    pub(super) fn depth_and_tilt(&self, load: &Load) -> [f64; 2] {
         let Stiffness { force_settlement: c11, coupling: c12, moment_tilt: c22 } = self.stiffness;
-        let force = c11 * settlement - c12 * tilt - force;
-        let moment = c12 * settlement - c22 * tilt - moment;
-        State { settlement, tilt, force, moment }.given(load)
+        let [force, moment] = self.free;
+        let (row1, right1) = match load.vertical {
+            Vertical::Force(prescribed) => ([c11, -c12], prescribed + force),
+            Vertical::Settlement(prescribed) => ([1.0, self.centre], prescribed),
+        };
+        // M' + arm P = prescribed
+        let turned = |arm: f64, prescribed: f64| {
+            ([c12 + arm * c11, -c22 - arm * c12], prescribed + moment + arm * force)
+        };
+        let (row2, right2) = match (load.rotational, load.vertical) {
+            (Rotational::Tilt(prescribed), _) => ([0.0, 1.0], prescribed),
+            (Rotational::Moment(prescribed), Vertical::Force(force)) => {
+                turned(0.0, prescribed - self.centre * force)
+            }
+            (Rotational::Moment(prescribed), Vertical::Settlement(_)) => {
+                turned(self.centre, prescribed)
+            }
+            (Rotational::Eccentricity(e), Vertical::Force(force)) => {
+                turned(0.0, (e - self.centre) * force)
+            }
+            (Rotational::Eccentricity(e), Vertical::Settlement(_)) => turned(self.centre - e, 0.0),
+        };
+        let determinant = row1[0] * row2[1] - row1[1] * row2[0];
+        [
+            (right1 * row2[1] - row1[1] * right2) / determinant,
+            (row1[0] * right2 - right1 * row2[0]) / determinant,
+        ]
+    }
+
+    /// The state for a depth and a tilt besides those of a line, its height at the middle and its slope; what the load prescribes comes back as given.
+    pub(super) fn state_of(
+        &self,
+        load: &Load,
+        [depth, tilt]: [f64; 2],
+        [height, slope]: [f64; 2],
+    ) -> State {
+        let Stiffness { force_settlement: c11, coupling: c12, moment_tilt: c22 } = self.stiffness;
+        let force = match load.vertical {
+            Vertical::Force(prescribed) => prescribed,
+            Vertical::Settlement(_) => c11 * depth - c12 * tilt - self.free[0],
+        };
+        let moment = c12 * depth - c22 * tilt - self.free[1] + self.centre * force;
+        let settlement = depth + height + (tilt - slope) * self.centre;
+        State { settlement, tilt: tilt - slope, force, moment }.given(load)
+    }
+
+    /// The stiffness about the middle of the base.
+    pub(super) fn about_base(&self) -> Stiffness {
+        let Stiffness { force_settlement: c11, coupling: c12, moment_tilt: c22 } = self.stiffness;
+        let c = self.centre;
+        Stiffness {
+            force_settlement: c11,
+            coupling: c12 + c * c11,
+            moment_tilt: c22 + c * (2.0 * c12 + c * c11),
+        }
     }
 }
 
@@ -79,7 +125,7 @@ mod tests {
             coupling: 0.1,
             moment_tilt: 0.405_856_439_910_121_4,
         };
-        let balance = Balance { stiffness, free: [0.3, -0.2] };
+        let balance = Balance { centre: 0.0, stiffness, free: [0.3, -0.2] };
         for i in 1..200 {
             let value = 1.877_74 * f64::from(i) / 7.0;
             let by_force =

@@ -69,6 +69,13 @@ pub(super) struct Jump {
     is_cusp: bool,
 }
 
+impl Jump {
+    /// Whether the base opens away from the body there.
+    pub(super) fn is_hollow(self) -> bool {
+        self.size < 0.0
+    }
+}
+
 /// The jump of the slope, if there is one.
 pub(super) fn jump(problem: &Problem, xi: f64) -> Option<Jump> {
     let half_width = problem.frame().half_width();

@@ -8,6 +8,7 @@ use fredholm::basis::Function;
 use super::method::MethodName;
 use super::parts::Parts;
 use super::setting::Setting;
+use super::smooth;
 use super::solution::Solution;
 use super::spectral::{SpectralContact, profile_series};
 use crate::roughness::Law;
@@ -20,14 +21,10 @@ const LARGEST_COLLOCATED_DEGREE: usize = 256;
 const LARGEST_TRIED_DEGREE: usize = 2048;
 
 /// A way to the solution on given ground, for one kind of contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Route {
-    /// The first kind: a smooth surface on a half-plane, under one punch, a pair, a row or a wave.
-    SmoothPlane,
-    /// A smooth surface under a circular punch.
-    SmoothDisk,
-    /// A smooth surface on ground whose modulus grows as this power of the depth.
-    SmoothGraded(f64),
+    /// The first kind: a smooth surface.
+    Smooth,
     /// The second kind, on zones that are part of the answer.
     Lifting,
     /// The second kind on the whole base.
@@ -39,12 +36,10 @@ enum Route {
 impl Route {
     fn of(setting: &Setting) -> Self {
         let frame = setting.problem().frame();
-        match (frame.law(), frame.grading()) {
-            (Law::Smooth, _) if frame.is_circular() => Self::SmoothDisk,
-            (Law::Smooth, Some(grading)) => Self::SmoothGraded(grading.exponent()),
-            (Law::Smooth, None) => Self::SmoothPlane,
+        match frame.law() {
+            Law::Smooth => Self::Smooth,
             _ if setting.is_unilateral() => Self::Lifting,
-            (Law::Linear, _) if frame.is_homogeneous() && frame.geometry() == Geometry::Plane => {
+            Law::Linear if frame.is_homogeneous() && frame.geometry() == Geometry::Plane => {
                 Self::PlainBase
             }
             _ => Self::WholeBase,
@@ -154,16 +149,8 @@ impl Found {
 /// # Errors
 /// Those of the way.
 pub(super) fn solution(setting: &Setting) -> Result<Found, Error> {
-    let problem = setting.problem();
     Ok(match Route::of(setting) {
-        Route::SmoothPlane => {
-            Found::new(Arc::new(problem.solve_smooth()?), Reason::SpectralRelation)
-        }
-        Route::SmoothDisk => Found::new(problem.solve_smooth_disk()?, Reason::SpectralRelation),
-        Route::SmoothGraded(exponent) => {
-            let contact = problem.solve_smooth_graded(exponent)?;
-            Found::new(Arc::new(contact), Reason::SpectralRelation)
-        }
+        Route::Smooth => Found::new(smooth::solve(setting)?, Reason::SpectralRelation),
         Route::Lifting => Found::on_zones(setting.lifting()?),
         Route::WholeBase => Found::on_zones(setting.whole_base()?),
         Route::PlainBase => match on_panels(setting)? {

@@ -283,6 +283,7 @@ impl<'s, 'k> Truncated<'s, 'k> {
 
     fn contact(&self) -> SpectralContact {
         let balance = Balance {
+            centre: 0.0,
             stiffness: Stiffness {
                 force_settlement: self.level.projections()[0],
                 coupling: self.tilted.projections()[0],

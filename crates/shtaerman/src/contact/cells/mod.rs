@@ -6,7 +6,6 @@ mod load;
 
 pub(super) use load::{Loaded, closing_in, solve_thin};
 
-use fredholm::complementarity::logarithm_cells;
 
 use super::iteration::STEPS;
 use super::valleys::CELLS_A_ZONE;
@@ -173,32 +172,6 @@ impl Cells {
         let of = |[i, j]: [usize; 2]| [self.cells[i].left, self.cells[j - 1].right];
         self.runs().into_iter().map(of).collect()
     }
-
-    /// Roots of the widths.
-    pub(super) fn roots(&self) -> Vec<f64> {
-        self.cells.iter().map(|cell| cell.width().sqrt()).collect()
-    }
-
-    /// `ln 1/|x - s|` between the cells, for functions times the roots of their widths.
-    pub(super) fn logarithms(&self) -> Result<Vec<f64>, Error> {
-        let mut boundaries: Vec<f64> =
-            self.cells.first().map(|cell| cell.left).into_iter().collect();
-        let mut kept = Vec::with_capacity(self.cells.len());
-        for cell in &self.cells {
-            if boundaries.last().is_some_and(|last| *last < cell.left) {
-                boundaries.push(cell.left);
-            }
-            kept.push(boundaries.len() - 1);
-            boundaries.push(cell.right);
-        }
-        let all = logarithm_cells(&boundaries)?;
-        let stride = boundaries.len() - 1;
-        if stride == kept.len() {
-            return Ok(all);
-        }
-        let rows = kept.iter().map(|i| &all[i * stride..][..stride]);
-        Ok(rows.flat_map(|row| kept.iter().map(move |j| row[*j])).collect())
-    }
 }
 
 #[cfg(test)]
@@ -231,17 +204,5 @@ mod tests {
         let cells = Cells::new([([0.0, 1.0], cuts)], FEW);
         let ends: Vec<[f64; 2]> = cells.cells().iter().map(Cell::ends).collect();
         assert_eq!(ends, [[0.0, 0.2], [0.2, 0.5], [0.5, 1.0]]);
-    }
-
-    #[test]
-    fn logarithms_skip_gaps() {
-        let gapped = Cells::new([([0.0, 1.0], vec![0.5]), ([2.0, 3.0], vec![])], FEW);
-        let whole = Cells::new([([0.0, 3.0], vec![0.5, 1.0, 2.0])], FEW);
-        let (few, all) = (gapped.logarithms().unwrap(), whole.logarithms().unwrap());
-        for (i, k) in [0, 1, 3].into_iter().enumerate() {
-            for (j, l) in [0, 1, 3].into_iter().enumerate() {
-                assert_eq!(few[3 * i + j], all[4 * k + l]);
-            }
-        }
     }
 }

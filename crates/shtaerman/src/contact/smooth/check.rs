@@ -1,9 +1,9 @@
-//! Complementarity between the nodes: where the answer pulls and where the base penetrates.
+//! Complementarity between the places where the equation holds: where the answer pulls and where the base penetrates.
 
 use std::f64::consts::PI;
 
-use super::problem::Base;
-use super::system::{Part, Place, Solved};
+use super::base::Base;
+use super::pressure::{Pressure, place};
 use crate::contact::check::{Check, POINTS, between_breaks};
 use crate::contact::search::COARSELY_ALLOWED;
 use crate::contact::zones::{Zone, outside};
@@ -13,16 +13,18 @@ pub(super) const MOST_POINTS: usize = 1500;
 /// Tenths of tenths of half a zone to which places close in on a kink. At half or twice 1 of 4 answers are lost (survey).
 const CLOSING: i32 = 12;
 
-/// Adds the tension of zones, and the largest pressure; beyond `allowed`, relative to that, tension is listed for correction.
-pub(super) fn of_zones(zones: &[Zone], along: &[Along], allowed: f64) -> Check {
-    let largest = (along.iter().flat_map(|zone| &zone.pressures))
+/// Tension and penetration beyond `allowed`, relative to their scales, are listed for correction. Tension is that of the pressure without its singularity where the zone has a corner.
+pub(super) fn check<P: Pressure>(base: &Base, solved: &P, allowed: f64) -> Check {
+    let zones = solved.zones();
+    let along: Vec<Along> = (0..zones.len()).map(|j| Along::new(base, solved, j)).collect();
+    let largest = (along.iter().flat_map(|zone| &zone.pulls))
         .filter(|p| p.is_finite())
         .fold(f64::MIN_POSITIVE, |most, p| most.max(p.abs()));
     let mut check = Check { largest, ..Check::none() };
-    for (zone, along) in zones.iter().zip(along) {
-        let values: Vec<f64> = along.pressures.iter().map(|p| -p).collect();
+    for (j, (zone, along)) in zones.iter().zip(&along).enumerate() {
+        let floor = 4.0 * solved.known(j, largest).pressure * along.steepest;
         let listed = check.pulling.len();
-        check.add_tension(&along.points, &values, [largest, allowed * largest + along.floor]);
+        check.add_tension(&along.points, &along.pulls, [largest, allowed * largest + floor]);
         // Tension at the outermost points reaches to the end of the zone.
         if let (Some(first), Some(last)) = (along.points.first(), along.points.last()) {
             for interval in &mut check.pulling[listed..] {
@@ -34,64 +36,80 @@ pub(super) fn of_zones(zones: &[Zone], along: &[Along], allowed: f64) -> Check {
                 }
             }
         }
+        // Slopes alone know nothing of a step.
+        let beyond = base.beyond_steps(zone.ends);
+        if !beyond.is_empty() {
+            check.tension = check.tension.max(1.0);
+        }
+        check.pulling.extend(beyond);
+    }
+    if base.setting.is_unilateral() {
+        look_beside(&mut check, base, solved, allowed);
     }
     check
 }
 
-/// Points of a zone with their pressures, and the rounding of those.
-pub(super) struct Along {
-    pub(super) points: Vec<f64>,
-    pub(super) pressures: Vec<f64>,
-    pub(super) floor: f64,
+/// Points inside a zone with the tension there.
+struct Along {
+    points: Vec<f64>,
+    pulls: Vec<f64>,
+    /// What a rounding of the regular pressure may be at the outermost points.
+    steepest: f64,
 }
 
-/// Tension and penetration beyond `allowed`, relative to their scales, are listed for correction.
-pub(super) fn check(base: &Base<'_>, solved: &Solved, allowed: f64) -> Check {
-    let along: Vec<Along> = (0..solved.parts.len()).map(|j| along(base, solved, j)).collect();
-    let zones: Vec<Zone> = solved.parts.iter().map(|part| part.zone).collect();
-    let mut check = of_zones(&zones, &along, allowed);
-    let depth = |xi: f64| solved.state.settlement - solved.state.tilt * xi - base.height(xi);
-    let forces: f64 = solved.parts.iter().map(|part| part.force().abs()).sum();
-    let scale = forces + solved.state.settlement.abs() + solved.state.tilt.abs() + base.range();
-    for ends in outside(&base.problem.pieces, &zones) {
-        // Of few modes every other place is enough: all are looked at with all modes.
-        let fewest = if allowed >= COARSELY_ALLOWED { POINTS / 2 } else { POINTS };
-        let mut points = points(ends, base.cells(), fewest);
-        points.extend(between_breaks(&base.problem.profile.breaks, ends));
+impl Along {
+    fn new<P: Pressure>(base: &Base, solved: &P, j: usize) -> Self {
+        let zone = solved.zones()[j];
+        let mut points = looked_at(base, zone.ends, POINTS);
+        points.extend(beside_hollows(base, &zone));
         points.sort_by(f64::total_cmp);
         points.dedup();
-        let values: Vec<f64> =
-            points.iter().map(|&xi| depth(xi) - solved.displacement_outside(xi)).collect();
-        check.add_penetration(&points, &values, [scale, allowed * scale]);
+        points.retain(|xi| zone.left() < *xi && *xi < zone.right());
+        let has_corner = zone.kinds.contains(&crate::contact::zones::EndKind::Wall);
+        let pulls = points.iter().map(|&xi| {
+            let place = place(&zone, xi);
+            -if has_corner { solved.regular(j, place) } else { solved.at(j, place) }
+        });
+        let pulls = pulls.collect();
+        let first = points.first().map_or(0.5, |xi| (xi - zone.left()) / zone.length());
+        let steepest =
+            if has_corner { 1.0 } else { (4.0 * first).powf(-solved.corner_exponent()).max(1.0) };
+        Self { points, pulls, steepest }
     }
-    check
 }
 
-fn along(base: &Base<'_>, solved: &Solved, j: usize) -> Along {
-    let zone = solved.parts[j].zone;
-    let points = points(zone.ends, base.cells(), POINTS);
-    let mut points = points[1..points.len() - 1].to_vec();
-    points.extend(beside_hollows(&solved.parts[j]));
-    points.extend(between_breaks(&base.problem.profile.breaks, zone.ends));
+fn look_beside<P: Pressure>(check: &mut Check, base: &Base, solved: &P, allowed: f64) {
+    let (state, zones) = (solved.state(), solved.zones());
+    let forces: f64 = (0..zones.len()).map(|j| solved.force(j).abs()).sum();
+    let scale = forces + state.settlement.abs() + state.tilt.abs() + base.range();
+    // Of few modes every other place is enough: all are looked at with all modes.
+    let fewest = if allowed >= COARSELY_ALLOWED { POINTS / 2 } else { POINTS };
+    for ends in outside(&base.pieces, &zones) {
+        let points = looked_at(base, ends, fewest);
+        let depth = |xi: f64| state.settlement - state.tilt * xi - base.height_in(ends, xi);
+        // At the end of a zone the base touches.
+        let touches = |xi: f64| zones.iter().any(|zone| zone.ends.contains(&xi));
+        let value = |xi: f64| if touches(xi) { 0.0 } else { depth(xi) - solved.outside(xi) };
+        let values: Vec<f64> = points.iter().map(|&xi| value(xi)).collect();
+        check.add_penetration(&points, &values, [scale, allowed * scale]);
+    }
+}
+
+/// Both ends and places between that show every feature of the profile.
+fn looked_at(base: &Base, ends: [f64; 2], fewest: usize) -> Vec<f64> {
+    let mut points = points(ends, base.cells(), fewest);
+    points.extend(between_breaks(&base.cuts(), ends));
     points.sort_by(f64::total_cmp);
     points.dedup();
-    let pressures = points.iter().map(|&xi| {
-        let place = Place { from_left: xi - zone.left(), from_right: zone.right() - xi };
-        solved.pressure(j, place)
-    });
-    let first = points.first().map_or(zone.length(), |xi| xi - zone.left());
-    let floor = 4.0 * solved.rounding(j) / (solved.theta0 * (first * zone.length()).sqrt());
-    let pressures = pressures.collect();
-    Along { points, pressures, floor }
+    points
 }
 
 /// Places that close in on the hollow kinks of a zone from either side: under these the pressure falls below all bounds, but as slowly as a logarithm.
-fn beside_hollows(part: &Part) -> Vec<f64> {
-    let Zone { ends: [left, right], .. } = part.zone;
-    let kinks = part.slopes.hollows().map(|(angle, _)| part.centre() + part.half() * angle.cos());
+fn beside_hollows(base: &Base, zone: &Zone) -> Vec<f64> {
+    let half = 0.5 * zone.length();
     let offsets = || (1..=CLOSING).flat_map(|k| [-1.0, 1.0].map(|side| side * 0.1f64.powi(k)));
-    let beside = kinks.flat_map(|kink| offsets().map(move |offset| kink + offset * part.half()));
-    beside.filter(|xi| left < *xi && *xi < right).collect()
+    let kinks = base.hollows.iter().filter(|at| zone.contains(**at));
+    kinks.flat_map(|kink| offsets().map(move |offset| kink + offset * half)).collect()
 }
 
 /// Both ends and points between, closer near the ends, so many on a unit that the valleys of the profile show.
@@ -104,14 +122,4 @@ pub(super) fn points([left, right]: [f64; 2], on_a_unit: usize, fewest: usize) -
             (left + (right - left) * half * half).clamp(left, right)
         })
         .collect()
-}
-
-/// So many points between two places, closer to them.
-pub(super) fn between(from: f64, to: f64, count: usize) -> impl Iterator<Item = f64> {
-    (0..count)
-        .map(move |i| {
-            let half = (0.5 * PI * (i as f64 + 0.5) / count as f64).sin();
-            from + (to - from) * half * half
-        })
-        .filter(move |at| *at > from && *at < to)
 }

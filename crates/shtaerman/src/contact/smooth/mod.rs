@@ -1,141 +1,63 @@
-//! The smooth limit: contact without a layer, plane, of a pair of punches, or periodic.
+//! The smooth limit: contact without a layer, an equation of the first kind on the zones.
 //!
-//! `theta0 int K(xi - eta) p0(eta) deta = delta0 - alpha0 xi - f0(xi)` on the zones. The pressure is singular at the walls of the base,
-//! `p0 = K/sqrt(2 pi d)` at a distance `d`, and vanishes as `sqrt(d)` at free edges.
+//! `theta0 int K(xi, eta) p0(eta) dm(eta) = delta0 - alpha0 xi - f0(xi)`. The pressure is singular at the walls of the base, `p0 ~ d^-beta` at a distance `d`, and vanishes as `d^(1-beta)` at free
+//! edges; `beta = 1/2`, on graded ground `(1 - mu)/2`.
 //!
-//! On given zones the [system] is solved by the spectral relation of the logarithm; in unilateral contact the [topology] is found on cells, the
-//! free [edges] by Newton's method, and the [check] between nodes corrects the topology. A base that repeats without gaps has its own
-//! [answer](wave) in full contact.
+//! What the ground makes of given zones is a [`FirstKind`]: a [plane](plane), [graded] ground, a [disk] with rings about it. Everything else is here once: the [base](base) of the punch, the zones by the
+//! [search](crate::contact::search), a [check] between the places where the equation holds, the [errors](stated), and the [answer].
 
-mod angular;
 mod answer;
-mod balance;
-mod band;
+mod base;
 mod check;
-mod coupling;
-mod density;
-mod detail;
 mod disk;
-mod edges;
-mod full;
+mod equation;
 mod graded;
-mod ground;
-mod harmonics;
-mod kernel;
-mod legendre;
-mod linear;
-mod linearised;
-mod open;
-mod panels;
-mod problem;
-mod rings;
-mod roots;
-mod slopes;
+mod modes;
+mod plane;
+mod pressure;
 mod stated;
-mod system;
-mod told;
 mod topology;
-mod wave;
 
-pub(crate) use answer::SmoothContact;
-pub(crate) use kernel::SmoothKernel;
-pub(crate) use problem::{Curve, SmoothProblem, SmoothProfile};
+use std::sync::Arc;
 
+use super::setting::Setting;
+use super::solution::Solution;
 use crate::Error;
-use crate::contact::check::Check;
-use crate::contact::edges::{EndState, settle};
-use crate::contact::search::{ALLOWED, Equation, Start};
-use crate::contact::valleys::MOST_CELLS;
-use crate::contact::zones::{Walls, Zone};
-use crate::deadline::Deadline;
+use crate::contact::search::{ALLOWED, complementary};
+use answer::SmoothContact;
+use base::Base;
 use check::check;
-use detail::{A_PANEL, COARSE, Detail, FINE, MOST_WORK};
-use open::solve_zones;
-use problem::Base;
-use system::Solved;
+use equation::{FINE, FirstKind};
 
-impl SmoothProblem {
-    /// Solves the equation, and in unilateral contact finds the zones.
-    ///
-    /// # Errors
-    /// [`Error::InvalidValue`] for a problem that is not one, a force that is not positive in unilateral contact, a step inside a base in bilateral
-    /// contact, and for a base that repeats without gaps anything but `tilt = 0`; [`Error::TipsOver`], [`Error::NoContact`];
-    /// [`Error::NotComplementary`] when no zones were found; [`Error::Equation`] where zones come too close to one another, or are too
-    /// many, for the modes that can be kept.
-    pub(crate) fn solve(&self) -> Result<SmoothContact, Error> {
-        if self.is_wave() {
-            return wave::solve(self);
-        }
-        solve_zones(&Base::new(self)?, None)
+/// The contact of a smooth surface.
+///
+/// # Errors
+/// [`Error::InvalidValue`] for a force that is not positive in unilateral contact, a step inside a base in bilateral contact, and what a geometry does not know; [`Error::TipsOver`],
+/// [`Error::NoContact`], [`Error::NotComplementary`] when no zones were found, [`Error::ZonesTooClose`], [`Error::TooManyZones`] for more than can be coupled, [`Error::Rings`] and
+/// [`Error::LiftsOff`] for disks that tilt or stand on graded ground.
+pub(super) fn solve(setting: &Setting) -> Result<Arc<dyn Solution>, Error> {
+    let base = Arc::new(Base::new(setting)?);
+    let frame = setting.problem().frame();
+    match frame.grading() {
+        _ if frame.is_circular() => disk::solve(base),
+        Some(grading) => answer(&graded::Graded::new(base, grading.exponent())?),
+        None if setting.problem().is_wave() => plane::wave(base),
+        None => answer(&plane::Plane::new(base)),
     }
 }
 
-impl Equation for Base<'_> {
-    type Solved = Solved;
-    type Effort = Detail;
-    // Beyond, minutes go by.
-    const MOST_ZONES: usize = 120;
+/// The answer on the whole base, or on the zones where it touches.
+fn answer<F: FirstKind>(equation: &F) -> Result<Arc<dyn Solution>, Error> {
+    Ok(Arc::new(contact(equation)?))
+}
 
-    fn may_lift(&self) -> bool {
-        self.problem.is_unilateral
-    }
-
-    fn deadline(&self) -> &Deadline {
-        &self.problem.deadline
-    }
-
-    fn walls(&self) -> &Walls {
-        &self.walls
-    }
-
-    fn starts(&self) -> Vec<Start> {
-        Start::on_cells(self.cells(), MOST_CELLS)
-    }
-
-    fn pieces(&self) -> Vec<[f64; 2]> {
-        self.problem.pieces.clone()
-    }
-
-    fn valleys(&self) -> Vec<f64> {
-        self.valleys().collect()
-    }
-
-    fn intervals(&self, cells: usize) -> Result<Vec<[f64; 2]>, Error> {
-        topology::find(self, cells)
-    }
-
-    fn effort(&self, _zones: &[Zone], _before: Option<Detail>) -> Result<Detail, Error> {
-        Ok(COARSE)
-    }
-
-    fn solve(
-        &self,
-        zones: &[Zone],
-        effort: &Detail,
-        _near: Option<&Solved>,
-    ) -> Result<Solved, Error> {
-        let solved = Solved::new(self, zones, *effort)?;
-        self.work.spend(solved.modes(), A_PANEL * solved.panels() as f64, MOST_WORK)?;
-        Ok(solved)
-    }
-
-    fn zones(&self, solved: &Solved) -> Vec<Zone> {
-        solved.parts.iter().map(|part| part.zone).collect()
-    }
-
-    fn force(&self, solved: &Solved, zone: usize) -> f64 {
-        solved.parts[zone].force()
-    }
-
-    fn ends(&self, solved: &Solved) -> Vec<[EndState; 2]> {
-        edges::ends(solved)
-    }
-
-    fn check(&self, solved: &Solved, allowed: f64) -> Check {
-        check(self, solved, allowed)
-    }
-
-    fn refined(&self, coarse: Solved, _effort: &Detail) -> Result<Solved, Error> {
-        settle(self, &self.zones(&coarse), &FINE)
-    }
+fn contact<F: FirstKind>(equation: &F) -> Result<SmoothContact<F::Solved>, Error> {
+    let (solved, left) = if equation.base().setting.is_unilateral() {
+        complementary(equation)?
+    } else {
+        let solved = equation.on_zones(&equation.base().whole(), FINE)?;
+        let left = check(equation.base(), &solved, ALLOWED);
+        (solved, left)
+    };
+    SmoothContact::new(equation, solved, &left)
 }

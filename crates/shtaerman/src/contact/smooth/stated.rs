@@ -1,110 +1,84 @@
-//! A stated problem with a smooth surface.
+//! The error of a pressure on zones, by another resolution of the same zones and by rounding.
 
-use std::sync::Arc;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
-use super::{Curve, SmoothContact, SmoothKernel, SmoothProblem, SmoothProfile};
-use crate::contact::parts::{DEGREE, RESOLVED};
-use crate::contact::steps::INSIDE;
-use crate::{ContactKind, Error, Geometry, Problem, Rotational, Scaling, Vertical};
+use super::equation::FirstKind;
+use super::pressure::{Known, Pressure, at_angle};
+use crate::contact::accuracy::{Accuracy, ErrorKind, ROUNDING};
+use crate::contact::balance::State;
+use crate::{Load, Rotational, Vertical};
 
-/// To this share the slope of a measured profile or a closure is resolved on graded ground: the third derivative of a spline jumps at every point, and slopes of a closure are those of
-/// polynomials through its values. At half or twice 1 of 10 answers are lost and stated errors grow up to 2.7 times (survey).
-pub(super) const MEASURED: f64 = 1e-10;
-impl Problem {
-    /// Solves the equation of the first kind of a smooth surface, plane, under a pair or periodic.
-    ///
-    /// # Errors
-    /// Those of [`SmoothProblem::solve`], with values in the units of the problem.
-    pub(crate) fn solve_smooth(&self) -> Result<SmoothContact, Error> {
-        self.smooth().solve().map_err(|error| self.in_units(error))
-    }
+/// Points of a zone at which two resolutions are compared.
+const COMPARISONS: usize = 33;
 
-    /// The problem without dimensions.
-    pub(super) fn smooth(&self) -> SmoothProblem {
-        let frame = self.frame();
-        let half_width = frame.half_width();
-        let kernel = match frame.geometry().scaled(half_width) {
-            Geometry::Periodic { period } => SmoothKernel::Periodic { period },
-            _ => SmoothKernel::Plane,
-        };
-        let problem = Arc::new(self.clone());
-        let height = {
-            let problem = Arc::clone(&problem);
-            Arc::new(move |xi| problem.dimensionless_profile(xi))
-        };
-        let scale = frame.scaling().map_or(1.0, Scaling::displacement);
-        // Of a closure heights are known better than slopes, which graded ground needs.
-        let is_closure = self.profile().is_closure();
-        let has_slope = !is_closure || frame.grading().is_some();
-        let slope: Option<Curve> = has_slope.then(|| {
-            let slope = move |xi| problem.profile().slope(xi, half_width).unwrap_or(f64::NAN);
-            Arc::new(move |xi| slope(xi) / scale) as Curve
-        });
-        let measured = self.profile().measured_points().is_some();
-        let (breaks, mut joints) = (self.smooth_breaks(), Vec::new());
-        let mut tolerance = 0.0;
-        if measured {
-            joints = self.profile().joints(half_width);
-            joints.sort_by(f64::total_cmp);
-        } else if frame.grading().is_some() {
-            joints = self.profile().resolve(&frame.pieces(), half_width, DEGREE, RESOLVED).joints;
-            joints.retain(|at| breaks.iter().all(|known| (known - at).abs() > INSIDE));
-        }
-        if (measured || is_closure) && frame.grading().is_some() {
-            tolerance = MEASURED;
-        }
-        let mut load = self.dimensionless_load();
-        let is_wave = matches!(kernel, SmoothKernel::Periodic { period } if period <= 2.0);
-        if is_wave && matches!(load.rotational, Rotational::Moment(m) if m == 0.0) {
-            // A wave cannot tilt: that no moment is asked for means that none is applied.
-            load.rotational = Rotational::Tilt(0.0);
-        }
-        SmoothProblem {
-            pieces: frame.pieces(),
-            kernel,
-            theta0: frame.theta0(),
-            load,
-            profile: SmoothProfile { height, slope, breaks, joints, tolerance },
-            is_unilateral: self.solver().contact == ContactKind::Unilateral,
-            deadline: self.deadline().clone(),
+/// The largest difference of two functions of the angle of a zone. An irrational share of the step keeps clear of symmetric places, where a kink may be.
+pub(super) fn difference(one: impl Fn(f64) -> f64, other: impl Fn(f64) -> f64) -> f64 {
+    (0..COMPARISONS)
+        .map(|i| PI * (i as f64 + FRAC_1_SQRT_2) / COMPARISONS as f64)
+        .fold(0.0, |most: f64, angle| most.max((one(angle) - other(angle)).abs()))
+}
+
+/// The error of a solution, and that of its free ends in `xi`; infinite where the other resolution has none, zero for what the load prescribes.
+pub(super) fn estimate<F: FirstKind>(
+    equation: &F,
+    solved: &F::Solved,
+    largest: f64,
+) -> (Accuracy, f64) {
+    let other = equation.compared(solved);
+    let zones = solved.zones();
+    let (mut pressure, mut edge) = (0.0f64, 0.0f64);
+    for (j, zone) in zones.iter().enumerate() {
+        let Known { density: rounding, pressure: own } = solved.known(j, largest);
+        let along = |of: &F::Solved, angle: f64| of.regular(j, at_angle(zone, angle));
+        let changed = difference(
+            |angle| along(solved, angle),
+            |angle| other.as_ref().map_or(f64::INFINITY, |other| along(other, angle)),
+        );
+        pressure = pressure.max(changed + own);
+        for (side, at) in zone.free_ends() {
+            let here = solved.density(j, side);
+            let there = other.as_ref().map_or(f64::INFINITY, |o| o.density(j, side).value);
+            let density = here.value.abs() + (here.value - there).abs() + rounding;
+            edge = edge.max((density / here.fall).abs() + 0.5 * ROUNDING * at.abs());
         }
     }
+    let state = solved.state();
+    let change = |part: fn(&State) -> f64| {
+        let there = other.as_ref().map_or(f64::INFINITY, |other| part(&other.state()));
+        (part(&state) - there).abs()
+    };
+    let [level, turn] = solved.displacement_rounding();
+    let stiffness = solved.stiffness();
+    let forced = stiffness.force_settlement * level + stiffness.moment_tilt * turn;
+    let displaced = ROUNDING * state.settlement.abs().max(state.tilt.abs());
+    // A disk is tilted by its moment alone.
+    let turned = if equation.base().ground.is_disk() { 0.0 } else { displaced };
+    let carried = forced + ROUNDING * state.force.abs().max(state.moment.abs());
+    let accuracy = Accuracy {
+        kind: ErrorKind::Estimate,
+        pressure,
+        settlement: change(|state| state.settlement) + level + displaced,
+        tilt: change(|state| state.tilt) + turn + turned,
+        force: change(|state| state.force) + carried,
+        moment: change(|state| state.moment) + carried,
+    };
+    (accuracy, edge)
+}
 
-    /// Where the panels of slopes, the cells and the places that are looked at are cut: kinks, and the surroundings of features that are narrower than samples.
-    /// On graded ground, where each would be a kink, the kinks alone.
-    pub(super) fn smooth_breaks(&self) -> Vec<f64> {
-        let (frame, profile) = (self.frame(), self.profile());
-        let half_width = frame.half_width();
-        if profile.measured_points().is_some() || frame.grading().is_some() {
-            return profile.breakpoints(half_width);
-        }
-        profile.resolve(&frame.pieces(), half_width, DEGREE, RESOLVED).joints
-    }
+/// The error of the pressure over the largest one.
+pub(super) fn noise<F: FirstKind>(equation: &F, solved: &F::Solved, largest: f64) -> f64 {
+    estimate(equation, solved, largest).0.pressure / largest
+}
 
-    /// An error with its value as the problem states it.
-    pub(super) fn in_units(&self, error: Error) -> Error {
-        let load = self.load();
-        let half_width = self.frame().half_width();
-        match (error, load.vertical, load.rotational) {
-            (
-                Error::InvalidValue { field: "force", requirement, .. },
-                Vertical::Force(value),
-                _,
-            ) => Error::InvalidValue { field: "force", value, requirement },
-            (
-                Error::InvalidValue { field: "settlement", requirement, .. },
-                Vertical::Settlement(value),
-                _,
-            ) => Error::InvalidValue { field: "settlement", value, requirement },
-            (
-                Error::TipsOver { field, name, .. },
-                Vertical::Force(force),
-                Rotational::Moment(value),
-            ) => Error::TipsOver { field, value, limit: half_width * force, name },
-            (Error::TipsOver { field, name, .. }, _, Rotational::Eccentricity(value)) => {
-                Error::TipsOver { field, value, limit: half_width, name }
-            }
-            (error, _, _) => error,
-        }
+/// Without errors of what the load prescribes.
+pub(super) fn open(load: &Load, accuracy: Accuracy) -> Accuracy {
+    let of = |is_given: bool, error: f64| if is_given { 0.0 } else { error };
+    let by_force = matches!(load.vertical, Vertical::Force(_));
+    Accuracy {
+        settlement: of(!by_force, accuracy.settlement),
+        tilt: of(matches!(load.rotational, Rotational::Tilt(_)), accuracy.tilt),
+        force: of(by_force, accuracy.force),
+        moment: of(matches!(load.rotational, Rotational::Moment(_)), accuracy.moment),
+        ..accuracy
     }
 }

@@ -5,25 +5,23 @@
 //! profile's coefficients do, `f0 = sum a_n c_n` giving `sum a_n d_n`, of which no more are felt than those that are kept.
 
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
 
-use super::modes::{gains, inside, norms, outside};
-use super::parts::Parts;
-use super::strip::Ground;
+use fredholm::inversion::Powers;
+use fredholm::inversion::ultraspherical::{gains, inside, norms, outside};
+
+use super::super::base::Base;
+use super::super::modes::Modes;
+use super::on_zone::OnZone;
 use crate::Error;
 use crate::contact::accuracy::ROUNDING;
-use crate::contact::smooth::detail::NOISE;
-use crate::contact::smooth::problem::Base;
 use crate::contact::zones::Zone;
 
 /// Panels of the coefficients of a profile are doubled at most so often, until these change by no more than this share, or no less than before. At half or twice 1 of 3 answers change, within what they state (survey).
 const DOUBLINGS: usize = 6;
 
-/// The coefficients `m_n` of three pressures, zone by zone: their displacements are 1, `xi - middle` and `f0` without what each zone's own pressure makes of it.
-pub(super) struct Coupled {
-    pub(super) level: Vec<Vec<f64>>,
-    pub(super) tilted: Vec<Vec<f64>>,
-    pub(super) profile: Vec<Vec<f64>>,
-}
+/// Coefficients that change by no more than this share, relative to the largest, and no less than before, are noise.
+const NOISE: f64 = 1e-11;
 
 /// Zones with their nodes.
 struct Nodes {
@@ -46,22 +44,22 @@ impl Nodes {
     }
 }
 
-/// Solves for the three pressures.
+/// The coefficients `m_n` of three pressures, zone by zone: their displacements are 1, `xi - middle` and `f0` without what each zone's own pressure makes of it.
 pub(super) fn couple(
-    base: &Base<'_>,
-    ground: &Ground,
+    base: &Base,
+    powers: &Powers,
     zones: &[Zone],
     counts: &[usize],
-    parts: &[Parts],
+    parts: &[Arc<OnZone>],
     middle: f64,
-) -> Result<Coupled, Error> {
+) -> Result<[Modes; 3], Error> {
     let nodes: Vec<Nodes> = zones.iter().zip(counts).map(|(z, n)| Nodes::new(z, *n)).collect();
-    let lambda = 0.5 * ground.powers.exponent();
+    let lambda = 0.5 * powers.exponent();
     let mut offsets = vec![0];
     counts.iter().for_each(|count| offsets.push(offsets[offsets.len() - 1] + count));
     let order = offsets[zones.len()];
     let heights: Vec<Vec<f64>> = (parts.iter().zip(&nodes).zip(counts))
-        .map(|((parts, nodes), count)| coefficients(base, ground, parts, nodes, *count))
+        .map(|((parts, nodes), count)| coefficients(base, powers, parts, nodes, *count))
         .collect();
     let mut matrix = vec![0.0; order * order];
     let mut rights = [(); 3].map(|()| Vec::with_capacity(order));
@@ -81,7 +79,7 @@ pub(super) fn couple(
                 } else {
                     (zones[i].left() - zones[j].right() + from_right, -1.0)
                 };
-                let values = outside(ground, counts[i], distance / source.half);
+                let values = outside(powers, counts[i], distance / source.half);
                 let mut parity = 1.0;
                 for ((slot, d), a) in slots.iter_mut().zip(values).zip(&heights[i]) {
                     *slot = parity * d;
@@ -94,26 +92,25 @@ pub(super) fn couple(
         }
     }
     fredholm::eliminate(&matrix, &mut rights)?;
-    let split = |all: &Vec<f64>| -> Vec<Vec<f64>> {
+    let split = |all: &Vec<f64>| -> Modes {
         let zone = |(pair, count): (&[usize], &usize)| {
-            let gains = gains(ground, *count);
+            let gains = gains(powers, *count);
             all[pair[0]..pair[1]].iter().zip(gains).map(|(u, l)| u / l).collect()
         };
         offsets.windows(2).zip(counts).map(zone).collect()
     };
-    let [level, tilted, profile] = [0, 1, 2].map(|right| split(&rights[right]));
-    Ok(Coupled { level, tilted, profile })
+    Ok(rights.each_ref().map(split))
 }
 
 /// `a_n` of the profile above its height in the middle of a zone.
 fn coefficients(
-    base: &Base<'_>,
-    ground: &Ground,
-    parts: &Parts,
+    base: &Base,
+    powers: &Powers,
+    parts: &OnZone,
     nodes: &Nodes,
     count: usize,
 ) -> Vec<f64> {
-    if let Some(known) = parts.heights(ground, count) {
+    if let Some(known) = parts.heights(powers, count) {
         return known;
     }
     let mut cuts = vec![0.0];
@@ -122,11 +119,11 @@ fn coefficients(
     cuts.push(FRAC_PI_2);
     // On a quarter turn, one of a polynomial in each.
     let mut panels = 1 + count / 4;
-    let mut found = summed(base, ground, nodes, &cuts, [count, panels]);
+    let mut found = summed(base, powers, nodes, &cuts, [count, panels]);
     let mut before = f64::INFINITY;
     for _ in 0..DOUBLINGS {
         panels *= 2;
-        let finer = summed(base, ground, nodes, &cuts, [count, panels]);
+        let finer = summed(base, powers, nodes, &cuts, [count, panels]);
         let size = finer.iter().fold(0.0f64, |most, a| most.max(a.abs()));
         let changed = finer.iter().zip(&found).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
         found = finer;
@@ -141,24 +138,24 @@ fn coefficients(
 
 /// The same with about so many panels of the quarter turn, and at least one between cuts.
 fn summed(
-    base: &Base<'_>,
-    ground: &Ground,
+    base: &Base,
+    powers: &Powers,
     nodes: &Nodes,
     cuts: &[f64],
     [count, panels]: [usize; 2],
 ) -> Vec<f64> {
-    let (lambda, middle) = (0.5 * ground.powers.exponent(), base.height(nodes.centre));
+    let (lambda, middle) = (0.5 * powers.exponent(), base.height(nodes.centre));
     let mut sums = vec![0.0; count];
     for pair in cuts.windows(2) {
         let parts = (panels as f64 * (pair[1] - pair[0]) / FRAC_PI_2).ceil() as usize;
         let at = |part: usize| pair[0] + (pair[1] - pair[0]) * part as f64 / parts as f64;
         for part in 0..parts {
             let to = if part + 1 == parts { pair[1] } else { at(part + 1) };
-            for (angle, weight) in ground.powers.nodes([at(part), to]) {
+            for (angle, weight) in powers.nodes([at(part), to]) {
                 let y = angle.cos();
                 let s = nodes.half * y;
                 let [right, left] = [s, -s].map(|s| base.height(nodes.centre + s) - middle);
-                let power = weight * ground.powers.power(angle.sin());
+                let power = weight * powers.power(angle.sin());
                 let halves = [(right + left) * power, (right - left) * power];
                 for (n, c) in inside(lambda, count, y).into_iter().enumerate() {
                     sums[n] += halves[n % 2] * c;
@@ -166,5 +163,5 @@ fn summed(
             }
         }
     }
-    sums.iter().zip(norms(ground, count)).map(|(sum, norm)| sum / norm).collect()
+    sums.iter().zip(norms(powers, count)).map(|(sum, norm)| sum / norm).collect()
 }

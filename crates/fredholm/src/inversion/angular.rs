@@ -1,0 +1,23 @@
+//! A function of an angle.
+
+use super::accuracy::OF_A_VALUE;
+
+/// A profile as function of the angle.
+pub trait Angular {
+    /// `f`.
+    fn height(&self, angle: f64) -> f64;
+    /// Rounding of heights, given the largest of them and of their slopes: of the sum that a height is, and of the place.
+    fn rounding(&self, height: f64, slope: f64) -> f64 {
+        OF_A_VALUE * (height + slope)
+    }
+    /// `df/dt`, where it is known better than by differences.
+    fn slope(&self, angle: f64) -> Option<f64>;
+    /// Size of what is taken away from slopes, and leaves its rounding in them.
+    fn taken_slope(&self) -> f64 {
+        0.0
+    }
+    /// Rounding of angles.
+    fn blur(&self) -> f64 {
+        f64::EPSILON
+    }
+}

@@ -1,0 +1,551 @@
+//! `G` on panels, and what follows from it: pressure and displacement.
+//!
+//! Between kinks `b < x` of the base `G` is smooth in `s = sqrt(x^2 - b^2)`, on graded powers but for a power `s^(1+mu)` at the kink; on each panel of `s` it
+//! is a polynomial.
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::accuracy::{DEEPEST, HARMLESS, NOISE, RESOLVED};
+use super::powers::{NEAREST, PLAIN, Powers, TURN, distant};
+use super::rule::{ORDER, RULE, derivative, integral, integral_at_nodes, series, series_at};
+use super::shape::{Shape, Symmetry};
+
+/// There are at most so many panels. Half and twice change none of 26 answers (survey).
+const MOST_PANELS: usize = 128;
+/// Length of a step in the logarithm of `s` within which polynomials of `s` are integrated exactly. At half or twice 24 of 25 answers change, within what they state (survey).
+const STEP: f64 = 1.0;
+/// Towards a kink the slope vanishes if it falls to a half over so many lengths of the first panel. Half and twice change none of 10 answers (survey).
+const LENGTHS: f64 = 1024.0;
+/// A first panel shorter than this share of its segment is there for a kink. Half and twice change none of 14 answers (survey).
+const SHORT: f64 = 1e-5;
+
+#[derive(Debug, Clone)]
+struct Panel {
+    ends: [f64; 2],
+    values: [f64; ORDER],
+    /// `dG/ds`.
+    slopes: [f64; ORDER],
+    /// Number of coefficients that are not rounding.
+    count: usize,
+}
+
+impl Panel {
+    fn new(ends: [f64; 2], mut values: [f64; ORDER]) -> Self {
+        let half = 0.5 * (ends[1] - ends[0]);
+        let size = largest(&values);
+        // Of the degree `n` rounding is `2 n + 1` times that of the values: derivatives of the last coefficients would blow it up.
+        let is_more = |n: &usize| values[*n].abs() > f64::EPSILON * (2 * n + 1) as f64 * size;
+        let count = (0..ORDER).rev().find(is_more).map_or(0, |last| last + 1);
+        values[count..].fill(0.0);
+        Self { ends, values, slopes: derivative(&values).map(|c| c / half), count }
+    }
+
+    fn local(&self, s: f64) -> f64 {
+        let [from, to] = self.ends;
+        ((2.0 * s - from - to) / (to - from)).clamp(-1.0, 1.0)
+    }
+
+    fn sum(&self, coefficients: &[f64; ORDER], s: f64) -> f64 {
+        series(&coefficients[..self.count], self.local(s))
+    }
+
+    fn values_at(&self, places: &[f64; ORDER]) -> [f64; ORDER] {
+        series_at(&self.values[..self.count], &places.map(|s| self.local(s)))
+    }
+
+    fn slopes_at(&self, places: &[f64; ORDER]) -> [f64; ORDER] {
+        series_at(&self.slopes[..self.count], &places.map(|s| self.local(s)))
+    }
+
+    fn value(&self, s: f64) -> f64 {
+        self.sum(&self.values, s)
+    }
+
+    fn slope(&self, s: f64) -> f64 {
+        self.sum(&self.slopes, s)
+    }
+
+    fn length(&self) -> f64 {
+        self.ends[1] - self.ends[0]
+    }
+
+    /// The part up to `to`.
+    fn within(&self, to: f64) -> Self {
+        let [from, end] = self.ends;
+        if to >= end {
+            return self.clone();
+        }
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        let values = self.values_at(&RULE.nodes.map(|u| middle + half * u));
+        Self::new([from, to], RULE.coefficients(&values))
+    }
+
+    /// The derivative of a series blows the rounding of its coefficients up by the square of their number.
+    fn blown(&self, size: f64) -> f64 {
+        24.0 * f64::EPSILON * (self.count * self.count) as f64 * size / self.length()
+    }
+}
+
+/// A panel that may be halved.
+struct Sampled {
+    ends: [f64; 2],
+    values: [f64; ORDER],
+    depth: u32,
+    /// The last coefficients, and those of the panel twice as long.
+    tail: f64,
+    before: f64,
+}
+
+fn sample(shape: &Shape<'_>, kink: f64, [from, to]: [f64; 2]) -> [f64; ORDER] {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    RULE.coefficients(&RULE.nodes.map(|u| shape.transform_beyond(kink, middle + half * u)))
+}
+
+fn largest(values: &[f64]) -> f64 {
+    values.iter().fold(0.0, |most, c| most.max(c.abs()))
+}
+
+/// The part of the disk between two kinks.
+#[derive(Debug, Clone)]
+struct Segment {
+    /// `b` and the next kink or the edge.
+    ends: [f64; 2],
+    panels: Vec<Panel>,
+}
+
+/// `sqrt(x^2 - y^2)` for `x >= y`.
+fn leg(x: f64, y: f64) -> f64 {
+    // Squares of small numbers would vanish.
+    (x - y).max(0.0).sqrt() * (x + y).sqrt()
+}
+
+impl Segment {
+    fn new(shape: &Shape<'_>, ends: [f64; 2], size: f64) -> Self {
+        let sampled = |own: [f64; 2], depth: u32, before: f64| {
+            let values = sample(shape, ends[0], own);
+            Sampled { ends: own, values, depth, tail: largest(&values[ORDER - 2..]), before }
+        };
+        let first = sampled([0.0, leg(ends[1], ends[0])], 0, f64::INFINITY);
+        let size = size.max(largest(&first.values));
+        let rounded = shape.noise * if shape.part == Symmetry::Odd { 1.0 } else { ends[1] };
+        let resolved = |own: f64| shape.tolerance.max(RESOLVED) * own + rounded;
+        let noise = (10.0 * shape.tolerance).max(NOISE) * size + rounded;
+        let is_open = |panel: &Sampled| {
+            let is_noise = panel.tail >= 0.5 * panel.before && panel.tail <= noise;
+            // Beside the axis G is as small as the power of the base has it, and its slope is divided by the distance.
+            let is_beside_axis = ends[0] == 0.0 && panel.ends[0] == 0.0;
+            let own = if is_beside_axis { largest(&panel.values) } else { size };
+            let is_settled = panel.tail <= resolved(own) || is_noise;
+            !is_settled && panel.depth < DEEPEST && panel.tail.is_finite()
+        };
+        let mut panels = vec![first];
+        while panels.len() < MOST_PANELS && !(shape.is_over)() {
+            let open = panels.iter().enumerate().filter(|(_, panel)| is_open(panel));
+            let worst = open.max_by(|one, two| one.1.tail.total_cmp(&two.1.tail));
+            let Some((i, &Sampled { ends: [from, to], depth, tail, .. })) = worst else { break };
+            let middle = 0.5 * (from + to);
+            panels[i] = sampled([from, middle], depth + 1, tail);
+            panels.insert(i + 1, sampled([middle, to], depth + 1, tail));
+        }
+        let panels = panels.iter().map(|panel| Panel::new(panel.ends, panel.values)).collect();
+        Self { ends, panels }
+    }
+
+    /// The part up to `end`, by the same polynomials.
+    fn within(&self, end: f64) -> Self {
+        let to = leg(end, self.ends[0]);
+        let kept = self.panels.iter().filter(|panel| panel.ends[0] < to);
+        let panels = kept.map(|panel| panel.within(to)).collect();
+        Self { ends: [self.ends[0], end], panels }
+    }
+
+    /// `sqrt(x^2 - r^2)` or its negative square at the end `s` of a panel.
+    fn beyond(&self, s: f64, r: f64) -> f64 {
+        let [kink, end] = self.ends;
+        let is_end = self.panels.last().is_some_and(|panel| panel.ends[1] == s);
+        let (x, own) = if is_end { (end, 0.0) } else { (kink, s * s) };
+        ((x - r) * (x + r) + own).abs().sqrt()
+    }
+
+    /// `int dG (x^2 - r^2)^-beta` over the part beyond `r`.
+    fn pressure(&self, powers: &Powers, r: f64) -> f64 {
+        let [kink, end] = self.ends;
+        if r >= end {
+            return 0.0;
+        }
+        if r == kink {
+            return if powers.exponent() == 0.0 { self.at_kink() } else { self.at_place(powers) };
+        }
+        let is_inside = r > kink;
+        // s = scale cosh y or scale sinh y
+        let scale = if is_inside { leg(r, kink) } else { leg(kink, r) };
+        let mut sum = 0.0;
+        for panel in self.panels.iter().filter(|panel| !is_inside || panel.ends[1] > scale) {
+            let place = |s: f64| {
+                if is_inside {
+                    if s <= scale { 0.0 } else { (self.beyond(s, r) / scale).asinh() }
+                } else {
+                    (s / scale).asinh()
+                }
+            };
+            let turn = panel.ends.map(place);
+            sum += if powers.exponent() == 0.0 {
+                stepwise_at_nodes(turn, STEP, |y| {
+                    let hyperbolic = if is_inside { f64::cosh } else { f64::sinh };
+                    panel.slopes_at(&y.map(|y| scale * hyperbolic(y)))
+                })
+            } else if is_inside {
+                let f = |y: f64| panel.slope(scale * y.cosh()) * powers.power(scale * y.sinh());
+                powers.graded(0, turn, [STEP, f64::INFINITY], f)
+            } else {
+                let f = |y: f64| panel.slope(scale * y.sinh()) * powers.power(scale * y.cosh());
+                stepwise(turn, STEP, f)
+            };
+        }
+        sum
+    }
+
+    /// `int dG s^(mu-1)`: at a kink `G` rises as `s^(1+mu)`.
+    fn at_place(&self, powers: &Powers) -> f64 {
+        let Some(first) = self.panels.first() else { return 0.0 };
+        let mu = powers.exponent();
+        let [_, to] = first.ends;
+        let f = |panel: &Panel, s: f64| panel.slope(s) * s.powf(mu - 1.0);
+        let is_kink = self.ends[0] > 0.0 && to < SHORT * leg(self.ends[1], self.ends[0]);
+        let mut sum = if is_kink {
+            let rise = first.value(to) - first.value(0.0);
+            rise * to.powf(mu - 1.0) * (1.0 + mu) / (2.0 * mu)
+        } else {
+            // Rounding of a slope that vanishes would be blown up by 1/mu.
+            let start = first.slope(0.0);
+            let rounded =
+                if start.abs() > first.blown(largest(&first.values)) { 0.0 } else { start };
+            powers.integral(-1, first.ends, |s| f(first, s) - rounded * s.powf(mu - 1.0))
+        };
+        for panel in &self.panels[1..] {
+            sum += powers.graded(-1, panel.ends, [f64::INFINITY; 2], |s| f(panel, s));
+        }
+        sum
+    }
+
+    /// `int dG/s`, infinite where the base has a kink.
+    fn at_kink(&self) -> f64 {
+        let Some(first) = self.panels.first() else { return 0.0 };
+        let slope = first.slope(0.0);
+        let largest = self.largest_slope();
+        let far = LENGTHS * first.ends[1];
+        let falls = (self.panels.iter())
+            .find(|panel| panel.ends[0] <= far && far < panel.ends[1])
+            .is_some_and(|panel| first.slope(first.ends[1]).abs() < 0.5 * panel.slope(far).abs());
+        if slope.abs() > HARMLESS * largest && !falls {
+            return f64::INFINITY.copysign(slope);
+        }
+        let mut sum = self
+            .beside_power()
+            .unwrap_or_else(|| integral(0.0, first.ends[1], |s| (first.slope(s) - slope) / s));
+        for panel in &self.panels[1..] {
+            sum += stepwise(panel.ends.map(f64::ln), STEP, |y| panel.slope(y.exp()));
+        }
+        sum
+    }
+
+    /// `int dG/s` over the first panel where it is there for a power `s^k`, which shows in the rises over the next ones: `k/(k-1)` times the rise over the
+    /// length. None where it is smooth.
+    fn beside_power(&self) -> Option<f64> {
+        let [first, second, third, ..] = self.panels.as_slice() else { return None };
+        let to = first.ends[1];
+        let rise = |panel: &Panel| panel.value(panel.ends[1]) - panel.value(panel.ends[0]);
+        let doubles = third.ends[1] == 4.0 * to && second.ends[1] == 2.0 * to;
+        let is_short = to < SHORT * leg(self.ends[1], self.ends[0]);
+        let ratio = rise(third) / rise(second);
+        let power = ratio.log2();
+        let over_length = rise(second) / ((ratio - 1.0) * to);
+        (is_short && doubles && power > 1.0).then_some(power / (power - 1.0) * over_length)
+    }
+
+    fn largest_slope(&self) -> f64 {
+        let at = |panel: &Panel| panel.ends.map(|s| panel.slope(s).abs());
+        self.panels.iter().flat_map(at).fold(0.0, f64::max)
+    }
+
+    /// `int (level - G) x^(mu+l) dx/(r^2 - x^2)^((1+mu)/2)`, `r` not inside.
+    fn displacement(&self, powers: &Powers, lever: i32, r: f64, level: f64) -> f64 {
+        let kink = self.ends[0];
+        let scale = leg(r, kink);
+        let mut sum = 0.0;
+        for panel in &self.panels {
+            let place = |s: f64| s.atan2(self.beyond(s, r));
+            let turn = panel.ends.map(place);
+            if powers.exponent() == 0.0 && lever == 0 {
+                sum += stepwise_at_nodes(turn, TURN, |y| {
+                    let places = y.map(|y| scale * y.sin());
+                    let values = panel.values_at(&places);
+                    std::array::from_fn(|i| (level - values[i]) * ratio(places[i], kink))
+                });
+                continue;
+            }
+            let depth = |y: f64| {
+                let s = scale * y.sin();
+                (level - panel.value(s)) * ratio(s, kink)
+            };
+            let graded = |y: f64| {
+                let x = kink.hypot(scale * y.sin());
+                depth(y) * powers.power(x / (scale * y.cos())) * x.powi(lever)
+            };
+            let shift = if kink == 0.0 { lever } else { PLAIN };
+            let mut turn = turn;
+            if kink > 0.0 && turn[0] == 0.0 {
+                // A power of x is none beyond the kink, however close to the axis.
+                let first = turn[1].min(NEAREST * kink / scale);
+                sum += powers.integral(PLAIN, [0.0, first], graded);
+                turn[0] = first;
+            }
+            sum += powers.graded(shift, turn, [TURN, FRAC_PI_2], graded);
+        }
+        sum
+    }
+
+    /// `int (level - G) x^mu dx`.
+    fn volume(&self, powers: &Powers, level: f64) -> f64 {
+        let kink = self.ends[0];
+        let shift = if kink == 0.0 { 0 } else { PLAIN };
+        let of = |panel: &Panel| {
+            powers.integral(shift, panel.ends, |s| {
+                (level - panel.value(s)) * ratio(s, kink) * powers.power(kink.hypot(s))
+            })
+        };
+        self.panels.iter().map(of).sum()
+    }
+}
+
+/// `dx/ds`.
+fn ratio(s: f64, kink: f64) -> f64 {
+    if kink == 0.0 { 1.0 } else { s / s.hypot(kink) }
+}
+
+/// Gauss's rule on parts no longer than `step`.
+fn stepwise(turn: [f64; 2], step: f64, f: impl Fn(f64) -> f64) -> f64 {
+    in_parts(turn, step, |start, end| integral(start, end, &f))
+}
+
+/// The same for a function of all nodes of a part at once.
+fn stepwise_at_nodes(turn: [f64; 2], step: f64, f: impl Fn(&[f64; ORDER]) -> [f64; ORDER]) -> f64 {
+    in_parts(turn, step, |start, end| integral_at_nodes(start, end, &f))
+}
+
+fn in_parts([from, to]: [f64; 2], step: f64, part: impl Fn(f64, f64) -> f64) -> f64 {
+    let length = to - from;
+    if length <= 0.0 || !length.is_finite() {
+        return if length <= 0.0 { 0.0 } else { f64::NAN };
+    }
+    let (mut from, mut sum) = (from, 0.0);
+    while let Some(share) = distant(to - from) {
+        sum += part(from, from + share);
+        from += share;
+    }
+    let length = to - from;
+    let count = (length / step).ceil().max(1.0);
+    let width = length / count;
+    let parts = (0..count as usize).map(|i| {
+        let start = from + width * i as f64;
+        part(start, start + width)
+    });
+    sum + parts.sum::<f64>()
+}
+
+/// `G` between the axis and the edge of the contact.
+#[derive(Debug, Clone)]
+pub struct AbelTransform {
+    segments: Vec<Segment>,
+    powers: Powers,
+    part: Symmetry,
+    is_zero: bool,
+}
+
+impl AbelTransform {
+    /// Up to the radius.
+    pub fn new(shape: &Shape<'_>, radius: f64) -> Self {
+        let mut cuts = vec![0.0];
+        cuts.extend(shape.breaks.iter().filter(|at| **at < radius));
+        cuts.push(radius);
+        let size = shape.transform(radius).abs();
+        let segments: Vec<Segment> =
+            cuts.windows(2).map(|pair| Segment::new(shape, [pair[0], pair[1]], size)).collect();
+        let mut panels = segments.iter().flat_map(|segment| &segment.panels);
+        let is_zero = panels.all(|panel| panel.count == 0);
+        Self { segments, powers: shape.powers.clone(), part: shape.part, is_zero }
+    }
+
+    /// The same up to a smaller radius, by the same polynomials: as accurate relative to `G` at the old one. None where it ends in the first part of a segment, whose polynomial says nothing of a share.
+    #[must_use]
+    pub fn within(&self, radius: f64) -> Option<Self> {
+        let inside = self.segments.iter().filter(|segment| segment.ends[0] < radius);
+        let cut = |segment: &Segment| segment.within(segment.ends[1].min(radius));
+        let segments: Vec<Segment> = inside.map(cut).collect();
+        let is_told = segments.last().is_some_and(|last| last.panels.len() > 1);
+        is_told.then(|| Self { segments, ..self.clone() })
+    }
+
+    /// Whether there is anything that [`truncated`](Self::truncated) leaves out.
+    pub fn has_tail(&self) -> bool {
+        let mut panels = self.segments.iter().flat_map(|segment| &segment.panels);
+        panels.any(|panel| panel.count > ORDER - 2)
+    }
+
+    /// The same with less of each series, for a comparison.
+    pub fn truncated(&self) -> Self {
+        let mut other = self.clone();
+        for panel in other.segments.iter_mut().flat_map(|segment| &mut segment.panels) {
+            panel.values[ORDER - 2..].fill(0.0);
+            *panel = Panel::new(panel.ends, panel.values);
+        }
+        other
+    }
+
+    /// `int_r^c G'(x) dx/(x^2 - r^2)^beta`; infinite at a kink of a homogeneous body.
+    pub fn pressure(&self, r: f64) -> f64 {
+        if self.is_zero {
+            return 0.0;
+        }
+        self.segments.iter().map(|segment| segment.pressure(&self.powers, r)).sum()
+    }
+
+    /// `(2/pi) cos(pi mu/2) int_0^c (level - G(x)) x^mu dx/(r^2 - x^2)^((1+mu)/2)` for `r >= c`; in the plane times `r/x` for even, `x` for odd
+    /// displacements.
+    pub fn displacement(&self, r: f64, level: f64) -> f64 {
+        let lever = self.part.lever();
+        if self.is_zero && level == 0.0 {
+            return 0.0;
+        }
+        let of = |segment: &Segment| segment.displacement(&self.powers, lever, r, level);
+        let sum: f64 = self.segments.iter().map(of).sum();
+        let arm = if self.part == Symmetry::Even { r } else { 1.0 };
+        self.powers.beside() * arm * sum
+    }
+
+    /// `int_0^c (level - G(x)) x^mu dx`.
+    pub fn volume(&self, level: f64) -> f64 {
+        self.segments.iter().map(|segment| segment.volume(&self.powers, level)).sum()
+    }
+
+    /// What rounding of `G` makes of `G'` on the longest panels of each segment.
+    pub fn slope_rounding(&self) -> f64 {
+        let of = |segment: &Segment| {
+            let size = segment
+                .panels
+                .iter()
+                .fold(0.0f64, |most, panel| most.max(panel.value(panel.ends[1]).abs()));
+            let longest =
+                (segment.panels.iter()).max_by(|one, two| one.length().total_cmp(&two.length()));
+            longest.map_or(0.0, |panel| panel.blown(size))
+        };
+        self.segments.iter().map(of).fold(0.0, f64::max)
+    }
+
+    /// `G'(c)`.
+    pub fn end_slope(&self) -> f64 {
+        let Some(segment) = self.segments.last() else { return 0.0 };
+        let [kink, end] = segment.ends;
+        let s = leg(end, kink);
+        segment.panels.last().map_or(0.0, |panel| panel.slope(s) / ratio(s, kink))
+    }
+
+    /// Number of coefficients.
+    pub fn size(&self) -> usize {
+        self.segments.iter().map(|segment| ORDER * segment.panels.len()).sum()
+    }
+
+    /// The kinks inside the contact, the axis first and the edge last.
+    pub fn cuts(&self) -> Vec<f64> {
+        let edge = self.segments.last().map(|segment| segment.ends[1]);
+        self.segments.iter().map(|segment| segment.ends[0]).chain(edge).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn polynomials_are_integrated_however_close_to_the_axis() {
+        // I_k = int_r^1 s^k ds/sqrt(s^2 - r^2): k I_k = sqrt(1 - r^2) + (k-1) r^2 I_(k-2)
+        for r in [0.5f64, 1e-2, 1e-5, 1e-10, 1e-150] {
+            let root = ((1.0 - r) * (1.0 + r)).sqrt();
+            let turn = [0.0, (root / r).asinh()];
+            let mut known = [(1.0 / r).acosh(), root];
+            for k in 0..ORDER as i32 {
+                let [exact, other] = known;
+                let power = |y: f64| (r * y.cosh()).powi(k);
+                // A place s of a logarithm is known to so much.
+                let rounding = 1e-14 + 2e-16 * f64::from(k) * turn[1];
+                let found = stepwise(turn, STEP, power);
+                assert!((found / exact - 1.0).abs() < rounding, "{r} {k}: {found} {exact}");
+                let at_nodes = stepwise_at_nodes(turn, STEP, |y| y.map(power));
+                assert!((at_nodes / exact - 1.0).abs() < rounding, "{r} {k}: {at_nodes} {exact}");
+                let next = (root + f64::from(k + 1) * r * r * exact) / f64::from(k + 2);
+                known = [other, next];
+            }
+            // All degrees together, against short steps.
+            let coefficients: [f64; ORDER] = std::array::from_fn(|n| 0.5f64.powi(n as i32));
+            let f = |y: f64| series(&coefficients, 2.0 * (r * y.cosh()) - 1.0);
+            let (found, exact) = (stepwise(turn, STEP, f), short(turn, f));
+            assert!((found - exact).abs() < 1e-14 * turn[1], "{r}: {found} {exact}");
+        }
+    }
+
+    #[test]
+    fn powers_beside_the_axis_are_integrated() {
+        // int_0^Y sinh^mu y cosh y dy = sinh^(1+mu) Y/(1+mu)
+        for mu in [0.1f64, 0.5, 0.9] {
+            let powers = Powers::new(mu).unwrap();
+            for end in [0.5f64, 5.0, 20.0, 200.0] {
+                let scale = end.sinh();
+                let f = |y: f64| (y.sinh() / scale).powf(mu) * y.cosh() / scale;
+                let found = powers.graded(0, [0.0, end], [STEP, f64::INFINITY], f);
+                let rounding = 1e-14 + 2e-16 * end;
+                assert!((found * (1.0 + mu) - 1.0).abs() < rounding, "{mu} {end}: {found}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_part_of_a_transform_is_the_transform_of_a_part() {
+        let mut parts = 0;
+        for (mu, breaks) in [(0.0, vec![]), (0.4, vec![]), (0.0, vec![0.3]), (0.4, vec![0.3])] {
+            let kink = breaks.first().copied();
+            let slope = |r: f64| (3.0 * r).sin() + if kink.is_some_and(|at| r > at) { 1.0 } else { 0.0 };
+            let shape = Shape {
+                slope: &slope,
+                breaks,
+                joints: Vec::new(),
+                tolerance: 0.0,
+                noise: 0.0,
+                powers: Powers::new(mu).unwrap(),
+                part: Symmetry::Revolution,
+                is_over: &|| false,
+            };
+            let whole = AbelTransform::new(&shape, 1.0);
+            for radius in [0.2, 0.3, 0.55, 1.0] {
+                let own = AbelTransform::new(&shape, radius);
+                let Some(part) = whole.within(radius) else { continue };
+                parts += 1;
+                let close = |what: &str, one: f64, two: f64| {
+                    assert!((one - two).abs() < 1e-11, "{mu} {kink:?} {radius} {what}: {one} {two}");
+                };
+                close("volume", part.volume(0.7), own.volume(0.7));
+                close("pressure", part.pressure(0.13), own.pressure(0.13));
+                close("beside", part.displacement(1.1, 0.7), own.displacement(1.1, 0.7));
+                close("slope", part.end_slope(), own.end_slope());
+            }
+            assert!(whole.within(1e-9).is_none());
+        }
+        assert!(parts > 8, "{parts}");
+    }
+
+    fn short([from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
+        let count = (4.0 * (to - from)).ceil();
+        let width = (to - from) / count;
+        let part = |i: usize| integral(from + width * i as f64, from + width * (i + 1) as f64, &f);
+        (0..count as usize).map(part).sum()
+    }
+}

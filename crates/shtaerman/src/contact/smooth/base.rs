@@ -1,0 +1,295 @@
+//! The base of a punch on a smooth surface: heights and slopes, where it bends, and where ends of the contact can rest.
+
+use std::sync::Arc;
+
+use crate::contact::ground::Ground;
+use crate::contact::ground::of_problem::ground;
+use crate::contact::intervals::SLIVER;
+use crate::contact::kinks::{Jump, jump};
+use crate::contact::parts::{DEGREE, MOST_CUTS, RESOLVED};
+use crate::contact::revolution::require_even;
+use crate::contact::setting::Setting;
+use crate::contact::steps::{INSIDE, REACH, rise};
+use crate::contact::valleys;
+use crate::contact::valleys::MOST_CELLS;
+use crate::contact::zones::{Walls, Zone};
+use crate::deadline::Deadline;
+use crate::error::require;
+use crate::{Error, Geometry, Load, Rotational, Vertical};
+
+/// Samples that show the ups and downs of a profile, at least and at most. At half or twice 2 of 32 answers change, within what they state (survey).
+const SAMPLES: usize = 2048;
+const MOST_SAMPLES: usize = 32768;
+/// Cells of a base with few valleys.
+const USUAL_CELLS: usize = 768;
+/// To this share slopes of a measured profile or a closure are resolved by Abel's transforms: the third derivative of a spline jumps at every point, and slopes of a closure are those of
+/// polynomials through its values. At half or twice 1 of 10 answers are lost and stated errors grow up to 2.7 times (survey).
+const MEASURED: f64 = 1e-10;
+
+/// A place with the height there, `(xi, f0)`.
+type Sample = (f64, f64);
+
+/// The base without dimensions; of a circular punch along a radius.
+#[derive(Debug, Clone)]
+pub(in crate::contact) struct Base {
+    pub(super) setting: Setting,
+    /// What is prescribed of the pressure that is solved for: of a circular punch and a wave without what turns.
+    pub(super) load: Load,
+    pub(super) ground: Arc<dyn Ground>,
+    /// The pieces, from left to right.
+    pub(super) pieces: Vec<[f64; 2]>,
+    /// A wave is seen from elsewhere: its own `xi` is the place here plus this, wrapped.
+    pub(super) shift: f64,
+    /// Kinks, steps and the surroundings of features that samples miss, increasing.
+    pub(super) breaks: Vec<f64>,
+    /// Where only higher derivatives jump, as at measured points, increasing.
+    pub(super) joints: Vec<f64>,
+    /// The kinks among the breaks that open away from the body: under these the pressure falls, on homogeneous ground below all bounds.
+    pub(super) hollows: Vec<f64>,
+    /// Relative accuracy to which slopes are resolved; 0 for the best.
+    pub(super) tolerance: f64,
+    /// Where ends of the contact can rest.
+    pub(super) walls: Walls,
+    samples: Vec<Vec<Sample>>,
+}
+
+/// A place moved by whole periods into `-1 .. 1`.
+pub(super) fn wrapped(xi: f64) -> f64 {
+    match xi.abs() {
+        size if size < 1.0 => xi,
+        size if size < 3.0 => xi - 2f64.copysign(xi),
+        _ => xi - 2.0 * (0.5 * xi).round(),
+    }
+}
+
+impl Base {
+    pub(super) fn new(setting: &Setting) -> Result<Self, Error> {
+        let problem = setting.problem();
+        let (frame, profile) = (problem.frame(), problem.profile());
+        let half_width = frame.half_width();
+        let (is_disk, is_graded) = (frame.is_circular(), frame.grading().is_some());
+        if is_disk {
+            require_even(problem)?;
+        }
+        let pieces = if is_disk { vec![[0.0, 1.0]] } else { frame.pieces() };
+        let is_measured = profile.measured_points().is_some();
+        let mut breaks = if is_measured || is_graded {
+            profile.breakpoints(half_width)
+        } else {
+            profile.resolve(&frame.pieces(), half_width, DEGREE, RESOLVED).joints
+        };
+        let mut joints = if is_measured {
+            profile.joints(half_width)
+        } else if is_graded && !is_disk {
+            profile.resolve(&frame.pieces(), half_width, DEGREE, RESOLVED).joints
+        } else {
+            Vec::new()
+        };
+        joints.retain(|at| breaks.iter().all(|known| (known - at).abs() > INSIDE));
+        for places in [&mut breaks, &mut joints] {
+            places.retain(|at| !is_disk || (0.0 < *at && *at < 1.0));
+            places.sort_by(f64::total_cmp);
+            places.dedup();
+        }
+        if is_disk && breaks.len() > MOST_CUTS {
+            breaks.clear();
+        }
+        let uses_transforms = is_disk || is_graded;
+        let is_rounded = uses_transforms && (is_measured || profile.is_closure());
+        let base = Self {
+            load: setting.load(),
+            ground: ground(problem)?,
+            walls: Walls::of(&pieces),
+            setting: setting.clone(),
+            pieces,
+            shift: 0.0,
+            hollows: Vec::new(),
+            breaks,
+            joints,
+            tolerance: if is_rounded { MEASURED } else { 0.0 },
+            samples: Vec::new(),
+        };
+        base.balanced()?.seen()
+    }
+
+    /// The wave from a place that becomes `-1` and `1`; its own seam is a break where it bends there.
+    pub(super) fn turned(&self, place: f64, has_seam: bool) -> Result<Self, Error> {
+        let shift = place - 1.0;
+        let moved = |places: &[f64], seam: Option<f64>| -> Vec<f64> {
+            let places = places.iter().copied().chain(seam);
+            let mut moved: Vec<f64> = places.map(|at| wrapped(at - shift)).collect();
+            moved.sort_by(f64::total_cmp);
+            moved
+        };
+        let (breaks, joints) = (moved(&self.breaks, has_seam.then_some(1.0)), moved(&self.joints, None));
+        let walls = Walls::of(&self.pieces);
+        Self { shift, breaks, joints, walls, ..self.clone() }.seen()
+    }
+
+    /// The same under a force.
+    pub(super) fn under(&self, force: f64) -> Self {
+        let load = Load { vertical: Vertical::Force(force), ..self.load };
+        Self { load, ..self.clone() }
+    }
+
+    /// With samples, hollow kinks and steps; refuses a base that is clear of the body, and a step where all is kept in contact.
+    fn seen(mut self) -> Result<Self, Error> {
+        self.samples =
+            self.pieces.iter().map(|piece| self.sampled(*piece)).collect::<Result<_, _>>()?;
+        let problem = self.setting.problem();
+        let is_hollow = |at: &&f64| jump(problem, self.own(**at)).is_some_and(Jump::is_hollow);
+        self.hollows = self.breaks.iter().filter(is_hollow).copied().collect();
+        for &place in &self.breaks {
+            let inside = |[left, right]: &[f64; 2]| *left < place - REACH && place + REACH < *right;
+            if !self.pieces.iter().any(inside) {
+                continue;
+            }
+            let Some(rise) = rise(|xi| self.height(xi), place) else { continue };
+            let requirement = "without a step inside the base: bilateral contact of smooth bodies has no pressure across one";
+            let at = place * problem.frame().half_width();
+            require(self.setting.is_unilateral(), "profile", at, requirement)?;
+            self.walls.add_step(place, rise);
+        }
+        let is_clear = || self.load.keeps_clear(self.samples.iter().flatten());
+        if self.setting.is_unilateral() && is_clear() { Err(Error::NoContact) } else { Ok(self) }
+    }
+
+    /// Heights of a piece, which must be finite.
+    fn sampled(&self, [left, right]: [f64; 2]) -> Result<Vec<Sample>, Error> {
+        let height = |xi: f64| self.height(xi);
+        let steps = valleys::steps(height, [left, right], SAMPLES, MOST_SAMPLES);
+        let place = |i: usize| left + (right - left) * i as f64 / steps as f64;
+        let problem = self.setting.problem();
+        (0..=steps).map(place).map(|xi| Ok((xi, problem.checked(xi, height(xi))?))).collect()
+    }
+
+    /// Leaves out of the load what a geometry answers elsewhere, and refuses what no contact can balance.
+    fn balanced(mut self) -> Result<Self, Error> {
+        let problem = self.setting.problem();
+        let level = Rotational::Tilt(0.0);
+        if problem.frame().is_circular() {
+            // Tilt and moment belong to another harmonic.
+            self.load.rotational = level;
+            problem.under(Load { rotational: level, ..*problem.load() }).check_balance()?;
+            return Ok(self);
+        }
+        if problem.is_wave() {
+            let (Rotational::Tilt(given)
+            | Rotational::Moment(given)
+            | Rotational::Eccentricity(given)) = problem.load().rotational;
+            let requirement = "zero for a base that repeats without gaps: neither a tilt nor a moment repeats";
+            require(given == 0.0, "tilt", given, requirement)?;
+            // That no moment is asked for means that none is applied.
+            self.load.rotational = level;
+        }
+        problem.check_balance()?;
+        Ok(self)
+    }
+
+    /// The place of the base itself.
+    fn own(&self, xi: f64) -> f64 {
+        if self.shift == 0.0 { xi } else { wrapped(xi + self.shift) }
+    }
+
+    /// Where a place of the base lies among the zones: on a disk its distance from the axis.
+    pub(super) fn located(&self, xi: f64) -> f64 {
+        match self.setting.problem().frame().geometry().scaled(self.half_width()) {
+            Geometry::Circular => xi.abs(),
+            _ if self.shift != 0.0 => wrapped(xi - self.shift),
+            Geometry::Periodic { period } if xi.abs() >= 0.5 * period => {
+                xi - period * (xi / period).round()
+            }
+            _ => xi,
+        }
+    }
+
+    fn half_width(&self) -> f64 {
+        self.setting.problem().frame().half_width()
+    }
+
+    /// `f0(xi)`.
+    pub(super) fn height(&self, xi: f64) -> f64 {
+        self.setting.height(self.own(xi))
+    }
+
+    /// `df0/dxi`, NaN where there is none.
+    pub(super) fn slope(&self, xi: f64) -> f64 {
+        self.setting.problem().dimensionless_slope(self.own(xi)).unwrap_or(f64::NAN)
+    }
+
+    /// Whether slopes are known better than by differences of heights: not those of a closure.
+    pub(super) fn has_slope(&self) -> bool {
+        !self.setting.problem().profile().is_closure()
+    }
+
+    /// The height at a place of a zone or a gap: at a step that of this side.
+    pub(super) fn height_in(&self, [left, right]: [f64; 2], xi: f64) -> f64 {
+        let from = if self.is_outermost(left) { left } else { left.next_up() };
+        let to = if self.is_outermost(right) { right } else { right.next_down() };
+        self.height(if from < to { xi.clamp(from, to) } else { xi })
+    }
+
+    fn is_outermost(&self, xi: f64) -> bool {
+        self.pieces.iter().flatten().any(|end| *end == xi)
+    }
+
+    pub(super) fn deadline(&self) -> &Deadline {
+        self.setting.problem().deadline()
+    }
+
+    /// Breaks and joints, increasing.
+    pub(super) fn cuts(&self) -> Vec<f64> {
+        let mut cuts: Vec<f64> = self.breaks.iter().chain(&self.joints).copied().collect();
+        cuts.sort_by(f64::total_cmp);
+        cuts
+    }
+
+    /// The parts of a zone that lie beyond a step: the body cannot touch both its sides without a gap.
+    pub(super) fn beyond_steps(&self, [left, right]: [f64; 2]) -> Vec<[f64; 2]> {
+        let walls = |side: usize| self.walls.inside(side, [left, right]);
+        walls(0).map(|wall| [left, wall]).chain(walls(1).map(|wall| [wall, right])).collect()
+    }
+
+    /// The zones of bilateral contact.
+    pub(super) fn whole(&self) -> Vec<Zone> {
+        let zones = self.pieces.iter().map(|&piece| Zone::new(piece, [false; 2]));
+        zones.map(|zone| self.arranged(zone)).collect()
+    }
+
+    /// A zone as it lies about the axis of a disk: a ring whose hole closes becomes a disk.
+    pub(super) fn arranged(&self, mut zone: Zone) -> Zone {
+        if !self.ground.is_disk() {
+            return zone;
+        }
+        if zone.left() < SLIVER * zone.right() {
+            zone.ends[0] = 0.0;
+        }
+        zone.about_axis()
+    }
+
+    fn all_samples(&self) -> impl Iterator<Item = &Sample> {
+        self.samples.iter().flatten()
+    }
+
+    /// The lowest place of the base.
+    pub(super) fn lowest(&self) -> f64 {
+        let lowest = self.all_samples().min_by(|one, two| one.1.total_cmp(&two.1));
+        lowest.map_or(0.0, |(xi, _)| *xi)
+    }
+
+    /// Difference of the largest and the smallest height.
+    pub(super) fn range(&self) -> f64 {
+        let heights = || self.all_samples().map(|sample| sample.1);
+        heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min)
+    }
+
+    /// Number of cells that show every valley of the profile.
+    pub(super) fn cells(&self) -> usize {
+        valleys::cells(self.valleys().count(), USUAL_CELLS, MOST_CELLS)
+    }
+
+    /// Where the samples have valleys.
+    pub(super) fn valleys(&self) -> impl Iterator<Item = f64> + '_ {
+        self.samples.iter().flat_map(|piece| valleys::valleys(piece))
+    }
+}

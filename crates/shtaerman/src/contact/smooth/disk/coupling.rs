@@ -1,0 +1,148 @@
+//! What rings do to themselves and to one another.
+//!
+//! On a ring `ln r = m + l cos phi` the pressure is `p0 = G(phi)/(theta0 l r^(3/2) sin phi)`, and the displacement times `sqrt(r)` is `int (Q - H) G dphi` over all rings, `Q` the kernel of rings and `H`
+//! what a disk inside them takes away.
+
+use std::f64::consts::{LN_2, LN_10, PI};
+
+use fredholm::inversion::RingKernel;
+
+use super::super::modes::{self, Modes, Nodes};
+use super::ring::{Ring, Spot, along, distance};
+use crate::Error;
+
+/// The Chebyshev nodes of a ring.
+#[derive(Debug, Clone)]
+pub(super) struct RingNodes {
+    pub(super) ring: Ring,
+    pub(super) nodes: Nodes,
+    pub(super) spots: Vec<Spot>,
+}
+
+impl RingNodes {
+    pub(super) fn new(ring: Ring, count: usize) -> Self {
+        let nodes = Nodes::new(count);
+        let spots = nodes.angles.iter().map(|angle| ring.spot(*angle)).collect();
+        Self { ring, nodes, spots }
+    }
+
+    /// A node by its radius and its distance from a disk of radius `c`.
+    pub(super) fn beside(&self, q: usize, c: f64) -> [f64; 2] {
+        let spot = &self.spots[q];
+        [spot.radius, self.ring.inner() - c + spot.from_inner]
+    }
+
+    /// The modes of a function of radius and distance from a disk of radius `c`, times `sqrt(r)`.
+    pub(super) fn modes_of(&self, c: f64, f: impl Fn([f64; 2]) -> f64) -> Vec<f64> {
+        let value = |q: usize| {
+            let place = self.beside(q, c);
+            place[0].sqrt() * f(place)
+        };
+        self.nodes.modes(&(0..self.nodes.count()).map(value).collect::<Vec<f64>>())
+    }
+}
+
+/// Gaps before each ring and after the last, from a disk of radius `c`, as logarithms of the radius.
+fn gaps(c: f64, rings: &[Ring]) -> Vec<f64> {
+    let mut from = c;
+    let mut gaps = Vec::with_capacity(rings.len() + 1);
+    for ring in rings {
+        gaps.push(if from > 0.0 { distance(from, ring.inner() - from) } else { f64::INFINITY });
+        from = ring.outer();
+    }
+    gaps.push(f64::INFINITY);
+    gaps
+}
+
+/// Number of modes for each ring: kernels end at `y = i pi`, and the field of what lies nearest is a series that falls as `rho^-k`, `rho` set by the distance.
+///
+/// # Errors
+/// [`Error::ZonesTooClose`].
+pub(super) fn counts(c: f64, rings: &[Ring], digits: f64) -> Result<Vec<usize>, Error> {
+    let gaps = gaps(c, rings);
+    let count = |(ring, pair): (&Ring, &[f64])| {
+        let e = pair[0].min(pair[1]) / ring.half;
+        let beside = if e.is_infinite() { e } else { (e + (e * (2.0 + e)).sqrt()).ln_1p() };
+        let own = (PI / ring.half).asinh();
+        let each = LN_10 / beside.min(own);
+        modes::count(each, digits).ok_or_else(|| Error::ZonesTooClose { gap: narrowest(c, rings) })
+    };
+    rings.iter().zip(gaps.windows(2)).map(count).collect()
+}
+
+/// The narrowest gap between rings, or from a disk of radius `c` to the first of them.
+pub(super) fn narrowest(c: f64, rings: &[Ring]) -> f64 {
+    let inner = rings.first().filter(|_| c > 0.0).map(|ring| ring.inner() - c);
+    let between = rings.windows(2).map(|pair| pair[1].inner() - pair[0].outer());
+    between.chain(inner).fold(f64::INFINITY, f64::min).max(0.0)
+}
+
+/// Densities whose displacements times `sqrt(r)` have given modes, ring by ring; beside a disk of radius `c` that does not move.
+pub(super) fn coupled(
+    kernel: RingKernel,
+    c: f64,
+    rings: &[RingNodes],
+    rights: &[Modes],
+) -> Result<Vec<Modes>, Error> {
+    let counts: Vec<usize> = rings.iter().map(|ring| ring.nodes.count()).collect();
+    let block = |target: usize, source: usize| {
+        Ok(block(kernel, c, &rings[target], &rings[source], target == source))
+    };
+    modes::coupled(&counts, block, rights)
+}
+
+/// Modes on the target of the displacement by each mode of the source.
+fn block(
+    kernel: RingKernel,
+    c: f64,
+    target: &RingNodes,
+    source: &RingNodes,
+    is_own: bool,
+) -> Vec<f64> {
+    let (rows, columns, weight) =
+        (target.nodes.count(), source.nodes.count(), source.nodes.weight());
+    let logarithms = if is_own { own_logarithms(&source.nodes) } else { Vec::new() };
+    let influence = |q: usize, r: usize| {
+        let taken = kernel.taken(c, target.beside(q, c), source.beside(r, c));
+        if !is_own {
+            return weight * (kernel.whole(between(target, q, source, r)) - taken);
+        }
+        let half = source.ring.half;
+        let y = along(half, target.nodes.angles[q], source.nodes.angles[r]);
+        let factor = kernel.factor(y);
+        let rest = kernel.rest(y) - factor * half.ln() - taken;
+        factor * (logarithms[q.abs_diff(r)] + logarithms[q + r + 1]) + weight * rest
+    };
+    let values: Vec<f64> = (0..rows)
+        .flat_map(|q| {
+            let row: Vec<f64> = (0..columns).map(|r| influence(q, r)).collect();
+            source.nodes.transposed(&row)
+        })
+        .collect();
+    target.nodes.projected(&values)
+}
+
+/// Weights of `int ln(1/|cos phi_q - cos t|) G(t) dt` at the nodes, exact for as many modes: `w(q - r) + w(q + r + 1)`,
+/// `w(j) = (pi/n) [ln 2/2 + sum cos(pi k j/n)/k]`.
+fn own_logarithms(nodes: &Nodes) -> Vec<f64> {
+    let count = nodes.count();
+    let cosines: Vec<f64> = (0..2 * count).map(|j| (PI * j as f64 / count as f64).cos()).collect();
+    (0..2 * count)
+        .map(|j| {
+            let sum: f64 = (1..count).map(|k| cosines[k * j % (2 * count)] / k as f64).sum();
+            nodes.weight() * (0.5 * LN_2 + sum)
+        })
+        .collect()
+}
+
+/// `ln(r/s)` of places on two rings.
+fn between(target: &RingNodes, q: usize, source: &RingNodes, r: usize) -> f64 {
+    let (one, two) = (&target.spots[q], &source.spots[r]);
+    if target.ring.inner() > source.ring.inner() {
+        let gap = target.ring.inner() - source.ring.outer();
+        distance(two.radius, gap + one.from_inner + two.from_outer)
+    } else {
+        let gap = source.ring.inner() - target.ring.outer();
+        -distance(one.radius, gap + two.from_inner + one.from_outer)
+    }
+}
