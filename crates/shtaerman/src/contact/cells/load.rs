@@ -127,11 +127,7 @@ fn resting(cells: &Cells, load: Load, height: &impl Fn(f64) -> f64) -> [f64; 2] 
 }
 
 /// Boundaries that close in on an edge of the base from cells of this width, until a cell fits between it and the line of the force.
-pub(in crate::contact) fn closing_in(
-    load: Load,
-    width: f64,
-    shortest: f64,
-) -> impl Iterator<Item = f64> {
+pub(super) fn closing_in(load: Load, width: f64, shortest: f64) -> impl Iterator<Item = f64> {
     let arm = match (load.vertical, load.rotational) {
         (Vertical::Force(force), Rotational::Moment(moment)) => moment / force,
         (_, Rotational::Eccentricity(e)) => e,

@@ -4,10 +4,9 @@ use fredholm::complementarity::{Complementarity, Condition};
 
 use super::base::Base;
 use super::layer::{FAINT, reference_pressure};
-use crate::contact::cells::{Cell, Cells, LIMITS, Loaded, closing_in};
+use crate::contact::cells::{Cell, Cells, Loaded};
 use crate::contact::iteration::STEPS;
 use crate::contact::steps::BESIDE;
-use crate::contact::valleys::{self, CELLS_A_ZONE};
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Vertical};
 
@@ -54,7 +53,9 @@ impl Coarse {
 
 /// Zones and pressures to about a cell.
 pub(super) fn loaded(base: &Base, count: usize) -> Result<Coarse, Error> {
-    let mut cells = cells(base, count);
+    let valleys: Vec<f64> = base.valleys().collect();
+    let mut cells =
+        Cells::of_base(&base.pieces, &valleys, base.load, count, |_| base.breaks.clone());
     let mut found = Coarse::default();
     cells.settle(|cells| {
         found.pressures = pressures(base, cells)?;
@@ -63,22 +64,6 @@ pub(super) fn loaded(base: &Base, count: usize) -> Result<Coarse, Error> {
     })?;
     found.intervals = cells.intervals();
     Ok(found)
-}
-
-/// About so many cells of the base.
-fn cells(base: &Base, count: usize) -> Cells {
-    let length: f64 = base.pieces.iter().map(|[left, right]| right - left).sum();
-    let valleys: Vec<f64> = base.valleys().collect();
-    let pieces = base.pieces.iter().map(|&[left, right]| {
-        let steps = (count as f64 * (right - left) / length).ceil() as usize;
-        let inside: Vec<f64> =
-            valleys.iter().copied().filter(|at| *at > left && *at < right).collect();
-        let mut cuts = valleys::cuts(&inside, [left, right], steps.max(CELLS_A_ZONE));
-        cuts.extend(&base.breaks);
-        cuts.extend(closing_in(base.load, length / count as f64, LIMITS.shortest));
-        ([left, right], cuts)
-    });
-    Cells::new(pieces, LIMITS)
 }
 
 /// Pressures of the cells.

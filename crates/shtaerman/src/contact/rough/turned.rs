@@ -9,7 +9,7 @@ use std::sync::Arc;
 use fredholm::{SincOperator, SincSolution};
 
 use super::base::{Base, stated};
-use super::nodes::{Field, between_nodes};
+use super::nodes::{Field, PLACES, between_nodes};
 use super::solved::{Solved, largest};
 use crate::contact::accuracy::{Accuracy, SAFETY};
 use crate::contact::ground::SharedKernel;
@@ -18,9 +18,6 @@ use crate::contact::search::ALLOWED;
 use crate::contact::stiffness::Stiffness;
 use crate::error::require;
 use crate::{Error, Rotational, Vertical};
-
-/// Places between axis and edge where tension is looked for, and resolutions are compared.
-const PLACES: usize = 128;
 
 /// The pressure `p1(r) cos(phi)` of a tilted circular punch that touches all over.
 #[derive(Debug, Clone)]

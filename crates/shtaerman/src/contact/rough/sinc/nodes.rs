@@ -12,7 +12,7 @@ use crate::contact::method::MethodName;
 use crate::contact::rough::base::Base;
 use crate::contact::rough::frame::{Direction, Frame};
 use crate::contact::rough::nodes::{
-    Discrete, Field, Nodes, Pressed, Response, Step, Task, between_nodes,
+    Discrete, Field, Nodes, PLACES, Pressed, Response, Step, Task, between_nodes,
 };
 use crate::contact::zones::Zone;
 
@@ -20,8 +20,6 @@ use crate::contact::zones::Zone;
 pub(super) const FEWEST: usize = 8;
 /// Growth of the number of nodes from one resolution to the next. At half or twice 4 of 32 answers are lost, 17 of 32 differ beyond what is stated, stated errors grow up to 1e+06 times and time grows by 401 % (survey).
 pub(super) const RATIO: f64 = std::f64::consts::SQRT_2;
-/// Places on a panel at which resolutions are compared. At half or twice 1 of 32 differ beyond what is stated and stated errors grow up to 2.8 times (survey).
-const PLACES: usize = 128;
 
 /// A number of nodes with what can be shared among zones.
 pub(in crate::contact::rough) struct Resolution {
