@@ -15,14 +15,12 @@ use crate::contact::complementarity::Complementarity;
 use crate::contact::ground::SHARP;
 use crate::contact::method::Method;
 use crate::contact::rates::Linearised;
+use crate::contact::search::ALLOWED;
 use crate::contact::solution::Solution;
 use crate::contact::steps::INSIDE;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::{Zone, outside};
 use crate::{Error, Load};
-
-/// Tension over the largest pressure that is none. Half and twice change none of 10 answers (survey).
-const PULLING: f64 = 1e-10;
 
 /// Samples are no closer to the ends of panels than this share of them.
 const APART: f64 = 1e-5;
@@ -83,7 +81,7 @@ impl<F: Field> RoughContact<F> {
         let (xi, least) = nodes.places.iter().zip(given).min_by(|a, b| a.1.total_cmp(b.1))?;
         let deepest = self.solved.deepest();
         let known_to = self.accuracy.pressure / layer.slope(deepest);
-        (*least < -known_to.max(PULLING * deepest)).then_some(*xi)
+        (*least < -known_to.max(ALLOWED * deepest)).then_some(*xi)
     }
 
     /// Refuses tension of a layer that bends, which has none.

@@ -21,9 +21,8 @@ use crate::{ContactKind, Error, Load, Problem, Rotational, Vertical};
 
 /// Most samples that show the ups and downs of a profile.
 const MOST_SAMPLES: usize = 8192;
-/// Samples between two measured points, and of a part between other bends that has fewer otherwise. Half and twice change none of 32 answers (survey).
+/// Samples between two measured points. Half and twice change none of 32 answers (survey).
 pub(super) const SAMPLES_A_POINT: usize = 4;
-pub(super) const SAMPLES_A_PART: usize = 24;
 /// Length of base within which all zones must lie for heights from a tangent. Half and twice change none of 20 answers (survey).
 const SMALL_ZONES: f64 = 0.1;
 /// Ends this close to a wall are there: the check looks just inside a wall. Half and twice change none of 20 answers (survey).

@@ -2,7 +2,7 @@
 
 use super::base::Base;
 use super::nodes::Field;
-use super::solved::{Solved, Stated};
+use super::solved::{BESIDE, Solved, Stated};
 use crate::Error;
 use crate::contact::accuracy::{Accuracy, ROUNDING, STAGNANT, Sizes};
 use crate::contact::parts::Smoothness;
@@ -10,9 +10,6 @@ use crate::contact::resolutions::{Change, Trust, UNKNOWN};
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::solver::AIM;
-
-/// Where the slope of the layer beside a free end is taken, as a share of the zone.
-const BESIDE: f64 = 1e-2;
 
 /// The answer from one that is coarse: `next` gives the resolution that follows on another, and none where there are no more.
 ///

@@ -11,6 +11,9 @@ use crate::contact::balance::State;
 use crate::contact::ground::Ground;
 use crate::contact::stiffness::Stiffness;
 
+/// Share of a zone, or of a panel at its end, over which the slope of the layer at that end is taken. At half or twice 14 of 32 answers change, within what they state (survey).
+pub(super) const BESIDE: f64 = 0.02;
+
 /// The pressure on given zones under the load; at free edges it need not vanish yet.
 #[derive(Debug, Clone)]
 pub(super) struct Solved<F> {

@@ -14,10 +14,9 @@ const GROWTH: f64 = 0.6;
 pub(super) const LONGEST: f64 = 1.0 / 32.0;
 /// The panel at a measured point, where the third derivative jumps and the pressure goes on as `d^4 ln d`, in lengths `1/theta0` of the layer. At half or twice stated errors grow up to 18 times and time grows by 38 % (survey).
 const POINT: f64 = 0.1;
-/// The panel at a free end, where it goes on as `d^2 ln d`: the square of its length over that of the zone, in lengths of the layer. In longer zones than this the
-/// slope of the pressure at the end has nothing to do with their length. At half or twice 7 of 16 answers change, within what they state (survey).
+/// The panel at a free end, where it goes on as `d^2 ln d`: the square of its length over that of the zone, in lengths of the layer. In zones longer than
+/// the longest panels the slope of the pressure at the end has nothing to do with their length. At half or twice 7 of 16 answers change, within what they state (survey).
 const FREE: f64 = 1e-6;
-const LONG: f64 = 1.0 / 16.0;
 /// The panel at a corner or a step, where it goes on as `d ln d`, and at a kink, where it goes on as `d^2 ln d`, in lengths of the layer. At half or twice stated errors grow up to 6.5 times (survey).
 const CORNER: f64 = 1e-10;
 const KINK: f64 = 1e-4;
@@ -70,7 +69,7 @@ impl Anchor {
         let is_corner =
             if side.is_some() { !base.is_joined(zone) } else { base.walls.contains(at) };
         let least = if is_free {
-            let root = share(FREE.sqrt(), 2.0) * (zone.length().min(LONG) * layer).sqrt();
+            let root = share(FREE.sqrt(), 2.0) * (zone.length().min(LONGEST) * layer).sqrt();
             let kappa = base.layer.exponent();
             let bent = zone.length() * BENT.powf(kappa / (1.0 + kappa));
             fineness.ends * if base.layer.is_linear() { root } else { root.min(bent) }

@@ -25,8 +25,6 @@ const MOST_NODES: usize = 400_000;
 /// Longest groups, in lengths of the layer, and about the most groups beyond the number of zones. At half or twice stated errors grow up to 6.4 times (survey).
 const GROUP: f64 = 0.25;
 const MOST_GROUPS: f64 = 400.0;
-/// How panels that are too long are shortened, twice at most.
-const SHORTER: f64 = 0.25;
 /// Residuals of responses relative to their right-hand sides, on the panels before the last and on those; of integrals the square is left. With 1e-7 and 1e-10 rates without free
 /// edges lose their digits.
 const RESIDUALS: [f64; 2] = [1e-9, 1e-12];
@@ -310,11 +308,8 @@ fn operator(
             return Err(unknown());
         }
         match PanelOperator::new(kernel, Panels::new(bounds, fineness.order)?) {
-            Err(fredholm::Error::TooLarge { .. }) => fineness.longest *= SHORTER,
+            Err(fredholm::Error::TooLarge { .. }) => fineness.longest *= 0.5,
             operator => return Ok(operator?),
-        }
-        if fineness.longest < SHORTER * SHORTER * LONGEST {
-            return Err(unknown());
         }
     }
 }

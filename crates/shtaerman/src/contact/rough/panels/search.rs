@@ -11,16 +11,16 @@ use super::mesh::{Fineness, LONGEST, STRAIGHT};
 use super::nodes::{Effort, OnPanels, PanelNodes};
 use crate::Error;
 use crate::contact::accuracy::OF_A_VALUE;
-use crate::contact::check::Check;
+use crate::contact::check::{BETWEEN, Check};
 use crate::contact::iteration::{Point, crossing};
-use crate::contact::rough::base::{Base, SAMPLES_A_PART, SAMPLES_A_POINT};
+use crate::contact::rough::base::{Base, SAMPLES_A_POINT};
 use crate::contact::rough::check::check;
 use crate::contact::rough::coarse::Coarse;
 use crate::contact::rough::newton::{self, Found};
 use crate::contact::rough::nodes::Field;
 use crate::contact::rough::refinement::refined;
 use crate::contact::rough::solved::Solved;
-use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, unknown};
+use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, CORRECTIONS, unknown};
 use crate::contact::zones::Zone;
 
 /// Most rounds on the way to the zones: an edge that is off by many lengths of the layer comes nearer by a half each, from a cell to the thinnest layers twenty times, and then by squares. Half and twice change none of 32 answers (survey).
@@ -46,8 +46,6 @@ const LADDER: [Effort; 3] = [
 ];
 /// Most zones.
 const MOST_ZONES: usize = 2000;
-/// Most corrections of zones between whose samples the check finds tension or penetration.
-const CORRECTIONS: usize = 4;
 
 type OnZones = Solved<OnPanels>;
 /// Places of a piece of the base from end to end, with the heights there.
@@ -225,7 +223,7 @@ fn joints(base: &Base) -> Vec<f64> {
 
 /// The samples of a piece of the base, more between joints that have few.
 fn places(base: &Base, joints: &[f64], [from, to]: [f64; 2]) -> Places {
-    let fewest = if base.is_measured() { SAMPLES_A_POINT } else { SAMPLES_A_PART };
+    let fewest = if base.is_measured() { SAMPLES_A_POINT } else { BETWEEN };
     let inside = joints.iter().copied().filter(|at| *at > from && *at < to);
     let cuts: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
     let mut places = Places::new();

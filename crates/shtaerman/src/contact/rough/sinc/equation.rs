@@ -8,7 +8,7 @@ use crate::contact::check::Check;
 use crate::contact::edges::{EndState, settle};
 use crate::contact::rough::base::Base;
 use crate::contact::rough::newton::{self, Found};
-use crate::contact::rough::solved::Solved;
+use crate::contact::rough::solved::{BESIDE, Solved};
 use crate::contact::rough::{check, coarse, refinement};
 use crate::contact::search::{Equation, Start, Work, unknown};
 use crate::contact::valleys::MOST_CELLS;
@@ -20,8 +20,6 @@ const NODES_A_VALLEY: f64 = 12.0;
 const MOST_FOR_VALLEYS: f64 = 160.0;
 /// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything.
 const ALL_NOISE: f64 = 0.1;
-/// Share of a panel beside its end over which the slope of the layer is taken. At half or twice 14 of 32 answers change, within what they state (survey).
-const BESIDE: f64 = 0.02;
 /// The least part of that.
 const NEAREST: f64 = 1e-3;
 
