@@ -12,12 +12,10 @@ const LAYER: f64 = 1e9;
 /// The equations on cells for `z = sqrt(m) p`, `m` the masses of the cells, but for their matrix: what a load and a profile amount to.
 #[derive(Debug, Clone)]
 pub(in crate::contact) struct Loaded {
-    /// `sqrt(m)`.
-    pub(in crate::contact) roots: Vec<f64>,
-    pub(in crate::contact) conditions: Vec<Condition>,
-    pub(in crate::contact) right: Vec<f64>,
+    conditions: Vec<Condition>,
+    right: Vec<f64>,
     /// A pressure that is not negative and meets the conditions, times the roots.
-    pub(in crate::contact) feasible: Vec<f64>,
+    feasible: Vec<f64>,
 }
 
 impl Loaded {
@@ -62,7 +60,7 @@ impl Loaded {
             (Rotational::Tilt(tilt), _) => add(&lever, -tilt),
         }
         let feasible = feasible(load, &roots, &centres);
-        Self { roots, conditions, right, feasible }
+        Self { conditions, right, feasible }
     }
 
     /// Begins with the cells that carry.

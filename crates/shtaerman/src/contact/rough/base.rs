@@ -1,10 +1,9 @@
 //! The base of the punch as contact on a rough surface sees it: where it bends and where an edge of the contact can rest.
 
 use std::cell::OnceCell;
-use std::rc::Rc;
 use std::sync::Arc;
 
-use super::coarse::{self, Coarse};
+use super::coarse;
 use super::layer::Layer;
 use super::surface::{Surface, Tangent};
 use crate::contact::check::between_breaks;
@@ -27,7 +26,7 @@ pub(super) const SAMPLES_A_POINT: usize = 4;
 const SMALL_ZONES: f64 = 0.1;
 /// Ends this close to a wall are there: the check looks just inside a wall. Half and twice change none of 20 answers (survey).
 const AT_WALL: f64 = 1e-11;
-/// Cells to begin with, at most where panels follow them.
+/// Cells to begin with, of a base with few valleys.
 const CELLS: usize = 1024;
 
 /// A dimensionless problem with what is worth knowing about its profile.
@@ -50,8 +49,8 @@ pub(super) struct Base {
     pub(super) walls: Walls,
     /// Samples `(xi, f0)` from edge to edge.
     pub(super) samples: Vec<(f64, f64)>,
-    /// What cells tell, once that is asked for.
-    coarse: OnceCell<Rc<Coarse>>,
+    /// What cells show of the contact, once that is asked for.
+    coarse: OnceCell<Vec<[f64; 2]>>,
 }
 
 /// Samples of the pieces that show the ups and downs of the profile.
@@ -221,10 +220,7 @@ impl Base {
 
     /// Number of cells that show every valley of the profile.
     pub(super) fn cells(&self) -> usize {
-        let is_line = self.ground.is_logarithm() && self.layer.is_linear();
-        // Many zones under one plane punch are for panels.
-        let most = if is_line && self.pieces.len() == 1 { CELLS } else { MOST_CELLS };
-        valleys::cells(self.valleys().count(), CELLS, most)
+        valleys::cells(self.valleys().count(), CELLS, MOST_CELLS)
     }
 
     /// Where the profile has valleys.
@@ -273,12 +269,12 @@ impl Base {
     }
 
     /// Where the base touches, to about a cell.
-    pub(super) fn coarse(&self) -> Result<Rc<Coarse>, Error> {
+    pub(super) fn coarse(&self) -> Result<&[[f64; 2]], Error> {
         if let Some(known) = self.coarse.get() {
-            return Ok(Rc::clone(known));
+            return Ok(known);
         }
-        let found = Rc::new(coarse::loaded(self, self.cells())?);
-        Ok(Rc::clone(self.coarse.get_or_init(|| found)))
+        let found = coarse::intervals(self, self.cells())?;
+        Ok(self.coarse.get_or_init(|| found))
     }
 
     /// The same with heights from the tangent where the zones are, if these are small: differences of heights have few digits there. None where they are not, or the profile has no tangent.
@@ -286,8 +282,7 @@ impl Base {
         if self.ground.is_disk() || self.ground.is_closed() {
             return None;
         }
-        let found = self.coarse().unwrap_or_default();
-        let zones = found.intervals();
+        let zones = self.coarse().unwrap_or_default();
         // The line of the force passes between the ends of the contact.
         let arm = self.line_of_force().map(|arm| [arm; 2]);
         let left = zones.first().copied().or(arm)?[0];

@@ -97,7 +97,7 @@ fn on_panels(base: &Base) -> Result<RoughContact<OnPanels>, Error> {
 /// The answer for a wave without gaps: seen from the middle of a gap it is one more base with ends, and so it is from where full contact pulls most.
 fn wave(base: &Base) -> Result<Arc<dyn Solution>, Error> {
     // Cells that find nothing show no gap.
-    if let Some(middle) = base.coarse().unwrap_or_default().gap()
+    if let Some(middle) = coarse::gap(base.coarse().unwrap_or_default())
         && let Ok(answer) = open(&base.clone().shifted(middle))
         && !touches_about(answer.as_ref(), middle)
     {

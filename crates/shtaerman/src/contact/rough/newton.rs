@@ -3,7 +3,6 @@
 //! `v + theta K p(v) = D - beta y - f0` with `v = p0^kappa` is where a convex energy of the pressure is least, and Newton's step for `v` is one for that; steps are cut until the residual
 //! falls. Where a step raises `v` it is taken as one of the pressure, of which the elastic displacement is linear: else a steep law makes far too much of it.
 
-use super::coarse::Coarse;
 use super::frame::Direction;
 use super::layer::{FAINT, Layer, reference_pressure};
 use super::nodes::{Discrete, Field, Pressed, Step, Task};
@@ -29,26 +28,23 @@ pub(super) struct Found<'o, D: Discrete + 'o> {
     pub(super) inverse: D::Inverse<'o>,
 }
 
-/// The solution, from one nearby or from pressures of cells where they are known.
+/// The solution, perhaps from one nearby.
 ///
 /// # Errors
 /// Those of the discretisation; [`Error::Equation`] where steps do not end.
 pub(super) fn solve<'o, D: Discrete>(
     on: &'o D,
     near: Option<&Solved<D::Field>>,
-    coarse: Option<&Coarse>,
 ) -> Result<Found<'o, D>, Error> {
     let near = near.map(|near| continued(on, near));
     if on.base().layer.is_linear() {
         return linear(on, near);
     }
     let newton = Newton::new(on);
-    let layer = coarse.map(|coarse| newton.on_cells(coarse));
-    let starts = [near, layer.map(|layer| Start { layer, local: None })];
-    for start in starts.into_iter().flatten() {
-        if let Ok(found) = newton.settle(start) {
-            return Ok(found);
-        }
+    if let Some(near) = near
+        && let Ok(found) = newton.settle(near)
+    {
+        return Ok(found);
     }
     let layer = vec![newton.uniform; on.nodes().places.len()];
     newton.settle(Start { layer, local: None })
@@ -111,13 +107,6 @@ impl<'o, D: Discrete> Newton<'o, D> {
         let (base, zones) = (on.base(), on.nodes().zones.iter().map(|zone| zone.ends));
         let uniform = base.layer.displacement(reference_pressure(base, zones));
         Self { on, law: base.layer, uniform }
-    }
-
-    /// What the layer gives under the pressures of cells.
-    fn on_cells(&self, coarse: &Coarse) -> Vec<f64> {
-        let given = |p: f64| self.law.displacement(p.max(0.0));
-        let places = self.on.nodes().places.iter();
-        places.map(|xi| coarse.pressure(*xi).map_or(0.0, given)).collect()
     }
 
     fn settle(&self, start: Start) -> Result<Found<'o, D>, Error> {

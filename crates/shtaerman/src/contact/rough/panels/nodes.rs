@@ -8,7 +8,7 @@ use fredholm::multipole::{
     Groups, PanelCondition, PanelEquation, PanelField, PanelKernel, PanelOperator, Panels,
 };
 
-use super::mesh::{Fineness, LONGEST, panels};
+use super::mesh::{Fineness, panels};
 use crate::Error;
 use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::ground::Hull;

@@ -15,7 +15,6 @@ use crate::contact::check::{BETWEEN, Check};
 use crate::contact::iteration::{Point, crossing};
 use crate::contact::rough::base::{Base, SAMPLES_A_POINT};
 use crate::contact::rough::check::check;
-use crate::contact::rough::coarse::Coarse;
 use crate::contact::rough::newton::{self, Found};
 use crate::contact::rough::nodes::Field;
 use crate::contact::rough::refinement::refined;
@@ -68,41 +67,35 @@ impl<'b> ManyPanels<'b> {
 
     /// The answer on the whole base.
     pub(in crate::contact::rough) fn whole(&mut self) -> Result<OnZones, Error> {
-        Ok(self.solve(self.base.whole(), None)?.0)
+        Ok(self.solve(self.base.whole())?.0)
     }
 
     /// The answer where the base may lift off, and what is left of tension and penetration.
     pub(in crate::contact::rough) fn lifting(&mut self) -> Result<(OnZones, Check), Error> {
-        let coarse = self.base.coarse();
-        if self.base.layer.is_linear() {
-            return self.solve(coarse?.zones(self.base), None);
-        }
+        let base = self.base;
+        let intervals = match base.coarse() {
+            Err(error) if base.layer.is_linear() => return Err(error),
+            found => found.unwrap_or_default(),
+        };
         // A layer that bends has no pressure where it would pull: where cells find nothing the whole base serves.
-        match coarse.ok().filter(|found| !found.intervals().is_empty()) {
-            Some(coarse) => self.solve(coarse.zones(self.base), Some(&coarse)),
-            None => self.solve(self.base.whole(), None),
-        }
+        let is_unknown = intervals.is_empty() && !base.layer.is_linear();
+        let zones = intervals.iter().map(|ends| base.zone(*ends)).collect();
+        self.solve(if is_unknown { base.whole() } else { zones })
     }
 
     /// The answer from zones that are nearly right.
-    fn solve(
-        &mut self,
-        zones: Vec<Zone>,
-        coarse: Option<&Coarse>,
-    ) -> Result<(OnZones, Check), Error> {
-        let mut found = self.settled(zones, 0, None, coarse)?;
+    fn solve(&mut self, zones: Vec<Zone>) -> Result<(OnZones, Check), Error> {
+        let mut found = self.settled(zones, 0, None)?;
         for _ in 0..CORRECTIONS {
             let left = self.left(&found, COARSELY_ALLOWED);
             if left.is_clean() || self.base.problem().deadline().is_past() {
                 break;
             }
             self.add_places(&left);
-            found = self.settled(found.nodes.zones.clone(), 0, Some(&found), None)?;
+            found = self.settled(found.nodes.zones.clone(), 0, Some(&found))?;
         }
         let next = |solved: &OnZones, level: usize| match LADDER.get(level) {
-            Some(_) => {
-                self.settled(solved.nodes.zones.clone(), level, Some(solved), None).map(Some)
-            }
+            Some(_) => self.settled(solved.nodes.zones.clone(), level, Some(solved)).map(Some),
             None => Ok(None),
         };
         let solved = refined(self.base, found, next)?;
@@ -134,7 +127,6 @@ impl<'b> ManyPanels<'b> {
         mut zones: Vec<Zone>,
         level: usize,
         near: Option<&OnZones>,
-        coarse: Option<&Coarse>,
     ) -> Result<OnZones, Error> {
         let (base, effort) = (self.base, LADDER[level]);
         let mut latest: Option<OnZones> = None;
@@ -143,7 +135,7 @@ impl<'b> ManyPanels<'b> {
                 break;
             }
             let nodes = PanelNodes::new(base, &self.joints, &zones, effort)?;
-            let Found { step, inverse } = newton::solve(&nodes, latest.as_ref().or(near), coarse)?;
+            let Found { step, inverse } = newton::solve(&nodes, latest.as_ref().or(near))?;
             let mut solved = Solved::new(&nodes, step);
             if !base.is_bilateral {
                 let next = self.next_zones(&solved);

@@ -15,9 +15,8 @@ use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
 use crate::deadline::Deadline;
 
-/// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys; and most of them. At half or twice 2 of 32 answers change, within what they state (survey).
+/// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys. At half or twice 2 of 32 answers change, within what they state (survey).
 const NODES_A_VALLEY: f64 = 12.0;
-const MOST_FOR_VALLEYS: f64 = 160.0;
 /// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything.
 const ALL_NOISE: f64 = 0.1;
 /// The least part of that.
@@ -89,7 +88,7 @@ impl<'b> Collocation<'b> {
         let count = if base.layer.is_linear() { count } else { RATIO * count };
         // On fewer nodes a wavy base shows tension where there is none, and zones would be cut there.
         let waves = NODES_A_VALLEY * base.valleys().count() as f64 * 0.5 * longest;
-        count.max(waves.min(MOST_FOR_VALLEYS)).max(base.ground.first_half_count(longest))
+        count.max(waves).max(base.ground.first_half_count(longest))
     }
 }
 
@@ -143,9 +142,9 @@ impl Equation for Collocation<'_> {
 
     fn intervals(&self, cells: usize) -> Result<Vec<[f64; 2]>, Error> {
         if cells == self.base.cells() {
-            return Ok(self.base.coarse()?.intervals().to_vec());
+            return Ok(self.base.coarse()?.to_vec());
         }
-        Ok(coarse::loaded(self.base, cells)?.intervals().to_vec())
+        coarse::intervals(self.base, cells)
     }
 
     fn effort(&self, zones: &[Zone], before: Option<Resolution>) -> Result<Resolution, Error> {
@@ -171,7 +170,7 @@ impl Equation for Collocation<'_> {
         near: Option<&OnZones>,
     ) -> Result<OnZones, Error> {
         let nodes = SincNodes::new(self.base, effort, zones)?;
-        let Found { step, inverse } = newton::solve(&nodes, near, None)?;
+        let Found { step, inverse } = newton::solve(&nodes, near)?;
         let solved = Solved::new(&nodes, step).answering(&nodes, &inverse, None)?;
         self.work.spend(solved.given.len(), 0.0, self.effort.work)?;
         Ok(solved)
