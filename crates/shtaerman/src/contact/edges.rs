@@ -275,7 +275,9 @@ fn moved<E: Equation>(equation: &E, zones: &[Zone], ends: &Ends, brackets: &Brac
             // Beside a narrow gap the pressure changes within it.
             let gap = gap.unwrap_or(f64::INFINITY);
             let step = brackets.within(j, side, at, ends[j][side].outwards(length));
-            let step = step.clamp(-STRIDE * length.min(gap), (0.5 * gap).min(length));
+            // Either way a zone keeps a fifth of its length.
+            let stride = if zone.is_free(1 - side) { STRIDE } else { 2.0 * STRIDE };
+            let step = step.clamp(-stride * length.min(gap), (0.5 * gap).min(length));
             let to = if side == 0 { at - step } else { at + step };
             let wall = equation.walls().beyond(side, zone.middle());
             let is_beyond = if side == 0 { to <= wall } else { to >= wall };

@@ -121,7 +121,8 @@ impl Base {
             moved.sort_by(f64::total_cmp);
             moved
         };
-        let (breaks, joints) = (moved(&self.breaks, has_seam.then_some(1.0)), moved(&self.joints, None));
+        let (breaks, joints) =
+            (moved(&self.breaks, has_seam.then_some(1.0)), moved(&self.joints, None));
         let walls = Walls::of(&self.pieces);
         Self { shift, breaks, joints, walls, ..self.clone() }.seen()
     }
@@ -177,7 +178,8 @@ impl Base {
             let (Rotational::Tilt(given)
             | Rotational::Moment(given)
             | Rotational::Eccentricity(given)) = problem.load().rotational;
-            let requirement = "zero for a base that repeats without gaps: neither a tilt nor a moment repeats";
+            let requirement =
+                "zero for a base that repeats without gaps: neither a tilt nor a moment repeats";
             require(given == 0.0, "tilt", given, requirement)?;
             // That no moment is asked for means that none is applied.
             self.load.rotational = level;

@@ -116,10 +116,9 @@ fn beside_hollows(base: &Base, zone: &Zone) -> Vec<f64> {
 pub(super) fn points([left, right]: [f64; 2], on_a_unit: usize, fewest: usize) -> Vec<f64> {
     let wanted = (right - left) * on_a_unit as f64;
     let count = (wanted as usize).clamp(fewest, MOST_POINTS);
-    (0..=count)
-        .map(|i| {
-            let half = (0.5 * PI * i as f64 / count as f64).sin();
-            (left + (right - left) * half * half).clamp(left, right)
-        })
-        .collect()
+    let inner = (1..count).map(|i| {
+        let half = (0.5 * PI * i as f64 / count as f64).sin();
+        (left + (right - left) * half * half).clamp(left, right)
+    });
+    std::iter::once(left).chain(inner).chain(std::iter::once(right)).collect()
 }

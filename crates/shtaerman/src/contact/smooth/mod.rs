@@ -23,11 +23,9 @@ use std::sync::Arc;
 use super::setting::Setting;
 use super::solution::Solution;
 use crate::Error;
-use crate::contact::search::{ALLOWED, complementary};
-use answer::SmoothContact;
+use answer::contact;
 use base::Base;
-use check::check;
-use equation::{FINE, FirstKind};
+use equation::FirstKind;
 
 impl Setting {
     /// The contact of a smooth surface.
@@ -51,15 +49,4 @@ impl Setting {
 /// The answer on the whole base, or on the zones where it touches.
 fn answer<F: FirstKind>(equation: &F) -> Result<Arc<dyn Solution>, Error> {
     Ok(Arc::new(contact(equation)?))
-}
-
-fn contact<F: FirstKind>(equation: &F) -> Result<SmoothContact<F::Solved>, Error> {
-    let (solved, left) = if equation.base().setting.is_unilateral() {
-        complementary(equation)?
-    } else {
-        let solved = equation.on_zones(&equation.base().whole(), FINE)?;
-        let left = check(equation.base(), &solved, ALLOWED);
-        (solved, left)
-    };
-    SmoothContact::new(equation, solved, &left)
 }

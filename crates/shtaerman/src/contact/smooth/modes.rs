@@ -10,7 +10,7 @@ use crate::Error;
 /// Most modes of a zone, and of all together. Half and twice change none of 32 answers (survey).
 const MOST_OF_A_ZONE: f64 = 800.0;
 const MOST_MODES: usize = 4000;
-/// Angle at which the slope of a density over `cos phi` is taken at an end first; by twice and four times that, too. At half or twice 23 of 32 answers change, within what they state (survey).
+/// Angle at which the slope of a density over `cos phi` is taken at an end first; the others are twice to sixteen times that. At half or twice 23 of 32 answers change, within what they state (survey).
 const BESIDE: f64 = 0.01;
 
 /// Modes by zones.
@@ -154,14 +154,21 @@ pub(super) fn cosines(coefficients: &[f64], angle: f64) -> f64 {
     fredholm::basis::chebyshev::sum(coefficients, angle.cos())
 }
 
-/// What `d^2 G/dphi^2` is at the end `phi = 0` or `pi` of a density, with what fewer places say else: the slope over `-cos phi` outwards.
+/// What `d^2 G/dphi^2` is at the end `phi = 0` or `pi` of a density, with its error: the slope over `-cos phi` outwards. A bend of the base close by asks for small angles, modes that were left out for large
+/// ones: of three series of angles that one is taken whose own steps differ least, and the next best tells the error.
 pub(super) fn bend(density: impl Fn(f64) -> f64, end: f64) -> [f64; 2] {
     let at_end = density(end);
     let at = |offset: f64| 2.0 * (density((end - offset).abs()) - at_end) / (offset * offset);
-    let [one, two, four] = [1.0, 2.0, 4.0].map(|k| at(k * BESIDE));
-    let (fine, coarse) = ((4.0 * one - two) / 3.0, (4.0 * two - four) / 3.0);
-    let bend = (16.0 * fine - coarse) / 15.0;
-    [bend, (bend - fine).abs()]
+    let values = [1.0, 2.0, 4.0, 8.0, 16.0].map(|k| at(k * BESIDE));
+    let mut known = [0, 1, 2].map(|first| {
+        let [one, two, four] = [0, 1, 2].map(|k| values[first + k]);
+        let (fine, coarse) = ((4.0 * one - two) / 3.0, (4.0 * two - four) / 3.0);
+        let bend = (16.0 * fine - coarse) / 15.0;
+        [bend, (bend - fine).abs()]
+    });
+    known.sort_by(|one, other| one[1].total_cmp(&other[1]));
+    let [[bend, missed], [next, _], _] = known;
+    [bend, missed.max((bend - next).abs())]
 }
 
 /// The rounding of a density over that of its bend.

@@ -30,7 +30,9 @@ pub(in crate::contact) struct Density {
 }
 
 /// The pressure on given zones under the load; at free ends it need not vanish yet.
-pub(in crate::contact) trait Pressure: Debug + Send + Sync + Sized + 'static {
+pub(in crate::contact) trait Pressure:
+    Debug + Send + Sync + Sized + 'static
+{
     /// From left to right.
     fn zones(&self) -> Vec<Zone>;
 

@@ -13,8 +13,8 @@
 //! On a [ring] the kernel is a logarithm of the radius and what is smooth beside it, so the [modes](super::modes) of plane contact serve; a disk inside the rings is eliminated by the transforms. Rings are
 //! solved for on homogeneous ground, without a tilt.
 
-mod coupling;
 mod core;
+mod coupling;
 mod ring;
 mod ring_part;
 mod solved;
@@ -24,9 +24,9 @@ use std::sync::{Arc, OnceLock};
 
 use fredholm::inversion::{AbelTransform, Powers, Shape, Symmetry};
 
+use super::answer::contact;
 use super::base::Base;
 use super::check::check;
-use super::contact;
 use super::equation::{COMPARED, Detail, FINE, FirstKind};
 use crate::contact::edges::settle;
 use crate::contact::search::{ALLOWED, Work};
@@ -45,7 +45,9 @@ pub(super) fn solve(base: Arc<Base>) -> Result<Arc<dyn Solution>, Error> {
     let found = contact(&disk);
     let found = match found {
         Ok(found) => found,
-        Err(error @ (Error::InvalidValue { .. } | Error::Overflow { .. } | Error::TimeLimit { .. })) => {
+        Err(
+            error @ (Error::InvalidValue { .. } | Error::Overflow { .. } | Error::TimeLimit { .. }),
+        ) => {
             return Err(error);
         }
         Err(_) => return Err(disk.rings()),

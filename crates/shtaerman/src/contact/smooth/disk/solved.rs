@@ -59,7 +59,8 @@ impl Solved {
         let profiles = Profiles::new(disk, &rings, reference, c, detail)?;
         // Height of the axis and transform, about the reference.
         let is_fine = detail.digits >= FINE.digits;
-        let core = inner.map(|_| (Arc::new(disk.transform(c, is_fine)), base.height(0.0) - reference));
+        let core =
+            inner.map(|_| (Arc::new(disk.transform(c, is_fine)), base.height(0.0) - reference));
         let kernel = RingKernel::Axisymmetric;
         let nodes = profiles.nodes;
         let levels: Modes =
@@ -94,7 +95,10 @@ impl Solved {
             }
         };
         if !(depth.is_finite() && force.is_finite()) {
-            return Err(Error::Equation(fredholm::Error::Singular { parameter: theta0, smallest: 0.0 }));
+            return Err(Error::Equation(fredholm::Error::Singular {
+                parameter: theta0,
+                smallest: 0.0,
+            }));
         }
         // Of the answer alone.
         let tilted = if is_fine { tilted_rate(c, &nodes)? } else { 0.0 };
@@ -278,9 +282,8 @@ impl Pressure for Solved {
     fn end(&self, zone: usize, side: usize) -> EndState {
         let rings = self.parts.iter().map(RingPart::size).fold(f64::MIN_POSITIVE, f64::max);
         let core = self.core.as_ref();
-        let scale = core.map_or(rings, |core| {
-            rings.max(core.slope.abs() * core.radius).max(core.corner.abs())
-        });
+        let scale = core
+            .map_or(rings, |core| rings.max(core.slope.abs() * core.radius).max(core.corner.abs()));
         let (value, [fall, _]) = self.at_end(zone, side);
         let rounding = self.rounding(zone, Conjugate::end_error) + f64::EPSILON * scale;
         EndState { value, rounding, scale, none: 0.0, enough: 0.0, step: value / fall }
@@ -328,7 +331,14 @@ impl Pressure for Solved {
     /// Of a disk alone.
     fn change(&self, raise: f64, turn: f64) -> Option<Self> {
         let core = self.core.as_ref().filter(|_| self.parts.is_empty())?;
-        let flat = Core { transform: None, level: raise, corner: raise, tilt: -turn, is_free: false, ..core.clone() };
+        let flat = Core {
+            transform: None,
+            level: raise,
+            corner: raise,
+            tilt: -turn,
+            is_free: false,
+            ..core.clone()
+        };
         Some(Self { core: Some(flat), ..self.clone() })
     }
 
@@ -361,7 +371,8 @@ impl Profiles {
             let bends: Vec<f64> =
                 base.breaks.iter().filter(inside).map(|at| ring.angle_of(*at)).collect();
             let on_ring = OnRing { base, ring: *ring, reference };
-            let slope = Conjugate::resolve(&on_ring, [&bends, &[]], [detail.panels, 1], base.tolerance);
+            let slope =
+                Conjugate::resolve(&on_ring, [&bends, &[]], [detail.panels, 1], base.tolerance);
             Arc::new(slope)
         };
         let slopes: Vec<Arc<Conjugate>> = rings.iter().map(slope).collect();

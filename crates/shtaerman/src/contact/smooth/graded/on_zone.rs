@@ -104,11 +104,10 @@ impl OnZone {
         let rest = Arc::new(without(&clamped, zone, &kinks));
         let by_place =
             |y: f64| rest(if y < 0.0 { left + half * (1.0 + y) } else { right - half * (1.0 - y) });
-        let rest =
-            match is_short.then(|| Series::new(powers, half, noise, &by_place)).flatten() {
-                Some(series) => Rest::Smooth(series),
-                None => Rest::Bent(halves(base, zone, &cuts, rest, noise * steepest)),
-            };
+        let rest = match is_short.then(|| Series::new(powers, half, noise, &by_place)).flatten() {
+            Some(series) => Rest::Smooth(series),
+            None => Rest::Bent(halves(base, zone, &cuts, rest, noise * steepest)),
+        };
         let centre = 0.5 * (left + right);
         let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
         tidy(&mut breaks, zone);

@@ -131,7 +131,8 @@ impl Solved {
 
     /// The same with less of each series.
     pub(super) fn truncated(&self) -> Self {
-        let less = |strip: &Strip| if strip.is_truncated() { strip.truncated() } else { strip.clone() };
+        let less =
+            |strip: &Strip| if strip.is_truncated() { strip.truncated() } else { strip.clone() };
         Self { strips: self.strips.iter().map(less).collect(), ..self.clone() }
     }
 
@@ -225,7 +226,7 @@ impl Pressure for Solved {
         Known { density, pressure: share * largest + strip.flat_pressure(density + blown) }
     }
 
-    /// A depth or tilt that is off changes the densities by `mu B` or `b B` of it.
+    /// A depth or tilt that is off changes the densities by `mu B` or `b B` of it, `b` the half-length of all zones together: a turn raises some and sinks others, which even a kernel that is nearly the same everywhere tells apart.
     fn displacement_rounding(&self) -> [f64; 2] {
         let (total, mu) = (self.ground.powers.total(), self.ground.powers.exponent());
         let zones = self.strips.iter().enumerate();
@@ -234,7 +235,7 @@ impl Pressure for Solved {
         let depth = density / (mu * total);
         let (first, last) = (self.strips[0].zone, self.strips[self.strips.len() - 1].zone);
         let (reach, centre) = (0.5 * (last.right() - first.left()), self.middle);
-        let turn = if self.are_coupled() { depth / reach } else { density / (reach * total) };
+        let turn = density / (reach * total);
         [depth + turn * centre.abs(), turn]
     }
 

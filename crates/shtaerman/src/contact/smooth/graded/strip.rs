@@ -144,7 +144,8 @@ impl Strip {
 
     /// What rounding of the transforms makes of their slopes, over the half-length.
     pub(super) fn slope_rounding(&self) -> f64 {
-        let all = self.halves().as_ref().map(|all| all.each_ref().map(AbelTransform::slope_rounding));
+        let all =
+            self.halves().as_ref().map(|all| all.each_ref().map(AbelTransform::slope_rounding));
         all.map_or(0.0, |[even, odd]| even + self.half() * odd)
     }
 
@@ -167,8 +168,7 @@ impl Strip {
         }
         // What is no line between the densities at the ends.
         let is_bent = self.ripple.size() != 0.0;
-        let bent =
-            if is_bent { 4.0 * left * right * self.ripple.bend(left - right) } else { 0.0 };
+        let bent = if is_bent { 4.0 * left * right * self.ripple.bend(left - right) } else { 0.0 };
         let powers = &self.ground.powers;
         let corners = if line + bent == 0.0 {
             0.0

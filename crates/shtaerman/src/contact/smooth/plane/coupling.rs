@@ -149,7 +149,8 @@ pub(super) fn carried(zones: &[Zone], middle: f64, modes: &[Vec<f64>]) -> [f64; 
     let mut sums = [0.0; 2];
     for (zone, modes) in zones.iter().zip(modes) {
         sums[0] += PI * modes[0];
-        sums[1] += PI * (zone.middle() - middle) * modes[0] + FRAC_PI_2 * 0.5 * zone.length() * modes[1];
+        sums[1] +=
+            PI * (zone.middle() - middle) * modes[0] + FRAC_PI_2 * 0.5 * zone.length() * modes[1];
     }
     sums
 }

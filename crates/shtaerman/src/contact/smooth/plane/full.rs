@@ -89,9 +89,8 @@ impl FullWave {
     pub(super) fn answer(mut self, breaks: &[f64]) -> Self {
         let places = (0..=PLACES).map(|i| 2.0 * i as f64 / PLACES as f64 - 1.0);
         let pressures = places.map(|xi| self.at(xi)).filter(|p| p.is_finite());
-        let (largest, most) = pressures.fold((f64::MIN_POSITIVE, 0.0f64), |(size, most), p| {
-            (size.max(p.abs()), most.max(-p))
-        });
+        let (largest, most) = pressures
+            .fold((f64::MIN_POSITIVE, 0.0f64), |(size, most), p| (size.max(p.abs()), most.max(-p)));
         self.accuracy.pressure += ROUNDING * largest;
         self.accuracy.moment = self.accuracy.pressure;
         (self.largest, self.tension) = (largest, most / largest);

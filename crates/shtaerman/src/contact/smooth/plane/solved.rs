@@ -66,7 +66,10 @@ impl Solved {
         let [depth, tilt] = balance.depth_and_tilt(&beside_line(base.load, start, lean));
         let state = balance.state_of(&base.load, [depth, tilt], [start + lean * middle, lean]);
         if !(depth.is_finite() && tilt.is_finite()) {
-            return Err(Error::Equation(fredholm::Error::Singular { parameter: theta0, smallest: 0.0 }));
+            return Err(Error::Equation(fredholm::Error::Singular {
+                parameter: theta0,
+                smallest: 0.0,
+            }));
         }
         let parts = (resolved.into_iter().enumerate())
             .map(|(j, (slope, lean))| {
@@ -167,7 +170,8 @@ impl Pressure for Solved {
     }
 
     fn known(&self, zone: usize, _largest: f64) -> Known {
-        let pressure = self.rounding(zone, Conjugate::error) / (self.theta0 * self.parts[zone].half());
+        let pressure =
+            self.rounding(zone, Conjugate::error) / (self.theta0 * self.parts[zone].half());
         Known { density: self.rounding(zone, Conjugate::end_error), pressure }
     }
 

@@ -5,10 +5,9 @@ use std::sync::Arc;
 
 use fredholm::inversion::integral;
 
-use super::super::answer::SmoothContact;
+use super::super::answer::{SmoothContact, contact};
 use super::super::base::{Base, wrapped};
 use super::super::check::{MOST_POINTS, check};
-use super::super::contact;
 use super::super::equation::FINE;
 use super::super::pressure::place;
 use super::super::topology;
@@ -115,11 +114,7 @@ impl Partial {
         }
     }
 
-    fn attempt(
-        &self,
-        force: f64,
-        first: Option<[f64; 2]>,
-    ) -> Result<SmoothContact<Solved>, Error> {
+    fn attempt(&self, force: f64, first: Option<[f64; 2]>) -> Result<SmoothContact<Solved>, Error> {
         let plane = Plane::new(Arc::new(self.turned.under(force)));
         let tried = first.and_then(|zone| tried(&plane, zone));
         let found = tried.map_or_else(|| contact(&plane), Ok)?;
