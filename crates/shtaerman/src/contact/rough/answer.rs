@@ -22,7 +22,7 @@ use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::{Zone, outside};
 use crate::{Error, Load};
 
-/// Samples are no closer to the ends of panels than this share of them.
+/// Samples are no closer to the ends of panels than this share of them: the end itself counts for those, as at a corner the pressure differs from that by `d ln d` (theory).
 const APART: f64 = 1e-5;
 
 /// Zones, pressure, settlement, tilt, force and moment of a contact on a rough surface, without dimensions.

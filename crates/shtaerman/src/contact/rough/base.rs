@@ -18,7 +18,7 @@ use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Vertical};
 
-/// Most samples that show the ups and downs of a profile.
+/// Most samples that show the ups and downs of a profile: sixteen for each of as many valleys as cells can show.
 const MOST_SAMPLES: usize = 8192;
 /// Samples between two measured points. Half and twice change none of 32 answers (survey).
 pub(super) const SAMPLES_A_POINT: usize = 4;
@@ -26,7 +26,7 @@ pub(super) const SAMPLES_A_POINT: usize = 4;
 const SMALL_ZONES: f64 = 0.1;
 /// Ends this close to a wall are there: the check looks just inside a wall. Half and twice change none of 20 answers (survey).
 const AT_WALL: f64 = 1e-11;
-/// Cells to begin with, of a base with few valleys.
+/// Cells to begin with, of a base with few valleys. Three times as many changed none of 46 answers (survey).
 const CELLS: usize = 1024;
 
 /// A dimensionless problem with what is worth knowing about its profile.

@@ -43,8 +43,6 @@ const LADDER: [Effort; 3] = [
         good: 1e-7,
     },
 ];
-/// Most zones.
-const MOST_ZONES: usize = 2000;
 
 type OnZones = Solved<OnPanels>;
 /// Places of a piece of the base from end to end, with the heights there.
@@ -131,7 +129,7 @@ impl<'b> ManyPanels<'b> {
         let (base, effort) = (self.base, LADDER[level]);
         let mut latest: Option<OnZones> = None;
         for _ in 0..ROUNDS {
-            if zones.is_empty() || zones.len() > MOST_ZONES {
+            if zones.is_empty() {
                 break;
             }
             let nodes = PanelNodes::new(base, &self.joints, &zones, effort)?;

@@ -17,9 +17,9 @@ use crate::deadline::Deadline;
 
 /// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys. At half or twice 2 of 32 answers change, within what they state (survey).
 const NODES_A_VALLEY: f64 = 12.0;
-/// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything.
+/// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything (one digit is the least that an answer has).
 const ALL_NOISE: f64 = 0.1;
-/// The least part of that.
+/// The least part of that: nodes crowd so much at an end that differences of the first have no digits left (rounding).
 const NEAREST: f64 = 1e-3;
 
 type OnZones = Solved<SincField>;
