@@ -22,7 +22,7 @@ impl Loaded {
     /// Equations times `gain`; a force is that of `sum m p`.
     pub(in crate::contact) fn new(
         cells: &Cells,
-        roots: Vec<f64>,
+        roots: &[f64],
         load: Load,
         gain: f64,
         height: impl Fn(f64) -> f64,
@@ -59,7 +59,7 @@ impl Loaded {
             }
             (Rotational::Tilt(tilt), _) => add(&lever, -tilt),
         }
-        let feasible = feasible(load, &roots, &centres);
+        let feasible = feasible(load, roots, &centres);
         Self { conditions, right, feasible }
     }
 
@@ -89,7 +89,7 @@ pub(in crate::contact) fn solve_thin(
 ) -> Result<Vec<f64>, Error> {
     let [level, slope] = resting(cells, load, &height);
     let above = |x: f64| height(x) - (level + slope * x);
-    let loaded = Loaded::new(cells, roots, load, LAYER / theta, above);
+    let loaded = Loaded::new(cells, &roots, load, LAYER / theta, above);
     Ok(loaded.solve(deadline, cells, matrix, LAYER)?.values)
 }
 

@@ -22,8 +22,8 @@ pub(super) fn intervals(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Erro
     cells.settle(|cells| {
         let places: Vec<[f64; 2]> = cells.cells().iter().map(Cell::ends).collect();
         let (matrix, masses) = base.ground.cells(&places);
-        let roots = masses.iter().map(|mass| mass.sqrt()).collect();
-        let loaded = Loaded::new(cells, roots, load, gain, |xi| base.height(xi));
+        let roots: Vec<f64> = masses.iter().map(|mass| mass.sqrt()).collect();
+        let loaded = Loaded::new(cells, &roots, load, gain, |xi| base.height(xi));
         let (deadline, theta) = (base.problem().deadline(), gain * base.strength());
         Ok(loaded.solve(deadline, cells, matrix, theta)?.values)
     })?;

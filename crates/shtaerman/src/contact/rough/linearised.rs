@@ -16,6 +16,7 @@ use super::surface::Surface;
 use crate::contact::accuracy::{ROUNDING, SAFETY};
 use crate::contact::rates::{Linearised, Rates};
 use crate::contact::stiffness::Stiffness;
+use crate::contact::zones::Zone;
 use crate::{Error, Load};
 
 /// The first-order changes by the three inputs, each with what is rounding of it.
@@ -107,7 +108,7 @@ impl<F: Field> Known<'_, F> {
             let slope = if side == 0 { -slope } else { slope };
             Edge { layer: self.layer(at), slope, noise: ROUNDING * size + of_layer }
         };
-        zones.iter().flat_map(|zone| zone.free_ends()).map(edge).collect()
+        zones.iter().flat_map(Zone::free_ends).map(edge).collect()
     }
 }
 

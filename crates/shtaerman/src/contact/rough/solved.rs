@@ -10,6 +10,7 @@ use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::ground::Ground;
 use crate::contact::stiffness::Stiffness;
+use crate::contact::zones::Zone;
 
 /// Share of a zone, or of a panel at its end, over which the slope of the layer at that end is taken. At half or twice 14 of 32 answers change, within what they state (survey).
 pub(super) const BESIDE: f64 = 0.02;
@@ -147,7 +148,7 @@ impl<F: Field> Solved<F> {
 
     /// The largest displacement of the layer, of either sign, at the free ends.
     pub(super) fn at_ends(&self, height: impl Fn(f64) -> f64) -> f64 {
-        let ends = self.nodes.zones.iter().flat_map(|zone| zone.free_ends());
+        let ends = self.nodes.zones.iter().flat_map(Zone::free_ends);
         ends.map(|(_, at)| self.layer_at(at, height(at)).abs()).fold(0.0, f64::max)
     }
 

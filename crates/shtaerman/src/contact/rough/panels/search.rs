@@ -141,7 +141,8 @@ impl<'b> ManyPanels<'b> {
                 zones = next;
                 let is_over = !zones.is_empty() && base.problem().deadline().is_past();
                 let at_ends = solved.at_ends(|xi| base.height(xi));
-                if !is_over && !(is_same && at_ends <= effort.good * solved.deepest()) {
+                let is_good = is_same && at_ends <= effort.good * solved.deepest();
+                if !is_over && !is_good {
                     latest = Some(solved);
                     continue;
                 }
