@@ -264,3 +264,20 @@ fn rates_on_panels_agree_with_differences() {
         }
     }
 }
+
+#[test]
+fn a_gap_narrower_than_the_samples_parts_a_zone() {
+    // Between two of 10,000 points the base lifts off, far from the middle between the places that are looked at.
+    let positions: Vec<f64> = (0..10_000).map(|i| 2.0 * f64::from(i) / 9999.0 - 1.0).collect();
+    let height = |(i, x): (usize, &f64)| {
+        let wave = |k: f64| 0.5 * k.powf(-1.5) * (3.1 * k * x + k * k).sin();
+        let waves: f64 = (1..=100).map(|k| wave(f64::from(k))).sum();
+        4.0 * (0.3 * x * x + waves + 0.005 * (1e4 * (i as f64).sin()).fract())
+    };
+    let heights = positions.iter().enumerate().map(height).collect();
+    let profile = Profile::from_points(positions, heights).unwrap();
+    let found = panels(&problem([1.0, 1.0], profile, FORCED, Rotational::Moment(0.2)));
+    assert_eq!(found.zones().len(), 34);
+    let Complementarity { tension, penetration } = found.complementarity().unwrap();
+    assert!(tension < 1e-12 && penetration < 1e-12, "{tension:e} {penetration:e}");
+}

@@ -12,14 +12,14 @@ use super::nodes::{Effort, OnPanels, PanelNodes};
 use crate::Error;
 use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::check::{BETWEEN, Check};
-use crate::contact::iteration::{Point, crossing};
+use crate::contact::iteration::{Point, crossing, top};
 use crate::contact::rough::base::{Base, SAMPLES_A_POINT};
 use crate::contact::rough::check::check;
 use crate::contact::rough::newton::{self, Found};
 use crate::contact::rough::nodes::Field;
 use crate::contact::rough::refinement::refined;
 use crate::contact::rough::solved::Solved;
-use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, CORRECTIONS, unknown};
+use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, unknown};
 use crate::contact::zones::Zone;
 
 /// Most rounds on the way to the zones: an edge that is off by many lengths of the layer comes nearer by a half each, from a cell to the thinnest layers twenty times, and then by squares. Half and twice change none of 32 answers (survey).
@@ -43,6 +43,9 @@ const LADDER: [Effort; 3] = [
         good: 1e-7,
     },
 ];
+
+/// Most corrections of zones between whose samples the check finds tension or penetration: each shows all that is seen then, and most problems need one.
+const CORRECTIONS: usize = 4;
 
 type OnZones = Solved<OnPanels>;
 /// Places of a piece of the base from end to end, with the heights there.
@@ -89,7 +92,7 @@ impl<'b> ManyPanels<'b> {
             if left.is_clean() || self.base.problem().deadline().is_past() {
                 break;
             }
-            self.add_places(&left);
+            self.add_places(&found, &left);
             found = self.settled(found.nodes.zones.clone(), 0, Some(&found))?;
         }
         let next = |solved: &OnZones, level: usize| match LADDER.get(level) {
@@ -107,8 +110,11 @@ impl<'b> ManyPanels<'b> {
     }
 
     /// Looks at places where something was left, too.
-    fn add_places(&mut self, left: &Check) {
-        let pulling = left.pulling.iter().map(|[from, to]| 0.5 * (from + to));
+    fn add_places(&mut self, solved: &OnZones, left: &Check) {
+        // What pulls between two samples may do so far from their middle.
+        let base = self.base;
+        let tension = |xi: f64| -solved.layer_at(xi, base.height(xi));
+        let pulling = left.pulling.iter().map(|[from, to]| top(&tension, *from, *to).0);
         for xi in pulling.chain(left.penetrating.iter().map(|[_, deepest, _]| *deepest)) {
             for piece in &mut self.pieces {
                 let after = piece.partition_point(|(at, _)| *at < xi);
