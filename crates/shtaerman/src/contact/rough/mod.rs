@@ -127,9 +127,12 @@ enum Way {
 impl Way {
     /// The ways that suit a base, in the order in which they are tried.
     fn of(base: &Base) -> Vec<Self> {
+        // Edges of several zones may begin many lengths of the layer away, as cells are longer than it is: steps then take them nearer by a half each, which dense equations make long.
+        let takes_steps =
+            || base.valleys().count() > 1 && 2.0 * base.steepness() > base.cells() as f64;
         if !base.has_panels() {
             vec![Self::Collocation(Effort::MOST)]
-        } else if base.is_for_panels() {
+        } else if base.is_for_panels() || takes_steps() {
             vec![Self::Panels, Self::Collocation(Effort::LITTLE)]
         } else {
             vec![Self::Collocation(Effort::LITTLE), Self::Panels]
