@@ -1,8 +1,12 @@
 //! What the rough layer gives under pressure, without dimensions: `v = p0` or `v = p0^kappa`.
 
+use std::f64::consts::PI;
+
+use super::base::Base;
+use crate::contact::iteration::STEPS;
 use crate::error::require;
 use crate::roughness::Law;
-use crate::{Error, Problem};
+use crate::{Error, Problem, Vertical};
 
 /// Share of the layer under about the mean pressure below which there is next to no pressure. At half or twice 1 of 32 differ beyond what is stated (survey).
 pub(super) const FAINT: f64 = 0.1;
@@ -68,6 +72,51 @@ impl Layer {
     pub(super) fn displacement(&self, pressure: f64) -> f64 {
         if self.is_linear() { pressure } else { pressure.powf(self.exponent) }
     }
+}
+
+impl Base {
+    /// The area of intervals that carries the force.
+    pub(super) fn area(&self, intervals: impl Iterator<Item = [f64; 2]>) -> f64 {
+        let is_disk = self.ground.is_disk();
+        let part = |[left, right]: [f64; 2]| {
+            if is_disk { PI * (right - left) * (right + left) } else { right - left }
+        };
+        intervals.map(part).sum()
+    }
+
+    /// `k theta0 dp0/dv`, about: how strong the body is against the layer.
+    pub(super) fn steepness(&self) -> f64 {
+        if self.layer.is_linear() {
+            return self.strength();
+        }
+        let pressure = reference_pressure(self, self.pieces.iter().copied());
+        self.strength() * self.layer.slope(self.layer.displacement(pressure))
+    }
+}
+
+/// The pressure on intervals about which a layer that bends is made linear: the mean one, or what the settlement makes of a layer on the body.
+pub(super) fn reference_pressure(
+    base: &Base,
+    intervals: impl Iterator<Item = [f64; 2]> + Clone,
+) -> f64 {
+    let pressure = match base.load.vertical {
+        Vertical::Force(force) => force.abs() / base.area(intervals),
+        Vertical::Settlement(settlement) => {
+            let deepest = (base.samples.iter())
+                .map(|(xi, height)| settlement - base.tilt() * xi - height)
+                .fold(0.0, f64::max);
+            let length: f64 = intervals.map(|[left, right]| right - left).sum();
+            let depth = |p: f64| base.layer.displacement(p) + base.theta() * length * p;
+            let (mut low, mut high) =
+                (f64::MIN_POSITIVE, deepest.powf(1.0 / base.layer.exponent()));
+            for _ in 0..STEPS {
+                let middle = (low * high).sqrt();
+                if depth(middle) < deepest { low = middle } else { high = middle }
+            }
+            low
+        }
+    };
+    pressure.max(f64::MIN_POSITIVE)
 }
 
 #[cfg(test)]

@@ -1,22 +1,22 @@
 //! Panels of the zones: cut where the profile bends, and ever shorter towards the ends of the zones and towards those bends.
+//!
+//! Lengths are those for the logarithm: on graded ground `ln d` is a power `d^-mu`, and the panels have the lengths that make as much of it.
 
 use crate::contact::intervals::SLIVER;
-use crate::contact::unilateral::base::Base;
+use crate::contact::rough::base::Base;
 use crate::contact::zones::Zone;
 
-/// Length of a panel over its distance from a free end of its zone, and from a corner or a bend: with 0.6 at free ends as well answers take a sixth more time, with 0.7 everywhere those on graded ground
-/// state five times the error. At half or twice stated errors grow up to 97 times and time grows by 108 % (survey).
+/// Length of a panel over its distance from a free end of its zone, and from a corner or a bend: with 0.6 at free ends as well 195 zones take a quarter more time, with 0.7 everywhere answers on graded
+/// ground state five times the error. At half or twice stated errors grow up to 97 times and time grows by 108 % (survey).
 const FREE_GROWTH: f64 = 0.8;
 const GROWTH: f64 = 0.6;
 /// Longest panels of the base, from the first to be tried. At half or twice stated errors grow up to 5 times (survey).
 pub(super) const LONGEST: f64 = 1.0 / 32.0;
-/// All of them for the logarithm: on graded ground `ln d` is a power `d^-mu`, and the panels have the lengths that make as much of it.
 /// The panel at a measured point, where the third derivative jumps and the pressure goes on as `d^4 ln d`, in lengths `1/theta0` of the layer. At half or twice stated errors grow up to 18 times and time grows by 38 % (survey).
 const POINT: f64 = 0.1;
-/// The panel at a free end, where it goes on as `d^2 ln d`: the square of its length over that of the zone, in lengths of the layer. In longer zones than this the
-/// slope of the pressure at the end has nothing to do with their length. At half or twice 7 of 16 answers change, within what they state (survey).
+/// The panel at a free end, where it goes on as `d^2 ln d`: the square of its length over that of the zone, in lengths of the layer. In zones longer than
+/// the longest panels the slope of the pressure at the end has nothing to do with their length. At half or twice 7 of 16 answers change, within what they state (survey).
 const FREE: f64 = 1e-6;
-const LONG: f64 = 1.0 / 16.0;
 /// The panel at a corner or a step, where it goes on as `d ln d`, and at a kink, where it goes on as `d^2 ln d`, in lengths of the layer. At half or twice stated errors grow up to 6.5 times (survey).
 const CORNER: f64 = 1e-10;
 const KINK: f64 = 1e-4;
@@ -54,6 +54,37 @@ struct Anchor {
 }
 
 impl Anchor {
+    /// The end of a zone, or a bend of the profile in it.
+    fn new(
+        base: &Base,
+        zone: &Zone,
+        (at, is_left): (f64, bool),
+        (layer, fineness): (f64, Fineness),
+    ) -> Self {
+        let exponent = base.ground.exponent();
+        // For a pressure that goes on as `d^power ln d`.
+        let share = |share: f64, power: f64| share.powf(power / (power - exponent));
+        let side = zone.ends.iter().position(|end| *end == at);
+        let is_free = side.is_some_and(|side| zone.is_free(side));
+        let is_corner =
+            if side.is_some() { !base.is_joined(zone) } else { base.walls.contains(at) };
+        let least = if is_free {
+            let root = share(FREE.sqrt(), 2.0) * (zone.length().min(LONGEST) * layer).sqrt();
+            let kappa = base.layer.exponent();
+            let bent = zone.length() * BENT.powf(kappa / (1.0 + kappa));
+            fineness.ends * if base.layer.is_linear() { root } else { root.min(bent) }
+        } else if side.is_none() && base.is_measured() {
+            POINT * layer
+        } else if is_corner {
+            fineness.ends * share(CORNER, 1.0) * layer
+        } else {
+            // The seam of a wave that touches all over is no corner, either.
+            fineness.ends * share(KINK, 2.0) * layer
+        };
+        let growth = if is_free { FREE_GROWTH } else { GROWTH };
+        Self { at, is_left, shortest: least.max(SHORTEST), growth }
+    }
+
     /// The longest panel between these places.
     fn allowed(&self, [left, right]: [f64; 2]) -> f64 {
         let distance = if self.is_left { left - self.at } else { self.at - right };
@@ -69,32 +100,30 @@ impl Anchor {
 
 /// The panels of all zones from left to right; none where they are too many.
 pub(super) fn panels(
-    base: &Base<'_>,
+    base: &Base,
     joints: &[f64],
     zones: &[Zone],
     fineness: Fineness,
     most: usize,
 ) -> Option<Vec<[f64; 2]>> {
     let mut panels = Vec::new();
-    let layer = layer(base);
-    let is_measured = base.problem.profile().measured_points().is_some();
+    // The length of the layer, of one that bends under about the mean pressure.
+    let theta = base.steepness() / base.ground.strength();
+    let layer = theta.max(1.0).powf(-1.0 / (1.0 - base.ground.exponent()));
     for zone in zones {
         let inside = joints.partition_point(|at| *at <= zone.left())
             ..joints.partition_point(|at| *at < zone.right());
-        let ends = ends(base, zone, layer, fineness);
+        let anchor = |place| Anchor::new(base, zone, place, (layer, fineness));
+        let ends = [anchor((zone.left(), true)), anchor((zone.right(), false))];
         let mut left = zone.left();
         for right in joints[inside].iter().copied().chain([zone.right()]) {
             // Beside a joint by rounding there is no panel.
             if right - left > SHORTEST || right == zone.right() {
-                let mut anchors = ends.to_vec();
-                if left > zone.left() {
-                    anchors.push(bend(base, [left, right], true, (layer, fineness)));
-                }
-                if right < zone.right() {
-                    anchors.push(bend(base, [left, right], false, (layer, fineness)));
-                }
+                let bends = [(left, true), (right, false)].into_iter();
+                let bends = bends.filter(|(at, _)| !zone.ends.contains(at)).map(anchor);
+                let anchors: Vec<Anchor> = ends.into_iter().chain(bends).collect();
                 let mut pieces = vec![[left, right]];
-                if !is_measured {
+                if !base.is_measured() {
                     pieces = resolved(base, [left, right], fineness);
                 }
                 for piece in pieces {
@@ -108,57 +137,6 @@ pub(super) fn panels(
         }
     }
     Some(panels)
-}
-
-/// The length of the layer, of one that bends under about the mean pressure.
-fn layer(base: &Base<'_>) -> f64 {
-    let strength =
-        if base.layer.is_linear() { base.theta } else { base.steepness() / base.ground.strength() };
-    strength.max(1.0).powf(-1.0 / (1.0 - base.ground.exponent()))
-}
-
-/// A share of lengths for a pressure that goes on as `d^power ln d`, for one that goes on as `d^(power - mu)`.
-fn share(base: &Base<'_>, share: f64, power: f64) -> f64 {
-    share.powf(power / (power - base.ground.exponent()))
-}
-
-/// Both ends of a zone.
-fn ends(base: &Base<'_>, zone: &Zone, layer: f64, fineness: Fineness) -> [Anchor; 2] {
-    [0, 1].map(|side| {
-        let least = if base.is_joined(zone) {
-            // The seam of a wave that touches all over is no corner.
-            share(base, KINK, 2.0) * layer
-        } else if zone.is_free(side) {
-            let root = (zone.length().min(LONG) * layer).sqrt();
-            let kappa = base.layer.exponent();
-            let bent = zone.length() * BENT.powf(kappa / (1.0 + kappa));
-            let least = share(base, FREE.sqrt(), 2.0) * root;
-            if base.layer.is_linear() { least } else { least.min(bent) }
-        } else {
-            share(base, CORNER, 1.0) * layer
-        };
-        let shortest = (fineness.ends * least).max(SHORTEST);
-        let growth = if zone.is_free(side) { FREE_GROWTH } else { GROWTH };
-        Anchor { at: zone.ends[side], is_left: side == 0, shortest, growth }
-    })
-}
-
-/// The bend of the profile at the left or right end of a piece.
-fn bend(
-    base: &Base<'_>,
-    piece: [f64; 2],
-    is_left: bool,
-    (layer, fineness): (f64, Fineness),
-) -> Anchor {
-    let at = if is_left { piece[0] } else { piece[1] };
-    let shortest = if base.problem.profile().measured_points().is_some() {
-        POINT * layer
-    } else if base.walls.contains(at) {
-        fineness.ends * share(base, CORNER, 1.0) * layer
-    } else {
-        fineness.ends * share(base, KINK, 2.0) * layer
-    };
-    Anchor { at, is_left, shortest: shortest.max(SHORTEST), growth: GROWTH }
 }
 
 /// Cuts a piece so that its parts grow with their distances from all of these places.
@@ -185,13 +163,12 @@ fn graded(anchors: &[Anchor], piece: [f64; 2], longest: f64, panels: &mut Vec<[f
 }
 
 /// Halves of a piece until the profile is a polynomial on each.
-fn resolved(base: &Base<'_>, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2]> {
-    let longest = fineness.longest;
+fn resolved(base: &Base, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2]> {
     let mut pieces = Vec::new();
     let mut left_to_do = vec![(piece, 0)];
     while let Some(([left, right], halvings)) = left_to_do.pop() {
         let middle = 0.5 * (left + right);
-        let is_long = right - left > longest;
+        let is_long = right - left > fineness.longest;
         if halvings < HALVINGS && (is_long || !is_polynomial(base, [left, right], fineness)) {
             left_to_do.extend([([middle, right], halvings + 1), ([left, middle], halvings + 1)]);
         } else {
@@ -202,22 +179,20 @@ fn resolved(base: &Base<'_>, piece: [f64; 2], fineness: Fineness) -> Vec<[f64; 2
 }
 
 /// Whether the polynomial through so many Chebyshev points shows the profile between them.
-fn is_polynomial(base: &Base<'_>, [left, right]: [f64; 2], fineness: Fineness) -> bool {
+fn is_polynomial(base: &Base, [left, right]: [f64; 2], fineness: Fineness) -> bool {
     let Fineness { order, straight, .. } = fineness;
-    let place = |y: f64| base.height(0.5 * (left + right) + 0.5 * (right - left) * y);
-    let points: Vec<f64> = (0..order)
-        .map(|k| (std::f64::consts::PI * (k as f64 + 0.5) / order as f64).cos())
-        .collect();
-    let heights: Vec<f64> = points.iter().map(|y| place(*y)).collect();
-    let largest = heights.iter().fold(0.0f64, |most, f| most.max(f.abs()));
+    let height = |y: f64| base.height(0.5 * (left + right) + 0.5 * (right - left) * y);
+    let points = (0..order).map(|k| (std::f64::consts::PI * (k as f64 + 0.5) / order as f64).cos());
+    let points: Vec<(f64, f64)> = points.map(|y| (y, height(y))).collect();
+    let largest = points.iter().fold(0.0f64, |most, (_, height)| most.max(height.abs()));
     [-0.97, -0.6, 0.13, 0.71, 0.99].into_iter().all(|y| {
         let (mut above, mut below) = (0.0, 0.0);
-        for (k, (point, height)) in points.iter().zip(&heights).enumerate() {
+        for (k, (point, height)) in points.iter().enumerate() {
             let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
             let weight = sign * (1.0 - point * point).sqrt() / (y - point);
             above += weight * height;
             below += weight;
         }
-        (above / below - place(y)).abs() <= straight * largest * order as f64
+        (above / below - height(y)).abs() <= straight * largest * order as f64
     })
 }
