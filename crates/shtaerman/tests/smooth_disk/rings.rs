@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use crate::support::{A, MODULUS, attempt, close, honest, pressed, problem, solve, sunk};
-use shtaerman::{Contact, Error, Profile, Solver};
+use shtaerman::{Contact, Profile, Solver};
 
 /// Distance from a corner, as share of the zone, below which the pressure is its singularity.
 const SINGULAR: f64 = 1e-7;
