@@ -17,8 +17,6 @@ const SWITCHED: usize = 4;
 const FLAT: f64 = 4.0 * std::f64::consts::FRAC_1_PI;
 /// Share of a zone at whose distance from an end the pressure is that of the end, a power of the distance. At half or twice stated errors grow up to 1.3 times (survey).
 const AT_END: f64 = 1.0 / 1024.0;
-/// Of a disturbance of the heights on its way to the tilt, in half-widths of the contact. At half or twice stated errors grow up to 1.8 times (survey).
-const TURN: f64 = 2.0;
 
 /// Errors that the rounding of heights makes, and the sizes against which they are held.
 #[derive(Debug, Clone, Copy)]
@@ -159,7 +157,8 @@ impl Setting {
                 (steepness * error, edges)
             }
         };
-        let turn = TURN * rounding / half.max(f64::MIN_POSITIVE);
+        // Of a disturbance of the heights on its way to the tilt, in half-widths of the contact: at half or twice stated errors grow up to 1.8 times (survey).
+        let turn = 2.0 * rounding / half.max(f64::MIN_POSITIVE);
         // What is prescribed or zero by symmetry stays exact.
         let unless_exact = |known: f64, error: f64| if known == 0.0 { 0.0 } else { error };
         let accuracy = Accuracy {

@@ -8,9 +8,6 @@ use crate::{ContactKind, Problem};
 const BESIDE: [f64; 2] = [1e-8, 1e-12];
 const KEPT: f64 = 0.9;
 
-/// `xi` from one end of a base to the other.
-const PERIOD: f64 = 2.0;
-
 /// A jump of the slope of the base inside a zone of smooth contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Kink {
@@ -40,7 +37,8 @@ pub(super) fn kinks(problem: &Problem, zones: &[[f64; 2]]) -> Vec<Kink> {
     if frame.law() != Law::Smooth || frame.grading().is_some() {
         return Vec::new();
     }
-    let period = problem.is_wave().then_some(PERIOD);
+    // `xi` from one end of a base to the other.
+    let period = problem.is_wave().then_some(2.0);
     let is_unilateral = problem.solver().contact == ContactKind::Unilateral;
     let kink = |xi: f64| {
         // A zone of a wave may reach over the seam, and full contact has no ends.
@@ -81,7 +79,7 @@ pub(super) fn jump(problem: &Problem, xi: f64) -> Option<Jump> {
     let half_width = problem.frame().half_width();
     let at = |xi: f64| {
         let beyond_seam = problem.is_wave() && xi > 1.0;
-        problem.profile().slope(if beyond_seam { xi - PERIOD } else { xi }, half_width)
+        problem.profile().slope(if beyond_seam { xi - 2.0 } else { xi }, half_width)
     };
     let [far, near] = BESIDE.map(|offset| Some(at(xi + offset)? - at(xi - offset)?));
     let (far, near) = (far?, near?);

@@ -1,5 +1,6 @@
 //! The first-order change of a contact, with the place of its largest pressure, and whether that is one.
 
+use super::edges::CLOSE;
 use super::kinks::jump;
 use super::rates::Linearised;
 use crate::Contact;
@@ -68,16 +69,13 @@ impl Contact {
     }
 }
 
-/// A peak this close to a kink lies on it. Half and twice change none of 32 answers (survey).
-const AT_KINK: f64 = 1e-5;
-
 impl Contact {
     /// Whether the largest pressure is finite, and not the tip of a cusp under a kink of the base (on smooth graded ground), which has too few digits for rates.
     pub(crate) fn has_smooth_peak(&self) -> bool {
         let (value, peak) = self.peak();
         let (profile, frame) = (self.problem().profile(), self.problem().frame());
         let breaks = || profile.breakpoints(frame.half_width()).into_iter();
-        let is_kink = |at: f64| (at - peak).abs() < AT_KINK && jump(self.problem(), at).is_some();
+        let is_kink = |at: f64| (at - peak).abs() < CLOSE && jump(self.problem(), at).is_some();
         let is_cusp = frame.law() == Law::Smooth && breaks().any(is_kink);
         value.is_finite() && !is_cusp
     }

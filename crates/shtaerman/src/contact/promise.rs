@@ -1,14 +1,14 @@
 //! When an answer is none: the one rule for the error that was reached, stated by a method or by an audit, and for tension and penetration.
 
+use super::accuracy::STAGNANT;
 use super::complementarity::Complementarity;
 use super::method::Method;
 use crate::{Error, Solver};
 
 /// Answers with larger relative errors are none unless that is asked for, and bounds of larger ones say nothing. Half and twice change none of 32 answers (survey).
 pub(super) const ROUGHEST: f64 = 1e-2;
-/// Tension and penetration over the relative error that explains them, and what rounding explains. Half and twice change none of 32 answers (survey).
+/// Tension and penetration over the relative error that explains them. Half and twice change none of 32 answers (survey).
 const EXPLAINED: f64 = 8.0;
-const UNSEEN: f64 = 1e-9;
 
 /// An answer as it is judged.
 #[derive(Debug, Clone, Copy)]
@@ -43,7 +43,7 @@ pub(super) fn require_explained(found: Option<Complementarity>, reached: f64) ->
     let Some(Complementarity { tension, penetration }) = found else {
         return Ok(());
     };
-    if tension.max(penetration) <= (EXPLAINED * reached).max(UNSEEN) {
+    if tension.max(penetration) <= (EXPLAINED * reached).max(STAGNANT) {
         return Ok(());
     }
     Err(Error::NotComplementary { tension, penetration })

@@ -1,16 +1,14 @@
 //! Bases of circular punches are bodies of revolution.
 
+use super::accuracy::STAGNANT;
 use super::warning::Warning;
 use crate::error::require;
 use crate::quantity::{Dimension, engineering};
 use crate::{Error, Problem, WarningCode};
 
-/// Difference of the two halves, relative to the range of heights, that makes a base no body of revolution. Half and twice change none of 32 answers (survey).
-const UNEVEN: f64 = 1e-9;
-
 /// Refuses the base of a circular punch that is no body of revolution.
 pub(super) fn require_even(problem: &Problem) -> Result<(), Error> {
-    let unevenness = problem.profile().unevenness(problem.frame().half_width(), UNEVEN);
+    let unevenness = problem.profile().unevenness(problem.frame().half_width(), STAGNANT);
     require(
         unevenness.found <= unevenness.negligible,
         "profile",
@@ -24,7 +22,7 @@ impl Warning {
     /// The base of a circular punch is not proved to be even; none where it is.
     pub(super) fn evenness_not_proved(problem: &Problem) -> Option<Self> {
         let frame = problem.frame();
-        let unevenness = problem.profile().unevenness(frame.half_width(), UNEVEN);
+        let unevenness = problem.profile().unevenness(frame.half_width(), STAGNANT);
         if !frame.is_circular() || unevenness.is_negligible() {
             return None;
         }

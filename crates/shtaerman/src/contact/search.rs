@@ -21,7 +21,7 @@ use crate::deadline::Deadline;
 pub(super) const COARSELY_ALLOWED: f64 = 1e-6;
 pub(super) const ALLOWED: f64 = 2e-10;
 /// Corrections of the zones by the check, for each number of cells. Half and twice change none of 32 answers (survey).
-const CORRECTIONS: usize = 16;
+pub(super) const CORRECTIONS: usize = 16;
 /// Below this a violation may come from too few nodes, and one that falls to this share with more of them does. Half and twice change none of 20 answers (survey).
 const DOUBTFUL: f64 = 1e-2;
 /// A violation that changes by less than this share is the same again. Half and twice change none of 10 answers (survey).

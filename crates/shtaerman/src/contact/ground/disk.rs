@@ -12,9 +12,6 @@ use super::shared::{disk_harmonic, disk_operator};
 use super::{Ground, Hull, SharedKernel};
 use crate::Error;
 
-/// Step of the difference quotient of the kernel, as a share of the distance: it serves Newton steps, not answers. Half and twice change none of 19 answers (survey).
-const DIFFERENCE: f64 = 1e-4;
-
 #[derive(Debug)]
 pub(super) struct Disk {
     kernel: WeberSonine,
@@ -39,7 +36,7 @@ impl Ground for Disk {
 
     fn reduced_slope(&self, xi: f64, eta: f64) -> f64 {
         let difference = xi - eta;
-        let step = DIFFERENCE * difference.abs();
+        let step = STEP * difference.abs();
         if xi + step == xi || xi <= step {
             return -self.kernel.split(xi, xi, 0.0).factor;
         }

@@ -3,18 +3,16 @@
 use super::base::Base;
 use super::nodes::{Field, between_nodes};
 use super::solved::Solved;
+use crate::contact::accuracy::SAFETY;
 use crate::contact::check::{Check, POINTS, with_tops};
 use crate::contact::steps::INSIDE;
 use crate::contact::zones::outside;
-
-/// Rounding of the layer over what it is told to be: of a difference of two.
-const FLOOR: f64 = 4.0;
 
 /// Tension and penetration beyond `allowed`, relative to their scales, and beyond rounding are listed for correction.
 pub(super) fn check<F: Field>(base: &Base, solved: &Solved<F>, allowed: f64) -> Check {
     // Of the layer, which shows how far it is from touching also where pressures are small.
     let largest = solved.deepest().max(f64::MIN_POSITIVE);
-    let floor = FLOOR * solved.rounding();
+    let floor = SAFETY * solved.rounding();
     let layer = |xi: f64| solved.layer_at(xi, base.sampled_height(xi));
     let mut check = Check { largest, ..Check::none() };
     for zone in &solved.nodes.zones {

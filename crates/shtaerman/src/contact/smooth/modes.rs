@@ -12,8 +12,6 @@ const MOST_OF_A_ZONE: f64 = 800.0;
 const MOST_MODES: usize = 4000;
 /// Angle at which the slope of a density over `cos phi` is taken at an end first; the others are twice to sixteen times that. At half or twice 23 of 32 answers change, within what they state (survey).
 const BESIDE: f64 = 0.01;
-/// The same times the number of modes where the last of them are not small: one wave of these.
-const WAVES: f64 = 2.0 * PI;
 
 /// Modes by zones.
 pub(super) type Modes = Vec<Vec<f64>>;
@@ -174,7 +172,8 @@ pub(super) fn bend(density: impl Fn(f64) -> f64, end: f64) -> [f64; 2] {
 
 /// The same for Newton's method, of a series cut off after so many modes whose last ones are not small: from angles at which these say nothing.
 pub(super) fn bend_of_cut(density: impl Fn(f64) -> f64, end: f64, count: usize) -> f64 {
-    let beside = BESIDE.max(WAVES / count as f64);
+    // One wave of the last mode.
+    let beside = BESIDE.max(2.0 * PI / count as f64);
     let at = |offset: f64| 2.0 * (density((end - offset).abs()) - density(end)) / (offset * offset);
     (4.0 * at(beside) - at(2.0 * beside)) / 3.0
 }

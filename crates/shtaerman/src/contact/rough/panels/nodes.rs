@@ -58,7 +58,7 @@ impl OnPanels {
 
 impl Field for OnPanels {
     const NAME: MethodName = MethodName::Panels;
-    const ROUNDING: f64 = 32.0 * f64::EPSILON;
+    const ROUNDING: f64 = crate::contact::accuracy::ROUNDING;
     /// The coarsest is far coarser than the next: no rate of convergence is known.
     const RATIO: Option<f64> = None;
 

@@ -19,7 +19,7 @@ use crate::contact::rough::newton::{self, Found};
 use crate::contact::rough::nodes::Field;
 use crate::contact::rough::refinement::refined;
 use crate::contact::rough::solved::Solved;
-use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, unknown};
+use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, CORRECTIONS, unknown};
 use crate::contact::zones::Zone;
 
 /// Most rounds on the way to the zones: an edge that is off by many lengths of the layer comes nearer by a half each, from a cell to the thinnest layers twenty times, and then by squares. Half and twice change none of 32 answers (survey).
@@ -43,9 +43,6 @@ const LADDER: [Effort; 3] = [
         good: 1e-7,
     },
 ];
-
-/// Most corrections of zones between whose samples the check finds tension or penetration: each shows all that is seen then, and most problems need one.
-const CORRECTIONS: usize = 4;
 
 type OnZones = Solved<OnPanels>;
 /// Places of a piece of the base from end to end, with the heights there.

@@ -15,9 +15,6 @@ use nodes::{FEWEST, RATIO, Resolution, SincNodes};
 
 pub(super) use equation::{Collocation, Effort};
 
-/// Nodes of a whole base that was not collocated, for each Chebyshev degree of its profile. At half or twice 3 of 10 answers change, within what they state (survey).
-const NODES_PER_DEGREE: f64 = 2.0;
-
 impl Setting {
     /// The first-order change of a solution by the degenerate kernel, given its displacement `theta0 K p0` and the degree that its profile needs.
     pub(in crate::contact) fn linearised_whole_base(
@@ -29,7 +26,8 @@ impl Setting {
         let base = Base::new(self, ContactKind::Bilateral).ok()?.cut(&self.collocated_parts());
         let room = Effort::LITTLE.room(base.breaks.len() + 1);
         let smooth = first_half_count(base.steepness()).max(FEWEST as f64);
-        let wanted = (smooth + NODES_PER_DEGREE * profile_degree as f64).min(room);
+        // Two nodes of a whole base that was not collocated for each Chebyshev degree of its profile: at half or twice 3 of 10 answers change, within what they state (survey).
+        let wanted = (smooth + 2.0 * profile_degree as f64).min(room);
         let changes = |power: i32| -> Result<Changes, Error> {
             let resolution = Resolution::new(&base.ground, wanted * RATIO.powi(power))?;
             let on = SincNodes::new(&base, &resolution, &base.whole())?;

@@ -12,9 +12,6 @@ use super::coupling::RingNodes;
 use super::ring::{Ring, distance};
 use crate::contact::accuracy::OF_A_VALUE;
 
-/// Beyond this distance in the logarithm of the radius the nodes of a ring see it without its singularity.
-const FAR: f64 = 2.0;
-
 #[derive(Debug, Clone)]
 pub(super) struct RingPart {
     pub(super) nodes: RingNodes,
@@ -111,7 +108,8 @@ impl RingPart {
         let beyond = if is_outside { r - ring.outer() } else { ring.inner() - r }.max(0.0);
         let length = if is_outside { distance(ring.outer(), beyond) } else { distance(r, beyond) };
         let taken = self.sum(c, |place| RingKernel::Axisymmetric.taken(c, [r, r - c], place));
-        if length.is_nan() || length > FAR {
+        // Beyond this distance in the logarithm of the radius the nodes of a ring see it without its singularity.
+        if length.is_nan() || length > 2.0 {
             let whole =
                 |[s, _]: [f64; 2]| s.sqrt() * PI / (2.0 * mean(0.5 * (r + s), 0.5 * (r - s).abs()));
             let taken = if c == 0.0 { 0.0 } else { taken / r.sqrt() };

@@ -8,14 +8,13 @@ use fredholm::inversion::{AbelTransform, Kink, Powers, Series, Shape, Symmetry, 
 use super::super::base::Base;
 use super::super::pressure::place;
 use crate::contact::accuracy::{OF_A_VALUE, ROUNDING};
+use crate::contact::ground::STEP;
 use crate::contact::zones::Zone;
 
 /// More breakpoints than these do not get panels of their own: what they cost grows with their square, five seconds for 200. Traces of 300 points are within. Half and twice change none of 32 answers (survey).
 const MOST_BREAKS: usize = 320;
 /// Places on either side of the middle that show the size of slopes. At half or twice 19 of 20 answers change, within what they state (survey).
 const SAMPLES: usize = 8;
-/// Share of the half-width over which the slopes of transforms are taken. At half or twice 8 of 10 answers change, within what they state (survey).
-const STEP: f64 = 1e-3;
 
 /// A slope as a function of the place, or of the distance from the middle of a zone.
 type Slope = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
