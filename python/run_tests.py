@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""Builds the package and runs all that tests it: pytest, the examples, mypy and stubtest.
+"""Builds the package and runs all that tests it: pytest, the examples, mypy and stubtest; then the tests of the page in a browser.
 
     python3 python/run_tests.py
 
 Needs Python 3.10 or newer and a Rust toolchain. What Python needs is installed into a virtual environment of its own, `target/python-tests`; the compiled half is built as the tests of the workspace are,
 in the same folder, so that after `cargo test --workspace` little is left to be compiled. Arguments go to pytest. `--wheel` tests what `pip install ./python` installs instead: an optimised
-build from nothing, which takes some minutes.
+build from nothing, which takes some minutes. `--parquet` builds the command line with its feature `parquet`, and tests that, too.
 """
 
 from __future__ import annotations
@@ -89,13 +89,20 @@ def main(arguments: list[str]) -> None:
         run(python, "-m", "pip", "install", "--disable-pip-version-check", "--force-reinstall", "--no-deps", HERE)
     else:
         install(python)
+    if "--parquet" in arguments:
+        features = ("-p", "shtaerman-cli", "--features", "parquet")
+        run("cargo", "test", "--quiet", *features, *(["--release"] if is_wheel else []), "--test", "cli", "--", "parquet")
+        run("cargo", "build", "--quiet", *features, *(["--release"] if is_wheel else []))
     program = TARGET / ("release" if is_wheel else "debug") / ("shtaerman.exe" if os.name == "nt" else "shtaerman")
-    rest = [argument for argument in arguments if argument != "--wheel"]
+    rest = [argument for argument in arguments if argument not in ("--wheel", "--parquet")]
     # pytest before mypy: what it finds is the more telling.
     run(python, "-m", "pytest", "-q", "-c", HERE / "pyproject.toml", "--rootdir", HERE, *(rest or [HERE / "tests"]), SHTAERMAN=str(program))
     checked = ("--config-file", HERE / "pyproject.toml", "--cache-dir", TARGET / "mypy")
     run(python, "-m", "mypy", *checked, "-p", "shtaerman")
     run(python, "-m", "mypy.stubtest", "--mypy-config-file", HERE / "pyproject.toml", "shtaerman")
+    # The page, whose snippets of Python run in this environment.
+    if not rest:
+        run(sys.executable, ROOT / "crates" / "explore" / "tests" / "browser" / "run.py", SHTAERMAN=str(program))
 
 
 if __name__ == "__main__":

@@ -108,11 +108,13 @@ def kills(count: int) -> None:
         study.write_text(UNILATERAL)
         given = ["study.count=40000", "study.part_size=40", "study.audited_sample=0"]
         st.sweep(study, Path(folder) / "whole", overrides=given)
-        script = f"import shtaerman as st; st.sweep({os.fspath(study)!r}, {os.fspath(Path(folder) / 'out')!r}, overrides={given!r})"
+        script = f"import shtaerman as st; print('begun', flush=True); st.sweep({os.fspath(study)!r}, {os.fspath(Path(folder) / 'out')!r}, overrides={given!r})"
         killed = 0
         for _ in range(count):
-            with subprocess.Popen([sys.executable, "-c", script]) as run:
-                time.sleep(generator.uniform(0.3, 0.9))
+            with subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE) as run:
+                assert run.stdout is not None
+                run.stdout.readline()
+                time.sleep(generator.uniform(0.0, 0.6))
                 killed += run.poll() is None
                 run.kill()
         done = len(list((Path(folder) / "out").glob("part-*.csv")))

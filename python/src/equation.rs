@@ -1,12 +1,16 @@
-//! Integral equations without mechanics, and what the command line finds from its arguments alone.
+//! Integral equations without mechanics, and what commands find whose answer is text.
+
+use std::sync::Arc;
 
 use numpy::PyReadonlyArray1;
 use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use shtaerman::Error;
 use shtaerman::equation::EquationFile;
+use shtaerman_cli::Refusal;
 
 use crate::errors::{ConvergenceError, raised};
+use crate::problem::Problem;
 use crate::running::done;
 
 /// The answer to an equation as the JSON of the command line, with the solution at `at`, or at `points` places.
@@ -51,8 +55,24 @@ pub(crate) fn solve_equation(
 #[pyfunction]
 pub(crate) fn command_json(py: Python<'_>, arguments: Vec<String>) -> PyResult<String> {
     let found = done(py, move || shtaerman_cli::json_of(&arguments))?;
-    found.map_err(|refusal| match refusal.exit_code {
+    found.map_err(refused)
+}
+
+/// What `shtaerman export` writes of a problem.
+#[pyfunction]
+pub(crate) fn export_text(
+    py: Python<'_>,
+    problem: &Problem,
+    arguments: Vec<String>,
+) -> PyResult<String> {
+    let (asked, file) = (problem.problem().clone(), Arc::clone(problem.file()));
+    let found = done(py, move || shtaerman_cli::export_of(&arguments, &asked, &file))?;
+    found.map_err(refused)
+}
+
+fn refused(refusal: Refusal) -> PyErr {
+    match refusal.exit_code {
         1 | 3 => ConvergenceError::new_err(refusal.message),
         _ => PyValueError::new_err(refusal.message),
-    })
+    }
 }

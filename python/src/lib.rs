@@ -21,7 +21,7 @@ mod _shtaerman {
     #[pymodule_export]
     use crate::contact::Contact;
     #[pymodule_export]
-    use crate::equation::{command_json, solve_equation};
+    use crate::equation::{command_json, export_text, solve_equation};
     #[pymodule_export]
     use crate::errors::ConvergenceError;
     #[pymodule_export]

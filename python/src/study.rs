@@ -1,17 +1,19 @@
 //! Studies and folders of their results.
 
+use std::ops::Range;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use numpy::{PyArray1, PyReadonlyArray1};
 use pyo3::IntoPyObjectExt;
-use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::exceptions::{PyKeyboardInterrupt, PyOSError, PyValueError};
 use pyo3::prelude::*;
 use shtaerman_cli::{PartFormat, Refusal, StudyResults};
 use shtaerman_study::{Column, Design, Index, Part, Row, Summary};
 
 use crate::errors::{ConvergenceError, raised};
-use crate::running::done;
+use crate::running::{Ended, done, run};
 
 /// A problem with some of its values varied, as a study file states it.
 #[pyclass(frozen, module = "shtaerman._shtaerman")]
@@ -28,6 +30,33 @@ fn refused(refusal: Refusal) -> PyErr {
         3 => ConvergenceError::new_err(refusal.message),
         _ => PyValueError::new_err(refusal.message),
     }
+}
+
+/// What comes of work that stops where it is interrupted.
+fn stoppable<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce(&AtomicBool) -> Option<T> + Send + 'static,
+) -> PyResult<T> {
+    match run(py, None, move |stop| work(stop))? {
+        Ended::Done(Some(found)) => Ok(found),
+        Ended::Done(None) | Ended::Late => Err(PyKeyboardInterrupt::new_err(())),
+    }
+}
+
+/// Cases one block after the other; none where the flag was set.
+fn in_blocks(
+    study: &shtaerman_study::Study,
+    cases: Range<usize>,
+    stop: &AtomicBool,
+) -> Option<Vec<Row>> {
+    let mut rows = Vec::new();
+    for first in cases.clone().step_by(study.block()) {
+        if stop.load(Ordering::Relaxed) {
+            return None;
+        }
+        rows.extend(study.solve(first..cases.end.min(first + study.block())));
+    }
+    Some(rows)
 }
 
 /// The columns of rows: arrays of numbers, lists of texts.
@@ -80,8 +109,8 @@ impl Study {
     }
 
     #[getter]
-    fn outputs(&self) -> Vec<&'static str> {
-        self.0.outputs().iter().map(|output| output.name).collect()
+    fn outputs(&self) -> Vec<&str> {
+        self.0.outputs().iter().map(|output| output.name.as_str()).collect()
     }
 
     #[getter]
@@ -95,11 +124,7 @@ impl Study {
         if self.0.design() != Design::Grid {
             return None;
         }
-        let count = |variable: &shtaerman_study::Variable| match &variable.variation {
-            shtaerman_study::Variation::Values(values) => Some(values.len()),
-            shtaerman_study::Variation::Drawn(_) => None,
-        };
-        self.0.variables().iter().map(count).collect()
+        self.0.variables().iter().map(|variable| variable.variation.count()).collect()
     }
 
     /// Sobol's indices of each output for each variable, with their standard errors: first order, total. None for other designs.
@@ -154,7 +179,7 @@ impl Study {
     ) -> PyResult<Vec<Bound<'py, PyAny>>> {
         let study = Arc::clone(&self.0);
         let cases = first.min(study.cases())..end.min(study.cases());
-        let rows = done(py, move || study.solve(cases))?;
+        let rows = stoppable(py, move |stop| in_blocks(&study, cases, stop))?;
         arrays(py, &self.0, &rows)
     }
 
@@ -165,12 +190,20 @@ impl Study {
         py: Python<'py>,
     ) -> PyResult<(Vec<Bound<'py, PyAny>>, Vec<Bound<'py, PyAny>>)> {
         let study = Arc::clone(&self.0);
-        let (plain, audited) = done(py, move || {
+        let (plain, audited) = stoppable(py, move |stop| {
             let cases = study.audited_sample();
-            let plain: Vec<Row> =
-                cases.iter().flat_map(|case| study.solve(*case..case + 1)).collect();
-            let audited: Vec<Row> = cases.iter().map(|case| study.solve_audited(*case)).collect();
-            (plain, audited)
+            let each = |solve: &dyn Fn(usize) -> Vec<Row>| {
+                let mut rows = Vec::new();
+                for case in &cases {
+                    if stop.load(Ordering::Relaxed) {
+                        return None;
+                    }
+                    rows.extend(solve(*case));
+                }
+                Some(rows)
+            };
+            let plain = each(&|case| study.solve(case..case + 1))?;
+            Some((plain, each(&|case| vec![study.solve_audited(case)])?))
         })?;
         Ok((arrays(py, &self.0, &plain)?, arrays(py, &self.0, &audited)?))
     }
@@ -205,6 +238,11 @@ impl Results {
         Ok(self.0.path(&part(self.0.study(), number)?))
     }
 
+    /// Removes what runs that were killed have left of files they wrote.
+    fn sweep_out(&self) {
+        self.0.sweep_out();
+    }
+
     /// The columns of a part that is there and whole.
     fn arrays<'py>(
         &self,
@@ -226,7 +264,7 @@ impl Results {
     ) -> PyResult<Vec<Bound<'py, PyAny>>> {
         let part = part(self.0.study(), number)?;
         let results = Arc::clone(&self.0);
-        let rows = done(py, move || results.solve(&part, threads))?;
+        let rows = stoppable(py, move |stop| results.solve_unless(&part, threads, stop))?;
         arrays(py, self.0.study(), &rows)
     }
 
@@ -234,11 +272,13 @@ impl Results {
     fn complete(&self, py: Python<'_>, number: usize, threads: usize) -> PyResult<bool> {
         let part = part(self.0.study(), number)?;
         let results = Arc::clone(&self.0);
-        let completed = done(py, move || {
-            if results.rows(&part)?.is_some() {
-                return Ok(false);
+        let completed = stoppable(py, move |stop| {
+            let known = results.rows(&part).map(|rows| rows.is_some());
+            if !matches!(known, Ok(false)) {
+                return Some(known.map(|_| false));
             }
-            results.write(&part, &results.solve(&part, threads)).map(|()| true)
+            let rows = results.solve_unless(&part, threads, stop)?;
+            Some(results.write(&part, &rows).map(|()| true))
         })?;
         completed.map_err(refused)
     }

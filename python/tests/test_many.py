@@ -161,3 +161,40 @@ def test_outputs_alone_change_no_bit() -> None:
     for outputs, said in [(["tild"], "is none"), ("tilt", "a list of names")]:
         with pytest.raises(ValueError, match=said):
             st.solve_many(BARE, theta0=[1.0], outputs=outputs)
+
+
+def test_arrays_of_every_make_are_the_same_numbers(steel: dict[str, Any]) -> None:
+    import array
+
+    import pandas as pd
+
+    forces = np.linspace(1e5, 8e5, 4)
+    usual = st.solve_many(**{**steel, "force": forces}).settlement
+
+    def solved(values: Any) -> Any:
+        return st.solve_many(**{**steel, "force": values}).settlement
+
+    for values in (
+        forces.astype(">f8"),
+        forces.astype(object),
+        np.array([str(force) for force in forces], dtype=object),
+        np.array([forces[0], f"{float(forces[1])!r} N/m", *forces[2:]], dtype=object),
+        np.repeat(forces, 2)[::2],
+        pd.Series(forces, index=list("abcd")),
+        pd.Series(list(forces), dtype=object),
+        memoryview(array.array("d", forces)),
+        list(forces),
+    ):
+        assert (solved(values) == usual).all(), values
+    assert (solved(forces[::-1]) == usual[::-1]).all()
+    assert (solved(np.asfortranarray(forces.reshape(2, 2))) == usual.reshape(2, 2)).all()
+    assert (solved(range(100_000, 300_000, 100_000)) == solved([1e5, 2e5])).all()
+    assert solved(forces.astype(np.float32)).shape == (4,) and solved(np.array(8e5)).shape == ()
+    contact = st.solve(**steel)
+    places = np.array([0.0, 1e-3])
+    assert (contact.pressure(places.astype(object)) == contact.pressure(places)).all()
+    for bad, said in ((np.array([1e5, None], dtype=object), "object"), (np.array([1e5, True], dtype=object), "object"), ({1e5}, "set")):
+        with pytest.raises(ValueError, match=said):
+            solved(bad)
+    with pytest.raises(ValueError, match="None"):
+        contact.pressure(np.array([0.0, None], dtype=object))

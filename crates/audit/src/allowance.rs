@@ -10,9 +10,14 @@ const AT_A_PLACE: f64 = 16.0;
 /// Below this `theta` the aim does not fall.
 const LEAST: f64 = 40.0;
 
+/// The unit of residuals that matter, relative to the largest pressure.
+pub(crate) fn unit(theta: f64) -> f64 {
+    UNIT * theta.max(LEAST)
+}
+
 /// What an interval of this width may add to the residual, relative to the largest pressure.
 ///
 /// The aim is `1e-12 max(1, theta/10)` at every place, 9000 roundings. The mean square of the whole is more dear, since the theorem multiplies it; short intervals hardly count in it.
 pub(crate) fn allowance(theta: f64, width: f64) -> f64 {
-    UNIT * theta.max(LEAST) * (MEAN_SQUARE / width.sqrt()).min(AT_A_PLACE)
+    unit(theta) * (MEAN_SQUARE / width.sqrt()).min(AT_A_PLACE)
 }

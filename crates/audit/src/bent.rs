@@ -1,6 +1,6 @@
 //! Plane contact with a layer that follows a power law: an **estimate**, as its residual is sampled.
 
-use crate::bound::resample;
+use crate::bound::{modelled, resample, scale};
 use crate::density::Density;
 use crate::distance::narrow_potential;
 use crate::kernel::Kernel;
@@ -33,7 +33,11 @@ pub fn audit_bent(
     stiffness: [[f64; 2]; 2],
     answer: &Answer<'_>,
 ) -> Result<Bound, Refusal> {
-    let panels = resample(problem, kappa, answer)?;
+    let scale = scale(kappa, answer)?;
+    let base = modelled(problem, scale.powf(kappa));
+    let joints = problem.cuts;
+    let problem = &Problem { profile: &base, cuts: base.cuts(), ..*problem };
+    let panels = resample(problem, joints, (kappa, scale), answer)?;
     let shape = Shape::new(&panels, problem.is_bilateral);
     let density = Density::new(problem.kernel, panels);
     let mut audit =
@@ -82,7 +86,7 @@ impl Field for Audit<'_> {
         let given = settlement.abs() + tilt.abs() + height.abs();
         let size = 4.0 * (layer.abs() + problem.theta * potential.abs() + given);
         let scaled = problem.scaled * (problem.theta * potential.abs() + given);
-        let noise = problem.theta * (rounding + self.misfit) + (high - low);
+        let noise = problem.theta * (rounding + self.misfit) + 0.5 * (high - low);
         (value, noise + UNIT * size + scaled)
     }
 

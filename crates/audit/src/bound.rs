@@ -1,18 +1,22 @@
 //! From the residual of an answer to the errors of its parts.
 
-use crate::allowance::allowance;
+use std::cell::Cell;
+
+use crate::allowance::{allowance, unit};
 use crate::density::Density;
 use crate::displacements::Line;
 use crate::distance::{Distance, Windows};
+use crate::grading::{Cuts, Limits, panels};
 use crate::ground::Raised;
 use crate::highest::highest;
 use crate::layer;
+use crate::modelled::Modelled;
 use crate::norms::Reach;
 use crate::panel::Panel;
 use crate::problem::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Problem, Refusal};
 use crate::profile::Profile;
 use crate::residual::{Bounded, Residual};
-use crate::sample::{Limits, compared, halves, panels};
+use crate::sample::{compared, halves};
 use crate::shape::{Shape, restored};
 
 /// A pressure is resampled to this share of what is allowed.
@@ -21,6 +25,8 @@ const RESOLVED: f64 = 0.3;
 const KNOWN: [f64; 2] = [0.317, 0.718];
 /// Places of a zone where the size of the pressure is looked at.
 const SAMPLES: u32 = 32;
+/// Free displacements are found from panels that are not shorter than this share of the longest.
+const WEIGHTY: f64 = 1e-2;
 /// A pressure in a bent layer is resolved as if its peaks were at most so many times its mean. Under a parabola on a firm body `(1 - x^2)^(1/kappa)` is 3.7 times its mean for `kappa = 0.1`; beside
 /// steps it is more by orders.
 const PEAKED: f64 = 8.0;
@@ -33,7 +39,7 @@ const MOST_OF_IT: f64 = 0.3;
 /// # Errors
 /// [`Refusal`] where no bound was found: nothing is then known of the answer.
 pub fn audit(problem: &Problem<'_>, answer: &Answer<'_>) -> Result<Bound, Refusal> {
-    resample(problem, 1.0, answer).and_then(|panels| bound(problem, answer, &panels))
+    audit_on(problem, answer, |panels| panels)
 }
 
 /// The same on panels half as long: a second bound from other numbers, with which the first can be compared.
@@ -44,10 +50,27 @@ pub fn audit_on_halved_panels(
     problem: &Problem<'_>,
     answer: &Answer<'_>,
 ) -> Result<Bound, Refusal> {
-    let panels = resample(problem, 1.0, answer)?;
-    let halved: Vec<Panel> =
-        panels.iter().flat_map(|panel| halves(answer.pressure, panel)).collect();
-    bound(problem, answer, &halved)
+    audit_on(problem, answer, |panels| {
+        panels.iter().flat_map(|panel| halves(answer.pressure, panel)).collect()
+    })
+}
+
+/// The audit on panels that are made of those of the resampled pressure.
+fn audit_on(
+    problem: &Problem<'_>,
+    answer: &Answer<'_>,
+    changed: impl Fn(Vec<Panel>) -> Vec<Panel>,
+) -> Result<Bound, Refusal> {
+    let scale = scale(1.0, answer)?;
+    let base = modelled(problem, scale);
+    let posed = Problem { profile: &base, cuts: base.cuts(), ..*problem };
+    let panels = resample(&posed, problem.cuts, (1.0, scale), answer)?;
+    bound(&posed, answer, &changed(panels))
+}
+
+/// The base of a problem by polynomials, for a layer in which a pressure of this size gives as much.
+pub(crate) fn modelled<'a>(problem: &Problem<'a>, scale: f64) -> Modelled<'a> {
+    Modelled::new(problem.profile, problem.pieces, problem.cuts, scale * unit(problem.theta))
 }
 
 fn bound(problem: &Problem<'_>, answer: &Answer<'_>, sampled: &[Panel]) -> Result<Bound, Refusal> {
@@ -62,12 +85,8 @@ fn bound(problem: &Problem<'_>, answer: &Answer<'_>, sampled: &[Panel]) -> Resul
     audit.bound()
 }
 
-/// Panels of the pressure on all zones, of a layer `p^kappa`.
-pub(crate) fn resample(
-    problem: &Problem<'_>,
-    kappa: f64,
-    answer: &Answer<'_>,
-) -> Result<Vec<Panel>, Refusal> {
+/// The size of the pressure of an answer in a layer `p^kappa`.
+pub(crate) fn scale(kappa: f64, answer: &Answer<'_>) -> Result<f64, Refusal> {
     let places = answer.zones.iter().flat_map(|[left, right]| {
         (0..=SAMPLES).map(move |i| left + (right - left) * f64::from(i) / f64::from(SAMPLES))
     });
@@ -77,24 +96,27 @@ pub(crate) fn resample(
         // Peaks of a bent layer say little of its potential, which has to be known to what the layer gives.
         scale = scale.min(PEAKED * sizes.iter().sum::<f64>() / sizes.len() as f64);
     }
-    if scale.is_nan() || scale <= 0.0 || scale.is_infinite() {
-        return Err(Refusal::NoPressure);
-    }
-    let tolerance = |left: f64, right: f64| {
-        let exact = RESOLVED * scale * allowance(problem.theta, right - left);
-        exact.max(layer::pressure_error(kappa, scale, known(problem.profile, left, right)))
+    let is_known = !scale.is_nan() && scale > 0.0 && scale.is_finite();
+    is_known.then_some(scale).ok_or(Refusal::NoPressure)
+}
+
+/// Panels of the pressure on all zones, of this size, in a layer `p^kappa`; `joints` are places where they are cut, whether the base is smooth there or not.
+pub(crate) fn resample(
+    problem: &Problem<'_>,
+    joints: &[f64],
+    (kappa, scale): (f64, f64),
+    answer: &Answer<'_>,
+) -> Result<Vec<Panel>, Refusal> {
+    let exact = |left: f64, right: f64| RESOLVED * scale * allowance(problem.theta, right - left);
+    let known = |left: f64, right: f64| {
+        layer::pressure_error(kappa, scale, known(problem.profile, left, right))
     };
     let exponent = problem.kernel.singularity().exponent();
+    let limits = Limits { exact: &exact, known: &known, scale, exponent };
+    let cuts = Cuts { all: joints, bent: problem.cuts };
     let mut found = Vec::new();
     for zone in answer.zones {
-        let is_done = panels(
-            answer.pressure,
-            *zone,
-            problem.cuts,
-            &Limits { tolerance: &tolerance, scale, exponent },
-            MOST_PANELS,
-            &mut found,
-        );
+        let is_done = panels(answer.pressure, *zone, &cuts, &limits, MOST_PANELS, &mut found);
         if !is_done {
             return Err(Refusal::TooManyPanels);
         }
@@ -107,7 +129,7 @@ pub(crate) fn resample(
 pub(crate) fn known(profile: &dyn Profile, left: f64, right: f64) -> f64 {
     let width = |share: f64| {
         let [below, above] = profile.height(left + share * (right - left));
-        above - below
+        0.5 * (above - below)
     };
     let [one, two] = KNOWN.map(width);
     let least = one.min(two);
@@ -173,6 +195,7 @@ impl Audit<'_> {
                 self.problem.prescribed.force.is_some(),
                 self.problem.prescribed.moment.is_some(),
             ],
+            noise: Cell::new(0.0),
         }
     }
 
@@ -180,7 +203,9 @@ impl Audit<'_> {
     fn settle(&mut self) {
         let Prescribed { force, moment } = self.problem.prescribed;
         let residual = self.residual();
+        let widest = self.density.panels.iter().fold(0.0f64, |most, panel| most.max(panel.half()));
         let places: Vec<(f64, f64, f64)> = (self.density.panels.iter())
+            .filter(|panel| panel.half() >= WEIGHTY * widest)
             .map(|panel| (panel.middle(), panel.right - panel.left))
             .map(|(x, weight)| (x, weight, residual.at(x).0))
             .collect();
@@ -235,6 +260,10 @@ impl Audit<'_> {
         for gap in self.gaps() {
             residual.beside_zones(gap, MOST_WINDOWS, &mut gaps).map_err(refused)?;
         }
+        let wide = zones.iter().chain(&gaps).filter(|window| !window.is_narrow);
+        let others = wide.fold(0.0f64, |most, window| most.max(window.at_numbers));
+        residual.look_closer(&mut zones, others);
+        residual.look_closer(&mut gaps, others);
         let windows = Windows { zones: &zones, gaps: &gaps };
         // First with all of the base, then with what of it may be in contact.
         let whole = self.hull(&windows, f64::INFINITY);

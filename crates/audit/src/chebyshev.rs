@@ -3,6 +3,8 @@
 use std::f64::consts::PI;
 use std::sync::OnceLock;
 
+use crate::vectorised::vectorised;
+
 /// Largest number of nodes.
 pub(crate) const MOST: usize = 48;
 
@@ -26,10 +28,17 @@ impl Nodes {
     fn new(count: usize) -> Self {
         let angle = |j: usize| PI * (1.0 - (j as f64 + 0.5) / count as f64);
         let places = (0..count).map(|j| angle(j).cos()).collect();
+        // cos(k pi (1 - (2j+1)/(2n))) = (-1)^k cos(pi k (2j+1)/(2n)), which has the period 4n.
+        let period = 4 * count;
+        let turned: Vec<f64> =
+            (0..period).map(|m| (PI * m as f64 / (2 * count) as f64).cos()).collect();
         let mut cosines = Vec::with_capacity(count * count);
         for j in 0..count {
-            let factor = |k: usize| if k == 0 { 1.0 } else { 2.0 } / count as f64;
-            cosines.extend((0..count).map(|k| factor(k) * (k as f64 * angle(j)).cos()));
+            cosines.extend((0..count).map(|k| {
+                let factor = if k == 0 { 1.0 } else { 2.0 } / count as f64;
+                let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+                factor * sign * turned[k * (2 * j + 1) % period]
+            }));
         }
         Self { places, cosines }
     }
@@ -38,12 +47,17 @@ impl Nodes {
     pub(crate) fn coefficients(&self, values: &[f64]) -> Vec<f64> {
         let count = self.places.len();
         let mut found = vec![0.0; count];
-        // All coefficients advance together: their sums do not wait for each other.
-        for (value, row) in values.iter().zip(self.cosines.chunks(count.max(1))) {
-            for (entry, cosine) in found.iter_mut().zip(row) {
-                *entry += cosine * value;
-            }
-        }
+        vectorised(
+            #[inline(always)]
+            || {
+                // All coefficients advance together: their sums do not wait for each other.
+                for (value, row) in values.iter().zip(self.cosines.chunks(count.max(1))) {
+                    for (entry, cosine) in found.iter_mut().zip(row) {
+                        *entry += cosine * value;
+                    }
+                }
+            },
+        );
         found
     }
 }
@@ -63,6 +77,7 @@ pub(crate) fn evaluate(coefficients: &[f64], t: f64) -> f64 {
 }
 
 /// The same at several places, which advance together.
+#[inline(always)]
 pub(crate) fn evaluate_at<const N: usize>(coefficients: &[f64], places: &[f64; N]) -> [f64; N] {
     let (mut next, mut after) = ([0.0; N], [0.0; N]);
     for c in coefficients.iter().skip(1).rev() {

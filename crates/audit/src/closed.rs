@@ -33,7 +33,8 @@ impl Profile for Base {
 
     /// Cauchy's estimate in the circle that reaches half way to the edge.
     fn taylor_bounds(&self, [left, right]: [f64; 2], order: usize) -> Vec<f64> {
-        let (left, right) = (left.abs().min(right.abs()), left.abs().max(right.abs()));
+        let nearest = if left < 0.0 && right > 0.0 { 0.0 } else { left.abs().min(right.abs()) };
+        let (left, right) = (nearest, left.abs().max(right.abs()));
         let distance = if left >= self.c { 1.0 } else { 0.5 * (self.c - right).max(0.0) };
         let largest =
             if left >= self.c { 0.0 } else { (3.0 * self.c * self.c).powf(0.5 * self.kappa) };

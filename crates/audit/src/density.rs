@@ -5,10 +5,17 @@ use crate::chebyshev::MOST;
 use crate::far::{Cluster, FAR};
 use crate::kernel::Kernel;
 use crate::legendre;
-use crate::near::{Batches, Recurrence};
+use crate::near::{Places, Recurrence};
 use crate::panel::Panel;
-use crate::potentials::Potentials;
+use crate::potentials::Sums;
 use crate::row::Regular;
+use crate::vectorised::vectorised;
+
+/// Places whose potentials are found together, few and many.
+const NARROW: usize = 8;
+const WIDE: usize = 16;
+/// Clusters that wait to be looked at: one more for each of their generations, which halve their panels.
+const DEPTH: usize = 64;
 
 /// Polynomials on panels from left to right, zero elsewhere.
 #[derive(Debug, Clone)]
@@ -17,6 +24,8 @@ pub(crate) struct Density {
     pub(crate) panels: Vec<Panel>,
     clusters: Vec<Cluster>,
     recurrence: Recurrence,
+    /// What the recurrence needs of the lengths of the panels.
+    scales: Vec<f64>,
     /// Of a row.
     regular: Regular,
 }
@@ -31,7 +40,9 @@ impl Density {
             | Kernel::Power { .. } => Regular::default(),
         };
         let recurrence = Recurrence::new(kernel.singularity());
-        let mut density = Self { kernel, panels, clusters: Vec::new(), recurrence, regular };
+        let scales = panels.iter().map(|panel| recurrence.scale(panel.half())).collect();
+        let clusters = Vec::with_capacity(2 * panels.len());
+        let mut density = Self { kernel, panels, clusters, recurrence, scales, regular };
         if !density.panels.is_empty() {
             density.gather([0, density.panels.len()]);
         }
@@ -99,87 +110,129 @@ impl Density {
 
     /// `int K(x, t) q(t) dt` and a bound of its rounding.
     pub(crate) fn potential(&self, x: f64) -> (f64, f64) {
-        let mut found = Potentials::default();
+        let mut found = [(0.0, 0.0)];
         self.potentials(&[x], &mut found);
-        found.finished().next().unwrap_or_default()
+        found[0]
     }
 
-    /// The same at at most [`MOST`] places that lie together, which costs less than one by one.
-    pub(crate) fn potentials(&self, places: &[f64], found: &mut Potentials) {
-        found.begin(places.len());
-        if self.panels.is_empty() {
-            return;
+    /// The same at places that lie together, into as many entries, which costs less than one by one.
+    pub(crate) fn potentials(&self, places: &[f64], found: &mut [(f64, f64)]) {
+        for (places, found) in places.chunks(WIDE).zip(found.chunks_mut(WIDE)) {
+            if places.len() <= NARROW {
+                self.potentials_of::<NARROW>(places, found);
+            } else {
+                self.potentials_of::<WIDE>(places, found);
+            }
         }
+    }
+
+    /// Of at most `N` places.
+    fn potentials_of<const N: usize>(&self, places: &[f64], found: &mut [(f64, f64)]) {
+        let Some(last) = places.last() else { return };
+        let mut all = [*last; N];
+        all[..places.len()].copy_from_slice(places);
+        let sums = vectorised(
+            #[inline(always)]
+            || self.summed(&all).finished(),
+        );
+        found.copy_from_slice(&sums[..places.len()]);
+    }
+
+    #[inline(always)]
+    fn summed<const N: usize>(&self, places: &[f64; N]) -> Sums<N> {
+        let mut sums = Sums::NONE;
+        let Some(root) = self.clusters.last() else { return sums };
         match self.kernel {
-            Kernel::Logarithm => self.add_singular(places, -1.0, found),
+            Kernel::Logarithm => self.add_singular(places, -1.0, &mut sums),
             Kernel::ShiftedLogarithm { .. } | Kernel::Layered(_) => {
-                self.add_singular(places, -1.0, found);
-                self.add_constant(self.kernel.constant(), found, places.len());
+                self.add_singular(places, -1.0, &mut sums);
+                // Interpolation reproduces a constant, so that windows need not know of it. The integral is compensated; the constant is a rounded logarithm.
+                let constant = self.kernel.constant();
+                let rounding = 8.0 * constant.abs() * root.mass;
+                sums.add(&[constant * root.integral(); N], &[rounding; N]);
             }
-            Kernel::Power { .. } => self.add_singular(places, 1.0, found),
+            Kernel::Power { .. } => self.add_singular(places, 1.0, &mut sums),
             Kernel::Row { period } => {
-                let mut images = [0.0; MOST];
                 for image in [0.0, -period, period] {
-                    for (entry, x) in images.iter_mut().zip(places) {
-                        *entry = x + image;
-                    }
-                    self.add_singular(&images[..places.len()], -1.0, found);
+                    self.add_singular(&places.map(|x| x + image), -1.0, &mut sums);
                 }
-                for (index, x) in places.iter().enumerate() {
-                    let (value, rounding) = self.regular.at(*x);
-                    found.add(index, value, rounding);
-                }
+                let (values, rounding) = self.regular.at(places);
+                sums.add(&values, &[rounding; N]);
             }
         }
+        sums
     }
 
     /// Adds `sign int sigma(|x - t|) q(t) dt`.
-    fn add_singular(&self, places: &[f64], sign: f64, found: &mut Potentials) {
+    #[inline(always)]
+    fn add_singular<const N: usize>(&self, places: &[f64; N], sign: f64, sums: &mut Sums<N>) {
         let singularity = self.kernel.singularity();
-        let first = places.iter().copied().fold(f64::INFINITY, f64::min);
-        let last = places.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let total = self.clusters.last().map_or(0.0, |root| root.mass);
-        let mut batches = Batches::default();
-        let mut stack = vec![self.clusters.len() - 1];
-        while let Some(index) = stack.pop() {
-            let cluster = &self.clusters[index];
+        let (mut first, mut last) = (f64::INFINITY, f64::NEG_INFINITY);
+        for x in places {
+            first = first.min(*x);
+            last = last.max(*x);
+        }
+        let Some(root) = self.clusters.last() else { return };
+        let total = root.mass;
+        let mut stack = [0; DEPTH];
+        stack[0] = self.clusters.len() - 1;
+        let mut count = 1;
+        while count > 0 {
+            count -= 1;
+            let cluster = &self.clusters[stack[count]];
             let distance = (first - cluster.centre).max(cluster.centre - last);
-            if distance >= FAR * cluster.radius {
-                let places = (places, distance, 0);
-                cluster.add(singularity, places, (sign, total), found);
+            let [values, roundings] = if distance >= FAR * cluster.radius {
+                cluster.potentials(singularity, places, distance, total)
             } else if let Some(children) = cluster.children {
-                stack.extend(children);
+                stack[count..count + 2].copy_from_slice(&children);
+                count += 2;
+                continue;
             } else {
-                // Of a window that is longer than the panel some places are far from it.
-                let is_far = |x: &f64| (x - cluster.centre).abs() >= FAR * cluster.radius;
-                let mut from = 0;
-                for run in places.chunk_by(|x, y| is_far(x) == is_far(y)) {
-                    if is_far(&run[0]) {
-                        let distances = run.iter().map(|x| (x - cluster.centre).abs());
-                        let distance = distances.fold(f64::INFINITY, f64::min);
-                        let places = (run, distance, from);
-                        cluster.add(singularity, places, (sign, total), found);
-                    } else {
-                        for panel in &self.panels[cluster.first..cluster.last] {
-                            let ends = run.iter().map(|x| [x - panel.left, panel.right - x]);
-                            let places = (from..).zip(ends);
-                            self.recurrence.add(panel, places, sign, &mut batches, found);
-                        }
-                    }
-                    from += run.len();
-                }
-            }
+                self.beside(cluster, places)
+            };
+            sums.add(&values.map(|value| sign * value), &roundings);
         }
     }
 
-    /// Adds `constant int q`. Interpolation reproduces it, so that windows need not know of it.
-    fn add_constant(&self, constant: f64, found: &mut Potentials, count: usize) {
-        let Some(root) = self.clusters.last() else { return };
-        // The integral is compensated; the constant is a rounded logarithm.
-        let rounding = 8.0 * UNIT * constant.abs() * root.mass;
-        for index in 0..count {
-            found.add(index, constant * root.integral(), rounding);
+    /// Potentials of a single panel, of which some places of those that are longer together than it may be far.
+    #[inline(always)]
+    fn beside<const N: usize>(&self, cluster: &Cluster, places: &[f64; N]) -> [[f64; N]; 2] {
+        let least = FAR * cluster.radius;
+        let is_far = |x: f64| (x - cluster.centre).abs() >= least;
+        let (mut near, mut far) = (*places, *places);
+        let (mut nearest, mut is_any_far) = (f64::INFINITY, false);
+        for i in 0..N {
+            if is_far(places[i]) {
+                is_any_far = true;
+                nearest = nearest.min((places[i] - cluster.centre).abs());
+                near[i] = cluster.centre;
+            } else {
+                far[i] = cluster.centre + 2.0 * least;
+            }
         }
+        let index = cluster.first;
+        let panel = &self.panels[index];
+        let seen = Places {
+            from_left: near.map(|x| x - panel.left),
+            to_right: near.map(|x| panel.right - x),
+        };
+        let mut found = self.recurrence.potentials(panel, self.scales[index], &seen);
+        if is_any_far {
+            let nearest = nearest.min(2.0 * least);
+            let other =
+                cluster.potentials(self.kernel.singularity(), &far, nearest, self.largest_mass());
+            for i in 0..N {
+                if is_far(places[i]) {
+                    found[0][i] = other[0][i];
+                    found[1][i] = other[1][i];
+                }
+            }
+        }
+        found
+    }
+
+    fn largest_mass(&self) -> f64 {
+        self.clusters.last().map_or(0.0, |root| root.mass)
     }
 
     /// Calls `visit(distance, mass, largest, length)` for parts of the density, with the least distance of `x` from each; parts nearer than their own length are single panels.

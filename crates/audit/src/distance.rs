@@ -130,13 +130,16 @@ impl Audit<'_> {
         let (kernel, theta) = (self.problem.kernel, self.problem.theta);
         let norms = self.norms(windows);
         // What is negative is cut off.
-        let [mut square, mut sum, mut depth] = [0.0f64; 3];
+        let [mut square, mut sum, mut depth, mut below] = [0.0f64; 4];
         if !self.problem.is_bilateral {
             for panel in &self.density.panels {
                 let [a, b, c] = negative_part(panel);
                 (square, sum, depth) = (square + a, sum + b, depth.max(c));
+                below += c * narrow_potential(panel.right - panel.left, kernel);
             }
         }
+        // The potential of that is no larger than that of the depth everywhere, nor than those of all panels together.
+        let below = below.min(mass(kernel, reach.half) * depth);
         let negative = square.sqrt();
         // On absorbed windows the density is what its own potential makes it: a change by w~ there.
         let absorbed = theta
@@ -148,8 +151,8 @@ impl Audit<'_> {
             + absorbed
             + (1.0 + reach.strength()) * negative
             + corrected.residual;
-        let beside = theta
-            * (norms.narrow_potential + mass(kernel, reach.half) * (depth + corrected.highest));
+        let beside =
+            theta * (norms.narrow_potential + below + mass(kernel, reach.half) * corrected.highest);
         // What is cut off or added changes the residual, too; where the density is changed, elsewhere by the potential of that.
         let uniform = norms.anywhere + depth + corrected.highest + 2.0 * beside;
         Distance {

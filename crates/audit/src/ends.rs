@@ -72,7 +72,7 @@ impl Audit<'_> {
 
 /// A lower bound of a polynomial, by halves where it is poor.
 fn least(panel: &Panel, left: f64, right: f64, depth: usize) -> f64 {
-    let (low, _) = range_on(panel, left, right);
+    let [low, _] = range_on(panel, left, right);
     let middle = 0.5 * (left + right);
     if low > 0.0 || depth == 0 || middle <= left || middle >= right {
         return low;

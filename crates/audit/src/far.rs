@@ -1,18 +1,17 @@
 //! Panels that lie together, seen from afar by their moments.
 
 use crate::allowance::UNIT;
+use crate::elementary::{exp, ln};
 use crate::kernel::Singularity;
 use crate::legendre::{MOMENTS, RULE};
 use crate::panel::Panel;
-use crate::potentials::Potentials;
 use crate::sum::{Sum, two_product, two_sum};
+use crate::vectorised::vectorised;
 
 /// Clusters farther from a place than this many of their radii are seen by their moments.
 pub(crate) const FAR: f64 = 3.0;
 /// Terms are left out where they have fallen by `exp(-SMALL)`, for the logarithm relative to the mass of all panels instead of this cluster's.
 const SMALL: f64 = 40.0;
-/// Places whose sums advance together, so that they do not wait for each other.
-const TOGETHER: usize = 8;
 /// Moments that are summed over the panels with compensation: the others are shifted from cluster to cluster, and count for 3^-4 at most.
 const DIRECT: usize = 4;
 
@@ -81,19 +80,20 @@ impl Cluster {
         self.moments[0] + self.lost
     }
 
-    /// Adds `sign` times its potential at places that are at least `distance >= FAR r` from its centre; `from` is the index of the first.
+    /// Its potential, and roundings in units of the machine, at places that are at least `distance >= FAR r` from its centre, `total` the mass of all panels.
     ///
     /// `ln|x - t| = ln|d| - sum (y/d)^k/k` and `|x - t|^-mu = |d|^-mu sum (mu)_k/k! (y/d)^k`, `d = x - c`, `y = t - c`.
     ///
     /// Roundings in units of the machine: of the mass and its logarithm `3 ln|d| + 1`; of the first moments 5 each, of the others as many as there were shifts (at most
-    /// sixteen), three for a degree, all with `3^-k/k`: together less than 5; of Horner's scheme 5 times its value.
-    pub(crate) fn add(
+    /// sixteen), three for a degree, all with `3^-k/k`: together less than 5; of Horner's scheme 5 times its value. A power is off by as many as its logarithm, and 4.
+    #[inline(always)]
+    pub(crate) fn potentials<const N: usize>(
         &self,
         singularity: Singularity,
-        (places, distance, from): (&[f64], f64, usize),
-        (sign, total): (f64, f64),
-        into: &mut Potentials,
-    ) {
+        places: &[f64; N],
+        distance: f64,
+        total: f64,
+    ) -> [[f64; N]; 2] {
         let least = distance / self.radius;
         let fallen = match singularity {
             Singularity::Logarithm => SMALL + (self.mass / total).ln(),
@@ -102,39 +102,38 @@ impl Cluster {
         let terms = ((fallen / least.ln()).ceil() as usize).clamp(2, MOMENTS - 1);
         // The sum of q^-k over k > n is q^-n/(q - 1), q >= 3.
         let left_out = 0.5 * self.mass * least.powi(-(terms as i32)) / UNIT;
-        for (start, places) in (from..).step_by(TOGETHER).zip(places.chunks(TOGETHER)) {
-            let mut inverses = [0.0; TOGETHER];
-            for (inverse, x) in inverses.iter_mut().zip(places) {
-                *inverse = self.radius / (x - self.centre);
-            }
-            let mut sums = [0.0; TOGETHER];
-            for moment in self.weighted[1..=terms].iter().rev() {
-                for (sum, inverse) in sums.iter_mut().zip(&inverses) {
-                    *sum = inverse * (moment + *sum);
-                }
-            }
-            for (index, (x, sum)) in (start..).zip(places.iter().zip(sums)) {
-                let d = (x - self.centre).abs();
-                let (value, rounding) = self.at(singularity, d, sum, left_out);
-                into.add(index, sign * value, UNIT * rounding);
+        let [mut inverses, mut distances, mut sums] = [[0.0; N]; 3];
+        for i in 0..N {
+            distances[i] = places[i] - self.centre;
+            inverses[i] = self.radius / distances[i];
+        }
+        for moment in self.weighted[1..=terms].iter().rev() {
+            for i in 0..N {
+                sums[i] = inverses[i] * (moment + sums[i]);
             }
         }
-    }
-
-    /// The potential at a distance with the sum of its series, and its rounding in units of the machine.
-    fn at(&self, singularity: Singularity, d: f64, sum: f64, left_out: f64) -> (f64, f64) {
+        let logarithms = ln(&distances);
+        let [mut values, mut roundings] = [[0.0; N]; 2];
         match singularity {
             Singularity::Logarithm => {
-                let scale = d.ln();
-                let rounding = self.mass * (3.0 * scale.abs() + 6.0) + 5.0 * sum.abs() + left_out;
-                (self.moments[0] * scale + (self.lost * scale - sum), rounding)
+                for i in 0..N {
+                    let scale = logarithms[i];
+                    values[i] = self.moments[0] * scale + (self.lost * scale - sums[i]);
+                    roundings[i] =
+                        self.mass * (3.0 * scale.abs() + 6.0) + 5.0 * sums[i].abs() + left_out;
+                }
             }
             Singularity::Power(mu) => {
-                let scale = d.powf(-mu);
-                let whole = self.moments[0] + (self.lost + sum);
-                (scale * whole, scale * (6.0 * whole.abs() + 9.0 * self.mass + left_out))
+                let scales = exp(&logarithms.map(|logarithm| -mu * logarithm));
+                for i in 0..N {
+                    let whole = self.moments[0] + (self.lost + sums[i]);
+                    let off = 8.0 + 3.0 * mu * logarithms[i].abs();
+                    values[i] = scales[i] * whole;
+                    roundings[i] = scales[i] * (off * whole.abs() + 9.0 * self.mass + left_out);
+                }
             }
         }
+        [values, roundings]
     }
 }
 
@@ -172,16 +171,22 @@ fn low_moments(panels: &[Panel], centre: f64, radius: f64) -> [[f64; DIRECT]; 2]
 
 /// Adds the moments of a part, `int q ((t - c')/r')^k` from `int q ((t - c)/r)^k`, with `ratio = r/r'` and `offset = (c - c')/r'`.
 fn shift(moments: &[f64; MOMENTS], ratio: f64, offset: f64, into: &mut [f64; MOMENTS]) {
-    // Horner's scheme on the binomials: (offset + ratio t)^k, one power after the other.
-    let mut row = *moments;
-    into[0] += row[0];
-    for (k, entry) in into.iter_mut().enumerate().skip(1) {
-        // row[j] = int q (offset + ratio t)^k t^j
-        for j in 0..MOMENTS - k {
-            row[j] = offset * row[j] + ratio * row[j + 1];
-        }
-        *entry += row[0];
-    }
+    vectorised(
+        #[inline(always)]
+        || {
+            // Horner's scheme on the binomials: (offset + ratio t)^k, one power after the other.
+            let mut row = *moments;
+            into[0] += row[0];
+            for k in 1..MOMENTS {
+                // row[j] = int q (offset + ratio t)^k t^j, of which those up to MOMENTS - 1 - k count.
+                let last = MOMENTS - k;
+                for j in 0..last {
+                    row[j] = offset * row[j] + ratio * row[j + 1];
+                }
+                into[k] += row[0];
+            }
+        },
+    );
 }
 
 /// The moments with the factors of the expansion of the kernel: `1/k` of the logarithm, `(mu)_k/k!` of the power.

@@ -22,7 +22,7 @@ pub(crate) fn highest(panels: &[Panel], allowed: f64) -> f64 {
         let negative = Panel::new(panel.left, panel.right, panel.coefficients.map(|c| -c));
         let mut stack = vec![(panel.left, panel.right, 0)];
         while let Some((left, right, depth)) = stack.pop() {
-            let upper = -range_on(&negative, left, right).0;
+            let upper = -range_on(&negative, left, right)[0];
             let middle = 0.5 * (left + right);
             // The largest value may lie between the nodes, or at an end: what is found on the way tells what need not be looked at.
             known =

@@ -2,6 +2,8 @@
 
 use std::sync::LazyLock;
 
+use crate::vectorised::vectorised;
+
 /// Nodes of a panel, and coefficients of the density on it.
 pub(crate) const ORDER: usize = 24;
 /// Moments that stand for a panel or a cluster far away, the mass included.
@@ -41,17 +43,22 @@ impl Rule {
 
     /// Legendre coefficients of the polynomial through these values at the nodes.
     pub(crate) fn expand(&self, values: &[f64; ORDER]) -> [f64; ORDER] {
-        let mut expanded = [0.0; ORDER];
-        // Of a constant rounded weights leave some of all degrees.
-        let middle = values[ORDER / 2];
-        // All coefficients advance together: their sums do not wait for each other.
-        for (value, column) in values.iter().zip(&self.coefficients) {
-            for (entry, factor) in expanded.iter_mut().zip(column) {
-                *entry += factor * (value - middle);
-            }
-        }
-        expanded[0] += middle;
-        expanded
+        vectorised(
+            #[inline(always)]
+            || {
+                let mut expanded = [0.0; ORDER];
+                // Of a constant rounded weights leave some of all degrees.
+                let middle = values[ORDER / 2];
+                // All coefficients advance together: their sums do not wait for each other.
+                for (value, column) in values.iter().zip(&self.coefficients) {
+                    for (entry, factor) in expanded.iter_mut().zip(column) {
+                        *entry += factor * (value - middle);
+                    }
+                }
+                expanded[0] += middle;
+                expanded
+            },
+        )
     }
 
     /// The weights at the nodes that integrate polynomials as those do whose sums with `P_0`, `P_1`, .. are these.
@@ -104,6 +111,7 @@ pub(crate) fn evaluate(coefficients: &[f64; ORDER], t: f64) -> f64 {
 }
 
 /// The same at several places, which advance together.
+#[inline(always)]
 pub(crate) fn evaluate_at<const N: usize>(
     coefficients: &[f64; ORDER],
     places: &[f64; N],
@@ -118,16 +126,21 @@ pub(crate) fn evaluate_at<const N: usize>(
 }
 
 /// Places that advance together.
-const TOGETHER: usize = 8;
+const TOGETHER: usize = 16;
 
 /// The same at any number of places.
 pub(crate) fn evaluate_all(coefficients: &[f64; ORDER], places: &[f64], values: &mut [f64]) {
-    for (places, values) in places.chunks(TOGETHER).zip(values.chunks_mut(TOGETHER)) {
-        let mut some = [0.0; TOGETHER];
-        some[..places.len()].copy_from_slice(places);
-        let found = evaluate_at(coefficients, &some);
-        values.copy_from_slice(&found[..values.len()]);
-    }
+    vectorised(
+        #[inline(always)]
+        || {
+            for (places, values) in places.chunks(TOGETHER).zip(values.chunks_mut(TOGETHER)) {
+                let mut some = [0.0; TOGETHER];
+                some[..places.len()].copy_from_slice(places);
+                let found = evaluate_at(coefficients, &some);
+                values.copy_from_slice(&found[..values.len()]);
+            }
+        },
+    );
 }
 
 /// Roundings of [`evaluate`] at a place that is itself off by four units, in units of the machine.

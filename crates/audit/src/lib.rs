@@ -20,15 +20,19 @@ mod density;
 mod disk;
 mod displacements;
 mod distance;
+mod double;
+mod elementary;
 mod ends;
 mod far;
 mod fitted;
+mod grading;
 mod ground;
 mod heights;
 mod highest;
 mod kernel;
 mod layer;
 mod legendre;
+mod modelled;
 mod narrow;
 mod near;
 mod norms;
@@ -49,6 +53,7 @@ mod sum;
 mod tangent;
 #[cfg(test)]
 mod tests;
+mod vectorised;
 mod windows;
 
 pub use bent::audit_bent;

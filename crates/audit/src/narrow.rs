@@ -1,8 +1,8 @@
 //! Windows of some units of the machine, which cannot be resolved further.
 
+use crate::allowance::allowance;
 use crate::density::Density;
 use crate::kernel::Singularity;
-use crate::potentials::Potentials;
 use crate::residual::{Bounded, Residual, blur};
 
 /// Numbers of a window that are looked at one by one.
@@ -14,6 +14,15 @@ const CLEAR: f64 = 2.0;
 const ROUNDED: f64 = 4.0;
 /// In so many widths about a window the density is taken as a constant and what it differs from that.
 const VICINITY: f64 = 64.0;
+
+/// What was seen at numbers: the largest of what counts of the residual, of either sign in a zone and negative beside zones; the least residual; and the largest where the answer's own pressure
+/// and the height on the better side of a jump count.
+#[derive(Debug, Clone, Copy)]
+struct Seen {
+    largest: f64,
+    least: f64,
+    at_numbers: f64,
+}
 
 impl Residual<'_> {
     /// Adds a window of some units of the machine: what is about a jump of the base for itself, since only there it is large.
@@ -35,38 +44,59 @@ impl Residual<'_> {
         }
     }
 
-    /// A window of some units of the machine: its numbers one by one, and between them what can be at most.
+    /// A window of some units of the machine: what one of its numbers tells, and between them what can be at most.
     fn narrow(&self, [left, right]: [f64; 2]) -> Bounded {
-        let is_inside = self.density.panel_at(0.5 * (left + right)).is_some();
-        let (mut largest, mut least, mut at_numbers) = (0.0f64, f64::INFINITY, 0.0f64);
-        let numbers: Vec<f64> = std::iter::successors(Some(left), |x| Some(x.next_up()))
-            .take_while(|x| *x <= right)
-            .take(MOST_NUMBERS + 1)
-            .collect();
-        // Beside the origin there are more than can be looked at.
-        let is_all = numbers.len() <= MOST_NUMBERS;
-        let numbers = &numbers[..numbers.len().min(MOST_NUMBERS)];
-        let mut potentials = Potentials::default();
-        self.density.potentials(numbers, &mut potentials);
-        for (&x, potential) in numbers.iter().zip(potentials.finished()) {
+        let middle = 0.5 * (left + right);
+        let is_inside = self.density.panel_at(middle).is_some();
+        let seen = self.seen(&[middle], is_inside);
+        let variation = self.variation([left, right]);
+        let least = seen.least - variation;
+        let largest = if is_inside { seen.largest + variation } else { (-least).max(0.0) };
+        let norm = largest * (right - left).sqrt();
+        Bounded { left, right, largest, norm, at_numbers: largest, least, is_narrow: true }
+    }
+
+    /// Looks at all numbers of those narrow windows that would say more than the others, and more than is allowed.
+    pub(crate) fn look_closer(&self, windows: &mut [Bounded], others: f64) {
+        let mut most = others;
+        for window in windows.iter_mut().filter(|window| window.is_narrow) {
+            let [left, right] = [window.left, window.right];
+            let allowed = allowance(self.theta, right - left) * self.density.largest();
+            if window.at_numbers > most.max(allowed) {
+                let numbers: Vec<f64> = std::iter::successors(Some(left), |x| Some(x.next_up()))
+                    .take_while(|x| *x <= right)
+                    .take(MOST_NUMBERS + 1)
+                    .collect();
+                // Beside the origin there are more than can be looked at.
+                if numbers.len() <= MOST_NUMBERS {
+                    let is_inside = self.density.panel_at(0.5 * (left + right)).is_some();
+                    window.at_numbers =
+                        window.at_numbers.min(self.seen(&numbers, is_inside).at_numbers);
+                }
+            }
+            most = most.max(window.at_numbers);
+        }
+    }
+
+    /// The residual at numbers.
+    fn seen(&self, numbers: &[f64], is_inside: bool) -> Seen {
+        let mut seen = Seen { largest: 0.0, least: f64::INFINITY, at_numbers: 0.0 };
+        let mut potentials = [(0.0, 0.0); MOST_NUMBERS];
+        self.density.potentials(numbers, &mut potentials[..numbers.len()]);
+        for (&x, potential) in numbers.iter().zip(potentials) {
             let (height, q) = (self.profile.height(x), self.density.value(x));
             let (w, error) = self.formed(x, height, q, potential);
             // Of what may be off by the error.
             let size = |w: f64, error: f64| {
                 if is_inside { w.abs() + error } else { (error - w).max(0.0) }
             };
-            largest = largest.max(size(w, error));
-            least = least.min(w - error);
+            seen.largest = seen.largest.max(size(w, error));
+            seen.least = seen.least.min(w - error);
             // The answer's own pressure counts at a place, not the resampled one, which may bend there.
             let w = if is_inside { w + (self.pressure)(x) - q.0 } else { w };
-            at_numbers = at_numbers.max(self.at_number(x, height, (w, error), &size));
+            seen.at_numbers = seen.at_numbers.max(self.at_number(x, height, (w, error), &size));
         }
-        let variation = self.variation([left, right]);
-        let least = least - variation;
-        let crude = if is_inside { largest + variation } else { (-least).max(0.0) };
-        let at_numbers = if is_all { at_numbers } else { crude };
-        let norm = crude * (right - left).sqrt();
-        Bounded { left, right, largest: crude, norm, at_numbers, least, is_narrow: true }
+        seen
     }
 
     /// The nearest places where the base may jump, one on either side, if they are within a distance.
@@ -112,7 +142,7 @@ impl Residual<'_> {
         let f = 0.5 * (f_low + f_high);
         let [lower, upper] = [w + (low - f).min(0.0), w + (high - f).max(0.0)];
         let nearest = if lower > 0.0 { lower } else { upper.min(0.0) };
-        size(nearest, (error - (f_high - f_low)).max(0.0))
+        size(nearest, (error - 0.5 * (f_high - f_low)).max(0.0))
     }
 
     /// A bound of how much `w` changes in a narrow window.

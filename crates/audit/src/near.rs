@@ -6,12 +6,10 @@
 //!
 //! from `(z - t) P_k` and one integration by parts. The recurrence runs forward where all its solutions are of one size, and backward (J. C. P. Miller) where `I_k` is the one that falls.
 
-use crate::allowance::UNIT;
-use crate::chebyshev::MOST;
+use crate::elementary::{exp, ln};
 use crate::kernel::Singularity;
 use crate::legendre::ORDER;
 use crate::panel::Panel;
-use crate::potentials::Potentials;
 
 /// Up to this place beyond an end of the panel the recurrence runs forward: rounding grows there by 2 for each degree, and coefficients fall faster.
 const FORWARD: f64 = 1.25;
@@ -19,14 +17,15 @@ const FORWARD: f64 = 1.25;
 const FALLEN: f64 = 38.0;
 const LAST: usize = ORDER + 28;
 
-/// Places that advance together, a divisor of [`MOST`].
-const TOGETHER: usize = 8;
-
 /// Roundings of the potential of a Legendre polynomial of degree `k >= 1` in units of the machine, `FIRST + STEP k` on the panel and `BESIDE` beyond: steps of the recurrence add five each,
 /// which its solutions carry on without growth on `[-1, 1]`. Checked against 30 digits in the tests.
 const FIRST: f64 = 10.0;
 const STEP: f64 = 8.0;
 const BESIDE: f64 = 40.0;
+
+/// Of the constant in units of the machine for each of its two logarithms, and beside them: differences 1, logarithms 2, products and sums 1 each; of powers the same.
+const CONSTANT: [f64; 2] = [4.0, 3.0];
+const POWER: f64 = 14.0;
 
 /// The sum of the coefficients' sizes, each with the roundings of its potential on the panel.
 pub(crate) fn rounded(coefficients: &[f64; ORDER], growth: f64) -> f64 {
@@ -49,52 +48,21 @@ pub(crate) struct Recurrence {
     backward: [[f64; 2]; LAST + 1],
 }
 
-/// Places that are treated alike.
-struct Batch {
-    count: usize,
-    index: [usize; MOST],
-    z: [f64; MOST],
-    /// `I_0` of the power.
-    zeroth: [f64; MOST],
-    first: [f64; MOST],
-    /// The part of the constant, for the logarithm with its scale, and its roundings.
-    plain: [f64; MOST],
-    rounding: [f64; MOST],
-    /// The largest and the least `|z|`.
-    farthest: f64,
-    nearest: f64,
+/// Places beside a panel: what they are to the right of its left end and to the left of its right one.
+pub(crate) struct Places<const N: usize> {
+    pub(crate) from_left: [f64; N],
+    pub(crate) to_right: [f64; N],
 }
 
-impl Batch {
-    /// None yet: what is left of others is overwritten.
-    fn clear(&mut self) {
-        self.count = 0;
-        self.farthest = 0.0;
-        self.nearest = f64::INFINITY;
-    }
-}
-
-impl Default for Batch {
-    fn default() -> Self {
-        Self {
-            count: 0,
-            index: [0; MOST],
-            z: [0.0; MOST],
-            zeroth: [0.0; MOST],
-            first: [0.0; MOST],
-            plain: [0.0; MOST],
-            rounding: [0.0; MOST],
-            farthest: 0.0,
-            nearest: f64::INFINITY,
-        }
-    }
-}
-
-/// Working memory of many panels.
-#[derive(Default)]
-pub(crate) struct Batches {
-    on: Batch,
-    beside: Batch,
+/// Places as a panel has them, and the potential there of what is constant on it.
+struct Begun<const N: usize> {
+    z: [f64; N],
+    /// `I_0` of the power, and `I_1`.
+    zeroth: [f64; N],
+    first: [f64; N],
+    /// The part of the constant, and its roundings.
+    plain: [f64; N],
+    rounding: [f64; N],
 }
 
 impl Recurrence {
@@ -113,172 +81,196 @@ impl Recurrence {
         Self { singularity, forward, backward }
     }
 
-    /// Adds `sign int sigma(|x - t|) q(t) dt` of a panel at at most [`MOST`] places, each with its index and with what it is to the right of the left end and to the left of the right one.
-    pub(crate) fn add(
+    /// `ln h` or `h^(1-mu)` of a half-length.
+    pub(crate) fn scale(&self, half: f64) -> f64 {
+        match self.singularity {
+            Singularity::Logarithm => half.ln(),
+            Singularity::Power(mu) => half.powf(1.0 - mu),
+        }
+    }
+
+    /// `int sigma(|x - t|) q(t) dt` of a panel, and its roundings in units of the machine, at places that are at most a few of its lengths away; `scale` is [`Recurrence::scale`].
+    #[inline(always)]
+    pub(crate) fn potentials<const N: usize>(
         &self,
         panel: &Panel,
-        places: impl Iterator<Item = (usize, [f64; 2])>,
-        sign: f64,
-        Batches { on, beside }: &mut Batches,
-        into: &mut Potentials,
-    ) {
-        on.clear();
-        beside.clear();
-        for (index, [from_left, to_right]) in places {
-            let z = 0.5 * (from_left - to_right) / panel.half();
-            let batch = if z.abs() <= FORWARD { &mut *on } else { &mut *beside };
-            self.begin(panel, (from_left, to_right, z), index, batch);
+        scale: f64,
+        places: &Places<N>,
+    ) -> [[f64; N]; 2] {
+        let begun = self.begun(panel, scale, places);
+        let (mut farthest_on, mut nearest_beside, mut is_any_beside) =
+            (0.0f64, f64::INFINITY, false);
+        let mut is_any_on = false;
+        let (mut on, mut beside) = (begun.z, begun.z);
+        for i in 0..N {
+            let size = begun.z[i].abs();
+            if size <= FORWARD {
+                is_any_on = true;
+                farthest_on = farthest_on.max(size);
+                beside[i] = 2.0;
+            } else {
+                is_any_beside = true;
+                nearest_beside = nearest_beside.min(size);
+                on[i] = 0.0;
+            }
         }
         let c = &panel.coefficients;
-        let mut sums = [0.0; MOST];
-        if on.count > 0 {
-            self.forward(c, on, &mut sums);
-            let size = if on.farthest <= 1.0 {
+        let (mut sums, mut size) = ([0.0; N], [BESIDE * panel.swing; N]);
+        if is_any_beside {
+            sums = self.backward(c, &beside, &begun.first, nearest_beside);
+        }
+        if is_any_on {
+            let own = self.forward(c, &on, &begun);
+            let rounded = if farthest_on <= 1.0 {
                 panel.rounded
             } else {
-                rounded(c, on.farthest + (on.farthest * on.farthest - 1.0).sqrt())
+                rounded(c, farthest_on + (farthest_on * farthest_on - 1.0).sqrt())
             };
-            self.finish(panel, size, sign, (on, &sums), into);
+            for i in 0..N {
+                if begun.z[i].abs() <= FORWARD {
+                    sums[i] = own[i];
+                    size[i] = rounded;
+                }
+            }
         }
-        if beside.count > 0 {
-            self.backward(c, beside, &mut sums);
-            self.finish(panel, BESIDE * panel.swing, sign, (beside, &sums), into);
-        }
+        self.finished(panel, scale, &begun, [&sums, &size])
     }
 
     /// What logarithms and powers are needed for: `I_0` and `I_1`.
-    fn begin(
-        &self,
-        panel: &Panel,
-        (from_left, to_right, z): (f64, f64, f64),
-        index: usize,
-        batch: &mut Batch,
-    ) {
-        let i = batch.count;
-        batch.count += 1;
-        batch.index[i] = index;
-        batch.z[i] = z;
-        batch.farthest = batch.farthest.max(z.abs());
-        batch.nearest = batch.nearest.min(z.abs());
+    #[inline(always)]
+    fn begun<const N: usize>(&self, panel: &Panel, scale: f64, places: &Places<N>) -> Begun<N> {
         let half = panel.half();
-        let (left, right) = (from_left / half, to_right / half);
+        let [mut left, mut right, mut z] = [[0.0; N]; 3];
+        for i in 0..N {
+            let (from_left, to_right) = (places.from_left[i], places.to_right[i]);
+            z[i] = 0.5 * (from_left - to_right) / half;
+            left[i] = from_left / half;
+            right[i] = to_right / half;
+        }
+        let logarithms = [ln(&left), ln(&right)];
+        let mut begun =
+            Begun { z, zeroth: [0.0; N], first: [0.0; N], plain: [0.0; N], rounding: [0.0; N] };
+        let constant = panel.coefficients[0];
         match self.singularity {
             Singularity::Logarithm => {
-                let [a, b] = [ln(from_left), ln(to_right)];
-                let sum = from_left * a + to_right * b - 2.0 * half;
-                batch.plain[i] = panel.coefficients[0] * sum;
-                // Differences, logarithms of two units, products and sums.
-                let size = from_left.abs() * (4.0 * a.abs() + 2.0)
-                    + to_right.abs() * (4.0 * b.abs() + 2.0)
-                    + 3.0 * sum.abs();
-                batch.rounding[i] = panel.coefficients[0].abs() * size;
-                // (z^2 - 1) Q_0 - z
-                let quotient =
-                    if left == 0.0 || right == 0.0 { 0.0 } else { 0.5 * ln(left / right) };
-                batch.first[i] = -right * left * quotient - z;
+                for i in 0..N {
+                    // Of 0, which is multiplied by it, some finite number.
+                    let [a, b] = [logarithms[0][i], logarithms[1][i]];
+                    let sum = left[i] * a + right[i] * b + (2.0 * scale - 2.0);
+                    begun.plain[i] = half * (constant * sum);
+                    let [each, rest] = CONSTANT;
+                    let size = left[i].abs() * (each * a.abs() + rest)
+                        + right[i].abs() * (each * b.abs() + rest)
+                        + 6.0 * scale.abs()
+                        + 3.0 * sum.abs();
+                    begun.rounding[i] = half * (constant.abs() * size);
+                    // (z^2 - 1) Q_0 - z
+                    begun.first[i] = -right[i] * left[i] * (0.5 * (a - b)) - z[i];
+                }
             }
             Singularity::Power(mu) => {
-                let signed = |d: f64| d.abs().powf(1.0 - mu).copysign(d);
-                let [a, b] = [signed(left), signed(right)];
-                let zeroth = (a + b) / (1.0 - mu);
-                batch.zeroth[i] = zeroth;
-                batch.first[i] = z * zeroth - (a * left - b * right) / (2.0 - mu);
-                batch.plain[i] = panel.coefficients[0] * zeroth;
-                batch.rounding[i] =
-                    panel.coefficients[0].abs() * 8.0 * (a.abs() + b.abs()) / (1.0 - mu);
+                let [one, two] = logarithms;
+                let powers = [one, two].map(|ln| exp(&ln.map(|ln| (1.0 - mu) * ln)));
+                for i in 0..N {
+                    let signed =
+                        |d: f64, power: f64| if d == 0.0 { 0.0 } else { power.copysign(d) };
+                    let [a, b] = [signed(left[i], powers[0][i]), signed(right[i], powers[1][i])];
+                    let zeroth = (a + b) / (1.0 - mu);
+                    begun.zeroth[i] = zeroth;
+                    begun.first[i] = z[i] * zeroth - (a * left[i] - b * right[i]) / (2.0 - mu);
+                    begun.plain[i] = scale * (constant * zeroth);
+                    begun.rounding[i] =
+                        scale * (constant.abs() * POWER * (a.abs() + b.abs()) / (1.0 - mu));
+                }
             }
         }
+        begun
     }
 
     /// `sum c_k I_k` over `k >= 1`, forward.
-    fn forward(&self, c: &[f64; ORDER], batch: &Batch, sums: &mut [f64; MOST]) {
-        let is_log = matches!(self.singularity, Singularity::Logarithm);
-        for from in (0..batch.count).step_by(TOGETHER) {
-            let [z, mut before, mut here] =
-                [&batch.z, &batch.zeroth, &batch.first].map(|all| some(all, from));
-            let mut own = here.map(|first| c[1] * first);
-            let mut k = 1;
-            if is_log {
-                // The recurrence begins at k = 2, from I_2 = z I_1 + 2/3.
-                for i in 0..TOGETHER {
-                    before[i] = here[i];
-                    here[i] = z[i] * here[i] + 2.0 / 3.0;
-                    own[i] += c[2] * here[i];
-                }
-                k = 2;
-            }
-            for k in k..ORDER - 1 {
-                let [a, b] = self.forward[k];
-                let next = c[k + 1];
-                for i in 0..TOGETHER {
-                    let value = a * z[i] * here[i] - b * before[i];
-                    before[i] = here[i];
-                    here[i] = value;
-                    own[i] += next * value;
-                }
-            }
-            sums[from..from + TOGETHER].copy_from_slice(&own);
+    #[inline(always)]
+    fn forward<const N: usize>(
+        &self,
+        c: &[f64; ORDER],
+        z: &[f64; N],
+        begun: &Begun<N>,
+    ) -> [f64; N] {
+        // The recurrence of the logarithm begins at k = 2, from I_2 = z I_1 + 2/3; that of powers at k = 1.
+        let (is_log, [a, b]) =
+            (matches!(self.singularity, Singularity::Logarithm), self.forward[1]);
+        let (mut before, mut here, mut own) = (begun.first, [0.0; N], [0.0; N]);
+        for i in 0..N {
+            let (z, zeroth, first) = (z[i], begun.zeroth[i], begun.first[i]);
+            here[i] = if is_log { z * first + 2.0 / 3.0 } else { a * z * first - b * zeroth };
+            own[i] = c[1] * first + c[2] * here[i];
         }
+        for k in 2..ORDER - 1 {
+            let [a, b] = self.forward[k];
+            let next = c[k + 1];
+            for i in 0..N {
+                let value = a * z[i] * here[i] - b * before[i];
+                before[i] = here[i];
+                here[i] = value;
+                own[i] += next * value;
+            }
+        }
+        own
     }
 
     /// The same backward, from zero at a high degree to `I_1`, which gives the size.
-    fn backward(&self, c: &[f64; ORDER], batch: &Batch, sums: &mut [f64; MOST]) {
-        let rho = batch.nearest + (batch.nearest * batch.nearest - 1.0).sqrt();
+    #[inline(always)]
+    fn backward<const N: usize>(
+        &self,
+        c: &[f64; ORDER],
+        z: &[f64; N],
+        first: &[f64; N],
+        nearest: f64,
+    ) -> [f64; N] {
+        let rho = nearest + (nearest * nearest - 1.0).sqrt();
         let beyond = (0.5 * FALLEN / rho.ln()).ceil() as usize;
         let start = LAST.min(ORDER + beyond);
-        for from in (0..batch.count).step_by(TOGETHER) {
-            let [z, first] = [&batch.z, &batch.first].map(|all| some(all, from));
-            let (mut above, mut here, mut own) =
-                ([0.0; TOGETHER], [1.0; TOGETHER], [0.0; TOGETHER]);
-            for k in (2..=start).rev() {
-                let [a, b] = self.backward[k];
-                let factor = if k < ORDER { c[k] } else { 0.0 };
-                for i in 0..TOGETHER {
-                    own[i] += factor * here[i];
-                    let value = a * z[i] * here[i] - b * above[i];
-                    above[i] = here[i];
-                    here[i] = value;
-                }
-            }
-            for i in 0..TOGETHER {
-                sums[from + i] = first[i] * (c[1] + own[i] / here[i]);
+        let (mut above, mut here, mut own) = ([0.0; N], [1.0; N], [0.0; N]);
+        for k in (ORDER..=start).rev() {
+            let [a, b] = self.backward[k];
+            for i in 0..N {
+                let value = a * z[i] * here[i] - b * above[i];
+                above[i] = here[i];
+                here[i] = value;
             }
         }
+        for k in (2..ORDER).rev() {
+            let [a, b] = self.backward[k];
+            for i in 0..N {
+                own[i] += c[k] * here[i];
+                let value = a * z[i] * here[i] - b * above[i];
+                above[i] = here[i];
+                here[i] = value;
+            }
+        }
+        for i in 0..N {
+            own[i] = first[i] * (c[1] + own[i] / here[i]);
+        }
+        own
     }
 
-    fn finish(
+    #[inline(always)]
+    fn finished<const N: usize>(
         &self,
         panel: &Panel,
-        size: f64,
-        sign: f64,
-        (batch, sums): (&Batch, &[f64; MOST]),
-        into: &mut Potentials,
-    ) {
-        let half = panel.half();
-        let (scale, plain, loss) = match self.singularity {
-            Singularity::Logarithm => (half, 1.0, 1.0),
-            Singularity::Power(mu) => {
-                let scale = half.powf(1.0 - mu);
-                (scale, scale, 2.0 / (1.0 - mu))
-            }
+        scale: f64,
+        begun: &Begun<N>,
+        [sums, sizes]: [&[f64; N]; 2],
+    ) -> [[f64; N]; 2] {
+        let (scale, loss) = match self.singularity {
+            Singularity::Logarithm => (panel.half(), 1.0),
+            Singularity::Power(mu) => (scale, 2.0 / (1.0 - mu)),
         };
-        let parts = batch.plain.iter().zip(&batch.rounding);
-        for ((index, sum), (own, rounding)) in
-            batch.index[..batch.count].iter().zip(sums).zip(parts)
-        {
-            let value = scale * sum + plain * own;
-            let rounding = scale * size * loss + plain * rounding + 2.0 * value.abs();
-            into.add(*index, sign * value, UNIT * rounding);
+        let [mut values, mut roundings] = [[0.0; N]; 2];
+        for i in 0..N {
+            let value = scale * sums[i] + begun.plain[i];
+            values[i] = value;
+            roundings[i] = scale * sizes[i] * loss + begun.rounding[i] + 2.0 * value.abs();
         }
+        [values, roundings]
     }
-}
-
-/// The entries of a batch that advance together; behind the last of the batch there are others.
-fn some(all: &[f64; MOST], from: usize) -> [f64; TOGETHER] {
-    std::array::from_fn(|i| all[from + i])
-}
-
-/// `ln|d|`; 0 for 0, where it is multiplied by 0.
-fn ln(d: f64) -> f64 {
-    if d == 0.0 { 0.0 } else { d.abs().ln() }
 }

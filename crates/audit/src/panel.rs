@@ -4,7 +4,7 @@ use crate::legendre::{self, ORDER, RULE};
 use crate::near::rounded;
 
 /// The last coefficients, whose size tells whether a panel resolves the density.
-const TAIL: usize = 3;
+pub(crate) const TAIL: usize = 3;
 
 /// A polynomial on `[left, right]`.
 #[derive(Debug, Clone)]

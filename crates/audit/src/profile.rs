@@ -5,6 +5,13 @@ pub trait Profile {
     /// A lower and an upper bound of `f(x)`.
     fn height(&self, x: f64) -> [f64; 2];
 
+    /// The same at several places from left to right, into as many entries.
+    fn heights(&self, places: &[f64], found: &mut [[f64; 2]]) {
+        for (range, x) in found.iter_mut().zip(places) {
+            *range = self.height(*x);
+        }
+    }
+
     /// The same for all places of an interval but finitely many.
     fn range(&self, interval: [f64; 2]) -> [f64; 2];
 

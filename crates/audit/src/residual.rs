@@ -4,6 +4,8 @@
 //! remainder: in that disk the density is replaced by one polynomial, off by at most `eta`, so the potential of what is left is at most `eta int |K|`. Interpolation at Chebyshev
 //! nodes then bounds the analytic part from its values, with the remainders of the book's chapter on the audit.
 
+use std::cell::Cell;
+
 use crate::allowance::UNIT;
 use crate::density::Density;
 use crate::heights::Known;
@@ -63,6 +65,8 @@ pub(crate) struct Residual<'a> {
     pub(crate) scaled: f64,
     /// Whether settlement and tilt are free: then they take up what scaling does to them.
     pub(crate) free: [bool; 2],
+    /// What rounding was of the last window: remainders of the next need not be smaller.
+    pub(crate) noise: Cell<f64>,
 }
 
 impl Residual<'_> {
@@ -88,7 +92,7 @@ impl Residual<'_> {
         // One rounding of each of these.
         let sizes = [turned, line, height, above, off, potential, value];
         let size: f64 = sizes.iter().map(|term| term.abs()).sum();
-        let error = self.theta * rounding + evaluated + (high - low) + UNIT * size;
+        let error = self.theta * rounding + evaluated + 0.5 * (high - low) + UNIT * size;
         (value, error + self.scaled * self.given(x, height, q, value))
     }
 

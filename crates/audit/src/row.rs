@@ -2,8 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::allowance::UNIT;
-use crate::chebyshev::{evaluate, nodes};
+use crate::chebyshev::{evaluate_at, nodes};
 use crate::panel::Panel;
 use crate::sum::Sum;
 
@@ -30,13 +29,14 @@ impl Regular {
             .collect();
         let mass: f64 = panels.iter().map(Panel::mass).sum();
         let largest = 3.0 * period.ln() + 2.0;
-        let rounding = ROUNDED * UNIT * mass * largest;
+        let rounding = ROUNDED * mass * largest;
         Self { coefficients: at.coefficients(&values), rounding }
     }
 
-    /// The value at a place and a bound of its rounding.
-    pub(crate) fn at(&self, x: f64) -> (f64, f64) {
-        (evaluate(&self.coefficients, x), self.rounding)
+    /// The values at places and a bound of their rounding in units of the machine.
+    #[inline(always)]
+    pub(crate) fn at<const N: usize>(&self, places: &[f64; N]) -> ([f64; N], f64) {
+        (evaluate_at(&self.coefficients, places), self.rounding)
     }
 }
 

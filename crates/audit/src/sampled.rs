@@ -149,7 +149,7 @@ fn narrow(field: &impl Field, [left, right]: [f64; 2], is_zone: bool) -> Seen {
         let f = 0.5 * (f_low + f_high);
         let [lower, upper] = [w + (low - f).min(0.0), w + (high - f).max(0.0)];
         let nearest = if lower > 0.0 { lower } else { upper.min(0.0) };
-        largest = largest.max(size(nearest) + (noise - (f_high - f_low)).max(0.0));
+        largest = largest.max(size(nearest) + (noise - 0.5 * (f_high - f_low)).max(0.0));
         anywhere = anywhere.max(size(lower).max(size(upper)) + noise);
         least = least.min(lower - noise);
     }

@@ -1,10 +1,9 @@
 //! The residual on a window that can be resolved: interpolation of what is analytic in the disk about it, and bounds of the rest.
 
 use crate::allowance::{UNIT, allowance};
-use crate::chebyshev::{lebesgue, nodes};
+use crate::chebyshev::{MOST, lebesgue, nodes};
 use crate::fitted::{Fitted, fit};
 use crate::heights::{Heights, Known};
-use crate::potentials::Potentials;
 use crate::remainders::{Part, local_mass, local_potential, outside};
 use crate::residual::{Bounded, Residual};
 
@@ -18,12 +17,17 @@ const INSIDE: f64 = 0.97;
 const ON_PANEL: f64 = 1.0 - 1e-9;
 /// Ends of disks are rounded: below this share of their distance from the origin they are off by more than `1 - INSIDE` of the radius.
 const PLACED: f64 = 17.0 * f64::EPSILON;
-/// Nodes of short windows are rounded. By Markov's inequality a polynomial changes by `s = n^2 u |c|/r` of its size for that; beyond this share so many nodes do not serve.
+/// Nodes of short windows are rounded. By Markov's inequality a polynomial changes by `s = n^2 u |c|/r` of its size for that, and by Lebesgue's constant times that between them; beyond this
+/// share so many nodes do not serve.
 const CROWDED: f64 = 0.5;
+/// Below this `s` what is interpolated changes by less than a hundredth of what interpolation misses of it; above it by that times Lebesgue's constant at most.
+const PLACED_WELL: f64 = 1e-6;
 /// Roundings of the cosine sums of a window, for each node squared.
 const COSINES: f64 = 3.0;
-/// Numbers of nodes on a window.
-const COUNTS: [usize; 11] = [3, 5, 7, 9, 12, 15, 19, 23, 28, 33, 40];
+/// Numbers of nodes on a window: eight or sixteen of them cost as much as one less.
+const COUNTS: [usize; 9] = [3, 5, FEW, 12, 16, 20, 24, 32, 40];
+/// So many tell what is to be expected of a window beside the zones.
+const FEW: usize = 8;
 /// Share of the budget for interpolation: a few nodes more make it small.
 const FINE: f64 = 0.6;
 /// Share of the residual that remainders may have.
@@ -85,9 +89,12 @@ impl Residual<'_> {
             inside + self.theta * outside(&parts, singularity, count, most / self.theta)
         };
         // What the residual itself may hide is looked for only where that is needed.
-        let least = jump.max(allowed);
-        let found =
-            if missed <= least { count_with(&mut heights, (least, c, r), remainder) } else { None };
+        let least = jump.max(allowed).max(self.noise.get());
+        let found = if missed <= least {
+            count_with(&mut heights, (least, c, r), 0, remainder)
+        } else {
+            None
+        };
         let (count, remainder) = match found {
             Some(found) => found,
             None => {
@@ -96,17 +103,19 @@ impl Residual<'_> {
                 if missed > budget || budget <= least {
                     return None;
                 }
-                count_with(&mut heights, (budget, c, r), remainder)?
+                count_with(&mut heights, (budget, c, r), 0, remainder)?
             }
         };
         let (values, error) = self.values(c, r, count);
+        self.noise.set(error);
         let rest = remainder + missed;
         let crowded = crowded(c, r, count);
-        let largest = crowded * self.sup(&values, lebesgue(count), error + missed) + rest;
+        let own = self.sup(&values, lebesgue(count), error + missed);
+        let largest = crowded * own + rest;
         // The square of a polynomial of degree n - 1 is integrated exactly against (1 - t^2)^(-1/2) >= 1 by the sum over n nodes times pi/n.
         let squares: f64 = values.iter().map(|w| (w.abs() + error + missed).powi(2)).sum();
-        let norm = crowded * (std::f64::consts::PI * r * squares / count as f64).sqrt()
-            + rest * (2.0 * r).sqrt();
+        let norm = (std::f64::consts::PI * r * squares / count as f64).sqrt()
+            + ((crowded - 1.0) * own + rest) * (2.0 * r).sqrt();
         Some(Bounded {
             left,
             right,
@@ -142,12 +151,15 @@ impl Residual<'_> {
 
     fn values(&self, c: f64, r: f64, count: usize) -> (Vec<f64>, f64) {
         let places: Vec<f64> = nodes(count).places.iter().map(|t| c + r * t).collect();
-        let mut potentials = Potentials::default();
-        self.density.potentials(&places, &mut potentials);
+        let mut potentials = [(0.0, 0.0); MOST];
+        self.density.potentials(&places, &mut potentials[..places.len()]);
         let mut largest = 0.0f64;
-        let values = (places.iter().zip(self.density.values(&places)).zip(potentials.finished()))
-            .map(|((x, q), potential)| {
-                let (w, error) = self.formed(*x, self.profile.height(*x), q, potential);
+        let mut heights = [[0.0; 2]; MOST];
+        self.profile.heights(&places, &mut heights[..places.len()]);
+        let densities = self.density.values(&places);
+        let values = (places.iter().zip(heights).zip(densities).zip(potentials))
+            .map(|(((x, height), q), potential)| {
+                let (w, error) = self.formed(*x, height, q, potential);
                 largest = largest.max(error);
                 w
             })
@@ -182,12 +194,15 @@ impl Residual<'_> {
             return None;
         }
         let allowed = allowance(self.theta, right - left) * self.density.largest();
-        let (middle, error) = self.at(c);
+        let fits = |count: &usize| *count <= FEW && crowded(c, r, *count).is_finite();
+        let first = COUNTS.into_iter().rfind(fits)?;
+        let (few, error) = self.values(c, r, first);
+        let middle = 0.5 * (few[(first - 1) / 2] + few[first / 2]);
         let budget = (SHARE * middle.abs()).max(2.0 * error).max(allowed);
-        let (count, remainder) = count_with(&mut heights, (budget, c, r), |count, most| {
+        let (count, remainder) = count_with(&mut heights, (budget, c, r), first, |count, most| {
             self.theta * outside(&parts, singularity, count, most / self.theta)
         })?;
-        let (values, error) = self.values(c, r, count);
+        let (values, error) = if count == first { (few, error) } else { self.values(c, r, count) };
         let mut swing = 0.0;
         let mut mean = 0.0;
         for (k, a) in nodes(count).coefficients(&values).into_iter().enumerate() {
@@ -210,27 +225,40 @@ impl Residual<'_> {
     }
 }
 
-/// The smallest number of nodes with which all remainders are within the budget, and the remainder; of a larger one than is asked for any part will do.
+/// The smallest number of nodes, at least `first`, with which all remainders are within the budget, and the remainder; of a larger one than is asked for any part will do.
 fn count_with(
     heights: &mut Heights<'_>,
     (budget, c, r): (f64, f64, f64),
+    first: usize,
     remainder: impl Fn(usize, f64) -> f64,
 ) -> Option<(usize, f64)> {
-    for count in COUNTS.into_iter().filter(|count| crowded(c, r, *count).is_finite()) {
-        let own = remainder(count, FINE * budget);
-        if own > FINE * budget {
+    for count in COUNTS.into_iter().filter(|count| *count >= first) {
+        let crowded = crowded(c, r, count);
+        if crowded.is_infinite() {
             continue;
         }
-        let total = own + heights.missed(count, FINE * budget - own);
-        if total <= FINE * budget {
-            return Some((count, total));
+        let is_well = moved(c, r, count) <= PLACED_WELL;
+        let factor = if is_well { 1.01 } else { 1.0 + crowded * lebesgue(count) };
+        let most = FINE * budget / factor;
+        let own = remainder(count, most);
+        if own > most {
+            continue;
+        }
+        let total = own + heights.missed(count, most - own);
+        if total <= most {
+            return Some((count, factor * total));
         }
     }
     None
 }
 
+/// What rounding of nodes may change of a polynomial at them, relative to its size.
+fn moved(c: f64, r: f64, count: usize) -> f64 {
+    (count * count) as f64 * UNIT * c.abs() / r
+}
+
 /// What rounded nodes make of bounds of the polynomial through values at them; infinite where so many do not serve.
 fn crowded(c: f64, r: f64, count: usize) -> f64 {
-    let moved = (count * count) as f64 * UNIT * c.abs() / r;
-    if moved > CROWDED { f64::INFINITY } else { 1.0 / (1.0 - moved) }
+    let share = lebesgue(count) * moved(c, r, count);
+    if share > CROWDED { f64::INFINITY } else { 1.0 / (1.0 - share) }
 }

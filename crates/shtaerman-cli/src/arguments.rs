@@ -1,21 +1,40 @@
 //! The arguments of the command line.
 
+mod common;
+mod explore;
 mod export;
+mod find;
+mod picture;
 mod roughness;
+mod schema;
+mod spectrum;
 mod started;
 mod sweep;
+mod trace;
+mod units;
 
 use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+pub use common::{OutputArguments, ProblemArguments, ReportArguments, ReportFormat};
+pub use explore::ExploreArguments;
 pub use export::{ExportArguments, Exported, ModelUnits, Program};
+pub use find::{
+    FindArguments, FindCrownArguments, FindForceArguments, FindProfileArguments,
+    FindRoughnessArguments, Unknown, Zero,
+};
+pub use picture::{PictureArguments, PictureTheme};
 pub use roughness::{
     BearingArguments, ColumnOrder, GreenwoodWilliamsonArguments, Law, RoughnessArguments,
     RoughnessSource, TableArguments,
 };
+pub use schema::{SchemaArguments, SchemaName};
+pub use spectrum::{KernelArguments, SpectrumArguments};
 pub use started::{CompletionsArguments, ExampleGeometry, InitArguments, ManArguments};
 pub use sweep::SweepArguments;
+pub use trace::{Level, TraceArguments};
+pub use units::{SenseArguments, UnitArguments};
 
 /// Contact of a rigid punch with a rough elastic body (Shtaerman's model).
 ///
@@ -61,50 +80,20 @@ pub enum Command {
     Spectrum(SpectrumArguments),
     /// Run a study: a problem file with some of its values varied.
     Sweep(SweepArguments),
+    /// Explore a problem on a local page in the browser.
+    Explore(ExploreArguments),
     /// Turn what is known of a rough surface into the roughness of a problem file.
     Roughness(RoughnessArguments),
     /// Write the rough layer, or the whole contact, as tables for a finite-element program.
     Export(ExportArguments),
+    /// Show what is read of a measured trace, and what is made of it.
+    Trace(TraceArguments),
+    /// Write the JSON Schema of problem files, or of the JSON of a command.
+    Schema(SchemaArguments),
     /// Write what completes commands and options in a shell.
     Completions(CompletionsArguments),
     /// Write a page for `man` about each command.
     Man(ManArguments),
-}
-
-/// How results are written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum ReportFormat {
-    /// A table for people, in engineering units.
-    Table,
-    /// JSON, in SI units.
-    Json,
-    /// CSV, in SI units.
-    Csv,
-}
-
-/// Where results go.
-#[derive(Debug, Args)]
-pub struct OutputArguments {
-    /// Format of the result.
-    #[arg(long, value_enum, default_value = "table", value_name = "FORMAT")]
-    pub format: ReportFormat,
-    /// Write the result to this file instead of the terminal.
-    #[arg(long, short, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-}
-
-/// A problem file with overrides.
-#[derive(Debug, Args)]
-pub struct ProblemArguments {
-    /// Problem file (TOML); `-` reads standard input.
-    #[arg(value_name = "FILE.toml")]
-    pub file: PathBuf,
-    /// Override a key of the file, such as load.force="1 MN/m"; may be given again.
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    pub overrides: Vec<String>,
-    /// End with exit code 3 when there is no answer after this time, such as "10 s"; `solve` shows the best so far then. In place of the key `solver.time_limit`.
-    #[arg(long, value_name = "TIME")]
-    pub time_limit: Option<String>,
 }
 
 /// `shtaerman solve`.
@@ -116,18 +105,21 @@ pub struct SolveArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
-    /// Draw pressure and deformed surface to this file (.svg or .png).
+    /// Draw pressure and deformed surface to this file (.svg, .png or .pdf).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    /// What the picture shows, such as "-2 mm..2 mm" [default: the whole base, or a contact that is much less wide with its neighbourhood].
+    #[arg(long, value_name = "X1..X2", requires = "plot", allow_hyphen_values = true)]
+    pub x_range: Option<String>,
     /// Solve again by a reference method that shares no code with the others, and report the differences; exit code 1 where they are larger than both state.
     #[arg(long)]
     pub cross_check: bool,
     /// Leave out the audit: errors are then those that the method states of itself.
     #[arg(long)]
     pub no_audit: bool,
-    /// End with exit code 2 where an engineer would doubt the input: steep bases, large angles, pressures that no solid bears, moduli without a unit and the like, which are warnings otherwise.
-    #[arg(long)]
-    pub strict: bool,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
     /// Places for the pressure, separated by commas: metres or with a unit; xi for a dimensionless file.
     #[arg(long, value_name = "X1,X2,...", allow_hyphen_values = true)]
     pub at: Option<String>,
@@ -152,124 +144,21 @@ pub struct SolveArguments {
         long,
         value_name = "KEY=VALUES",
         allow_hyphen_values = true,
-        conflicts_with_all = ["cross_check", "at", "datum_distance", "datum_depth", "surface", "sensitivities"]
+        conflicts_with_all = ["cross_check", "at", "datum_distance", "datum_depth", "surface", "sensitivities", "report"]
     )]
     pub vary: Vec<String>,
     /// What is kept of each answer of --vary, such as "settlement, tilt".
     #[arg(long, value_name = "NAMES", requires = "vary")]
     pub outputs: Option<String>,
-}
-
-/// `shtaerman find`.
-#[derive(Debug, Args)]
-pub struct FindArguments {
-    /// What to find.
-    #[command(subcommand)]
-    pub unknown: Unknown,
-}
-
-/// What `shtaerman find` finds.
-#[derive(Debug, Subcommand)]
-pub enum Unknown {
-    /// The force for a peak pressure or a contact width, keeping the eccentricity M/P or the tilt.
-    Force(FindForceArguments),
-    /// The roughness behind a measured settlement, contact width or peak pressure.
-    Roughness(FindRoughnessArguments),
-    /// The crown radius R, base x^2/(2R), that keeps the peak pressure under a limit, and the one of the lowest peak.
-    Crown(FindCrownArguments),
-    /// The profile that gives a prescribed pressure, as CSV.
-    Profile(FindProfileArguments),
-}
-
-/// `shtaerman find force`.
-#[derive(Debug, Args)]
-#[command(group(clap::ArgGroup::new("goal").required(true).args(["peak_pressure", "contact_width"])))]
-pub struct FindForceArguments {
     #[command(flatten)]
-    /// The problem; its force is where the search begins.
-    pub problem: ProblemArguments,
-    /// The largest pressure wanted, such as "350 MPa"; p/E for a dimensionless file.
-    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
-    pub peak_pressure: Option<String>,
-    /// The width of contact wanted, such as "2 mm"; in half-widths for a dimensionless file.
-    #[arg(long, value_name = "WIDTH", allow_hyphen_values = true)]
-    pub contact_width: Option<String>,
-    /// Leave out the audit: errors are then those that the method states of itself.
-    #[arg(long)]
-    pub no_audit: bool,
+    /// The units of the result.
+    pub units: UnitArguments,
     #[command(flatten)]
-    /// The result.
-    pub output: OutputArguments,
-}
-
-/// `shtaerman find roughness`.
-#[derive(Debug, Args)]
-#[command(group(clap::ArgGroup::new("goal").required(true).args(["settlement", "contact_width", "peak_pressure"])))]
-pub struct FindRoughnessArguments {
+    /// How the picture looks.
+    pub picture: PictureArguments,
     #[command(flatten)]
-    /// The problem; its roughness is where the search begins.
-    pub problem: ProblemArguments,
-    /// The settlement measured under the load, such as "3.1 um", in the gauge ln(a/|x-s|).
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
-    pub settlement: Option<String>,
-    /// The width of contact measured under the load, such as "2 mm".
-    #[arg(long, value_name = "WIDTH", allow_hyphen_values = true)]
-    pub contact_width: Option<String>,
-    /// The largest pressure measured under the load, such as "350 MPa".
-    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
-    pub peak_pressure: Option<String>,
-    /// Leave out the audit: errors are then those that the method states of itself.
-    #[arg(long)]
-    pub no_audit: bool,
-    #[command(flatten)]
-    /// The result.
-    pub output: OutputArguments,
-}
-
-/// `shtaerman find crown`.
-#[derive(Debug, Args)]
-pub struct FindCrownArguments {
-    #[command(flatten)]
-    /// The problem; the crown takes the place of its profile.
-    pub problem: ProblemArguments,
-    /// The limit of the peak pressure, such as "350 MPa"; without it the radius of the lowest peak alone.
-    #[arg(long, value_name = "PRESSURE", allow_hyphen_values = true)]
-    pub peak_pressure: Option<String>,
-    /// Leave out the audit: errors are then those that the method states of itself.
-    #[arg(long)]
-    pub no_audit: bool,
-    #[command(flatten)]
-    /// The result.
-    pub output: OutputArguments,
-}
-
-/// Where the profile of `shtaerman find profile` is zero.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum Zero {
-    /// In the middle.
-    Centre,
-    /// At its lowest point.
-    Lowest,
-}
-
-/// `shtaerman find profile`.
-#[derive(Debug, Args)]
-pub struct FindProfileArguments {
-    #[command(flatten)]
-    /// The problem; the profile found takes the place of its own.
-    pub problem: ProblemArguments,
-    /// The pressure wanted, an expression in x, xi and a, scaled to the force: "1" is a uniform one.
-    #[arg(long, value_name = "EXPRESSION", allow_hyphen_values = true)]
-    pub pressure: String,
-    /// Where the profile is zero.
-    #[arg(long, value_enum, default_value = "centre", value_name = "PLACE")]
-    pub zero: Zero,
-    /// Number of points of the trace, from edge to edge and denser at the edges.
-    #[arg(long, value_name = "COUNT", default_value_t = 1001)]
-    pub points: usize,
-    #[command(flatten)]
-    /// The result; CSV is the trace, as `profile = { csv = ".." }` reads it.
-    pub output: OutputArguments,
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// How stresses are written.
@@ -286,7 +175,8 @@ pub enum StressFormat {
 }
 
 /// A component or an equivalent of the stress.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum StressComponent {
     /// Along the surface.
     SigmaX,
@@ -298,12 +188,15 @@ pub enum StressComponent {
     TauXy,
     /// Largest principal stress.
     #[value(name = "sigma-1")]
+    #[serde(rename = "sigma-1")]
     Sigma1,
     /// Middle principal stress.
     #[value(name = "sigma-2")]
+    #[serde(rename = "sigma-2")]
     Sigma2,
     /// Least principal stress.
     #[value(name = "sigma-3")]
+    #[serde(rename = "sigma-3")]
     Sigma3,
     /// Largest shear stress, half of tresca.
     MaxShear,
@@ -349,9 +242,21 @@ pub struct StressArguments {
     /// Poisson's ratio, for a dimensionless file.
     #[arg(long, value_name = "NU", allow_negative_numbers = true)]
     pub poisson_ratio: Option<f64>,
-    /// Draw a map to this file (.svg or .png).
+    /// Draw a map to this file (.svg, .png or .pdf).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    #[command(flatten)]
+    /// The units of the result.
+    pub units: UnitArguments,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
+    #[command(flatten)]
+    /// How the picture looks.
+    pub picture: PictureArguments,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
 }
 
 /// `shtaerman validate`.
@@ -368,9 +273,12 @@ pub struct ReproduceArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
-    /// Draw Fig. 2 (f0 = lambda0 xi^2) as the paper computed it and as it is (.svg or .png).
+    /// Draw Fig. 2 (f0 = lambda0 xi^2) as the paper computed it and as it is (.svg, .png or .pdf).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    #[command(flatten)]
+    /// How the picture looks.
+    pub picture: PictureArguments,
 }
 
 /// `shtaerman regularity`.
@@ -402,9 +310,15 @@ pub struct ConvergenceArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
-    /// Draw the differences over n (.svg or .png).
+    /// Draw the differences over n (.svg, .png or .pdf).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    #[command(flatten)]
+    /// The units of the result.
+    pub units: UnitArguments,
+    #[command(flatten)]
+    /// How the picture looks.
+    pub picture: PictureArguments,
 }
 
 /// `shtaerman equation`.
@@ -419,9 +333,12 @@ pub struct EquationArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
-    /// Draw the solution to this file (.svg or .png).
+    /// Draw the solution to this file (.svg, .png or .pdf).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    /// What the picture shows, such as "0.8..1" [default: all of the interval].
+    #[arg(long, value_name = "X1..X2", requires = "plot", allow_hyphen_values = true)]
+    pub x_range: Option<String>,
     /// Solve by the other method as well; exit code 1 if they differ by more than both errors.
     #[arg(long)]
     pub cross_check: bool,
@@ -434,60 +351,10 @@ pub struct EquationArguments {
     /// Number of points of the curve, from end to end and denser at the ends; a half-line is shown to 12/kappa.
     #[arg(long, value_name = "COUNT", default_value_t = 201, conflicts_with = "at")]
     pub points: usize,
-}
-
-/// `shtaerman spectrum`.
-#[derive(Debug, Args)]
-pub struct SpectrumArguments {
-    /// log, log-ratio, log-ratio-limit, log-sine, log-square, power, macdonald, weber-sonine or yukawa.
-    #[arg(value_name = "KERNEL")]
-    pub kernel: String,
     #[command(flatten)]
-    /// The parameters of the kernel.
-    pub parameters: KernelArguments,
-    /// Number of eigenvalues.
-    #[arg(long, value_name = "N", default_value_t = 10)]
-    pub count: usize,
-    /// Check the spectral relation, orthogonality, norms, Gram matrix and bilinear sum by independent quadrature; exit code 1 if a check fails.
-    #[arg(long)]
-    pub verify: bool,
+    /// How the picture looks.
+    pub picture: PictureArguments,
     #[command(flatten)]
-    /// The result.
-    pub output: OutputArguments,
-    /// Draw the first eigenfunctions to this file (.svg or .png).
-    #[arg(long, value_name = "FILE")]
-    pub plot: Option<PathBuf>,
-}
-
-/// The parameters of a kernel; which of them it takes depends on the kernel.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Parameters of the kernel")]
-pub struct KernelArguments {
-    /// Half-length of the interval, or its outer end.
-    #[arg(long, value_name = "A", allow_hyphen_values = true)]
-    pub a: Option<String>,
-    /// Inner end (log-ratio, log-square).
-    #[arg(long, value_name = "B", allow_hyphen_values = true)]
-    pub b: Option<String>,
-    /// Half-angle (log-sine), in radians or as "150 deg".
-    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
-    pub alpha: Option<String>,
-    /// Exponent (power), order (macdonald, weber-sonine).
-    #[arg(long, value_name = "MU", allow_hyphen_values = true)]
-    pub mu: Option<String>,
-    /// Decay (macdonald).
-    #[arg(long, value_name = "KAPPA", allow_hyphen_values = true)]
-    pub kappa: Option<String>,
-    /// Half the exponent of the power t^(2 gamma) (weber-sonine).
-    #[arg(long, value_name = "GAMMA", allow_hyphen_values = true)]
-    pub gamma: Option<String>,
-    /// Decay (yukawa).
-    #[arg(long, value_name = "CHI0", allow_hyphen_values = true)]
-    pub chi0: Option<String>,
-    /// Harmonic, a whole number (yukawa).
-    #[arg(long, value_name = "M", allow_hyphen_values = true)]
-    pub m: Option<String>,
-    /// "half-line" instead of a finite interval (macdonald).
-    #[arg(long, value_name = "INTERVAL")]
-    pub interval: Option<String>,
+    /// The report.
+    pub report: ReportArguments,
 }

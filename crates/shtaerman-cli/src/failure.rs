@@ -14,6 +14,7 @@ use shtaerman::document::FileError;
 use shtaerman::legible;
 
 use crate::plot::PlotError;
+use crate::terminal::{has_colours, painted_message};
 
 /// Why a command ends without its result.
 #[derive(Debug, thiserror::Error)]
@@ -132,7 +133,9 @@ pub fn told(error: &shtaerman::Error) -> String {
     if let shtaerman::Error::File(fault) | shtaerman::Error::Beyond(fault) = error {
         words.push_str(&snippet(fault));
         if let Some(help) = fault.help() {
-            words.push_str(&format!("help: {}\n", legible(help)));
+            // Lines to be added to the file stand on lines of their own.
+            let shown: Vec<String> = help.lines().map(legible).collect();
+            words.push_str(&format!("help: {}\n", shown.join("\n  ")));
         }
     }
     words
@@ -168,7 +171,9 @@ pub(crate) fn shown(path: &Path) -> String {
 
 /// Writes to standard error; where that is closed or full, nobody is left to be told.
 pub(crate) fn print(text: &str) {
-    let _ = std::io::stderr().lock().write_all(text.as_bytes());
+    let stream = std::io::stderr();
+    let text = if has_colours(&stream) { painted_message(text) } else { text.to_owned() };
+    let _ = stream.lock().write_all(text.as_bytes());
 }
 
 /// Longest source line that is shown, in bytes.

@@ -12,6 +12,8 @@ mod output;
 pub mod plot;
 mod report;
 mod results;
+mod snippets;
+mod terminal;
 
 use std::io::Write;
 use std::path::Path;
@@ -20,12 +22,14 @@ use std::process::ExitCode;
 use clap::Parser;
 use clap::error::ErrorKind;
 
-use arguments::Arguments;
+use arguments::{Arguments, Command};
+pub use commands::explore::PageEngine;
 use failure::Failure;
 pub use failure::{Refusal, told};
-pub use report::contact_plot;
+pub use report::{ContactPicture, contact_picture, contact_plot};
 pub use results::{PartFormat, StudyResults};
-use shtaerman::legible;
+use shtaerman::file::ProblemFile;
+use shtaerman::{Problem, legible};
 
 /// Exit code of bad input.
 const BAD_INPUT: u8 = 2;
@@ -61,15 +65,59 @@ pub fn run() -> ExitCode {
 /// # Ok::<(), shtaerman_cli::Refusal>(())
 /// ```
 pub fn json_of(arguments: &[String]) -> Result<String, Refusal> {
+    let found = commands::json_of(&parsed(arguments)?.command);
+    found.map_err(Refusal::from)
+}
+
+/// What `shtaerman export` with these arguments writes, of a problem that was read before; the file among the arguments gives it its name.
+///
+/// # Errors
+/// [`Refusal`] with its exit code.
+///
+/// ```
+/// use std::path::Path;
+/// use shtaerman::file::ProblemFile;
+///
+/// let text = r#"
+/// [foundation]
+/// young_modulus = "200 GPa"
+/// poisson_ratio = 0.3
+/// roughness = "1.2e-14 m/Pa"
+///
+/// [punch]
+/// half_width = "5 mm"
+/// profile = "0"
+///
+/// [load]
+/// force = "0.8 MN/m"
+/// moment = 0
+/// "#;
+/// let file = ProblemFile::from_bytes(text.as_bytes(), "punch.toml", Path::new(""), &[])?;
+/// let arguments = ["export", "calculix", "punch.toml", "--units=mm"].map(str::to_owned);
+/// let model = shtaerman_cli::export_of(&arguments, file.problem(), &file)?;
+/// assert!(model.contains("*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn export_of(
+    arguments: &[String],
+    problem: &Problem,
+    file: &ProblemFile,
+) -> Result<String, Refusal> {
+    let Command::Export(arguments) = parsed(arguments)?.command else {
+        return Err(Refusal::new(BAD_INPUT, "only export is taken here"));
+    };
+    Ok(commands::exported(&arguments, problem, file)?)
+}
+
+/// The arguments of a command that another program gives.
+fn parsed(arguments: &[String]) -> Result<Arguments, Refusal> {
     let name = std::iter::once("shtaerman");
     let parsed = Arguments::try_parse_from(name.chain(arguments.iter().map(String::as_str)));
-    let parsed = parsed.map_err(|error| {
+    parsed.map_err(|error| {
         let text = error.render().to_string();
         let shown: Vec<String> = text.lines().map(legible).collect();
         Refusal::new(BAD_INPUT, &shown.join("\n"))
-    })?;
-    let found = commands::json_of(&parsed.command);
-    found.map_err(Refusal::from)
+    })
 }
 
 /// Prints help, the version, or what is wrong with the arguments.

@@ -20,13 +20,13 @@ struct End {
 impl Deadline {
     /// From now on; a limit beyond what a clock can tell is none.
     pub(crate) fn after(limit: Duration) -> Self {
-        let end = Instant::now().checked_add(limit);
+        let end = ending(limit);
         Self(end.map(|at| Arc::new(End::new(Some(at), None))))
     }
 
     /// From now on, and earlier where the caller says so.
     pub(crate) fn unless(stop: &Arc<AtomicBool>, limit: Option<Duration>) -> Self {
-        let end = limit.and_then(|limit| Instant::now().checked_add(limit));
+        let end = limit.and_then(ending);
         Self(Some(Arc::new(End::new(end, Some(Arc::clone(stop))))))
     }
 
@@ -45,6 +45,14 @@ impl Deadline {
             end.is_lifted.store(true, Ordering::Relaxed);
         }
     }
+}
+
+/// When a limit that begins now is over. In a browser there is no clock, and no end by it.
+fn ending(limit: Duration) -> Option<Instant> {
+    if cfg!(all(target_family = "wasm", target_os = "unknown")) {
+        return None;
+    }
+    Instant::now().checked_add(limit)
 }
 
 impl End {

@@ -26,12 +26,15 @@
 //! # Ok::<(), shtaerman::Error>(())
 //! ```
 
+mod answered;
 mod columns;
 mod design;
 mod distribution;
+mod find;
 mod indices;
 mod output;
 mod parts;
+mod quantity;
 mod read;
 mod row;
 mod solving;

@@ -40,7 +40,7 @@ pub struct Manifest {
     pub format: String,
     /// The study file.
     pub study: String,
-    /// SHA-256 of the study with its overrides and of its measured profile.
+    /// SHA-256 of the study with its overrides and of its measured profiles.
     pub digest: String,
     /// Number of cases.
     pub cases: usize,
@@ -77,11 +77,11 @@ impl Study {
     /// What a folder of results of this study says of itself.
     ///
     /// # Errors
-    /// [`Error::File`] where the measured profile can be read no more.
+    /// [`Error::File`] where a measured profile can be read no more.
     pub fn manifest(&self, name: &str, format: &str) -> Result<Manifest, Error> {
         let mut digest = Sha256::new();
         digest.update(self.text.as_bytes());
-        if let Some(path) = self.measured_profile()? {
+        for path in self.measured_profiles()? {
             let name = path.display().to_string();
             let bytes = load_bytes(&path)
                 .map_err(|message| FileError::new(message).in_file(Some(&name)))?;
@@ -97,7 +97,7 @@ impl Study {
             cases: self.cases,
             part_size: self.part_size,
             variables: self.variables.iter().map(|variable| variable.key.clone()).collect(),
-            outputs: self.outputs.iter().map(|output| output.name.to_owned()).collect(),
+            outputs: self.outputs.iter().map(|output| output.name.clone()).collect(),
         })
     }
 
@@ -107,7 +107,7 @@ impl Study {
         let mut columns = vec!["case".to_owned()];
         columns.extend(self.variables.iter().map(|variable| variable.key.clone()));
         for output in &self.outputs {
-            columns.extend([output.name.to_owned(), format!("{}_error", output.name)]);
+            columns.extend([output.name.clone(), format!("{}_error", output.name)]);
         }
         columns.extend(["error_kind".to_owned(), "reason".to_owned()]);
         columns

@@ -3,15 +3,20 @@
 use std::path::Path;
 use std::sync::OnceLock;
 
-use shtaerman::document::{Document, Field, FileError, TableReader, ValueKind};
-use shtaerman::file::ProblemFile;
-use shtaerman::quantity;
+use shtaerman::document::{Document, Field, FileError, Origin, TableReader, ValueKind};
+use shtaerman::equation::is_equation;
+use shtaerman::file::AnyFile;
+use shtaerman::{Error, Problem, quantity};
 
 use crate::design::{LONGEST_SOBOL, Shares};
+use crate::find::Find;
+use crate::output::Kind;
 use crate::{Design, Distribution, Input, Output, Study, Variable, Variation};
 
-/// Most values of one variable, and most cases of a design that is drawn.
-const MOST: usize = 100_000_000;
+/// Most values of a range, and most random cases: whole numbers up to it are floating-point numbers.
+const MOST: usize = usize::MAX >> 11;
+/// Most cases of a Latin hypercube, whose order is kept.
+const MOST_KEPT: usize = 100_000_000;
 /// Fewest groups for Sobol's indices: a standard error from `n` of them is itself uncertain by `1/sqrt(2 (n - 1))`, here by 18 %, and from one there is none.
 const FEWEST_GROUPS: usize = 16;
 /// Most variables.
@@ -31,7 +36,7 @@ pub(crate) fn study(
     mut document: Document,
     folder: &Path,
     overrides: &[String],
-) -> Result<Study, shtaerman::Error> {
+) -> Result<Study, Error> {
     let text = std::iter::once(document.source_text())
         .chain(overrides.iter().map(String::as_str))
         .collect::<Vec<_>>()
@@ -47,10 +52,19 @@ pub(crate) fn study(
             )
         })?
         .table()?;
+    let is_equation = is_equation(&document);
+    let is_dimensionless = is_equation || document.get("dimensionless").is_some();
+    let find = if is_equation { None } else { Find::read(&table, is_dimensionless)? };
+    let kind = if is_equation {
+        Kind::Equation
+    } else {
+        Kind::Contact { is_dimensionless, is_search: find.is_some() }
+    };
     let design_field = table.optional("design");
     let name = design_field.as_ref().map(|field| field.one_of(&DESIGNS)).transpose()?;
     let is_grid = matches!(name, None | Some("grid"));
     let variables = variables(&table, is_grid, &document, folder)?;
+    check_find(&table, find, &variables)?;
     let design = design(&table, name.unwrap_or("grid"))?;
     let cases = match design {
         Design::Grid => combinations(&variables).ok_or_else(|| {
@@ -66,7 +80,8 @@ pub(crate) fn study(
         problem: document,
         folder: folder.to_owned(),
         design,
-        outputs: outputs(&table)?,
+        find,
+        outputs: outputs(&table, kind)?,
         is_audited: table.boolean("audit")?.unwrap_or(false),
         audited_sample: count(&table, "audited_sample", 0..=LARGEST_SAMPLE)?
             .unwrap_or(AUDITED_SAMPLE),
@@ -84,13 +99,22 @@ pub(crate) fn study(
     Ok(study)
 }
 
-/// Reads the problem with the first case: a wrong key or unit is told before anything is computed, where the key is varied.
-fn check(study: &Study, table: &TableReader<'_>) -> Result<(), shtaerman::Error> {
-    let Err(error) = study.file(&study.inputs(0)) else { return Ok(()) };
-    if let shtaerman::Error::File(fault) = &error
-        && let Some(variable) = study.variables.iter().find(|v| fault.field() == Some(&v.key))
+/// Reads the problem with the first case: a wrong key or unit is told before anything is computed, where the key is varied. So is an output that no case has.
+fn check(study: &Study, table: &TableReader<'_>) -> Result<(), Error> {
+    let error = match study.file(&study.inputs(0)) {
+        Ok(file) => return check_outputs(study, &file, table),
+        Err(error) => error,
+    };
+    if let Error::File(fault) = &error
+        && let Some(field) = fault.field()
+        && let Some(variable) = study.variables.iter().find(|v| is_of(fault, field, &v.key))
     {
-        let told = table.required("vary")?.table()?.required(&variable.key)?.error(fault.message());
+        let varied = table.required("vary")?.table()?.required(&variable.key)?;
+        let told = if field == variable.key {
+            varied.error(fault.message())
+        } else {
+            varied.error(format!("{field} {}", fault.message()))
+        };
         return Err(match fault.help() {
             Some(help) => told.with_help(help),
             None => told,
@@ -98,6 +122,51 @@ fn check(study: &Study, table: &TableReader<'_>) -> Result<(), shtaerman::Error>
         .into());
     }
     Err(error)
+}
+
+/// Whether a fault of a field is one of a varied key: of itself, or of a table that only the key has made.
+fn is_of(fault: &FileError, field: &str, key: &str) -> bool {
+    let is_made = fault.origin().is_some_and(Origin::is_override);
+    let is_within = key.strip_prefix(field).is_some_and(|rest| rest.starts_with('.'));
+    field == key || (is_made && is_within)
+}
+
+/// Refuses outputs that the first case cannot have, unless others might.
+fn check_outputs(study: &Study, file: &AnyFile, table: &TableReader<'_>) -> Result<(), Error> {
+    let varies = |tables: &[&str]| {
+        study.variables.iter().any(|v| tables.iter().any(|t| v.key.starts_with(t)))
+    };
+    for (index, output) in study.outputs.iter().enumerate() {
+        let found = match (output.place(), file) {
+            (Some(x), AnyFile::Problem(file)) if !varies(&["punch."]) => on_base(file.problem(), x),
+            (Some(x), AnyFile::Equation(file)) if !varies(&["kernel."]) => {
+                file.equation().place(x).map(drop)
+            }
+            (None, AnyFile::Problem(file)) if output.is_stress() => {
+                file.problem().check_stresses().and_then(|()| {
+                    let ratio = file.problem().foundation().poisson_ratio();
+                    ratio.map(drop).ok_or(Error::NoPoissonRatio)
+                })
+            }
+            _ => Ok(()),
+        };
+        if let (Err(error), Some(field)) = (found, table.optional("outputs")) {
+            let fault = match field.items()?.get(index) {
+                Some(item) => item.error(format!("cannot be told: {error}")),
+                None => field.error(error),
+            };
+            return Err(fault.into());
+        }
+    }
+    Ok(())
+}
+
+fn on_base(problem: &Problem, x: f64) -> Result<(), Error> {
+    let right = problem.punch().half_width();
+    if x.abs() <= right {
+        return Ok(());
+    }
+    Err(Error::BeyondPunch { variable: problem.coordinate(), at: x, left: -right, right })
 }
 
 fn count(
@@ -108,12 +177,15 @@ fn count(
     table.optional(key).map(|field| field.count(range)).transpose()
 }
 
-/// A count of values that are kept, and limited for that.
-fn kept(field: &Field<'_>, range: std::ops::RangeInclusive<usize>) -> Result<usize, FileError> {
-    let most = *range.end() as i64;
+/// The count of a design, which some limit.
+fn drawn_count(
+    field: &Field<'_>,
+    range: std::ops::RangeInclusive<usize>,
+) -> Result<usize, FileError> {
+    let most = *range.end();
     field.count(range).map_err(|error| {
-        if field.integer().is_ok_and(|count| count > most) {
-            error.with_help("a grid over several keys with fewer values each has as many cases: how long they take is estimated and asked about")
+        if most < MOST && field.integer().is_ok_and(|count| count > most as i64) {
+            error.with_help("design = \"random\" takes more")
         } else {
             error
         }
@@ -121,10 +193,10 @@ fn kept(field: &Field<'_>, range: std::ops::RangeInclusive<usize>) -> Result<usi
 }
 
 fn combinations(variables: &[Variable]) -> Option<usize> {
-    variables.iter().try_fold(1usize, |product, variable| match &variable.variation {
-        Variation::Values(values) => product.checked_mul(values.len()),
-        Variation::Drawn(_) => Some(product),
-    })
+    variables
+        .iter()
+        .filter_map(|variable| variable.variation.count())
+        .try_fold(1usize, usize::checked_mul)
 }
 
 fn design(table: &TableReader<'_>, name: &str) -> Result<Design, FileError> {
@@ -138,9 +210,13 @@ fn design(table: &TableReader<'_>, name: &str) -> Result<Design, FileError> {
         }
         return Ok(Design::Grid);
     }
-    let longest = if name.starts_with("sobol") { LONGEST_SOBOL } else { MOST };
+    let longest = match name {
+        "sobol" | "sobol-indices" => LONGEST_SOBOL,
+        "latin-hypercube" => MOST_KEPT,
+        _ => MOST,
+    };
     let fewest = if name == "sobol-indices" { FEWEST_GROUPS } else { 1 };
-    let count = kept(&table.required("count")?, fewest..=longest)?;
+    let count = drawn_count(&table.required("count")?, fewest..=longest)?;
     let seed = self::count(table, "seed", 0..=u32::MAX as usize)?.unwrap_or(0);
     Ok(match name {
         "latin-hypercube" => Design::LatinHypercube { count, seed: seed as u64 },
@@ -150,19 +226,37 @@ fn design(table: &TableReader<'_>, name: &str) -> Result<Design, FileError> {
     })
 }
 
-fn outputs(table: &TableReader<'_>) -> Result<Vec<Output>, FileError> {
-    let Some(field) = table.optional("outputs") else { return Ok(Output::usual()) };
+/// Refuses to vary what is looked for.
+fn check_find(
+    table: &TableReader<'_>,
+    find: Option<Find>,
+    variables: &[Variable],
+) -> Result<(), FileError> {
+    let keys = find.map_or(&[][..], Find::keys);
+    match variables.iter().find(|variable| keys.contains(&variable.key.as_str())) {
+        Some(variable) => {
+            let vary = table.required("vary")?.table()?;
+            Err(vary
+                .required(&variable.key)?
+                .error("cannot vary: it is what [study] find looks for"))
+        }
+        None => Ok(()),
+    }
+}
+
+fn outputs(table: &TableReader<'_>, kind: Kind) -> Result<Vec<Output>, FileError> {
+    let Some(field) = table.optional("outputs") else { return Ok(Output::usual(kind)) };
     let items = field.items()?;
     if items.is_empty() {
         return Err(field.error("is empty: name at least one output"));
     }
     let mut outputs: Vec<Output> = Vec::new();
     for item in items {
-        let name = item.one_of(&Output::names())?;
-        if outputs.iter().any(|output| output.name == name) {
-            return Err(item.error(format!("names {name} twice")));
+        let output = Output::read(&item, kind)?;
+        if outputs.iter().any(|known| known.name == output.name) {
+            return Err(item.error(format!("names {} twice", output.name)));
         }
-        outputs.extend(Output::named(name));
+        outputs.push(output);
     }
     Ok(outputs)
 }
@@ -211,8 +305,8 @@ impl Trial<'_> {
     fn check(&self, field: &Field<'_>, text: &str) -> Result<(), FileError> {
         let mut document = self.problem.clone();
         document.set(self.key, text).map_err(|error| field.error(error.to_string()))?;
-        match ProblemFile::from_document(document, self.folder) {
-            Err(shtaerman::Error::File(fault)) if fault.field() == Some(self.key) => {
+        match AnyFile::from_document(document, self.folder) {
+            Err(Error::File(fault)) if fault.field() == Some(self.key) => {
                 let told = field.error(format!("is refused: {}: {}", self.key, fault.message()));
                 Err(match fault.help() {
                     Some(help) => told.with_help(help),
@@ -259,8 +353,8 @@ fn variation(field: &Field<'_>, is_grid: bool, trial: &Trial<'_>) -> Result<Vari
         None => false,
     };
     let distribution = ends(&table, is_logarithmic, trial)?;
-    match table.optional("count").map(|field| kept(&field, 1..=MOST)).transpose()? {
-        Some(count) => Ok(Variation::Values(spaced(distribution, count))),
+    match table.optional("count").map(|field| field.count(1..=MOST)).transpose()? {
+        Some(count) => Ok(Variation::Spaced(distribution, count)),
         None => drawn(field, distribution, is_grid),
     }
 }
@@ -297,23 +391,6 @@ fn ends(
         return Ok(Distribution::LogUniform { from, to });
     }
     Ok(Distribution::Uniform { from, to })
-}
-
-/// `count` values from end to end; the ends are exact.
-fn spaced(distribution: Distribution, count: usize) -> Vec<Input> {
-    let (Distribution::Uniform { from, to } | Distribution::LogUniform { from, to }) = distribution
-    else {
-        return Vec::new();
-    };
-    let last = count.saturating_sub(1).max(1);
-    (0..count)
-        .map(|index| match index {
-            0 => from,
-            index if index == last => to,
-            index => distribution.quantile(index as f64 / last as f64),
-        })
-        .map(Input::Number)
-        .collect()
 }
 
 /// A list of values as the problem file would have them.

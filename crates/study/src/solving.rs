@@ -2,9 +2,12 @@
 
 use std::ops::Range;
 
-use shtaerman::{Contact, Error};
+use shtaerman::equation::Equation;
+use shtaerman::file::AnyFile;
+use shtaerman::{Contact, Error, Problem};
 
-use crate::output::SweptCase;
+use crate::answered::Answered;
+use crate::quantity::{Quantity, SweptCase};
 use crate::way::{SweptCases, Way};
 use crate::{Input, Output, Row, Study};
 
@@ -35,29 +38,53 @@ impl Study {
 
     fn single(&self, case: usize, is_audited: bool) -> Row {
         let inputs = self.inputs(case);
-        let contact = self.contact(&inputs, is_audited);
-        row(self, case, inputs, contact)
+        let answered = self.answered(&inputs, is_audited);
+        row(self, case, inputs, answered)
     }
 
-    fn contact(&self, inputs: &[Input], is_audited: bool) -> Result<Contact, Error> {
+    fn answered(&self, inputs: &[Input], is_audited: bool) -> Result<Answered, Error> {
         if let Some(varied) = &self.way().varied {
-            let contact = varied.problem(inputs)?.solve()?;
-            return if is_audited { contact.audited() } else { Ok(contact) };
+            return self.contact(&varied.problem(inputs)?, is_audited);
         }
-        let file = self.file(inputs)?;
-        let contact = file.solve()?;
-        if is_audited { contact.audited().map_err(|error| file.locate(error)) } else { Ok(contact) }
+        match self.file(inputs)? {
+            AnyFile::Problem(file) => {
+                self.contact(file.problem(), is_audited).map_err(|error| file.locate(error))
+            }
+            AnyFile::Equation(file) => {
+                self.equation(file.equation(), is_audited).map_err(|error| file.locate(error))
+            }
+        }
+    }
+
+    fn contact(&self, problem: &Problem, is_audited: bool) -> Result<Answered, Error> {
+        let audited = |contact: Contact| if is_audited { contact.audited() } else { Ok(contact) };
+        let (contact, found) = match self.find {
+            Some(find) => {
+                let found = find.run(problem)?;
+                (found.contact, Some(found.value))
+            }
+            None => (problem.solve()?, None),
+        };
+        Answered::contact(&self.outputs, &audited(contact)?, found)
+    }
+
+    fn equation(&self, equation: &Equation, is_audited: bool) -> Result<Answered, Error> {
+        let reach = self.outputs.iter().filter_map(Output::place).fold(0.0, f64::max);
+        let solved = equation.solve_to(reach)?;
+        let solved = if is_audited { solved.audited()? } else { solved };
+        Answered::equation(&self.outputs, &solved)
     }
 
     /// How the cases are computed, found when the first of them is asked for.
     fn way(&self) -> &Way {
         self.way.get_or_init(|| match self.file(&self.inputs(0)) {
-            Ok(file) => {
+            Ok(AnyFile::Problem(file)) => {
+                let is_told = |output: &Output| output.quantity().is_some_and(Quantity::is_swept);
                 let may_sweep =
-                    !self.is_audited && self.outputs.iter().all(|output| output.swept.is_some());
+                    !self.is_audited && self.find.is_none() && self.outputs.iter().all(is_told);
                 Way::of(&self.problem, &self.variables, file.problem(), may_sweep)
             }
-            Err(_) => Way::default(),
+            Ok(AnyFile::Equation(_)) | Err(_) => Way::default(),
         })
     }
 
@@ -66,14 +93,15 @@ impl Study {
         let inputs: Vec<Vec<Input>> = cases.clone().map(|case| self.inputs(case)).collect();
         let found = swept.cases(&inputs);
         let row = |((case, inputs), swept): ((usize, Vec<Input>), SweptCase)| {
-            let told = |output: &Output| output.swept.map_or(f64::NAN, |value| value(&swept));
+            let told = |output: &Output| {
+                output.quantity().and_then(|quantity| quantity.swept(&swept)).unwrap_or(f64::NAN)
+            };
             let outputs: Vec<f64> = self.outputs.iter().map(told).collect();
             // What a sweep cannot tell is no case, or one of its own.
             if outputs.iter().any(|value| !value.is_finite()) {
                 return self.single(case, false);
             }
-            let error =
-                |output: &Output| Some(output.swept_error.map(|error| error(&swept))).flatten();
+            let error = |output: &Output| output.quantity()?.swept_error(&swept);
             Row {
                 case,
                 inputs,
@@ -87,19 +115,12 @@ impl Study {
     }
 }
 
-/// What is kept of a contact, or why there is none.
-fn row(study: &Study, case: usize, inputs: Vec<Input>, contact: Result<Contact, Error>) -> Row {
-    match contact {
-        Ok(contact) => Row {
-            case,
-            inputs,
-            outputs: study.outputs.iter().map(|output| output.value(&contact)).collect(),
-            errors: study.outputs.iter().map(|output| output.error(&contact)).collect(),
-            error_kind: contact
-                .error()
-                .map_or_else(String::new, |error| error.kind.name().to_owned()),
-            reason: String::new(),
-        },
+/// What is kept of an answer, or why there is none.
+fn row(study: &Study, case: usize, inputs: Vec<Input>, answered: Result<Answered, Error>) -> Row {
+    match answered {
+        Ok(Answered { outputs, errors, error_kind }) => {
+            Row { case, inputs, outputs, errors, error_kind, reason: String::new() }
+        }
         Err(error) => Row {
             case,
             inputs,

@@ -5,12 +5,16 @@ use std::sync::OnceLock;
 
 use shtaerman::Error;
 use shtaerman::document::{Document, FileError, load_bytes, overridden};
-use shtaerman::file::ProblemFile;
+use shtaerman::equation::is_equation;
+use shtaerman::file::AnyFile;
 
 use crate::design::{Shares, sample};
+use crate::find::Find;
 use crate::way::Way;
 use crate::{Design, Input, Output, Variable, Variation, read};
 
+/// Keys of the files of measured profiles.
+const PROFILES: [&str; 2] = ["punch.profile.csv", "dimensionless.profile.csv"];
 /// An override of a study, for messages.
 const OVERRIDE: &str = "study.count=100";
 
@@ -23,6 +27,8 @@ pub struct Study {
     pub(crate) folder: PathBuf,
     pub(crate) variables: Vec<Variable>,
     pub(crate) design: Design,
+    /// What is looked for in every case.
+    pub(crate) find: Option<Find>,
     pub(crate) outputs: Vec<Output>,
     pub(crate) is_audited: bool,
     pub(crate) audited_sample: usize,
@@ -57,13 +63,37 @@ impl Study {
         overrides: &[String],
     ) -> Result<Self, Error> {
         let document = overridden(bytes, name, overrides, OVERRIDE)?;
+        Self::from_document(document, folder, overrides)
+    }
+
+    /// Reads a study from a document with its overrides, which are told apart from the text of the file.
+    ///
+    /// # Errors
+    /// As [`Study::from_bytes`].
+    pub fn from_document(
+        document: Document,
+        folder: &Path,
+        overrides: &[String],
+    ) -> Result<Self, Error> {
         read::study(document, folder, overrides)
+    }
+
+    /// The document of the problem that is varied, without the table `[study]`.
+    #[must_use]
+    pub fn problem(&self) -> &Document {
+        &self.problem
     }
 
     /// Number of cases.
     #[must_use]
     pub fn cases(&self) -> usize {
         self.cases
+    }
+
+    /// Cases of a part of the results; the last part may have fewer.
+    #[must_use]
+    pub fn part_size(&self) -> usize {
+        self.part_size
     }
 
     /// The varied keys.
@@ -84,10 +114,10 @@ impl Study {
         self.design
     }
 
-    /// Whether the problem has no units.
+    /// Whether the problem has no units, as an equation has none.
     #[must_use]
     pub fn is_dimensionless(&self) -> bool {
-        self.problem.get("dimensionless").is_some()
+        is_equation(&self.problem) || self.problem.get("dimensionless").is_some()
     }
 
     /// Whether every case is audited.
@@ -107,12 +137,42 @@ impl Study {
         sample(self.cases, self.audited_sample, seed)
     }
 
-    /// The file of a measured profile, which is read for every case.
+    /// The files of measured profiles, which are read for every case: of the problem, or those that vary.
     ///
     /// # Errors
-    /// As [`ProblemFile::from_document`].
-    pub fn measured_profile(&self) -> Result<Option<PathBuf>, Error> {
-        Ok(self.file(&self.inputs(0))?.measured_profile().map(Path::to_owned))
+    /// As [`AnyFile::from_document`].
+    pub fn measured_profiles(&self) -> Result<Vec<PathBuf>, Error> {
+        let of_case = |inputs: &[Input]| -> Result<Option<PathBuf>, Error> {
+            let AnyFile::Problem(file) = self.file(inputs)? else { return Ok(None) };
+            Ok(file.measured_profile().map(Path::to_owned))
+        };
+        let first = self.inputs(0);
+        let mut found: Vec<PathBuf> = of_case(&first)?.into_iter().collect();
+        for (place, variable) in self.variables.iter().enumerate() {
+            let Variation::Values(values) = &variable.variation else { continue };
+            if !PROFILES.contains(&variable.key.as_str()) {
+                continue;
+            }
+            for value in values {
+                let mut inputs = first.clone();
+                inputs[place] = value.clone();
+                // What cannot be read is the reason of its cases.
+                found.extend(of_case(&inputs).ok().flatten().filter(|path| !found.contains(path)));
+            }
+        }
+        Ok(found)
+    }
+
+    /// The problem of the first case, with overrides `KEY=VALUE` that are no part of the study, such as the units in which results are shown.
+    ///
+    /// # Errors
+    /// As [`AnyFile::from_document`].
+    pub fn first(&self, overrides: &[String]) -> Result<AnyFile, Error> {
+        let mut document = self.document(&self.inputs(0))?;
+        for (key, value) in overrides.iter().filter_map(|text| text.split_once('=')) {
+            document.set(key, value)?;
+        }
+        AnyFile::from_document(document, &self.folder)
     }
 
     /// The varied values of a case.
@@ -122,18 +182,20 @@ impl Study {
         let mut rest = case;
         let mut inputs: Vec<Input> = Vec::with_capacity(self.variables.len());
         for (index, variable) in self.variables.iter().enumerate().rev() {
-            inputs.push(match &variable.variation {
-                Variation::Values(values) if self.design == Design::Grid => {
-                    let value = values[rest % values.len()].clone();
-                    rest /= values.len();
+            let variation = &variable.variation;
+            inputs.push(match (variation, variation.count()) {
+                (Variation::Drawn(distribution), _) => {
+                    Input::Number(distribution.quantile(self.shares.at(case, index)))
+                }
+                (_, Some(count)) if self.design == Design::Grid => {
+                    let value = variation.value(rest % count);
+                    rest /= count;
                     value
                 }
-                Variation::Values(values) => {
-                    let place = self.shares.at(case, index) * values.len() as f64;
-                    values[(place as usize).min(values.len() - 1)].clone()
-                }
-                Variation::Drawn(distribution) => {
-                    Input::Number(distribution.quantile(self.shares.at(case, index)))
+                (_, count) => {
+                    let count = count.unwrap_or(1);
+                    let place = self.shares.at(case, index) * count as f64;
+                    variation.value((place as usize).min(count - 1))
                 }
             });
         }
@@ -142,11 +204,15 @@ impl Study {
     }
 
     /// The problem with these values.
-    pub(crate) fn file(&self, inputs: &[Input]) -> Result<ProblemFile, Error> {
+    pub(crate) fn file(&self, inputs: &[Input]) -> Result<AnyFile, Error> {
+        AnyFile::from_document(self.document(inputs)?, &self.folder)
+    }
+
+    fn document(&self, inputs: &[Input]) -> Result<Document, Error> {
         let mut document = self.problem.clone();
         for (variable, input) in self.variables.iter().zip(inputs) {
             document.set(&variable.key, &input.to_string())?;
         }
-        ProblemFile::from_document(document, &self.folder)
+        Ok(document)
     }
 }

@@ -1,6 +1,6 @@
 //! What a study found, in few figures.
 
-use crate::{Design, Indices, Row, Study};
+use crate::{Design, Indices, Output, Row, Study};
 
 /// Different reasons that are kept.
 const REASONS: usize = 5;
@@ -9,7 +9,7 @@ const REASONS: usize = 5;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Extreme {
     /// The output.
-    pub name: &'static str,
+    pub name: String,
     /// The least value, and its case.
     pub least: (f64, usize),
     /// The largest value, and its case.
@@ -43,8 +43,8 @@ impl Summary {
     /// Of no rows.
     #[must_use]
     pub fn new(study: &Study) -> Self {
-        let extreme = |name| Extreme {
-            name,
+        let extreme = |output: &Output| Extreme {
+            name: output.name.clone(),
             least: (f64::INFINITY, 0),
             largest: (f64::NEG_INFINITY, 0),
             mean: 0.0,
@@ -56,7 +56,7 @@ impl Summary {
             answered: 0,
             refused: 0,
             reasons: Vec::new(),
-            extremes: study.outputs().iter().map(|output| extreme(output.name)).collect(),
+            extremes: study.outputs().iter().map(extreme).collect(),
             indices: matches!(study.design(), Design::SobolIndices { .. })
                 .then(|| Indices::new(study.variables().len(), study.outputs().len())),
         }

@@ -4,7 +4,7 @@ use shtaerman::document::{Document, ValueKind};
 use shtaerman::{Error, Load, LoadSweep, LoadSwept, Problem, Rotational, Vertical};
 
 use crate::design::LEAST_SHARE;
-use crate::output::SweptCase;
+use crate::quantity::SweptCase;
 use crate::{Input, Variable, Variation};
 
 /// How a problem takes another value of a key.
@@ -173,10 +173,14 @@ fn with_rotational(load: &Load, value: f64) -> Load {
 /// The least and the largest value of a variable of numbers.
 fn ends(variation: &Variation) -> [f64; 2] {
     match variation {
-        Variation::Values(values) => values
-            .iter()
-            .filter_map(Input::number)
+        Variation::Values(_) => variation
+            .numbers()
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]),
+        Variation::Spaced(_, count) => {
+            let ends =
+                [0, count - 1].map(|index| variation.value(index).number().unwrap_or(f64::NAN));
+            [ends[0].min(ends[1]), ends[0].max(ends[1])]
+        }
         Variation::Drawn(distribution) => {
             let ends =
                 [distribution.quantile(LEAST_SHARE), distribution.quantile(1.0 - LEAST_SHARE)];

@@ -8,6 +8,7 @@
 
 from ._contact import Audit, Contact, Derivatives, Errors, Method, Sensitivities, Stress, Warned
 from ._equation import EquationAnswer, EquationErrors, Spectrum, equation, roughness, spectrum
+from ._export import export
 from ._find import Crown, Crowned, Found, Shaped, find
 from ._gradient import value_and_gradient
 from ._kernel import Kernel
@@ -47,6 +48,7 @@ __all__ = [
     "Warned",
     "__version__",
     "equation",
+    "export",
     "find",
     "roughness",
     "solve",

@@ -8,6 +8,7 @@ from __future__ import annotations
 import difflib
 import json
 import numbers
+import os
 import re
 from collections.abc import Mapping
 from typing import Any
@@ -141,6 +142,26 @@ def toml_value(value: Any, where: str) -> str:
     raise ValueError(
         f"{where}: is of type {type(value).__name__}: must be a number in SI units or text such as '5 mm'"
     )
+
+
+def options(given: Mapping[str, Any], function: str) -> list[str]:
+    """Keywords as options of the command line."""
+    arguments = []
+    for name, value in given.items():
+        if value is None:
+            continue
+        if isinstance(value, (np.generic, np.ndarray)) and np.ndim(value) == 0:
+            value = value.item()
+        if isinstance(value, bool) or not isinstance(value, (int, float, str, os.PathLike)):
+            raise ValueError(f"{function}(): {name} must be a number or text, got {type(value).__name__}")
+        text = repr(value) if isinstance(value, (int, float)) else os.fspath(value)
+        arguments.append(f"--{name.replace('_', '-')}={text}")
+    return arguments
+
+
+def without_usage(text: str) -> str:
+    """What the command line says of its options, without how it is called, which helps nobody in Python."""
+    return re.split(r"\n\n(?:Usage:|For more information)", text)[0].rstrip()
 
 
 _BARE_KEY = re.compile(r"[A-Za-z0-9_-]+").fullmatch

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import os
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -290,19 +289,9 @@ def _command(command: str, words: list[str], options: Mapping[str, Any], flags: 
     for word in words:
         if not isinstance(word, str) or word.startswith("-"):
             raise ValueError(f"{command}(): {word!r} is no name")
-    arguments = [command, *words, *flags]
-    for name, value in options.items():
-        if value is None:
-            continue
-        if isinstance(value, (np.generic, np.ndarray)) and np.ndim(value) == 0:
-            value = value.item()
-        if isinstance(value, bool) or not isinstance(value, (int, float, str, os.PathLike)):
-            raise ValueError(f"{command}(): {name} must be a number or text, got {type(value).__name__}")
-        text = repr(value) if isinstance(value, (int, float)) else os.fspath(value)
-        arguments.append(f"--{name.replace('_', '-')}={text}")
+    arguments = [command, *words, *flags, *document.options(options, command)]
     try:
         found: dict[str, Any] = json.loads(engine.command_json(arguments))
     except ValueError as error:
-        # How the command line is called helps nobody here.
-        raise ValueError(re.split(r"\n\n(?:Usage:|For more information)", str(error))[0].rstrip()) from None
+        raise ValueError(document.without_usage(str(error))) from None
     return found

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numbers
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +13,7 @@ from . import _shtaerman as engine
 from ._arrays import processors
 from ._contact import Errors
 from ._problem import Problem, ProblemLike, problem_of
-from ._profile import FloatArray
+from ._profile import FloatArray, as_numbers
 
 if TYPE_CHECKING:
     import pandas
@@ -154,7 +155,7 @@ def _swept(base: Problem, inputs: Mapping[str, npt.NDArray[Any]], wanted: list[s
 def _is_varied(name: str, value: Any) -> bool:
     if name == "profile" or value is None or isinstance(value, (str, bytes, Mapping)):
         return False
-    return isinstance(value, (list, tuple)) or getattr(value, "ndim", 0) > 0
+    return isinstance(value, (list, tuple, range)) or getattr(value, "ndim", 0) > 0
 
 
 def _column(name: str, value: Any) -> npt.NDArray[Any]:
@@ -165,9 +166,10 @@ def _column(name: str, value: Any) -> npt.NDArray[Any]:
         raise ValueError(f"{name}: must be an array of numbers, got rows of different lengths") from None
     if np.ma.is_masked(value):
         raise ValueError(f"{name}: has masked values: leave them out, x.compressed(), or fill them")
+    array = as_numbers(array)
     if array.dtype.kind in "iuf":
         return array.astype(np.float64)
-    if array.dtype.kind == "U" or (array.dtype.kind == "O" and all(isinstance(text, str) for text in array.flat)):
+    if array.dtype.kind in "UT" or (array.dtype.kind == "O" and all(isinstance(item, (str, numbers.Real)) and not isinstance(item, bool) for item in array.flat)):
         return array.astype(object)
     raise ValueError(f"{name}: must be an array of real numbers or of text, got the type {array.dtype}")
 

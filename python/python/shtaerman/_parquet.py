@@ -27,7 +27,7 @@ def write(names: Sequence[str], columns: Sequence[Any], path: str) -> None:
     table = pyarrow.table(list(columns), schema=pyarrow.schema(fields))
     beside = Path(path).with_name(f".shtaerman-{os.getpid()}-{Path(path).name}")
     try:
-        pyarrow.parquet.write_table(table, beside, compression="none")
+        pyarrow.parquet.write_table(table, beside, compression="none", write_page_checksum=True)
         os.replace(beside, path)
     except OSError as error:
         raise OSError(f"{path} cannot be written: {error}") from error
@@ -47,7 +47,7 @@ def read(study: engine.Study, part: int, path: str) -> list[Any] | None:
         return None
     pyarrow = pyarrow_of()
     try:
-        table = pyarrow.parquet.read_table(path)
+        table = pyarrow.parquet.read_table(path, page_checksum_verification=True)
     except (pyarrow.ArrowException, OSError):
         return None
     if table.column_names != list(study.columns):

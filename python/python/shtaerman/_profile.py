@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numbers
 from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
@@ -160,10 +161,26 @@ def _floats(what: str, values: Any) -> FloatArray:
         raise ValueError(f"{what}: must be an array of numbers, got rows of different lengths") from None
     if np.ma.is_masked(values):
         raise ValueError(f"{what}: has masked values: leave them out, x.compressed(), or fill them")
+    array = as_numbers(array)
     if array.dtype.kind not in "iuf":
         raise ValueError(f"{what}: must be an array of real numbers, got {_kind(values, array)}")
     return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
 
 
+def as_numbers(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """Numbers that are Python objects, as tables with mixed columns have them, as floats; any other array as it is."""
+    if array.dtype.kind != "O" or not array.size:
+        return array
+    if not all(isinstance(value, numbers.Real) and not isinstance(value, bool) for value in array.flat):
+        return array
+    try:
+        return array.astype(np.float64)
+    except OverflowError:
+        return array
+
+
 def _kind(values: Any, array: npt.NDArray[Any]) -> str:
+    if array.dtype.kind == "O" and array.ndim and array.size:
+        odd = [value for value in array.flat if not isinstance(value, numbers.Real) or isinstance(value, bool)]
+        return f"{odd[0]!r}" if odd else "integers beyond the range of double precision"
     return f"the type {type(values).__name__}" if array.dtype.kind == "O" else f"the type {array.dtype}"

@@ -178,6 +178,8 @@ def sweep(
         raise ValueError(f"map: must be a function that maps as the builtin does, got {type(map).__name__}")
     if client is not None and not (callable(getattr(client, "map", None)) and callable(getattr(client, "cancel", None))):
         raise ValueError(f"client: must be a distributed.Client, got {type(client).__name__}")
+    if getattr(client, "asynchronous", False):
+        raise ValueError("client: is asynchronous, and sweep() waits for what is computed: take a Client without asynchronous=True")
     source = _source(study, overrides)
     read = source.study()
     if read.cases > _MANY and not yes:
@@ -195,6 +197,7 @@ def sweep(
         if progress is not None:
             progress(done, len(chosen))
     found._audit()
+    results.sweep_out()
     return found
 
 
@@ -335,6 +338,9 @@ class Sweep:
         made._chosen, made._audited = chosen, None
         return made
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self._source, self._folder, self._format, self._chosen, self._audited)
+
     @property
     def _study(self) -> engine.Study:
         return self._source.study()
@@ -454,6 +460,12 @@ class Sweep:
 
     def __repr__(self) -> str:
         return f"<Sweep: {self.cases} cases in {self._study.parts} parts, {len(self.paths)} there, varied: {', '.join(self.variables)}; {self._folder}>"
+
+
+def _restored(source: _Source, folder: str, format: str, chosen: int, audited: tuple[dict[str, Array], dict[str, Array]] | None) -> Sweep:
+    made = Sweep._of(source, folder, format, source.study().results(source.name, folder, format, True), chosen)
+    made._audited = audited
+    return made
 
 
 def _named(names: Sequence[str], parts: Sequence[Sequence[Any]]) -> dict[str, Array]:

@@ -154,7 +154,7 @@ impl Field for Part<'_> {
         let size = 4.0 * (layer.abs() + self.theta * potential.abs() + given);
         let scaled = self.scaled * (self.theta * potential.abs() + given);
         let noise = self.theta * (rounding + self.misfit);
-        (value, noise + (high - low) + UNIT * size + scaled)
+        (value, noise + 0.5 * (high - low) + UNIT * size + scaled)
     }
 
     fn profile(&self) -> Option<&dyn Profile> {

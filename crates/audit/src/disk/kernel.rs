@@ -5,17 +5,22 @@
 
 use std::f64::consts::{FRAC_1_PI, PI};
 
+use super::series::Series;
+use crate::elementary::{exp, ln};
 use crate::legendre::ORDER;
+use crate::vectorised::vectorised;
 
 /// Most terms of a series. Of a kernel its terms halve at least; of its parts beside `r = s` they fall as `1 - (s/r)^2`, which is 8/9 at most where these serve.
 const TERMS: usize = 400;
 /// Most steps of a mean: from the smallest numbers of the machine it takes sixteen.
 const STEPS: usize = 40;
+/// Means that advance together, a divisor of their number.
+const LANES: usize = 8;
 /// Nearer places are taken to be this far from each other, relative to their sum, where a kernel is split: what is left without its singularity is even in the distance.
 const APART: f64 = 1e-9;
 
 /// The kernel of a harmonic, 0 or 1.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(crate) struct Harmonic {
     order: u32,
     exponent: f64,
@@ -23,6 +28,8 @@ pub(crate) struct Harmonic {
     factor: f64,
     /// Coefficients of both series about `r = s`.
     beside: [f64; 2],
+    /// The series about `s = 0`, and both about `r = s`, of graded ground.
+    series: [Series; 3],
 }
 
 impl Harmonic {
@@ -38,13 +45,23 @@ impl Harmonic {
             gamma(m + 1.0) * gamma(-mu) / (gamma(m + 1.0 - beta) * gamma(1.0 - beta)),
             gamma(m + 1.0) * gamma(mu) / (gamma(beta) * gamma(beta + m)),
         ];
-        Self { order, exponent, factor: PI * strength * rising, beside }
+        let series = if exponent > 0.0 {
+            [
+                Series::new(beta, beta + m, m + 1.0),
+                Series::new(beta, beta + m, 1.0 + mu),
+                Series::new(m + 1.0 - beta, 1.0 - beta, 1.0 - mu),
+            ]
+        } else {
+            Default::default()
+        };
+        Self { order, exponent, factor: PI * strength * rising, beside, series }
     }
 
     /// `K_m(r, s)` at the distance `d = |r - s| > 0`.
     pub(crate) fn value(&self, r: f64, s: f64, d: f64) -> f64 {
         if self.exponent > 0.0 {
-            return self.graded(r, s, d);
+            let [value] = self.graded(r, &[s], &[d]);
+            return value;
         }
         let sum = r + s;
         if self.order == 0 {
@@ -69,6 +86,11 @@ impl Harmonic {
     pub(super) fn values(&self, r: f64, s: &[f64; ORDER], d: &[f64; ORDER]) -> [f64; ORDER] {
         if self.is_plain() {
             means(s.map(|s| r + s), *d).map(|mean| PI / mean)
+        } else if self.exponent > 0.0 {
+            vectorised(
+                #[inline(always)]
+                || self.graded(r, s, d),
+            )
         } else {
             std::array::from_fn(|j| self.value(r, s[j], d[j]))
         }
@@ -87,18 +109,13 @@ impl Harmonic {
     ///
     /// By the expansions of hypergeometric functions about 1 (M. Abramowitz, I. A. Stegun, 15.3.6 and 15.3.10): on homogeneous ground `L_0 = 1/M(r, s)`.
     pub(super) fn split(&self, r: f64, s: &[f64; ORDER], half: f64) -> Split {
-        let mut split = Split { regular: [0.0; ORDER], singular: [0.0; ORDER], size: [0.0; ORDER] };
-        let mu = self.exponent;
-        if mu > 0.0 {
-            for (j, s) in s.iter().enumerate() {
-                let [regular, singular] = self.graded_split(r, *s, half);
-                let power = ((r - s).abs() / half).max(APART).powf(-mu);
-                split.regular[j] = regular;
-                split.singular[j] = singular;
-                split.size[j] = (regular + singular * power).abs();
-            }
-            return split;
+        if self.exponent > 0.0 {
+            return vectorised(
+                #[inline(always)]
+                || self.graded_split(r, s, half),
+            );
         }
+        let mut split = Split { regular: [0.0; ORDER], singular: [0.0; ORDER], size: [0.0; ORDER] };
         let d = s.map(|s| (r - s).abs().max(APART * (r + s)));
         let values = self.values(r, s, &d);
         split.singular = if self.order == 0 {
@@ -106,11 +123,17 @@ impl Harmonic {
         } else {
             s.map(|s| self.logarithmic(r, s))
         };
-        for j in 0..ORDER {
-            let taken = split.singular[j] * (d[j] / half).ln();
-            split.regular[j] = values[j] + taken;
-            split.size[j] = values[j] + taken.abs();
-        }
+        vectorised(
+            #[inline(always)]
+            || {
+                let logarithms = ln(&d.map(|d| d / half));
+                for j in 0..ORDER {
+                    let taken = split.singular[j] * logarithms[j];
+                    split.regular[j] = values[j] + taken;
+                    split.size[j] = values[j] + taken.abs();
+                }
+            },
+        );
         split
     }
 
@@ -121,38 +144,70 @@ impl Harmonic {
         2.0 * FRAC_1_PI * self.factor * t / large * series(0.5, 1.5, 1.0, (1.0 - t) * (1.0 + t))
     }
 
-    fn graded_split(&self, r: f64, s: f64, half: f64) -> [f64; 2] {
-        let (large, small) = (r.max(s), r.min(s));
-        let (mu, m) = (self.exponent, f64::from(self.order));
-        let beta = 0.5 * (1.0 + mu);
-        let t = small / large;
-        let rest = (1.0 - t) * (1.0 + t);
-        let power = if self.order == 0 { 1.0 } else { t };
-        let factor = self.factor * large.powf(-2.0 * beta) * power;
-        let regular = self.beside[0] * series(beta, beta + m, 1.0 + mu, rest);
-        let singular = self.beside[1] * series(m + 1.0 - beta, 1.0 - beta, 1.0 - mu, rest);
-        let scale = ((large + small) * half / (large * large)).powf(-mu);
-        [factor * regular, factor * singular * scale]
+    #[inline(always)]
+    fn graded_split(&self, r: f64, s: &[f64; ORDER], half: f64) -> Split {
+        let (mu, beta) = (self.exponent, 0.5 * (1.0 + self.exponent));
+        let mut split = Split { regular: [0.0; ORDER], singular: [0.0; ORDER], size: [0.0; ORDER] };
+        let [mut large, mut rest, mut scale, mut own, mut t] = [[0.0; ORDER]; 5];
+        let mut largest = 0.0f64;
+        for j in 0..ORDER {
+            large[j] = r.max(s[j]);
+            t[j] = r.min(s[j]) / large[j];
+            rest[j] = (1.0 - t[j]) * (1.0 + t[j]);
+            largest = largest.max(rest[j]);
+            scale[j] = (large[j] + r.min(s[j])) * half / (large[j] * large[j]);
+            own[j] = ((r - s[j]).abs() / half).max(APART);
+        }
+        let regular = self.series[1].sums(&rest, largest);
+        let singular = self.series[2].sums(&rest, largest);
+        let factors = exp(&ln(&large).map(|ln| -2.0 * beta * ln));
+        let scales = exp(&ln(&scale).map(|ln| -mu * ln));
+        let powers = exp(&ln(&own).map(|ln| -mu * ln));
+        for j in 0..ORDER {
+            let power = if self.order == 0 { 1.0 } else { t[j] };
+            let factor = self.factor * factors[j] * power;
+            split.regular[j] = factor * (self.beside[0] * regular[j]);
+            split.singular[j] = factor * (self.beside[1] * singular[j]) * scales[j];
+            split.size[j] = (split.regular[j] + split.singular[j] * powers[j]).abs();
+        }
+        split
     }
 
-    fn graded(&self, r: f64, s: f64, d: f64) -> f64 {
-        let (large, small) = (r.max(s), r.min(s));
-        let beta = 0.5 * (1.0 + self.exponent);
-        let m = f64::from(self.order);
-        let t = small / large;
-        // 1 - t^2
-        let rest = d * (large + small) / (large * large);
-        let function = if rest >= 0.5 {
-            series(beta, beta + m, m + 1.0, t * t)
-        } else {
-            let mu = self.exponent;
-            self.beside[0] * series(beta, beta + m, 1.0 + mu, rest)
-                + self.beside[1]
-                    * rest.powf(-mu)
-                    * series(m + 1.0 - beta, 1.0 - beta, 1.0 - mu, rest)
-        };
-        let power = if self.order == 0 { 1.0 } else { t };
-        self.factor * large.powf(-2.0 * beta) * power * function
+    #[inline(always)]
+    fn graded<const N: usize>(&self, r: f64, s: &[f64; N], d: &[f64; N]) -> [f64; N] {
+        let (mu, beta) = (self.exponent, 0.5 * (1.0 + self.exponent));
+        let [mut large, mut t, mut rest, mut apart, mut beside] = [[0.0; N]; 5];
+        let mut largest = [0.0f64; 2];
+        for j in 0..N {
+            large[j] = r.max(s[j]);
+            t[j] = r.min(s[j]) / large[j];
+            // 1 - t^2
+            rest[j] = d[j] * (r + s[j]) / (large[j] * large[j]);
+            if rest[j] >= 0.5 {
+                apart[j] = t[j] * t[j];
+            } else {
+                beside[j] = rest[j];
+            }
+            largest = [largest[0].max(apart[j]), largest[1].max(beside[j])];
+        }
+        let mut found = self.series[0].sums(&apart, largest[0]);
+        if largest[1] > 0.0 {
+            let regular = self.series[1].sums(&beside, largest[1]);
+            let singular = self.series[2].sums(&beside, largest[1]);
+            let powers = exp(&ln(&rest).map(|ln| -mu * ln));
+            for j in 0..N {
+                if rest[j] < 0.5 {
+                    found[j] =
+                        self.beside[0] * regular[j] + self.beside[1] * powers[j] * singular[j];
+                }
+            }
+        }
+        let factors = exp(&ln(&large).map(|ln| -2.0 * beta * ln));
+        for j in 0..N {
+            let power = if self.order == 0 { 1.0 } else { t[j] };
+            found[j] *= self.factor * factors[j] * power;
+        }
+        found
     }
 
     /// What rounding does to a value, in units of it.
@@ -184,18 +239,32 @@ fn mean(mut a: f64, mut b: f64) -> f64 {
 }
 
 /// The same of many numbers, which advance together: their roots do not wait for each other.
-fn means(mut a: [f64; ORDER], mut b: [f64; ORDER]) -> [f64; ORDER] {
-    for _ in 0..STEPS {
-        let mut is_done = true;
-        for (a, b) in a.iter_mut().zip(&mut b) {
-            is_done &= (*a - *b).abs() <= 1e-8 * *a;
-            (*a, *b) = (0.5 * (*a + *b), (*a * *b).sqrt());
-        }
-        if is_done {
-            break;
-        }
-    }
-    a
+fn means(a: [f64; ORDER], b: [f64; ORDER]) -> [f64; ORDER] {
+    let mut found = [0.0; ORDER];
+    vectorised(
+        #[inline(always)]
+        || {
+            for from in (0..ORDER).step_by(LANES) {
+                let (mut one, mut other) = ([0.0; LANES], [0.0; LANES]);
+                one.copy_from_slice(&a[from..from + LANES]);
+                other.copy_from_slice(&b[from..from + LANES]);
+                for _ in 0..STEPS {
+                    let mut apart = [false; LANES];
+                    for i in 0..LANES {
+                        apart[i] = (one[i] - other[i]).abs() > 1e-8 * one[i];
+                        let (sum, product) = (one[i] + other[i], one[i] * other[i]);
+                        one[i] = 0.5 * sum;
+                        other[i] = product.sqrt();
+                    }
+                    if apart == [false; LANES] {
+                        break;
+                    }
+                }
+                found[from..from + LANES].copy_from_slice(&one);
+            }
+        },
+    );
+    found
 }
 
 /// `2F1(a, b; c; z)`, `0 <= z < 1`.

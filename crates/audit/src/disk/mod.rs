@@ -3,19 +3,22 @@
 mod field;
 mod kernel;
 mod potential;
+mod series;
 #[cfg(test)]
 mod shells;
 #[cfg(test)]
 mod tests;
 mod tree;
 
-use crate::bound::known;
+use crate::allowance::unit;
+use crate::bound::{known, scale};
+use crate::grading::{Cuts, Limits, panels};
 use crate::layer;
+use crate::modelled::Modelled;
 use crate::open::free_ends;
 use crate::panel::Panel;
 use crate::problem::{Answer, Bound, MOST_PANELS, MOST_WINDOWS, Prescribed, Refusal};
 use crate::profile::Profile;
-use crate::sample::{self, Limits};
 use crate::sampled::{Seen, cover, largest};
 use field::{Part, Resampled};
 use kernel::Harmonic;
@@ -56,7 +59,11 @@ pub struct DiskProblem<'a> {
 /// # Errors
 /// [`Refusal`] where the residual was not resolved, or the answer is far from its load.
 pub fn audit_disk(problem: &DiskProblem<'_>, answer: &Answer<'_>) -> Result<Bound, Refusal> {
-    let audit = Audit::new(problem, answer)?;
+    let scale = scale(problem.layer, answer)?;
+    let residual = unit(problem.theta) * scale.powf(problem.layer);
+    let base = Modelled::new(problem.profile, &[[0.0, 1.0]], problem.cuts, residual);
+    let posed = DiskProblem { profile: &base, cuts: base.cuts(), ..*problem };
+    let audit = Audit::new(&posed, problem.cuts, answer)?;
     audit.bound()
 }
 
@@ -91,7 +98,11 @@ fn norms(seen: &[Seen], softest: f64, potential: impl Fn(f64) -> f64) -> Norms {
 }
 
 impl<'a> Audit<'a> {
-    fn new(problem: &'a DiskProblem<'a>, answer: &'a Answer<'a>) -> Result<Self, Refusal> {
+    fn new(
+        problem: &'a DiskProblem<'a>,
+        joints: &[f64],
+        answer: &'a Answer<'a>,
+    ) -> Result<Self, Refusal> {
         let zones: Vec<[f64; 2]> = (answer.zones.iter())
             .filter(|[_, right]| *right > 0.0)
             .map(|[left, right]| [left.max(0.0), *right])
@@ -101,10 +112,10 @@ impl<'a> Audit<'a> {
         let level = move |r: f64| {
             if is_tilted { 0.5 * (pressure(r) + pressure(-r)) } else { pressure(r) }
         };
-        let level = Self::resampled(problem, &zones, 0, Box::new(level))?;
+        let level = Self::resampled((problem, joints), &zones, 0, Box::new(level))?;
         let lean = if is_tilted {
             let lean = move |r: f64| 0.5 * (pressure(r) - pressure(-r));
-            Some(Self::resampled(problem, &zones, 1, Box::new(lean))?)
+            Some(Self::resampled((problem, joints), &zones, 1, Box::new(lean))?)
         } else {
             None
         };
@@ -119,15 +130,16 @@ impl<'a> Audit<'a> {
 
     /// A harmonic on panels, with force or moment as prescribed.
     fn resampled(
-        problem: &DiskProblem<'_>,
+        (problem, joints): (&DiskProblem<'_>, &[f64]),
         zones: &[[f64; 2]],
         order: u32,
         density: Box<dyn Fn(f64) -> f64 + 'a>,
     ) -> Result<Resampled<'a>, Refusal> {
         let Prescribed { force, moment } = problem.prescribed;
         let kernel = Harmonic::new(order, problem.exponent);
-        let panels = |density: &dyn Fn(f64) -> f64| Self::panels(problem, zones, density);
-        let found = Radial::new(kernel, problem.exponent, panels(&*density)?);
+        let resampled =
+            |density: &dyn Fn(f64) -> f64| Self::panels((problem, joints), zones, density);
+        let found = Radial::new(kernel.clone(), problem.exponent, resampled(&*density)?);
         let (given, own) = if order == 0 {
             (force, std::f64::consts::TAU * found.integral(|_| 1.0))
         } else {
@@ -160,14 +172,14 @@ impl<'a> Audit<'a> {
                 (true, _) => q + added * r,
             }
         };
-        let panels = panels(&adjusted)?;
+        let panels = resampled(&adjusted)?;
         let found = Radial::new(kernel, problem.exponent, panels);
         let changed = added.abs() * if is_added { 1.0 } else { largest };
         Ok(Resampled::new(found, Box::new(adjusted), changed, given))
     }
 
     fn panels(
-        problem: &DiskProblem<'_>,
+        (problem, joints): (&DiskProblem<'_>, &[f64]),
         zones: &[[f64; 2]],
         density: &dyn Fn(f64) -> f64,
     ) -> Result<Vec<Panel>, Refusal> {
@@ -181,14 +193,15 @@ impl<'a> Audit<'a> {
             return Err(Refusal::NoPressure);
         }
         let exact = RESOLVED * UNIT * (4.0 + problem.theta.sqrt()) * scale;
-        let tolerance = |left: f64, right: f64| {
-            let off = known(problem.profile, left, right);
-            exact.max(layer::pressure_error(problem.layer, scale, off))
+        let exact = |_: f64, _: f64| exact;
+        let known = |left: f64, right: f64| {
+            layer::pressure_error(problem.layer, scale, known(problem.profile, left, right))
         };
+        let limits = Limits { exact: &exact, known: &known, scale, exponent: problem.exponent };
+        let cuts = Cuts { all: joints, bent: problem.cuts };
         let mut found = Vec::new();
         for zone in zones {
-            let limits = Limits { tolerance: &tolerance, scale, exponent: problem.exponent };
-            if !sample::panels(density, *zone, problem.cuts, &limits, MOST_PANELS, &mut found) {
+            if !panels(density, *zone, &cuts, &limits, MOST_PANELS, &mut found) {
                 return Err(Refusal::TooManyPanels);
             }
         }

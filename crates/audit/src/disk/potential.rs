@@ -7,9 +7,8 @@ use super::tree::{Seen, Tree};
 use crate::allowance::UNIT;
 use crate::kernel::Singularity;
 use crate::legendre::{ORDER, RULE, evaluate_at};
-use crate::near::{Batches, Recurrence};
+use crate::near::{Places, Recurrence};
 use crate::panel::Panel;
-use crate::potentials::Potentials;
 
 /// A panel this many times as far from the axis at one end as at the other is cut about the place: on shorter ones the factors of the kernel are polynomials of degree 23 but for `5.8^-24`.
 const LONG: f64 = 2.0;
@@ -77,7 +76,6 @@ impl Radial {
             return (0.0, 0.0);
         }
         let mut sums = Sums::default();
-        let mut batches = Batches::default();
         let tree = self.tree.get_or_init(|| Tree::new(&self.panels, &self.masses));
         tree.see(r, |seen| match seen {
             Seen::Far(cluster) => {
@@ -87,10 +85,10 @@ impl Radial {
             Seen::Near(index) => {
                 let panel = &self.panels[index];
                 if panel.right > LONG * panel.left {
-                    self.add_cut(panel, r, &mut sums, &mut batches);
+                    self.add_cut(panel, r, &mut sums);
                 } else {
                     let whole = Part::new(panel.left, panel.right);
-                    self.add_near(&whole, &self.masses[index], r, &mut sums, &mut batches);
+                    self.add_near(&whole, &self.masses[index], r, &mut sums);
                 }
             }
         });
@@ -98,7 +96,7 @@ impl Radial {
     }
 
     /// Adds a panel that reaches far from the place or to the axis.
-    fn add_cut(&self, panel: &Panel, r: f64, sums: &mut Sums, batches: &mut Batches) {
+    fn add_cut(&self, panel: &Panel, r: f64, sums: &mut Sums) {
         let r = r.max(AT_AXIS * panel.right);
         let (inner, outer) = (r - ABOUT * r, r + ABOUT * r);
         let mut left = panel.left;
@@ -113,7 +111,7 @@ impl Radial {
                     *mass *= part.half * w * s;
                 }
                 if inner <= left && right <= outer {
-                    self.add_near(&part, &masses, r, sums, batches);
+                    self.add_near(&part, &masses, r, sums);
                 } else {
                     let distances = part.nodes.map(|s| (r - s).abs());
                     sums.add_far(&masses, &self.kernel.values(r, &part.nodes, &distances));
@@ -125,14 +123,7 @@ impl Radial {
     }
 
     /// Adds masses at the nodes of an interval about the place or beside it: `int K q s ds = int R q s ds + int L sigma q s ds`.
-    fn add_near(
-        &self,
-        part: &Part,
-        masses: &[f64; ORDER],
-        r: f64,
-        sums: &mut Sums,
-        batches: &mut Batches,
-    ) {
+    fn add_near(&self, part: &Part, masses: &[f64; ORDER], r: f64, sums: &mut Sums) {
         let split = self.kernel.split(r, &part.nodes, part.half);
         let mut density = [0.0; ORDER];
         for j in 0..ORDER {
@@ -142,14 +133,15 @@ impl Radial {
         }
         // In half-lengths of the interval.
         let density = Panel::new(-1.0, 1.0, RULE.expand(&density));
-        let ends = [(r - part.left) / part.half, (part.right - r) / part.half];
+        let places = Places {
+            from_left: [(r - part.left) / part.half],
+            to_right: [(part.right - r) / part.half],
+        };
         let sign = if self.exponent > 0.0 { 1.0 } else { -1.0 };
-        let mut found = Potentials::one();
-        self.recurrence.add(&density, std::iter::once((0, ends)), sign, batches, &mut found);
-        for (value, rounding) in found.finished() {
-            sums.value += part.half * value;
-            sums.rounding += part.half * (rounding / UNIT + FACTORS * value.abs());
-        }
+        let scale = if self.exponent > 0.0 { 1.0 } else { 0.0 };
+        let [[value], [rounding]] = self.recurrence.potentials(&density, scale, &places);
+        sums.value += part.half * sign * value;
+        sums.rounding += part.half * (rounding + FACTORS * value.abs());
     }
 }
 
@@ -263,9 +255,9 @@ mod tests {
         for mu in [0.0, 0.05, 0.3, 0.8] {
             for order in [0, 1] {
                 let kernel = Harmonic::new(order, mu);
-                let density = Radial::new(kernel, mu, panels.clone());
+                let density = Radial::new(kernel.clone(), mu, panels.clone());
                 for r in places.iter().copied() {
-                    let exact = super::super::shells::potential(kernel, mu, &panels, r);
+                    let exact = super::super::shells::potential(&kernel, mu, &panels, r);
                     let (found, rounding) = density.potential(r);
                     // Both are rounded; beside the axis relative to what is about it.
                     let off = (found - exact).abs();

@@ -13,7 +13,7 @@ const SHALLOW: f64 = 1e-17;
 const SMALLEST: f64 = 1e-150;
 
 /// `int K_m(r, s) q(s) s ds` of some panels.
-pub(super) fn potential(kernel: Harmonic, mu: f64, panels: &[Panel], r: f64) -> f64 {
+pub(super) fn potential(kernel: &Harmonic, mu: f64, panels: &[Panel], r: f64) -> f64 {
     let mut sum = 0.0;
     for panel in panels {
         let distance = (panel.left - r).max(r - panel.right);
@@ -31,7 +31,7 @@ pub(super) fn potential(kernel: Harmonic, mu: f64, panels: &[Panel], r: f64) -> 
 
 /// The part of a panel on one side of the place, between these distances.
 fn shells(
-    kernel: Harmonic,
+    kernel: &Harmonic,
     mu: f64,
     panel: &Panel,
     (r, side): (f64, f64),

@@ -3,10 +3,12 @@
 use std::cell::RefCell;
 use std::fmt::Display;
 use std::ops::Range;
+use std::path::Path;
 use std::rc::Rc;
 
 use super::Document;
 use super::error::FileError;
+use super::load::load_bytes;
 use super::reader::TableReader;
 use super::source::Origin;
 use super::value::{Value, ValueKind};
@@ -194,6 +196,24 @@ impl<'d> Field<'d> {
             ValueKind::Table(table) => Ok(TableReader::new(self, table)),
             _ => Err(self.mismatch(&format!("a table ([{}])", self.name))),
         }
+    }
+
+    /// The name and the bytes of the file that this string names: of those that are [attached](Document::with_attached), where the document has some, else relative to `folder`.
+    ///
+    /// # Errors
+    /// If the value is no string, or the file cannot be read.
+    pub fn load(&self, folder: &Path) -> Result<(String, Vec<u8>), FileError> {
+        let name = self.string()?;
+        if let Some(files) = &self.document.attached {
+            return match files.get(name) {
+                Some(bytes) => Ok((name.to_owned(), bytes.to_owned())),
+                None => Err(self.error(format!("{name} is not there: give this file, too"))),
+            };
+        }
+        let path = folder.join(name);
+        let name = path.display().to_string();
+        let bytes = load_bytes(&path).map_err(|message| self.error(format!("{name} {message}")))?;
+        Ok((name, bytes))
     }
 
     /// Whether the value is a table, for fields that may be a table or something else.

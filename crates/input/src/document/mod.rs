@@ -40,10 +40,12 @@
 //! # Ok::<(), shtaerman_input::document::FileError>(())
 //! ```
 
+mod attached;
 mod bytes;
 mod error;
 mod field;
 mod guard;
+mod load;
 mod overrides;
 mod parsed;
 mod reader;
@@ -53,11 +55,13 @@ mod tests;
 mod value;
 mod vocabulary;
 
-pub use bytes::{load_bytes, overridden, read_bytes};
+pub use attached::Attached;
+pub use bytes::overridden;
 pub use error::FileError;
 pub use field::Field;
 pub use guard::{MAXIMUM_KEY_PARTS, MAXIMUM_TOKENS};
-pub use parsed::{Document, MAXIMUM_BYTES};
+pub use load::{MAXIMUM_BYTES, load_bytes, read_bytes};
+pub use parsed::Document;
 pub use reader::TableReader;
 pub use source::Origin;
 pub use value::{MAXIMUM_DEPTH, Table, Value, ValueKind};

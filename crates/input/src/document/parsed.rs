@@ -4,20 +4,21 @@ use std::sync::Arc;
 
 use toml::de::DeTable;
 
+use super::attached::Attached;
 use super::error::FileError;
 use super::guard;
+use super::load::MAXIMUM_BYTES;
 use super::reader::TableReader;
 use super::source::{BYTE_ORDER_MARK, Origin, Source};
 use super::value::{Conversion, Table, Value, ValueKind};
-
-/// The largest file that is read, in bytes (200 MB).
-pub const MAXIMUM_BYTES: usize = 200_000_000;
 
 /// A TOML document with the origin of each value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Document {
     source: Arc<Source>,
     pub(super) root: Table,
+    /// The files that it may name, where it was not read from a disk.
+    pub(super) attached: Option<Attached>,
 }
 
 impl Document {
@@ -25,7 +26,7 @@ impl Document {
     #[must_use]
     pub fn empty() -> Self {
         let source = Source::File { name: None, text: String::new() };
-        Self { source: Arc::new(source), root: Table::default() }
+        Self { source: Arc::new(source), root: Table::default(), attached: None }
     }
 
     /// Reads a document from the bytes of a file.
@@ -59,7 +60,13 @@ impl Document {
         if root.is_empty() {
             return Err(in_file(FileError::new("the file has comments but no keys")));
         }
-        Ok(Self { source, root })
+        Ok(Self { source, root, attached: None })
+    }
+
+    /// The document with the files that it names. No other file is read for it, and none from a disk.
+    #[must_use]
+    pub fn with_attached(self, files: Attached) -> Self {
+        Self { attached: Some(files), ..self }
     }
 
     /// The name of the file, if the document came from one.

@@ -33,35 +33,81 @@ pub fn plain(value: f64) -> String {
 ///
 /// A [`Dimension`] converts to the unit usual for it; angles, which have no dimension, are asked
 /// for by [`DisplayUnit::angle`].
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct DisplayUnit {
     symbol: String,
-    /// One of this unit is `10^exponent` in SI.
+    /// One of this unit is `size 10^exponent` in SI.
+    size: f64,
     exponent: i32,
     /// The powers of ten of the least and the greatest prefix.
     prefixes: (i32, i32),
+    /// Symbols of its own for powers of ten, in place of prefixes.
+    steps: &'static [Step],
+}
+
+/// A power of ten of a unit that has a symbol of its own, such as the `ksi` of `psi`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Step {
+    /// Values from this power of ten on, in the unit without a step, are shown by it.
+    from: i32,
+    power: i32,
+    symbol: &'static str,
+}
+
+impl Step {
+    pub(super) const fn new(from: i32, power: i32, symbol: &'static str) -> Self {
+        Self { from, power, symbol }
+    }
 }
 
 impl DisplayUnit {
     /// A plain number.
-    pub const NUMBER: Self = Self { symbol: String::new(), exponent: 0, prefixes: (0, 0) };
+    pub const NUMBER: Self =
+        Self { symbol: String::new(), size: 1.0, exponent: 0, prefixes: (0, 0), steps: &[] };
 
     /// An angle: `rad`, `mrad`, `µrad`, `nrad`.
     #[must_use]
     pub fn angle() -> Self {
-        Self { symbol: "rad".to_owned(), exponent: 0, prefixes: (-9, 0) }
+        Self { symbol: "rad".to_owned(), prefixes: (-9, 0), ..Self::NUMBER }
     }
 
     /// A unit without prefixes, `10^exponent` in SI.
     #[must_use]
     pub fn fixed(symbol: &str, exponent: i32) -> Self {
-        Self { symbol: symbol.to_owned(), exponent, prefixes: (0, 0) }
+        Self { symbol: symbol.to_owned(), exponent, ..Self::NUMBER }
     }
 
     /// A unit of SI whose first symbol takes the prefixes from `p` to `T`.
     #[must_use]
     pub fn prefixed(symbol: &str) -> Self {
-        Self { symbol: symbol.to_owned(), exponent: 0, prefixes: (-12, 12) }
+        Self { symbol: symbol.to_owned(), prefixes: (-12, 12), ..Self::NUMBER }
+    }
+
+    /// A unit without prefixes, `size` in SI.
+    #[must_use]
+    pub fn of_size(symbol: &str, size: f64) -> Self {
+        Self { symbol: symbol.to_owned(), size, ..Self::NUMBER }
+    }
+
+    /// A unit of this size with symbols of its own for powers of ten, from small to large; the first stands for everything below the second.
+    pub(super) fn stepped(size: f64, steps: &'static [Step]) -> Self {
+        let whole = steps.iter().find(|step| step.power == 0);
+        let symbol = whole.map_or(String::new(), |step| step.symbol.to_owned());
+        Self { symbol, size, steps, ..Self::NUMBER }
+    }
+
+    /// The unit without prefix or step, for columns.
+    pub(super) fn whole(&self) -> AxisUnit {
+        AxisUnit { factor: power_of_ten(-self.exponent) / self.size, label: self.symbol.clone() }
+    }
+
+    /// The power of ten and the symbol for a value with decimal exponent `exponent`.
+    fn step(&self, exponent: i32) -> (i32, String) {
+        if let Some(step) = self.steps.iter().rev().find(|step| step.from <= exponent) {
+            return (step.power, step.symbol.to_owned());
+        }
+        let (power, prefix) = self.prefix(exponent);
+        (power, format!("{prefix}{}", self.symbol))
     }
 
     /// The symbol without prefix.
@@ -119,20 +165,24 @@ pub fn engineering(value: f64, unit: impl Into<DisplayUnit>) -> String {
 #[must_use]
 pub fn engineering_with_digits(value: f64, unit: impl Into<DisplayUnit>, digits: usize) -> String {
     let unit = unit.into();
+    let value = value / unit.size;
     let Some(decimal) = Decimal::of(value, digits.clamp(1, MOST_DIGITS)) else {
         return unbounded(value).to_owned();
     };
     let shown = decimal.exponent - unit.exponent;
-    let (power, prefix) = unit.prefix(shown);
+    if decimal.is_zero() {
+        return joined("0", &unit.symbol);
+    }
+    let (power, symbol) = unit.step(shown);
     let number = decimal.shown(shown - power, unit.prefixes != (0, 0));
     match number {
-        Some(number) => joined(&number, prefix, &unit.symbol),
-        None => joined(&decimal.scientific(shown), "", &unit.symbol),
+        Some(number) => joined(&number, &symbol),
+        None => joined(&decimal.scientific(shown), &unit.symbol),
     }
 }
 
-fn joined(number: &str, prefix: &str, symbol: &str) -> String {
-    if symbol.is_empty() { number.to_owned() } else { format!("{number} {prefix}{symbol}") }
+fn joined(number: &str, symbol: &str) -> String {
+    if symbol.is_empty() { number.to_owned() } else { format!("{number} {symbol}") }
 }
 
 fn unbounded(value: f64) -> &'static str {
@@ -228,15 +278,12 @@ pub struct AxisUnit {
 #[must_use]
 pub fn axis_unit(max_abs: f64, unit: impl Into<DisplayUnit>) -> AxisUnit {
     let unit = unit.into();
-    let exponent = match Decimal::of(max_abs.abs(), MOST_DIGITS) {
+    let exponent = match Decimal::of(max_abs.abs() / unit.size, MOST_DIGITS) {
         Some(decimal) if !decimal.is_zero() => decimal.exponent,
         _ => unit.exponent,
     };
-    let (power, prefix) = unit.prefix(exponent - unit.exponent);
-    AxisUnit {
-        factor: power_of_ten(-(power + unit.exponent)),
-        label: format!("{prefix}{}", unit.symbol),
-    }
+    let (power, label) = unit.step(exponent - unit.exponent);
+    AxisUnit { factor: power_of_ten(-(power + unit.exponent)) / unit.size, label }
 }
 
 /// Correctly rounded: positive powers up to 22 are exact, and a quotient rounds once.

@@ -38,6 +38,7 @@ mod format;
 mod limits;
 mod number;
 mod parse;
+mod system;
 #[cfg(test)]
 mod tests;
 mod units;
@@ -48,4 +49,5 @@ pub use error::{QuantityError, QuantityErrorKind};
 pub use format::{AxisUnit, DisplayUnit, axis_unit, engineering, engineering_with_digits, plain};
 pub use limits::{MAXIMUM_LENGTH, MAXIMUM_POWER};
 pub use parse::parse;
+pub use system::{Measure, OutputUnits};
 pub use value::{FieldError, Quantity};

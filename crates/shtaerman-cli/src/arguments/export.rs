@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::ProblemArguments;
+use super::common::ProblemArguments;
+use super::units::SenseArguments;
 
 /// The program that reads the file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -81,4 +82,7 @@ pub struct ExportArguments {
     /// Write the result to this file instead of the terminal.
     #[arg(long, short, value_name = "FILE.inp")]
     pub output: Option<PathBuf>,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
 }

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand, ValueEnum};
 
-use super::OutputArguments;
+use super::common::OutputArguments;
+use super::units::SenseArguments;
 
 /// `shtaerman roughness`.
 #[derive(Debug, Args)]
@@ -70,6 +71,9 @@ pub struct GreenwoodWilliamsonArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
 }
 
 /// `shtaerman roughness bearing`.

@@ -4,6 +4,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use super::common::ReportArguments;
+use super::picture::PictureArguments;
+use super::units::UnitArguments;
 use crate::results::PartFormat;
 
 /// `shtaerman sweep`.
@@ -30,10 +33,19 @@ pub struct SweepArguments {
     /// Compute nothing: tell what the folder has, its extremes and the parts that are missing.
     #[arg(long, conflicts_with = "shard")]
     pub summary: bool,
-    /// Draw the outputs over the varied value, or over one of several, to this file (.svg or .png).
+    /// Draw the outputs over the varied value, or over one of several, to this file (.svg, .png or .pdf).
     #[arg(long, value_name = "FILE")]
     pub plot: Option<PathBuf>,
+    #[command(flatten)]
+    /// The report.
+    pub report: ReportArguments,
     /// Run studies of more than a million cases.
     #[arg(long)]
     pub yes: bool,
+    #[command(flatten)]
+    /// The units of the result.
+    pub units: UnitArguments,
+    #[command(flatten)]
+    /// How the picture looks.
+    pub picture: PictureArguments,
 }

@@ -2,20 +2,22 @@
 
 use serde_json::json;
 use shtaerman::convergence::{Convergence, FIRST_DEGREE, Quantity};
+use shtaerman::quantity::Measure;
 use shtaerman::{Error, Problem};
 
+use super::picture::Picture;
 use super::problem_file;
 use crate::Failure;
 use crate::arguments::{ConvergenceArguments, ReportFormat};
 use crate::output::{Content, Outputs};
-use crate::plot::{ConvergencePlot, ConvergenceSeries, Format, Size, render};
-use crate::report::{self, Table};
+use crate::plot::{ConvergencePlot, ConvergenceSeries};
+use crate::report::{self, Shown, Table};
 
 /// Lowest `--max-n`.
 const LEAST_DEGREE: usize = 4 * FIRST_DEGREE;
 
 pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
     if arguments.max_n < LEAST_DEGREE {
         return Err(Failure::Usage(format!(
@@ -23,7 +25,7 @@ pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
             arguments.max_n
         )));
     }
-    let file = problem_file::read(&arguments.problem, &outputs)?;
+    let file = problem_file::read(&arguments.problem, &arguments.units, &outputs)?;
     let problem = file.problem();
     let study = Convergence::study(problem, arguments.max_n).map_err(|error| match error {
         Error::InvalidValue { field: "max_n", value, requirement } => {
@@ -31,8 +33,9 @@ pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
         }
         other => file.locate(other).into(),
     })?;
+    let shown = Shown::of(problem, file.units());
     let text = match arguments.output.format {
-        ReportFormat::Table => table(problem, &study).into(),
+        ReportFormat::Table => Content::page(&table(problem, &study, &shown)),
         ReportFormat::Json => Content::json(json!({
             "schema": "shtaerman-convergence/2",
             "theta0": problem.theta0(),
@@ -40,12 +43,12 @@ pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
             "expected_orders": study.quantities.iter().map(|quantity| quantity.expected_order()).collect::<Vec<_>>(),
             "rows": study.rows,
         })),
-        ReportFormat::Csv => csv(&study),
+        ReportFormat::Csv => csv(&study, &shown),
     };
     let mut outputs = Outputs::default();
     outputs.result(arguments.output.output.as_deref(), text);
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        outputs.file(path, render(&plot(problem, &study), format, Size::default())?);
+    if let Some(picture) = picture {
+        picture.draw(&plot(problem, &study), &mut outputs)?;
     }
     outputs.write()
 }
@@ -60,32 +63,38 @@ fn name(quantity: Quantity) -> &'static str {
     }
 }
 
-fn unit(quantity: Quantity, problem: &Problem) -> &'static str {
-    match quantity {
-        _ if problem.is_dimensionless() => "",
-        Quantity::Settlement => " [m]",
-        Quantity::Force => " [N/m]",
+/// The name of a column with its unit, and what its values are multiplied by.
+fn column(quantity: Quantity, shown: &Shown) -> (String, f64) {
+    let measure = match quantity {
+        Quantity::Settlement => Measure::Displacement,
+        Quantity::Force => shown.force(),
         Quantity::PressureRight | Quantity::PressureMiddle | Quantity::PressureRightIterated => {
-            " [Pa]"
+            Measure::Pressure
         }
+    };
+    if shown.is_physical && !shown.units.are_chosen() {
+        let unit = shown.units.column(measure);
+        return (format!("{} [{}]", name(quantity), unit.label), unit.factor);
     }
+    shown.column(name(quantity), measure)
 }
 
-fn table(problem: &Problem, study: &Convergence) -> String {
+fn table(problem: &Problem, study: &Convergence, shown: &Shown) -> String {
+    let columns: Vec<(String, f64)> =
+        study.quantities.iter().map(|quantity| column(*quantity, shown)).collect();
     let mut heads = vec!["n".to_owned()];
-    for &quantity in &study.quantities {
-        heads.push(format!("{}{}", name(quantity), unit(quantity, problem)));
+    for (name, _) in &columns {
+        heads.push(name.clone());
         heads.push("difference".to_owned());
         heads.push("order".to_owned());
     }
     let mut table = Table::new(&heads);
     for row in &study.rows {
         let mut cells = vec![row.n.to_string()];
-        for entry in &row.entries {
-            cells.push(report::significant(entry.value, 13));
-            cells.push(
-                entry.difference.map_or(String::new(), |difference| format!("{difference:.1e}")),
-            );
+        for (entry, (_, factor)) in row.entries.iter().zip(&columns) {
+            cells.push(report::significant(entry.value * factor, 13));
+            let difference = entry.difference.map(|difference| difference * factor);
+            cells.push(difference.map_or(String::new(), |difference| format!("{difference:.1e}")));
             cells.push(entry.order.map_or(String::new(), |order| format!("{order:.2}")));
         }
         table.row(cells);
@@ -100,19 +109,28 @@ fn table(problem: &Problem, study: &Convergence) -> String {
     )
 }
 
-fn csv(study: &Convergence) -> Content<'_> {
+fn csv<'a>(study: &'a Convergence, shown: &Shown) -> Content<'a> {
+    let columns: Vec<(String, f64)> = study
+        .quantities
+        .iter()
+        .map(|quantity| match shown.units.are_chosen() {
+            true => column(*quantity, shown),
+            false => (name(*quantity).to_owned(), 1.0),
+        })
+        .collect();
     let header = ["n", "quantity", "value", "difference", "order"];
     let optional = move |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
     let rows = study.rows.iter().flat_map(move |row| {
-        row.entries.iter().zip(&study.quantities).map(move |(entry, &quantity)| {
+        let cells = row.entries.iter().zip(&columns).map(|(entry, (name, factor))| {
             vec![
                 row.n.to_string(),
-                name(quantity).to_owned(),
-                entry.value.to_string(),
-                optional(entry.difference),
+                name.clone(),
+                (entry.value * factor).to_string(),
+                optional(entry.difference.map(|difference| difference * factor)),
                 optional(entry.order),
             ]
-        })
+        });
+        cells.collect::<Vec<_>>()
     });
     Content::csv(&header, rows)
 }
@@ -127,7 +145,7 @@ fn plot(problem: &Problem, study: &Convergence) -> ConvergencePlot {
     });
     ConvergencePlot {
         title: "Convergence of the degenerate kernel".to_owned(),
-        notes: vec![format!("theta0 = {}", report::significant(problem.theta0(), 6))],
+        notes: vec![format!("θ₀ = {}", report::significant(problem.theta0(), 6))],
         series: series.collect(),
         count_label: "n, highest Chebyshev degree".to_owned(),
         difference_label: "relative difference from n/2".to_owned(),

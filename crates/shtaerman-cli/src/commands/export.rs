@@ -5,35 +5,73 @@ use shtaerman::finite_elements::{
     LoadCurve, Overclosure, Penalty, Units, check_problem, force_curve, moment_curve,
 };
 use shtaerman::quantity::Dimension;
-use shtaerman::{Contact, Datum, Error};
+use shtaerman::{Contact, Datum, Error, Problem};
 
 use super::{places, problem_file};
-use crate::arguments::{ExportArguments, Exported, ModelUnits, Program};
+use crate::arguments::{ExportArguments, Exported, ModelUnits, Program, UnitArguments};
 use crate::output::Outputs;
 use crate::report::{ForceExport, Model, SurfaceExport, significant};
 use crate::{Failure, clock};
 
 /// The most points that `CalculiX` keeps of a table (`plconloc` in `materialdata_sp.f`).
 const CALCULIX_POINTS: usize = 200;
+/// The farthest that tables reach, over the largest pressure of a contact: no iteration of a finite-element program comes there.
+const MOST_REACH: f64 = 1e6;
 /// The least distance of two overclosures, in the units of the model: `CalculiX` moves nearer ones apart (`surfacebehaviors.f`).
 const CALCULIX_DISTANCE: f64 = 1e-10;
 
 pub(super) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
     let factors = Factors::parse(arguments)?;
-    let file = problem_file::read(&arguments.problem, &[arguments.output.as_deref()])?;
+    let file = problem_file::read(
+        &arguments.problem,
+        &UnitArguments::default(),
+        &[arguments.output.as_deref()],
+    )?;
+    if arguments.sense.strict {
+        let contact = problem_file::solve(&file, false)?;
+        problem_file::doubts(&file, &contact, &arguments.sense)?;
+    }
+    let text = text(arguments, factors, &Asked { problem: file.problem(), file: &file })?;
+    clock::stop();
+    let mut outputs = Outputs::default();
+    outputs.result(arguments.output.as_deref(), text);
+    outputs.write()
+}
+
+/// What the command writes of a problem that was read, for programs that have one.
+pub(crate) fn exported(
+    arguments: &ExportArguments,
+    problem: &Problem,
+    file: &ProblemFile,
+) -> Result<String, Failure> {
+    text(arguments, Factors::parse(arguments)?, &Asked { problem, file })
+}
+
+/// A problem, and the file that knows where its faults stand.
+#[derive(Clone, Copy)]
+struct Asked<'a> {
+    problem: &'a Problem,
+    file: &'a ProblemFile,
+}
+
+fn text(
+    arguments: &ExportArguments,
+    factors: Factors,
+    asked: &Asked<'_>,
+) -> Result<String, Failure> {
     let datum = datum(arguments)?;
     let units = units(arguments.units);
     let mut model = Model::new(
         arguments.program,
         units,
-        length(arguments, &file)?,
+        length(arguments, asked.problem)?,
         &problem_file::name(&arguments.problem.file),
     );
-    let located = |error: Error| named(&file, error);
+    let located = |error: Error| named(asked.file, error);
     for content in contents(arguments) {
         match content {
             Exported::Surface => {
-                let (contact, table) = surface(&file, &factors)?;
+                let (contact, table) = surface(asked, &factors)?;
                 check_table(arguments, units, &table)?;
                 let penalty = match Penalty::new(&contact, factors.share, datum) {
                     Ok(penalty) => Ok(penalty),
@@ -47,23 +85,20 @@ pub(super) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
                 model.surface(&SurfaceExport { contact, table, penalty, share, reach });
             }
             Exported::Force => {
-                let curve = force_curve(file.problem(), factors.load, factors.share, datum);
+                let curve = force_curve(asked.problem, factors.load, factors.share, datum);
                 let curve = curve.map_err(located)?;
                 check_curve(arguments, &curve)?;
-                model.force(&ForceExport { problem: file.problem(), curve, datum });
+                model.force(&ForceExport { problem: asked.problem, curve, datum });
             }
             Exported::Moment => {
-                let curve = moment_curve(file.problem(), factors.moment, factors.share);
-                let curve = curve.map_err(|error| tilted(&file, &factors, error))?;
+                let curve = moment_curve(asked.problem, factors.moment, factors.share);
+                let curve = curve.map_err(|error| tilted(asked.file, &factors, error))?;
                 check_curve(arguments, &curve)?;
                 model.moment(&curve);
             }
         }
     }
-    clock::stop();
-    let mut outputs = Outputs::default();
-    outputs.result(arguments.output.as_deref(), model.text());
-    outputs.write()
+    Ok(model.text())
 }
 
 /// What was asked for, once each and in one order.
@@ -73,14 +108,14 @@ fn contents(arguments: &ExportArguments) -> impl Iterator<Item = Exported> {
 }
 
 /// The contact of the file, and the table that reaches beyond its pressures.
-fn surface(file: &ProblemFile, factors: &Factors) -> Result<(Contact, Overclosure), Failure> {
-    let located = |error| named(file, error);
-    let problem = file.problem();
+fn surface(asked: &Asked<'_>, factors: &Factors) -> Result<(Contact, Overclosure), Failure> {
+    let located = |error| named(asked.file, error);
+    let problem = asked.problem;
     check_problem(problem).map_err(located)?;
     let roughness = problem.foundation().roughness();
     // What is no law is told before anything is solved.
     Overclosure::new(roughness, [1.0, 1.0], factors.share).map_err(located)?;
-    let contact = file.solve()?;
+    let contact = problem.solve().map_err(|error| asked.file.locate(error))?;
     let pressures = [contact.mean_pressure(), factors.reach * contact.peak_pressure()];
     let table = Overclosure::new(roughness, pressures, factors.share).map_err(located)?;
     Ok((contact, table))
@@ -173,9 +208,9 @@ impl Factors {
     fn parse(arguments: &ExportArguments) -> Result<Self, Failure> {
         let number = |option, text: &str| places::quantity(option, text, Dimension::NONE);
         let reach = number("--reach", &arguments.reach)?;
-        if reach.is_nan() || reach < 1.0 || reach.is_infinite() {
+        if !(1.0..=MOST_REACH).contains(&reach) {
             return Err(Failure::Usage(format!(
-                "--reach `{}`: must be at least 1, or the contact itself goes beyond the table",
+                "--reach `{}`: must be at least 1, or the contact itself goes beyond the table, and at most {MOST_REACH:e}",
                 arguments.reach
             )));
         }
@@ -196,8 +231,8 @@ fn units(units: ModelUnits) -> Units {
 }
 
 /// The length of a plane punch out of the plane (m); none of a circular one.
-fn length(arguments: &ExportArguments, file: &ProblemFile) -> Result<Option<f64>, Failure> {
-    let is_circular = file.problem().is_circular();
+fn length(arguments: &ExportArguments, problem: &Problem) -> Result<Option<f64>, Failure> {
+    let is_circular = problem.is_circular();
     let Some(text) = &arguments.length else {
         let unit = units(arguments.units).length();
         return Ok((!is_circular).then_some(unit));

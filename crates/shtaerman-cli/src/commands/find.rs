@@ -1,18 +1,22 @@
 //! `shtaerman find`.
 
-use shtaerman::Error;
 use shtaerman::file::ProblemFile;
 use shtaerman::inverse::{self, Found, Goal, Normalisation};
 use shtaerman::quantity::Dimension;
+use shtaerman::{Contact, Error, Warning};
 
+use super::sheet::{self, ReportFile};
 use super::{places, problem_file};
 use crate::Failure;
 use crate::arguments::{
     FindArguments, FindCrownArguments, FindForceArguments, FindProfileArguments,
-    FindRoughnessArguments, OutputArguments, ProblemArguments, ReportFormat, Unknown, Zero,
+    FindRoughnessArguments, OutputArguments, ProblemArguments, ReportFormat, SenseArguments,
+    UnitArguments, Unknown, Zero,
 };
+use crate::failure;
 use crate::output::{Content, Outputs};
-use crate::report::{CrownReport, FoundReport, ShapedReport};
+use crate::plot::{Arrangement, Curve, CurvePanel, CurveScaling, CurvesPlot, Size};
+use crate::report::{CrownReport, Entry, FoundReport, ShapedReport, Sheet, Told};
 
 pub(super) fn run(arguments: &FindArguments) -> Result<(), Failure> {
     match &arguments.unknown {
@@ -24,14 +28,26 @@ pub(super) fn run(arguments: &FindArguments) -> Result<(), Failure> {
 }
 
 fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
-    let file = read(&arguments.problem, &arguments.output)?;
-    let goal = goal(&file, [&arguments.peak_pressure, &arguments.contact_width, &None])?;
+    let report_file = ReportFile::of(&arguments.report)?;
+    let file = read(&arguments.problem, &arguments.units, &arguments.output, report_file.as_ref())?;
+    let FindForceArguments { peak_pressure, contact_width, .. } = arguments;
+    let goal = goal(&file, [peak_pressure, contact_width, &None])?;
+    let given = given([peak_pressure, contact_width, &None]);
     let found = located(&file, inverse::force(file.problem(), goal))?;
     let found = audited(&file, found, arguments.no_audit)?;
     let name = problem_file::name(&arguments.problem.file);
-    let report = FoundReport::force(file.problem(), &found);
+    let mut report = FoundReport::force(file.problem(), &found, file.units());
+    let warnings = warnings(&file, &found.contact, &arguments.sense)?;
+    say(&arguments.output, &warnings);
+    report.warn(warnings);
+    let sheet = || {
+        let title = format!("Force for a goal: {name}");
+        of_contact(&title, &report.table(&name, &found), &file, &found.contact, given)
+    };
     write(
         &arguments.output,
+        report_file.as_ref(),
+        sheet,
         || report.table(&name, &found),
         || Content::json(&report),
         || report.csv(),
@@ -39,15 +55,26 @@ fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
 }
 
 fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
-    let file = read(&arguments.problem, &arguments.output)?;
+    let report_file = ReportFile::of(&arguments.report)?;
+    let file = read(&arguments.problem, &arguments.units, &arguments.output, report_file.as_ref())?;
     let FindRoughnessArguments { peak_pressure, contact_width, settlement, .. } = arguments;
     let goal = goal(&file, [peak_pressure, contact_width, settlement])?;
+    let given = given([peak_pressure, contact_width, settlement]);
     let found = located(&file, inverse::roughness(file.problem(), goal))?;
     let found = audited(&file, found, arguments.no_audit)?;
     let name = problem_file::name(&arguments.problem.file);
-    let report = FoundReport::roughness(file.problem(), &found);
+    let mut report = FoundReport::roughness(file.problem(), &found, file.units());
+    let warnings = warnings(&file, &found.contact, &arguments.sense)?;
+    say(&arguments.output, &warnings);
+    report.warn(warnings);
+    let sheet = || {
+        let title = format!("Roughness for a goal: {name}");
+        of_contact(&title, &report.table(&name, &found), &file, &found.contact, given)
+    };
     write(
         &arguments.output,
+        report_file.as_ref(),
+        sheet,
         || report.table(&name, &found),
         || Content::json(&report),
         || report.csv(),
@@ -55,7 +82,8 @@ fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
 }
 
 fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
-    let file = read(&arguments.problem, &arguments.output)?;
+    let report_file = ReportFile::of(&arguments.report)?;
+    let file = read(&arguments.problem, &arguments.units, &arguments.output, report_file.as_ref())?;
     let limit = arguments
         .peak_pressure
         .as_deref()
@@ -70,10 +98,19 @@ fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
         }
     }
     let name = problem_file::name(&arguments.problem.file);
-    let report = CrownReport::new(&crown);
+    let warnings = warnings(&file, &crown.best.contact, &arguments.sense)?;
+    say(&arguments.output, &warnings);
+    let report = CrownReport::new(&crown, file.units(), warnings);
+    let sheet = || {
+        let title = format!("Crown: {name}");
+        let given = given([&arguments.peak_pressure, &None, &None]);
+        of_contact(&title, &report.table(&name), &file, &crown.best.contact, given)
+    };
     write(
         &arguments.output,
-        || report.table(&name, &crown),
+        report_file.as_ref(),
+        sheet,
+        || report.table(&name),
         || Content::json(&report),
         || report.csv(),
     )
@@ -81,7 +118,8 @@ fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
 
 fn profile(arguments: &FindProfileArguments) -> Result<(), Failure> {
     places::check_points(arguments.points)?;
-    let file = read(&arguments.problem, &arguments.output)?;
+    let report_file = ReportFile::of(&arguments.report)?;
+    let file = read(&arguments.problem, &arguments.units, &arguments.output, report_file.as_ref())?;
     let normalisation = match arguments.zero {
         Zero::Centre => Normalisation::Centre,
         Zero::Lowest => Normalisation::Lowest,
@@ -95,16 +133,94 @@ fn profile(arguments: &FindProfileArguments) -> Result<(), Failure> {
     );
     let shaped = located(&file, shaped)?;
     let name = problem_file::name(&arguments.problem.file);
-    let report = ShapedReport::new(file.problem(), pressure, shaped);
-    write(&arguments.output, || report.table(&name), || Content::json(&report), || report.csv())
+    let report = ShapedReport::new(file.problem(), file.units(), pressure, shaped);
+    let sheet = || {
+        let title = format!("Profile for a pressure: {name}");
+        let mut sheet = sheet::of_file(&title, &sheet::command(), &report.table(&name), &file);
+        sheet.options(sheet::options(&[("--pressure", Some(pressure))]));
+        let size = Some(Size { width: 860, height: 480 });
+        sheet.picture("The profile found, and the pressure under it.", &shape(&report), size)?;
+        Ok(sheet)
+    };
+    write(
+        &arguments.output,
+        report_file.as_ref(),
+        sheet,
+        || report.table(&name),
+        || Content::json(&report),
+        || report.csv(),
+    )
 }
 
-fn read(problem: &ProblemArguments, output: &OutputArguments) -> Result<ProblemFile, Failure> {
-    problem_file::read(problem, &[output.output.as_deref()])
+fn read(
+    problem: &ProblemArguments,
+    units: &UnitArguments,
+    output: &OutputArguments,
+    report: Option<&ReportFile<'_>>,
+) -> Result<ProblemFile, Failure> {
+    let outputs = [output.output.as_deref(), report.map(|report| report.path)];
+    problem_file::read(problem, units, &outputs)
+}
+
+/// The report of a contact that was found.
+fn of_contact(
+    title: &str,
+    told: &Told,
+    file: &ProblemFile,
+    contact: &Contact,
+    given: Vec<Entry>,
+) -> Result<Sheet, Failure> {
+    let mut sheet = sheet::of_contact([title, ""], &sheet::command(), told, file, contact)?;
+    sheet.options(given);
+    sheet.contact(contact, file.units())?;
+    Ok(sheet)
+}
+
+/// What was wanted, as inputs of a report.
+fn given([peak_pressure, contact_width, settlement]: [&Option<String>; 3]) -> Vec<Entry> {
+    sheet::options(&[
+        ("--peak-pressure", peak_pressure.as_deref()),
+        ("--contact-width", contact_width.as_deref()),
+        ("--settlement", settlement.as_deref()),
+    ])
+}
+
+/// A profile and its pressure, each over the base.
+fn shape(report: &ShapedReport) -> CurvesPlot {
+    let panel = |(name, points): (String, Vec<(f64, f64)>)| CurvePanel {
+        heading: name.clone(),
+        curves: vec![Curve { name, points }],
+    };
+    CurvesPlot {
+        title: String::new(),
+        notes: Vec::new(),
+        panels: report.curves().map(panel).into(),
+        scaling: CurveScaling::Normalised,
+        arrangement: Arrangement::SideBySide,
+        horizontal_label: report.position_label().to_owned(),
+        vertical_label: "of the largest".to_owned(),
+    }
 }
 
 fn located<T>(file: &ProblemFile, result: Result<T, Error>) -> Result<T, Failure> {
     result.map_err(|error| file.locate(error).into())
+}
+
+/// What a user should know about the contact found, and what an engineer would doubt.
+fn warnings(
+    file: &ProblemFile,
+    contact: &Contact,
+    sense: &SenseArguments,
+) -> Result<Vec<Warning>, Failure> {
+    let doubts = problem_file::doubts(file, contact, sense)?;
+    Ok([contact.warnings(), &doubts].concat())
+}
+
+/// Says the warnings that the result itself does not show.
+fn say(output: &OutputArguments, warnings: &[Warning]) {
+    if output.format != ReportFormat::Table || output.output.is_some() {
+        warnings.iter().for_each(|warning| failure::warn(&warning.message));
+    }
 }
 
 /// What was found with the audit of its contact.
@@ -162,16 +278,21 @@ fn number(
 /// Writes the result in the format asked for.
 fn write<'a>(
     output: &OutputArguments,
-    table: impl FnOnce() -> String,
+    report: Option<&ReportFile<'_>>,
+    sheet: impl FnOnce() -> Result<Sheet, Failure>,
+    table: impl FnOnce() -> Told,
     json: impl FnOnce() -> Content<'a>,
     csv: impl FnOnce() -> Content<'a>,
 ) -> Result<(), Failure> {
     let text = match output.format {
-        ReportFormat::Table => table().into(),
+        ReportFormat::Table => Content::page(&table().to_string()),
         ReportFormat::Json => json(),
         ReportFormat::Csv => csv(),
     };
     let mut outputs = Outputs::default();
     outputs.result(output.output.as_deref(), text);
+    if let Some(report) = report {
+        report.add(&mut outputs, &sheet()?, output.is_table())?;
+    }
     outputs.write()
 }

@@ -3,19 +3,24 @@
 mod completions;
 mod convergence;
 mod equation;
+pub(crate) mod explore;
 mod export;
 mod find;
 mod init;
 mod man;
+mod picture;
 mod places;
 mod problem_file;
 mod regularity;
 mod reproduce;
 mod roughness;
+mod schema;
+mod sheet;
 mod solve;
 mod spectrum;
 mod stress;
 mod sweep;
+mod trace;
 mod validate;
 mod vary;
 
@@ -36,12 +41,17 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Stress(arguments) => stress::run(arguments),
         Command::Spectrum(arguments) => spectrum::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
+        Command::Explore(arguments) => explore::run(arguments),
         Command::Roughness(arguments) => roughness::run(arguments),
         Command::Export(arguments) => export::run(arguments),
+        Command::Trace(arguments) => trace::run(arguments),
+        Command::Schema(arguments) => schema::run(arguments),
         Command::Completions(arguments) => completions::run(arguments),
         Command::Man(arguments) => man::run(arguments),
     }
 }
+
+pub(crate) use export::exported;
 
 /// The JSON of a command that finds all from its arguments.
 pub(crate) fn json_of(command: &Command) -> Result<String, Failure> {

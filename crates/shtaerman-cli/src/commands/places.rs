@@ -41,6 +41,24 @@ pub(super) fn parse(
     parts.into_iter().map(parsed).collect()
 }
 
+/// Two places `X1..X2` from left to right; a unit behind the second alone goes for both.
+pub(super) fn range(option: &str, text: &str, dimension: Dimension) -> Result<[f64; 2], Failure> {
+    let Some((from, to)) = text.split_once("..") else {
+        return Err(Failure::Usage(format!(
+            "{option} {text}: must be two places, such as \"-4 mm..4 mm\""
+        )));
+    };
+    let (from, to) = (from.trim(), to.trim());
+    let unit = to.trim_start_matches(|c: char| c.is_ascii_digit() || ".eE+-".contains(c));
+    let with_unit = format!("{from} {unit}");
+    let from = if from.parse::<f64>().is_ok() { with_unit.trim() } else { from };
+    let range = [quantity(option, from, dimension)?, quantity(option, to, dimension)?];
+    if range[0] < range[1] && (range[1] - range[0]).is_finite() {
+        return Ok(range);
+    }
+    Err(Failure::Usage(format!("{option} {text}: must go from left to right")))
+}
+
 /// The value of an option that is a quantity.
 pub(super) fn quantity(option: &str, text: &str, dimension: Dimension) -> Result<f64, Failure> {
     shtaerman::quantity::parse(text)

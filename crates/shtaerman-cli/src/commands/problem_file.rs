@@ -6,12 +6,12 @@ use std::time::Duration;
 use shtaerman::document::{Document, FileError, load_bytes, read_bytes};
 use shtaerman::equation::EquationFile;
 use shtaerman::file::{AnyFile, ProblemFile};
-use shtaerman::quantity::Dimension;
-use shtaerman::{Contact, Error};
+use shtaerman::quantity::{Dimension, OutputUnits};
+use shtaerman::{Contact, Error, Warning};
 use shtaerman_study::Study;
 
 use super::places;
-use crate::arguments::ProblemArguments;
+use crate::arguments::{ProblemArguments, SenseArguments, UnitArguments};
 use crate::failure::shown;
 use crate::output::{Input, check_writable, interrupt};
 use crate::{Failure, clock};
@@ -22,11 +22,12 @@ const STUDY: &str = "study";
 /// Reads the problem, with its overrides; `-` is standard input. The outputs must be writable, and none of them a file that is read.
 pub(super) fn read(
     arguments: &ProblemArguments,
+    units: &UnitArguments,
     outputs: &[Option<&Path>],
 ) -> Result<ProblemFile, Failure> {
     let input = Input { what: "the problem file", path: &arguments.file };
     check_writable(outputs, &[input])?;
-    let file = read_problem(arguments)?;
+    let file = read_problem(arguments, units)?;
     clock::start(file.problem().solver().time_limit(), interrupt);
     if let Some(path) = file.measured_profile() {
         check_writable(outputs, &[Input { what: "the measured profile", path }])?;
@@ -34,9 +35,10 @@ pub(super) fn read(
     Ok(file)
 }
 
-/// The overrides, with that of the time limit.
-fn overrides(arguments: &ProblemArguments) -> Result<Vec<String>, Failure> {
+/// The overrides, with those of units and of the time limit.
+fn overrides(arguments: &ProblemArguments, units: &UnitArguments) -> Result<Vec<String>, Failure> {
     let mut overrides = arguments.overrides.clone();
+    overrides.extend(units_override(units)?);
     if let Some(text) = &arguments.time_limit {
         let limit = places::quantity("--time-limit", text, Dimension::TIME)?;
         if limit.is_nan() || limit <= 0.0 {
@@ -48,9 +50,40 @@ fn overrides(arguments: &ProblemArguments) -> Result<Vec<String>, Failure> {
     Ok(overrides)
 }
 
+/// `--units` as an override: a system, or `KEY=UNIT` with commas between.
+pub(super) fn units_override(arguments: &UnitArguments) -> Result<Option<String>, Failure> {
+    let Some(text) = &arguments.units else { return Ok(None) };
+    let quoted = |text: &str| serde_json::Value::from(text.trim()).to_string();
+    if !text.contains('=') {
+        let names = OutputUnits::SYSTEMS;
+        if !names.contains(&text.trim()) {
+            return Err(Failure::Usage(format!(
+                "--units `{text}`: must be {}, or units of your own such as \"length=in, pressure=ksi\"",
+                names.join(", ")
+            )));
+        }
+        // As a table it takes the place of a table in the file, too.
+        return Ok(Some(format!("output.units={{ system = {} }}", quoted(text))));
+    }
+    let pair = |part: &str| {
+        let (key, unit) = part.split_once('=')?;
+        Some(format!("{} = {}", quoted(key), quoted(unit)))
+    };
+    let pairs: Option<Vec<String>> = text.split(',').map(pair).collect();
+    let pairs = pairs.ok_or_else(|| {
+        Failure::Usage(format!(
+            "--units `{text}`: must be KEY=UNIT with commas between, such as \"length=in, pressure=ksi\""
+        ))
+    })?;
+    Ok(Some(format!("output.units={{ {} }}", pairs.join(", "))))
+}
+
 /// The bytes of the problem, and its overrides.
-pub(super) fn content(arguments: &ProblemArguments) -> Result<(Vec<u8>, Vec<String>), Failure> {
-    let overrides = overrides(arguments)?;
+pub(super) fn content(
+    arguments: &ProblemArguments,
+    units: &UnitArguments,
+) -> Result<(Vec<u8>, Vec<String>), Failure> {
+    let overrides = overrides(arguments, units)?;
     if arguments.file == Path::new("-") {
         return Ok((standard_input()?, overrides));
     }
@@ -60,8 +93,11 @@ pub(super) fn content(arguments: &ProblemArguments) -> Result<(Vec<u8>, Vec<Stri
     Ok((bytes, overrides))
 }
 
-fn read_problem(arguments: &ProblemArguments) -> Result<ProblemFile, Failure> {
-    let overrides = overrides(arguments)?;
+fn read_problem(
+    arguments: &ProblemArguments,
+    units: &UnitArguments,
+) -> Result<ProblemFile, Failure> {
+    let overrides = overrides(arguments, units)?;
     if arguments.file != Path::new("-") {
         return ProblemFile::open(&arguments.file, &overrides).map_err(advised);
     }
@@ -82,7 +118,7 @@ fn advised(error: Error) -> Failure {
 
 /// The study of a file that states one, with its overrides.
 pub(super) fn read_study(arguments: &ProblemArguments) -> Result<Option<Study>, Failure> {
-    let (bytes, overrides) = content(arguments)?;
+    let (bytes, overrides) = content(arguments, &UnitArguments::default())?;
     let name = name(&arguments.file);
     let is_study = Document::from_bytes(&bytes, &name).is_ok_and(|file| file.get(STUDY).is_some());
     let folder = arguments.file.parent().unwrap_or(Path::new(""));
@@ -121,6 +157,14 @@ pub(super) fn name(path: &Path) -> String {
     if path == Path::new("-") { "standard input".to_owned() } else { shown(path) }
 }
 
+/// The name of the file without its folder and suffix, for titles; none for standard input.
+pub(super) fn stem(path: &Path) -> String {
+    if path == Path::new("-") {
+        return String::new();
+    }
+    path.file_stem().map_or(String::new(), |stem| shown(Path::new(stem)))
+}
+
 /// What came of a solve.
 pub(super) enum Solved {
     Answer(Contact),
@@ -147,7 +191,8 @@ pub(super) fn solved(file: &ProblemFile, is_audited: bool) -> Result<Solved, Fai
     match problem.with_solver(solver).solve_or_best() {
         Ok(contact) if contact.is_unfinished() => {
             let best = contact.clone();
-            let audited = clock::in_time(move || best.with_audit()).filter(|_| is_audited);
+            let audit = || clock::in_time(move || best.with_audit());
+            let audited = if is_audited { audit() } else { None };
             Ok(Solved::Unfinished(audited.unwrap_or(contact), limit))
         }
         Ok(contact) if !is_audited => Ok(Solved::Answer(contact)),
@@ -169,4 +214,25 @@ pub(super) fn solve(file: &ProblemFile, is_audited: bool) -> Result<Contact, Fai
         Solved::Answer(contact) => Ok(contact),
         Solved::Unfinished(_, limit) => Err(Error::TimeLimit { limit }.into()),
     }
+}
+
+/// The doubts about an answer, which `--strict` refuses.
+pub(super) fn doubts(
+    file: &ProblemFile,
+    contact: &Contact,
+    sense: &SenseArguments,
+) -> Result<Vec<Warning>, Failure> {
+    refuse(sense, file.sense_checks(contact))
+}
+
+/// Doubts, unless they end the command.
+pub(super) fn refuse(
+    sense: &SenseArguments,
+    doubts: Vec<Warning>,
+) -> Result<Vec<Warning>, Failure> {
+    if !sense.strict || doubts.is_empty() {
+        return Ok(doubts);
+    }
+    let said: Vec<&str> = doubts.iter().map(|doubt| doubt.message.as_str()).collect();
+    Err(Failure::Usage(format!("--strict: {}", said.join("; "))))
 }

@@ -10,6 +10,7 @@ use crate::Failure;
 use crate::arguments::{RegularityArguments, ReportFormat};
 use crate::output::{Content, Outputs, check_writable};
 use crate::report::{self, Table};
+use crate::terminal::folded;
 
 pub(super) fn run(arguments: &RegularityArguments) -> Result<(), Failure> {
     check_writable(&[arguments.output.output.as_deref()], &[])?;
@@ -57,20 +58,20 @@ fn table(study: &RegularityReport) -> Content<'_> {
                     ]
                 })
             })?;
-            write!(
-                out,
+            let words = format!(
                 "{}Completely regular from row {} (degree {}) on.\nVerdict: {}.\n",
                 conditions(system),
                 system.first_row,
                 system.first_degree,
                 verdict(&system.verdict)
-            )?;
+            );
+            out.write_all(folded(&words).as_bytes())?;
         }
-        writeln!(
-            out,
-            "\nBoth systems: {}.\nThe truncated systems have one solution at every theta0 >= 0, regular or not: the kernel is positive.",
+        let words = format!(
+            "\nBoth systems: {}.\nThe truncated systems have one solution at every theta0 >= 0, regular or not: the kernel is positive.\n",
             verdict(&study.verdict)
-        )
+        );
+        out.write_all(folded(&words).as_bytes())
     })
 }
 

@@ -2,28 +2,29 @@
 
 use shtaerman::paper::{self, Figure, Reproduction};
 
+use super::picture::Picture;
 use crate::Failure;
 use crate::arguments::{ReportFormat, ReproduceArguments};
 use crate::output::{Content, Outputs, check_writable};
-use crate::plot::{Arrangement, Curve, CurvePanel, CurveScaling, CurvesPlot, Format, Size, render};
+use crate::plot::{Arrangement, Curve, CurvePanel, CurveScaling, CurvesPlot};
 use crate::report::{self, Table};
 
 /// Points of each curve of Fig. 2.
 const CURVE_POINTS: usize = 401;
 
 pub(super) fn run(arguments: &ReproduceArguments) -> Result<(), Failure> {
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()], &[])?;
     let reproduction = paper::reproduce()?;
     let mut outputs = Outputs::default();
     let text = match arguments.output.format {
-        ReportFormat::Table => table(&reproduction).into(),
+        ReportFormat::Table => Content::page(&table(&reproduction)),
         ReportFormat::Json => json(&reproduction),
         ReportFormat::Csv => csv(&reproduction),
     };
     outputs.result(arguments.output.output.as_deref(), text);
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        outputs.file(path, render(&figure2()?, format, Size::default())?);
+    if let Some(picture) = picture {
+        picture.draw(&figure2()?, &mut outputs)?;
     }
     outputs.write()?;
     if reproduction.is_as_expected() { Ok(()) } else { Err(Failure::Check(summary(&reproduction))) }

@@ -3,15 +3,18 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use shtaerman::quantity::{Dimension, engineering};
-use shtaerman::{Answer, Contact, Datum, PressureCurve, Problem, SurfaceCurve};
+use shtaerman::file::ProblemFile;
+use shtaerman::quantity::{Dimension, Measure, OutputUnits};
+use shtaerman::{Answer, Contact, Datum, PressureCurve, Problem, SurfaceCurve, Warning};
 
+use super::picture::Picture;
 use super::problem_file::Solved;
+use super::sheet::{self, ReportFile};
 use super::{places, problem_file, vary};
 use crate::arguments::{ReportFormat, SolveArguments};
 use crate::failure::{self, shown};
 use crate::output::{Content, Outputs};
-use crate::plot::{Format, Size, render};
+use crate::report::{ContactPicture, Sheet, Shown, contact_picture};
 use crate::{Failure, clock, report};
 
 /// A place this far beyond an edge, in half-widths, is the edge: units round (200 mil and 5.08 mm).
@@ -21,22 +24,24 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     if !arguments.vary.is_empty() {
         return vary::run(arguments);
     }
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
-    let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
+    let report = ReportFile::of(&arguments.report)?;
+    let report_path = report.as_ref().map(|report| report.path);
+    let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref(), report_path];
     places::check_points(arguments.points)?;
-    let file = problem_file::read(&arguments.problem, &outputs)?;
-    let places =
-        arguments.at.as_deref().map(|text| parse_places(text, file.problem())).transpose()?;
+    let file = problem_file::read(&arguments.problem, &arguments.units, &outputs)?;
+    let places = arguments.at.as_deref().map(|text| parse_places(text, &file)).transpose()?;
+    let dimension =
+        if file.problem().is_dimensionless() { Dimension::NONE } else { Dimension::LENGTH };
+    let window = (arguments.x_range.as_deref())
+        .map(|text| places::range("--x-range", text, dimension))
+        .transpose()?;
     let extras = Extras::new(arguments, file.problem())?;
     let (contact, over) = match problem_file::solved(&file, !arguments.no_audit)? {
         Solved::Answer(contact) => (contact, None),
         Solved::Unfinished(contact, limit) => (contact, Some(limit)),
     };
-    let doubts = file.sense_checks(&contact);
-    if arguments.strict && !doubts.is_empty() {
-        let said: Vec<&str> = doubts.iter().map(|doubt| doubt.message.as_str()).collect();
-        return Err(Failure::Usage(format!("--strict: {}", said.join("; "))));
-    }
+    let doubts = problem_file::doubts(&file, &contact, &arguments.sense)?;
     clock::answered("its curve");
     let curve = match places {
         Some(places) => PressureCurve::at(&contact, places)?,
@@ -46,7 +51,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     answer.warnings = [contact.warnings(), &doubts].concat();
     if let Some(limit) = over {
         let mut outputs = Outputs::default();
-        outputs.result(None, text(arguments, &contact, &answer, None));
+        outputs.result(None, text(arguments, &contact, &answer, file.units(), None));
         outputs.write()?;
         warn(arguments, &answer);
         return Err(Failure::Unfinished(limit));
@@ -63,11 +68,22 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         }
     }
     let mut outputs = Outputs::default();
-    let text = text(arguments, &contact, &answer, arguments.plot.as_deref());
+    let text = text(arguments, &contact, &answer, file.units(), arguments.plot.as_deref());
     outputs.result(arguments.output.output.as_deref(), text);
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
+    if let Some(picture) = picture {
         clock::answered("its plot");
-        outputs.file(path, render(&report::contact_plot(&contact)?, format, Size::default())?);
+        let wanted = ContactPicture {
+            name: problem_file::stem(&arguments.problem.file),
+            title: arguments.picture.title.clone(),
+            x_range: window,
+            units: file.units().clone(),
+        };
+        picture.draw(&contact_picture(&contact, &wanted)?, &mut outputs)?;
+    }
+    if let Some(report) = &report {
+        clock::answered("its report");
+        let sheet = sheet(arguments, &file, &contact, &answer)?;
+        report.add(&mut outputs, &sheet, arguments.output.is_table())?;
     }
     outputs.write()?;
     warn(arguments, &answer);
@@ -90,20 +106,44 @@ fn text<'a>(
     arguments: &SolveArguments,
     contact: &Contact,
     answer: &'a Answer,
+    units: &OutputUnits,
     plot: Option<&Path>,
 ) -> Content<'a> {
     match arguments.output.format {
         ReportFormat::Table => {
             let name = problem_file::name(&arguments.problem.file);
-            let mut text = report::answer_table(&name, contact, answer, arguments.at.is_some());
+            let mut text =
+                report::answer_table(&name, contact, answer, units, arguments.at.is_some());
             if let Some(path) = plot {
                 let _ = writeln!(text, "plot: {}", shown(path));
             }
-            text.into()
+            Content::page(&text.to_string())
         }
         ReportFormat::Json => Content::json(answer),
-        ReportFormat::Csv => report::answer_csv(answer),
+        ReportFormat::Csv => report::answer_csv(answer, &Shown::of(contact.problem(), units)),
     }
+}
+
+/// The report of an answer.
+fn sheet(
+    arguments: &SolveArguments,
+    file: &ProblemFile,
+    contact: &Contact,
+    answer: &Answer,
+) -> Result<Sheet, Failure> {
+    let name = problem_file::name(&arguments.problem.file);
+    let with_places = arguments.at.is_some();
+    let told = report::answer_table(&name, contact, answer, file.units(), with_places);
+    let title = format!("Contact: {name}");
+    let stem = problem_file::stem(&arguments.problem.file);
+    let heads = [title.as_str(), &stem];
+    let mut sheet = sheet::of_contact(heads, &sheet::command(), &told, file, contact)?;
+    sheet.options(sheet::options(&[
+        ("--at", arguments.at.as_deref()),
+        ("--datum-distance", arguments.datum_distance.as_deref()),
+        ("--datum-depth", arguments.datum_depth.as_deref()),
+    ]));
+    Ok(sheet)
 }
 
 /// Says the warnings that the result itself does not show.
@@ -158,6 +198,21 @@ impl Extras {
     }
 }
 
+/// The answer where nothing is asked for beside it: as `--format json` writes it, or as the table shows it.
+pub(super) fn answer(
+    contact: &Contact,
+    curve: PressureCurve,
+    doubts: &[Warning],
+    is_for_people: bool,
+) -> Result<Answer, Failure> {
+    let sensitivities =
+        if is_for_people { Sensitivities::Left } else { Sensitivities::IfLinearised };
+    let extras = Extras { data: Vec::new(), surface: None, sensitivities };
+    let mut answer = Answer::new(contact, curve);
+    answer.warnings = [contact.warnings(), doubts].concat();
+    extended(answer, contact, &extras)
+}
+
 fn extended(answer: Answer, contact: &Contact, extras: &Extras) -> Result<Answer, Failure> {
     let relative = extras.data.iter().map(|datum| contact.relative_settlement(*datum));
     let mut answer = answer.with_relative_settlement(relative.collect::<Result<_, _>>()?);
@@ -179,9 +234,11 @@ fn extended(answer: Answer, contact: &Contact, extras: &Extras) -> Result<Answer
 }
 
 /// The places of `--at`: lengths, or bare numbers for a dimensionless problem.
-fn parse_places(text: &str, problem: &Problem) -> Result<Vec<f64>, Failure> {
+fn parse_places(text: &str, file: &ProblemFile) -> Result<Vec<f64>, Failure> {
+    let problem = file.problem();
     let dimension = if problem.is_dimensionless() { Dimension::NONE } else { Dimension::LENGTH };
     let half_width = problem.punch().half_width();
+    let shown = Shown::of(problem, file.units());
     places::parse(text, dimension, &|place| {
         if place.abs() <= half_width {
             return Ok(place);
@@ -191,8 +248,8 @@ fn parse_places(text: &str, problem: &Problem) -> Result<Vec<f64>, Failure> {
         }
         Err(format!(
             "is beyond the punch, which reaches from {} to {}",
-            engineering(-half_width, dimension),
-            engineering(half_width, dimension)
+            shown.value(-half_width, Measure::Length),
+            shown.value(half_width, Measure::Length)
         ))
     })
 }

@@ -3,11 +3,12 @@
 use shtaerman::equation::{Family, KernelError, NamedKernel, Parameter, Spectrum};
 use shtaerman::quantity::{self, Dimension};
 
+use super::picture::Picture;
 use crate::Failure;
 use crate::arguments::{KernelArguments, ReportFormat, SpectrumArguments};
 use crate::failure::shown;
 use crate::output::{Content, Outputs, check_writable};
-use crate::plot::{Arrangement, Curve, CurvePanel, CurveScaling, CurvesPlot, Format, Size, render};
+use crate::plot::{Arrangement, Curve, CurvePanel, CurveScaling, CurvesPlot};
 use crate::report::{self, Table};
 
 /// Eigenfunctions that are drawn.
@@ -16,7 +17,7 @@ const DRAWN: usize = 5;
 const PLOT_INTERVALS: u32 = 400;
 
 pub(super) fn run(arguments: &SpectrumArguments) -> Result<(), Failure> {
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     check_writable(&[arguments.output.output.as_deref(), arguments.plot.as_deref()], &[])?;
     let kernel = kernel(arguments)?;
     let spectrum = Spectrum::new(&kernel, arguments.count, arguments.verify).map_err(usage)?;
@@ -26,15 +27,15 @@ pub(super) fn run(arguments: &SpectrumArguments) -> Result<(), Failure> {
             if let Some(path) = &arguments.plot {
                 text.push_str(&format!("\nplot: {}\n", shown(path)));
             }
-            text.into()
+            Content::page(&text)
         }
         ReportFormat::Json => Content::json(&spectrum),
         ReportFormat::Csv => csv(&spectrum),
     };
     let mut outputs = Outputs::default();
     outputs.result(arguments.output.output.as_deref(), text);
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        outputs.file(path, render(&plot(&spectrum), format, Size::default())?);
+    if let Some(picture) = picture {
+        picture.draw(&plot(&spectrum), &mut outputs)?;
     }
     outputs.write()?;
     verdict(&spectrum)
@@ -49,7 +50,7 @@ pub(super) fn json(arguments: &SpectrumArguments) -> Result<String, Failure> {
 }
 
 /// Values that make no sense are the fault of the arguments, and named as they are written there.
-fn usage(error: shtaerman::Error) -> Failure {
+pub(super) fn usage(error: shtaerman::Error) -> Failure {
     match error {
         shtaerman::Error::InvalidValue { field, value, requirement } => {
             Failure::Usage(format!("--{field} {value}: must be {requirement}"))
@@ -73,7 +74,12 @@ fn kernel(arguments: &SpectrumArguments) -> Result<NamedKernel, Failure> {
             None => Err(Failure::Usage(format!("--{} is missing: {}", parameter.name, takes()))),
         })
         .collect::<Result<Vec<_>, _>>()?;
-    NamedKernel::new(family, &values).map_err(|error| match error {
+    named(family, &values)
+}
+
+/// The kernel with these values of its parameters.
+pub(super) fn named(family: &'static Family, values: &[f64]) -> Result<NamedKernel, Failure> {
+    NamedKernel::new(family, values).map_err(|error| match error {
         KernelError::Refused { parameter, value, requirement, help } => {
             let help = help.map_or(String::new(), |help| format!("; {help}"));
             Failure::Usage(format!("--{parameter} {value}: must be {requirement}{help}"))
@@ -196,20 +202,27 @@ fn verdict(spectrum: &Spectrum<'_>) -> Result<(), Failure> {
     Err(Failure::Check(format!("the spectral relation fails: {}", failed.join(", "))))
 }
 
-fn plot(spectrum: &Spectrum<'_>) -> CurvesPlot {
-    let count = DRAWN.min(spectrum.index.len());
+/// The first eigenfunctions: name and points of each.
+pub(super) fn curves(spectrum: &Spectrum<'_>, count: usize) -> Vec<(String, Vec<(f64, f64)>)> {
+    let count = count.min(spectrum.index.len());
     let [left, right] = spectrum.extent();
-    let mut curves: Vec<Curve> =
-        (0..count).map(|n| Curve { name: format!("n = {n}"), points: Vec::new() }).collect();
+    let mut curves: Vec<(String, Vec<(f64, f64)>)> =
+        (0..count).map(|n| (format!("n = {n}"), Vec::new())).collect();
     for i in 0..=PLOT_INTERVALS {
         // Dense at the ends, where eigenfunctions may bend most.
         let angle = std::f64::consts::PI * f64::from(i) / f64::from(PLOT_INTERVALS);
         let share = (0.5 * angle).sin().powi(2);
         let x = if i == PLOT_INTERVALS { right } else { left + share * (right - left) };
         for (curve, value) in curves.iter_mut().zip(spectrum.eigenfunctions(x, count)) {
-            curve.points.push((x, value));
+            curve.1.push((x, value));
         }
     }
+    curves
+}
+
+fn plot(spectrum: &Spectrum<'_>) -> CurvesPlot {
+    let curves = curves(spectrum, DRAWN).into_iter();
+    let curves = curves.map(|(name, points)| Curve { name, points }).collect();
     CurvesPlot {
         title: format!("Eigenfunctions of K = {}", spectrum.formula),
         notes: vec![spectrum.kernel.title()],

@@ -5,14 +5,19 @@ use std::path::Path;
 use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
+use shtaerman::document::{load_bytes, overridden};
+use shtaerman::file::ProblemFile;
 use shtaerman_study::{Part, Row, Study, Summary};
 
+use super::picture::{Picture, Titled};
+use super::problem_file;
+use super::sheet::{self, ReportFile};
 use crate::Failure;
 use crate::arguments::SweepArguments;
 use crate::failure::{self, shown};
-use crate::output::{Input, Outputs, check_writable};
-use crate::plot::{Format, render};
-use crate::report;
+use crate::output::{Content, Input, Outputs, check_writable};
+use crate::plot::Size;
+use crate::report::{self, Sheet, StudyUnits, Told};
 use crate::results::{Results, processors};
 
 /// Studies of more cases ask first.
@@ -24,12 +29,16 @@ const TICK: Duration = Duration::from_millis(250);
 
 pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     arguments.format.check()?;
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let threads = threads(arguments.threads)?;
     let shard = arguments.shard.as_deref().map_or(Ok(Shard::WHOLE), Shard::read)?;
     let study = Study::open(&arguments.file, &arguments.overrides)?;
     let input = Input { what: "the study file", path: &arguments.file };
-    check_writable(&[arguments.plot.as_deref()], &[input])?;
+    let report_file = ReportFile::of(&arguments.report)?;
+    let report_path = report_file.as_ref().map(|report| report.path);
+    check_writable(&[arguments.plot.as_deref(), report_path], &[input])?;
+    let units: Vec<String> = problem_file::units_override(&arguments.units)?.into_iter().collect();
+    let units = StudyUnits::new(&study, &units)?;
     check_size(&study, arguments.yes || arguments.summary)?;
     let name = arguments.file.file_name().unwrap_or(arguments.file.as_os_str());
     let name = shown(Path::new(name));
@@ -38,23 +47,58 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     let study = results.study();
 
     let mut run = Run::new(&results, threads);
-    let chosen: Vec<Part> = study.parts().filter(|part| shard.has(part)).collect();
-    let total: usize = chosen.iter().map(|part| part.cases.len()).sum();
-    for part in &chosen {
-        run.take(part, arguments.summary, total)?;
+    // Not kept in a list: a study may have billions of them.
+    let chosen = || study.parts().skip(shard.index).step_by(shard.count);
+    let total = shard.cases(study);
+    for part in chosen() {
+        run.take(&part, arguments.summary, total)?;
     }
     run.clear();
     if !arguments.summary {
-        run.audit_sample(&chosen);
+        run.audit_sample(shard);
+        results.sweep_out();
     }
     let mut outputs = Outputs::default();
-    outputs.result(None, report::sweep_table(study, results.manifest(), &run.report(chosen.len())));
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        let (plot, size) =
-            report::response(study, &run.curves, Some(&run.summary)).map_err(Failure::Usage)?;
-        outputs.file(path, render(&plot, format, size)?);
+    let table = report::sweep_table(study, &units, results.manifest(), &run.report(chosen().len()));
+    outputs.result(None, Content::page(&table.to_string()));
+    if let Some(report_file) = &report_file {
+        let sheet = sheet(arguments, &name, &run, &units, &table)?;
+        report_file.add(&mut outputs, &sheet, true)?;
+    }
+    if let Some(picture) = picture {
+        let stem = problem_file::stem(&arguments.file);
+        let (figure, size) =
+            report::response(&stem, study, &units, &run.curves, Some(&run.summary))
+                .map_err(Failure::Usage)?;
+        picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
     outputs.write()
+}
+
+/// The report of a study: that of the problem that it varies, with its response.
+fn sheet(
+    arguments: &SweepArguments,
+    name: &str,
+    run: &Run<'_>,
+    units: &StudyUnits,
+    told: &Told,
+) -> Result<Sheet, Failure> {
+    let bytes = load_bytes(&arguments.file).map_err(Failure::Usage)?;
+    let document = overridden(&bytes, name, &arguments.overrides, "study.count=100")?;
+    let mut sheet = Sheet::new(&format!("Study: {name}"), &sheet::command(), told);
+    sheet.document(&document);
+    let folder = arguments.file.parent().unwrap_or(Path::new(""));
+    // What varies may be missing in the problem itself, which then has no model of its own.
+    if let Ok(file) = ProblemFile::from_document(run.study.problem().clone(), folder) {
+        sheet.problem(file.problem());
+    }
+    // Where nothing can be drawn, the table stands alone.
+    let stem = problem_file::stem(&arguments.file);
+    let drawn = report::response(&stem, run.study, units, &run.curves, Some(&run.summary));
+    if let Ok((figure, _)) = drawn {
+        sheet.picture("The response.", &figure, Some(Size { width: 860, height: 560 }))?;
+    }
+    Ok(sheet)
 }
 
 fn threads(asked: Option<usize>) -> Result<usize, Failure> {
@@ -91,8 +135,19 @@ impl Shard {
         }
     }
 
-    fn has(&self, part: &Part) -> bool {
-        part.number % self.count == self.index
+    /// Whether the part of a case is one of them.
+    fn has(self, study: &Study, case: usize) -> bool {
+        case / study.part_size() % self.count == self.index
+    }
+
+    /// How many cases it has.
+    fn cases(self, study: &Study) -> usize {
+        let parts = study.parts().len();
+        let own = parts.saturating_sub(self.index).div_ceil(self.count);
+        let size = study.part_size();
+        // The last part may be a shorter one.
+        let has_last = parts > 0 && (parts - 1) % self.count == self.index;
+        own * size - if has_last { parts * size - study.cases() } else { 0 }
     }
 }
 
@@ -179,16 +234,15 @@ impl<'s> Run<'s> {
         }
     }
 
-    /// Audits some of the cases of these parts, chosen by the seed of the study.
-    fn audit_sample(&mut self, parts: &[Part]) {
+    /// Audits some of the cases of a shard, chosen by the seed of the study.
+    fn audit_sample(&mut self, shard: Shard) {
         if self.study.is_audited() {
             return;
         }
         let chosen = self.study.audited_sample();
-        let here = |case: usize| parts.iter().any(|part| part.cases.contains(&case));
         self.audited = chosen
             .into_iter()
-            .filter(|case| here(*case))
+            .filter(|case| shard.has(self.study, *case))
             .flat_map(|case| self.study.solve(case..case + 1))
             .map(|row| (self.study.solve_audited(row.case), row))
             .map(|(audited, row)| (row, audited))

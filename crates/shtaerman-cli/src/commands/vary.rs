@@ -5,12 +5,13 @@ use std::path::Path;
 
 use shtaerman_study::{Row, Study};
 
+use super::picture::{Picture, Titled};
 use super::problem_file;
 use crate::Failure;
 use crate::arguments::{ReportFormat, SolveArguments};
 use crate::failure;
 use crate::output::{Content, Input, Outputs, check_writable};
-use crate::plot::{Format, render};
+use crate::report::StudyUnits;
 use crate::{report, results};
 
 /// Most cases; more belong into a folder.
@@ -19,12 +20,12 @@ const MOST: usize = 10_000;
 const FORM: &str = "write KEY=FROM..TO:COUNT, such as load.force=\"0.1..2 MN/m:20\", with :log behind it for a logarithmic scale, or KEY=VALUE,VALUE,.. with a unit behind the last";
 
 pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
     let path = &arguments.problem.file;
     check_writable(&outputs, &[Input { what: "the problem file", path }])?;
     let study = study(arguments)?;
-    if let Some(path) = study.measured_profile()? {
+    for path in study.measured_profiles()? {
         check_writable(&outputs, &[Input { what: "the measured profile", path: &path }])?;
     }
     if study.cases() > MOST {
@@ -47,25 +48,26 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         }
         failure::warn(&message);
     }
+    let units = StudyUnits::new(&study, &[])?;
     let mut outputs = Outputs::default();
     let content = match arguments.output.format {
-        ReportFormat::Table => table(&study, &rows).into(),
+        ReportFormat::Table => Content::page(&table(&study, &units, &rows)),
         ReportFormat::Json => Content::json(report::columns(&study, &rows)),
-        ReportFormat::Csv => {
-            Content::csv(&study.columns(), rows.iter().map(|row| study.fields(row)))
-        }
+        ReportFormat::Csv => report::rows_csv(&study, &units, &rows),
     };
     outputs.result(arguments.output.output.as_deref(), content);
-    if let (Some(path), Some(format)) = (&arguments.plot, format) {
-        let (plot, size) = report::response(&study, &rows, None).map_err(Failure::Usage)?;
-        outputs.file(path, render(&plot, format, size)?);
+    if let Some(picture) = picture {
+        let name = problem_file::stem(&arguments.problem.file);
+        let (figure, size) =
+            report::response(&name, &study, &units, &rows, None).map_err(Failure::Usage)?;
+        picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
     outputs.write()
 }
 
 /// The problem with a table `[study]` behind it.
 fn study(arguments: &SolveArguments) -> Result<Study, Failure> {
-    let (mut bytes, overrides) = problem_file::content(&arguments.problem)?;
+    let (mut bytes, overrides) = problem_file::content(&arguments.problem, &arguments.units)?;
     let mut table = String::from("\n[study]\n");
     for text in &arguments.vary {
         let fault = || Failure::Usage(format!("--vary `{text}`: {FORM}"));
@@ -130,11 +132,12 @@ fn with_unit(text: &str, unit: &str) -> String {
 }
 
 /// The rows for people: what varies and the outputs, in SI units or without dimensions, and the largest error of each.
-fn table(study: &Study, rows: &[Row]) -> String {
-    let mut text = report::rows_table(study, rows);
+fn table(study: &Study, units: &StudyUnits, rows: &[Row]) -> String {
+    let mut text = report::rows_table(study, units, rows);
     let stated = study.outputs().iter().enumerate().filter_map(|(index, output)| {
         let largest = rows.iter().filter_map(|row| row.errors[index]).reduce(f64::max)?;
-        Some(format!("{} {largest:.1e}", output.name))
+        let scaled = units.column(study, &output.name);
+        Some(format!("{} {:.1e}", output.name, largest * scaled.factor))
     });
     let stated: Vec<String> = stated.collect();
     let kinds: Vec<&str> = ["bound", "estimate"]

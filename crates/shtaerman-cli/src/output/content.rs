@@ -8,6 +8,7 @@ use std::path::Path;
 use serde::Serialize;
 
 use crate::Failure;
+use crate::terminal::{folded, painted};
 
 /// Bytes that are handed to the system together.
 const BUFFER: usize = 1 << 16;
@@ -16,6 +17,8 @@ const BUFFER: usize = 1 << 16;
 pub(crate) enum Content<'a> {
     /// Made before.
     Bytes(Vec<u8>),
+    /// For people: a terminal shows it in colours.
+    Page(String),
     /// Written piece by piece.
     Stream(Writer<'a>),
     /// The same by who goes back in it, as in an archive whose entries begin with their lengths.
@@ -31,6 +34,19 @@ pub(crate) trait Place: Write + Seek {}
 impl<T: Write + Seek> Place for T {}
 
 impl<'a> Content<'a> {
+    /// Text for people, its lines not too long for a terminal.
+    pub(crate) fn page(text: &str) -> Self {
+        Self::Page(folded(text))
+    }
+
+    /// The same in colours, if it is for people.
+    pub(super) fn painted(self) -> Self {
+        match self {
+            Self::Page(text) => Self::Bytes(painted(&text).into_bytes()),
+            other => other,
+        }
+    }
+
     /// Content that `write` writes.
     pub(crate) fn stream(write: impl FnOnce(&mut dyn Write) -> io::Result<()> + 'a) -> Self {
         Self::Stream(Box::new(write))
@@ -81,6 +97,7 @@ impl<'a> Content<'a> {
     pub(super) fn write_to(self, out: &mut dyn Write) -> io::Result<()> {
         match self {
             Self::Bytes(bytes) => out.write_all(&bytes)?,
+            Self::Page(text) => out.write_all(text.as_bytes())?,
             Self::Stream(write) => {
                 let mut buffered = BufWriter::with_capacity(BUFFER, &mut *out);
                 write(&mut buffered)?;
@@ -143,6 +160,7 @@ impl fmt::Debug for Content<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str(match self {
             Self::Bytes(_) => "Bytes",
+            Self::Page(_) => "Page",
             Self::Stream(_) => "Stream",
             Self::Archive(_) => "Archive",
         })

@@ -5,20 +5,20 @@ mod identity;
 pub(crate) mod npz;
 mod pending;
 mod prepared;
+mod printer;
 mod signals;
 
 use std::path::{Path, PathBuf};
 
+use crate::terminal::has_colours;
 use crate::{Failure, clock};
 use identity::identity;
 use prepared::{Prepared, folder};
 
 pub(crate) use content::Content;
-pub(crate) use pending::interrupt;
+pub(crate) use pending::{TEMPORARY, interrupt, sweep_out};
+pub(crate) use printer::Printer;
 pub(crate) use signals::watch_signals;
-
-/// How names of temporary files begin.
-pub(crate) const TEMPORARY: &str = ".shtaerman-";
 
 /// Everything a command writes: prepared first, then put in place together.
 #[derive(Debug, Default)]
@@ -114,6 +114,7 @@ fn place(path: &Path) -> Option<PathBuf> {
 }
 
 fn print(content: Content<'_>) -> Result<(), Failure> {
+    let content = if has_colours(&std::io::stdout()) { content.painted() } else { content };
     match content.write_to(&mut std::io::stdout().lock()) {
         // The reader of a pipe (`head`) may leave when it has enough.
         Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => {

@@ -44,7 +44,7 @@ impl Prepared {
             check_permitted(&target)?;
         }
         let mut builder = tempfile::Builder::new();
-        builder.prefix(super::TEMPORARY);
+        builder.prefix(pending::TEMPORARY);
         if old.is_none() {
             permit_as_usual(&mut builder);
         }

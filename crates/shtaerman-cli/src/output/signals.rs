@@ -1,8 +1,10 @@
 //! Signals end a run without anything left behind.
 
+#[cfg(any(unix, windows))]
 use super::pending::interrupt;
 
 /// Exit code of an interrupted run.
+#[cfg(any(unix, windows))]
 const INTERRUPTED: i32 = 130;
 
 /// From here on a signal that asks for an end is answered by [`interrupt`]. Without a handler the run still ends, only without our exit code, and
@@ -37,10 +39,14 @@ pub(crate) fn watch_signals() {
     let _ = std::thread::Builder::new().name("signals".to_owned()).spawn(answer);
 }
 
-#[cfg(not(unix))]
+#[cfg(windows)]
 pub(crate) fn watch_signals() {
     let _ = ctrlc::set_handler(|| interrupt(INTERRUPTED));
 }
+
+/// Where there are none.
+#[cfg(not(any(unix, windows)))]
+pub(crate) fn watch_signals() {}
 
 /// The signals that whoever started this process told it to ignore, bit by bit: `nohup` does so, and a shell for what runs in the background. Where the system
 /// does not say, none.

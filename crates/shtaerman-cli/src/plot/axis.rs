@@ -79,6 +79,8 @@ pub struct Axis {
     pub include: Vec<f64>,
     /// Names of the places 0, 1, 2 and so on, in place of numbers.
     pub names: Vec<String>,
+    /// Ends of the axis, whatever the curves do.
+    pub limits: Option<[f64; 2]>,
 }
 
 impl Axis {
@@ -97,7 +99,14 @@ impl Axis {
     /// An axis with a scale.
     #[must_use]
     pub fn with_scale(label: impl Into<String>, scale: Scale) -> Self {
-        Self { label: label.into(), scale, reversed: false, include: Vec::new(), names: Vec::new() }
+        Self {
+            label: label.into(),
+            scale,
+            reversed: false,
+            include: Vec::new(),
+            names: Vec::new(),
+            limits: None,
+        }
     }
 
     /// A linear axis whose places 0, 1, 2 and so on have names.
@@ -112,6 +121,20 @@ impl Axis {
     pub fn reversed(mut self) -> Self {
         self.reversed = true;
         self
+    }
+
+    /// The axis between two numbers; what lies beyond is cut at the frame.
+    #[must_use]
+    pub fn between(mut self, limits: Option<[f64; 2]>) -> Self {
+        self.limits = limits;
+        self
+    }
+
+    /// The range of the limits, where they make one.
+    pub(super) fn limited(&self) -> Option<Range> {
+        let [low, high] = self.limits?.map(|limit| self.scale.place(limit));
+        let (low, high) = (low?, high?);
+        (low < high).then_some(Range { low, high })
     }
 
     /// The axis, made to hold a number.

@@ -7,6 +7,7 @@ use super::colour::Colour;
 use super::figure::Dash;
 use super::format::Size;
 use super::shape;
+use super::theme::{Sizes, Theme};
 
 /// First family is the font of the PNG; the others are close in width.
 const FONTS: &str = "DejaVu Sans, Verdana, Liberation Sans, Arial, sans-serif";
@@ -61,13 +62,29 @@ pub(super) struct Style {
 pub(super) struct Canvas {
     scene: Scene,
     clips: usize,
+    theme: Theme,
 }
 
 impl Canvas {
-    pub(super) fn new(size: Size) -> Self {
+    pub(super) fn new(size: Size, theme: Theme) -> Self {
         let mut scene = Scene::new(f64::from(size.width), f64::from(size.height));
         scene.font_family = Some(FONTS.to_owned());
-        Self { scene, clips: 0 }
+        let Colour(red, green, blue) = theme.colour(Colour::PAPER);
+        scene.background_color = Some(format!("#{red:02x}{green:02x}{blue:02x}"));
+        Self { scene, clips: 0, theme }
+    }
+
+    pub(super) fn theme(&self) -> Theme {
+        self.theme
+    }
+
+    pub(super) fn sizes(&self) -> Sizes {
+        self.theme.sizes()
+    }
+
+    fn ink(&self, colour: Colour) -> Color {
+        let Colour(red, green, blue) = self.theme.colour(colour);
+        Color::Rgb(red, green, blue)
     }
 
     pub(super) fn finish(self) -> Scene {
@@ -75,13 +92,14 @@ impl Canvas {
     }
 
     pub(super) fn line(&mut self, from: Point, to: Point, colour: Colour, width: f64) {
+        let (stroke, stroke_width) = (self.ink(colour), width * self.sizes().stroke);
         self.scene.add(Primitive::Line {
             x1: near(from.0),
             y1: near(from.1),
             x2: near(to.0),
             y2: near(to.1),
-            stroke: ink(colour),
-            stroke_width: width,
+            stroke,
+            stroke_width,
             stroke_dasharray: None,
         });
     }
@@ -95,24 +113,26 @@ impl Canvas {
             Dash::Dotted => shape::dashes(&points, &[1.5, 3.5]),
             Dash::DashDotted => shape::dashes(&points, &[8.0, 3.5, 1.5, 3.5]),
         };
+        let (stroke, width) = (self.ink(colour), width * self.sizes().stroke);
         if dash == Dash::Solid {
             for piece in pieces {
                 self.scene.add(Primitive::PolyLine {
                     points: piece.iter().map(|&(x, y)| (near(x), near(y))).collect(),
-                    stroke: ink(colour),
+                    stroke: stroke.clone(),
                     stroke_width: width,
                     stroke_dasharray: None,
                 });
             }
         } else {
             let d = pieces.iter().map(|piece| commands(piece, "")).collect();
-            self.add_path(d, None, ink(colour), width, 1.0);
+            self.add_path(d, None, stroke, width, 1.0);
         }
     }
 
     /// A filled polygon.
     pub(super) fn fill(&mut self, points: &[Point], colour: Colour, opacity: f64) {
-        self.add_path(commands(points, "Z"), Some(ink(colour)), Color::None, 0.0, opacity);
+        let fill = Some(self.ink(colour));
+        self.add_path(commands(points, "Z"), fill, Color::None, 0.0, opacity);
     }
 
     fn add_path(
@@ -134,11 +154,12 @@ impl Canvas {
     }
 
     pub(super) fn dot(&mut self, at: Point, radius: f64, colour: Colour) {
+        let fill = self.ink(colour);
         self.scene.add(Primitive::Circle {
             cx: near(at.0),
             cy: near(at.1),
             r: radius,
-            fill: ink(colour),
+            fill,
             fill_opacity: None,
             stroke: None,
             stroke_width: None,
@@ -151,6 +172,7 @@ impl Canvas {
             return;
         }
         let drop = 0.36 * f64::from(style.size);
+        let colour = self.ink(style.colour);
         let (x, y) = if style.upright { (at.0 + drop, at.1) } else { (at.0, at.1 + drop) };
         self.scene.add(Primitive::Text {
             x,
@@ -165,7 +187,7 @@ impl Canvas {
             },
             rotate: style.upright.then_some(-90.0),
             bold: false,
-            color: Some(ink(style.colour)),
+            color: Some(colour),
         });
     }
 
@@ -184,10 +206,6 @@ impl Canvas {
     pub(super) fn unclip(&mut self) {
         self.scene.add(Primitive::ClipEnd);
     }
-}
-
-fn ink(colour: Colour) -> Color {
-    Color::Rgb(colour.0, colour.1, colour.2)
 }
 
 fn near(place: f64) -> f64 {

@@ -69,6 +69,12 @@ impl Colour {
     pub const VERMILION: Self = Self(0xd5, 0x5e, 0x00);
     /// Third of the categorical colours.
     pub const GREEN: Self = Self(0x00, 0x9e, 0x73);
+    /// A punch.
+    pub const PUNCH: Self = Self(0x5f, 0x66, 0x70);
+    /// A rough layer.
+    pub const LAYER: Self = Self(0xe6, 0x9f, 0x00);
+    /// An elastic body.
+    pub const BODY: Self = Self(0x56, 0xb4, 0xe9);
 
     /// Colour number `index` of a set without order, after Okabe and Ito (2008); repeats after seven.
     #[must_use]
@@ -78,8 +84,8 @@ impl Colour {
             Colour::VERMILION,
             Colour::GREEN,
             Colour(0xcc, 0x79, 0xa7),
-            Colour(0x56, 0xb4, 0xe9),
-            Colour(0xe6, 0x9f, 0x00),
+            Colour::BODY,
+            Colour::LAYER,
             Colour(0x44, 0x44, 0x44),
         ];
         COLOURS[index % COLOURS.len()]

@@ -43,7 +43,7 @@ impl Plot for ConvergencePlot {
     fn figure(&self) -> Figure {
         let points: Vec<_> = self.series.iter().map(ConvergenceSeries::points).collect();
         let corner = guide_corner(&points.concat());
-        let mut layers = corner.map_or_else(Vec::new, guides);
+        let mut layers = Vec::new();
         let mut vertical = Axis::logarithmic(&self.difference_label);
         vertical.include.extend(corner.map(|corner| corner.top));
         for (index, (series, points)) in self.series.iter().zip(points).enumerate() {
@@ -51,15 +51,11 @@ impl Plot for ConvergencePlot {
             line.dots = true;
             layers.push(Layer::Line(line));
         }
+        layers.extend(corner.map_or_else(Vec::new, guides));
         Figure {
             title: self.title.clone(),
             notes: self.notes.clone(),
-            panels: vec![Panel {
-                heading: String::new(),
-                horizontal: Axis::logarithmic(&self.count_label),
-                vertical,
-                layers,
-            }],
+            panels: vec![Panel::new(Axis::logarithmic(&self.count_label), vertical, layers)],
             arrangement: Arrangement::Stacked,
             legend: LegendPlace::Panel,
         }

@@ -119,7 +119,7 @@ impl CurvesPlot {
         let mut layers = vec![Layer::Mark(Mark::horizontal(0.0))];
         let count = panel.curves.len();
         layers.extend(panel.curves.iter().enumerate().map(|(i, curve)| self.line(curve, i, count)));
-        Panel { heading: panel.heading.clone(), horizontal, vertical, layers }
+        Panel { heading: panel.heading.clone(), ..Panel::new(horizontal, vertical, layers) }
     }
 
     /// Neighbours differ in stroke too, so that they can be told apart without colour.

@@ -5,31 +5,32 @@ use kuva::render::render::Scene;
 use super::axis::Axis;
 use super::canvas::{Anchor, Canvas, Frame, Point, Style};
 use super::colour::Colour;
+use super::cross::arrow_at;
 use super::draw_map::{draw_colour_bar, draw_contours, draw_cross};
-use super::figure::{Area, Band, Base, Figure, Layer, Line, Mark, Panel};
+use super::figure::{Area, Band, Base, Figure, Layer, Line, Mark, Panel, Pole};
 use super::format::Size;
-use super::layout::{
-    AxisLayout, HEADING, LABEL, Layout, NOTE, PanelLayout, RIM, TICK, TICK_MARK, TITLE, line_height,
-};
+use super::layout::{AxisLayout, Layout, PanelLayout, TICK_MARK, line_height};
 use super::mapping::{Mapping, style};
 use super::shape;
 use super::text;
+use super::theme::Theme;
 
 /// The picture of a figure.
-pub(super) fn figure(figure: &Figure, size: Size) -> Scene {
-    let mut canvas = Canvas::new(size);
-    let layout = Layout::new(figure, size);
-    let mut top = RIM;
+pub(super) fn figure(figure: &Figure, size: Size, theme: Theme) -> Scene {
+    let mut canvas = Canvas::new(size, theme);
+    let layout = Layout::new(figure, size, theme.sizes());
+    let sizes = layout.sizes;
+    let mut top = sizes.rim;
     for (lines, size, colour) in
-        [(&layout.title, TITLE, Colour::INK), (&layout.notes, NOTE, Colour::GREY)]
+        [(&layout.title, sizes.title, Colour::INK), (&layout.notes, sizes.note, Colour::GREY)]
     {
         for line in lines {
-            let at = (RIM, top + 0.5 * line_height(size));
+            let at = (sizes.rim, top + 0.5 * line_height(size));
             canvas.text(at, line, style(size, colour, Anchor::Start));
             top += line_height(size);
         }
     }
-    layout.legend.0.draw(&mut canvas, (RIM, layout.legend.1));
+    layout.legend.0.draw(&mut canvas, (sizes.rim, layout.legend.1));
     for (panel, layout) in figure.panels.iter().zip(&layout.panels) {
         draw_panel(&mut canvas, panel, layout);
     }
@@ -39,7 +40,10 @@ pub(super) fn figure(figure: &Figure, size: Size) -> Scene {
 fn draw_panel(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
     let frame = layout.frame;
     let mapping = Mapping { panel, layout };
-    draw_grid(canvas, &mapping);
+    let sizes = canvas.sizes();
+    if canvas.theme().has_grid() {
+        draw_grid(canvas, &mapping);
+    }
     canvas.clip(frame);
     let mut drawn = false;
     for layer in &panel.layers {
@@ -47,8 +51,12 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
     }
     canvas.unclip();
     if !drawn {
-        let style = style(LABEL, Colour::GREY, Anchor::Middle);
+        let style = style(sizes.label, Colour::GREY, Anchor::Middle);
         canvas.text(frame.centre(), "no numbers to draw", style);
+    }
+    draw_exaggeration(canvas, &mapping);
+    if let (Some(panel), Some(layout)) = (&panel.inset, &layout.inset) {
+        draw_inset(canvas, panel, layout);
     }
     draw_frame(canvas, frame);
     for layer in &panel.layers {
@@ -59,6 +67,42 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
     draw_head(canvas, panel, layout);
     draw_horizontal_axis(canvas, &mapping);
     draw_vertical_axis(canvas, &mapping);
+}
+
+/// By how much heights are drawn larger than lengths, at the right below the axis.
+fn draw_exaggeration(canvas: &mut Canvas, mapping: &Mapping<'_>) {
+    let Some(factor) = mapping.layout.exaggeration else { return };
+    let (frame, sizes) = (mapping.layout.frame, canvas.sizes());
+    let factor = text::round_number(factor);
+    let label = text::width(&mapping.panel.horizontal.label, sizes.label);
+    let multiplier = text::width(&mapping.layout.horizontal.ticks.multiplier(), sizes.tick);
+    let room = 0.5 * (frame.width() - label) - multiplier - f64::from(sizes.tick);
+    let long = format!("heights exaggerated {factor} times");
+    let words =
+        if text::width(&long, sizes.tick) <= room { long } else { format!("heights ×{factor}") };
+    let row = frame.bottom + TICK_MARK + line_height(sizes.tick) + 0.5 * line_height(sizes.label);
+    let at = (frame.right - multiplier, row);
+    canvas.text(at, &words, style(sizes.tick, Colour::GREY, Anchor::End));
+}
+
+/// A small panel on its own ground.
+fn draw_inset(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
+    let (frame, size) = (layout.frame, canvas.sizes().tick);
+    let margin = 0.5 * f64::from(size);
+    let (left, right, below) = (frame.left - margin, frame.right + margin, frame.bottom + margin);
+    let ground =
+        [(left, layout.top + 1.0), (right, layout.top + 1.0), (right, below), (left, below)];
+    canvas.fill(&ground, Colour::PAPER, 0.85);
+    let mapping = Mapping { panel, layout };
+    canvas.clip(frame);
+    for layer in &panel.layers {
+        draw_layer(canvas, &mapping, layer);
+    }
+    canvas.unclip();
+    draw_frame(canvas, frame);
+    let heading = text::fit(&text::clean(&panel.heading), size, frame.width());
+    let above = (frame.left, frame.top - 0.5 * line_height(size));
+    canvas.text(above, &heading, style(size, Colour::GREY, Anchor::Start));
 }
 
 fn draw_grid(canvas: &mut Canvas, mapping: &Mapping<'_>) {
@@ -88,12 +132,13 @@ fn draw_frame(canvas: &mut Canvas, frame: Frame) {
 
 fn draw_head(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
     let mut top = layout.top;
+    let sizes = canvas.sizes();
     if !panel.heading.is_empty() {
         let room = layout.frame.width();
-        let heading = text::fit(&text::clean(&panel.heading), HEADING, room);
-        let at = (layout.frame.left, top + 0.5 * line_height(HEADING));
-        canvas.text(at, &heading, style(HEADING, Colour::INK, Anchor::Start));
-        top += line_height(HEADING);
+        let heading = text::fit(&text::clean(&panel.heading), sizes.heading, room);
+        let at = (layout.frame.left, top + 0.5 * line_height(sizes.heading));
+        canvas.text(at, &heading, style(sizes.heading, Colour::INK, Anchor::Start));
+        top += line_height(sizes.heading);
     }
     let left = layout.frame.left.min(layout.frame.right - layout.legend.width());
     layout.legend.draw(canvas, (left, top));
@@ -101,39 +146,45 @@ fn draw_head(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
 
 fn draw_horizontal_axis(canvas: &mut Canvas, mapping: &Mapping<'_>) {
     let frame = mapping.layout.frame;
+    let sizes = canvas.sizes();
     let ticks = &mapping.layout.horizontal.ticks;
-    let row = frame.bottom + TICK_MARK + 0.5 * line_height(TICK);
+    let row = frame.bottom + TICK_MARK + 0.5 * line_height(sizes.tick);
     for tick in &ticks.labelled {
         let x = mapping.across(tick.place);
         canvas.line((x, frame.bottom), (x, frame.bottom + TICK_MARK), Colour::INK, 1.0);
-        canvas.text((x, row), &tick.label, style(TICK, Colour::INK, Anchor::Middle));
+        canvas.text((x, row), &tick.label, style(sizes.tick, Colour::INK, Anchor::Middle));
     }
-    let row = frame.bottom + TICK_MARK + line_height(TICK) + 0.5 * line_height(LABEL);
+    let row = frame.bottom + TICK_MARK + line_height(sizes.tick) + 0.5 * line_height(sizes.label);
     let multiplier = ticks.multiplier();
-    let room = frame.width() - 2.0 * text::width(&multiplier, TICK);
-    let label = axis_label(&mapping.panel.horizontal, room);
-    canvas.text((frame.centre().0, row), &label, style(LABEL, Colour::INK, Anchor::Middle));
-    canvas.text((frame.right, row), &multiplier, style(TICK, Colour::INK, Anchor::End));
+    let room = frame.width() - 2.0 * text::width(&multiplier, sizes.tick);
+    let label = axis_label(&mapping.panel.horizontal, sizes.label, room);
+    canvas.text((frame.centre().0, row), &label, style(sizes.label, Colour::INK, Anchor::Middle));
+    canvas.text((frame.right, row), &multiplier, style(sizes.tick, Colour::INK, Anchor::End));
 }
 
 fn draw_vertical_axis(canvas: &mut Canvas, mapping: &Mapping<'_>) {
     let frame = mapping.layout.frame;
+    let sizes = canvas.sizes();
     let ticks = &mapping.layout.vertical.ticks;
     for tick in &ticks.labelled {
         let y = mapping.down(tick.place);
         canvas.line((frame.left - TICK_MARK, y), (frame.left, y), Colour::INK, 1.0);
         let at = (frame.left - TICK_MARK - 3.0, y);
-        canvas.text(at, &tick.label, style(TICK, Colour::INK, Anchor::End));
+        canvas.text(at, &tick.label, style(sizes.tick, Colour::INK, Anchor::End));
     }
-    let above = (frame.left, frame.top - 0.5 * line_height(TICK));
-    canvas.text(above, &ticks.multiplier(), style(TICK, Colour::INK, Anchor::Start));
-    let label = axis_label(&mapping.panel.vertical, frame.height() + 20.0);
-    let upright = Style { upright: true, ..style(LABEL, Colour::INK, Anchor::Middle) };
+    let above = (frame.left, frame.top - 0.5 * line_height(sizes.tick));
+    canvas.text(above, &ticks.multiplier(), style(sizes.tick, Colour::INK, Anchor::Start));
+    let label = axis_label(
+        &mapping.panel.vertical,
+        sizes.label,
+        frame.height() + 4.0 * f64::from(sizes.label),
+    );
+    let upright = Style { upright: true, ..style(sizes.label, Colour::INK, Anchor::Middle) };
     canvas.text((mapping.layout.label, frame.centre().1), &label, upright);
 }
 
-fn axis_label(axis: &Axis, room: f64) -> String {
-    text::fit(&text::clean(&axis.label), LABEL, room)
+fn axis_label(axis: &Axis, size: u32, room: f64) -> String {
+    text::fit(&text::clean(&axis.label), size, room)
 }
 
 /// Draws a layer and tells whether anything but a mark was there to draw.
@@ -149,6 +200,10 @@ fn draw_layer(canvas: &mut Canvas, mapping: &Mapping<'_>, layer: &Layer) -> bool
         Layer::Contours(contours) => draw_contours(canvas, mapping, contours),
         Layer::Cross(cross) => {
             draw_cross(canvas, mapping, cross);
+            false
+        }
+        Layer::Pole(pole) => {
+            draw_pole(canvas, mapping, pole);
             false
         }
         // Beside the frame, which clips what is drawn here.
@@ -211,5 +266,13 @@ fn draw_mark(canvas: &mut Canvas, mapping: &Mapping<'_>, mark: &Mark) {
     };
     if let Some(ends) = ends {
         canvas.path(&ends, mark.colour, 1.2, mark.dash);
+    }
+}
+
+fn draw_pole(canvas: &mut Canvas, mapping: &Mapping<'_>, pole: &Pole) {
+    if let Some(x) = mapping.x(pole.at) {
+        let frame = mapping.layout.frame;
+        let tip = if pole.is_upward { frame.top + 2.0 } else { frame.bottom - 2.0 };
+        arrow_at(canvas, (x, tip), pole.colour, pole.is_upward);
     }
 }

@@ -6,7 +6,7 @@ use super::colour::Colour;
 use super::contours::{Field, Vertex};
 use super::cross::cross_at;
 use super::figure::{ColourBar, Contours, Cross, Dash};
-use super::layout::{BAR_GAP, BAR_LABEL_GAP, BAR_WIDTH, LABEL, TICK, line_height};
+use super::layout::{BAR_GAP, BAR_LABEL_GAP, BAR_WIDTH, line_height};
 use super::mapping::{Mapping, style};
 use super::shape;
 use super::text;
@@ -85,17 +85,37 @@ pub(super) fn draw_cross(canvas: &mut Canvas, mapping: &Mapping<'_>, cross: &Cro
 /// Bands from below to above at the right of the frame, with the levels between them.
 pub(super) fn draw_colour_bar(canvas: &mut Canvas, mapping: &Mapping<'_>, bar: &ColourBar) {
     let frame = mapping.layout.frame;
+    let sizes = canvas.sizes();
     let bands = bar.levels.len() + 1;
     let (left, right) = (frame.right + BAR_GAP, frame.right + BAR_GAP + BAR_WIDTH);
     let height = frame.height() / bands as f64;
     let level = |index: usize| frame.bottom - height * index as f64;
+    let [below, above] = bar.goes_on;
+    let (middle, tip) = (left.midpoint(right), 0.5 * height.min(2.0 * BAR_WIDTH));
+    let mut outline = Vec::new();
     for band in 0..bands {
         let (bottom, top) = (level(band), level(band + 1));
-        let corners = [(left, bottom), (right, bottom), (right, top), (left, top)];
+        let mut corners = vec![(left, bottom), (right, bottom), (right, top), (left, top)];
+        // What goes on ends in an arrow.
+        if band == 0 && below {
+            corners = vec![(left, bottom - tip), (middle, bottom), (right, bottom - tip)];
+            corners.extend([(right, top), (left, top)]);
+        }
+        if band + 1 == bands && above {
+            corners = vec![(left, bottom), (right, bottom), (right, top + tip)];
+            corners.extend([(middle, top), (left, top + tip)]);
+        }
         canvas.fill(&corners, bar.palette.colour(band, bands), 1.0);
     }
-    let outline =
-        [(left, frame.top), (right, frame.top), (right, frame.bottom), (left, frame.bottom)];
+    let ends = |end: f64, inwards: f64, goes_on: bool, [from, to]: [f64; 2]| {
+        if goes_on {
+            vec![(from, end + inwards), (middle, end), (to, end + inwards)]
+        } else {
+            vec![(from, end), (to, end)]
+        }
+    };
+    outline.extend(ends(frame.top, tip, above, [left, right]));
+    outline.extend(ends(frame.bottom, -tip, below, [right, left]));
     for (from, to) in outline.iter().zip(outline.iter().cycle().skip(1)) {
         canvas.line(*from, *to, Colour::INK, 1.0);
     }
@@ -104,16 +124,16 @@ pub(super) fn draw_colour_bar(canvas: &mut Canvas, mapping: &Mapping<'_>, bar: &
     for (index, label) in labels.iter().enumerate() {
         let y = level(index + 1);
         canvas.line((left, y), (right, y), Colour::INK, 0.6);
-        if taken - y >= 0.95 * line_height(TICK) {
-            canvas.text((right + 4.0, y), label, style(TICK, Colour::INK, Anchor::Start));
+        if taken - y >= 0.95 * line_height(sizes.tick) {
+            canvas.text((right + 4.0, y), label, style(sizes.tick, Colour::INK, Anchor::Start));
             taken = y;
         }
     }
-    let above = (right, frame.top - 0.5 * line_height(TICK));
-    canvas.text(above, &multiplier, style(TICK, Colour::INK, Anchor::Middle));
-    let label = text::fit(&text::clean(&bar.label), LABEL, frame.height() + 20.0);
-    let upright = Style { upright: true, ..style(LABEL, Colour::INK, Anchor::Middle) };
-    let widest = labels.iter().map(|label| text::width(label, TICK)).fold(0.0, f64::max);
-    let x = right + 4.0 + widest + BAR_LABEL_GAP + 0.5 * line_height(LABEL);
+    let above = (right, frame.top - 0.5 * line_height(sizes.tick));
+    canvas.text(above, &multiplier, style(sizes.tick, Colour::INK, Anchor::Middle));
+    let label = text::fit(&text::clean(&bar.label), sizes.label, frame.height() + 20.0);
+    let upright = Style { upright: true, ..style(sizes.label, Colour::INK, Anchor::Middle) };
+    let widest = labels.iter().map(|label| text::width(label, sizes.tick)).fold(0.0, f64::max);
+    let x = right + 4.0 + widest + BAR_LABEL_GAP + 0.5 * line_height(sizes.label);
     canvas.text((x, frame.centre().1), &label, upright);
 }

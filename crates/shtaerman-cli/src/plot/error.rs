@@ -1,19 +1,19 @@
 //! What can go wrong when a picture is made.
 
-use super::format::Size;
+use super::format::{MOST_PIXELS, RESOLUTIONS, Size};
 
 /// Why a picture was not made.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum PlotError {
     /// The file's suffix names a format that is not written.
-    #[error(".{suffix} is not supported: use .svg or .png")]
+    #[error(".{suffix} is not supported: use .svg, .png or .pdf")]
     Format {
         /// The suffix, without its dot.
         suffix: String,
     },
     /// The file has no suffix to tell its format.
-    #[error("{file:?} has no suffix to tell the format of the picture: use .svg or .png")]
+    #[error("{file:?} has no suffix to tell the format of the picture: use .svg, .png or .pdf")]
     NoSuffix {
         /// The file as it was given.
         file: String,
@@ -29,7 +29,21 @@ pub enum PlotError {
         /// Height asked for.
         height: u32,
     },
-    /// The PNG could not be encoded.
-    #[error("the PNG could not be encoded: {0}")]
+    /// The program was built without the feature that writes PDF.
+    #[error(
+        ".pdf needs a program that was built with it (cargo install --path crates/shtaerman-cli --features pdf): use .svg or .png"
+    )]
+    NoPdf,
+    /// The resolution is out of range, or makes more pixels than are held.
+    #[error(
+        "{dots} dots per inch: from {} to {} are drawn, and at most {} million pixels in all",
+        RESOLUTIONS[0], RESOLUTIONS[1], MOST_PIXELS / 1_000_000
+    )]
+    Resolution {
+        /// Dots per inch asked for.
+        dots: u32,
+    },
+    /// The PNG or PDF could not be encoded.
+    #[error("the picture could not be encoded: {0}")]
     Encoding(String),
 }

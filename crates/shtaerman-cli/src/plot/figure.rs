@@ -2,11 +2,17 @@
 
 use super::axis::Axis;
 use super::colour::{Colour, Palette};
+use super::format::Size;
 
 /// Something that can be drawn.
 pub trait Plot {
     /// The panels, curves and labels to draw.
     fn figure(&self) -> Figure;
+
+    /// The size on a screen that suits what is drawn; none for the default.
+    fn usual_size(&self) -> Option<Size> {
+        None
+    }
 }
 
 /// A picture: a title, notes and panels.
@@ -59,6 +65,20 @@ pub struct Panel {
     pub vertical: Axis,
     /// What is drawn, from back to front.
     pub layers: Vec<Layer>,
+    /// How many units of the horizontal axis one of the vertical axis is long, where both are lengths: heights are then drawn by a round factor larger than
+    /// lengths, which the panel states.
+    pub length_of_height: Option<f64>,
+    /// A small panel in the upper right corner.
+    pub inset: Option<Box<Panel>>,
+}
+
+impl Panel {
+    /// A panel without heading.
+    #[must_use]
+    pub fn new(horizontal: Axis, vertical: Axis, layers: Vec<Layer>) -> Self {
+        let heading = String::new();
+        Self { heading, horizontal, vertical, layers, length_of_height: None, inset: None }
+    }
 }
 
 /// One thing drawn in a panel.
@@ -78,6 +98,8 @@ pub enum Layer {
     ColourBar(ColourBar),
     /// A point.
     Cross(Cross),
+    /// A place where a curve runs out of the frame to infinity.
+    Pole(Pole),
 }
 
 /// A value over a rectangular grid, drawn as bands of colour between levels.
@@ -104,6 +126,21 @@ pub struct ColourBar {
     pub levels: Vec<f64>,
     /// Colours.
     pub palette: Palette,
+    /// Whether there are values below the first and above the last band, which the outer colours stand for: the bar ends in an arrow there.
+    pub goes_on: [bool; 2],
+}
+
+/// A place where a curve goes to infinity, shown by an arrow at a side of the frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pole {
+    /// Name in the legend; empty for none.
+    pub name: String,
+    /// Where on the horizontal axis.
+    pub at: f64,
+    /// Colour of the curve.
+    pub colour: Colour,
+    /// Whether it goes up, and not down.
+    pub is_upward: bool,
 }
 
 /// A marked point.

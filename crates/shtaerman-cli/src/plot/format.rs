@@ -4,8 +4,10 @@ use std::path::Path;
 
 use super::error::PlotError;
 
-/// Pixels of a PNG per unit of [`Size`]: sharp on a dense screen and in print.
+/// Pixels of a PNG per unit of [`Size`] where no resolution is asked for: sharp on a dense screen.
 pub const PNG_PIXELS_PER_UNIT: u32 = 2;
+/// Units of a size in an inch.
+pub(super) const UNITS_PER_INCH: u32 = 96;
 
 /// File format of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,6 +16,8 @@ pub enum Format {
     Svg,
     /// Portable Network Graphics.
     Png,
+    /// Portable Document Format, in a build with the feature `pdf`.
+    Pdf,
 }
 
 impl Format {
@@ -21,7 +25,7 @@ impl Format {
     ///
     /// # Errors
     ///
-    /// [`PlotError::Format`] for another suffix, [`PlotError::NoSuffix`] for none.
+    /// [`PlotError::Format`] for another suffix, [`PlotError::NoSuffix`] for none, [`PlotError::NoPdf`] where the program was built without it.
     pub fn of_file(file: &Path) -> Result<Self, PlotError> {
         let Some(suffix) = file.extension() else {
             return Err(PlotError::NoSuffix { file: file.to_string_lossy().into_owned() });
@@ -30,23 +34,25 @@ impl Format {
         match suffix.to_ascii_lowercase().as_str() {
             "svg" => Ok(Self::Svg),
             "png" => Ok(Self::Png),
+            "pdf" if cfg!(feature = "pdf") => Ok(Self::Pdf),
+            "pdf" => Err(PlotError::NoPdf),
             _ => Err(PlotError::Format { suffix: suffix.into_owned() }),
         }
     }
 }
 
-/// Size of a picture, in SVG user units (1/96 inch); a PNG has [`PNG_PIXELS_PER_UNIT`] pixels for each.
+/// Size of a picture, in SVG user units (1/96 inch); a PNG has [`PNG_PIXELS_PER_UNIT`] pixels for each where no resolution is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Size {
-    /// Width, 400 to 4000.
+    /// Width, 280 to 4000.
     pub width: u32,
-    /// Height, 300 to 4000.
+    /// Height, 200 to 4000.
     pub height: u32,
 }
 
 impl Size {
     /// The smallest picture whose text can be read.
-    pub const SMALLEST: Self = Self { width: 400, height: 300 };
+    pub const SMALLEST: Self = Self { width: 280, height: 200 };
     /// The largest picture; its PNG takes half a gigabyte while it is drawn.
     pub const LARGEST: Self = Self { width: 4000, height: 4000 };
 
@@ -57,6 +63,10 @@ impl Size {
         if fits { Ok(()) } else { Err(PlotError::Size { width: self.width, height: self.height }) }
     }
 }
+
+/// The least and the most dots per inch of a PNG, and the most pixels.
+pub(super) const RESOLUTIONS: [u32; 2] = [50, 1200];
+pub(super) const MOST_PIXELS: u64 = 80_000_000;
 
 impl Default for Size {
     /// 800 x 600.
@@ -77,8 +87,8 @@ mod tests {
 
     #[test]
     fn another_suffix_is_an_error_that_says_what_would_be_right() {
-        let error = Format::of_file(Path::new("p.pdf")).unwrap_err();
-        assert_eq!(error.to_string(), ".pdf is not supported: use .svg or .png");
+        let error = Format::of_file(Path::new("p.jpg")).unwrap_err();
+        assert_eq!(error.to_string(), ".jpg is not supported: use .svg, .png or .pdf");
         let error = Format::of_file(Path::new("picture")).unwrap_err();
         assert!(error.to_string().contains("\"picture\" has no suffix"));
     }

@@ -2,13 +2,13 @@
 
 use super::canvas::{Anchor, Canvas, Point, Style};
 use super::colour::Colour;
-use super::cross::cross_at;
+use super::cross::{arrow_at, cross_at};
 use super::figure::{Dash, Layer, Panel};
 use super::text;
+use super::theme::Sizes;
 
-/// Height of a row.
-pub(super) const ROW: f64 = 19.0;
-const SIZE: u32 = 12;
+/// Height of a row, in sizes of its text.
+const ROW: f64 = 1.58;
 const SAMPLE: f64 = 30.0;
 const GAP: f64 = 7.0;
 const BETWEEN: f64 = 22.0;
@@ -19,13 +19,19 @@ enum Sample {
     Stroke { width: f64, dash: Dash, dot: bool, upright: bool },
     Swatch { opacity: f64 },
     Cross,
+    Arrow,
 }
 
 impl Sample {
+    fn is_mark(self) -> bool {
+        matches!(self, Self::Stroke { upright: true, .. } | Self::Arrow)
+    }
+
     fn width(self) -> f64 {
         match self {
             Self::Stroke { upright: true, .. } => 4.0,
             Self::Cross => 16.0,
+            Self::Arrow => 12.0,
             _ => SAMPLE,
         }
     }
@@ -47,32 +53,43 @@ pub(super) struct Legend {
     /// Left end of each column, from the left end of the legend.
     columns: Vec<f64>,
     width: f64,
+    /// Size of the text.
+    size: u32,
 }
 
 impl Legend {
+    /// Height of a row.
+    pub(super) fn row(sizes: Sizes) -> f64 {
+        ROW * f64::from(sizes.legend)
+    }
+
     /// The names of some panels, equal ones once, in at most `rows` rows of a width.
-    pub(super) fn new(panels: &[&Panel], width: f64, rows: usize) -> Self {
+    pub(super) fn new(panels: &[&Panel], width: f64, rows: usize, sizes: Sizes) -> Self {
+        let size = sizes.legend;
         let mut entries: Vec<Entry> = Vec::new();
         for entry in panels.iter().flat_map(|panel| &panel.layers).filter_map(entry) {
             if !entries.iter().any(|other| other.name == entry.name) {
                 entries.push(entry);
             }
         }
+        // What is drawn stands before what is marked.
+        entries.sort_by_key(|entry| entry.sample.is_mark());
         for entry in &mut entries {
-            entry.name = text::fit(&entry.name, SIZE, width - SAMPLE - GAP);
+            entry.name = text::fit(&entry.name, size, width - SAMPLE - GAP);
         }
-        let columns = columns(&entries, width);
+        let columns = columns(&entries, width, size);
         let room = (rows.max(1) * columns.len().max(1)).max(1);
         let omitted = if entries.len() > room { entries.len() - room + 1 } else { 0 };
         entries.truncate(entries.len() - omitted);
-        let ends = entries.iter().enumerate().map(|(i, e)| columns[i % columns.len()] + length(e));
+        let ends =
+            entries.iter().enumerate().map(|(i, e)| columns[i % columns.len()] + length(e, size));
         let width = ends.fold(0.0, f64::max);
-        Self { entries, omitted, columns, width }
+        Self { entries, omitted, columns, width, size }
     }
 
     pub(super) fn height(&self) -> f64 {
         let places = self.entries.len() + usize::from(self.omitted > 0);
-        ROW * places.div_ceil(self.columns.len().max(1)) as f64
+        ROW * f64::from(self.size) * places.div_ceil(self.columns.len().max(1)) as f64
     }
 
     pub(super) fn width(&self) -> f64 {
@@ -82,12 +99,12 @@ impl Legend {
     /// Draws the legend with its upper left corner at a point.
     pub(super) fn draw(&self, canvas: &mut Canvas, corner: Point) {
         let style =
-            Style { size: SIZE, colour: Colour::INK, anchor: Anchor::Start, upright: false };
+            Style { size: self.size, colour: Colour::INK, anchor: Anchor::Start, upright: false };
         let place = |index: usize| {
             let row = (index / self.columns.len().max(1)) as f64;
             let column =
                 self.columns.get(index % self.columns.len().max(1)).copied().unwrap_or(0.0);
-            (corner.0 + column, corner.1 + ROW * (row + 0.5))
+            (corner.0 + column, corner.1 + ROW * f64::from(self.size) * (row + 0.5))
         };
         for (index, entry) in self.entries.iter().enumerate() {
             let (x, y) = place(index);
@@ -100,22 +117,22 @@ impl Legend {
     }
 }
 
-fn length(entry: &Entry) -> f64 {
-    entry.sample.width() + GAP + text::width(&entry.name, SIZE)
+fn length(entry: &Entry, size: u32) -> f64 {
+    entry.sample.width() + GAP + text::width(&entry.name, size)
 }
 
 /// One row as narrow as the names allow, or even columns.
-fn columns(entries: &[Entry], width: f64) -> Vec<f64> {
+fn columns(entries: &[Entry], width: f64, size: u32) -> Vec<f64> {
     let mut next = 0.0;
     let mut starts = Vec::new();
     for entry in entries {
         starts.push(next);
-        next += length(entry) + BETWEEN;
+        next += length(entry, size) + BETWEEN;
     }
     if next - BETWEEN <= width {
         return starts;
     }
-    let widest = entries.iter().map(length).fold(0.0, f64::max) + BETWEEN;
+    let widest = entries.iter().map(|entry| length(entry, size)).fold(0.0, f64::max) + BETWEEN;
     let most = (((width + BETWEEN) / widest).floor().max(1.0) as usize).min(entries.len().max(1));
     // As many columns as the rows need, so that the last row is not left nearly empty.
     let count = entries.len().div_ceil(entries.len().div_ceil(most).max(1)).max(1);
@@ -141,6 +158,7 @@ fn entry(layer: &Layer) -> Option<Entry> {
         Layer::Band(band) => (&band.name, band.colour, Sample::Swatch { opacity: band.opacity }),
         Layer::Area(area) => (&area.name, area.colour, Sample::Swatch { opacity: area.opacity }),
         Layer::Cross(cross) => (&cross.name, Colour::INK, Sample::Cross),
+        Layer::Pole(pole) => (&pole.name, pole.colour, Sample::Arrow),
         Layer::Contours(_) | Layer::ColourBar(_) => return None,
     };
     let name = text::clean(name);
@@ -161,6 +179,7 @@ fn draw_sample(canvas: &mut Canvas, at: Point, entry: &Entry) {
             }
         }
         Sample::Cross => cross_at(canvas, (middle, y)),
+        Sample::Arrow => arrow_at(canvas, (middle, y - 7.0), entry.colour, true),
         Sample::Swatch { opacity } => {
             let (right, top, bottom) = (x + SAMPLE, y - 5.0, y + 5.0);
             let corners = [(x, top), (right, top), (right, bottom), (x, bottom)];

@@ -13,6 +13,8 @@ use super::ticks::Ticks;
 const BANDS: usize = 12;
 /// Room above the surface, as a share of the depth.
 const ABOVE: f64 = 0.05;
+/// What rounding may make of the distance between two levels, relative to it.
+const ROUNDING: f64 = 1e-9;
 /// What a picture needs around its frame.
 const BESIDE: f64 = 190.0;
 const AROUND: f64 = 175.0;
@@ -34,6 +36,8 @@ pub struct MapPlot {
     pub values: Vec<f64>,
     /// The smallest and largest value that is told apart; `None` for those of the values.
     pub limits: Option<(f64, f64)>,
+    /// The largest value anywhere, where it is known; it may lie between the points.
+    pub largest: Option<f64>,
     /// Zones of contact.
     pub zones: Vec<[f64; 2]>,
     /// Place of the largest value, with its name in the legend.
@@ -63,6 +67,21 @@ impl MapPlot {
 
     fn levels(&self) -> (Vec<f64>, Palette) {
         levels(&self.values, self.limits)
+    }
+
+    /// Whether values lie farther beyond the outer levels than the next level would, for which the outer colours stand.
+    fn goes_on(&self, levels: &[f64]) -> [bool; 2] {
+        let ([first, second, ..], Some(last)) = (levels, levels.last()) else { return [false; 2] };
+        let step = (1.0 + ROUNDING) * (second - first);
+        let is_beyond = |value: f64| [first - value > step, value - last > step];
+        let cut = self
+            .values
+            .iter()
+            .copied()
+            .chain(self.largest)
+            .filter(|value| !value.is_nan())
+            .map(is_beyond);
+        cut.fold([false; 2], |[below, above], [low, high]| [below || low, above || high])
     }
 }
 
@@ -96,6 +115,10 @@ pub(super) fn levels(values: &[f64], limits: Option<(f64, f64)>) -> (Vec<f64>, P
 }
 
 impl Plot for MapPlot {
+    fn usual_size(&self) -> Option<Size> {
+        Some(self.size())
+    }
+
     fn figure(&self) -> Figure {
         let (levels, palette) = self.levels();
         let contours = Contours {
@@ -108,7 +131,8 @@ impl Plot for MapPlot {
         let mut layers = vec![Layer::Contours(contours)];
         if !levels.is_empty() {
             let label = self.value_label.clone();
-            layers.push(Layer::ColourBar(ColourBar { label, levels, palette }));
+            let goes_on = self.goes_on(&levels);
+            layers.push(Layer::ColourBar(ColourBar { label, levels, palette, goes_on }));
         }
         if let (Some(first), Some(last)) = (self.x.first(), self.x.last()) {
             let mut surface = Line::new("", vec![(*first, 0.0), (*last, 0.0)], Colour::INK);
@@ -129,12 +153,11 @@ impl Plot for MapPlot {
         Figure {
             title: self.title.clone(),
             notes: self.notes.clone(),
-            panels: vec![Panel {
-                heading: String::new(),
-                horizontal: Axis::linear(&self.position_label),
-                vertical: Axis::linear(&self.depth_label).reversed().including(-ABOVE * deepest),
+            panels: vec![Panel::new(
+                Axis::linear(&self.position_label),
+                Axis::linear(&self.depth_label).reversed().including(-ABOVE * deepest),
                 layers,
-            }],
+            )],
             arrangement: Arrangement::Stacked,
             legend: LegendPlace::Panel,
         }

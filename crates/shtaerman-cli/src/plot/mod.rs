@@ -24,16 +24,21 @@ mod figure;
 mod format;
 mod layout;
 mod legend;
+mod look;
 mod map;
 mod mapping;
+mod margins;
+mod ranges;
 mod raster;
 mod render;
 mod response;
 mod shape;
 mod solution;
 mod text;
+mod theme;
 mod ticks;
 mod tornado;
+mod trace;
 
 pub use axis::{Axis, Scale};
 pub use colour::{Colour, Palette};
@@ -43,11 +48,14 @@ pub use curves::{Curve, CurvePanel, CurveScaling, CurvesPlot};
 pub use error::PlotError;
 pub use figure::{
     Area, Arrangement, Band, Base, ColourBar, Contours, Cross, Dash, Figure, Layer, LegendPlace,
-    Line, Mark, Panel, Plot,
+    Line, Mark, Panel, Plot, Pole,
 };
 pub use format::{Format, PNG_PIXELS_PER_UNIT, Size};
+pub use look::Look;
 pub use map::MapPlot;
-pub use render::render;
+pub use render::{render, render_as};
 pub use response::{ResponseCurve, ResponseMap, ResponsePlot, ResponseSurface};
 pub use solution::SolutionPlot;
+pub use theme::Theme;
 pub use tornado::{Bars, TornadoPlot};
+pub use trace::TracePlot;

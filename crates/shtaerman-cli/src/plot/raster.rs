@@ -9,29 +9,37 @@ use kuva::backend::raster::RasterBackend;
 use kuva::render::render::Scene;
 
 use super::error::PlotError;
-use super::format::{PNG_PIXELS_PER_UNIT, Size};
+use super::format::{MOST_PIXELS, Size, UNITS_PER_INCH};
 
 /// Fine pixels that are held at once, at most: 4 bytes each.
-const MOST_FINE_PIXELS: u64 = 80_000_000;
+const MOST_FINE_PIXELS: u64 = MOST_PIXELS;
+
+/// Pixels for each unit of a size.
+fn pixels_per_unit(dots_per_inch: u32) -> f64 {
+    f64::from(dots_per_inch) / f64::from(UNITS_PER_INCH)
+}
 
 /// Fine pixels along the side of a pixel.
-fn fineness(size: Size) -> u32 {
+fn fineness(size: Size, dots_per_inch: u32) -> u32 {
     let pixels =
-        u64::from(size.width) * u64::from(size.height) * u64::from(PNG_PIXELS_PER_UNIT).pow(2);
-    let fits = |side: &u32| pixels * u64::from(*side).pow(2) <= MOST_FINE_PIXELS;
+        f64::from(size.width) * f64::from(size.height) * pixels_per_unit(dots_per_inch).powi(2);
+    let fits = |side: &u32| pixels * f64::from(side.pow(2)) <= MOST_FINE_PIXELS as f64;
     [3, 2].into_iter().find(fits).unwrap_or(1)
 }
 
-/// The scene as a PNG of [`PNG_PIXELS_PER_UNIT`] pixels for each unit of its size.
-pub(super) fn png(scene: &Scene, size: Size) -> Result<Vec<u8>, PlotError> {
-    let fineness = fineness(size);
-    let scale = (fineness * PNG_PIXELS_PER_UNIT) as f32;
+/// The scene as a PNG of so many pixels for an inch (96 units of its size).
+pub(super) fn png(scene: &Scene, size: Size, dots_per_inch: u32) -> Result<Vec<u8>, PlotError> {
+    let fineness = fineness(size, dots_per_inch);
+    let scale = (f64::from(fineness) * pixels_per_unit(dots_per_inch)) as f32;
     let fine =
         RasterBackend::new().with_scale(scale).render_scene(scene).map_err(PlotError::Encoding)?;
     let (fine, width) = decode(&fine).map_err(|error| PlotError::Encoding(error.to_string()))?;
-    let pixels = means(&fine, width, fineness as usize);
-    let size = (PNG_PIXELS_PER_UNIT * size.width, PNG_PIXELS_PER_UNIT * size.height);
-    encode(&pixels, size).map_err(|error| PlotError::Encoding(error.to_string()))
+    let side = fineness as usize;
+    let pixels = means(&fine, width, side);
+    let columns = width / side;
+    let rows = pixels.len() / (3 * columns.max(1));
+    let size = (columns as u32, rows as u32);
+    encode(&pixels, size, dots_per_inch).map_err(|error| PlotError::Encoding(error.to_string()))
 }
 
 /// Pixels of four bytes and their number in a row.
@@ -61,9 +69,21 @@ fn means(fine: &[u8], width: usize, side: usize) -> Vec<u8> {
     pixels
 }
 
-fn encode(pixels: &[u8], size: (u32, u32)) -> Result<Vec<u8>, png::EncodingError> {
+fn encode(
+    pixels: &[u8],
+    size: (u32, u32),
+    dots_per_inch: u32,
+) -> Result<Vec<u8>, png::EncodingError> {
+    /// Inches in a metre.
+    const INCHES: f64 = 1.0 / 0.0254;
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, size.0, size.1);
+    let dots_per_metre = (INCHES * f64::from(dots_per_inch)).round() as u32;
+    encoder.set_pixel_dims(Some(png::PixelDimensions {
+        xppu: dots_per_metre,
+        yppu: dots_per_metre,
+        unit: png::Unit::Meter,
+    }));
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
     encoder.write_header()?.write_image_data(pixels)?;
@@ -91,12 +111,11 @@ mod tests {
 
     #[test]
     fn the_largest_picture_stays_within_memory() {
-        for size in [Size::SMALLEST, Size::default(), Size::LARGEST] {
-            let side = u64::from(fineness(size) * PNG_PIXELS_PER_UNIT);
-            assert!(
-                u64::from(size.width) * u64::from(size.height) * side * side <= MOST_FINE_PIXELS
-            );
+        for (size, dots) in [(Size::SMALLEST, 1200), (Size::default(), 192), (Size::LARGEST, 192)] {
+            let side = f64::from(fineness(size, dots)) * pixels_per_unit(dots);
+            let fine = f64::from(size.width) * f64::from(size.height) * side * side;
+            assert!(fine <= MOST_FINE_PIXELS as f64);
         }
-        assert_eq!(fineness(Size::default()), 3);
+        assert_eq!(fineness(Size::default(), 192), 3);
     }
 }

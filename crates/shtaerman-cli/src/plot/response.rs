@@ -60,12 +60,7 @@ impl Plot for ResponsePlot {
                 };
                 curve.points.iter().map(dot).collect()
             };
-            Panel {
-                heading: String::new(),
-                horizontal: horizontal.clone(),
-                vertical: Axis::linear(&curve.label),
-                layers,
-            }
+            Panel::new(horizontal.clone(), Axis::linear(&curve.label), layers)
         };
         Figure {
             title: self.title.clone(),
@@ -110,6 +105,10 @@ impl ResponseMap {
 }
 
 impl Plot for ResponseMap {
+    fn usual_size(&self) -> Option<Size> {
+        Some(self.size())
+    }
+
     fn figure(&self) -> Figure {
         let [x, y] = &self.values;
         let panel = |surface: &ResponseSurface| {
@@ -123,15 +122,14 @@ impl Plot for ResponseMap {
             };
             // The heading names it.
             let label = String::new();
-            let bar = (!levels.is_empty()).then_some(ColourBar { label, levels, palette });
-            Panel {
-                heading: surface.label.clone(),
-                horizontal: axis(&self.labels[0], x.iter().copied()),
-                vertical: axis(&self.labels[1], y.iter().copied()),
-                layers: std::iter::once(Layer::Contours(contours))
-                    .chain(bar.map(Layer::ColourBar))
-                    .collect(),
-            }
+            let goes_on = [false; 2];
+            let bar = (!levels.is_empty()).then_some(ColourBar { label, levels, palette, goes_on });
+            let layers = std::iter::once(Layer::Contours(contours))
+                .chain(bar.map(Layer::ColourBar))
+                .collect();
+            let horizontal = axis(&self.labels[0], x.iter().copied());
+            let vertical = axis(&self.labels[1], y.iter().copied());
+            Panel { heading: surface.label.clone(), ..Panel::new(horizontal, vertical, layers) }
         };
         Figure {
             title: self.title.clone(),

@@ -3,7 +3,7 @@
 use super::Plot;
 use super::axis::Axis;
 use super::colour::Colour;
-use super::figure::{Arrangement, Figure, Layer, LegendPlace, Line, Mark, Panel};
+use super::figure::{Arrangement, Band, Figure, Layer, LegendPlace, Line, Mark, Panel, Pole};
 
 /// Share of the interval at an end where the solution is infinite that does not set the range of the plot.
 const CLIPPED: f64 = 0.015;
@@ -17,6 +17,10 @@ pub struct SolutionPlot {
     pub notes: Vec<String>,
     /// The points, from end to end.
     pub points: Vec<(f64, f64)>,
+    /// How far the solution may be off, and what this is, such as `error (bound)`; drawn as a band where it can be seen.
+    pub error: Option<(f64, String)>,
+    /// Ends of what is shown; none for everything.
+    pub window: Option<[f64; 2]>,
     /// Label of the horizontal axis.
     pub horizontal_label: String,
     /// Label of the vertical axis.
@@ -27,6 +31,7 @@ impl Plot for SolutionPlot {
     fn figure(&self) -> Figure {
         let mut layers = vec![Layer::Mark(Mark::horizontal(0.0))];
         let inner = self.inner();
+        layers.extend(self.band(inner));
         let is_clipped = inner.len() < self.points.len();
         if is_clipped {
             let mut whole = Line::new("", self.points.clone(), Colour::BLUE);
@@ -34,7 +39,12 @@ impl Plot for SolutionPlot {
             layers.push(Layer::Line(whole));
         }
         layers.push(Layer::Line(Line::new("", inner.to_vec(), Colour::BLUE)));
-        let mut horizontal = Axis::linear(&self.horizontal_label);
+        let infinite = self.points.iter().filter(|point| point.1.is_infinite());
+        layers.extend(infinite.enumerate().map(|(index, (at, value))| {
+            let name = if index == 0 { "infinite".to_owned() } else { String::new() };
+            Layer::Pole(Pole { name, at: *at, colour: Colour::BLUE, is_upward: *value > 0.0 })
+        }));
+        let mut horizontal = Axis::linear(&self.horizontal_label).between(self.window);
         if let (true, Some(first), Some(last)) =
             (is_clipped, self.points.first(), self.points.last())
         {
@@ -43,19 +53,35 @@ impl Plot for SolutionPlot {
         Figure {
             title: self.title.clone(),
             notes: self.notes.clone(),
-            panels: vec![Panel {
-                heading: String::new(),
+            panels: vec![Panel::new(
                 horizontal,
-                vertical: Axis::linear(&self.vertical_label).including(0.0),
+                Axis::linear(&self.vertical_label).including(0.0),
                 layers,
-            }],
+            )],
             arrangement: Arrangement::Stacked,
             legend: LegendPlace::Panel,
         }
     }
 }
 
+/// Error, relative to the largest value drawn, from which on it can be seen.
+const VISIBLE: f64 = 1e-3;
+
 impl SolutionPlot {
+    fn band(&self, inner: &[(f64, f64)]) -> Option<Layer> {
+        let (error, name) = self.error.as_ref()?;
+        let largest = inner.iter().map(|point| point.1.abs()).filter(|value| value.is_finite());
+        let largest = largest.fold(0.0, f64::max);
+        (*error > VISIBLE * largest && error.is_finite()).then(|| {
+            Layer::Band(Band {
+                name: name.clone(),
+                points: inner.iter().map(|(x, value)| (*x, value - error, value + error)).collect(),
+                colour: Colour::BLUE,
+                opacity: 0.22,
+            })
+        })
+    }
+
     /// The points without the neighbourhood of the ends where the curve is infinite.
     fn inner(&self) -> &[(f64, f64)] {
         let (Some(first), Some(last)) = (self.points.first(), self.points.last()) else {

@@ -31,8 +31,33 @@ pub(super) fn width(text: &str, size: u32) -> f64 {
     units * f64::from(size) / 2048.0
 }
 
-/// The text on one line, without characters that XML forbids.
+/// The text on one line, without characters that XML forbids, its numbers as they are printed: minus signs and powers of ten.
 pub(super) fn clean(text: &str) -> String {
+    let words = legal(text);
+    let printed: Vec<String> = words.split(' ').map(printed).collect();
+    printed.join(" ")
+}
+
+/// A word with its numbers as they are printed.
+fn printed(word: &str) -> String {
+    let opening = word.len() - word.trim_start_matches(['(', '[', '±', '=']).len();
+    let (before, rest) = word.split_at(opening);
+    let closing = rest.trim_end_matches([',', ';', ':', ')', ']', '.']).len();
+    let (number, after) = rest.split_at(closing);
+    // Words such as `inf` are numbers to a parser.
+    if number.parse::<f64>().is_err() || !number.ends_with(|c: char| c.is_ascii_digit()) {
+        return word.to_owned();
+    }
+    let number = match number.split_once(['e', 'E']) {
+        Some((digits, exponent)) => {
+            format!("{digits}·10{}", superscript(exponent.parse().unwrap_or(0)))
+        }
+        None => number.to_owned(),
+    };
+    format!("{before}{}{after}", number.replace('-', "−"))
+}
+
+fn legal(text: &str) -> String {
     let allowed = |c: &char| !matches!(c, '\u{fffe}' | '\u{ffff}');
     let spaced = text.chars().filter(allowed).map(|c| if c.is_control() { ' ' } else { c });
     let spaced: String = spaced.collect();
@@ -92,6 +117,16 @@ pub(super) fn superscript(exponent: i32) -> String {
     exponent.to_string().chars().map(raise).collect()
 }
 
+/// A round number, such as 1200, 0.25 or 5·10⁶.
+pub(super) fn round_number(value: f64) -> String {
+    if (1e-3..1e5).contains(&value) || value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    let text = format!("{value:e}");
+    let (digits, exponent) = text.split_once('e').unwrap_or((&text, "0"));
+    format!("{digits}·10{}", superscript(exponent.parse().unwrap_or(0)))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -113,8 +148,15 @@ mod tests {
     }
 
     #[test]
+    fn numbers_are_printed() {
+        let said = "at x = -5 mm (1.5e-16), f-2, -x, 2e5; E-3 case-1e5 1e";
+        assert_eq!(clean(said), "at x = −5 mm (1.5·10⁻¹⁶), f-2, -x, 2·10⁵; E-3 case-1e5 1e");
+    }
+
+    #[test]
     fn exponents_are_raised() {
         assert_eq!(superscript(-12), "⁻¹²");
         assert_eq!(superscript(304), "³⁰⁴");
+        assert_eq!([1200.0, 0.25, 5e6].map(round_number), ["1200", "0.25", "5·10⁶"]);
     }
 }

@@ -54,12 +54,9 @@ impl Plot for TornadoPlot {
                     layers.push(Layer::Line(bar));
                 }
             }
-            Panel {
-                heading: output.name.clone(),
-                horizontal: Axis::linear("share of the variance").including(0.0).including(1.0),
-                vertical: Axis::of_names(names.clone()).reversed(),
-                layers,
-            }
+            let horizontal = Axis::linear("share of the variance").including(0.0).including(1.0);
+            let vertical = Axis::of_names(names.clone()).reversed();
+            Panel { heading: output.name.clone(), ..Panel::new(horizontal, vertical, layers) }
         };
         Figure {
             title: self.title.clone(),

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use shtaerman::ErrorKind;
 use shtaerman::equation::{EquationAnswer, EquationAudit, EquationCheck, SolvedEquation};
 
-use super::{Table, significant};
+use super::{Table, Told, significant};
 use crate::Failure;
 use crate::output::Content;
 
@@ -21,20 +21,20 @@ pub(crate) fn equation_table(
     solved: &SolvedEquation<'_>,
     answer: &EquationAnswer<'_>,
     with_places: bool,
-) -> Result<String, Failure> {
+) -> Result<Told, Failure> {
     let equation = match answer.lambda {
         Some(lambda) => format!("phi + lambda int K phi = f, lambda = {lambda}"),
         None => "int K phi = f".to_owned(),
     };
     let family = answer.kernel.family();
-    let mut text = format!(
+    let mut text = Told::new(format!(
         "{name}: {equation}, f = {}\n{}: K = {} on {}, by {}\n\n",
         answer.rhs,
         answer.kernel.title(),
         family.formula,
         family.interval,
         family.measure
-    );
+    ));
     let [left, right] = solved.equation().shown();
     let mut table = Table::new(&["", ""]);
     let mut row = |name: String, value: Option<f64>, missing: &str| {
@@ -46,7 +46,7 @@ pub(crate) fn equation_table(
         row(name, solved.evaluate(x).map_err(Failure::from)?, "infinite");
     }
     row(format!("int {} dx", answer.integral_of), answer.integral, "none");
-    text.push_str(&table.to_string());
+    text.table(table);
     let _ = writeln!(
         text,
         "\nmethod: {} with n = {}: {}",
@@ -66,7 +66,7 @@ pub(crate) fn equation_table(
             let phi = phi.map_or("infinite".to_owned(), |phi| significant(phi, DIGITS));
             table.row(vec![significant(*x, DIGITS), phi]);
         }
-        text.push_str(&table.to_string());
+        text.table(table);
     }
     if !answer.warnings.is_empty() {
         text.push('\n');

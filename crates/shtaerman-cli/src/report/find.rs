@@ -5,65 +5,30 @@ use std::fmt::Write;
 
 use serde::Serialize;
 use serde_json::Value;
-use shtaerman::inverse::{Crown, Crowned, Found, Goal, Shaped};
-use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
-use shtaerman::{Contact, Problem, Rotational, Roughness, Scaling};
+use shtaerman::inverse::{Crown, Crowned, Found, Goal};
+use shtaerman::quantity::{Dimension, Measure, OutputUnits};
+use shtaerman::{Contact, Problem, Rotational, Roughness, Scaling, Warning};
 
-use super::{Table, significant};
+use super::{Shown, Table, Told, significant};
 use crate::output::Content;
 
 /// Version of the layout; `schema/find.schema.json` describes it.
-const SCHEMA: &str = "shtaerman-find/2";
+pub(super) const SCHEMA: &str = "shtaerman-find/2";
 /// Significant digits of the value found, in tables.
 const DIGITS: usize = 10;
 
-/// Values in the units of a problem, for people.
-#[derive(Debug, Clone, Copy)]
-struct Shown {
-    is_physical: bool,
-    is_circular: bool,
+/// A value with the digits of a value that was found.
+pub(super) fn value_of(shown: &Shown, value: f64, measure: Measure) -> String {
+    shown.with_digits(value, measure, DIGITS)
 }
 
-impl Shown {
-    fn of(problem: &Problem) -> Self {
-        Self { is_physical: !problem.is_dimensionless(), is_circular: problem.is_circular() }
-    }
-
-    fn units(self) -> &'static str {
-        if self.is_physical { "SI" } else { "dimensionless" }
-    }
-
-    fn value(self, value: f64, unit: impl Into<DisplayUnit>) -> String {
-        if !self.is_physical {
-            return significant(value, DIGITS);
-        }
-        engineering_with_digits(value, unit, DIGITS)
-    }
-
-    fn few_digits(self, value: f64, unit: impl Into<DisplayUnit>) -> String {
-        if self.is_physical {
-            engineering_with_digits(value, unit, 2)
-        } else {
-            significant(value, 2)
-        }
-    }
-
-    fn force(self) -> DisplayUnit {
-        // A force has the dimension of a moment per length, whose symbol it must not take.
-        if self.is_circular {
-            DisplayUnit::prefixed("N")
-        } else {
-            Dimension::FORCE_PER_LENGTH.into()
-        }
-    }
-
-    fn moment(self) -> DisplayUnit {
-        if self.is_circular { Dimension::MOMENT.into() } else { DisplayUnit::prefixed("N") }
-    }
+/// The word of JSON for the units of a problem.
+pub(super) fn system(shown: &Shown) -> &'static str {
+    if shown.is_physical { "SI" } else { "dimensionless" }
 }
 
 /// The table of a problem or of `[dimensionless]` in which a key stands.
-fn key(shown: Shown, table: &str, name: &str) -> String {
+pub(super) fn key(shown: &Shown, table: &str, name: &str) -> String {
     format!("{}.{name}", if shown.is_physical { table } else { "dimensionless" })
 }
 
@@ -126,17 +91,18 @@ impl Summary {
         }
     }
 
-    fn rows(&self, shown: Shown, gauge: &str, table: &mut Table) {
-        let length = |value| shown.value(value, Dimension::LENGTH);
+    fn rows(&self, shown: &Shown, gauge: &str, table: &mut Table) {
+        let length = |value| value_of(shown, value, Measure::Length);
         let mut row = |name: &str, value: String, note: String| {
             table.row(vec![name.to_owned(), value, note]);
         };
-        row("settlement", length(self.settlement), format!("gauge: {gauge}"));
-        row("tilt", shown.value(self.tilt, DisplayUnit::angle()), String::new());
-        row("force", shown.value(self.force, shown.force()), String::new());
-        row("moment", shown.value(self.moment, shown.moment()), String::new());
+        let settlement = value_of(shown, self.settlement, Measure::Displacement);
+        row("settlement", settlement, format!("gauge: {gauge}"));
+        row("tilt", value_of(shown, self.tilt, Measure::Angle), String::new());
+        row("force", value_of(shown, self.force, shown.force()), String::new());
+        row("moment", value_of(shown, self.moment, shown.moment()), String::new());
         let place = format!("at {}", length(self.peak_pressure_at));
-        row("pressure, largest", shown.value(self.peak_pressure, Dimension::PRESSURE), place);
+        row("pressure, largest", value_of(shown, self.peak_pressure, Measure::Pressure), place);
         let zones = match self.zones.len() {
             1 => format!("{} to {}", length(self.zones[0][0]), length(self.zones[0][1])),
             count => format!("{count} zones"),
@@ -144,7 +110,7 @@ impl Summary {
         row("contact width", length(self.contact_width), zones);
         if let Some(error) = &self.error {
             let name = format!("error ({})", error.kind);
-            let value = shown.few_digits(error.pressure, Dimension::PRESSURE);
+            let value = shown.few_digits(error.pressure, Measure::Pressure);
             row(&name, value, "of the pressure, at most".to_owned());
         }
     }
@@ -189,27 +155,34 @@ pub(crate) struct FoundReport {
     set: BTreeMap<String, Value>,
     contact: Summary,
     evaluations: usize,
+    warnings: Vec<Warning>,
+    #[serde(skip)]
+    shown: Shown,
+    /// What the value found and the goal measure.
+    #[serde(skip)]
+    measures: [Measure; 2],
 }
 
 impl FoundReport {
     /// Of the force; `problem` is that of the file.
-    pub(crate) fn force(problem: &Problem, found: &Found) -> Self {
-        let shown = Shown::of(problem);
-        let mut set = BTreeMap::from([(key(shown, "load", "force"), written(found.value))]);
+    pub(crate) fn force(problem: &Problem, found: &Found, units: &OutputUnits) -> Self {
+        let shown = Shown::of(problem, units);
+        let mut set = BTreeMap::from([(key(&shown, "load", "force"), written(found.value))]);
         let kept = match problem.load().rotational() {
             Rotational::Tilt(_) => "tilt",
             Rotational::Moment(moment) if moment != 0.0 => {
-                set.insert(key(shown, "load", "moment"), written(found.contact.moment()));
+                set.insert(key(&shown, "load", "moment"), written(found.contact.moment()));
                 "eccentricity"
             }
             Rotational::Moment(_) | Rotational::Eccentricity(_) => "eccentricity",
         };
-        Self::new("force", shown, found, Some(kept), set)
+        let measure = shown.force();
+        Self::new("force", shown, measure, found, Some(kept), set)
     }
 
     /// Of the roughness.
-    pub(crate) fn roughness(problem: &Problem, found: &Found) -> Self {
-        let shown = Shown::of(problem);
+    pub(crate) fn roughness(problem: &Problem, found: &Found, units: &OutputUnits) -> Self {
+        let shown = Shown::of(problem, units);
         let value = match found.contact.problem().scaling().map(Scaling::roughness) {
             Some(Roughness::Power { coefficient, exponent }) => {
                 serde_json::json!({ "coefficient": coefficient, "exponent": exponent })
@@ -217,12 +190,13 @@ impl FoundReport {
             _ => written(found.value),
         };
         let set = BTreeMap::from([("foundation.roughness".to_owned(), value)]);
-        Self::new("roughness", shown, found, None, set)
+        Self::new("roughness", shown, Measure::Compliance, found, None, set)
     }
 
     fn new(
         unknown: &'static str,
         shown: Shown,
+        measure: Measure,
         found: &Found,
         kept: Option<&'static str>,
         set: BTreeMap<String, Value>,
@@ -230,7 +204,7 @@ impl FoundReport {
         Self {
             schema: SCHEMA,
             unknown,
-            units: shown.units(),
+            units: system(&shown),
             goal: Reached {
                 quantity: found.goal.key(),
                 wanted: found.goal.wanted(),
@@ -242,24 +216,32 @@ impl FoundReport {
             set,
             contact: Summary::new(&found.contact),
             evaluations: found.evaluations,
+            warnings: Vec::new(),
+            shown,
+            measures: [measure, measure_of(found.goal)],
         }
     }
 
-    pub(crate) fn table(&self, name: &str, found: &Found) -> String {
+    /// What a user should know about the contact found.
+    pub(crate) fn warn(&mut self, warnings: Vec<Warning>) {
+        self.warnings = warnings;
+    }
+
+    pub(crate) fn table(&self, name: &str, found: &Found) -> Told {
         let problem = found.contact.problem();
-        let shown = Shown::of(problem);
-        let wanted = |value| shown.value(value, goal_unit(found.goal));
+        let shown = &self.shown;
+        let wanted = |value| value_of(shown, value, self.measures[1]);
         let kept = match self.kept {
             Some("eccentricity") => ", keeping the eccentricity M/P",
             Some(_) => ", keeping the tilt",
             None => "",
         };
-        let mut text = format!(
+        let mut text = Told::new(format!(
             "{name}: the {} for a {} of {}{kept}\n\n",
             self.unknown,
             found.goal.name(),
             wanted(self.goal.wanted)
-        );
+        ));
         let mut table = Table::new(&["", "", ""]);
         if self.unknown == "roughness" {
             let (value, note) = match problem.scaling().map(Scaling::roughness) {
@@ -267,12 +249,12 @@ impl FoundReport {
                     significant(self.value, DIGITS),
                     format!("coefficient B of B p^{exponent}, m/Pa^{exponent}"),
                 ),
-                _ => (shown.value(self.value, Dimension::COMPLIANCE), "chi".to_owned()),
+                _ => (value_of(shown, self.value, Measure::Compliance), "chi".to_owned()),
             };
             table.row(vec!["roughness".to_owned(), value, note]);
         }
         self.contact.rows(shown, problem.gauge(), &mut table);
-        text.push_str(&table.to_string());
+        text.table(table);
         let _ = writeln!(
             text,
             "\nreached: {} by {} solves, off by {} of it",
@@ -281,25 +263,44 @@ impl FoundReport {
             significant(self.goal.relative_error, 2)
         );
         text.push_str(&set_lines(&self.set));
+        text.push_str(&warning_lines(&self.warnings));
         text
     }
 
     pub(crate) fn csv(&self) -> Content<'_> {
-        let header = ["unknown", "value", "quantity", "wanted", "reached", "relative_error"];
+        let [of_value, of_goal] = self.measures;
+        let (value, unit) = match (self.unknown, &self.set.values().next()) {
+            // The coefficient of a power law has a unit of its own.
+            ("roughness", Some(Value::Object(_))) => ("value".to_owned(), 1.0),
+            _ => self.shown.column("value", of_value),
+        };
+        let (wanted, goal) = self.shown.column("wanted", of_goal);
+        let (reached, _) = self.shown.column("reached", of_goal);
+        let relative = "relative_error".to_owned();
+        let header =
+            ["unknown".to_owned(), value, "quantity".to_owned(), wanted, reached, relative];
         let row = vec![
             self.unknown.to_owned(),
-            self.value.to_string(),
+            (self.value * unit).to_string(),
             self.goal.quantity.to_owned(),
-            self.goal.wanted.to_string(),
-            self.goal.reached.to_string(),
+            (self.goal.wanted * goal).to_string(),
+            (self.goal.reached * goal).to_string(),
             self.goal.relative_error.to_string(),
         ];
         Content::csv(&header, [row])
     }
 }
 
-fn goal_unit(goal: Goal) -> DisplayUnit {
-    goal.dimension().into()
+fn measure_of(goal: Goal) -> Measure {
+    match goal {
+        Goal::Settlement(_) => Measure::Displacement,
+        _ if goal.dimension() == Dimension::PRESSURE => Measure::Pressure,
+        _ => Measure::Length,
+    }
+}
+
+fn warning_lines(warnings: &[Warning]) -> String {
+    warnings.iter().map(|warning| format!("warning: {}\n", warning.message)).collect()
 }
 
 /// One crown; the radius of the flat base is `null`.
@@ -332,29 +333,34 @@ pub(crate) struct CrownReport {
     largest: Option<CrownRow>,
     set: BTreeMap<String, Value>,
     evaluations: usize,
+    warnings: Vec<Warning>,
+    #[serde(skip)]
+    shown: Shown,
 }
 
 impl CrownReport {
-    pub(crate) fn new(crown: &Crown) -> Self {
-        let shown = Shown::of(crown.best.contact.problem());
+    pub(crate) fn new(crown: &Crown, units: &OutputUnits, warnings: Vec<Warning>) -> Self {
+        let shown = Shown::of(crown.best.contact.problem(), units);
         let profile = Value::String(crown.best.formula());
         Self {
             schema: SCHEMA,
             unknown: "crown",
-            units: shown.units(),
+            units: system(&shown),
             limit: crown.limit,
             best: CrownRow::new(&crown.best),
             least: crown.least.as_ref().map(CrownRow::new),
             largest: crown.largest.as_ref().map(CrownRow::new),
-            set: BTreeMap::from([(key(shown, "punch", "profile"), profile)]),
+            set: BTreeMap::from([(key(&shown, "punch", "profile"), profile)]),
             evaluations: crown.evaluations,
+            warnings,
+            shown,
         }
     }
 
-    pub(crate) fn table(&self, name: &str, crown: &Crown) -> String {
-        let shown = Shown::of(crown.best.contact.problem());
-        let pressure = |value| shown.value(value, Dimension::PRESSURE);
-        let mut text = match self.limit {
+    pub(crate) fn table(&self, name: &str) -> Told {
+        let shown = &self.shown;
+        let pressure = |value| value_of(shown, value, Measure::Pressure);
+        let heading = match self.limit {
             Some(limit) => format!(
                 "{name}: the crown radii, base x^2/(2R), that keep the peak pressure at {} or below\n\n",
                 pressure(limit)
@@ -363,29 +369,33 @@ impl CrownReport {
                 format!("{name}: the crown radius, base x^2/(2R), of the lowest peak pressure\n\n")
             }
         };
+        let mut text = Told::new(heading);
         let mut table = Table::new(&["", "radius", "peak pressure", "at", "contact width"]);
         let rows = [("least", &self.least), ("lowest peak", &None), ("largest", &self.largest)];
         for (name, row) in rows {
             let row = if name == "lowest peak" { Some(&self.best) } else { row.as_ref() };
             let Some(CrownRow { radius, contact, .. }) = row else { continue };
             let radius =
-                radius.map_or("flat base".to_owned(), |r| shown.value(r, Dimension::LENGTH));
+                radius.map_or("flat base".to_owned(), |r| value_of(shown, r, Measure::Length));
             table.row(vec![
                 name.to_owned(),
                 radius,
                 pressure(contact.peak_pressure),
-                shown.value(contact.peak_pressure_at, Dimension::LENGTH),
-                shown.value(contact.contact_width, Dimension::LENGTH),
+                value_of(shown, contact.peak_pressure_at, Measure::Length),
+                value_of(shown, contact.contact_width, Measure::Length),
             ]);
         }
-        text.push_str(&table.to_string());
+        text.table(table);
         let _ =
             writeln!(text, "\n{} solves; set is the crown of the lowest peak", self.evaluations);
         text.push_str(&set_lines(&self.set));
+        text.push_str(&warning_lines(&self.warnings));
         text
     }
 
     pub(crate) fn csv(&self) -> Content<'_> {
+        let (radius, length) = self.shown.column("radius", Measure::Length);
+        let (peak, stress) = self.shown.column("peak_pressure", Measure::Pressure);
         let optional = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
         let rows = [
             ("least", self.least.as_ref()),
@@ -394,100 +404,9 @@ impl CrownReport {
         ];
         let rows = rows.into_iter().filter_map(move |(name, row)| {
             let row = row?;
-            let peak = row.contact.peak_pressure.to_string();
-            Some(vec![name.to_owned(), optional(row.radius), peak])
+            let peak = (row.contact.peak_pressure * stress).to_string();
+            Some(vec![name.to_owned(), optional(row.radius.map(|radius| radius * length)), peak])
         });
-        Content::csv(&["crown", "radius", "peak_pressure"], rows)
-    }
-}
-
-/// The trace of a profile, in the units of the problem.
-#[derive(Debug, Serialize)]
-struct Trace {
-    x: Vec<f64>,
-    f: Vec<f64>,
-    p: Vec<f64>,
-}
-
-/// The result of `find profile`.
-#[derive(Debug, Serialize)]
-pub(crate) struct ShapedReport {
-    schema: &'static str,
-    unknown: &'static str,
-    units: &'static str,
-    pressure: String,
-    factor: f64,
-    settlement: f64,
-    tilt: f64,
-    force: f64,
-    moment: f64,
-    error: f64,
-    profile: Trace,
-    #[serde(skip)]
-    shown: Shown,
-}
-
-impl ShapedReport {
-    pub(crate) fn new(problem: &Problem, pressure: &str, shaped: Shaped) -> Self {
-        let shown = Shown::of(problem);
-        let Shaped { places, heights, pressures, settlement, tilt, force, moment, factor, error } =
-            shaped;
-        Self {
-            schema: SCHEMA,
-            unknown: "profile",
-            units: shown.units(),
-            pressure: pressure.to_owned(),
-            factor,
-            settlement,
-            tilt,
-            force,
-            moment,
-            error,
-            profile: Trace { x: places, f: heights, p: pressures },
-            shown,
-        }
-    }
-
-    pub(crate) fn table(&self, name: &str) -> String {
-        let shown = self.shown;
-        let length = |value| shown.value(value, Dimension::LENGTH);
-        let Trace { x, f, p } = &self.profile;
-        let mut text =
-            format!("{name}: the profile under which the pressure is {}\n\n", self.pressure);
-        let mut table = Table::new(&["", "", ""]);
-        let mut row = |name: &str, value: String, note: &str| {
-            table.row(vec![name.to_owned(), value, note.to_owned()]);
-        };
-        row("settlement", length(self.settlement), "gauge: ln(a/|x-s|), with this profile");
-        row("tilt", shown.value(self.tilt, DisplayUnit::angle()), "");
-        row("force", shown.value(self.force, shown.force()), "to which the pressure is scaled");
-        row("moment", shown.value(self.moment, shown.moment()), "");
-        let largest = p.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        row("pressure, largest", shown.value(largest, Dimension::PRESSURE), "");
-        let lowest = f.iter().copied().fold(f64::INFINITY, f64::min);
-        let highest = f.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        row("profile, lowest", length(lowest), "");
-        row("profile, highest", length(highest), "");
-        row("profile, edges", length(f[0]), &format!("and {}", length(f[f.len() - 1])));
-        let note = if shown.is_physical {
-            engineering(self.error, Dimension::LENGTH)
-        } else {
-            significant(self.error, 2)
-        };
-        text.push_str(&table.to_string());
-        let _ = writeln!(text, "\nerror (estimate) of the heights, at most: {note}");
-        let keys = key(shown, "punch", "profile");
-        let _ = writeln!(
-            text,
-            "trace of {} points: --format csv --output profile.csv, then {keys} = {{ csv = \"profile.csv\" }}",
-            x.len()
-        );
-        text
-    }
-
-    pub(crate) fn csv(&self) -> Content<'_> {
-        let header = if self.shown.is_physical { ["x", "f"] } else { ["xi", "f0"] };
-        let rows = self.profile.x.iter().zip(&self.profile.f);
-        Content::csv(&header, rows.map(|(x, f)| vec![x.to_string(), f.to_string()]))
+        Content::csv(&["crown".to_owned(), radius, peak], rows)
     }
 }

@@ -4,10 +4,10 @@ use std::fmt::Write;
 
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
-use shtaerman::quantity::{Dimension, DisplayUnit, engineering, engineering_with_digits};
+use shtaerman::quantity::Measure;
 use shtaerman::{Criterion, FirstYield, Peak, Stress, StressField};
 
-use super::{Table, significant};
+use super::{Shown, Table, Told, significant};
 use crate::arguments::StressComponent;
 use crate::output::Content;
 use crate::output::npz::{Array, npz};
@@ -167,6 +167,8 @@ impl From<FirstYield> for YieldReport {
 pub(crate) struct StressReport<'a> {
     schema: &'static str,
     units: &'static str,
+    #[serde(skip)]
+    shown: Shown,
     poisson_ratio: f64,
     force: f64,
     moment: f64,
@@ -187,12 +189,13 @@ impl<'a> StressReport<'a> {
     pub(crate) fn new(
         field: &StressField,
         [force, moment]: [f64; 2],
-        is_physical: bool,
+        shown: Shown,
         peaks: &[Peak; 2],
     ) -> Self {
         Self {
             schema: SCHEMA,
-            units: if is_physical { "si" } else { "dimensionless" },
+            units: if shown.is_physical { "si" } else { "dimensionless" },
+            shown,
             poisson_ratio: field.poisson_ratio(),
             force,
             moment,
@@ -231,15 +234,8 @@ impl<'a> StressReport<'a> {
         if stresses.is_grid { self.grid = Some(stresses) } else { self.points = Some(stresses) }
     }
 
-    fn is_physical(&self) -> bool {
-        self.units == "si"
-    }
-
-    fn shown(&self, value: f64, unit: impl Into<DisplayUnit>) -> String {
-        if !value.is_finite() {
-            return "infinite".to_owned();
-        }
-        if self.is_physical() { engineering(value, unit) } else { significant(value, 10) }
+    fn shown(&self, value: f64, measure: Measure) -> String {
+        if value.is_finite() { self.shown.value(value, measure) } else { "infinite".to_owned() }
     }
 }
 
@@ -248,23 +244,23 @@ pub(crate) fn stress_table(
     name: &str,
     report: &StressReport<'_>,
     places: Option<&Stresses>,
-) -> String {
-    let physical = report.is_physical();
+) -> Told {
+    let physical = report.shown.is_physical;
     let units = if physical { "" } else { "; lengths in half-widths, stresses in E" };
-    let length = |value| report.shown(value, Dimension::LENGTH);
-    let stress = |value| report.shown(value, Dimension::PRESSURE);
-    let mut text = format!(
+    let length = |value| report.shown(value, Measure::Length);
+    let stress = |value| report.shown(value, Measure::Pressure);
+    let mut text = Told::new(format!(
         "{name}: stresses below the contact, plane strain, tension positive, y is depth{units}\n\n"
-    );
+    ));
     let mut table = Table::new(&["", "", ""]);
     let mut row = |name: &str, value: String, note: String| {
         table.row(vec![name.to_owned(), value, note]);
     };
-    let force = report.shown(report.force, Dimension::FORCE_PER_LENGTH);
+    let force = report.shown(report.force, Measure::ForcePerLength);
     let per =
         if report.period.is_some() { "per unit length and period" } else { "per unit length" };
     row("force", force, per.to_owned());
-    row("moment", report.shown(report.moment, DisplayUnit::prefixed("N")), String::new());
+    row("moment", report.shown(report.moment, Measure::MomentPerLength), String::new());
     let zones: Vec<String> = report
         .zones
         .iter()
@@ -281,14 +277,8 @@ pub(crate) fn stress_table(
         row(name, stress(peak.value), place(peak, &length));
     }
     row("Poisson's ratio", significant(report.poisson_ratio, 6), String::new());
-    text.push_str(&table.to_string());
-    let digits = |value: f64| {
-        if physical {
-            engineering_with_digits(value, Dimension::PRESSURE, 2)
-        } else {
-            significant(value, 2)
-        }
-    };
+    text.table(table);
+    let digits = |value: f64| report.shown.few_digits(value, Measure::Pressure);
     let _ = writeln!(
         text,
         "\nerror (estimate), at most: {}; nodes: {}",
@@ -310,23 +300,24 @@ pub(crate) fn stress_table(
             };
             table.row(vec![
                 criterion.to_owned(),
-                report.shown(load.force, Dimension::FORCE_PER_LENGTH),
-                report.shown(load.moment, DisplayUnit::prefixed("N")),
+                report.shown(load.force, Measure::ForcePerLength),
+                report.shown(load.moment, Measure::MomentPerLength),
                 significant(load.factor, 6),
                 place(&peak, &length),
             ]);
         }
-        text.push_str(&table.to_string());
+        text.table(table);
     }
     if let Some(places) = places {
         text.push('\n');
         let names = COMPONENTS.iter().map(|(name, _)| *name);
-        let mut table = Table::new(&["x", "y"].into_iter().chain(names).collect::<Vec<_>>());
+        let mut table =
+            Table::new(&["x", "y"].into_iter().chain(names).collect::<Vec<_>>()).with_keys(2);
         for ((x, y), at) in places.places().zip(&places.stresses) {
             let values = COMPONENTS.iter().map(|(_, which)| stress(component(at, *which)));
             table.row([length(x), length(y)].into_iter().chain(values).collect());
         }
-        text.push_str(&table.to_string());
+        text.table(table);
     }
     if !report.warnings.is_empty() {
         text.push('\n');
@@ -348,13 +339,15 @@ fn place(peak: &PeakReport, length: &dyn Fn(f64) -> String) -> String {
     format!("at x = {x}, depth {}", length(peak.y))
 }
 
-/// One row for each place: `x,y`, then the components.
-pub(crate) fn stress_csv(stresses: &Stresses) -> Content<'_> {
-    let header: Vec<&str> =
-        ["x", "y"].into_iter().chain(COMPONENTS.iter().map(|(name, _)| *name)).collect();
-    let rows = stresses.places().zip(&stresses.stresses).map(|((x, y), stress)| {
-        let values = COMPONENTS.iter().map(|(_, which)| component(stress, *which));
-        [x, y].into_iter().chain(values).map(|value| value.to_string()).collect()
+/// One row for each place: `x,y`, then the components; in SI units, or in those chosen.
+pub(crate) fn stress_csv<'a>(stresses: &'a Stresses, shown: &Shown) -> Content<'a> {
+    let lengths = ["x", "y"].map(|name| shown.column(name, Measure::Length));
+    let columns = COMPONENTS.map(|(name, _)| shown.column(name, Measure::Pressure));
+    let (length, stress) = (lengths[0].1, columns[0].1);
+    let header: Vec<String> = lengths.into_iter().chain(columns).map(|(name, _)| name).collect();
+    let rows = stresses.places().zip(&stresses.stresses).map(move |((x, y), at)| {
+        let values = COMPONENTS.iter().map(|(_, which)| component(at, *which) * stress);
+        [x * length, y * length].into_iter().chain(values).map(|value| value.to_string()).collect()
     });
     Content::csv(&header, rows)
 }

@@ -2,11 +2,10 @@
 
 use std::fmt::Write;
 
-use shtaerman_study::{
-    Column, Design, Indices, Input, Manifest, Output, Row, Study, Summary, Variation,
-};
+use shtaerman_study::{Column, Design, Indices, Manifest, Output, Row, Study, Summary};
 
-use super::{Table, significant};
+use super::{Scaled, StudyUnits, Table, Told, heading, significant};
+use crate::output::Content;
 use crate::plot::{
     Bars, Figure, Plot, ResponseCurve, ResponseMap, ResponsePlot, ResponseSurface, Size,
     TornadoPlot,
@@ -37,8 +36,13 @@ pub(crate) fn keep(kept: &mut Vec<Row>, rows: Vec<Row>) {
     kept.extend(rows.into_iter().take(room));
 }
 
-/// The study for people; SI units.
-pub(crate) fn sweep_table(study: &Study, manifest: &Manifest, report: &SweepReport<'_>) -> String {
+/// The study for people.
+pub(crate) fn sweep_table(
+    study: &Study,
+    units: &StudyUnits,
+    manifest: &Manifest,
+    report: &SweepReport<'_>,
+) -> Told {
     let SweepReport { summary, .. } = report;
     let design = match study.design() {
         Design::Grid => "a grid".to_owned(),
@@ -49,15 +53,14 @@ pub(crate) fn sweep_table(study: &Study, manifest: &Manifest, report: &SweepRepo
         }
         Design::Random { seed, .. } => format!("random cases with seed {seed}"),
     };
-    let mut text = format!(
+    let mut text = Told::new(format!(
         "{}: {} cases, {design} over {}\n\n",
         manifest.study,
         manifest.cases,
         manifest.variables.join(", ")
-    );
-    let units = units(study);
+    ));
     let mut table = Table::new(&[
-        &format!("output{units}"),
+        "output",
         "least",
         "case",
         "largest",
@@ -67,18 +70,21 @@ pub(crate) fn sweep_table(study: &Study, manifest: &Manifest, report: &SweepRepo
         "error, largest",
     ]);
     for extreme in summary.extremes.iter().filter(|_| summary.answered > 0) {
+        let Scaled { name, factor } = units.column(study, &extreme.name);
+        let shown = |value: f64, digits: usize| significant(value * factor, digits);
         table.row(vec![
-            extreme.name.to_owned(),
-            significant(extreme.least.0, DIGITS),
+            name,
+            shown(extreme.least.0, DIGITS),
             extreme.least.1.to_string(),
-            significant(extreme.largest.0, DIGITS),
+            shown(extreme.largest.0, DIGITS),
             extreme.largest.1.to_string(),
-            significant(extreme.mean, DIGITS),
-            significant(extreme.standard_deviation, DIGITS),
-            extreme.error.map_or(String::new(), |error| significant(error, ERROR_DIGITS)),
+            shown(extreme.mean, DIGITS),
+            shown(extreme.standard_deviation, DIGITS),
+            extreme.error.map_or(String::new(), |error| shown(error, ERROR_DIGITS)),
         ]);
     }
-    let _ = writeln!(text, "{table}");
+    text.table(table);
+    text.push('\n');
     let _ = writeln!(
         text,
         "parts: {} computed, {} kept, {} missing, of {}; {} cases answered, {} refused",
@@ -99,26 +105,73 @@ pub(crate) fn sweep_table(study: &Study, manifest: &Manifest, report: &SweepRepo
         );
     }
     text.push_str(&indices(study, summary));
-    text.push_str(&audits(study, report.audited));
+    text.push_str(&audits(study, units, report.audited));
     text
 }
 
 /// What varies and the outputs of each case.
-pub(crate) fn rows_table(study: &Study, rows: &[Row]) -> String {
-    let units = units(study);
-    let keys = study.variables().iter().map(|variable| variable.key.clone());
-    let names = study.outputs().iter().map(|output| format!("{}{units}", output.name));
-    let heads: Vec<String> = keys.chain(names).collect();
-    let mut table = Table::new(&heads.iter().map(String::as_str).collect::<Vec<_>>());
+pub(crate) fn rows_table(study: &Study, units: &StudyUnits, rows: &[Row]) -> String {
+    let (inputs, outputs) = scaled(study, units);
+    let heads: Vec<&str> = inputs.iter().chain(&outputs).map(|one| one.name.as_str()).collect();
+    let mut table = Table::new(&heads).with_keys(inputs.len());
     for row in rows {
-        let inputs = row.inputs.iter().map(|input| match input.number() {
-            Some(value) => significant(value, DIGITS),
+        let varied = row.inputs.iter().zip(&inputs).map(|(input, scaled)| match input.number() {
+            Some(value) => significant(value * scaled.factor, DIGITS),
             None => input.to_string(),
         });
-        let outputs = row.outputs.iter().map(|value| significant(*value, DIGITS));
-        table.row(inputs.chain(outputs).collect());
+        let found = row.outputs.iter().zip(&outputs);
+        let found = found.map(|(value, scaled)| significant(value * scaled.factor, DIGITS));
+        table.row(varied.chain(found).collect());
     }
     format!("{table}\n")
+}
+
+/// The varied keys and the outputs with their units.
+fn scaled(study: &Study, units: &StudyUnits) -> (Vec<Scaled>, Vec<Scaled>) {
+    let inputs = study.variables().iter().map(|variable| units.column(study, &variable.key));
+    let outputs = study.outputs().iter().map(|output| units.column(study, &output.name));
+    (inputs.collect(), outputs.collect())
+}
+
+/// The rows as CSV: as in a part of a study, or in the units chosen, which the header says.
+pub(crate) fn rows_csv<'a>(study: &'a Study, units: &StudyUnits, rows: &'a [Row]) -> Content<'a> {
+    let (inputs, outputs) = scaled(study, units);
+    let of = |name: &str| {
+        let error = name.strip_suffix("_error");
+        let names = study.outputs().iter().map(|output| output.name.as_str());
+        let keys = study.variables().iter().map(|variable| variable.key.as_str());
+        let position = |mut all: Box<dyn Iterator<Item = &str> + '_>, name: &str| {
+            all.position(|known| known == name)
+        };
+        match position(Box::new(names), error.unwrap_or(name)) {
+            Some(index) => Some(outputs[index].clone()),
+            None => position(Box::new(keys), name).map(|index| inputs[index].clone()),
+        }
+    };
+    let columns: Vec<(String, f64)> = study
+        .columns()
+        .into_iter()
+        .map(|name| match of(&name).and_then(|scaled| unit_of(&scaled)) {
+            Some((unit, factor)) => (format!("{name} {unit}"), factor),
+            None => (name, 1.0),
+        })
+        .collect();
+    let factors: Vec<f64> = columns.iter().map(|column| column.1).collect();
+    let header: Vec<String> = columns.into_iter().map(|column| column.0).collect();
+    let field = |(text, factor): (String, &f64)| match text.parse::<f64>() {
+        Ok(value) if *factor != 1.0 => (value * factor).to_string(),
+        _ => text,
+    };
+    let rows = rows.iter().map(move |row| {
+        study.fields(row).into_iter().zip(&factors).map(field).collect::<Vec<String>>()
+    });
+    Content::csv(&header, rows)
+}
+
+/// The unit in brackets behind a name.
+fn unit_of(scaled: &Scaled) -> Option<(String, f64)> {
+    let at = scaled.name.rfind(" [")?;
+    Some((scaled.name[at + 1..].to_owned(), scaled.factor))
 }
 
 /// The columns of rows as a JSON object of arrays.
@@ -133,11 +186,6 @@ pub(crate) fn columns(study: &Study, rows: &[Row]) -> serde_json::Value {
     serde_json::Value::Object(study.columns().into_iter().zip(arrays).collect())
 }
 
-/// What is said of units behind a name.
-fn units(study: &Study) -> &'static str {
-    if study.is_dimensionless() { "" } else { ", SI" }
-}
-
 /// The share of the variance of each output that each varied value has, alone and with all others.
 fn indices(study: &Study, summary: &Summary) -> String {
     let Some(indices) = &summary.indices else { return String::new() };
@@ -145,7 +193,7 @@ fn indices(study: &Study, summary: &Summary) -> String {
     for (output, index) in study.outputs().iter().zip(0..) {
         for (variable, found) in study.variables().iter().zip(indices.of(index)) {
             table.row(vec![
-                output.name.to_owned(),
+                output.name.clone(),
                 variable.key.clone(),
                 format!("{:.4}", found.first),
                 format!("{:.4}", found.first_error),
@@ -161,7 +209,7 @@ fn indices(study: &Study, summary: &Summary) -> String {
 }
 
 /// One line for each output: how the errors of the sample compare with those of its audits.
-fn audits(study: &Study, audited: &[(Row, Row)]) -> String {
+fn audits(study: &Study, units: &StudyUnits, audited: &[(Row, Row)]) -> String {
     if audited.is_empty() {
         return String::new();
     }
@@ -172,12 +220,13 @@ fn audits(study: &Study, audited: &[(Row, Row)]) -> String {
             audited.iter().filter_map(|pair| row(pair).errors[index]).reduce(f64::max)
         };
         if let (Some(stated), Some(found)) = (largest(|pair| &pair.0), largest(|pair| &pair.1)) {
+            let factor = units.column(study, &output.name).factor;
             let _ = write!(
                 text,
                 "; {} stated to {}, audited {}",
                 output.name,
-                significant(stated, ERROR_DIGITS),
-                significant(found, ERROR_DIGITS)
+                significant(stated * factor, ERROR_DIGITS),
+                significant(found * factor, ERROR_DIGITS)
             );
         }
     }
@@ -193,12 +242,14 @@ fn audits(study: &Study, audited: &[(Row, Row)]) -> String {
 /// # Errors
 /// Why there is nothing to draw.
 pub(crate) fn response(
+    name: &str,
     study: &Study,
+    units: &StudyUnits,
     rows: &[Row],
     summary: Option<&Summary>,
-) -> Result<(Figure, Size), String> {
+) -> Result<(Figure, Option<Size>), String> {
     if let Some(indices) = summary.and_then(|summary| summary.indices.as_ref()) {
-        return Ok((tornado(study, indices).figure(), Size::default()));
+        return Ok((tornado(name, study, indices).figure(), None));
     }
     let variables = study.variables();
     let numeric = |index: usize| rows.iter().all(|row| row.inputs[index].number().is_some());
@@ -206,70 +257,97 @@ pub(crate) fn response(
         && rows.len() == study.cases()
         && numeric(0)
         && numeric(1)
-        && let Some(map) = response_map(study, rows)
+        && let Some(map) = response_map(name, study, units, rows)
     {
-        return Ok((map.figure(), map.size()));
+        return Ok((map.figure(), Some(map.size())));
     }
     let Some(variable) = (0..variables.len()).find(|index| numeric(*index)) else {
         return Err("--plot: none of the varied values is a number".to_owned());
     };
-    let units = units(study);
-    let curves = study.outputs().iter().enumerate().map(|(index, output)| ResponseCurve {
-        label: format!("{}{units}", output.name),
+    let (inputs, outputs) = scaled(study, units);
+    let input = &inputs[variable];
+    let curves = outputs.iter().enumerate().map(|(index, output)| ResponseCurve {
+        label: words(&output.name),
         points: rows
             .iter()
             .filter(|row| row.is_answered())
-            .filter_map(|row| Some((row.inputs[variable].number()?, row.outputs[index])))
+            .filter_map(|row| {
+                let x = row.inputs[variable].number()? * input.factor;
+                Some((x, row.outputs[index] * output.factor))
+            })
             .collect(),
     });
     let plot = ResponsePlot {
-        title: "Response".to_owned(),
-        horizontal_label: format!("{}{units}", variables[variable].key),
+        title: titled(name, &format!("response to {}", variables[variable].key)),
+        horizontal_label: input.name.clone(),
         is_connected: variables.len() == 1 && study.design() == Design::Grid,
         curves: curves.collect(),
     };
-    Ok((plot.figure(), Size::default()))
+    Ok((plot.figure(), None))
 }
 
 /// The outputs over a whole grid of two numbers; none unless both have at least two different values in increasing order.
-fn response_map(study: &Study, rows: &[Row]) -> Option<ResponseMap> {
-    let values = |index: usize| match &study.variables()[index].variation {
-        Variation::Values(values) if study.design() == Design::Grid => {
-            let numbers: Vec<f64> = values.iter().filter_map(Input::number).collect();
-            let is_increasing = numbers.len() > 1 && numbers.is_sorted_by(|a, b| a < b);
-            is_increasing.then_some(numbers)
+fn response_map(
+    name: &str,
+    study: &Study,
+    units: &StudyUnits,
+    rows: &[Row],
+) -> Option<ResponseMap> {
+    let values = |index: usize| {
+        if study.design() != Design::Grid {
+            return None;
         }
-        _ => None,
+        let numbers: Vec<f64> = study.variables()[index].variation.numbers().collect();
+        let is_increasing = numbers.len() > 1 && numbers.is_sorted_by(|a, b| a < b);
+        is_increasing.then_some(numbers)
     };
     // The last variable changes fastest: it goes along.
     let (up, along) = (values(0)?, values(1)?);
-    let units = units(study);
-    let label = |index: usize| format!("{}{units}", study.variables()[index].key);
-    let surface = |(index, output): (usize, &Output)| ResponseSurface {
-        label: format!("{}{units}", output.name),
-        values: rows.iter().map(|row| row.outputs[index]).collect(),
+    let (inputs, outputs) = scaled(study, units);
+    let label = |index: usize| inputs[index].name.clone();
+    let surface = |(index, output): (usize, &Scaled)| ResponseSurface {
+        label: words(&output.name),
+        values: rows.iter().map(|row| row.outputs[index] * output.factor).collect(),
     };
+    let along = along.into_iter().map(|value| value * inputs[1].factor).collect();
+    let up = up.into_iter().map(|value| value * inputs[0].factor).collect();
     Some(ResponseMap {
-        title: "Response".to_owned(),
+        title: titled(
+            name,
+            &format!("response to {} and {}", study.variables()[0].key, study.variables()[1].key),
+        ),
         labels: [label(1), label(0)],
         values: [along, up],
         // What is the same everywhere, such as a prescribed value, has no map.
-        surfaces: study.outputs().iter().enumerate().map(surface).filter(is_varied).collect(),
+        surfaces: outputs.iter().enumerate().map(surface).filter(is_varied).collect(),
     })
     .filter(|map| !map.surfaces.is_empty())
+}
+
+/// The name of the file and what is drawn.
+fn titled(name: &str, what: &str) -> String {
+    match heading(name) {
+        Some(name) => format!("{name}: {what}"),
+        None => what.to_owned(),
+    }
+}
+
+/// The name of an output as words.
+fn words(name: &str) -> String {
+    name.replace('_', " ")
 }
 
 fn is_varied(surface: &ResponseSurface) -> bool {
     surface.values.iter().any(|value| *value != surface.values[0])
 }
 
-fn tornado(study: &Study, indices: &Indices) -> TornadoPlot {
+fn tornado(name: &str, study: &Study, indices: &Indices) -> TornadoPlot {
     let bars = |(index, output): (usize, &Output)| Bars {
-        name: output.name.to_owned(),
+        name: words(&output.name),
         shares: indices.of(index).map(|found| [found.first, found.total]).collect(),
     };
     TornadoPlot {
-        title: "Which value matters".to_owned(),
+        title: titled(name, "which value matters"),
         notes: vec![format!("Sobol's indices from {} groups: estimates", indices.groups())],
         names: study.variables().iter().map(|variable| variable.key.clone()).collect(),
         outputs: study.outputs().iter().enumerate().map(bars).collect(),

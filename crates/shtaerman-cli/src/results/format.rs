@@ -57,6 +57,11 @@ impl PartFormat {
         })
     }
 
+    /// Whether another program writes the format as well, in other bytes that are as good.
+    pub(super) fn is_of_another(self, bytes: &[u8]) -> bool {
+        self == Self::Parquet && parquet::is_of_pyarrow(bytes)
+    }
+
     /// The rows of a part from the bytes of its file.
     pub(super) fn rows(
         self,

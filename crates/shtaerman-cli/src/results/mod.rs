@@ -11,7 +11,7 @@ use shtaerman_study::{Manifest, Part, PartFault, Row, Study};
 
 use crate::Failure;
 use crate::failure::shown;
-use crate::output::{Content, Outputs};
+use crate::output::{self, Content, Outputs};
 
 pub use format::PartFormat;
 pub use shared::StudyResults;
@@ -76,8 +76,8 @@ impl Results {
         };
         // What says the same in other bytes was not written by this program as it is.
         let ours = self.format.content(&self.study, &rows)?.bytes()?;
-        let kept = if ours == bytes { Ok(rows) } else { Err(PartFault("was changed".to_owned())) };
-        Ok(Some(kept))
+        let is_kept = ours == bytes || self.format.is_of_another(&bytes);
+        Ok(Some(if is_kept { Ok(rows) } else { Err(PartFault("was changed".to_owned())) }))
     }
 
     /// Writes a part whole, or not at all.
@@ -88,6 +88,11 @@ impl Results {
         let mut outputs = Outputs::default();
         outputs.file(&self.path(part), self.format.content(&self.study, rows)?);
         outputs.write()
+    }
+
+    /// Removes what runs that were killed have left of files they wrote.
+    pub(crate) fn sweep_out(&self) {
+        output::sweep_out(&self.folder);
     }
 
     /// The cases of a part on so many threads, in order; `tell` hears how many are done.
@@ -146,7 +151,7 @@ fn has_foreign_files(folder: &Path) -> Result<bool, Failure> {
     let failed = |error: std::io::Error| Failure::unwritable(folder, &error);
     for entry in folder.read_dir().map_err(failed)? {
         let name = entry.map_err(failed)?.file_name();
-        if !name.to_string_lossy().starts_with(crate::output::TEMPORARY) {
+        if !name.to_string_lossy().starts_with(output::TEMPORARY) {
             return Ok(true);
         }
     }

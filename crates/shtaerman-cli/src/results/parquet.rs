@@ -1,10 +1,10 @@
 //! Parts as Parquet files: one row group, no value missing (NaN where there is none).
 
 #[cfg(feature = "parquet")]
-pub(super) use files::{columns, content};
+pub(super) use files::{columns, content, is_of_pyarrow};
 
 #[cfg(not(feature = "parquet"))]
-pub(super) use nothing::{columns, content};
+pub(super) use nothing::{columns, content, is_of_pyarrow};
 
 /// Programs without the format; [`check`](super::PartFormat::check) has said so before.
 #[cfg(not(feature = "parquet"))]
@@ -20,6 +20,10 @@ mod nothing {
 
     pub(in crate::results) fn columns(_: &Study, _: &[u8]) -> Option<Vec<Column>> {
         None
+    }
+
+    pub(in crate::results) fn is_of_pyarrow(_: &[u8]) -> bool {
+        false
     }
 }
 
@@ -106,6 +110,15 @@ mod files {
         let group = reader.get_row_group(0).ok()?;
         let kinds = schema.columns().iter().map(|column| column.physical_type());
         kinds.enumerate().map(|(place, kind)| column(group.as_ref(), place, kind)).collect()
+    }
+
+    /// Whether a file was written by the Python package, whose pyarrow has other bytes for the same columns.
+    pub(in crate::results) fn is_of_pyarrow(bytes: &[u8]) -> bool {
+        let reader = SerializedFileReader::new(Bytes::copy_from_slice(bytes));
+        reader.is_ok_and(|reader| {
+            let by = reader.metadata().file_metadata().created_by();
+            by.is_some_and(|by| by.starts_with("parquet-cpp-arrow"))
+        })
     }
 
     fn column(group: &dyn RowGroupReader, place: usize, kind: Physical) -> Option<Column> {

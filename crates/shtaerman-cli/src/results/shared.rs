@@ -1,9 +1,11 @@
 //! Folders of results for other programs.
 
 use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicBool;
 
 use shtaerman_study::{Part, Row, Study};
 
+use super::solving::solved_unless;
 use super::{PartFormat, Results};
 use crate::failure::Refusal;
 
@@ -78,11 +80,22 @@ impl StudyResults {
         self.0.solve(part, threads, &|_| ())
     }
 
+    /// The same, or none where the flag is set before all of them are: it is looked at between cases.
+    #[must_use]
+    pub fn solve_unless(&self, part: &Part, threads: usize, stop: &AtomicBool) -> Option<Vec<Row>> {
+        solved_unless(self.0.study(), part.cases.clone(), threads, &|_| (), stop)
+    }
+
     /// Writes a part whole, or not at all.
     ///
     /// # Errors
     /// [`Refusal`] with the path, where it cannot be written.
     pub fn write(&self, part: &Part, rows: &[Row]) -> Result<(), Refusal> {
         Ok(self.0.write(part, rows)?)
+    }
+
+    /// Removes what runs that were killed have left of files they wrote: temporary files that are a minute old and that no process holds.
+    pub fn sweep_out(&self) {
+        self.0.sweep_out();
     }
 }

@@ -2,7 +2,7 @@
 
 use std::num::NonZero;
 use std::ops::Range;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
@@ -15,13 +15,24 @@ pub(crate) fn solved(
     threads: usize,
     tell: &(dyn Fn(usize) + Sync),
 ) -> Vec<Row> {
+    solved_unless(study, cases, threads, tell, &AtomicBool::new(false)).unwrap_or_default()
+}
+
+/// The same, or none where the flag is set before all of them are solved: it is looked at between cases.
+pub(super) fn solved_unless(
+    study: &Study,
+    cases: Range<usize>,
+    threads: usize,
+    tell: &(dyn Fn(usize) + Sync),
+    stop: &AtomicBool,
+) -> Option<Vec<Row>> {
     let block = study.block();
     let next = AtomicUsize::new(cases.start);
     let found = Mutex::new(Vec::with_capacity(cases.len()));
     let work = || {
         loop {
             let first = next.fetch_add(block, Ordering::Relaxed);
-            if first >= cases.end {
+            if first >= cases.end || stop.load(Ordering::Relaxed) {
                 return;
             }
             let rows = study.solve(first..cases.end.min(first + block));
@@ -38,7 +49,7 @@ pub(crate) fn solved(
     });
     let mut rows = found.into_inner().unwrap_or_else(PoisonError::into_inner);
     rows.sort_by_key(|row| row.case);
-    rows
+    (rows.len() == cases.len()).then_some(rows)
 }
 
 /// How many threads work at a time where nobody says.

@@ -285,7 +285,10 @@ fn validate_init_and_the_other_command() {
     let folder = Folder::new();
     let said = folder.run(&["init", "--equation"]).answer();
     assert!(said.contains("wrote equation.toml") && said.contains("shtaerman equation"), "{said}");
-    assert_eq!(folder.run(&["init", "--equation", "-"]).answer(), folder.read("equation.toml"));
+    let text = folder.read("equation.toml");
+    let (first, rest) = text.split_once('\n').unwrap();
+    assert_eq!(first, "#:schema ./equation_file.schema.json");
+    assert_eq!(folder.run(&["init", "--equation", "-"]).answer(), rest);
     folder.run(&["equation", "equation.toml"]).answer();
     let said = folder.run(&["validate", "equation.toml"]).answer();
     assert!(

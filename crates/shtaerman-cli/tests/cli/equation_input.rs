@@ -320,7 +320,7 @@ fn arguments() {
         (&["e.toml", "--at", "1 mm"], "--at `1 mm`"),
         (&["e.toml", "--points", "1"], "--points 1: must be from 2"),
         (&["e.toml", "--points", "10000000"], "--points"),
-        (&["e.toml", "--plot", "e.pdf"], "use .svg or .png"),
+        (&["e.toml", "--plot", "e.bmp"], "use .svg"),
         (&["e.toml", "--output", "e.toml"], "is the problem file"),
         (&["e.toml", "--set", "kernel.a"], "has no `=`"),
         (&["e.toml", "--set", "kernel.a=-1"], "--set kernel.a=-1: kernel.a: is -1: must be"),

@@ -189,6 +189,7 @@ fn refuses_in_the_words_of_the_user() {
         (vec!["abaqus", "punch.toml", "--share", "2 mm"], "--share `2 mm`"),
         (vec!["abaqus", "punch.toml", "--share", "nan"], "--share"),
         (vec!["abaqus", "punch.toml", "--reach", "0.5"], "--reach `0.5`: must be at least 1"),
+        (vec!["abaqus", "punch.toml", "--reach", "1e300"], "and at most 1e6"),
         (
             vec!["abaqus", "punch.toml", "--content", "force", "--load-factor", "-1"],
             "--load-factor -1: must be finite and greater than zero",

@@ -177,25 +177,22 @@ fn missing_sections_say_what_they_hold() {
         let rest = back.split_once("\n[").map_or("", |(_, rest)| rest);
         format!("{front}[{rest}")
     };
-    for (name, content) in [
-        ("foundation", "young_modulus, poisson_ratio, and roughness or subgrade_modulus"),
-        ("punch", "half_width and profile"),
-        ("load", "force or settlement, and moment, eccentricity or tilt"),
-    ] {
+    for name in ["foundation", "punch", "load"] {
         let folder = Folder::new();
         for (run, file) in [
             (folder.run_with_input(&["solve", "-"], &without(name)), "standard input"),
             (Folder::with(&without(name)).run(&["validate", "punch.toml"]), "punch.toml"),
         ] {
             assert_eq!(run.refusal(), format!("error: {file}: {name}: is missing"));
-            assert!(run.stderr.contains(&format!("help: [{name}] states {content}")));
+            let lines = format!("help: add these lines, with values of your own:\n  [{name}]\n");
+            assert!(run.stderr.contains(&lines), "{}", run.stderr);
         }
     }
     let folder = Folder::new();
     folder.write("e.toml", "[equation]\nkind = \"first\"\nrhs = \"1\"\n");
     let run = folder.run(&["equation", "e.toml"]);
     assert_eq!(run.refusal(), "error: e.toml: kernel: is missing");
-    assert!(run.stderr.contains("help: [kernel] states the name of a kernel"), "{}", run.stderr);
+    assert!(run.stderr.contains("  [kernel]\n  name = \"log\"\n"), "{}", run.stderr);
 }
 
 /// Infinite and undefined values are of no file: they are said to come out, with the field they belong to and no 300 digits.

@@ -43,9 +43,7 @@ fn plots_are_what_their_suffix_says() {
         assert!(table.contains(&format!("plot: {name}")), "{table}");
         assert!(std::fs::read(folder.path(name)).unwrap().starts_with(start));
     }
-    for (name, said) in
-        [("a.bmp", "use .svg or .png"), ("a", "use .svg or .png"), ("a.pdf", ".pdf")]
-    {
+    for (name, said) in [("a.bmp", "use .svg, .png or .pdf"), ("a", "use .svg, .png or .pdf")] {
         let folder = Folder::with(PHYSICAL);
         let run = folder.run(&["solve", "punch.toml", "--plot", name, "--output", "out.txt"]);
         assert!(run.refusal().contains(said), "{}", run.stderr);

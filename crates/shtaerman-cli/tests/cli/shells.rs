@@ -4,7 +4,7 @@ use std::process::Command;
 
 use crate::support::Folder;
 
-const COMMANDS: [&str; 15] = [
+const COMMANDS: [&str; 18] = [
     "solve",
     "find",
     "validate",
@@ -16,8 +16,11 @@ const COMMANDS: [&str; 15] = [
     "stress",
     "spectrum",
     "sweep",
+    "explore",
     "roughness",
     "export",
+    "trace",
+    "schema",
     "completions",
     "man",
 ];
@@ -82,4 +85,75 @@ fn every_geometry_has_an_example() {
         folder.run(&["solve", "punch.toml", "--no-audit", "--strict"]).answer();
     }
     folder.run(&["init", "--geometry", "round"]).refusal();
+}
+
+#[test]
+fn init_writes_a_schema_that_the_first_line_names() {
+    let folder = Folder::new();
+    let said = folder.run(&["init"]).answer();
+    assert!(said.contains("wrote problem.schema.json"), "{said}");
+    assert!(folder.read("punch.toml").starts_with("#:schema ./problem.schema.json\n"));
+    let schema = folder.read("problem.schema.json");
+    assert_eq!(folder.run(&["schema"]).answer(), schema);
+    // It is there now; an older one of ours is renewed.
+    let said = folder.run(&["init", "--force"]).answer();
+    assert!(!said.contains("schema.json"), "{said}");
+    folder.write("problem.schema.json", "{\n  \"title\": \"Shtaerman problem file\"\n}\n");
+    folder.run(&["init", "--force"]).answer();
+    assert_eq!(folder.read("problem.schema.json"), schema);
+    // What is not ours stays, and nothing is written.
+    folder.write("problem.schema.json", "mine");
+    let before = folder.read("punch.toml");
+    let refused = folder.run(&["init", "--force", "--geometry", "pair"]);
+    assert!(refused.refusal().contains("is no schema of ours"), "{}", refused.stderr);
+    assert_eq!(
+        (folder.read("problem.schema.json"), folder.read("punch.toml")),
+        ("mine".to_owned(), before)
+    );
+    for name in [
+        "problem",
+        "equation-file",
+        "answer",
+        "find",
+        "stress",
+        "equation",
+        "spectrum",
+        "roughness",
+        "convergence",
+        "regularity",
+        "reproduction",
+        "trace",
+    ] {
+        let text = folder.run(&["schema", name]).answer();
+        let file = format!("schema/{}.schema.json", name.replace('-', "_"));
+        assert_eq!(text, std::fs::read_to_string(crate::support::repository().join(file)).unwrap());
+    }
+}
+
+#[test]
+fn the_schema_of_equation_files_takes_what_the_program_takes() {
+    let schema = crate::support::schema("equation_file");
+    for entry in std::fs::read_dir(crate::support::repository().join("examples")).unwrap() {
+        let path = entry.unwrap().path();
+        if path.to_string_lossy().contains("equation_") {
+            let text = std::fs::read_to_string(&path).unwrap();
+            crate::support::assert_valid(&schema, &crate::support::toml_as_json(&text), &text);
+        }
+    }
+    let folder = Folder::new();
+    folder.run(&["init", "--equation"]).answer();
+    let text = folder.read("equation.toml");
+    crate::support::assert_valid(&schema, &crate::support::toml_as_json(&text), "init");
+    for (from, to) in [
+        ("lambda = 1.0", "lamda = 1.0"),
+        ("kind = \"second\"", "kind = \"third\""),
+        ("kind = \"second\"", "kind = \"first\""),
+        ("name = \"power\"", "name = \"powers\""),
+    ] {
+        let wrong = text.replacen(from, to, 1);
+        assert_ne!(wrong, text);
+        assert!(!schema.is_valid(&crate::support::toml_as_json(&wrong)), "{to}");
+        folder.write("wrong.toml", &wrong);
+        folder.run(&["equation", "wrong.toml"]).refusal();
+    }
 }

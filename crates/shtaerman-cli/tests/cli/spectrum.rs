@@ -166,7 +166,7 @@ fn bad_arguments() {
         ),
         (&["yukawa", "--a", "1", "--chi0", "1", "--m", "0", "--count", "2001"], "from 1 to 2000"),
         (&["log", "--a", "1", "--count", "99999999999999999999"], "--count"),
-        (&["log", "--a", "1", "--plot", "s.pdf"], "use .svg or .png"),
+        (&["log", "--a", "1", "--plot", "s.bmp"], "use .svg"),
         (&["log", "--a", "1", "--output", "nowhere/s.json"], "there is no folder"),
         (&[], "KERNEL"),
     ] {

@@ -176,7 +176,7 @@ fn bad_arguments() {
         (&["--yield-stress", "3 mm"], "--yield-stress `3 mm`"),
         (&["--poisson-ratio", "0.2"], "is for a dimensionless file"),
         (&["--format", "npz"], "give --output FILE.npz"),
-        (&["--plot", "map.pdf"], "use .svg or .png"),
+        (&["--plot", "map.bmp"], "use .svg"),
         (&["--output", "nowhere/s.csv"], "there is no folder"),
         (&["--set", "foundation.yield_stress=\"-1 MPa\""], "yield_stress"),
         (&["--set", "foundation.yield_stress=\"1 mm\""], "yield_stress"),

@@ -202,7 +202,7 @@ fn what_is_wrong_with_a_study_is_told() {
         ("part_size = 3", "count = 3", "goes with design"),
         ("[study]", "[studies]", "study"),
         ("vary.\"load.force\"", "vary.\"study.part_size\"", "is no key of the problem"),
-        (force, "{ from = 1, to = 2, count = 1000000000000 }", "a grid over several keys"),
+        (force, "{ from = 1, to = 2, count = 10000000000000000 }", "count"),
     ] {
         let folder = folder(&STUDY.replacen(old, new, 1));
         let run = folder.run(&["sweep", "study.toml", "-o", "out"]);
@@ -218,7 +218,7 @@ fn what_is_wrong_with_a_study_is_told() {
         (["-o", "out", "--threads", "0"], "must be from 1"),
         (["-o", "study.toml", "--threads", "1"], "is a file"),
         (["-o", "none", "--summary", "--yes"], "there is no folder"),
-        (["-o", "out", "--plot", "study.toml"], "use .svg or .png"),
+        (["-o", "out", "--plot", "study.toml"], "use .svg"),
     ] {
         let run = folder.run(&[&["sweep", "study.toml"], arguments.as_slice()].concat());
         run.refusal();

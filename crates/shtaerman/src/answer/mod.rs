@@ -139,6 +139,8 @@ pub struct Quantities {
     pub pressure_right: f64,
     /// `P` over the length of the base, or the area of a circular one (Pa); that over `E`.
     pub mean_pressure: f64,
+    /// `P` over the width of the zones, or over their area (Pa); that over `E`.
+    pub mean_contact_pressure: f64,
     /// The largest pressure (Pa); `p/E`.
     pub peak_pressure: f64,
     /// Its place (m); `x/a`; of equal ones the leftmost.
@@ -323,6 +325,7 @@ impl Quantities {
             pressure_middle: contact.pressure_middle(),
             pressure_right: contact.pressure_right(),
             mean_pressure: contact.mean_pressure(),
+            mean_contact_pressure: contact.mean_contact_pressure(),
             peak_pressure: contact.peak_pressure(),
             peak_pressure_at: contact.peak_pressure_at(),
             stiffness: contact.stiffness().matrix(),

@@ -1,7 +1,7 @@
 //! Whether an answer is one of mechanics as the model has it, or of a slip in the input.
 
 use crate::contact::{Warning, WarningCode};
-use crate::quantity::{Dimension, engineering};
+use crate::quantity::{Measure, OutputUnits};
 use crate::{Contact, Foundation, LayerBase, Layering, Problem};
 
 /// Slopes and angles above this are not small: `tan x` and `x` differ by 0.3 %.
@@ -29,11 +29,16 @@ impl Contact {
     /// ```
     #[must_use]
     pub fn sense_checks(&self) -> Vec<Warning> {
+        self.sense_checks_in(&OutputUnits::default())
+    }
+
+    /// The same with numbers in these units.
+    pub(crate) fn sense_checks_in(&self, units: &OutputUnits) -> Vec<Warning> {
         let Some(scaling) = self.problem().scaling() else { return Vec::new() };
         let half_width = scaling.half_width();
         let modulus = resisting_modulus(self.problem().foundation(), scaling.contact_modulus());
-        let length = |value| engineering(value, Dimension::LENGTH);
-        let stress = |value| engineering(value, Dimension::PRESSURE);
+        let length = |value| units.shown(value, Measure::Length);
+        let stress = |value| units.shown(value, Measure::Pressure);
         let mut found = Vec::new();
         let mut doubt = |is_doubtful: bool, code, message: String| {
             if is_doubtful {
@@ -79,7 +84,7 @@ impl Contact {
             WarningCode::LargeDisplacement,
             format!(
                 "the settlement, {}, is more than the half-width, {}, and small displacements are assumed",
-                length(settlement),
+                units.shown(settlement, Measure::Displacement),
                 length(half_width)
             ),
         );

@@ -5,7 +5,6 @@ use std::f64::consts::FRAC_PI_2;
 use super::Contact;
 use super::companion::companion;
 use super::setting::Setting;
-use super::smooth;
 use crate::roughness::Law;
 use crate::{Geometry, Roughness, Scaling};
 
@@ -60,7 +59,7 @@ impl Contact {
         // Within a time of its own.
         let timed = companion.timed().unwrap_or(companion);
         let smooth =
-            smooth::solve(&Setting::new(&timed)).ok().filter(|_| !timed.deadline().is_past())?;
+            Setting::new(&timed).without_layer().ok().filter(|_| !timed.deadline().is_past())?;
         timed.deadline().lift();
         // E* chi = 2 a/(pi theta0)
         let unit = self.scale(Scaling::pressure) * (FRAC_PI_2 * frame.theta0()).sqrt();

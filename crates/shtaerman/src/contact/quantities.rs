@@ -147,6 +147,21 @@ impl Contact {
         mean * self.scale(Scaling::pressure)
     }
 
+    /// Mean pressure over the contact alone (Pa): the force over the width of the zones, or over the area of the disk and rings that zones of a diameter stand for.
+    #[must_use]
+    pub fn mean_contact_pressure(&self) -> f64 {
+        let zones = self.solution().zones();
+        let measure: f64 = if self.problem().is_circular() {
+            // Half a disk or ring on either side of the axis.
+            let half = |[left, right]: &[f64; 2]| right * right.abs() - left * left.abs();
+            0.5 * std::f64::consts::PI * zones.iter().map(half).sum::<f64>()
+        } else {
+            zones.iter().map(|[left, right]| right - left).sum()
+        };
+        let mean = if measure > 0.0 { self.state().force / measure } else { 0.0 };
+        mean * self.scale(Scaling::pressure)
+    }
+
     /// The largest pressure (Pa).
     #[must_use]
     pub fn peak_pressure(&self) -> f64 {

@@ -8,7 +8,6 @@ use fredholm::basis::Function;
 use super::method::MethodName;
 use super::parts::Parts;
 use super::setting::Setting;
-use super::smooth;
 use super::solution::Solution;
 use super::spectral::{SpectralContact, profile_series};
 use crate::roughness::Law;
@@ -150,7 +149,7 @@ impl Found {
 /// Those of the way.
 pub(super) fn solution(setting: &Setting) -> Result<Found, Error> {
     Ok(match Route::of(setting) {
-        Route::Smooth => Found::new(smooth::solve(setting)?, Reason::SpectralRelation),
+        Route::Smooth => Found::new(setting.without_layer()?, Reason::SpectralRelation),
         Route::Lifting => Found::on_zones(setting.lifting()?),
         Route::WholeBase => Found::on_zones(setting.whole_base()?),
         Route::PlainBase => match on_panels(setting)? {

@@ -1,6 +1,5 @@
 //! The answer of an equation as data.
 
-use fredholm::bounds;
 use serde::Serialize;
 
 use super::{EquationAudit, EquationCheck, Kind, NamedKernel, SolvedEquation};
@@ -103,10 +102,7 @@ impl EquationErrors {
         let error = solved.error();
         let finite = |value: f64| Some(value).filter(|value| value.is_finite());
         Self {
-            kind: match error.kind {
-                bounds::Kind::Bound => ErrorKind::Bound,
-                bounds::Kind::Estimate => ErrorKind::Estimate,
-            },
+            kind: solved.error_kind(),
             solution_sup: finite(error.solution),
             integral: solved.integral().and_then(|_| finite(error.integral)),
             of: match solved.equation().kind() {

@@ -59,6 +59,12 @@ impl EquationFile {
         Ok(Self { equation, document })
     }
 
+    /// The document, overrides included.
+    #[must_use]
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
     /// The equation.
     #[must_use]
     pub fn equation(&self) -> &Equation {
@@ -85,15 +91,14 @@ fn read(document: &Document) -> Result<Equation, Error> {
         return Err(fault.with_help(help).into());
     }
     let equation = reader.required("equation").map_err(|error| {
-        let help =
-            "[equation] states kind, lambda and rhs; `shtaerman init --equation` writes an example";
+        let help = "add these lines, with values of your own:\n[equation]\nkind = \"second\"\nlambda = 1.0\nrhs = \"1 + x\"";
         if error.help().is_some() { error } else { error.with_help(help) }
     })?;
     let table = equation.table()?;
     let kind = kind(&table)?;
     let rhs = right_hand_side(&table)?;
     let kernel_field = reader.required("kernel").map_err(|error| {
-        let help = "[kernel] states the name of a kernel and its parameters; `shtaerman init --equation` writes an example";
+        let help = "add these lines, with values of your own:\n[kernel]\nname = \"log\"\na = 1.0";
         if error.help().is_some() { error } else { error.with_help(help) }
     })?;
     let kernel = kernel(&kernel_field.table()?)?;

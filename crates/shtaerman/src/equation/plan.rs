@@ -79,7 +79,7 @@ impl Equation {
     }
 
     /// The spectral relation with as many eigenfunctions as this equation can need.
-    fn relation(&self) -> Result<&dyn SpectralRelation, Error> {
+    pub(super) fn relation(&self) -> Result<&dyn SpectralRelation, Error> {
         if let Some(relation) = self.relation.get() {
             return Ok(&**relation);
         }

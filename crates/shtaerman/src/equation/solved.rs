@@ -165,6 +165,33 @@ impl<'a> SolvedEquation<'a> {
         &self.solution.error
     }
 
+    /// How far `phi(x)` may be off at a place of the closed interval: of the first kind the [error](Self::error) times the weight there. None where the solution is infinite.
+    ///
+    /// # Errors
+    /// Those of [`evaluate`](Self::evaluate).
+    pub fn error_at(&self, x: f64) -> Result<Option<f64>, Error> {
+        if self.evaluate(x)?.is_none() {
+            return Ok(None);
+        }
+        let error = self.solution.error.solution;
+        if self.equation.kind() != Kind::First {
+            return Ok(Some(error));
+        }
+        let (relation, place) = (self.equation.relation()?, self.equation.place(x)?);
+        // Eigenfunctions of both parities may have weights of their own.
+        let weight = relation.weight(0, place).max(relation.weight(1, place));
+        Ok(Some(error * weight).filter(|error| error.is_finite()))
+    }
+
+    /// Whether the error is a bound or an estimate.
+    #[must_use]
+    pub fn error_kind(&self) -> ErrorKind {
+        match self.solution.error.kind {
+            bounds::Kind::Bound => ErrorKind::Bound,
+            bounds::Kind::Estimate => ErrorKind::Estimate,
+        }
+    }
+
     /// Name of the method: `spectral` or `sinc`.
     #[must_use]
     pub fn method(&self) -> &'static str {

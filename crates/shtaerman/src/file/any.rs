@@ -4,8 +4,7 @@ use std::path::Path;
 
 use super::located::{OVERRIDE, ProblemFile};
 use crate::Error;
-use crate::document::FileError;
-use crate::document::{load_bytes, overridden};
+use crate::document::{Document, FileError, load_bytes, overridden};
 use crate::equation::{EquationFile, is_equation};
 
 /// A contact problem or an equation: whichever the file turns out to be.
@@ -39,7 +38,14 @@ impl AnyFile {
         folder: &Path,
         overrides: &[String],
     ) -> Result<Self, Error> {
-        let document = overridden(bytes, name, overrides, OVERRIDE)?;
+        Self::from_document(overridden(bytes, name, overrides, OVERRIDE)?, folder)
+    }
+
+    /// Reads a document; `folder` is where a measured profile is looked for.
+    ///
+    /// # Errors
+    /// [`Error::File`] with file, line and field.
+    pub fn from_document(document: Document, folder: &Path) -> Result<Self, Error> {
         if is_equation(&document) {
             return Ok(Self::Equation(Box::new(EquationFile::read(document)?)));
         }

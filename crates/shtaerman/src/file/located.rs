@@ -6,7 +6,7 @@ use super::read::read;
 use super::{physical, profile};
 use crate::document::{Document, FileError, Value, ValueKind};
 use crate::document::{load_bytes, overridden};
-use crate::quantity::{Dimension, engineering};
+use crate::quantity::{Measure, OutputUnits};
 use crate::{Contact, Error, Problem, Warning, WarningCode};
 
 /// Keys of which a file has one; an override of one replaces the other.
@@ -29,6 +29,7 @@ pub(super) const OVERRIDE: &str = "load.force=\"1 MN/m\"";
 #[derive(Debug, Clone, PartialEq)]
 pub struct ProblemFile {
     pub(super) problem: Problem,
+    units: OutputUnits,
     document: Document,
     measured: Option<PathBuf>,
 }
@@ -75,9 +76,9 @@ impl ProblemFile {
     }
 
     pub(super) fn read(document: Document, folder: &Path) -> Result<Self, Error> {
-        let problem = read(&document, folder).map_err(|error| locate(&document, error))?;
+        let (problem, units) = read(&document, folder).map_err(|error| locate(&document, error))?;
         let measured = profile::measured_path(&document, folder);
-        Ok(Self { problem, document, measured })
+        Ok(Self { problem, units, document, measured })
     }
 
     /// The file of a measured profile, which was read as well.
@@ -86,10 +87,22 @@ impl ProblemFile {
         self.measured.as_deref()
     }
 
+    /// The document, overrides included.
+    #[must_use]
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
     /// The problem.
     #[must_use]
     pub fn problem(&self) -> &Problem {
         &self.problem
+    }
+
+    /// The units in which results are wanted: `units` of `[output]`, or SI.
+    #[must_use]
+    pub fn units(&self) -> &OutputUnits {
+        &self.units
     }
 
     /// `yield_stress` of `[foundation]` (Pa), if there is one.
@@ -104,9 +117,14 @@ impl ProblemFile {
     /// What an engineer would doubt about an answer to this file beside [`Contact::sense_checks`]: a modulus without a unit that no solid has, and pressures above the yield stress.
     #[must_use]
     pub fn sense_checks(&self, contact: &Contact) -> Vec<Warning> {
-        let mut found = contact.sense_checks();
+        let mut found = contact.sense_checks_in(&self.units);
         let bare = |key| self.document.get(key).map(Value::kind).and_then(plain_number);
-        for key in ["foundation.young_modulus", "foundation.coating.young_modulus"] {
+        for key in [
+            "foundation.young_modulus",
+            "foundation.coating.young_modulus",
+            "foundation.grading_modulus",
+            "body.young_modulus",
+        ] {
             found.extend(bare(key).and_then(|modulus| Warning::soft_modulus(key, modulus)));
         }
         let key = "foundation.yield_stress";
@@ -116,7 +134,7 @@ impl ProblemFile {
             && peak.is_finite()
             && peak > limit
         {
-            let shown = |value| engineering(value, Dimension::PRESSURE);
+            let shown = |value| self.units.shown(value, Measure::Pressure);
             let message = format!(
                 "the largest pressure, {}, is above the yield stress, {}: `shtaerman stress` says where and when the body yields",
                 shown(peak),

@@ -30,6 +30,7 @@ mod geometry;
 mod layering;
 mod load;
 mod located;
+mod output;
 mod physical;
 mod profile;
 mod read;
@@ -37,6 +38,7 @@ mod refused;
 mod section;
 mod solver;
 mod stated;
+mod trace;
 
 use std::path::Path;
 

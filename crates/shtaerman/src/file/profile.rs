@@ -3,10 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use super::stated::Stated;
-use crate::document::{Document, Field, FileError, TableReader, ValueKind, load_bytes};
+use super::trace;
+use crate::document::{Document, Field, FileError, TableReader, ValueKind};
 use crate::frame::Frame;
-use crate::profile::{CsvOptions, read_csv};
-use crate::quantity::{self, Dimension};
 use crate::{Error, Load, Problem, Profile, Solver};
 
 /// A profile with its field, for messages that need the finished problem.
@@ -25,7 +24,7 @@ pub(super) fn read<'d>(
         None => error.with_help("profile = \"0\" is a flat base"),
     })?;
     let profile = if field.is_table() {
-        measured(&field, frame, folder)?
+        trace::read(&field, frame, folder)?
     } else {
         expression(&field, frame)?
     };
@@ -70,23 +69,6 @@ fn expression(field: &Field<'_>, frame: &Frame) -> Result<Profile, FileError> {
     })
 }
 
-fn measured(field: &Field<'_>, frame: &Frame, folder: &Path) -> Result<Profile, FileError> {
-    let table = field.table()?;
-    let csv = table.required("csv")?;
-    let path = folder.join(csv.string()?);
-    let physical = frame.scaling().is_some();
-    let half_width = frame.half_width();
-    let options = CsvOptions {
-        position_unit: unit(&table, "x_unit", physical)?,
-        height_unit: unit(&table, "f_unit", physical)?,
-        flip: table.boolean("flip")?.unwrap_or(false),
-        cover: [-half_width, half_width],
-    };
-    let name = path.display().to_string();
-    let bytes = load_bytes(&path).map_err(|message| csv.error(format!("{name} {message}")))?;
-    read_csv(&bytes, &name, &options).map_err(|error| csv.error(error))
-}
-
 /// The file that `profile = { csv = ".." }` names in a document that was read.
 pub(super) fn measured_path(document: &Document, folder: &Path) -> Option<PathBuf> {
     let written = ["punch.profile.csv", "dimensionless.profile.csv"];
@@ -94,24 +76,5 @@ pub(super) fn measured_path(document: &Document, folder: &Path) -> Option<PathBu
     match value.kind() {
         ValueKind::String(name) => Some(folder.join(name)),
         _ => None,
-    }
-}
-
-/// SI value of the unit of a column.
-fn unit(table: &TableReader<'_>, key: &str, physical: bool) -> Result<f64, FileError> {
-    let Some(field) = table.optional(key) else { return Ok(1.0) };
-    if !physical {
-        return Err(
-            field.error("has no place in a dimensionless problem: the columns are xi and f0")
-        );
-    }
-    let text = field.string()?;
-    let value = quantity::parse(&format!("1 {text}"))
-        .and_then(|quantity| quantity.of(Dimension::LENGTH, text))
-        .map_err(|error| field.error(format!("is a unit of length (like \"mm\"): {error}")))?;
-    if value > 0.0 {
-        Ok(value)
-    } else {
-        Err(field.error(format!("is a unit of length (like \"mm\"), got `{text}`")))
     }
 }

@@ -4,12 +4,14 @@ use std::path::Path;
 
 use super::refused::refused;
 use super::stated::Stated;
-use super::{geometry, layering, load, physical, profile, section, solver};
+use super::{geometry, layering, load, output, physical, profile, section, solver};
 use crate::document::{Document, Field, FileError, TableReader};
 use crate::equation::is_equation;
+use crate::quantity::OutputUnits;
 use crate::{Error, Foundation, Problem, Punch};
 
-pub(super) fn read(document: &Document, folder: &Path) -> Result<Problem, Error> {
+/// The problem, and the units in which its results are wanted.
+pub(super) fn read(document: &Document, folder: &Path) -> Result<(Problem, OutputUnits), Error> {
     if is_equation(document) {
         let fault = FileError::new("is an equation, not a contact problem");
         let help = "use `shtaerman equation`";
@@ -17,7 +19,7 @@ pub(super) fn read(document: &Document, folder: &Path) -> Result<Problem, Error>
     }
     let reader = document.reader();
     let solver = solver::read(&reader)?;
-    let problem = if let Some(table) = reader.table("dimensionless")? {
+    let (problem, units) = if let Some(table) = reader.table("dimensionless")? {
         for name in ["foundation", "punch", "load", "body"] {
             if let Some(field) = reader.optional(name) {
                 let message =
@@ -28,8 +30,9 @@ pub(super) fn read(document: &Document, folder: &Path) -> Result<Problem, Error>
         let stated = dimensionless(&table)?;
         let profile = profile::read(&table, &stated.frame, folder)?;
         let load = load::read(&table, &stated.frame)?;
+        let units = output::read(&reader, &stated.frame)?;
         reader.finish()?;
-        profile.problem(stated, load, solver)?
+        (profile.problem(stated, load, solver)?, units)
     } else {
         if !reader.has("foundation") && !reader.has("punch") && !reader.has("load") {
             let message = "has neither [foundation], [punch], [load] nor [dimensionless]";
@@ -42,11 +45,12 @@ pub(super) fn read(document: &Document, folder: &Path) -> Result<Problem, Error>
         let stated = physical::read(&reader)?;
         let profile = profile::read(&section::required(&reader, "punch")?, &stated.frame, folder)?;
         let load = load::read(&section::required(&reader, "load")?, &stated.frame)?;
+        let units = output::read(&reader, &stated.frame)?;
         reader.finish()?;
-        profile.problem(stated, load, solver)?
+        (profile.problem(stated, load, solver)?, units)
     };
     problem.check_balance()?;
-    Ok(problem)
+    Ok((problem, units))
 }
 
 /// The foundation and the flat punch of `[dimensionless]`, with their frame.

@@ -2,12 +2,24 @@
 
 use crate::document::{FileError, TableReader};
 
-/// What stands in each, for those who left one out.
+/// Lines that each may have, for those who left one out.
 const SECTIONS: [(&str, &str); 3] = [
-    ("foundation", "young_modulus, poisson_ratio, and roughness or subgrade_modulus"),
-    ("punch", "half_width and profile"),
-    ("load", "force or settlement, and moment, eccentricity or tilt"),
+    (
+        "foundation",
+        "[foundation]\nyoung_modulus = \"200 GPa\"\npoisson_ratio = 0.3\nroughness = \"1.2e-14 m/Pa\"",
+    ),
+    ("punch", "[punch]\nhalf_width = \"5 mm\"\nprofile = \"x^2 / (2*20)\""),
+    ("load", "[load]\nforce = \"0.8 MN/m\"\nmoment = 0"),
 ];
+
+/// The load of a circular punch.
+const DISK: (&str, &str) = ("load", "[load]\nforce = \"500 N\"\nmoment = 0");
+
+fn is_circular(reader: &TableReader<'_>) -> bool {
+    let punch = reader.table("punch").ok().flatten();
+    let geometry = punch.and_then(|punch| punch.string("geometry").ok().flatten());
+    geometry == Some("circular")
+}
 
 /// A table at the top of a file.
 pub(super) fn required<'d>(
@@ -15,11 +27,14 @@ pub(super) fn required<'d>(
     name: &'static str,
 ) -> Result<TableReader<'d>, FileError> {
     let field = reader.required(name).map_err(|error| {
-        let content = SECTIONS.iter().find(|(section, _)| *section == name);
-        match content.filter(|_| error.help().is_none()) {
-            Some((_, content)) => error.with_help(format!(
-                "[{name}] states {content}; `shtaerman init` writes an example"
-            )),
+        let lines = match (name, is_circular(reader)) {
+            ("load", true) => Some(&DISK),
+            _ => SECTIONS.iter().find(|(section, _)| *section == name),
+        };
+        match lines.filter(|_| error.help().is_none()) {
+            Some((_, lines)) => {
+                error.with_help(format!("add these lines, with values of your own:\n{lines}"))
+            }
             None => error,
         }
     })?;

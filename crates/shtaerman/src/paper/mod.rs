@@ -13,7 +13,7 @@ mod reproduction;
 mod section5;
 mod truth;
 
-pub use figure2::{Curve, figure2};
+pub use figure2::{Curve, LARGEST_LAMBDA0, figure2, figure2_curve};
 pub use reproduction::{Figure, Quantity, Reason, Reproduction, reproduce};
 pub(crate) use section5::Base;
 pub use section5::{FORCE0, MOMENT0, POISSON_RATIO, theta0};

@@ -1,8 +1,8 @@
 //! A measured profile from a CSV file.
 
 use super::base::Profile;
+use super::trace::{Trace, TraceOptions};
 use crate::document::FileError;
-use shtaerman_input::columns::{Columns, Row};
 
 /// How the columns of a measured profile are to be read.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,43 +28,26 @@ pub fn read_csv(
     file_name: &str,
     options: &CsvOptions,
 ) -> Result<Profile, FileError> {
-    let fault = |message: String| FileError::new(message).in_file(Some(file_name));
-    let columns = Columns {
-        names: ["position", "height"],
-        units: [options.position_unit, options.height_unit],
+    let CsvOptions { position_unit, height_unit, flip, cover } = *options;
+    let options = TraceOptions {
+        units: Some([position_unit, height_unit]),
+        is_flipped: flip,
+        ..TraceOptions::default()
     };
-    let rows = columns.read(content, file_name)?;
-    let (mut positions, mut heights) = (Vec::<f64>::new(), Vec::new());
-    for Row { line, values: [position, height] } in rows {
-        if let Some(last) = positions.last().filter(|last| position <= **last) {
-            return Err(fault(format!(
-                "line {line}: positions must increase from row to row, got {position} after {last} (in metres)"
-            )));
-        }
-        positions.push(position);
-        heights.push(if options.flip { -height } else { height });
-    }
-    if positions.len() < 2 {
-        let count = positions.len();
-        return Err(fault(format!("a profile needs at least two rows of numbers, got {count}")));
-    }
-    covers(&positions, options).map_err(fault)?;
-    Profile::from_points(positions, heights).map_err(|error| fault(error.to_string()))
+    let trace = Trace::read(content, file_name, &options)?.arranged(&options);
+    Profile::from_trace(trace.covering(cover, file_name)?, file_name)
 }
 
-/// Relative slack at the edges of the punch, so that a trace that ends at the edge covers it whatever its unit rounds to.
-const SLACK: f64 = 1e-9;
-
-fn covers(positions: &[f64], options: &CsvOptions) -> Result<(), String> {
-    let [left, right] = options.cover;
-    let (first, last) = (positions[0], positions[positions.len() - 1]);
-    let slack = SLACK * (right - left);
-    if first > left + slack || last < right - slack {
-        return Err(format!(
-            "does not cover the punch: the rows reach from {first} to {last}, the punch from {left} to {right} (in the units of the problem)"
-        ));
+impl Profile {
+    /// The cubic spline through a trace; `name` is for messages.
+    ///
+    /// # Errors
+    /// [`FileError`] for values that are not finite, as sums of huge ones may be.
+    pub fn from_trace(trace: Trace, name: &str) -> Result<Self, FileError> {
+        let (positions, heights) = trace.into_points();
+        Self::from_points(positions, heights)
+            .map_err(|error| FileError::new(error.to_string()).in_file(Some(name)))
     }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ mod level;
 mod measured;
 mod resolution;
 mod spline;
+mod trace;
 
 #[cfg(test)]
 mod tests;
@@ -16,3 +17,5 @@ mod tests;
 pub use base::{Profile, VARIABLES};
 pub use measured::{CsvOptions, read_csv};
 pub use resolution::Resolution;
+pub use shtaerman_input::columns::{Column, Dialect};
+pub use trace::{Place, Trace, TraceOptions};

@@ -85,7 +85,7 @@ fn an_edge_just_beyond_a_bend_is_found() {
                 for edge in [-left, right] {
                     assert!((edge - c).abs() <= stated + 1e-15 * c, "{beyond:e}: {edge} {c}");
                 }
-                assert!(stated <= 1e-3 * c, "{beyond:e}: {stated:e} stated");
+                assert!(stated <= 2e-3 * c, "{beyond:e}: {stated:e} stated");
             }
             close(contact.force(), force, 1e-9, "the load is carried");
         }

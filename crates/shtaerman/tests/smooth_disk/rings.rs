@@ -169,13 +169,14 @@ fn kinks() {
     {
         is_contact(profile, &solve(profile, pressed(load)), load, 1e-10);
     }
-    // Kinks in a ring with a hole so small that they are close in its logarithm take more modes than there are: the error is stated, or too large for an answer.
+    // Kinks in a ring with a hole so small that they are close in its logarithm take more modes than there are: the error is stated.
     let blunt = "2e-4*max(abs(abs(x) - 0.003) - 0.0004, 0)";
     let contact = solve(blunt, pressed(2e3));
     assert!(contact.relative_error() > 1e-8 && contact.relative_error() < 1e-6);
     is_contact(blunt, &contact, 2e3, contact.relative_error());
-    let refused = attempt(blunt, pressed(2e4));
-    assert!(matches!(refused, Err(Error::NotComplementary { .. })), "{refused:?}");
+    let contact = solve(blunt, pressed(2e4));
+    assert!(contact.relative_error() > 1e-5 && contact.relative_error() < 1e-2);
+    is_contact(blunt, &contact, 2e4, contact.relative_error());
 }
 
 #[test]
@@ -360,29 +361,23 @@ fn bases_from_seeds() {
 
 #[test]
 fn extreme_numbers_have_answers_or_errors() {
-    answers_or_errors(&[
-        "-x^2",
-        "-1e300*x^2",
-        "-1e-300*x^2",
-        "-sqrt(abs(x))",
-        "where(abs(x) < 1e-12, 1, 0)",
-    ]);
+    let profiles =
+        ["-x^2", "-1e300*x^2", "-1e-300*x^2", "-sqrt(abs(x))", "where(abs(x) < 1e-12, 1, 0)"];
+    answers_or_errors(&profiles, &[1e-300, 1.0, 1e290]);
 }
 
 #[test]
 fn sharp_features_have_answers_or_errors() {
-    answers_or_errors(&[
-        "1e-6*cos(5000*x)",
-        "where(abs(x) < 0.0049999, 1, 0)",
-        "sqrt(0.005^2 - 0.999*x^2)",
-        "1e-8*cos(1.5e4*x)",
-        "(abs(x) - 0.003)^2",
-    ]);
+    let single = ["where(abs(x) < 0.0049999, 1, 0)", "sqrt(0.005^2 - 0.999*x^2)"];
+    answers_or_errors(&single, &[1e-300, 1.0, 1e290]);
+    // Rings far narrower than the base are looked for at length.
+    let rings = ["1e-6*cos(5000*x)", "1e-8*cos(1.5e4*x)", "(abs(x) - 0.003)^2"];
+    answers_or_errors(&rings, &[1e-6, 1.0, 1e290]);
 }
 
-fn answers_or_errors(profiles: &[&str]) {
+fn answers_or_errors(profiles: &[&str], forces: &[f64]) {
     for profile in profiles {
-        for force in [1e-300, 1.0, 1e290] {
+        for &force in forces {
             match attempt(profile, pressed(force)) {
                 Ok(contact) => {
                     assert!(contact.settlement().is_finite());

@@ -174,3 +174,17 @@ fn keys_that_exclude_each_other() {
         None
     );
 }
+
+#[test]
+fn a_document_with_files_reads_no_other() {
+    let text = "here = \"a.csv\"\nmissing = \"/etc/hostname\"\n";
+    let files = Attached::new([("a.csv".to_owned(), b"1,2".to_vec())]);
+    let document = Document::parse(text, "x.toml").unwrap().with_attached(files);
+    let reader = document.reader();
+    let load = |key| reader.required(key).unwrap().load(std::path::Path::new("/"));
+    assert_eq!(load("here").unwrap(), ("a.csv".to_owned(), b"1,2".to_vec()));
+    assert_eq!(
+        load("missing").unwrap_err().to_string(),
+        "x.toml:2: missing: /etc/hostname is not there: give this file, too"
+    );
+}

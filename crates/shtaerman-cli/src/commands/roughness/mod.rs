@@ -41,7 +41,7 @@ pub(super) fn run(arguments: &RoughnessArguments) -> Result<(), Failure> {
     check_writable(&[output.output.as_deref()], input.as_slice())?;
     let findings = findings(&arguments.source)?;
     let text = match output.format {
-        ReportFormat::Table => findings.table().into(),
+        ReportFormat::Table => Content::page(&findings.table()),
         ReportFormat::Json => Content::json(&findings),
         ReportFormat::Csv => findings.csv(),
     };
@@ -105,9 +105,13 @@ fn greenwood_williamson(source: &GreenwoodWilliamsonArguments) -> Result<Finding
     let highest = range.map_or(pressure, |range| Some(range[1])).unwrap_or(f64::NAN);
     let share = model.contact_share(highest).map_err(usage)?;
     if share > 1.0 {
-        findings.note(format!(
+        let doubt = format!(
             "the model has {share:.2} times the surface in contact at the highest pressure, which is more than there is: are the density in 1/m^2 and the pressure in Pa?"
-        ));
+        );
+        if source.sense.strict {
+            return Err(Failure::Usage(format!("--strict: {doubt}")));
+        }
+        findings.note(doubt);
     } else if share > CROWDED {
         findings.note(format!(
             "{:.0} % of the surface are in contact at the highest pressure: asperities feel their neighbours, which the model leaves out",

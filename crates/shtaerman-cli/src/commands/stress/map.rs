@@ -1,60 +1,64 @@
 //! The map of a component.
 
-use shtaerman::quantity::{Dimension, axis_unit, engineering};
+use shtaerman::quantity::Measure;
 use shtaerman::{Peak, StressField};
 
-use super::section::Units;
 use crate::arguments::StressComponent;
 use crate::plot::MapPlot;
-use crate::report::{Stresses, significant};
+use crate::report::{Shown, Stresses, heading, significant};
 
 /// Values beyond this multiple of what all but a hundredth reach are a peak at a corner, which would leave no colours for the rest.
 const PEAK: f64 = 1.6;
 const SHARE: f64 = 0.01;
 
 /// The map of a component over the grid; `peaks` are those of von Mises and Tresca.
-pub(super) fn plot(
+pub(in crate::commands) fn plot(
+    problem: &str,
     component: StressComponent,
     field: &StressField,
     grid: &Stresses,
     peaks: &[Peak; 2],
-    units: Units,
+    shown: &Shown,
 ) -> MapPlot {
+    let peaks = &peaks.map(|peak| within(peak, field, grid));
     let values = grid.values(component);
     let largest = |along: &[f64]| along.iter().fold(0.0f64, |most, value| most.max(value.abs()));
     let limits = limits(&values);
     let highest = limits.map_or(0.0, |(low, high)| low.abs().max(high.abs()));
-    let factor = |largest: f64, dimension: Dimension| {
-        if units.is_physical { axis_unit(largest, dimension).factor } else { 1.0 }
+    let factor = |largest: f64, measure: Measure| {
+        if shown.is_physical { shown.units.axis(largest, measure).factor } else { 1.0 }
     };
-    let label = |name: &str, largest: f64, dimension: Dimension, plain: &str| {
-        if units.is_physical {
-            format!("{name} [{}]", axis_unit(largest, dimension).label)
+    let label = |name: &str, largest: f64, measure: Measure, plain: &str| {
+        if shown.is_physical {
+            format!("{name} [{}]", shown.units.axis(largest, measure).label)
         } else {
             plain.to_owned()
         }
     };
     let across = largest(&grid.x);
-    let (length, stress) =
-        (factor(across, Dimension::LENGTH), factor(highest, Dimension::PRESSURE));
+    let (length, stress) = (factor(across, Measure::Length), factor(highest, Measure::Pressure));
     let title = name(component);
     MapPlot {
-        title: format!("{} below the contact", capitalised(title)),
-        notes: notes(component, field, peaks, units),
+        title: titled(problem, title),
+        notes: notes(component, field, peaks, shown),
         x: grid.x.iter().map(|x| x * length).collect(),
         depth: grid.y.iter().map(|y| y * length).collect(),
         values: values.iter().map(|value| value * stress).collect(),
         limits: limits.map(|(low, high)| (low * stress, high * stress)),
+        largest: peak(component, peaks)
+            .map(|(peak, share)| share * peak.value * stress)
+            .filter(|value| !value.is_nan()),
         zones: zones(field, grid).into_iter().map(|zone| zone.map(|x| x * length)).collect(),
         cross: cross(component, grid, peaks)
             .map(|(x, y)| ((x * length, y * length), "largest in the body".to_owned())),
-        position_label: label("x", across, Dimension::LENGTH, "ξ = x/a"),
-        depth_label: label("depth", across, Dimension::LENGTH, "depth / a"),
-        value_label: label(title, highest, Dimension::PRESSURE, &format!("{title} / E")),
+        position_label: label("x", across, Measure::Length, "ξ = x/a"),
+        depth_label: label("depth", across, Measure::Length, "depth / a"),
+        value_label: label(title, highest, Measure::Pressure, &format!("{title} / E")),
     }
 }
 
-fn name(component: StressComponent) -> &'static str {
+/// What a component is called.
+pub(in crate::commands) fn name(component: StressComponent) -> &'static str {
     match component {
         StressComponent::SigmaX => "stress σx",
         StressComponent::SigmaY => "stress σy",
@@ -69,6 +73,15 @@ fn name(component: StressComponent) -> &'static str {
     }
 }
 
+/// The name of the file and what is drawn.
+fn titled(problem: &str, what: &str) -> String {
+    let what = format!("{what} below the contact");
+    match heading(problem) {
+        Some(name) => format!("{name}: {what}"),
+        None => capitalised(&what),
+    }
+}
+
 fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     match letters.next() {
@@ -76,6 +89,17 @@ fn capitalised(text: &str) -> String {
         Some(first) if !text.starts_with("von ") => first.to_uppercase().chain(letters).collect(),
         _ => text.replacen("von", "Von", 1),
     }
+}
+
+/// A peak of a periodic pressure, in the period that is shown.
+fn within(peak: Peak, field: &StressField, grid: &Stresses) -> Peak {
+    let (Some(period), Some(first), Some(last)) = (field.period(), grid.x.first(), grid.x.last())
+    else {
+        return peak;
+    };
+    let middle = first.midpoint(*last);
+    let periods = ((middle - peak.x) / period).round();
+    Peak { x: peak.x + periods * period, ..peak }
 }
 
 /// The peak that belongs to a component, with its share of the equivalent stress.
@@ -101,26 +125,20 @@ fn notes(
     component: StressComponent,
     field: &StressField,
     peaks: &[Peak; 2],
-    units: Units,
+    units: &Shown,
 ) -> Vec<String> {
-    let shown = |value: f64, dimension: Dimension| {
-        if !value.is_finite() {
-            "infinite".to_owned()
-        } else if units.is_physical {
-            engineering(value, dimension)
-        } else {
-            significant(value, 6)
-        }
+    let shown = |value: f64, measure: Measure| {
+        if value.is_finite() { units.with_digits(value, measure, 4) } else { "infinite".to_owned() }
     };
     let mut note =
         format!("plane strain, tension positive, ν = {}", significant(field.poisson_ratio(), 4));
     if let Some((peak, share)) = peak(component, peaks) {
-        let value = shown(share * peak.value, Dimension::PRESSURE);
-        let x = shown(peak.x, Dimension::LENGTH);
+        let value = shown(share * peak.value, Measure::Pressure);
+        let x = shown(peak.x, Measure::Length);
         let place = if peak.is_corner {
             format!("at the edge x = {x}, as a limit")
         } else {
-            format!("at x = {x}, depth {}", shown(peak.depth, Dimension::LENGTH))
+            format!("at x = {x}, depth {}", shown(peak.depth, Measure::Length))
         };
         note.push_str(&format!("; largest {value} {place}"));
     }
@@ -128,7 +146,7 @@ fn notes(
 }
 
 /// The zones within the grid; those of a periodic pressure with their repetitions.
-fn zones(field: &StressField, grid: &Stresses) -> Vec<[f64; 2]> {
+pub(in crate::commands) fn zones(field: &StressField, grid: &Stresses) -> Vec<[f64; 2]> {
     const MOST_REPETITIONS: f64 = 200.0;
     let (Some(left), Some(right)) = (grid.x.first(), grid.x.last()) else { return Vec::new() };
     let zones = field.zones();
@@ -146,7 +164,7 @@ fn zones(field: &StressField, grid: &Stresses) -> Vec<[f64; 2]> {
 }
 
 /// The values to tell apart, without peaks at corners.
-fn limits(values: &[f64]) -> Option<(f64, f64)> {
+pub(in crate::commands) fn limits(values: &[f64]) -> Option<(f64, f64)> {
     let mut sorted: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
     sorted.sort_by(f64::total_cmp);
     let (first, last) = (*sorted.first()?, *sorted.last()?);

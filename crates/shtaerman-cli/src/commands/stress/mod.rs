@@ -9,23 +9,28 @@ use shtaerman::file::ProblemFile;
 use shtaerman::quantity::Dimension;
 use shtaerman::{Contact, Criterion, Error, StressField, Warning, WarningCode};
 
+use super::picture::Picture;
 use super::problem_file;
+use super::sheet::{self, ReportFile};
 use crate::arguments::{StressArguments, StressFormat};
-use crate::failure::shown;
+use crate::failure;
 use crate::output::{Content, Outputs};
-use crate::plot::{Format, render};
-use crate::report::{self, StressReport, Stresses, YieldReport};
+use crate::plot::{MapPlot, Plot};
+use crate::report::{self, Sheet, Shown, StressReport, Stresses, Told, YieldReport};
 use crate::{Failure, clock};
-use section::{Section, Units};
+pub(super) use map::{limits, name, plot, zones};
+pub(super) use section::{Section, Units};
 
 pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
-    let format = arguments.plot.as_deref().map(Format::of_file).transpose()?;
+    let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     if arguments.format == StressFormat::Npz && arguments.output.is_none() {
         let message = "--format npz is no text: give --output FILE.npz";
         return Err(Failure::Usage(message.to_owned()));
     }
-    let outputs = [arguments.output.as_deref(), arguments.plot.as_deref()];
-    let file = problem_file::read(&arguments.problem, &outputs)?;
+    let sheet_file = ReportFile::of(&arguments.report)?;
+    let sheet_path = sheet_file.as_ref().map(|report| report.path);
+    let outputs = [arguments.output.as_deref(), arguments.plot.as_deref(), sheet_path];
+    let file = problem_file::read(&arguments.problem, &arguments.units, &outputs)?;
     let problem = file.problem();
     problem.check_stresses().map_err(|error| file.locate(error))?;
     let units = Units::of(problem);
@@ -40,23 +45,41 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let field = StressField::new(&contact, Some(ratio)).map_err(|error| file.locate(error))?;
     let load = [contact.force(), contact.moment()];
     let peaks = [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];
-    let mut report = StressReport::new(&field, load, !problem.is_dimensionless(), &peaks);
+    let mut report = StressReport::new(&field, load, Shown::of(problem, file.units()), &peaks);
     report.add_warnings(contact.warnings());
-    report.add_warnings(&doubts(arguments, &file, &contact));
+    let doubts = doubts(arguments, &file, &contact);
+    report.add_warnings(&problem_file::refuse(&arguments.sense, doubts)?);
     if let Some((stress, is_asked)) = limit {
         report.set_yield(stress, loads_at_yield(&file, stress, ratio, is_asked)?);
     }
     let places = places.map(|places| stresses_at(&field, places)).transpose()?;
     let wants_grid = arguments.grid.is_some() || arguments.format != StressFormat::Json;
     let needs_grid = places.is_none() && arguments.format != StressFormat::Table && wants_grid;
-    let grid =
-        if needs_grid || arguments.plot.is_some() { Some(section.stresses(&field)?) } else { None };
+    let is_drawn = arguments.plot.is_some() || sheet_file.is_some();
+    let grid = if needs_grid || is_drawn { Some(section.stresses(&field)?) } else { None };
     let mut outputs = Outputs::default();
-    let text = written(arguments, report, places.as_ref(), grid.as_ref())?;
+    let shown = Shown::of(problem, file.units());
+    let name = problem_file::stem(&arguments.problem.file);
+    let map = grid
+        .as_ref()
+        .filter(|_| is_drawn)
+        .map(|grid| plot(&name, arguments.component, &field, grid, &peaks, &shown));
+    let sheet = match &map {
+        Some(map) if sheet_file.is_some() => {
+            let name = problem_file::name(&arguments.problem.file);
+            let told = report::stress_table(&name, &report, places.as_ref());
+            Some(sheet(arguments, &file, &contact, &told, map)?)
+        }
+        _ => None,
+    };
+    let text = written(arguments, report, &shown, places.as_ref(), grid.as_ref())?;
     outputs.result(arguments.output.as_deref(), text);
-    if let (Some(path), Some(format), Some(grid)) = (&arguments.plot, format, &grid) {
-        let plot = map::plot(arguments.component, &field, grid, &peaks, units);
-        outputs.file(path, render(&plot, format, plot.size())?);
+    if let (Some(path), Some(sheet)) = (&sheet_file, &sheet) {
+        let is_told = arguments.format == StressFormat::Table && arguments.output.is_none();
+        path.add(&mut outputs, sheet, is_told)?;
+    }
+    if let (Some(picture), Some(map)) = (picture, &map) {
+        picture.draw(map, &mut outputs)?;
     }
     outputs.write()
 }
@@ -65,6 +88,7 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
 fn written<'a>(
     arguments: &StressArguments,
     mut report: StressReport<'a>,
+    shown: &Shown,
     places: Option<&'a Stresses>,
     grid: Option<&'a Stresses>,
 ) -> Result<Content<'a>, Failure> {
@@ -76,9 +100,9 @@ fn written<'a>(
             let name = problem_file::name(&arguments.problem.file);
             let mut text = report::stress_table(&name, &report, places);
             if let Some(path) = &arguments.plot {
-                let _ = writeln!(text, "plot: {}", shown(path));
+                let _ = writeln!(text, "plot: {}", failure::shown(path));
             }
-            text.into()
+            Content::page(&text.to_string())
         }
         StressFormat::Json => {
             let asked = places.or(grid.filter(|_| arguments.grid.is_some()));
@@ -87,9 +111,35 @@ fn written<'a>(
             }
             Content::json(report)
         }
-        StressFormat::Csv => report::stress_csv(chosen()?),
+        StressFormat::Csv => report::stress_csv(chosen()?, shown),
         StressFormat::Npz => report::stress_npz(chosen()?),
     })
+}
+
+/// The report of the stresses under a contact.
+fn sheet(
+    arguments: &StressArguments,
+    file: &ProblemFile,
+    contact: &Contact,
+    told: &Told,
+    map: &MapPlot,
+) -> Result<Sheet, Failure> {
+    let title = format!("Stresses: {}", problem_file::name(&arguments.problem.file));
+    let stem = problem_file::stem(&arguments.problem.file);
+    let heads = [title.as_str(), &stem];
+    let mut sheet = sheet::of_contact(heads, &sheet::command(), told, file, contact)?;
+    let ratio = arguments.poisson_ratio.map(|ratio| ratio.to_string());
+    sheet.options(sheet::options(&[
+        ("--yield-stress", arguments.yield_stress.as_deref()),
+        ("--poisson-ratio", ratio.as_deref()),
+        ("--at", arguments.at.as_deref()),
+        ("--grid", arguments.grid.as_deref()),
+        ("--x-range", arguments.x_range.as_deref()),
+        ("--depth", arguments.depth.as_deref()),
+    ]));
+    sheet.picture("Stresses below the surface.", map, map.usual_size())?;
+    sheet.contact(contact, file.units())?;
+    Ok(sheet)
 }
 
 fn poisson_ratio(arguments: &StressArguments, file: &ProblemFile) -> Result<f64, Failure> {

@@ -3,6 +3,7 @@
 use shtaerman::quantity::Dimension;
 use shtaerman::{Problem, StressField};
 
+use super::super::places;
 use crate::Failure;
 use crate::arguments::StressArguments;
 use crate::report::Stresses;
@@ -17,12 +18,12 @@ const REACH: f64 = 2.0;
 
 /// The dimension of lengths on the command line.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Units {
+pub(in crate::commands) struct Units {
     pub(super) is_physical: bool,
 }
 
 impl Units {
-    pub(super) fn of(problem: &Problem) -> Self {
+    pub(in crate::commands) fn of(problem: &Problem) -> Self {
         Self { is_physical: problem.scaling().is_some() }
     }
 
@@ -33,7 +34,7 @@ impl Units {
 
 /// A rectangle below the surface with a grid.
 #[derive(Debug)]
-pub(super) struct Section {
+pub(in crate::commands) struct Section {
     points: [usize; 2],
     range: Option<[f64; 2]>,
     depth: Option<f64>,
@@ -42,8 +43,9 @@ pub(super) struct Section {
 impl Section {
     pub(super) fn parse(arguments: &StressArguments, units: Units) -> Result<Self, Failure> {
         let points = arguments.grid.as_deref().map_or(Ok(GRID), parse_grid)?;
-        let range =
-            arguments.x_range.as_deref().map(|text| parse_range(text, units)).transpose()?;
+        let range = (arguments.x_range.as_deref())
+            .map(|text| places::range("--x-range", text, units.length()))
+            .transpose()?;
         let depth = match arguments.depth.as_deref() {
             None => None,
             Some(text) => {
@@ -59,8 +61,13 @@ impl Section {
         Ok(Self { points, range, depth })
     }
 
+    /// The usual rectangle with this number of points.
+    pub(in crate::commands) fn usual(points: [usize; 2]) -> Self {
+        Self { points, range: None, depth: None }
+    }
+
     /// The stresses on the grid, from the surface down.
-    pub(super) fn stresses(&self, field: &StressField) -> Result<Stresses, Failure> {
+    pub(in crate::commands) fn stresses(&self, field: &StressField) -> Result<Stresses, Failure> {
         let zones = field.zones();
         let left = zones.first().map_or(-1.0, |zone| zone[0]);
         let right = zones.last().map_or(1.0, |zone| zone[1]);
@@ -107,20 +114,6 @@ fn parse_grid(text: &str) -> Result<[usize; 2], Failure> {
         Some(product) if product <= MOST_POINTS => Ok(points),
         _ => Err(refused(&format!("has too many points: at most {MOST_POINTS} together"))),
     }
-}
-
-fn parse_range(text: &str, units: Units) -> Result<[f64; 2], Failure> {
-    let Some((from, to)) = text.split_once("..") else {
-        return Err(Failure::Usage(format!(
-            "--x-range {text}: must be two places, such as \"-4 mm..4 mm\""
-        )));
-    };
-    let range =
-        [quantity("--x-range", from, units.length())?, quantity("--x-range", to, units.length())?];
-    if range[0] < range[1] && (range[1] - range[0]).is_finite() {
-        return Ok(range);
-    }
-    Err(Failure::Usage(format!("--x-range {text}: must go from left to right")))
 }
 
 /// The places `x,y; x,y`.

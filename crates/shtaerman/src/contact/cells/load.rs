@@ -12,19 +12,17 @@ const LAYER: f64 = 1e9;
 /// The equations on cells for `z = sqrt(m) p`, `m` the masses of the cells, but for their matrix: what a load and a profile amount to.
 #[derive(Debug, Clone)]
 pub(in crate::contact) struct Loaded {
-    /// `sqrt(m)`.
-    pub(in crate::contact) roots: Vec<f64>,
-    pub(in crate::contact) conditions: Vec<Condition>,
-    pub(in crate::contact) right: Vec<f64>,
+    conditions: Vec<Condition>,
+    right: Vec<f64>,
     /// A pressure that is not negative and meets the conditions, times the roots.
-    pub(in crate::contact) feasible: Vec<f64>,
+    feasible: Vec<f64>,
 }
 
 impl Loaded {
     /// Equations times `gain`; a force is that of `sum m p`.
     pub(in crate::contact) fn new(
         cells: &Cells,
-        roots: Vec<f64>,
+        roots: &[f64],
         load: Load,
         gain: f64,
         height: impl Fn(f64) -> f64,
@@ -61,8 +59,8 @@ impl Loaded {
             }
             (Rotational::Tilt(tilt), _) => add(&lever, -tilt),
         }
-        let feasible = feasible(load, &roots, &centres);
-        Self { roots, conditions, right, feasible }
+        let feasible = feasible(load, roots, &centres);
+        Self { conditions, right, feasible }
     }
 
     /// Begins with the cells that carry.
@@ -91,7 +89,7 @@ pub(in crate::contact) fn solve_thin(
 ) -> Result<Vec<f64>, Error> {
     let [level, slope] = resting(cells, load, &height);
     let above = |x: f64| height(x) - (level + slope * x);
-    let loaded = Loaded::new(cells, roots, load, LAYER / theta, above);
+    let loaded = Loaded::new(cells, &roots, load, LAYER / theta, above);
     Ok(loaded.solve(deadline, cells, matrix, LAYER)?.values)
 }
 
@@ -127,11 +125,7 @@ fn resting(cells: &Cells, load: Load, height: &impl Fn(f64) -> f64) -> [f64; 2] 
 }
 
 /// Boundaries that close in on an edge of the base from cells of this width, until a cell fits between it and the line of the force.
-pub(in crate::contact) fn closing_in(
-    load: Load,
-    width: f64,
-    shortest: f64,
-) -> impl Iterator<Item = f64> {
+pub(super) fn closing_in(load: Load, width: f64, shortest: f64) -> impl Iterator<Item = f64> {
     let arm = match (load.vertical, load.rotational) {
         (Vertical::Force(force), Rotational::Moment(moment)) => moment / force,
         (_, Rotational::Eccentricity(e)) => e,

@@ -4,11 +4,12 @@
 
 mod load;
 
-pub(super) use load::{Loaded, closing_in, solve_thin};
+use load::closing_in;
+pub(super) use load::{Loaded, solve_thin};
 
 use super::iteration::STEPS;
-use super::valleys::CELLS_A_ZONE;
-use crate::Error;
+use super::valleys::{self, CELLS_A_ZONE};
+use crate::{Error, Load};
 
 /// Parts of a cell that is refined. At half or twice 12 of 20 answers change, within what they state (survey).
 const PARTS: usize = 4;
@@ -16,17 +17,17 @@ const PARTS: usize = 4;
 const INSIDE: f64 = 1e-6;
 
 /// How far cells are refined, but where memory allows less: down to lengths of which ten roundings of a place are a hundredth.
-pub(super) const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: STEPS };
+const LIMITS: Limits = Limits { shortest: 1e-13, most: 1400, rounds: STEPS };
 
 /// How far cells are refined.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Limits {
+struct Limits {
     /// Cells shorter than this are not refined.
-    pub(super) shortest: f64,
+    shortest: f64,
     /// Most cells after a refinement.
-    pub(super) most: usize,
+    most: usize,
     /// Most rounds of refinement.
-    pub(super) rounds: usize,
+    rounds: usize,
 }
 
 /// A cell, on a disk a ring or the disk at the axis.
@@ -81,10 +82,7 @@ pub(super) struct Cells {
 
 impl Cells {
     /// Pieces of a base, each cut at places in any order, of which those too close to one another or to an end are left out. At first all cells carry.
-    pub(super) fn new(
-        pieces: impl IntoIterator<Item = ([f64; 2], Vec<f64>)>,
-        limits: Limits,
-    ) -> Self {
+    fn new(pieces: impl IntoIterator<Item = ([f64; 2], Vec<f64>)>, limits: Limits) -> Self {
         let shortest = limits.shortest;
         let mut cells = Vec::new();
         for ([first, last], mut cuts) in pieces {
@@ -99,6 +97,28 @@ impl Cells {
             }
         }
         Self { cells, limits }
+    }
+
+    /// About so many cells of the pieces of a base, cut at its valleys, at places that are asked for given the width of a cell, and ever closer towards where the load acts.
+    pub(super) fn of_base(
+        pieces: &[[f64; 2]],
+        valleys: &[f64],
+        load: Load,
+        count: usize,
+        places: impl Fn(f64) -> Vec<f64>,
+    ) -> Self {
+        let total: f64 = pieces.iter().map(|[left, right]| right - left).sum();
+        let pieces = pieces.iter().map(|&[left, right]| {
+            let own = (count as f64 * (right - left) / total).ceil().max(CELLS_A_ZONE as f64);
+            let width = (right - left) / own;
+            let inside: Vec<f64> =
+                valleys.iter().copied().filter(|at| left < *at && *at < right).collect();
+            let mut cuts = valleys::cuts(&inside, [left, right], own as usize);
+            cuts.extend(places(width));
+            cuts.extend(closing_in(load, width, LIMITS.shortest));
+            ([left, right], cuts)
+        });
+        Self::new(pieces, LIMITS)
     }
 
     pub(super) fn cells(&self) -> &[Cell] {

@@ -39,10 +39,6 @@ impl Ground for Line {
         mean_logarithm(left, right)
     }
 
-    fn is_logarithm(&self) -> bool {
-        true
-    }
-
     fn local_ends(&self) -> Option<[f64; 2]> {
         Some([-1.0, 1.0])
     }

@@ -86,11 +86,6 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
         false
     }
 
-    /// Whether the kernel is the plain logarithm.
-    fn is_logarithm(&self) -> bool {
-        false
-    }
-
     /// `mu` of `E ~ y^mu`, and of the singularity of a plane kernel.
     fn exponent(&self) -> f64 {
         0.0

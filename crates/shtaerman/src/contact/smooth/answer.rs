@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use super::base::{Base, wrapped};
-use super::check::points;
-use super::equation::FirstKind;
+use super::check::{check, points};
+use super::equation::{FINE, FirstKind};
 use super::pressure::{Pressure, place};
 use super::stated::{estimate, open};
 use crate::contact::accuracy::{Accuracy, Sizes};
@@ -13,6 +13,7 @@ use crate::contact::check::Check;
 use crate::contact::complementarity::Complementarity;
 use crate::contact::method::{Method, MethodName};
 use crate::contact::rates::{Linearised, Rates, smooth_rates};
+use crate::contact::search::{ALLOWED, complementary};
 use crate::contact::solution::Solution;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
@@ -292,4 +293,16 @@ impl<P: Pressure> Solution for SmoothContact<P> {
     fn size(&self) -> f64 {
         self.largest
     }
+}
+
+/// The contact on the whole base, or on the zones where it touches.
+pub(super) fn contact<F: FirstKind>(equation: &F) -> Result<SmoothContact<F::Solved>, Error> {
+    let (solved, left) = if equation.base().setting.is_unilateral() {
+        complementary(equation)?
+    } else {
+        let solved = equation.on_zones(&equation.base().whole(), FINE)?;
+        let left = check(equation.base(), &solved, ALLOWED);
+        (solved, left)
+    };
+    SmoothContact::new(equation, solved, &left)
 }

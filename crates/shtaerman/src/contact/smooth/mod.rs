@@ -23,41 +23,30 @@ use std::sync::Arc;
 use super::setting::Setting;
 use super::solution::Solution;
 use crate::Error;
-use crate::contact::search::{ALLOWED, complementary};
-use answer::SmoothContact;
+use answer::contact;
 use base::Base;
-use check::check;
-use equation::{FINE, FirstKind};
+use equation::FirstKind;
 
-/// The contact of a smooth surface.
-///
-/// # Errors
-/// [`Error::InvalidValue`] for a force that is not positive in unilateral contact, a step inside a base in bilateral contact, and what a geometry does not know; [`Error::TipsOver`],
-/// [`Error::NoContact`], [`Error::NotComplementary`] when no zones were found, [`Error::ZonesTooClose`], [`Error::TooManyZones`] for more than can be coupled, [`Error::Rings`] and
-/// [`Error::LiftsOff`] for disks that tilt or stand on graded ground.
-pub(super) fn solve(setting: &Setting) -> Result<Arc<dyn Solution>, Error> {
-    let base = Arc::new(Base::new(setting)?);
-    let frame = setting.problem().frame();
-    match frame.grading() {
-        _ if frame.is_circular() => disk::solve(base),
-        Some(grading) => answer(&graded::Graded::new(base, grading.exponent())?),
-        None if setting.problem().is_wave() => plane::wave(base),
-        None => answer(&plane::Plane::new(base)),
+impl Setting {
+    /// The contact of a smooth surface.
+    ///
+    /// # Errors
+    /// [`Error::InvalidValue`] for a force that is not positive in unilateral contact, a step inside a base in bilateral contact, and what a geometry does not know; [`Error::TipsOver`],
+    /// [`Error::NoContact`], [`Error::NotComplementary`] when no zones were found, [`Error::ZonesTooClose`], [`Error::TooManyZones`] for more than can be coupled, [`Error::Rings`] and
+    /// [`Error::LiftsOff`] for disks that tilt or stand on graded ground.
+    pub(super) fn without_layer(&self) -> Result<Arc<dyn Solution>, Error> {
+        let base = Arc::new(Base::new(self)?);
+        let frame = self.problem().frame();
+        match frame.grading() {
+            _ if frame.is_circular() => disk::solve(base),
+            Some(grading) => answer(&graded::Graded::new(base, grading.exponent())?),
+            None if self.problem().is_wave() => plane::wave(base),
+            None => answer(&plane::Plane::new(base)),
+        }
     }
 }
 
 /// The answer on the whole base, or on the zones where it touches.
 fn answer<F: FirstKind>(equation: &F) -> Result<Arc<dyn Solution>, Error> {
     Ok(Arc::new(contact(equation)?))
-}
-
-fn contact<F: FirstKind>(equation: &F) -> Result<SmoothContact<F::Solved>, Error> {
-    let (solved, left) = if equation.base().setting.is_unilateral() {
-        complementary(equation)?
-    } else {
-        let solved = equation.on_zones(&equation.base().whole(), FINE)?;
-        let left = check(equation.base(), &solved, ALLOWED);
-        (solved, left)
-    };
-    SmoothContact::new(equation, solved, &left)
 }

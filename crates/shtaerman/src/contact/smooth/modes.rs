@@ -12,6 +12,8 @@ const MOST_OF_A_ZONE: f64 = 800.0;
 const MOST_MODES: usize = 4000;
 /// Angle at which the slope of a density over `cos phi` is taken at an end first; the others are twice to sixteen times that. At half or twice 23 of 32 answers change, within what they state (survey).
 const BESIDE: f64 = 0.01;
+/// The same times the number of modes where the last of them are not small: one wave of these.
+const WAVES: f64 = 2.0 * PI;
 
 /// Modes by zones.
 pub(super) type Modes = Vec<Vec<f64>>;
@@ -155,7 +157,7 @@ pub(super) fn cosines(coefficients: &[f64], angle: f64) -> f64 {
 }
 
 /// What `d^2 G/dphi^2` is at the end `phi = 0` or `pi` of a density, with its error: the slope over `-cos phi` outwards. A bend of the base close by asks for small angles, modes that were left out for large
-/// ones: of three series of angles that one is taken whose own steps differ least, and the next best tells the error.
+/// ones: of three series of angles that one is taken whose own steps differ least.
 pub(super) fn bend(density: impl Fn(f64) -> f64, end: f64) -> [f64; 2] {
     let at_end = density(end);
     let at = |offset: f64| 2.0 * (density((end - offset).abs()) - at_end) / (offset * offset);
@@ -167,8 +169,14 @@ pub(super) fn bend(density: impl Fn(f64) -> f64, end: f64) -> [f64; 2] {
         [bend, (bend - fine).abs()]
     });
     known.sort_by(|one, other| one[1].total_cmp(&other[1]));
-    let [[bend, missed], [next, _], _] = known;
-    [bend, missed.max((bend - next).abs())]
+    known[0]
+}
+
+/// The same for Newton's method, of a series cut off after so many modes whose last ones are not small: from angles at which these say nothing.
+pub(super) fn bend_of_cut(density: impl Fn(f64) -> f64, end: f64, count: usize) -> f64 {
+    let beside = BESIDE.max(WAVES / count as f64);
+    let at = |offset: f64| 2.0 * (density((end - offset).abs()) - density(end)) / (offset * offset);
+    (4.0 * at(beside) - at(2.0 * beside)) / 3.0
 }
 
 /// The rounding of a density over that of its bend.

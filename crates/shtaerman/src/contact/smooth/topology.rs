@@ -1,8 +1,7 @@
 //! Which parts of the base touch: a complementarity problem on cells, with a layer too thin to matter, refined where zones are short.
 
 use super::base::Base;
-use crate::contact::cells::{Cell, Cells, LIMITS, closing_in, solve_thin};
-use crate::contact::valleys::{self, CELLS_A_ZONE};
+use crate::contact::cells::{Cell, Cells, solve_thin};
 use crate::{Error, Load, Vertical};
 
 /// The intervals of contact to about a cell, each of which has several; `count` is the number of cells to begin with.
@@ -15,7 +14,14 @@ pub(super) fn find(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Error> {
     let load = Load { vertical, ..base.load };
     let is_forced = matches!(vertical, Vertical::Force(_));
     let theta = ground.strength() * base.setting.theta0();
-    let mut cells = cells(base, count);
+    let valleys: Vec<f64> = base.valleys().collect();
+    let mut cells = Cells::of_base(&base.pieces, &valleys, base.load, count, |width| {
+        // Cells show what lies between measured points, but not what is narrower than they are.
+        let narrow = base.joints.windows(2).filter(|pair| pair[1] - pair[0] < width);
+        let is_few = narrow.clone().count() < count / 2;
+        let narrow = narrow.flatten().filter(|_| is_few);
+        base.breaks.iter().chain(narrow).copied().collect()
+    });
     cells.settle(|cells| {
         let places: Vec<[f64; 2]> = cells.cells().iter().map(Cell::ends).collect();
         let (mut matrix, masses) = ground.cells(&places);
@@ -39,26 +45,4 @@ fn without_constant(matrix: &mut [f64], roots: &[f64], exponent: f64) {
             *entry = (*entry - level * root * other) / exponent;
         }
     }
-}
-
-/// About so many cells of the base.
-fn cells(base: &Base, count: usize) -> Cells {
-    let total: f64 = base.pieces.iter().map(|[left, right]| right - left).sum();
-    let valleys: Vec<f64> = base.valleys().collect();
-    let pieces = base.pieces.iter().map(|&[left, right]| {
-        let count = (count as f64 * (right - left) / total).ceil().max(CELLS_A_ZONE as f64);
-        let width = (right - left) / count;
-        let inside: Vec<f64> =
-            valleys.iter().copied().filter(|at| left < *at && *at < right).collect();
-        let mut cuts = valleys::cuts(&inside, [left, right], count as usize);
-        cuts.extend(&base.breaks);
-        // Cells show what lies between measured points, but not what is narrower than they are.
-        let narrow = base.joints.windows(2).filter(|pair| pair[1] - pair[0] < width);
-        if narrow.clone().count() < count as usize / 2 {
-            cuts.extend(narrow.flatten());
-        }
-        cuts.extend(closing_in(base.load, width, LIMITS.shortest));
-        ([left, right], cuts)
-    });
-    Cells::new(pieces, LIMITS)
 }

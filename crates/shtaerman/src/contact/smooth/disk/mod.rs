@@ -24,9 +24,9 @@ use std::sync::{Arc, OnceLock};
 
 use fredholm::inversion::{AbelTransform, Powers, Shape, Symmetry};
 
+use super::answer::contact;
 use super::base::Base;
 use super::check::check;
-use super::contact;
 use super::equation::{COMPARED, Detail, FINE, FirstKind};
 use crate::contact::edges::settle;
 use crate::contact::search::{ALLOWED, Work};
@@ -40,7 +40,7 @@ use tilt::require_contact;
 pub(super) fn solve(base: Arc<Base>) -> Result<Arc<dyn Solution>, Error> {
     let disk = Disk::new(base)?;
     if disk.takes_rings() {
-        return super::answer(&disk);
+        return Ok(Arc::new(contact(&disk)?));
     }
     let found = contact(&disk);
     let found = match found {

@@ -7,7 +7,7 @@ use fredholm::inversion::{Angular, Conjugate, RingKernel};
 use fredholm::special::arithmetic_geometric_mean as mean;
 
 use super::super::base::Base;
-use super::super::modes::{bend, cosines};
+use super::super::modes::{bend, bend_of_cut, cosines};
 use super::coupling::RingNodes;
 use super::ring::{Ring, distance};
 use crate::contact::accuracy::OF_A_VALUE;
@@ -64,6 +64,14 @@ impl RingPart {
         let ring = self.ring();
         let scale = 2.0 * ring.half * ring.zone.ends[side];
         bend(|angle| self.density(angle), end).map(|bend| bend / scale)
+    }
+
+    /// The same for Newton's method: beside a kink of the base the modes end before they are small.
+    pub(super) fn fall_of_modes(&self, side: usize) -> f64 {
+        let end = if side == 0 { PI } else { 0.0 };
+        let ring = self.ring();
+        let bend = bend_of_cut(|angle| self.density(angle), end, self.count());
+        bend / (2.0 * ring.half * ring.zone.ends[side])
     }
 
     /// Sum over the nodes of a function of the radius and of the distance from a disk of radius `c`.

@@ -284,7 +284,10 @@ impl Pressure for Solved {
         let core = self.core.as_ref();
         let scale = core
             .map_or(rings, |core| rings.max(core.slope.abs() * core.radius).max(core.corner.abs()));
-        let (value, [fall, _]) = self.at_end(zone, side);
+        let (value, fall) = match self.ring(zone) {
+            Some(part) => (part.end_density(side), part.fall_of_modes(side)),
+            None => (self.at_end(zone, side).0, self.at_end(zone, side).1[0]),
+        };
         let rounding = self.rounding(zone, Conjugate::end_error) + f64::EPSILON * scale;
         EndState { value, rounding, scale, none: 0.0, enough: 0.0, step: value / fall }
     }

@@ -13,6 +13,8 @@ use crate::{Error, Rotational};
 /// Tilt and moment under a force, of a contact with this `dM0/d(-alpha0)`.
 pub(super) fn tilt_and_moment(given: Rotational, force: f64, turning: f64) -> [f64; 2] {
     match given {
+        // Of rings, which stand level, it is known in the answer only.
+        Rotational::Tilt(0.0) | Rotational::Moment(0.0) | Rotational::Eccentricity(0.0) => [0.0; 2],
         Rotational::Tilt(tilt) => [tilt, -tilt * turning],
         Rotational::Moment(moment) => [-moment / turning, moment],
         Rotational::Eccentricity(e) => [-e * force / turning, e * force],

@@ -5,10 +5,9 @@ use std::sync::Arc;
 
 use fredholm::inversion::integral;
 
-use super::super::answer::SmoothContact;
+use super::super::answer::{SmoothContact, contact};
 use super::super::base::{Base, wrapped};
 use super::super::check::{MOST_POINTS, check};
-use super::super::contact;
 use super::super::equation::FINE;
 use super::super::pressure::place;
 use super::super::topology;

@@ -1,0 +1,175 @@
+// Pressure, and the surfaces with the gap between them.
+
+import { between, Chart, ends, legend } from "./chart.js";
+import { byId, show, svg } from "./dom.js";
+import { state } from "./state.js";
+import { axisUnit, digits, quantity } from "./units.js";
+
+/** A contact narrower than this share of the base is shown larger. */
+const NARROW = 0.4;
+/** Pressures beyond this many times the mean are corners, and cut. */
+const CORNER = 6;
+
+let whole = false;
+let last = null;
+const zoom = byId("zoom");
+const pressure = new Chart(byId("pressure"), { height: 270, reading: byId("pressure-reading"), label: "Pressure over the base" });
+const surfaces = new Chart(byId("surfaces"), { height: 230, reading: byId("surfaces-reading"), label: "Surfaces of punch and body" });
+
+zoom.addEventListener("click", () => {
+  whole = !whole;
+  zoom.setAttribute("aria-pressed", String(whole));
+  if (last) draw(last);
+});
+
+/** Whether the contact is small on the base, and the part of the base that shows it. */
+function nearContact(picture) {
+  const first = picture.zones[0];
+  const end = picture.zones.at(-1);
+  if (!first) return null;
+  const a = picture.half_width;
+  const width = end[1] - first[0];
+  if (width > NARROW * 2 * a) return null;
+  const room = Math.max(0.6 * width, 1e-6 * a);
+  return [Math.max(-1.3 * a, first[0] - room), Math.min(1.3 * a, end[1] + room)];
+}
+
+/** Draws both. */
+export function showPictures(answer) {
+  last = answer;
+  draw(answer);
+}
+
+function draw(answer) {
+  const { picture } = answer;
+  const a = picture.half_width;
+  const near = nearContact(picture);
+  show(zoom, near !== null);
+  const range = near && !whole ? near : [-1.3 * a, 1.3 * a];
+  const bare = !picture.is_physical;
+  const length = bare ? { factor: 1, label: "" } : picture.units?.length ?? axisUnit(Math.max(...range.map(Math.abs)), "length");
+  const x = range.map((one) => one * length.factor);
+  const xLabel = bare ? "ξ = x/a" : `x [${length.label}]`;
+  drawPressure(answer, { x, xLabel, length, bare });
+  drawSurfaces(answer, { x, xLabel, length, bare, range });
+}
+
+function drawPressure(answer, { x, xLabel, length, bare }) {
+  const { picture } = answer;
+  const values = picture.pressure.map((one) => one ?? Infinity);
+  const mean = Math.abs((answer.answer.physical ?? answer.answer.dimensionless)?.mean_pressure ?? NaN);
+  const finite = values.filter(Number.isFinite);
+  let [low, high] = ends(finite, { zero: true, room: 0.08 });
+  // Near a corner the curve leaves the picture.
+  const isCut = picture.is_smooth && mean > 0 && high > CORNER * mean && values.some((one) => !Number.isFinite(one));
+  if (isCut) high = CORNER * mean;
+  const unit = bare ? { factor: 1, label: "" } : picture.units?.pressure ?? axisUnit(Math.max(Math.abs(low), Math.abs(high)), "pressure");
+  const points = picture.x.map((at, i) => [at * length.factor, values[i] * unit.factor]);
+  const error = picture.error ?? 0;
+  const isSeen = error > 1e-3 * Math.max(Math.abs(low), Math.abs(high));
+  const tension = points.map(([at, p]) => [at, Math.min(0, p)]);
+  const pulls = points.some(([, p]) => p < 0);
+  const kind = (answer.answer.error?.kind ?? "") === "bound" ? "guaranteed bounds" : "estimated error";
+  const shown = told(picture, "pressure", "pressure", 6);
+  const place = told(picture, "length", "length", 5);
+  const peak = (answer.answer.physical ?? answer.answer.dimensionless)?.peak_pressure;
+  pressure.draw({
+    x,
+    y: [low * unit.factor, high * unit.factor],
+    xLabel,
+    yLabel: bare ? "p/E" : `p [${unit.label}]`,
+    layers: [
+      { kind: "area", class: "k-pressure", opacity: 0.13, base: 0, points },
+      pulls && { kind: "area", class: "k-bad", opacity: 0.3, base: 0, points: tension },
+      isSeen && { kind: "band", class: "k-band", points: points.map(([at, p]) => [at, p - error * unit.factor, p + error * unit.factor]) },
+      ...edges(picture).map((at) => ({ kind: "vertical", at: at * length.factor })),
+      { kind: "line", class: "k-pressure", points },
+      ...picture.zones.map(([from, to]) => ({ kind: "touch", from: from * length.factor, to: to * length.factor, at: 0 })),
+    ].filter(Boolean),
+    over: isCut ? (chart) => [svg("text", { class: "clipped", x: chart.frame.right - 4, y: chart.frame.top + 12, "text-anchor": "end" }, "infinite at the corner: cut")] : null,
+    description: `Pressure over the base, largest ${peak === null || peak === undefined ? "infinite" : shown(peak)}, touching ${picture.zones.map(([from, to]) => `from ${place(from)} to ${place(to)}`).join(" and ")}.`,
+    readings: (at) => {
+      const p = between(picture.x, picture.pressure, at / length.factor);
+      const name = picture.coordinate === "xi" ? "ξ" : picture.coordinate;
+      if (!Number.isFinite(p)) return { text: `${name} = ${place(at / length.factor)}` };
+      return { text: `${name} = ${place(at / length.factor)}:  p = ${shown(p)}`, dots: [[at, p * unit.factor, "k-pressure"]] };
+    },
+  });
+  legend(byId("pressure-legend"), [
+    ["k-pressure", "contact pressure"],
+    ["k-layer", "where it touches"],
+    ...(isSeen ? [["k-band", kind, "fill"]] : []),
+    ...(pulls ? [["k-bad", "tension: it would lift off", "fill"]] : []),
+  ]);
+}
+
+/** How a value is read out: in the units that the file chose, else with a prefix of its own. */
+function told(picture, which, kind, count) {
+  const unit = picture.units?.[which];
+  if (!picture.is_physical) return (value) => digits(value, count);
+  return unit ? (value) => `${digits(value * unit.factor, count)} ${unit.label}` : (value) => quantity(value, kind, count);
+}
+
+/** The edges of the base, where it has some. */
+function edges(picture) {
+  const isWave = picture.geometry === "periodic" && picture.pieces.length === 1 && Math.abs((state.si["punch.period"] ?? NaN) / 2 - picture.half_width) < 1e-9 * picture.half_width;
+  return isWave ? [] : [...new Set(picture.pieces.flat())];
+}
+
+function drawSurfaces(answer, { x, xLabel, length, bare, range }) {
+  const { picture } = answer;
+  const { surface } = picture;
+  const inside = (at) => at >= range[0] && at <= range[1];
+  const bases = picture.pieces.map(([from, to]) => picture.x.map((at, i) => [at, picture.base[i]]).filter(([at]) => at >= from - 1e-12 && at <= to + 1e-12));
+  const body = surface.x.map((at, i) => [at, surface.displacement[i]]);
+  const seen = [...bases.flat(), ...body].filter(([at]) => inside(at)).map(([, depth]) => depth ?? NaN);
+  let [low, high] = ends(seen, { room: 0.12 });
+  // A steep base beside a small contact would flatten it.
+  const depths = body.filter(([at]) => inside(at)).map(([, depth]) => depth);
+  const [shallow, deep] = ends(depths, { room: 0.12 });
+  low = Math.max(low, shallow - 1.2 * (deep - shallow));
+  high = Math.min(high, deep + 1.2 * (deep - shallow));
+  const unit = bare ? { factor: 1, label: "" } : picture.units?.depth ?? axisUnit(Math.max(Math.abs(low), Math.abs(high)), "length");
+  const scaled = (points) => points.map(([at, depth]) => [at * length.factor, (depth ?? NaN) * unit.factor]);
+  const punches = bases.map(scaled);
+  const skin = scaled(body);
+  // Where it touches, what lies between base and body is the layer of asperities.
+  const layers = picture.zones.map(([from, to]) =>
+    picture.x.map((at, i) => [at, picture.base[i]]).filter(([at]) => at >= from - 1e-12 && at <= to + 1e-12).map(([at, depth]) => [at * length.factor, between(surface.x, surface.displacement, at) * unit.factor, depth * unit.factor]),
+  );
+  const shown = told(picture, "depth", "length", 5);
+  const place = told(picture, "length", "length", 5);
+  surfaces.draw({
+    x,
+    y: [low * unit.factor, high * unit.factor],
+    isDown: true,
+    xLabel,
+    yLabel: bare ? "depth/(χE)" : `depth [${unit.label}]`,
+    layers: [
+      { kind: "area", class: "k-body", opacity: 0.16, base: "bottom", points: skin },
+      ...punches.map((points) => ({ kind: "area", class: "k-punch", opacity: 0.14, base: "top", points })),
+      ...(picture.is_smooth ? [] : layers.map((points) => ({ kind: "band", class: "k-layer soft", points }))),
+      { kind: "line", class: "k-body", points: skin },
+      ...punches.map((points) => ({ kind: "line", class: "k-punch dashed", points })),
+    ],
+    description: "Depth of the punch’s base and of the body’s surface below the undeformed surface.",
+    readings: (at) => {
+      const real = at / length.factor;
+      const name = picture.coordinate === "xi" ? "ξ" : picture.coordinate;
+      const depth = between(surface.x, surface.displacement, real);
+      const base = picture.pieces.some(([from, to]) => real >= from && real <= to) ? between(picture.x, picture.base, real) : NaN;
+      const isTouching = picture.zones.some(([from, to]) => real >= from && real <= to);
+      const gap = Number.isFinite(base) && Number.isFinite(depth) ? `, ${isTouching ? "layer" : "gap"} ${shown(Math.max(0, depth - base) || Math.abs(depth - base))}` : "";
+      if (!Number.isFinite(depth)) return { text: `${name} = ${place(real)}` };
+      return { text: `${name} = ${place(real)}:  body ${shown(depth)} deep${gap}`, dots: [[at, depth * unit.factor, "k-body"], [at, base * unit.factor, "k-punch"]] };
+    },
+  });
+  const { left, right, top, bottom } = surfaces.frame;
+  const factor = ((bottom - top) / (high - low)) / ((right - left) / (range[1] - range[0]));
+  legend(byId("surfaces-legend"), [
+    ["k-punch", "base of the punch", "dash"],
+    ["k-body", "surface of the body"],
+    ...(picture.is_smooth ? [] : [["k-layer", "asperities between them", "fill"]]),
+    ...(bare ? [] : [["k-none", `depths drawn ${digits(factor, 2)} times as large as lengths`, "none"]]),
+  ]);
+}

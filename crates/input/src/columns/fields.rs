@@ -1,0 +1,71 @@
+//! The fields of a line.
+
+/// What stands between the fields of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Separator {
+    /// A semicolon; a comma is then a decimal one.
+    Semicolon,
+    /// A tab; a comma is then a decimal one.
+    Tab,
+    /// A comma.
+    Comma,
+    /// Blanks.
+    Blanks,
+}
+
+impl Separator {
+    /// What it is called.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Semicolon => "semicolons",
+            Self::Tab => "tabs",
+            Self::Comma => "commas",
+            Self::Blanks => "blanks",
+        }
+    }
+
+    /// That of a line.
+    pub(super) fn of(line: &str) -> Self {
+        if line.contains(';') {
+            Self::Semicolon
+        } else if line.trim().contains('\t') {
+            Self::Tab
+        } else if line.contains(',') {
+            Self::Comma
+        } else {
+            Self::Blanks
+        }
+    }
+
+    /// The fields of a line, without quotes; decimal commas as points.
+    pub(super) fn fields(self, line: &str) -> Vec<String> {
+        let separated = |separator: char| line.trim().split(separator).map(unquoted);
+        let with_point = |field: &str| field.replace(',', ".");
+        match self {
+            Self::Semicolon => separated(';').map(with_point).collect(),
+            Self::Tab => separated('\t').map(with_point).collect(),
+            Self::Comma => separated(',').map(str::to_owned).collect(),
+            Self::Blanks => {
+                line.split_whitespace().map(|field| unquoted(field).to_owned()).collect()
+            }
+        }
+    }
+}
+
+fn unquoted(field: &str) -> &str {
+    let field = field.trim();
+    field.strip_prefix('"').and_then(|field| field.strip_suffix('"')).unwrap_or(field)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decimal_commas_are_points_where_they_separate_nothing() {
+        for line in ["1,5;2,25", "1,5\t2,25", "1.5,2.25", "1.5 2.25", "\"1.5\" , \"2.25\""] {
+            assert_eq!(Separator::of(line).fields(line), ["1.5", "2.25"], "{line}");
+        }
+    }
+}

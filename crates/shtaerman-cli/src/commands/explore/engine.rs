@@ -1,0 +1,99 @@
+//! What the page can ask, and how it is answered.
+
+use std::time::Duration;
+
+use serde_json::{Value, json};
+use shtaerman::document::Document;
+use shtaerman::equation::is_equation;
+
+use super::asked::{self, Asked};
+use super::{contact, kernel, map, paper, start, study};
+use crate::Failure;
+
+/// Answers the page, with the numbers that the command line gives.
+pub struct PageEngine {
+    stressed: Option<map::Stressed>,
+    limit: Duration,
+}
+
+impl PageEngine {
+    /// An engine that gives each solve this time.
+    #[must_use]
+    pub fn new(limit: Duration) -> Self {
+        Self { stressed: None, limit }
+    }
+}
+
+impl shtaerman_explore::Engine for PageEngine {
+    fn answer(&mut self, operation: &str, body: &[u8]) -> Vec<u8> {
+        let answer = self.told(operation, body).unwrap_or_else(|failure| asked::fault(&failure));
+        answer.to_string().into_bytes()
+    }
+}
+
+/// A problem and whether its answer is to be audited.
+#[derive(Debug, serde::Deserialize)]
+struct AskedSolve {
+    #[serde(flatten)]
+    problem: Asked,
+    #[serde(default)]
+    audit: bool,
+}
+
+impl PageEngine {
+    fn told(&mut self, operation: &str, body: &[u8]) -> Result<Value, Failure> {
+        match operation {
+            "start" => Ok(start::without_file(self.limit)),
+            "read" => read(&asked::read(body, self.limit)?),
+            "solve" => {
+                let AskedSolve { problem, audit } = asked::read(body, self.limit)?;
+                contact::told(&problem, audit)
+            }
+            "csv" => contact::csv(&asked::read(body, self.limit)?),
+            "svg" => contact::svg(&asked::read(body, self.limit)?),
+            "report" => contact::report(&asked::read(body, self.limit)?),
+            "map" => map::told(&mut self.stressed, &asked::read(body, self.limit)?),
+            "map-svg" => map::svg(&mut self.stressed, &asked::read(body, self.limit)?),
+            "study" => study::told(&asked::read(body, self.limit)?),
+            "kernel" => kernel::told(&asked::read(body, self.limit)?),
+            "equation" => kernel::equation(&asked::read(body, self.limit)?),
+            "paper" => paper::tables(),
+            "curve" => paper::curve(&asked::read(body, self.limit)?),
+            other => Err(Failure::Usage(format!("the page has no question {other:?}"))),
+        }
+    }
+}
+
+impl std::fmt::Debug for PageEngine {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.debug_struct("PageEngine").finish_non_exhaustive()
+    }
+}
+
+/// The kind and the tree of a file, and its values in SI units.
+fn read(asked: &Asked) -> Result<Value, Failure> {
+    let document = asked.document()?;
+    let checked = match kind(&document) {
+        "study" => asked.study().map(drop),
+        "equation" => asked.equation().map(drop),
+        _ => asked.problem().map(drop),
+    };
+    let mut told = json!({
+        "kind": kind(&document),
+        "tree": contact::tree(document.root()),
+        "inputs": contact::inputs(&document),
+    });
+    // A file that makes no sense is shown all the same.
+    if let Err(failure) = checked {
+        told["fault"] = asked::fault(&failure)["fault"].take();
+    }
+    Ok(told)
+}
+
+fn kind(document: &Document) -> &'static str {
+    match (document.get("study").is_some(), is_equation(document)) {
+        (true, _) => "study",
+        (false, true) => "equation",
+        (false, false) => "problem",
+    }
+}

@@ -1,0 +1,161 @@
+//! Stresses below the surface for the page.
+
+use serde::Deserialize;
+use serde_json::{Value, json};
+use shtaerman::quantity::Measure;
+use shtaerman::{Criterion, Error, Peak, StressField};
+
+use super::asked::{self, Asked};
+use super::contact::{self, Solution};
+use crate::Failure;
+use crate::arguments::StressComponent;
+use crate::commands::stress::{self, Section};
+use crate::report::{self, Shown, YieldReport};
+
+/// Points of a map that are asked for at most, in each direction.
+const MOST: usize = 400;
+/// A place this near to the middle, in depths, is the middle.
+const MIDDLE: f64 = 1e-9;
+
+/// A map, and how fine it is.
+#[derive(Debug, Deserialize)]
+pub(super) struct AskedMap {
+    #[serde(flatten)]
+    problem: Asked,
+    component: StressComponent,
+    /// Points along the surface and in depth.
+    points: [usize; 2],
+    /// Whether the largest stresses and the load at first yield are wanted, too, which takes longer than a coarse map.
+    #[serde(default)]
+    peaks: bool,
+    /// Poisson's ratio, for a file without dimensions.
+    poisson_ratio: Option<f64>,
+}
+
+/// The stresses of a contact, kept for the next question about the same one.
+pub(super) struct Stressed {
+    problem: Asked,
+    ratio: f64,
+    solution: Solution,
+    field: StressField,
+    peaks: Option<[Peak; 2]>,
+}
+
+impl Stressed {
+    fn new(asked: &AskedMap) -> Result<Self, Failure> {
+        let solution = Solution::new(&asked.problem, false)?;
+        let problem = solution.file.problem();
+        problem.check_stresses().map_err(|error| solution.file.locate(error))?;
+        let stated = problem.foundation().poisson_ratio();
+        let ratio = stated.or(asked.poisson_ratio).ok_or(Error::NoPoissonRatio)?;
+        let field = StressField::new(&solution.contact, Some(ratio))
+            .map_err(|error| solution.file.locate(error))?;
+        Ok(Self { problem: asked.problem.clone(), ratio, solution, field, peaks: None })
+    }
+
+    /// The one that is known, or a new one.
+    fn of<'k>(known: &'k mut Option<Self>, asked: &AskedMap) -> Result<&'k mut Self, Failure> {
+        let fits = |known: &Self| {
+            known.problem == asked.problem
+                && asked.poisson_ratio.is_none_or(|ratio| ratio == known.ratio)
+        };
+        let stressed = match known.take().filter(fits) {
+            Some(stressed) => stressed,
+            None => Self::new(asked)?,
+        };
+        Ok(known.insert(stressed))
+    }
+
+    fn peaks(&mut self) -> [Peak; 2] {
+        let field = &self.field;
+        let found = || [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];
+        *self.peaks.get_or_insert_with(found)
+    }
+
+    fn grid(&self, asked: &AskedMap) -> Result<report::Stresses, Failure> {
+        Section::usual(asked.points.map(|count| count.clamp(2, MOST))).stresses(&self.field)
+    }
+}
+
+/// The map as numbers.
+pub(super) fn told(known: &mut Option<Stressed>, asked: &AskedMap) -> Result<Value, Failure> {
+    let stressed = Stressed::of(known, asked)?;
+    let peaks = asked.peaks.then(|| stressed.peaks());
+    let grid = stressed.grid(asked)?;
+    let Stressed { solution, field, ratio, .. } = &*stressed;
+    let is_physical = !solution.file.problem().is_dimensionless();
+    let values = grid.values(asked.component);
+    let first_yield = match solution.file.yield_stress()?.filter(|_| asked.peaks) {
+        None => Value::Null,
+        Some(limit) => first_yield(solution, limit, *ratio)?,
+    };
+    let shown = Shown::of(solution.file.problem(), solution.file.units());
+    let peak =
+        |index: usize, share: f64| peaks.map(|peaks| peak(&peaks[index], share, field, &shown));
+    let highest = stress::limits(&values).map_or(0.0, |(low, high)| low.abs().max(high.abs()));
+    Ok(json!({
+        "name": stress::name(asked.component),
+        "x": grid.x,
+        "depth": grid.y,
+        "values": values,
+        "limits": stress::limits(&values).map(|(low, high)| [low, high]),
+        "zones": stress::zones(field, &grid),
+        "von_mises": peak(0, 1.0),
+        "max_shear": peak(1, 0.5),
+        "error": field.error(),
+        "poisson_ratio": ratio,
+        "is_physical": is_physical,
+        "units": contact::chosen_units(&shown.units, &grid.x, highest),
+        "first_yield": first_yield,
+    }))
+}
+
+/// A largest stress and its place; of the repetitions of a row the one in the middle.
+fn peak(peak: &Peak, share: f64, field: &StressField, shown: &Shown) -> Value {
+    let of = |value: f64, measure: Measure| {
+        if value.is_finite() { shown.value(value, measure) } else { "infinite".to_owned() }
+    };
+    let shift = field.period().map_or(0.0, |period| period * (peak.x / period).round());
+    let at = peak.x - shift;
+    // What is this small beside the depth is the middle, with the rounding of the search.
+    let at = if at.abs() < MIDDLE * peak.depth { 0.0 } else { at };
+    let x = of(at, Measure::Length);
+    let place = match (peak.is_corner, peak.depth == 0.0) {
+        (true, _) => format!("at the edge x = {x}, as a limit"),
+        (false, true) => format!("at x = {x} on the surface"),
+        (false, false) => format!("at x = {x}, {} deep", of(peak.depth, Measure::Length)),
+    };
+    let value = share * peak.value;
+    json!({
+        "si": value.is_finite().then_some(value),
+        "value": of(value, Measure::Pressure),
+        "x": at,
+        "depth": peak.depth,
+        "place": place,
+    })
+}
+
+/// The loads at first yield, or why there are none.
+fn first_yield(solution: &Solution, limit: f64, ratio: f64) -> Result<Value, Failure> {
+    let mut loads = Vec::new();
+    for criterion in [Criterion::VonMises, Criterion::Tresca] {
+        match solution.file.problem().first_yield(criterion, limit, Some(ratio)) {
+            Ok(load) => loads.push(YieldReport::from(load)),
+            Err(error @ Error::NoYield { .. }) => return Ok(json!({ "none": error.to_string() })),
+            Err(error) => return Err(solution.file.locate(error).into()),
+        }
+    }
+    let loads = serde_json::to_value(&loads).map_err(asked::unwritable)?;
+    Ok(json!({ "yield_stress": limit, "loads": loads }))
+}
+
+/// The map as `stress --plot` draws it.
+pub(super) fn svg(known: &mut Option<Stressed>, asked: &AskedMap) -> Result<Value, Failure> {
+    let stressed = Stressed::of(known, asked)?;
+    let (peaks, grid) = (stressed.peaks(), stressed.grid(asked)?);
+    let file = &stressed.solution.file;
+    let shown = Shown::of(file.problem(), file.units());
+    let name = asked.problem.stem();
+    let plot = stress::plot(name, asked.component, &stressed.field, &grid, &peaks, &shown);
+    Ok(json!({ "text": contact::drawn(&plot)? }))
+}

@@ -1,0 +1,8 @@
+//! `shtaerman explore`: who is answered, what is answered, and that nothing hangs it.
+#![expect(clippy::unwrap_used, reason = "helpers outside of test functions fail by panicking")]
+
+mod answers;
+mod client;
+mod limits;
+mod load;
+mod security;

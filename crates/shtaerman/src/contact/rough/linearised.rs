@@ -1,0 +1,172 @@
+//! The linearised equation on the zones of a solution: how everything changes with the body and the load.
+//!
+//! `law(p0) + theta0 K p0 = delta0 - alpha0 xi - f0` is written for the displacement `v` of the layer, `p0 = p(v)`: for a law that bends `dlaw/dp0` is infinite at a free edge, but
+//! `p'(v)` vanishes there. Changed by a parameter on zones that stay,
+//!
+//! `v' + theta0 K(p'(v) v') = delta0' - alpha0' xi - (theta0)'/theta0 * theta0 K p0`,
+//!
+//! a sum of the responses to `-theta0 K p0`, to 1 and to `-y`. What a free edge `e` adds is of second order, as the pressure vanishes there; it moves by `e' = -v'/(dv/dxi)`.
+
+use fredholm::collocation::extrapolate;
+
+use super::frame::{Direction, Frame};
+use super::nodes::{Field, Response};
+use super::solved::Solved;
+use super::surface::Surface;
+use crate::contact::accuracy::{ROUNDING, SAFETY};
+use crate::contact::rates::{Linearised, Rates};
+use crate::contact::stiffness::Stiffness;
+use crate::contact::zones::Zone;
+use crate::{Error, Load};
+
+/// The first-order changes by the three inputs, each with what is rounding of it.
+pub(super) type Changes = [[Rates; 2]; 3];
+
+/// A free edge.
+struct Edge {
+    /// What the layer answers there.
+    layer: [f64; 3],
+    /// `dv/dxi` outwards.
+    slope: f64,
+    /// The rounding of that.
+    noise: f64,
+}
+
+/// A resolution of a solution.
+pub(super) struct Known<'k, F> {
+    pub(super) frame: Frame,
+    pub(super) parts: &'k [Response<F>; 3],
+    /// `theta0 K p0`.
+    pub(super) displacement: &'k dyn Fn(f64) -> f64,
+    /// Where the pressure is largest, and `dp0/dv` there.
+    pub(super) peak: (f64, f64),
+}
+
+impl<F: Field> Known<'_, F> {
+    /// What the layer answers at a place.
+    fn layer(&self, xi: f64) -> [f64; 3] {
+        let right = [-(self.displacement)(xi), 1.0, -self.frame.local(xi)];
+        [0, 1, 2].map(|k| right[k] - self.parts[k].field.at(xi))
+    }
+
+    /// The changes by `ln theta0` and by what is prescribed; none by an eccentricity, nor by a tilt that cannot be.
+    pub(super) fn changes(&self, solved: Option<(&Solved<F>, &Surface)>) -> Result<Changes, Error> {
+        let edges = solved.map_or_else(Vec::new, |(solved, surface)| self.edges(solved, surface));
+        let is_disk = solved.is_some_and(|(solved, _)| solved.ground.is_disk());
+        let (at, modulus) = self.peak;
+        let at_peak = self.layer(at);
+        let [body, frame @ ..] = self.parts.each_ref().map(|part| part.carried);
+        let (body, frame) =
+            (Direction { local: [0.0; 2], carried: body }, Direction::of_local(frame));
+        let change = |share: f64, values: [f64; 2]| -> Result<[Rates; 2], Error> {
+            let wanted = self.frame.conditions_for(values);
+            let [raise, turn] = self.frame.met(&frame, (share, &body), wanted)?;
+            let sum = [(share, body), (raise, frame[0]), (turn, frame[1])];
+            let of = |layer: &[f64; 3]| -> f64 {
+                sum.iter().zip(layer).map(|((factor, _), part)| factor * part).sum()
+            };
+            let parts = sum.iter().zip(self.parts);
+            let noise: f64 = parts.map(|((factor, _), part)| factor.abs() * part.noise).sum();
+            let (mut width, mut width_noise) = (0.0, 0.0);
+            // An image on the other side of the axis moves along.
+            let sides = if is_disk { 2.0 } else { 1.0 };
+            for edge in &edges {
+                let moved = -sides * of(&edge.layer) / edge.slope;
+                width += moved;
+                width_noise += (sides * noise + moved.abs() * edge.noise) / edge.slope.abs();
+            }
+            let state = self.frame.changes(&Direction::sum(&sum));
+            let rates = [state.settlement, state.force, state.tilt, modulus * of(&at_peak), width];
+            Ok([rates, [0.0, 0.0, 0.0, modulus * noise, width_noise]])
+        };
+        let none = [[0.0; 5]; 2];
+        let rotates = self.frame.rotates();
+        Ok([
+            change(1.0, [0.0, 0.0])?,
+            change(0.0, [1.0, 0.0])?,
+            if rotates { change(0.0, [0.0, 1.0])? } else { none },
+        ])
+    }
+
+    /// The free edges with `dv/dxi = -alpha0 - f0' - theta0 k int dK/dxi p0 dm`, as the pressure vanishes there.
+    fn edges(&self, solved: &Solved<F>, surface: &Surface) -> Vec<Edge> {
+        let zones = &solved.nodes.zones;
+        if zones.iter().all(|zone| !zone.has_free_end()) {
+            return Vec::new();
+        }
+        // Where the layer is thin the slope changes within a length 1/theta0.
+        let of_layer = solved.strength * solved.layer.slope(solved.deepest()) * solved.rounding();
+        let edge = |(side, at): (usize, f64)| {
+            let (tilt, profile) = (solved.state.tilt, surface.slope(at));
+            let (mut body, mut size) = (0.0, tilt.abs() + profile.abs());
+            for (&xi, mass) in solved.nodes.places.iter().zip(&solved.masses) {
+                let part = solved.strength * mass * solved.ground.slope(at, xi);
+                body += part;
+                size += part.abs();
+            }
+            let slope = -tilt - profile - body;
+            let slope = if side == 0 { -slope } else { slope };
+            Edge { layer: self.layer(at), slope, noise: ROUNDING * size + of_layer }
+        };
+        zones.iter().flat_map(Zone::free_ends).map(edge).collect()
+    }
+}
+
+/// The first-order change of a solution whose largest pressure is at `peak`; none where no coarser one tells its error.
+pub(super) fn linearised<F: Field>(
+    solved: &Solved<F>,
+    surface: &Surface,
+    load: Load,
+    peak: f64,
+) -> Option<Linearised> {
+    let height = surface.height(peak);
+    let changes = |solved: &Solved<F>| -> Option<Changes> {
+        let known = Known {
+            frame: solved.nodes.frame.under(load),
+            parts: solved.responses.as_ref()?,
+            displacement: &|xi| solved.displacement(xi),
+            peak: (peak, solved.layer.slope(solved.layer_at(peak, height))),
+        };
+        known.changes(Some((solved, surface))).ok()
+    };
+    let levels = solved.coarser.iter().chain([solved]);
+    let levels: Vec<Changes> = levels.filter_map(changes).collect();
+    compared(&levels, F::RATIO)
+}
+
+/// The last of two resolutions with its difference from the one before, of three whose nodes grow by a ratio with what is left of these.
+pub(super) fn compared(levels: &[Changes], ratio: Option<f64>) -> Option<Linearised> {
+    let [.., before, last] = levels else { return None };
+    let first = levels.len().checked_sub(3).and_then(|first| levels.get(first)).zip(ratio);
+    let errors = std::array::from_fn(|input| {
+        let of = |level: &Changes, k: usize| level[input][0][k];
+        let mut errors: Rates = std::array::from_fn(|k| {
+            let change = (of(last, k) - of(before, k)).abs();
+            let left = match first {
+                Some((first, ratio)) => {
+                    let scale = of(last, k).abs().max(f64::MIN_POSITIVE);
+                    extrapolate((of(before, k) - of(first, k)).abs(), change, scale, ratio)
+                }
+                None => SAFETY * change,
+            };
+            left + last[input][1][k]
+        });
+        // One of settlement and tilt may agree by chance.
+        let displacement = errors[0].max(errors[2]);
+        for k in [0, 2] {
+            errors[k] = if errors[k] > 0.0 { displacement } else { 0.0 };
+        }
+        errors
+    });
+    Some(Linearised { rates: last.map(|[rates, _]| rates), errors })
+}
+
+/// The error of the stiffness: for all entries the largest difference from a coarser resolution, as one may be nothing by chance.
+pub(super) fn stiffness_error<F: Field>(solved: &Solved<F>) -> Option<Stiffness> {
+    let before = solved.coarser.last().filter(|before| before.responses.is_some())?;
+    let (one, other) = (solved.stiffness().matrix(), before.stiffness().matrix());
+    let entries = one.as_flattened().iter().zip(other.as_flattened());
+    let error = entries
+        .fold(0.0f64, |most, (a, b)| most.max(SAFETY * (a - b).abs()).max(ROUNDING * a.abs()));
+    Some(Stiffness { force_settlement: error, coupling: error, moment_tilt: error })
+}

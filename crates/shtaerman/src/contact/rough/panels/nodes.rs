@@ -1,0 +1,315 @@
+//! The equation on panels of given zones, with products by a fast multipole method.
+//!
+//! One punch, a pair and graded ground are taken as they are; a row lies on a circle, `xi = centre + L/2 y`, on which the kernel is `ln 1/(2 sin(pi |y - t|/2))`.
+
+use std::sync::Arc;
+
+use fredholm::multipole::{
+    Groups, PanelCondition, PanelEquation, PanelField, PanelKernel, PanelOperator, Panels,
+};
+
+use super::mesh::{Fineness, panels};
+use crate::Error;
+use crate::contact::accuracy::OF_A_VALUE;
+use crate::contact::ground::Hull;
+use crate::contact::method::MethodName;
+use crate::contact::rough::base::Base;
+use crate::contact::rough::frame::Frame;
+use crate::contact::rough::nodes::{Discrete, Field, Nodes, Pressed, Response, Step, Task};
+use crate::contact::rough::solved::largest;
+use crate::contact::search::unknown;
+use crate::contact::zones::Zone;
+
+/// Most nodes. Half and twice change none of 32 answers (survey).
+const MOST_NODES: usize = 400_000;
+/// Longest groups, in lengths of the layer, and about the most groups beyond the number of zones. At half or twice stated errors grow up to 6.4 times (survey).
+const GROUP: f64 = 0.25;
+const MOST_GROUPS: f64 = 400.0;
+/// Residuals of responses relative to their right-hand sides, on the panels before the last and on those; of integrals the square is left. With 1e-7 and 1e-10 rates without free
+/// edges lose their digits.
+const RESIDUALS: [f64; 2] = [1e-9, 1e-12];
+/// Places on each panel where finenesses are compared. At half or twice 27 of 32 answers change, within what they state (survey).
+const PLACES: [f64; 2] = [-0.78, 0.26];
+
+/// How well the equation is to be solved.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Effort {
+    pub(super) fineness: Fineness,
+    /// Residual relative to the layer.
+    pub(super) residual: f64,
+    /// What the layer gives at free ends over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off.
+    pub(super) good: f64,
+}
+
+/// The displacements of a pressure on panels.
+#[derive(Debug, Clone)]
+pub(in crate::contact::rough) struct OnPanels {
+    field: PanelField,
+    hull: Hull,
+    /// `theta`.
+    parameter: f64,
+}
+
+impl OnPanels {
+    fn local(&self, xi: f64) -> f64 {
+        (xi - self.hull.centre) / self.hull.half
+    }
+}
+
+impl Field for OnPanels {
+    const NAME: MethodName = MethodName::Panels;
+    const ROUNDING: f64 = 32.0 * f64::EPSILON;
+    /// The coarsest is far coarser than the next: no rate of convergence is known.
+    const RATIO: Option<f64> = None;
+
+    fn at(&self, xi: f64) -> f64 {
+        self.parameter * self.field.at(self.local(xi))
+    }
+
+    fn interpolated(&self, values: &[f64], xi: f64) -> Option<f64> {
+        self.field.panels().interpolate(values, self.local(xi))
+    }
+
+    fn between() -> Vec<f64> {
+        PLACES.to_vec()
+    }
+}
+
+/// The nodes of given zones with their operator.
+pub(super) struct PanelNodes<'b> {
+    base: &'b Base,
+    operator: PanelOperator,
+    kernel: PanelKernel,
+    nodes: Arc<Nodes>,
+    parameter: f64,
+    residual: f64,
+    /// The length of all zones in local coordinates.
+    total: f64,
+}
+
+/// The approximate inverse for these slopes of the law.
+pub(super) struct PanelInverse {
+    groups: Groups,
+    slopes: Option<Vec<f64>>,
+}
+
+impl PanelInverse {
+    /// The pressures of changes of the layer.
+    fn pressures(&self, layer: &[f64]) -> Vec<f64> {
+        match &self.slopes {
+            None => layer.to_vec(),
+            Some(slopes) => slopes.iter().zip(layer).map(|(w, v)| w * v).collect(),
+        }
+    }
+}
+
+impl<'b> PanelNodes<'b> {
+    /// On these zones, cut at joints.
+    ///
+    /// # Errors
+    /// [`Error::NotComplementary`] where there are too many nodes, or none.
+    pub(super) fn new(
+        base: &'b Base,
+        joints: &[f64],
+        zones: &[Zone],
+        effort: Effort,
+    ) -> Result<Self, Error> {
+        let (kernel, half) = base.ground.panel_kernel().ok_or_else(unknown)?;
+        let hull = Hull { centre: base.surface.origin, half };
+        let frame = Frame::new(base, hull, 0.0);
+        let operator = operator(base, (kernel, &frame), joints, zones, effort.fineness)?;
+        let on_base = |y: &f64| hull.centre + half * y;
+        let bounds = operator.panels().bounds().iter();
+        let panels = bounds.map(|panel| panel.each_ref().map(on_base)).collect();
+        let locals = operator.panels().nodes().to_vec();
+        let places: Vec<f64> = locals.iter().map(on_base).collect();
+        let heights = base.heights(&places)?;
+        let total = zones.iter().map(Zone::length).sum::<f64>() / half;
+        let parameter = base.strength() * base.ground.scale(&hull);
+        let zones = zones.to_vec();
+        let nodes = Arc::new(Nodes { zones, panels, places, locals, heights, frame });
+        Ok(Self { base, operator, kernel, nodes, parameter, residual: effort.residual, total })
+    }
+
+    /// The conditions of the load that are met by pressures, for what is lacking of them.
+    fn conditions(&self, lack: [f64; 2]) -> Vec<PanelCondition> {
+        let (frame, locals) = (&self.nodes.frame, &self.nodes.locals);
+        let half = frame.hull.half;
+        let mut conditions = Vec::new();
+        if frame.is_by_force() {
+            conditions.push(PanelCondition::symmetric(vec![1.0; locals.len()], lack[0] / half));
+        }
+        if frame.is_by_moment() {
+            let row = locals.iter().map(|y| half * y + frame.lever()).collect();
+            let (column, value) = (self.nodes.lever(), lack[1] / half);
+            conditions.push(PanelCondition { row, column, value });
+        }
+        conditions
+    }
+
+    fn equation<'e>(&'e self, inverse: &'e PanelInverse) -> PanelEquation<'e> {
+        PanelEquation {
+            operator: &self.operator,
+            parameter: self.parameter,
+            weight: inverse.slopes.as_deref(),
+            groups: &inverse.groups,
+        }
+    }
+
+    fn integral(&self, one: &[f64], other: &[f64]) -> f64 {
+        let products: Vec<f64> = one.iter().zip(other).map(|(a, b)| a * b).collect();
+        self.operator.panels().integral(&products, |_| 1.0)
+    }
+}
+
+impl Discrete for PanelNodes<'_> {
+    type Pressure = Vec<f64>;
+    type Field = OnPanels;
+    type Inverse<'o>
+        = PanelInverse
+    where
+        Self: 'o;
+
+    fn base(&self) -> &Base {
+        self.base
+    }
+
+    fn nodes(&self) -> &Arc<Nodes> {
+        &self.nodes
+    }
+
+    fn parameter(&self) -> f64 {
+        self.parameter
+    }
+
+    fn masses(&self, pressure: &Vec<f64>) -> Vec<f64> {
+        let weights = self.operator.panels().weights().iter();
+        weights.zip(pressure).map(|(weight, p)| weight * p).collect()
+    }
+
+    fn pressed(&self, pressures: Vec<f64>) -> Result<Pressed<Vec<f64>>, Error> {
+        let potential = self.operator.potential(&pressures);
+        Ok(self.with_potential(pressures, &potential))
+    }
+
+    /// Groups of a quarter of the layer where the law is steepest.
+    fn inverse(&self, slopes: Option<Vec<f64>>) -> Result<PanelInverse, Error> {
+        let firmest = slopes.as_ref().map_or(1.0, |slopes| largest(slopes));
+        let strength = (self.parameter * firmest).max(f64::MIN_POSITIVE);
+        let layer = (GROUP / strength).powf(1.0 / (1.0 - self.base.ground.exponent()));
+        let longest = layer.max(self.total / MOST_GROUPS);
+        let panels = self.operator.panels();
+        let groups = Groups::new(self.kernel, panels, self.parameter, longest, slopes.as_deref())?;
+        Ok(PanelInverse { groups, slopes })
+    }
+
+    fn solve(
+        &self,
+        inverse: &PanelInverse,
+        Task { right, lack, start, residual }: Task<'_>,
+    ) -> Result<Step<Vec<f64>>, Error> {
+        let nothing = vec![0.0; right.len()];
+        let residual = residual.max(OF_A_VALUE * self.norm(right)) * self.total.sqrt();
+        let conditions = self.conditions(lack);
+        let start = start.unwrap_or(&nothing);
+        let found = self.equation(inverse).solve(right, &conditions, start, residual)?;
+        let mut multipliers = found.multipliers.into_iter();
+        let frame = &self.nodes.frame;
+        let local = [frame.is_by_force(), frame.is_by_moment()]
+            .map(|is_free| if is_free { multipliers.next().unwrap_or(0.0) } else { 0.0 });
+        let pressed = self.with_potential(inverse.pressures(&found.values), &found.potential);
+        Ok(Step { layer: found.values, local, pressed })
+    }
+
+    /// Root of the mean square.
+    fn norm(&self, values: &[f64]) -> f64 {
+        (self.integral(values, values) / self.total).sqrt()
+    }
+
+    fn residual(&self) -> f64 {
+        self.residual
+    }
+
+    fn field(&self, pressures: Vec<f64>) -> OnPanels {
+        let (hull, parameter) = (self.nodes.frame.hull, self.parameter);
+        OnPanels { field: self.operator.field(&pressures), hull, parameter }
+    }
+
+    /// These have `d ln d` at free edges, for which the panels are not made.
+    fn responses(
+        &self,
+        inverse: &PanelInverse,
+        body: &[f64],
+        near: Option<&[Response<OnPanels>; 3]>,
+    ) -> Result<[Response<OnPanels>; 3], Error> {
+        let share = RESIDUALS[usize::from(near.is_some())];
+        let (ones, lever, turns) =
+            (vec![1.0; body.len()], self.nodes.lever(), self.nodes.frame.turns);
+        let solved = |k: usize, right: &[f64]| -> Result<Solution, Error> {
+            let near = near.map(|near| &near[k]);
+            let value = |xi: &f64| near.and_then(|near| near.field.interpolated(&near.layer, *xi));
+            let start: Vec<f64> =
+                self.nodes.places.iter().map(|xi| value(xi).unwrap_or(0.0)).collect();
+            let residual = share * self.norm(right) * self.total.sqrt();
+            let found = self.equation(inverse).solve(right, &[], &start, residual)?;
+            let terms = right.iter().zip(&found.values).zip(&found.potential);
+            let left = terms.map(|((b, v), u)| b - v - self.parameter * u).collect();
+            let pressed = self.with_potential(inverse.pressures(&found.values), &found.potential);
+            Ok(Solution { layer: found.values, pressed, left, noise: share * largest(right) })
+        };
+        let (body, level) = (solved(0, body)?, solved(1, &ones)?);
+        // What does not turn has no use for the third.
+        let turned = if turns { Some(solved(2, &lever)?) } else { None };
+        let half = self.nodes.frame.hull.half;
+        // The operator is symmetric: with what is left against the pressures of 1 and of `-y`, of a residual the square counts in force and moment.
+        let carried = |solution: &Solution| {
+            let by = |unit: &Solution| half * self.integral(&unit.pressed.pressure, &solution.left);
+            let [force, turn] = solution.pressed.carried;
+            [force + by(&level), turn - turned.as_ref().map_or(0.0, |turned| half * by(turned))]
+        };
+        let [mut by_body, by_level] = [carried(&body), carried(&level)];
+        let by_turned = turned.as_ref().map(carried);
+        if self.base.layer.is_linear()
+            && self.nodes.zones.iter().any(|zone| self.base.is_joined(zone))
+        {
+            // On a whole circle potentials have no mean, and no more has what a linear layer gives to them.
+            by_body[0] = 0.0;
+        }
+        let response = |Solution { layer, pressed, noise, .. }: Solution, carried: [f64; 2]| {
+            Response { layer, field: self.field(pressed.pressure), carried, noise }
+        };
+        let level = response(level, by_level);
+        let turned = turned.zip(by_turned).map(|(turned, carried)| response(turned, carried));
+        Ok([response(body, by_body), level.clone(), turned.unwrap_or(level)])
+    }
+}
+
+/// A response with what is left of its equation.
+struct Solution {
+    layer: Vec<f64>,
+    pressed: Pressed<Vec<f64>>,
+    left: Vec<f64>,
+    noise: f64,
+}
+
+/// The operator on panels of these zones. Where they crowd beside long panels, whose neighbours all act directly, those are cut.
+fn operator(
+    base: &Base,
+    (kernel, frame): (PanelKernel, &Frame),
+    joints: &[f64],
+    zones: &[Zone],
+    mut fineness: Fineness,
+) -> Result<PanelOperator, Error> {
+    loop {
+        let bounds = panels(base, joints, zones, fineness, MOST_NODES).ok_or_else(unknown)?;
+        let local = |xi: f64| frame.local(xi).clamp(-1.0, 1.0);
+        let bounds: Vec<[f64; 2]> = bounds.into_iter().map(|panel| panel.map(local)).collect();
+        if bounds.iter().any(|[left, right]| left >= right) {
+            return Err(unknown());
+        }
+        match PanelOperator::new(kernel, Panels::new(bounds, fineness.order)?) {
+            Err(fredholm::Error::TooLarge { .. }) => fineness.longest *= 0.5,
+            operator => return Ok(operator?),
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! The zones on panels.
+//!
+//! The zones that come next are where `g = delta0 - alpha0 xi - f0 - theta0 K p0` is positive: as the pressure vanishes at a free edge, an edge that is off by `e` changes the rest by
+//! `e^2` only, and this is Newton's method for all edges at once, in which zones part and join. Cells give the zones to begin with.
+//!
+//! The [search](crate::contact::search) by edges takes twice as long on these many zones, up to twelve times (40 problems, `benches/plausible/run.py`).
+
+use std::sync::Arc;
+
+use super::mesh::{Fineness, LONGEST, STRAIGHT};
+use super::nodes::{Effort, OnPanels, PanelNodes};
+use crate::Error;
+use crate::contact::accuracy::OF_A_VALUE;
+use crate::contact::check::{BETWEEN, Check};
+use crate::contact::iteration::{Point, crossing, top};
+use crate::contact::rough::base::{Base, SAMPLES_A_POINT};
+use crate::contact::rough::check::check;
+use crate::contact::rough::newton::{self, Found};
+use crate::contact::rough::nodes::Field;
+use crate::contact::rough::refinement::refined;
+use crate::contact::rough::solved::Solved;
+use crate::contact::search::{ALLOWED, COARSELY_ALLOWED, unknown};
+use crate::contact::zones::Zone;
+
+/// Most rounds on the way to the zones: an edge that is off by many lengths of the layer comes nearer by a half each, from a cell to the thinnest layers twenty times, and then by squares. Half and twice change none of 32 answers (survey).
+const ROUNDS: usize = 28;
+/// Panels on which the zones are found, those whose answer is compared, and those of the answer. Heights are resolved to a tenth of what zones are found to: with 1e-8 rows take 1.3 times as long,
+/// with 1e-4 no less time. At half or twice the ends that are good enough stated errors grow up to 2.6 times (survey).
+const LADDER: [Effort; 3] = [
+    Effort {
+        fineness: Fineness { order: 4, ends: 4.0, longest: LONGEST, straight: 1e-5 },
+        residual: 1e-6,
+        good: 1e-4,
+    },
+    Effort {
+        fineness: Fineness { order: 10, ends: 2.0, longest: LONGEST, straight: STRAIGHT },
+        residual: 1e-11,
+        good: 1e-6,
+    },
+    Effort {
+        fineness: Fineness { order: 13, ends: 1.0, longest: LONGEST, straight: STRAIGHT },
+        residual: 1e-14,
+        good: 1e-7,
+    },
+];
+
+/// Most corrections of zones between whose samples the check finds tension or penetration: each shows all that is seen then, and most problems need one.
+const CORRECTIONS: usize = 4;
+
+type OnZones = Solved<OnPanels>;
+/// Places of a piece of the base from end to end, with the heights there.
+type Places = Vec<Point>;
+
+/// A base with places that show every bend of its profile.
+pub(in crate::contact::rough) struct ManyPanels<'b> {
+    base: &'b Base,
+    /// Where the profile bends.
+    joints: Vec<f64>,
+    pieces: Vec<Places>,
+}
+
+impl<'b> ManyPanels<'b> {
+    pub(in crate::contact::rough) fn new(base: &'b Base) -> Self {
+        let joints = joints(base);
+        let pieces = base.pieces.iter().map(|piece| places(base, &joints, *piece)).collect();
+        Self { base, joints, pieces }
+    }
+
+    /// The answer on the whole base.
+    pub(in crate::contact::rough) fn whole(&mut self) -> Result<OnZones, Error> {
+        Ok(self.solve(self.base.whole())?.0)
+    }
+
+    /// The answer where the base may lift off, and what is left of tension and penetration.
+    pub(in crate::contact::rough) fn lifting(&mut self) -> Result<(OnZones, Check), Error> {
+        let base = self.base;
+        let intervals = match base.coarse() {
+            Err(error) if base.layer.is_linear() => return Err(error),
+            found => found.unwrap_or_default(),
+        };
+        // A layer that bends has no pressure where it would pull: where cells find nothing the whole base serves.
+        let is_unknown = intervals.is_empty() && !base.layer.is_linear();
+        let zones = intervals.iter().map(|ends| base.zone(*ends)).collect();
+        self.solve(if is_unknown { base.whole() } else { zones })
+    }
+
+    /// The answer from zones that are nearly right.
+    fn solve(&mut self, zones: Vec<Zone>) -> Result<(OnZones, Check), Error> {
+        let mut found = self.settled(zones, 0, None)?;
+        for _ in 0..CORRECTIONS {
+            let left = self.left(&found, COARSELY_ALLOWED);
+            if left.is_clean() || self.base.problem().deadline().is_past() {
+                break;
+            }
+            self.add_places(&found, &left);
+            found = self.settled(found.nodes.zones.clone(), 0, Some(&found))?;
+        }
+        let next = |solved: &OnZones, level: usize| match LADDER.get(level) {
+            Some(_) => self.settled(solved.nodes.zones.clone(), level, Some(solved)).map(Some),
+            None => Ok(None),
+        };
+        let solved = refined(self.base, found, next)?;
+        let left = self.left(&solved, ALLOWED);
+        Ok((solved, left))
+    }
+
+    /// Nothing is left where the whole base is kept in contact.
+    fn left(&self, solved: &OnZones, allowed: f64) -> Check {
+        if self.base.is_bilateral { Check::none() } else { check(self.base, solved, allowed) }
+    }
+
+    /// Looks at places where something was left, too.
+    fn add_places(&mut self, solved: &OnZones, left: &Check) {
+        // What pulls between two samples may do so far from their middle.
+        let base = self.base;
+        let tension = |xi: f64| -solved.layer_at(xi, base.height(xi));
+        let pulling = left.pulling.iter().map(|[from, to]| top(&tension, *from, *to).0);
+        for xi in pulling.chain(left.penetrating.iter().map(|[_, deepest, _]| *deepest)) {
+            for piece in &mut self.pieces {
+                let after = piece.partition_point(|(at, _)| *at < xi);
+                if 0 < after && after < piece.len() {
+                    piece.insert(after, (xi, self.base.height(xi)));
+                }
+            }
+        }
+    }
+
+    /// The solution on zones that agree with their own pressure, with responses but on the coarsest panels.
+    fn settled(
+        &self,
+        mut zones: Vec<Zone>,
+        level: usize,
+        near: Option<&OnZones>,
+    ) -> Result<OnZones, Error> {
+        let (base, effort) = (self.base, LADDER[level]);
+        let mut latest: Option<OnZones> = None;
+        for _ in 0..ROUNDS {
+            if zones.is_empty() {
+                break;
+            }
+            let nodes = PanelNodes::new(base, &self.joints, &zones, effort)?;
+            let Found { step, inverse } = newton::solve(&nodes, latest.as_ref().or(near))?;
+            let mut solved = Solved::new(&nodes, step);
+            if !base.is_bilateral {
+                let next = self.next_zones(&solved);
+                let is_same = next.len() == zones.len();
+                zones = next;
+                let is_over = !zones.is_empty() && base.problem().deadline().is_past();
+                let at_ends = solved.at_ends(|xi| base.height(xi));
+                let is_good = is_same && at_ends <= effort.good * solved.deepest();
+                if !is_over && !is_good {
+                    latest = Some(solved);
+                    continue;
+                }
+                // The pressure outside of the panels goes on as the negative gap: these edges are its own.
+                Arc::make_mut(&mut solved.nodes).zones = zones;
+            }
+            let answers = level > 0;
+            return if answers { solved.answering(&nodes, &inverse, near) } else { Ok(solved) };
+        }
+        Err(unknown())
+    }
+
+    /// Where the layer and the gap tell that the zones are; what is rounding is zero.
+    fn next_zones(&self, solved: &OnZones) -> Vec<Zone> {
+        let base = self.base;
+        let size = solved.deepest() + solved.state.settlement.abs() + solved.state.tilt.abs();
+        let given = |xi: f64| solved.layer_at(xi, base.height(xi));
+        let value = |(xi, height): (f64, f64)| {
+            // At an end the polynomials are least exact, and beside it the same function goes on.
+            let at_end = solved.nodes.end_at(xi).is_some();
+            let inside = if at_end { None } else { solved.field.interpolated(&solved.given, xi) };
+            (xi, inside.unwrap_or_else(|| solved.layer_at(xi, height)))
+        };
+        // Of zones and of the gaps between them the ends and the middles.
+        let ends: Vec<f64> = solved.nodes.zones.iter().flat_map(|zone| zone.ends).collect();
+        let middles = ends.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+        let marks: Vec<f64> = ends.iter().copied().chain(middles).collect();
+        let on_piece = |piece: &Places| {
+            let [first, last] = [piece[0].0, piece[piece.len() - 1].0];
+            let own = marks.iter().copied().filter(|xi| (first..=last).contains(xi));
+            let mut points: Vec<(f64, f64)> = piece.iter().map(|place| value(*place)).collect();
+            points.extend(own.map(|xi| value((xi, base.height(xi)))));
+            points.sort_by(|one, two| one.0.total_cmp(&two.0));
+            points.dedup_by(|one, two| one.0 == two.0);
+            positive(&given, &points, OF_A_VALUE * size)
+        };
+        self.pieces.iter().flat_map(on_piece).map(|ends| base.zone(ends)).collect()
+    }
+}
+
+/// Where a function with these values at places from end to end of a piece of the base is positive; values up to `none` are zero.
+fn positive(f: &impl Fn(f64) -> f64, points: &[Point], none: f64) -> Vec<[f64; 2]> {
+    let Some((first, last)) = points.first().zip(points.last()) else { return Vec::new() };
+    let crossed = points.windows(2).filter(|pair| (pair[0].1 > 0.0) != (pair[1].1 > 0.0));
+    let edges = crossed.map(|pair| crossing(f, pair[0], pair[1], none));
+    // Edges in turn open and close a zone.
+    let begins = (first.1 > 0.0).then_some(first.0);
+    let ends = (last.1 > 0.0).then_some(last.0);
+    let edges: Vec<f64> = begins.into_iter().chain(edges).chain(ends).collect();
+    let zones = edges.as_chunks::<2>().0.iter().copied();
+    zones.filter(|[left, right]| left < right).collect()
+}
+
+/// Where the profile bends.
+fn joints(base: &Base) -> Vec<f64> {
+    if !base.is_measured() {
+        return base.breaks.clone();
+    }
+    let problem = base.problem();
+    let mut joints = problem.profile().joints(problem.frame().half_width());
+    if base.ground.is_closed() {
+        // A wave is seen from elsewhere than it was measured, and bends at its seam as well.
+        joints.push(1.0);
+        joints = joints.iter().flat_map(|at| [at - 2.0, *at, at + 2.0]).collect();
+    }
+    joints.sort_by(f64::total_cmp);
+    joints
+}
+
+/// The samples of a piece of the base, more between joints that have few.
+fn places(base: &Base, joints: &[f64], [from, to]: [f64; 2]) -> Places {
+    let fewest = if base.is_measured() { SAMPLES_A_POINT } else { BETWEEN };
+    let inside = joints.iter().copied().filter(|at| *at > from && *at < to);
+    let cuts: Vec<f64> = [from].into_iter().chain(inside).chain([to]).collect();
+    let mut places = Places::new();
+    for pair in cuts.windows(2) {
+        let after = |end: f64| base.samples.partition_point(|(at, _)| *at <= end);
+        let known = &base.samples[after(pair[0])..after(pair[1])];
+        places.push((pair[0], base.sampled_height(pair[0])));
+        if known.len() > fewest {
+            places.extend(known.iter().filter(|(at, _)| *at < pair[1]));
+        } else {
+            let at = |i: usize| pair[0] + (pair[1] - pair[0]) * i as f64 / fewest as f64;
+            places.extend((1..fewest).map(|i| (at(i), base.height(at(i)))));
+        }
+    }
+    places.push((to, base.sampled_height(to)));
+    places
+}

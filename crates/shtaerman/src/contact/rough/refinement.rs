@@ -1,0 +1,155 @@
+//! The answer on growing resolutions, with its error.
+
+use super::base::Base;
+use super::nodes::Field;
+use super::solved::{BESIDE, Solved, Stated};
+use crate::Error;
+use crate::contact::accuracy::{Accuracy, ROUNDING, STAGNANT, Sizes};
+use crate::contact::parts::Smoothness;
+use crate::contact::resolutions::{Change, Trust, UNKNOWN};
+use crate::contact::stiffness::Stiffness;
+use crate::contact::zones::Zone;
+use crate::solver::AIM;
+
+/// The answer from one that is coarse: `next` gives the resolution that follows on another, and none where there are no more.
+///
+/// # Errors
+/// Those of the resolutions.
+pub(super) fn refined<F: Field>(
+    base: &Base,
+    coarse: Solved<F>,
+    mut next: impl FnMut(&Solved<F>, usize) -> Result<Option<Solved<F>>, Error>,
+) -> Result<Solved<F>, Error> {
+    let tolerance = base.problem().solver().tolerance.unwrap_or(AIM);
+    let mut levels = vec![coarse];
+    let (mut before, mut best): (Option<Change>, usize) = (None, 0);
+    while let Some(mut finer) = next(&levels[levels.len() - 1], levels.len())? {
+        let change = difference(base, &finer, &levels[levels.len() - 1]);
+        let is_over = base.problem().deadline().is_past();
+        let mut ends = is_over;
+        if let Some(before) = before {
+            finer.stated = stated(base, &finer, [&before, &change]);
+            let sizes = finer.state.sizes(finer.largest());
+            ends |= finer.stated.accuracy.relative(&sizes) <= tolerance;
+            ends |= F::RATIO.is_some() && is_settled(&finer, &before, &change);
+        }
+        let known = |solved: &Solved<F>| solved.stated.accuracy.pressure;
+        if known(&finer) <= known(&levels[best]) {
+            best = levels.len();
+        }
+        levels.push(finer);
+        before = Some(change);
+        if ends {
+            break;
+        }
+    }
+    levels.truncate(best + 1);
+    let mut found = levels.remove(best);
+    found.coarser = levels.split_off(best.saturating_sub(2));
+    Ok(found)
+}
+
+/// Whether more nodes change no more than rounding; the integrals, too: where the body gives nothing, the pressure of a layer that bends is exact on any nodes, its force is not.
+fn is_settled<F: Field>(solved: &Solved<F>, before: &Change, change: &Change) -> bool {
+    let sizes = solved.state.sizes(solved.largest());
+    let small = |change: f64, size: f64| change <= ROUNDING * size;
+    let is_resolved = solved.layer.is_linear()
+        || small(change.force.max(change.moment), sizes.force)
+            && small(change.settlement.max(change.tilt), sizes.displacement);
+    let stagnates =
+        change.pressure > 0.5 * before.pressure && change.pressure <= STAGNANT * solved.largest();
+    change.pressure <= 2.0 * pressure_rounding(solved) && is_resolved || stagnates
+}
+
+/// Rounding of the pressure.
+fn pressure_rounding<F: Field>(solved: &Solved<F>) -> f64 {
+    solved.layer.slope(solved.deepest()) * solved.rounding()
+}
+
+/// The differences between two resolutions, of the pressure at places between the nodes.
+fn difference<F: Field>(base: &Base, fine: &Solved<F>, coarse: &Solved<F>) -> Change {
+    let between = F::between();
+    let at = |xi: f64| {
+        let is_covered = coarse.nodes.zone(xi).is_some();
+        // The profile is the same to both.
+        let needs_height = !is_covered || !fine.layer.is_linear();
+        let height = if needs_height { base.height(xi) } else { 0.0 };
+        let other = if is_covered { coarse.pressure_at(xi, height) } else { 0.0 };
+        (fine.pressure_at(xi, height) - other).abs()
+    };
+    let pressure = fine.nodes.on_panels(&between).map(at).fold(0.0, f64::max);
+    Change::between([fine, coarse].map(|solved| (&solved.state, &solved.nodes.zones[..])), pressure)
+}
+
+/// The error of the finest of three resolutions, and that of its edges.
+fn stated<F: Field>(base: &Base, fine: &Solved<F>, changes: [&Change; 2]) -> Stated {
+    let (highest, rounding) = (fine.largest(), pressure_rounding(fine));
+    let sizes = fine.state.sizes(highest);
+    let pressures = changes.map(|change| change.pressure);
+    let (trust, compared) = match F::RATIO {
+        Some(ratio) => (Trust::new(base.smoothness, ratio, pressures, rounding, highest), sizes),
+        // What is added up in the displacements.
+        None => (Trust::plain(), Sizes { displacement: fine.size(), ..sizes }),
+    };
+    let length = fine.nodes.zones.iter().map(Zone::length).sum();
+    let (accuracy, edge) = trust.accuracy(base.load, changes, &compared, length);
+    let pressure = accuracy.pressure.max(rounding) + fine.missed_at_corners(base);
+    let accuracy = Accuracy { pressure, ..accuracy };
+    let is_unknown = F::RATIO.is_none() && base.smoothness == Smoothness::Unknown;
+    let accuracy = if is_unknown { accuracy.of_the_unknown(UNKNOWN, &sizes) } else { accuracy };
+    Stated { accuracy, edge: edge.max(fine.rounding() / fine.gentlest(base)) }
+}
+
+impl<F: Field> Solved<F> {
+    /// What is stated with what a kernel that is not known to all digits leaves in a displacement, and that in the pressure and in the ends.
+    pub(super) fn stated_with_kernel(&self, base: &Base, stiffness: &Stiffness) -> Stated {
+        let missed = base.ground.kernel_error() * self.strength * self.state.force.abs();
+        if missed == 0.0 {
+            return self.stated;
+        }
+        let Stiffness { force_settlement, moment_tilt, .. } = *stiffness;
+        let raised =
+            self.stated.accuracy.with_profile_error(missed, [force_settlement, moment_tilt]);
+        let pressure = raised.pressure + 2.0 * missed * self.layer.slope(self.deepest());
+        let longest = self.nodes.zones.iter().map(Zone::length).fold(0.0, f64::max);
+        let edge = self.stated.edge + missed * longest / self.deepest();
+        Stated { accuracy: Accuracy { pressure, ..raised }, edge }
+    }
+
+    /// The least slope of the layer beside a free end; infinite where there is none.
+    fn gentlest(&self, base: &Base) -> f64 {
+        let ends = self.nodes.zones.iter().flat_map(|zone| {
+            zone.free_ends().map(|(side, end)| {
+                let step = BESIDE * zone.length();
+                let at = if side == 0 { end + step } else { end - step };
+                self.layer_at(at, base.height(at)).abs() / step
+            })
+        });
+        ends.fold(f64::INFINITY, f64::min)
+    }
+
+    /// What polynomials miss on the panels at corners. There the pressure goes on as a power of the distance of its own size; at all finenesses they may be as short as numbers allow, so that no
+    /// difference tells. The pressure changes by `V` on such a panel because the potential of a pressure `p` does by `V`: that of what is missed, `s V`, changes by `s V^2/p` at most. Of a power
+    /// `d^nu` polynomials of the degree `n` miss `s = n^(-2 nu)`, some.
+    fn missed_at_corners(&self, base: &Base) -> f64 {
+        if F::RATIO.is_some() {
+            return 0.0;
+        }
+        let order = self.nodes.a_panel() as f64;
+        let share = order.powf(-2.0 * (1.0 - self.ground.exponent()));
+        let missed = |zone: &Zone, side: usize| -> Option<f64> {
+            let panels = &self.nodes.panels[self.nodes.panels_of(zone)];
+            let panel = if side == 0 { panels.first()? } else { panels.last()? };
+            let (end, inner) = (panel[side], panel[1 - side]);
+            let height = |xi: f64| if self.layer.is_linear() { 0.0 } else { base.height(xi) };
+            let [outer, beside] = [end, inner].map(|xi| self.pressure_at(xi, height(xi)));
+            let change = (outer - beside).abs();
+            let pressure = self.pressure_at(inner, base.height(inner)).abs();
+            Some(if change == 0.0 { 0.0 } else { share * change * change / pressure.max(change) })
+        };
+        let walls = self.nodes.zones.iter().flat_map(|zone| {
+            (0..2).filter(|&side| !zone.is_free(side)).filter_map(move |side| missed(zone, side))
+        });
+        walls.fold(0.0, f64::max)
+    }
+}

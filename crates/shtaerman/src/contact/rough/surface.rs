@@ -1,0 +1,137 @@
+//! The base as a solution sees it: places, their images, and heights.
+//!
+//! Small zones far from the middle of the base have heights from the tangent there, which keeps their digits. With `f0 = h + s (xi - c) + r` the equation is one with the profile `r`,
+//! the settlement `delta0 - h + s c` and the tilt `alpha0 + s`: under a given force both are as small as the contact, where `delta0`, `alpha0 xi` and `f0` are large and cancel.
+
+use crate::contact::accuracy::{Accuracy, ROUNDING};
+use crate::contact::balance::State;
+use crate::contact::ground::Ground;
+use crate::contact::setting::Setting;
+use crate::{Load, Problem, Rotational, Scaling, Vertical};
+
+/// A tangent of the profile.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Tangent {
+    /// `c`.
+    at: f64,
+    /// `h`.
+    height: f64,
+    /// `s`.
+    slope: f64,
+}
+
+impl Tangent {
+    /// The tangent at a place, where there is one.
+    pub(super) fn new(problem: &Problem, at: f64) -> Option<Self> {
+        let (height, slope) = (problem.dimensionless_profile(at), problem.dimensionless_slope(at)?);
+        (height.is_finite() && slope.is_finite()).then_some(Self { at, height, slope })
+    }
+
+    /// The load of the problem with the profile `r`.
+    pub(super) fn load(&self, load: Load) -> Load {
+        let vertical = match load.vertical {
+            Vertical::Settlement(settlement) => {
+                Vertical::Settlement(settlement - self.height + self.slope * self.at)
+            }
+            force @ Vertical::Force(_) => force,
+        };
+        let rotational = match load.rotational {
+            Rotational::Tilt(tilt) => Rotational::Tilt(tilt + self.slope),
+            other => other,
+        };
+        Load { vertical, rotational }
+    }
+
+    /// The state of the problem itself; what the load prescribes comes back as given.
+    pub(super) fn state(&self, given: Load, state: State) -> State {
+        let settlement = state.settlement + (self.height - self.slope * self.at);
+        State { settlement, tilt: state.tilt - self.slope, ..state }.given(&given)
+    }
+
+    /// Errors with the rounding of what is added.
+    pub(super) fn accuracy(&self, accuracy: Accuracy) -> Accuracy {
+        let size = self.height.abs().max(self.slope.abs());
+        let raised = |error: f64| if error == 0.0 { 0.0 } else { error + ROUNDING * size };
+        Accuracy {
+            settlement: raised(accuracy.settlement),
+            tilt: raised(accuracy.tilt),
+            ..accuracy
+        }
+    }
+}
+
+/// Places and heights of a base.
+#[derive(Debug, Clone)]
+pub(super) struct Surface {
+    pub(super) setting: Setting,
+    /// Where heights are counted from.
+    pub(super) tangent: Option<Tangent>,
+    is_disk: bool,
+    is_closed: bool,
+    /// The middle of the base: where it has no gaps, of the part of the wave that is looked at.
+    pub(super) origin: f64,
+}
+
+impl Surface {
+    pub(super) fn new(setting: &Setting, ground: &dyn Ground) -> Self {
+        let (is_disk, is_closed) = (ground.is_disk(), ground.is_closed());
+        Self { setting: setting.clone(), tangent: None, is_disk, is_closed, origin: 0.0 }
+    }
+
+    /// `f0(xi)`, or what it has beyond its tangent.
+    pub(super) fn height(&self, xi: f64) -> f64 {
+        match &self.tangent {
+            Some(tangent) => self.setting.problem().dimensionless_rise(tangent.at, xi),
+            None => self.setting.height(self.on_base(xi)),
+        }
+    }
+
+    /// `df0/dxi`, at a kink to the right, or what it has beyond the slope of the tangent; NaN where the profile has none.
+    pub(super) fn slope(&self, xi: f64) -> f64 {
+        let (problem, xi) = (self.setting.problem(), self.on_base(xi));
+        let slope = problem.profile().slope(xi, problem.frame().half_width());
+        let scale = problem.frame().scaling().map_or(1.0, Scaling::displacement);
+        slope.unwrap_or(f64::NAN) / scale - self.tangent.map_or(0.0, |tangent| tangent.slope)
+    }
+
+    /// Where a place of the solution lies on the base: a wave without gaps goes on beyond its period.
+    pub(super) fn on_base(&self, xi: f64) -> f64 {
+        if self.is_closed && xi.abs() > 1.0 { xi - 2.0 * (0.5 * xi).round() } else { xi }
+    }
+
+    /// Where a place of the base lies in the solution: on a disk the distance from the axis, on a wave without gaps the image about the origin.
+    pub(super) fn located(&self, xi: f64) -> f64 {
+        if self.is_disk {
+            xi.abs()
+        } else if self.is_closed {
+            xi + 2.0 * (0.5 * (self.origin - xi)).round()
+        } else {
+            xi
+        }
+    }
+
+    /// Both places of the base, or the one, that a place of the solution stands for.
+    pub(super) fn images(&self, place: f64) -> [f64; 2] {
+        let place = self.on_base(place);
+        if self.is_disk { [-place, place] } else { [place; 2] }
+    }
+
+    /// The zones of a solution on the base, from left to right: of a disk along its diameter; of a wave without gaps those whose middles lie on the base.
+    pub(super) fn zones(&self, zones: impl Iterator<Item = [f64; 2]>) -> Vec<[f64; 2]> {
+        let mut along: Vec<[f64; 2]> = Vec::new();
+        for [left, right] in zones {
+            if self.is_closed {
+                let periods = 2.0 * (0.25 * (left + right)).round();
+                along.push([left - periods, right - periods]);
+            } else if self.is_disk && left == 0.0 {
+                along.push([-right, right]);
+            } else if self.is_disk {
+                along.extend([[-right, -left], [left, right]]);
+            } else {
+                along.push([left, right]);
+            }
+        }
+        along.sort_by(|one, two| one[0].total_cmp(&two[0]));
+        along
+    }
+}

@@ -1,0 +1,283 @@
+//! Both discretisations against each other, and panels against what must hold.
+
+use super::*;
+use crate::contact::balance::State;
+use crate::contact::complementarity::Complementarity;
+use crate::contact::method::MethodName;
+use crate::{Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
+
+const FORCED: Vertical = Vertical::Force(1.0);
+
+fn problem(
+    [theta0, exponent]: [f64; 2],
+    profile: Profile,
+    vertical: Vertical,
+    rotational: Rotational,
+) -> Problem {
+    let foundation = Foundation::dimensionless(theta0).unwrap().with_exponent(exponent).unwrap();
+    let punch = Punch::new(1.0).unwrap().with_profile(profile);
+    Problem::new(foundation, punch, Load::new(vertical, rotational).unwrap()).unwrap()
+}
+
+fn expression(law: [f64; 2], profile: &str, moment: f64) -> Problem {
+    problem(law, Profile::expression(profile).unwrap(), FORCED, Rotational::Moment(moment))
+}
+
+/// A trace with waves of many lengths.
+fn trace(points: i32, theta0: f64) -> Profile {
+    let positions = (0..points).map(|i| 2.0 * f64::from(i) / f64::from(points - 1) - 1.0);
+    let wave = |x: f64, k: f64| k.powf(-1.5) * (3.1 * k * x + k * k).sin();
+    let waves = |x: f64| (1..=60).map(|k| wave(x, f64::from(k))).sum::<f64>();
+    let height = |x: f64| 2.0 * (1.0 + theta0) * (0.3 * x * x + 0.3 * waves(x));
+    Profile::from_points(positions.clone().collect(), positions.map(height).collect()).unwrap()
+}
+
+fn base(problem: &Problem) -> Base {
+    Base::new(&Setting::new(problem), ContactKind::Unilateral).unwrap()
+}
+
+fn panels(problem: &Problem) -> RoughContact<OnPanels> {
+    on_panels(&base(problem)).unwrap()
+}
+
+/// What is added up in a displacement.
+fn size(contact: &dyn Solution, exponent: f64) -> f64 {
+    let State { settlement, tilt, .. } = contact.state();
+    contact.size().powf(exponent) + settlement.abs() + tilt.abs()
+}
+
+fn assert_within(name: &str, a: f64, b: f64, most: f64) {
+    assert!((a - b).abs() <= most, "{name}: {a} {b}, {most:e}");
+}
+
+/// Compares with collocation, where that finds the zones: within small bounds, and within what both state. The number of zones.
+fn agrees(law: [f64; 2], problem: &Problem) -> Option<usize> {
+    let found = panels(problem);
+    let exact = Way::Collocation(Effort::MOST).solve(&base(problem)).ok()?;
+    let size = size(&found, law[1]);
+    let errors = [found.accuracy().unwrap(), exact.accuracy().unwrap()];
+    let stated = |of: fn(&crate::contact::Accuracy) -> f64| of(errors[0]) + of(errors[1]);
+    let (one, other) = (found.state(), exact.state());
+    for (a, b, stated) in [
+        (one.settlement, other.settlement, stated(|error| error.settlement)),
+        (one.tilt, other.tilt, stated(|error| error.tilt)),
+        (one.force, other.force, stated(|error| error.force)),
+        (one.moment, other.moment, stated(|error| error.moment)),
+    ] {
+        assert_within("state", a, b, stated.min(1e-11 * size));
+    }
+    let (zones, known) = (found.zones(), exact.zones());
+    assert_eq!(zones.len(), known.len());
+    let edge = found.edge_error().unwrap_or(0.0) + exact.edge_error().unwrap_or(0.0);
+    for (a, b) in zones.iter().flatten().zip(known.iter().flatten()) {
+        assert_within("edge", *a, *b, (2.0 * edge + f64::EPSILON).min(1e-10));
+    }
+    let pressure = stated(|error| error.pressure).min(1e-10 * exact.size());
+    for i in 0..=3000 {
+        let xi = (f64::from(i) / 1500.0 - 1.0).clamp(-1.0, 1.0);
+        assert_within("pressure", found.pressure(xi), exact.pressure(xi), pressure);
+        assert_within("displacement", found.displacement(xi), exact.displacement(xi), 1e-11 * size);
+    }
+    assert!(found.relative_error() < 1e-9, "{errors:?}");
+    let (one, other) = (found.stiffness().matrix(), exact.stiffness().matrix());
+    let error = found.stiffness_error().unwrap().force_settlement;
+    for (a, b) in one.as_flattened().iter().zip(other.as_flattened()) {
+        // The responses have d ln d at free edges, for which the panels are not made.
+        assert_within("stiffness", *a, *b, (error + 1e-13 * other[0][0]).min(1e-8 * other[0][0]));
+    }
+    let (peak, load) = (0.3 * zones[0][0] + 0.7 * zones[0][1], problem.dimensionless_load());
+    let [one, other] =
+        [&found as &dyn Solution, exact.as_ref()].map(|s| s.linearised(load, peak).unwrap());
+    let errors = one.errors.as_flattened().iter().zip(other.errors.as_flattened());
+    let rates = one.rates.as_flattened().iter().zip(other.rates.as_flattened());
+    for ((a, b), (one, other)) in rates.zip(errors) {
+        assert_within("rate", *a, *b, one + other + 1e-12 * b.abs() + 1e-14);
+    }
+    Some(zones.len())
+}
+
+#[test]
+fn a_layer_that_bends_agrees_with_collocation() {
+    // Free ends on both sides, one, none; kinks; several zones; soft and firm ground.
+    for (theta0, exponent, profile, moment, zones) in [
+        (2.0, 0.5, "xi^2", 0.05, 1),
+        (0.3, 0.7, "abs(xi - 0.2)", 0.1, 1),
+        (5.0, 0.3, "3*cos(9*xi) + xi^2", 0.0, 4),
+        (40.0, 0.9, "60*xi^2 + 3*abs(xi)", 0.0, 1),
+        (1.0, 0.4, "0.1*xi^2", 0.1, 1),
+    ] {
+        let law = [theta0, exponent];
+        let found = agrees(law, &expression(law, profile, moment));
+        assert_eq!(found, Some(zones), "{theta0} {exponent} {profile}");
+    }
+}
+
+#[test]
+fn collocation_agrees_in_several_zones() {
+    let waves = [(0.5, 11), (0.5, 23), (2.0, 29), (5.0, 17), (20.0, 11), (20.0, 23), (20.0, 31)];
+    let steeper = [(50.0, 31), (150.0, 31), (150.0, 45)];
+    let count = |(theta0, waves): (f64, i32)| {
+        let size = 2.0 * (1.0 + theta0);
+        let profile = format!("{size}*(0.4*xi^2 + 0.1*cos({waves}*xi + 0.4))");
+        agrees([theta0, 1.0], &expression([theta0, 1.0], &profile, 0.1))
+    };
+    // Collocation does not find all zones of all of these.
+    let counts: Vec<usize> = waves.into_iter().chain(steeper).filter_map(count).collect();
+    assert!(counts.len() >= 3 && counts.iter().any(|count| *count >= 4), "{counts:?}");
+}
+
+#[test]
+fn collocation_agrees_at_corners_and_steps() {
+    let flat = problem([30.0, 1.0], Profile::flat(), FORCED, Rotational::Eccentricity(0.6));
+    assert_eq!(agrees([30.0, 1.0], &flat), Some(1));
+    let step = expression([3.0, 1.0], "xi^2 + where(xi > 0.3, 8, 0)", -0.1);
+    assert!(agrees([3.0, 1.0], &step).is_some());
+}
+
+#[test]
+fn force_moment_and_displacement_agree_with_a_rule_of_their_own() {
+    let problem = problem([8.0, 1.0], trace(1000, 8.0), FORCED, Rotational::Moment(0.2));
+    let found = panels(&problem);
+    let Complementarity { tension, penetration } = found.complementarity().unwrap();
+    assert!(tension < 1e-12 && penetration < 1e-12, "{tension:e} {penetration:e}");
+    let zones = found.zones();
+    let inside = 0.6 * zones[3][0] + 0.4 * zones[3][1];
+    let beside = 0.3 * zones[3][1] + 0.7 * zones[4][0];
+    let joints = problem.profile().joints(1.0);
+    let (mut force, mut moment, mut displaced) = (0.0, 0.0, [0.0, 0.0]);
+    for [left, right] in zones {
+        let mut cuts: Vec<f64> = joints.iter().copied().chain([inside]).collect();
+        cuts.retain(|at| *at > left && *at < right);
+        cuts.extend([left, right]);
+        cuts.sort_by(f64::total_cmp);
+        for pair in cuts.windows(2) {
+            let half = 0.5 * (pair[1] - pair[0]);
+            for node in fredholm::quadrature::double_exponential(14) {
+                // The distance from a place that is a cut is exact.
+                let [from_left, from_right] = [half * node.from_left, half * node.from_right];
+                let is_near = from_left < from_right;
+                let s = if is_near { pair[0] + from_left } else { pair[1] - from_right };
+                let part = half * node.weight * found.pressure(s);
+                force += part;
+                moment += s * part;
+                for (sum, x) in displaced.iter_mut().zip([inside, beside]) {
+                    let distance = match (pair[0] == x, pair[1] == x) {
+                        (true, _) => from_left,
+                        (_, true) => from_right,
+                        _ => (x - s).abs(),
+                    };
+                    *sum -= 8.0 * part * distance.ln();
+                }
+            }
+        }
+    }
+    assert_within("force", force, 1.0, 1e-11);
+    assert_within("moment", moment, 0.2, 1e-11);
+    for (sum, x) in displaced.into_iter().zip([inside, beside]) {
+        assert_within("displacement", sum, found.displacement(x), 1e-10 * size(&found, 1.0));
+    }
+}
+
+#[test]
+fn a_wave_agrees_with_a_rule_of_its_own() {
+    // By Kress' rule with 240 nodes a zone and edges of its own, in another language.
+    let found = panels(&expression([0.5, 1.0], "3*(0.4*xi^2 + 0.1*cos(23*xi+0.4))", 0.1));
+    let (accuracy, edge) = (found.accuracy().unwrap(), found.edge_error().unwrap());
+    let State { settlement, tilt, .. } = found.state();
+    for (value, exact, stated) in [
+        (settlement, 1.316_596_649_734_666_2, accuracy.settlement),
+        (tilt, -0.269_029_783_377_773_3, accuracy.tilt),
+        (found.zones()[0][1], -0.903_283_016_182_785, edge),
+        (found.zones()[1][0], -0.796_427_759_465_558_3, edge),
+        (found.pressure(-0.97), 0.179_993_382_878_006, accuracy.pressure),
+        (found.pressure(-0.93), 0.122_054_414_169_489_6, accuracy.pressure),
+    ] {
+        assert!(stated < 2e-12, "{stated:e}");
+        assert_within("value", value, exact, stated + 4e-15);
+    }
+}
+
+#[test]
+fn what_comes_out_may_be_prescribed() {
+    for (theta0, force, e) in [(30.0, 1.0, 0.1), (2.0, 0.4, -0.3)] {
+        let (law, arm) = ([theta0, 1.0], Rotational::Eccentricity(e));
+        let load = Load { vertical: Vertical::Force(force), rotational: arm };
+        let held = |vertical, rotational| problem(law, trace(1200, theta0), vertical, rotational);
+        let free = panels(&held(load.vertical, arm));
+        let State { settlement, tilt, moment, .. } = free.state();
+        assert_within("moment", moment, e * force, 1e-14);
+        let settled = Vertical::Settlement(settlement);
+        let both = panels(&held(settled, Rotational::Tilt(tilt)));
+        assert_within("force", both.state().force, force, 1e-10);
+        assert_within("moment", both.state().moment, moment, 1e-10);
+        for (one, other) in free.zones().iter().flatten().zip(both.zones().iter().flatten()) {
+            assert_within("edge", *one, *other, 1e-11);
+        }
+        // A settlement with an eccentricity is found by a search of its own.
+        let contact = held(settled, arm).solve().unwrap();
+        let (found, stated) = (contact.dimensionless(), contact.dimensionless().error().unwrap());
+        assert_eq!(contact.method().name, MethodName::Panels);
+        assert_eq!(found.zones().len(), free.zones().len());
+        assert_within("force", found.force(), force, stated.force + 1e-13 * force);
+        assert_within("moment", found.moment(), moment, stated.moment + 1e-13 * force);
+        assert_within("tilt", found.tilt(), tilt, stated.tilt + free.accuracy().unwrap().tilt);
+        // The rates are the inverse of those under the force.
+        let by_settlement = contact.tangent_sensitivities().unwrap().force.unwrap();
+        let [raise, _] = free.stiffness().displaced(&load, [1.0, 0.0]);
+        assert_within("rate", by_settlement.settlement.unwrap() * raise, 1.0, 1e-8);
+    }
+}
+
+#[test]
+fn rates_on_panels_agree_with_differences() {
+    for (theta0, vertical, rotational) in [
+        (30.0, FORCED, Rotational::Moment(0.2)),
+        (3.0, Vertical::Settlement(2.0), Rotational::Tilt(0.3)),
+    ] {
+        let problem = problem([theta0, 1.0], trace(1100, theta0), vertical, rotational);
+        let contact = problem.solve().unwrap();
+        let tangent = contact.tangent_sensitivities().unwrap();
+        assert_eq!(contact.method().name, MethodName::Panels);
+        assert_eq!(contact.sensitivities().unwrap(), tangent);
+        let other = contact.difference_sensitivities().unwrap();
+        let known = [
+            (tangent.settlement, other.settlement, contact.settlement()),
+            (tangent.force, other.force, contact.force()),
+            (tangent.tilt, other.tilt, contact.tilt()),
+            (tangent.peak_pressure, other.peak_pressure, contact.peak_pressure()),
+            (Some(tangent.contact_width), Some(other.contact_width), contact.contact_width()),
+        ];
+        for (one, other, value) in known {
+            let (Some(one), Some(other)) = (one, other) else { continue };
+            let pairs = [
+                (one.theta0, other.theta0, theta0),
+                (one.force, other.force, contact.force()),
+                (one.settlement, other.settlement, contact.settlement()),
+            ];
+            let both = pairs.iter().filter_map(|(a, b, at)| Some(((*a)? * at, (*b)? * at)));
+            let both: Vec<(f64, f64)> = both.collect();
+            let size = both.iter().fold(value.abs(), |most, (a, _)| most.max(a.abs()));
+            assert!(both.len() == 2 && one.error < 1e-5, "{one:?}");
+            for (a, b) in both {
+                assert_within("rate", a, b, 2.0 * (one.error + other.error) * size);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_gap_narrower_than_the_samples_parts_a_zone() {
+    // Between two of 10,000 points the base lifts off, far from the middle between the places that are looked at.
+    let positions: Vec<f64> = (0..10_000).map(|i| 2.0 * f64::from(i) / 9999.0 - 1.0).collect();
+    let height = |(i, x): (usize, &f64)| {
+        let wave = |k: f64| 0.5 * k.powf(-1.5) * (3.1 * k * x + k * k).sin();
+        let waves: f64 = (1..=100).map(|k| wave(f64::from(k))).sum();
+        4.0 * (0.3 * x * x + waves + 0.005 * (1e4 * (i as f64).sin()).fract())
+    };
+    let heights = positions.iter().enumerate().map(height).collect();
+    let profile = Profile::from_points(positions, heights).unwrap();
+    let found = panels(&problem([1.0, 1.0], profile, FORCED, Rotational::Moment(0.2)));
+    assert_eq!(found.zones().len(), 34);
+    let Complementarity { tension, penetration } = found.complementarity().unwrap();
+    assert!(tension < 1e-12 && penetration < 1e-12, "{tension:e} {penetration:e}");
+}
