@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a benchmark may fail by panicking")]
 #![allow(missing_docs, reason = "a benchmark has no readers")]
 
+mod clock;
+
 use std::hint::black_box;
 use std::sync::Arc;
 use std::time::Instant;
@@ -13,7 +15,7 @@ use fredholm::collocation::{Estimate, PointSet, SincGrid, SweepValue, solve_adap
 use fredholm::kernel::{Logarithm, Power};
 
 fn main() {
-    println!("{:<58} {:>12}", "one thread, log kernel, best of many", "microseconds");
+    println!("{:<58} {:>12}", "one thread, log kernel, mean processor time", "microseconds");
     cold_solve();
     stages();
     ready_operator();
@@ -21,22 +23,10 @@ fn main() {
     sweep_rate();
 }
 
-/// Best time of one call, in microseconds.
-fn time(name: &str, mut work: impl FnMut()) {
-    let repeat = {
-        let start = Instant::now();
-        work();
-        (0.02 / start.elapsed().as_secs_f64().max(1e-7)).ceil() as usize
-    };
-    let mut best = f64::INFINITY;
-    for _ in 0..15 {
-        let start = Instant::now();
-        for _ in 0..repeat {
-            work();
-        }
-        best = best.min(start.elapsed().as_secs_f64() / repeat as f64);
-    }
-    println!("{name:<58} {:>12.2}", best * 1e6);
+/// Mean processor time of one call, in microseconds.
+fn time(name: &str, work: impl FnMut()) {
+    let (seconds, ()) = clock::mean(work);
+    println!("{name:<58} {:>12.2}", seconds * 1e6);
 }
 
 fn points() -> Vec<f64> {
@@ -58,7 +48,7 @@ fn cold_solve() {
         solutions[1].evaluate_into(&points, &right, &mut values);
         black_box(&values);
     });
-    time("cold, adaptive (three node counts), 101 points", || {
+    time("cold, theta = 60: chosen nodes, estimate, 101 points", || {
         let found = solve_adaptive(&kernel, 60.0, |_| 1.0, 1e-11).unwrap();
         found.solution.evaluate_into(&points, &right, &mut values);
         black_box(&values);
@@ -141,12 +131,16 @@ fn sweep_rate() {
         let spectrum = operator.spectrum().unwrap();
         let sweep = spectrum.sweep(&f, [0.9, 1.1], 1e4).unwrap();
         for threads in [1, 2] {
-            let mut best = f64::INFINITY;
-            for _ in 0..7 {
-                let start = Instant::now();
-                sweep.run_on_threads(&thetas, &mut values, threads);
-                best = best.min(start.elapsed().as_secs_f64());
-            }
+            let best = if threads == 1 {
+                clock::mean(|| sweep.run(&thetas, &mut values)).0
+            } else {
+                let elapsed = |_| {
+                    let start = Instant::now();
+                    sweep.run_on_threads(&thetas, &mut values, threads);
+                    start.elapsed().as_secs_f64()
+                };
+                (0..7).map(elapsed).fold(f64::INFINITY, f64::min)
+            };
             println!(
                 "sweep, {} nodes, {} modes, {threads} threads: {:.1} million theta/s",
                 operator.count(),

@@ -3,8 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a benchmark may fail by panicking")]
 #![allow(missing_docs, reason = "a benchmark has no readers")]
 
-use std::hint::black_box;
-use std::time::Instant;
+mod clock;
 
 use fredholm::equation::{collocate, degenerate};
 use fredholm::kernel::{
@@ -20,38 +19,26 @@ const DEGREE: usize = 200;
 /// `lambda`.
 const PARAMETER: f64 = 1.0;
 
-/// Best of some runs, in milliseconds, and what the last returned.
-fn best<T>(mut work: impl FnMut() -> T) -> (f64, T) {
-    let mut best = f64::INFINITY;
-    let mut last = None;
-    for _ in 0..7 {
-        let start = Instant::now();
-        last = Some(black_box(work()));
-        best = best.min(1e3 * start.elapsed().as_secs_f64());
-    }
-    (best, last.unwrap())
-}
-
 /// Collocation with its estimate from nothing but the parameters.
 fn cold<K: Kernel>(name: &str, make: impl Fn() -> Result<K, Error>) {
-    let (time, (nodes, error)) = best(|| {
+    let (time, (nodes, error)) = clock::mean(|| {
         let kernel = make().unwrap();
         let f = |x: f64| kernel.mass_function(x) * (1.0 + x * x);
         let solution = collocate(&kernel, PARAMETER, &f, &[], TOLERANCE).unwrap();
         (solution.count, solution.error.solution / solution.largest)
     });
-    println!("{name:<44}{time:>12.2}{nodes:>9}{error:>14.1e}");
+    println!("{name:<44}{:>12.2}{nodes:>9}{error:>14.1e}", 1e3 * time);
 }
 
 /// The degenerate kernel with its estimate.
 fn spectral<K: SpectralRelation>(name: &str, make: impl Fn() -> Result<K, Error>) {
-    let (time, error) = best(|| {
+    let (time, error) = clock::mean(|| {
         let kernel = make().unwrap();
         let f = |x: f64| kernel.mass_function(x) * (1.0 + x * x);
         let solution = degenerate(&kernel, PARAMETER, &f, DEGREE).unwrap();
         solution.error.solution / solution.largest
     });
-    println!("{name:<44}{time:>12.2}{DEGREE:>9}{error:>14.1e}");
+    println!("{name:<44}{:>12.2}{DEGREE:>9}{error:>14.1e}", 1e3 * time);
 }
 
 fn main() {
