@@ -1,6 +1,6 @@
 //! Nodes of the double-exponential map on the unit interval, shared by all operators that use them.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, LN_2, PI};
 
 use super::Place;
 use crate::kernel::Kernel;
@@ -21,6 +21,8 @@ const FALLING: f64 = 2.0;
 const MOST_STEPS: usize = 200;
 /// Up to here the distances to the ends do not underflow: they are `2 exp(-2 A sinh T)` of the half-length, and `pi sinh 6 = 634`.
 const LARGEST_RANGE: f64 = 6.0;
+/// What the tails beyond the range may leave out of the solution of a power kernel.
+const TAIL: f64 = 1e-18;
 
 /// The nodes `t_j = j h`, `|t_j| <= T`, and their images under a double-exponential map ([`SincGrid::new`]).
 ///
@@ -66,6 +68,20 @@ impl SincGrid {
         // For beta < 0.07 nodes end where distances underflow, and accuracy is lost.
         let last = (deepest * RANGE.sinh()).min(FRAC_PI_2 * LARGEST_RANGE.sinh());
         Self::mapped(half_count, map.inverse(last, 1.0), map)
+    }
+
+    /// The grid with `2 half_count + 1` nodes and the map `tanh(pi/2 sinh t)`, as far into the corners as a solution differs from its end values by more than rounding, whatever the kernel: slopes beside ends need nodes that crowd
+    /// there.
+    ///
+    /// # Errors
+    /// [`Error::InvalidParameter`] unless `4 <= half_count <= 4000`.
+    pub fn crowded(kernel: &(impl Kernel + ?Sized), half_count: usize) -> Result<Self, Error> {
+        let exponent = kernel.end_exponent();
+        // A point is `2 exp(-pi sinh T)` of the half-length from its end. For beta < 0.05 distances underflow, and accuracy is lost.
+        let decades = (LN_2 - TAIL.ln() / exponent) / PI;
+        let range =
+            if exponent >= 1.0 { RANGE } else { decades.asinh().clamp(RANGE, LARGEST_RANGE) };
+        Self::with_range(half_count, range)
     }
 
     /// The grid with `2 half_count + 1` nodes on `[-T, T]`, `T` being `range`, and the map `tanh(pi/2 sinh t)`.

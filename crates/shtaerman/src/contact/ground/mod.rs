@@ -172,7 +172,7 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
     }
 
     fn grid(&self, half_count: usize) -> Result<Arc<SincGrid>, Error> {
-        Ok(Arc::new(SincGrid::new(self.kernel(), half_count)?))
+        Ok(Arc::new(SincGrid::crowded(self.kernel(), half_count)?))
     }
 
     /// The operator on panels in local coordinates.

@@ -59,7 +59,7 @@ pub(super) fn disk_operator(
     if let Some(operator) = known(&KNOWN_OPERATORS, &key) {
         return Ok(operator);
     }
-    let grid = Arc::new(SincGrid::new(&disk_harmonic(0, exponent)?, half_count)?);
+    let grid = Arc::new(SincGrid::crowded(&disk_harmonic(0, exponent)?, half_count)?);
     let kernel = disk_harmonic(order, exponent)?;
     let operator = Arc::new(SincOperator::on_panels(&kernel, grid, &[(0.0, 1.0)])?);
     if operator.count() <= MOST_NODES {
@@ -77,7 +77,7 @@ pub(super) fn line_operator(half_count: usize) -> Result<Arc<SincOperator>, Erro
         return Ok(operator);
     }
     let kernel = Logarithm::unit();
-    let grid = Arc::new(SincGrid::new(&kernel, half_count)?);
+    let grid = Arc::new(SincGrid::crowded(&kernel, half_count)?);
     let operator = Arc::new(SincOperator::on_panels(&kernel, grid, &[(-1.0, 1.0)])?);
     if half_count <= MOST_NODES {
         keep(&KNOWN_LINES, half_count, &operator, OPERATORS);

@@ -63,7 +63,7 @@ fn solved<F: FirstKind>(equation: &F, zones: &[Zone], detail: Detail) -> Result<
         return Err(Error::NoContact);
     }
     let solved = equation.on_zones(zones, detail)?;
-    equation.work().spend(solved.unknowns(), 0.0, MOST_WORK)?;
+    equation.work().spend(solved.coupled(), 0.0, MOST_WORK)?;
     Ok(solved)
 }
 

@@ -90,6 +90,11 @@ pub(in crate::contact) trait Pressure:
     /// Number of unknowns.
     fn unknowns(&self) -> usize;
 
+    /// How many of them a dense system couples.
+    fn coupled(&self) -> usize {
+        self.unknowns()
+    }
+
     /// Whether more detail adds nothing.
     fn is_fine(&self) -> bool {
         false

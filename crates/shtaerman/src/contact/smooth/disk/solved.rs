@@ -346,9 +346,12 @@ impl Pressure for Solved {
     }
 
     fn unknowns(&self) -> usize {
-        let rings: usize = self.parts.iter().map(RingPart::count).sum();
         let transform = self.core.as_ref().and_then(|core| core.transform.as_ref());
-        rings + transform.map_or(0, |all| all.size())
+        self.coupled() + transform.map_or(0, |all| all.size())
+    }
+
+    fn coupled(&self) -> usize {
+        self.parts.iter().map(RingPart::count).sum()
     }
 }
 

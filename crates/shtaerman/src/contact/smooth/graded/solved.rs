@@ -258,6 +258,10 @@ impl Pressure for Solved {
         self.strips.iter().map(Strip::size).sum()
     }
 
+    fn coupled(&self) -> usize {
+        if self.are_coupled() { self.flat[0].iter().map(Vec::len).sum() } else { 0 }
+    }
+
     /// The polynomials of one zone are kept to all digits from the first.
     fn is_fine(&self) -> bool {
         self.strips.len() == 1
