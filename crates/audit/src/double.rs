@@ -54,8 +54,8 @@ fn step(c: [f64; 2], t: &Doubles, factor: f64, next: &Doubles, after: &Doubles) 
 #[inline(always)]
 pub(crate) fn placed(x: &[f64; LANES], c: f64, inverse: f64) -> Doubles {
     let mut found = Doubles::ZERO;
-    for i in 0..LANES {
-        let (difference, lost) = two_sum(x[i], -c);
+    for (i, x) in x.iter().enumerate() {
+        let (difference, lost) = two_sum(*x, -c);
         let (product, error) = two_product(difference, inverse);
         found.high[i] = product;
         found.low[i] = error + lost * inverse;

@@ -4,7 +4,7 @@
 //! assumed to be.
 
 /// `ln 2` in two parts, the first of so few digits that multiples of it are exact.
-const LN_2: [f64; 2] = [6.931_471_803_691_238_16e-1, 1.908_214_929_270_587_7e-10];
+const LN_2: [f64; 2] = [0.693_147_180_369_123_8, 1.908_214_929_270_587_7e-10];
 /// The square root of one half: numbers are taken between it and its double.
 const ROOT: u64 = std::f64::consts::FRAC_1_SQRT_2.to_bits();
 /// Bits of the fraction of a number, and the exponent of 1.

@@ -177,13 +177,13 @@ fn shift(moments: &[f64; MOMENTS], ratio: f64, offset: f64, into: &mut [f64; MOM
             // Horner's scheme on the binomials: (offset + ratio t)^k, one power after the other.
             let mut row = *moments;
             into[0] += row[0];
-            for k in 1..MOMENTS {
+            for (k, into) in into.iter_mut().enumerate().skip(1) {
                 // row[j] = int q (offset + ratio t)^k t^j, of which those up to MOMENTS - 1 - k count.
                 let last = MOMENTS - k;
                 for j in 0..last {
                     row[j] = offset * row[j] + ratio * row[j + 1];
                 }
-                into[k] += row[0];
+                *into += row[0];
             }
         },
     );

@@ -29,9 +29,9 @@ impl<const N: usize> Sums<N> {
     #[inline(always)]
     pub(crate) fn finished(&self) -> [(f64, f64); N] {
         let mut found = [(0.0, 0.0); N];
-        for i in 0..N {
+        for (i, found) in found.iter_mut().enumerate() {
             let value = self.values[i] + self.lost[i];
-            found[i] = (value, UNIT * (1.01 * self.roundings[i] + 2.0 * value.abs()));
+            *found = (value, UNIT * (1.01 * self.roundings[i] + 2.0 * value.abs()));
         }
         found
     }

@@ -69,7 +69,7 @@ pub(super) struct Jump {
 
 impl Jump {
     /// Whether the base opens away from the body there.
-    pub(super) fn is_hollow(self) -> bool {
+    pub(super) fn is_hollow(&self) -> bool {
         self.size < 0.0
     }
 }

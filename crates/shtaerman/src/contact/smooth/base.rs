@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::contact::ground::Ground;
 use crate::contact::ground::of_problem::ground;
 use crate::contact::intervals::SLIVER;
-use crate::contact::kinks::{Jump, jump};
+use crate::contact::kinks::jump;
 use crate::contact::parts::{DEGREE, MOST_CUTS, RESOLVED};
 use crate::contact::revolution::require_even;
 use crate::contact::setting::Setting;
@@ -138,7 +138,8 @@ impl Base {
         self.samples =
             self.pieces.iter().map(|piece| self.sampled(*piece)).collect::<Result<_, _>>()?;
         let problem = self.setting.problem();
-        let is_hollow = |at: &&f64| jump(problem, self.own(**at)).is_some_and(Jump::is_hollow);
+        let is_hollow =
+            |at: &&f64| jump(problem, self.own(**at)).is_some_and(|jump| jump.is_hollow());
         self.hollows = self.breaks.iter().filter(is_hollow).copied().collect();
         for &place in &self.breaks {
             let inside = |[left, right]: &[f64; 2]| *left < place - REACH && place + REACH < *right;

@@ -40,7 +40,7 @@ impl Setting {
         match frame.grading() {
             _ if frame.is_circular() => disk::solve(base),
             Some(grading) => answer(&graded::Graded::new(base, grading.exponent())?),
-            None if self.problem().is_wave() => plane::wave(base),
+            None if self.problem().is_wave() => plane::wave(&base),
             None => answer(&plane::Plane::new(base)),
         }
     }

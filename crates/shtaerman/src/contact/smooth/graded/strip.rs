@@ -182,11 +182,12 @@ impl Strip {
             even + s * odd
         });
         let kinks = self.kinks().iter();
-        let kinks = kinks.map(|kink| kink.pressure(powers, place, self.from_kink(kink, place)));
+        let kinks =
+            kinks.map(|kink| kink.pressure(powers, place, self.distance_from_kink(kink, place)));
         self.ground.modulus / PI * (corners + halves + kinks.sum::<f64>())
     }
 
-    fn from_kink(&self, kink: &Kink, place: Place) -> f64 {
+    fn distance_from_kink(&self, kink: &Kink, place: Place) -> f64 {
         let distance = if place.from_left < place.from_right {
             place.from_left - kink.place.from_left
         } else {

@@ -28,7 +28,7 @@ use crate::{Error, Vertical};
 const SEAM: f64 = 1e-6;
 
 /// The contact of a base that repeats without gaps.
-pub(in super::super) fn solve(base: Arc<Base>) -> Result<Arc<dyn Solution>, Error> {
+pub(in super::super) fn solve(base: &Arc<Base>) -> Result<Arc<dyn Solution>, Error> {
     let step = (base.height(1.0 - BESIDE) - base.height(BESIDE - 1.0)).abs();
     let requirement = "the same at both ends of a period";
     require(step <= SEAM * base.range(), "profile", base.height(1.0), requirement)?;
@@ -36,7 +36,7 @@ pub(in super::super) fn solve(base: Arc<Base>) -> Result<Arc<dyn Solution>, Erro
         Vertical::Force(force) => force,
         Vertical::Settlement(_) => 0.0,
     };
-    let full = FullWave::new(&base, force);
+    let full = FullWave::new(base, force);
     let along = full.along((4 * base.cells()).min(MOST_POINTS));
     let size = along.iter().fold(0.0f64, |most, (_, p)| most.max(p.abs()));
     let (bottom, least) = full.lowest(&along, &base.breaks);
@@ -44,7 +44,7 @@ pub(in super::super) fn solve(base: Arc<Base>) -> Result<Arc<dyn Solution>, Erro
     let is_seam = full.at(-1.0) <= least + NEGLIGIBLE * size;
     let first = |force: f64| full.first_zone(&along, (bottom, least), force);
     let place = if is_seam { 1.0 } else { bottom };
-    let partial = || Partial::new(&base, place, !full.is_smooth());
+    let partial = || Partial::new(base, place, !full.is_smooth());
     if let Vertical::Settlement(settlement) = base.load.vertical {
         let requirement = "less than the mean height of the profile: in full contact it is that mean, whatever the force";
         let is_partial = base.setting.is_unilateral() && settlement < full.settlement();
