@@ -63,6 +63,7 @@ pub fn build(docs: &Path, folder: &Path) -> Result<()> {
     copy(&docs.join("katex/fonts"), &built.join("katex/fonts"))?;
     fs::copy(docs.join("katex/LICENSE"), built.join("katex/LICENSE"))?;
     fs::write(built.join(LISTING), listing(docs)?)?;
+    fs::write(built.join("version.txt"), concat!(env!("CARGO_PKG_VERSION"), "\n"))?;
     if folder.exists() {
         fs::rename(folder, new.path().join("old"))?;
     }
