@@ -50,7 +50,7 @@ impl Default for Setter {
 }
 
 impl Setter {
-    /// The chapter with HTML and MathML in place of its formulas.
+    /// The chapter with HTML and `MathML` in place of its formulas.
     ///
     /// # Errors
     ///

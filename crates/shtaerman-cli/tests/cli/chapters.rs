@@ -184,7 +184,8 @@ fn commands(folder: &Folder, text: &str) -> Result<(), String> {
         let is_gap = |word: &str| {
             let bare = word.trim_end_matches([',', ';']);
             bare == "..."
-                || word.contains(['[', ']', '|', '(', '<'])
+                || word.contains(['[', ']', '|'])
+                || word.starts_with('(')
                 || bare.split(['.', '=', ':']).any(|part| {
                     part.len() > 1
                         && part.chars().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit())
@@ -192,9 +193,8 @@ fn commands(folder: &Folder, text: &str) -> Result<(), String> {
                 })
                 || bare == "T"
         };
-        if arguments.split(' ').any(is_gap) {
-            synopsis(folder, arguments)?;
-        } else if arguments.starts_with("explore ") {
+        // The page is served until it is ended.
+        if arguments.split(' ').any(is_gap) || arguments.starts_with("explore ") {
             synopsis(folder, arguments)?;
         } else {
             shell(folder, command).map_err(|said| format!("`{command}`: {said}"))?;
