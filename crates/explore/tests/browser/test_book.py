@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from playwright.sync_api import Browser, Page
-from conftest import ROOT
+from conftest import PROGRAM, ROOT
 
 # Of a page without its programs: formulas as they are shown, code within a line as well.
 TEXT = """() => {
@@ -24,7 +24,10 @@ TEX = re.compile(r"\\(?!u\{)[A-Za-z,;!|{}]+|\$\S")
 @pytest.fixture(scope="module")
 def book(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("book") / "book"
-    subprocess.run(["cargo", "run", "--quiet", "-p", "shtaerman-book", "--", folder], cwd=ROOT, check=True)
+    # What was built with the program; built alone its dependencies would be compiled again.
+    built = Path(PROGRAM).with_name("shtaerman-book")
+    command = [str(built)] if built.exists() else ["cargo", "run", "--quiet", "-p", "shtaerman-book", "--"]
+    subprocess.run([*command, folder], cwd=ROOT, check=True)
     return folder
 
 
