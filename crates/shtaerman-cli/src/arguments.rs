@@ -1,5 +1,6 @@
 //! The arguments of the command line.
 
+mod book;
 mod common;
 mod explore;
 mod export;
@@ -17,6 +18,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+pub use book::BookArguments;
 pub use common::{OutputArguments, ProblemArguments, ReportArguments, ReportFormat};
 pub use explore::ExploreArguments;
 pub use export::{ExportArguments, Exported, ModelUnits, Program};
@@ -82,6 +84,8 @@ pub enum Command {
     Sweep(SweepArguments),
     /// Explore a problem on a local page in the browser.
     Explore(ExploreArguments),
+    /// Open the book in the browser: the model, the methods, tutorials, every command and key.
+    Book(BookArguments),
     /// Turn what is known of a rough surface into the roughness of a problem file.
     Roughness(RoughnessArguments),
     /// Write the rough layer, or the whole contact, as tables for a finite-element program.

@@ -80,6 +80,24 @@ fn a_narrow_contact_is_shown_larger_with_the_whole_beside() {
 }
 
 #[test]
+fn what_is_beyond_a_frame_is_hidden() {
+    let hertz = ["punch.half_width=20 mm", "punch.profile=x^2/(2*0.05)", "load.force=20 kN/m"];
+    let text = svg(&contact_plot(&example("crowned_punch.toml", &hertz)).unwrap());
+    let picture = roxmltree::Document::parse(&text).unwrap();
+    let mut clipped = 0;
+    for node in picture.descendants() {
+        let Some(clip) = node.attribute("clip-path") else { continue };
+        let id = clip.strip_prefix("url(#").unwrap().strip_suffix(')').unwrap();
+        let path = picture.descendants().find(|node| node.attribute("id") == Some(id)).unwrap();
+        assert_eq!(path.tag_name().name(), "clipPath");
+        let width = path.first_element_child().unwrap().attribute("width").unwrap();
+        assert!((100.0..800.0).contains(&width.parse::<f64>().unwrap()), "{width}");
+        clipped += 1;
+    }
+    assert_eq!(clipped, 3);
+}
+
+#[test]
 fn infinite_ends_run_out_of_the_frame() {
     let smooth = contact_plot(&example("flat_punch.toml", &["foundation.roughness=0"])).unwrap();
     let infinite = smooth.pressure.iter().filter(|point| point.1 == f64::INFINITY).count();

@@ -107,3 +107,8 @@ pub use stress::{Criterion, FirstYield, Peak, Stress, StressField};
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/src/ten-tasks.md")]
 mod ten_tasks {}
+
+/// The Rust of the chapter *Layers and coatings*.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/src/layered.md")]
+mod layered {}

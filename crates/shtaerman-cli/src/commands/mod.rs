@@ -1,5 +1,6 @@
 //! One file a command.
 
+mod book;
 mod completions;
 mod convergence;
 mod equation;
@@ -42,6 +43,7 @@ pub(crate) fn execute(command: &Command) -> Result<(), Failure> {
         Command::Spectrum(arguments) => spectrum::run(arguments),
         Command::Sweep(arguments) => sweep::run(arguments),
         Command::Explore(arguments) => explore::run(arguments),
+        Command::Book(arguments) => book::run(arguments),
         Command::Roughness(arguments) => roughness::run(arguments),
         Command::Export(arguments) => export::run(arguments),
         Command::Trace(arguments) => trace::run(arguments),

@@ -61,7 +61,6 @@ pub(super) struct Style {
 /// A picture being drawn.
 pub(super) struct Canvas {
     scene: Scene,
-    clips: usize,
     theme: Theme,
 }
 
@@ -71,7 +70,7 @@ impl Canvas {
         scene.font_family = Some(FONTS.to_owned());
         let Colour(red, green, blue) = theme.colour(Colour::PAPER);
         scene.background_color = Some(format!("#{red:02x}{green:02x}{blue:02x}"));
-        Self { scene, clips: 0, theme }
+        Self { scene, theme }
     }
 
     pub(super) fn theme(&self) -> Theme {
@@ -193,14 +192,16 @@ impl Canvas {
 
     /// Hides what is drawn outside of the frame until [`Canvas::unclip`].
     pub(super) fn clip(&mut self, frame: Frame) {
-        self.clips += 1;
-        self.scene.add(Primitive::ClipStart {
-            x: frame.left,
-            y: frame.top,
-            width: frame.width(),
-            height: frame.height(),
-            id: format!("panel{}", self.clips),
-        });
+        let (x, y, width, height) = (frame.left, frame.top, frame.width(), frame.height());
+        // Named by its place: where a page has several pictures, equal names clip alike.
+        let id = format!("clip-{x:.2}-{y:.2}-{width:.2}-{height:.2}").replace('.', "_");
+        let path = format!(
+            r#"<clipPath id="{id}"><rect x="{x:.2}" y="{y:.2}" width="{width:.2}" height="{height:.2}"/></clipPath>"#
+        );
+        if !self.scene.defs.contains(&path) {
+            self.scene.defs.push(path);
+        }
+        self.scene.add(Primitive::ClipStart { x, y, width, height, id });
     }
 
     pub(super) fn unclip(&mut self) {

@@ -27,7 +27,7 @@ fn all_examples() -> Vec<String> {
 }
 
 /// A folder with a copy of `examples/`, so that the commands of the headings run as they are written.
-fn copy() -> Folder {
+pub(crate) fn copy() -> Folder {
     let folder = Folder::new();
     copy_folder(&repository().join("examples"), &folder.path("examples"));
     folder

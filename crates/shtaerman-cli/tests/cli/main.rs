@@ -4,6 +4,9 @@
 mod arguments;
 mod bad_input;
 mod bad_values;
+mod book;
+#[cfg(unix)]
+mod chapters;
 mod commands;
 mod contacts;
 mod equation;

@@ -4,7 +4,7 @@ use std::process::Command;
 
 use crate::support::Folder;
 
-const COMMANDS: [&str; 18] = [
+const COMMANDS: [&str; 19] = [
     "solve",
     "find",
     "validate",
@@ -22,6 +22,7 @@ const COMMANDS: [&str; 18] = [
     "trace",
     "schema",
     "completions",
+    "book",
     "man",
 ];
 
