@@ -38,12 +38,16 @@ pub(super) struct EndState {
 }
 
 impl EndState {
-    /// The step outwards: a stride where Newton's leads nowhere.
+    /// The step outwards. Where Newton's leads the wrong way, as beside an end that lies too far inside, where the pressure rises as at a corner, its length is still that over which the value changes; where
+    /// it leads nowhere a stride.
     fn outwards(&self, length: f64) -> f64 {
-        if self.step.is_finite() && self.step * self.value >= 0.0 {
+        let stride = STRIDE * length;
+        if !self.step.is_finite() {
+            stride.copysign(self.value)
+        } else if self.step * self.value >= 0.0 {
             self.step
         } else {
-            STRIDE.copysign(self.value) * length
+            self.step.abs().clamp(NEAR * length, stride).copysign(self.value)
         }
     }
 }
