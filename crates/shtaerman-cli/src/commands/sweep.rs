@@ -92,6 +92,7 @@ fn sheet(
     if let Ok(file) = ProblemFile::from_document(run.study.problem().clone(), folder) {
         sheet.problem(file.problem());
     }
+    sheet.unchecked("a study is not checked case by case; `shtaerman solve` checks each of them.");
     // Where nothing can be drawn, the table stands alone.
     let stem = problem_file::stem(&arguments.file);
     let drawn = report::response(&stem, run.study, units, &run.curves, Some(&run.summary));

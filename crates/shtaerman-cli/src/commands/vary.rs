@@ -24,6 +24,10 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
     let path = &arguments.problem.file;
     check_writable(&outputs, &[Input { what: "the problem file", path }])?;
+    if arguments.sense.strict {
+        let words = "--strict: not with --vary, whose cases are not looked at one by one; `shtaerman solve --set KEY=VALUE --strict` looks at one";
+        return Err(Failure::Usage(words.to_owned()));
+    }
     let study = study(arguments)?;
     for path in study.measured_profiles()? {
         check_writable(&outputs, &[Input { what: "the measured profile", path: &path }])?;

@@ -189,16 +189,18 @@ pub(crate) fn columns(study: &Study, rows: &[Row]) -> serde_json::Value {
 /// The share of the variance of each output that each varied value has, alone and with all others.
 fn indices(study: &Study, summary: &Summary) -> String {
     let Some(indices) = &summary.indices else { return String::new() };
+    // An output that does not vary has no share of a variance.
+    let share = |value: f64| if value.is_nan() { "-".to_owned() } else { format!("{value:.4}") };
     let mut table = Table::new(&["output", "varied value", "first order", "+-", "total", "+-"]);
     for (output, index) in study.outputs().iter().zip(0..) {
         for (variable, found) in study.variables().iter().zip(indices.of(index)) {
             table.row(vec![
                 output.name.clone(),
                 variable.key.clone(),
-                format!("{:.4}", found.first),
-                format!("{:.4}", found.first_error),
-                format!("{:.4}", found.total),
-                format!("{:.4}", found.total_error),
+                share(found.first),
+                share(found.first_error),
+                share(found.total),
+                share(found.total_error),
             ]);
         }
     }

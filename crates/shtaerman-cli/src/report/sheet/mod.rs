@@ -36,6 +36,8 @@ pub(crate) struct Sheet {
     pictures: Vec<(String, String)>,
     /// What the checks of this answer look at.
     checked: &'static str,
+    /// Why nothing was looked at.
+    unchecked: Option<&'static str>,
     files: Vec<(String, Vec<u8>)>,
 }
 
@@ -72,6 +74,11 @@ impl Sheet {
     pub(crate) fn problem(&mut self, problem: &Problem) {
         self.model = model::of_problem(problem);
         self.checked = "steep bases and large tilts (small slopes are assumed), pressures that no solid bears or above the yield stress, settlements beyond the half-width, bases wider than machines have, moduli and yield stresses without a unit that are softer than rubber";
+    }
+
+    /// That nothing was looked at with the eyes of an engineer, and why.
+    pub(crate) fn unchecked(&mut self, why: &'static str) {
+        self.unchecked = Some(why);
     }
 
     /// The model of an equation.
@@ -177,6 +184,9 @@ impl Sheet {
     }
 
     fn checks(&self) -> String {
+        if let Some(why) = self.unchecked {
+            return format!("<p>Nothing was looked for: {}</p>", escaped(why));
+        }
         let checked = if self.checked.is_empty() {
             String::new()
         } else {
