@@ -276,6 +276,10 @@ fn variables(
             .error(format!("has {} keys, from 1 to {MOST_VARIABLES} can be varied", keys.len()))
             .with_help("write vary.\"load.force\" = { from = .., to = .., count = .. }"));
     }
+    let ends: Vec<(&str, [String; 2])> = keys
+        .iter()
+        .filter_map(|key| Some((*key, first_and_last(&vary.required(key).ok()?)?)))
+        .collect();
     keys.into_iter()
         .map(|key| {
             let field = vary.required(key)?;
@@ -287,7 +291,7 @@ fn variables(
             if key.starts_with("study.") {
                 return Err(field.error("is no key of the problem, which alone can vary"));
             }
-            let trial = Trial { key, problem, folder };
+            let trial = Trial { key, problem, folder, ends: &ends };
             Ok(Variable { key: key.to_owned(), variation: variation(&field, is_grid, &trial)? })
         })
         .collect()
@@ -298,24 +302,58 @@ struct Trial<'t> {
     key: &'t str,
     problem: &'t Document,
     folder: &'t Path,
+    /// The first and the last value of each key that varies.
+    ends: &'t [(&'t str, [String; 2])],
 }
 
 impl Trial<'_> {
-    /// Refuses what the reader of the problem would refuse of this key; faults of other keys are told later.
+    /// Refuses what the reader of the problem would refuse of this key, both in the file as it is and with the others that vary at their first or last values, of which one may depend on another as a moment on its force; faults of other keys are told later.
     fn check(&self, field: &Field<'_>, text: &str) -> Result<(), FileError> {
-        let mut document = self.problem.clone();
-        document.set(self.key, text).map_err(|error| field.error(error.to_string()))?;
-        match AnyFile::from_document(document, self.folder) {
-            Err(Error::File(fault)) if fault.field() == Some(self.key) => {
-                let told = field.error(format!("is refused: {}: {}", self.key, fault.message()));
-                Err(match fault.help() {
-                    Some(help) => told.with_help(help),
-                    None => told,
-                })
+        let read = |mut document: Document| {
+            document.set(self.key, text).map_err(|error| field.error(error.to_string()))?;
+            match AnyFile::from_document(document, self.folder) {
+                Err(Error::File(fault)) if fault.field() == Some(self.key) => Ok(Err(fault)),
+                _ => Ok(Ok(())),
             }
-            _ => Ok(()),
+        };
+        let Err(fault) = read(self.problem.clone())? else { return Ok(()) };
+        for side in 0..2 {
+            let mut document = self.problem.clone();
+            let others = self.ends.iter().filter(|(key, _)| *key != self.key);
+            if others.map(|(key, ends)| document.set(key, &ends[side])).all(|set| set.is_ok())
+                && read(document)?.is_ok()
+            {
+                return Ok(());
+            }
+        }
+        Err(self.told(field, &fault))
+    }
+
+    fn told(&self, field: &Field<'_>, fault: &FileError) -> FileError {
+        let told = field.error(format!("is refused: {}: {}", self.key, fault.message()));
+        match fault.help() {
+            Some(help) => told.with_help(help),
+            None => told,
         }
     }
+}
+
+/// The first and the last of the values of a key, as the problem file would have them; none where they are no values.
+fn first_and_last(field: &Field<'_>) -> Option<[String; 2]> {
+    let text = |field: &Field<'_>| match field.value().kind() {
+        ValueKind::String(text) => Some(text.clone()),
+        ValueKind::Integer(value) => Some(value.to_string()),
+        ValueKind::Float(value) => Some(format!("{value:e}")),
+        _ => None,
+    };
+    if !field.is_table() {
+        let items = field.items().ok()?;
+        return Some([text(items.first()?)?, text(items.last()?)?]);
+    }
+    let table = field.table().ok()?;
+    let at = |key: &str| text(&table.optional(key)?);
+    let first = at("from").or_else(|| at("mean"))?;
+    Some([first.clone(), at("to").unwrap_or(first)])
 }
 
 fn variation(field: &Field<'_>, is_grid: bool, trial: &Trial<'_>) -> Result<Variation, FileError> {

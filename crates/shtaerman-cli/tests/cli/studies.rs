@@ -25,6 +25,25 @@ audited_sample = 1
 part_size = 3
 "#;
 
+/// A moment is bounded by the force that varies with it, not by that of the file.
+#[test]
+fn values_that_hold_together_are_no_fault_of_each_alone() {
+    let folder = Folder::new();
+    let small = UNILATERAL.replace("0.8 MN/m", "0.1 MN/m");
+    let vary = |moments: &str| {
+        format!(
+            "{small}\n[study]\nvary.\"load.force\" = [\"1 MN/m\", \"2 MN/m\"]\nvary.\"load.moment\" = [{moments}]\noutputs = [\"tilt\"]\n"
+        )
+    };
+    folder.write("study.toml", vary("\"1 kN\", \"2 kN\""));
+    let text = folder.run(&["sweep", "study.toml", "-o", "out"]).answer();
+    assert!(text.contains("4 cases answered, 0 refused"), "{text}");
+    folder.write("study.toml", vary("\"1 kN\", \"2 mm\""));
+    let run = folder.run(&["sweep", "study.toml", "-o", "other"]);
+    let refusal = run.refusal();
+    assert!(refusal.contains("load.moment") && refusal.contains("is refused"), "{refusal}");
+}
+
 #[test]
 fn every_equation_is_what_the_command_says_to_the_last_bit() {
     let folder = Folder::new();
