@@ -68,13 +68,13 @@ impl Contact {
                 self.tilt()
             ),
         );
-        let peak = self.peak_pressure();
+        let (name, pressure) = self.telling_pressure();
         doubt(
-            peak.is_finite() && peak > ELASTIC_SHARE * modulus,
+            pressure > ELASTIC_SHARE * modulus,
             WarningCode::HighPressure,
             format!(
-                "the largest pressure, {}, is above a tenth of the modulus that resists it, {}: no solid bears that elastically; is the load per metre of length, and the modulus in GPa?",
-                stress(peak),
+                "the {name} pressure, {}, is above a tenth of the modulus that resists it, {}: no solid bears that elastically; is the load per metre of length, and the modulus in GPa?",
+                stress(pressure),
                 stress(modulus)
             ),
         );
@@ -89,6 +89,14 @@ impl Contact {
             ),
         );
         found
+    }
+}
+
+impl Contact {
+    /// The largest pressure, or, where a corner or a kink of a smooth surface makes that infinite, the mean one in contact (Pa), with its name.
+    pub(crate) fn telling_pressure(&self) -> (&'static str, f64) {
+        let peak = self.peak_pressure();
+        if peak.is_finite() { ("largest", peak) } else { ("mean", self.mean_contact_pressure()) }
     }
 }
 
@@ -154,6 +162,21 @@ mod tests {
         assert!(soft.contains(&WarningCode::HighPressure), "{soft:?}");
         let softer = codes(5e-3, "0", 0.8e6, 2e6);
         assert!(softer.contains(&WarningCode::LargeDisplacement), "{softer:?}");
+    }
+
+    /// A smooth flat punch has an infinite pressure at its corners, whatever the load.
+    #[test]
+    fn the_mean_pressure_tells_where_the_largest_is_infinite() {
+        let codes = |force: f64| -> Vec<WarningCode> {
+            let foundation = Foundation::new(Elastic::new(200e9, 0.3).unwrap());
+            let punch = Punch::new(5e-3).unwrap();
+            let problem = Problem::new(foundation, punch, Load::force(force).unwrap()).unwrap();
+            let found = problem.solve().unwrap().sense_checks();
+            found.into_iter().map(|warning| warning.code).collect()
+        };
+        // E*/10 is 22 GPa.
+        assert_eq!(codes(0.2e9), []);
+        assert_eq!(codes(0.3e9), [WarningCode::HighPressure]);
     }
 
     #[test]

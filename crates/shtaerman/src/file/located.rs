@@ -129,15 +129,14 @@ impl ProblemFile {
         }
         let key = "foundation.yield_stress";
         found.extend(bare(key).and_then(|stress| Warning::low_yield_stress(key, stress)));
-        let peak = contact.peak_pressure();
+        let (name, pressure) = contact.telling_pressure();
         if let Ok(Some(limit)) = self.yield_stress()
-            && peak.is_finite()
-            && peak > limit
+            && pressure > limit
         {
             let shown = |value| self.units.shown(value, Measure::Pressure);
             let message = format!(
-                "the largest pressure, {}, is above the yield stress, {}: `shtaerman stress` says where and when the body yields",
-                shown(peak),
+                "the {name} pressure, {}, is above the yield stress, {}: `shtaerman stress` says where and when the body yields",
+                shown(pressure),
                 shown(limit)
             );
             found.push(Warning { code: WarningCode::AboveYield, message });
