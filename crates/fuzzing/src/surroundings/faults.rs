@@ -21,7 +21,8 @@ moment = "100 N"
 "#;
 
 /// The command, of which surroundings are a part: `$0` is the program.
-const SOLVE: &str = r#""$0" solve p.toml --format json --output out.json --plot out.svg"#;
+const SOLVE: &str =
+    r#""$0" solve p.toml --format json --output out.json --plot out.svg --title contact"#;
 
 /// What comes of surroundings.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -152,8 +153,10 @@ fn named(name: &[u8]) -> Result<Outcome, String> {
     let name = OsString::from_vec(name.to_vec());
     let folder = Folder::new()?;
     folder.write(&name, PROBLEM)?;
-    let mut command: Command = folder
-        .command(&["solve", "--format", "json", "--output", "out.json", "--plot", "out.svg"])?;
+    let mut command: Command = folder.command(&[
+        "solve", "--format", "json", "--output", "out.json", "--plot", "out.svg", "--title",
+        "contact",
+    ])?;
     let status = command.arg("--").arg(&name).status().map_err(told)?;
     let after = folder.files()?;
     let done = undisturbed()?;
