@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import json
 import warnings
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -24,7 +24,7 @@ __version__ = engine.__version__
 _POINTS = 201
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Errors:
     """The errors of a contact, in its units; zero for what the load prescribes."""
 
@@ -46,6 +46,17 @@ class Errors:
     """Error of the free ends of the zones."""
     stiffness: FloatArray | None = None
     """Errors of the entries of the tangent stiffness, where the method tells them."""
+
+    def _values(self) -> tuple[object, ...]:
+        # Arrays have no truth value of their own.
+        stiffness = None if self.stiffness is None else self.stiffness.tobytes()
+        return (*(getattr(self, field.name) for field in fields(self) if field.name != "stiffness"), stiffness)
+
+    def __eq__(self, other: object) -> bool:
+        return self._values() == other._values() if isinstance(other, Errors) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self._values())
 
 
 @dataclass(frozen=True)

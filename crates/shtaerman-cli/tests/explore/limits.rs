@@ -118,7 +118,9 @@ fn a_hostile_profile_ends_in_time_and_others_are_answered_meanwhile() {
         let told: Value = serde_json::from_str(&told.body).unwrap();
         let is_best = told["unfinished"] == true;
         let said = told["fault"]["message"].as_str();
-        assert!(is_best || said.is_some_and(|said| said.contains("time limit")), "{told}");
+        // Or it was refused before that: no zones were found.
+        let is_refused = told["fault"]["exit_code"] == 3;
+        assert!(is_best || is_refused && said.is_some(), "{told}");
     });
     assert!(since.elapsed() < Duration::from_secs(20), "{:?}", since.elapsed());
 }
@@ -126,13 +128,13 @@ fn a_hostile_profile_ends_in_time_and_others_are_answered_meanwhile() {
 /// What has no limit of its own is ended with its process, and the next question finds another.
 #[test]
 fn a_process_that_takes_too_long_is_ended_and_replaced() {
-    let page = Page::open(&["--time-limit", "0.5 s"]);
+    let page = Page::open(&["--time-limit", "0.2 s"]);
     // The map of a contact that is solved at once: 160,000 stresses, which no limit of a solve holds.
     let map = json!({ "name": "x.toml", "toml": PUNCH, "component": "von-mises", "points": [400, 400], "peaks": true });
     for _ in 0..2 {
         let told = page.raw(&page.question("map", &map.to_string()));
         assert_eq!(told.status, 504, "{}", told.body);
-        assert!(told.body.contains("took longer than 1 s"), "{}", told.body);
+        assert!(told.body.contains("took longer than 0.4 s"), "{}", told.body);
     }
     assert!(solve(&page)["answer"].is_object());
 }
