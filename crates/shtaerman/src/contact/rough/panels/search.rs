@@ -81,22 +81,43 @@ impl<'b> ManyPanels<'b> {
         self.solve(if is_unknown { base.whole() } else { zones })
     }
 
-    /// The answer from zones that are nearly right.
+    /// The answer from zones that are nearly right. A gap that is about to close is so narrow, and what would pull there so little, that coarse panels do not tell: then the answer shows where to look.
     fn solve(&mut self, zones: Vec<Zone>) -> Result<(OnZones, Check), Error> {
-        let mut found = self.settled(zones, 0, None)?;
+        let coarse = self.settled(zones, 0, None)?;
+        let (mut best, mut left) = self.answered(coarse)?;
         for _ in 0..CORRECTIONS {
-            let left = self.left(&found, COARSELY_ALLOWED);
             if left.is_clean() || self.base.problem().deadline().is_past() {
                 break;
             }
-            self.add_places(&found, &left);
-            found = self.settled(found.nodes.zones.clone(), 0, Some(&found))?;
+            self.add_places(&best, &left);
+            let zones = best.nodes.zones.clone();
+            let next = self.settled(zones, 0, Some(&best)).and_then(|next| self.answered(next));
+            match next {
+                // What more places do not lower is rounding.
+                Ok((solved, rest)) if rest.violation() <= 0.5 * left.violation() => {
+                    (best, left) = (solved, rest);
+                }
+                _ => break,
+            }
+        }
+        Ok((best, left))
+    }
+
+    /// The answer from one on coarse panels, and what is left of tension and penetration.
+    fn answered(&mut self, mut coarse: OnZones) -> Result<(OnZones, Check), Error> {
+        for _ in 0..CORRECTIONS {
+            let left = self.left(&coarse, COARSELY_ALLOWED);
+            if left.is_clean() || self.base.problem().deadline().is_past() {
+                break;
+            }
+            self.add_places(&coarse, &left);
+            coarse = self.settled(coarse.nodes.zones.clone(), 0, Some(&coarse))?;
         }
         let next = |solved: &OnZones, level: usize| match LADDER.get(level) {
             Some(_) => self.settled(solved.nodes.zones.clone(), level, Some(solved)).map(Some),
             None => Ok(None),
         };
-        let solved = refined(self.base, found, next)?;
+        let solved = refined(self.base, coarse, next)?;
         let left = self.left(&solved, ALLOWED);
         Ok((solved, left))
     }
