@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use super::kernel::PanelKernel;
-use super::operator::fill_row;
+use super::near::NearEntries;
 use super::panels::Panels;
 use crate::Error;
 use crate::linear::{Cholesky, Factored, dot};
@@ -42,17 +42,16 @@ struct Deviations {
 impl Deviations {
     /// None where rounding makes the matrix of the group singular.
     fn new(
-        kernel: PanelKernel,
-        panels: &Panels,
+        near: &NearEntries<'_>,
         theta: f64,
-        (own, weight, weights): (&[f64], Option<&[f64]>, &[f64]),
+        (weight, weights): (Option<&[f64]>, &[f64]),
         part: Range<usize>,
     ) -> Option<Self> {
         let count = part.len();
         let mut rows = vec![0.0; count * count];
-        for (node, row) in part.clone().zip(rows.chunks_exact_mut(count)) {
-            fill_row(kernel, panels, own, (node, &part), row);
-            if let Some(weight) = weight {
+        near.fill(part.clone(), &[part.clone(), 0..0], &mut rows);
+        if let Some(weight) = weight {
+            for row in rows.chunks_exact_mut(count) {
                 row.iter_mut().zip(&weight[part.clone()]).for_each(|(entry, w)| *entry *= w);
             }
         }
@@ -131,11 +130,11 @@ impl Groups {
             let potential = mean(i, j) - constants[i] - constants[j] + level;
             layer + theta * roots[i] * roots[j] * potential
         })?;
-        let own = panels.rule.own(kernel);
+        let near = NearEntries::new(kernel, panels);
         let deviations = (firsts.windows(2).zip(&intervals))
             .map(|(pair, interval)| {
                 let part = (!is_thin(*interval)).then_some(pair[0]..pair[1])?;
-                Deviations::new(kernel, panels, theta, (&own, weight, &weights), part)
+                Deviations::new(&near, theta, (weight, &weights), part)
             })
             .collect();
         Ok(Self { starts: firsts, masses, weights, factor, deviations })

@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use super::rule::logarithm_moments;
 use crate::Error;
 use crate::complementarity::{mean_logarithm, mean_power};
+use crate::special::{logarithms, powers};
 
 /// Beyond this many half-lengths from the middle moments of a power are computed downwards, and the decimals in the logarithm of what that leaves out.
 const FORWARD: f64 = 1.05;
@@ -51,6 +52,22 @@ impl PanelKernel {
             Self::Sine => -(2.0 * (FRAC_PI_2 * self.shortest(d)).sin().abs()).ln(),
             Self::Power { exponent } => d.abs().powf(-exponent),
         }
+    }
+
+    /// Replaces distances, none of them zero, by the kernel.
+    pub(super) fn values(self, distances: &mut [f64]) {
+        match self {
+            Self::Logarithm => distances.iter_mut().for_each(|d| *d = d.abs()),
+            Self::Sine => distances
+                .iter_mut()
+                .for_each(|d| *d = 2.0 * (FRAC_PI_2 * self.shortest(*d)).sin().abs()),
+            Self::Power { exponent } => {
+                distances.iter_mut().for_each(|d| *d = d.abs());
+                return powers(distances, -exponent);
+            }
+        }
+        logarithms(distances);
+        distances.iter_mut().for_each(|value| *value = -*value);
     }
 
     /// Whether the ends of `[-1, 1]` are one place.

@@ -7,6 +7,7 @@
 mod groups;
 mod kernel;
 mod krylov;
+mod near;
 mod operator;
 mod panels;
 mod rule;

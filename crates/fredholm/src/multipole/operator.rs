@@ -4,10 +4,11 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use super::kernel::PanelKernel;
+use super::near::NearEntries;
 use super::panels::Panels;
 use super::tree::{Locals, Tree, interpolate};
 use crate::Error;
-use crate::linear::dot;
+use crate::linear::{dot, vectorised};
 
 /// Nodes of a leaf, about.
 const CROWD: usize = 24;
@@ -34,6 +35,18 @@ impl PanelOperator {
     /// # Errors
     /// [`Error::InvalidParameter`] for longer panels and exponents that are not between 0 and 1, [`Error::TooLarge`] where the nodes crowd so much that the near part does not fit into memory.
     pub fn new(kernel: PanelKernel, panels: Panels) -> Result<Self, Error> {
+        Self::beside(kernel, panels, None)
+    }
+
+    /// The same to the last bit, faster where another operator has the same panels in many places.
+    ///
+    /// # Errors
+    /// Those of [`PanelOperator::new`].
+    pub fn beside(
+        kernel: PanelKernel,
+        panels: Panels,
+        other: Option<&Self>,
+    ) -> Result<Self, Error> {
         kernel.check()?;
         let longest =
             panels.bounds.iter().fold(0.0f64, |most, [left, right]| most.max(right - left));
@@ -60,12 +73,33 @@ impl PanelOperator {
             });
         }
         let mut near = vec![0.0; entries];
-        let own = panels.rule.own(kernel);
+        let entries = NearEntries::new(kernel, &panels);
+        let other = other.filter(|other| {
+            let is_same_tree = other.tree.leaves() == tree.leaves();
+            other.kernel == kernel && other.panels.order() == panels.order() && is_same_tree
+        });
         for leaf in 0..tree.leaves() {
             let block = &mut near[near_starts[leaf]..near_starts[leaf + 1]];
-            fill_near(kernel, &panels, &tree, leaf, &own, block);
+            match other.and_then(|other| other.block(leaf, &panels, &tree)) {
+                Some(known) => block.copy_from_slice(known),
+                None => entries.fill(tree.nodes_of(leaf, leaf), &tree.near(leaf), block),
+            }
         }
         Ok(Self { kernel, panels: Arc::new(panels), tree: Arc::new(tree), near, near_starts })
+    }
+
+    /// The matrix of a leaf, if it is that of these panels, too.
+    fn block(&self, leaf: usize, panels: &Panels, tree: &Tree) -> Option<&[f64]> {
+        let order = panels.order();
+        let is_same = |one: Range<usize>, other: Range<usize>| {
+            [one.start % order, one.len()] == [other.start % order, other.len()]
+                && self.panels.touched(&one) == panels.touched(&other)
+        };
+        let own = [self.tree.nodes_of(leaf, leaf), tree.nodes_of(leaf, leaf)];
+        let near = self.tree.near(leaf).into_iter().zip(tree.near(leaf));
+        let pairs = near.chain([(own[0].clone(), own[1].clone())]);
+        let are_same = pairs.into_iter().all(|(one, other)| is_same(one, other));
+        are_same.then(|| &self.near[self.near_starts[leaf]..self.near_starts[leaf + 1]])
     }
 
     /// The panels.
@@ -79,8 +113,17 @@ impl PanelOperator {
     pub fn potential(&self, values: &[f64]) -> Vec<f64> {
         let values = self.without_mean(values);
         let charges = self.charges(&values);
-        let locals = self.tree.locals(&charges, false);
         let mut result = vec![0.0; self.panels.count()];
+        vectorised(
+            #[inline(always)]
+            || self.add_up(&values, &charges, &mut result),
+        );
+        result
+    }
+
+    #[inline(always)]
+    fn add_up(&self, values: &[f64], charges: &[f64], result: &mut [f64]) {
+        let locals = self.tree.locals(charges, false);
         for leaf in 0..self.tree.leaves() {
             let near = self.tree.near(leaf);
             let block = &self.near[self.near_starts[leaf]..self.near_starts[leaf + 1]];
@@ -96,7 +139,6 @@ impl PanelOperator {
                 result[node] = sum;
             }
         }
-        result
     }
 
     /// The values, on a whole circle less their mean, whose potential is zero: what products make of it is rounding.
@@ -133,63 +175,6 @@ impl PanelOperator {
 /// Number of nodes of both parts.
 fn count(near: &[Range<usize>; 2]) -> usize {
     near.iter().map(Range::len).sum()
-}
-
-/// The rows of the nodes of a leaf, for the nodes near to it; `own` are the weights of a panel for its own nodes.
-fn fill_near(
-    kernel: PanelKernel,
-    panels: &Panels,
-    tree: &Tree,
-    leaf: usize,
-    own: &[f64],
-    block: &mut [f64],
-) {
-    let near = tree.near(leaf);
-    let rows = block.chunks_exact_mut(count(&near).max(1));
-    for (node, row) in tree.nodes_of(leaf, leaf).zip(rows) {
-        let mut row = row;
-        for part in &near {
-            let (entries, rest) = row.split_at_mut(part.len());
-            fill_row(kernel, panels, own, (node, part), entries);
-            row = rest;
-        }
-    }
-}
-
-/// The entries of a node for others.
-pub(super) fn fill_row(
-    kernel: PanelKernel,
-    panels: &Panels,
-    own: &[f64],
-    (node, near): (usize, &Range<usize>),
-    row: &mut [f64],
-) {
-    let order = panels.order();
-    let mut exact = [0.0; super::rule::MOST];
-    let exact = &mut exact[..order];
-    let x = panels.nodes()[node];
-    for panel in near.start / order..near.end.div_ceil(order) {
-        let all = panel * order..(panel + 1) * order;
-        let (_, half) = panels.middle(panel);
-        let z = panels.local(kernel, panel, x);
-        let is_close = z.abs() < panels.rule.far;
-        if is_close && all.contains(&node) {
-            let start = (node - all.start) * order;
-            exact.copy_from_slice(&own[start..start + order]);
-        } else if is_close {
-            panels.rule.weights_at(kernel, z, exact);
-        }
-        let [factor, level] = kernel.scale(half);
-        for (k, j) in all.enumerate().filter(|(_, j)| near.contains(j)) {
-            let d = x - panels.nodes()[j];
-            row[j - near.start] = if is_close {
-                let added = level + kernel.remainder(d);
-                factor * exact[k] + added * panels.weights()[j]
-            } else {
-                panels.weights()[j] * kernel.value(d)
-            };
-        }
-    }
 }
 
 /// `int K(x - s) phi(s) ds` at any place.
@@ -230,34 +215,69 @@ impl PanelField {
         let mut moments = [0.0; super::rule::MOST];
         let moments = &mut moments[..order];
         let mut sum = 0.0;
+        let mut plain = PlainSum::new(self.kernel);
         for panel in nodes.start / order..nodes.end.div_ceil(order) {
             let all = panel * order..(panel + 1) * order;
             let (_, half) = self.panels.middle(panel);
             let z = self.panels.local(self.kernel, panel, x);
-            let is_close = z.abs() < self.panels.rule.far;
-            let part = if is_close {
-                all.clone()
-            } else {
-                all.start.max(nodes.start)..all.end.min(nodes.end)
-            };
-            if is_close {
-                self.kernel.moments(z, moments);
-                let c = &self.coefficients[all];
-                let moment: f64 = moments.iter().zip(c).map(|(m, c)| m * c).sum();
-                let [factor, level] = self.kernel.scale(half);
-                sum += factor * moment + half * level * 2.0 * c[0];
-            }
-            if is_close && !self.kernel.is_closed() {
+            let places = self.panels.nodes();
+            if z.abs() >= self.panels.rule.far {
+                for node in all.start.max(nodes.start)..all.end.min(nodes.end) {
+                    plain.add(x - places[node], self.charges[node]);
+                }
                 continue;
             }
-            let places = &self.panels.nodes()[part.clone()];
-            for (node, charge) in places.iter().zip(&self.charges[part]) {
-                let d = x - node;
-                let value = if is_close { self.kernel.remainder(d) } else { self.kernel.value(d) };
-                sum += charge * value;
+            self.kernel.moments(z, moments);
+            let c = &self.coefficients[all.clone()];
+            let moment: f64 = moments.iter().zip(c).map(|(m, c)| m * c).sum();
+            let [factor, level] = self.kernel.scale(half);
+            sum += factor * moment + half * level * 2.0 * c[0];
+            if self.kernel.is_closed() {
+                let charges =
+                    all.map(|node| self.charges[node] * self.kernel.remainder(x - places[node]));
+                sum += charges.sum::<f64>();
             }
         }
-        sum
+        sum + plain.total()
+    }
+}
+
+/// Charges at distances that are added up, so many side by side.
+struct PlainSum {
+    kernel: PanelKernel,
+    distances: [f64; SIDE_BY_SIDE],
+    charges: [f64; SIDE_BY_SIDE],
+    count: usize,
+    sum: f64,
+}
+
+/// As many as near leaves have, about.
+const SIDE_BY_SIDE: usize = 64;
+
+impl PlainSum {
+    fn new(kernel: PanelKernel) -> Self {
+        let none = [0.0; SIDE_BY_SIDE];
+        Self { kernel, distances: none, charges: none, count: 0, sum: 0.0 }
+    }
+
+    fn add(&mut self, distance: f64, charge: f64) {
+        (self.distances[self.count], self.charges[self.count]) = (distance, charge);
+        self.count += 1;
+        if self.count == SIDE_BY_SIDE {
+            self.flush();
+        }
+    }
+
+    fn flush(&mut self) {
+        let values = &mut self.distances[..self.count];
+        self.kernel.values(values);
+        self.sum += dot(values, &self.charges);
+        self.count = 0;
+    }
+
+    fn total(mut self) -> f64 {
+        self.flush();
+        self.sum
     }
 }
 
@@ -309,6 +329,55 @@ mod tests {
         for i in -60..=60 {
             let x = f64::from(i) / 57.3;
             assert!((field.at(x) - exact(x)).abs() < 2e-13, "{x}: {} {}", field.at(x), exact(x));
+        }
+    }
+
+    #[test]
+    fn panels_of_one_length_have_the_potentials_of_others() {
+        // int ln(1/|x - s|) ds over [left, right] by its primitive; most nodes are seen from panels of the same length beside them.
+        let bounds: Vec<[f64; 2]> = (0..300)
+            .map(|i| [-0.9 + 0.005 * f64::from(i), -0.9 + 0.005 * f64::from(i + 1)])
+            .collect();
+        let [from, to] = [bounds[0][0], bounds[299][1]];
+        let primitive = |d: f64| if d == 0.0 { 0.0 } else { d * (1.0 - d.abs().ln()) };
+        for order in [6, 10, 13] {
+            let panels = Panels::new(bounds.clone(), order).unwrap();
+            let operator = PanelOperator::new(PanelKernel::Logarithm, panels).unwrap();
+            let ones = vec![1.0; operator.panels().count()];
+            for (x, found) in operator.panels().nodes().iter().zip(operator.potential(&ones)) {
+                let exact = primitive(x - from) + primitive(to - x);
+                assert!((found - exact).abs() < 4e-14, "{order} {x}: {found} {exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn an_operator_beside_another_is_its_own_to_the_last_bit() {
+        let before = uneven(0);
+        let mut after = before.clone();
+        after[120][1] -= 1e-4;
+        after.remove(200);
+        let halved = 0.5 * (after[300][0] + after[300][1]);
+        let right = std::mem::replace(&mut after[300][1], halved);
+        after.insert(301, [halved, right]);
+        let kernels =
+            [PanelKernel::Logarithm, PanelKernel::Sine, PanelKernel::Power { exponent: 0.4 }];
+        for kernel in kernels {
+            let other =
+                PanelOperator::new(kernel, Panels::new(before.clone(), 4).unwrap()).unwrap();
+            let panels = || Panels::new(after.clone(), 4).unwrap();
+            let fresh = PanelOperator::new(kernel, panels()).unwrap();
+            let beside = PanelOperator::beside(kernel, panels(), Some(&other)).unwrap();
+            assert!(fresh.near.iter().all(|entry| entry.is_finite()));
+            assert_eq!(fresh.near, beside.near, "{kernel:?}");
+            let known = (0..fresh.tree.leaves())
+                .filter(|leaf| other.block(*leaf, fresh.panels(), &fresh.tree).is_some());
+            let known = known.count();
+            assert!(
+                known > fresh.tree.leaves() / 2,
+                "{kernel:?}: {known} of {}",
+                fresh.tree.leaves()
+            );
         }
     }
 

@@ -1,5 +1,7 @@
 //! Panels with Gauss nodes.
 
+use std::ops::Range;
+
 use super::kernel::PanelKernel;
 use super::rule::{MOST, PanelRule};
 use crate::Error;
@@ -80,6 +82,12 @@ impl Panels {
     pub(super) fn are_whole(&self) -> bool {
         let joined = self.bounds.windows(2).all(|pair| pair[0][1] == pair[1][0]);
         joined && self.bounds[0][0] == -1.0 && self.bounds[self.bounds.len() - 1][1] == 1.0
+    }
+
+    /// The panels with some of these nodes.
+    pub(super) fn touched(&self, nodes: &Range<usize>) -> &[[f64; 2]] {
+        let panels = nodes.start / self.order()..nodes.end.div_ceil(self.order());
+        self.bounds.get(panels).unwrap_or_default()
     }
 
     /// Middle and half the length of a panel.

@@ -6,11 +6,10 @@ use crate::quadrature::gauss_legendre;
 
 /// Beyond this many half-lengths from the middle Legendre's functions are computed downwards.
 const FORWARD: f64 = 1.05;
-/// `ln(1/eps)` of the moments, and of the plain rule far away.
+/// `ln(1/eps)` of the moments, and of the plain rule far away with many nodes and with the fewest.
 const DIGITS: f64 = 37.0;
 const FAR_DIGITS: f64 = 34.5;
-/// Beyond this many half-lengths few nodes are good enough for what few nodes can show.
-const FARTHEST: f64 = 9.0;
+const FEWEST_DIGITS: f64 = 8.0;
 
 /// Gauss nodes on `(-1, 1)` with what interpolation between them needs.
 #[derive(Debug, Clone)]
@@ -45,8 +44,10 @@ impl PanelRule {
                 1.0 / others.map(|i| nodes[j] - nodes[i]).product::<f64>()
             })
             .collect();
-        let rho = (FAR_DIGITS / (2.0 * order as f64)).exp();
-        let far = (0.5 * (rho + 1.0 / rho)).min(FARTHEST);
+        // Of few nodes less is expected.
+        let digits = ((order * order) as f64).clamp(FEWEST_DIGITS, FAR_DIGITS);
+        let rho = (digits / (2.0 * order as f64)).exp();
+        let far = 0.5 * (rho + 1.0 / rho);
         let slopes = slopes(&nodes, &barycentric);
         Ok(Self { nodes, weights, analysis, barycentric, slopes, far })
     }
@@ -62,13 +63,13 @@ impl PanelRule {
         }
     }
 
-    /// `int K(y_i - y) phi(y) dy` from values, row by row.
-    pub(super) fn own(&self, kernel: PanelKernel) -> Vec<f64> {
-        let mut own = vec![0.0; self.order() * self.order()];
-        for (row, y) in own.chunks_exact_mut(self.order()).zip(&self.nodes) {
-            self.weights_at(kernel, *y, row);
+    /// `int K(y_i + 2 m - y) phi(y) dy` from values, row by row: for the nodes of a panel of the same length, `m` of them away.
+    pub(super) fn beside(&self, kernel: PanelKernel, m: i32) -> Vec<f64> {
+        let mut rows = vec![0.0; self.order() * self.order()];
+        for (row, y) in rows.chunks_exact_mut(self.order()).zip(&self.nodes) {
+            self.weights_at(kernel, y + 2.0 * f64::from(m), row);
         }
-        own
+        rows
     }
 
     /// The weights of `int_{-1}^{1} K(z - y) phi(y) dy`, but for the remainder of the kernel, for values of a polynomial at the nodes.
@@ -150,13 +151,31 @@ pub(super) fn logarithm_moments(z: f64, moments: &mut [f64]) {
     }
 }
 
+/// Most steps downwards: from `x = 1.05` on, [`DIGITS`] are left out by 59 steps beyond the last function.
+const LONGEST: usize = MOST + 64;
+/// `Q_(k+1) = (2k+1)/(k+1) x Q_k - k/(k+1) Q_(k-1)`, and the same solved for `Q_(k-1)`: divisions would take most of the time.
+const UPWARDS: [[f64; 2]; MOST + 2] = coefficients(1);
+const DOWNWARDS: [[f64; 2]; LONGEST + 1] = coefficients(0);
+
+/// `(2k+1)/(k+shift)` and `(k+1-shift)/(k+shift)`.
+const fn coefficients<const COUNT: usize>(shift: usize) -> [[f64; 2]; COUNT] {
+    let mut found = [[0.0; 2]; COUNT];
+    let mut k = 1;
+    while k < COUNT {
+        let divisor = (k + shift) as f64;
+        found[k] = [(2 * k + 1) as f64 / divisor, (k + 1 - shift) as f64 / divisor];
+        k += 1;
+    }
+    found
+}
+
 /// `Q_k(x)` by the recurrence in its own direction, stable up to about 1.
 fn upwards(x: f64, functions: &mut [f64]) {
     functions[0] = 0.5 * ((1.0 + x) / (1.0 - x)).abs().ln();
     functions[1] = x * functions[0] - 1.0;
     for k in 1..functions.len() - 1 {
-        let next = (2 * k + 1) as f64 * x * functions[k] - k as f64 * functions[k - 1];
-        functions[k + 1] = next / (k + 1) as f64;
+        let [here, before] = UPWARDS[k];
+        functions[k + 1] = here * x * functions[k] - before * functions[k - 1];
     }
 }
 
@@ -165,12 +184,12 @@ fn downwards(x: f64, functions: &mut [f64]) {
     let last = functions.len() - 1;
     let beyond = (0.5 * DIGITS / x.acosh()).ceil() as usize;
     let (mut after, mut here) = (0.0, f64::MIN_POSITIVE.sqrt());
-    for k in (1..=last + beyond).rev() {
+    for k in (1..=(last + beyond).min(LONGEST)).rev() {
         if k <= last {
             functions[k] = here;
         }
-        let before = ((2 * k + 1) as f64 * x * here - (k + 1) as f64 * after) / k as f64;
-        (after, here) = (here, before);
+        let [own, other] = DOWNWARDS[k];
+        (after, here) = (here, own * x * here - other * after);
     }
     functions[0] = here;
     let scale = 0.5 * (2.0 / (x - 1.0)).ln_1p() / here;

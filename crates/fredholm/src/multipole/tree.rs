@@ -114,12 +114,14 @@ impl Tree {
     }
 
     /// The far potential at the nodes, given that of their leaf.
+    #[inline(always)]
     pub(super) fn at_node(&self, locals: &Locals, leaf: usize, node: usize) -> f64 {
         let local = &locals[leaf * POINTS..(leaf + 1) * POINTS];
         dot(local, &self.cardinal[node * POINTS..(node + 1) * POINTS])
     }
 
     /// The potential of charges at all nodes but those of neighbouring leaves, at the points of the leaves; `everywhere`, or where there are nodes.
+    #[inline(always)]
     pub(super) fn locals(&self, charges: &[f64], everywhere: bool) -> Locals {
         let levels = self.gathered(charges);
         let mut above: Locals = vec![0.0; POINTS * 2];
@@ -148,6 +150,7 @@ impl Tree {
     }
 
     /// What the boxes in reach of this one give: children of neighbours of the parent that are no neighbours themselves.
+    #[inline(always)]
     fn gather_far(&self, moments: &[f64], b: usize, level: u32, local: &mut [f64]) {
         let boxes = 1usize << level;
         let across = &self.across[(level - SHALLOWEST) as usize];
@@ -180,6 +183,7 @@ impl Tree {
     }
 
     /// The charges at the points of the boxes, from the coarsest level to the leaves.
+    #[inline(always)]
     fn gathered(&self, charges: &[f64]) -> Vec<Vec<f64>> {
         let mut finest = vec![0.0; POINTS * self.leaves()];
         for (leaf, moments) in finest.chunks_exact_mut(POINTS).enumerate() {
@@ -207,6 +211,7 @@ impl Tree {
     }
 }
 
+#[inline(always)]
 fn add(target: &mut [f64], factor: f64, vector: &[f64]) {
     target.iter_mut().zip(vector).for_each(|(t, v)| *t += factor * v);
 }

@@ -104,7 +104,7 @@ impl PanelInverse {
 }
 
 impl<'b> PanelNodes<'b> {
-    /// On these zones, cut at joints.
+    /// On these zones, cut at joints; where another operator is known that has the same panels in many places, faster by it.
     ///
     /// # Errors
     /// [`Error::NotComplementary`] where there are too many nodes, or none.
@@ -113,11 +113,12 @@ impl<'b> PanelNodes<'b> {
         joints: &[f64],
         zones: &[Zone],
         effort: Effort,
+        known: Option<&PanelOperator>,
     ) -> Result<Self, Error> {
         let (kernel, half) = base.ground.panel_kernel().ok_or_else(unknown)?;
         let hull = Hull { centre: base.surface.origin, half };
         let frame = Frame::new(base, hull, 0.0);
-        let operator = operator(base, (kernel, &frame), joints, zones, effort.fineness)?;
+        let operator = operator(base, (kernel, &frame), joints, zones, effort.fineness, known)?;
         let on_base = |y: &f64| hull.centre + half * y;
         let bounds = operator.panels().bounds().iter();
         let panels = bounds.map(|panel| panel.each_ref().map(on_base)).collect();
@@ -129,6 +130,11 @@ impl<'b> PanelNodes<'b> {
         let zones = zones.to_vec();
         let nodes = Arc::new(Nodes { zones, panels, places, locals, heights, frame });
         Ok(Self { base, operator, kernel, nodes, parameter, residual: effort.residual, total })
+    }
+
+    /// The operator alone.
+    pub(super) fn into_operator(self) -> PanelOperator {
+        self.operator
     }
 
     /// The conditions of the load that are met by pressures, for what is lacking of them.
@@ -299,6 +305,7 @@ fn operator(
     joints: &[f64],
     zones: &[Zone],
     mut fineness: Fineness,
+    known: Option<&PanelOperator>,
 ) -> Result<PanelOperator, Error> {
     loop {
         let bounds = panels(base, joints, zones, fineness, MOST_NODES).ok_or_else(unknown)?;
@@ -307,7 +314,7 @@ fn operator(
         if bounds.iter().any(|[left, right]| left >= right) {
             return Err(unknown());
         }
-        match PanelOperator::new(kernel, Panels::new(bounds, fineness.order)?) {
+        match PanelOperator::beside(kernel, Panels::new(bounds, fineness.order)?, known) {
             Err(fredholm::Error::TooLarge { .. }) => fineness.longest *= 0.5,
             operator => return Ok(operator?),
         }

@@ -7,6 +7,8 @@
 
 use std::sync::Arc;
 
+use fredholm::multipole::PanelOperator;
+
 use super::mesh::{Fineness, LONGEST, STRAIGHT};
 use super::nodes::{Effort, OnPanels, PanelNodes};
 use crate::Error;
@@ -90,7 +92,7 @@ impl<'b> ManyPanels<'b> {
                 break;
             }
             self.add_places(&best, &left);
-            let zones = best.nodes.zones.clone();
+            let zones = self.next_zones(&best);
             let next = self.settled(zones, 0, Some(&best)).and_then(|next| self.answered(next));
             match next {
                 // What more places do not lower is rounding.
@@ -111,7 +113,7 @@ impl<'b> ManyPanels<'b> {
                 break;
             }
             self.add_places(&coarse, &left);
-            coarse = self.settled(coarse.nodes.zones.clone(), 0, Some(&coarse))?;
+            coarse = self.settled(self.next_zones(&coarse), 0, Some(&coarse))?;
         }
         let next = |solved: &OnZones, level: usize| match LADDER.get(level) {
             Some(_) => self.settled(solved.nodes.zones.clone(), level, Some(solved)).map(Some),
@@ -151,12 +153,12 @@ impl<'b> ManyPanels<'b> {
         near: Option<&OnZones>,
     ) -> Result<OnZones, Error> {
         let (base, effort) = (self.base, LADDER[level]);
-        let mut latest: Option<OnZones> = None;
+        let (mut latest, mut known): (Option<OnZones>, Option<PanelOperator>) = (None, None);
         for _ in 0..ROUNDS {
             if zones.is_empty() {
                 break;
             }
-            let nodes = PanelNodes::new(base, &self.joints, &zones, effort)?;
+            let nodes = PanelNodes::new(base, &self.joints, &zones, effort, known.as_ref())?;
             let Found { step, inverse } = newton::solve(&nodes, latest.as_ref().or(near))?;
             let mut solved = Solved::new(&nodes, step);
             if !base.is_bilateral {
@@ -167,7 +169,7 @@ impl<'b> ManyPanels<'b> {
                 let at_ends = solved.at_ends(|xi| base.height(xi));
                 let is_good = is_same && at_ends <= effort.good * solved.deepest();
                 if !is_over && !is_good {
-                    latest = Some(solved);
+                    (latest, known) = (Some(solved), Some(nodes.into_operator()));
                     continue;
                 }
                 // The pressure outside of the panels goes on as the negative gap: these edges are its own.

@@ -1,0 +1,148 @@
+//! Products of the kernel with the polynomials of panels at nodes near to them, row by row.
+
+use std::ops::Range;
+
+use super::kernel::PanelKernel;
+use super::panels::Panels;
+
+/// Places lie in `[-1, 1]` and are rounded: a node lies where it would beside a panel of the same length, if it is off by no more than so many units of that, and of half a panel no more
+/// than what its polynomials lose anyway.
+const PLACED: f64 = 4.0 * f64::EPSILON;
+const FAINT: f64 = 1e-9;
+
+/// The entries of nodes for nodes near to them. Panels of one length side by side have the same ones: those are known from the start.
+pub(super) struct NearEntries<'p> {
+    kernel: PanelKernel,
+    panels: &'p Panels,
+    /// The weights of a panel for the nodes of those that are `-most` to `most` of its lengths away, its own ones in the middle.
+    tables: Vec<Vec<f64>>,
+}
+
+/// A panel near to a node.
+#[derive(Clone, Copy)]
+enum Near {
+    /// So far away that its nodes integrate the kernel.
+    Plain,
+    /// On the panel, or a multiple of its length beside it.
+    Known { table: usize, row: usize },
+    /// At this place of the panel, from -1 to 1, or beside it.
+    At(f64),
+}
+
+impl<'p> NearEntries<'p> {
+    pub(super) fn new(kernel: PanelKernel, panels: &'p Panels) -> Self {
+        let most = (0.5 * (panels.rule.far + 1.0)).ceil() as i32;
+        let tables = (-most..=most).map(|m| panels.rule.beside(kernel, m)).collect();
+        Self { kernel, panels, tables }
+    }
+
+    /// The rows of nodes for those in `near`, one after the other.
+    pub(super) fn fill(&self, nodes: Range<usize>, near: &[Range<usize>; 2], rows: &mut [f64]) {
+        let length: usize = near.iter().map(Range::len).sum();
+        let places = self.panels.nodes();
+        let mut found = Vec::new();
+        // All distances first: their logarithms are taken side by side.
+        for (node, row) in nodes.clone().zip(rows.chunks_exact_mut(length.max(1))) {
+            let x = places[node];
+            let mut row = row;
+            for part in near {
+                let (own, rest) = row.split_at_mut(part.len());
+                for panel in self.panels_of(part) {
+                    let near = self.near(panel, node);
+                    let inside = self.inside(panel, part);
+                    let entries = &mut own[inside.start - part.start..inside.end - part.start];
+                    match near {
+                        Near::Plain => {
+                            let others = entries.iter_mut().zip(&places[inside]);
+                            others.for_each(|(entry, place)| *entry = x - place);
+                        }
+                        // Any that has a logarithm.
+                        _ => entries.fill(1.0),
+                    }
+                    found.push(near);
+                }
+                row = rest;
+            }
+        }
+        self.kernel.values(rows);
+        let mut found = found.into_iter();
+        for (node, row) in nodes.zip(rows.chunks_exact_mut(length.max(1))) {
+            let mut row = row;
+            for part in near {
+                let (own, rest) = row.split_at_mut(part.len());
+                for (panel, near) in self.panels_of(part).zip(&mut found) {
+                    let inside = self.inside(panel, part);
+                    let entries = &mut own[inside.start - part.start..inside.end - part.start];
+                    self.finish((panel, node), near, &inside, entries);
+                }
+                row = rest;
+            }
+        }
+    }
+
+    /// From values of the kernel to entries.
+    fn finish(
+        &self,
+        (panel, node): (usize, usize),
+        near: Near,
+        inside: &Range<usize>,
+        entries: &mut [f64],
+    ) {
+        let order = self.panels.order();
+        let weights = &self.panels.weights()[inside.clone()];
+        let mut found = [0.0; super::rule::MOST];
+        let exact = match near {
+            Near::Plain => {
+                entries.iter_mut().zip(weights).for_each(|(entry, weight)| *entry *= weight);
+                return;
+            }
+            Near::Known { table, row } => &self.tables[table][row * order..(row + 1) * order],
+            Near::At(z) => {
+                self.panels.rule.weights_at(self.kernel, z, &mut found[..order]);
+                &found[..order]
+            }
+        };
+        let (_, half) = self.panels.middle(panel);
+        let [factor, level] = self.kernel.scale(half);
+        let exact = &exact[inside.start - panel * order..inside.end - panel * order];
+        let x = self.panels.nodes()[node];
+        let places = &self.panels.nodes()[inside.clone()];
+        for (((entry, exact), weight), place) in
+            entries.iter_mut().zip(exact).zip(weights).zip(places)
+        {
+            let added = level + self.kernel.remainder(x - place);
+            *entry = factor * exact + added * weight;
+        }
+    }
+
+    fn panels_of(&self, nodes: &Range<usize>) -> Range<usize> {
+        let order = self.panels.order();
+        nodes.start / order..nodes.end.div_ceil(order)
+    }
+
+    /// The nodes of a panel that are among these.
+    fn inside(&self, panel: usize, nodes: &Range<usize>) -> Range<usize> {
+        let order = self.panels.order();
+        (panel * order).max(nodes.start)..((panel + 1) * order).min(nodes.end)
+    }
+
+    /// Where a node lies, seen from a panel.
+    fn near(&self, panel: usize, node: usize) -> Near {
+        let (rule, order) = (&self.panels.rule, self.panels.order());
+        let (row, middle) = (node % order, self.tables.len() / 2);
+        let z = self.panels.local(self.kernel, panel, self.panels.nodes()[node]);
+        if z.abs() >= rule.far {
+            return Near::Plain;
+        }
+        if node / order == panel {
+            return Near::Known { table: middle, row };
+        }
+        let (_, half) = self.panels.middle(panel);
+        let lengths = (0.5 * (z - rule.nodes[row])).round();
+        let off = z - rule.nodes[row] - 2.0 * lengths;
+        let table = middle as f64 + lengths;
+        let is_known = off.abs() <= (PLACED / half).min(FAINT)
+            && (0.0..self.tables.len() as f64).contains(&table);
+        if is_known { Near::Known { table: table as usize, row } } else { Near::At(z) }
+    }
+}
