@@ -11,7 +11,7 @@ use crate::Error;
 use crate::linear::{dot, vectorised};
 
 /// Nodes of a leaf, about.
-const CROWD: usize = 24;
+const CROWD: usize = 12;
 /// Most entries of the near part.
 const MOST_ENTRIES: usize = 60_000_000;
 /// Longest panel, as a share of `[-1, 1]`: it must lie in a leaf and its neighbours with all places that it is near to.

@@ -16,10 +16,12 @@ const SHALLOWEST: u32 = 2;
 
 type Square = Vec<f64>;
 
-/// A tree of boxes over `[-1, 1]`.
+/// A tree of boxes from -1 to 1, or beyond: its leaves have the length that is asked for, and their number is a power of 2.
 #[derive(Debug, Clone)]
 pub(super) struct Tree {
     depth: u32,
+    /// Number of leaves on `[-1, 1]`; of a circle all.
+    covering: usize,
     /// First node of each leaf, and the number of nodes.
     starts: Vec<usize>,
     /// Values of the cardinal polynomials of its leaf at each node.
@@ -38,17 +40,19 @@ pub(super) type Locals = Vec<f64>;
 impl Tree {
     /// For nodes from left to right, with leaves of at least `length` and about `crowd` nodes.
     pub(super) fn new(kernel: PanelKernel, nodes: &[f64], length: f64, crowd: usize) -> Self {
-        let covered = nodes.len().div_ceil(crowd).max(1) as f64;
-        let depth = (2.0 / length).min(covered).log2().ceil().clamp(0.0, f64::from(DEEPEST)) as u32;
-        let mut depth = depth.max(SHALLOWEST);
-        while depth > SHALLOWEST && 2.0 / f64::from(1u32 << depth) < length {
-            depth -= 1;
+        let is_closed = kernel.is_closed();
+        let fewest = 1usize << SHALLOWEST;
+        let crowded = nodes.len().div_ceil(crowd).clamp(fewest, 1 << DEEPEST);
+        let mut covering = crowded.min((2.0 / length) as usize).max(fewest);
+        if is_closed {
+            covering = 1 << covering.ilog2();
         }
+        let depth = covering.next_power_of_two().ilog2();
         let leaves = 1usize << depth;
         let mut starts = vec![nodes.len(); leaves + 1];
         let mut next = 0;
-        for (leaf, start) in starts.iter_mut().enumerate().take(leaves) {
-            let left = 2.0 * leaf as f64 / leaves as f64 - 1.0;
+        for (leaf, start) in starts.iter_mut().enumerate().take(covering) {
+            let left = 2.0 * leaf as f64 / covering as f64 - 1.0;
             while next < nodes.len() && nodes[next] < left {
                 next += 1;
             }
@@ -56,7 +60,7 @@ impl Tree {
         }
         let points = points();
         let across = (SHALLOWEST..=depth).map(|level| {
-            let half = 1.0 / f64::from(1u32 << level);
+            let half = (leaves >> level) as f64 / covering as f64;
             OFFSETS.map(|offset| {
                 square(|i, k| kernel.value(half * (points[i] - (2.0 * offset as f64 + points[k]))))
             })
@@ -69,8 +73,8 @@ impl Tree {
             }
             matrix
         });
-        let is_closed = kernel.is_closed();
-        let mut tree = Self { depth, starts, cardinal: Vec::new(), is_closed, across, halves };
+        let mut tree =
+            Self { depth, covering, starts, cardinal: Vec::new(), is_closed, across, halves };
         let mut values = vec![0.0; POINTS * nodes.len()];
         for leaf in 0..leaves {
             for j in tree.nodes_of(leaf, leaf) {
@@ -88,7 +92,7 @@ impl Tree {
 
     /// The leaf of a place in `[-1, 1]`.
     pub(super) fn leaf(&self, x: f64) -> usize {
-        ((0.5 * (x + 1.0) * self.leaves() as f64) as usize).min(self.leaves() - 1)
+        ((0.5 * (x + 1.0) * self.covering as f64) as usize).min(self.covering - 1)
     }
 
     /// The nodes of leaves from the first to the last.
@@ -110,7 +114,7 @@ impl Tree {
 
     /// The place in a leaf, from -1 to 1.
     pub(super) fn inside(&self, leaf: usize, x: f64) -> f64 {
-        (x + 1.0) * self.leaves() as f64 - (2 * leaf + 1) as f64
+        (x + 1.0) * self.covering as f64 - (2 * leaf + 1) as f64
     }
 
     /// The far potential at the nodes, given that of their leaf.
@@ -131,7 +135,10 @@ impl Tree {
             let moments = &levels[(level - SHALLOWEST) as usize];
             let mut locals = vec![0.0; POINTS * boxes];
             for (b, local) in locals.chunks_exact_mut(POINTS).enumerate() {
-                if !everywhere && self.nodes_of(b * span, (b + 1) * span - 1).is_empty() {
+                let is_beyond = b * span >= self.covering;
+                if is_beyond
+                    || !everywhere && self.nodes_of(b * span, (b + 1) * span - 1).is_empty()
+                {
                     continue;
                 }
                 if level > SHALLOWEST {
