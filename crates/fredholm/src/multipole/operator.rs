@@ -222,8 +222,9 @@ impl PanelField {
             let z = self.panels.local(self.kernel, panel, x);
             let places = self.panels.nodes();
             if z.abs() >= self.panels.rule.far {
-                for node in all.start.max(nodes.start)..all.end.min(nodes.end) {
-                    plain.add(x - places[node], self.charges[node]);
+                let part = all.start.max(nodes.start)..all.end.min(nodes.end);
+                for (place, charge) in places[part.clone()].iter().zip(&self.charges[part]) {
+                    plain.add(x - place, *charge);
                 }
                 continue;
             }

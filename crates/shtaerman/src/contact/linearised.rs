@@ -8,6 +8,8 @@ use crate::roughness::Law;
 
 /// Step of the differences that show where the pressure is largest, as a share of its zone; a correction by more than one is no smooth peak's. At half or twice 23 of 32 answers change, within what they state (survey).
 const STEP: f64 = 5e-4;
+/// Steps that the formula of five points and a correction by one reach to either side.
+const REACH: f64 = 3.0;
 /// The share of a rate at the largest pressure by which it may miss what its place has in error.
 const MISSED: f64 = 1e-10;
 
@@ -23,7 +25,7 @@ impl Contact {
         };
         let step = STEP * (right - left);
         let half_width = self.problem().frame().half_width();
-        let is_near = |at: f64| (at - start).abs() < 3.0 * step;
+        let is_near = |at: f64| (at - start).abs() < REACH * step;
         let breaks = self.problem().profile().breakpoints(half_width);
         if is_near(*left) || is_near(*right) || breaks.into_iter().any(is_near) {
             return (start, 0.0);

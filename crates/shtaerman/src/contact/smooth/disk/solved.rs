@@ -401,7 +401,7 @@ impl Profiles {
 fn needed(heights: &[f64], digits: f64) -> usize {
     let size = |(k, f): (usize, &f64)| f.abs() / (1.0 + k as f64);
     let largest = heights.iter().enumerate().map(size).fold(0.0, f64::max);
-    let floor = largest * (-digits.min(16.0) * LN_10).exp();
+    let floor = largest * (-digits.min(f64::from(f64::DIGITS + 1)) * LN_10).exp();
     heights.iter().enumerate().rposition(|pair| size(pair) > floor).map_or(2, |last| last + 2)
 }
 
