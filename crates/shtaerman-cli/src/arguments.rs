@@ -269,6 +269,9 @@ pub struct ValidateArguments {
     #[command(flatten)]
     /// The problem.
     pub problem: ProblemArguments,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
 }
 
 /// `shtaerman reproduce`.

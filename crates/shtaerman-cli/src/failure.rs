@@ -1,9 +1,11 @@
 //! Why a command ends without its result, and the exit code that says so.
 
+use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use miette::{
@@ -77,8 +79,10 @@ impl Failure {
         Self::Unwritten { path: path.display().to_string(), reason: error.to_string() }
     }
 
-    /// Prints the message to standard error and returns the exit code.
+    /// Prints the message to standard error, behind the warnings that no result shows now, and returns the exit code.
     pub(crate) fn report(&self) -> ExitCode {
+        let held = std::mem::take(&mut *lock(&HELD));
+        held.iter().for_each(|text| warn(text));
         print(&self.message());
         ExitCode::from(self.exit_code())
     }
@@ -146,11 +150,29 @@ pub(crate) fn say(kind: &str, text: &str) {
     print(&format!("{kind}: {}\n", legible(text)));
 }
 
-/// A warning, unless none are wanted.
+/// A warning, once, unless none are wanted.
 pub(crate) fn warn(text: &str) {
-    if !is_quiet() {
+    let is_new = lock(&SAID).insert(text.to_owned());
+    if is_new && !is_quiet() {
         say("warning", text);
     }
+}
+
+/// Keeps warnings that the result will show: where there is none, they are said beside the error, whose cause they may be.
+pub(crate) fn hold(texts: impl Iterator<Item = String>) {
+    lock(&HELD).extend(texts);
+}
+
+/// The result has shown what was held.
+pub(crate) fn release() {
+    lock(&HELD).clear();
+}
+
+static HELD: Mutex<Vec<String>> = Mutex::new(Vec::new());
+static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+
+fn lock<T>(mutex: &'static Mutex<T>) -> MutexGuard<'static, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 static QUIET: AtomicBool = AtomicBool::new(false);

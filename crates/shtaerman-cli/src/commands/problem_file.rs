@@ -12,7 +12,7 @@ use shtaerman_study::Study;
 
 use super::places;
 use crate::arguments::{ProblemArguments, SenseArguments, UnitArguments};
-use crate::failure::shown;
+use crate::failure::{self, shown};
 use crate::output::{Input, check_writable, interrupt};
 use crate::{Failure, clock};
 
@@ -214,6 +214,21 @@ pub(super) fn solve(file: &ProblemFile, is_audited: bool) -> Result<Contact, Fai
         Solved::Answer(contact) => Ok(contact),
         Solved::Unfinished(_, limit) => Err(Error::TimeLimit { limit }.into()),
     }
+}
+
+/// What is doubtful about the file alone: refused with `--strict`, before anything is solved, and said where the result will not show it itself.
+pub(super) fn check_input(
+    file: &ProblemFile,
+    sense: &SenseArguments,
+    is_shown: bool,
+) -> Result<(), Failure> {
+    let doubts = refuse(sense, file.input_checks())?;
+    if is_shown {
+        failure::hold(doubts.into_iter().map(|doubt| doubt.message));
+    } else {
+        doubts.iter().for_each(|doubt| failure::warn(&doubt.message));
+    }
+    Ok(())
 }
 
 /// The doubts about an answer, which `--strict` refuses.

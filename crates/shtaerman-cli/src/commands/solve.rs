@@ -30,6 +30,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref(), report_path];
     places::check_points(arguments.points)?;
     let file = problem_file::read(&arguments.problem, &arguments.units, &outputs)?;
+    problem_file::check_input(&file, &arguments.sense, arguments.output.is_table())?;
     let places = arguments.at.as_deref().map(|text| parse_places(text, &file)).transpose()?;
     let dimension =
         if file.problem().is_dimensionless() { Dimension::NONE } else { Dimension::LENGTH };

@@ -51,6 +51,8 @@ pub enum WarningCode {
     AboveYield,
     /// The base is wider than machines have; millimetres may be meant.
     WideBase,
+    /// The header of a trace has something in place of a unit that is none, and no unit is stated.
+    UnknownUnit,
 }
 
 /// A warning with its text.
@@ -66,6 +68,8 @@ pub struct Warning {
 const LAYER_DEGREES: f64 = 4.0;
 /// Moduli and yield stresses below this (Pa) are those of gels: rubber begins at about 1 MPa.
 const SOFTEST: f64 = 1e6;
+/// Longest unit that a message quotes.
+const LONGEST_UNIT: usize = 40;
 /// Most intervals a message names. At half or twice 3 of 32 answers change, within what they state (survey).
 const MOST_PLACES: usize = 6;
 
@@ -214,6 +218,16 @@ impl Warning {
             "{key} = {stress} has no unit and is taken in Pa, which no metal is as soft as: is \"{stress} MPa\" meant?"
         );
         (stress < SOFTEST).then_some(Self { code: WarningCode::LowYieldStress, message })
+    }
+
+    /// What stands in place of the unit of the positions or heights of a trace, read in metres, and the key or option that states one.
+    #[must_use]
+    pub fn unknown_unit(name: &str, written: &str, stated: &str) -> Self {
+        let written = shtaerman_input::shortened(written, LONGEST_UNIT);
+        let message = format!(
+            "the header has `{written}` for the unit of the {name}, which is none that is known, and they are read in metres: state it, by {stated}"
+        );
+        Self { code: WarningCode::UnknownUnit, message }
     }
 
     /// The relative error aimed at, and the one reached.

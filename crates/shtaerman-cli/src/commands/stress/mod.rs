@@ -31,6 +31,8 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let sheet_path = sheet_file.as_ref().map(|report| report.path);
     let outputs = [arguments.output.as_deref(), arguments.plot.as_deref(), sheet_path];
     let file = problem_file::read(&arguments.problem, &arguments.units, &outputs)?;
+    let is_shown = arguments.format == StressFormat::Table && arguments.output.is_none();
+    problem_file::check_input(&file, &arguments.sense, is_shown)?;
     let problem = file.problem();
     problem.check_stresses().map_err(|error| file.locate(error))?;
     let units = Units::of(problem);
