@@ -174,7 +174,9 @@ fn of_contact(
     contact: &Contact,
     given: Vec<Entry>,
 ) -> Result<Sheet, Failure> {
-    let mut sheet = sheet::of_contact([title, ""], &sheet::command(), told, file, contact)?;
+    let doubts = file.sense_checks(contact);
+    let found = (contact, doubts.as_slice());
+    let mut sheet = sheet::of_contact([title, ""], &sheet::command(), told, file, found)?;
     sheet.options(given);
     sheet.contact(contact, file.units())?;
     Ok(sheet)

@@ -138,7 +138,8 @@ fn sheet(
     let title = format!("Contact: {name}");
     let stem = problem_file::stem(&arguments.problem.file);
     let heads = [title.as_str(), &stem];
-    let mut sheet = sheet::of_contact(heads, &sheet::command(), &told, file, contact)?;
+    let doubts = file.sense_checks(contact);
+    let mut sheet = sheet::of_contact(heads, &sheet::command(), &told, file, (contact, &doubts))?;
     sheet.options(sheet::options(&[
         ("--at", arguments.at.as_deref()),
         ("--datum-distance", arguments.datum_distance.as_deref()),

@@ -1,6 +1,6 @@
 //! Sense checks: slips of the input are doubted, plain work is not.
 
-use crate::support::{Folder, repository};
+use crate::support::{Folder, assert_valid, repository, schema};
 
 const STEEL: &str = r#"
 [foundation]
@@ -151,6 +151,34 @@ fn a_yield_stress_without_its_unit_is_doubted() {
     assert!(!plain.contains("meant?"), "{plain}");
 }
 
+/// What yields is told by the stress in the body, in the units that are shown: the pressure on it may be larger.
+#[test]
+fn a_body_that_yields_is_told_by_its_von_mises_stress() {
+    let folder = Folder::new();
+    folder.write("steel.toml", STEEL);
+    let largest = {
+        let json = folder.run(&["stress", "steel.toml", "--format", "json", "--no-audit"]).json();
+        json["maximum"]["von_mises"]["value"].as_f64().unwrap() / 1e6
+    };
+    for (share, is_said) in [(0.99, true), (1.01, false)] {
+        let set = format!("foundation.yield_stress={} MPa", share * largest);
+        let stress = ["stress", "steel.toml", "--no-audit", "--set", &set];
+        let said = "the largest von Mises stress";
+        let table = folder.run(&[&stress[..], &["--units", "inch"]].concat()).answer();
+        assert_eq!(table.matches(said).count(), usize::from(is_said), "{table}");
+        let strict = folder.run(&[&stress[..], &["--strict"]].concat());
+        assert_eq!(strict.code, Some(if is_said { 2 } else { 0 }), "{}", strict.stderr);
+        assert!(!is_said || (table.contains("psi") && strict.refusal().contains(said)), "{table}");
+        let json = folder.run(&[&stress[..], &["--format", "json"]].concat()).json();
+        let told = json["warnings"].as_array().unwrap().iter();
+        let told = told.filter(|warning| warning.as_str().unwrap().contains("yield stress"));
+        assert_eq!(told.count(), usize::from(is_said), "{json}");
+    }
+    let asked = format!("{} MPa", 0.99 * largest);
+    let run = folder.run(&["stress", "steel.toml", "--yield-stress", &asked, "--strict"]);
+    assert!(run.refusal().contains("is above the yield stress"), "{}", run.stderr);
+}
+
 #[test]
 fn a_header_with_another_unit_is_refused() {
     let folder = Folder::new();
@@ -249,4 +277,52 @@ fn what_stands_in_place_of_a_unit_and_is_none_is_doubted_where_none_is_stated() 
         let plain = solve(&["--strict"], "");
         assert_eq!(plain.code, Some(0), "{header}: {}", plain.stderr);
     }
+}
+
+/// Units that were left out of `shtaerman roughness`: plain values are not doubted, and each slip is, before any law is found.
+#[test]
+fn slips_of_a_rough_surface_are_doubted() {
+    let folder = Folder::new();
+    let gw = |name: &str, value: &str, more: &[&str]| {
+        let usual = [
+            ("deviation", "0.5 um"),
+            ("density", "1e10"),
+            ("radius", "10 um"),
+            ("modulus", "110 GPa"),
+            ("hardness", "4 GPa"),
+            ("pressure", "80 MPa"),
+        ];
+        let options = usual.map(|(option, text)| {
+            format!("--{option}={}", if option == name { value } else { text })
+        });
+        let options: Vec<&str> = options.iter().map(String::as_str).collect();
+        folder.run(&[&["roughness", "gw"][..], &options, more].concat())
+    };
+    assert_eq!(gw("", "", &["--strict"]).code, Some(0));
+    for (name, value, said) in [
+        ("deviation", "1.2", "is \"1.2 um\" meant?"),
+        ("deviation", "1.2 mm", "--deviation 1.2 mm: no machined face is as coarse"),
+        ("radius", "10", "is \"10 um\" meant?"),
+        ("modulus", "110", "is \"110 GPa\" meant?"),
+        ("hardness", "4", "is \"4 GPa\" meant?"),
+    ] {
+        let run = gw(name, value, &[]);
+        let (all, code) = (format!("{}{}", run.stdout, run.stderr), run.code);
+        assert!(all.replace("\n    ", " ").contains(said), "{name} {value}: {all}");
+        assert_eq!(all.matches("warning: --").count(), 1, "{all}");
+        let strict = gw(name, value, &["--strict"]);
+        assert!(strict.refusal().starts_with("error: --strict: "), "{strict:?}");
+        assert!(!strict.stderr.contains("warning:"), "{strict:?}");
+        if code == Some(0) {
+            let run = gw(name, value, &["--format", "json"]);
+            assert!(run.stderr.contains(said), "{name} {value}: {}", run.stderr);
+            let json = run.json();
+            assert_valid(&schema("roughness"), &json, name);
+            assert!(json["warnings"][0].as_str().unwrap().contains(said), "{json}");
+        }
+    }
+    let bearing = ["roughness", "bearing", "--b=2", "--nu=2", "--height=6", "--hardness=2"];
+    let table = folder.run(&bearing).answer();
+    assert_eq!(table.matches("meant?").count(), 2, "{table}");
+    assert_eq!(folder.run(&[&bearing[..], &["--strict"]].concat()).code, Some(2));
 }

@@ -203,8 +203,9 @@ impl Warning {
         Some(Self { code: WarningCode::LowDegree, message })
     }
 
-    /// A modulus that was written without a unit (Pa), by its key; none where a solid may have it.
-    pub(crate) fn soft_modulus(key: &str, modulus: f64) -> Option<Self> {
+    /// A modulus that was written without a unit (Pa), by its key or option; none where a solid may have it.
+    #[must_use]
+    pub fn soft_modulus(key: &str, modulus: f64) -> Option<Self> {
         let message = format!(
             "{key} = {modulus} has no unit and is taken in Pa, which is softer than rubber: is \"{modulus} GPa\" meant?"
         );

@@ -270,7 +270,8 @@ pub(super) fn report(asked: &Asked) -> Result<Value, Failure> {
         snippets::quoted(&format!("{}.html", asked.stem()))
     );
     let title = format!("Contact: {}", asked.name);
-    let mut sheet = sheet::of_contact([&title, asked.stem()], &command, &told, file, contact)?;
+    let found = (contact, solution.doubts.as_slice());
+    let mut sheet = sheet::of_contact([&title, asked.stem()], &command, &told, file, found)?;
     for (name, content) in asked.contents() {
         sheet.file(&name, &content);
     }
