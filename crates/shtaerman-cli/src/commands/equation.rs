@@ -32,12 +32,11 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
     if arguments.cross_check && file.equation().kind() == Kind::First {
         return Err(Failure::Usage(format!("--cross-check: {}", shtaerman::Error::NoOtherMethod)));
     }
-    let window = (arguments.x_range.as_deref())
-        .map(|text| places::range("--x-range", text, Dimension::NONE))
-        .transpose()?;
+    let window = (arguments.x_range.as_deref()).map(|text| window(text, &file)).transpose()?;
     let name = problem_file::stem(&arguments.file);
     let asked = arguments.at.as_deref().map(|text| parse_places(text, &file)).transpose()?;
-    let reach = asked.iter().flatten().copied().fold(0.0, f64::max);
+    let drawn = window.filter(|_| picture.is_some()).map(|[_, to]| to);
+    let reach = asked.iter().flatten().copied().chain(drawn).fold(0.0, f64::max);
     let solved = file.equation().solve_to(reach).map_err(|error| file.locate(error))?;
     let solved = if arguments.no_audit {
         solved
@@ -69,6 +68,21 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
         }
     }
     verdict(&answer)
+}
+
+/// The ends of `--x-range`, with some of the interval between them.
+fn window(text: &str, file: &EquationFile) -> Result<[f64; 2], Failure> {
+    let window = places::range("--x-range", text, Dimension::NONE)?;
+    let interval = file.equation().kernel().kernel().interval();
+    if window[0] < interval.right() && interval.left() < window[1] {
+        return Ok(window);
+    }
+    let [left, right] = [interval.left(), interval.right()];
+    let reaches = match right.is_finite() {
+        true => format!("reaches from {left} to {right}"),
+        false => format!("begins at {left}"),
+    };
+    Err(Failure::Usage(format!("--x-range {text}: lies beside the interval, which {reaches}")))
 }
 
 fn content<'a>(
@@ -141,7 +155,7 @@ fn plot(
     let equation = solved.equation();
     let mut places = solved.places(PLOT_POINTS)?;
     if let (Some([from, to]), [left, .., right]) = (window, places.as_slice()) {
-        let (from, to) = (from.max(*left), to.min(*right));
+        let (from, to) = (from.max(*left), to.min(right.max(solved.reach())));
         let step = (to - from) / PLOT_POINTS as f64;
         places.extend((1..PLOT_POINTS).map(|index| from + step * index as f64));
         places.retain(|x| equation.place(*x).is_ok());
