@@ -337,6 +337,9 @@ pub struct EquationArguments {
     /// Override a key of the file, such as kernel.mu=0.3; may be given again.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub overrides: Vec<String>,
+    /// End with exit code 3 when there is no solution after this time, such as "10 s".
+    #[arg(long, value_name = "TIME")]
+    pub time_limit: Option<String>,
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,

@@ -57,6 +57,9 @@ pub(crate) enum Failure {
         /// What was allowed.
         limit: Duration,
     },
+    /// The time limit ended the solution of an equation.
+    #[error("no solution was found within the time limit of {} s: allow more by --time-limit", .0.as_secs_f64())]
+    Unsolved(Duration),
     /// A check failed.
     #[error("{0}")]
     Check(String),
@@ -92,7 +95,7 @@ impl Failure {
         match self {
             Self::Check(_) | Self::Unwritten { .. } => 1,
             Self::Problem(error) if error.is_numerical() => 3,
-            Self::Unfinished(_) | Self::Late { .. } => 3,
+            Self::Unfinished(_) | Self::Unsolved(_) | Self::Late { .. } => 3,
             Self::Usage(_) | Self::Problem(_) | Self::Plot(_) | Self::Unwritable { .. } => 2,
         }
     }

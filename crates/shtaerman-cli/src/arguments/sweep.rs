@@ -24,6 +24,9 @@ pub struct SweepArguments {
     /// Override a key of the file, such as load.moment=0 or study.design=sobol; may be given again.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub overrides: Vec<String>,
+    /// Time that each case may take, such as "10 s"; one that takes more has no answer. In place of the key `solver.time_limit`, and a part of the study as that is.
+    #[arg(long, value_name = "TIME")]
+    pub time_limit: Option<String>,
     /// Compute only the i-th of N shares of the parts, such as 2/4; the shares fill one folder, or several that are then copied together.
     #[arg(long, value_name = "I/N")]
     pub shard: Option<String>,

@@ -1,6 +1,7 @@
 //! `shtaerman equation`.
 
 use std::fmt::Write;
+use std::time::Duration;
 
 use shtaerman::equation::{EquationAnswer, EquationFile, Kind, SolvedEquation};
 use shtaerman::quantity::Dimension;
@@ -8,12 +9,12 @@ use shtaerman::quantity::Dimension;
 use super::picture::Picture;
 use super::sheet::{self, ReportFile};
 use super::{places, problem_file};
-use crate::Failure;
 use crate::arguments::{EquationArguments, ReportFormat};
 use crate::failure::{self, shown};
-use crate::output::{Content, Input, Outputs, check_writable};
+use crate::output::{Content, Input, Outputs, check_writable, interrupt};
 use crate::plot::{Size, SolutionPlot};
 use crate::report::{self, Sheet};
+use crate::{Failure, clock};
 
 /// Points of the curve, where no number is asked for.
 pub(super) const POINTS: usize = 201;
@@ -29,6 +30,10 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
     check_writable(&outputs, &[input])?;
     places::check_points(arguments.points)?;
     let file = problem_file::read_equation(&arguments.file, &arguments.overrides)?;
+    let limit = arguments.time_limit.as_deref().map(problem_file::time_limit).transpose()?;
+    // Longer than any computer runs is no limit.
+    let limit = limit.and_then(|limit| Duration::try_from_secs_f64(limit).ok());
+    clock::start(limit, Failure::Unsolved, interrupt);
     if arguments.cross_check && file.equation().kind() == Kind::First {
         return Err(Failure::Usage(format!("--cross-check: {}", shtaerman::Error::NoOtherMethod)));
     }
@@ -38,6 +43,7 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
     let drawn = window.filter(|_| picture.is_some()).map(|[_, to]| to);
     let reach = asked.iter().flatten().copied().chain(drawn).fold(0.0, f64::max);
     let solved = file.equation().solve_to(reach).map_err(|error| file.locate(error))?;
+    clock::answered("its audit");
     let solved = if arguments.no_audit {
         solved
     } else {
@@ -48,6 +54,7 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
         None => solved.places(arguments.points)?,
     };
     let mut answer = solved.answer(points).map_err(|error| file.locate(error))?;
+    clock::answered("what was asked for beside it, such as a plot,");
     if arguments.cross_check {
         answer.cross_check = Some(solved.cross_check().map_err(|error| file.locate(error))?);
     }
