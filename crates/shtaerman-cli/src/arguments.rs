@@ -34,7 +34,7 @@ pub use roughness::{
 pub use schema::{SchemaArguments, SchemaName};
 pub use spectrum::{KernelArguments, SpectrumArguments};
 pub use started::{CompletionsArguments, ExampleGeometry, InitArguments, ManArguments};
-pub use sweep::SweepArguments;
+pub use sweep::{PartFormat, SweepArguments};
 pub use trace::{Level, TraceArguments};
 pub use units::{SenseArguments, UnitArguments};
 

@@ -2,12 +2,23 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::common::ReportArguments;
 use super::picture::PictureArguments;
 use super::units::UnitArguments;
-use crate::results::PartFormat;
+
+/// The format of the parts of a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum PartFormat {
+    /// Text, a line for each case.
+    #[default]
+    Csv,
+    /// Arrays for `NumPy`, one for each column.
+    Npz,
+    /// Columns, for tools that take many files as one table.
+    Parquet,
+}
 
 /// `shtaerman sweep`.
 #[derive(Debug, Args)]

@@ -5,20 +5,9 @@ use shtaerman_study::{Column, Part, PartFault, Row, Study};
 use super::parquet;
 use super::scaled::PartColumns;
 use crate::Failure;
+use crate::arguments::PartFormat;
 use crate::output::Content;
 use crate::output::npz::{self, Array, Values};
-
-/// The format of the parts of a study.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
-pub enum PartFormat {
-    /// Text, a line for each case.
-    #[default]
-    Csv,
-    /// Arrays for `NumPy`, one for each column.
-    Npz,
-    /// Columns, for tools that take many files as one table.
-    Parquet,
-}
 
 impl PartFormat {
     /// Its name, with which the files end.

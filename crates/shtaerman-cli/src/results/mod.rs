@@ -11,11 +11,11 @@ use std::path::{Path, PathBuf};
 use shtaerman_study::{Manifest, Part, PartFault, Row, Study};
 
 use crate::Failure;
+use crate::arguments::PartFormat;
 use crate::failure::shown;
 use crate::output::{self, Content, Outputs};
-
-pub use format::PartFormat;
 use scaled::PartColumns;
+
 pub use shared::StudyResults;
 pub(crate) use solving::{processors, solved};
 
