@@ -219,7 +219,7 @@ fn warnings(
     sense: &SenseArguments,
 ) -> Result<Vec<Warning>, Failure> {
     let doubts = problem_file::doubts(file, contact, sense)?;
-    Ok([contact.warnings(), &doubts].concat())
+    Ok([contact.warnings_in(file.units()), doubts].concat())
 }
 
 /// Says the warnings that the result itself does not show.

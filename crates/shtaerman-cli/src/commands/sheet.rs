@@ -90,8 +90,8 @@ pub(super) fn of_contact(
     )?;
     // An error a little above what was aimed at is no doubt of an engineer's: it is stated with the answer.
     let is_accuracy = |warning: &&Warning| warning.code == WarningCode::ToleranceNotMet;
-    let (accuracy, other): (Vec<_>, Vec<_>) =
-        contact.warnings().iter().chain(doubts).partition(is_accuracy);
+    let warnings = contact.warnings_in(file.units());
+    let (accuracy, other): (Vec<_>, Vec<_>) = warnings.iter().chain(doubts).partition(is_accuracy);
     sheet.warnings(other.iter().map(|warning| warning.message.as_str()));
     for warning in accuracy {
         sheet.accuracy(&warning.message);

@@ -47,7 +47,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         None => PressureCurve::along(&contact, arguments.points)?,
     };
     let mut answer = Answer::new(&contact, curve);
-    answer.warnings = [contact.warnings(), &doubts].concat();
+    answer.warnings = [contact.warnings_in(file.units()), doubts].concat();
     if let Some(limit) = over {
         let mut outputs = Outputs::default();
         outputs.result(None, text(arguments, &contact, &answer, file.units(), None));
@@ -240,18 +240,18 @@ impl Extras {
     }
 }
 
-/// The answer where nothing is asked for beside it: as `--format json` writes it, or as the table shows it.
+/// The answer with these warnings, where nothing is asked for beside it: as `--format json` writes it, or as the table shows it.
 pub(super) fn answer(
     contact: &Contact,
     curve: PressureCurve,
-    doubts: &[Warning],
+    warnings: Vec<Warning>,
     is_for_people: bool,
 ) -> Result<Answer, Failure> {
     let sensitivities =
         if is_for_people { Sensitivities::Left } else { Sensitivities::IfLinearised };
     let extras = Extras { data: Vec::new(), surface: None, sensitivities };
     let mut answer = Answer::new(contact, curve);
-    answer.warnings = [contact.warnings(), doubts].concat();
+    answer.warnings = warnings;
     extended(answer, contact, &extras)
 }
 

@@ -148,6 +148,28 @@ fn plots_and_warnings_follow() {
     );
 }
 
+/// What is warned of an answer follows as well: where it pulls, and where its pressure is infinite.
+#[test]
+fn places_of_warnings_follow() {
+    let folder = Folder::with(UNILATERAL);
+    let pulls = ["--set", "load.moment=5 kN", "--set", "solver.contact=bilateral"];
+    let corner = ["--set", "foundation.roughness=0", "--set", "punch.profile=0"];
+    let kink = ["--set", "foundation.roughness=0", "--set", "punch.profile=0.001*abs(x - 0.001)"];
+    for (slip, code, si, own) in [
+        (pulls, "negative_pressure", "x = -5 mm to ", "x = -196.85 mil to "),
+        (corner, "singular_edge", "corner x = -5 mm", "corner x = -196.85 mil"),
+        (kink, "singular_kink", "at x = 1 mm", "at x = 39.3701 mil"),
+    ] {
+        for (units, said) in [("si", si), ("length=mil", own)] {
+            let solve = ["solve", "punch.toml", "--no-audit", "--format", "json", "--units", units];
+            let json = folder.run(&[&solve[..], &slip].concat()).json();
+            let told = json["warnings"].as_array().unwrap().iter();
+            let told: Vec<_> = told.filter(|warning| warning["code"] == code).collect();
+            assert!(told[0]["message"].as_str().unwrap().contains(said), "{told:?}");
+        }
+    }
+}
+
 #[test]
 fn units_that_are_none_are_refused() {
     let folder = Folder::with(UNILATERAL);

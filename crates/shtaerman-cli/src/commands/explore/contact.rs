@@ -44,7 +44,9 @@ impl Solution {
         let curve = PressureCurve::along(&self.contact, POINTS)?;
         // The best so far is not asked how it changes.
         let is_plain = is_for_people || self.contact.is_unfinished();
-        solve::answer(&self.contact, curve, &self.doubts, is_plain)
+        let known = self.contact.warnings_in(self.file.units());
+        let warnings = [known.as_slice(), &self.doubts].concat();
+        solve::answer(&self.contact, curve, warnings, is_plain)
     }
 }
 

@@ -48,7 +48,7 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let load = [contact.force(), contact.moment()];
     let peaks = [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];
     let mut report = StressReport::new(&field, load, Shown::of(problem, file.units()), &peaks);
-    report.add_warnings(contact.warnings());
+    report.add_warnings(&contact.warnings_in(file.units()));
     let limit_stress = limit.map(|(stress, _)| stress);
     let doubts = doubts(arguments, &file, &contact, &peaks[0], limit_stress);
     let doubts = problem_file::refuse(&arguments.sense, doubts)?;
