@@ -18,7 +18,7 @@ pub(super) fn sense(source: &RoughnessSource) -> SenseArguments {
     }
 }
 
-/// What an engineer would doubt of the options alone.
+/// What an engineer would doubt of the options alone; nothing where one is no quantity, whose fault is told by itself.
 pub(super) fn of(source: &RoughnessSource) -> Vec<String> {
     let (lengths, moduli) = match source {
         RoughnessSource::GreenwoodWilliamson(source) => (
@@ -31,6 +31,17 @@ pub(super) fn of(source: &RoughnessSource) -> Vec<String> {
         ),
         RoughnessSource::Table(_) => return Vec::new(),
     };
+    let others = match source {
+        RoughnessSource::GreenwoodWilliamson(source) => {
+            [Some(&source.density), source.pressure.as_ref()]
+        }
+        RoughnessSource::Bearing(source) => [source.pressure.as_ref(), None],
+        RoughnessSource::Table(_) => [None, None],
+    };
+    let named = lengths.into_iter().chain(moduli).filter_map(|(_, text)| text);
+    if named.chain(others.into_iter().flatten()).any(|text| quantity::parse(text).is_err()) {
+        return Vec::new();
+    }
     let coarse = lengths.into_iter().filter_map(|(option, text)| coarse(option, text?));
     coarse.chain(moduli.into_iter().filter_map(|(option, text)| soft(option, text?))).collect()
 }
