@@ -34,7 +34,7 @@ pub use roughness::{
 pub use schema::{SchemaArguments, SchemaName};
 pub use spectrum::{KernelArguments, SpectrumArguments};
 pub use started::{CompletionsArguments, ExampleGeometry, InitArguments, ManArguments};
-pub use sweep::SweepArguments;
+pub use sweep::{PartFormat, SweepArguments};
 pub use trace::{Level, TraceArguments};
 pub use units::{SenseArguments, UnitArguments};
 
@@ -269,6 +269,9 @@ pub struct ValidateArguments {
     #[command(flatten)]
     /// The problem.
     pub problem: ProblemArguments,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
 }
 
 /// `shtaerman reproduce`.
@@ -334,6 +337,9 @@ pub struct EquationArguments {
     /// Override a key of the file, such as kernel.mu=0.3; may be given again.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub overrides: Vec<String>,
+    /// End with exit code 3 when there is no solution after this time, such as "10 s".
+    #[arg(long, value_name = "TIME")]
+    pub time_limit: Option<String>,
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,

@@ -19,6 +19,9 @@ const LAST: f64 = 0.95;
 
 static CLOCK: Mutex<Clock> = Mutex::new(Clock { running: None, is_shown: false, after: None });
 
+/// What is said where the time is over before there is an answer.
+pub(crate) type Early = fn(Duration) -> Failure;
+
 struct Clock {
     running: Option<Running>,
     /// Whether there is a line of progress on the terminal.
@@ -54,7 +57,7 @@ impl Clock {
 }
 
 /// Starts the clock of a command. At the limit `end` ends the process with the exit code of [`Error::TimeLimit`](shtaerman::Error::TimeLimit), unless the clock was [stopped](stop) before.
-pub(crate) fn start(limit: Option<Duration>, end: fn(i32) -> !) {
+pub(crate) fn start(limit: Option<Duration>, early: Early, end: fn(i32) -> !) {
     let is_seen = stderr().is_terminal() && !is_quiet();
     if limit.is_none() && !is_seen {
         return;
@@ -62,10 +65,11 @@ pub(crate) fn start(limit: Option<Duration>, end: fn(i32) -> !) {
     let running = Running { since: Instant::now(), limit };
     clock().running = Some(running);
     // Without a thread nobody is shown anything; the search itself still ends in time.
-    let _ = Builder::new().name("clock".to_owned()).spawn(move || watch(running, is_seen, end));
+    let _ =
+        Builder::new().name("clock".to_owned()).spawn(move || watch(running, is_seen, early, end));
 }
 
-fn watch(Running { since, limit }: Running, is_seen: bool, end: fn(i32) -> !) {
+fn watch(Running { since, limit }: Running, is_seen: bool, early: Early, end: fn(i32) -> !) {
     loop {
         let left = limit.map_or(TICK, |limit| limit.saturating_sub(since.elapsed()));
         thread::sleep(left.min(TICK));
@@ -78,7 +82,7 @@ fn watch(Running { since, limit }: Running, is_seen: bool, end: fn(i32) -> !) {
             clock.clear();
             let failure = match clock.after {
                 Some(what) => Failure::Late { what, limit },
-                None => shtaerman::Error::TimeLimit { limit }.into(),
+                None => early(limit),
             };
             failure.report();
             end(i32::from(failure.exit_code()));

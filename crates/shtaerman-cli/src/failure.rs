@@ -1,9 +1,11 @@
 //! Why a command ends without its result, and the exit code that says so.
 
+use std::collections::BTreeSet;
 use std::io::Write;
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use miette::{
@@ -55,6 +57,9 @@ pub(crate) enum Failure {
         /// What was allowed.
         limit: Duration,
     },
+    /// The time limit ended the solution of an equation.
+    #[error("no solution was found within the time limit of {} s: allow more by --time-limit", .0.as_secs_f64())]
+    Unsolved(Duration),
     /// A check failed.
     #[error("{0}")]
     Check(String),
@@ -77,8 +82,10 @@ impl Failure {
         Self::Unwritten { path: path.display().to_string(), reason: error.to_string() }
     }
 
-    /// Prints the message to standard error and returns the exit code.
+    /// Prints the message to standard error, behind the warnings that no result shows now, and returns the exit code.
     pub(crate) fn report(&self) -> ExitCode {
+        let held = std::mem::take(&mut *lock(&HELD));
+        held.iter().for_each(|text| warn(text));
         print(&self.message());
         ExitCode::from(self.exit_code())
     }
@@ -88,7 +95,7 @@ impl Failure {
         match self {
             Self::Check(_) | Self::Unwritten { .. } => 1,
             Self::Problem(error) if error.is_numerical() => 3,
-            Self::Unfinished(_) | Self::Late { .. } => 3,
+            Self::Unfinished(_) | Self::Unsolved(_) | Self::Late { .. } => 3,
             Self::Usage(_) | Self::Problem(_) | Self::Plot(_) | Self::Unwritable { .. } => 2,
         }
     }
@@ -146,11 +153,29 @@ pub(crate) fn say(kind: &str, text: &str) {
     print(&format!("{kind}: {}\n", legible(text)));
 }
 
-/// A warning, unless none are wanted.
+/// A warning, once, unless none are wanted.
 pub(crate) fn warn(text: &str) {
-    if !is_quiet() {
+    let is_new = lock(&SAID).insert(text.to_owned());
+    if is_new && !is_quiet() {
         say("warning", text);
     }
+}
+
+/// Keeps warnings that the result will show: where there is none, they are said beside the error, whose cause they may be.
+pub(crate) fn hold(texts: impl Iterator<Item = String>) {
+    lock(&HELD).extend(texts);
+}
+
+/// The result has shown what was held.
+pub(crate) fn release() {
+    lock(&HELD).clear();
+}
+
+static HELD: Mutex<Vec<String>> = Mutex::new(Vec::new());
+static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+
+fn lock<T>(mutex: &'static Mutex<T>) -> MutexGuard<'static, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 static QUIET: AtomicBool = AtomicBool::new(false);

@@ -22,12 +22,13 @@ use std::process::ExitCode;
 use clap::Parser;
 use clap::error::ErrorKind;
 
+pub use arguments::PartFormat;
 use arguments::{Arguments, Command};
 pub use commands::explore::PageEngine;
 use failure::Failure;
 pub use failure::{Refusal, told};
 pub use report::{ContactPicture, contact_picture, contact_plot};
-pub use results::{PartFormat, StudyResults};
+pub use results::StudyResults;
 use shtaerman::file::ProblemFile;
 use shtaerman::{Problem, legible};
 

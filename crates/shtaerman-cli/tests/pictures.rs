@@ -79,6 +79,72 @@ fn a_narrow_contact_is_shown_larger_with_the_whole_beside() {
     assert!(wide.whole.is_empty() && !svg(&wide).contains("the whole base"));
 }
 
+/// Beside the base the surface is the one that the contact knows there, as far as it is shown; nothing of the punch is drawn.
+#[test]
+fn beside_the_base_the_free_surface_is_shown() {
+    let contact = example("crowned_punch.toml", &[]);
+    let a = contact.problem().punch().half_width();
+    for [from, to] in [[0.5 * a, 12.0 * a], [-4.0 * a, 0.2 * a], [0.1 * a, 1.7 * a]] {
+        let wanted = ContactPicture { x_range: Some([from, to]), ..ContactPicture::default() };
+        let plot = contact_picture(&contact, &wanted).unwrap();
+        let within = |points: &[(f64, f64)]| -> Vec<(f64, f64)> {
+            let shown = |x: f64| (from * 1e3 - 1e-9..=to * 1e3 + 1e-9).contains(&x);
+            finite(points).copied().filter(|(x, _)| shown(*x)).collect()
+        };
+        let body = within(&plot.body_surface);
+        for end in [from, to] {
+            let nearest = body.iter().map(|(x, _)| (x - end * 1e3).abs()).fold(9e9, f64::min);
+            assert!(nearest <= 0.02 * (to - from) * 1e3, "{from} {to}: {nearest}");
+        }
+        // The line is a layer's thickness below the surface, everywhere beside the base.
+        let factor = plot.length_of_depth.unwrap() * 1e-3;
+        let free = body.iter().filter(|(x, _)| x.abs() > a * 1e3 * (1.0 + 1e-9));
+        let below: Vec<f64> =
+            free.map(|(x, u)| u * factor - contact.elastic_displacement(x * 1e-3)).collect();
+        assert!(below.len() > 20, "{}", below.len());
+        assert!(below.iter().all(|depth| (depth - below[0]).abs() < 1e-12), "{below:?}");
+        let base = within(&plot.punch_base);
+        assert!(base.len() > 50 && base.iter().all(|(x, _)| x.abs() <= a * 1e3 * (1.0 + 1e-9)));
+        assert_eq!(plot.whole.is_empty(), to - from > 2.0 * a, "{from} {to}");
+    }
+}
+
+/// What is periodic goes on: pressures and surfaces a period away are the same, and none is missing in what is shown.
+#[test]
+fn a_wave_goes_on_over_all_of_a_range() {
+    let contact = example("wave.toml", &[]);
+    let period = 0.5e-3;
+    for [from, to] in [[0.0, 4.2], [-3.3, 0.1], [0.6, 0.9], [95.2, 98.9]] {
+        let wanted = ContactPicture {
+            x_range: Some([from * period, to * period]),
+            ..ContactPicture::default()
+        };
+        let plot = contact_picture(&contact, &wanted).unwrap();
+        let unit = plot.window.unwrap()[1] / to;
+        for points in [&plot.pressure, &plot.body_surface, &plot.punch_base] {
+            let mut shown: Vec<(f64, f64)> = finite(points)
+                .map(|(x, y)| (x / unit, *y))
+                .filter(|(x, _)| (from..=to).contains(x))
+                .collect();
+            shown.sort_by(|one, two| one.0.total_cmp(&two.0));
+            let gap = shown.windows(2).map(|pair| pair[1].0 - pair[0].0).fold(0.0, f64::max);
+            let ends = (shown[0].0 - from).max(to - shown[shown.len() - 1].0);
+            assert!(gap.max(ends) < 0.02, "{from} {to}: {gap} {ends}");
+        }
+        let pressure = finite(&plot.pressure).filter(|(x, _)| (from..=to).contains(&(x / unit)));
+        for (x, p) in pressure {
+            let xi = x / unit - (x / unit).round();
+            let exact = contact.pressure(xi * period).unwrap();
+            let found = p * contact.peak_pressure() / peak(&plot);
+            assert!((found - exact).abs() < 1e-6 * contact.peak_pressure(), "{x}: {found} {exact}");
+        }
+    }
+}
+
+fn peak(plot: &ContactPlot) -> f64 {
+    finite(&plot.pressure).map(|(_, p)| *p).fold(0.0, f64::max)
+}
+
 #[test]
 fn what_is_beyond_a_frame_is_hidden() {
     let hertz = ["punch.half_width=20 mm", "punch.profile=x^2/(2*0.05)", "load.force=20 kN/m"];

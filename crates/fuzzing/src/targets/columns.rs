@@ -1,18 +1,34 @@
 //! Columns of numbers.
 
 use shtaerman_input::columns::Columns;
+use shtaerman_input::quantity::Dimension;
 
 use crate::broken::{broken, bytes};
 use crate::check::Outcome;
 use crate::{Random, check, written};
 
-const COLUMNS: Columns = Columns { names: ["position", "height"], units: [1.0, 1.0] };
+const COLUMNS: Columns = Columns {
+    names: ["position", "height"],
+    dimensions: [Dimension::LENGTH; 2],
+    units: [1.0, 1.0],
+};
 
 /// Writes numbers in columns and reads them: unbroken ones to the last bit, broken ones finite or refused.
 pub(super) fn case(random: &mut Random) -> Result<Outcome, String> {
     let separator = random.of(&[",", ";", "\t", " ", "  ", ", ", " ; "]);
     let line_end = random.of(&["\n", "\r\n"]);
-    let mut text = random.of(&["", "x, f\n", "# taken on Monday\n", "\u{feff}", "\n\n"]).to_owned();
+    let mut text = random
+        .of(&[
+            "",
+            "x, f\n",
+            "x [m] f [m]\n",
+            "x / m  f in m\n",
+            "x_m;f, m\n",
+            "# taken on Monday\n",
+            "\u{feff}",
+            "\n\n",
+        ])
+        .to_owned();
     let mut values = Vec::new();
     for _ in 0..random.below(30) {
         let row = [random.between(-1.0, 1.0) * random.power(-9.0, 9.0), random.power(-20.0, 5.0)];

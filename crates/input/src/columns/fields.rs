@@ -38,6 +38,45 @@ impl Separator {
         }
     }
 
+    /// Whether it stands in a line.
+    pub(super) fn is_in(self, line: &str) -> bool {
+        line.trim().contains(|letter| self.is(letter))
+    }
+
+    fn is(self, letter: char) -> bool {
+        match self {
+            Self::Semicolon => letter == ';',
+            Self::Tab => letter == '\t',
+            Self::Comma => letter == ',',
+            Self::Blanks => letter.is_whitespace(),
+        }
+    }
+
+    /// The parts of a header, in which a separator within quotes is none; words that blanks separate have no comma behind them.
+    pub(super) fn parts(self, line: &str) -> Vec<String> {
+        let line = line.trim();
+        let (mut parts, mut from, mut quoted) = (Vec::new(), 0, false);
+        for (at, letter) in line.char_indices() {
+            let is_first = line[from..at].trim().is_empty();
+            if letter == '"' && (quoted || is_first) {
+                quoted = !quoted;
+            } else if self.is(letter) && !quoted {
+                parts.push(&line[from..at]);
+                from = at + letter.len_utf8();
+            }
+        }
+        parts.push(&line[from..]);
+        let is_kept = |part: &&str| self != Self::Blanks || !part.is_empty();
+        parts.into_iter().filter(is_kept).map(|part| unquoted(part).to_owned()).collect()
+    }
+
+    /// What two blanks or more separate.
+    pub(super) fn apart(line: &str) -> Vec<String> {
+        let line = line.trim().replace('\t', "  ");
+        let parts = line.split("  ").map(str::trim).filter(|part| !part.is_empty());
+        parts.map(|part| unquoted(part).to_owned()).collect()
+    }
+
     /// The fields of a line, without quotes; decimal commas as points.
     pub(super) fn fields(self, line: &str) -> Vec<String> {
         let separated = |separator: char| line.trim().split(separator).map(unquoted);

@@ -2,8 +2,10 @@
 //!
 //! ```
 //! use shtaerman_input::columns::{Columns, Row};
+//! use shtaerman_input::quantity::Dimension;
 //!
-//! let columns = Columns { names: ["position", "height"], units: [1e-3, 0.5] };
+//! let dimensions = [Dimension::LENGTH; 2];
+//! let columns = Columns { names: ["position", "height"], dimensions, units: [1e-3, 0.5] };
 //! let rows = columns.read(b"x;f\n# a comment\n2;1,5\n", "trace.csv")?;
 //! assert_eq!(rows, [Row { line: 3, values: [0.002, 0.75] }]);
 //!
@@ -14,12 +16,16 @@
 
 mod encoding;
 mod fields;
+mod header;
 
 use crate::document::FileError;
-use crate::{nearest, quantity, shortened};
+use crate::quantity::Dimension;
+use crate::{nearest, shortened};
+use header::{header, split};
 
 pub use encoding::decode;
 pub use fields::Separator;
+pub use header::HeaderUnit;
 
 /// The most rows that are read: a file within its limit of bytes may have ten times as many, and each takes more memory than its text.
 pub const MAXIMUM_ROWS: usize = 5_000_000;
@@ -44,6 +50,8 @@ pub struct Row {
 pub struct Columns {
     /// The names, for messages.
     pub names: [&'static str; 2],
+    /// What they measure.
+    pub dimensions: [Dimension; 2],
     /// The SI values of the units that the numbers are written in.
     pub units: [f64; 2],
 }
@@ -53,7 +61,7 @@ pub struct Columns {
 pub enum Column {
     /// Its number, from 1.
     Number(usize),
-    /// Its name in the header, with or without the unit in brackets behind it, in any case of letters.
+    /// Its name in the header, with or without the unit behind it, in any case of letters.
     Named(String),
 }
 
@@ -87,7 +95,7 @@ pub struct Sheet {
 
 impl Columns {
     /// Reads rows separated by commas, semicolons, tabs or blanks; lines that begin with `#` are comments, one header line is allowed. With
-    /// semicolons a decimal comma is read as well.
+    /// semicolons and tabs a decimal comma is read as well.
     ///
     /// # Errors
     /// As [`Columns::sheet`].
@@ -98,7 +106,7 @@ impl Columns {
     /// Reads rows as the dialect says, and tells what the file was found to be.
     ///
     /// # Errors
-    /// [`FileError`] with the file and line: no text, a header with other units in brackets, text in a number's place, a missing column, values that are not finite,
+    /// [`FileError`] with the file and line: no text, a header with other units, text in a number's place, a missing column, values that are not finite,
     /// more than [`MAXIMUM_ROWS`] rows.
     pub fn sheet(
         &self,
@@ -108,31 +116,29 @@ impl Columns {
     ) -> Result<Sheet, FileError> {
         let fault = |message: String| FileError::new(message).in_file(Some(file_name));
         let (text, encoding) = decode(content, dialect.encoding.as_deref()).map_err(fault)?;
-        let (mut rows, mut header, mut header_seen) = (Vec::new(), Vec::new(), false);
+        let mut rows = Vec::new();
         let (mut separator, mut chosen) = (Separator::Comma, None);
+        let (mut header_line, mut names) = (None, Vec::new());
+        if let Some(header) = header(&text, dialect.skip) {
+            let at_line = |message: String| fault(format!("line {}: {message}", header.line + 1));
+            let columns = self.chosen(dialect, &header.names, &header.names).map_err(at_line)?;
+            // Of more columns than two nothing is known before they are chosen.
+            if dialect.columns.is_some() || header.names.len() == 2 {
+                self.compare(&header.names, columns).map_err(at_line)?;
+            }
+            (header_line, names, chosen) = (Some(header.line), header.names, Some(columns));
+        }
         for (index, line) in text.lines().enumerate().skip(dialect.skip) {
-            if line.trim().is_empty() || line.trim_start().starts_with('#') {
+            let is_said = !line.trim().is_empty() && !line.trim_start().starts_with('#');
+            if !is_said || header_line == Some(index) {
                 continue;
             }
             let at_line = |message: String| fault(format!("line {}: {message}", index + 1));
             let of_line = Separator::of(line);
             let fields = of_line.fields(line);
-            let is_header = rows.is_empty()
-                && !header_seen
-                && fields.iter().all(|field| field.parse::<f64>().is_err());
-            if is_header {
-                header_seen = true;
-                let columns = self.chosen(dialect, &fields, &fields).map_err(at_line)?;
-                // Of more columns than two nothing is known before they are chosen.
-                if dialect.columns.is_some() || fields.len() == 2 {
-                    self.compare(&fields, columns).map_err(at_line)?;
-                }
-                (header, chosen) = (fields, Some(columns));
-                continue;
-            }
             let columns = match chosen {
                 Some(columns) => columns,
-                None => self.chosen(dialect, &header, &fields).map_err(at_line)?,
+                None => self.chosen(dialect, &names, &fields).map_err(at_line)?,
             };
             if rows.is_empty() {
                 (separator, chosen) = (of_line, Some(columns));
@@ -146,10 +152,10 @@ impl Columns {
             rows.push(Row { line: index + 1, values });
         }
         let columns = chosen.unwrap_or([0, 1]);
-        Ok(Sheet { rows, encoding, separator, header, columns })
+        Ok(Sheet { rows, encoding, separator, header: names, columns })
     }
 
-    /// The units in brackets in the header above the two columns, with their SI values; none where there is none.
+    /// What the header says of the units of the two columns.
     ///
     /// # Errors
     /// [`FileError`] for no text, or a column that is not there.
@@ -158,22 +164,19 @@ impl Columns {
         content: &[u8],
         file_name: &str,
         dialect: &Dialect,
-    ) -> Result<[Option<(String, f64)>; 2], FileError> {
+    ) -> Result<[HeaderUnit; 2], FileError> {
         let fault = |message: String| FileError::new(message).in_file(Some(file_name));
         let (text, _) = decode(content, dialect.encoding.as_deref()).map_err(fault)?;
-        let is_said = |line: &&str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
-        let Some(line) = text.lines().skip(dialect.skip).find(is_said) else {
-            return Ok([None, None]);
+        let Some(header) = header(&text, dialect.skip) else {
+            return Ok([HeaderUnit::Silent, HeaderUnit::Silent]);
         };
-        let fields = Separator::of(line).fields(line);
-        if fields.iter().any(|field| field.parse::<f64>().is_ok()) {
-            return Ok([None, None]);
-        }
-        let columns = self.chosen(dialect, &fields, &fields).map_err(fault)?;
-        Ok(columns.map(|index| {
-            let (symbol, size) = bracketed(fields.get(index)?)?;
-            Some((symbol.to_owned(), size))
-        }))
+        let columns = self.chosen(dialect, &header.names, &header.names).map_err(fault)?;
+        let [one, two] = self.dimensions;
+        let said = |index: usize, expected: Dimension| {
+            let name = header.names.get(index).map_or("", String::as_str);
+            split(name, Some(expected)).1
+        };
+        Ok([said(columns[0], one), said(columns[1], two)])
     }
 
     /// Indices of the columns that are meant.
@@ -194,16 +197,24 @@ impl Columns {
         Ok([index(&columns[0])?, index(&columns[1])?])
     }
 
-    /// Units that a header has in brackets are those in which the numbers are read.
+    /// Units that a header has are those in which the numbers are read.
     fn compare(&self, header: &[String], columns: [usize; 2]) -> Result<(), String> {
-        for ((index, name), unit) in columns.into_iter().zip(self.names).zip(self.units) {
-            let Some((symbol, said)) = header.get(index).and_then(|field| bracketed(field)) else {
+        let wanted = self.names.into_iter().zip(self.dimensions).zip(self.units);
+        for (index, ((name, expected), unit)) in columns.into_iter().zip(wanted) {
+            let Some(field) = header.get(index) else { continue };
+            let HeaderUnit::Known { written, size, dimension, .. } = split(field, Some(expected)).1
+            else {
                 continue;
             };
-            if (said - unit).abs() > SAME * unit.abs() {
-                let symbol = shortened(symbol, LONGEST_FIELD);
+            let written = shortened(&written, LONGEST_FIELD);
+            if dimension != expected {
                 return Err(format!(
-                    "the header has the {name} in {symbol}, which is {said} in SI, and it is read in a unit that is {unit}: state the unit of the column, or correct the header"
+                    "the header has the {name} in {written}, {dimension}, and it is {expected}: is another column meant?"
+                ));
+            }
+            if (size - unit).abs() > SAME * unit.abs() {
+                return Err(format!(
+                    "the header has the {name} in {written}, which is {size} in SI, and it is read in a unit that is {unit}: state the unit of the column, or correct the header"
                 ));
             }
         }
@@ -249,22 +260,10 @@ impl Columns {
     }
 }
 
-/// The unit in the last brackets of a field of a header, such as `height [um]` or `height (um)`, with its SI value; none where they have no unit.
-fn bracketed(field: &str) -> Option<(&str, f64)> {
-    let field = field.trim_end();
-    let open = match field.as_bytes().last()? {
-        b']' => '[',
-        b')' => '(',
-        _ => return None,
-    };
-    let symbol = field.get(field.rfind(open)? + 1..field.len() - 1)?.trim();
-    let unit = quantity::parse(&format!("1 {symbol}")).ok()?;
-    unit.unit_written().then_some((symbol, unit.value))
-}
-
 /// The index of a column by its name.
 fn named(header: &[String], name: &str) -> Result<usize, String> {
     let bare = |field: &str| {
+        let field = split(field, None).0;
         let end = field.find(['[', '(']).filter(|at| *at > 0).unwrap_or(field.len());
         field[..end].trim().to_lowercase()
     };
@@ -289,9 +288,12 @@ fn named(header: &[String], name: &str) -> Result<usize, String> {
 mod tests {
     use super::*;
 
+    const LENGTHS: [Dimension; 2] = [Dimension::LENGTH; 2];
+
     #[test]
     fn what_overflows_with_its_unit_is_told_with_its_line() {
-        let columns = Columns { names: ["position", "height"], units: [1.0, 1e3] };
+        let columns =
+            Columns { dimensions: LENGTHS, names: ["position", "height"], units: [1.0, 1e3] };
         let error = columns.read(b"x,f\n0,1\n1,-1e306\n", "a.csv").unwrap_err();
         let said = "a.csv: line 3: the height is -1e306, in a unit that is 1000 in SI: together more than the largest number, 1.8e308";
         assert_eq!(error.to_string(), said);
@@ -299,7 +301,8 @@ mod tests {
 
     #[test]
     fn units_of_a_header_are_those_that_are_read() {
-        let columns = Columns { names: ["position", "height"], units: [1e-3, 1e-6] };
+        let columns =
+            Columns { dimensions: LENGTHS, names: ["position", "height"], units: [1e-3, 1e-6] };
         for header in
             ["x [mm],f (um)", "x,f", "x (measured), f [1]", "\"x [mm]\";\"f [µm]\"", "1 [m),2 ]"]
         {
@@ -314,7 +317,8 @@ mod tests {
 
     #[test]
     fn rows_have_a_limit() {
-        let columns = Columns { names: ["position", "height"], units: [1.0, 1.0] };
+        let columns =
+            Columns { dimensions: LENGTHS, names: ["position", "height"], units: [1.0, 1.0] };
         let mut text = "1,2\n".repeat(MAXIMUM_ROWS);
         assert_eq!(columns.read(text.as_bytes(), "a.csv").unwrap().len(), MAXIMUM_ROWS);
         text.push_str("# a comment\n1,2\n");
@@ -325,7 +329,8 @@ mod tests {
 
     #[test]
     fn columns_are_chosen_by_number_or_name() {
-        let columns = Columns { names: ["position", "height"], units: [1e-3, 1e-6] };
+        let columns =
+            Columns { dimensions: LENGTHS, names: ["position", "height"], units: [1e-3, 1e-6] };
         let text = "instrument X\nNo;Position [mm];Zeit;Höhe [µm]\n1;2,5;0;3\n2;3,5;1;4\n";
         let dialect = |x: Column, f: Column| Dialect {
             skip: 1,

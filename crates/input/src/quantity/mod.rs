@@ -44,6 +44,8 @@ mod tests;
 mod units;
 mod value;
 
+pub(crate) use units::spelled_out;
+
 pub use dimension::Dimension;
 pub use error::{QuantityError, QuantityErrorKind};
 pub use format::{AxisUnit, DisplayUnit, axis_unit, engineering, engineering_with_digits, plain};

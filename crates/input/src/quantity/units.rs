@@ -161,6 +161,12 @@ pub(super) fn look_up(symbol: &str) -> Option<Scale> {
 const WORDS: &[(&str, &str)] = &[
     ("inch", "in"),
     ("inches", "in"),
+    ("\"", "in"),
+    ("zoll", "in"),
+    ("mils", "mil"),
+    ("thous", "thou"),
+    ("microinch", "uin"),
+    ("microinches", "uin"),
     ("foot", "ft"),
     ("feet", "ft"),
     ("yard", "yd"),
@@ -171,10 +177,26 @@ const WORDS: &[(&str, &str)] = &[
     ("meters", "m"),
     ("micron", "µm"),
     ("microns", "µm"),
+    ("µ", "µm"),
+    ("μ", "µm"),
     ("micrometre", "µm"),
+    ("micrometres", "µm"),
     ("micrometer", "µm"),
+    ("micrometers", "µm"),
+    ("mikrometer", "µm"),
     ("millimetre", "mm"),
+    ("millimetres", "mm"),
     ("millimeter", "mm"),
+    ("millimeters", "mm"),
+    ("centimetre", "cm"),
+    ("centimetres", "cm"),
+    ("centimeter", "cm"),
+    ("centimeters", "cm"),
+    ("zentimeter", "cm"),
+    ("nanometre", "nm"),
+    ("nanometres", "nm"),
+    ("nanometer", "nm"),
+    ("nanometers", "nm"),
     ("newton", "N"),
     ("newtons", "N"),
     ("pascal", "Pa"),
@@ -191,6 +213,12 @@ const WORDS: &[(&str, &str)] = &[
     ("tonne", "t"),
 ];
 
+/// The symbol of a unit whose name is written out, in any case of letters.
+pub(crate) fn spelled_out(written: &str) -> Option<&'static str> {
+    let lower = written.to_lowercase();
+    WORDS.iter().find(|(word, _)| *word == lower).map(|(_, symbol)| *symbol)
+}
+
 /// Symbols proposed for an unknown unit, the usual ones first: of `mpa` comes `MPa`, not `mPa`.
 const PROPOSED: &[&str] = &[
     "MPa", "GPa", "kPa", "Pa", "hPa", "mm", "µm", "um", "nm", "m", "km", "cm", "kN", "MN", "N",
@@ -201,10 +229,10 @@ const PROPOSED: &[&str] = &[
 
 /// What was perhaps meant by an unknown unit.
 pub(super) fn suggest(written: &str) -> Option<String> {
-    let lower = written.to_lowercase();
-    if let Some((_, symbol)) = WORDS.iter().find(|(word, _)| *word == lower) {
-        return Some((*symbol).to_owned());
+    if let Some(symbol) = spelled_out(written) {
+        return Some(symbol.to_owned());
     }
+    let lower = written.to_lowercase();
     // Before a change of case: Nmm is N mm run together, and not a slip for nm.
     if let Some(product) = split(written) {
         return Some(product);

@@ -123,6 +123,9 @@ pub struct BearingArguments {
     #[command(flatten)]
     /// The result.
     pub output: OutputArguments,
+    #[command(flatten)]
+    /// What becomes of doubts.
+    pub sense: SenseArguments,
 }
 
 /// What the columns of a table are.

@@ -2,12 +2,23 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::common::ReportArguments;
 use super::picture::PictureArguments;
 use super::units::UnitArguments;
-use crate::results::PartFormat;
+
+/// The format of the parts of a study.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum PartFormat {
+    /// Text, a line for each case.
+    #[default]
+    Csv,
+    /// Arrays for `NumPy`, one for each column.
+    Npz,
+    /// Columns, for tools that take many files as one table.
+    Parquet,
+}
 
 /// `shtaerman sweep`.
 #[derive(Debug, Args)]
@@ -24,6 +35,9 @@ pub struct SweepArguments {
     /// Override a key of the file, such as load.moment=0 or study.design=sobol; may be given again.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     pub overrides: Vec<String>,
+    /// Time that each case may take, such as "10 s"; one that takes more has no answer. In place of the key `solver.time_limit`, and a part of the study as that is.
+    #[arg(long, value_name = "TIME")]
+    pub time_limit: Option<String>,
     /// Compute only the i-th of N shares of the parts, such as 2/4; the shares fill one folder, or several that are then copied together.
     #[arg(long, value_name = "I/N")]
     pub shard: Option<String>,

@@ -11,7 +11,7 @@ pub struct UnitArguments {
 }
 
 /// What becomes of doubts.
-#[derive(Debug, Default, Args)]
+#[derive(Debug, Clone, Copy, Default, Args)]
 pub struct SenseArguments {
     /// End with exit code 2 where an engineer would doubt the input: steep bases, large angles, pressures that no solid bears, moduli without a unit and the like, which are warnings otherwise.
     #[arg(long)]

@@ -8,7 +8,7 @@ use shtaerman::{Error, Problem};
 use super::picture::Picture;
 use super::problem_file;
 use crate::Failure;
-use crate::arguments::{ConvergenceArguments, ReportFormat};
+use crate::arguments::{ConvergenceArguments, ReportFormat, SenseArguments};
 use crate::output::{Content, Outputs};
 use crate::plot::{ConvergencePlot, ConvergenceSeries};
 use crate::report::{self, Shown, Table};
@@ -26,6 +26,7 @@ pub(super) fn run(arguments: &ConvergenceArguments) -> Result<(), Failure> {
         )));
     }
     let file = problem_file::read(&arguments.problem, &arguments.units, &outputs)?;
+    problem_file::check_input(&file, &SenseArguments::default(), false)?;
     let problem = file.problem();
     let study = Convergence::study(problem, arguments.max_n).map_err(|error| match error {
         Error::InvalidValue { field: "max_n", value, requirement } => {

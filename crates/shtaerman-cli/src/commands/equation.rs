@@ -1,6 +1,7 @@
 //! `shtaerman equation`.
 
 use std::fmt::Write;
+use std::time::Duration;
 
 use shtaerman::equation::{EquationAnswer, EquationFile, Kind, SolvedEquation};
 use shtaerman::quantity::Dimension;
@@ -8,12 +9,12 @@ use shtaerman::quantity::Dimension;
 use super::picture::Picture;
 use super::sheet::{self, ReportFile};
 use super::{places, problem_file};
-use crate::Failure;
 use crate::arguments::{EquationArguments, ReportFormat};
 use crate::failure::{self, shown};
-use crate::output::{Content, Input, Outputs, check_writable};
+use crate::output::{Content, Input, Outputs, check_writable, interrupt};
 use crate::plot::{Size, SolutionPlot};
 use crate::report::{self, Sheet};
+use crate::{Failure, clock};
 
 /// Points of the curve, where no number is asked for.
 pub(super) const POINTS: usize = 201;
@@ -29,16 +30,20 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
     check_writable(&outputs, &[input])?;
     places::check_points(arguments.points)?;
     let file = problem_file::read_equation(&arguments.file, &arguments.overrides)?;
+    let limit = arguments.time_limit.as_deref().map(problem_file::time_limit).transpose()?;
+    // Longer than any computer runs is no limit.
+    let limit = limit.and_then(|limit| Duration::try_from_secs_f64(limit).ok());
+    clock::start(limit, Failure::Unsolved, interrupt);
     if arguments.cross_check && file.equation().kind() == Kind::First {
         return Err(Failure::Usage(format!("--cross-check: {}", shtaerman::Error::NoOtherMethod)));
     }
-    let window = (arguments.x_range.as_deref())
-        .map(|text| places::range("--x-range", text, Dimension::NONE))
-        .transpose()?;
+    let window = (arguments.x_range.as_deref()).map(|text| window(text, &file)).transpose()?;
     let name = problem_file::stem(&arguments.file);
     let asked = arguments.at.as_deref().map(|text| parse_places(text, &file)).transpose()?;
-    let reach = asked.iter().flatten().copied().fold(0.0, f64::max);
+    let drawn = window.filter(|_| picture.is_some()).map(|[_, to]| to);
+    let reach = asked.iter().flatten().copied().chain(drawn).fold(0.0, f64::max);
     let solved = file.equation().solve_to(reach).map_err(|error| file.locate(error))?;
+    clock::answered("its audit");
     let solved = if arguments.no_audit {
         solved
     } else {
@@ -49,6 +54,7 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
         None => solved.places(arguments.points)?,
     };
     let mut answer = solved.answer(points).map_err(|error| file.locate(error))?;
+    clock::answered("what was asked for beside it, such as a plot,");
     if arguments.cross_check {
         answer.cross_check = Some(solved.cross_check().map_err(|error| file.locate(error))?);
     }
@@ -69,6 +75,21 @@ pub(super) fn run(arguments: &EquationArguments) -> Result<(), Failure> {
         }
     }
     verdict(&answer)
+}
+
+/// The ends of `--x-range`, with some of the interval between them.
+fn window(text: &str, file: &EquationFile) -> Result<[f64; 2], Failure> {
+    let window = places::range("--x-range", text, Dimension::NONE)?;
+    let interval = file.equation().kernel().kernel().interval();
+    if window[0] < interval.right() && interval.left() < window[1] {
+        return Ok(window);
+    }
+    let [left, right] = [interval.left(), interval.right()];
+    let reaches = match right.is_finite() {
+        true => format!("reaches from {left} to {right}"),
+        false => format!("begins at {left}"),
+    };
+    Err(Failure::Usage(format!("--x-range {text}: lies beside the interval, which {reaches}")))
 }
 
 fn content<'a>(
@@ -141,7 +162,7 @@ fn plot(
     let equation = solved.equation();
     let mut places = solved.places(PLOT_POINTS)?;
     if let (Some([from, to]), [left, .., right]) = (window, places.as_slice()) {
-        let (from, to) = (from.max(*left), to.min(*right));
+        let (from, to) = (from.max(*left), to.min(right.max(solved.reach())));
         let step = (to - from) / PLOT_POINTS as f64;
         places.extend((1..PLOT_POINTS).map(|index| from + step * index as f64));
         places.retain(|x| equation.place(*x).is_ok());

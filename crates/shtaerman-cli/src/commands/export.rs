@@ -27,6 +27,7 @@ pub(super) fn run(arguments: &ExportArguments) -> Result<(), Failure> {
         &UnitArguments::default(),
         &[arguments.output.as_deref()],
     )?;
+    problem_file::check_input(&file, &arguments.sense, false)?;
     if arguments.sense.strict {
         let contact = problem_file::solve(&file, false)?;
         problem_file::doubts(&file, &contact, &arguments.sense)?;

@@ -30,6 +30,7 @@ pub(super) fn run(arguments: &FindArguments) -> Result<(), Failure> {
 fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
     let report_file = ReportFile::of(&arguments.report)?;
     let file = read(&arguments.problem, &arguments.units, &arguments.output, report_file.as_ref())?;
+    problem_file::check_input(&file, &arguments.sense, arguments.output.is_table())?;
     let FindForceArguments { peak_pressure, contact_width, .. } = arguments;
     let goal = goal(&file, [peak_pressure, contact_width, &None])?;
     let given = given([peak_pressure, contact_width, &None]);
@@ -57,6 +58,7 @@ fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
 fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
     let report_file = ReportFile::of(&arguments.report)?;
     let file = read(&arguments.problem, &arguments.units, &arguments.output, report_file.as_ref())?;
+    problem_file::check_input(&file, &arguments.sense, arguments.output.is_table())?;
     let FindRoughnessArguments { peak_pressure, contact_width, settlement, .. } = arguments;
     let goal = goal(&file, [peak_pressure, contact_width, settlement])?;
     let given = given([peak_pressure, contact_width, settlement]);
@@ -84,6 +86,7 @@ fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
 fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
     let report_file = ReportFile::of(&arguments.report)?;
     let file = read(&arguments.problem, &arguments.units, &arguments.output, report_file.as_ref())?;
+    problem_file::check_input(&file, &arguments.sense, arguments.output.is_table())?;
     let limit = arguments
         .peak_pressure
         .as_deref()
@@ -120,6 +123,7 @@ fn profile(arguments: &FindProfileArguments) -> Result<(), Failure> {
     places::check_points(arguments.points)?;
     let report_file = ReportFile::of(&arguments.report)?;
     let file = read(&arguments.problem, &arguments.units, &arguments.output, report_file.as_ref())?;
+    problem_file::check_input(&file, &SenseArguments::default(), false)?;
     let normalisation = match arguments.zero {
         Zero::Centre => Normalisation::Centre,
         Zero::Lowest => Normalisation::Lowest,
@@ -170,7 +174,9 @@ fn of_contact(
     contact: &Contact,
     given: Vec<Entry>,
 ) -> Result<Sheet, Failure> {
-    let mut sheet = sheet::of_contact([title, ""], &sheet::command(), told, file, contact)?;
+    let doubts = file.sense_checks(contact);
+    let found = (contact, doubts.as_slice());
+    let mut sheet = sheet::of_contact([title, ""], &sheet::command(), told, file, found)?;
     sheet.options(given);
     sheet.contact(contact, file.units())?;
     Ok(sheet)
@@ -213,7 +219,7 @@ fn warnings(
     sense: &SenseArguments,
 ) -> Result<Vec<Warning>, Failure> {
     let doubts = problem_file::doubts(file, contact, sense)?;
-    Ok([contact.warnings(), &doubts].concat())
+    Ok([contact.warnings_in(file.units()), doubts].concat())
 }
 
 /// Says the warnings that the result itself does not show.

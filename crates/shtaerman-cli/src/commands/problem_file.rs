@@ -12,10 +12,15 @@ use shtaerman_study::Study;
 
 use super::places;
 use crate::arguments::{ProblemArguments, SenseArguments, UnitArguments};
-use crate::failure::shown;
+use crate::failure::{self, shown};
 use crate::output::{Input, check_writable, interrupt};
 use crate::{Failure, clock};
 
+/// The field that `--units` is, and how its override begins.
+const FIELD: &str = "output.units";
+const UNITS: &str = "output.units=";
+/// The field that `--time-limit` is.
+pub(super) const LIMIT: &str = "solver.time_limit";
 /// The table that makes a problem file a study.
 const STUDY: &str = "study";
 
@@ -28,7 +33,8 @@ pub(super) fn read(
     let input = Input { what: "the problem file", path: &arguments.file };
     check_writable(outputs, &[input])?;
     let file = read_problem(arguments, units)?;
-    clock::start(file.problem().solver().time_limit(), interrupt);
+    let early = |limit| Error::TimeLimit { limit }.into();
+    clock::start(file.problem().solver().time_limit(), early, interrupt);
     if let Some(path) = file.measured_profile() {
         check_writable(outputs, &[Input { what: "the measured profile", path }])?;
     }
@@ -39,15 +45,24 @@ pub(super) fn read(
 fn overrides(arguments: &ProblemArguments, units: &UnitArguments) -> Result<Vec<String>, Failure> {
     let mut overrides = arguments.overrides.clone();
     overrides.extend(units_override(units)?);
-    if let Some(text) = &arguments.time_limit {
-        let limit = places::quantity("--time-limit", text, Dimension::TIME)?;
-        if limit.is_nan() || limit <= 0.0 {
-            let message = format!("--time-limit `{text}`: must be greater than 0, like \"10 s\"");
-            return Err(Failure::Usage(message));
-        }
-        overrides.push(format!("solver.time_limit={limit:e}"));
-    }
+    overrides.extend(limit_override(arguments.time_limit.as_deref())?);
     Ok(overrides)
+}
+
+/// `--time-limit` as an override.
+pub(super) fn limit_override(text: Option<&str>) -> Result<Option<String>, Failure> {
+    let limit = text.map(time_limit).transpose()?;
+    Ok(limit.map(|limit| format!("{LIMIT}={limit:e}")))
+}
+
+/// The seconds of `--time-limit`.
+pub(super) fn time_limit(text: &str) -> Result<f64, Failure> {
+    let limit = places::quantity("--time-limit", text, Dimension::TIME)?;
+    if limit.is_nan() || limit <= 0.0 {
+        let message = format!("--time-limit `{text}`: must be greater than 0, like \"10 s\"");
+        return Err(Failure::Usage(message));
+    }
+    Ok(limit)
 }
 
 /// `--units` as an override: a system, or `KEY=UNIT` with commas between.
@@ -63,7 +78,7 @@ pub(super) fn units_override(arguments: &UnitArguments) -> Result<Option<String>
             )));
         }
         // As a table it takes the place of a table in the file, too.
-        return Ok(Some(format!("output.units={{ system = {} }}", quoted(text))));
+        return Ok(Some(format!("{UNITS}{{ system = {} }}", quoted(text))));
     }
     let pair = |part: &str| {
         let (key, unit) = part.split_once('=')?;
@@ -75,7 +90,7 @@ pub(super) fn units_override(arguments: &UnitArguments) -> Result<Option<String>
             "--units `{text}`: must be KEY=UNIT with commas between, such as \"length=in, pressure=ksi\""
         ))
     })?;
-    Ok(Some(format!("output.units={{ {} }}", pairs.join(", "))))
+    Ok(Some(format!("{UNITS}{{ {} }}", pairs.join(", "))))
 }
 
 /// The bytes of the problem, and its overrides.
@@ -99,11 +114,24 @@ fn read_problem(
 ) -> Result<ProblemFile, Failure> {
     let overrides = overrides(arguments, units)?;
     if arguments.file != Path::new("-") {
-        return ProblemFile::open(&arguments.file, &overrides).map_err(advised);
+        return ProblemFile::open(&arguments.file, &overrides)
+            .map_err(|error| of_units(units, error).unwrap_or_else(advised));
     }
     let bytes = standard_input()?;
     ProblemFile::from_bytes(&bytes, &name(&arguments.file), Path::new(""), &overrides)
-        .map_err(advised)
+        .map_err(|error| of_units(units, error).unwrap_or_else(advised))
+}
+
+/// A fault of `--units`, which is read as an override, as one of that option; else the error.
+pub(super) fn of_units(units: &UnitArguments, error: Error) -> Result<Failure, Error> {
+    let (Some(text), Error::File(fault)) = (&units.units, &error) else { return Err(error) };
+    let is_override = fault.source_text().is_some_and(|source| source.starts_with(UNITS));
+    let Some(key) = fault.field().filter(|_| is_override).and_then(|key| key.strip_prefix(FIELD))
+    else {
+        return Err(error);
+    };
+    let key = key.strip_prefix('.').map_or(String::new(), |key| format!("{key}: "));
+    Ok(Failure::Usage(format!("--units `{text}`: {key}{}", fault.message())))
 }
 
 /// The fault, with the command for a file that states a study.
@@ -214,6 +242,21 @@ pub(super) fn solve(file: &ProblemFile, is_audited: bool) -> Result<Contact, Fai
         Solved::Answer(contact) => Ok(contact),
         Solved::Unfinished(_, limit) => Err(Error::TimeLimit { limit }.into()),
     }
+}
+
+/// What is doubtful about the file alone: refused with `--strict`, before anything is solved, and said where the result will not show it itself.
+pub(super) fn check_input(
+    file: &ProblemFile,
+    sense: &SenseArguments,
+    is_shown: bool,
+) -> Result<(), Failure> {
+    let doubts = refuse(sense, file.input_checks())?;
+    if is_shown {
+        failure::hold(doubts.into_iter().map(|doubt| doubt.message));
+    } else {
+        doubts.iter().for_each(|doubt| failure::warn(&doubt.message));
+    }
+    Ok(())
 }
 
 /// The doubts about an answer, which `--strict` refuses.

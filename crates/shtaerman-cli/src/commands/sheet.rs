@@ -68,13 +68,13 @@ pub(super) fn command() -> String {
     format!("shtaerman {}", quoted.join(" "))
 }
 
-/// The report, of this title, about a contact that was found for a file of this name: inputs, model, words, picture, checks.
+/// The report, of this title, about a contact that was found for a file of this name, with what is doubted about it: inputs, model, words, picture, checks.
 pub(super) fn of_contact(
     [title, name]: [&str; 2],
     command: &str,
     told: &Told,
     file: &ProblemFile,
-    contact: &Contact,
+    (contact, doubts): (&Contact, &[Warning]),
 ) -> Result<Sheet, Failure> {
     let mut sheet = of_file(title, command, told, file);
     sheet.words(report::sentences(contact, file.units()));
@@ -88,11 +88,10 @@ pub(super) fn of_contact(
         &contact_picture(contact, &wanted)?,
         Some(PICTURE),
     )?;
-    let doubts = file.sense_checks(contact);
     // An error a little above what was aimed at is no doubt of an engineer's: it is stated with the answer.
     let is_accuracy = |warning: &&Warning| warning.code == WarningCode::ToleranceNotMet;
-    let (accuracy, other): (Vec<_>, Vec<_>) =
-        contact.warnings().iter().chain(&doubts).partition(is_accuracy);
+    let warnings = contact.warnings_in(file.units());
+    let (accuracy, other): (Vec<_>, Vec<_>) = warnings.iter().chain(doubts).partition(is_accuracy);
     sheet.warnings(other.iter().map(|warning| warning.message.as_str()));
     for warning in accuracy {
         sheet.accuracy(&warning.message);

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use shtaerman::file::ProblemFile;
 use shtaerman::quantity::{Dimension, Measure, OutputUnits};
-use shtaerman::{Answer, Contact, Datum, PressureCurve, Problem, SurfaceCurve, Warning};
+use shtaerman::{Answer, Contact, Datum, Geometry, PressureCurve, Problem, SurfaceCurve, Warning};
 
 use super::picture::Picture;
 use super::problem_file::Solved;
@@ -17,6 +17,8 @@ use crate::output::{Content, Outputs};
 use crate::report::{ContactPicture, Sheet, Shown, contact_picture};
 use crate::{Failure, clock, report};
 
+/// The most periods that a picture shows.
+const MOST_PERIODS: f64 = 100.0;
 /// A place this far beyond an edge, in half-widths, is the edge: units round (200 mil and 5.08 mm).
 const EDGE_SLACK: f64 = 1e-12;
 
@@ -30,12 +32,9 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref(), report_path];
     places::check_points(arguments.points)?;
     let file = problem_file::read(&arguments.problem, &arguments.units, &outputs)?;
+    problem_file::check_input(&file, &arguments.sense, arguments.output.is_table())?;
     let places = arguments.at.as_deref().map(|text| parse_places(text, &file)).transpose()?;
-    let dimension =
-        if file.problem().is_dimensionless() { Dimension::NONE } else { Dimension::LENGTH };
-    let window = (arguments.x_range.as_deref())
-        .map(|text| places::range("--x-range", text, dimension))
-        .transpose()?;
+    let window = arguments.x_range.as_deref().map(|text| window(text, &file)).transpose()?;
     let extras = Extras::new(arguments, file.problem())?;
     let (contact, over) = match problem_file::solved(&file, !arguments.no_audit)? {
         Solved::Answer(contact) => (contact, None),
@@ -48,7 +47,7 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         None => PressureCurve::along(&contact, arguments.points)?,
     };
     let mut answer = Answer::new(&contact, curve);
-    answer.warnings = [contact.warnings(), &doubts].concat();
+    answer.warnings = [contact.warnings_in(file.units()), doubts].concat();
     if let Some(limit) = over {
         let mut outputs = Outputs::default();
         outputs.result(None, text(arguments, &contact, &answer, file.units(), None));
@@ -101,6 +100,48 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     }
 }
 
+/// The ends of `--x-range`, with some of the base between them.
+fn window(text: &str, file: &ProblemFile) -> Result<[f64; 2], Failure> {
+    let problem = file.problem();
+    let dimension = if problem.is_dimensionless() { Dimension::NONE } else { Dimension::LENGTH };
+    let window = places::range("--x-range", text, dimension)?;
+    let refused = |words: String| Failure::Usage(format!("--x-range {text}: {words}"));
+    let shown = Shown::of(problem, file.units());
+    let length = |x: f64| shown.value(x, Measure::Length);
+    let punch = problem.punch();
+    let period = match punch.geometry() {
+        Geometry::Periodic { period } => Some(period),
+        _ => None,
+    };
+    if let Some(period) = period.filter(|period| (window[1] - window[0]) / period > MOST_PERIODS) {
+        return Err(refused(format!(
+            "shows more than {MOST_PERIODS} periods of {}",
+            length(period)
+        )));
+    }
+    let pieces = || punch.pieces().into_iter().map(|piece| piece.map(|xi| xi * punch.half_width()));
+    let is_met = pieces().any(|piece| is_met(window, piece, period));
+    if is_met {
+        return Ok(window);
+    }
+    let ends: Vec<String> = pieces()
+        .map(|[left, right]| format!("from {} to {}", length(left), length(right)))
+        .collect();
+    let again =
+        period.map_or(String::new(), |period| format!(", and again every {}", length(period)));
+    Err(refused(format!("lies beside the punch, which reaches {}{again}", ends.join(" and "))))
+}
+
+/// Whether a window has a part of a piece of the base, or of one of its repetitions.
+fn is_met(window: [f64; 2], piece: [f64; 2], period: Option<f64>) -> bool {
+    let overlaps = |shift: f64| window[0] < piece[1] + shift && piece[0] + shift < window[1];
+    match period {
+        // The first repetition that ends beyond the left end of the window.
+        Some(period) => overlaps(period * (((window[0] - piece[1]) / period).floor() + 1.0)),
+        None => overlaps(0.0),
+    }
+}
+
 /// The answer in the format that was asked for, with the name of its plot.
 fn text<'a>(
     arguments: &SolveArguments,
@@ -137,7 +178,8 @@ fn sheet(
     let title = format!("Contact: {name}");
     let stem = problem_file::stem(&arguments.problem.file);
     let heads = [title.as_str(), &stem];
-    let mut sheet = sheet::of_contact(heads, &sheet::command(), &told, file, contact)?;
+    let doubts = file.sense_checks(contact);
+    let mut sheet = sheet::of_contact(heads, &sheet::command(), &told, file, (contact, &doubts))?;
     sheet.options(sheet::options(&[
         ("--at", arguments.at.as_deref()),
         ("--datum-distance", arguments.datum_distance.as_deref()),
@@ -198,18 +240,18 @@ impl Extras {
     }
 }
 
-/// The answer where nothing is asked for beside it: as `--format json` writes it, or as the table shows it.
+/// The answer with these warnings, where nothing is asked for beside it: as `--format json` writes it, or as the table shows it.
 pub(super) fn answer(
     contact: &Contact,
     curve: PressureCurve,
-    doubts: &[Warning],
+    warnings: Vec<Warning>,
     is_for_people: bool,
 ) -> Result<Answer, Failure> {
     let sensitivities =
         if is_for_people { Sensitivities::Left } else { Sensitivities::IfLinearised };
     let extras = Extras { data: Vec::new(), surface: None, sensitivities };
     let mut answer = Answer::new(contact, curve);
-    answer.warnings = [contact.warnings(), doubts].concat();
+    answer.warnings = warnings;
     extended(answer, contact, &extras)
 }
 

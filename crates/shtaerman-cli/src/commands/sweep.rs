@@ -32,13 +32,15 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     let picture = Picture::new(arguments.plot.as_deref(), &arguments.picture)?;
     let threads = threads(arguments.threads)?;
     let shard = arguments.shard.as_deref().map_or(Ok(Shard::WHOLE), Shard::read)?;
-    let study = Study::open(&arguments.file, &arguments.overrides)?;
+    let study = Study::open(&arguments.file, &overrides(arguments)?).map_err(unlimited)?;
     let input = Input { what: "the study file", path: &arguments.file };
     let report_file = ReportFile::of(&arguments.report)?;
     let report_path = report_file.as_ref().map(|report| report.path);
     check_writable(&[arguments.plot.as_deref(), report_path], &[input])?;
     let units: Vec<String> = problem_file::units_override(&arguments.units)?.into_iter().collect();
-    let units = StudyUnits::new(&study, &units)?;
+    let units = StudyUnits::new(&study, &units).map_err(|error| {
+        problem_file::of_units(&arguments.units, error).unwrap_or_else(Failure::from)
+    })?;
     check_size(&study, arguments.yes || arguments.summary)?;
     let name = arguments.file.file_name().unwrap_or(arguments.file.as_os_str());
     let name = shown(Path::new(name));
@@ -75,6 +77,24 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     outputs.write()
 }
 
+/// The overrides, with that of the time limit.
+fn overrides(arguments: &SweepArguments) -> Result<Vec<String>, Failure> {
+    let limit = problem_file::limit_override(arguments.time_limit.as_deref())?;
+    Ok(arguments.overrides.iter().cloned().chain(limit).collect())
+}
+
+/// The fault of a study; of a limit of time where there is none in the words of its option.
+fn unlimited(error: shtaerman::Error) -> Failure {
+    match &error {
+        shtaerman::Error::File(fault)
+            if fault.field() == Some(problem_file::LIMIT) && fault.file_name().is_none() =>
+        {
+            Failure::Usage(format!("--time-limit: {}", fault.message()))
+        }
+        _ => error.into(),
+    }
+}
+
 /// The report of a study: that of the problem that it varies, with its response.
 fn sheet(
     arguments: &SweepArguments,
@@ -84,7 +104,7 @@ fn sheet(
     told: &Told,
 ) -> Result<Sheet, Failure> {
     let bytes = load_bytes(&arguments.file).map_err(Failure::Usage)?;
-    let document = overridden(&bytes, name, &arguments.overrides, "study.count=100")?;
+    let document = overridden(&bytes, name, &overrides(arguments)?, "study.count=100")?;
     let mut sheet = Sheet::new(&format!("Study: {name}"), &sheet::command(), told);
     sheet.document(&document);
     let folder = arguments.file.parent().unwrap_or(Path::new(""));

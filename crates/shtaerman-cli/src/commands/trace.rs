@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use shtaerman::Warning;
 use shtaerman::document::{FileError, load_bytes, read_bytes};
-use shtaerman::profile::{Column, Dialect, Place, Trace, TraceOptions};
+use shtaerman::profile::{Column, Dialect, HeaderUnit, Place, Trace, TraceOptions};
 use shtaerman::quantity::{self, Dimension, Measure, OutputUnits};
 
 use super::picture::Picture;
@@ -23,7 +24,8 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), Failure> {
     let half_width =
         (arguments.half_width.as_deref()).map(|text| positive("--half-width", text)).transpose()?;
     let (name, bytes) = read(&arguments.file)?;
-    let (options, said) = options(arguments, &bytes, &name)?;
+    let Asked { options, units: said, doubts } = asked(arguments, &bytes, &name)?;
+    doubts.iter().for_each(|doubt| failure::warn(&doubt.message));
     let before = Trace::read(&bytes, &name, &options)?;
     let arranged = before.clone().arranged(&options);
     let over = half_width.map_or_else(|| arranged.range(), |a| [-a, a]);
@@ -106,12 +108,17 @@ fn units(arguments: &TraceArguments) -> Result<OutputUnits, Failure> {
     Ok(units)
 }
 
-/// The options, and the units of both columns as they are written.
-fn options(
-    arguments: &TraceArguments,
-    bytes: &[u8],
-    name: &str,
-) -> Result<(TraceOptions, [Option<String>; 2]), Failure> {
+/// What is asked of a trace.
+struct Asked {
+    options: TraceOptions,
+    /// The units of both columns, as a file states them.
+    units: [Option<String>; 2],
+    /// What is doubtful about them.
+    doubts: Vec<Warning>,
+}
+
+/// What the arguments and the header ask.
+fn asked(arguments: &TraceArguments, bytes: &[u8], name: &str) -> Result<Asked, Failure> {
     let columns = match (&arguments.x_column, &arguments.f_column) {
         (None, None) => None,
         (x, f) => Some([column(x.as_deref(), 1), column(f.as_deref(), 2)]),
@@ -123,16 +130,31 @@ fn options(
         chosen_by: "--x-column and --f-column",
     };
     let header = Trace::header_units(bytes, name, &dialect)?;
-    let asked = [("--x-unit", &arguments.x_unit), ("--f-unit", &arguments.f_unit)];
+    let asked = [
+        ("positions", "x_unit", "--x-unit", &arguments.x_unit),
+        ("heights", "f_unit", "--f-unit", &arguments.f_unit),
+    ];
     let mut sizes = [1.0; 2];
     let mut said = [None, None];
-    for (index, ((option, asked), header)) in asked.into_iter().zip(header).enumerate() {
-        if let Some(text) = asked {
-            sizes[index] = unit(option, text)?;
-            said[index] = Some(text.clone());
-        } else if let Some((symbol, size)) = header {
-            sizes[index] = size;
-            said[index] = Some(symbol);
+    let mut doubts = Vec::new();
+    for (index, ((what, key, option, asked), header)) in asked.into_iter().zip(header).enumerate() {
+        match (asked, header) {
+            (Some(text), _) => {
+                sizes[index] = unit(option, text)?;
+                said[index] = Some(text.clone());
+            }
+            (None, HeaderUnit::Known { symbol, size, dimension, .. })
+                if dimension == Dimension::LENGTH =>
+            {
+                sizes[index] = size;
+                said[index] = Some(symbol);
+            }
+            (None, HeaderUnit::Unknown { written }) => {
+                let stated = format!("{option} mm or the like, in a file {key} = \"mm\"");
+                doubts.push(Warning::unknown_unit(what, &written, &stated));
+            }
+            // What measures something else is refused where the rows are read.
+            _ => {}
         }
     }
     let length = |option: &str, text: &str| places::quantity(option, text, Dimension::LENGTH);
@@ -152,7 +174,7 @@ fn options(
         cutoff,
         is_periodic: false,
     };
-    Ok((options, said))
+    Ok(Asked { options, units: said, doubts })
 }
 
 fn column(text: Option<&str>, usual: usize) -> Column {

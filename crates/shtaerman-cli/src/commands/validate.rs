@@ -23,7 +23,10 @@ pub(super) fn run(arguments: &ValidateArguments) -> Result<(), Failure> {
             study.variables().iter().map(|one| one.key.as_str()).collect::<Vec<_>>().join(", ")
         ),
         None => match problem_file::read_any(&arguments.problem)? {
-            AnyFile::Problem(file) => problem(file.problem()),
+            AnyFile::Problem(file) => {
+                problem_file::check_input(&file, &arguments.sense, false)?;
+                problem(file.problem())
+            }
             AnyFile::Equation(file) => equation(file.equation()),
         },
     };

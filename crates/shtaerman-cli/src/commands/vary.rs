@@ -88,7 +88,9 @@ fn study(arguments: &SolveArguments) -> Result<Study, Failure> {
     let path = &arguments.problem.file;
     let folder = path.parent().unwrap_or(Path::new(""));
     let name = format!("{} with --vary", problem_file::name(path));
-    Ok(Study::from_bytes(&bytes, &name, folder, &overrides)?)
+    Study::from_bytes(&bytes, &name, folder, &overrides).map_err(|error| {
+        problem_file::of_units(&arguments.units, error).unwrap_or_else(Failure::from)
+    })
 }
 
 /// Text as TOML has it.

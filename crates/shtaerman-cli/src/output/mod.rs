@@ -11,7 +11,7 @@ mod signals;
 use std::path::{Path, PathBuf};
 
 use crate::terminal::has_colours;
-use crate::{Failure, clock};
+use crate::{Failure, clock, failure};
 use identity::identity;
 use prepared::{Prepared, folder};
 
@@ -59,7 +59,9 @@ impl<'a> Outputs<'a> {
                 file.finish().map_err(|error| Failure::unwritten(&path, &error))
             })
         })?;
-        self.terminal.into_iter().try_for_each(print)
+        self.terminal.into_iter().try_for_each(print)?;
+        failure::release();
+        Ok(())
     }
 }
 

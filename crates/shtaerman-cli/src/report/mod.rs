@@ -35,7 +35,9 @@ pub(crate) use stress::{
     StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
 };
 pub(crate) use study_units::{Scaled, StudyUnits};
-pub(crate) use sweep::{SweepReport, columns, keep, response, rows_csv, rows_table, sweep_table};
+pub(crate) use sweep::{
+    SweepReport, columns, csv_columns, keep, response, rows_csv, rows_table, sweep_table, times,
+};
 pub(crate) use table::Table;
 pub(crate) use told::{Part, Told};
 pub(crate) use trace::{TraceReport, trace_csv};

@@ -14,6 +14,7 @@ pub(crate) struct Scaled {
 }
 
 /// How the values of a study are shown.
+#[derive(Debug, Default)]
 pub(crate) struct StudyUnits(Option<Shown>);
 
 impl StudyUnits {

@@ -133,8 +133,20 @@ fn scaled(study: &Study, units: &StudyUnits) -> (Vec<Scaled>, Vec<Scaled>) {
     (inputs.collect(), outputs.collect())
 }
 
-/// The rows as CSV: as in a part of a study, or in the units chosen, which the header says.
+/// The rows as CSV: in SI units, or in those chosen, which the header says.
 pub(crate) fn rows_csv<'a>(study: &'a Study, units: &StudyUnits, rows: &'a [Row]) -> Content<'a> {
+    let columns = csv_columns(study, units);
+    let factors: Vec<f64> = columns.iter().map(|column| column.factor).collect();
+    let header: Vec<String> = columns.into_iter().map(|column| column.name).collect();
+    let rows = rows.iter().map(move |row| {
+        let fields = study.fields(row).into_iter().zip(&factors);
+        fields.map(|(text, factor)| times(text, *factor)).collect::<Vec<String>>()
+    });
+    Content::csv(&header, rows)
+}
+
+/// The columns of rows as CSV, with units where some were chosen.
+pub(crate) fn csv_columns(study: &Study, units: &StudyUnits) -> Vec<Scaled> {
     let (inputs, outputs) = scaled(study, units);
     let of = |name: &str| {
         let error = name.strip_suffix("_error");
@@ -148,24 +160,19 @@ pub(crate) fn rows_csv<'a>(study: &'a Study, units: &StudyUnits, rows: &'a [Row]
             None => position(Box::new(keys), name).map(|index| inputs[index].clone()),
         }
     };
-    let columns: Vec<(String, f64)> = study
-        .columns()
-        .into_iter()
-        .map(|name| match of(&name).and_then(|scaled| unit_of(&scaled)) {
-            Some((unit, factor)) => (format!("{name} {unit}"), factor),
-            None => (name, 1.0),
-        })
-        .collect();
-    let factors: Vec<f64> = columns.iter().map(|column| column.1).collect();
-    let header: Vec<String> = columns.into_iter().map(|column| column.0).collect();
-    let field = |(text, factor): (String, &f64)| match text.parse::<f64>() {
-        Ok(value) if *factor != 1.0 => (value * factor).to_string(),
-        _ => text,
+    let column = |name: String| match of(&name).and_then(|scaled| unit_of(&scaled)) {
+        Some((unit, factor)) => Scaled { name: format!("{name} {unit}"), factor },
+        None => Scaled { name, factor: 1.0 },
     };
-    let rows = rows.iter().map(move |row| {
-        study.fields(row).into_iter().zip(&factors).map(field).collect::<Vec<String>>()
-    });
-    Content::csv(&header, rows)
+    study.columns().into_iter().map(column).collect()
+}
+
+/// A field in the unit of its column; what is no number is left as it is.
+pub(crate) fn times(text: String, factor: f64) -> String {
+    if factor == 1.0 {
+        return text;
+    }
+    text.parse::<f64>().map_or(text, |value| (value * factor).to_string())
 }
 
 /// The unit in brackets behind a name.

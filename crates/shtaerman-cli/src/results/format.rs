@@ -3,21 +3,11 @@
 use shtaerman_study::{Column, Part, PartFault, Row, Study};
 
 use super::parquet;
+use super::scaled::PartColumns;
 use crate::Failure;
+use crate::arguments::PartFormat;
 use crate::output::Content;
 use crate::output::npz::{self, Array, Values};
-
-/// The format of the parts of a study.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
-pub enum PartFormat {
-    /// Text, a line for each case.
-    #[default]
-    Csv,
-    /// Arrays for `NumPy`, one for each column.
-    Npz,
-    /// Columns, for tools that take many files as one table.
-    Parquet,
-}
 
 impl PartFormat {
     /// Its name, with which the files end.
@@ -45,13 +35,11 @@ impl PartFormat {
     pub(super) fn content<'r>(
         self,
         study: &'r Study,
+        columns: &PartColumns,
         rows: &'r [Row],
     ) -> Result<Content<'r>, Failure> {
         Ok(match self {
-            Self::Csv => {
-                let heads = study.columns();
-                Content::csv(&heads, rows.iter().map(|row| study.fields(row)))
-            }
+            Self::Csv => columns.content(study, rows),
             Self::Npz => npz::npz(arrays(study, rows)),
             Self::Parquet => return self.check().and_then(|()| parquet::content(study, rows)),
         })
@@ -66,6 +54,7 @@ impl PartFormat {
     pub(super) fn rows(
         self,
         study: &Study,
+        columns: &PartColumns,
         part: &Part,
         bytes: &[u8],
     ) -> Result<Vec<Row>, PartFault> {
@@ -73,7 +62,7 @@ impl PartFormat {
         match self {
             Self::Csv => {
                 let lines = lines(bytes).ok_or_else(cut)?;
-                study.rows(part, &lines)
+                columns.rows(study, part, lines)
             }
             Self::Npz => {
                 let names = study.columns();

@@ -2,6 +2,7 @@
 
 mod format;
 mod parquet;
+mod scaled;
 mod shared;
 mod solving;
 
@@ -10,10 +11,11 @@ use std::path::{Path, PathBuf};
 use shtaerman_study::{Manifest, Part, PartFault, Row, Study};
 
 use crate::Failure;
+use crate::arguments::PartFormat;
 use crate::failure::shown;
 use crate::output::{self, Content, Outputs};
+use scaled::PartColumns;
 
-pub use format::PartFormat;
 pub use shared::StudyResults;
 pub(crate) use solving::{processors, solved};
 
@@ -29,6 +31,7 @@ pub(crate) struct Results {
     folder: PathBuf,
     manifest: Manifest,
     format: PartFormat,
+    columns: PartColumns,
 }
 
 impl Results {
@@ -45,7 +48,8 @@ impl Results {
     ) -> Result<Self, Failure> {
         let manifest = study.manifest(name, format.name())?;
         prepare(folder, &manifest, is_read_only)?;
-        Ok(Self { study, folder: folder.to_owned(), manifest, format })
+        let columns = PartColumns::new(&study);
+        Ok(Self { study, folder: folder.to_owned(), manifest, format, columns })
     }
 
     pub(crate) fn study(&self) -> &Study {
@@ -70,12 +74,12 @@ impl Results {
         part: &Part,
     ) -> Result<Option<Result<Vec<Row>, PartFault>>, Failure> {
         let Some(bytes) = read(&self.path(part))? else { return Ok(None) };
-        let rows = match self.format.rows(&self.study, part, &bytes) {
+        let rows = match self.format.rows(&self.study, &self.columns, part, &bytes) {
             Ok(rows) => rows,
             Err(fault) => return Ok(Some(Err(fault))),
         };
         // What says the same in other bytes was not written by this program as it is.
-        let ours = self.format.content(&self.study, &rows)?.bytes()?;
+        let ours = self.format.content(&self.study, &self.columns, &rows)?.bytes()?;
         let is_kept = ours == bytes || self.format.is_of_another(&bytes);
         Ok(Some(if is_kept { Ok(rows) } else { Err(PartFault("was changed".to_owned())) }))
     }
@@ -86,7 +90,7 @@ impl Results {
     /// [`Failure::Unwritten`] with its path.
     pub(crate) fn write(&self, part: &Part, rows: &[Row]) -> Result<(), Failure> {
         let mut outputs = Outputs::default();
-        outputs.file(&self.path(part), self.format.content(&self.study, rows)?);
+        outputs.file(&self.path(part), self.format.content(&self.study, &self.columns, rows)?);
         outputs.write()
     }
 

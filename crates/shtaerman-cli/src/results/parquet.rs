@@ -6,7 +6,7 @@ pub(super) use files::{columns, content, is_of_pyarrow};
 #[cfg(not(feature = "parquet"))]
 pub(super) use nothing::{columns, content, is_of_pyarrow};
 
-/// Programs without the format; [`check`](super::PartFormat::check) has said so before.
+/// Programs without the format; [`check`](crate::arguments::PartFormat::check) has said so before.
 #[cfg(not(feature = "parquet"))]
 mod nothing {
     use shtaerman_study::{Column, Row, Study};

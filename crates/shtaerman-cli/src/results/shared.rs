@@ -5,8 +5,9 @@ use std::sync::atomic::AtomicBool;
 
 use shtaerman_study::{Part, Row, Study};
 
+use super::Results;
 use super::solving::solved_unless;
-use super::{PartFormat, Results};
+use crate::arguments::PartFormat;
 use crate::failure::Refusal;
 
 /// The results of a study in a folder, as `shtaerman sweep` keeps them.

@@ -1,6 +1,6 @@
 //! Pictures as they are asked for on the command line.
 
-use crate::support::{Folder, UNILATERAL};
+use crate::support::{Folder, UNILATERAL, repository};
 
 #[test]
 fn every_command_that_draws_takes_the_same_options() {
@@ -51,6 +51,14 @@ fn options_of_a_picture_need_one_and_make_sense() {
         (&["--plot", "p.svg", "--dpi", "300"], "--dpi is for .png"),
         (&["--plot", "p.png", "--dpi", "9999"], "9999 dots per inch"),
         (&["--plot", "p.svg", "--x-range", "2 mm..1 mm"], "must go from left to right"),
+        (
+            &["--plot", "p.svg", "--x-range", "6..9 mm"],
+            "lies beside the punch, which reaches from -5 mm to 5 mm",
+        ),
+        (
+            &["--plot", "p.svg", "--x-range", "-9..-6 mm", "--units", "length=mil"],
+            "lies beside the punch, which reaches from -196.85 mil to 196.85 mil",
+        ),
         (&["--plot", "p.jpg"], ".jpg is not supported: use .svg, .png or .pdf"),
     ] {
         let (code, stderr) = refused(options);
@@ -91,4 +99,57 @@ fn a_bar_whose_colours_are_cut_ends_in_an_arrow() {
     };
     assert_eq!(stress(&sharp), 1);
     assert_eq!(stress(&["--set", "punch.profile=x^2/(2*0.5)", "--set", "load.moment=0"]), 0);
+}
+
+#[test]
+fn a_range_without_any_of_what_is_known_is_refused() {
+    let folder = Folder::new();
+    for (command, example, range, said) in [
+        (
+            "solve",
+            "two_punches",
+            "-0.1..0.1 m",
+            "from -400 mm to -300 mm and from 300 mm to 400 mm",
+        ),
+        ("solve", "two_punches", "0.35..3 m", ""),
+        ("solve", "wave", "0..51 mm", "shows more than 100 periods of 500 µm"),
+        ("solve", "wave", "49.8..51 mm", ""),
+        (
+            "equation",
+            "equation_log",
+            "1..2",
+            "lies beside the interval, which reaches from -1 to 1",
+        ),
+        ("equation", "equation_log", "0.5..2", ""),
+    ] {
+        let file = repository().join(format!("examples/{example}.toml"));
+        let drawn = [command, file.to_str().unwrap(), "--no-audit", "--plot", "p.svg"];
+        let run = folder.run(&[&drawn[..], &["--x-range", range]].concat());
+        if said.is_empty() {
+            run.answer();
+        } else {
+            assert!(run.refusal().contains(said), "{example} {range}: {}", run.stderr);
+        }
+    }
+    // Punches of 1 mm every 4 mm: between them there are none, ten periods from the middle, too.
+    let row = UNILATERAL
+        .replace(
+            "half_width = \"5 mm\"",
+            "half_width = \"1 mm\"\ngeometry = \"periodic\"\nperiod = \"4 mm\"",
+        )
+        .replace("moment = \"100 N\"", "tilt = 0")
+        .replace("0.8 MN/m", "0.1 MN/m");
+    folder.write("row.toml", row);
+    for (range, is_met) in [
+        ("1.5..2.5 mm", false),
+        ("41.1..42.9 mm", false),
+        ("-42.9..-41.1 mm", false),
+        ("-42.9..-40.9 mm", true),
+        ("41.1..43.1 mm", true),
+    ] {
+        let run =
+            folder.run(&["solve", "row.toml", "--no-audit", "--plot", "p.svg", "--x-range", range]);
+        assert_eq!(run.code, Some(if is_met { 0 } else { 2 }), "{range}: {}", run.stderr);
+        assert!(is_met || run.refusal().contains("and again every 4 mm"), "{}", run.stderr);
+    }
 }

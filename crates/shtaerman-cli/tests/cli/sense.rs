@@ -1,6 +1,6 @@
 //! Sense checks: slips of the input are doubted, plain work is not.
 
-use crate::support::{Folder, repository};
+use crate::support::{Folder, assert_valid, repository, schema};
 
 const STEEL: &str = r#"
 [foundation]
@@ -89,6 +89,56 @@ fn slips_are_doubted_with_their_number_and_refused_when_asked() {
     assert!(!gel.stdout.contains("softer than rubber"), "{}", gel.stdout);
 }
 
+/// Two punches on a foundation whose gigapascals were left out: no zones are found, and the likely cause stands beside the error.
+#[test]
+fn what_the_file_alone_tells_is_told_before_anything_is_solved() {
+    let folder = Folder::new();
+    let punches = repository().join("examples/two_punches.toml");
+    let slip = ["solve", punches.to_str().unwrap(), "--set", "foundation.young_modulus=200"];
+    let said = "warning: foundation.young_modulus = 200 has no unit and is taken in Pa";
+    for format in ["table", "json"] {
+        let run = folder.run(&[&slip[..], &["--format", format, "--no-audit"]].concat());
+        assert!(run.failure(3).contains("zones of contact were not found"), "{}", run.stderr);
+        let [doubt, error] = [said, "error: "].map(|part| run.stderr.find(part).unwrap());
+        assert!(doubt < error && run.stderr.matches(said).count() == 1, "{}", run.stderr);
+    }
+    let strict = folder.run(&[&slip[..], &["--strict"]].concat());
+    assert!(strict.refusal().contains("--strict: foundation.young_modulus = 200"), "{strict:?}");
+    // An answer that shows its warnings is not preceded by them, and others tell them once.
+    folder.write("steel.toml", STEEL);
+    let wide = ["solve", "steel.toml", "--set", "punch.half_width=5", "--no-audit"];
+    let table = folder.run(&wide);
+    assert!(table.stderr.is_empty() && table.stdout.contains("are millimetres meant?"));
+    let csv = folder.run(&[&wide[..], &["--format", "csv"]].concat());
+    assert_eq!(csv.stderr.matches("are millimetres meant?").count(), 1, "{}", csv.stderr);
+    for command in [
+        &["stress", "steel.toml"][..],
+        &["find", "force", "steel.toml", "--peak-pressure", "100 MPa"],
+        &["export", "abaqus", "steel.toml"],
+        &["validate", "steel.toml"],
+    ] {
+        let slip = ["--set", "foundation.young_modulus=200", "--strict"];
+        let strict = folder.run(&[command, &slip].concat());
+        assert!(strict.refusal().contains("is \"200 GPa\" meant?"), "{command:?}: {strict:?}");
+        let quiet = folder.run(&[command, &slip[..2], &["-q"]].concat());
+        assert!(!quiet.stderr.contains("warning:"), "{command:?}: {quiet:?}");
+    }
+    let validated = folder.run(&["validate", "steel.toml", "--set", "punch.half_width=5"]);
+    assert!(validated.stderr.contains("are millimetres meant?"), "{}", validated.stderr);
+    assert!(validated.answer().contains("valid"));
+}
+
+/// A coating that is too stiff for its ground is none where the ground has lost its gigapascals.
+#[test]
+fn a_modulus_refused_beside_another_has_the_likely_slip_as_its_help() {
+    let folder = Folder::new();
+    let shaft = repository().join("examples/coated_shaft.toml");
+    let set = ["--set", "foundation.young_modulus=210"];
+    let run = folder.run(&[&["solve", shaft.to_str().unwrap()][..], &set].concat());
+    assert!(run.refusal().contains("foundation.coating.young_modulus"), "{}", run.stderr);
+    assert!(run.stderr.contains("is \"210 GPa\" meant?"), "{}", run.stderr);
+}
+
 #[test]
 fn a_yield_stress_without_its_unit_is_doubted() {
     let folder = Folder::new();
@@ -99,6 +149,34 @@ fn a_yield_stress_without_its_unit_is_doubted() {
     assert!(doubted.contains("is \"350 MPa\" meant?"), "{doubted}");
     let plain = run("350 MPa").answer();
     assert!(!plain.contains("meant?"), "{plain}");
+}
+
+/// What yields is told by the stress in the body, in the units that are shown: the pressure on it may be larger.
+#[test]
+fn a_body_that_yields_is_told_by_its_von_mises_stress() {
+    let folder = Folder::new();
+    folder.write("steel.toml", STEEL);
+    let largest = {
+        let json = folder.run(&["stress", "steel.toml", "--format", "json", "--no-audit"]).json();
+        json["maximum"]["von_mises"]["value"].as_f64().unwrap() / 1e6
+    };
+    for (share, is_said) in [(0.99, true), (1.01, false)] {
+        let set = format!("foundation.yield_stress={} MPa", share * largest);
+        let stress = ["stress", "steel.toml", "--no-audit", "--set", &set];
+        let said = "the largest von Mises stress";
+        let table = folder.run(&[&stress[..], &["--units", "inch"]].concat()).answer();
+        assert_eq!(table.matches(said).count(), usize::from(is_said), "{table}");
+        let strict = folder.run(&[&stress[..], &["--strict"]].concat());
+        assert_eq!(strict.code, Some(if is_said { 2 } else { 0 }), "{}", strict.stderr);
+        assert!(!is_said || (table.contains("psi") && strict.refusal().contains(said)), "{table}");
+        let json = folder.run(&[&stress[..], &["--format", "json"]].concat()).json();
+        let told = json["warnings"].as_array().unwrap().iter();
+        let told = told.filter(|warning| warning.as_str().unwrap().contains("yield stress"));
+        assert_eq!(told.count(), usize::from(is_said), "{json}");
+    }
+    let asked = format!("{} MPa", 0.99 * largest);
+    let run = folder.run(&["stress", "steel.toml", "--yield-stress", &asked, "--strict"]);
+    assert!(run.refusal().contains("is above the yield stress"), "{}", run.stderr);
 }
 
 #[test]
@@ -113,6 +191,138 @@ fn a_header_with_another_unit_is_refused() {
         "{}",
         refused.stderr
     );
+    let help = refused.stderr.lines().last().unwrap().trim();
+    assert!(help.ends_with("x_unit = \"mm\", f_unit = \"um\" }"), "{help}");
     let right = set(", x_unit = \"mm\", f_unit = \"um\"");
     folder.run(&["solve", "steel.toml", "--set", &right, "--no-audit"]).answer();
+}
+
+/// Words, capitals, a solidus, an underscore: what instruments write is understood, and guards the unit that is stated.
+#[test]
+fn units_of_headers_are_understood_however_they_are_written() {
+    let folder = Folder::new();
+    folder.write("steel.toml", STEEL);
+    let rows = "-6,1\n-2,0.2\n2,0.1\n6,1.2\n";
+    for (header, between, x, f) in [
+        ("x [mm] f [um]", " ", "mm", "um"),
+        ("x / mm   f / um", "   ", "mm", "um"),
+        ("x in mm f in um", "\t", "mm", "um"),
+        ("# x [mm], f [um]", ",", "mm", "um"),
+        ("x [inch],f [micron]", ",", "in", "µm"),
+        ("Pos. (Zoll);Höhe (Mikrometer)", ";", "in", "µm"),
+        ("x_mm,z_nm", ",", "mm", "nm"),
+        ("\"x, mm\",\"f, mil\"", ",", "mm", "mil"),
+        ("X [MM],Z [UM]", ",", "mm", "um"),
+    ] {
+        folder.write("trace.csv", format!("{header}\n{}", rows.replace(',', between)));
+        let trace = folder.run(&["trace", "trace.csv", "-q"]).answer();
+        let units = format!("x_unit = \"{x}\", f_unit = \"{f}\" }}");
+        assert!(trace.contains(&units), "{header}: {trace}");
+        // Metres, which nobody meant, are refused, and so is another unit.
+        for stated in ["", ", x_unit = \"cm\", f_unit = \"cm\""] {
+            let profile = format!("punch.profile={{ csv = \"trace.csv\"{stated} }}");
+            let run = folder.run(&["solve", "steel.toml", "--set", &profile]);
+            assert!(run.refusal().contains("the header has the position in"), "{header}: {run:?}");
+        }
+    }
+    folder.write("trace.csv", format!("t [s],f [um]\n{rows}"));
+    let run = folder.run(&["trace", "trace.csv"]);
+    assert!(run.refusal().contains("in s, a time (s), and it is a length"), "{}", run.stderr);
+}
+
+#[test]
+fn what_stands_in_place_of_a_unit_and_is_none_is_doubted_where_none_is_stated() {
+    let folder = Folder::new();
+    folder.write("steel.toml", STEEL);
+    let rows = "-6e-3,1e-6\n-2e-3,2e-7\n2e-3,1e-7\n6e-3,1.2e-6\n";
+    let solve = |more: &[&str], stated: &str| {
+        let profile = format!("punch.profile={{ csv = \"trace.csv\"{stated} }}");
+        let solve = ["solve", "steel.toml", "--no-audit", "--set", &profile];
+        folder.run(&[&solve[..], more].concat())
+    };
+    for (header, said) in [
+        (
+            "x [px],f [a.u.]",
+            ["`px` for the unit of the positions", "`a.u.` for the unit of the heights"],
+        ),
+        ("x (Linien),f", ["`Linien` for the unit of the positions", ""]),
+        (
+            "x / ell;f / ell",
+            ["`ell` for the unit of the positions", "`ell` for the unit of the heights"],
+        ),
+        ("x_in,f_in", ["`in` for the unit of the positions", "`in` for the unit of the heights"]),
+    ] {
+        let separator = if header.contains(';') { ";" } else { "," };
+        folder.write("trace.csv", format!("{header}\n{}", rows.replace(',', separator)));
+        let trace = folder.run(&["trace", "trace.csv"]);
+        let json = solve(&["--format", "json"], "");
+        for said in said {
+            assert!(trace.stderr.contains(said), "{header}: {}", trace.stderr);
+            assert!(json.stderr.contains(said), "{header}: {}", json.stderr);
+        }
+        assert!(
+            trace.stderr.contains("--x-unit mm or the like, in a file x_unit = \"mm\""),
+            "{header}"
+        );
+        assert_eq!(json.json()["warnings"][0]["code"], "unknown_unit", "{header}");
+        assert_eq!(solve(&["--strict"], "").code, Some(2), "{header}");
+        let stated = solve(&["--strict"], ", x_unit = \"m\", f_unit = \"m\"");
+        assert_eq!(stated.code, Some(0), "{header}: {}", stated.stderr);
+        let options = ["--x-unit", "m", "--f-unit", "m"];
+        let trace = folder.run(&[&["trace", "trace.csv"][..], &options].concat());
+        assert!(trace.stderr.is_empty(), "{header}: {}", trace.stderr);
+    }
+    for header in ["x (measured),f [1]", "x,f [-]", "x,height of the base (levelled along x)"] {
+        folder.write("trace.csv", format!("{header}\n{rows}"));
+        let plain = solve(&["--strict"], "");
+        assert_eq!(plain.code, Some(0), "{header}: {}", plain.stderr);
+    }
+}
+
+/// Units that were left out of `shtaerman roughness`: plain values are not doubted, and each slip is, before any law is found.
+#[test]
+fn slips_of_a_rough_surface_are_doubted() {
+    let folder = Folder::new();
+    let gw = |name: &str, value: &str, more: &[&str]| {
+        let usual = [
+            ("deviation", "0.5 um"),
+            ("density", "1e10"),
+            ("radius", "10 um"),
+            ("modulus", "110 GPa"),
+            ("hardness", "4 GPa"),
+            ("pressure", "80 MPa"),
+        ];
+        let options = usual.map(|(option, text)| {
+            format!("--{option}={}", if option == name { value } else { text })
+        });
+        let options: Vec<&str> = options.iter().map(String::as_str).collect();
+        folder.run(&[&["roughness", "gw"][..], &options, more].concat())
+    };
+    assert_eq!(gw("", "", &["--strict"]).code, Some(0));
+    for (name, value, said) in [
+        ("deviation", "1.2", "is \"1.2 um\" meant?"),
+        ("deviation", "1.2 mm", "--deviation 1.2 mm: no machined face is as coarse"),
+        ("radius", "10", "is \"10 um\" meant?"),
+        ("modulus", "110", "is \"110 GPa\" meant?"),
+        ("hardness", "4", "is \"4 GPa\" meant?"),
+    ] {
+        let run = gw(name, value, &[]);
+        let (all, code) = (format!("{}{}", run.stdout, run.stderr), run.code);
+        assert!(all.replace("\n    ", " ").contains(said), "{name} {value}: {all}");
+        assert_eq!(all.matches("warning: --").count(), 1, "{all}");
+        let strict = gw(name, value, &["--strict"]);
+        assert!(strict.refusal().starts_with("error: --strict: "), "{strict:?}");
+        assert!(!strict.stderr.contains("warning:"), "{strict:?}");
+        if code == Some(0) {
+            let run = gw(name, value, &["--format", "json"]);
+            assert!(run.stderr.contains(said), "{name} {value}: {}", run.stderr);
+            let json = run.json();
+            assert_valid(&schema("roughness"), &json, name);
+            assert!(json["warnings"][0].as_str().unwrap().contains(said), "{json}");
+        }
+    }
+    let bearing = ["roughness", "bearing", "--b=2", "--nu=2", "--height=6", "--hardness=2"];
+    let table = folder.run(&bearing).answer();
+    assert_eq!(table.matches("meant?").count(), 2, "{table}");
+    assert_eq!(folder.run(&[&bearing[..], &["--strict"]].concat()).code, Some(2));
 }

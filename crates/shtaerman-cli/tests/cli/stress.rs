@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::{Folder, assert_valid, number, schema};
+use crate::support::{Folder, assert_valid, number, repository, schema};
 
 /// A crown that touches in the middle, nearly smooth: Hertz.
 const CROWN: &str = r#"[foundation]
@@ -201,4 +201,16 @@ fn a_circular_punch_is_refused() {
     let run = Folder::with(&circular).run(&["stress", "punch.toml"]);
     let known = "known for the plane, homogeneous half-space only";
     assert!(run.refusal().contains(known), "{}", run.stderr);
+}
+
+/// The crest of the wave is in the middle, and so is what lies below it.
+#[test]
+fn the_peak_below_a_wave_is_told_in_its_period() {
+    let folder = Folder::new();
+    let wave = repository().join("examples/wave.toml");
+    let stress = ["stress", wave.to_str().unwrap(), "--no-audit", "--format", "json"];
+    let found = folder.run(&stress).json();
+    for name in ["von_mises", "max_shear"] {
+        assert_eq!(found["maximum"][name]["x"], 0.0, "{found}");
+    }
 }

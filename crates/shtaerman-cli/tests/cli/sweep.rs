@@ -424,3 +424,63 @@ fn other_commands_know_a_study_when_they_see_one() {
     let broken = folder.run(&["validate", "study.toml", "--set", "study.design=sobel"]);
     assert_eq!(broken.code, Some(2), "{}", broken.stderr);
 }
+
+/// Parts as CSV are in the units of the file, and their heads say so; a run that goes on finds them, and what it tells is the same.
+#[test]
+fn parts_are_in_the_units_of_the_file() {
+    let folder = folder(STUDY);
+    let own = "\n[output]\nunits = { length = \"in\", displacement = \"mil\", pressure = \"ksi\", force = \"kip/ft\" }\n";
+    std::fs::write(folder.path("own.toml"), format!("{STUDY}{own}")).unwrap();
+    let sweep = |file: &str, output: &str, more: &[&str]| {
+        folder.run(&[&["sweep", file, "--output", output], more].concat()).answer()
+    };
+    sweep("study.toml", "si", &[]);
+    let told = sweep("own.toml", "own", &[]);
+    let part = std::fs::read_to_string(folder.path("own/part-00000000.csv")).unwrap();
+    let heads = "case,foundation.roughness [m/Pa],load.force [kip/ft],settlement [mil],settlement_error [mil],peak_pressure [ksi],peak_pressure_error [ksi],error_kind,reason";
+    assert_eq!(part.lines().next(), Some(heads));
+    // 1 kip/ft is 14593.9029.. N/m; 1 mil 25.4 um; 1 ksi 6.894757.. MPa.
+    let units = [
+        1.0,
+        1.0,
+        14_593.902_937_206_36,
+        25.4e-6,
+        25.4e-6,
+        6_894_757.293_168_36,
+        6_894_757.293_168_36,
+    ];
+    let (si, own) = (rows(&folder.path("si")), rows(&folder.path("own")));
+    assert_eq!((si.len(), own.len()), (10, 10));
+    for (si, own) in si.iter().zip(&own) {
+        for ((si, own), unit) in si.iter().zip(own).zip(units) {
+            let [Ok(si), Ok(own)] = [si, own].map(|text| text.parse::<f64>()) else {
+                assert_eq!(si, own);
+                continue;
+            };
+            assert!((own * unit - si).abs() <= 1e-14 * si.abs(), "{own} {unit} {si}");
+        }
+    }
+    // What is there is kept, a part that was changed is done again, and what is told is the same.
+    let before = files(&folder.path("own"));
+    let again = sweep("own.toml", "own", &[]);
+    assert!(again.contains("parts: 0 computed, 4 kept"), "{again}");
+    let digits = |told: &str| {
+        told.lines()
+            .filter(|line| !line.starts_with("parts: "))
+            .map(str::to_owned)
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(digits(&again), digits(&told));
+    let changed = part.replacen("0,", "1,", 1);
+    std::fs::write(folder.path("own/part-00000000.csv"), changed).unwrap();
+    let run = folder.run(&["sweep", "own.toml", "--output", "own"]);
+    assert!(run.stderr.contains("it is computed again"), "{}", run.stderr);
+    assert_eq!(files(&folder.path("own")), before);
+    // --units of one run is for what that run shows, and NPZ is SI.
+    let option = sweep("study.toml", "si", &["--units", "mm", "--summary"]);
+    assert!(option.contains("settlement [mm]") || option.contains("[µm]"), "{option}");
+    sweep("own.toml", "npz", &["--format", "npz"]);
+    let npz = std::fs::read(folder.path("npz/part-00000000.npz")).unwrap();
+    let names = String::from_utf8_lossy(&npz).into_owned();
+    assert!(names.contains("settlement.npy") && !names.contains("settlement [mil]"));
+}

@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use crate::support::{Folder, UNILATERAL, assert_valid, schema};
+use crate::support::{Folder, UNILATERAL, assert_valid, repository, schema};
 
 /// A rough trace of this many points, whose contact takes seconds.
 fn trace(folder: &Folder, points: usize) {
@@ -110,4 +110,40 @@ fn what_is_no_time_is_refused() {
         let said = run.refusal();
         assert!(said.contains("punch.toml:15") && said.contains("time_limit"), "{said}");
     }
+}
+
+/// Twenty thousand modes of this kernel take minutes.
+#[test]
+fn equations_end_in_time_and_cases_of_a_sweep_do_too() {
+    let folder = Folder::new();
+    folder.run(&["init", "--equation"]).answer();
+    let power = repository().join("examples/equation_power.toml");
+    let equation = ["equation", power.to_str().unwrap(), "--no-audit", "-o", "out.txt"];
+    let slow =
+        ["--set", "solver.method=spectral", "--set", "solver.n=20000", "--time-limit", "0.3 s"];
+    let start = Instant::now();
+    let run = folder.run(&[&equation[..], &slow].concat());
+    assert!(start.elapsed() < Duration::from_secs(20), "{:?}", start.elapsed());
+    let said = run.failure(3);
+    assert!(said.contains("no solution was found within the time limit of 0.3 s"), "{said}");
+    assert!(!folder.path("out.txt").exists());
+    folder.run(&[&equation[..], &["--time-limit", "10 min"]].concat()).answer();
+    let run = folder.run(&["equation", "equation.toml", "--time-limit", "3 m"]);
+    assert!(run.refusal().contains("--time-limit `3 m`"), "{}", run.stderr);
+
+    trace(&folder, 40_000);
+    let study = std::fs::read_to_string(folder.path("punch.toml")).unwrap();
+    let sweep = |limit: &str, output: &str| {
+        folder.run(&["sweep", "study.toml", "--output", output, "--time-limit", limit])
+    };
+    let vary = "\n[study]\nvary.\"load.force\" = [\"0.8 MN/m\"]\naudited_sample = 0\n";
+    folder.write("study.toml", study + vary);
+    sweep("50 ms", "cut").answer();
+    let part = std::fs::read_to_string(folder.path("cut/part-00000000.csv")).unwrap();
+    assert!(part.contains("no answer was found within the time limit of 0.05 s"), "{part}");
+    // An equation of a study has no limit of its own.
+    let text = std::fs::read_to_string(folder.path("equation.toml")).unwrap();
+    folder.write("study.toml", text + "\n[study]\nvary.\"equation.lambda\" = [1.0, 2.0]\n");
+    let run = sweep("1 s", "equations");
+    assert!(run.refusal().contains("--time-limit: "), "{}", run.stderr);
 }

@@ -148,6 +148,28 @@ fn plots_and_warnings_follow() {
     );
 }
 
+/// What is warned of an answer follows as well: where it pulls, and where its pressure is infinite.
+#[test]
+fn places_of_warnings_follow() {
+    let folder = Folder::with(UNILATERAL);
+    let pulls = ["--set", "load.moment=5 kN", "--set", "solver.contact=bilateral"];
+    let corner = ["--set", "foundation.roughness=0", "--set", "punch.profile=0"];
+    let kink = ["--set", "foundation.roughness=0", "--set", "punch.profile=0.001*abs(x - 0.001)"];
+    for (slip, code, si, own) in [
+        (pulls, "negative_pressure", "x = -5 mm to ", "x = -196.85 mil to "),
+        (corner, "singular_edge", "corner x = -5 mm", "corner x = -196.85 mil"),
+        (kink, "singular_kink", "at x = 1 mm", "at x = 39.3701 mil"),
+    ] {
+        for (units, said) in [("si", si), ("length=mil", own)] {
+            let solve = ["solve", "punch.toml", "--no-audit", "--format", "json", "--units", units];
+            let json = folder.run(&[&solve[..], &slip].concat()).json();
+            let told = json["warnings"].as_array().unwrap().iter();
+            let told: Vec<_> = told.filter(|warning| warning["code"] == code).collect();
+            assert!(told[0]["message"].as_str().unwrap().contains(said), "{told:?}");
+        }
+    }
+}
+
 #[test]
 fn units_that_are_none_are_refused() {
     let folder = Folder::with(UNILATERAL);
@@ -160,8 +182,20 @@ fn units_that_are_none_are_refused() {
         refused("punch.toml", "imperial").contains("must be si, mm, inch, or units of your own")
     );
     assert!(refused("punch.toml", "length=Pa").contains("is a length (like \"5 mm\"), got Pa"));
-    assert!(refused("punch.toml", "lenght=in").contains("output.units.lenght"));
-    assert!(refused("bare.toml", "inch").contains("has no place in a dimensionless problem"));
+    // As it was asked for, and not as the override that it is inside.
+    for (units, said) in [
+        ("lenght=in", "--units `lenght=in`: lenght: is not a known key, did you mean length?"),
+        ("length=foo", "--units `length=foo`: length: has the unknown unit foo"),
+        ("force=kip", "--units `force=kip`: force: is a force per length"),
+    ] {
+        assert!(refused("punch.toml", units).contains(said), "{}", refused("punch.toml", units));
+        let vary = ["solve", "punch.toml", "--vary", "load.force=0.1,0.8 MN/m", "--units", units];
+        assert!(folder.run(&vary).refusal().contains(said), "{units}");
+    }
+    let bare = refused("bare.toml", "inch");
+    assert!(bare.contains("--units `inch`: has no place in a dimensionless problem"), "{bare}");
+    let set = folder.run(&["solve", "punch.toml", "--set", "output.units.lenght=in"]);
+    assert!(set.refusal().contains("--set output.units.lenght=in: output.units.lenght"), "{set:?}");
     folder.write("file.toml", format!("{UNILATERAL}\n[output]\nunits = \"inches\"\n"));
     let run = folder.run(&["solve", "file.toml"]);
     assert!(run.refusal().contains("file.toml:15: output.units"), "{}", run.stderr);

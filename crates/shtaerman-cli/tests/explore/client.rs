@@ -21,8 +21,13 @@ pub(crate) struct Page {
 impl Page {
     pub(crate) fn open(arguments: &[&str]) -> Self {
         let mut command = Command::new(PROGRAM);
-        command.args(["explore", "--no-browser"]).args(arguments).stdout(Stdio::piped());
-        let mut process = command.spawn().unwrap();
+        command.args(["explore", "--no-browser"]).args(arguments);
+        Self::of(command)
+    }
+
+    /// The page of a command.
+    pub(crate) fn of(mut command: Command) -> Self {
+        let mut process = command.stdout(Stdio::piped()).spawn().unwrap();
         let mut line = String::new();
         BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
         let address = line.split('/').nth(2).unwrap();

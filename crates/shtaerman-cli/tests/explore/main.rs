@@ -2,6 +2,8 @@
 #![expect(clippy::unwrap_used, reason = "helpers outside of test functions fail by panicking")]
 
 mod answers;
+#[cfg(target_os = "linux")]
+mod browser;
 mod client;
 mod limits;
 mod load;

@@ -6,6 +6,7 @@ mod sense;
 mod surface_curve;
 
 pub use datum::{Datum, RelativeSettlement};
+pub(crate) use sense::wide_base;
 pub use surface_curve::SurfaceCurve;
 
 use serde::Serialize;

@@ -40,16 +40,12 @@ impl Contact {
         let length = |value| units.shown(value, Measure::Length);
         let stress = |value| units.shown(value, Measure::Pressure);
         let mut found = Vec::new();
+        found.extend(wide_base(self.problem(), units));
         let mut doubt = |is_doubtful: bool, code, message: String| {
             if is_doubtful {
                 found.push(Warning { code, message });
             }
         };
-        doubt(
-            half_width > WIDE,
-            WarningCode::WideBase,
-            format!("the half-width is {}: are millimetres meant?", length(half_width)),
-        );
         if let Some((slope, x)) = steepest(self.problem(), self.zones()) {
             doubt(
                 slope > SMALL_SLOPE,
@@ -98,6 +94,16 @@ impl Contact {
         let peak = self.peak_pressure();
         if peak.is_finite() { ("largest", peak) } else { ("mean", self.mean_contact_pressure()) }
     }
+}
+
+/// That the base is wider than machines have, with its half-width in these units.
+pub(crate) fn wide_base(problem: &Problem, units: &OutputUnits) -> Option<Warning> {
+    let half_width = problem.scaling()?.half_width();
+    let shown = units.shown(half_width, Measure::Length);
+    (half_width > WIDE).then(|| Warning {
+        code: WarningCode::WideBase,
+        message: format!("the half-width is {shown}: are millimetres meant?"),
+    })
 }
 
 /// `E*`; of a layer bonded to a rigid base, which cannot evade to the sides, `E (1 - nu)/((1 + nu)(1 - 2 nu))` where that is larger.

@@ -7,6 +7,7 @@ use crate::Error;
 use crate::document::FileError;
 use crate::document::load_bytes;
 use crate::error::require;
+use crate::quantity::Dimension;
 use shtaerman_input::columns::{Columns, Row};
 
 /// Pressures against approaches, measured or from a pressure-overclosure law of a finite-element program.
@@ -85,9 +86,11 @@ pub fn read_table(
     [approach_unit, pressure_unit]: [f64; 2],
     pressure_first: bool,
 ) -> Result<Table, FileError> {
-    let (approach, pressure) = (("approach", approach_unit), ("pressure", pressure_unit));
+    let approach = ("approach", Dimension::LENGTH, approach_unit);
+    let pressure = ("pressure", Dimension::PRESSURE, pressure_unit);
     let [one, two] = if pressure_first { [pressure, approach] } else { [approach, pressure] };
-    let columns = Columns { names: [one.0, two.0], units: [one.1, two.1] };
+    let columns =
+        Columns { names: [one.0, two.0], dimensions: [one.1, two.1], units: [one.2, two.2] };
     let rows = columns.read(content, file_name)?;
     let ordered = |values: [f64; 2]| if pressure_first { [values[1], values[0]] } else { values };
     for row in &rows {
@@ -138,7 +141,9 @@ pub fn read_trace(
     file_name: &str,
     units: [f64; 2],
 ) -> Result<Vec<[f64; 2]>, FileError> {
-    let rows = Columns { names: ["position", "height"], units }.read(content, file_name)?;
+    let columns =
+        Columns { names: ["position", "height"], dimensions: [Dimension::LENGTH; 2], units };
+    let rows = columns.read(content, file_name)?;
     let disorder = rows.windows(2).find(|pair| pair[1].values[0] <= pair[0].values[0]);
     if let Some([_, Row { line, values: [position, _] }]) = disorder {
         let message =

@@ -11,6 +11,7 @@ use super::route::{Found, Reason, solution};
 use super::setting::Setting;
 use super::spectral::{SpectralContact, profile_series};
 use super::warning::Warning;
+use crate::quantity::OutputUnits;
 use crate::roughness::Law;
 use crate::solver::AIM;
 use crate::{Error, Problem, Scaling};
@@ -124,9 +125,9 @@ fn draw_up(setting: Setting, found: Found) -> Result<Contact, Error> {
     let is_unknown = setting.has_unknown_layer();
     let mut contact = Contact::new(setting, found)?;
     let frame = contact.problem().frame().clone();
-    contact.warn(Warning::negative_pressure(&frame, contact.tension_at()));
-    contact.warn(Warning::singular_edge(&frame, &contact.singular_corners()));
-    contact.warn(Warning::singular_kink(&frame, contact.kinks()));
+    for code in Contact::PLACED {
+        contact.warn(contact.placed_warning(code, &OutputUnits::default()));
+    }
     contact.warn(Warning::profile_not_proved(is_unknown));
     let is_free = solver.tolerance.is_none() && solver.degree.is_none();
     contact.warn((is_free && reached > AIM).then(|| Warning::tolerance_not_met(AIM, reached)));

@@ -2,11 +2,12 @@
 
 use serde::Serialize;
 
+use super::Contact;
 use super::complementarity::Complementarity;
 use super::intervals::SLIVER;
 use super::kinks::Kink;
 use crate::frame::Frame;
-use crate::quantity::{Dimension, DisplayUnit, engineering};
+use crate::quantity::{Dimension, DisplayUnit, Measure, OutputUnits, engineering};
 
 /// Kind of a warning, stable across releases.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -51,6 +52,8 @@ pub enum WarningCode {
     AboveYield,
     /// The base is wider than machines have; millimetres may be meant.
     WideBase,
+    /// The header of a trace has something in place of a unit that is none, and no unit is stated.
+    UnknownUnit,
 }
 
 /// A warning with its text.
@@ -66,18 +69,48 @@ pub struct Warning {
 const LAYER_DEGREES: f64 = 4.0;
 /// Moduli and yield stresses below this (Pa) are those of gels: rubber begins at about 1 MPa.
 const SOFTEST: f64 = 1e6;
+/// Longest unit that a message quotes.
+const LONGEST_UNIT: usize = 40;
 /// Most intervals a message names. At half or twice 3 of 32 answers change, within what they state (survey).
 const MOST_PLACES: usize = 6;
 
-/// A coordinate in the units of the problem.
-fn position(frame: &Frame, xi: f64) -> String {
+/// A coordinate in the units of the problem, or in those chosen.
+fn position(frame: &Frame, units: &OutputUnits, xi: f64) -> String {
     // A rounded zero.
     if xi.abs() < SLIVER {
         return "0".to_owned();
     }
     match frame.scaling() {
-        Some(scaling) => engineering(xi * scaling.half_width(), Dimension::LENGTH),
+        Some(scaling) => units.shown(xi * scaling.half_width(), Measure::Length),
         None => engineering(xi, Dimension::NONE),
+    }
+}
+
+impl Contact {
+    /// What is warned of with places.
+    pub(super) const PLACED: [WarningCode; 3] =
+        [WarningCode::NegativePressure, WarningCode::SingularEdge, WarningCode::SingularKink];
+
+    /// One of those, with lengths in these units.
+    pub(super) fn placed_warning(&self, code: WarningCode, units: &OutputUnits) -> Option<Warning> {
+        let frame = self.problem().frame();
+        match code {
+            WarningCode::NegativePressure => {
+                Warning::negative_pressure(frame, units, self.tension_at())
+            }
+            WarningCode::SingularEdge => {
+                Warning::singular_edge(frame, units, &self.singular_corners())
+            }
+            WarningCode::SingularKink => Warning::singular_kink(frame, units, self.kinks()),
+            _ => None,
+        }
+    }
+
+    /// [`Contact::warnings`] with their places in these units.
+    #[must_use]
+    pub fn warnings_in(&self, units: &OutputUnits) -> Vec<Warning> {
+        let told = |warning: &Warning| self.placed_warning(warning.code, units);
+        self.warnings().iter().map(|one| told(one).unwrap_or_else(|| one.clone())).collect()
     }
 }
 
@@ -95,11 +128,15 @@ impl Warning {
     }
 
     /// The pressure is negative on these intervals of `xi`; none if there are none.
-    pub(super) fn negative_pressure(frame: &Frame, tension: &[[f64; 2]]) -> Option<Self> {
+    pub(super) fn negative_pressure(
+        frame: &Frame,
+        units: &OutputUnits,
+        tension: &[[f64; 2]],
+    ) -> Option<Self> {
         if tension.is_empty() {
             return None;
         }
-        let shown = |xi: f64| position(frame, xi);
+        let shown = |xi: f64| position(frame, units, xi);
         let variable = frame.coordinate();
         let mut places: Vec<String> = (tension.iter().take(MOST_PLACES))
             .map(|[left, right]| format!("{variable} = {} to {}", shown(*left), shown(*right)))
@@ -115,17 +152,24 @@ impl Warning {
     }
 
     /// The pressure is infinite at these `xi`, with these corner intensities in the units of the problem; none if there are none.
-    pub(super) fn singular_edge(frame: &Frame, corners: &[(f64, f64)]) -> Option<Self> {
+    pub(super) fn singular_edge(
+        frame: &Frame,
+        units: &OutputUnits,
+        corners: &[(f64, f64)],
+    ) -> Option<Self> {
         if corners.is_empty() {
             return None;
         }
-        let (length, intensity) = match frame.scaling() {
-            Some(_) => (Dimension::LENGTH, frame.corner_unit()),
-            None => (Dimension::NONE, DisplayUnit::NUMBER),
+        let intensity = match frame.scaling() {
+            Some(_) => frame.corner_unit(),
+            None => DisplayUnit::NUMBER,
         };
         let places: Vec<String> = (corners.iter().take(MOST_PLACES))
             .map(|(xi, k)| {
-                let at = engineering(xi * frame.half_width(), length);
+                let at = match frame.scaling() {
+                    Some(_) => units.shown(xi * frame.half_width(), Measure::Length),
+                    None => engineering(xi * frame.half_width(), Dimension::NONE),
+                };
                 let k = engineering(*k, intensity.clone());
                 format!("{} = {at} (K = {k})", frame.coordinate())
             })
@@ -145,13 +189,17 @@ impl Warning {
     }
 
     /// The pressure is infinite under these kinks; none if there are none.
-    pub(super) fn singular_kink(frame: &Frame, kinks: &[Kink]) -> Option<Self> {
+    pub(super) fn singular_kink(
+        frame: &Frame,
+        units: &OutputUnits,
+        kinks: &[Kink],
+    ) -> Option<Self> {
         let kinks: Vec<&Kink> = kinks.iter().filter(|kink| kink.pressure.is_infinite()).collect();
         if kinks.is_empty() {
             return None;
         }
         let mut places: Vec<String> = (kinks.iter().take(MOST_PLACES))
-            .map(|kink| format!("{} = {}", frame.coordinate(), position(frame, kink.xi)))
+            .map(|kink| format!("{} = {}", frame.coordinate(), position(frame, units, kink.xi)))
             .collect();
         if let Some(more) = kinks.len().checked_sub(MOST_PLACES).filter(|more| *more > 0) {
             places.push(format!("{more} more places"));
@@ -199,8 +247,9 @@ impl Warning {
         Some(Self { code: WarningCode::LowDegree, message })
     }
 
-    /// A modulus that was written without a unit (Pa), by its key; none where a solid may have it.
-    pub(crate) fn soft_modulus(key: &str, modulus: f64) -> Option<Self> {
+    /// A modulus that was written without a unit (Pa), by its key or option; none where a solid may have it.
+    #[must_use]
+    pub fn soft_modulus(key: &str, modulus: f64) -> Option<Self> {
         let message = format!(
             "{key} = {modulus} has no unit and is taken in Pa, which is softer than rubber: is \"{modulus} GPa\" meant?"
         );
@@ -214,6 +263,16 @@ impl Warning {
             "{key} = {stress} has no unit and is taken in Pa, which no metal is as soft as: is \"{stress} MPa\" meant?"
         );
         (stress < SOFTEST).then_some(Self { code: WarningCode::LowYieldStress, message })
+    }
+
+    /// What stands in place of the unit of the positions or heights of a trace, read in metres, and the key or option that states one.
+    #[must_use]
+    pub fn unknown_unit(name: &str, written: &str, stated: &str) -> Self {
+        let written = shtaerman_input::shortened(written, LONGEST_UNIT);
+        let message = format!(
+            "the header has `{written}` for the unit of the {name}, which is none that is known, and they are read in metres: state it, by {stated}"
+        );
+        Self { code: WarningCode::UnknownUnit, message }
     }
 
     /// The relative error aimed at, and the one reached.
@@ -237,6 +296,7 @@ mod tests {
         let physical = Frame::new(&steel, &Punch::new(5e-3).unwrap()).unwrap();
         let bare = Foundation::dimensionless(1.0).unwrap();
         let bare = Frame::new(&bare, &Punch::new(1.0).unwrap()).unwrap();
+        let units = OutputUnits::default();
         for (frame, tension, said) in [
             (&physical, [[-1.0, -2.67e-16]].as_slice(), "at x = -5 mm to 0:"),
             (&physical, &[[0.5, 1.0]], "at x = 2.5 mm to 5 mm:"),
@@ -247,9 +307,9 @@ mod tests {
             ),
             (&bare, &[[0.0, 0.1]; 9], "and 3 more intervals:"),
         ] {
-            let warning = Warning::negative_pressure(frame, tension).unwrap();
+            let warning = Warning::negative_pressure(frame, &units, tension).unwrap();
             assert!(warning.message.contains(said), "{}", warning.message);
         }
-        assert_eq!(Warning::negative_pressure(&bare, &[]), None);
+        assert_eq!(Warning::negative_pressure(&bare, &units, &[]), None);
     }
 }

@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use super::read::read;
-use super::{physical, profile};
-use crate::document::{Document, FileError, Value, ValueKind};
-use crate::document::{load_bytes, overridden};
-use crate::quantity::{Measure, OutputUnits};
-use crate::{Contact, Error, Problem, Warning, WarningCode};
+use super::profile;
+use super::read::{ReadProblem, read};
+use super::sense::advised;
+use crate::document::{Document, FileError, load_bytes, overridden};
+use crate::quantity::OutputUnits;
+use crate::{Contact, Error, Problem, Warning};
 
 /// Keys of which a file has one; an override of one replaces the other.
 pub const ALTERNATIVES: [&[&str]; 9] = [
@@ -32,6 +32,8 @@ pub struct ProblemFile {
     units: OutputUnits,
     document: Document,
     measured: Option<PathBuf>,
+    /// What is doubtful about the units of a trace.
+    pub(super) doubts: Vec<Warning>,
 }
 
 impl ProblemFile {
@@ -76,9 +78,10 @@ impl ProblemFile {
     }
 
     pub(super) fn read(document: Document, folder: &Path) -> Result<Self, Error> {
-        let (problem, units) = read(&document, folder).map_err(|error| locate(&document, error))?;
+        let ReadProblem { problem, units, doubts } = read(&document, folder)
+            .map_err(|error| advised(&document, locate(&document, error)))?;
         let measured = profile::measured_path(&document, folder);
-        Ok(Self { problem, units, document, measured })
+        Ok(Self { problem, units, document, measured, doubts })
     }
 
     /// The file of a measured profile, which was read as well.
@@ -105,45 +108,6 @@ impl ProblemFile {
         &self.units
     }
 
-    /// `yield_stress` of `[foundation]` (Pa), if there is one.
-    ///
-    /// # Errors
-    /// [`Error::File`] for a value that is no positive stress: none in a problem that was read.
-    pub fn yield_stress(&self) -> Result<Option<f64>, Error> {
-        let foundation = self.document.reader().table("foundation")?;
-        Ok(foundation.map(|table| physical::yield_stress(&table)).transpose()?.flatten())
-    }
-
-    /// What an engineer would doubt about an answer to this file beside [`Contact::sense_checks`]: a modulus without a unit that no solid has, and pressures above the yield stress.
-    #[must_use]
-    pub fn sense_checks(&self, contact: &Contact) -> Vec<Warning> {
-        let mut found = contact.sense_checks_in(&self.units);
-        let bare = |key| self.document.get(key).map(Value::kind).and_then(plain_number);
-        for key in [
-            "foundation.young_modulus",
-            "foundation.coating.young_modulus",
-            "foundation.grading_modulus",
-            "body.young_modulus",
-        ] {
-            found.extend(bare(key).and_then(|modulus| Warning::soft_modulus(key, modulus)));
-        }
-        let key = "foundation.yield_stress";
-        found.extend(bare(key).and_then(|stress| Warning::low_yield_stress(key, stress)));
-        let (name, pressure) = contact.telling_pressure();
-        if let Ok(Some(limit)) = self.yield_stress()
-            && pressure > limit
-        {
-            let shown = |value| self.units.shown(value, Measure::Pressure);
-            let message = format!(
-                "the {name} pressure, {}, is above the yield stress, {}: `shtaerman stress` says where and when the body yields",
-                shown(pressure),
-                shown(limit)
-            );
-            found.push(Warning { code: WarningCode::AboveYield, message });
-        }
-        found
-    }
-
     /// Solves the problem as [`Problem::solve`] does.
     ///
     /// # Errors
@@ -156,14 +120,6 @@ impl ProblemFile {
     #[must_use]
     pub fn locate(&self, error: Error) -> Error {
         locate(&self.document, error)
-    }
-}
-
-fn plain_number(kind: &ValueKind) -> Option<f64> {
-    match kind {
-        ValueKind::Integer(value) => Some(*value as f64),
-        ValueKind::Float(value) => Some(*value),
-        _ => None,
     }
 }
 

@@ -36,6 +36,7 @@ mod profile;
 mod read;
 mod refused;
 mod section;
+mod sense;
 mod solver;
 mod stated;
 mod trace;

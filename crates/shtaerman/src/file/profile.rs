@@ -6,12 +6,14 @@ use super::stated::Stated;
 use super::trace;
 use crate::document::{Document, Field, FileError, TableReader, ValueKind};
 use crate::frame::Frame;
-use crate::{Error, Load, Problem, Profile, Solver};
+use crate::{Error, Load, Problem, Profile, Solver, Warning};
 
 /// A profile with its field, for messages that need the finished problem.
 pub(super) struct ReadProfile<'d> {
     field: Field<'d>,
     profile: Profile,
+    /// What is doubtful about the units of a trace.
+    pub(super) doubts: Vec<Warning>,
 }
 
 pub(super) fn read<'d>(
@@ -23,12 +25,12 @@ pub(super) fn read<'d>(
         Some(_) => error,
         None => error.with_help("profile = \"0\" is a flat base"),
     })?;
-    let profile = if field.is_table() {
+    let (profile, doubts) = if field.is_table() {
         trace::read(&field, frame, folder)?
     } else {
-        expression(&field, frame)?
+        (expression(&field, frame)?, Vec::new())
     };
-    Ok(ReadProfile { field, profile })
+    Ok(ReadProfile { field, profile, doubts })
 }
 
 impl ReadProfile<'_> {

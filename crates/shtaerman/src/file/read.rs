@@ -8,10 +8,19 @@ use super::{geometry, layering, load, output, physical, profile, section, solver
 use crate::document::{Document, Field, FileError, TableReader};
 use crate::equation::is_equation;
 use crate::quantity::OutputUnits;
-use crate::{Error, Foundation, Problem, Punch};
+use crate::{Error, Foundation, Problem, Punch, Warning};
 
-/// The problem, and the units in which its results are wanted.
-pub(super) fn read(document: &Document, folder: &Path) -> Result<(Problem, OutputUnits), Error> {
+/// What a document states.
+pub(super) struct ReadProblem {
+    pub(super) problem: Problem,
+    /// The units in which results are wanted.
+    pub(super) units: OutputUnits,
+    /// What is doubtful about the units of a trace.
+    pub(super) doubts: Vec<Warning>,
+}
+
+/// The problem of a document.
+pub(super) fn read(document: &Document, folder: &Path) -> Result<ReadProblem, Error> {
     if is_equation(document) {
         let fault = FileError::new("is an equation, not a contact problem");
         let help = "use `shtaerman equation`";
@@ -19,7 +28,7 @@ pub(super) fn read(document: &Document, folder: &Path) -> Result<(Problem, Outpu
     }
     let reader = document.reader();
     let solver = solver::read(&reader)?;
-    let (problem, units) = if let Some(table) = reader.table("dimensionless")? {
+    let read = if let Some(table) = reader.table("dimensionless")? {
         for name in ["foundation", "punch", "load", "body"] {
             if let Some(field) = reader.optional(name) {
                 let message =
@@ -28,11 +37,12 @@ pub(super) fn read(document: &Document, folder: &Path) -> Result<(Problem, Outpu
             }
         }
         let stated = dimensionless(&table)?;
-        let profile = profile::read(&table, &stated.frame, folder)?;
+        let mut profile = profile::read(&table, &stated.frame, folder)?;
+        let doubts = std::mem::take(&mut profile.doubts);
         let load = load::read(&table, &stated.frame)?;
         let units = output::read(&reader, &stated.frame)?;
         reader.finish()?;
-        (profile.problem(stated, load, solver)?, units)
+        ReadProblem { problem: profile.problem(stated, load, solver)?, units, doubts }
     } else {
         if !reader.has("foundation") && !reader.has("punch") && !reader.has("load") {
             let message = "has neither [foundation], [punch], [load] nor [dimensionless]";
@@ -43,14 +53,16 @@ pub(super) fn read(document: &Document, folder: &Path) -> Result<(Problem, Outpu
                 .into());
         }
         let stated = physical::read(&reader)?;
-        let profile = profile::read(&section::required(&reader, "punch")?, &stated.frame, folder)?;
+        let punch = section::required(&reader, "punch")?;
+        let mut profile = profile::read(&punch, &stated.frame, folder)?;
+        let doubts = std::mem::take(&mut profile.doubts);
         let load = load::read(&section::required(&reader, "load")?, &stated.frame)?;
         let units = output::read(&reader, &stated.frame)?;
         reader.finish()?;
-        (profile.problem(stated, load, solver)?, units)
+        ReadProblem { problem: profile.problem(stated, load, solver)?, units, doubts }
     };
-    problem.check_balance()?;
-    Ok((problem, units))
+    read.problem.check_balance()?;
+    Ok(read)
 }
 
 /// The foundation and the flat punch of `[dimensionless]`, with their frame.

@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use crate::Warning;
 use crate::document::{Field, FileError, TableReader, Value, ValueKind};
 use crate::frame::Frame;
-use crate::profile::{Column, Dialect, Place, Profile, Trace, TraceOptions};
+use crate::profile::{Column, Dialect, HeaderUnit, Place, Profile, Trace, TraceOptions};
 use crate::quantity::{self, Dimension};
 
 /// Most lines that are skipped.
@@ -15,8 +16,12 @@ const KEYS: [&str; 13] = [
     "x_shift", "centre", "level", "filter",
 ];
 
-/// The spline through the trace.
-pub(super) fn read(field: &Field<'_>, frame: &Frame, folder: &Path) -> Result<Profile, FileError> {
+/// The spline through the trace, and what is doubtful about its units.
+pub(super) fn read(
+    field: &Field<'_>,
+    frame: &Frame,
+    folder: &Path,
+) -> Result<(Profile, Vec<Warning>), FileError> {
     let half_width = frame.half_width();
     let is_period = frame.geometry().is_wave(half_width);
     let physical = frame.scaling().is_some();
@@ -26,7 +31,16 @@ pub(super) fn read(field: &Field<'_>, frame: &Frame, folder: &Path) -> Result<Pr
     let (name, bytes) = csv.load(folder)?;
     let over = [-half_width, half_width];
     let options = TraceOptions { is_periodic: is_period, ..options };
-    let trace = Trace::read(&bytes, &name, &options).map_err(|error| csv.error(error))?;
+    let said =
+        Trace::header_units(&bytes, &name, &options.dialect).map_err(|error| csv.error(error))?;
+    let trace = Trace::read(&bytes, &name, &options).map_err(|error| {
+        let fault = csv.error(error);
+        match stating_units(field, &table, &said, physical) {
+            Some(line) => fault.with_help(line),
+            None => fault,
+        }
+    })?;
+    let doubts = if physical { doubts(&table, &said) } else { Vec::new() };
     let trace = trace.arranged(&options);
     let is_elsewhere = trace.is_elsewhere(over);
     let covering = trace.covering(over, &name).map_err(|error| {
@@ -35,16 +49,50 @@ pub(super) fn read(field: &Field<'_>, frame: &Frame, folder: &Path) -> Result<Pr
             return fault;
         }
         fault.with_help(format!(
-            "this puts its middle under the middle of the punch:\n{} = {}",
-            field.name().rsplit('.').next().unwrap_or("profile"),
-            line(&table, "centre", "true")
+            "this puts its middle under the middle of the punch:\n{}",
+            line(field, &table, &[("centre", "true".to_owned())])
         ))
     })?;
     let treated = covering
         .levelled(over, &options)
         .filtered(&options, &name)
         .map_err(|error| csv.error(error))?;
-    Profile::from_trace(treated, &name).map_err(|error| csv.error(error))
+    let profile = Profile::from_trace(treated, &name).map_err(|error| csv.error(error))?;
+    Ok((profile, doubts))
+}
+
+/// The names of the columns and the keys of their units.
+const UNITS: [(&str, &str); 2] = [("positions", "x_unit"), ("heights", "f_unit")];
+
+/// Units that the header may have, where none is stated: metres are read.
+fn doubts(table: &TableReader<'_>, said: &[HeaderUnit; 2]) -> Vec<Warning> {
+    let doubt = |((name, key), said): ((&str, &str), &HeaderUnit)| match said {
+        HeaderUnit::Unknown { written } if !table.has(key) => {
+            Some(Warning::unknown_unit(name, written, &format!("{key} = \"mm\" or the like")))
+        }
+        _ => None,
+    };
+    UNITS.into_iter().zip(said).filter_map(doubt).collect()
+}
+
+/// The line with the units that the header has, where it states none.
+fn stating_units(
+    field: &Field<'_>,
+    table: &TableReader<'_>,
+    said: &[HeaderUnit; 2],
+    physical: bool,
+) -> Option<String> {
+    let stated = |((_, key), said): ((&str, &'static str), &HeaderUnit)| match said {
+        HeaderUnit::Known { symbol, size, dimension, .. }
+            if *dimension == Dimension::LENGTH && *size != 1.0 && !table.has(key) =>
+        {
+            Some((key, serde_json::Value::from(symbol.as_str()).to_string()))
+        }
+        _ => None,
+    };
+    let missing: Vec<_> = UNITS.into_iter().zip(said).filter_map(stated).collect();
+    let line = || format!("the units of the header:\n{}", line(field, table, &missing));
+    (physical && !missing.is_empty()).then(line)
 }
 
 /// The options of a trace; lengths are numbers in a dimensionless problem.
@@ -137,14 +185,16 @@ fn unit(table: &TableReader<'_>, key: &str, physical: bool) -> Result<f64, FileE
     }
 }
 
-/// The inline table as it is written, with one key more.
-fn line(table: &TableReader<'_>, key: &str, value: &str) -> String {
+/// The line as it is written, with some keys more.
+fn line(field: &Field<'_>, table: &TableReader<'_>, more: &[(&str, String)]) -> String {
     let written = KEYS.into_iter().filter_map(|known| {
         let field = table.optional(known)?;
         Some(format!("{known} = {}", toml(field.value())))
     });
-    let pairs: Vec<String> = written.chain([format!("{key} = {value}")]).collect();
-    format!("{{ {} }}", pairs.join(", "))
+    let more = more.iter().map(|(key, value)| format!("{key} = {value}"));
+    let pairs: Vec<String> = written.chain(more).collect();
+    let name = field.name().rsplit('.').next().unwrap_or("profile");
+    format!("{name} = {{ {} }}", pairs.join(", "))
 }
 
 /// A value as TOML has it.

@@ -17,5 +17,5 @@ mod tests;
 pub use base::{Profile, VARIABLES};
 pub use measured::{CsvOptions, read_csv};
 pub use resolution::Resolution;
-pub use shtaerman_input::columns::{Column, Dialect};
+pub use shtaerman_input::columns::{Column, Dialect, HeaderUnit};
 pub use trace::{Place, Trace, TraceOptions};

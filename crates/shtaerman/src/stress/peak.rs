@@ -51,7 +51,7 @@ pub struct Peak {
 }
 
 impl StressField {
-    /// The largest equivalent stress in the body and its place; of equal ones that inside the body, of those the leftmost.
+    /// The largest equivalent stress in the body and its place; of equal ones that inside the body, of those the leftmost. Of a periodic pressure it is that in the period about 0, or, where panels reach beyond it, about their middle.
     #[must_use]
     pub fn peak(&self, criterion: Criterion) -> Peak {
         let corners = self.corner_peaks(criterion);
@@ -92,8 +92,28 @@ impl StressField {
         found.truncate(MOST_REFINED);
         let mut peaks: Vec<Peak> =
             found.into_iter().map(|(place, value)| self.refined(criterion, place, value)).collect();
+        peaks.iter_mut().for_each(|peak| peak.x = self.within_period(peak.x));
         peaks.sort_by(|one, two| one.x.total_cmp(&two.x));
         peaks
+    }
+
+    /// The same place in the period about 0 where all panels lie within that, else about their middle.
+    fn within_period(&self, x: f64) -> f64 {
+        let [Some(first), Some(last)] = [self.inner().first(), self.inner().last()] else {
+            return x;
+        };
+        let [left, right] = [first.left, last.right];
+        let x = match self.inner_period() {
+            Some(period) => {
+                let reach = 0.5 * period * (1.0 + EQUAL);
+                let is_about_zero = -reach <= left && right <= reach;
+                let middle = if is_about_zero { 0.0 } else { left.midpoint(right) };
+                x - period * ((x - middle) / period).round()
+            }
+            None => x,
+        };
+        // A rounded zero.
+        if x.abs() <= EQUAL * (right - left) { 0.0 } else { x }
     }
 
     /// The intervals over which maxima are looked for, with the step of each grid.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use shtaerman::{Stress, StressField};
+use shtaerman::{Criterion, Stress, StressField};
 
 use crate::support::{Complex, DEPTHS, difference, divide, from_potential};
 
@@ -78,5 +78,20 @@ fn strips_in_a_row_have_their_closed_form() {
         // Deep down the pressure is its mean.
         let deep = field.stress(0.3, 40.0 * period).unwrap();
         assert!((deep.sigma_y + 2.0 / period).abs() < 1e-14);
+    }
+}
+
+/// Half-ellipses in a row have their peaks below their middles: told is the one under the panel, and that at 0 as 0.
+#[test]
+fn a_peak_is_told_in_the_period_of_the_panels() {
+    for (left, at) in [(-0.5, 0.0), (0.6, 1.1), (-0.9, -0.4), (7.25, 7.75)] {
+        let panel = [[left, left + 1.0]];
+        let pressure = |_: usize, from: f64, to: f64| (from * to).sqrt();
+        let field = StressField::from_pressure(&panel, Some(2.0), RATIO, pressure).unwrap();
+        for criterion in [Criterion::VonMises, Criterion::Tresca] {
+            let peak = field.peak(criterion);
+            assert!((peak.x - at).abs() < 1e-6 && peak.depth > 0.01, "{left}: {peak:?}");
+            assert!(at != 0.0 || peak.x == 0.0, "{left}: {peak:?}");
+        }
     }
 }

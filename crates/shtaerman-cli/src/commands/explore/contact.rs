@@ -44,7 +44,9 @@ impl Solution {
         let curve = PressureCurve::along(&self.contact, POINTS)?;
         // The best so far is not asked how it changes.
         let is_plain = is_for_people || self.contact.is_unfinished();
-        solve::answer(&self.contact, curve, &self.doubts, is_plain)
+        let known = self.contact.warnings_in(self.file.units());
+        let warnings = [known.as_slice(), &self.doubts].concat();
+        solve::answer(&self.contact, curve, warnings, is_plain)
     }
 }
 
@@ -270,7 +272,8 @@ pub(super) fn report(asked: &Asked) -> Result<Value, Failure> {
         snippets::quoted(&format!("{}.html", asked.stem()))
     );
     let title = format!("Contact: {}", asked.name);
-    let mut sheet = sheet::of_contact([&title, asked.stem()], &command, &told, file, contact)?;
+    let found = (contact, solution.doubts.as_slice());
+    let mut sheet = sheet::of_contact([&title, asked.stem()], &command, &told, file, found)?;
     for (name, content) in asked.contents() {
         sheet.file(&name, &content);
     }

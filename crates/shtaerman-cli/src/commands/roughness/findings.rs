@@ -26,6 +26,8 @@ pub(super) struct Findings {
     /// The value of `foundation.roughness`.
     roughness: Option<Snippet>,
     notes: Vec<String>,
+    /// What an engineer would doubt.
+    pub(super) warnings: Vec<String>,
 }
 
 /// The layer at the working pressure.
@@ -169,6 +171,7 @@ impl Findings {
             power: None,
             roughness: None,
             notes: Vec::new(),
+            warnings: Vec::new(),
         }
     }
 
@@ -202,8 +205,8 @@ impl Findings {
             table.row(vec![row.name, row.kind.text(row.value)]);
         }
         let mut text = table.to_string();
-        for note in &self.notes {
-            text.push_str(&format!("\nnote: {note}\n"));
+        for (kind, said) in [("warning", &self.warnings), ("note", &self.notes)] {
+            said.iter().for_each(|said| text.push_str(&format!("\n{kind}: {said}\n")));
         }
         if let Some(snippet) = self.roughness {
             text.push_str(&format!("\n[foundation]\n{}\n", snippet.toml()));

@@ -1,5 +1,6 @@
 //! `shtaerman roughness`.
 
+mod doubts;
 mod findings;
 mod read;
 
@@ -14,6 +15,7 @@ use crate::arguments::{
     BearingArguments, ColumnOrder, GreenwoodWilliamsonArguments, Law, ReportFormat,
     RoughnessArguments, RoughnessSource, TableArguments,
 };
+use crate::failure;
 use crate::output::{Content, Input, Outputs, check_writable};
 use findings::{Curve, Findings, LawReport, State};
 use read::{number, optional_quantity, optional_unit, pair, quantity, unit, usage};
@@ -39,7 +41,14 @@ pub(super) fn run(arguments: &RoughnessArguments) -> Result<(), Failure> {
         }
     };
     check_writable(&[output.output.as_deref()], input.as_slice())?;
-    let findings = findings(&arguments.source)?;
+    // Where there is no law, the slip that is likely stands beside the error.
+    let slips = doubts::of(&arguments.source);
+    let is_strict = doubts::sense(&arguments.source).strict;
+    failure::hold(slips.iter().filter(|_| !is_strict).cloned());
+    let findings = findings(&arguments.source, slips)?;
+    if !output.is_table() {
+        findings.warnings.iter().for_each(|warning| failure::warn(warning));
+    }
     let text = match output.format {
         ReportFormat::Table => Content::page(&findings.table()),
         ReportFormat::Json => Content::json(&findings),
@@ -52,15 +61,22 @@ pub(super) fn run(arguments: &RoughnessArguments) -> Result<(), Failure> {
 
 /// What is found as JSON, whatever the format asked for.
 pub(super) fn json(arguments: &RoughnessArguments) -> Result<String, Failure> {
-    Content::json(&findings(&arguments.source)?).text()
+    let slips = doubts::of(&arguments.source);
+    Content::json(&findings(&arguments.source, slips)?).text()
 }
 
-fn findings(source: &RoughnessSource) -> Result<Findings, Failure> {
-    match source {
-        RoughnessSource::GreenwoodWilliamson(source) => greenwood_williamson(source),
-        RoughnessSource::Bearing(source) => bearing(source),
-        RoughnessSource::Table(source) => table(source),
-    }
+/// What is found, with the slips that are likely, which `--strict` refuses.
+fn findings(source: &RoughnessSource, slips: Vec<String>) -> Result<Findings, Failure> {
+    let sense = doubts::sense(source);
+    doubts::refuse(&sense, &slips)?;
+    let mut found = match source {
+        RoughnessSource::GreenwoodWilliamson(source) => greenwood_williamson(source)?,
+        RoughnessSource::Bearing(source) => bearing(source)?,
+        RoughnessSource::Table(source) => table(source)?,
+    };
+    doubts::refuse(&sense, &found.warnings)?;
+    found.warnings.splice(..0, slips);
+    Ok(found)
 }
 
 fn greenwood_williamson(source: &GreenwoodWilliamsonArguments) -> Result<Findings, Failure> {
@@ -105,13 +121,9 @@ fn greenwood_williamson(source: &GreenwoodWilliamsonArguments) -> Result<Finding
     let highest = range.map_or(pressure, |range| Some(range[1])).unwrap_or(f64::NAN);
     let share = model.contact_share(highest).map_err(usage)?;
     if share > 1.0 {
-        let doubt = format!(
+        findings.warnings.push(format!(
             "the model has {share:.2} times the surface in contact at the highest pressure, which is more than there is: are the density in 1/m^2 and the pressure in Pa?"
-        );
-        if source.sense.strict {
-            return Err(Failure::Usage(format!("--strict: {doubt}")));
-        }
-        findings.note(doubt);
+        ));
     } else if share > CROWDED {
         findings.note(format!(
             "{:.0} % of the surface are in contact at the highest pressure: asperities feel their neighbours, which the model leaves out",

@@ -6,8 +6,8 @@ mod section;
 use std::fmt::Write;
 
 use shtaerman::file::ProblemFile;
-use shtaerman::quantity::Dimension;
-use shtaerman::{Contact, Criterion, Error, StressField, Warning, WarningCode};
+use shtaerman::quantity::{Dimension, Measure};
+use shtaerman::{Contact, Criterion, Error, Peak, StressField, Warning, WarningCode};
 
 use super::picture::Picture;
 use super::problem_file;
@@ -31,6 +31,8 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let sheet_path = sheet_file.as_ref().map(|report| report.path);
     let outputs = [arguments.output.as_deref(), arguments.plot.as_deref(), sheet_path];
     let file = problem_file::read(&arguments.problem, &arguments.units, &outputs)?;
+    let is_shown = arguments.format == StressFormat::Table && arguments.output.is_none();
+    problem_file::check_input(&file, &arguments.sense, is_shown)?;
     let problem = file.problem();
     problem.check_stresses().map_err(|error| file.locate(error))?;
     let units = Units::of(problem);
@@ -46,9 +48,11 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let load = [contact.force(), contact.moment()];
     let peaks = [field.peak(Criterion::VonMises), field.peak(Criterion::Tresca)];
     let mut report = StressReport::new(&field, load, Shown::of(problem, file.units()), &peaks);
-    report.add_warnings(contact.warnings());
-    let doubts = doubts(arguments, &file, &contact);
-    report.add_warnings(&problem_file::refuse(&arguments.sense, doubts)?);
+    report.add_warnings(&contact.warnings_in(file.units()));
+    let limit_stress = limit.map(|(stress, _)| stress);
+    let doubts = doubts(arguments, &file, &contact, &peaks[0], limit_stress);
+    let doubts = problem_file::refuse(&arguments.sense, doubts)?;
+    report.add_warnings(&doubts);
     if let Some((stress, is_asked)) = limit {
         report.set_yield(stress, loads_at_yield(&file, stress, ratio, is_asked)?);
     }
@@ -68,7 +72,7 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
         Some(map) if sheet_file.is_some() => {
             let name = problem_file::name(&arguments.problem.file);
             let told = report::stress_table(&name, &report, places.as_ref());
-            Some(sheet(arguments, &file, &contact, &told, map)?)
+            Some(sheet(arguments, &file, (&contact, &doubts), &told, map)?)
         }
         _ => None,
     };
@@ -120,14 +124,14 @@ fn written<'a>(
 fn sheet(
     arguments: &StressArguments,
     file: &ProblemFile,
-    contact: &Contact,
+    (contact, doubts): (&Contact, &[Warning]),
     told: &Told,
     map: &MapPlot,
 ) -> Result<Sheet, Failure> {
     let title = format!("Stresses: {}", problem_file::name(&arguments.problem.file));
     let stem = problem_file::stem(&arguments.problem.file);
     let heads = [title.as_str(), &stem];
-    let mut sheet = sheet::of_contact(heads, &sheet::command(), told, file, contact)?;
+    let mut sheet = sheet::of_contact(heads, &sheet::command(), told, file, (contact, doubts))?;
     let ratio = arguments.poisson_ratio.map(|ratio| ratio.to_string());
     sheet.options(sheet::options(&[
         ("--yield-stress", arguments.yield_stress.as_deref()),
@@ -177,10 +181,28 @@ fn yield_stress(
     Err(Failure::Usage(format!("--yield-stress {text}: must be finite and greater than zero")))
 }
 
-/// What an engineer would doubt. Pressures above the yield stress are none here, where loads at yield are what is told.
-fn doubts(arguments: &StressArguments, file: &ProblemFile, contact: &Contact) -> Vec<Warning> {
+/// What an engineer would doubt. That the body yields is told by its largest von Mises stress, not by the pressure on it, unless a corner makes that infinite under any load.
+fn doubts(
+    arguments: &StressArguments,
+    file: &ProblemFile,
+    contact: &Contact,
+    largest: &Peak,
+    yield_stress: Option<f64>,
+) -> Vec<Warning> {
     let mut doubts = file.sense_checks(contact);
-    doubts.retain(|doubt| doubt.code != WarningCode::AboveYield);
+    if largest.value.is_finite() {
+        doubts.retain(|doubt| doubt.code != WarningCode::AboveYield);
+        let shown = Shown::of(file.problem(), file.units());
+        let limit = yield_stress.filter(|limit| largest.value > *limit);
+        doubts.extend(limit.map(|limit| Warning {
+            code: WarningCode::AboveYield,
+            message: format!(
+                "the largest von Mises stress, {}, is above the yield stress, {}: the body yields, and stresses and pressures beyond that are not those of an elastic one",
+                shown.value(largest.value, Measure::Pressure),
+                shown.value(limit, Measure::Pressure)
+            ),
+        }));
+    }
     if !file.problem().is_dimensionless() {
         let bare = arguments.yield_stress.as_ref().and_then(|text| text.trim().parse().ok());
         doubts.extend(bare.and_then(|stress| Warning::low_yield_stress("--yield-stress", stress)));

@@ -7,10 +7,12 @@ use shtaerman::quantity::{Measure, OutputUnits};
 use shtaerman::{Contact, Error, PressureCurve};
 
 use crate::plot::ContactPlot;
-use surfaces::Surfaces;
+use surfaces::{Surfaces, shifts};
 
 /// Points of the plotted curves.
 const PLOT_POINTS: usize = 401;
+/// Parts of a base that are repeated within a window, each with points of its own; of more all of the base has them.
+const FEW: usize = 3;
 /// Share of a zone beside an infinite pressure that does not set the range of the panel.
 const CLIPPED: f64 = 0.02;
 /// A contact less wide than this share of the base is shown larger, with its neighbourhood.
@@ -27,7 +29,8 @@ pub struct ContactPicture {
     pub name: String,
     /// The title in place of one from name, load and largest pressure.
     pub title: Option<String>,
-    /// Ends of what is shown, in the units of the problem; by default the whole base, or a contact that is much less wide with its neighbourhood.
+    /// Ends of what is shown, in the units of the problem; by default the whole base, or a contact that is much less wide with its neighbourhood. Beside the base the free surface is
+    /// shown, and what is periodic goes on, for some hundred periods at most.
     pub x_range: Option<[f64; 2]>,
     /// Units of the axes.
     pub units: OutputUnits,
@@ -75,7 +78,10 @@ pub fn contact_picture(contact: &Contact, wanted: &ContactPicture) -> Result<Con
         edges: surfaces.edges.iter().map(|at| at * x).collect(),
         contact_ends: surfaces.ends(contact).iter().map(|at| at * x).collect(),
         window: Some(window.unwrap_or_else(|| surfaces.reach()).map(|at| at * x)),
-        whole: window.map_or_else(String::new, |_| shown.whole(contact, wanted)),
+        whole: match window {
+            Some(window) if surfaces.is_part(window) => shown.whole(contact, wanted),
+            _ => String::new(),
+        },
         length_of_depth: shown.length_of_depth(),
         position_label: shown.length.label.clone(),
         pressure_label: shown.pressure.label.clone(),
@@ -101,10 +107,21 @@ fn neighbourhood(contact: &Contact) -> Option<[f64; 2]> {
 fn curve(contact: &Contact, window: Option<[f64; 2]>) -> Result<PressureCurve, Error> {
     let whole = PressureCurve::along(contact, PLOT_POINTS)?;
     let Some([left, right]) = window else { return Ok(whole) };
-    let half_width = contact.problem().punch().half_width();
-    let (left, right) = (left.max(-half_width), right.min(half_width));
-    let step = (right - left) / PLOT_POINTS as f64;
-    let more = (1..PLOT_POINTS).map(|index| left + step * index as f64);
+    let punch = contact.problem().punch();
+    let half_width = punch.half_width();
+    // The parts of the base that the window shows, wherever they are repeated: a few at most, or all of it.
+    let mut parts: Vec<[f64; 2]> = shifts(punch, window)
+        .into_iter()
+        .map(|shift| [(left - shift).max(-half_width), (right - shift).min(half_width)])
+        .filter(|[left, right]| left < right)
+        .collect();
+    if parts.len() > FEW {
+        parts = vec![[-half_width, half_width]];
+    }
+    let more = parts.into_iter().flat_map(|[left, right]| {
+        let step = (right - left) / PLOT_POINTS as f64;
+        (1..PLOT_POINTS).map(move |index| left + step * index as f64)
+    });
     let mut places: Vec<f64> = whole.x.iter().copied().chain(more).collect();
     places.retain(|place| place.abs() <= half_width);
     places.sort_by(f64::total_cmp);

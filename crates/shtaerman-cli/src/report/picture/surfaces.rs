@@ -1,11 +1,13 @@
 //! The base, the rough layer and the body, as lines.
 
-use shtaerman::{Contact, Geometry, Law};
+use shtaerman::{Contact, Geometry, Law, Punch};
 
 /// How far beside the punch the surface is drawn, in half-widths.
 const MARGIN: f64 = 0.6;
 /// Places beside the punch on either side.
 const BESIDE: i32 = 60;
+/// The most periods that are drawn on either side of the middle of a window.
+const MOST_AROUND: f64 = 60.0;
 /// The free thickness of the layer beside the largest compression, and the least beside the range of depths, so that it can be seen.
 const FREE: f64 = 1.25;
 const LEAST: f64 = 0.05;
@@ -46,13 +48,15 @@ impl Surfaces {
         let half_width = punch.half_width();
         let pieces: Vec<[f64; 2]> =
             punch.pieces().iter().map(|piece| piece.map(|xi| xi * half_width)).collect();
-        let (shifts, reach) = match punch.geometry() {
-            Geometry::Periodic { period } => (vec![-period, 0.0, period], [-period, period]),
-            _ => {
-                let reach = (1.0 + MARGIN) * half_width;
-                (vec![0.0], [-reach, reach])
-            }
+        let usual = match punch.geometry() {
+            Geometry::Periodic { period } => period,
+            _ => (1.0 + MARGIN) * half_width,
         };
+        let reach = match window {
+            Some([left, right]) => [left.min(-usual), right.max(usual)],
+            None => [-usual, usual],
+        };
+        let shifts = shifts(punch, window);
         let is_wave = punch.geometry().is_wave(half_width);
         let mut lines = Self {
             base: Vec::new(),
@@ -70,7 +74,8 @@ impl Surfaces {
             lines.edges = lines.shifted(&edges);
         }
         let found = lines.found(contact, places, window);
-        let shown = found.iter().filter(|at| is_in(window, at.x)).copied().collect::<Vec<_>>();
+        let shown = found.iter().filter(|at| lines.is_shown(window, at.x));
+        let shown = shown.copied().collect::<Vec<_>>();
         lines.thickness = thickness(contact, &shown);
         lines.draw(&found);
         lines
@@ -102,6 +107,13 @@ impl Surfaces {
         self.shifted(&ends)
     }
 
+    /// Whether a window shows a part of the base, and less than that is wide.
+    pub(super) fn is_part(&self, [left, right]: [f64; 2]) -> bool {
+        let first = self.pieces.first().map_or(0.0, |piece| piece[0]);
+        let last = self.pieces.last().map_or(0.0, |piece| piece[1]);
+        right - left < last - first && left < last && first < right
+    }
+
     /// The ends of what is drawn.
     pub(super) fn reach(&self) -> [f64; 2] {
         self.reach
@@ -111,6 +123,11 @@ impl Surfaces {
     pub(super) fn depths(&self, window: Option<[f64; 2]>) -> Vec<f64> {
         let points = self.base.iter().chain(&self.body).filter(|point| is_in(window, point.0));
         points.map(|point| point.1).filter(|depth| depth.is_finite()).collect()
+    }
+
+    /// Whether a place, or one of its repetitions, is in a window.
+    fn is_shown(&self, window: Option<[f64; 2]>, x: f64) -> bool {
+        self.shifts.iter().any(|shift| is_in(window, x + shift))
     }
 
     fn is_within(&self, x: f64) -> bool {
@@ -138,15 +155,19 @@ impl Surfaces {
                     Vec::new()
                 }
             }
-            _ => (1..=BESIDE)
-                .map(|i| half_width * (1.0 + MARGIN * (f64::from(i) / f64::from(BESIDE)).powi(2)))
-                .collect(),
+            _ => Vec::new(),
         };
+        let is_repeated = self.shifts.len() > 1;
+        let [to_left, to_right] = [-self.reach[0] - half_width, self.reach[1] - half_width];
+        let parts = (1..=BESIDE).map(|i| (f64::from(i) / f64::from(BESIDE)).powi(2));
+        let free = parts.filter(|_| !is_repeated);
+        let free =
+            free.flat_map(|part| [-half_width - to_left * part, half_width + to_right * part]);
         // Outside of a window a rough line is enough.
-        let is_shown = |index: usize, x: f64| is_in(window, x) || index.is_multiple_of(4);
+        let is_shown = |index: usize, x: f64| self.is_shown(window, x) || index.is_multiple_of(4);
         let under = places.iter().enumerate().filter(|(index, x)| is_shown(*index, **x));
         let mut all: Vec<f64> = under.map(|(_, x)| *x).collect();
-        all.extend(beside.iter().flat_map(|x| [*x, -x]));
+        all.extend(beside.iter().flat_map(|x| [*x, -x]).chain(free));
         all.sort_by(f64::total_cmp);
         all.dedup();
         let on_base =
@@ -196,6 +217,23 @@ impl Surfaces {
 
 fn is_in(window: Option<[f64; 2]>, x: f64) -> bool {
     window.is_none_or(|[left, right]| (left..=right).contains(&x))
+}
+
+/// By how much a periodic base is repeated: to fill a window, and, where that is not far away, a period on either side of the middle.
+pub(super) fn shifts(punch: &Punch, window: Option<[f64; 2]>) -> Vec<f64> {
+    let Geometry::Periodic { period } = punch.geometry() else { return vec![0.0] };
+    let [mut first, mut last] = [-1.0f64, 1.0];
+    if let Some([left, right]) = window {
+        let middle = (left.midpoint(right) / period).round();
+        let around = (0.5 * (right - left) / period).ceil().min(MOST_AROUND) + 1.0;
+        [first, last] = [first.min(middle - around), last.max(middle + around)];
+        if last - first > 2.0 * MOST_AROUND {
+            [first, last] = [middle - around, middle + around];
+        }
+    }
+    let count = (last - first).min(4.0 * MOST_AROUND) as i32;
+    let shifts = (0..=count).map(|index| period * (first + f64::from(index)));
+    shifts.filter(|shift| shift.is_finite()).collect()
 }
 
 /// The thickness that the free layer is drawn with.

@@ -3,9 +3,10 @@
 mod filter;
 mod level;
 
-use shtaerman_input::columns::{Columns, Dialect, Row, Separator, Sheet};
+use shtaerman_input::columns::{Columns, Dialect, HeaderUnit, Row, Separator, Sheet};
 
 use crate::document::FileError;
+use crate::quantity::Dimension;
 
 /// Where a trace lies under the punch.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -64,6 +65,10 @@ pub struct Trace {
 /// Relative slack at the edges of the punch, so that a trace that ends at the edge covers it whatever its unit rounds to.
 const SLACK: f64 = 1e-9;
 
+fn columns(units: [f64; 2]) -> Columns {
+    Columns { names: ["position", "height"], dimensions: [Dimension::LENGTH; 2], units }
+}
+
 impl Trace {
     /// Reads a trace as it is written, in SI units; rows from right to left are turned round.
     ///
@@ -72,7 +77,7 @@ impl Trace {
     pub fn read(content: &[u8], name: &str, options: &TraceOptions) -> Result<Self, FileError> {
         let fault = |message: String| FileError::new(message).in_file(Some(name));
         let units = options.units.unwrap_or([1.0, 1.0]);
-        let columns = Columns { names: ["position", "height"], units };
+        let columns = columns(units);
         let Sheet { mut rows, encoding, separator, header, columns } =
             columns.sheet(content, name, &options.dialect)?;
         if rows.len() < 2 {
@@ -101,7 +106,7 @@ impl Trace {
         Ok(Self { positions, heights, encoding, separator, header, columns })
     }
 
-    /// The units of positions and heights that the header has in brackets, with their SI values.
+    /// What the header says of the units of positions and heights.
     ///
     /// # Errors
     /// As [`Columns::header_units`].
@@ -109,9 +114,8 @@ impl Trace {
         content: &[u8],
         name: &str,
         dialect: &Dialect,
-    ) -> Result<[Option<(String, f64)>; 2], FileError> {
-        let columns = Columns { names: ["position", "height"], units: [1.0, 1.0] };
-        columns.header_units(content, name, dialect)
+    ) -> Result<[HeaderUnit; 2], FileError> {
+        columns([1.0, 1.0]).header_units(content, name, dialect)
     }
 
     /// The trace reversed, flipped and shifted as the options say: `x = shift +- x`, `f = +- f`.
