@@ -40,7 +40,10 @@ impl Part {
         let smooth: Vec<f64> = modes.iter().enumerate().map(|(k, mode)| mode - own(k)).collect();
         let terms = match &slope {
             None => Some(&[][..]),
-            Some(slope) => slope.series().filter(|_| slope.is_odd()).map(|f| f.cosines()),
+            Some(slope) => slope
+                .series()
+                .filter(|_| slope.is_odd())
+                .map(fredholm::inversion::Harmonics::cosines),
         };
         let series = terms.map(|terms| {
             let mut sum = smooth.clone();
