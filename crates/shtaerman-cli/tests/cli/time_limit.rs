@@ -1,5 +1,6 @@
 //! `--time-limit` and `solver.time_limit`.
 
+use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
 
@@ -7,15 +8,23 @@ use serde_json::Value;
 
 use crate::support::{Folder, UNILATERAL, assert_valid, repository, schema};
 
-/// A rough trace of this many points, whose contact takes seconds.
+/// A trace of this many points, waves of random phase, whose contact takes seconds.
 fn trace(folder: &Folder, points: usize) {
+    const WAVES: usize = 200;
     let mut state = 20_261_123u64;
+    let phases: [f64; WAVES] = std::array::from_fn(|_| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        TAU * (state >> 33) as f64 / f64::from(u32::MAX)
+    });
     let mut text = "x,f\n".to_owned();
     for i in 0..points {
-        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        let noise = (state >> 33) as f64 / f64::from(u32::MAX);
-        let x = 0.01 * (2.0 * i as f64 / (points - 1) as f64 - 1.0);
-        let _ = writeln!(text, "{x:e},{:e}", 1e-6 * noise);
+        let t = 2.0 * i as f64 / (points - 1) as f64 - 1.0;
+        let wave = |(k, phase): (usize, &f64)| {
+            let k = (k + 1) as f64;
+            (PI * k * t + phase).cos() / k.sqrt()
+        };
+        let height: f64 = phases.iter().enumerate().map(wave).sum();
+        let _ = writeln!(text, "{:e},{:e}", 0.01 * t, 1e-6 * height);
     }
     std::fs::write(folder.path("trace.csv"), text).unwrap();
     let problem = UNILATERAL
@@ -28,7 +37,7 @@ fn trace(folder: &Folder, points: usize) {
 #[test]
 fn a_search_that_takes_longer_ends_in_time_and_writes_no_file() {
     let folder = Folder::with(UNILATERAL);
-    trace(&folder, 40_000);
+    trace(&folder, 60_000);
     for (option, format) in [("20 ms", "json"), ("0.9 s", "json"), ("0.4 s", "table")] {
         let start = Instant::now();
         let run = folder.run(&[
