@@ -67,28 +67,65 @@ pub(super) struct Header {
     pub(super) names: Vec<String>,
 }
 
-/// The header of a text after so many lines; a comment right above the rows is one if it names as many columns as they have, each with its unit.
+/// The header of a text after so many lines; a comment above the rows is one, or adds its units to a header without any, if it names as many columns as they have, each with its unit.
 pub(super) fn header(text: &str, skip: usize) -> Option<Header> {
     let mut lines = text.lines().enumerate().skip(skip).filter(|(_, line)| !line.trim().is_empty());
-    let mut comment = None;
-    let (line, first) = loop {
-        let (index, line) = lines.next()?;
-        match line.trim_start().strip_prefix('#') {
-            Some(said) => comment = Some((index, said.trim_start_matches('#'))),
-            None => break (index, line),
+    // The next line that is no comment, and the comment right above it.
+    let mut next = || {
+        let mut comment = None;
+        loop {
+            let (index, line) = lines.next()?;
+            match line.trim_start().strip_prefix('#') {
+                Some(said) => comment = Some((index, said.trim_start_matches('#'))),
+                None => return Some((index, line, comment)),
+            }
         }
     };
-    let row = lines.find(|(_, line)| !line.trim_start().starts_with('#')).map(|(_, line)| line);
-    if let Some(names) = names(first, row) {
-        return Some(Header { line, names });
+    let (line, first, above) = next()?;
+    let (row, between) = next().map_or((None, None), |(_, row, comment)| (Some(row), comment));
+    let named = names(first, row);
+    let (row, comments) =
+        if named.is_some() { (row, [between, above]) } else { (Some(first), [above, None]) };
+    let said = row.and_then(|row| comments.into_iter().flatten().find_map(|said| units(said, row)));
+    match (named, said) {
+        (None, said) => said,
+        (Some(names), None) => Some(Header { line, names }),
+        (Some(names), Some(said)) => {
+            let is_silent = |name: &String| split(name, None).1 == HeaderUnit::Silent;
+            let are_silent = names.iter().all(is_silent) && names.len() == said.names.len();
+            let added = |(name, said): (String, &String)| match unit(said) {
+                Some(written) => format!("{name} [{written}]"),
+                None => name,
+            };
+            let names = match are_silent {
+                true => names.into_iter().zip(&said.names).map(added).collect(),
+                false => names,
+            };
+            Some(Header { line, names })
+        }
     }
-    let (line, said) = comment?;
-    let names = names(said, Some(first))?;
-    let has_unit = |name: &String| matches!(split(name, None).1, HeaderUnit::Known { .. });
-    let is_header = names.len() == Separator::of(first).fields(first).len()
+}
+
+/// A comment above a row, if it names as many columns with the unit of each, or units alone.
+fn units((line, said): (usize, &str), row: &str) -> Option<Header> {
+    let names = names(said, Some(row))?;
+    let has_unit = |name: &String| unit(name).is_some();
+    let is_header = names.len() == Separator::of(row).fields(row).len()
         && names.iter().any(has_unit)
         && names.iter().all(|name| has_unit(name) || name.contains(['[', '(']));
-    is_header.then_some(Header { line, names })
+    let names = names.into_iter().map(|name| match unit(&name) {
+        Some(written) if written == name => format!("[{written}]"),
+        _ => name,
+    });
+    is_header.then(|| Header { line, names: names.collect() })
+}
+
+/// The unit of a name, or that it is, as it is written.
+fn unit(name: &str) -> Option<String> {
+    match known(name.trim()).unwrap_or_else(|| split(name, None).1) {
+        HeaderUnit::Known { written, .. } => Some(written),
+        _ => None,
+    }
 }
 
 /// The names in a line above a row; none where there is a number among them. Of the ways to read it the first counts that finds as many as the row has fields.
@@ -374,6 +411,21 @@ mod tests {
     fn a_comment_with_units_above_the_rows_is_a_header() {
         let found = header("# made on Monday\n# x [mm] f [um]\n1 2\n", 0).unwrap();
         assert_eq!((found.line, found.names), (1, vec!["x [mm]".to_owned(), "f [um]".to_owned()]));
+        // Units above or below names that have none belong to these.
+        for (text, line) in [
+            ("x,z\n# x [mm], z [um]\n1,2\n", 0),
+            ("x,z\n# mm, um\n1,2\n", 0),
+            ("# x [mm], z [um]\nx,z\n1,2\n", 1),
+        ] {
+            let found = header(text, 0).unwrap();
+            assert_eq!(
+                (found.line, found.names),
+                (line, vec!["x [mm]".to_owned(), "z [um]".to_owned()]),
+                "{text}"
+            );
+        }
+        assert_eq!(header("# mm, um\n1,2\n", 0).unwrap().names, ["[mm]", "[um]"]);
+        assert_eq!(header("x [m],z [m]\n# mm, um\n1,2\n", 0).unwrap().names, ["x [m]", "z [m]"]);
         for text in ["# x f\n1 2\n", "# of 3 [mm]\n1 2\n", "1 2\n", "# x [mm]\n", ""] {
             assert_eq!(header(text, 0), None, "{text}");
         }

@@ -19,7 +19,7 @@ mod fields;
 mod header;
 
 use crate::document::FileError;
-use crate::quantity::Dimension;
+use crate::quantity::{self, Dimension};
 use crate::{nearest, shortened};
 use header::{header, split};
 
@@ -213,8 +213,9 @@ impl Columns {
                 ));
             }
             if (size - unit).abs() > SAME * unit.abs() {
+                let read = in_words(unit, expected);
                 return Err(format!(
-                    "the header has the {name} in {written}, which is {size} in SI, and it is read in a unit that is {unit}: state the unit of the column, or correct the header"
+                    "the header has the {name} in {written}, and it is read in {read}: state the unit of the column, or correct the header"
                 ));
             }
         }
@@ -284,6 +285,22 @@ fn named(header: &[String], name: &str) -> Result<usize, String> {
     Err(format!("has no column `{name}`, but {}{meant}", shown.join(", ")))
 }
 
+/// Units of instruments, by which those of columns are told.
+const USUAL: [&str; 12] =
+    ["m", "mm", "um", "nm", "cm", "in", "mil", "Pa", "kPa", "MPa", "GPa", "psi"];
+
+/// A unit of this SI value by its symbol, or by that value where it has none.
+fn in_words(unit: f64, dimension: Dimension) -> String {
+    let is_meant = |symbol: &&&str| {
+        let one = quantity::parse(&format!("1 {symbol}"));
+        one.is_ok_and(|one| {
+            one.dimension == dimension && (one.value - unit).abs() <= SAME * unit.abs()
+        })
+    };
+    let found = USUAL.iter().find(is_meant);
+    found.map_or_else(|| format!("a unit that is {unit} in SI"), |symbol| (*symbol).to_owned())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -311,7 +328,7 @@ mod tests {
             assert_eq!(columns.read(text.as_bytes(), "a.csv").unwrap().len(), 1, "{header}");
         }
         let error = columns.read(b"# trace\nx [mm],f [mm]\n1,2\n", "a.csv").unwrap_err();
-        let said = "a.csv: line 2: the header has the height in mm, which is 0.001 in SI, and it is read in a unit that is 0.000001: state the unit of the column, or correct the header";
+        let said = "a.csv: line 2: the header has the height in mm, and it is read in um: state the unit of the column, or correct the header";
         assert_eq!(error.to_string(), said);
     }
 

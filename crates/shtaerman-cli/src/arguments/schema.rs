@@ -22,6 +22,8 @@ pub enum SchemaName {
     Problem,
     /// Equation files.
     EquationFile,
+    /// Study files.
+    Study,
     /// JSON of `solve`.
     Answer,
     /// JSON of `find`.

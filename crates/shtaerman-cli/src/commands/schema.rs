@@ -20,6 +20,7 @@ pub(super) fn text(name: SchemaName) -> &'static str {
     match name {
         SchemaName::Problem => schema!("problem"),
         SchemaName::EquationFile => schema!("equation_file"),
+        SchemaName::Study => schema!("study"),
         SchemaName::Answer => schema!("answer"),
         SchemaName::Find => schema!("find"),
         SchemaName::Stress => schema!("stress"),

@@ -180,6 +180,19 @@ fn a_softening_table_has_a_linear_law_and_says_why() {
 }
 
 #[test]
+fn more_than_the_whole_bearing_curve_is_doubted() {
+    let folder = Folder::new();
+    let curve = ["roughness", "bearing", "--b=2", "--nu=2", "--height=10 um", "--hardness=2 GPa"];
+    let run = folder.run(&[&curve[..], &["--pressure=5 GPa"]].concat());
+    assert_eq!(run.code, Some(0), "{run:?}");
+    assert!(run.stderr.contains("2.50 times the bearing curve"), "{run:?}");
+    let strict = folder.run(&[&curve[..], &["--pressure=5 GPa", "--strict"]].concat());
+    assert_eq!(strict.code, Some(2), "{strict:?}");
+    let half = folder.run(&[&curve[..], &["--pressure=1 GPa", "--strict"]].concat());
+    assert_eq!(half.code, Some(0), "{half:?}");
+}
+
+#[test]
 fn refusals() {
     let folder = Folder::new();
     folder.write("t.csv", "0,1\n1,1\n");

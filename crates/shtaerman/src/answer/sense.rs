@@ -2,7 +2,7 @@
 
 use crate::contact::{Warning, WarningCode};
 use crate::quantity::{Measure, OutputUnits};
-use crate::{Contact, Foundation, LayerBase, Layering, Problem};
+use crate::{Contact, Foundation, LayerBase, Layering, Load, Problem, Rotational, Vertical};
 
 /// Slopes and angles above this are not small: `tan x` and `x` differ by 0.3 %.
 const SMALL_SLOPE: f64 = 0.1;
@@ -10,6 +10,8 @@ const SMALL_SLOPE: f64 = 0.1;
 const ELASTIC_SHARE: f64 = 0.1;
 /// Half-widths above this (m) are rare, and those in millimetres that were read as metres.
 const WIDE: f64 = 1.0;
+/// Angles from here on (rad) are told by their power of ten.
+const LARGE_ANGLE: f64 = 1e3;
 /// Places in each zone of contact between which slopes are taken.
 const PLACES: usize = 400;
 
@@ -39,6 +41,7 @@ impl Contact {
         let modulus = resisting_modulus(self.problem().foundation(), scaling.contact_modulus());
         let length = |value| units.shown(value, Measure::Length);
         let stress = |value| units.shown(value, Measure::Pressure);
+        let slips = Slips::of(self.problem().load());
         let mut found = Vec::new();
         found.extend(wide_base(self.problem(), units));
         let mut doubt = |is_doubtful: bool, code, message: String| {
@@ -60,8 +63,9 @@ impl Contact {
             self.tilt().abs() > SMALL_SLOPE,
             WarningCode::LargeTilt,
             format!(
-                "the tilt is {:.3} rad, and small angles are assumed: is the moment in N m per m?",
-                self.tilt()
+                "the tilt is {} rad, and small angles are assumed: {}",
+                angle(self.tilt()),
+                slips.tilt
             ),
         );
         let (name, pressure) = self.telling_pressure();
@@ -69,9 +73,10 @@ impl Contact {
             pressure > ELASTIC_SHARE * modulus,
             WarningCode::HighPressure,
             format!(
-                "the {name} pressure, {}, is above a tenth of the modulus that resists it, {}: no solid bears that elastically; is the load per metre of length, and the modulus in GPa?",
+                "the {name} pressure, {}, is above a tenth of the modulus that resists it, {}: no solid bears that elastically; {}",
                 stress(pressure),
-                stress(modulus)
+                stress(modulus),
+                slips.pressure
             ),
         );
         let settlement = self.settlement();
@@ -79,9 +84,10 @@ impl Contact {
             settlement.abs() > half_width,
             WarningCode::LargeDisplacement,
             format!(
-                "the settlement, {}, is more than the half-width, {}, and small displacements are assumed",
+                "the settlement, {}, is more than the half-width, {}, and small displacements are assumed: {}",
                 units.shown(settlement, Measure::Displacement),
-                length(half_width)
+                length(half_width),
+                slips.settlement
             ),
         );
         found
@@ -94,6 +100,40 @@ impl Contact {
         let peak = self.peak_pressure();
         if peak.is_finite() { ("largest", peak) } else { ("mean", self.mean_contact_pressure()) }
     }
+}
+
+/// The likely slips behind what is doubted, by what the load prescribes.
+struct Slips {
+    tilt: &'static str,
+    pressure: &'static str,
+    settlement: &'static str,
+}
+
+impl Slips {
+    fn of(load: &Load) -> Self {
+        let is_by_settlement = matches!(load.vertical(), Vertical::Settlement(_));
+        Self {
+            tilt: match load.rotational() {
+                Rotational::Tilt(_) => "is the tilt in rad, or were mrad or degrees meant?",
+                Rotational::Moment(_) | Rotational::Eccentricity(_) => {
+                    "is the moment in N m per m, and the roughness in m/Pa?"
+                }
+            },
+            pressure: match is_by_settlement {
+                true => "is the settlement in m, and the modulus in GPa?",
+                false => "is the load per metre of length, and the modulus in GPa?",
+            },
+            settlement: match is_by_settlement {
+                true => "were mm or um meant?",
+                false => "is the modulus in Pa, and the roughness in m/Pa?",
+            },
+        }
+    }
+}
+
+/// An angle to three decimals, large ones by their power of ten.
+fn angle(value: f64) -> String {
+    if value.abs() < LARGE_ANGLE { format!("{value:.3}") } else { format!("{value:.1e}") }
 }
 
 /// That the base is wider than machines have, with its half-width in these units.

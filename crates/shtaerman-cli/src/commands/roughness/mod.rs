@@ -219,7 +219,11 @@ fn bearing(source: &BearingArguments) -> Result<Findings, Failure> {
             ..State::new(pressure, compliance)
         });
         findings.linear = Some(LawReport::exact(Roughness::Linear { compliance }));
-        if share > SHARES[1] {
+        if share > 1.0 {
+            findings.warnings.push(format!(
+                "the approach reaches {share:.2} times the bearing curve, which is more than the whole surface: are the pressure and the hardness in Pa, and the height in m?"
+            ));
+        } else if share > SHARES[1] {
             findings.note(format!(
                 "the approach reaches the share {share:.2} of the bearing curve: beyond about one half a power does not describe it"
             ));
