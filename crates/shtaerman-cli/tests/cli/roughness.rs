@@ -185,7 +185,7 @@ fn more_than_the_whole_bearing_curve_is_doubted() {
     let curve = ["roughness", "bearing", "--b=2", "--nu=2", "--height=10 um", "--hardness=2 GPa"];
     let run = folder.run(&[&curve[..], &["--pressure=5 GPa"]].concat());
     assert_eq!(run.code, Some(0), "{run:?}");
-    assert!(run.stderr.contains("2.50 times the bearing curve"), "{run:?}");
+    assert!(run.stdout.contains("2.50 times the bearing curve"), "{run:?}");
     let strict = folder.run(&[&curve[..], &["--pressure=5 GPa", "--strict"]].concat());
     assert_eq!(strict.code, Some(2), "{strict:?}");
     let half = folder.run(&[&curve[..], &["--pressure=1 GPa", "--strict"]].concat());

@@ -1,5 +1,6 @@
 //! Nothing that is asked hangs the page.
 
+use std::f64::consts::{PI, TAU};
 use std::fmt::Write as _;
 use std::io::{BufReader, Write};
 use std::process::Command;
@@ -81,16 +82,24 @@ fn what_is_no_question_is_told_so() {
     assert!(solve(&page)["answer"].is_object());
 }
 
-/// A rough trace of many points, whose contact takes minutes.
+/// A trace of many points, waves of random phase, whose contact takes many seconds.
 fn endless() -> Value {
+    const WAVES: usize = 200;
     let mut state = 20_261_123u64;
-    let mut text = "x,f\n".to_owned();
-    let points = 40_000;
-    for i in 0..points {
+    let phases: [f64; WAVES] = std::array::from_fn(|_| {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
-        let noise = (state >> 33) as f64 / f64::from(u32::MAX);
-        let x = 0.01 * (2.0 * f64::from(i) / f64::from(points - 1) - 1.0);
-        let _ = writeln!(text, "{x:e},{:e}", 1e-6 * noise);
+        TAU * (state >> 33) as f64 / f64::from(u32::MAX)
+    });
+    let mut text = "x,f\n".to_owned();
+    let points = 100_000;
+    for i in 0..points {
+        let t = 2.0 * f64::from(i) / f64::from(points - 1) - 1.0;
+        let wave = |(k, phase): (usize, &f64)| {
+            let k = (k + 1) as f64;
+            (PI * k * t + phase).cos() / k.sqrt()
+        };
+        let height: f64 = phases.iter().enumerate().map(wave).sum();
+        let _ = writeln!(text, "{:e},{:e}", 0.01 * t, 1e-6 * height);
     }
     let toml =
         PUNCH.replace("\"5 mm\"", "0.01").replace("\"x^2 / (2*20)\"", "{ csv = \"trace.csv\" }");
