@@ -168,7 +168,12 @@ impl Study {
     /// # Errors
     /// As [`AnyFile::from_document`].
     pub fn first(&self, overrides: &[String]) -> Result<AnyFile, Error> {
-        let mut document = self.document(&self.inputs(0))?;
+        self.case_file(0, overrides)
+    }
+
+    /// The problem of a case, with such overrides.
+    pub(crate) fn case_file(&self, case: usize, overrides: &[String]) -> Result<AnyFile, Error> {
+        let mut document = self.document(&self.inputs(case))?;
         for (key, value) in overrides.iter().filter_map(|text| text.split_once('=')) {
             document.set(key, value)?;
         }

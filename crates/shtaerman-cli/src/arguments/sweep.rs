@@ -6,7 +6,7 @@ use clap::{Args, ValueEnum};
 
 use super::common::ReportArguments;
 use super::picture::PictureArguments;
-use super::units::UnitArguments;
+use super::units::{SenseArguments, UnitArguments};
 
 /// The format of the parts of a study.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -59,6 +59,9 @@ pub struct SweepArguments {
     #[command(flatten)]
     /// The units of the result.
     pub units: UnitArguments,
+    #[command(flatten)]
+    /// What becomes of doubts about the cases with the least and the largest outputs.
+    pub sense: SenseArguments,
     #[command(flatten)]
     /// How the picture looks.
     pub picture: PictureArguments,

@@ -20,6 +20,7 @@ mod sheet;
 mod solve;
 mod spectrum;
 mod stress;
+mod study_sense;
 mod sweep;
 mod trace;
 mod validate;

@@ -12,9 +12,10 @@ use shtaerman_study::{Part, Row, Study, Summary};
 use super::picture::{Picture, Titled};
 use super::problem_file;
 use super::sheet::{self, ReportFile};
+use super::study_sense;
 use crate::Failure;
 use crate::arguments::SweepArguments;
-use crate::failure::{self, shown};
+use crate::failure;
 use crate::output::{Content, Input, Outputs, check_writable};
 use crate::plot::Size;
 use crate::report::{self, Sheet, StudyUnits, Told};
@@ -37,13 +38,14 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     let report_file = ReportFile::of(&arguments.report)?;
     let report_path = report_file.as_ref().map(|report| report.path);
     check_writable(&[arguments.plot.as_deref(), report_path], &[input])?;
-    let units: Vec<String> = problem_file::units_override(&arguments.units)?.into_iter().collect();
-    let units = StudyUnits::new(&study, &units).map_err(|error| {
+    let shown: Vec<String> = problem_file::units_override(&arguments.units)?.into_iter().collect();
+    let units = StudyUnits::new(&study, &shown).map_err(|error| {
         problem_file::of_units(&arguments.units, error).unwrap_or_else(Failure::from)
     })?;
+    study_sense::check_input(&study, &shown, arguments.sense)?;
     check_size(&study, arguments.yes || arguments.summary)?;
     let name = arguments.file.file_name().unwrap_or(arguments.file.as_os_str());
-    let name = shown(Path::new(name));
+    let name = failure::shown(Path::new(name));
     let results =
         Results::open(study, &name, &arguments.output, arguments.format, arguments.summary)?;
     let study = results.study();
@@ -59,6 +61,10 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     if !arguments.summary {
         run.audit_sample(shard);
         results.sweep_out();
+        if !study.is_dimensionless() {
+            let found = study_sense::doubts(study, &run.summary, &shown, arguments.sense)?;
+            run.sense = Some(found);
+        }
     }
     let mut outputs = Outputs::default();
     let table = report::sweep_table(study, &units, results.manifest(), &run.report(chosen().len()));
@@ -112,7 +118,9 @@ fn sheet(
     if let Ok(file) = ProblemFile::from_document(run.study.problem().clone(), folder) {
         sheet.problem(file.problem());
     }
-    sheet.unchecked("a study is not checked case by case; `shtaerman solve` checks each of them.");
+    if arguments.summary {
+        sheet.unchecked("the run itself, without --summary, looks at the cases with the least and the largest of each output.");
+    }
     // Where nothing can be drawn, the table stands alone.
     let stem = problem_file::stem(&arguments.file);
     let drawn = report::response(&stem, run.study, units, &run.curves, Some(&run.summary));
@@ -202,6 +210,8 @@ struct Run<'s> {
     /// For plots: the number of the case and its outputs.
     curves: Vec<Row>,
     audited: Vec<(Row, Row)>,
+    /// How many cases with extremes were looked at, and the doubts about them.
+    sense: Option<(usize, Vec<String>)>,
     progress: Progress,
 }
 
@@ -216,6 +226,7 @@ impl<'s> Run<'s> {
             parts: [0; 3],
             curves: Vec::new(),
             audited: Vec::new(),
+            sense: None,
             progress: Progress::new(),
         }
     }
@@ -247,7 +258,7 @@ impl<'s> Run<'s> {
         match self.results.known(part)? {
             Some(Err(fault)) => {
                 let path = self.results.path(part);
-                let name = shown(Path::new(path.file_name().unwrap_or(path.as_os_str())));
+                let name = failure::shown(Path::new(path.file_name().unwrap_or(path.as_os_str())));
                 failure::warn(&format!("{name}: {}: it is computed again", fault.0));
                 Ok(None)
             }
@@ -280,6 +291,7 @@ impl<'s> Run<'s> {
             computed,
             missing,
             audited: &self.audited,
+            sense: self.sense.as_ref(),
         }
     }
 

@@ -3,10 +3,11 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use shtaerman_study::{Row, Study};
+use shtaerman_study::{Row, Study, Summary};
 
 use super::picture::{Picture, Titled};
 use super::problem_file;
+use super::study_sense;
 use crate::Failure;
 use crate::arguments::{ReportFormat, SolveArguments};
 use crate::failure;
@@ -24,11 +25,8 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
     let outputs = [arguments.output.output.as_deref(), arguments.plot.as_deref()];
     let path = &arguments.problem.file;
     check_writable(&outputs, &[Input { what: "the problem file", path }])?;
-    if arguments.sense.strict {
-        let words = "--strict: not with --vary, whose cases are not looked at one by one; `shtaerman solve --set KEY=VALUE --strict` looks at one";
-        return Err(Failure::Usage(words.to_owned()));
-    }
     let study = study(arguments)?;
+    study_sense::check_input(&study, &[], arguments.sense)?;
     for path in study.measured_profiles()? {
         check_writable(&outputs, &[Input { what: "the measured profile", path: &path }])?;
     }
@@ -52,6 +50,9 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         }
         failure::warn(&message);
     }
+    let mut summary = Summary::new(&study);
+    rows.iter().for_each(|row| summary.add(row));
+    let (_, doubts) = study_sense::doubts(&study, &summary, &[], arguments.sense)?;
     let units = StudyUnits::new(&study, &[])?;
     let mut outputs = Outputs::default();
     let content = match arguments.output.format {
@@ -66,7 +67,9 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
             report::response(&name, &study, &units, &rows, None).map_err(Failure::Usage)?;
         picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
-    outputs.write()
+    outputs.write()?;
+    doubts.iter().for_each(|doubt| failure::warn(doubt));
+    Ok(())
 }
 
 /// The problem with a table `[study]` behind it.

@@ -28,6 +28,8 @@ pub(crate) struct SweepReport<'r> {
     pub(crate) missing: usize,
     /// Cases of the sample, without and with their audits.
     pub(crate) audited: &'r [(Row, Row)],
+    /// How many cases with extremes were looked at, and the doubts about them.
+    pub(crate) sense: Option<&'r (usize, Vec<String>)>,
 }
 
 /// Keeps rows for a plot.
@@ -106,6 +108,20 @@ pub(crate) fn sweep_table(
     }
     text.push_str(&indices(study, summary));
     text.push_str(&audits(study, units, report.audited));
+    if let Some((looked_at, doubts)) = report.sense {
+        let found = match doubts.len() {
+            0 => "nothing that an engineer would doubt".to_owned(),
+            1 => "1 doubt".to_owned(),
+            count => format!("{count} doubts"),
+        };
+        let _ = writeln!(
+            text,
+            "sense checks of the {looked_at} cases with the least and the largest outputs: {found}"
+        );
+        for doubt in doubts {
+            let _ = writeln!(text, "warning: {doubt}");
+        }
+    }
     text
 }
 

@@ -191,8 +191,6 @@ fn doubts_end_every_command_that_solves_when_asked() {
         assert_eq!(run.stdout, "", "{command:?}");
         folder.run(&[command, &["--strict"]].concat()).answer();
     }
-    let vary = ["solve", "punch.toml", "--vary", "load.force=0.1,0.8 MN/m", "--strict"];
-    assert!(folder.run(&vary).refusal().starts_with("error: --strict: not with --vary"));
     let gw = [
         "roughness",
         "gw",

@@ -326,3 +326,39 @@ fn slips_of_a_rough_surface_are_doubted() {
     assert_eq!(table.matches("meant?").count(), 2, "{table}");
     assert_eq!(folder.run(&[&bearing[..], &["--strict"]].concat()).code, Some(2));
 }
+
+/// A slip shows in the cases with the extremes, with the number of the case; a study without one is not doubted.
+#[test]
+fn cases_of_a_study_are_doubted_by_their_number() {
+    let folder = Folder::new();
+    let vary = |to: &str| {
+        format!(
+            "{STEEL}\n[study]\nvary.\"load.force\" = {{ from = \"0.4 MN/m\", to = \"{to}\", count = 5, scale = \"log\" }}\noutputs = [\"settlement\", \"peak_pressure\"]\n"
+        )
+    };
+    folder.write("plain.toml", vary("0.8 MN/m"));
+    folder.write("slip.toml", vary("800 MN/m"));
+    let plain = folder.run(&["sweep", "plain.toml", "-o", "plain", "--strict"]).answer();
+    assert!(plain.contains("nothing that an engineer would doubt"), "{plain}");
+    let doubted = folder.run(&["sweep", "slip.toml", "-o", "slip"]).answer();
+    assert!(doubted.contains("\nwarning: case 4: the largest pressure, "), "{doubted}");
+    // Least force, least answers: nothing to doubt there.
+    assert!(doubted.contains("of the 2 cases with the least and the largest"), "{doubted}");
+    let strict = folder.run(&["sweep", "slip.toml", "-o", "slip", "--strict"]);
+    assert_eq!(strict.code, Some(2), "{strict:?}");
+    assert!(strict.stderr.starts_with("error: --strict: case 4: "), "{strict:?}");
+    // What the file alone shows is refused before anything is solved.
+    let soft = ["--set", "foundation.young_modulus=200", "--strict"];
+    let soft = folder.run(&[&["sweep", "plain.toml", "-o", "soft"][..], &soft].concat());
+    assert!(soft.refusal().contains("is \"200 GPa\" meant?"), "{soft:?}");
+    assert!(!folder.path("soft").exists());
+
+    folder.write("steel.toml", STEEL);
+    let few = ["solve", "steel.toml", "--no-audit", "--vary"];
+    folder.run(&[&few[..], &["load.force=0.4,0.8 MN/m", "--strict"]].concat()).answer();
+    let slip = folder.run(&[&few[..], &["load.force=0.4,800 MN/m"]].concat());
+    assert_eq!(slip.code, Some(0), "{slip:?}");
+    assert!(slip.stderr.contains("warning: case 1: the largest pressure, "), "{slip:?}");
+    let strict = folder.run(&[&few[..], &["load.force=0.4,800 MN/m", "--strict"]].concat());
+    assert!(strict.refusal().starts_with("error: --strict: case 1: "), "{strict:?}");
+}

@@ -275,8 +275,9 @@ fn the_studies_of_the_examples_run() {
     for (name, cases) in [("force_and_roughness", 36), ("tolerances", 64)] {
         let study = repository().join(format!("examples/studies/{name}.toml"));
         let plot = format!("{name}.svg");
-        let text =
-            folder.run(&["sweep", study.to_str().unwrap(), "-o", name, "--plot", &plot]).answer();
+        let text = folder
+            .run(&["sweep", study.to_str().unwrap(), "-o", name, "--plot", &plot, "--strict"])
+            .answer();
         assert!(text.contains(&format!("{cases} cases answered, 0 refused")), "{text}");
         let drawn = std::fs::read_to_string(folder.path(&plot)).unwrap();
         roxmltree::Document::parse(&drawn).unwrap();

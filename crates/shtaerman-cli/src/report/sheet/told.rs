@@ -19,8 +19,16 @@ pub(super) struct Told {
 }
 
 /// How lines begin that are about how sure the answer is.
-const SURE: [&str; 7] =
-    ["method", "error", "audit", "complementarity", "cross-check", "no audit", "errors"];
+const SURE: [&str; 8] = [
+    "method",
+    "error",
+    "audit",
+    "complementarity",
+    "cross-check",
+    "no audit",
+    "errors",
+    "sense checks",
+];
 
 /// Sorts what a command told.
 pub(super) fn sorted(told: &super::super::Told) -> Told {

@@ -1,0 +1,42 @@
+//! Sense checks of a study: of its file before anything is solved, and of the cases with its extremes.
+
+use shtaerman::file::AnyFile;
+use shtaerman_study::{Study, Summary};
+
+use super::problem_file::refuse;
+use crate::Failure;
+use crate::arguments::SenseArguments;
+
+/// Ends with `--strict` where the file alone, with the first value of all that varies, is doubtful: before anything is solved.
+pub(super) fn check_input(
+    study: &Study,
+    overrides: &[String],
+    sense: SenseArguments,
+) -> Result<(), Failure> {
+    match study.first(overrides)? {
+        AnyFile::Problem(file) => refuse(&sense, file.input_checks()).map(|_| ()),
+        AnyFile::Equation(_) => Ok(()),
+    }
+}
+
+/// How many cases with extremes were looked at, and the doubts about them, a line each, which `--strict` refuses.
+pub(super) fn doubts(
+    study: &Study,
+    summary: &Summary,
+    overrides: &[String],
+    sense: SenseArguments,
+) -> Result<(usize, Vec<String>), Failure> {
+    let (looked_at, doubts) = study.sense_checks(summary, overrides);
+    let line = |doubt: &shtaerman_study::Doubt| {
+        let more = match doubt.count - 1 {
+            0 => String::new(),
+            more => format!(" ({more} more of the {looked_at} cases with extremes)"),
+        };
+        format!("case {}: {}{more}", doubt.case, doubt.warning.message)
+    };
+    let lines: Vec<String> = doubts.iter().map(line).collect();
+    if sense.strict && !lines.is_empty() {
+        return Err(Failure::Usage(format!("--strict: {}", lines.join("; "))));
+    }
+    Ok((looked_at, lines))
+}
