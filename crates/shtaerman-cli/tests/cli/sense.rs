@@ -339,11 +339,13 @@ fn cases_of_a_study_are_doubted_by_their_number() {
     folder.write("plain.toml", vary("0.8 MN/m"));
     folder.write("slip.toml", vary("800 MN/m"));
     let plain = folder.run(&["sweep", "plain.toml", "-o", "plain", "--strict"]).answer();
-    assert!(plain.contains("nothing that an engineer would doubt"), "{plain}");
+    // As the lines are broken.
+    let words = |text: &str| text.split_whitespace().collect::<Vec<&str>>().join(" ");
+    assert!(words(&plain).contains("nothing that an engineer would doubt"), "{plain}");
     let doubted = folder.run(&["sweep", "slip.toml", "-o", "slip"]).answer();
     assert!(doubted.contains("\nwarning: case 4: the largest pressure, "), "{doubted}");
     // Least force, least answers: nothing to doubt there.
-    assert!(doubted.contains("of the 2 cases with the least and the largest"), "{doubted}");
+    assert!(words(&doubted).contains("of the 2 cases with the least and the largest"), "{doubted}");
     let strict = folder.run(&["sweep", "slip.toml", "-o", "slip", "--strict"]);
     assert_eq!(strict.code, Some(2), "{strict:?}");
     assert!(strict.stderr.starts_with("error: --strict: case 4: "), "{strict:?}");
