@@ -55,6 +55,16 @@ fn bases() {
 
 #[test]
 fn extreme_numbers_have_answers_or_errors() {
+    answers_or_errors(&[1e-30, 1.0, 1e30, 1e290]);
+}
+
+/// Contacts of which hundreds of steps come to the radius.
+#[test]
+fn next_to_no_force_has_answers_or_errors() {
+    answers_or_errors(&[1e-300]);
+}
+
+fn answers_or_errors(forces: &[f64]) {
     for profile in [
         "x^2",
         "abs(x)",
@@ -64,7 +74,7 @@ fn extreme_numbers_have_answers_or_errors() {
         "sqrt(x^2)",
         "0.005 - sqrt(0.005^2 - x^2)",
     ] {
-        for force in [1e-300, 1e-30, 1.0, 1e30, 1e290] {
+        for &force in forces {
             match attempt(profile, pressed(force)) {
                 Ok(contact) => {
                     assert!(contact.settlement().is_finite() && contact.settlement() > 0.0);
