@@ -22,7 +22,7 @@ TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
 if not TARGET.is_absolute():
     TARGET = ROOT / TARGET
 FOLDER = TARGET / "browser-tests"
-NEEDED = ["axe-playwright-python>=0.1.4", "playwright>=1.45", "pytest>=7.4"]
+NEEDED = ["axe-playwright-python>=0.1.4", "playwright>=1.45", "pytest>=7.4", "pytest-xdist>=3.3"]
 NAMES = ["chromium", "chromium-browser", "google-chrome-stable", "google-chrome"]
 PATIENCE = 300
 
@@ -87,9 +87,19 @@ def main(arguments: list[str]) -> int:
         program = str(TARGET / "debug" / ("shtaerman.exe" if os.name == "nt" else "shtaerman"))
     python = environment()
     variables = {"SHTAERMAN": program, "SHTAERMAN_CHROMIUM": browser, "SCREENSHOTS": str(FOLDER / "screenshots"), "PYTHONDONTWRITEBYTECODE": "1"}
-    command = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir", HERE, *arguments, *([] if any(map(is_place, arguments)) else [HERE])]
-    print("$", *map(str, command), flush=True)
-    return subprocess.run(list(map(str, command)), cwd=ROOT, env={**os.environ, **variables}, check=False).returncode
+    pytest = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir", HERE]
+    if arguments:
+        return run([*pytest, *arguments, *([] if any(map(is_place, arguments)) else [HERE])], variables)
+    # Two browsers at once, but for what measures how long an answer takes.
+    timed = HERE / "test_redraw.py"
+    together = run([*pytest, "-n", "2", "--dist", "loadfile", "--ignore", timed, HERE], variables)
+    return together or run([*pytest, timed], variables)
+
+
+def run(command: list[object], variables: dict[str, str]) -> int:
+    words = list(map(str, command))
+    print("$", *words, flush=True)
+    return subprocess.run(words, cwd=ROOT, env={**os.environ, **variables}, check=False).returncode
 
 
 if __name__ == "__main__":
