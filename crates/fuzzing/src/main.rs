@@ -1,6 +1,6 @@
 //! `cargo run --release -p fuzzing -- WHAT SEED COUNT [FIRST]`: puts random input through, and tells what failed.
 //!
-//! `... -- page SHARE "made on .."`: puts a share of everything through, and writes the page of the book to standard output.
+//! `... -- page READ SOLVED PROGRAM "made on .."`: puts shares of what is read, of what is solved and of what needs the whole program through, and writes the page of the book to standard output.
 
 use std::process::ExitCode;
 
@@ -15,8 +15,10 @@ fn main() -> ExitCode {
     }
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [what, numbers @ ..] = arguments.as_slice() else { return usage() };
-    if let ("page", [share, made]) = (what.as_str(), numbers) {
-        return share.parse().map_or_else(|_| usage(), |share| write_page(share, made));
+    if let ("page", [shares @ .., made]) = (what.as_str(), numbers) {
+        let shares: Option<Vec<f64>> = shares.iter().map(|share| share.parse().ok()).collect();
+        let shares = shares.and_then(|shares| <[f64; 3]>::try_from(shares).ok());
+        return shares.map_or_else(usage, |shares| write_page(shares, made));
     }
     let numbers: Option<Vec<u64>> = numbers.iter().map(|text| text.parse().ok()).collect();
     let (Some(target), Some(numbers)) = (Target::named(what), numbers) else { return usage() };
@@ -55,9 +57,9 @@ fn tell_panics_with_their_cases() {
     std::panic::set_hook(Box::new(|_| ()));
 }
 
-fn write_page(share: f64, made: &str) -> ExitCode {
+fn write_page(shares: [f64; 3], made: &str) -> ExitCode {
     tell_panics_with_their_cases();
-    let (page, faults) = page(share, made);
+    let (page, faults) = page(shares, made);
     print!("{page}");
     for fault in &faults {
         eprintln!("{fault}");
@@ -68,7 +70,7 @@ fn write_page(share: f64, made: &str) -> ExitCode {
 fn usage() -> ExitCode {
     let names: Vec<&str> = Target::ALL.iter().map(|target| target.name()).collect();
     eprintln!(
-        "usage: fuzzing {} SEED COUNT [FIRST]\n       fuzzing page SHARE MADE",
+        "usage: fuzzing {} SEED COUNT [FIRST]\n       fuzzing page READ SOLVED PROGRAM MADE",
         names.join("|")
     );
     ExitCode::from(2)
