@@ -40,6 +40,7 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), Failure> {
     let after = levelled.clone().filtered(&options, &name)?;
     let report = TraceReport {
         name: &name,
+        stem: problem_file::stem(&arguments.file),
         before: &before,
         levelled: &levelled,
         after: &after,

@@ -54,6 +54,8 @@ pub enum WarningCode {
     WideBase,
     /// The header of a trace has something in place of a unit that is none, and no unit is stated.
     UnknownUnit,
+    /// The yield stress of a file is reached by no load.
+    NoYield,
 }
 
 /// A warning with its text.

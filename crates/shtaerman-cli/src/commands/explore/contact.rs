@@ -30,7 +30,10 @@ pub(super) struct Solution {
 impl Solution {
     /// Solves as `solve` does.
     pub(super) fn new(asked: &Asked, is_audited: bool) -> Result<Self, Failure> {
-        let file = asked.problem()?;
+        Self::of(asked.problem()?, is_audited)
+    }
+
+    fn of(file: ProblemFile, is_audited: bool) -> Result<Self, Failure> {
         let contact = match problem_file::solved(&file, is_audited)? {
             Solved::Answer(contact) => contact,
             Solved::Unfinished(contact, _) => contact,
@@ -50,9 +53,19 @@ impl Solution {
     }
 }
 
-/// Everything that the page shows of a contact.
+/// Everything that the page shows of a contact, or why there is none, with what is doubtful about the file.
 pub(super) fn told(asked: &Asked, is_audited: bool) -> Result<Value, Failure> {
-    let solution = Solution::new(asked, is_audited)?;
+    let file = asked.problem()?;
+    let doubts = file.input_checks();
+    shown(asked, file, is_audited).or_else(|failure| {
+        let mut fault = asked::fault(&failure);
+        fault["warnings"] = serde_json::to_value(doubts).map_err(asked::unwritable)?;
+        Ok(fault)
+    })
+}
+
+fn shown(asked: &Asked, file: ProblemFile, is_audited: bool) -> Result<Value, Failure> {
+    let solution = Solution::of(file, is_audited)?;
     let (contact, answer) = (&solution.contact, solution.answer(false)?);
     let units = solution.file.units();
     let document = asked.document()?;

@@ -115,12 +115,14 @@ fn peak(peak: &Peak, share: f64, field: &StressField, shown: &Shown) -> Value {
     let of = |value: f64, measure: Measure| {
         if value.is_finite() { shown.value(value, measure) } else { "infinite".to_owned() }
     };
+    let corners = if peak.value.is_finite() { Vec::new() } else { field.infinite_corners() };
     let shift = field.period().map_or(0.0, |period| period * (peak.x / period).round());
     let at = peak.x - shift;
     // What is this small beside the depth is the middle, with the rounding of the search.
     let at = if at.abs() < MIDDLE * peak.depth { 0.0 } else { at };
     let x = of(at, Measure::Length);
     let place = match (peak.is_corner, peak.depth == 0.0) {
+        _ if !corners.is_empty() => report::infinite_at(&corners, &|x| of(x, Measure::Length)),
         (true, _) => format!("at the edge x = {x}, as a limit"),
         (false, true) => format!("at x = {x} on the surface"),
         (false, false) => format!("at x = {x}, {} deep", of(peak.depth, Measure::Length)),
@@ -132,6 +134,7 @@ fn peak(peak: &Peak, share: f64, field: &StressField, shown: &Shown) -> Value {
         "x": at,
         "depth": peak.depth,
         "place": place,
+        "infinite_at": corners,
     })
 }
 
@@ -156,6 +159,7 @@ pub(super) fn svg(known: &mut Option<Stressed>, asked: &AskedMap) -> Result<Valu
     let file = &stressed.solution.file;
     let shown = Shown::of(file.problem(), file.units());
     let name = asked.problem.stem();
-    let plot = stress::plot(name, asked.component, &stressed.field, &grid, &peaks, &shown);
+    let solved = (&stressed.solution.contact, &stressed.field);
+    let plot = stress::plot(name, asked.component, solved, &grid, &peaks, &shown);
     Ok(json!({ "text": contact::drawn(&plot)? }))
 }
