@@ -1,8 +1,9 @@
 //! Errors of the library as exceptions.
 
 use pyo3::exceptions::{PyArithmeticError, PyValueError};
+use pyo3::prelude::*;
 use pyo3::{PyErr, create_exception};
-use shtaerman::Error;
+use shtaerman::{Error, Warning};
 
 create_exception!(
     shtaerman,
@@ -18,6 +19,20 @@ pub(crate) fn raised(error: &Error) -> PyErr {
         ConvergenceError::new_err(words)
     } else {
         PyValueError::new_err(words)
+    }
+}
+
+/// The same with what is doubtful about the file as notes, which Python 3.11 and newer show below the error, in the words of the command line.
+pub(crate) fn raised_beside(py: Python<'_>, error: &Error, doubts: &[Warning]) -> PyErr {
+    let raised = raised(error);
+    let notes: Vec<String> =
+        doubts.iter().map(|doubt| format!("warning: {}", doubt.message)).collect();
+    if notes.is_empty() {
+        return raised;
+    }
+    match raised.value(py).setattr("__notes__", notes) {
+        Ok(()) => raised,
+        Err(other) => other,
     }
 }
 

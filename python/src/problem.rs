@@ -12,7 +12,7 @@ use shtaerman::document::{Document, FileError, ValueKind, load_bytes};
 use shtaerman::file::{ALTERNATIVES, ProblemFile};
 
 use crate::contact::Contact;
-use crate::errors::raised;
+use crate::errors::{raised, raised_beside};
 use crate::running::{Ended, run};
 use crate::sampled::Sampled;
 
@@ -166,9 +166,10 @@ impl Problem {
         match run(py, limit, work)? {
             Ended::Done(Some(found)) => found
                 .map(|contact| Contact::to(&self.file, contact))
-                .map_err(|error| raised(&error)),
+                .map_err(|error| raised_beside(py, &error, &self.file.input_checks())),
             Ended::Done(None) | Ended::Late => {
-                Err(raised(&Error::TimeLimit { limit: limit.unwrap_or_default() }))
+                let error = Error::TimeLimit { limit: limit.unwrap_or_default() };
+                Err(raised_beside(py, &error, &self.file.input_checks()))
             }
         }
     }

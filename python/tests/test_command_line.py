@@ -93,6 +93,23 @@ FAULTS = [
 ]
 
 
+#: Its modulus has no unit, and its tolerance cannot be met.
+DOUBTFUL = """
+[foundation]
+young_modulus = 200
+poisson_ratio = 0.3
+roughness = "1e-14 m/Pa"
+[punch]
+half_width = "5 mm"
+profile = "x^2/0.04"
+[load]
+force = 1e-4
+moment = 0
+[solver]
+tolerance = 1e-30
+"""
+
+
 @pytest.mark.parametrize("text", FAULTS)
 def test_faults_are_told_as_on_the_command_line(text: str, program: Program, tmp_path: Path) -> None:
     path = tmp_path / "p.toml"
@@ -104,6 +121,17 @@ def test_faults_are_told_as_on_the_command_line(text: str, program: Program, tmp
     # On the command line a table of the best so far may stand before it.
     assert done.stderr.endswith(f"error: {caught.value}\n") or "time limit" in str(caught.value)
     assert issubclass(st.ConvergenceError, ArithmeticError) and not issubclass(st.ConvergenceError, ValueError)
+
+
+def test_doubts_about_a_file_are_told_beside_its_fault(program: Program, tmp_path: Path) -> None:
+    path = tmp_path / "p.toml"
+    path.write_text(DOUBTFUL, encoding="utf-8")
+    done = program.run("solve", path)
+    with pytest.raises(st.ConvergenceError) as caught:
+        st.solve(path)
+    notes = caught.value.__notes__
+    assert len(notes) == 1 and "is softer than rubber" in notes[0]
+    assert done.returncode == 3 and done.stderr == f"{notes[0]}\nerror: {caught.value}\n"
 
 
 def test_a_file_that_is_not_there(program: Program) -> None:

@@ -33,6 +33,11 @@ const say = settled((words) => {
   byId("words").replaceChildren(...words.map((text, i) => html("p", { class: i === words.length - 1 && words.length > 3 ? "sure" : "" }, `${text} `)));
 }, 120);
 
+function showDoubts(doubts) {
+  byId("warnings").replaceChildren(...doubts.map((warning) => html("li", { "data-code": warning.code }, warning.message)));
+  show(byId("warnings"), doubts.length > 0);
+}
+
 /** Shows a solved contact. */
 export function showAnswer(answer) {
   const cards = cardsShown();
@@ -41,8 +46,7 @@ export function showAnswer(answer) {
   const { warnings } = answer.answer;
   // An error a little above what was aimed at is stated with the answer: it belongs to the notes.
   const doubts = warnings.filter(({ code }) => code !== "tolerance_not_met");
-  byId("warnings").replaceChildren(...doubts.map((warning) => html("li", { "data-code": warning.code }, warning.message)));
-  show(byId("warnings"), doubts.length > 0);
+  showDoubts(doubts);
   const rows = answer.table.map(([name, shown, note]) => html("tr", {}, html("th", { scope: "row" }, name), html("td", {}, html("strong", {}, shown)), html("td", { class: "note" }, note)));
   byId("table").tBodies[0].replaceChildren(...rows);
   const short = warnings.filter((warning) => !doubts.includes(warning)).map(({ message }) => `accuracy: ${message}`);
@@ -55,8 +59,8 @@ export function showAnswer(answer) {
   byId("shell").textContent = `${answer.command}\n${answer.command} --plot punch.svg --format json`;
 }
 
-/** Shows why there is no answer, or that there is none. */
-export function showTrouble(fault, isTold) {
+/** Shows why there is no answer, and what is doubtful about the file, or that there is none. */
+export function showTrouble(fault, isTold, doubts = []) {
   const place = byId("trouble");
   show(place, Boolean(fault));
   document.querySelector(".contact").classList.toggle("stale", Boolean(fault));
@@ -64,6 +68,7 @@ export function showTrouble(fault, isTold) {
     place.replaceChildren();
     return;
   }
+  showDoubts(doubts);
   const [first, ...rest] = fault.message.split("\n");
   const parts = [html("p", {}, isTold ? `${fault.field ? `${fault.field}: ` : ""}${fault.what}${fault.help ? `; ${fault.help}` : ""}` : first)];
   // The place in the file is told where no control shows it.

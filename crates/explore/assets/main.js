@@ -45,7 +45,7 @@ function answered(answer, isAudited, isLast) {
       return;
     }
     const isTold = blame(answer.fault);
-    showTrouble(answer.fault, isTold);
+    showTrouble(answer.fault, isTold, answer.warnings);
     return;
   }
   const before = state.halfWidth;

@@ -108,8 +108,9 @@ function draw(map) {
   const beyond = [reach[0] < levels[0] - 1e-9 * (levels.at(-1) - levels[0]), reach[1] > levels.at(-1) + 1e-9 * (levels.at(-1) - levels[0])];
   parts.push(...bar(levels, colour, beyond, { x: LEFT + inner + 12, tall, label: map.is_physical ? `[${unit.label}]` : "/E" }));
   const peak = component.value === "von-mises" ? map.von_mises : component.value === "max-shear" ? map.max_shear : null;
-  if (peak && peak.x >= x0 && peak.x <= x1 && peak.depth <= depth) {
-    const cross = `M${px(peak.x) - 6} ${py(peak.depth)}h12m-6 -6v12`;
+  const places = peak?.infinite_at.length ? peak.infinite_at.map((x) => [x, 0]) : peak ? [[peak.x, peak.depth]] : [];
+  for (const [x, y] of places.filter(([x, y]) => x >= x0 && x <= x1 && y <= depth)) {
+    const cross = `M${px(x) - 6} ${py(y)}h12m-6 -6v12`;
     parts.push(svg("path", { class: "halo", d: cross }), svg("path", { class: "peak", d: cross }));
   }
   picture.setAttribute("viewBox", `0 0 ${width} ${height}`);

@@ -16,6 +16,8 @@ mod work;
 #[cfg(not(target_family = "wasm"))]
 pub mod guard;
 #[cfg(not(target_family = "wasm"))]
+mod lane;
+#[cfg(not(target_family = "wasm"))]
 mod pool;
 #[cfg(not(target_family = "wasm"))]
 mod server;

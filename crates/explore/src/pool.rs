@@ -2,15 +2,16 @@
 
 use std::io::{self, BufReader, ErrorKind};
 use std::path::PathBuf;
+use std::pin::pin;
 use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use tokio::sync::Semaphore;
 use tokio::task::spawn_blocking;
-use tokio::time::timeout;
+use tokio::time::{Instant, timeout, timeout_at};
 
 use crate::frame;
+use crate::lane::{Lane, Place};
 
 /// Why there is no answer of a worker.
 #[derive(Debug, thiserror::Error)]
@@ -24,31 +25,81 @@ pub(crate) enum Unanswered {
 }
 
 /// Workers, each a process of the program itself, kept while they are idle.
+///
+/// There are two lanes, so that what takes long does not keep what is short waiting, whoever asks it. A question begins among the quick ones. One that is not answered in a moment moves on to the long
+/// ones where these have a place, and computes on. Where they have none it stays, until others wait for its place: then it gives way, and begins anew when its turn among the long ones comes.
 pub(crate) struct Pool {
     program: PathBuf,
     arguments: Vec<String>,
     idle: Mutex<Vec<Worker>>,
-    places: Semaphore,
-    limit: Duration,
-    patience: Duration,
+    quick: Arc<Lane>,
+    long: Arc<Lane>,
+    times: Times,
 }
 
+/// How long questions wait and compute.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Times {
+    /// From here on a question is not quick any more.
+    pub(crate) moment: Duration,
+    /// A question that computes longer is ended.
+    pub(crate) limit: Duration,
+    /// A question waits for its turn in a lane up to this.
+    pub(crate) patience: Duration,
+}
+
+/// How often a question that is not quick any more looks whether it can move on, or has to give way.
+const GLANCE: Duration = Duration::from_millis(20);
+
 impl Pool {
-    /// At most `size` workers at once, each of which runs `program` with `arguments`; a question waits for its turn up to `patience`, and may then take up to `limit`.
-    pub(crate) fn new(
-        program: PathBuf,
-        arguments: Vec<String>,
-        size: usize,
-        [limit, patience]: [Duration; 2],
-    ) -> Self {
-        let idle = Mutex::new(Vec::with_capacity(size));
-        Self { program, arguments, idle, places: Semaphore::new(size), limit, patience }
+    /// At most `size` workers at once in each lane, each of which runs `program` with `arguments`.
+    pub(crate) fn new(program: PathBuf, arguments: Vec<String>, size: usize, times: Times) -> Self {
+        let idle = Mutex::new(Vec::with_capacity(2 * size));
+        Self { program, arguments, idle, quick: Lane::new(size), long: Lane::new(size), times }
     }
 
     /// What a worker answers. Whoever asks no more ends the worker, unless it had answered.
-    pub(crate) async fn answer(self: &Arc<Self>, question: Vec<u8>) -> Result<Vec<u8>, Unanswered> {
-        let place = timeout(self.patience, self.places.acquire()).await;
-        let Ok(Ok(_place)) = place else { return Err(Unanswered::Crowded) };
+    pub(crate) async fn answer(&self, question: Vec<u8>) -> Result<Vec<u8>, Unanswered> {
+        let question: Arc<[u8]> = question.into();
+        if let Some(answer) = self.begun(&question).await? {
+            return Ok(answer);
+        }
+        let _place = self.place(&self.long).await?;
+        let late = |_| Unanswered::Late(self.times.limit);
+        timeout(self.times.limit, self.exchange(question)).await.map_err(late)?
+    }
+
+    async fn place(&self, lane: &Arc<Lane>) -> Result<Place, Unanswered> {
+        timeout(self.times.patience, lane.place()).await.map_err(|_| Unanswered::Crowded)
+    }
+
+    /// The answer to a question that begins among the quick ones; none where it had to give way.
+    async fn begun(&self, question: &Arc<[u8]>) -> Result<Option<Vec<u8>>, Unanswered> {
+        let place = self.place(&self.quick).await?;
+        let Times { moment, limit, .. } = self.times;
+        let end = Instant::now() + limit;
+        let mut exchange = pin!(self.exchange(Arc::clone(question)));
+        let mut glance = Instant::now() + moment;
+        loop {
+            if let Ok(answer) = timeout_at(glance.min(end), &mut exchange).await {
+                return answer.map(Some);
+            }
+            if Instant::now() >= end {
+                return Err(Unanswered::Late(limit));
+            }
+            if let Some(_long) = self.long.free_place() {
+                drop(place);
+                let answer = timeout_at(end, exchange).await;
+                return answer.map_err(|_| Unanswered::Late(limit))?.map(Some);
+            }
+            if self.quick.is_crowded() {
+                return Ok(None);
+            }
+            glance = Instant::now() + GLANCE;
+        }
+    }
+
+    async fn exchange(&self, question: Arc<[u8]>) -> Result<Vec<u8>, Unanswered> {
         let idle = lock(&self.idle).pop();
         let worker = match idle {
             Some(worker) => worker,
@@ -59,11 +110,10 @@ impl Pool {
             let mut worker = worker;
             worker.exchange(&question).map(|answer| (worker, answer))
         });
-        match timeout(self.limit, exchange).await {
-            Err(_) => Err(Unanswered::Late(self.limit)),
-            Ok(Err(error)) => Err(Unanswered::Ended(io::Error::other(error))),
-            Ok(Ok(Err(error))) => Err(Unanswered::Ended(error)),
-            Ok(Ok(Ok((worker, answer)))) => {
+        match exchange.await {
+            Err(error) => Err(Unanswered::Ended(io::Error::other(error))),
+            Ok(Err(error)) => Err(Unanswered::Ended(error)),
+            Ok(Ok((worker, answer))) => {
                 ended.0 = None;
                 lock(&self.idle).push(worker);
                 Ok(answer)

@@ -21,14 +21,14 @@ use tokio::time::{sleep, timeout};
 
 use crate::assets::ASSETS;
 use crate::guard;
-use crate::pool::{Pool, Unanswered};
+use crate::pool::{Pool, Times, Unanswered};
 
 /// The port that is tried first, so that links and what the browser keeps stay the same from one day to the next.
 pub const DEFAULT_PORT: u16 = 4117;
 
 const JSON: &str = "application/json";
 const TEXT: &str = "text/plain; charset=utf-8";
-/// Most workers: more than one, so that a map that takes long does not keep a curve waiting.
+/// Workers for what is quick, and as many for what takes long: more than one, so that a map does not keep a curve waiting.
 const WORKERS: [usize; 2] = [2, 4];
 /// Where the page asks what it begins with, which needs no worker.
 const START: &str = "/api/start";
@@ -42,6 +42,8 @@ pub struct Limits {
     pub reading: Duration,
     /// The time that a computation may take; its process is ended then.
     pub computation: Duration,
+    /// The time for which a question is quick: after that it gives way where others wait and what takes long fills its own places, and begins anew when its turn comes.
+    pub moment: Duration,
     /// The time that a question waits for its turn.
     pub patience: Duration,
     /// Connections at once; more of them wait.
@@ -56,6 +58,7 @@ impl Default for Limits {
             body: 16 << 20,
             reading: Duration::from_secs(10),
             computation: Duration::from_secs(20),
+            moment: Duration::from_millis(500),
             patience: Duration::from_secs(60),
             connections: 128,
             lifetime: Duration::from_secs(600),
@@ -87,7 +90,7 @@ pub fn show(address: &str) -> io::Result<()> {
 pub struct Server {
     port: u16,
     start: Bytes,
-    pool: Arc<Pool>,
+    pool: Pool,
     limits: Limits,
 }
 
@@ -103,8 +106,9 @@ impl Server {
     ) -> Self {
         let processors = std::thread::available_parallelism().map_or(1, NonZero::get);
         let size = processors.clamp(WORKERS[0], WORKERS[1]);
-        let times = [limits.computation, limits.patience];
-        let pool = Arc::new(Pool::new(program, arguments, size, times));
+        let Limits { moment, computation, patience, .. } = limits;
+        let times = Times { moment, limit: computation, patience };
+        let pool = Pool::new(program, arguments, size, times);
         Self { port, start: Bytes::from(start), pool, limits }
     }
 

@@ -7,6 +7,7 @@ pub(crate) mod exponential_sum;
 mod gamma_quotient;
 mod macdonald;
 mod oscillatory_tail;
+mod poles;
 
 pub use cosine_integral::cosine_integral_pi;
 pub(crate) use elementary::{logarithms, logarithms_of_one_and, powers};
@@ -17,3 +18,4 @@ pub(crate) use macdonald::{
     LARGEST as LARGEST_MACDONALD, SmallArgument, macdonald_scaled, polynomial, sigma,
 };
 pub(crate) use oscillatory_tail::oscillatory_tail;
+pub use poles::pole_sums;

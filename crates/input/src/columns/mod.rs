@@ -76,6 +76,8 @@ pub struct Dialect {
     pub encoding: Option<String>,
     /// What chooses the columns, for messages, such as `x_column and f_column`; empty where nothing does.
     pub chosen_by: &'static str,
+    /// What leaves out lines at the beginning, for messages, such as `skip = `; empty where nothing does.
+    pub skipped_by: &'static str,
 }
 
 /// What a file was told to be.
@@ -148,7 +150,16 @@ impl Columns {
                     "has more than the {MAXIMUM_ROWS} rows that are read"
                 )));
             }
-            let values = self.values(dialect, columns, &fields).map_err(at_line)?;
+            let is_first = rows.is_empty();
+            let values = self.values(dialect, columns, &fields).map_err(|message| {
+                // Text before the first row may be one more line of a header.
+                let is_text = is_first && fields.iter().all(|field| field.parse::<f64>().is_err());
+                if !is_text || dialect.skipped_by.is_empty() {
+                    return at_line(message);
+                }
+                let (by, count) = (dialect.skipped_by, index + 1);
+                at_line(format!("{message}; {by}{count} leaves out the lines up to this one, and the units of a header with them"))
+            })?;
             rows.push(Row { line: index + 1, values });
         }
         let columns = chosen.unwrap_or([0, 1]);
@@ -285,20 +296,26 @@ fn named(header: &[String], name: &str) -> Result<usize, String> {
     Err(format!("has no column `{name}`, but {}{meant}", shown.join(", ")))
 }
 
-/// Units of instruments, by which those of columns are told.
-const USUAL: [&str; 12] =
-    ["m", "mm", "um", "nm", "cm", "in", "mil", "Pa", "kPa", "MPa", "GPa", "psi"];
-
-/// A unit of this SI value by its symbol, or by that value where it has none.
-fn in_words(unit: f64, dimension: Dimension) -> String {
+/// The symbol of a unit of this SI value, of those that instruments write.
+#[must_use]
+pub fn unit_symbol(unit: f64, dimension: Dimension) -> Option<&'static str> {
     let is_meant = |symbol: &&&str| {
         let one = quantity::parse(&format!("1 {symbol}"));
         one.is_ok_and(|one| {
             one.dimension == dimension && (one.value - unit).abs() <= SAME * unit.abs()
         })
     };
-    let found = USUAL.iter().find(is_meant);
-    found.map_or_else(|| format!("a unit that is {unit} in SI"), |symbol| (*symbol).to_owned())
+    USUAL.iter().find(is_meant).copied()
+}
+
+/// Units of instruments, by which those of columns are told.
+const USUAL: [&str; 12] =
+    ["m", "mm", "um", "nm", "cm", "in", "mil", "Pa", "kPa", "MPa", "GPa", "psi"];
+
+/// A unit of this SI value by its symbol, or by that value where it has none.
+fn in_words(unit: f64, dimension: Dimension) -> String {
+    let found = unit_symbol(unit, dimension);
+    found.map_or_else(|| format!("a unit that is {unit} in SI"), str::to_owned)
 }
 
 #[cfg(test)]

@@ -8,7 +8,8 @@ use super::places;
 use crate::Failure;
 use crate::arguments::PictureArguments;
 use crate::output::Outputs;
-use crate::plot::{Figure, Format, Look, Plot, Size, render_as};
+pub(super) use crate::plot::Titled;
+use crate::plot::{Format, Look, Plot, Size, render_as};
 
 /// Units of a size in a metre: 96 in an inch.
 const UNITS_PER_METRE: f64 = 96.0 / 0.0254;
@@ -50,22 +51,6 @@ impl<'a> Picture<'a> {
         let titled = Titled { figure, size: plot.usual_size() };
         outputs.file(self.path, render_as(&titled, self.format, self.look)?);
         Ok(())
-    }
-}
-
-/// A figure of a size that suits it.
-pub(super) struct Titled {
-    pub(super) figure: Figure,
-    pub(super) size: Option<Size>,
-}
-
-impl Plot for Titled {
-    fn figure(&self) -> Figure {
-        self.figure.clone()
-    }
-
-    fn usual_size(&self) -> Option<Size> {
-        self.size
     }
 }
 

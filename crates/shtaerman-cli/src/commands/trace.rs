@@ -29,6 +29,10 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), Failure> {
     let before = Trace::read(&bytes, &name, &options)?;
     let arranged = before.clone().arranged(&options);
     let over = half_width.map_or_else(|| arranged.range(), |a| [-a, a]);
+    if half_width.is_some() && said[0].is_none() {
+        let doubt = Warning::few_rows(arranged.rows_over(over), "--x-unit mm or the like");
+        doubt.iter().for_each(|doubt| failure::warn(&doubt.message));
+    }
     let begins_at_zero = half_width.is_none() && is_from_zero(&arranged);
     let covering = arranged.clone().covering(over, &name).map_err(|error| {
         if arranged.is_elsewhere(over) && options.place == Place::AsWritten {
@@ -40,6 +44,7 @@ pub(super) fn run(arguments: &TraceArguments) -> Result<(), Failure> {
     let after = levelled.clone().filtered(&options, &name)?;
     let report = TraceReport {
         name: &name,
+        stem: problem_file::stem(&arguments.file),
         before: &before,
         levelled: &levelled,
         after: &after,
@@ -128,6 +133,7 @@ fn asked(arguments: &TraceArguments, bytes: &[u8], name: &str) -> Result<Asked, 
         columns,
         encoding: arguments.encoding.clone(),
         chosen_by: "--x-column and --f-column",
+        skipped_by: "--skip ",
     };
     let header = Trace::header_units(bytes, name, &dialect)?;
     let asked = [

@@ -62,15 +62,16 @@ pub(super) struct Style {
 pub(super) struct Canvas {
     scene: Scene,
     theme: Theme,
+    sizes: Sizes,
 }
 
 impl Canvas {
-    pub(super) fn new(size: Size, theme: Theme) -> Self {
+    pub(super) fn new(size: Size, theme: Theme, sizes: Sizes) -> Self {
         let mut scene = Scene::new(f64::from(size.width), f64::from(size.height));
         scene.font_family = Some(FONTS.to_owned());
         let Colour(red, green, blue) = theme.colour(Colour::PAPER);
         scene.background_color = Some(format!("#{red:02x}{green:02x}{blue:02x}"));
-        Self { scene, theme }
+        Self { scene, theme, sizes }
     }
 
     pub(super) fn theme(&self) -> Theme {
@@ -78,7 +79,7 @@ impl Canvas {
     }
 
     pub(super) fn sizes(&self) -> Sizes {
-        self.theme.sizes()
+        self.sizes
     }
 
     fn ink(&self, colour: Colour) -> Color {
@@ -106,11 +107,12 @@ impl Canvas {
     /// A polyline. Dashes are cut here: one encoder starts them anew at every point.
     pub(super) fn path(&mut self, points: &[Point], colour: Colour, width: f64, dash: Dash) {
         let points = shape::thinned(points);
+        let scaled = |pattern: [f64; 4]| pattern.map(|length| self.sizes.scale * length);
         let pieces = match dash {
             Dash::Solid => vec![points],
-            Dash::Dashed => shape::dashes(&points, &[7.0, 4.0]),
-            Dash::Dotted => shape::dashes(&points, &[1.5, 3.5]),
-            Dash::DashDotted => shape::dashes(&points, &[8.0, 3.5, 1.5, 3.5]),
+            Dash::Dashed => shape::dashes(&points, &scaled([7.0, 4.0, 7.0, 4.0])),
+            Dash::Dotted => shape::dashes(&points, &scaled([1.5, 3.5, 1.5, 3.5])),
+            Dash::DashDotted => shape::dashes(&points, &scaled([8.0, 3.5, 1.5, 3.5])),
         };
         let (stroke, width) = (self.ink(colour), width * self.sizes().stroke);
         if dash == Dash::Solid {
@@ -157,7 +159,7 @@ impl Canvas {
         self.scene.add(Primitive::Circle {
             cx: near(at.0),
             cy: near(at.1),
-            r: radius,
+            r: self.sizes.scale * radius,
             fill,
             fill_opacity: None,
             stroke: None,

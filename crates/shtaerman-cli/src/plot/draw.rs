@@ -2,24 +2,22 @@
 
 use kuva::render::render::Scene;
 
-use super::axis::Axis;
-use super::canvas::{Anchor, Canvas, Frame, Point, Style};
+use super::canvas::{Anchor, Canvas, Frame, Point};
 use super::colour::Colour;
 use super::cross::arrow_at;
 use super::draw_map::{draw_colour_bar, draw_contours, draw_cross};
 use super::figure::{Area, Band, Base, Figure, Layer, Line, Mark, Panel, Pole};
 use super::format::Size;
 use super::layout::{AxisLayout, Layout, PanelLayout, TICK_MARK, line_height};
-use super::mapping::{Mapping, style};
+use super::mapping::{Mapping, draw_upright, style};
 use super::shape;
 use super::text;
-use super::theme::Theme;
+use super::theme::{Sizes, Theme};
 
 /// The picture of a figure.
-pub(super) fn figure(figure: &Figure, size: Size, theme: Theme) -> Scene {
-    let mut canvas = Canvas::new(size, theme);
-    let layout = Layout::new(figure, size, theme.sizes());
+pub(super) fn figure(figure: &Figure, layout: &Layout, size: Size, theme: Theme) -> Scene {
     let sizes = layout.sizes;
+    let mut canvas = Canvas::new(size, theme, sizes);
     let mut top = sizes.rim;
     for (lines, size, colour) in
         [(&layout.title, sizes.title, Colour::INK), (&layout.notes, sizes.note, Colour::GREY)]
@@ -52,9 +50,9 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
     canvas.unclip();
     if !drawn {
         let style = style(sizes.label, Colour::GREY, Anchor::Middle);
-        canvas.text(frame.centre(), "no numbers to draw", style);
+        let said = text::fit("no numbers to draw", sizes.label, frame.width());
+        canvas.text(frame.centre(), &said, style);
     }
-    draw_exaggeration(canvas, &mapping);
     if let (Some(panel), Some(layout)) = (&panel.inset, &layout.inset) {
         draw_inset(canvas, panel, layout);
     }
@@ -69,29 +67,17 @@ fn draw_panel(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
     draw_vertical_axis(canvas, &mapping);
 }
 
-/// By how much heights are drawn larger than lengths, at the right below the axis.
-fn draw_exaggeration(canvas: &mut Canvas, mapping: &Mapping<'_>) {
-    let Some(factor) = mapping.layout.exaggeration else { return };
-    let (frame, sizes) = (mapping.layout.frame, canvas.sizes());
-    let factor = text::round_number(factor);
-    let label = text::width(&mapping.panel.horizontal.label, sizes.label);
-    let multiplier = text::width(&mapping.layout.horizontal.ticks.multiplier(), sizes.tick);
-    let room = 0.5 * (frame.width() - label) - multiplier - f64::from(sizes.tick);
-    let long = format!("heights exaggerated {factor} times");
-    let words =
-        if text::width(&long, sizes.tick) <= room { long } else { format!("heights ×{factor}") };
-    let row = frame.bottom + TICK_MARK + line_height(sizes.tick) + 0.5 * line_height(sizes.label);
-    let at = (frame.right - multiplier, row);
-    canvas.text(at, &words, style(sizes.tick, Colour::GREY, Anchor::End));
-}
-
 /// A small panel on its own ground.
 fn draw_inset(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
     let (frame, size) = (layout.frame, canvas.sizes().tick);
     let margin = 0.5 * f64::from(size);
     let (left, right, below) = (frame.left - margin, frame.right + margin, frame.bottom + margin);
-    let ground =
-        [(left, layout.top + 1.0), (right, layout.top + 1.0), (right, below), (left, below)];
+    let ground = [
+        (left, layout.cell.top + 1.0),
+        (right, layout.cell.top + 1.0),
+        (right, below),
+        (left, below),
+    ];
     canvas.fill(&ground, Colour::PAPER, 0.85);
     let mapping = Mapping { panel, layout };
     canvas.clip(frame);
@@ -131,7 +117,7 @@ fn draw_frame(canvas: &mut Canvas, frame: Frame) {
 }
 
 fn draw_head(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
-    let mut top = layout.top;
+    let mut top = layout.cell.top;
     let sizes = canvas.sizes();
     if !panel.heading.is_empty() {
         let room = layout.frame.width();
@@ -140,51 +126,86 @@ fn draw_head(canvas: &mut Canvas, panel: &Panel, layout: &PanelLayout) {
         canvas.text(at, &heading, style(sizes.heading, Colour::INK, Anchor::Start));
         top += line_height(sizes.heading);
     }
-    let left = layout.frame.left.min(layout.frame.right - layout.legend.width());
-    layout.legend.draw(canvas, (left, top));
+    layout.legend.draw(canvas, (layout.legend_left(), top));
 }
 
 fn draw_horizontal_axis(canvas: &mut Canvas, mapping: &Mapping<'_>) {
     let frame = mapping.layout.frame;
     let sizes = canvas.sizes();
+    let mark = sizes.scale * TICK_MARK;
     let ticks = &mapping.layout.horizontal.ticks;
-    let row = frame.bottom + TICK_MARK + 0.5 * line_height(sizes.tick);
+    let row = frame.bottom + mark + 0.5 * line_height(sizes.tick);
     for tick in &ticks.labelled {
         let x = mapping.across(tick.place);
-        canvas.line((x, frame.bottom), (x, frame.bottom + TICK_MARK), Colour::INK, 1.0);
+        canvas.line((x, frame.bottom), (x, frame.bottom + mark), Colour::INK, 1.0);
         canvas.text((x, row), &tick.label, style(sizes.tick, Colour::INK, Anchor::Middle));
     }
-    let row = frame.bottom + TICK_MARK + line_height(sizes.tick) + 0.5 * line_height(sizes.label);
+    let row = frame.bottom + mark + line_height(sizes.tick) + 0.5 * line_height(sizes.label);
     let multiplier = ticks.multiplier();
-    let room = frame.width() - 2.0 * text::width(&multiplier, sizes.tick);
-    let label = axis_label(&mapping.panel.horizontal, sizes.label, room);
-    canvas.text((frame.centre().0, row), &label, style(sizes.label, Colour::INK, Anchor::Middle));
+    let Foot { label, is_centred, exaggeration } = Foot::new(mapping, &multiplier, sizes);
+    let (x, anchor) =
+        if is_centred { (frame.centre().0, Anchor::Middle) } else { (frame.left, Anchor::Start) };
+    canvas.text((x, row), &label, style(sizes.label, Colour::INK, anchor));
     canvas.text((frame.right, row), &multiplier, style(sizes.tick, Colour::INK, Anchor::End));
+    let before = frame.right - beside(&multiplier, sizes);
+    canvas.text((before, row), &exaggeration, style(sizes.tick, Colour::GREY, Anchor::End));
+}
+
+/// What a common factor takes at the right, with the space before it.
+fn beside(multiplier: &str, sizes: Sizes) -> f64 {
+    if multiplier.is_empty() {
+        return 0.0;
+    }
+    text::width(multiplier, sizes.tick) + 0.5 * f64::from(sizes.tick)
+}
+
+/// The line below a horizontal axis.
+struct Foot {
+    label: String,
+    is_centred: bool,
+    /// By how much heights are drawn larger than lengths.
+    exaggeration: String,
+}
+
+impl Foot {
+    /// The label in the middle, and at the left where what stands at the right would touch it.
+    fn new(mapping: &Mapping<'_>, multiplier: &str, sizes: Sizes) -> Self {
+        let width = mapping.layout.frame.width();
+        let taken = beside(multiplier, sizes);
+        let label = text::clean(&mapping.panel.horizontal.label);
+        let middle = text::width(&label, sizes.label);
+        let factor = mapping.layout.exaggeration.map(text::round_number);
+        let told = factor.map_or([const { String::new() }; 2], |factor| {
+            [format!("heights exaggerated {factor} times"), format!("heights ×{factor}")]
+        });
+        let gap = f64::from(sizes.tick);
+        let space = |words: &str| match words {
+            "" => taken,
+            words => taken + text::width(words, sizes.tick) + gap,
+        };
+        if let Some(words) = told.iter().find(|words| 2.0 * space(words) + middle <= width) {
+            return Self { label, is_centred: true, exaggeration: words.clone() };
+        }
+        let [_, short] = told;
+        let label = text::fit_label(&label, sizes.label, width - space(&short) - gap);
+        Self { label, is_centred: false, exaggeration: short }
+    }
 }
 
 fn draw_vertical_axis(canvas: &mut Canvas, mapping: &Mapping<'_>) {
-    let frame = mapping.layout.frame;
+    let (frame, reach) = (mapping.layout.frame, mapping.layout.label_reach());
     let sizes = canvas.sizes();
+    let mark = sizes.scale * TICK_MARK;
     let ticks = &mapping.layout.vertical.ticks;
     for tick in &ticks.labelled {
         let y = mapping.down(tick.place);
-        canvas.line((frame.left - TICK_MARK, y), (frame.left, y), Colour::INK, 1.0);
-        let at = (frame.left - TICK_MARK - 3.0, y);
+        canvas.line((frame.left - mark, y), (frame.left, y), Colour::INK, 1.0);
+        let at = (frame.left - mark - 3.0, y);
         canvas.text(at, &tick.label, style(sizes.tick, Colour::INK, Anchor::End));
     }
     let above = (frame.left, frame.top - 0.5 * line_height(sizes.tick));
     canvas.text(above, &ticks.multiplier(), style(sizes.tick, Colour::INK, Anchor::Start));
-    let label = axis_label(
-        &mapping.panel.vertical,
-        sizes.label,
-        frame.height() + 4.0 * f64::from(sizes.label),
-    );
-    let upright = Style { upright: true, ..style(sizes.label, Colour::INK, Anchor::Middle) };
-    canvas.text((mapping.layout.label, frame.centre().1), &label, upright);
-}
-
-fn axis_label(axis: &Axis, size: u32, room: f64) -> String {
-    text::fit(&text::clean(&axis.label), size, room)
+    draw_upright(canvas, &mapping.panel.vertical.label, mapping.layout.label, frame, reach);
 }
 
 /// Draws a layer and tells whether anything but a mark was there to draw.

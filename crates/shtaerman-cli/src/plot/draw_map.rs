@@ -1,13 +1,13 @@
 //! Draws filled contours, their colour bar, and crosses.
 
 use super::bar_labels::bar_labels;
-use super::canvas::{Anchor, Canvas, Point, Style};
+use super::canvas::{Anchor, Canvas, Point};
 use super::colour::Colour;
 use super::contours::{Field, Vertex};
 use super::cross::cross_at;
 use super::figure::{ColourBar, Contours, Cross, Dash};
-use super::layout::{BAR_GAP, BAR_LABEL_GAP, BAR_WIDTH, line_height};
-use super::mapping::{Mapping, style};
+use super::layout::{BAR_GAP, BAR_LABEL_GAP, BAR_WIDTH, NUMBER_GAP, line_height};
+use super::mapping::{Mapping, draw_upright, style};
 use super::shape;
 use super::text;
 
@@ -87,11 +87,12 @@ pub(super) fn draw_colour_bar(canvas: &mut Canvas, mapping: &Mapping<'_>, bar: &
     let frame = mapping.layout.frame;
     let sizes = canvas.sizes();
     let bands = bar.levels.len() + 1;
-    let (left, right) = (frame.right + BAR_GAP, frame.right + BAR_GAP + BAR_WIDTH);
+    let left = frame.right + sizes.scale * BAR_GAP;
+    let right = left + sizes.scale * BAR_WIDTH;
     let height = frame.height() / bands as f64;
     let level = |index: usize| frame.bottom - height * index as f64;
     let [below, above] = bar.goes_on;
-    let (middle, tip) = (left.midpoint(right), 0.5 * height.min(2.0 * BAR_WIDTH));
+    let (middle, tip) = (left.midpoint(right), 0.5 * height.min(2.0 * (right - left)));
     let mut outline = Vec::new();
     for band in 0..bands {
         let (bottom, top) = (level(band), level(band + 1));
@@ -125,15 +126,18 @@ pub(super) fn draw_colour_bar(canvas: &mut Canvas, mapping: &Mapping<'_>, bar: &
         let y = level(index + 1);
         canvas.line((left, y), (right, y), Colour::INK, 0.6);
         if taken - y >= 0.95 * line_height(sizes.tick) {
-            canvas.text((right + 4.0, y), label, style(sizes.tick, Colour::INK, Anchor::Start));
+            canvas.text(
+                (right + NUMBER_GAP, y),
+                label,
+                style(sizes.tick, Colour::INK, Anchor::Start),
+            );
             taken = y;
         }
     }
     let above = (right, frame.top - 0.5 * line_height(sizes.tick));
     canvas.text(above, &multiplier, style(sizes.tick, Colour::INK, Anchor::Middle));
-    let label = text::fit(&text::clean(&bar.label), sizes.label, frame.height() + 20.0);
-    let upright = Style { upright: true, ..style(sizes.label, Colour::INK, Anchor::Middle) };
     let widest = labels.iter().map(|label| text::width(label, sizes.tick)).fold(0.0, f64::max);
-    let x = right + 4.0 + widest + BAR_LABEL_GAP + 0.5 * line_height(sizes.label);
-    canvas.text((x, frame.centre().1), &label, upright);
+    let gap = NUMBER_GAP + sizes.scale * BAR_LABEL_GAP;
+    let x = right + gap + widest.max(12.0) + 0.5 * line_height(sizes.label);
+    draw_upright(canvas, &bar.label, x, frame, [frame.top, mapping.layout.cell.bottom]);
 }

@@ -44,15 +44,15 @@ impl Format {
 /// Size of a picture, in SVG user units (1/96 inch); a PNG has [`PNG_PIXELS_PER_UNIT`] pixels for each where no resolution is asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Size {
-    /// Width, 280 to 4000.
+    /// Width, 220 to 4000.
     pub width: u32,
-    /// Height, 200 to 4000.
+    /// Height, 140 to 4000.
     pub height: u32,
 }
 
 impl Size {
-    /// The smallest picture whose text can be read.
-    pub const SMALLEST: Self = Self { width: 280, height: 200 };
+    /// The smallest picture, which has room for a curve with its axes.
+    pub const SMALLEST: Self = Self { width: 220, height: 140 };
     /// The largest picture; its PNG takes half a gigabyte while it is drawn.
     pub const LARGEST: Self = Self { width: 4000, height: 4000 };
 

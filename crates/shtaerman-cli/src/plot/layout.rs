@@ -6,7 +6,7 @@ use super::canvas::Frame;
 use super::figure::{Arrangement, Figure, Layer, LegendPlace, Panel};
 use super::format::Size;
 use super::legend::Legend;
-use super::margins::{left_margin, right_margin, ticks};
+use super::margins::{left_margin, right_margin, ticks, ticks_up};
 use super::ranges::{exaggerated, panel_ranges, shared_ranges};
 use super::text;
 use super::theme::Sizes;
@@ -20,10 +20,12 @@ const LEADING: f64 = 1.4;
 pub(super) const BAR_GAP: f64 = 14.0;
 pub(super) const BAR_WIDTH: f64 = 16.0;
 pub(super) const BAR_LABEL_GAP: f64 = 6.0;
+/// Space before the numbers of a colour bar.
+pub(super) const NUMBER_GAP: f64 = 4.0;
 /// Frames are not made smaller than this.
-const SMALLEST_FRAME: f64 = 40.0;
-/// Frames lower than this, in sizes of tick labels, make notes and legends give way.
-const ROOMY_FRAME: f64 = 5.0;
+const SMALLEST_FRAME: f64 = 20.0;
+/// Space above a frame.
+const ABOVE: f64 = 4.0;
 
 /// Height of a line of text.
 pub(super) fn line_height(size: u32) -> f64 {
@@ -43,8 +45,8 @@ pub(super) struct Layout {
 /// Places of everything in a panel.
 pub(super) struct PanelLayout {
     pub(super) frame: Frame,
-    /// Upper side of the heading.
-    pub(super) top: f64,
+    /// What the panel takes with all that is around its frame.
+    pub(super) cell: Frame,
     /// Middle of the vertical axis' label.
     pub(super) label: f64,
     pub(super) legend: Legend,
@@ -62,27 +64,18 @@ pub(super) struct AxisLayout {
 }
 
 impl Layout {
-    /// A layout that gives up notes and legends where they would leave no room for the frames.
-    pub(super) fn new(figure: &Figure, size: Size, sizes: Sizes) -> Self {
-        let lines = (0.15 * f64::from(size.height) / line_height(sizes.note)) as usize;
-        let full = Self::with(figure, size, sizes, lines, true);
-        if full.is_roomy() {
-            return full;
-        }
-        let bare = Self::with(figure, size, sizes, 0, true);
-        if bare.is_roomy() { bare } else { Self::with(figure, size, sizes, 0, false) }
-    }
-
-    fn is_roomy(&self) -> bool {
-        self.panels
-            .iter()
-            .all(|panel| panel.frame.height() >= ROOMY_FRAME * f64::from(self.sizes.tick))
-    }
-
-    fn with(figure: &Figure, size: Size, sizes: Sizes, lines: usize, legends: bool) -> Self {
+    /// Everything in its place, with so many lines of the title at most.
+    pub(super) fn new(
+        figure: &Figure,
+        size: Size,
+        sizes: Sizes,
+        title: usize,
+        has_notes: bool,
+    ) -> Self {
         let (width, height) = (f64::from(size.width), f64::from(size.height));
         let room = width - 2.0 * sizes.rim;
-        let title = text::wrap(&text::clean(&figure.title), sizes.title, room, 2);
+        let title = text::wrap(&text::clean(&figure.title), sizes.title, room, title);
+        let lines = if has_notes { (0.15 * height / line_height(sizes.note)) as usize } else { 0 };
         let notes = figure.notes.iter().take(lines);
         let mut notes: Vec<String> =
             notes.flat_map(|note| text::wrap(&text::clean(note), sizes.note, room, 2)).collect();
@@ -90,29 +83,42 @@ impl Layout {
         let mut top = sizes.rim;
         top += line_height(sizes.title) * title.len() as f64;
         top += line_height(sizes.note) * notes.len() as f64;
-        let rows = if legends { (0.25 * height / Legend::row(sizes)) as usize } else { 0 };
+        let rows = ((0.25 * height / Legend::row(sizes)) as usize).max(1);
         let legend = shared_legend(figure, room, rows, sizes);
-        let legend_top = top + 4.0;
+        let gap = 4.0 * sizes.scale;
+        let legend_top = top + gap;
         if legend.height() > 0.0 {
             top = legend_top + legend.height();
         }
         let area = Frame {
             left: sizes.rim,
-            top: top + 6.0,
+            top: top + 1.5 * gap,
             right: width - sizes.rim,
             bottom: height - sizes.rim,
         };
-        let panels = panels(figure, area, legends, sizes);
+        let panels = panels(figure, area, sizes);
         Self { title, notes, legend: (legend, legend_top), panels, sizes }
+    }
+
+    /// Whether frames have a height and a width, in sizes of tick labels, no name is left out and none lies on another.
+    pub(super) fn fits(&self, figure: &Figure, [height, width]: [f64; 2]) -> bool {
+        let tick = f64::from(self.sizes.tick);
+        let is_roomy = |(panel, layout): (&Panel, &PanelLayout)| {
+            let names = LEADING * tick * panel.vertical.names.len() as f64;
+            layout.frame.height() >= (height * tick).max(names)
+                && layout.frame.width() >= width * tick
+                && layout.legend.is_complete()
+        };
+        self.legend.0.is_complete() && figure.panels.iter().zip(&self.panels).all(is_roomy)
     }
 }
 
 fn shared_legend(figure: &Figure, width: f64, rows: usize, sizes: Sizes) -> Legend {
     match figure.legend {
-        LegendPlace::Figure if rows > 0 => {
+        LegendPlace::Figure => {
             Legend::new(&figure.panels.iter().collect::<Vec<_>>(), width, rows, sizes)
         }
-        _ => Legend::default(),
+        LegendPlace::Panel => Legend::default(),
     }
 }
 
@@ -125,23 +131,24 @@ struct Rows {
     legend: Legend,
 }
 
-fn panels(figure: &Figure, area: Frame, legends: bool, sizes: Sizes) -> Vec<PanelLayout> {
+fn panels(figure: &Figure, area: Frame, sizes: Sizes) -> Vec<PanelLayout> {
     let ranges = shared_ranges(figure);
     let cells = cells(figure, area, sizes.between);
     let parts = figure.panels.iter().zip(&cells).zip(&ranges);
-    let rows: Vec<Rows> = parts
-        .map(|((panel, cell), ranges)| rows(figure, panel, *cell, *ranges, legends, sizes))
-        .collect();
+    let rows: Vec<Rows> =
+        parts.map(|((panel, cell), ranges)| rows(figure, panel, *cell, *ranges, sizes)).collect();
     let cells = even_heights(figure, &cells, &rows, sizes.between);
     let mut built: Vec<PanelLayout> = Vec::new();
     for (((panel, cell), ranges), rows) in figure.panels.iter().zip(cells).zip(ranges).zip(rows) {
         let bottom = cell.bottom - rows.below;
         let top = (cell.top + rows.above).min(bottom - SMALLEST_FRAME);
-        let vertical = ticks(&panel.vertical, ranges.1, bottom - top, false, sizes);
+        let room = [cell.width(), bottom - top];
+        let vertical = ticks_up(&panel.vertical, ranges.1, room, sizes);
+        let right = cell.right - right_margin(panel, ranges.0, cell.width(), sizes);
         let left = cell.left + left_margin(&panel.vertical, &vertical, sizes);
         built.push(PanelLayout {
-            frame: Frame { left, top, right: cell.right - right_margin(panel, sizes), bottom },
-            top: cell.top,
+            frame: Frame { left, top, right, bottom },
+            cell,
             label: cell.left + 0.5 * line_height(sizes.label),
             legend: rows.legend,
             horizontal: AxisLayout { range: ranges.0, ticks: Ticks::default() },
@@ -154,6 +161,9 @@ fn panels(figure: &Figure, area: Frame, legends: bool, sizes: Sizes) -> Vec<Pane
     for (panel, layout) in figure.panels.iter().zip(&mut built) {
         layout.frame.left = layout.frame.left.min(layout.frame.right - SMALLEST_FRAME);
         layout.set(panel, sizes);
+        if !is_labelled(figure, panel) {
+            layout.horizontal.ticks.exponent = 0;
+        }
         let small = panel.inset.as_deref().and_then(|panel| inset(panel, layout.frame, sizes));
         layout.inset = small.map(Box::new);
     }
@@ -161,6 +171,17 @@ fn panels(figure: &Figure, area: Frame, legends: bool, sizes: Sizes) -> Vec<Pane
 }
 
 impl PanelLayout {
+    /// Left end of the legend: that of the frame, or farther to the left where there is not enough room.
+    pub(super) fn legend_left(&self) -> f64 {
+        self.frame.left.min(self.cell.right - self.legend.width()).max(self.cell.left)
+    }
+
+    /// Upper and lower end of the column at the left that a label may take.
+    pub(super) fn label_reach(&self) -> [f64; 2] {
+        let is_free = self.legend_left() >= self.frame.left;
+        [if is_free { self.cell.top } else { self.frame.top }, self.cell.bottom]
+    }
+
     /// Sets what follows from the final frame: ticks along, and the factor by which heights are drawn larger.
     fn set(&mut self, panel: &Panel, sizes: Sizes) {
         let (frame, range) = (self.frame, self.horizontal.range);
@@ -181,7 +202,8 @@ const SMALLEST_INSET: [f64; 2] = [110.0, 50.0];
 /// A small panel in the upper right corner of a frame, with its heading above; none where there is no room.
 fn inset(panel: &Panel, around: Frame, sizes: Sizes) -> Option<PanelLayout> {
     let [width, height] = [INSET[0] * around.width(), INSET[1] * around.height()];
-    if width < SMALLEST_INSET[0] || height < SMALLEST_INSET[1] {
+    let [least_width, least_height] = SMALLEST_INSET.map(|least| sizes.scale * least);
+    if width < least_width || height < least_height {
         return None;
     }
     let right = around.right - 0.8 * f64::from(sizes.tick);
@@ -190,7 +212,7 @@ fn inset(panel: &Panel, around: Frame, sizes: Sizes) -> Option<PanelLayout> {
     let (across, down) = panel_ranges(panel);
     Some(PanelLayout {
         frame,
-        top: around.top,
+        cell: around,
         label: frame.left,
         legend: Legend::default(),
         horizontal: AxisLayout { range: across, ticks: Ticks::default() },
@@ -255,23 +277,25 @@ fn even_heights(figure: &Figure, cells: &[Frame], rows: &[Rows], between: f64) -
     cells.iter().zip(rows).map(even).collect()
 }
 
-fn rows(
-    figure: &Figure,
-    panel: &Panel,
-    cell: Frame,
-    ranges: (Range, Range),
-    legends: bool,
-    sizes: Sizes,
-) -> Rows {
+/// Whether the line below a panel says what its horizontal axis is: of panels below each other with one range the last one does.
+fn is_labelled(figure: &Figure, panel: &Panel) -> bool {
+    let is_last = figure.panels.last().is_some_and(|last| std::ptr::eq(last, panel));
+    let is_apart = figure.arrangement == Arrangement::SideBySide;
+    is_last || is_apart || !panel.horizontal.label.is_empty()
+}
+
+fn rows(figure: &Figure, panel: &Panel, cell: Frame, ranges: (Range, Range), sizes: Sizes) -> Rows {
     let legend = match figure.legend {
-        LegendPlace::Panel if legends => {
+        LegendPlace::Panel => {
             let most = ((0.3 * cell.height() / Legend::row(sizes)) as usize).max(3);
-            Legend::new(&[panel], cell.width() - 60.0, most, sizes)
+            // What may stand out to the left of a frame is left out.
+            let beside = 60.0 * sizes.scale.min(1.0);
+            Legend::new(&[panel], cell.width() - beside, most, sizes)
         }
-        _ => Legend::default(),
+        LegendPlace::Figure => Legend::default(),
     };
     let exponent = |axis: &Axis, range| Ticks::new(axis.scale, range, 5).exponent;
-    let mut above = legend.height() + 4.0;
+    let mut above = legend.height() + ABOVE * sizes.scale;
     if !panel.heading.is_empty() {
         above += line_height(sizes.heading);
     }
@@ -282,8 +306,9 @@ fn rows(
     if exponent(&panel.vertical, ranges.1) != 0 || has_bar_factor {
         above += line_height(sizes.tick);
     }
-    let mut below = TICK_MARK + line_height(sizes.tick);
-    if !panel.horizontal.label.is_empty() || exponent(&panel.horizontal, ranges.0) != 0 {
+    let mut below = sizes.scale * TICK_MARK + line_height(sizes.tick);
+    let has_factor = exponent(&panel.horizontal, ranges.0) != 0;
+    if is_labelled(figure, panel) && (has_factor || !panel.horizontal.label.is_empty()) {
         below += line_height(sizes.label);
     }
     Rows { above, below, legend }

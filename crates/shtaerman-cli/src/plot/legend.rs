@@ -27,13 +27,14 @@ impl Sample {
         matches!(self, Self::Stroke { upright: true, .. } | Self::Arrow)
     }
 
-    fn width(self) -> f64 {
-        match self {
-            Self::Stroke { upright: true, .. } => 4.0,
-            Self::Cross => 16.0,
-            Self::Arrow => 12.0,
-            _ => SAMPLE,
-        }
+    fn width(self, scale: f64) -> f64 {
+        scale
+            * match self {
+                Self::Stroke { upright: true, .. } => 4.0,
+                Self::Cross => 16.0,
+                Self::Arrow => 12.0,
+                _ => SAMPLE,
+            }
     }
 }
 
@@ -50,12 +51,16 @@ pub(super) struct Legend {
     entries: Vec<Entry>,
     /// Names left out for want of room.
     omitted: usize,
-    /// Left end of each column, from the left end of the legend.
-    columns: Vec<f64>,
+    /// Row of each name, and its left end from that of the legend; behind them the place of what tells how many were left out.
+    places: Vec<(usize, f64)>,
     width: f64,
-    /// Size of the text.
+    /// Size of the text, and what lengths are multiplied by.
     size: u32,
+    scale: f64,
 }
+
+/// A legend that names so many says enough; the others are counted.
+const ENOUGH: usize = 12;
 
 impl Legend {
     /// Height of a row.
@@ -65,7 +70,7 @@ impl Legend {
 
     /// The names of some panels, equal ones once, in at most `rows` rows of a width.
     pub(super) fn new(panels: &[&Panel], width: f64, rows: usize, sizes: Sizes) -> Self {
-        let size = sizes.legend;
+        let (size, scale) = (sizes.legend, sizes.scale);
         let mut entries: Vec<Entry> = Vec::new();
         for entry in panels.iter().flat_map(|panel| &panel.layers).filter_map(entry) {
             if !entries.iter().any(|other| other.name == entry.name) {
@@ -75,21 +80,28 @@ impl Legend {
         // What is drawn stands before what is marked.
         entries.sort_by_key(|entry| entry.sample.is_mark());
         for entry in &mut entries {
-            entry.name = text::fit(&entry.name, size, width - SAMPLE - GAP);
+            entry.name = text::fit(&entry.name, size, width - scale * (SAMPLE + GAP));
         }
-        let columns = columns(&entries, width, size);
-        let room = (rows.max(1) * columns.len().max(1)).max(1);
+        let lengths: Vec<f64> = entries.iter().map(|entry| length(entry, size, scale)).collect();
+        let places = places(&lengths, width, scale * BETWEEN);
+        let room = places.iter().filter(|place| place.0 < rows.max(1)).count();
+        // The last place tells how many have none.
         let omitted = if entries.len() > room { entries.len() - room + 1 } else { 0 };
         entries.truncate(entries.len() - omitted);
-        let ends =
-            entries.iter().enumerate().map(|(i, e)| columns[i % columns.len()] + length(e, size));
-        let width = ends.fold(0.0, f64::max);
-        Self { entries, omitted, columns, width, size }
+        let ends = places.iter().zip(&lengths).take(entries.len());
+        let width = ends.map(|(place, length)| place.1 + length).fold(0.0, f64::max);
+        Self { entries, omitted, places, width, size, scale }
+    }
+
+    /// Whether no name had to be left out that there would be room for in a larger picture.
+    pub(super) fn is_complete(&self) -> bool {
+        self.omitted == 0 || self.entries.len() >= ENOUGH
     }
 
     pub(super) fn height(&self) -> f64 {
-        let places = self.entries.len() + usize::from(self.omitted > 0);
-        ROW * f64::from(self.size) * places.div_ceil(self.columns.len().max(1)) as f64
+        let shown = self.entries.len() + usize::from(self.omitted > 0);
+        let rows = self.places.iter().take(shown).map(|place| place.0 + 1).max().unwrap_or(0);
+        ROW * f64::from(self.size) * rows as f64
     }
 
     pub(super) fn width(&self) -> f64 {
@@ -101,15 +113,14 @@ impl Legend {
         let style =
             Style { size: self.size, colour: Colour::INK, anchor: Anchor::Start, upright: false };
         let place = |index: usize| {
-            let row = (index / self.columns.len().max(1)) as f64;
-            let column =
-                self.columns.get(index % self.columns.len().max(1)).copied().unwrap_or(0.0);
-            (corner.0 + column, corner.1 + ROW * f64::from(self.size) * (row + 0.5))
+            let (row, along) = self.places.get(index).copied().unwrap_or_default();
+            (corner.0 + along, corner.1 + ROW * f64::from(self.size) * (row as f64 + 0.5))
         };
         for (index, entry) in self.entries.iter().enumerate() {
             let (x, y) = place(index);
             draw_sample(canvas, (x, y), entry);
-            canvas.text((x + entry.sample.width() + GAP, y), &entry.name, style);
+            let from = x + entry.sample.width(self.scale) + self.scale * GAP;
+            canvas.text((from, y), &entry.name, style);
         }
         if self.omitted > 0 {
             canvas.text(place(self.entries.len()), &format!("… and {} more", self.omitted), style);
@@ -117,26 +128,34 @@ impl Legend {
     }
 }
 
-fn length(entry: &Entry, size: u32) -> f64 {
-    entry.sample.width() + GAP + text::width(&entry.name, size)
+fn length(entry: &Entry, size: u32, scale: f64) -> f64 {
+    entry.sample.width(scale) + scale * GAP + text::width(&entry.name, size)
 }
 
-/// One row as narrow as the names allow, or even columns.
-fn columns(entries: &[Entry], width: f64, size: u32) -> Vec<f64> {
-    let mut next = 0.0;
-    let mut starts = Vec::new();
-    for entry in entries {
-        starts.push(next);
-        next += length(entry, size) + BETWEEN;
+/// One row as narrow as the names allow, or even columns; where these take more rows than names one behind the other, each in the first row that has room for it, the latter.
+fn places(lengths: &[f64], width: f64, between: f64) -> Vec<(usize, f64)> {
+    let mut rows: Vec<f64> = Vec::new();
+    let mut flowing = Vec::new();
+    for length in lengths {
+        let fitting = rows.iter().position(|next| next + length <= width);
+        let row = fitting.unwrap_or_else(|| {
+            rows.push(0.0);
+            rows.len() - 1
+        });
+        flowing.push((row, rows[row]));
+        rows[row] += length + between;
     }
-    if next - BETWEEN <= width {
-        return starts;
+    if rows.len() <= 1 {
+        return flowing;
     }
-    let widest = entries.iter().map(|entry| length(entry, size)).fold(0.0, f64::max) + BETWEEN;
-    let most = (((width + BETWEEN) / widest).floor().max(1.0) as usize).min(entries.len().max(1));
+    let widest = lengths.iter().copied().fold(0.0, f64::max) + between;
+    let most = (((width + between) / widest).floor().max(1.0) as usize).min(lengths.len().max(1));
     // As many columns as the rows need, so that the last row is not left nearly empty.
-    let count = entries.len().div_ceil(entries.len().div_ceil(most).max(1)).max(1);
-    (0..count).map(|column| column as f64 * widest).collect()
+    let count = lengths.len().div_ceil(lengths.len().div_ceil(most).max(1)).max(1);
+    if lengths.len().div_ceil(count) > rows.len() {
+        return flowing;
+    }
+    (0..lengths.len()).map(|index| (index / count, (index % count) as f64 * widest)).collect()
 }
 
 fn entry(layer: &Layer) -> Option<Entry> {
@@ -166,22 +185,25 @@ fn entry(layer: &Layer) -> Option<Entry> {
 }
 
 fn draw_sample(canvas: &mut Canvas, at: Point, entry: &Entry) {
-    let (x, y) = at;
-    let middle = x + 0.5 * entry.sample.width();
+    let ((x, y), scale) = (at, canvas.sizes().scale);
+    let width_of_sample = entry.sample.width(scale);
+    let middle = x + 0.5 * width_of_sample;
     match entry.sample {
         Sample::Stroke { width, dash, upright: true, .. } => {
-            canvas.path(&[(middle, y - 8.0), (middle, y + 8.0)], entry.colour, width, dash);
+            let half = 8.0 * scale;
+            canvas.path(&[(middle, y - half), (middle, y + half)], entry.colour, width, dash);
         }
         Sample::Stroke { width, dash, dot, .. } => {
-            canvas.path(&[(x, y), (x + SAMPLE, y)], entry.colour, width, dash);
+            canvas.path(&[(x, y), (x + width_of_sample, y)], entry.colour, width, dash);
             if dot {
                 canvas.dot((middle, y), 3.0, entry.colour);
             }
         }
         Sample::Cross => cross_at(canvas, (middle, y)),
-        Sample::Arrow => arrow_at(canvas, (middle, y - 7.0), entry.colour, true),
+        Sample::Arrow => arrow_at(canvas, (middle, y - 7.0 * scale), entry.colour, true),
         Sample::Swatch { opacity } => {
-            let (right, top, bottom) = (x + SAMPLE, y - 5.0, y + 5.0);
+            let half = 5.0 * scale;
+            let (right, top, bottom) = (x + width_of_sample, y - half, y + half);
             let corners = [(x, top), (right, top), (right, bottom), (x, bottom)];
             canvas.fill(&corners, entry.colour, opacity);
         }

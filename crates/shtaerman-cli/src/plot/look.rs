@@ -1,14 +1,14 @@
 //! How a picture is made: size, theme and resolution.
 
 use super::error::PlotError;
-use super::figure::Plot;
+use super::figure::{Figure, Plot};
 use super::format::{MOST_PIXELS, PNG_PIXELS_PER_UNIT, RESOLUTIONS, Size, UNITS_PER_INCH};
 use super::theme::Theme;
 
 /// How a picture is made.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Look {
-    /// Its size; none for the one that suits plot and theme.
+    /// Its size; none for the one that suits plot and theme, or a larger one where that has no room for what is drawn.
     pub size: Option<Size>,
     /// Where it is to be looked at.
     pub theme: Theme,
@@ -17,12 +17,12 @@ pub struct Look {
 }
 
 impl Look {
-    /// The size asked for, or the one that suits plot and theme.
-    pub(super) fn size_of(self, plot: &dyn Plot) -> Size {
-        self.size.unwrap_or_else(|| match plot.usual_size() {
+    /// The size that suits plot and theme.
+    pub(super) fn usual_size(self, plot: &dyn Plot) -> Size {
+        match plot.usual_size() {
             Some(size) => self.theme.scaled(size),
             None => self.theme.size(),
-        })
+        }
     }
 
     pub(super) fn resolution(self, size: Size) -> Result<u32, PlotError> {
@@ -53,5 +53,21 @@ impl Theme {
         let part = f64::from(self.size().width) / f64::from(Size::default().width);
         let scaled = |length: u32| (f64::from(length) * part).round() as u32;
         Size { width: scaled(size.width), height: scaled(size.height) }
+    }
+}
+
+/// A figure of a size that suits it; none for the usual one.
+pub(crate) struct Titled {
+    pub(crate) figure: Figure,
+    pub(crate) size: Option<Size>,
+}
+
+impl Plot for Titled {
+    fn figure(&self) -> Figure {
+        self.figure.clone()
+    }
+
+    fn usual_size(&self) -> Option<Size> {
+        self.size
     }
 }

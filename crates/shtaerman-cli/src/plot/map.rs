@@ -40,8 +40,10 @@ pub struct MapPlot {
     pub largest: Option<f64>,
     /// Zones of contact.
     pub zones: Vec<[f64; 2]>,
-    /// Place of the largest value, with its name in the legend.
-    pub cross: Option<((f64, f64), String)>,
+    /// Places of the largest value: more than one where it is infinite at several.
+    pub crosses: Vec<(f64, f64)>,
+    /// Their name in the legend.
+    pub cross_name: String,
     /// Label of the position, such as `x [mm]`.
     pub position_label: String,
     /// Label of the depth, such as `depth [mm]`.
@@ -146,9 +148,10 @@ impl Plot for MapPlot {
             zone.sets_range = false;
             layers.push(Layer::Line(zone));
         }
-        if let Some((at, name)) = &self.cross {
-            layers.push(Layer::Cross(Cross { name: name.clone(), at: *at }));
-        }
+        layers.extend(self.crosses.iter().enumerate().map(|(index, &at)| {
+            let name = if index == 0 { self.cross_name.clone() } else { String::new() };
+            Layer::Cross(Cross { name, at })
+        }));
         let deepest = self.depth.last().copied().unwrap_or(1.0);
         Figure {
             title: self.title.clone(),

@@ -1,14 +1,31 @@
 //! From the points of a panel to those of the picture.
 
-use super::canvas::{Anchor, Point, Style};
+use super::canvas::{Anchor, Canvas, Frame, Point, Style};
 use super::colour::Colour;
 use super::figure::Panel;
 use super::layout::PanelLayout;
 use super::shape;
+use super::text;
 
 /// Text of a size and colour, along the page.
 pub(super) fn style(size: u32, colour: Colour, anchor: Anchor) -> Style {
     Style { size, colour, anchor, upright: false }
+}
+
+/// A label read from below to above in the middle of a frame, or, where it is longer, reaching beyond that.
+pub(super) fn draw_upright(
+    canvas: &mut Canvas,
+    label: &str,
+    x: f64,
+    frame: Frame,
+    [top, bottom]: [f64; 2],
+) {
+    let size = canvas.sizes().label;
+    let words = text::fit_label(&text::clean(label), size, bottom - top);
+    let half = 0.5 * text::width(&words, size);
+    let y = frame.centre().1.max(top + half).min(bottom - half);
+    let upright = Style { upright: true, ..style(size, Colour::INK, Anchor::Middle) };
+    canvas.text((x, y), &words, upright);
 }
 
 /// Carries points of a panel to points of the picture.

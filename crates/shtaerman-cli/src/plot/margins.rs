@@ -3,35 +3,57 @@
 use super::axis::{Axis, Range};
 use super::bar_labels::bar_labels;
 use super::figure::{Layer, Panel};
-use super::layout::{BAR_GAP, BAR_LABEL_GAP, BAR_WIDTH, TICK_MARK, line_height};
+use super::layout::{BAR_GAP, BAR_LABEL_GAP, BAR_WIDTH, NUMBER_GAP, TICK_MARK, line_height};
 use super::text;
 use super::theme::Sizes;
 use super::ticks::Ticks;
 
-/// Room for the part of the last tick label that stands out beyond the frame.
+/// Least room for the part of the last tick label that stands out beyond the frame.
 const LAST_LABEL: f64 = 10.0;
+/// Names of places take at most this share of the width.
+const NAMES: f64 = 0.4;
 /// Most ticks of an axis: more are a ruler.
 const MOST_TICKS: usize = 9;
 /// Room that a tick takes, in sizes of its label.
 const ACROSS: f64 = 6.5;
 const DOWN: f64 = 3.2;
 
-/// Room for the last tick label, or for a colour bar.
-pub(super) fn right_margin(panel: &Panel, sizes: Sizes) -> f64 {
+/// Room for the last tick label, or for a colour bar, in a panel of a width.
+pub(super) fn right_margin(panel: &Panel, range: Range, width: f64, sizes: Sizes) -> f64 {
+    let along = ticks(&panel.horizontal, range, 0.75 * width, true, sizes);
+    let last = along.labelled.last().map_or(0.0, |tick| text::width(&tick.label, sizes.tick));
+    let last = (0.5 * last - 0.5 * sizes.rim).max(LAST_LABEL * sizes.scale);
     let bar = panel.layers.iter().find_map(|layer| match layer {
         Layer::ColourBar(bar) => Some(bar_labels(bar).0),
         _ => None,
     });
-    bar.map_or(LAST_LABEL, |labels| {
+    bar.map_or(last, |labels| {
         let widest = labels.iter().map(|label| text::width(label, sizes.tick)).fold(12.0, f64::max);
-        BAR_GAP + BAR_WIDTH + 4.0 + widest + BAR_LABEL_GAP + line_height(sizes.label)
+        let gaps = BAR_GAP + BAR_WIDTH + BAR_LABEL_GAP;
+        sizes.scale * gaps + NUMBER_GAP + widest + line_height(sizes.label)
     })
+}
+
+/// Ticks along a vertical axis in a panel of a width, whose names leave room for the frame.
+pub(super) fn ticks_up(
+    axis: &Axis,
+    range: Range,
+    [width, height]: [f64; 2],
+    sizes: Sizes,
+) -> Ticks {
+    let mut ticks = ticks(axis, range, height, false, sizes);
+    if !axis.names.is_empty() {
+        for tick in &mut ticks.labelled {
+            tick.label = text::fit(&text::clean(&tick.label), sizes.tick, NAMES * width);
+        }
+    }
+    ticks
 }
 
 pub(super) fn left_margin(axis: &Axis, ticks: &Ticks, sizes: Sizes) -> f64 {
     let labels = ticks.labelled.iter().map(|tick| text::width(&tick.label, sizes.tick));
     let label = if axis.label.is_empty() { 0.0 } else { line_height(sizes.label) };
-    label + labels.fold(12.0, f64::max) + TICK_MARK + 8.0
+    label + labels.fold(12.0, f64::max) + sizes.scale * TICK_MARK + 8.0
 }
 
 /// As many ticks as fit along a length without their labels touching.

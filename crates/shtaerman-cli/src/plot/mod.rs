@@ -21,6 +21,7 @@ mod draw;
 mod draw_map;
 mod error;
 mod figure;
+mod fitting;
 mod format;
 mod layout;
 mod legend;
@@ -52,6 +53,7 @@ pub use figure::{
 };
 pub use format::{Format, PNG_PIXELS_PER_UNIT, Size};
 pub use look::Look;
+pub(crate) use look::Titled;
 pub use map::MapPlot;
 pub use render::{render, render_as};
 pub use response::{ResponseCurve, ResponseMap, ResponsePlot, ResponseSurface};

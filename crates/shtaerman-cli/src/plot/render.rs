@@ -5,6 +5,7 @@ use kuva::render::render::Scene;
 
 use super::error::PlotError;
 use super::figure::{Figure, Plot};
+use super::fitting::{layout_in, usually};
 use super::format::{Format, Size};
 use super::look::Look;
 use super::{draw, raster, text};
@@ -26,13 +27,18 @@ pub fn render(plot: &dyn Plot, format: Format, size: Size) -> Result<Vec<u8>, Pl
 ///
 /// # Errors
 ///
-/// [`PlotError::Size`] when the size is outside of [`Size::SMALLEST`] to [`Size::LARGEST`]; [`PlotError::Resolution`] for a PNG of a resolution out of range;
+/// [`PlotError::Size`] when the size is outside of [`Size::SMALLEST`] to [`Size::LARGEST`], [`PlotError::Crowded`] where there is no room in it for what is drawn; [`PlotError::Resolution`] for a PNG of a resolution out of range;
 /// [`PlotError::Encoding`] when the file cannot be encoded; [`PlotError::NoPdf`] for a PDF without the feature `pdf`.
 pub fn render_as(plot: &dyn Plot, format: Format, look: Look) -> Result<Vec<u8>, PlotError> {
-    let size = look.size_of(plot);
-    size.check()?;
     let figure = plot.figure();
-    let scene = draw::figure(&figure, size, look.theme);
+    let (size, layout) = match look.size {
+        Some(size) => {
+            size.check()?;
+            (size, layout_in(&figure, size, look.theme)?)
+        }
+        None => usually(&figure, look.usual_size(plot), look.theme),
+    };
+    let scene = draw::figure(&figure, &layout, size, look.theme);
     match format {
         Format::Svg => Ok(svg(&scene, &figure, size).into_bytes()),
         Format::Png => raster::png(&scene, size, look.resolution(size)?),

@@ -47,7 +47,12 @@ impl Plot for ResponsePlot {
     fn figure(&self) -> Figure {
         let values = self.curves.iter().flat_map(|curve| &curve.points).map(|point| point.0);
         let horizontal = axis(&self.horizontal_label, values);
-        let panel = |curve: &ResponseCurve| {
+        let panel = |(index, curve): (usize, &ResponseCurve)| {
+            let mut horizontal = horizontal.clone();
+            // All have the same places along.
+            if index + 1 < self.curves.len() {
+                horizontal.label.clear();
+            }
             let colour = Colour::BLUE;
             let layers = if self.is_connected {
                 vec![Layer::Line(Line::new("", curve.points.clone(), colour))]
@@ -60,12 +65,12 @@ impl Plot for ResponsePlot {
                 };
                 curve.points.iter().map(dot).collect()
             };
-            Panel::new(horizontal.clone(), Axis::linear(&curve.label), layers)
+            Panel::new(horizontal, Axis::linear(&curve.label), layers)
         };
         Figure {
             title: self.title.clone(),
             notes: Vec::new(),
-            panels: self.curves.iter().map(panel).collect(),
+            panels: self.curves.iter().enumerate().map(panel).collect(),
             arrangement: Arrangement::Stacked,
             legend: LegendPlace::Panel,
         }

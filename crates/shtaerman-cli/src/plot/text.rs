@@ -20,6 +20,7 @@ fn advance(character: char) -> u16 {
         '¹' | '²' | '³' | '⁰'..='⁹' | '₀'..='₉' => 821,
         '⁻' => 1081,
         '·' => 651,
+        '×' | '±' | 'Φ' | 'φ' | 'Ψ' | 'ψ' | 'Ω' | 'ω' => 1716,
         _ if code < 0x400 => 1350,
         _ => 2048,
     }
@@ -81,6 +82,29 @@ pub(super) fn fit(text: &str, size: u32, room: f64) -> String {
     format!("{}…", cut.trim_end())
 }
 
+/// A label such as `pressure [MPa]`, cut before its unit where it is wider than `room`.
+pub(super) fn fit_label(label: &str, size: u32, room: f64) -> String {
+    let Some((name, unit)) = label.rsplit_once(" [") else { return fit(label, size, room) };
+    let unit = format!("[{unit}");
+    let left = room - width(&format!(" {unit}"), size);
+    if width(label, size) <= room {
+        return label.to_owned();
+    }
+    // Whole words, or letters where not even one has room.
+    let mut words: Vec<&str> = name.split(' ').collect();
+    while words.len() > 1 {
+        words.pop();
+        let cut = format!("{} …", words.join(" "));
+        if width(&cut, size) <= left {
+            return format!("{cut} {unit}");
+        }
+    }
+    match fit(name, size, left) {
+        cut if cut == "…" || left <= 0.0 => fit(&unit, size, room),
+        cut => format!("{cut} {unit}"),
+    }
+}
+
 /// The text broken between words into at most `lines` lines no wider than `room`.
 pub(super) fn wrap(text: &str, size: u32, room: f64, lines: usize) -> Vec<String> {
     let mut wrapped: Vec<String> = Vec::new();
@@ -140,6 +164,17 @@ mod tests {
         assert!(lines[2].ends_with('…'));
         assert_eq!(wrap("short", 12, 200.0, 3), ["short"]);
         assert!(wrap("", 12, 200.0, 3).is_empty());
+    }
+
+    #[test]
+    fn a_label_keeps_its_unit() {
+        let label = "von Mises stress [MPa]";
+        assert_eq!(fit_label(label, 12, 500.0), label);
+        let cut = fit_label(label, 12, 100.0);
+        assert_eq!(cut, "von … [MPa]");
+        assert!(width(&cut, 12) <= 100.0);
+        assert_eq!(fit_label("pressure [MPa]", 12, 70.0), "pre… [MPa]");
+        assert_eq!(fit_label(label, 12, 45.0), "[MPa]");
     }
 
     #[test]

@@ -24,9 +24,37 @@ pub(super) struct Sizes {
     pub(super) tick: u32,
     pub(super) legend: u32,
     pub(super) stroke: f64,
+    /// What lengths of marks, samples and gaps are multiplied by.
+    pub(super) scale: f64,
     /// Space at the rim of the picture, and between panels.
     pub(super) rim: f64,
     pub(super) between: f64,
+}
+
+/// The least sizes: 9 units are 6.75 points, of which journals print no less.
+const LEAST_TITLE: u32 = 11;
+const LEAST_HEADING: u32 = 10;
+const LEAST_TEXT: u32 = 9;
+
+impl Sizes {
+    /// All sizes by one factor, but text not below what can be read.
+    pub(super) fn scaled(self, factor: f64) -> Self {
+        let text = |size: u32, least: u32| {
+            ((factor * f64::from(size)).round() as u32).max(least.min(size))
+        };
+        Self {
+            title: text(self.title, LEAST_TITLE),
+            note: text(self.note, LEAST_TEXT),
+            heading: text(self.heading, LEAST_HEADING),
+            label: text(self.label, LEAST_TEXT),
+            tick: text(self.tick, LEAST_TEXT),
+            legend: text(self.legend, LEAST_TEXT),
+            stroke: factor * self.stroke,
+            scale: factor * self.scale,
+            rim: factor * self.rim,
+            between: factor * self.between,
+        }
+    }
 }
 
 impl Theme {
@@ -40,6 +68,7 @@ impl Theme {
                 tick: 12,
                 legend: 12,
                 stroke: 1.0,
+                scale: 1.0,
                 rim: 14.0,
                 between: 16.0,
             },
@@ -51,6 +80,7 @@ impl Theme {
                 tick: 10,
                 legend: 10,
                 stroke: 0.75,
+                scale: 1.0,
                 rim: 5.0,
                 between: 9.0,
             },

@@ -27,12 +27,13 @@ pub(crate) use extras::{extras, surface_csv};
 pub(crate) use find::{CrownReport, FoundReport};
 pub(crate) use heading::heading;
 pub(crate) use number::significant;
+pub(crate) use picture::said_load;
 pub use picture::{ContactPicture, contact_picture, contact_plot};
 pub(crate) use shaped::ShapedReport;
 pub(crate) use sheet::{Entry, Sheet};
 pub(crate) use shown::Shown;
 pub(crate) use stress::{
-    StressReport, Stresses, YieldReport, stress_csv, stress_npz, stress_table,
+    StressReport, Stresses, YieldReport, infinite_at, stress_csv, stress_npz, stress_table,
 };
 pub(crate) use study_units::{Scaled, StudyUnits};
 pub(crate) use sweep::{

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use shtaerman::quantity::Measure;
-use shtaerman::{Criterion, FirstYield, Peak, Stress, StressField};
+use shtaerman::{Criterion, FirstYield, Peak, Stress, StressField, Warning};
 
 use super::{Shown, Table, Told, significant};
 use crate::arguments::StressComponent;
@@ -173,13 +173,16 @@ pub(crate) struct StressReport<'a> {
     force: f64,
     moment: f64,
     zones: Vec<[f64; 2]>,
+    /// Where the stress is infinite.
+    #[serde(skip)]
+    infinite: Vec<f64>,
     period: Option<f64>,
     error: f64,
     nodes: usize,
     maximum: Maxima,
     yield_stress: Option<f64>,
     first_yield: Option<Vec<YieldReport>>,
-    warnings: Vec<String>,
+    warnings: Vec<Warning>,
     points: Option<&'a Stresses>,
     grid: Option<&'a Stresses>,
 }
@@ -200,6 +203,7 @@ impl<'a> StressReport<'a> {
             force,
             moment,
             zones: field.zones(),
+            infinite: field.infinite_corners(),
             period: field.period(),
             error: field.error(),
             nodes: field.nodes(),
@@ -216,7 +220,7 @@ impl<'a> StressReport<'a> {
     }
 
     /// Adds what was found for a yield stress, or why nothing was.
-    pub(crate) fn set_yield(&mut self, stress: f64, found: Result<Vec<YieldReport>, String>) {
+    pub(crate) fn set_yield(&mut self, stress: f64, found: Result<Vec<YieldReport>, Warning>) {
         self.yield_stress = Some(stress);
         match found {
             Ok(loads) => self.first_yield = Some(loads),
@@ -225,8 +229,8 @@ impl<'a> StressReport<'a> {
     }
 
     /// Adds what a user should know about the contact.
-    pub(crate) fn add_warnings(&mut self, warnings: &[shtaerman::Warning]) {
-        self.warnings.extend(warnings.iter().map(|warning| warning.message.clone()));
+    pub(crate) fn add_warnings(&mut self, warnings: &[Warning]) {
+        self.warnings.extend_from_slice(warnings);
     }
 
     /// Adds stresses.
@@ -274,7 +278,11 @@ pub(crate) fn stress_table(
         ("von Mises, largest", &report.maximum.von_mises),
         ("shear stress, largest", &report.maximum.max_shear),
     ] {
-        row(name, stress(peak.value), place(peak, &length));
+        let place = match report.infinite.as_slice() {
+            corners @ [_, ..] if peak.value.is_infinite() => infinite_at(corners, &length),
+            _ => place(peak, &length),
+        };
+        row(name, stress(peak.value), place);
     }
     row("Poisson's ratio", significant(report.poisson_ratio, 6), String::new());
     text.table(table);
@@ -323,9 +331,22 @@ pub(crate) fn stress_table(
         text.push('\n');
     }
     for warning in &report.warnings {
-        let _ = writeln!(text, "warning: {warning}");
+        let _ = writeln!(text, "warning: {}", warning.message);
     }
     text
+}
+
+/// The corners at which a stress is infinite.
+pub(crate) fn infinite_at(corners: &[f64], length: &dyn Fn(f64) -> String) -> String {
+    match corners {
+        [] => String::new(),
+        [x] => format!("at the edge x = {}", length(*x)),
+        [x, y] => format!("at the edges x = {} and {}", length(*x), length(*y)),
+        [x, .., y] => {
+            let count = corners.len();
+            format!("at {count} edges, from x = {} to {}", length(*x), length(*y))
+        }
+    }
 }
 
 fn place(peak: &PeakReport, length: &dyn Fn(f64) -> String) -> String {

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use shtaerman::profile::Trace;
 use shtaerman::quantity::{Measure, OutputUnits};
 
-use super::Table;
+use super::{Table, heading};
 use crate::output::Content;
 use crate::plot::TracePlot;
 
@@ -16,6 +16,8 @@ const SCHEMA: &str = "shtaerman-trace/1";
 /// What was read of a trace and what was made of it.
 pub(crate) struct TraceReport<'t> {
     pub(crate) name: &'t str,
+    /// The name of the file without folder and suffix; empty for none.
+    pub(crate) stem: String,
     /// As it is written.
     pub(crate) before: &'t Trace,
     /// In its place and levelled, with all its waves.
@@ -118,7 +120,10 @@ impl TraceReport<'_> {
         };
         let [before, after] = f;
         TracePlot {
-            title: format!("{}: before and after", self.name),
+            title: match heading(&self.stem) {
+                Some(name) => format!("{name}: as read and as used"),
+                None => "As read and as used".to_owned(),
+            },
             before: points(self.before, before.factor),
             levelled: points(self.levelled, after.factor),
             after: points(self.after, after.factor),

@@ -276,11 +276,19 @@ fn measured_profiles() {
     let problem = PHYSICAL.replace("\"x^2 / (2*20)\"", "{ csv = \"p.csv\", x_unit = \"mm\" }");
     for (csv, said) in [
         ("x,f\n-5,1\n", "p.csv: a profile needs at least two rows of numbers, got 1"),
-        ("", "p.csv: a profile needs at least two rows of numbers, got 0"),
+        ("", "p.csv: a profile needs at least two rows of numbers, the file is empty"),
+        ("x,f\n", "two rows of numbers, got 0: there is nothing behind the header"),
+        (
+            "x [mm],f [m]\nmm,m\n-5,1\n5,1\n",
+            "line 2: the position is not a number: `mm`; skip = 2 leaves out the lines up to this one",
+        ),
         ("-5,1\n0,high\n5,1\n", "p.csv: line 2: the height is not a number: `high`"),
         ("-5,1\n1,1\n0,1\n5,1\n", "p.csv: line 3: positions must increase"),
         ("-5,1\n0,1\n0,1\n5,1\n", "p.csv: line 3: positions must increase"),
-        ("-4,1\n0,0\n5,1\n", "p.csv: does not cover the punch"),
+        (
+            "-4,1\n0,0\n5,1\n",
+            "p.csv: does not cover the punch: the rows reach from -4 mm to 5 mm, the punch from -5 mm to 5 mm",
+        ),
         ("-5,1\n0,0\n4.9,1\n", "p.csv: does not cover the punch"),
         ("-5,1\n0,nan\n5,1\n", "p.csv: line 2: the height is NaN"),
         ("-5,1\n0\n5,1\n", "p.csv: line 2: needs two columns"),

@@ -33,6 +33,7 @@ mod roughness;
 mod schemas;
 mod sense;
 mod shells;
+mod sizes;
 mod spectrum;
 mod stress;
 mod studies;

@@ -153,3 +153,49 @@ fn a_range_without_any_of_what_is_known_is_refused() {
         assert!(is_met || run.refusal().contains("and again every 4 mm"), "{}", run.stderr);
     }
 }
+
+/// The upright strokes of the crosses of a map: the one in the legend first or last.
+fn crosses(svg: &str) -> Vec<f64> {
+    let picture = roxmltree::Document::parse(svg).unwrap();
+    let strokes = picture.descendants().filter(|node| {
+        let is = |name: &str, value: &str| node.attribute(name) == Some(value);
+        let is_upright = node.attribute("x1") == node.attribute("x2");
+        node.has_tag_name("line") && is("stroke-width", "2") && is_upright
+    });
+    strokes.map(|node| node.attribute("x1").unwrap().parse().unwrap()).collect()
+}
+
+#[test]
+fn both_infinite_corners_of_a_smooth_punch_are_marked() {
+    let folder = Folder::new();
+    let file = repository().join("examples/flat_punch.toml");
+    let stress = |more: &[&str]| {
+        let run = ["stress", file.to_str().unwrap(), "--no-audit", "--plot", "p.svg"];
+        let said = folder.run(&[&run[..], more].concat()).answer();
+        (said, folder.read("p.svg"))
+    };
+    let (said, svg) = stress(&["--set", "foundation.roughness=0"]);
+    assert!(said.contains("at the edges x = -5 mm and 5 mm"), "{said}");
+    assert!(svg.contains("at the edges x = −5 mm and 5 mm") && svg.contains(">infinite<"), "{svg}");
+    let marked = crosses(&svg);
+    assert_eq!(marked.len(), 3, "two, and one in the legend: {marked:?}");
+    // Both are as far from the middle of the frame, which is that between the ends of the contact.
+    let middle = marked[0].midpoint(marked[1]);
+    assert!(svg.contains(&format!("x=\"{middle}\"")), "{middle} has the label of 0");
+    // A stress that is finite is marked where it is largest.
+    assert_eq!(crosses(&stress(&[]).1).len(), 2);
+}
+
+#[test]
+fn titles_of_maps_and_traces_say_what_is_shown() {
+    let folder = Folder::with(UNILATERAL);
+    let drawn = ["stress", "punch.toml", "--no-audit", "--grid", "9x9", "--plot", "p.svg"];
+    folder.run(&drawn).answer();
+    let title = "<title>Punch: 800 kN/m, moment 100 N m/m, von Mises stress below the contact<";
+    assert!(folder.read("p.svg").contains(title), "{}", folder.read("p.svg"));
+    std::fs::create_dir(folder.path("deep")).unwrap();
+    folder.write("deep/ground_ring.csv", "x,f\n-1e-3,0\n0,1e-6\n1e-3,0\n");
+    folder.run(&["trace", "deep/ground_ring.csv", "--plot", "t.svg"]).answer();
+    let svg = folder.read("t.svg");
+    assert!(svg.contains("<title>Ground ring: as read and as used<") && !svg.contains("deep/"));
+}

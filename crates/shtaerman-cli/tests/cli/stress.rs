@@ -144,7 +144,8 @@ fn no_load_at_yield_is_said() {
     let answer = json(&folder, &[]);
     assert_eq!(answer["first_yield"], Value::Null);
     let warnings = answer["warnings"].as_array().unwrap();
-    assert!(warnings.iter().any(|text| text.as_str().unwrap().contains("no load")), "{answer}");
+    let no_yield = warnings.iter().find(|one| one["code"] == "no_yield").unwrap();
+    assert!(no_yield["message"].as_str().unwrap().contains("no load"), "{answer}");
     let run = folder.run(&["stress", "punch.toml", "--yield-stress", "1 MPa"]);
     assert!(run.refusal().contains("no load brings"));
 }

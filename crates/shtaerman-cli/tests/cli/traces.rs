@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{Folder, assert_valid, number, schema};
+use crate::support::{Folder, UNILATERAL, assert_valid, number, schema};
 
 const STEEL: &str = "[foundation]\nyoung_modulus = \"200 GPa\"\npoisson_ratio = 0.3\nroughness = \"1.2e-14 m/Pa\"\n\n[load]\nforce = \"0.8 MN/m\"\nmoment = 0\n\n[punch]\nhalf_width = \"5 mm\"\n";
 
@@ -218,5 +218,68 @@ fn options_of_a_trace_that_make_no_sense_are_refused() {
         );
         let run = folder.run(&["solve", "punch.toml"]);
         assert!(run.refusal().contains(said), "{options}: {}", run.stderr);
+    }
+}
+
+#[test]
+fn messages_have_the_units_and_the_option_of_the_user() {
+    let folder = Folder::new();
+    folder.write("mm.csv", "-6,1\n-1,0.2\n0,0.1\n1,0.2\n6,1\n");
+    folder.write("two.csv", "x,f\nmm,um\n-6,1\n6,1\n");
+    let trace = |file: &str, more: &[&str]| {
+        let run =
+            folder.run(&[&["trace", file, "--x-unit", "mm", "--f-unit", "um"], more].concat());
+        run.refusal().to_owned()
+    };
+    for (cutoff, said) in [
+        ("80 mm", "the cutoff of the filter, 80 mm, is longer than the trace, 12 mm"),
+        (
+            "8 um",
+            "the cutoff of the filter, 0.008 mm, is less than twice the distance of the points, 3 mm",
+        ),
+    ] {
+        let told = trace("mm.csv", &["--cutoff", cutoff]);
+        assert!(told.contains(said), "{told}");
+    }
+    let told = trace("mm.csv", &["--half-width", "8 mm"]);
+    assert!(told.contains("rows reach from -6 mm to 6 mm, the punch from -8 mm to 8 mm"), "{told}");
+    let told = trace("two.csv", &[]);
+    assert!(
+        told.contains("line 2: the position is not a number: `mm`; --skip 2 leaves out"),
+        "{told}"
+    );
+    // What is meant by it is read.
+    folder.run(&["trace", "two.csv", "--skip", "2", "--x-unit", "mm", "--f-unit", "um"]).answer();
+}
+
+/// Millimetres that are read in metres leave one row over the base.
+#[test]
+fn a_trace_without_units_and_with_one_row_over_the_base_is_doubted() {
+    let rows: String = (-30..=30).map(|i| format!("{},0.0000001\n", f64::from(i) / 5.0)).collect();
+    let folder = Folder::with(&UNILATERAL.replace("\"x^2 / (2*20)\"", "{ csv = \"t.csv\" }"));
+    let said = "the trace has one row over the base, and no unit";
+    let solve = ["solve", "punch.toml", "--no-audit"];
+    for (header, is_doubted) in [("", true), ("x,f\n", true), ("x [m],f [m]\n", false)] {
+        folder.write("t.csv", format!("{header}{rows}"));
+        let table = folder.run(&solve).answer().split_whitespace().collect::<Vec<_>>().join(" ");
+        assert_eq!(table.contains(said), is_doubted, "{header}: {table}");
+        let strict = folder.run(&[&solve[..], &["--strict"]].concat());
+        assert!(!is_doubted || strict.refusal().contains(said), "{header}: {}", strict.stderr);
+        let run = folder.run(&["trace", "t.csv", "--half-width", "5 mm"]);
+        assert_eq!(run.stderr.contains(said), is_doubted, "{header}: {}", run.stderr);
+    }
+    folder.write("t.csv", &rows);
+    let stated = ["--set", "punch.profile={ csv = \"t.csv\", x_unit = \"mm\" }"];
+    let table = folder.run(&[&solve[..], &stated].concat()).answer();
+    assert!(!table.contains("over the base, and"), "{table}");
+}
+
+#[test]
+fn an_empty_file_has_the_lines_to_add() {
+    let folder = Folder::with("\n");
+    let run = folder.run(&["solve", "punch.toml"]);
+    assert!(run.refusal().contains("the file is empty"));
+    for line in ["[foundation]", "[punch]", "half_width = \"5 mm\"", "[load]"] {
+        assert!(run.stderr.contains(line), "{}", run.stderr);
     }
 }

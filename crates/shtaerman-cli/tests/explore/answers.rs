@@ -130,3 +130,24 @@ fn a_fault_is_told_with_its_place() {
     assert_eq!(read["fault"]["field"], "punch.profile");
     assert_eq!(read["inputs"]["punch.half_width"], 0.005);
 }
+
+/// What is doubtful about a file is told beside the fault of its solve, in the words of the command line.
+#[test]
+fn doubts_are_told_where_there_is_no_answer() {
+    let doubtful =
+        PUNCH.replace("\"200 GPa\"", "200").replace("[solver]", "[solver]\ntolerance = 1e-30");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("x.toml");
+    std::fs::write(&path, &doubtful).unwrap();
+    let told = Command::new(PROGRAM).arg("solve").arg(&path).output().unwrap();
+    let printed = String::from_utf8(told.stderr).unwrap();
+    let warning = printed.lines().find_map(|line| line.strip_prefix("warning: ")).unwrap();
+    let page = Page::open(&[]);
+    let told = page.ask("solve", &json!({ "name": "x.toml", "toml": doubtful }));
+    assert!(told["fault"]["message"].is_string(), "{told}");
+    let doubt = json!([{ "code": "soft_modulus", "message": warning }]);
+    assert_eq!(told["warnings"], doubt);
+    let sound = doubtful.replace("young_modulus = 200", "young_modulus = \"200 GPa\"");
+    let told = page.ask("solve", &json!({ "name": "x.toml", "toml": sound }));
+    assert_eq!(told["warnings"], json!([]), "{told}");
+}

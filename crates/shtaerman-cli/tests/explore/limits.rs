@@ -134,6 +134,27 @@ fn a_hostile_profile_ends_in_time_and_others_are_answered_meanwhile() {
     assert!(since.elapsed() < Duration::from_secs(20), "{:?}", since.elapsed());
 }
 
+/// Hostile profiles fill the places of what takes long, and no others; each is told something in the end.
+#[test]
+fn six_hostile_profiles_do_not_keep_a_plain_solve_waiting() {
+    let page = Page::open(&["--time-limit", "4 s"]);
+    let question = page.question("solve", &endless().to_string());
+    scope(|threads| {
+        let asked: Vec<_> = (0..6).map(|_| threads.spawn(|| page.raw(&question))).collect();
+        // While they begin, and while they compute.
+        for pause in [300, 3000] {
+            sleep(Duration::from_millis(pause));
+            let other = Instant::now();
+            assert!(solve(&page)["answer"].is_object());
+            assert!(other.elapsed() < Duration::from_secs(3), "{:?}", other.elapsed());
+        }
+        for asked in asked {
+            let told = asked.join().unwrap();
+            assert!([200, 504].contains(&told.status), "{}", told.body);
+        }
+    });
+}
+
 /// What has no limit of its own is ended with its process, and the next question finds another.
 #[test]
 fn a_process_that_takes_too_long_is_ended_and_replaced() {

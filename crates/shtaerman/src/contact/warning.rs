@@ -52,8 +52,10 @@ pub enum WarningCode {
     AboveYield,
     /// The base is wider than machines have; millimetres may be meant.
     WideBase,
-    /// The header of a trace has something in place of a unit that is none, and no unit is stated.
+    /// A trace has no unit that is known where it needs one: its header has something in its place, or hardly a row lies over the base.
     UnknownUnit,
+    /// The yield stress of a file is reached by no load.
+    NoYield,
 }
 
 /// A warning with its text.
@@ -273,6 +275,20 @@ impl Warning {
             "the header has `{written}` for the unit of the {name}, which is none that is known, and they are read in metres: state it, by {stated}"
         );
         Self { code: WarningCode::UnknownUnit, message }
+    }
+
+    /// A trace without any unit of its positions, with hardly a row over the base, and the key or option that states the unit; none for more rows.
+    #[must_use]
+    pub fn few_rows(count: usize, stated: &str) -> Option<Self> {
+        let rows = match count {
+            0 => "no row",
+            1 => "one row",
+            _ => return None,
+        };
+        let message = format!(
+            "the trace has {rows} over the base, and no unit: its positions are read in metres, and other units may be meant: state it, by {stated}"
+        );
+        Some(Self { code: WarningCode::UnknownUnit, message })
     }
 
     /// The relative error aimed at, and the one reached.

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use super::profile;
 use super::read::{ReadProblem, read};
+use super::section::whole;
 use super::sense::advised;
 use crate::document::{Document, FileError, load_bytes, overridden};
 use crate::quantity::OutputUnits;
@@ -59,7 +60,13 @@ impl ProblemFile {
         folder: &Path,
         overrides: &[String],
     ) -> Result<Self, Error> {
-        Self::from_document(overridden(bytes, name, overrides, OVERRIDE)?, folder)
+        let document = overridden(bytes, name, overrides, OVERRIDE).map_err(|error| {
+            if bytes.iter().all(u8::is_ascii_whitespace) {
+                return error.with_help(whole());
+            }
+            error
+        })?;
+        Self::from_document(document, folder)
     }
 
     /// Reads a problem from a document with its overrides; `folder` is where a measured profile is looked for.

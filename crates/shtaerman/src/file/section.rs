@@ -12,6 +12,12 @@ const SECTIONS: [(&str, &str); 3] = [
     ("load", "[load]\nforce = \"0.8 MN/m\"\nmoment = 0"),
 ];
 
+/// All of them, for a file that has nothing.
+pub(super) fn whole() -> String {
+    let lines: Vec<&str> = SECTIONS.iter().map(|(_, lines)| *lines).collect();
+    format!("add these lines, with values of your own:\n{}", lines.join("\n\n"))
+}
+
 /// The load of a circular punch.
 const DISK: (&str, &str) = ("load", "[load]\nforce = \"500 N\"\nmoment = 0");
 

@@ -40,8 +40,11 @@ pub(super) fn read(
             None => fault,
         }
     })?;
-    let doubts = if physical { doubts(&table, &said) } else { Vec::new() };
     let trace = trace.arranged(&options);
+    let mut doubts = if physical { doubts(&table, &said) } else { Vec::new() };
+    if physical && !table.has("x_unit") && matches!(said[0], HeaderUnit::Silent) {
+        doubts.extend(Warning::few_rows(trace.rows_over(over), "x_unit = \"mm\" or the like"));
+    }
     let is_elsewhere = trace.is_elsewhere(over);
     let covering = trace.covering(over, &name).map_err(|error| {
         let fault = csv.error(error);
@@ -111,7 +114,8 @@ fn stated(field: &Field<'_>, physical: bool) -> Result<TraceOptions, FileError> 
         None => false,
     };
     Ok(TraceOptions {
-        units: Some([unit(&table, "x_unit", physical)?, unit(&table, "f_unit", physical)?]),
+        units: Some([unit(&table, "x_unit", physical)?, unit(&table, "f_unit", physical)?])
+            .filter(|_| physical),
         dialect: dialect(&table)?,
         is_reversed: table.boolean("reverse")?.unwrap_or(false),
         is_flipped: table.boolean("flip")?.unwrap_or(false),
@@ -137,7 +141,8 @@ fn dialect(table: &TableReader<'_>) -> Result<Dialect, FileError> {
     };
     let encoding = table.string("encoding")?.map(str::to_owned);
     let chosen_by = "x_column and f_column";
-    Ok(Dialect { skip: skip.unwrap_or(0), columns, encoding, chosen_by })
+    let skipped_by = "skip = ";
+    Ok(Dialect { skip: skip.unwrap_or(0), columns, encoding, chosen_by, skipped_by })
 }
 
 /// The number of a column, or its name in the header.

@@ -30,7 +30,8 @@ pub fn read_csv(
 ) -> Result<Profile, FileError> {
     let CsvOptions { position_unit, height_unit, flip, cover } = *options;
     let options = TraceOptions {
-        units: Some([position_unit, height_unit]),
+        // A number without dimension has no other unit.
+        units: Some([position_unit, height_unit]).filter(|units| *units != [1.0, 1.0]),
         is_flipped: flip,
         ..TraceOptions::default()
     };

@@ -132,6 +132,16 @@ impl StressField {
         zones
     }
 
+    /// The ends of panels under which the pressure, and with it the stress, is infinite, from left to right.
+    #[must_use]
+    pub fn infinite_corners(&self) -> Vec<f64> {
+        let ends = |panel: &Panel| [(panel.left, panel.ends[0]), (panel.right, panel.ends[1])];
+        let infinite = self.panels.iter().flat_map(ends).filter(|(_, p)| p.is_infinite());
+        let mut places: Vec<f64> = infinite.map(|(x, _)| x * self.units[0]).collect();
+        places.dedup();
+        places
+    }
+
     /// Number of nodes that a stress is summed over.
     #[must_use]
     pub fn nodes(&self) -> usize {

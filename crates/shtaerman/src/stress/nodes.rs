@@ -2,9 +2,11 @@
 
 use std::f64::consts::PI;
 
+use fredholm::special::pole_sums;
+
 use super::complex::Complex;
 
-/// Nodes that are worked on side by side.
+/// Nodes that sums take side by side.
 const LANES: usize = 4;
 /// Strengths that fall slower from node to node are no series yet.
 const MOST_QUOTIENT: f64 = 0.99;
@@ -68,26 +70,7 @@ impl Nodes {
     }
 
     fn plain_sums<const CUBES: bool>(&self, x: f64, y: f64) -> Sums {
-        let mut sums = [[0.0; LANES]; 6];
-        let chunks = self.offsets.chunks_exact(LANES).zip(self.strengths.chunks_exact(LANES));
-        for (offsets, strengths) in chunks {
-            for lane in 0..LANES {
-                let distance = x - offsets[lane];
-                let inverse = 1.0 / (distance * distance + y * y);
-                let (re, im) = (distance * inverse, -y * inverse);
-                let strength = strengths[lane];
-                let (square_re, square_im) = (re * re - im * im, 2.0 * re * im);
-                sums[0][lane] += strength * re;
-                sums[1][lane] += strength * im;
-                sums[2][lane] += strength * square_re;
-                sums[3][lane] += strength * square_im;
-                if CUBES {
-                    sums[4][lane] += strength * (square_re * re - square_im * im);
-                    sums[5][lane] += strength * (square_re * im + square_im * re);
-                }
-            }
-        }
-        let total = sums.map(|lanes| lanes.iter().sum::<f64>());
+        let total = pole_sums::<CUBES>(&self.offsets, &self.strengths, [x, y]);
         [0, 2, 4].map(|i| Complex::new(total[i], total[i + 1]))
     }
 

@@ -1,6 +1,7 @@
 //! Kernels given by a transfer function `M`: what a wave of the wavenumber `u/h` is multiplied by, beside what the logarithm or one over the distance make of it.
 
 mod disk;
+mod local;
 mod plane;
 mod spectrum;
 mod table;

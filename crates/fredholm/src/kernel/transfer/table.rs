@@ -2,6 +2,7 @@
 
 use std::sync::OnceLock;
 
+use super::local::Local;
 use super::spectrum::{Integral, Shared, Spectrum, unseen};
 use crate::Error;
 use crate::basis::chebyshev::{ChebyshevSeries, points};
@@ -59,6 +60,8 @@ struct Panel {
     left: f64,
     right: f64,
     series: ChebyshevSeries,
+    /// The same in parts that are faster, where these resolve it.
+    local: Option<Local>,
     /// The derivative by the place on the panel, from -1 to 1.
     derivative: ChebyshevSeries,
 }
@@ -124,7 +127,11 @@ impl Table {
     pub(super) fn at(&self, t: f64) -> f64 {
         let Some(panel) = self.panel(t) else { return 0.0 };
         if t <= panel.right {
-            return panel.series.evaluate(panel.place(t));
+            let place = panel.place(t);
+            return match &panel.local {
+                Some(local) => local.at(place),
+                None => panel.series.evaluate(place),
+            };
         }
         match &self.beyond {
             Beyond::Itself(value) => value(t),
@@ -197,7 +204,8 @@ impl Builder {
             self.unresolved =
                 self.unresolved.max(if is_seen { missed } else { missed.max(beside) });
             let derivative = derivative(series.coefficients());
-            self.panels.push(Panel { left, right, series, derivative });
+            let local = Local::new(|y| series.evaluate(y), self.scale);
+            self.panels.push(Panel { left, right, series, local, derivative });
         } else {
             self.add(value, [left, middle], halvings - 1);
             self.add(value, [middle, right], halvings - 1);

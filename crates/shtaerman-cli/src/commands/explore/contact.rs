@@ -27,10 +27,17 @@ pub(super) struct Solution {
     doubts: Vec<Warning>,
 }
 
+/// A contact that is kept, with what it is the answer to.
+pub(super) type Kept = Option<(Asked, Solution)>;
+
 impl Solution {
     /// Solves as `solve` does.
     pub(super) fn new(asked: &Asked, is_audited: bool) -> Result<Self, Failure> {
-        let file = asked.problem()?;
+        Self::of(asked.problem()?, is_audited)
+    }
+
+    /// The same of a file that was read.
+    pub(super) fn of(file: ProblemFile, is_audited: bool) -> Result<Self, Failure> {
         let contact = match problem_file::solved(&file, is_audited)? {
             Solved::Answer(contact) => contact,
             Solved::Unfinished(contact, _) => contact,
@@ -50,13 +57,29 @@ impl Solution {
     }
 }
 
-/// Everything that the page shows of a contact.
-pub(super) fn told(asked: &Asked, is_audited: bool) -> Result<Value, Failure> {
-    let solution = Solution::new(asked, is_audited)?;
+/// Everything that the page shows of a contact, or why there is none, with what is doubtful about the file.
+pub(super) fn told(kept: &mut Kept, asked: &Asked, is_audited: bool) -> Result<Value, Failure> {
+    let file = asked.problem()?;
+    let doubts = file.input_checks();
+    *kept = None;
+    shown(kept, asked, file, is_audited).or_else(|failure| {
+        let mut fault = asked::fault(&failure);
+        fault["warnings"] = serde_json::to_value(doubts).map_err(asked::unwritable)?;
+        Ok(fault)
+    })
+}
+
+fn shown(
+    kept: &mut Kept,
+    asked: &Asked,
+    file: ProblemFile,
+    is_audited: bool,
+) -> Result<Value, Failure> {
+    let solution = Solution::of(file, is_audited)?;
     let (contact, answer) = (&solution.contact, solution.answer(false)?);
     let units = solution.file.units();
     let document = asked.document()?;
-    Ok(json!({
+    let told = json!({
         "answer": serde_json::to_value(&answer).map_err(asked::unwritable)?,
         "cards": cards(contact, units),
         "table": report::answer_rows(contact, &answer, units),
@@ -67,7 +90,12 @@ pub(super) fn told(asked: &Asked, is_audited: bool) -> Result<Value, Failure> {
         "unfinished": contact.is_unfinished(),
         "python": snippets::python(&document),
         "command": format!("shtaerman solve {}", snippets::quoted(&asked.name)),
-    }))
+    });
+    // An audit takes longer than a solve, and maps are of what the method states itself.
+    if !is_audited && !contact.is_unfinished() {
+        *kept = Some((asked.clone(), solution));
+    }
+    Ok(told)
 }
 
 /// The figures that are looked at first, each with its stated error, as the table shows them.

@@ -13,6 +13,8 @@ use crate::Failure;
 /// Answers the page, with the numbers that the command line gives.
 pub struct PageEngine {
     stressed: Option<map::Stressed>,
+    /// The last contact that was solved, whose stresses are asked for next.
+    solved: contact::Kept,
     limit: Duration,
 }
 
@@ -20,7 +22,7 @@ impl PageEngine {
     /// An engine that gives each solve this time.
     #[must_use]
     pub fn new(limit: Duration) -> Self {
-        Self { stressed: None, limit }
+        Self { stressed: None, solved: None, limit }
     }
 }
 
@@ -47,13 +49,19 @@ impl PageEngine {
             "read" => read(&asked::read(body, self.limit)?),
             "solve" => {
                 let AskedSolve { problem, audit } = asked::read(body, self.limit)?;
-                contact::told(&problem, audit)
+                contact::told(&mut self.solved, &problem, audit)
             }
             "csv" => contact::csv(&asked::read(body, self.limit)?),
             "svg" => contact::svg(&asked::read(body, self.limit)?),
             "report" => contact::report(&asked::read(body, self.limit)?),
-            "map" => map::told(&mut self.stressed, &asked::read(body, self.limit)?),
-            "map-svg" => map::svg(&mut self.stressed, &asked::read(body, self.limit)?),
+            "map" => {
+                let asked = asked::read(body, self.limit)?;
+                map::told((&mut self.stressed, &mut self.solved), &asked)
+            }
+            "map-svg" => {
+                let asked = asked::read(body, self.limit)?;
+                map::svg((&mut self.stressed, &mut self.solved), &asked)
+            }
             "study" => study::told(&asked::read(body, self.limit)?),
             "kernel" => kernel::told(&asked::read(body, self.limit)?),
             "equation" => kernel::equation(&asked::read(body, self.limit)?),

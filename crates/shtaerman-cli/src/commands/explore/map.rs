@@ -6,7 +6,7 @@ use shtaerman::quantity::Measure;
 use shtaerman::{Criterion, Error, Peak, StressField};
 
 use super::asked::{self, Asked};
-use super::contact::{self, Solution};
+use super::contact::{self, Kept, Solution};
 use crate::Failure;
 use crate::arguments::StressComponent;
 use crate::commands::stress::{self, Section};
@@ -42,10 +42,14 @@ pub(super) struct Stressed {
 }
 
 impl Stressed {
-    fn new(asked: &AskedMap) -> Result<Self, Failure> {
-        let solution = Solution::new(&asked.problem, false)?;
+    fn new(solved: &mut Kept, asked: &AskedMap) -> Result<Self, Failure> {
+        let file = asked.problem.problem()?;
+        file.problem().check_stresses().map_err(|error| file.locate(error))?;
+        let solution = match solved.take().filter(|(known, _)| *known == asked.problem) {
+            Some((_, solution)) => solution,
+            None => Solution::of(file, false)?,
+        };
         let problem = solution.file.problem();
-        problem.check_stresses().map_err(|error| solution.file.locate(error))?;
         let stated = problem.foundation().poisson_ratio();
         let ratio = stated.or(asked.poisson_ratio).ok_or(Error::NoPoissonRatio)?;
         let field = StressField::new(&solution.contact, Some(ratio))
@@ -54,14 +58,17 @@ impl Stressed {
     }
 
     /// The one that is known, or a new one.
-    fn of<'k>(known: &'k mut Option<Self>, asked: &AskedMap) -> Result<&'k mut Self, Failure> {
+    fn of<'k>(
+        (known, solved): (&'k mut Option<Self>, &mut Kept),
+        asked: &AskedMap,
+    ) -> Result<&'k mut Self, Failure> {
         let fits = |known: &Self| {
             known.problem == asked.problem
                 && asked.poisson_ratio.is_none_or(|ratio| ratio == known.ratio)
         };
         let stressed = match known.take().filter(fits) {
             Some(stressed) => stressed,
-            None => Self::new(asked)?,
+            None => Self::new(solved, asked)?,
         };
         Ok(known.insert(stressed))
     }
@@ -78,7 +85,10 @@ impl Stressed {
 }
 
 /// The map as numbers.
-pub(super) fn told(known: &mut Option<Stressed>, asked: &AskedMap) -> Result<Value, Failure> {
+pub(super) fn told(
+    known: (&mut Option<Stressed>, &mut Kept),
+    asked: &AskedMap,
+) -> Result<Value, Failure> {
     let stressed = Stressed::of(known, asked)?;
     let peaks = asked.peaks.then(|| stressed.peaks());
     let grid = stressed.grid(asked)?;
@@ -115,12 +125,14 @@ fn peak(peak: &Peak, share: f64, field: &StressField, shown: &Shown) -> Value {
     let of = |value: f64, measure: Measure| {
         if value.is_finite() { shown.value(value, measure) } else { "infinite".to_owned() }
     };
+    let corners = if peak.value.is_finite() { Vec::new() } else { field.infinite_corners() };
     let shift = field.period().map_or(0.0, |period| period * (peak.x / period).round());
     let at = peak.x - shift;
     // What is this small beside the depth is the middle, with the rounding of the search.
     let at = if at.abs() < MIDDLE * peak.depth { 0.0 } else { at };
     let x = of(at, Measure::Length);
     let place = match (peak.is_corner, peak.depth == 0.0) {
+        _ if !corners.is_empty() => report::infinite_at(&corners, &|x| of(x, Measure::Length)),
         (true, _) => format!("at the edge x = {x}, as a limit"),
         (false, true) => format!("at x = {x} on the surface"),
         (false, false) => format!("at x = {x}, {} deep", of(peak.depth, Measure::Length)),
@@ -132,6 +144,7 @@ fn peak(peak: &Peak, share: f64, field: &StressField, shown: &Shown) -> Value {
         "x": at,
         "depth": peak.depth,
         "place": place,
+        "infinite_at": corners,
     })
 }
 
@@ -150,12 +163,16 @@ fn first_yield(solution: &Solution, limit: f64, ratio: f64) -> Result<Value, Fai
 }
 
 /// The map as `stress --plot` draws it.
-pub(super) fn svg(known: &mut Option<Stressed>, asked: &AskedMap) -> Result<Value, Failure> {
+pub(super) fn svg(
+    known: (&mut Option<Stressed>, &mut Kept),
+    asked: &AskedMap,
+) -> Result<Value, Failure> {
     let stressed = Stressed::of(known, asked)?;
     let (peaks, grid) = (stressed.peaks(), stressed.grid(asked)?);
     let file = &stressed.solution.file;
     let shown = Shown::of(file.problem(), file.units());
     let name = asked.problem.stem();
-    let plot = stress::plot(name, asked.component, &stressed.field, &grid, &peaks, &shown);
+    let solved = (&stressed.solution.contact, &stressed.field);
+    let plot = stress::plot(name, asked.component, solved, &grid, &peaks, &shown);
     Ok(json!({ "text": contact::drawn(&plot)? }))
 }

@@ -1,11 +1,11 @@
 //! The map of a component.
 
 use shtaerman::quantity::Measure;
-use shtaerman::{Peak, StressField};
+use shtaerman::{Contact, Peak, StressField};
 
 use crate::arguments::StressComponent;
 use crate::plot::MapPlot;
-use crate::report::{Shown, Stresses, heading, significant};
+use crate::report::{Shown, Stresses, heading, infinite_at, said_load, significant};
 
 /// Values beyond this multiple of what all but a hundredth reach are a peak at a corner, which would leave no colours for the rest.
 const PEAK: f64 = 1.6;
@@ -15,7 +15,7 @@ const SHARE: f64 = 0.01;
 pub(in crate::commands) fn plot(
     problem: &str,
     component: StressComponent,
-    field: &StressField,
+    (contact, field): (&Contact, &StressField),
     grid: &Stresses,
     peaks: &[Peak; 2],
     shown: &Shown,
@@ -38,8 +38,10 @@ pub(in crate::commands) fn plot(
     let across = largest(&grid.x);
     let (length, stress) = (factor(across, Measure::Length), factor(highest, Measure::Pressure));
     let title = name(component);
+    let crosses = crosses(component, field, grid, peaks);
+    let is_infinite = peak(component, peaks).is_some_and(|(peak, _)| peak.value.is_infinite());
     MapPlot {
-        title: titled(problem, title),
+        title: titled(problem, &said_load(contact, &shown.units), title),
         notes: notes(component, field, peaks, shown),
         x: grid.x.iter().map(|x| x * length).collect(),
         depth: grid.y.iter().map(|y| y * length).collect(),
@@ -49,8 +51,8 @@ pub(in crate::commands) fn plot(
             .map(|(peak, share)| share * peak.value * stress)
             .filter(|value| !value.is_nan()),
         zones: zones(field, grid).into_iter().map(|zone| zone.map(|x| x * length)).collect(),
-        cross: cross(component, grid, peaks)
-            .map(|(x, y)| ((x * length, y * length), "largest in the body".to_owned())),
+        crosses: crosses.iter().map(|(x, y)| (x * length, y * length)).collect(),
+        cross_name: if is_infinite { "infinite" } else { "largest in the body" }.to_owned(),
         position_label: label("x", across, Measure::Length, "ξ = x/a"),
         depth_label: label("depth", across, Measure::Length, "depth / a"),
         value_label: label(title, highest, Measure::Pressure, &format!("{title} / E")),
@@ -73,12 +75,12 @@ pub(in crate::commands) fn name(component: StressComponent) -> &'static str {
     }
 }
 
-/// The name of the file and what is drawn.
-fn titled(problem: &str, what: &str) -> String {
+/// The name of the file, the load and what is drawn.
+fn titled(problem: &str, load: &str, what: &str) -> String {
     let what = format!("{what} below the contact");
     match heading(problem) {
-        Some(name) => format!("{name}: {what}"),
-        None => capitalised(&what),
+        Some(name) => format!("{name}: {load}, {what}"),
+        None => format!("{}, {load}", capitalised(&what)),
     }
 }
 
@@ -112,13 +114,28 @@ fn peak(component: StressComponent, peaks: &[Peak; 2]) -> Option<(Peak, f64)> {
     }
 }
 
-fn cross(component: StressComponent, grid: &Stresses, peaks: &[Peak; 2]) -> Option<(f64, f64)> {
-    let (peak, _) = peak(component, peaks)?;
+/// The place of the largest value, where the grid has it; where that is infinite, all places where it is.
+fn crosses(
+    component: StressComponent,
+    field: &StressField,
+    grid: &Stresses,
+    peaks: &[Peak; 2],
+) -> Vec<(f64, f64)> {
+    let Some((peak, _)) = peak(component, peaks) else { return Vec::new() };
+    let places = if peak.value.is_infinite() {
+        let (Some(left), Some(right)) = (grid.x.first(), grid.x.last()) else { return Vec::new() };
+        let corners = field.infinite_corners();
+        let shifts = shifts(field, [*left, *right]);
+        let shifted = shifts.iter().flat_map(|shift| corners.iter().map(move |x| x + shift));
+        shifted.map(|x| (x, 0.0)).collect()
+    } else {
+        vec![(peak.x, peak.depth)]
+    };
     let within = |value: f64, along: &[f64]| {
         along.first().is_some_and(|first| *first <= value)
             && along.last().is_some_and(|last| value <= *last)
     };
-    (within(peak.x, &grid.x) && within(peak.depth, &grid.y)).then_some((peak.x, peak.depth))
+    places.into_iter().filter(|(x, y)| within(*x, &grid.x) && within(*y, &grid.y)).collect()
 }
 
 fn notes(
@@ -135,7 +152,9 @@ fn notes(
     if let Some((peak, share)) = peak(component, peaks) {
         let value = shown(share * peak.value, Measure::Pressure);
         let x = shown(peak.x, Measure::Length);
-        let place = if peak.is_corner {
+        let place = if peak.value.is_infinite() {
+            infinite_at(&field.infinite_corners(), &|x| shown(x, Measure::Length))
+        } else if peak.is_corner {
             format!("at the edge x = {x}, as a limit")
         } else {
             format!("at x = {x}, depth {}", shown(peak.depth, Measure::Length))
@@ -147,20 +166,25 @@ fn notes(
 
 /// The zones within the grid; those of a periodic pressure with their repetitions.
 pub(in crate::commands) fn zones(field: &StressField, grid: &Stresses) -> Vec<[f64; 2]> {
-    const MOST_REPETITIONS: f64 = 200.0;
     let (Some(left), Some(right)) = (grid.x.first(), grid.x.last()) else { return Vec::new() };
+    let (zones, shifts) = (field.zones(), shifts(field, [*left, *right]));
+    let repeated =
+        shifts.iter().flat_map(|shift| zones.iter().map(move |zone| zone.map(|x| x + shift)));
+    repeated.filter(|zone| zone[1] > *left && zone[0] < *right).collect()
+}
+
+/// By how much the panels of a periodic pressure are shifted to have all of their repetitions in a range.
+fn shifts(field: &StressField, [left, right]: [f64; 2]) -> Vec<f64> {
+    const MOST_REPETITIONS: f64 = 200.0;
     let zones = field.zones();
-    let shifts: Vec<f64> = match field.period() {
+    match field.period() {
         Some(period) if (right - left) / period < MOST_REPETITIONS => {
             let first = ((left - zones.last().map_or(0.0, |zone| zone[1])) / period).floor() as i64;
             let last = ((right - zones.first().map_or(0.0, |zone| zone[0])) / period).ceil() as i64;
             (first..=last).map(|index| index as f64 * period).collect()
         }
         _ => vec![0.0],
-    };
-    let repeated =
-        shifts.iter().flat_map(|shift| zones.iter().map(move |zone| zone.map(|x| x + shift)));
-    repeated.filter(|zone| zone[1] > *left && zone[0] < *right).collect()
+    }
 }
 
 /// The values to tell apart, without peaks at corners.

@@ -67,7 +67,7 @@ pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {
     let map = grid
         .as_ref()
         .filter(|_| is_drawn)
-        .map(|grid| plot(&name, arguments.component, &field, grid, &peaks, &shown));
+        .map(|grid| plot(&name, arguments.component, (&contact, &field), grid, &peaks, &shown));
     let sheet = match &map {
         Some(map) if sheet_file.is_some() => {
             let name = problem_file::name(&arguments.problem.file);
@@ -216,12 +216,15 @@ fn loads_at_yield(
     stress: f64,
     ratio: f64,
     is_asked: bool,
-) -> Result<Result<Vec<YieldReport>, String>, Failure> {
+) -> Result<Result<Vec<YieldReport>, Warning>, Failure> {
     let mut loads = Vec::new();
     for criterion in [Criterion::VonMises, Criterion::Tresca] {
         match file.problem().first_yield(criterion, stress, Some(ratio)) {
             Ok(load) => loads.push(load.into()),
-            Err(error @ Error::NoYield { .. }) if !is_asked => return Ok(Err(error.to_string())),
+            Err(error @ Error::NoYield { .. }) if !is_asked => {
+                let (code, message) = (WarningCode::NoYield, error.to_string());
+                return Ok(Err(Warning { code, message }));
+            }
             Err(error) => return Err(file.locate(error).into()),
         }
     }

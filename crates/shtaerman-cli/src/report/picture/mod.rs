@@ -8,6 +8,7 @@ use shtaerman::{Contact, Error, PressureCurve};
 
 use crate::plot::ContactPlot;
 use surfaces::{Surfaces, shifts};
+pub(crate) use words::load as said_load;
 
 /// Points of the plotted curves.
 const PLOT_POINTS: usize = 401;

@@ -19,7 +19,8 @@ pub(super) fn title(contact: &Contact, wanted: &ContactPicture) -> String {
     }
 }
 
-fn load(contact: &Contact, units: &OutputUnits) -> String {
+/// Force and, where there is one, moment.
+pub(crate) fn load(contact: &Contact, units: &OutputUnits) -> String {
     let problem = contact.problem();
     let (force, moment) = (contact.force(), contact.moment());
     if problem.is_dimensionless() {

@@ -15,7 +15,7 @@ use shtaerman::{Answer, Contact, PressureCurve, Problem};
 
 use super::Told;
 use crate::Failure;
-use crate::plot::{Format, Look, Plot, Size, Theme, render_as};
+use crate::plot::{Format, Look, Plot, Size, Titled, render_as};
 use math::escaped;
 
 pub(crate) use inputs::Entry;
@@ -135,8 +135,8 @@ impl Sheet {
         plot: &dyn Plot,
         size: Option<Size>,
     ) -> Result<(), Failure> {
-        let look = Look { size, theme: Theme::Screen, dots_per_inch: None };
-        let bytes = render_as(plot, Format::Svg, look)?;
+        let look = Look::default();
+        let bytes = render_as(&Titled { figure: plot.figure(), size }, Format::Svg, look)?;
         let svg = String::from_utf8_lossy(&bytes).into_owned();
         self.pictures.push((caption.to_owned(), inlined(&svg, self.pictures.len(), caption)));
         Ok(())

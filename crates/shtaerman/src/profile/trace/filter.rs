@@ -26,21 +26,29 @@ pub(super) fn gaussian(
     f: &[f64],
     cutoff: f64,
     is_periodic: bool,
+    shown: &dyn Fn(f64) -> String,
 ) -> Result<Points, String> {
     let (first, last) = (x[0], x[x.len() - 1]);
     let length = last - first;
     let spacing = length / (x.len() - 1) as f64;
     if !(cutoff.is_finite() && cutoff > 0.0) {
-        return Err(format!("the cutoff of the filter is {cutoff} m: must be greater than zero"));
+        return Err(format!(
+            "the cutoff of the filter is {}: must be greater than zero",
+            shown(cutoff)
+        ));
     }
     if cutoff > length {
         return Err(format!(
-            "the cutoff of the filter, {cutoff} m, is longer than the trace, {length} m: level = \"mean-line\" takes off its line"
+            "the cutoff of the filter, {}, is longer than the trace, {}: level = \"mean-line\" takes off its line",
+            shown(cutoff),
+            shown(length)
         ));
     }
     if cutoff < FEWEST * spacing {
         return Err(format!(
-            "the cutoff of the filter, {cutoff} m, is less than twice the distance of the points, {spacing} m: there is nothing to filter"
+            "the cutoff of the filter, {}, is less than twice the distance of the points, {}: there is nothing to filter",
+            shown(cutoff),
+            shown(spacing)
         ));
     }
     let samples = Samples::new(x, f, cutoff, is_periodic);

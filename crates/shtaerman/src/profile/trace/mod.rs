@@ -3,10 +3,10 @@
 mod filter;
 mod level;
 
-use shtaerman_input::columns::{Columns, Dialect, HeaderUnit, Row, Separator, Sheet};
+use shtaerman_input::columns::{Columns, Dialect, HeaderUnit, Row, Separator, Sheet, unit_symbol};
 
 use crate::document::FileError;
-use crate::quantity::Dimension;
+use crate::quantity::{Dimension, engineering};
 
 /// Where a trace lies under the punch.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -23,7 +23,7 @@ pub enum Place {
 /// How a trace is written, and what is to be done to it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct TraceOptions {
-    /// SI values of the units of positions and heights; none for 1.
+    /// SI values of the units of positions and heights; none where they have no dimension.
     pub units: Option<[f64; 2]>,
     /// How the file is written.
     pub dialect: Dialect,
@@ -60,6 +60,8 @@ pub struct Trace {
     separator: Separator,
     header: Vec<String>,
     columns: [usize; 2],
+    /// SI value of the unit of the positions; none where they have no dimension.
+    unit: Option<f64>,
 }
 
 /// Relative slack at the edges of the punch, so that a trace that ends at the edge covers it whatever its unit rounds to.
@@ -67,6 +69,15 @@ const SLACK: f64 = 1e-9;
 
 fn columns(units: [f64; 2]) -> Columns {
     Columns { names: ["position", "height"], dimensions: [Dimension::LENGTH; 2], units }
+}
+
+/// A length in a unit of its own (SI value), in metres with a prefix where that has no symbol or is the metre, or as a number without dimension.
+fn shown(length: f64, unit: Option<f64>) -> String {
+    let Some(unit) = unit else { return engineering(length, Dimension::NONE) };
+    match unit_symbol(unit, Dimension::LENGTH).filter(|_| unit != 1.0) {
+        Some(symbol) => format!("{} {symbol}", engineering(length / unit, Dimension::NONE)),
+        None => engineering(length, Dimension::LENGTH),
+    }
 }
 
 impl Trace {
@@ -81,10 +92,13 @@ impl Trace {
         let Sheet { mut rows, encoding, separator, header, columns } =
             columns.sheet(content, name, &options.dialect)?;
         if rows.len() < 2 {
-            let count = rows.len();
-            return Err(fault(format!(
-                "a profile needs at least two rows of numbers, got {count}"
-            )));
+            let got = match rows.len() {
+                0 if content.iter().all(u8::is_ascii_whitespace) => "the file is empty",
+                0 if !header.is_empty() => "got 0: there is nothing behind the header",
+                0 => "got 0",
+                _ => "got 1",
+            };
+            return Err(fault(format!("a profile needs at least two rows of numbers, {got}")));
         }
         let is_falling = rows[1].values[0] < rows[0].values[0];
         for pair in rows.windows(2) {
@@ -94,7 +108,9 @@ impl Trace {
                 let line = pair[1].line;
                 let way = if is_falling { "decrease" } else { "increase" };
                 return Err(fault(format!(
-                    "line {line}: positions must increase from row to row, or decrease all along: these {way}, and {position} comes after {last} (in metres)"
+                    "line {line}: positions must increase from row to row, or decrease all along: these {way}, and {} comes after {}",
+                    shown(position, options.units.map(|units| units[0])),
+                    shown(last, options.units.map(|units| units[0]))
                 )));
             }
         }
@@ -103,7 +119,8 @@ impl Trace {
         }
         let (positions, heights) =
             rows.into_iter().map(|Row { values: [x, f], .. }| (x, f)).unzip();
-        Ok(Self { positions, heights, encoding, separator, header, columns })
+        let unit = options.units.map(|units| units[0]);
+        Ok(Self { positions, heights, encoding, separator, header, columns, unit })
     }
 
     /// What the header says of the units of positions and heights.
@@ -157,9 +174,26 @@ impl Trace {
             ""
         };
         let message = format!(
-            "does not cover the punch: the rows reach from {first} to {last}, the punch from {left} to {right} (in the units of the problem){elsewhere}"
+            "does not cover the punch: the rows reach from {} to {}, the punch from {} to {}{elsewhere}",
+            self.shown(first),
+            self.shown(last),
+            self.shown(left),
+            self.shown(right)
         );
         Err(FileError::new(message).in_file(Some(name)))
+    }
+
+    /// A length in the unit of the positions.
+    fn shown(&self, length: f64) -> String {
+        shown(length, self.unit)
+    }
+
+    /// How many rows lie over an interval.
+    #[must_use]
+    pub fn rows_over(&self, [left, right]: [f64; 2]) -> usize {
+        let slack = SLACK * (right - left);
+        let inside = left - slack..=right + slack;
+        self.positions.iter().filter(|x| inside.contains(*x)).count()
     }
 
     /// Whether the trace is as long as an interval that it does not cover.
@@ -189,8 +223,13 @@ impl Trace {
     /// [`FileError`] for a cutoff that the trace does not resolve, or that is longer than it.
     pub fn filtered(self, options: &TraceOptions, name: &str) -> Result<Self, FileError> {
         let Some(cutoff) = options.cutoff else { return Ok(self) };
-        let filtered =
-            filter::gaussian(&self.positions, &self.heights, cutoff, options.is_periodic);
+        let filtered = filter::gaussian(
+            &self.positions,
+            &self.heights,
+            cutoff,
+            options.is_periodic,
+            &|length| self.shown(length),
+        );
         let (positions, heights) =
             filtered.map_err(|message| FileError::new(message).in_file(Some(name)))?;
         Ok(Self { positions, heights, ..self })
