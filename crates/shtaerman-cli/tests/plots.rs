@@ -10,6 +10,9 @@ use shtaerman_cli::plot::{
     Plot, PlotError, Scale, Size, render,
 };
 
+/// A picture with little room.
+const SMALL: Size = Size { width: 480, height: 360 };
+
 fn positions(count: usize) -> Vec<f64> {
     (0..count).map(|i| 2.0 * i as f64 / (count - 1) as f64 - 1.0).collect()
 }
@@ -176,7 +179,7 @@ fn a_png_has_its_signature_and_size() {
     assert_png(&picture("convergence", &convergence(), Format::Png, size), size);
     let wide = Size { width: 1000, height: 560 };
     assert_png(&picture("families", &families(), Format::Png, wide), wide);
-    let small = Size::SMALLEST;
+    let small = SMALL;
     assert_png(&picture("small", &parabola(), Format::Png, small), small);
 }
 
@@ -253,10 +256,12 @@ fn nasty_numbers_never_fail() {
             let panels = vec![CurvePanel { curves, ..Default::default() }, CurvePanel::default()];
             let curves = CurvesPlot { panels, ..families() };
             for plot in [&contact as &dyn Plot, &convergence, &curves] {
-                let svg = render(plot, Format::Svg, Size::SMALLEST).unwrap();
+                let svg = render(plot, Format::Svg, SMALL).unwrap();
                 let svg = String::from_utf8(svg).unwrap();
                 texts(&svg);
-                assert!(!svg.contains("NaN") && !svg.contains("inf"), "{x:?} {y:?}");
+                // An arrow is named so, where a pressure is.
+                let numbers = svg.replace(">infinite<", "");
+                assert!(!numbers.contains("NaN") && !numbers.contains("inf"), "{x:?} {y:?}");
             }
         }
     }
@@ -271,7 +276,7 @@ fn nasty_numbers_never_fail_in_pixels() {
             body_surface: numbers.iter().map(|&v| (v, v)).collect(),
             ..flat_punch()
         };
-        assert_png(&render(&plot, Format::Png, Size::SMALLEST).unwrap(), Size::SMALLEST);
+        assert_png(&render(&plot, Format::Png, SMALL).unwrap(), SMALL);
     }
 }
 
@@ -293,9 +298,7 @@ fn nasty_scales_never_fail() {
                 arrangement: Arrangement::Stacked,
                 legend: LegendPlace::Panel,
             };
-            texts(
-                &String::from_utf8(render(&figure, Format::Svg, Size::SMALLEST).unwrap()).unwrap(),
-            );
+            texts(&String::from_utf8(render(&figure, Format::Svg, SMALL).unwrap()).unwrap());
         }
     }
 }
@@ -315,7 +318,7 @@ fn hostile_text_is_cut_and_escaped() {
     let curves = (0..300).map(curve).collect();
     let panels = vec![CurvePanel { heading: long.clone(), curves }];
     let plot = CurvesPlot { panels, ..families() };
-    let size = Size { width: 500, height: 400 };
+    let size = Size { width: 1200, height: 1200 };
     let svg = String::from_utf8(render(&plot, Format::Svg, size).unwrap()).unwrap();
     assert!(texts(&svg).iter().any(|(_, _, text)| text.contains("more")));
 }

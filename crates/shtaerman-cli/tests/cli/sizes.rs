@@ -139,8 +139,9 @@ const COMMANDS: [&[&str]; 22] = [
 
 /// The size that a refusal asks for.
 fn least(refusal: &str) -> &str {
-    let at_least = refusal.split_once("at least ").unwrap_or_else(|| panic!("{refusal}")).1;
-    at_least.split_once(" (").unwrap().0
+    let at_least = refusal.split_once("at least ");
+    assert!(at_least.is_some(), "{refusal}");
+    at_least.unwrap().1.split_once(" (").unwrap().0
 }
 
 #[test]

@@ -135,6 +135,10 @@ fn repeated(x: &[f64], f: &[f64], reach: f64) -> Points {
 mod tests {
     use super::*;
 
+    fn shown(length: f64) -> String {
+        format!("{length} m")
+    }
+
     fn even(count: usize, length: f64) -> Vec<f64> {
         (0..count).map(|i| length * i as f64 / (count - 1) as f64).collect()
     }
@@ -149,7 +153,7 @@ mod tests {
         let x = even(4001, 20.0);
         for wave in [0.5, 0.8, 1.0, 2.0, 8.0] {
             let f: Vec<f64> = x.iter().map(|x| (2.0 * PI * x / wave).cos()).collect();
-            let (places, heights) = gaussian(&x, &f, 0.8, false).unwrap();
+            let (places, heights) = gaussian(&x, &f, 0.8, false, &shown).unwrap();
             let middle = places.iter().zip(&heights).filter(|(x, _)| (3.0..17.0).contains(*x));
             for (x, height) in middle {
                 let exact = passed(0.8, wave) * (2.0 * PI * x / wave).cos();
@@ -164,7 +168,7 @@ mod tests {
         let mut x = even(300, 5.0);
         x.iter_mut().enumerate().for_each(|(i, x)| *x += 0.004 * (7.0 * i as f64).sin());
         let f: Vec<f64> = x.iter().map(|x| 2.0 - 3.0 * x).collect();
-        let (places, heights) = gaussian(&x, &f, 0.8, false).unwrap();
+        let (places, heights) = gaussian(&x, &f, 0.8, false, &shown).unwrap();
         assert_eq!([places[0], places[places.len() - 1]], [x[0], x[299]]);
         for (x, height) in places.iter().zip(heights) {
             assert!((height - (2.0 - 3.0 * x)).abs() < 1e-11, "{x}");
@@ -175,21 +179,21 @@ mod tests {
     fn a_period_goes_on_round_its_ends() {
         let x = even(801, 4.0);
         let f: Vec<f64> = x.iter().map(|x| (PI * x + 1.0).sin()).collect();
-        let (places, heights) = gaussian(&x, &f, 0.8, true).unwrap();
+        let (places, heights) = gaussian(&x, &f, 0.8, true, &shown).unwrap();
         assert_eq!(heights[0], heights[heights.len() - 1]);
         for (x, height) in places.iter().zip(&heights) {
             let exact = passed(0.8, 2.0) * (PI * x + 1.0).sin();
             assert!((height - exact).abs() < 1e-9, "{x}: {height} for {exact}");
         }
         // Ends that keep the first moment alone are off by the bend there.
-        let (_, cut) = gaussian(&x, &f, 0.8, false).unwrap();
+        let (_, cut) = gaussian(&x, &f, 0.8, false, &shown).unwrap();
         assert!((cut[0] - heights[0]).abs() > 1e-3);
     }
 
     #[test]
     fn a_cutoff_must_suit_the_trace() {
         let x = even(11, 1.0);
-        let said = |cutoff: f64| gaussian(&x, &x, cutoff, false).unwrap_err();
+        let said = |cutoff: f64| gaussian(&x, &x, cutoff, false, &shown).unwrap_err();
         assert!(said(0.1).contains("less than twice"), "{}", said(0.1));
         assert!(said(2.0).contains("longer than the trace"));
         assert!(said(-1.0).contains("greater than zero") && said(f64::NAN).contains("NaN"));
