@@ -1,5 +1,12 @@
 //! The equation of the second kind with conditions, by GMRES.
 
+mod least;
+mod run;
+#[cfg(test)]
+mod tests;
+
+use run::Run;
+
 use super::groups::Groups;
 use super::operator::PanelOperator;
 use crate::Error;
@@ -53,6 +60,17 @@ pub struct PanelSolution {
     pub products: usize,
 }
 
+/// A right-hand side with where to begin, and the norm of the residual that is small enough.
+#[derive(Debug, Clone, Copy)]
+pub struct PanelTask<'t> {
+    /// `b` at the nodes.
+    pub right: &'t [f64],
+    /// `phi` at the nodes to begin with.
+    pub start: &'t [f64],
+    /// Root of the integral of the squared residual.
+    pub tolerance: f64,
+}
+
 /// The conditions with the responses that meet them.
 struct Border<'c> {
     conditions: &'c [PanelCondition],
@@ -82,44 +100,38 @@ impl PanelEquation<'_> {
         start: &[f64],
         tolerance: f64,
     ) -> Result<PanelSolution, Error> {
-        self.check(right, conditions, start)?;
-        let border = self.border(conditions)?;
-        let (mut values, mut multipliers) = (start.to_vec(), vec![0.0; conditions.len()]);
-        let mut potential = self.potential(&values);
-        let mut residual = self.residual(right, conditions, &values, &multipliers, &potential);
-        // The first step meets the conditions, later ones keep them.
-        let mut missing: Vec<f64> =
-            conditions.iter().map(|c| c.value - self.carried(&c.row, &values)).collect();
-        let (mut products, mut before) = (1, f64::INFINITY);
-        let mut direction = residual;
-        loop {
-            let (step, shift) = self.roughly_inverted(&border, &direction, &missing);
-            missing.fill(0.0);
-            add(&mut values, 1.0, &step);
-            add(&mut multipliers, 1.0, &shift);
-            potential = self.potential(&values);
-            products += 1;
-            residual = self.residual(right, conditions, &values, &multipliers, &potential);
-            let norm = self.product(&residual, &residual).sqrt();
-            let falls = norm <= STAGNANT * before && products <= MOST_PRODUCTS;
-            if norm > tolerance && falls {
-                before = norm;
-                let steps;
-                (direction, steps) = self.krylov(&border, residual, norm, tolerance);
-                products += steps;
-                continue;
-            }
-            let size = self.size(right, conditions, &values, &multipliers, &potential);
-            if norm.is_nan() || norm > tolerance.max(ROUNDING * size) {
-                return Err(Error::NotConverged {
-                    iterations: products,
-                    residual: norm / size,
-                    tolerance: (tolerance / size).max(ROUNDING),
-                });
-            }
-            let residual = norm;
-            return Ok(PanelSolution { values, multipliers, potential, residual, products });
+        let task = PanelTask { right, start, tolerance };
+        let mut found = self.solve_together(&[task], conditions)?;
+        Ok(found.swap_remove(0))
+    }
+
+    /// [Solves](Self::solve) for several right-hand sides under the same conditions, each to the last bit as by itself: in products taken together the operator is read once for all.
+    ///
+    /// # Errors
+    /// Those of [`PanelEquation::solve`].
+    pub fn solve_together(
+        &self,
+        tasks: &[PanelTask<'_>],
+        conditions: &[PanelCondition],
+    ) -> Result<Vec<PanelSolution>, Error> {
+        for task in tasks {
+            self.check(task.right, conditions, task.start)?;
         }
+        let border = self.border(conditions)?;
+        let mut runs: Vec<Run<'_>> =
+            tasks.iter().map(|task| Run::new(self, &border, task)).collect();
+        loop {
+            let open = || runs.iter().filter_map(Run::wanted);
+            let wanted: Vec<&[f64]> = open().collect();
+            if wanted.is_empty() {
+                break;
+            }
+            let mut potentials = self.potentials(&wanted).into_iter();
+            for run in runs.iter_mut().filter(|run| run.wanted().is_some()) {
+                run.take(potentials.next().unwrap_or_default())?;
+            }
+        }
+        Ok(runs.into_iter().map(Run::into_solution).collect())
     }
 
     fn check(
@@ -159,12 +171,12 @@ impl PanelEquation<'_> {
         }
     }
 
-    /// `K w v`.
-    fn potential(&self, values: &[f64]) -> Vec<f64> {
-        match self.weight {
-            None => self.operator.potential(values),
-            Some(weight) => self.operator.potential(&times(weight, values)),
-        }
+    /// `K w v` of each of these.
+    fn potentials(&self, all: &[&[f64]]) -> Vec<Vec<f64>> {
+        let Some(weight) = self.weight else { return self.operator.potentials(all) };
+        let weighted: Vec<Vec<f64>> = all.iter().map(|values| times(weight, values)).collect();
+        let weighted: Vec<&[f64]> = weighted.iter().map(Vec::as_slice).collect();
+        self.operator.potentials(&weighted)
     }
 
     fn residual(
@@ -245,100 +257,6 @@ impl PanelEquation<'_> {
         }
         (values, multipliers)
     }
-
-    /// The combination of directions whose step leaves the least residual, before the approximate inverse; and the number of products.
-    fn krylov(
-        &self,
-        border: &Border<'_>,
-        mut residual: Vec<f64>,
-        norm: f64,
-        tolerance: f64,
-    ) -> (Vec<f64>, usize) {
-        let none = vec![0.0; border.conditions.len()];
-        residual.iter_mut().for_each(|value| *value /= norm);
-        let mut basis = vec![residual];
-        let mut least = LeastSquares::new(norm);
-        while least.residual().abs() > 0.5 * tolerance && basis.len() <= STEPS {
-            let last = &basis[basis.len() - 1];
-            let (step, shift) = self.roughly_inverted(border, last, &none);
-            let mut next = self.potential(&step);
-            next.iter_mut().zip(&step).for_each(|(u, v)| *u = v + self.parameter * *u);
-            for (condition, mu) in border.conditions.iter().zip(&shift) {
-                add(&mut next, -mu, &condition.column);
-            }
-            let mut column = Vec::with_capacity(basis.len() + 1);
-            for vector in &basis {
-                let part = self.product(vector, &next);
-                add(&mut next, -part, vector);
-                column.push(part);
-            }
-            let length = self.product(&next, &next).sqrt();
-            column.push(length);
-            least.add(column);
-            if length.is_nan() || length <= 0.0 {
-                break;
-            }
-            next.iter_mut().for_each(|value| *value /= length);
-            basis.push(next);
-        }
-        let mut combined = vec![0.0; basis[0].len()];
-        for (vector, factor) in basis.iter().zip(least.factors()) {
-            add(&mut combined, factor, vector);
-        }
-        (combined, least.columns.len())
-    }
-}
-
-/// The small least-squares problem of GMRES, by Givens rotations.
-struct LeastSquares {
-    /// Columns of the triangle.
-    columns: Vec<Vec<f64>>,
-    rotations: Vec<[f64; 2]>,
-    right: Vec<f64>,
-}
-
-impl LeastSquares {
-    fn new(norm: f64) -> Self {
-        Self { columns: Vec::new(), rotations: Vec::new(), right: vec![norm] }
-    }
-
-    fn residual(&self) -> f64 {
-        self.right[self.right.len() - 1]
-    }
-
-    fn add(&mut self, mut column: Vec<f64>) {
-        for (k, [c, s]) in self.rotations.iter().enumerate() {
-            let [above, below] = [column[k], column[k + 1]];
-            (column[k], column[k + 1]) = (c * above + s * below, c * below - s * above);
-        }
-        let last = column.len() - 2;
-        let radius = column[last].hypot(column[last + 1]);
-        let [c, s] = if radius > 0.0 {
-            [column[last] / radius, column[last + 1] / radius]
-        } else {
-            [1.0, 0.0]
-        };
-        column.pop();
-        column[last] = radius;
-        self.columns.push(column);
-        self.rotations.push([c, s]);
-        let residual = self.right[last];
-        self.right[last] = c * residual;
-        self.right.push(-s * residual);
-    }
-
-    fn factors(&self) -> Vec<f64> {
-        let count = self.columns.len();
-        let mut factors = self.right[..count].to_vec();
-        for k in (0..count).rev() {
-            let pivot = self.columns[k][k];
-            factors[k] = if pivot > 0.0 { factors[k] / pivot } else { 0.0 };
-            for i in 0..k {
-                factors[i] -= self.columns[k][i] * factors[k];
-            }
-        }
-        factors
-    }
 }
 
 fn times(weight: &[f64], values: &[f64]) -> Vec<f64> {
@@ -359,6 +277,3 @@ fn weighted(weights: &[f64], u: &[f64], v: &[f64]) -> f64 {
     let rest: f64 = w_rest.iter().zip(u_rest).zip(v_rest).map(|((w, u), v)| w * u * v).sum();
     sums.iter().sum::<f64>() + rest
 }
-
-#[cfg(test)]
-mod tests;

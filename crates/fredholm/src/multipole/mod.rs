@@ -11,10 +11,11 @@ mod near;
 mod operator;
 mod panels;
 mod rule;
+mod sums;
 mod tree;
 
 pub use groups::Groups;
 pub use kernel::PanelKernel;
-pub use krylov::{PanelCondition, PanelEquation, PanelSolution};
+pub use krylov::{PanelCondition, PanelEquation, PanelSolution, PanelTask};
 pub use operator::{PanelField, PanelOperator};
 pub use panels::Panels;

@@ -6,9 +6,10 @@ use std::sync::Arc;
 use super::kernel::PanelKernel;
 use super::near::NearEntries;
 use super::panels::Panels;
+use super::sums::{Lanes, PlainSum};
 use super::tree::{Locals, Tree, interpolate};
 use crate::Error;
-use crate::linear::{dot, vectorised};
+use crate::linear::vectorised;
 
 /// Nodes of a leaf, about.
 const CROWD: usize = 12;
@@ -111,32 +112,59 @@ impl PanelOperator {
     /// The potential at the nodes of a function with these values there. Missing values are zero, others ignored.
     #[must_use]
     pub fn potential(&self, values: &[f64]) -> Vec<f64> {
-        let values = self.without_mean(values);
-        let charges = self.charges(&values);
-        let mut result = vec![0.0; self.panels.count()];
+        self.potentials(&[values]).swap_remove(0)
+    }
+
+    /// The same of several functions, each to the last bit as by itself: what is known of the nodes is read once for all.
+    #[must_use]
+    pub fn potentials(&self, all: &[&[f64]]) -> Vec<Vec<f64>> {
+        let mut found = Vec::with_capacity(all.len());
+        let (threes, rest) = all.as_chunks::<3>();
+        threes.iter().for_each(|some| found.extend(self.potentials_of(some)));
+        match rest {
+            [one, two] => found.extend(self.potentials_of(&[one, two])),
+            [one] => found.extend(self.potentials_of(&[one])),
+            _ => {}
+        }
+        found
+    }
+
+    fn potentials_of<const N: usize>(&self, all: &[&[f64]; N]) -> [Vec<f64>; N] {
+        let values = all.map(|values| self.without_mean(values));
+        let charges = values.each_ref().map(|values| self.charges(values));
+        let mut results = [(); N].map(|()| vec![0.0; self.panels.count()]);
         vectorised(
             #[inline(always)]
-            || self.add_up(&values, &charges, &mut result),
+            || self.add_up(&values, &charges, &mut results),
         );
-        result
+        results
     }
 
     #[inline(always)]
-    fn add_up(&self, values: &[f64], charges: &[f64], result: &mut [f64]) {
-        let locals = self.tree.locals(charges, false);
+    fn add_up<const N: usize>(
+        &self,
+        values: &[Vec<f64>; N],
+        charges: &[Vec<f64>; N],
+        results: &mut [Vec<f64>; N],
+    ) {
+        let locals: [Locals; N] = std::array::from_fn(|k| self.tree.locals(&charges[k], false));
         for leaf in 0..self.tree.leaves() {
             let near = self.tree.near(leaf);
             let block = &self.near[self.near_starts[leaf]..self.near_starts[leaf + 1]];
             let rows = block.chunks_exact(count(&near).max(1));
             for (node, row) in self.tree.nodes_of(leaf, leaf).zip(rows) {
-                let mut sum = self.tree.at_node(&locals, leaf, node);
-                let mut row = row;
-                for part in &near {
-                    let (own, rest) = row.split_at(part.len());
-                    sum += dot(own, &values[part.clone()]);
-                    row = rest;
+                for k in 0..N {
+                    let mut sum = Lanes::default();
+                    let [local, own] = self.tree.at_node(&locals[k], leaf, node);
+                    sum.add(local, own);
+                    let mut row = row;
+                    for part in &near {
+                        let (own, rest) = row.split_at(part.len());
+                        sum.add(own, &values[k][part.clone()]);
+                        row = rest;
+                    }
+                    results[k][node] = sum.total();
                 }
-                result[node] = sum;
             }
         }
     }
@@ -240,45 +268,6 @@ impl PanelField {
             }
         }
         sum + plain.total()
-    }
-}
-
-/// Charges at distances that are added up, so many side by side.
-struct PlainSum {
-    kernel: PanelKernel,
-    distances: [f64; SIDE_BY_SIDE],
-    charges: [f64; SIDE_BY_SIDE],
-    count: usize,
-    sum: f64,
-}
-
-/// As many as near leaves have, about.
-const SIDE_BY_SIDE: usize = 64;
-
-impl PlainSum {
-    fn new(kernel: PanelKernel) -> Self {
-        let none = [0.0; SIDE_BY_SIDE];
-        Self { kernel, distances: none, charges: none, count: 0, sum: 0.0 }
-    }
-
-    fn add(&mut self, distance: f64, charge: f64) {
-        (self.distances[self.count], self.charges[self.count]) = (distance, charge);
-        self.count += 1;
-        if self.count == SIDE_BY_SIDE {
-            self.flush();
-        }
-    }
-
-    fn flush(&mut self) {
-        let values = &mut self.distances[..self.count];
-        self.kernel.values(values);
-        self.sum += dot(values, &self.charges);
-        self.count = 0;
-    }
-
-    fn total(mut self) -> f64 {
-        self.flush();
-        self.sum
     }
 }
 

@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 use super::kernel::PanelKernel;
-use crate::linear::dot;
 
 /// Chebyshev points of a box. Boxes that act on each other lie at least a box apart: interpolation converges by `(3 + sqrt 8)^-1` with each point.
 pub(super) const POINTS: usize = 18;
@@ -14,7 +13,9 @@ const OFFSETS: [isize; 4] = [-3, -2, 2, 3];
 const DEEPEST: u32 = 18;
 const SHALLOWEST: u32 = 2;
 
-type Square = Vec<f64>;
+/// A matrix between points by its columns, each filled up with zeros to whole vectors.
+type Square = Vec<[f64; WIDE]>;
+const WIDE: usize = POINTS.next_multiple_of(8);
 
 /// A tree of boxes from -1 to 1, or beyond: its leaves have the length that is asked for, and their number is a power of 2.
 #[derive(Debug, Clone)]
@@ -32,6 +33,8 @@ pub(super) struct Tree {
     across: Vec<[Square; 4]>,
     /// Values of the parent's cardinal polynomials at the points of the left and right child.
     halves: [Square; 2],
+    /// The same with rows for columns.
+    gathers: [Square; 2],
 }
 
 /// Values at the points of all leaves.
@@ -67,14 +70,25 @@ impl Tree {
         });
         let across = across.collect();
         let halves = [-1.0, 1.0].map(|side| {
-            let mut matrix = vec![0.0; POINTS * POINTS];
-            for (row, t) in matrix.chunks_exact_mut(POINTS).zip(&points) {
-                cardinal(&points, 0.5 * (t + side), row);
-            }
-            matrix
+            let rows = points.map(|t| {
+                let mut row = [0.0; POINTS];
+                cardinal(&points, 0.5 * (t + side), &mut row);
+                row
+            });
+            [square(|i, k| rows[i][k]), square(|i, k| rows[k][i])]
         });
-        let mut tree =
-            Self { depth, covering, starts, cardinal: Vec::new(), is_closed, across, halves };
+        let [[left, to_left], [right, to_right]] = halves;
+        let (halves, gathers) = ([left, right], [to_left, to_right]);
+        let mut tree = Self {
+            depth,
+            covering,
+            starts,
+            cardinal: Vec::new(),
+            is_closed,
+            across,
+            halves,
+            gathers,
+        };
         let mut values = vec![0.0; POINTS * nodes.len()];
         for leaf in 0..leaves {
             for j in tree.nodes_of(leaf, leaf) {
@@ -117,11 +131,16 @@ impl Tree {
         (x + 1.0) * self.covering as f64 - (2 * leaf + 1) as f64
     }
 
-    /// The far potential at the nodes, given that of their leaf.
+    /// Values at the points of a leaf and what a node takes of each: the far potential there is the sum of their products.
     #[inline(always)]
-    pub(super) fn at_node(&self, locals: &Locals, leaf: usize, node: usize) -> f64 {
+    pub(super) fn at_node<'t>(
+        &'t self,
+        locals: &'t Locals,
+        leaf: usize,
+        node: usize,
+    ) -> [&'t [f64]; 2] {
         let local = &locals[leaf * POINTS..(leaf + 1) * POINTS];
-        dot(local, &self.cardinal[node * POINTS..(node + 1) * POINTS])
+        [local, &self.cardinal[node * POINTS..(node + 1) * POINTS]]
     }
 
     /// The potential of charges at all nodes but those of neighbouring leaves, at the points of the leaves; `everywhere`, or where there are nodes.
@@ -143,11 +162,7 @@ impl Tree {
                 }
                 if level > SHALLOWEST {
                     let parent = &above[(b / 2) * POINTS..(b / 2 + 1) * POINTS];
-                    for (value, row) in
-                        local.iter_mut().zip(self.halves[b % 2].chunks_exact(POINTS))
-                    {
-                        *value += dot(row, parent);
-                    }
+                    add_product(&self.halves[b % 2], parent, local);
                 }
                 self.gather_far(moments, b, level, local);
             }
@@ -177,9 +192,7 @@ impl Tree {
                 continue;
             }
             seen = Some(other);
-            for (value, row) in local.iter_mut().zip(matrix.chunks_exact(POINTS)) {
-                *value += dot(row, source);
-            }
+            add_product(matrix, source, local);
         }
     }
 
@@ -207,9 +220,7 @@ impl Tree {
                     continue;
                 }
                 let parent = &mut parents[(b / 2) * POINTS..(b / 2 + 1) * POINTS];
-                for (m, row) in child.iter().zip(self.halves[b % 2].chunks_exact(POINTS)) {
-                    add(parent, *m, row);
-                }
+                add_product(&self.gathers[b % 2], child, parent);
             }
             levels.push(parents);
         }
@@ -223,8 +234,21 @@ fn add(target: &mut [f64], factor: f64, vector: &[f64]) {
     target.iter_mut().zip(vector).for_each(|(t, v)| *t += factor * v);
 }
 
+/// Adds a matrix times values: all rows advance together.
+#[inline(always)]
+fn add_product(matrix: &Square, values: &[f64], target: &mut [f64]) {
+    let mut sums = [0.0; WIDE];
+    for (column, value) in matrix.iter().zip(values) {
+        for (sum, entry) in sums.iter_mut().zip(column) {
+            *sum += value * entry;
+        }
+    }
+    target.iter_mut().zip(&sums).for_each(|(t, sum)| *t += sum);
+}
+
 fn square(entry: impl Fn(usize, usize) -> f64) -> Square {
-    (0..POINTS * POINTS).map(|index| entry(index / POINTS, index % POINTS)).collect()
+    let column = |k: usize| std::array::from_fn(|i| if i < POINTS { entry(i, k) } else { 0.0 });
+    (0..POINTS).map(column).collect()
 }
 
 /// The Chebyshev points of the first kind.

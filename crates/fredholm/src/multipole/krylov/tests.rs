@@ -160,3 +160,33 @@ fn a_weight_agrees_with_weighted_sinc_collocation() {
     let groups = Groups::new(PanelKernel::Logarithm, panels, 1.0, 0.05, Some(&short));
     assert!(matches!(groups, Err(Error::WrongLength { found: 3, .. })));
 }
+
+#[test]
+fn right_hand_sides_together_have_the_answers_that_each_has_by_itself() {
+    let bounds = (0..60).map(|i| f64::from(i) / 30.0 - 1.0).map(|x| [x, x + 0.03]).collect();
+    let panels = Panels::new(bounds, 9).unwrap();
+    let places = panels.nodes().to_vec();
+    let operator = PanelOperator::new(PanelKernel::Logarithm, panels).unwrap();
+    let weights: Vec<f64> = places.iter().map(|x| 1.5 + x).collect();
+    for weight in [None, Some(&weights[..])] {
+        let (parameter, panels) = (20.0, operator.panels());
+        let groups = Groups::new(PanelKernel::Logarithm, panels, parameter, 0.1, weight).unwrap();
+        let equation = PanelEquation { operator: &operator, parameter, weight, groups: &groups };
+        let waves = [0.0, 1.0, 7.0, 40.0];
+        let rights = waves.map(|k| places.iter().map(|x| (k * x).cos()).collect::<Vec<f64>>());
+        let nothing = vec![0.0; places.len()];
+        // They end after different numbers of products.
+        let task = |i: usize| (&rights[i][..], 10f64.powi(-4 - 2 * i as i32));
+        let tasks = [0, 1, 2, 3].map(task);
+        let tasks = tasks.map(|(right, tolerance)| PanelTask { right, start: &nothing, tolerance });
+        let together = equation.solve_together(&tasks, &[]).unwrap();
+        assert!(together.windows(2).any(|pair| pair[0].products != pair[1].products));
+        for (task, found) in tasks.iter().zip(together) {
+            let alone = equation.solve(task.right, &[], task.start, task.tolerance).unwrap();
+            assert_eq!(alone.values, found.values);
+            assert_eq!(alone.potential, found.potential);
+            assert_eq!(alone.products, found.products);
+            assert!(found.residual <= task.tolerance);
+        }
+    }
+}

@@ -98,12 +98,9 @@ impl<F: Field> Known<'_, F> {
         let of_layer = solved.strength * solved.layer.slope(solved.deepest()) * solved.rounding();
         let edge = |(side, at): (usize, f64)| {
             let (tilt, profile) = (solved.state.tilt, surface.slope(at));
-            let (mut body, mut size) = (0.0, tilt.abs() + profile.abs());
-            for (&xi, mass) in solved.nodes.places.iter().zip(&solved.masses) {
-                let part = solved.strength * mass * solved.ground.slope(at, xi);
-                body += part;
-                size += part.abs();
-            }
+            let sums = solved.ground.slope_of(at, &solved.nodes.places, &solved.masses);
+            let [body, added] = sums.map(|sum| solved.strength * sum);
+            let size = tilt.abs() + profile.abs() + added;
             let slope = -tilt - profile - body;
             let slope = if side == 0 { -slope } else { slope };
             Edge { layer: self.layer(at), slope, noise: ROUNDING * size + of_layer }

@@ -5,7 +5,8 @@
 use std::sync::Arc;
 
 use fredholm::multipole::{
-    Groups, PanelCondition, PanelEquation, PanelField, PanelKernel, PanelOperator, Panels,
+    Groups, PanelCondition, PanelEquation, PanelField, PanelKernel, PanelOperator, PanelTask,
+    Panels,
 };
 
 use super::mesh::{Fineness, panels};
@@ -251,21 +252,32 @@ impl Discrete for PanelNodes<'_> {
         let share = RESIDUALS[usize::from(near.is_some())];
         let (ones, lever, turns) =
             (vec![1.0; body.len()], self.nodes.lever(), self.nodes.frame.turns);
-        let solved = |k: usize, right: &[f64]| -> Result<Solution, Error> {
+        // What does not turn has no use for the third.
+        let rights = [body, &ones, &lever];
+        let rights = if turns { &rights[..] } else { &rights[..2] };
+        let start = |k: usize| -> Vec<f64> {
             let near = near.map(|near| &near[k]);
             let value = |xi: &f64| near.and_then(|near| near.field.interpolated(&near.layer, *xi));
-            let start: Vec<f64> =
-                self.nodes.places.iter().map(|xi| value(xi).unwrap_or(0.0)).collect();
-            let residual = share * self.norm(right) * self.total.sqrt();
-            let found = self.equation(inverse).solve(right, &[], &start, residual)?;
+            self.nodes.places.iter().map(|xi| value(xi).unwrap_or(0.0)).collect()
+        };
+        let starts: Vec<Vec<f64>> = (0..rights.len()).map(start).collect();
+        let tasks: Vec<PanelTask<'_>> = (rights.iter().zip(&starts))
+            .map(|(right, start)| {
+                let tolerance = share * self.norm(right) * self.total.sqrt();
+                PanelTask { right, start, tolerance }
+            })
+            .collect();
+        let found = self.equation(inverse).solve_together(&tasks, &[])?;
+        let mut solved = found.into_iter().zip(rights).map(|(found, right)| {
             let terms = right.iter().zip(&found.values).zip(&found.potential);
             let left = terms.map(|((b, v), u)| b - v - self.parameter * u).collect();
             let pressed = self.with_potential(inverse.pressures(&found.values), &found.potential);
-            Ok(Solution { layer: found.values, pressed, left, noise: share * largest(right) })
+            Solution { layer: found.values, pressed, left, noise: share * largest(right) }
+        });
+        let (Some(body), Some(level)) = (solved.next(), solved.next()) else {
+            return Err(unknown());
         };
-        let (body, level) = (solved(0, body)?, solved(1, &ones)?);
-        // What does not turn has no use for the third.
-        let turned = if turns { Some(solved(2, &lever)?) } else { None };
+        let turned = solved.next();
         let half = self.nodes.frame.hull.half;
         // The operator is symmetric: with what is left against the pressures of 1 and of `-y`, of a residual the square counts in force and moment.
         let carried = |solution: &Solution| {

@@ -81,12 +81,12 @@ pub(super) fn narrowest(c: f64, rings: &[Ring]) -> f64 {
 pub(super) fn coupled(
     kernel: RingKernel,
     c: f64,
-    rings: &[RingNodes],
+    rings: &[&RingNodes],
     rights: &[Modes],
 ) -> Result<Vec<Modes>, Error> {
     let counts: Vec<usize> = rings.iter().map(|ring| ring.nodes.count()).collect();
     let block = |target: usize, source: usize| {
-        Ok(block(kernel, c, &rings[target], &rings[source], target == source))
+        Ok(block(kernel, c, rings[target], rings[source], target == source))
     };
     modes::coupled(&counts, block, rights)
 }
@@ -113,12 +113,19 @@ fn block(
         let rest = kernel.rest(y) - factor * half.ln() - taken;
         factor * (logarithms[q.abs_diff(r)] + logarithms[q + r + 1]) + weight * rest
     };
-    let values: Vec<f64> = (0..rows)
-        .flat_map(|q| {
-            let row: Vec<f64> = (0..columns).map(|r| influence(q, r)).collect();
-            source.nodes.transposed(&row)
-        })
-        .collect();
+    let mut influences = vec![0.0; rows * columns];
+    for q in 0..rows {
+        // What a node of a ring does to another that does to it.
+        let known = if is_own { q } else { 0 };
+        for r in 0..known {
+            influences[q * columns + r] = influences[r * columns + q];
+        }
+        for r in known..columns {
+            influences[q * columns + r] = influence(q, r);
+        }
+    }
+    let rows = influences.chunks_exact(columns);
+    let values: Vec<f64> = rows.flat_map(|row| source.nodes.transposed(row)).collect();
     target.nodes.projected(&values)
 }
 

@@ -17,10 +17,12 @@ mod core;
 mod coupling;
 mod ring;
 mod ring_part;
+mod slopes;
 mod solved;
 mod tilt;
 
-use std::sync::{Arc, OnceLock};
+use std::cell::{OnceCell, RefCell};
+use std::sync::Arc;
 
 use fredholm::inversion::{AbelTransform, Powers, Shape, Symmetry};
 
@@ -33,6 +35,7 @@ use crate::contact::search::{ALLOWED, Work};
 use crate::contact::solution::Solution;
 use crate::contact::zones::Zone;
 use crate::{Error, Rotational};
+use slopes::Slopes;
 use solved::Solved;
 use tilt::require_contact;
 
@@ -65,8 +68,11 @@ pub(super) struct Disk {
     /// What is prescribed of the tilt.
     rotational: Rotational,
     work: Work,
-    /// The transform over the whole base.
-    whole: OnceLock<AbelTransform>,
+    /// The slope of a formula; none of a base whose slope is told at once.
+    slopes: OnceCell<Option<Slopes>>,
+    /// The transform over the whole base, and the last one up to a radius of its own.
+    whole: OnceCell<AbelTransform>,
+    latest: RefCell<Option<(f64, Arc<AbelTransform>)>>,
 }
 
 impl Disk {
@@ -74,8 +80,9 @@ impl Disk {
         let powers = Powers::new(base.ground.exponent())?;
         let modulus = powers.modulus(std::f64::consts::PI * base.setting.theta0());
         let rotational = base.setting.load().rotational;
-        let (work, whole) = (Work::default(), OnceLock::new());
-        Ok(Self { base, powers, modulus, rotational, work, whole })
+        let (work, slopes, whole) = (Work::default(), OnceCell::new(), OnceCell::new());
+        let latest = RefCell::new(None);
+        Ok(Self { base, powers, modulus, rotational, work, slopes, whole, latest })
     }
 
     /// Whether a contact of rings can be solved for.
@@ -101,18 +108,36 @@ impl Disk {
     }
 
     /// The transform up to a radius: its own, or while zones are looked for a part of the one over the whole base.
-    fn transform(&self, radius: f64, is_own: bool) -> AbelTransform {
+    fn transform(&self, radius: f64, is_own: bool) -> Arc<AbelTransform> {
         let up_to = |radius: f64| self.with_shape(|shape| AbelTransform::new(shape, radius));
         let part = || self.whole.get_or_init(|| up_to(1.0)).within(radius);
-        let known = if is_own { None } else { part() };
-        known.unwrap_or_else(|| up_to(radius))
+        if let Some(part) = if is_own { None } else { part() } {
+            return Arc::new(part);
+        }
+        // While the edges of rings move that of the disk often rests.
+        let mut latest = self.latest.borrow_mut();
+        match &*latest {
+            Some((known, transform)) if *known == radius => Arc::clone(transform),
+            _ => Arc::clone(&latest.insert((radius, Arc::new(up_to(radius)))).1),
+        }
+    }
+
+    fn slope(&self, r: f64) -> f64 {
+        let base = &self.base;
+        let of_formula = || {
+            let profile = base.setting.problem().profile();
+            let is_formula = !profile.is_closure() && profile.points().is_none();
+            is_formula.then(|| Slopes::new(&base.cuts(), |r| base.slope(r)))
+        };
+        let known = self.slopes.get_or_init(of_formula).as_ref().and_then(|slopes| slopes.at(r));
+        known.unwrap_or_else(|| base.slope(r))
     }
 
     /// The slope of the base along a radius, for Abel's transforms.
     fn with_shape<T>(&self, of: impl FnOnce(&Shape<'_>) -> T) -> T {
         let base = &self.base;
         let shape = Shape {
-            slope: &|r| base.slope(r),
+            slope: &|r| self.slope(r),
             breaks: base.breaks.clone(),
             joints: base.joints.clone(),
             tolerance: base.tolerance,

@@ -8,7 +8,7 @@
 //! which leaves to the rings the kernel and the load beside it. Their high modes answer to the profile alone, as in plane contact.
 
 use std::f64::consts::{LN_10, PI};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use fredholm::inversion::{Conjugate, Place, RingKernel, Weight};
 
@@ -39,7 +39,10 @@ pub(in super::super) struct Solved {
     parts: Vec<RingPart>,
     theta0: f64,
     state: State,
+    /// Without what rings add against a tilt.
     stiffness: Stiffness,
+    /// That, in the answer, once it is asked for.
+    turning: Option<OnceLock<f64>>,
 }
 
 impl Solved {
@@ -59,8 +62,7 @@ impl Solved {
         let profiles = Profiles::new(disk, &rings, reference, c, detail)?;
         // Height of the axis and transform, about the reference.
         let is_fine = detail.digits >= FINE.digits;
-        let core =
-            inner.map(|_| (Arc::new(disk.transform(c, is_fine)), base.height(0.0) - reference));
+        let core = inner.map(|_| (disk.transform(c, is_fine), base.height(0.0) - reference));
         let kernel = RingKernel::Axisymmetric;
         let nodes = profiles.nodes;
         let levels: Modes =
@@ -72,7 +74,8 @@ impl Solved {
                 heights.iter_mut().zip(sunk).for_each(|(h, own)| *h += own);
             }
         }
-        let found = coupled(kernel, c, &nodes, &[levels.clone(), heights])?;
+        let all: Vec<&RingNodes> = nodes.iter().collect();
+        let found = coupled(kernel, c, &all, &[levels.clone(), heights])?;
         let (level, profile) = (&found[0], &found[1]);
         let theta0 = base.setting.theta0();
         let weight = kernel.weight() / theta0;
@@ -100,9 +103,8 @@ impl Solved {
                 smallest: 0.0,
             }));
         }
-        // Of the answer alone.
-        let tilted = if is_fine { tilted_rate(c, &nodes)? } else { 0.0 };
-        let moment_tilt = Core::turning(&disk.powers, disk.modulus, c) + tilted / theta0;
+        let turning = is_fine.then(OnceLock::new);
+        let moment_tilt = Core::turning(&disk.powers, disk.modulus, c);
         let stiffness = Stiffness { force_settlement: rate, coupling: 0.0, moment_tilt };
         let slopes = profiles.slopes.into_iter().zip(&profiles.heights);
         let parts: Vec<RingPart> = (nodes.into_iter().zip(slopes).enumerate())
@@ -137,7 +139,7 @@ impl Solved {
             force: force + 0.0,
             moment: moment + 0.0,
         };
-        Ok(Self { zones: zones.to_vec(), core, parts, theta0, state, stiffness })
+        Ok(Self { zones: zones.to_vec(), core, parts, theta0, state, stiffness, turning })
     }
 
     pub(super) fn has_rings(&self) -> bool {
@@ -216,7 +218,14 @@ impl Pressure for Solved {
     }
 
     fn stiffness(&self) -> Stiffness {
-        self.stiffness
+        let by_rings = self.turning.as_ref().filter(|_| self.has_rings()).map_or(0.0, |known| {
+            *known.get_or_init(|| {
+                let nodes: Vec<&RingNodes> = self.parts.iter().map(|part| &part.nodes).collect();
+                tilted_rate(self.inside(), &nodes).unwrap_or(f64::NAN)
+            })
+        });
+        let moment_tilt = self.stiffness.moment_tilt + by_rings / self.theta0;
+        Stiffness { moment_tilt, ..self.stiffness }
     }
 
     fn force(&self, zone: usize) -> f64 {
@@ -406,7 +415,7 @@ fn needed(heights: &[f64], digits: f64) -> usize {
 }
 
 /// `theta0 dM0/d(-alpha0)` of the rings.
-fn tilted_rate(c: f64, rings: &[RingNodes]) -> Result<f64, Error> {
+fn tilted_rate(c: f64, rings: &[&RingNodes]) -> Result<f64, Error> {
     let kernel = RingKernel::Tilted;
     let levers: Modes =
         rings.iter().map(|ring| ring.modes_of(c, |place| kernel.left(c, place))).collect();

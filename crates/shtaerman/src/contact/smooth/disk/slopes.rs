@@ -1,0 +1,119 @@
+//! The slope of the base by polynomials where it is one to rounding: Abel's transforms ask for it in thousands of places, and a formula costs more than all else there.
+
+use std::f64::consts::FRAC_PI_2;
+
+use fredholm::basis::chebyshev;
+
+use crate::contact::accuracy::OF_A_VALUE;
+
+/// Nodes of a piece.
+const NODES: usize = 24;
+/// Towards the axis, where the slope vanishes and its own digits count, pieces are halved so often; nearer to it the base itself is asked.
+const HALVINGS: i32 = 48;
+/// So often they are halved where the slope is no polynomial: what is none then is left to the base.
+const DEEPEST: u32 = 7;
+/// Last coefficients relative to the largest slope of a piece that are rounding, and so many times that between the nodes: a formula of many terms rounds as much.
+const RESOLVED: f64 = OF_A_VALUE;
+const TIMES: f64 = 4.0;
+const BETWEEN: [f64; 3] = [-0.93, 0.17, 0.77];
+
+/// Pieces from the axis to the edge.
+#[derive(Debug)]
+pub(super) struct Slopes {
+    pieces: Vec<Piece>,
+}
+
+#[derive(Debug)]
+struct Piece {
+    ends: [f64; 2],
+    /// None where the slope is not known by a polynomial.
+    coefficients: Option<Vec<f64>>,
+}
+
+impl Slopes {
+    /// Of a base that may bend at `cuts`, increasing, all positive.
+    pub(super) fn new(cuts: &[f64], slope: impl Fn(f64) -> f64) -> Self {
+        let graded = (0..HALVINGS).rev().map(|halving| 0.5f64.powi(halving));
+        let mut ends: Vec<f64> = graded.chain(cuts.iter().copied()).collect();
+        ends.retain(|at| *at <= 1.0);
+        ends.sort_by(f64::total_cmp);
+        ends.dedup();
+        let mut stack: Vec<([f64; 2], u32)> =
+            ends.windows(2).rev().map(|pair| ([pair[0], pair[1]], 0)).collect();
+        let mut pieces = Vec::new();
+        while let Some(([from, to], depth)) = stack.pop() {
+            let coefficients = resolved([from, to], &slope);
+            let middle = 0.5 * (from + to);
+            if coefficients.is_some() || depth == DEEPEST || middle <= from || middle >= to {
+                pieces.push(Piece { ends: [from, to], coefficients });
+            } else {
+                stack.extend([([middle, to], depth + 1), ([from, middle], depth + 1)]);
+            }
+        }
+        Self { pieces }
+    }
+
+    /// The slope inside of a piece.
+    pub(super) fn at(&self, r: f64) -> Option<f64> {
+        let index = self.pieces.partition_point(|piece| piece.ends[1] <= r);
+        let Piece { ends: [from, to], coefficients } = self.pieces.get(index)?;
+        let coefficients = coefficients.as_ref().filter(|_| *from < r)?;
+        Some(chebyshev::sum(coefficients, ((r - from) - (to - r)) / (to - from)))
+    }
+}
+
+/// Chebyshev coefficients of a function, if it is their sum to rounding.
+fn resolved([from, to]: [f64; 2], f: &impl Fn(f64) -> f64) -> Option<Vec<f64>> {
+    let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+    // Cosines of multiples of a quarter turn over the number of nodes.
+    let cosine = |m: usize| (FRAC_PI_2 * (m % (4 * NODES)) as f64 / NODES as f64).cos();
+    let values: Vec<f64> = (0..NODES).map(|q| f(middle + half * cosine(2 * q + 1))).collect();
+    let largest = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
+    let coefficient = |k: usize| {
+        let terms = values.iter().enumerate().map(|(q, value)| value * cosine((2 * q + 1) * k));
+        terms.sum::<f64>() * if k == 0 { 1.0 } else { 2.0 } / NODES as f64
+    };
+    // Most of what is no polynomial shows at once.
+    let rounding = RESOLVED * largest;
+    if [1, 2].iter().any(|k| coefficient(NODES - k).abs() > rounding) || !largest.is_finite() {
+        return None;
+    }
+    let coefficients: Vec<f64> = (0..NODES).map(coefficient).collect();
+    let is_met = |t: &f64| {
+        let off = f(middle + half * t) - chebyshev::sum(&coefficients, *t);
+        off.abs() <= TIMES * rounding
+    };
+    BETWEEN.iter().all(is_met).then_some(coefficients)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use super::*;
+
+    #[test]
+    fn slopes_are_those_of_the_base_to_rounding_and_kinks_are_not_passed() {
+        let slope = |r: f64| {
+            let wave: f64 = (1..18).map(|k| (f64::from(k) * PI * r).sin() / f64::from(k)).sum();
+            wave + if r > 0.3 { 1.0 } else { 0.0 }
+        };
+        let slopes = Slopes::new(&[0.3], slope);
+        let mut known = 0;
+        for i in 1..=5000 {
+            let r = f64::from(i) / 5000.7;
+            let Some(found) = slopes.at(r) else { continue };
+            known += 1;
+            // Of the largest slope on a piece, which is about ten times as long as the wave.
+            assert!((found - slope(r)).abs() < 8e-15, "{r}: {found} {}", slope(r));
+        }
+        assert!(known > 4900, "{known}");
+        // A jump that is not told is left to the base.
+        let hidden = Slopes::new(&[], slope);
+        for i in 1..=1000 {
+            let r = 0.3 + 1e-4 * (f64::from(i) / 500.0 - 1.0);
+            let found = hidden.at(r).unwrap_or_else(|| slope(r));
+            assert!((found - slope(r)).abs() < 8e-15, "{r}");
+        }
+    }
+}
