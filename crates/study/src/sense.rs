@@ -5,8 +5,8 @@ use shtaerman::{Contact, Error, Warning};
 
 use crate::{Study, Summary};
 
-/// Most cases that are looked at: those of the extremes of so many outputs that each has two of its own.
-const MOST: usize = 24;
+/// Most cases that are looked at: a dozen of varied values and outputs have two of their own each, and five reasons one.
+const MOST: usize = 29;
 
 /// What an engineer would doubt about cases of a study.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,26 +20,14 @@ pub struct Doubt {
 }
 
 impl Study {
-    /// What an engineer would doubt about the cases in which an output is least or largest, the first 24 of them, each solved again; and about the first case, where none has an answer. Slips of
-    /// the input show in extremes: too steep, too soft, too much force. `overrides` are those of [`Study::first`].
+    /// What an engineer would doubt about the cases in which a varied value or an output is least or largest, and the first that was refused for each reason: at most 29, each solved again.
+    /// `overrides` are those of [`Study::first`].
     ///
     /// Gives the number of cases that were looked at, and the doubts, one for each kind, in order of their cases. Equations have none.
     #[must_use]
     pub fn sense_checks(&self, summary: &Summary, overrides: &[String]) -> (usize, Vec<Doubt>) {
-        let mut cases: Vec<usize> = Vec::new();
-        for extreme in summary.extremes.iter().filter(|_| summary.answered > 0) {
-            // An output that is no number anywhere has no extremes.
-            let ends = [extreme.least, extreme.largest];
-            let known = ends.into_iter().filter(|(value, _)| value.is_finite());
-            for (_, case) in known {
-                if cases.len() < MOST && !cases.contains(&case) {
-                    cases.push(case);
-                }
-            }
-        }
-        if cases.is_empty() {
-            cases.push(0);
-        }
+        let mut cases = summary.telling_cases();
+        cases.truncate(MOST);
         cases.sort_unstable();
         let mut found: Vec<Doubt> = Vec::new();
         for &case in &cases {

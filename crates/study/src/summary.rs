@@ -1,9 +1,11 @@
 //! What a study found, in few figures.
 
-use crate::{Design, Indices, Output, Row, Study};
+use crate::{Design, Indices, Input, Output, Row, Study};
 
 /// Different reasons that are kept.
 const REASONS: usize = 5;
+/// Different texts of a varied key whose cases are kept.
+const TEXTS: usize = 8;
 
 /// The extremes of one output, its mean and its deviation.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,6 +26,41 @@ pub struct Extreme {
     squares: f64,
 }
 
+/// The cases in which a varied value is least or largest, or a text for the first time.
+#[derive(Debug, Clone, PartialEq, Default)]
+struct Varied {
+    least: Option<(f64, usize)>,
+    largest: Option<(f64, usize)>,
+    texts: Vec<(String, usize)>,
+}
+
+impl Varied {
+    fn add(&mut self, input: &Input, case: usize) {
+        match input {
+            Input::Text(text) => {
+                let is_new = self.texts.iter().all(|(known, _)| known != text);
+                if is_new && self.texts.len() < TEXTS {
+                    self.texts.push((text.clone(), case));
+                }
+            }
+            Input::Number(_) | Input::Whole(_) => {
+                let Some(value) = input.number() else { return };
+                if self.least.is_none_or(|(least, _)| value < least) {
+                    self.least = Some((value, case));
+                }
+                if self.largest.is_none_or(|(largest, _)| value > largest) {
+                    self.largest = Some((value, case));
+                }
+            }
+        }
+    }
+
+    fn cases(&self) -> impl Iterator<Item = usize> {
+        let ends = [self.least, self.largest].into_iter().flatten().map(|(_, case)| case);
+        ends.chain(self.texts.iter().map(|(_, case)| *case))
+    }
+}
+
 /// Extremes, means and refusals of the rows seen so far.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Summary {
@@ -37,6 +74,7 @@ pub struct Summary {
     pub extremes: Vec<Extreme>,
     /// Sobol's indices, for the design that has them.
     pub indices: Option<Indices>,
+    varied: Vec<Varied>,
 }
 
 impl Summary {
@@ -59,6 +97,7 @@ impl Summary {
             extremes: study.outputs().iter().map(extreme).collect(),
             indices: matches!(study.design(), Design::SobolIndices { .. })
                 .then(|| Indices::new(study.variables().len(), study.outputs().len())),
+            varied: vec![Varied::default(); study.variables().len()],
         }
     }
 
@@ -67,6 +106,7 @@ impl Summary {
         if let Some(indices) = &mut self.indices {
             indices.add(row);
         }
+        self.varied.iter_mut().zip(&row.inputs).for_each(|(varied, one)| varied.add(one, row.case));
         if !row.is_answered() {
             self.refuse(row);
             return;
@@ -92,6 +132,21 @@ impl Summary {
                     Some(extreme.error.map_or(*error, |largest: f64| largest.max(*error)));
             }
         }
+    }
+
+    /// The cases in which a slip of the input shows, without repetition: where a varied value or an output is least or largest, and the first that was refused for each reason.
+    pub(crate) fn telling_cases(&self) -> Vec<usize> {
+        let ends = self.extremes.iter().flat_map(|extreme| [extreme.least, extreme.largest]);
+        let ends = ends.filter(|(value, _)| value.is_finite()).map(|(_, case)| case);
+        let varied = self.varied.iter().flat_map(Varied::cases);
+        let refused = self.reasons.iter().map(|(_, first, _)| *first);
+        let mut cases: Vec<usize> = Vec::new();
+        for case in refused.chain(varied).chain(ends) {
+            if !cases.contains(&case) {
+                cases.push(case);
+            }
+        }
+        cases
     }
 
     fn refuse(&mut self, row: &Row) {

@@ -157,8 +157,10 @@ impl Columns {
                 if !is_text || dialect.skipped_by.is_empty() {
                     return at_line(message);
                 }
-                let (by, count) = (dialect.skipped_by, index + 1);
-                at_line(format!("{message}; {by}{count} leaves out the lines up to this one, and the units of a header with them"))
+                let (by, count) = (dialect.skipped_by, index);
+                at_line(format!(
+                    "{message}; {by}{count} makes this line the header, whose units count"
+                ))
             })?;
             rows.push(Row { line: index + 1, values });
         }

@@ -60,7 +60,7 @@ pub struct SweepArguments {
     /// The units of the result.
     pub units: UnitArguments,
     #[command(flatten)]
-    /// What becomes of doubts about the cases with the least and the largest outputs.
+    /// What becomes of doubts about the cases with the least and the largest varied values and outputs.
     pub sense: SenseArguments,
     #[command(flatten)]
     /// How the picture looks.

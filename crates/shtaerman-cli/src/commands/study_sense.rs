@@ -1,4 +1,4 @@
-//! Sense checks of a study: of its file before anything is solved, and of the cases with its extremes.
+//! Sense checks of a study: of its file before anything is solved, and of the cases in which slips show.
 
 use shtaerman::file::AnyFile;
 use shtaerman_study::{Study, Summary};
@@ -19,7 +19,7 @@ pub(super) fn check_input(
     }
 }
 
-/// How many cases with extremes were looked at, and the doubts about them, a line each, which `--strict` refuses.
+/// How many of the cases in which slips show were looked at, and the doubts about them, a line each, which `--strict` refuses.
 pub(super) fn doubts(
     study: &Study,
     summary: &Summary,
@@ -30,9 +30,13 @@ pub(super) fn doubts(
     let line = |doubt: &shtaerman_study::Doubt| {
         let more = match doubt.count - 1 {
             0 => String::new(),
-            more => format!(" ({more} more of the {looked_at} cases with extremes)"),
+            more => format!(" ({more} more of the {looked_at} cases that were looked at)"),
         };
-        format!("case {}: {}{more}", doubt.case, doubt.warning.message)
+        let inputs = study.variables().iter().zip(study.inputs(doubt.case));
+        let inputs: Vec<String> =
+            inputs.map(|(variable, value)| format!("{} = {value}", variable.key)).collect();
+        let named = format!("case {} ({})", doubt.case, inputs.join(", "));
+        format!("{named}: {}{more}", doubt.warning.message)
     };
     let lines: Vec<String> = doubts.iter().map(line).collect();
     if sense.strict && !lines.is_empty() {

@@ -37,6 +37,9 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         )));
     }
     let rows = results::solved(&study, 0..study.cases(), results::processors(), &|_| ());
+    let mut summary = Summary::new(&study);
+    rows.iter().for_each(|row| summary.add(row));
+    let (_, doubts) = study_sense::doubts(&study, &summary, &[], arguments.sense)?;
     if let Some(refused) = rows.iter().find(|row| !row.is_answered()) {
         let count = rows.iter().filter(|row| !row.is_answered()).count();
         let message = format!(
@@ -46,17 +49,19 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
             refused.reason
         );
         if count == rows.len() {
+            doubts.iter().for_each(|doubt| failure::warn(doubt));
             return Err(Failure::Check(message));
         }
         failure::warn(&message);
     }
-    let mut summary = Summary::new(&study);
-    rows.iter().for_each(|row| summary.add(row));
-    let (_, doubts) = study_sense::doubts(&study, &summary, &[], arguments.sense)?;
     let units = StudyUnits::new(&study, &[])?;
     let mut outputs = Outputs::default();
     let content = match arguments.output.format {
-        ReportFormat::Table => Content::page(&table(&study, &units, &rows)),
+        ReportFormat::Table => {
+            let warnings: String =
+                doubts.iter().map(|doubt| format!("warning: {doubt}\n")).collect();
+            Content::page(&format!("{}{warnings}", table(&study, &units, &rows)))
+        }
         ReportFormat::Json => Content::json(report::columns(&study, &rows)),
         ReportFormat::Csv => report::rows_csv(&study, &units, &rows),
     };
@@ -68,7 +73,9 @@ pub(super) fn run(arguments: &SolveArguments) -> Result<(), Failure> {
         picture.draw(&Titled { figure, size }, &mut outputs)?;
     }
     outputs.write()?;
-    doubts.iter().for_each(|doubt| failure::warn(doubt));
+    if !arguments.output.is_table() {
+        doubts.iter().for_each(|doubt| failure::warn(doubt));
+    }
     Ok(())
 }
 

@@ -108,15 +108,16 @@ pub(crate) fn sweep_table(
     }
     text.push_str(&indices(study, summary));
     text.push_str(&audits(study, units, report.audited));
-    if let Some((looked_at, doubts)) = report.sense {
+    if let Some((looked_at, doubts)) = report.sense.filter(|(looked_at, _)| *looked_at > 0) {
         let found = match doubts.len() {
-            0 => "nothing that an engineer would doubt".to_owned(),
+            0 => "nothing to doubt there".to_owned(),
             1 => "1 doubt".to_owned(),
             count => format!("{count} doubts"),
         };
         let _ = writeln!(
             text,
-            "sense checks of the {looked_at} cases with the least and the largest outputs: {found}"
+            "sense checks of {looked_at} of {} cases, those with the least and the largest varied values and outputs: {found}",
+            manifest.cases
         );
         for doubt in doubts {
             let _ = writeln!(text, "warning: {doubt}");

@@ -280,7 +280,7 @@ fn measured_profiles() {
         ("x,f\n", "two rows of numbers, got 0: there is nothing behind the header"),
         (
             "x [mm],f [m]\nmm,m\n-5,1\n5,1\n",
-            "line 2: the position is not a number: `mm`; skip = 2 leaves out the lines up to this one",
+            "line 2: the position is not a number: `mm`; skip = 1 makes this line the header",
         ),
         ("-5,1\n0,high\n5,1\n", "p.csv: line 2: the height is not a number: `high`"),
         ("-5,1\n1,1\n0,1\n5,1\n", "p.csv: line 3: positions must increase"),
