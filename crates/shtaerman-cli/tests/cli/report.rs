@@ -141,7 +141,7 @@ fn every_command_that_has_a_result_has_a_report() {
             html.contains(&format!("<pre>shtaerman {}", arguments[..2].join(" "))),
             "{arguments:?}"
         );
-        assert_eq!(html.contains("sense checks of the"), arguments[0] == "sweep");
+        assert_eq!(html.contains("sense checks of "), arguments[0] == "sweep");
         std::fs::remove_file(folder.path("report.html")).unwrap();
     }
 }

@@ -370,5 +370,5 @@ fn cases_of_a_study_are_doubted_by_their_number() {
     assert!(wide.refusal().contains("the half-width is 2 m"), "{wide:?}");
     let soft = ["--vary", "foundation.young_modulus=210,220", "--outputs", "settlement"];
     let soft = folder.run(&[&["solve", "steel.toml", "--no-audit"][..], &soft].concat());
-    assert!(words(&soft.stderr).contains("is \"210 GPa\" meant?"), "{soft:?}");
+    assert!(words(&soft.stdout).contains("is \"210 GPa\" meant?"), "{soft:?}");
 }
