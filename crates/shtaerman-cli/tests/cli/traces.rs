@@ -245,7 +245,9 @@ fn messages_have_the_units_and_the_option_of_the_user() {
     assert!(told.contains("rows reach from -6 mm to 6 mm, the punch from -8 mm to 8 mm"), "{told}");
     let told = trace("two.csv", &[]);
     assert!(
-        told.contains("line 2: the position is not a number: `mm`; --skip 1 makes this line the header"),
+        told.contains(
+            "line 2: the position is not a number: `mm`; --skip 1 makes this line the header"
+        ),
         "{told}"
     );
     // What is meant by it is read.
