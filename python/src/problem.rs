@@ -83,8 +83,8 @@ impl Problem {
         overrides: Vec<String>,
         profile: Option<Sampled<'_>>,
     ) -> PyResult<Self> {
-        let document =
-            replaced(content, name, &overrides).map_err(|error| raised(&error.into()))?;
+        let document = replaced(content, name, &overrides)
+            .map_err(|error| raised(&ProblemFile::explained(error, content).into()))?;
         let read = ProblemFile::from_document(document, Path::new(&folder));
         let file = read.map_err(|error| raised(&error))?;
         let problem = match &profile {

@@ -60,13 +60,18 @@ impl ProblemFile {
         folder: &Path,
         overrides: &[String],
     ) -> Result<Self, Error> {
-        let document = overridden(bytes, name, overrides, OVERRIDE).map_err(|error| {
-            if bytes.iter().all(u8::is_ascii_whitespace) {
-                return error.with_help(whole());
-            }
-            error
-        })?;
+        let document = overridden(bytes, name, overrides, OVERRIDE)
+            .map_err(|error| Self::explained(error, bytes))?;
         Self::from_document(document, folder)
+    }
+
+    /// The fault of a text that is no document, with all the lines that it lacks where it has none.
+    #[must_use]
+    pub fn explained(error: FileError, bytes: &[u8]) -> FileError {
+        match bytes.iter().all(u8::is_ascii_whitespace) {
+            true => error.with_help(whole()),
+            false => error,
+        }
     }
 
     /// Reads a problem from a document with its overrides; `folder` is where a measured profile is looked for.

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use fredholm::basis::chebyshev;
 
-use crate::contact::accuracy::OF_A_VALUE;
+use crate::contact::accuracy::{OF_A_VALUE, SAFETY};
 
 /// Nodes of a piece.
 const NODES: usize = 24;
@@ -12,9 +12,7 @@ const NODES: usize = 24;
 const HALVINGS: i32 = 48;
 /// So often they are halved where the slope is no polynomial: what is none then is left to the base.
 const DEEPEST: u32 = 7;
-/// Last coefficients relative to the largest slope of a piece that are rounding, and so many times that between the nodes: a formula of many terms rounds as much.
-const RESOLVED: f64 = OF_A_VALUE;
-const TIMES: f64 = 4.0;
+/// Where a polynomial is compared with the slope, between the nodes.
 const BETWEEN: [f64; 3] = [-0.93, 0.17, 0.77];
 
 /// Pieces from the axis to the edge.
@@ -74,14 +72,15 @@ fn resolved([from, to]: [f64; 2], f: &impl Fn(f64) -> f64) -> Option<Vec<f64>> {
         terms.sum::<f64>() * if k == 0 { 1.0 } else { 2.0 } / NODES as f64
     };
     // Most of what is no polynomial shows at once.
-    let rounding = RESOLVED * largest;
+    let rounding = OF_A_VALUE * largest;
     if [1, 2].iter().any(|k| coefficient(NODES - k).abs() > rounding) || !largest.is_finite() {
         return None;
     }
     let coefficients: Vec<f64> = (0..NODES).map(coefficient).collect();
     let is_met = |t: &f64| {
         let off = f(middle + half * t) - chebyshev::sum(&coefficients, *t);
-        off.abs() <= TIMES * rounding
+        // A formula of many terms rounds as much.
+        off.abs() <= SAFETY * rounding
     };
     BETWEEN.iter().all(is_met).then_some(coefficients)
 }
