@@ -181,6 +181,7 @@ async function start() {
   const place = byId("study-trouble");
   const question = { ...state.question(), toml: file() };
   found = null;
+  showDoubts([]);
   let from = 0;
   let columns = null;
   let cases = 1;
@@ -204,6 +205,29 @@ async function start() {
     draw();
   }
   table();
+  doubt(question, mine, cases);
+}
+
+/** Asks what is doubtful about the cases, when the curve is there. */
+async function doubt(question, mine, cases) {
+  const all = new Map();
+  for (let from = 0; from < cases; ) {
+    const told = await ask("study-doubts", { ...question, from, count: TOGETHER });
+    if (mine !== run || told.fault) return;
+    for (const one of told.doubts) {
+      const known = all.get(one.code);
+      if (known) known.count += one.count;
+      else all.set(one.code, { ...one });
+    }
+    showDoubts([...all.values()]);
+    from = Math.max(told.to, from + 1);
+  }
+}
+
+function showDoubts(doubts) {
+  const said = ({ code, message, count }) => html("li", { "data-code": code }, count > 1 ? `${message} (${count - 1} more of the cases)` : message);
+  byId("study-warnings").replaceChildren(...doubts.map(said));
+  show(byId("study-warnings"), doubts.length > 0);
 }
 
 /** The curves: the answer over the first input, one for each value of the second. */
@@ -243,6 +267,10 @@ function draw() {
   const isLog = valuesOf(0, chosen.first).scale === "log" && Math.min(...xs) > 0;
   const xUnit = unitOf(chosen.first, xs);
   const values = points.map(([, y]) => y ?? NaN);
+  const isDrawn = values.some(Number.isFinite);
+  show(byId("study-trouble"), !isDrawn);
+  if (!isDrawn) byId("study-trouble").replaceChildren(html("p", {}, `${chosen.output.replaceAll("_", " ")}: ${found.columns.reason?.some(Boolean) ? found.columns.reason.find(Boolean) : "infinite in all cases, as the pressure at a corner without roughness is; look at another answer"}`));
+  if (!isDrawn) return;
   const yUnit = unitOf(chosen.output, values);
   const y = ends(values.map((one) => one * yUnit.factor), { zero: false });
   const named_ = (value) => (chosen.second ? (typeof value === "number" ? said(chosen.second, value, 3) : String(value)) : named(chosen.output));
@@ -293,7 +321,7 @@ function table() {
     ...outputs.flatMap((key) => {
       const unit = unitOf(key, columns[key]);
       const errors = columns[`${key}_error`];
-      return [column(key.replaceAll("_", " "), columns[key], unit, 6), ...(errors ? [column("±", errors, unit, 2)] : [])];
+      return [column(key.replaceAll("_", " "), columns[key], unit, 6), ...(errors ? [{ ...column("±", errors, unit, 2), cell: (i) => (typeof errors[i] === "number" ? digits(errors[i] * unit.factor, 2) : "–") }] : [])];
     }),
   ];
   const head = html("thead", {}, html("tr", {}, html("th", { scope: "col" }, "case"), shown.map(({ name }) => html("th", { scope: "col", class: "number" }, name))));
@@ -307,7 +335,8 @@ function table() {
 
 /** A column of the table: its name with the unit, and what stands in a row. */
 function column(name, values, unit, count) {
-  const cell = (i) => (typeof values[i] === "number" ? digits(values[i] * unit.factor, count) : values[i] ?? "none");
+  const none = (i) => (found.columns.reason?.[i] ? "none" : "infinite");
+  const cell = (i) => (typeof values[i] === "number" ? digits(values[i] * unit.factor, count) : values[i] ?? none(i));
   return { name: label(name, unit), cell };
 }
 

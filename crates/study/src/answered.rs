@@ -35,7 +35,7 @@ impl Answered {
         let stresses = Stresses { contact, field: OnceCell::new(), peaks: Default::default() };
         let stated = |output: &Output| -> Result<Stated, Error> {
             let errors = contact.error();
-            Ok(match output.told {
+            let (value, error) = match output.told {
                 Told::Contact(quantity) => (quantity.value(contact), quantity.error(contact)),
                 Told::Pressure(x) => (contact.pressure(x)?, errors.map(|error| error.pressure)),
                 Told::Displacement(x) => (contact.elastic_displacement(x), None),
@@ -43,7 +43,9 @@ impl Answered {
                 Told::Depth(criterion) => (stresses.peak(criterion)?.depth, None),
                 Told::Found => (found.unwrap_or(f64::NAN), None),
                 Told::Integral | Told::Solution(_) => (f64::NAN, None),
-            })
+            };
+            // The pressure at a corner without roughness is infinite, and not within any error of that.
+            Ok((value, error.filter(|_| value.is_finite())))
         };
         let kind = contact.error().map_or("", |error| error.kind.name());
         // Those of stresses are estimates whatever is known of the pressure.
@@ -104,6 +106,6 @@ impl Stresses<'_> {
     fn largest(&self, criterion: Criterion) -> Result<Stated, Error> {
         let value = self.peak(criterion)?.value;
         let share = if criterion == Criterion::Tresca { 0.5 } else { 1.0 };
-        Ok((share * value, finite(self.field()?.error()).filter(|_| value.is_finite())))
+        Ok((share * value, finite(self.field()?.error())))
     }
 }

@@ -29,8 +29,15 @@ impl Study {
         let mut cases = summary.telling_cases();
         cases.truncate(MOST);
         cases.sort_unstable();
+        let found = self.sense_checks_of(&cases, overrides);
+        (cases.len(), found)
+    }
+
+    /// The same about cases of one's choice.
+    #[must_use]
+    pub fn sense_checks_of(&self, cases: &[usize], overrides: &[String]) -> Vec<Doubt> {
         let mut found: Vec<Doubt> = Vec::new();
-        for &case in &cases {
+        for &case in cases {
             // The case has its reason in the results.
             for warning in self.case_checks(case, overrides).unwrap_or_default() {
                 match found.iter_mut().find(|doubt| doubt.warning.code == warning.code) {
@@ -40,7 +47,7 @@ impl Study {
                 }
             }
         }
-        (cases.len(), found)
+        found
     }
 
     /// The sense checks of a case; those of its input alone, where it has no answer.

@@ -7,7 +7,7 @@ const REASONS: usize = 5;
 /// Different texts of a varied key whose cases are kept.
 const TEXTS: usize = 8;
 
-/// The extremes of one output, its mean and its deviation.
+/// The extremes of one output, its mean and its deviation; the last two over the cases in which it is finite.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Extreme {
     /// The output.
@@ -16,14 +16,60 @@ pub struct Extreme {
     pub least: (f64, usize),
     /// The largest value, and its case.
     pub largest: (f64, usize),
-    /// The mean over the cases that have an answer.
+    /// The mean over the cases that have an answer; NaN where it is finite in none.
     pub mean: f64,
-    /// The standard deviation over these cases, with their number less one.
+    /// The standard deviation over these cases, with their number less one; NaN as the mean.
     pub standard_deviation: f64,
+    /// In how many cases it is infinite, as the pressure at a corner without roughness.
+    pub infinite: usize,
     /// The largest stated error.
     pub error: Option<f64>,
     /// The sum of the squares of the differences from the mean.
     squares: f64,
+    /// The cases in which it is finite.
+    finite: usize,
+}
+
+impl Extreme {
+    fn new(output: &Output) -> Self {
+        Self {
+            name: output.name.clone(),
+            least: (f64::INFINITY, 0),
+            largest: (f64::NEG_INFINITY, 0),
+            mean: f64::NAN,
+            standard_deviation: f64::NAN,
+            infinite: 0,
+            error: None,
+            squares: 0.0,
+            finite: 0,
+        }
+    }
+
+    fn add(&mut self, case: usize, value: f64, error: Option<f64>) {
+        // The first is both, be it infinite.
+        let is_first = self.finite + self.infinite == 0;
+        if is_first || value < self.least.0 {
+            self.least = (value, case);
+        }
+        if is_first || value > self.largest.0 {
+            self.largest = (value, case);
+        }
+        if !value.is_finite() {
+            self.infinite += 1;
+            return;
+        }
+        if self.finite == 0 {
+            self.mean = 0.0;
+        }
+        self.finite += 1;
+        // B. P. Welford, Technometrics 4 (1962) 419.
+        let difference = value - self.mean;
+        self.mean += difference / self.finite as f64;
+        self.squares += difference * (value - self.mean);
+        self.standard_deviation =
+            (self.squares / self.finite.saturating_sub(1).max(1) as f64).sqrt();
+        self.error = self.error.into_iter().chain(error).reduce(f64::max);
+    }
 }
 
 /// The cases in which a varied value is least or largest, or a text for the first time.
@@ -81,20 +127,11 @@ impl Summary {
     /// Of no rows.
     #[must_use]
     pub fn new(study: &Study) -> Self {
-        let extreme = |output: &Output| Extreme {
-            name: output.name.clone(),
-            least: (f64::INFINITY, 0),
-            largest: (f64::NEG_INFINITY, 0),
-            mean: 0.0,
-            standard_deviation: 0.0,
-            error: None,
-            squares: 0.0,
-        };
         Self {
             answered: 0,
             refused: 0,
             reasons: Vec::new(),
-            extremes: study.outputs().iter().map(extreme).collect(),
+            extremes: study.outputs().iter().map(Extreme::new).collect(),
             indices: matches!(study.design(), Design::SobolIndices { .. })
                 .then(|| Indices::new(study.variables().len(), study.outputs().len())),
             varied: vec![Varied::default(); study.variables().len()],
@@ -112,32 +149,16 @@ impl Summary {
             return;
         }
         self.answered += 1;
-        let count = self.answered as f64;
-        for ((extreme, &value), error) in
-            self.extremes.iter_mut().zip(&row.outputs).zip(&row.errors)
-        {
-            if value < extreme.least.0 {
-                extreme.least = (value, row.case);
-            }
-            if value > extreme.largest.0 {
-                extreme.largest = (value, row.case);
-            }
-            // B. P. Welford, Technometrics 4 (1962) 419.
-            let difference = value - extreme.mean;
-            extreme.mean += difference / count;
-            extreme.squares += difference * (value - extreme.mean);
-            extreme.standard_deviation = (extreme.squares / (count - 1.0).max(1.0)).sqrt();
-            if let Some(error) = error {
-                extreme.error =
-                    Some(extreme.error.map_or(*error, |largest: f64| largest.max(*error)));
-            }
+        let found = row.outputs.iter().zip(&row.errors);
+        for (extreme, (&value, &error)) in self.extremes.iter_mut().zip(found) {
+            extreme.add(row.case, value, error);
         }
     }
 
     /// The cases in which a slip of the input shows, without repetition: where a varied value or an output is least or largest, and the first that was refused for each reason.
     pub(crate) fn telling_cases(&self) -> Vec<usize> {
         let ends = self.extremes.iter().flat_map(|extreme| [extreme.least, extreme.largest]);
-        let ends = ends.filter(|(value, _)| value.is_finite()).map(|(_, case)| case);
+        let ends = ends.filter(|_| self.answered > 0).map(|(_, case)| case);
         let varied = self.varied.iter().flat_map(Varied::cases);
         let refused = self.reasons.iter().map(|(_, first, _)| *first);
         let mut cases: Vec<usize> = Vec::new();

@@ -35,6 +35,8 @@ impl<'a> Picture<'a> {
             theme: arguments.theme.into(),
             dots_per_inch: arguments.dpi,
         };
+        // Before anything is solved; whether there is room is known when it is drawn.
+        look.size.map_or(Ok(()), Size::check)?;
         if look.dots_per_inch.is_some() && format != Format::Png {
             let message = "--dpi is for .png: the other formats have no dots";
             return Err(Failure::Usage(message.to_owned()));
@@ -54,7 +56,7 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// `WIDTHxHEIGHT`: bare numbers in 1/96 inch, or lengths; a unit behind the second alone goes for both.
+/// `WIDTHxHEIGHT`: bare numbers in 1/96 inch, the pixels of a screen, or lengths; a unit behind the second alone goes for both.
 fn size(text: &str) -> Result<Size, Failure> {
     let refused = || {
         Failure::Usage(format!(
@@ -71,6 +73,7 @@ fn size(text: &str) -> Result<Size, Failure> {
     };
     let length = |part: &str| -> Result<u32, Failure> {
         let part = part.trim();
+        let part = part.strip_suffix("px").map_or(part, str::trim_end);
         let units = match part.parse::<f64>() {
             Ok(units) => units,
             Err(_) => UNITS_PER_METRE * places::quantity("--size", part, Dimension::LENGTH)?,
@@ -92,6 +95,8 @@ mod tests {
         // 160 mm = 604.7/96 inch.
         assert_eq!(read("160 mm x 100 mm"), Some((605, 378)));
         assert_eq!(read("160x100 mm"), Some((605, 378)));
+        assert_eq!(read("800 px x 600 px"), Some((800, 600)));
+        assert_eq!(read("800x600px"), Some((800, 600)));
         assert_eq!(read("6in × 4in"), Some((576, 384)));
         for text in ["800", "800x", "x600", "-800x600", "NaNx600", "800x600 Pa", "wide x high"] {
             assert_eq!(read(text), None, "{text}");

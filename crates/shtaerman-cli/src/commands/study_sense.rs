@@ -1,7 +1,7 @@
 //! Sense checks of a study: of its file before anything is solved, and of the cases in which slips show.
 
 use shtaerman::file::AnyFile;
-use shtaerman_study::{Study, Summary};
+use shtaerman_study::{Doubt, Study, Summary};
 
 use super::problem_file::refuse;
 use crate::Failure;
@@ -27,20 +27,24 @@ pub(super) fn doubts(
     sense: SenseArguments,
 ) -> Result<(usize, Vec<String>), Failure> {
     let (looked_at, doubts) = study.sense_checks(summary, overrides);
-    let line = |doubt: &shtaerman_study::Doubt| {
+    let line = |doubt: &Doubt| {
         let more = match doubt.count - 1 {
             0 => String::new(),
             more => format!(" ({more} more of the {looked_at} cases that were looked at)"),
         };
-        let inputs = study.variables().iter().zip(study.inputs(doubt.case));
-        let inputs: Vec<String> =
-            inputs.map(|(variable, value)| format!("{} = {value}", variable.key)).collect();
-        let named = format!("case {} ({})", doubt.case, inputs.join(", "));
-        format!("{named}: {}{more}", doubt.warning.message)
+        format!("{}{more}", line(study, doubt))
     };
     let lines: Vec<String> = doubts.iter().map(line).collect();
     if sense.strict && !lines.is_empty() {
         return Err(Failure::Usage(format!("--strict: {}", lines.join("; "))));
     }
     Ok((looked_at, lines))
+}
+
+/// A doubt with its case.
+pub(super) fn line(study: &Study, doubt: &Doubt) -> String {
+    let inputs = study.variables().iter().zip(study.inputs(doubt.case));
+    let inputs: Vec<String> =
+        inputs.map(|(variable, value)| format!("{} = {value}", variable.key)).collect();
+    format!("case {} ({}): {}", doubt.case, inputs.join(", "), doubt.warning.message)
 }

@@ -163,6 +163,10 @@ fn asked(arguments: &TraceArguments, bytes: &[u8], name: &str) -> Result<Asked, 
             _ => {}
         }
     }
+    if arguments.x_unit.is_some() && said[1].is_none() && doubts.is_empty() {
+        let stated = "--f-unit um or the like, in a file f_unit = \"um\"";
+        doubts.push(Warning::heights_in_metres(stated));
+    }
     let length = |option: &str, text: &str| places::quantity(option, text, Dimension::LENGTH);
     let place = match (&arguments.x_shift, arguments.centre) {
         (Some(text), _) => Place::Shifted(length("--x-shift", text)?),

@@ -152,7 +152,7 @@ fn table(study: &Study, units: &StudyUnits, rows: &[Row]) -> String {
     let mut text = report::rows_table(study, units, rows);
     let stated = study.outputs().iter().enumerate().filter_map(|(index, output)| {
         let largest = rows.iter().filter_map(|row| row.errors[index]).reduce(f64::max)?;
-        let scaled = units.column(study, &output.name);
+        let scaled = units.column(&output.name);
         Some(format!("{} {:.1e}", output.name, largest * scaled.factor))
     });
     let stated: Vec<String> = stated.collect();

@@ -4,6 +4,7 @@ use super::error::PlotError;
 use super::figure::Figure;
 use super::format::Size;
 use super::layout::Layout;
+use super::text;
 use super::theme::{Sizes, Theme};
 
 /// Pictures larger than this have larger text, so that a poster is read from afar.
@@ -44,10 +45,15 @@ fn usual(size: Size, theme: Theme) -> Sizes {
 
 /// The layout of a figure in a size; none where there is no room for it.
 fn fitting(figure: &Figure, size: Size, theme: Theme) -> Option<Layout> {
-    attempts().find_map(|attempt| {
-        let layout = tried(figure, size, theme, &attempt);
-        layout.fits(figure, attempt.frame).then_some(layout)
-    })
+    let fits = |is_title_whole: bool| {
+        attempts().find_map(|attempt| {
+            let layout = tried(figure, size, theme, &attempt);
+            let has_title = !is_title_whole || !text::is_cut(&layout.title);
+            (has_title && layout.fits(figure, attempt.frame)).then_some(layout)
+        })
+    };
+    // A title that is longer than any picture is cut in all of them.
+    fits(true).or_else(|| fits(false))
 }
 
 fn tried(figure: &Figure, size: Size, theme: Theme, attempt: &Attempt) -> Layout {

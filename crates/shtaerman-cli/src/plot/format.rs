@@ -56,7 +56,7 @@ impl Size {
     /// The largest picture; its PNG takes half a gigabyte while it is drawn.
     pub const LARGEST: Self = Self { width: 4000, height: 4000 };
 
-    pub(super) fn check(self) -> Result<(), PlotError> {
+    pub(crate) fn check(self) -> Result<(), PlotError> {
         let (smallest, largest) = (Self::SMALLEST, Self::LARGEST);
         let fits = (smallest.width..=largest.width).contains(&self.width)
             && (smallest.height..=largest.height).contains(&self.height);

@@ -76,10 +76,11 @@ impl Layout {
         let room = width - 2.0 * sizes.rim;
         let title = text::wrap(&text::clean(&figure.title), sizes.title, room, title);
         let lines = if has_notes { (0.15 * height / line_height(sizes.note)) as usize } else { 0 };
-        let notes = figure.notes.iter().take(lines);
-        let mut notes: Vec<String> =
-            notes.flat_map(|note| text::wrap(&text::clean(note), sizes.note, room, 2)).collect();
-        notes.truncate(lines);
+        let mut notes: Vec<String> = Vec::new();
+        for note in &figure.notes {
+            let left = (lines - notes.len()).min(2);
+            notes.extend(text::wrap_clauses(&text::clean(note), sizes.note, room, left));
+        }
         let mut top = sizes.rim;
         top += line_height(sizes.title) * title.len() as f64;
         top += line_height(sizes.note) * notes.len() as f64;

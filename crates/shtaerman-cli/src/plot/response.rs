@@ -3,7 +3,9 @@
 use super::Plot;
 use super::axis::Axis;
 use super::colour::Colour;
-use super::figure::{Arrangement, ColourBar, Contours, Figure, Layer, LegendPlace, Line, Panel};
+use super::figure::{
+    Arrangement, ColourBar, Contours, Figure, Layer, LegendPlace, Line, Panel, Pole,
+};
 use super::format::Size;
 use super::map::levels;
 
@@ -12,6 +14,8 @@ use super::map::levels;
 pub struct ResponsePlot {
     /// Title; empty for none.
     pub title: String,
+    /// What is not drawn, below the title.
+    pub notes: Vec<String>,
     /// Label of the varied value.
     pub horizontal_label: String,
     /// Whether the points belong to one curve.
@@ -25,7 +29,7 @@ pub struct ResponsePlot {
 pub struct ResponseCurve {
     /// Label of its axis.
     pub label: String,
-    /// The points, in the order of the cases.
+    /// The points, in the order of the cases; where the value is infinite the curve runs out of the frame.
     pub points: Vec<(f64, f64)>,
 }
 
@@ -54,7 +58,7 @@ impl Plot for ResponsePlot {
                 horizontal.label.clear();
             }
             let colour = Colour::BLUE;
-            let layers = if self.is_connected {
+            let mut layers = if self.is_connected {
                 vec![Layer::Line(Line::new("", curve.points.clone(), colour))]
             } else {
                 // Each point as a line of its own: nothing lies between them.
@@ -65,11 +69,16 @@ impl Plot for ResponsePlot {
                 };
                 curve.points.iter().map(dot).collect()
             };
+            let infinite = curve.points.iter().filter(|point| point.1.is_infinite());
+            layers.extend(infinite.enumerate().map(|(index, &(at, value))| {
+                let name = if index == 0 { "infinite".to_owned() } else { String::new() };
+                Layer::Pole(Pole { name, at, colour, is_upward: value > 0.0 })
+            }));
             Panel::new(horizontal, Axis::linear(&curve.label), layers)
         };
         Figure {
             title: self.title.clone(),
-            notes: Vec::new(),
+            notes: self.notes.clone(),
             panels: self.curves.iter().enumerate().map(panel).collect(),
             arrangement: Arrangement::Stacked,
             legend: LegendPlace::Panel,

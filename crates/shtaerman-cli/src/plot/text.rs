@@ -105,18 +105,18 @@ pub(super) fn fit_label(label: &str, size: u32, room: f64) -> String {
     }
 }
 
-/// The text broken between words into at most `lines` lines no wider than `room`.
+/// The text broken between words into at most `lines` lines no wider than `room`; what is equal stays together.
 pub(super) fn wrap(text: &str, size: u32, room: f64, lines: usize) -> Vec<String> {
     let mut wrapped: Vec<String> = Vec::new();
     let mut line = String::new();
-    let mut words = text.split_whitespace().peekable();
+    let mut words = together(text).into_iter();
     while let Some(word) = words.next() {
-        let longer = if line.is_empty() { word.to_owned() } else { format!("{line} {word}") };
+        let longer = if line.is_empty() { word.clone() } else { format!("{line} {word}") };
         if line.is_empty() || width(&longer, size) <= room {
             line = longer;
         } else if wrapped.len() + 1 < lines {
             wrapped.push(fit(&line, size, room));
-            line = word.to_owned();
+            line = word;
         } else {
             line = format!("{longer} …");
             words.by_ref().for_each(drop);
@@ -126,6 +126,38 @@ pub(super) fn wrap(text: &str, size: u32, room: f64, lines: usize) -> Vec<String
         wrapped.push(fit(&line, size, room));
     }
     wrapped
+}
+
+/// The words of a text, of which `λ = 0.5` is one.
+fn together(text: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match words.last_mut().filter(|last| word == "=" || last.ends_with(" =")) {
+            Some(last) => {
+                last.push(' ');
+                last.push_str(word);
+            }
+            None => words.push(word.to_owned()),
+        }
+    }
+    words
+}
+
+/// The same of clauses between semicolons, of which the last are left out where they have no room: none is cut in its middle, unless it is the only one.
+pub(super) fn wrap_clauses(text: &str, size: u32, room: f64, lines: usize) -> Vec<String> {
+    let mut kept = text;
+    loop {
+        let wrapped = wrap(kept, size, room, lines);
+        match kept.rsplit_once("; ") {
+            Some((before, _)) if is_cut(&wrapped) => kept = before,
+            _ => return wrapped,
+        }
+    }
+}
+
+/// Whether wrapped text lost its end, or a word that is longer than a line its own.
+pub(super) fn is_cut(wrapped: &[String]) -> bool {
+    wrapped.iter().any(|line| line.ends_with('…'))
 }
 
 /// An integer in raised digits.
@@ -164,6 +196,16 @@ mod tests {
         assert!(lines[2].ends_with('…'));
         assert_eq!(wrap("short", 12, 200.0, 3), ["short"]);
         assert!(wrap("", 12, 200.0, 3).is_empty());
+    }
+
+    #[test]
+    fn what_is_equal_stays_together_and_clauses_are_whole() {
+        let text = "kernel of the first kind, λ = 0.5; error of φ at most 1e-9";
+        let lines = wrap(text, 12, 175.0, 4);
+        assert_eq!(lines[..2], ["kernel of the first kind,", "λ = 0.5; error of φ at"]);
+        assert_eq!(wrap_clauses(text, 12, 175.0, 2), ["kernel of the first kind,", "λ = 0.5"]);
+        assert_eq!(wrap_clauses(text, 12, 2000.0, 2), [text]);
+        assert!(is_cut(&wrap_clauses("a clause that is long", 12, 60.0, 1)));
     }
 
     #[test]

@@ -13,7 +13,17 @@ pub(crate) struct Scaled {
     pub(crate) factor: f64,
 }
 
-/// How the values of a study are shown.
+impl Scaled {
+    fn plain(name: &str) -> Self {
+        Self { name: name.to_owned(), factor: 1.0 }
+    }
+
+    fn of(name: &str, unit: AxisUnit) -> Self {
+        Self { name: format!("{name} [{}]", unit.label), factor: unit.factor }
+    }
+}
+
+/// How the values of a study are shown; those of an equation have no units.
 #[derive(Debug, Default)]
 pub(crate) struct StudyUnits(Option<Shown>);
 
@@ -23,30 +33,39 @@ impl StudyUnits {
     /// # Errors
     /// Those of the first case.
     pub(crate) fn new(study: &Study, overrides: &[String]) -> Result<Self, shtaerman::Error> {
-        // Equations have no units.
         let AnyFile::Problem(file) = study.first(overrides)? else { return Ok(Self(None)) };
-        let units: &OutputUnits = file.units();
-        Ok(Self(units.are_chosen().then(|| Shown::of(file.problem(), units))))
+        let shown = Shown::of(file.problem(), file.units());
+        Ok(Self(shown.is_physical.then_some(shown)))
     }
 
     /// The unit of an output or a varied key, where units were chosen and it has one.
     pub(crate) fn chosen(&self, name: &str) -> Option<AxisUnit> {
-        let shown = self.0.as_ref().filter(|shown| shown.is_physical)?;
+        let shown = self.0.as_ref().filter(|shown| shown.units.are_chosen())?;
         measure(shown, name).map(|measure| shown.units.column(measure))
     }
 
-    /// An output or a varied key.
-    pub(crate) fn column(&self, study: &Study, name: &str) -> Scaled {
-        let plain = |unit: &str| Scaled { name: format!("{name}{unit}"), factor: 1.0 };
-        let Some(shown) = &self.0 else {
-            return plain(if study.is_dimensionless() { "" } else { ", SI" });
-        };
+    /// The column of a file, `name`, which holds values or errors of `quantity`: with its unit where units were chosen, else in SI units without a word.
+    pub(crate) fn file_column(&self, name: &str, quantity: &str) -> Scaled {
+        let unit = self.chosen(quantity);
+        unit.map_or_else(|| Scaled::plain(name), |unit| Scaled::of(name, unit))
+    }
+
+    /// The column of a table: an output or a varied key in the chosen unit, or that of SI without a prefix.
+    pub(crate) fn column(&self, name: &str) -> Scaled {
+        self.scaled(name, OutputUnits::column)
+    }
+
+    /// An axis that reaches from zero to `largest` (SI) at least: in the chosen unit, or that of SI with a prefix.
+    pub(crate) fn axis(&self, name: &str, largest: f64) -> Scaled {
+        self.scaled(name, |units, measure| units.axis(largest, measure))
+    }
+
+    fn scaled(&self, name: &str, unit: impl Fn(&OutputUnits, Measure) -> AxisUnit) -> Scaled {
+        let Some(shown) = &self.0 else { return Scaled::plain(name) };
         match measure(shown, name) {
-            Some(measure) => {
-                let (name, factor) = shown.column(name, measure);
-                Scaled { name, factor }
-            }
-            None => plain(if NUMBERS.contains(&last(name)) { "" } else { ", SI" }),
+            Some(measure) => Scaled::of(name, unit(&shown.units, measure)),
+            None if NUMBERS.contains(&last(name)) => Scaled::plain(name),
+            None => Scaled::of(name, AxisUnit { factor: 1.0, label: "SI".to_owned() }),
         }
     }
 }

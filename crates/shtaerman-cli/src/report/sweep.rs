@@ -32,6 +32,25 @@ pub(crate) struct SweepReport<'r> {
     pub(crate) sense: Option<&'r (usize, Vec<String>)>,
 }
 
+/// A number, if there is one: a case without an answer has none, and the pressure at a corner without roughness is infinite.
+fn number(value: f64, digits: usize) -> String {
+    match value {
+        _ if value.is_nan() => "-".to_owned(),
+        _ if value.is_infinite() => "infinite".to_owned(),
+        _ => significant(value, digits),
+    }
+}
+
+/// `1 case`, `2 cases`.
+fn cases(count: usize) -> String {
+    if count == 1 { "1 case".to_owned() } else { format!("{count} cases") }
+}
+
+/// `once`, `2 times`.
+fn times_said(count: usize) -> String {
+    if count == 1 { "once".to_owned() } else { format!("{count} times") }
+}
+
 /// Keeps rows for a plot.
 pub(crate) fn keep(kept: &mut Vec<Row>, rows: Vec<Row>) {
     let room = MOST_PLOTTED.saturating_sub(kept.len());
@@ -56,9 +75,9 @@ pub(crate) fn sweep_table(
         Design::Random { seed, .. } => format!("random cases with seed {seed}"),
     };
     let mut text = Told::new(format!(
-        "{}: {} cases, {design} over {}\n\n",
+        "{}: {}, {design} over {}\n\n",
         manifest.study,
-        manifest.cases,
+        cases(manifest.cases),
         manifest.variables.join(", ")
     ));
     let mut table = Table::new(&[
@@ -72,8 +91,8 @@ pub(crate) fn sweep_table(
         "error, largest",
     ]);
     for extreme in summary.extremes.iter().filter(|_| summary.answered > 0) {
-        let Scaled { name, factor } = units.column(study, &extreme.name);
-        let shown = |value: f64, digits: usize| significant(value * factor, digits);
+        let Scaled { name, factor } = units.column(&extreme.name);
+        let shown = |value: f64, digits: usize| number(value * factor, digits);
         table.row(vec![
             name,
             shown(extreme.least.0, DIGITS),
@@ -87,18 +106,26 @@ pub(crate) fn sweep_table(
     }
     text.table(table);
     text.push('\n');
+    for extreme in summary.extremes.iter().filter(|extreme| extreme.infinite > 0) {
+        let _ = writeln!(
+            text,
+            "{} is infinite in {}: its mean, deviation and error are those of the others",
+            extreme.name,
+            cases(extreme.infinite)
+        );
+    }
     let _ = writeln!(
         text,
-        "parts: {} computed, {} kept, {} missing, of {}; {} cases answered, {} refused",
+        "parts: {} computed, {} kept, {} missing, of {}; {} answered, {} refused",
         report.computed,
         report.kept,
         report.missing,
         report.parts,
-        summary.answered,
+        cases(summary.answered),
         summary.refused
     );
     for (reason, first, count) in &summary.reasons {
-        let _ = writeln!(text, "refused {count} times, first case {first}: {reason}");
+        let _ = writeln!(text, "refused {}, first case {first}: {reason}", times_said(*count));
     }
     if !study.is_audited() {
         let _ = writeln!(
@@ -116,8 +143,8 @@ pub(crate) fn sweep_table(
         };
         let _ = writeln!(
             text,
-            "sense checks of {looked_at} of {} cases, those with the least and the largest varied values and outputs: {found}",
-            manifest.cases
+            "sense checks of {looked_at} of {}, those with the least and the largest varied values and outputs: {found}",
+            cases(manifest.cases)
         );
         for doubt in doubts {
             let _ = writeln!(text, "warning: {doubt}");
@@ -128,25 +155,26 @@ pub(crate) fn sweep_table(
 
 /// What varies and the outputs of each case.
 pub(crate) fn rows_table(study: &Study, units: &StudyUnits, rows: &[Row]) -> String {
-    let (inputs, outputs) = scaled(study, units);
-    let heads: Vec<&str> = inputs.iter().chain(&outputs).map(|one| one.name.as_str()).collect();
-    let mut table = Table::new(&heads).with_keys(inputs.len());
+    let (inputs, outputs) = columns_of(study, |name| units.column(name));
+    let names = inputs.iter().chain(&outputs).map(|one| one.name.as_str());
+    let heads: Vec<&str> = std::iter::once("case").chain(names).collect();
+    let mut table = Table::new(&heads).with_keys(1 + inputs.len());
     for row in rows {
         let varied = row.inputs.iter().zip(&inputs).map(|(input, scaled)| match input.number() {
-            Some(value) => significant(value * scaled.factor, DIGITS),
+            Some(value) => number(value * scaled.factor, DIGITS),
             None => input.to_string(),
         });
         let found = row.outputs.iter().zip(&outputs);
-        let found = found.map(|(value, scaled)| significant(value * scaled.factor, DIGITS));
-        table.row(varied.chain(found).collect());
+        let found = found.map(|(value, scaled)| number(value * scaled.factor, DIGITS));
+        table.row(std::iter::once(row.case.to_string()).chain(varied).chain(found).collect());
     }
     format!("{table}\n")
 }
 
-/// The varied keys and the outputs with their units.
-fn scaled(study: &Study, units: &StudyUnits) -> (Vec<Scaled>, Vec<Scaled>) {
-    let inputs = study.variables().iter().map(|variable| units.column(study, &variable.key));
-    let outputs = study.outputs().iter().map(|output| units.column(study, &output.name));
+/// The varied keys and the outputs, each with its unit.
+fn columns_of(study: &Study, unit: impl Fn(&str) -> Scaled) -> (Vec<Scaled>, Vec<Scaled>) {
+    let inputs = study.variables().iter().map(|variable| unit(&variable.key));
+    let outputs = study.outputs().iter().map(|output| unit(&output.name));
     (inputs.collect(), outputs.collect())
 }
 
@@ -164,22 +192,11 @@ pub(crate) fn rows_csv<'a>(study: &'a Study, units: &StudyUnits, rows: &'a [Row]
 
 /// The columns of rows as CSV, with units where some were chosen.
 pub(crate) fn csv_columns(study: &Study, units: &StudyUnits) -> Vec<Scaled> {
-    let (inputs, outputs) = scaled(study, units);
-    let of = |name: &str| {
-        let error = name.strip_suffix("_error");
-        let names = study.outputs().iter().map(|output| output.name.as_str());
-        let keys = study.variables().iter().map(|variable| variable.key.as_str());
-        let position = |mut all: Box<dyn Iterator<Item = &str> + '_>, name: &str| {
-            all.position(|known| known == name)
-        };
-        match position(Box::new(names), error.unwrap_or(name)) {
-            Some(index) => Some(outputs[index].clone()),
-            None => position(Box::new(keys), name).map(|index| inputs[index].clone()),
-        }
-    };
-    let column = |name: String| match of(&name).and_then(|scaled| unit_of(&scaled)) {
-        Some((unit, factor)) => Scaled { name: format!("{name} {unit}"), factor },
-        None => Scaled { name, factor: 1.0 },
+    let outputs = study.outputs();
+    let of_output = |name: &str| outputs.iter().any(|output| output.name == name);
+    let column = |name: String| {
+        let quantity = name.strip_suffix("_error").filter(|of| of_output(of)).unwrap_or(&name);
+        units.file_column(&name, quantity)
     };
     study.columns().into_iter().map(column).collect()
 }
@@ -190,12 +207,6 @@ pub(crate) fn times(text: String, factor: f64) -> String {
         return text;
     }
     text.parse::<f64>().map_or(text, |value| (value * factor).to_string())
-}
-
-/// The unit in brackets behind a name.
-fn unit_of(scaled: &Scaled) -> Option<(String, f64)> {
-    let at = scaled.name.rfind(" [")?;
-    Some((scaled.name[at + 1..].to_owned(), scaled.factor))
 }
 
 /// The columns of rows as a JSON object of arrays.
@@ -240,13 +251,13 @@ fn audits(study: &Study, units: &StudyUnits, audited: &[(Row, Row)]) -> String {
         return String::new();
     }
     let refused = audited.iter().filter(|(_, row)| !row.is_answered()).count();
-    let mut text = format!("audit of a sample of {} cases: {refused} not kept", audited.len());
+    let mut text = format!("audit of a sample of {}: {refused} not kept", cases(audited.len()));
     for (index, output) in study.outputs().iter().enumerate() {
         let largest = |row: fn(&(Row, Row)) -> &Row| {
             audited.iter().filter_map(|pair| row(pair).errors[index]).reduce(f64::max)
         };
         if let (Some(stated), Some(found)) = (largest(|pair| &pair.0), largest(|pair| &pair.1)) {
-            let factor = units.column(study, &output.name).factor;
+            let factor = units.column(&output.name).factor;
             let _ = write!(
                 text,
                 "; {} stated to {}, audited {}",
@@ -290,26 +301,47 @@ pub(crate) fn response(
     let Some(variable) = (0..variables.len()).find(|index| numeric(*index)) else {
         return Err("--plot: none of the varied values is a number".to_owned());
     };
-    let (inputs, outputs) = scaled(study, units);
-    let input = &inputs[variable];
-    let curves = outputs.iter().enumerate().map(|(index, output)| ResponseCurve {
-        label: words(&output.name),
-        points: rows
-            .iter()
-            .filter(|row| row.is_answered())
-            .filter_map(|row| {
-                let x = row.inputs[variable].number()? * input.factor;
-                Some((x, row.outputs[index] * output.factor))
-            })
-            .collect(),
-    });
-    let plot = ResponsePlot {
-        title: titled(name, &format!("response to {}", variables[variable].key)),
-        horizontal_label: input.name.clone(),
-        is_connected: variables.len() == 1 && study.design() == Design::Grid,
-        curves: curves.collect(),
+    let answered: Vec<&Row> = rows.iter().filter(|row| row.is_answered()).collect();
+    let along = |row: &Row| row.inputs[variable].number().unwrap_or(f64::NAN);
+    let key = &variables[variable].key;
+    let input = units.axis(key, largest(rows.iter().map(along)));
+    let mut notes = Vec::new();
+    let curve = |(index, output): (usize, &Output)| {
+        let values = || answered.iter().map(|row| row.outputs[index]);
+        let Scaled { name, factor } = units.axis(&output.name, largest(values()));
+        if !values().any(f64::is_finite) {
+            notes.extend(
+                (!answered.is_empty()).then(|| format!("{} is infinite", words(&output.name))),
+            );
+            return None;
+        }
+        let places = answered.iter().map(|row| along(row) * input.factor);
+        let points = places.zip(values().map(|value| value * factor)).collect();
+        Some(ResponseCurve { label: words(&name), points })
     };
+    let curves = study.outputs().iter().enumerate().filter_map(curve).collect();
+    let plot = ResponsePlot {
+        title: titled(name, &format!("response to {key}")),
+        notes,
+        horizontal_label: input.name,
+        is_connected: variables.len() == 1 && study.design() == Design::Grid,
+        curves,
+    };
+    if plot.curves.is_empty() {
+        return Err(format!(
+            "--plot: there is no number to draw: {}",
+            match plot.notes.as_slice() {
+                [] => "no case has an answer".to_owned(),
+                notes => notes.join(", "),
+            }
+        ));
+    }
     Ok((plot.figure(), None))
+}
+
+/// The largest finite size of values; 0 where there is none.
+fn largest(values: impl Iterator<Item = f64>) -> f64 {
+    values.map(f64::abs).filter(|value| value.is_finite()).fold(0.0, f64::max)
 }
 
 /// The outputs over a whole grid of two numbers; none unless both have at least two different values in increasing order.
@@ -329,23 +361,28 @@ fn response_map(
     };
     // The last variable changes fastest: it goes along.
     let (up, along) = (values(0)?, values(1)?);
-    let (inputs, outputs) = scaled(study, units);
-    let label = |index: usize| inputs[index].name.clone();
-    let surface = |(index, output): (usize, &Scaled)| ResponseSurface {
-        label: words(&output.name),
-        values: rows.iter().map(|row| row.outputs[index] * output.factor).collect(),
+    let axis = |index: usize, values: &[f64]| {
+        let axis = units.axis(&study.variables()[index].key, largest(values.iter().copied()));
+        (axis.name, values.iter().map(|value| value * axis.factor).collect::<Vec<f64>>())
     };
-    let along = along.into_iter().map(|value| value * inputs[1].factor).collect();
-    let up = up.into_iter().map(|value| value * inputs[0].factor).collect();
+    let ((up_label, up), (along_label, along)) = (axis(0, &up), axis(1, &along));
+    let surface = |(index, output): (usize, &Output)| {
+        let values = || rows.iter().map(|row| row.outputs[index]);
+        let Scaled { name, factor } = units.axis(&output.name, largest(values()));
+        ResponseSurface {
+            label: words(&name),
+            values: values().map(|value| value * factor).collect(),
+        }
+    };
     Some(ResponseMap {
         title: titled(
             name,
             &format!("response to {} and {}", study.variables()[0].key, study.variables()[1].key),
         ),
-        labels: [label(1), label(0)],
+        labels: [along_label, up_label],
         values: [along, up],
         // What is the same everywhere, such as a prescribed value, has no map.
-        surfaces: outputs.iter().enumerate().map(surface).filter(is_varied).collect(),
+        surfaces: study.outputs().iter().enumerate().map(surface).filter(is_varied).collect(),
     })
     .filter(|map| !map.surfaces.is_empty())
 }
@@ -364,7 +401,9 @@ fn words(name: &str) -> String {
 }
 
 fn is_varied(surface: &ResponseSurface) -> bool {
-    surface.values.iter().any(|value| *value != surface.values[0])
+    let mut finite = surface.values.iter().filter(|value| value.is_finite());
+    let first = finite.next();
+    finite.any(|value| Some(value) != first)
 }
 
 fn tornado(name: &str, study: &Study, indices: &Indices) -> TornadoPlot {

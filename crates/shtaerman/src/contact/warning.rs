@@ -71,6 +71,9 @@ pub struct Warning {
 const LAYER_DEGREES: f64 = 4.0;
 /// Moduli and yield stresses below this (Pa) are those of gels: rubber begins at about 1 MPa.
 const SOFTEST: f64 = 1e6;
+/// No solid is stiffer than this (GPa): diamond has 1,100; and no metal yields at more than this (MPa).
+const STIFFEST: f64 = 1500.0;
+const HARDEST: f64 = 5000.0;
 /// Longest unit that a message quotes.
 const LONGEST_UNIT: usize = 40;
 /// Most intervals a message names. At half or twice 3 of 32 answers change, within what they state (survey).
@@ -252,8 +255,9 @@ impl Warning {
     /// A modulus that was written without a unit (Pa), by its key or option; none where a solid may have it.
     #[must_use]
     pub fn soft_modulus(key: &str, modulus: f64) -> Option<Self> {
+        let unit = if modulus < STIFFEST { "GPa" } else { "MPa" };
         let message = format!(
-            "{key} = {modulus} has no unit and is taken in Pa, which is softer than rubber: is \"{modulus} GPa\" meant?"
+            "{key} = {modulus} has no unit and is taken in Pa, which is softer than rubber: is \"{modulus} {unit}\" meant?"
         );
         (modulus < SOFTEST).then_some(Self { code: WarningCode::SoftModulus, message })
     }
@@ -261,8 +265,9 @@ impl Warning {
     /// A yield stress that was written without a unit (Pa), by its key or option; none where a metal may have it.
     #[must_use]
     pub fn low_yield_stress(key: &str, stress: f64) -> Option<Self> {
+        let unit = if stress < HARDEST { "MPa" } else { "kPa" };
         let message = format!(
-            "{key} = {stress} has no unit and is taken in Pa, which no metal is as soft as: is \"{stress} MPa\" meant?"
+            "{key} = {stress} has no unit and is taken in Pa, which no metal is as soft as: is \"{stress} {unit}\" meant?"
         );
         (stress < SOFTEST).then_some(Self { code: WarningCode::LowYieldStress, message })
     }
@@ -289,6 +294,15 @@ impl Warning {
             "the trace has {rows} over the base, and no unit: its positions are read in metres, and other units may be meant: state it, by {stated}"
         );
         Some(Self { code: WarningCode::UnknownUnit, message })
+    }
+
+    /// Heights of a trace whose positions have a stated unit and whose heights have none anywhere, and the key or option that states it.
+    #[must_use]
+    pub fn heights_in_metres(stated: &str) -> Self {
+        let message = format!(
+            "the trace has a unit for its positions and none for its heights, which are read in metres: state it, by {stated}"
+        );
+        Self { code: WarningCode::UnknownUnit, message }
     }
 
     /// The relative error aimed at, and the one reached.

@@ -75,10 +75,15 @@ fn doubts(table: &TableReader<'_>, said: &[HeaderUnit; 2]) -> Vec<Warning> {
         }
         _ => None,
     };
-    UNITS.into_iter().zip(said).filter_map(doubt).collect()
+    let found = UNITS.into_iter().zip(said).filter_map(doubt);
+    // Lines that are skipped may have been a header with the other unit.
+    let is_half_stated = table.has("x_unit") && !table.has("f_unit");
+    let bare = (is_half_stated && said[1] == HeaderUnit::Silent)
+        .then(|| Warning::heights_in_metres("f_unit = \"um\" or the like"));
+    found.chain(bare).collect()
 }
 
-/// The line with the units that the header has, where it states none.
+/// The line with the units that the header has, where it states none or others.
 fn stating_units(
     field: &Field<'_>,
     table: &TableReader<'_>,
@@ -87,7 +92,8 @@ fn stating_units(
 ) -> Option<String> {
     let stated = |((_, key), said): ((&str, &'static str), &HeaderUnit)| match said {
         HeaderUnit::Known { symbol, size, dimension, .. }
-            if *dimension == Dimension::LENGTH && *size != 1.0 && !table.has(key) =>
+            if *dimension == Dimension::LENGTH
+                && unit(table, key, physical).is_ok_and(|stated| stated != *size) =>
         {
             Some((key, serde_json::Value::from(symbol.as_str()).to_string()))
         }
@@ -190,9 +196,10 @@ fn unit(table: &TableReader<'_>, key: &str, physical: bool) -> Result<f64, FileE
     }
 }
 
-/// The line as it is written, with some keys more.
+/// The line as it is written, with some keys more or anew.
 fn line(field: &Field<'_>, table: &TableReader<'_>, more: &[(&str, String)]) -> String {
-    let written = KEYS.into_iter().filter_map(|known| {
+    let is_anew = |known: &&str| !more.iter().any(|(key, _)| key == known);
+    let written = KEYS.into_iter().filter(is_anew).filter_map(|known| {
         let field = table.optional(known)?;
         Some(format!("{known} = {}", toml(field.value())))
     });

@@ -63,6 +63,7 @@ impl PageEngine {
                 map::svg((&mut self.stressed, &mut self.solved), &asked)
             }
             "study" => study::told(&asked::read(body, self.limit)?),
+            "study-doubts" => study::doubts(&asked::read(body, self.limit)?),
             "kernel" => kernel::told(&asked::read(body, self.limit)?),
             "equation" => kernel::equation(&asked::read(body, self.limit)?),
             "paper" => paper::tables(),

@@ -14,8 +14,6 @@ use crate::report::{self, Shown, YieldReport};
 
 /// Points of a map that are asked for at most, in each direction.
 const MOST: usize = 400;
-/// A place this near to the middle, in depths, is the middle.
-const MIDDLE: f64 = 1e-9;
 
 /// A map, and how fine it is.
 #[derive(Debug, Deserialize)]
@@ -128,8 +126,7 @@ fn peak(peak: &Peak, share: f64, field: &StressField, shown: &Shown) -> Value {
     let corners = if peak.value.is_finite() { Vec::new() } else { field.infinite_corners() };
     let shift = field.period().map_or(0.0, |period| period * (peak.x / period).round());
     let at = peak.x - shift;
-    // What is this small beside the depth is the middle, with the rounding of the search.
-    let at = if at.abs() < MIDDLE * peak.depth { 0.0 } else { at };
+    let at = if at.abs() < stress::MIDDLE * peak.depth { 0.0 } else { at };
     let x = of(at, Measure::Length);
     let place = match (peak.is_corner, peak.depth == 0.0) {
         _ if !corners.is_empty() => report::infinite_at(&corners, &|x| of(x, Measure::Length)),

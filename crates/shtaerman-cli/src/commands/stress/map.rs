@@ -1,7 +1,7 @@
 //! The map of a component.
 
 use shtaerman::quantity::Measure;
-use shtaerman::{Contact, Peak, StressField};
+use shtaerman::{Contact, Criterion, Peak, StressField};
 
 use crate::arguments::StressComponent;
 use crate::plot::MapPlot;
@@ -10,6 +10,8 @@ use crate::report::{Shown, Stresses, heading, infinite_at, said_load, significan
 /// Values beyond this multiple of what all but a hundredth reach are a peak at a corner, which would leave no colours for the rest.
 const PEAK: f64 = 1.6;
 const SHARE: f64 = 0.01;
+/// A place this near to the middle, in depths, is the middle, with the rounding of the search.
+pub(in crate::commands) const MIDDLE: f64 = 1e-9;
 
 /// The map of a component over the grid; `peaks` are those of von Mises and Tresca.
 pub(in crate::commands) fn plot(
@@ -39,7 +41,7 @@ pub(in crate::commands) fn plot(
     let (length, stress) = (factor(across, Measure::Length), factor(highest, Measure::Pressure));
     let title = name(component);
     let crosses = crosses(component, field, grid, peaks);
-    let is_infinite = peak(component, peaks).is_some_and(|(peak, _)| peak.value.is_infinite());
+    let is_infinite = !field.infinite_corners().is_empty();
     MapPlot {
         title: titled(problem, &said_load(contact, &shown.units), title),
         notes: notes(component, field, peaks, shown),
@@ -121,21 +123,33 @@ fn crosses(
     grid: &Stresses,
     peaks: &[Peak; 2],
 ) -> Vec<(f64, f64)> {
-    let Some((peak, _)) = peak(component, peaks) else { return Vec::new() };
-    let places = if peak.value.is_infinite() {
+    let corners = field.infinite_corners();
+    let places = if !corners.is_empty() {
         let (Some(left), Some(right)) = (grid.x.first(), grid.x.last()) else { return Vec::new() };
-        let corners = field.infinite_corners();
         let shifts = shifts(field, [*left, *right]);
         let shifted = shifts.iter().flat_map(|shift| corners.iter().map(move |x| x + shift));
         shifted.map(|x| (x, 0.0)).collect()
     } else {
-        vec![(peak.x, peak.depth)]
+        let Some((peak, _)) = peak(component, peaks) else { return Vec::new() };
+        places(component, field, &peak).into_iter().map(|x| (x, peak.depth)).collect::<Vec<_>>()
     };
     let within = |value: f64, along: &[f64]| {
         along.first().is_some_and(|first| *first <= value)
             && along.last().is_some_and(|last| value <= *last)
     };
     places.into_iter().filter(|(x, y)| within(*x, &grid.x) && within(*y, &grid.y)).collect()
+}
+
+/// Where the largest value is: at two places below a symmetric pressure that has it beside the middle.
+fn places(component: StressComponent, field: &StressField, peak: &Peak) -> Vec<f64> {
+    let criterion = match component {
+        StressComponent::VonMises => Criterion::VonMises,
+        _ => Criterion::Tresca,
+    };
+    let mirrored = field.stress(-peak.x, peak.depth).map(|stress| criterion.of(&stress));
+    let is_near_middle = peak.x.abs() <= MIDDLE * peak.depth;
+    let is_twin = mirrored.is_ok_and(|value| (value - peak.value).abs() <= field.error());
+    if is_near_middle || !is_twin { vec![peak.x] } else { vec![peak.x, -peak.x] }
 }
 
 fn notes(
@@ -149,12 +163,16 @@ fn notes(
     };
     let mut note =
         format!("plane strain, tension positive, ν = {}", significant(field.poisson_ratio(), 4));
-    if let Some((peak, share)) = peak(component, peaks) {
+    let corners = field.infinite_corners();
+    if !corners.is_empty() {
+        let place = infinite_at(&corners, &|x| shown(x, Measure::Length));
+        note.push_str(&format!("; infinite {place}"));
+    } else if let Some((peak, share)) = peak(component, peaks) {
         let value = shown(share * peak.value, Measure::Pressure);
-        let x = shown(peak.x, Measure::Length);
-        let place = if peak.value.is_infinite() {
-            infinite_at(&field.infinite_corners(), &|x| shown(x, Measure::Length))
-        } else if peak.is_corner {
+        let at: Vec<String> =
+            places(component, field, &peak).iter().map(|x| shown(*x, Measure::Length)).collect();
+        let x = at.join(" and ");
+        let place = if peak.is_corner {
             format!("at the edge x = {x}, as a limit")
         } else {
             format!("at x = {x}, depth {}", shown(peak.depth, Measure::Length))

@@ -18,7 +18,7 @@ use crate::output::{Content, Outputs};
 use crate::plot::{MapPlot, Plot};
 use crate::report::{self, Sheet, Shown, StressReport, Stresses, Told, YieldReport};
 use crate::{Failure, clock};
-pub(super) use map::{limits, name, plot, zones};
+pub(super) use map::{MIDDLE, limits, name, plot, zones};
 pub(super) use section::{Section, Units};
 
 pub(super) fn run(arguments: &StressArguments) -> Result<(), Failure> {

@@ -39,7 +39,7 @@ pub(super) fn gaussian(
     }
     if cutoff > length {
         return Err(format!(
-            "the cutoff of the filter, {}, is longer than the trace, {}: level = \"mean-line\" takes off its line",
+            "the cutoff of the filter, {}, is longer than the trace, {}: take off its mean line instead, by `level`",
             shown(cutoff),
             shown(length)
         ));
