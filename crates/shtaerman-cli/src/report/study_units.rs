@@ -18,7 +18,7 @@ impl Scaled {
         Self { name: name.to_owned(), factor: 1.0 }
     }
 
-    fn of(name: &str, unit: AxisUnit) -> Self {
+    fn of(name: &str, unit: &AxisUnit) -> Self {
         Self { name: format!("{name} [{}]", unit.label), factor: unit.factor }
     }
 }
@@ -47,7 +47,7 @@ impl StudyUnits {
     /// The column of a file, `name`, which holds values or errors of `quantity`: with its unit where units were chosen, else in SI units without a word.
     pub(crate) fn file_column(&self, name: &str, quantity: &str) -> Scaled {
         let unit = self.chosen(quantity);
-        unit.map_or_else(|| Scaled::plain(name), |unit| Scaled::of(name, unit))
+        unit.map_or_else(|| Scaled::plain(name), |unit| Scaled::of(name, &unit))
     }
 
     /// The column of a table: an output or a varied key in the chosen unit, or that of SI without a prefix.
@@ -63,9 +63,9 @@ impl StudyUnits {
     fn scaled(&self, name: &str, unit: impl Fn(&OutputUnits, Measure) -> AxisUnit) -> Scaled {
         let Some(shown) = &self.0 else { return Scaled::plain(name) };
         match measure(shown, name) {
-            Some(measure) => Scaled::of(name, unit(&shown.units, measure)),
+            Some(measure) => Scaled::of(name, &unit(&shown.units, measure)),
             None if NUMBERS.contains(&last(name)) => Scaled::plain(name),
-            None => Scaled::of(name, AxisUnit { factor: 1.0, label: "SI".to_owned() }),
+            None => Scaled::of(name, &AxisUnit { factor: 1.0, label: "SI".to_owned() }),
         }
     }
 }

@@ -34,13 +34,25 @@ impl StressField {
     /// # Errors
     /// [`Error::NoStresses`] for a circular punch and a graded foundation, [`Error::NoPoissonRatio`], [`Error::InvalidValue`] for a ratio beyond `(-1, 0.5]`.
     pub fn new(contact: &Contact, poisson_ratio: Option<f64>) -> Result<Self, Error> {
+        Self::to_accuracy(contact, poisson_ratio, 0.0)
+    }
+
+    /// The same where errors up to `accuracy`, a share of the mean pressure of the contact, serve, such as for a picture: [`StressField::error`] says what was reached.
+    ///
+    /// # Errors
+    /// Those of [`StressField::new`].
+    pub fn to_accuracy(
+        contact: &Contact,
+        poisson_ratio: Option<f64>,
+        accuracy: f64,
+    ) -> Result<Self, Error> {
         let error = contact.accuracy().map_or(0.0, |accuracy| accuracy.pressure);
         let pressure0 = |zone: usize, from_left: f64, from_right: f64| {
             contact.pressure_beside(zone, from_left, from_right)
         };
         let costly = contact.method().n > COSTLY;
         let most = if costly { MOST_COSTLY } else { Effort::FULL.most };
-        let effort = Effort { enough: SHARE * error, most };
+        let effort = Effort { enough: SHARE * error, accuracy, most };
         let zones = contact.dimensionless().zones();
         let field = under(contact.problem(), &zones, poisson_ratio, effort, &pressure0)?;
         let units = (contact.half_width(), contact.scale(Scaling::pressure));

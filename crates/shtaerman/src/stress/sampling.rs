@@ -1,28 +1,39 @@
 //! As many nodes as the pressure needs.
 
+use std::f64::consts::PI;
+
 use super::complex::Complex;
 use super::panel::Panel;
 use crate::Error;
 
-/// The first step: `e^(-pi^2/h) = 5e-16` is its error where the pressure is analytic off the line of the panel.
+/// The least first step: `e^(-pi^2/h) = 5e-16` is its error where the pressure is analytic off the line of the panel.
 const FIRST_STEP: f64 = 0.28;
 /// Difference of both sets of nodes, relative to the mean pressure, that is small enough, and below which it may be rounding.
 const AIM: f64 = 2e-14;
 const STAGNANT: f64 = 1e-8;
 /// A difference that does not fall to this share has stopped to fall.
 const FALL: f64 = 0.5;
+/// The largest accuracy for which the rate of convergence says anything.
+const LARGEST: f64 = 1e-3;
 /// How far sampling goes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Effort {
     /// An error that is small enough.
     pub(super) enough: f64,
+    /// The same as a share of the mean pressure.
+    pub(super) accuracy: f64,
     /// Most nodes of one panel, and most of all together unless each has its first.
     pub(super) most: usize,
 }
 
 impl Effort {
     /// As far as it leads.
-    pub(super) const FULL: Self = Self { enough: 0.0, most: 16_384 };
+    pub(super) const FULL: Self = Self { enough: 0.0, accuracy: 0.0, most: 16_384 };
+
+    /// The step of the first nodes.
+    fn first_step(self) -> f64 {
+        (PI * PI / -self.accuracy.clamp(f64::MIN_POSITIVE, LARGEST).ln()).max(FIRST_STEP)
+    }
 }
 
 /// Test points: as far out, and how many along and up.
@@ -42,8 +53,9 @@ pub(super) fn resolved(
     let sample = |index: usize, step: f64| {
         Panel::new(panels[index], step, period, &|left, right| pressure(index, left, right))
     };
+    let first = effort.first_step();
     let mut sampled =
-        (0..panels.len()).map(|index| sample(index, FIRST_STEP)).collect::<Result<Vec<_>, _>>()?;
+        (0..panels.len()).map(|index| sample(index, first)).collect::<Result<Vec<_>, _>>()?;
     let length: f64 = sampled.iter().map(Panel::length).sum();
     let mean = sampled.iter().map(Panel::absolute_force).sum::<f64>() / length;
     if !mean.is_finite() {
@@ -52,7 +64,7 @@ pub(super) fn resolved(
     let mut error = 0.0;
     if mean > 0.0 {
         let most = effort.most / panels.len();
-        let aim = AIM.max(effort.enough / (mean * panels.len() as f64));
+        let aim = AIM.max(effort.accuracy).max(effort.enough / (mean * panels.len() as f64));
         for (index, panel) in sampled.iter_mut().enumerate() {
             error += refine(panel, [mean, aim], most, |step| sample(index, step))?;
         }

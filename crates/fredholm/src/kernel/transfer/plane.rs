@@ -3,6 +3,7 @@
 use std::f64::consts::FRAC_PI_4;
 use std::sync::Arc;
 
+use super::local::Local;
 use super::require_thickness;
 use super::spectrum::Integral;
 use super::table::Table;
@@ -26,6 +27,31 @@ pub struct TransferPlane {
     far_share: f64,
     bend: f64,
     table: Table,
+    /// `m ln h`.
+    far_constant: f64,
+    /// What is smooth of the kernel up to `t = near_end`, if that is resolved.
+    near_end: f64,
+    near: Option<Local>,
+}
+
+/// Up to this `t = d/h` the kernel is `-ln t - m ln h` and one smooth function, beyond it `ln coth(pi t/4)` is the sum of six powers of `exp(-pi t/2)`: there the next, `q^13/13`, is below rounding.
+const NEAR: f64 = 2.0;
+/// From here on `ln coth(pi t/4)` is below rounding of 1.
+const FAR: f64 = 25.0;
+
+/// `ln coth(pi t/4)`, `t > NEAR`, as `2 artanh q` with `q = exp(-pi t/2)`.
+fn fallen(t: f64) -> f64 {
+    let q = (-2.0 * FRAC_PI_4 * t).exp();
+    let square = q * q;
+    let series = [1.0 / 11.0, 1.0 / 9.0, 1.0 / 7.0, 0.2, 1.0 / 3.0, 1.0];
+    2.0 * q * series.into_iter().fold(0.0, |sum, term| sum * square + term)
+}
+
+/// `ln(t coth(pi t/4))`, which is smooth and even.
+fn smooth(t: f64) -> f64 {
+    // t coth(pi t/4) = t + 2t/(exp(pi t/2) - 1)
+    let angle = 2.0 * FRAC_PI_4 * t;
+    if angle == 0.0 { -FRAC_PI_4.ln() } else { (t + 2.0 * t / angle.exp_m1()).ln() }
 }
 
 impl TransferPlane {
@@ -50,7 +76,7 @@ impl TransferPlane {
         // What is left of M beside its even part goes as u, whose integral falls as t^-2.
         let integral = Integral { g: Arc::new(g), wave: f64::cos, fall: 2 };
         let table = Table::new(integral, 2.0 / thickness)?;
-        Ok(Self { thickness, far_share, bend: thickness, table })
+        Ok(Self::with_table(thickness, far_share, thickness, table))
     }
 
     /// The kernel `ln(1/d) + D(d)` with a smooth function `D` of distances up to 2, its own even continuation beyond 0: `m = 1` and `h = 1`. Features of `D` narrower than `1/4000` may be missed.
@@ -61,7 +87,16 @@ impl TransferPlane {
         remainder: impl Fn(f64) -> f64 + Send + Sync + 'static,
     ) -> Result<Self, Error> {
         let table = Table::of(Arc::new(remainder), 2.0)?;
-        Ok(Self { thickness: 1.0, far_share: 1.0, bend: table.shortest(), table })
+        Ok(Self::with_table(1.0, 1.0, table.shortest(), table))
+    }
+
+    fn with_table(thickness: f64, far_share: f64, bend: f64, table: Table) -> Self {
+        let value = |t: f64| (1.0 - far_share) * smooth(t) + table.at(t);
+        // As far as distances on the interval reach.
+        let near_end = NEAR.min(2.0 / thickness);
+        let near = Local::new(|x| value(0.5 * near_end * (x + 1.0)), value(0.0).abs().max(1.0));
+        let far_constant = if far_share == 0.0 { 0.0 } else { far_share * thickness.ln() };
+        Self { thickness, far_share, bend, table, far_constant, near_end, near }
     }
 
     /// What values of the kernel may be off by beyond rounding, as quadrature and series show it themselves: much only where `M` or `D` is not smooth.
@@ -130,9 +165,18 @@ impl Kernel for TransferPlane {
 
     fn pair(&self, _x: f64, _s: f64, distance: f64) -> Pair {
         let t = distance / self.thickness;
-        // ln coth z = ln(1 + 2/(exp(2z) - 1)): no digit is lost where it is small, nor where it is large.
-        let logarithm = (2.0 / (2.0 * FRAC_PI_4 * t).exp_m1()).ln_1p();
+        if let Some(near) = self.near.as_ref().filter(|_| t <= self.near_end) {
+            let value = near.at(2.0 / self.near_end * t - 1.0) - t.ln() - self.far_constant;
+            return Pair { value, factor: -1.0 };
+        }
         let far = if self.far_share == 0.0 { 0.0 } else { -self.far_share * distance.ln() };
+        let logarithm = match t {
+            // Next to nothing else it counts however small it is.
+            t if t > FAR && self.far_share > 0.0 => 0.0,
+            t if t > NEAR => fallen(t),
+            // ln coth z = ln(1 + 2/(exp(2z) - 1)): no digit is lost where it is small, nor where it is large.
+            t => (2.0 / (2.0 * FRAC_PI_4 * t).exp_m1()).ln_1p(),
+        };
         let value = far + (1.0 - self.far_share) * logarithm + self.table.at(t);
         Pair { value, factor: -1.0 }
     }

@@ -12,6 +12,8 @@ use crate::arguments::StressComponent;
 use crate::commands::stress::{self, Section};
 use crate::report::{self, Shown, YieldReport};
 
+/// The error of stresses that serves while something moves, as a share of the mean pressure.
+const WHILE_MOVING: f64 = 1e-4;
 /// Points of a map that are asked for at most, in each direction.
 const MOST: usize = 400;
 
@@ -30,10 +32,19 @@ pub(super) struct AskedMap {
     poisson_ratio: Option<f64>,
 }
 
+impl AskedMap {
+    /// What moves is drawn in bands of colour, of which there are fourteen; what is told in figures is as exact as may be.
+    fn accuracy(&self) -> f64 {
+        if self.peaks { 0.0 } else { WHILE_MOVING }
+    }
+}
+
 /// The stresses of a contact, kept for the next question about the same one.
 pub(super) struct Stressed {
     problem: Asked,
     ratio: f64,
+    /// The error that serves, as a share of the mean pressure.
+    accuracy: f64,
     solution: Solution,
     field: StressField,
     peaks: Option<[Peak; 2]>,
@@ -50,9 +61,10 @@ impl Stressed {
         let problem = solution.file.problem();
         let stated = problem.foundation().poisson_ratio();
         let ratio = stated.or(asked.poisson_ratio).ok_or(Error::NoPoissonRatio)?;
-        let field = StressField::new(&solution.contact, Some(ratio))
+        let accuracy = asked.accuracy();
+        let field = StressField::to_accuracy(&solution.contact, Some(ratio), accuracy)
             .map_err(|error| solution.file.locate(error))?;
-        Ok(Self { problem: asked.problem.clone(), ratio, solution, field, peaks: None })
+        Ok(Self { problem: asked.problem.clone(), ratio, accuracy, solution, field, peaks: None })
     }
 
     /// The one that is known, or a new one.
@@ -62,6 +74,7 @@ impl Stressed {
     ) -> Result<&'k mut Self, Failure> {
         let fits = |known: &Self| {
             known.problem == asked.problem
+                && known.accuracy <= asked.accuracy()
                 && asked.poisson_ratio.is_none_or(|ratio| ratio == known.ratio)
         };
         let stressed = match known.take().filter(fits) {
