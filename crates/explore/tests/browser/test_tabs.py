@@ -107,6 +107,13 @@ def test_a_study_has_the_numbers_of_solve(watched: Watched) -> None:
     answer = json.loads(run("solve", "examples/crowned_punch.toml", "--set", "load.force=4e5", "--format", "json"))["physical"]
     for name in ("settlement", "peak_pressure", "contact_width"):
         assert float(row[name]) == answer[name], name
+    assert watched.page.locator("#study-warnings").is_hidden()
+    # A slip is told with its case.
+    watched.page.locator('[data-key="To to"]').first.fill("900 MN/m")
+    watched.page.wait_for_selector("#study-warnings li[data-code=high_pressure]")
+    assert "(load.force = " in watched.page.inner_text("#study-warnings")
+    watched.page.locator('[data-key="To to"]').first.fill("4 MN/m")
+    watched.page.wait_for_selector("#study-warnings", state="hidden")
     # Two inputs give a curve for each value of the second.
     watched.page.locator('[data-key="input 1"]').select_option(label="modulus")
     watched.page.wait_for_function("() => document.querySelectorAll('#study-legend > span').length === 3")

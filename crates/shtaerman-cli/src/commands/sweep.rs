@@ -61,10 +61,11 @@ pub(super) fn run(arguments: &SweepArguments) -> Result<(), Failure> {
     if !arguments.summary {
         run.audit_sample(shard);
         results.sweep_out();
-        if !study.is_dimensionless() {
-            let found = study_sense::doubts(study, &run.summary, &shown, arguments.sense)?;
-            run.sense = Some(found);
-        }
+    }
+    // A summary computes nothing, unless it is asked to be strict.
+    if (!arguments.summary || arguments.sense.strict) && !study.is_dimensionless() {
+        let found = study_sense::doubts(study, &run.summary, &shown, arguments.sense)?;
+        run.sense = Some(found);
     }
     let mut outputs = Outputs::default();
     let table = report::sweep_table(study, &units, results.manifest(), &run.report(chosen().len()));

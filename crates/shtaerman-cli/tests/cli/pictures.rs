@@ -48,6 +48,7 @@ fn options_of_a_picture_need_one_and_make_sense() {
         (&["--theme", "print"], "--plot"),
         (&["--plot", "p.svg", "--size", "wide"], "--size `wide`: must be width x height"),
         (&["--plot", "p.svg", "--size", "10x10"], "10 x 10 is out of range"),
+        (&["--plot", "p.svg", "--size", "9 px x 9 px"], "9 x 9 is out of range"),
         (&["--plot", "p.svg", "--dpi", "300"], "--dpi is for .png"),
         (&["--plot", "p.png", "--dpi", "9999"], "9999 dots per inch"),
         (&["--plot", "p.svg", "--x-range", "2 mm..1 mm"], "must go from left to right"),
@@ -182,8 +183,15 @@ fn both_infinite_corners_of_a_smooth_punch_are_marked() {
     // Both are as far from the middle of the frame, which is that between the ends of the contact.
     let middle = marked[0].midpoint(marked[1]);
     assert!(svg.contains(&format!("x=\"{middle}\"")), "{middle} has the label of 0");
-    // A stress that is finite is marked where it is largest.
-    assert_eq!(crosses(&stress(&[]).1).len(), 2);
+    // So are all components.
+    let (_, normal) = stress(&["--set", "foundation.roughness=0", "--component", "sigma-y"]);
+    assert!(normal.contains("infinite at the edges x = −5 mm and 5 mm"), "{normal}");
+    assert_eq!(crosses(&normal), marked);
+    // A stress that is finite is marked where it is largest: below both edges, or below the one on which the punch leans.
+    let (_, rough) = stress(&[]);
+    assert_eq!(crosses(&rough).len(), 3, "{rough}");
+    let (_, leaning) = stress(&["--set", "load.moment=\"10 N\""]);
+    assert_eq!(crosses(&leaning).len(), 2, "{leaning}");
 }
 
 #[test]

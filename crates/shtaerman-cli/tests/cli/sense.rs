@@ -349,6 +349,10 @@ fn cases_of_a_study_are_doubted_by_their_number() {
     let strict = folder.run(&["sweep", "slip.toml", "-o", "slip", "--strict"]);
     assert_eq!(strict.code, Some(2), "{strict:?}");
     assert!(strict.stderr.starts_with("error: --strict: case 4 (load.force = "), "{strict:?}");
+    let summary = ["sweep", "slip.toml", "-o", "slip", "--summary"];
+    assert!(!folder.run(&summary).answer().contains("sense checks"));
+    let strict = folder.run(&[&summary[..], &["--strict"]].concat());
+    assert!(strict.refusal().contains("--strict: case 4"), "{strict:?}");
     // What the file alone shows is refused before anything is solved.
     let soft = ["--set", "foundation.young_modulus=200", "--strict"];
     let soft = folder.run(&[&["sweep", "plain.toml", "-o", "soft"][..], &soft].concat());

@@ -253,3 +253,31 @@ fn parquet_parts_hold_the_numbers_of_the_others_and_are_done_again_where_they_ar
     let other = sweep(&["-o", "out", "--format", "npz"]);
     assert!(other.refusal().contains("as parquet, not npz"), "{}", other.stderr);
 }
+
+/// Without roughness the pressure at a corner is infinite: it is said so, and drawn as what runs out of the frame.
+#[test]
+fn what_is_infinite_in_a_study_is_shown_as_such() {
+    let folder = Folder::new();
+    let smooth = "[foundation]\nyoung_modulus = \"210 GPa\"\npoisson_ratio = 0.3\nroughness = 0\n[punch]\nhalf_width = \"5 mm\"\nprofile = \"0\"\n[load]\nforce = \"0.5 MN/m\"\nmoment = 0\n";
+    folder.write("smooth.toml", smooth);
+    folder.write(
+        "study.toml",
+        format!("{smooth}\n[study]\nvary.\"foundation.roughness\" = [\"0 m/Pa\", \"1e-14 m/Pa\", \"1e-13 m/Pa\"]\noutputs = [\"settlement\", \"peak_pressure\"]\n"),
+    );
+    let text = folder.run(&["sweep", "study.toml", "-o", "out", "--plot", "out.svg"]).answer();
+    assert!(text.contains("peak_pressure is infinite in 1 case:"), "{text}");
+    assert!(!text.contains("NaN") && !text.contains("inf "), "{text}");
+    let drawn = folder.read("out.svg");
+    assert!(drawn.contains(">infinite<") && drawn.contains("peak pressure [MPa]"), "{drawn}");
+
+    let vary = ["solve", "smooth.toml", "--vary", "load.force=1,2 MN/m"];
+    let table = folder.run(&[&vary[..], &["--plot", "all.svg"]].concat()).answer();
+    assert!(table.contains(" infinite") && table.contains("[Pa]"), "{table}");
+    assert!(folder.read("all.svg").contains("peak pressure is infinite"), "the note");
+    let csv = folder.run(&[&vary[..], &["--outputs", "peak_pressure", "--format", "csv"]].concat());
+    let csv = csv.answer();
+    assert!(csv.lines().nth(1).unwrap().starts_with("0,1000000.0,inf,,"), "{csv}");
+    let none = ["--outputs", "peak_pressure", "--plot", "none.svg"];
+    let refused = folder.run(&[&vary[..], &none].concat());
+    assert!(refused.refusal().contains("peak pressure is infinite"), "{refused:?}");
+}

@@ -285,3 +285,39 @@ fn an_empty_file_has_the_lines_to_add() {
         assert!(run.stderr.contains(line), "{}", run.stderr);
     }
 }
+
+/// Lines that are skipped may have been the header; heights in metres beside positions in millimetres are doubted.
+#[test]
+fn heights_without_a_unit_beside_positions_with_one_are_doubted() {
+    let rows: String = (-30..=30).map(|i| format!("{},0.0000001\n", f64::from(i) / 5.0)).collect();
+    let said = "a unit for its positions and none for its heights, which are read in metres";
+    let words = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    for (content, options, is_doubted) in [
+        (format!("x [mm],f [um]\n{rows}"), "skip = 1, x_unit = \"mm\"", true),
+        (format!("x [mm],f [um]\n{rows}"), "skip = 1, x_unit = \"mm\", f_unit = \"um\"", false),
+        (format!("x,f\nmm,\n{rows}"), "skip = 1, x_unit = \"mm\"", true),
+        (format!("x,f [m]\n{rows}"), "x_unit = \"mm\"", false),
+    ] {
+        let profile = format!("{{ csv = \"t.csv\", {options} }}");
+        let folder = Folder::with(&UNILATERAL.replace("\"x^2 / (2*20)\"", &profile));
+        folder.write("t.csv", content);
+        let table = words(&folder.run(&["solve", "punch.toml", "--no-audit"]).answer());
+        assert_eq!(table.contains(said), is_doubted, "{options}: {table}");
+    }
+    let folder = Folder::new();
+    folder.write("t.csv", &rows);
+    let run = folder.run(&["trace", "t.csv", "--x-unit", "mm"]);
+    assert!(run.stderr.contains(said) && run.stderr.contains("--f-unit"), "{run:?}");
+}
+
+/// A unit that the header does not have is told with the line that has it.
+#[test]
+fn a_unit_against_the_header_is_told_with_that_of_the_header() {
+    let profile = "{ csv = \"t.csv\", x_unit = \"um\", f_unit = \"um\" }";
+    let folder = Folder::with(&UNILATERAL.replace("\"x^2 / (2*20)\"", profile));
+    folder.write("t.csv", "x [mm],f [um]\n-6,1\n0,0\n6,1\n");
+    let run = folder.run(&["solve", "punch.toml"]);
+    assert!(run.refusal().contains("the header has the position in mm"), "{}", run.stderr);
+    let mended = "profile = { csv = \"t.csv\", f_unit = \"um\", x_unit = \"mm\" }";
+    assert!(run.stderr.contains(mended), "{}", run.stderr);
+}
