@@ -63,7 +63,9 @@ fn size(text: &str) -> Result<Size, Failure> {
             "--size `{text}`: must be width x height, such as \"160 mm x 100 mm\" or 800x600"
         ))
     };
-    let (width, height) = text.split_once(['x', 'X', '×']).ok_or_else(refused)?;
+    // Their x is none between the sides.
+    let plain = text.replace("px", " ");
+    let (width, height) = plain.split_once(['x', 'X', '×']).ok_or_else(refused)?;
     let unit =
         height.trim().trim_start_matches(|c: char| c.is_ascii_digit() || ".eE+-".contains(c));
     let (width, height) = (width.trim(), height.trim());
@@ -73,7 +75,6 @@ fn size(text: &str) -> Result<Size, Failure> {
     };
     let length = |part: &str| -> Result<u32, Failure> {
         let part = part.trim();
-        let part = part.strip_suffix("px").map_or(part, str::trim_end);
         let units = match part.parse::<f64>() {
             Ok(units) => units,
             Err(_) => UNITS_PER_METRE * places::quantity("--size", part, Dimension::LENGTH)?,

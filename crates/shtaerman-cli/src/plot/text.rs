@@ -202,7 +202,7 @@ mod tests {
     fn what_is_equal_stays_together_and_clauses_are_whole() {
         let text = "kernel of the first kind, λ = 0.5; error of φ at most 1e-9";
         let lines = wrap(text, 12, 175.0, 4);
-        assert_eq!(lines[..2], ["kernel of the first kind,", "λ = 0.5; error of φ at"]);
+        assert_eq!(lines[..2], ["kernel of the first kind,", "λ = 0.5; error of φ at most"]);
         assert_eq!(wrap_clauses(text, 12, 175.0, 2), ["kernel of the first kind,", "λ = 0.5"]);
         assert_eq!(wrap_clauses(text, 12, 2000.0, 2), [text]);
         assert!(is_cut(&wrap_clauses("a clause that is long", 12, 60.0, 1)));
