@@ -51,7 +51,7 @@ fn every_equation_is_what_the_command_says_to_the_last_bit() {
     folder.write("equation.toml", EQUATION.split("[study]").next().unwrap());
     let text = folder.run(&["sweep", "study.toml", "-o", "out"]).answer();
     assert!(text.contains("4 cases answered, 0 refused"), "{text}");
-    assert!(text.contains("audit of a sample of 1 cases: 0 not kept"), "{text}");
+    assert!(text.contains("audit of a sample of 1 case: 0 not kept"), "{text}");
     let lines: Vec<String> = ["out/part-00000000.csv", "out/part-00000001.csv"]
         .iter()
         .flat_map(|part| folder.read(part).lines().skip(1).map(str::to_owned).collect::<Vec<_>>())

@@ -146,10 +146,16 @@ fn places(component: StressComponent, field: &StressField, peak: &Peak) -> Vec<f
         StressComponent::VonMises => Criterion::VonMises,
         _ => Criterion::Tresca,
     };
-    let mirrored = field.stress(-peak.x, peak.depth).map(|stress| criterion.of(&stress));
+    let is_same = |one: f64, other: f64| (one - other).abs() <= field.error();
     let is_near_middle = peak.x.abs() <= MIDDLE * peak.depth;
-    let is_twin = mirrored.is_ok_and(|value| (value - peak.value).abs() <= field.error());
-    if is_near_middle || !is_twin { vec![peak.x] } else { vec![peak.x, -peak.x] }
+    let has_twin = if peak.is_corner {
+        // The limit at a corner is in proportion to the pressure there.
+        is_same(field.pressure(peak.x), field.pressure(-peak.x))
+    } else {
+        let mirrored = field.stress(-peak.x, peak.depth).map(|stress| criterion.of(&stress));
+        mirrored.is_ok_and(|value| is_same(value, peak.value))
+    };
+    if is_near_middle || !has_twin { vec![peak.x] } else { vec![peak.x, -peak.x] }
 }
 
 fn notes(
@@ -173,7 +179,8 @@ fn notes(
             places(component, field, &peak).iter().map(|x| shown(*x, Measure::Length)).collect();
         let x = at.join(" and ");
         let place = if peak.is_corner {
-            format!("at the edge x = {x}, as a limit")
+            let edges = if at.len() > 1 { "edges" } else { "edge" };
+            format!("at the {edges} x = {x}, as a limit")
         } else {
             format!("at x = {x}, depth {}", shown(peak.depth, Measure::Length))
         };
