@@ -29,9 +29,9 @@ export class Chart {
     this.svg.addEventListener("pointerleave", () => this.#point(null));
     for (const name of ["input", "focus"]) this.keys.addEventListener(name, () => this.#point(this.#placeOfKeys()));
     this.keys.addEventListener("blur", () => this.#point(null));
-    new ResizeObserver(() => {
-      const width = Math.round(host.clientWidth);
-      if (width > 0 && width !== this.width && this.content) this.draw(this.content);
+    new ResizeObserver(([{ contentRect }]) => {
+      this.room = Math.round(contentRect.width);
+      if (this.room > 0 && this.room !== this.width && this.content) this.draw(this.content);
     }).observe(host);
   }
 
@@ -48,7 +48,8 @@ export class Chart {
 
   draw(content) {
     this.content = content;
-    this.width = Math.max(240, Math.round(this.host.clientWidth) || 600);
+    // To ask the element would lay out the page anew.
+    this.width = Math.max(240, this.room || Math.round(this.host.clientWidth) || 600);
     const { left, right, top, bottom } = this.frame;
     this.px = this.scale(content.x, [left, right], content.xLog);
     this.py = this.scale(content.y, content.isDown ? [top, bottom] : [bottom, top], content.yLog);

@@ -34,7 +34,12 @@ let shown = null;
 component.addEventListener("change", () => askMap(false));
 const ratio = byId("map-ratio");
 ratio.addEventListener("input", () => askMap(false));
-new ResizeObserver(() => shown && host.clientWidth > 0 && draw(shown)).observe(host);
+/** The width that there is, as it was told last: to ask the element would lay out the page anew. */
+let room = 0;
+new ResizeObserver(([{ contentRect }]) => {
+  room = Math.round(contentRect.width);
+  if (shown && room > 0) draw(shown);
+}).observe(host);
 
 /** Asks for the map: a coarse one while something moves. */
 export function askMap(isMoving, isWanted = true) {
@@ -77,7 +82,7 @@ function answered(answer, isMoving, isLast) {
 }
 
 function draw(map) {
-  const width = Math.max(280, Math.round(host.clientWidth));
+  const width = Math.max(280, room || Math.round(host.clientWidth));
   const [x0, x1] = [map.x[0], map.x.at(-1)];
   const depth = map.depth.at(-1);
   const inner = width - LEFT - RIGHT;

@@ -19,12 +19,25 @@ fn plane_images() {
             let kernel = TransferPlane::new(thickness, 1.0 + c, transfer).unwrap();
             let report = check_kernel(&kernel).unwrap();
             assert!(report.passes(), "{thickness} {c}\n{report}");
+            let exact =
+                |d: f64| -(1.0 + c) * d.ln() - 0.5 * c * (2.0 * thickness / d).powi(2).ln_1p();
+            // Roundings of c, and of the logarithms of small and large numbers.
+            let allowed = |d: f64| 4e-14 * (1.0 + c.abs()) * (1.0 + d.ln().abs());
+            // Many at once: in order, against it, and near and far in turn.
+            for step in [1, 299, 77] {
+                let distances: Vec<f64> =
+                    (1..=300).map(|i| f64::from(i * step % 300 + 1).powi(3) * 1e-7).collect();
+                let (mut values, mut factors) = (vec![0.0; 300], vec![0.0; 300]);
+                kernel.pairs(0.0, &distances, &distances, &mut values, &mut factors);
+                for (d, found) in distances.iter().zip(values) {
+                    let off = (found - exact(*d)).abs();
+                    assert!(off < allowed(*d), "{thickness} {c} {d}: {found} {}", exact(*d));
+                }
+                assert!(factors.iter().all(|factor| *factor == -1.0));
+            }
             for d in DISTANCES {
-                let exact = -(1.0 + c) * d.ln() - 0.5 * c * (2.0 * thickness / d).powi(2).ln_1p();
-                let found = kernel.pair(0.0, d, d).value;
-                // Roundings of c, and of the logarithms of small and large numbers.
-                let allowed = 4e-14 * (1.0 + c.abs()) * (1.0 + d.ln().abs());
-                assert!((found - exact).abs() < allowed, "{thickness} {c} {d}: {found} {exact}");
+                let (found, exact) = (kernel.pair(0.0, d, d).value, exact(d));
+                assert!((found - exact).abs() < allowed(d), "{thickness} {c} {d}: {found} {exact}");
                 // d dK/dd
                 let slope = -(1.0 + c) + c / (1.0 + (0.5 * d / thickness).powi(2));
                 let found = kernel.reduced_slope(d);

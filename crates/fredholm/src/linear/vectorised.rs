@@ -24,7 +24,7 @@ mod tests {
     use pulp::Arch;
 
     use crate::collocation::SweepValue;
-    use crate::kernel::{Logarithm, SpectralRelation, Yukawa};
+    use crate::kernel::{Logarithm, SpectralRelation, TransferPlane, Yukawa};
     use crate::linear::small_cholesky;
     use crate::{SincOperator, solve_adaptive};
 
@@ -101,10 +101,18 @@ mod tests {
         right
     }
 
+    /// A layer, whose smooth part are polynomials on runs of nodes.
+    fn layer() -> Vec<f64> {
+        let kernel = TransferPlane::new(0.4, 0.0, |u| u.tanh() / (1.0 + (-u).exp())).unwrap();
+        let f = |x: f64| (2.0 * x).cos();
+        let found = solve_adaptive(&kernel, 3.0, f, 1e-9).unwrap();
+        [-0.8, 0.1, 0.9].map(|x| found.solution.evaluate(x, f(x))).to_vec()
+    }
+
     /// What is said above: the same bits, which is more than that answers agree within their errors. The library of dense algebra chooses its widths itself; they are the same in all runs here.
     #[test]
     fn every_width_gives_the_same_bits() {
-        let all = || [sweeps(), chosen(), eigenvalues(), systems()].concat();
+        let all = || [sweeps(), chosen(), eigenvalues(), systems(), layer()].concat();
         let widest: Vec<u64> = all().into_iter().map(f64::to_bits).collect();
         for width in widths() {
             CHOSEN.set(Some(width));

@@ -7,6 +7,7 @@ use super::local::Local;
 use super::require_thickness;
 use super::spectrum::Integral;
 use super::table::Table;
+use crate::special::logarithms;
 use crate::traits::{Kernel, Pair, Singularity, Split};
 use crate::{Error, Interval};
 
@@ -131,6 +132,35 @@ impl TransferPlane {
             - self.far_share * self.thickness.ln()
     }
 
+    /// `(1 - m) ln coth(pi t/4)`.
+    fn beyond_near(&self, t: f64) -> f64 {
+        let logarithm = match t {
+            // Next to nothing else it counts however small it is.
+            t if t > FAR && self.far_share > 0.0 => 0.0,
+            t if t > NEAR => fallen(t),
+            // ln coth z = ln(1 + 2/(exp(2z) - 1)): no digit is lost where it is small, nor where it is large.
+            t => (2.0 / (2.0 * FRAC_PI_4 * t).exp_m1()).ln_1p(),
+        };
+        (1.0 - self.far_share) * logarithm
+    }
+
+    /// The values at distances that are all near, in the place of `ln d`.
+    fn add_near(&self, near: &Local, t: &[f64], values: &mut [f64]) {
+        let constant = self.thickness.ln() - self.far_constant;
+        values.iter_mut().for_each(|value| *value = constant - *value);
+        let places: Vec<f64> = t.iter().map(|t| 2.0 / self.near_end * t - 1.0).collect();
+        near.add(&places, values);
+    }
+
+    /// The values at distances of which none is near, in the place of `ln d`.
+    fn add_far(&self, t: &[f64], values: &mut [f64]) {
+        for (value, t) in values.iter_mut().zip(t) {
+            let far = if self.far_share == 0.0 { 0.0 } else { -self.far_share * *value };
+            *value = far + self.beyond_near(*t);
+        }
+        self.table.add(t, values);
+    }
+
     /// `d dK/dd` at the distance `d`.
     #[must_use]
     pub fn reduced_slope(&self, distance: f64) -> f64 {
@@ -170,15 +200,35 @@ impl Kernel for TransferPlane {
             return Pair { value, factor: -1.0 };
         }
         let far = if self.far_share == 0.0 { 0.0 } else { -self.far_share * distance.ln() };
-        let logarithm = match t {
-            // Next to nothing else it counts however small it is.
-            t if t > FAR && self.far_share > 0.0 => 0.0,
-            t if t > NEAR => fallen(t),
-            // ln coth z = ln(1 + 2/(exp(2z) - 1)): no digit is lost where it is small, nor where it is large.
-            t => (2.0 / (2.0 * FRAC_PI_4 * t).exp_m1()).ln_1p(),
-        };
-        let value = far + (1.0 - self.far_share) * logarithm + self.table.at(t);
+        let value = far + self.beyond_near(t) + self.table.at(t);
         Pair { value, factor: -1.0 }
+    }
+
+    fn pairs(
+        &self,
+        _x: f64,
+        _points: &[f64],
+        distances: &[f64],
+        values: &mut [f64],
+        factors: &mut [f64],
+    ) {
+        factors.fill(-1.0);
+        values.copy_from_slice(distances);
+        logarithms(values);
+        let t: Vec<f64> = distances.iter().map(|distance| distance / self.thickness).collect();
+        let mut from = 0;
+        while let Some(first) = t.get(from) {
+            let near = self.near.as_ref().filter(|_| *first <= self.near_end);
+            let is_near = |t: &f64| self.near.is_some() && *t <= self.near_end;
+            let run = t[from..].iter().take_while(|t| is_near(t) == near.is_some()).count();
+            let run = from..from + run;
+            let (t, values) = (&t[run.clone()], &mut values[run.clone()]);
+            match near {
+                Some(near) => self.add_near(near, t, values),
+                None => self.add_far(t, values),
+            }
+            from = run.end;
+        }
     }
 
     fn is_even(&self) -> bool {

@@ -144,6 +144,30 @@ impl Table {
         }
     }
 
+    /// Adds `D(t)` at many distances to sums, by runs of neighbours on one panel.
+    pub(super) fn add(&self, distances: &[f64], sums: &mut [f64]) {
+        let mut places = vec![0.0; distances.len()];
+        let mut from = 0;
+        while let Some(first) = distances.get(from) {
+            let on = self.panel(*first).filter(|panel| *first <= panel.right);
+            let Some((panel, local)) =
+                on.and_then(|panel| panel.local.as_ref().map(|local| (panel, local)))
+            else {
+                sums[from] += self.at(*first);
+                from += 1;
+                continue;
+            };
+            let inside = |t: &f64| *t <= panel.right && (*t > panel.left || t == first);
+            let run = from..from + distances[from..].iter().take_while(|t| inside(t)).count();
+            let places = &mut places[run.clone()];
+            for (place, t) in places.iter_mut().zip(&distances[run.clone()]) {
+                *place = panel.place(*t);
+            }
+            local.add(places, &mut sums[run.clone()]);
+            from = run.end;
+        }
+    }
+
     /// `D'(t)`; not a number beyond the panels of a given function.
     pub(super) fn slope(&self, t: f64) -> f64 {
         let Some(panel) = self.panel(t) else { return 0.0 };

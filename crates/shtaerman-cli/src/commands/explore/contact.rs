@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 use shtaerman::document::{Document, Table, ValueKind};
 use shtaerman::file::ProblemFile;
 use shtaerman::quantity::{self, Measure, OutputUnits};
-use shtaerman::{Answer, Contact, Errors, Law, PressureCurve, Warning};
+use shtaerman::{Answer, Contact, Error, Errors, Law, PressureCurve, Warning};
 
 use super::asked::{self, Asked};
 use crate::commands::problem_file::{self, Solved};
@@ -46,6 +46,17 @@ impl Solution {
         Ok(Self { file, contact, doubts })
     }
 
+    /// To what is enough while something moves, where that can be met.
+    fn moving(asked: &Asked, file: ProblemFile) -> Result<Self, Failure> {
+        let Some(moving) = asked.moving()? else { return Self::of(file, false) };
+        let is_short =
+            |error: &Error| error.is_numerical() && !matches!(error, Error::TimeLimit { .. });
+        Self::of(moving, false).or_else(|failure| match &failure {
+            Failure::Problem(error) if is_short(error) => Self::of(file, false),
+            _ => Err(failure),
+        })
+    }
+
     /// The answer as `solve --format json` writes it, or as its table shows it.
     pub(super) fn answer(&self, is_for_people: bool) -> Result<Answer, Failure> {
         let curve = PressureCurve::along(&self.contact, POINTS)?;
@@ -75,7 +86,8 @@ fn shown(
     file: ProblemFile,
     is_audited: bool,
 ) -> Result<Value, Failure> {
-    let solution = Solution::of(file, is_audited)?;
+    let solution =
+        if is_audited { Solution::of(file, true) } else { Solution::moving(asked, file) }?;
     let (contact, answer) = (&solution.contact, solution.answer(false)?);
     let units = solution.file.units();
     let document = asked.document()?;

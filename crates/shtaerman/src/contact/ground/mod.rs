@@ -155,6 +155,13 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
         self.kernel().pair(y, t, distance).value
     }
 
+    /// [`value`](Self::value) for one point and many.
+    fn values(&self, y: f64, places: &[f64], values: &mut [f64]) {
+        let distance = |t: &f64| (y - t).abs().max(f64::MIN_POSITIVE);
+        let distances: Vec<f64> = places.iter().map(distance).collect();
+        self.kernel().pairs(y, places, &distances, values, &mut vec![0.0; places.len()]);
+    }
+
     /// `dK/dxi` for different points.
     fn slope(&self, xi: f64, eta: f64) -> f64 {
         let difference = xi - eta;

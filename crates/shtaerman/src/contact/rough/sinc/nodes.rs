@@ -77,8 +77,9 @@ impl Field for SincField {
                 -self.solution.evaluate_place(Place { position, from_left, from_right, panel }, 0.0)
             }
             None => {
-                let potential = self.solution.integral(|t| self.ground.value(position, t));
-                self.solution.parameter() * potential
+                let kernel =
+                    |t: &[f64], values: &mut [f64]| self.ground.values(position, t, values);
+                self.solution.parameter() * self.solution.integral_of(kernel)
             }
         }
     }
