@@ -9,8 +9,6 @@ use crate::{Error, Scaling, Vertical};
 
 /// Places in all zones at which the rounding of heights is looked at, at least one in each, and where in its step each lies: an irrational share keeps clear of jumps. At half or twice 8 of 32 answers change, within what they state (survey).
 const PLACES: usize = 128;
-/// Places beside the ends of the zones, the nearest one rounding of it away, where formulae such as `sqrt(1 - xi^2)` lose most; each further one twice as far. Half and twice change none of 32 answers (survey).
-const BESIDE: usize = 512;
 /// So many places nearest to an end may lie on the other side of a switch that is known to rounding; what rounding grows to there is at most inverse to the distance. Half and twice change none of 32 answers (survey).
 const SWITCHED: usize = 4;
 /// The pressure in the middle of a flat punch over its mean, `2/pi` on a line and `1/2` on a disk, twice that for zones of which some take more.
@@ -48,10 +46,10 @@ impl Setting {
         [rounding / scale, largest / scale]
     }
 
-    /// The largest rounding of the dimensionless heights beside the ends of the zones.
+    /// The largest rounding of the dimensionless heights beside the ends of the zones, where formulae such as `sqrt(1 - xi^2)` lose most: the nearest place is one rounding of the end away, each further
+    /// one twice as far, up to half the zone.
     fn rounding_at_ends(&self, zones: &[[f64; 2]]) -> f64 {
-        let count =
-            (BESIDE / (2 * zones.len().max(1))).clamp(SWITCHED + 1, f64::MANTISSA_DIGITS as usize);
+        let count = f64::MANTISSA_DIGITS as usize;
         let (profile, half_width) = (self.problem().profile(), self.problem().frame().half_width());
         let mut most = 0.0f64;
         for [left, right] in zones {

@@ -22,10 +22,8 @@ pub(super) const COARSELY_ALLOWED: f64 = 1e-6;
 pub(super) const ALLOWED: f64 = 2e-10;
 /// Corrections of the zones by the check, for each number of cells. Half and twice change none of 32 answers (survey).
 pub(super) const CORRECTIONS: usize = 16;
-/// Below this a violation may come from too few nodes, and one that falls to this share with more of them does. Half and twice change none of 20 answers (survey).
+/// Below this a violation may come from too few nodes; one that changes by less than this share of itself is the same again. Half and twice change none of 20 answers (survey).
 const DOUBTFUL: f64 = 1e-2;
-/// A violation that changes by less than this share is the same again. Half and twice change none of 10 answers (survey).
-const SAME: f64 = 1e-2;
 /// How zones that vanished are narrowed for the next attempt, and how far. At half or twice 3 of 12 answers change, within what they state (survey).
 const NARROWER: f64 = 0.2;
 const NARROWEST: f64 = 1e-4;
@@ -309,7 +307,8 @@ impl Progress {
     /// Too few nodes show tension where there is none, and more of them tell; a zone that came in too wide pulled and vanished again, and leaves the same penetration.
     fn next(&mut self, left: &Check, can_be_finer: impl FnOnce() -> bool) -> Next {
         let worst = left.violation();
-        let is_same = |one: f64, other: f64| one.is_finite() && (one - other).abs() <= SAME * one;
+        let is_same =
+            |one: f64, other: f64| one.is_finite() && (one - other).abs() <= DOUBTFUL * one;
         let [violation, penetration] = self.corrected;
         let vanished = !left.penetrating.is_empty() && is_same(penetration, left.penetration);
         let is_doubtful =

@@ -2,12 +2,13 @@
 
 use fredholm::complementarity::{Complementarity, ComplementaritySolution, Condition};
 
+use super::super::accuracy::STAGNANT;
 use super::{Cell, Cells};
 use crate::deadline::Deadline;
 use crate::{Error, Load, Rotational, Vertical};
 
-/// `theta0` of a layer too thin to matter. Half and twice change none of 32 answers (survey).
-const LAYER: f64 = 1e9;
+/// `theta0` of a layer too thin to matter: its share is rounding.
+const LAYER: f64 = 1.0 / STAGNANT;
 
 /// The equations on cells for `z = sqrt(m) p`, `m` the masses of the cells, but for their matrix: what a load and a profile amount to.
 #[derive(Debug, Clone)]

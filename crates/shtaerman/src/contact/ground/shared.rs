@@ -12,9 +12,8 @@ use fredholm::kernel::{Logarithm, TransferDisk, TransferPlane, WeberSonine};
 
 use crate::{Error, Layering};
 
-/// Most kernels and operators kept, and most nodes of one that is: half a megabyte each; parity halves those of the logarithm. Half and twice change none of 32 answers (survey).
-const KERNELS: usize = 8;
-const OPERATORS: usize = 24;
+/// Most kernels and operators kept of a kind, and most nodes of one that is: half a megabyte each; parity halves those of the logarithm.
+const KEPT: usize = 24;
 const MOST_NODES: usize = 257;
 
 /// Order and exponent of grading, the latter by its bits.
@@ -41,7 +40,7 @@ pub(super) fn disk_harmonic(order: usize, exponent: f64) -> Result<WeberSonine, 
         return Ok(kernel);
     }
     let kernel = WeberSonine::new(1.0, order as f64, 0.5 * exponent)?;
-    keep(&KNOWN_KERNELS, key, &kernel, KERNELS);
+    keep(&KNOWN_KERNELS, key, &kernel, KEPT);
     Ok(kernel)
 }
 
@@ -63,7 +62,7 @@ pub(super) fn disk_operator(
     let kernel = disk_harmonic(order, exponent)?;
     let operator = Arc::new(SincOperator::on_panels(&kernel, grid, &[(0.0, 1.0)])?);
     if operator.count() <= MOST_NODES {
-        keep(&KNOWN_OPERATORS, key, &operator, OPERATORS);
+        keep(&KNOWN_OPERATORS, key, &operator, KEPT);
     }
     Ok(operator)
 }
@@ -80,7 +79,7 @@ pub(super) fn line_operator(half_count: usize) -> Result<Arc<SincOperator>, Erro
     let grid = Arc::new(SincGrid::crowded(&kernel, half_count)?);
     let operator = Arc::new(SincOperator::on_panels(&kernel, grid, &[(-1.0, 1.0)])?);
     if half_count <= MOST_NODES {
-        keep(&KNOWN_LINES, half_count, &operator, OPERATORS);
+        keep(&KNOWN_LINES, half_count, &operator, KEPT);
     }
     Ok(operator)
 }
@@ -99,7 +98,7 @@ pub(in crate::contact) fn layered_plane(layering: &Layering) -> Result<Arc<Trans
         Some(remainder) => TransferPlane::with_remainder(move |d| remainder.at(d))?,
         None => TransferPlane::new(layering.thickness(), layering.far_share(), transfer)?,
     });
-    keep(&KNOWN_PLANES, layering.clone(), &kernel, KERNELS);
+    keep(&KNOWN_PLANES, layering.clone(), &kernel, KEPT);
     Ok(kernel)
 }
 
@@ -115,7 +114,7 @@ pub(super) fn layered_disk(order: usize, layering: &Layering) -> Result<Arc<Tran
     let owned = layering.clone();
     let transfer = move |u| owned.transfer(u);
     let kernel = Arc::new(TransferDisk::new(order, layering.thickness(), transfer)?);
-    keep(&KNOWN_DISKS, key, &kernel, KERNELS);
+    keep(&KNOWN_DISKS, key, &kernel, KEPT);
     Ok(kernel)
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::base::{Base, wrapped};
+use super::base::{Base, SAMPLES, wrapped};
 use super::check::{check, points};
 use super::equation::{FINE, FirstKind};
 use super::pressure::{Pressure, place};
@@ -19,9 +19,8 @@ use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 use crate::{Error, Load, Rotational};
 
-/// Points of a zone that show extremes, and of all of them. At half or twice 16 of 32 answers change, within what they state (survey).
+/// Points of a zone that show extremes. At half or twice 16 of 32 answers change, within what they state (survey).
 const PLACES: usize = 256;
-const MOST_PLACES: usize = 2048;
 
 /// Zones, pressure, settlement, tilt, force and moment of contact without a layer, all without dimensions.
 #[derive(Debug)]
@@ -238,7 +237,7 @@ impl<P: Pressure> Solution for SmoothContact<P> {
 
     /// Places of the zones, closer to their ends, and the ends of the base, but for those where the pressure is infinite; of a base that repeats those of a zone may lie beyond `-1`.
     fn sample(&self) -> (Vec<f64>, Vec<f64>) {
-        let count = (MOST_PLACES / self.along.len().max(1)).clamp(8, PLACES);
+        let count = (SAMPLES / self.along.len().max(1)).clamp(8, PLACES);
         let along = self.along.iter().flat_map(|(ends, _, _)| points(*ends, 0, count));
         let along = along.map(|xi| if xi < -1.0 { wrapped(xi) } else { xi });
         let mut places: Vec<f64> = along.chain([-1.0, 1.0]).filter(|xi| xi.abs() <= 1.0).collect();

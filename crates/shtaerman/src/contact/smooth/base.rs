@@ -18,7 +18,7 @@ use crate::error::require;
 use crate::{Error, Geometry, Load, Rotational, Vertical};
 
 /// Samples that show the ups and downs of a profile, at least and at most. At half or twice 2 of 32 answers change, within what they state (survey).
-const SAMPLES: usize = 2048;
+pub(super) const SAMPLES: usize = 2048;
 const MOST_SAMPLES: usize = 32768;
 /// Cells of a base with few valleys.
 const USUAL_CELLS: usize = 768;
