@@ -244,13 +244,6 @@ impl Problem {
         Some(terms.into_iter().map(|term| self.scaled(term)).collect())
     }
 
-    /// Bounds `|f0^(n)|/n!` on an interval, as [`Profile::taylor_bound`] does.
-    #[must_use]
-    pub fn dimensionless_taylor_bound(&self, interval: [f64; 2], order: usize) -> f64 {
-        let bound = self.profile().taylor_bound(interval, order, self.frame.half_width());
-        self.scaled(Interval::ends(0.0, bound)).upper()
-    }
-
     /// Where the base has to be cut so that polynomials of a degree resolve the profile, as [`Profile::resolve`] has it.
     #[must_use]
     pub fn resolution(&self, degree: usize, tolerance: f64) -> Resolution {

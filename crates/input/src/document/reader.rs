@@ -157,17 +157,6 @@ impl<'d> TableReader<'d> {
         self.located(FileError::new(message.to_string()).of_field(self.path.as_str()))
     }
 
-    /// Makes keys of the table `path` known without asking for them, so that messages can name them.
-    ///
-    /// Of use for tables that are not in the file: a key written in a wrong table is then told where
-    /// it belongs. Known keys that are written count as read.
-    pub fn declare(&self, path: &str, keys: &[&str]) {
-        let mut vocabulary = self.vocabulary.borrow_mut();
-        for key in keys {
-            vocabulary.ask(path, key);
-        }
-    }
-
     /// Reports the first key, in the order of the file, that no reader asked for, in this table or
     /// in a table inside it that a reader was made for.
     ///

@@ -90,13 +90,6 @@ impl Expression {
         run(&self.operations, self.height, |index| line.variable(index, t)).0
     }
 
-    /// Writes the values at many parameters of a line; as many as the shorter slice has.
-    pub fn evaluate_along(&self, line: &Line, parameters: &[f64], values: &mut [f64]) {
-        for (value, &t) in values.iter_mut().zip(parameters) {
-            *value = self.evaluate_at(line, t);
-        }
-    }
-
     /// The value and its derivative with respect to the variable at a position.
     ///
     /// At kinks (`abs` at 0, `min` and `max` of equal arguments, `hypot` at the origin) it is the

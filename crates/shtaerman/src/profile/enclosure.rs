@@ -87,16 +87,6 @@ impl Profile {
         Some((0..=order).map(|k| expansion.coefficient(k)).collect())
     }
 
-    /// Bounds `|f^(n)|/n!`, the derivative with respect to `xi`, on an interval; infinite where it is not known to be that smooth.
-    ///
-    /// Interpolation at `n` Chebyshev points on an interval of half-length `r` is off by at most `2 (r/2)^n` times that.
-    #[must_use]
-    pub fn taylor_bound(&self, interval: [f64; 2], order: usize, half_width: f64) -> f64 {
-        Interval::new(interval[0], interval[1]).map_or(f64::INFINITY, |interval| {
-            self.expansion(interval, order, half_width).coefficient(order).size()
-        })
-    }
-
     /// The same coefficients in a scale in which they do not overflow.
     pub(crate) fn expansion(&self, interval: Interval, order: usize, half_width: f64) -> Taylor {
         let scale = Scale::of(interval);
