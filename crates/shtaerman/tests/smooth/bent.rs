@@ -85,7 +85,9 @@ fn an_edge_just_beyond_a_bend_is_found() {
                 for edge in [-left, right] {
                     assert!((edge - c).abs() <= stated + 1e-15 * c, "{beyond:e}: {edge} {c}");
                 }
-                assert!(stated <= 2e-3 * c, "{beyond:e}: {stated:e} stated");
+                // The pressure at an end at the distance `d` beyond the bend falls as `sqrt(d)`, which modes see late: at `1e-7` 1.05e-3 are stated (and 4e-6 are true), at `1e-6` 1.1e-5.
+                let most = if beyond == 1e-7 { 2e-3 } else { 2e-5 };
+                assert!(stated <= most * c, "{beyond:e}: {stated:e} stated");
             }
             close(contact.force(), force, 1e-9, "the load is carried");
         }
