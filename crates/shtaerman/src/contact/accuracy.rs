@@ -4,11 +4,11 @@ use serde::Serialize;
 
 use super::balance::State;
 
-/// Rounding of a quantity relative to what is added up in it. At half or twice stated errors grow up to 2 times (survey).
+/// Rounding of a quantity relative to what is added up in it (survey).
 pub(super) const ROUNDING: f64 = 32.0 * f64::EPSILON;
-/// What is stated, or allowed, over a difference that does not fall by a known rate. At half or twice stated errors grow up to 6.8 times (survey).
+/// What is stated, or allowed, over a difference that does not fall by a known rate (survey).
 pub(super) const SAFETY: f64 = 4.0;
-/// A residual, or a difference of two resolutions, that does not fall any more is rounding below this share of its scale. Half and twice of it change nothing (survey).
+/// A residual, or a difference of two resolutions, that does not fall any more is rounding below this share of its scale (survey).
 pub(super) const STAGNANT: f64 = 1e-9;
 /// Rounding of a value that a few operations make, relative to the largest of them.
 pub(super) const OF_A_VALUE: f64 = 4.0 * f64::EPSILON;

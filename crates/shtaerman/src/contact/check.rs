@@ -4,7 +4,7 @@ use crate::Error;
 
 /// Fewest points of a zone, or of an interval outside the zones.
 pub(super) const POINTS: usize = 48;
-/// Parts of an interval between two breaks. At half or twice 1 of 25 answers change, within what they state (survey).
+/// Parts of an interval between two breaks (survey).
 pub(super) const BETWEEN: usize = 8;
 
 /// What is left of tension and penetration.

@@ -10,14 +10,14 @@ use super::search::Equation;
 use super::zones::{EndKind, Zone};
 use crate::Error;
 
-/// What an end lacks, as a share of its scale, that is as good as nothing if it does not fall any more: to this share of the step before. At half or twice 2 of 32 answers change, within what they state (survey).
+/// What an end lacks, as a share of its scale, that is as good as nothing if it does not fall any more: to this share of the step before (survey).
 const SMALL: f64 = 1e-8;
 const FALLING: f64 = 0.9;
-/// So often: ends beside a narrow gap depend on each other, and a single step may lead astray. At half or twice 1 of 20 answers change, within what they state (survey).
+/// So often: ends beside a narrow gap depend on each other, and a single step may lead astray (survey).
 const STALLS: usize = 3;
-/// Share of a zone, or of a gap, that an end may cross in one step; a zone that is left whole keeps a fifth of its length. Half and twice change none of 20 answers (survey).
+/// Share of a zone, or of a gap, that an end may cross in one step; a zone that is left whole keeps a fifth of its length (survey).
 pub(super) const STRIDE: f64 = 0.4;
-/// Zones closer than this share of the shorter one are one, and those that are so nearly mirror images are. Half and twice change none of 32 answers (survey).
+/// Zones closer than this share of the shorter one are one, and those that are so nearly mirror images are (survey).
 pub(super) const CLOSE: f64 = 1e-6;
 
 /// What is known at an end of a zone.
@@ -174,7 +174,7 @@ impl Step {
     }
 }
 
-/// A value below this share of its scale changes with its own end alone. At half or twice 6 of 32 answers change, within what they state (survey).
+/// A value below this share of its scale changes with its own end alone (survey).
 const NEAR: f64 = 1e-2;
 
 impl Step {

@@ -3,9 +3,9 @@
 use super::accuracy::OF_A_VALUE;
 use super::iteration::{crossing, top};
 
-/// Most samples beside which a maximum or a sign change is sought: of more sign changes the samples are dense enough for a straight line. Half and twice change none of 32 answers (survey).
+/// Most samples beside which a maximum or a sign change is sought: of more sign changes the samples are dense enough for a straight line (survey).
 const MOST_REFINED: usize = 32;
-/// A pressure below this, relative to the largest, counts as zero. Half and twice change none of 32 answers (survey).
+/// A pressure below this, relative to the largest, counts as zero (survey).
 pub(super) const NEGLIGIBLE: f64 = 1e-12;
 
 /// How far above a sample a maximum beside it may lie, in its second difference: four times the eighth that it is for a parabola (theory).

@@ -7,9 +7,9 @@ use super::solution::Solution;
 use crate::roughness::Law;
 use crate::{Error, Scaling, Vertical};
 
-/// Places in all zones at which the rounding of heights is looked at, at least one in each, and where in its step each lies: an irrational share keeps clear of jumps. At half or twice 8 of 32 answers change, within what they state (survey).
+/// Places in all zones at which the rounding of heights is looked at, at least one in each, and where in its step each lies: an irrational share keeps clear of jumps (survey).
 const PLACES: usize = 128;
-/// So many places nearest to an end may lie on the other side of a switch that is known to rounding; what rounding grows to there is at most inverse to the distance. Half and twice change none of 32 answers (survey).
+/// So many places nearest to an end may lie on the other side of a switch that is known to rounding; what rounding grows to there is at most inverse to the distance (survey).
 const SWITCHED: usize = 4;
 /// The pressure in the middle of a flat punch over its mean, `2/pi` on a line and `1/2` on a disk, twice that for zones of which some take more.
 const FLAT: f64 = 4.0 * std::f64::consts::FRAC_1_PI;

@@ -8,7 +8,7 @@ use super::setting::Setting;
 use crate::roughness::Law;
 use crate::{Geometry, Roughness, Scaling};
 
-/// From this `theta0` on the corners of the smooth companion say something of edge pressures, and up to so many zones it is worth its solve. Half and twice change none of 32 answers (survey).
+/// From this `theta0` on the corners of the smooth companion say something of edge pressures, and up to so many zones it is worth its solve (survey).
 const NEARLY_SMOOTH: f64 = 40.0;
 const FEW_ZONES: usize = 4;
 

@@ -1,6 +1,6 @@
 //! Sets of intervals.
 
-/// Intervals shorter than this share of the longest are none. Half and twice change none of 10 answers (survey).
+/// Intervals shorter than this share of the longest are none (survey).
 pub(super) const SLIVER: f64 = 1e-9;
 
 /// The union of intervals, from left to right, without slivers.

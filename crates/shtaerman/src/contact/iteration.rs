@@ -1,7 +1,6 @@
 //! How long iterations go on, and the searches along a line.
 
-/// Most steps of an iteration that ends by itself. The slowest gain a factor of two each, such as the ends of a row that is nearly closed: 120 halvings are twice the digits of
-/// a double (theory). Half and twice of it change nothing (survey).
+/// Most steps of an iteration that ends by itself. The slowest gain a factor of two each, such as the ends of a row that is nearly closed: 120 halvings are twice the digits of a double (theory).
 pub(super) const STEPS: usize = 120;
 /// A step of Newton's method that makes things worse is halved so often: with fewer than a 4096th of it left it leads nowhere.
 pub(super) const CUTS: usize = 12;

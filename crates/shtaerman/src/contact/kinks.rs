@@ -4,7 +4,7 @@ use super::intervals::SLIVER;
 use crate::roughness::Law;
 use crate::{ContactKind, Problem};
 
-/// Offsets at which slopes beside a breakpoint are compared, and the share of the jump at the farther that is there at the nearer: where slopes only bend steeply it vanishes. Where there is as much more of it the slope has no bounds. At half or twice 13 of 32 answers change, within what they state (survey).
+/// Offsets at which slopes beside a breakpoint are compared, and the share of the jump at the farther that is there at the nearer: where slopes only bend steeply it vanishes. Where there is as much more of it the slope has no bounds (survey).
 const BESIDE: [f64; 2] = [1e-8, 1e-12];
 const KEPT: f64 = 0.9;
 

@@ -6,7 +6,7 @@ use super::rates::Linearised;
 use crate::Contact;
 use crate::roughness::Law;
 
-/// Step of the differences that show where the pressure is largest, as a share of its zone; a correction by more than one is no smooth peak's. At half or twice 23 of 32 answers change, within what they state (survey).
+/// Step of the differences that show where the pressure is largest, as a share of its zone; a correction by more than one is no smooth peak's (survey).
 const STEP: f64 = 5e-4;
 /// Steps that the formula of five points and a correction by one reach to either side.
 const REACH: f64 = 3.0;

@@ -2,10 +2,10 @@
 
 use crate::{Error, Problem};
 
-/// Most cuts of the whole base that are collocated, and most of one that lifts off or stands on other ground than a half-plane, where nothing else serves. Half and twice change none of 32 answers (survey).
+/// Most cuts of the whole base that are collocated, and most of one that lifts off or stands on other ground than a half-plane, where nothing else serves (survey).
 pub(super) const MOST_BREAKS: usize = 15;
 pub(super) const MOST_CUTS: usize = 40;
-/// Degree of the polynomials that show each part, and how well, as a share of the range of the heights. At half or twice 2 of 32 answers change, within what they state (survey).
+/// Degree of the polynomials that show each part, and how well, as a share of the range of the heights (survey).
 pub(super) const DEGREE: usize = 128;
 pub(super) const RESOLVED: f64 = 1e-12;
 /// The shortest of parts that are alike, over the mean. Half and twice change none of 4 answers (survey).

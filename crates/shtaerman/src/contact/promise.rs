@@ -5,9 +5,9 @@ use super::complementarity::Complementarity;
 use super::method::Method;
 use crate::{Error, Solver};
 
-/// Answers with larger relative errors are none unless that is asked for, and bounds of larger ones say nothing. Half and twice change none of 32 answers (survey).
+/// Answers with larger relative errors are none unless that is asked for, and bounds of larger ones say nothing (survey).
 pub(super) const ROUGHEST: f64 = 1e-2;
-/// Tension and penetration over the relative error that explains them. Half and twice change none of 32 answers (survey).
+/// Tension and penetration over the relative error that explains them (survey).
 const EXPLAINED: f64 = 8.0;
 
 /// An answer as it is judged.

@@ -11,7 +11,7 @@ use super::parts::Smoothness;
 use super::zones::Zone;
 use crate::{Load, Rotational, Vertical};
 
-/// Differences that fall by less have not begun to. Half and twice change none of 32 answers (survey).
+/// Differences that fall by less have not begun to (survey).
 pub(super) const SLOW: f64 = 0.25;
 /// Where nothing is known of the profile between samples no smaller share is stated: two resolutions may both miss what it hides.
 pub(super) const UNKNOWN: f64 = 1e-3;

@@ -14,7 +14,7 @@ use crate::roughness::Law;
 use crate::solver::AIM;
 use crate::{Error, Geometry, MethodChoice};
 
-/// Profiles of a higher Chebyshev degree than this oscillate faster than collocation should follow. At half or twice 1 of 10 answers change, within what they state (survey).
+/// Profiles of a higher Chebyshev degree than this oscillate faster than collocation should follow (survey).
 const LARGEST_COLLOCATED_DEGREE: usize = 256;
 /// Profiles up to this degree are tried by collocation, too, where the degenerate kernel falls short. Half and twice change nothing in the one answer that asks for it (survey).
 const LARGEST_TRIED_DEGREE: usize = 2048;

@@ -17,18 +17,18 @@ use super::zones::{Walls, Zone, corrected, require_few};
 use crate::Error;
 use crate::deadline::Deadline;
 
-/// Tension and penetration, relative to their scales, that are corrected on few nodes, and in the answer. Half and twice change none of 32 answers (survey).
+/// Tension and penetration, relative to their scales, that are corrected on few nodes, and in the answer (survey).
 pub(super) const COARSELY_ALLOWED: f64 = 1e-6;
 pub(super) const ALLOWED: f64 = 2e-10;
-/// Corrections of the zones by the check, for each number of cells. Half and twice change none of 32 answers (survey).
+/// Corrections of the zones by the check, for each number of cells (survey).
 pub(super) const CORRECTIONS: usize = 16;
-/// Below this a violation may come from too few nodes; one that changes by less than this share of itself is the same again. Half and twice change none of 20 answers (survey).
+/// Below this a violation may come from too few nodes; one that changes by less than this share of itself is the same again (survey).
 const DOUBTFUL: f64 = 1e-2;
 /// How zones that vanished are narrowed for the next attempt, and how far. At half or twice 3 of 12 answers change, within what they state (survey).
 const NARROWER: f64 = 0.2;
 const NARROWEST: f64 = 1e-4;
 
-/// So many numbers of cells are tried. Half and twice change none of 32 answers (survey).
+/// So many numbers of cells are tried (survey).
 const TOPOLOGIES: u32 = 3;
 
 /// Where a search begins.

@@ -6,15 +6,19 @@ use super::accuracy::ROUNDING;
 use super::iteration::GOLDEN;
 use crate::Error;
 
-/// Samples that show the ups and downs of a profile, at least. At half or twice 1 of 32 answers change, within what they state (survey).
+/// Samples that show the ups and downs of a profile, at least (survey).
 pub(super) const SAMPLES: usize = 512;
-/// Most cells. Half and twice change none of 32 answers (survey).
+/// Most samples: sixteen for each of more valleys than cells can show.
+pub(super) const MOST_SAMPLES: usize = 16384;
+/// Cells of a base with few valleys: with three times as many none of 46 answers changes, and 195 zones take a third more time (survey).
+const CELLS: usize = 1024;
+/// Most cells (survey).
 pub(super) const MOST_CELLS: usize = 3072;
-/// Places between samples where a profile is looked at. Half and twice change none of 32 answers (survey).
+/// Places between samples where a profile is looked at (survey).
 const PROBES: usize = 64;
-/// A miss, as a share of the change of the profile between the samples beside; and the share of places that are missed where samples are too few. Half and twice change none of 32 answers (survey).
+/// A miss, as a share of the change of the profile between the samples beside; and the share of places that are missed where samples are too few (survey).
 const MISSED: f64 = 0.25;
-/// Fewest cells that show a valley, of a zone, and of a piece of the base to begin with; twice as many are wanted. At half or twice stated errors grow up to 2.8 times (survey).
+/// Fewest cells that show a valley, of a zone, and of a piece of the base to begin with; twice as many are wanted (survey).
 pub(super) const CELLS_A_ZONE: usize = 6;
 
 /// Steps between samples that show the ups and downs of a profile on an interval: `least`, doubled while cubics through the samples miss it in many places, and at most `most`.
@@ -87,9 +91,9 @@ pub(super) fn cuts(valleys: &[f64], [left, right]: [f64; 2], count: usize) -> Ve
 }
 
 /// Number of cells that shows so many valleys, if possible twelve for each; those of more than can be had show none.
-pub(super) fn cells(valleys: usize, usual: usize, most: usize) -> usize {
+pub(super) fn cells(valleys: usize, most: usize) -> usize {
     const FEWEST: usize = 48;
-    let count = (2 * CELLS_A_ZONE * (valleys + 1)).clamp(FEWEST, usual);
+    let count = (2 * CELLS_A_ZONE * (valleys + 1)).clamp(FEWEST, CELLS);
     count.max((CELLS_A_ZONE * (valleys + 1)).min(most))
 }
 

@@ -76,7 +76,7 @@ const STIFFEST: f64 = 1500.0;
 const HARDEST: f64 = 5000.0;
 /// Longest unit that a message quotes.
 const LONGEST_UNIT: usize = 40;
-/// Most intervals a message names. At half or twice 3 of 32 answers change, within what they state (survey).
+/// Most intervals a message names (survey).
 const MOST_PLACES: usize = 6;
 
 /// A coordinate in the units of the problem, or in those chosen.

@@ -11,9 +11,9 @@ use super::iteration::STEPS;
 use super::valleys::{self, CELLS_A_ZONE};
 use crate::{Error, Load};
 
-/// Parts of a cell that is refined. At half or twice 12 of 20 answers change, within what they state (survey).
+/// Parts of a cell that is refined (survey).
 const PARTS: usize = 4;
-/// A cell is looked at from inside it: this share of its half-width lies between. Half and twice change none of 20 answers (survey).
+/// A cell is looked at from inside it: this share of its half-width lies between (survey).
 const INSIDE: f64 = 1e-6;
 
 /// How far cells are refined, but where memory allows less: down to lengths of which ten roundings of a place are a hundredth.

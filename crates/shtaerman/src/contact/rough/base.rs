@@ -6,28 +6,23 @@ use std::sync::Arc;
 use super::coarse;
 use super::layer::Layer;
 use super::surface::{Surface, Tangent};
+use crate::contact::accuracy::SAFETY;
 use crate::contact::check::between_breaks;
 use crate::contact::ground::Ground;
 use crate::contact::ground::of_problem::ground;
 use crate::contact::parts::{MOST_BREAKS, Parts, Smoothness};
 use crate::contact::revolution::require_even;
 use crate::contact::setting::Setting;
-use crate::contact::steps::{BESIDE, rise};
-use crate::contact::valleys::{self, MOST_CELLS, SAMPLES};
+use crate::contact::steps::{BESIDE, INSIDE, rise};
+use crate::contact::valleys::{self, MOST_CELLS, MOST_SAMPLES, SAMPLES};
 use crate::contact::zones::{Walls, Zone};
 use crate::error::require;
 use crate::{ContactKind, Error, Load, Problem, Rotational, Vertical};
 
-/// Most samples that show the ups and downs of a profile: sixteen for each of as many valleys as cells can show.
-const MOST_SAMPLES: usize = 8192;
-/// Samples between two measured points. Half and twice change none of 32 answers (survey).
+/// Samples between two measured points (survey).
 pub(super) const SAMPLES_A_POINT: usize = 4;
-/// Length of base within which all zones must lie for heights from a tangent. Half and twice change none of 20 answers (survey).
+/// Length of base within which all zones must lie for heights from a tangent (survey).
 const SMALL_ZONES: f64 = 0.1;
-/// Ends this close to a wall are there: the check looks just inside a wall. Half and twice change none of 20 answers (survey).
-const AT_WALL: f64 = 1e-11;
-/// Cells to begin with, at most where panels follow them: with three times as many none of 46 answers changes, and 195 zones take a third more time (survey).
-const CELLS: usize = 1024;
 
 /// A dimensionless problem with what is worth knowing about its profile.
 #[derive(Clone)]
@@ -194,9 +189,11 @@ impl Base {
 
     /// A zone about this interval. Walls, steps of the base too, hold the contact until they pull: where the pressure rises towards one a free end would be led away from it.
     pub(super) fn zone(&self, ends: [f64; 2]) -> Zone {
+        // The check looks just inside a wall.
+        let beside = SAFETY * INSIDE;
         let walls = [0, 1].map(|side| {
-            let inwards = if side == 0 { AT_WALL } else { -AT_WALL };
-            self.walls.near(side, ends[side] + inwards, 2.0 * AT_WALL)
+            let inwards = if side == 0 { beside } else { -beside };
+            self.walls.near(side, ends[side] + inwards, 2.0 * beside)
         });
         let zone = Zone::new(
             [0, 1].map(|side| walls[side].unwrap_or(ends[side])),
@@ -222,8 +219,8 @@ impl Base {
     pub(super) fn cells(&self) -> usize {
         // Panels find the zones of a linear layer from any that are about right: more cells would only delay them.
         let is_sure = self.is_for_panels() && self.layer.is_linear();
-        let most = if is_sure && self.pieces.len() == 1 { CELLS } else { MOST_CELLS };
-        valleys::cells(self.valleys().count(), CELLS, most)
+        let most = if is_sure && self.pieces.len() == 1 { 0 } else { MOST_CELLS };
+        valleys::cells(self.valleys().count(), most)
     }
 
     /// Where the profile has valleys.

@@ -8,7 +8,7 @@ use crate::error::require;
 use crate::roughness::Law;
 use crate::{Error, Problem, Vertical};
 
-/// Share of the layer under about the mean pressure below which there is next to no pressure. At half or twice 1 of 32 differ beyond what is stated (survey).
+/// Share of the layer under about the mean pressure below which there is next to no pressure (survey).
 pub(super) const FAINT: f64 = 0.1;
 
 /// The law `v = p0^kappa`; where `v < 0` a layer that bends has no pressure, one that is linear pulls.

@@ -11,7 +11,7 @@ use crate::Error;
 use crate::contact::accuracy::{ROUNDING, STAGNANT};
 use crate::contact::iteration::{CUTS, STEPS};
 
-/// Residuals of a step relative to what it is to take away: by the square of what the step before left, within these. At half or twice stated errors grow up to 1.7 times (survey).
+/// Residuals of a step relative to what it is to take away: by the square of what the step before left, within these (survey).
 const INEXACT: [f64; 2] = [1e-4, 0.1];
 /// The share of a step by which it has to lower what is left (Armijo's condition).
 const DESCENT: f64 = 0.1;

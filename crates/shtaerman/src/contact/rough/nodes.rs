@@ -11,7 +11,7 @@ use crate::contact::iteration::GOLDEN;
 use crate::contact::method::MethodName;
 use crate::contact::zones::Zone;
 
-/// Places on a panel at which resolutions are compared. At half or twice 1 of 32 differ beyond what is stated and stated errors grow up to 2.8 times (survey).
+/// Places on a panel at which resolutions are compared (survey).
 pub(super) const PLACES: usize = 128;
 
 /// Zones cut into panels, with the nodes on these.

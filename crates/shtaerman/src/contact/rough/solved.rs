@@ -12,7 +12,7 @@ use crate::contact::ground::Ground;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 
-/// Share of a zone, or of a panel at its end, over which the slope of the layer at that end is taken. At half or twice 14 of 32 answers change, within what they state (survey).
+/// Share of a zone, or of a panel at its end, over which the slope of the layer at that end is taken (survey).
 pub(super) const BESIDE: f64 = 0.02;
 
 /// The pressure on given zones under the load; at free edges it need not vanish yet.

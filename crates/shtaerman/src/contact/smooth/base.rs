@@ -11,17 +11,14 @@ use crate::contact::revolution::require_even;
 use crate::contact::setting::Setting;
 use crate::contact::steps::{INSIDE, REACH, rise};
 use crate::contact::valleys;
-use crate::contact::valleys::MOST_CELLS;
+use crate::contact::valleys::{MOST_CELLS, MOST_SAMPLES};
 use crate::contact::zones::{Walls, Zone};
 use crate::deadline::Deadline;
 use crate::error::require;
 use crate::{Error, Geometry, Load, Rotational, Vertical};
 
-/// Samples that show the ups and downs of a profile, at least and at most. At half or twice 2 of 32 answers change, within what they state (survey).
+/// Samples that show the ups and downs of a profile, at least. At half or twice 2 of 32 answers change, within what they state (survey).
 pub(super) const SAMPLES: usize = 2048;
-const MOST_SAMPLES: usize = 32768;
-/// Cells of a base with few valleys.
-const USUAL_CELLS: usize = 768;
 /// To this share slopes of a measured profile or a closure are resolved by Abel's transforms: the third derivative of a spline jumps at every point, and slopes of a closure are those of
 /// polynomials through its values. At half or twice 1 of 10 answers are lost and stated errors grow up to 2.7 times (survey).
 const MEASURED: f64 = 1e-10;
@@ -288,7 +285,7 @@ impl Base {
 
     /// Number of cells that show every valley of the profile.
     pub(super) fn cells(&self) -> usize {
-        valleys::cells(self.valleys().count(), USUAL_CELLS, MOST_CELLS)
+        valleys::cells(self.valleys().count(), MOST_CELLS)
     }
 
     /// Where the samples have valleys.

@@ -15,7 +15,7 @@ use crate::contact::valleys::MOST_CELLS;
 use crate::contact::zones::{Walls, Zone};
 use crate::deadline::Deadline;
 
-/// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys. At half or twice 2 of 32 answers change, within what they state (survey).
+/// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys (survey).
 const NODES_A_VALLEY: f64 = 12.0;
 /// Noise of the pressure, relative to its largest, with which there is none: complementarity would be allowed everything (one digit is the least that an answer has).
 const ALL_NOISE: f64 = 0.1;

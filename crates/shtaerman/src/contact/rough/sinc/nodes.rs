@@ -16,9 +16,9 @@ use crate::contact::rough::nodes::{
 };
 use crate::contact::zones::Zone;
 
-/// Fewest nodes on either side of the middle of a panel. Half and twice change none of 20 answers (survey).
+/// Fewest nodes on either side of the middle of a panel (survey).
 pub(super) const FEWEST: usize = 8;
-/// Growth of the number of nodes from one resolution to the next. At half or twice 4 of 32 answers are lost, 17 of 32 differ beyond what is stated, stated errors grow up to 1e+06 times and time grows by 401 % (survey).
+/// Growth of the number of nodes from one resolution to the next (survey).
 pub(super) const RATIO: f64 = std::f64::consts::SQRT_2;
 
 /// A number of nodes with what can be shared among zones.
