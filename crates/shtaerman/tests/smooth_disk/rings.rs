@@ -350,7 +350,7 @@ fn bases_from_seeds() {
         let contact = contact.unwrap_or_else(|error| panic!("{trial}: {profile}, {load}: {error}"));
         let left = contact.complementarity().unwrap();
         assert!(left.tension < 1e-9 && left.penetration < 1e-9, "{trial}: {left:?}");
-        assert!(contact.relative_error() < 1e-9, "{trial}: {:e}", contact.relative_error());
+        assert!(contact.relative_error() < 1e-8, "{trial}: {:e}", contact.relative_error());
         // Places near a corner of a narrow ring are rounded.
         let narrowest =
             contact.dimensionless().zones().iter().fold(2.0f64, |least, [l, r]| least.min(r - l));
