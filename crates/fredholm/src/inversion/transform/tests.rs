@@ -1,0 +1,87 @@
+//! Abel's transforms of polynomials, of powers beside the axis, and of parts.
+
+use super::*;
+
+#[test]
+fn polynomials_are_integrated_however_close_to_the_axis() {
+    // I_k = int_r^1 s^k ds/sqrt(s^2 - r^2): k I_k = sqrt(1 - r^2) + (k-1) r^2 I_(k-2)
+    for r in [0.5f64, 1e-2, 1e-5, 1e-10, 1e-150] {
+        let root = ((1.0 - r) * (1.0 + r)).sqrt();
+        let turn = [0.0, (root / r).asinh()];
+        let mut known = [(1.0 / r).acosh(), root];
+        for k in 0..ORDER as i32 {
+            let [exact, other] = known;
+            let power = |y: f64| (r * y.cosh()).powi(k);
+            // A place s of a logarithm is known to so much.
+            let rounding = 1e-14 + 2e-16 * f64::from(k) * turn[1];
+            let found = stepwise(turn, STEP, power);
+            assert!((found / exact - 1.0).abs() < rounding, "{r} {k}: {found} {exact}");
+            let at_nodes = stepwise_at_nodes(turn, STEP, |y| y.map(power));
+            assert!((at_nodes / exact - 1.0).abs() < rounding, "{r} {k}: {at_nodes} {exact}");
+            let next = (root + f64::from(k + 1) * r * r * exact) / f64::from(k + 2);
+            known = [other, next];
+        }
+        // All degrees together, against short steps.
+        let coefficients: [f64; ORDER] = std::array::from_fn(|n| 0.5f64.powi(n as i32));
+        let f = |y: f64| series(&coefficients, 2.0 * (r * y.cosh()) - 1.0);
+        let (found, exact) = (stepwise(turn, STEP, f), short(turn, f));
+        assert!((found - exact).abs() < 1e-14 * turn[1], "{r}: {found} {exact}");
+    }
+}
+
+#[test]
+fn powers_beside_the_axis_are_integrated() {
+    // int_0^Y sinh^mu y cosh y dy = sinh^(1+mu) Y/(1+mu)
+    for mu in [0.1f64, 0.5, 0.9] {
+        let powers = Powers::new(mu).unwrap();
+        for end in [0.5f64, 5.0, 20.0, 200.0] {
+            let scale = end.sinh();
+            let f = |y: f64| (y.sinh() / scale).powf(mu) * y.cosh() / scale;
+            let found = powers.graded(0, [0.0, end], [STEP, f64::INFINITY], f);
+            let rounding = 1e-14 + 2e-16 * end;
+            assert!((found * (1.0 + mu) - 1.0).abs() < rounding, "{mu} {end}: {found}");
+        }
+    }
+}
+
+#[test]
+fn a_part_of_a_transform_is_the_transform_of_a_part() {
+    let mut parts = 0;
+    for (mu, breaks) in [(0.0, vec![]), (0.4, vec![]), (0.0, vec![0.3]), (0.4, vec![0.3])] {
+        let kink = breaks.first().copied();
+        let slope =
+            |r: f64| (3.0 * r).sin() + if kink.is_some_and(|at| r > at) { 1.0 } else { 0.0 };
+        let shape = Shape {
+            slope: &slope,
+            breaks,
+            joints: Vec::new(),
+            tolerance: 0.0,
+            noise: 0.0,
+            powers: Powers::new(mu).unwrap(),
+            part: Symmetry::Revolution,
+            is_over: &|| false,
+        };
+        let whole = AbelTransform::new(&shape, 1.0);
+        for radius in [0.2, 0.3, 0.55, 1.0] {
+            let own = AbelTransform::new(&shape, radius);
+            let Some(part) = whole.within(radius) else { continue };
+            parts += 1;
+            let close = |what: &str, one: f64, two: f64| {
+                assert!((one - two).abs() < 1e-11, "{mu} {kink:?} {radius} {what}: {one} {two}");
+            };
+            close("volume", part.volume(0.7), own.volume(0.7));
+            close("pressure", part.pressure(0.13), own.pressure(0.13));
+            close("beside", part.displacement(1.1, 0.7), own.displacement(1.1, 0.7));
+            close("slope", part.end_slope(), own.end_slope());
+        }
+        assert!(whole.within(1e-60).is_none());
+    }
+    assert!(parts > 8, "{parts}");
+}
+
+fn short([from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {
+    let count = (4.0 * (to - from)).ceil();
+    let width = (to - from) / count;
+    let part = |i: usize| integral(from + width * i as f64, from + width * (i + 1) as f64, &f);
+    (0..count as usize).map(part).sum()
+}
