@@ -127,6 +127,18 @@ impl<'d> Field<'d> {
         })
     }
 
+    /// A relative error that is asked for: a number between 0 and 1.
+    ///
+    /// # Errors
+    /// If the value is no number or out of that range.
+    pub fn tolerance(&self) -> Result<f64, FileError> {
+        let value = self.number()?;
+        if value > 0.0 && value < 1.0 {
+            return Ok(value);
+        }
+        Err(self.error(format!("is {value}: must be greater than 0 and less than 1, like 1e-10")))
+    }
+
     /// The truth value.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! What the load prescribes, turned into settlement, tilt, force and moment.
 
-use super::stiffness::Stiffness;
+use super::stiffness::{Stiffness, cramer};
 use crate::{Load, Rotational, Vertical};
 
 /// The linear relation between displacements and forces of a contact on zones that stay: `P = c11 d - c12 alpha - F1`, `M - c P = c12 d - c22 alpha - F2`, (3.7), without dimensions, with the depth
@@ -77,11 +77,7 @@ impl Balance {
             }
             (Rotational::Eccentricity(e), Vertical::Settlement(_)) => turned(self.centre - e, 0.0),
         };
-        let determinant = row1[0] * row2[1] - row1[1] * row2[0];
-        [
-            (right1 * row2[1] - row1[1] * right2) / determinant,
-            (row1[0] * right2 - right1 * row2[0]) / determinant,
-        ]
+        cramer([row1, row2], [right1, right2])
     }
 
     /// The state for a depth and a tilt besides those of a line, its height at the middle and its slope; what the load prescribes comes back as given.

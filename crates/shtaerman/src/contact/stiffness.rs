@@ -43,10 +43,15 @@ impl Stiffness {
             Rotational::Eccentricity(e) => ([k12 - e * k11, k22 - e * k12], rotational),
             Rotational::Tilt(_) => ([0.0, 1.0], -rotational),
         };
-        let determinant = row1[0] * row2[1] - row1[1] * row2[0];
-        [
-            (right1 * row2[1] - row1[1] * right2) / determinant,
-            (row1[0] * right2 - right1 * row2[0]) / determinant,
-        ]
+        cramer([row1, row2], [right1, right2])
     }
+}
+
+/// The solution of two linear equations.
+pub(super) fn cramer([row1, row2]: [[f64; 2]; 2], [right1, right2]: [f64; 2]) -> [f64; 2] {
+    let determinant = row1[0] * row2[1] - row1[1] * row2[0];
+    [
+        (right1 * row2[1] - row1[1] * right2) / determinant,
+        (row1[0] * right2 - right1 * row2[0]) / determinant,
+    ]
 }

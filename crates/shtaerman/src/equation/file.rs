@@ -244,18 +244,7 @@ fn solver(table: &TableReader<'_>, kind: Kind) -> Result<Solver, FileError> {
         Some(field) => Some(field.count(least..=MOST_DEGREE)?),
         None => None,
     };
-    let tolerance = match table.optional("tolerance") {
-        Some(field) => {
-            let value = field.number()?;
-            if !(value > 0.0 && value < 1.0) {
-                return Err(field.error(format!(
-                    "is {value}: must be greater than 0 and less than 1, like 1e-10"
-                )));
-            }
-            Some(value)
-        }
-        None => None,
-    };
+    let tolerance = table.optional("tolerance").map(|field| field.tolerance()).transpose()?;
     Ok(Solver { method, degree, tolerance, ..Solver::default() })
 }
 

@@ -45,18 +45,7 @@ pub(super) fn read(reader: &TableReader<'_>) -> Result<Solver, Error> {
         Some(field) => Some(degree_of(&field)?),
         None => None,
     };
-    let tolerance = match table.optional("tolerance") {
-        Some(field) => {
-            let value = field.number()?;
-            if !(value > 0.0 && value < 1.0) {
-                let message =
-                    format!("is {value}: must be greater than 0 and less than 1, like 1e-10");
-                return Err(field.error(message).into());
-            }
-            Some(value)
-        }
-        None => None,
-    };
+    let tolerance = table.optional("tolerance").map(|field| field.tolerance()).transpose()?;
     let time_limit = match table.optional("time_limit") {
         Some(field) => Some(time_limit_of(&field)?),
         None => None,

@@ -3,6 +3,7 @@
 use fredholm::complementarity::{Complementarity, ComplementaritySolution, Condition};
 
 use super::super::accuracy::STAGNANT;
+use super::super::iteration::STEPS;
 use super::{Cell, Cells};
 use crate::deadline::Deadline;
 use crate::{Error, Load, Rotational, Vertical};
@@ -179,13 +180,15 @@ fn balanced(centres: &[f64], roots: &[f64], arm: f64) -> Vec<f64> {
         terms.map(|((p, root), x)| p * root * root * (x - arm)).sum()
     };
     let (mut low, mut high) = (-1.0, 1.0);
-    while excess(low) > 0.0 && low > -1e15 {
+    // Beyond that all of it is in one cell.
+    let steepest = 1.0 / f64::EPSILON;
+    while excess(low) > 0.0 && low > -steepest {
         low *= 4.0;
     }
-    while excess(high) < 0.0 && high < 1e15 {
+    while excess(high) < 0.0 && high < steepest {
         high *= 4.0;
     }
-    for _ in 0..200 {
+    for _ in 0..STEPS {
         let middle = 0.5 * (low + high);
         if excess(middle) < 0.0 { low = middle } else { high = middle }
     }
