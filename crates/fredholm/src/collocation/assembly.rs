@@ -304,14 +304,14 @@ pub(super) fn boundary_rows(
     let mut rows = vec![0.0; half * mesh.count()];
     let Some(inside) = with_mass(masses, 0..mesh.count()) else { return rows };
     let mut distances = vec![0.0; inside.len()];
-    let mut factors = distances.clone();
+    let mut room = distances.clone();
     for (boundary, row) in rows.chunks_exact_mut(mesh.count()).enumerate() {
         let x = mesh.boundaries()[boundary];
         for (distance, j) in distances.iter_mut().zip(inside.clone()) {
             *distance = mesh.distance_to_boundary(boundary, j);
         }
         let row = &mut row[inside.clone()];
-        kernel.pairs(x, &mesh.positions()[inside.clone()], &distances, row, &mut factors);
+        kernel.values(x, &mesh.positions()[inside.clone()], &distances, row, &mut room);
         for (entry, mass) in row.iter_mut().zip(&masses[inside.clone()]) {
             *entry = if *mass > 0.0 { mass * *entry } else { 0.0 };
         }

@@ -63,8 +63,10 @@ impl<'k, K: Kernel + ?Sized> Entries<'k, K> {
             let entries = &mut row[segment.start - range.start..segment.end - range.start];
             self.mesh.distances(i, segment.clone(), distances);
             let points = &self.mesh.positions()[segment.clone()];
-            self.kernel.pairs(x, points, distances, entries, factors);
-            if self.mesh.panel(i) == self.mesh.panel(segment.start) {
+            if self.mesh.panel(i) != self.mesh.panel(segment.start) {
+                self.kernel.values(x, points, distances, entries, factors);
+            } else {
+                self.kernel.pairs(x, points, distances, entries, factors);
                 let differences = if segment.start > i {
                     Differences::Growing(segment.start - i..segment.end - i)
                 } else {

@@ -1,5 +1,7 @@
 //! The equation with a weight on the density, as Newton's method for a nonlinear equation meets it.
 
+use std::borrow::Cow;
+
 use super::assembly::Part;
 use super::{SincOperator, SincSolution};
 use crate::Error;
@@ -46,24 +48,16 @@ impl<'o> WeightedFactor<'o> {
             let factored = operator.blocks().iter().map(|block| {
                 // Of an even function the part is its values, of which the odd block has none at the middle.
                 let roots = roots[roots.len() - block.order()..].to_vec();
-                let factored = Self::factored(&block.matrix, &roots, parameter)?;
+                let factored = Factored::weighted(&block.matrix, &roots, parameter)?;
                 Ok((roots, factored))
             });
             Parts::Blocks(factored.collect::<Result<_, Error>>()?)
         } else {
-            let factored = Self::factored(&operator.whole_matrix(), &roots, parameter)?;
+            let factored = Factored::weighted(&operator.whole_matrix(), &roots, parameter)?;
             let masses = operator.node_masses().iter().map(|mass| mass.sqrt()).collect();
             Parts::Whole { roots, masses, factored }
         };
         Ok(Self { operator, parameter, factored })
-    }
-
-    fn factored(matrix: &[f64], roots: &[f64], parameter: f64) -> Result<Factored, Error> {
-        let mut matrix = matrix.to_vec();
-        for (row, root) in matrix.chunks_exact_mut(roots.len()).zip(roots) {
-            row.iter_mut().zip(roots).for_each(|(entry, column)| *entry *= root * column);
-        }
-        Factored::shifted(&matrix, roots.len(), parameter)
     }
 
     /// Solves `phi + lambda K(w phi) = f` for a right-hand side given by its values at the nodes. The solution is `phi`; its integrals are those of the density
@@ -160,10 +154,10 @@ impl SincOperator {
     }
 
     /// `S` for all nodes, from its parts.
-    fn whole_matrix(&self) -> Vec<f64> {
+    fn whole_matrix(&self) -> Cow<'_, [f64]> {
         let [even, odd] = match self.blocks() {
             [even, odd] => [even, odd],
-            blocks => return blocks.first().map_or_else(Vec::new, |whole| whole.matrix.clone()),
+            blocks => return Cow::Borrowed(blocks.first().map_or(&[], |whole| &whole.matrix)),
         };
         let count = self.count();
         let (middle, skipped) = (count / 2, even.order() - odd.order());
@@ -189,7 +183,7 @@ impl SincOperator {
                 }
             }
         }
-        matrix
+        Cow::Owned(matrix)
     }
 }
 
@@ -226,7 +220,7 @@ mod tests {
             let by_parity = SincOperator::on_panels(&kernel, Arc::clone(&grid), panels).unwrap();
             let whole = SincOperator::on_panels(&Plain(kernel), Arc::clone(&grid), panels).unwrap();
             assert!(by_parity.blocks().len() == 2 && whole.blocks().len() == 1);
-            for (one, two) in by_parity.whole_matrix().iter().zip(whole.whole_matrix()) {
+            for (one, two) in by_parity.whole_matrix().iter().zip(whole.whole_matrix().iter()) {
                 assert!((one - two).abs() < 1e-14, "{one} {two}");
             }
         }

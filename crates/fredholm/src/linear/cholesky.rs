@@ -19,11 +19,19 @@ impl Cholesky {
         order: usize,
         mut entry: impl FnMut(usize, usize) -> f64,
     ) -> Result<Self, Error> {
+        Self::of_columns(order, |column, entries| {
+            entries.iter_mut().zip(column..).for_each(|(target, row)| *target = entry(row, column));
+        })
+    }
+
+    /// The same with the columns of the lower triangle, each from the diagonal on.
+    pub(crate) fn of_columns(
+        order: usize,
+        mut column: impl FnMut(usize, &mut [f64]),
+    ) -> Result<Self, Error> {
         let mut matrix = Mat::<f64>::zeros(order, order);
-        for column in 0..order {
-            for row in column..order {
-                matrix[(row, column)] = entry(row, column);
-            }
+        for j in 0..order {
+            column(j, &mut matrix.col_as_slice_mut(j)[j..]);
         }
         let scratch = cholesky_in_place_scratch::<f64>(order, Par::Seq, Default::default());
         let mut buffer = MemBuffer::new(scratch);

@@ -28,29 +28,51 @@ impl Factored {
     /// Factors `1 + parameter S` for `S` with all its entries stored: by Cholesky where it is positive definite,
     /// otherwise by elimination with pivots.
     pub(crate) fn shifted(matrix: &[f64], order: usize, parameter: f64) -> Result<Self, Error> {
-        match Self::positive(matrix, order, parameter) {
+        let column = |j: usize, target: &mut [f64]| {
+            let source = &matrix[j * order + j..(j + 1) * order];
+            target.iter_mut().zip(source).for_each(|(target, entry)| *target = parameter * entry);
+        };
+        match Self::positive(order, column) {
             Some((factored, pivot)) if pivot >= SUSPICIOUS_PIVOT => Ok(factored),
             _ => Self::indefinite(matrix, order, parameter),
         }
     }
 
-    /// The Cholesky factor and its smallest pivot.
-    fn positive(matrix: &[f64], order: usize, parameter: f64) -> Option<(Self, f64)> {
+    /// The same of `1 + parameter R S R` with the diagonal matrix `R` of these entries.
+    pub(crate) fn weighted(matrix: &[f64], roots: &[f64], parameter: f64) -> Result<Self, Error> {
+        let order = roots.len();
+        let column = |j: usize, target: &mut [f64]| {
+            let source = matrix[j * order + j..(j + 1) * order].iter().zip(&roots[j..]);
+            for (target, (entry, root)) in target.iter_mut().zip(source) {
+                *target = parameter * (entry * (roots[j] * root));
+            }
+        };
+        match Self::positive(order, column) {
+            Some((factored, pivot)) if pivot >= SUSPICIOUS_PIVOT => Ok(factored),
+            _ => {
+                let mut weighted = matrix.to_vec();
+                for (row, root) in weighted.chunks_exact_mut(order).zip(roots) {
+                    row.iter_mut().zip(roots).for_each(|(entry, column)| *entry *= root * column);
+                }
+                Self::indefinite(&weighted, order, parameter)
+            }
+        }
+    }
+
+    /// The Cholesky factor of one and the matrix with these columns, from the diagonal on, and its smallest pivot.
+    fn positive(order: usize, column: impl Fn(usize, &mut [f64])) -> Option<(Self, f64)> {
+        let shifted = |j: usize, target: &mut [f64]| {
+            column(j, target);
+            target[0] += 1.0;
+        };
         if order > SMALL {
-            let cholesky = Cholesky::new(order, |i, j| {
-                f64::from(u8::from(i == j)) + parameter * matrix[j * order + i]
-            })
-            .ok()?;
+            let cholesky = Cholesky::of_columns(order, shifted).ok()?;
             let pivot = cholesky.smallest_pivot();
             return Some((Self::Large(cholesky), pivot));
         }
         let mut factor = vec![0.0; order * order];
-        for (j, (target, source)) in
-            factor.chunks_exact_mut(order).zip(matrix.chunks_exact(order)).enumerate()
-        {
-            let below = target[j..].iter_mut().zip(&source[j..]);
-            below.for_each(|(target, entry)| *target = parameter * entry);
-            target[j] += 1.0;
+        for (j, target) in factor.chunks_exact_mut(order).enumerate() {
+            shifted(j, &mut target[j..]);
         }
         small_cholesky::factor(&mut factor, order).ok()?;
         let pivot = factor.iter().step_by(order + 1).fold(f64::INFINITY, |least, &l| least.min(l));

@@ -82,6 +82,20 @@ pub trait Kernel {
         }
     }
 
+    /// The values alone, for points far enough apart that no factor is wanted; the last list, of the same length, is room to work in.
+    ///
+    /// Those of [`pairs`](Self::pairs) unless said otherwise: worth a way of its own where factors take time.
+    fn values(
+        &self,
+        x: f64,
+        points: &[f64],
+        distances: &[f64],
+        values: &mut [f64],
+        room: &mut [f64],
+    ) {
+        self.pairs(x, points, distances, values, room);
+    }
+
     /// Whether the kernel and its measure keep their values under the reflection about the middle `c` of the interval,
     /// `K(2c - x, 2c - s) = K(x, s)`: collocation then splits into an even and an odd problem of half the size.
     ///
@@ -173,6 +187,17 @@ macro_rules! forward_kernel {
             factors: &mut [f64],
         ) {
             $kernel.pairs(x, points, distances, values, factors);
+        }
+
+        fn values(
+            &$this,
+            x: f64,
+            points: &[f64],
+            distances: &[f64],
+            values: &mut [f64],
+            room: &mut [f64],
+        ) {
+            $kernel.values(x, points, distances, values, room);
         }
 
         fn is_even(&$this) -> bool {

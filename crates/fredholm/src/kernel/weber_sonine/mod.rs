@@ -5,6 +5,7 @@ mod cutoff;
 mod dyadic;
 mod factor;
 mod gram;
+mod many;
 mod relation;
 mod value;
 
@@ -149,6 +150,28 @@ impl Kernel for WeberSonine {
 
     fn pair(&self, x: f64, s: f64, distance: f64) -> Pair {
         self.tables.pair(x, s, distance)
+    }
+
+    fn pairs(
+        &self,
+        x: f64,
+        points: &[f64],
+        distances: &[f64],
+        values: &mut [f64],
+        factors: &mut [f64],
+    ) {
+        self.tables.many(x, (points, distances), values, Some(factors));
+    }
+
+    fn values(
+        &self,
+        x: f64,
+        points: &[f64],
+        distances: &[f64],
+        values: &mut [f64],
+        _room: &mut [f64],
+    ) {
+        self.tables.many(x, (points, distances), values, None);
     }
 
     fn measure(&self, s: f64) -> f64 {

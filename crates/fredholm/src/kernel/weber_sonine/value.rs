@@ -15,23 +15,23 @@ type Near = [[f64; 4]; NEAR_TERMS / 4];
 /// The kernel is homogeneous, `W = (x s)^(-1/2-gamma) g(|ln(x/s)|)`: next to the diagonal by its series, elsewhere by tables.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tables {
-    coefficients: Coefficients,
+    pub(super) coefficients: Coefficients,
     /// Largest `delta^2/4` of the series.
-    near_limit: f64,
+    pub(super) near_limit: f64,
     /// `F_1` by powers of `delta^2/4`.
-    near: Near,
+    pub(super) near: Near,
     /// `(F_1 - F_2)/q` likewise.
-    difference: Near,
+    pub(super) difference: Near,
     /// `kappa e^(q l)`.
-    near_strength: f64,
-    far_strength: f64,
+    pub(super) near_strength: f64,
+    pub(super) far_strength: f64,
     /// The hypergeometric function of `s^2/x^2` by `1 - s^2/x^2`.
-    far: Dyadic,
+    pub(super) far: Dyadic,
     /// `e^((1/2-mu) r) F_1` by `r` over the reach of the cutoff.
-    factor: Dyadic,
-    cutoff: Cutoff,
+    pub(super) factor: Dyadic,
+    pub(super) cutoff: Cutoff,
     /// `ln a`.
-    radius: f64,
+    pub(super) radius: f64,
 }
 
 /// Two different points.

@@ -1,0 +1,220 @@
+//! The kernel between one point and many others, with all logarithms at once.
+
+use super::coefficients::Coefficients;
+use super::dyadic::polynomial;
+use super::value::Tables;
+use crate::linear::vectorised;
+use crate::special::logarithms;
+
+/// Points that are taken at once.
+const CHUNK: usize = 64;
+
+/// Points beside one that is not 0, none of them 0 either.
+struct Chunk {
+    count: usize,
+    /// The larger of the two.
+    larger: [f64; CHUNK],
+    /// The smaller one as a share of it, and the root of that.
+    shares: [f64; CHUNK],
+    roots: [f64; CHUNK],
+    /// The distance over the larger one, and `delta^2/4`.
+    apart: [f64; CHUNK],
+    quarters: [f64; CHUNK],
+    /// `ln` of the larger one, and `|ln(x/s)|`; 0 where nobody asks for them.
+    heights: [f64; CHUNK],
+    ratios: [f64; CHUNK],
+}
+
+impl Chunk {
+    fn new(x: f64, points: &[f64], distances: &[f64], has_logarithms: bool) -> Self {
+        let [larger, shares, roots, apart, quarters] = [[1.0; CHUNK]; 5];
+        let [heights, ratios] = [[0.0; CHUNK]; 2];
+        let count = points.len();
+        let mut all = Self { count, larger, shares, roots, apart, quarters, heights, ratios };
+        vectorised(
+            #[inline(always)]
+            || {
+                for (k, (s, distance)) in points.iter().zip(distances).enumerate() {
+                    let (larger, smaller) = (x.max(*s), x.min(*s));
+                    all.larger[k] = larger;
+                    all.shares[k] = smaller / larger;
+                    all.roots[k] = all.shares[k].sqrt();
+                    all.apart[k] = distance / larger;
+                    all.quarters[k] = 0.25 * all.apart[k] * (distance / smaller);
+                }
+            },
+        );
+        if has_logarithms {
+            all.heights = all.larger;
+            all.ratios = all.shares;
+            logarithms(&mut all.heights[..count]);
+            logarithms(&mut all.ratios[..count]);
+            all.ratios.iter_mut().for_each(|ratio| *ratio = -*ratio);
+        }
+        all
+    }
+}
+
+impl Tables {
+    /// `W` between one point and many others, and the factors where those are wanted.
+    pub(super) fn many(
+        &self,
+        x: f64,
+        (points, distances): (&[f64], &[f64]),
+        values: &mut [f64],
+        mut factors: Option<&mut [f64]>,
+    ) {
+        for (chunk, values) in values.chunks_mut(CHUNK).enumerate() {
+            let part = chunk * CHUNK..chunk * CHUNK + values.len();
+            let factors = factors.as_deref_mut().map(|all| &mut all[part.clone()]);
+            let (points, distances) = (&points[part.clone()], &distances[part]);
+            if x > 0.0 && points.iter().all(|s| *s > 0.0) {
+                self.some(x, (points, distances), values, factors);
+                continue;
+            }
+            let mut unwanted = [0.0; CHUNK];
+            let factors = factors.unwrap_or(&mut unwanted);
+            let results = values.iter_mut().zip(factors);
+            for ((s, distance), (value, factor)) in points.iter().zip(distances).zip(results) {
+                let pair = self.pair(x, *s, *distance);
+                (*value, *factor) = (pair.value, pair.factor);
+            }
+        }
+    }
+
+    fn some(
+        &self,
+        x: f64,
+        (points, distances): (&[f64], &[f64]),
+        values: &mut [f64],
+        factors: Option<&mut [f64]>,
+    ) {
+        let Coefficients { order, exponent, .. } = self.coefficients;
+        let is_scaled = order != 0.0 || exponent != 0.0;
+        let chunk = Chunk::new(x, points, distances, factors.is_some() || is_scaled);
+        let mut series = [0.0; CHUNK];
+        self.near(&chunk, &mut series, values);
+        vectorised(
+            #[inline(always)]
+            || {
+                for (k, value) in values.iter_mut().enumerate() {
+                    if !self.is_near(chunk.quarters[k]) {
+                        let rest_of_square = chunk.apart[k] * (1.0 + chunk.shares[k]);
+                        *value =
+                            self.far_strength * self.far.evaluate(rest_of_square) / chunk.larger[k];
+                    }
+                }
+            },
+        );
+        if is_scaled {
+            for (k, value) in values.iter_mut().enumerate() {
+                if !self.is_near(chunk.quarters[k]) {
+                    *value *= (-2.0 * exponent * chunk.heights[k] - order * chunk.ratios[k]).exp();
+                }
+            }
+        }
+        values.iter_mut().for_each(|value| *value = value.min(f64::MAX));
+        let Some(factors) = factors else { return };
+        for (k, factor) in factors.iter_mut().enumerate() {
+            *factor = self.factor_of(&chunk, k, series[k]);
+        }
+    }
+
+    fn is_near(&self, quarter: f64) -> bool {
+        quarter <= self.near_limit
+    }
+
+    /// The values next to the diagonal, and the series `F_1` there. Those points lie together, as points are in order.
+    fn near(&self, chunk: &Chunk, series: &mut [f64; CHUNK], values: &mut [f64]) {
+        let quarters = &chunk.quarters[..chunk.count];
+        let Some(first) = quarters.iter().position(|quarter| self.is_near(*quarter)) else {
+            return;
+        };
+        let last = quarters.iter().rposition(|quarter| self.is_near(*quarter)).unwrap_or(first);
+        let near = first..last + 1;
+        let mut sizes = [1.0; CHUNK];
+        let mut differences = [0.0; CHUNK];
+        vectorised(
+            #[inline(always)]
+            || {
+                for k in near.clone() {
+                    // |x - s|/sqrt(x s)
+                    sizes[k] = chunk.apart[k] / chunk.roots[k];
+                    series[k] = polynomial(&self.near, chunk.quarters[k]);
+                    differences[k] = polynomial(&self.difference, chunk.quarters[k]);
+                }
+            },
+        );
+        logarithms(&mut sizes[near.clone()]);
+        let Coefficients { exponent, shift, .. } = self.coefficients;
+        let q = 2.0 * exponent;
+        for k in near {
+            let logarithm = sizes[k] + shift;
+            let (sigma, power) = if exponent == 0.0 {
+                (-logarithm, 1.0)
+            } else {
+                let middle = chunk.heights[k] - 0.5 * chunk.ratios[k];
+                ((-q * logarithm).exp_m1() / q, (-q * middle).exp())
+            };
+            let sum = series[k] * sigma + differences[k];
+            values[k] = self.near_strength * power * sum / (chunk.larger[k] * chunk.roots[k]);
+        }
+    }
+
+    fn factor_of(&self, chunk: &Chunk, k: usize, series: f64) -> f64 {
+        let (height, ratio) = (chunk.heights[k], chunk.ratios[k]);
+        let cutoff = self.cutoff.value(ratio, self.radius - height + 0.5 * ratio);
+        if cutoff == 0.0 {
+            return 0.0;
+        }
+        let Coefficients { order, strength, .. } = self.coefficients;
+        let function = if self.is_near(chunk.quarters[k]) {
+            series / chunk.roots[k]
+        } else {
+            let growth = if order == 0.0 { 1.0 } else { (order * ratio).exp() };
+            self.factor.evaluate(ratio / self.cutoff.reach()) * growth
+        };
+        let factor = strength * cutoff * function / chunk.larger[k];
+        factor.clamp(-f64::MAX, f64::MAX)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_points_have_the_values_of_each() {
+        for (order, exponent) in [(0.0, 0.0), (1.0, 0.0), (0.0, 0.2), (1.0, 0.4), (2.5, -0.3)] {
+            let tables = Tables::new(1.0, order, exponent);
+            let mut points = vec![0.0, 1e-200, 1e-9, 0.3 + 1e-12, 0.31];
+            points.extend((1..200).map(|i| f64::from(i) / 160.0));
+            points.sort_by(f64::total_cmp);
+            for x in [0.0, 1e-220, 0.3, 0.312, 1.7] {
+                let points: Vec<f64> = points.iter().copied().filter(|s| *s != x).collect();
+                let distances: Vec<f64> = points.iter().map(|s| (x - s).abs()).collect();
+                let [mut values, mut alone, mut factors] =
+                    [(); 3].map(|()| vec![0.0; points.len()]);
+                let given = (&points[..], &distances[..]);
+                tables.many(x, given, &mut values, Some(&mut factors));
+                tables.many(x, given, &mut alone, None);
+                assert_eq!(values, alone);
+                for (k, (s, distance)) in points.iter().zip(&distances).enumerate() {
+                    let pair = tables.pair(x, *s, *distance);
+                    let off =
+                        (values[k] - pair.value).abs() / pair.value.abs().max(f64::MIN_POSITIVE);
+                    // Powers with exponents of some hundreds lose as many units.
+                    assert!(
+                        off < 2e-15 * (1.0 + (x / s).ln().abs()),
+                        "{order} {exponent} {x} {s}: {off:e}"
+                    );
+                    let off = (factors[k] - pair.factor).abs();
+                    assert!(
+                        off <= 2e-13 * pair.factor.abs(),
+                        "{order} {exponent} {x} {s}: {off:e}"
+                    );
+                }
+            }
+        }
+    }
+}
