@@ -1,9 +1,10 @@
 //! The constant that is added to an expression.
 
 use super::Expression;
+use super::compiled::Compiled;
 use super::folding::remainder_of_sum;
 use super::function::{Binary, Unary};
-use super::program::{Operation, operand_start, stack_height};
+use super::program::{Operation, operand_start};
 
 /// A factor as a quotient, and what rounding may have made of it relative to it.
 #[derive(Debug, Clone, Copy)]
@@ -90,7 +91,7 @@ impl Expression {
                 (operation, _) => factors.extend(vec![None; operation.operands()]),
             }
         }
-        let rest = Self { operations, ..self.clone() };
+        let rest = Self { compiled: Compiled::new(&operations), operations, ..self.clone() };
         (rest.plus(total.rest, total.error), total.sum)
     }
 
@@ -102,8 +103,7 @@ impl Expression {
         let mut operations = self.operations;
         operations.push(Operation::Rounded(value, error));
         operations.push(Operation::Binary(Binary::Add));
-        let height = stack_height(&operations);
-        Self { operations, height, ..self }
+        Self { compiled: Compiled::new(&operations), operations, ..self }
     }
 
     /// The factors of both operands of a product or quotient, the left one first: that beside a number is scaled by it.

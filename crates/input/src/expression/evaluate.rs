@@ -5,7 +5,7 @@ use super::program::Operation;
 use super::value::Value;
 
 /// Height of the stack that most programs make do with: zeroing it costs next to nothing.
-const SMALL_STACK: usize = 16;
+pub(super) const SMALL_STACK: usize = 16;
 
 /// Runs the operations and returns the two topmost values (the second one only means something
 /// when the operations leave two values). `height` is the stack they need.
@@ -30,29 +30,39 @@ fn run_on<V: Value>(
 ) -> (V, V) {
     let mut top = 0;
     for operation in operations {
-        match *operation {
-            Operation::Constant(value) => {
-                top += 1;
-                stack[top] = V::constant(value);
-            }
-            Operation::Rounded(value, error) => {
-                top += 1;
-                stack[top] = V::rounded(value, error);
-            }
-            Operation::Variable(index) => {
-                top += 1;
-                stack[top] = variable(index);
-            }
-            Operation::Unary(function) => stack[top] = V::unary(function, stack[top]),
-            Operation::Binary(function) => {
-                top -= 1;
-                stack[top] = V::binary(function, stack[top], stack[top + 1]);
-            }
-            Operation::Where => {
-                top -= 2;
-                stack[top] = V::choose(stack[top], stack[top + 1], stack[top + 2]);
-            }
-        }
+        apply(*operation, &variable, stack, &mut top);
     }
     (stack[top], stack[top.saturating_sub(1)])
+}
+
+#[inline(always)]
+pub(super) fn apply<V: Value>(
+    operation: Operation,
+    variable: &impl Fn(usize) -> V,
+    stack: &mut [V],
+    top: &mut usize,
+) {
+    match operation {
+        Operation::Constant(value) => {
+            *top += 1;
+            stack[*top] = V::constant(value);
+        }
+        Operation::Rounded(value, error) => {
+            *top += 1;
+            stack[*top] = V::rounded(value, error);
+        }
+        Operation::Variable(index) => {
+            *top += 1;
+            stack[*top] = variable(index);
+        }
+        Operation::Unary(function) => stack[*top] = V::unary(function, stack[*top]),
+        Operation::Binary(function) => {
+            *top -= 1;
+            stack[*top] = V::binary(function, stack[*top], stack[*top + 1]);
+        }
+        Operation::Where => {
+            *top -= 2;
+            stack[*top] = V::choose(stack[*top], stack[*top + 1], stack[*top + 2]);
+        }
+    }
 }

@@ -2,14 +2,14 @@
 
 use std::fmt;
 
+use super::compiled::Compiled;
 use super::derivative::Dual;
 use super::enclose::Enclosure;
 use super::error::ExpressionError;
-use super::evaluate::run;
 use super::interval::Interval;
 use super::line::Line;
 use super::parse;
-use super::program::{self, Operation};
+use super::program::Operation;
 use super::rise::Rise;
 
 /// A formula in named variables, compiled.
@@ -20,7 +20,7 @@ pub struct Expression {
     pub(super) text: String,
     pub(super) variables: Vec<String>,
     pub(super) operations: Vec<Operation>,
-    pub(super) height: usize,
+    pub(super) compiled: Compiled,
 }
 
 impl Expression {
@@ -55,7 +55,7 @@ impl Expression {
         Ok(Expression {
             text: text.to_owned(),
             variables: variables.iter().map(|&name| name.to_owned()).collect(),
-            height: program::stack_height(&operations),
+            compiled: Compiled::new(&operations),
             operations,
         })
     }
@@ -82,12 +82,12 @@ impl Expression {
 
     /// The value for these variables. A variable that is not given counts as NaN.
     pub fn evaluate(&self, variables: &[f64]) -> f64 {
-        run(&self.operations, self.height, |index| given(variables, index)).0
+        self.compiled.run(|index| given(variables, index))
     }
 
     /// The value at a parameter of a line.
     pub fn evaluate_at(&self, line: &Line, t: f64) -> f64 {
-        run(&self.operations, self.height, |index| line.variable(index, t)).0
+        self.compiled.run(|index| line.variable(index, t))
     }
 
     /// The value and its derivative with respect to the variable at a position.
@@ -102,14 +102,14 @@ impl Expression {
             let slope = if index == variable { 1.0 } else { 0.0 };
             Dual::variable(given(variables, index), slope)
         };
-        run(&self.operations, self.height, dual).0.parts()
+        self.compiled.run(dual).parts()
     }
 
     /// The value at a parameter of a line and its derivative along the line, with the rules of
     /// [`evaluate_with_derivative`](Self::evaluate_with_derivative).
     pub fn derivative_along(&self, line: &Line, t: f64) -> (f64, f64) {
         let dual = |index| Dual::variable(line.variable(index, t), line.slope(index));
-        run(&self.operations, self.height, dual).0.parts()
+        self.compiled.run(dual).parts()
     }
 
     /// `f(c + t) - f(c) - f'(c) t` along a line about the parameter `c`: how far the value leaves the tangent, with the digits that a difference of values loses where
@@ -117,7 +117,7 @@ impl Expression {
     pub fn rise_along(&self, line: &Line, c: f64, t: f64) -> f64 {
         let rise = |index| Rise::variable(line.variable(index, c), line.slope(index) * t);
         let (_, slope) = self.derivative_along(line, c);
-        run(&self.operations, self.height, rise).0.rest(slope * t)
+        self.compiled.run(rise).rest(slope * t)
     }
 
     /// Encloses all values taken while each variable ranges over its interval, independently of
@@ -130,14 +130,14 @@ impl Expression {
         let enclosure = |index: usize| {
             variables.get(index).map_or(Enclosure::UNKNOWN, |&known| Enclosure::defined(known))
         };
-        run(&self.operations, self.height, enclosure).0
+        self.compiled.run(enclosure)
     }
 
     /// Encloses all values taken on an interval of the parameter of a line.
     pub fn enclose_along(&self, line: &Line, parameter: Interval) -> Enclosure {
         let enclosure =
             |index| line.enclose(index, parameter).map_or(Enclosure::UNKNOWN, Enclosure::defined);
-        run(&self.operations, self.height, enclosure).0
+        self.compiled.run(enclosure)
     }
 }
 

@@ -175,15 +175,14 @@ impl Binary {
     /// The value; NaN whenever an argument is, unlike the IEEE minimum, maximum, power and
     /// hypotenuse, so that nothing undefined is ever hidden.
     pub(super) fn value(self, u: f64, v: f64) -> f64 {
-        if u.is_nan() || v.is_nan() {
-            return f64::NAN;
-        }
         match self {
+            // Of these IEEE arithmetic makes it.
             Binary::Add => u + v,
             Binary::Subtract => u - v,
             Binary::Multiply => u * v,
             // There is one zero: -0 is made +0 where the sign would choose between infinities.
             Binary::Divide => u / (v + 0.0),
+            _ if u.is_nan() || v.is_nan() => f64::NAN,
             Binary::Power => (u + 0.0).powf(v),
             Binary::Minimum => u.min(v),
             Binary::Maximum => u.max(v),

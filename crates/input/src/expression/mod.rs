@@ -58,6 +58,7 @@
 //! is `+inf` at 0 whatever the sign bit.
 
 mod breakpoint;
+mod compiled;
 mod constant;
 mod derivative;
 mod enclose;

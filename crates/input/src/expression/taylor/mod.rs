@@ -113,7 +113,7 @@ impl Expression {
     }
 
     fn jet(&self, arithmetic: &Arithmetic, variable: impl Fn(usize) -> Jet) -> Jet {
-        let mut stack = Vec::with_capacity(self.height);
+        let mut stack = Vec::with_capacity(self.compiled.height);
         for operation in &self.operations {
             let mut operand = || stack.pop().unwrap_or_else(Jet::unknown);
             let result = match *operation {
