@@ -8,6 +8,7 @@ use std::ops::Range;
 use super::kernel::PanelKernel;
 use super::near::NearEntries;
 use super::panels::Panels;
+use super::threads::{each, parts_of};
 use crate::Error;
 use crate::linear::{Cholesky, Factored, dot};
 
@@ -131,12 +132,19 @@ impl Groups {
             layer + theta * roots[i] * roots[j] * potential
         })?;
         let near = NearEntries::new(kernel, panels);
-        let deviations = (firsts.windows(2).zip(&intervals))
-            .map(|(pair, interval)| {
-                let part = (!is_thin(*interval)).then_some(pair[0]..pair[1])?;
-                Deviations::new(&near, theta, (weight, &weights), part)
-            })
-            .collect();
+        let mut deviations: Vec<Option<Deviations>> = intervals.iter().map(|_| None).collect();
+        let mut thick: Vec<(&mut Option<Deviations>, Range<usize>)> =
+            (deviations.iter_mut().zip(firsts.windows(2)).zip(&intervals))
+                .filter(|(_, interval)| !is_thin(**interval))
+                .map(|((place, pair), _)| (place, pair[0]..pair[1]))
+                .collect();
+        let multiplications = thick.iter().map(|(_, part)| part.len().pow(3)).sum();
+        let share = thick.len().div_ceil(parts_of(multiplications)).max(1);
+        each(thick.chunks_mut(share).collect(), |share| {
+            for (place, part) in share {
+                **place = Deviations::new(&near, theta, (weight, &weights), part.clone());
+            }
+        });
         Ok(Self { starts: firsts, masses, weights, factor, deviations })
     }
 

@@ -9,6 +9,7 @@ use run::Run;
 
 use super::groups::Groups;
 use super::operator::PanelOperator;
+use super::threads::{each, parts_of};
 use crate::Error;
 use crate::linear::vector::add;
 
@@ -16,6 +17,8 @@ use crate::linear::vector::add;
 const STEPS: usize = 80;
 const MOST_PRODUCTS: usize = 5 * STEPS;
 const MOST_CONDITIONS: usize = 2;
+/// Multiplications for each node between two products, about.
+const STEP: usize = 30;
 /// A residual that a restart has left no less than this share of does not fall any more.
 const STAGNANT: f64 = 0.5;
 /// To this share of what is added up in it a residual is rounding: that of potentials, as the tests of the operator show.
@@ -126,10 +129,18 @@ impl PanelEquation<'_> {
             if wanted.is_empty() {
                 break;
             }
-            let mut potentials = self.potentials(&wanted).into_iter();
-            for run in runs.iter_mut().filter(|run| run.wanted().is_some()) {
-                run.take(potentials.next().unwrap_or_default())?;
-            }
+            let potentials = self.potentials(&wanted);
+            let mut taken: Vec<Result<(), Error>> = potentials.iter().map(|_| Ok(())).collect();
+            let open = runs.iter_mut().filter(|run| run.wanted().is_some());
+            let mut open: Vec<_> = open.zip(potentials).zip(&mut taken).collect();
+            let work = STEP * open.len() * self.operator.panels().count();
+            let share = open.len().div_ceil(parts_of(work));
+            each(open.chunks_mut(share).collect(), |share| {
+                for ((run, potential), taken) in share {
+                    **taken = run.take(std::mem::take(potential));
+                }
+            });
+            taken.into_iter().collect::<Result<(), Error>>()?;
         }
         Ok(runs.into_iter().map(Run::into_solution).collect())
     }

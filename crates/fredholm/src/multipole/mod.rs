@@ -12,6 +12,7 @@ mod operator;
 mod panels;
 mod rule;
 mod sums;
+mod threads;
 mod tree;
 
 pub use groups::Groups;

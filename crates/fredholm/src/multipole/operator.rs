@@ -7,12 +7,17 @@ use super::kernel::PanelKernel;
 use super::near::NearEntries;
 use super::panels::Panels;
 use super::sums::{Lanes, PlainSum};
+use super::threads::{each, parts_of};
 use super::tree::{Locals, Tree, interpolate};
 use crate::Error;
 use crate::linear::vectorised;
 
 /// Nodes of a leaf, about.
 const CROWD: usize = 12;
+/// Multiplications that an entry of the near part takes to be found, about.
+const FILLING: usize = 30;
+/// The same of the potential at a place.
+const EVALUATION: usize = 600;
 /// Most entries of the near part.
 const MOST_ENTRIES: usize = 60_000_000;
 /// Longest panel, as a share of `[-1, 1]`: it must lie in a leaf and its neighbours with all places that it is near to.
@@ -79,13 +84,22 @@ impl PanelOperator {
             let is_same_tree = other.tree.leaves() == tree.leaves();
             other.kernel == kernel && other.panels.order() == panels.order() && is_same_tree
         });
-        for leaf in 0..tree.leaves() {
-            let block = &mut near[near_starts[leaf]..near_starts[leaf + 1]];
-            match other.and_then(|other| other.block(leaf, &panels, &tree)) {
-                Some(known) => block.copy_from_slice(known),
-                None => entries.fill(tree.nodes_of(leaf, leaf), &tree.near(leaf), block),
+        let shares = shares(&near_starts, FILLING);
+        let mut rest = &mut near[..];
+        let parts = shares.into_iter().map(|leaves| {
+            let length = near_starts[leaves.end] - near_starts[leaves.start];
+            (leaves, rest.split_off_mut(..length).unwrap_or_default())
+        });
+        each(parts.collect(), |(leaves, mut part)| {
+            for leaf in leaves {
+                let length = near_starts[leaf + 1] - near_starts[leaf];
+                let block = part.split_off_mut(..length).unwrap_or_default();
+                match other.and_then(|other| other.block(leaf, &panels, &tree)) {
+                    Some(known) => block.copy_from_slice(known),
+                    None => entries.fill(tree.nodes_of(leaf, leaf), &tree.near(leaf), block),
+                }
             }
-        }
+        });
         Ok(Self { kernel, panels: Arc::new(panels), tree: Arc::new(tree), near, near_starts })
     }
 
@@ -133,22 +147,45 @@ impl PanelOperator {
         let values = all.map(|values| self.without_mean(values));
         let charges = values.each_ref().map(|values| self.charges(values));
         let mut results = [(); N].map(|()| vec![0.0; self.panels.count()]);
-        vectorised(
-            #[inline(always)]
-            || self.add_up(&values, &charges, &mut results),
-        );
+        let mut locals = [(); N].map(|()| Locals::new());
+        let share = N.div_ceil(parts_of(N * self.near.len() / 2));
+        let parts = charges.chunks(share).zip(locals.chunks_mut(share));
+        each(parts.collect(), |(charges, locals)| {
+            vectorised(
+                #[inline(always)]
+                || {
+                    for (charges, local) in charges.iter().zip(locals) {
+                        *local = self.tree.locals(charges, false);
+                    }
+                },
+            );
+        });
+        let mut rest = results.each_mut().map(|result| &mut result[..]);
+        let parts = shares(&self.near_starts, N).into_iter().map(|leaves| {
+            let length = self.tree.nodes_of(leaves.start, leaves.end - 1).len();
+            let own = rest.each_mut().map(|rest| rest.split_off_mut(..length).unwrap_or_default());
+            (leaves, own)
+        });
+        each(parts.collect(), |(leaves, mut own)| {
+            vectorised(
+                #[inline(always)]
+                || self.add_up(leaves, &values, &locals, &mut own),
+            );
+        });
         results
     }
 
+    /// The potentials at the nodes of some leaves.
     #[inline(always)]
     fn add_up<const N: usize>(
         &self,
+        leaves: Range<usize>,
         values: &[Vec<f64>; N],
-        charges: &[Vec<f64>; N],
-        results: &mut [Vec<f64>; N],
+        locals: &[Locals; N],
+        results: &mut [&mut [f64]; N],
     ) {
-        let locals: [Locals; N] = std::array::from_fn(|k| self.tree.locals(&charges[k], false));
-        for leaf in 0..self.tree.leaves() {
+        let first = self.tree.nodes_of(leaves.start, leaves.start).start;
+        for leaf in leaves {
             let near = self.tree.near(leaf);
             let block = &self.near[self.near_starts[leaf]..self.near_starts[leaf + 1]];
             let rows = block.chunks_exact(count(&near).max(1));
@@ -163,7 +200,7 @@ impl PanelOperator {
                         sum.add(own, &values[k][part.clone()]);
                         row = rest;
                     }
-                    results[k][node] = sum.total();
+                    results[k][node - first] = sum.total();
                 }
             }
         }
@@ -198,6 +235,26 @@ impl PanelOperator {
         let (panels, tree) = (Arc::clone(&self.panels), Arc::clone(&self.tree));
         PanelField { kernel: self.kernel, panels, tree, locals, charges, coefficients }
     }
+}
+
+/// The leaves in parts with about as many entries each, an entry being worth so many multiplications.
+fn shares(starts: &[usize], worth: usize) -> Vec<Range<usize>> {
+    let leaves = starts.len() - 1;
+    let entries = starts[leaves];
+    let parts = parts_of(worth * entries);
+    let mut ends: Vec<usize> = (1..parts)
+        .map(|part| starts.partition_point(|start| *start < entries / parts * part))
+        .collect();
+    ends.push(leaves);
+    let mut first = 0;
+    let mut shares = Vec::with_capacity(parts);
+    for end in ends {
+        if end > first {
+            shares.push(first..end.min(leaves));
+            first = end.min(leaves);
+        }
+    }
+    shares
 }
 
 /// Number of nodes of both parts.
@@ -235,6 +292,18 @@ impl PanelField {
         let local = &self.locals[leaf * points..(leaf + 1) * points];
         let near: f64 = self.tree.near(leaf).into_iter().map(|part| self.direct(x, part)).sum();
         interpolate(local, self.tree.inside(leaf, x)) + near
+    }
+
+    /// The same at many places.
+    #[must_use]
+    pub fn values(&self, places: &[f64]) -> Vec<f64> {
+        let mut values = vec![0.0; places.len()];
+        let share = places.len().div_ceil(parts_of(EVALUATION * places.len())).max(1);
+        let parts = places.chunks(share).zip(values.chunks_mut(share));
+        each(parts.collect(), |(places, values)| {
+            places.iter().zip(values).for_each(|(x, value)| *value = self.at(*x));
+        });
+        values
     }
 
     /// The potential of some nodes.

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 use std::ops::Range;
+use std::sync::LazyLock;
 
 use super::kernel::PanelKernel;
 
@@ -61,7 +62,7 @@ impl Tree {
             }
             *start = next;
         }
-        let points = points();
+        let points = &CHEBYSHEV.points;
         let across = (SHALLOWEST..=depth).map(|level| {
             let half = (leaves >> level) as f64 / covering as f64;
             OFFSETS.map(|offset| {
@@ -72,7 +73,7 @@ impl Tree {
         let halves = [-1.0, 1.0].map(|side| {
             let rows = points.map(|t| {
                 let mut row = [0.0; POINTS];
-                cardinal(&points, 0.5 * (t + side), &mut row);
+                cardinal(0.5 * (t + side), &mut row);
                 row
             });
             [square(|i, k| rows[i][k]), square(|i, k| rows[k][i])]
@@ -93,7 +94,7 @@ impl Tree {
         for leaf in 0..leaves {
             for j in tree.nodes_of(leaf, leaf) {
                 let t = tree.inside(leaf, nodes[j]);
-                cardinal(&points, t, &mut values[j * POINTS..(j + 1) * POINTS]);
+                cardinal(t, &mut values[j * POINTS..(j + 1) * POINTS]);
             }
         }
         tree.cardinal = values;
@@ -251,22 +252,33 @@ fn square(entry: impl Fn(usize, usize) -> f64) -> Square {
     (0..POINTS).map(column).collect()
 }
 
-/// The Chebyshev points of the first kind.
-fn points() -> [f64; POINTS] {
-    std::array::from_fn(|k| -((2 * k + 1) as f64 * PI / (2 * POINTS) as f64).cos())
+/// The Chebyshev points of the first kind, and the weights of the barycentric formula.
+struct Chebyshev {
+    points: [f64; POINTS],
+    weights: [f64; POINTS],
 }
 
+static CHEBYSHEV: LazyLock<Chebyshev> = LazyLock::new(|| {
+    let points: [f64; POINTS] =
+        std::array::from_fn(|k| -((2 * k + 1) as f64 * PI / (2 * POINTS) as f64).cos());
+    let weight = |k: usize| {
+        let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
+        sign * (1.0 - points[k] * points[k]).sqrt()
+    };
+    Chebyshev { points, weights: std::array::from_fn(weight) }
+});
+
 /// The values of the cardinal polynomials at a place, by the barycentric formula.
-fn cardinal(points: &[f64; POINTS], t: f64, values: &mut [f64]) {
+fn cardinal(t: f64, values: &mut [f64]) {
+    let Chebyshev { points, weights } = &*CHEBYSHEV;
     if let Some(k) = points.iter().position(|point| *point == t) {
         values.fill(0.0);
         values[k] = 1.0;
         return;
     }
     let mut sum = 0.0;
-    for (k, (value, point)) in values.iter_mut().zip(points).enumerate() {
-        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-        *value = sign * (1.0 - point * point).sqrt() / (t - point);
+    for (value, (point, weight)) in values.iter_mut().zip(points.iter().zip(weights)) {
+        *value = weight / (t - point);
         sum += *value;
     }
     values.iter_mut().for_each(|value| *value /= sum);
@@ -274,14 +286,13 @@ fn cardinal(points: &[f64; POINTS], t: f64, values: &mut [f64]) {
 
 /// The polynomial through values at the points.
 pub(super) fn interpolate(values: &[f64], t: f64) -> f64 {
-    let points = points();
+    let Chebyshev { points, weights } = &*CHEBYSHEV;
     let (mut above, mut below) = (0.0, 0.0);
-    for (k, (value, point)) in values.iter().zip(points).enumerate() {
-        if t == point {
+    for (value, (point, weight)) in values.iter().zip(points.iter().zip(weights)) {
+        if t == *point {
             return *value;
         }
-        let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
-        let weight = sign * (1.0 - point * point).sqrt() / (t - point);
+        let weight = weight / (t - point);
         above += weight * value;
         below += weight;
     }

@@ -195,6 +195,11 @@ pub(super) trait Field: Debug + Clone + Send + Sync + 'static {
     /// `theta K p` at a place in the zones or beside them, in local coordinates.
     fn at(&self, xi: f64) -> f64;
 
+    /// The same at many places.
+    fn at_all(&self, places: &[f64]) -> Vec<f64> {
+        places.iter().map(|xi| self.at(*xi)).collect()
+    }
+
     /// The function of these values at the nodes at a place of the zones, where that is sooner known than the displacement.
     fn interpolated(&self, _values: &[f64], _xi: f64) -> Option<f64> {
         None

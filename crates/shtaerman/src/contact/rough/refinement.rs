@@ -5,6 +5,7 @@ use super::nodes::Field;
 use super::solved::{BESIDE, Solved, Stated};
 use crate::Error;
 use crate::contact::accuracy::{Accuracy, ROUNDING, STAGNANT, Sizes};
+use crate::contact::iteration::Point;
 use crate::contact::parts::Smoothness;
 use crate::contact::resolutions::{Change, Trust, UNKNOWN};
 use crate::contact::stiffness::Stiffness;
@@ -69,15 +70,20 @@ fn pressure_rounding<F: Field>(solved: &Solved<F>) -> f64 {
 /// The differences between two resolutions, of the pressure at places between the nodes.
 fn difference<F: Field>(base: &Base, fine: &Solved<F>, coarse: &Solved<F>) -> Change {
     let between = F::between();
-    let at = |xi: f64| {
-        let is_covered = coarse.nodes.zone(xi).is_some();
+    let is_covered = |xi: f64| coarse.nodes.zone(xi).is_some();
+    let place = |xi: f64| {
         // The profile is the same to both.
-        let needs_height = !is_covered || !fine.layer.is_linear();
-        let height = if needs_height { base.height(xi) } else { 0.0 };
-        let other = if is_covered { coarse.pressure_at(xi, height) } else { 0.0 };
-        (fine.pressure_at(xi, height) - other).abs()
+        let needs_height = !is_covered(xi) || !fine.layer.is_linear();
+        (xi, if needs_height { base.height(xi) } else { 0.0 })
     };
-    let pressure = fine.nodes.on_panels(&between).map(at).fold(0.0, f64::max);
+    let places: Vec<Point> = fine.nodes.on_panels(&between).map(place).collect();
+    let covered: Vec<Point> = places.iter().copied().filter(|(xi, _)| is_covered(*xi)).collect();
+    let mut others = coarse.layers_at(&covered).into_iter();
+    let differences = places.iter().zip(fine.layers_at(&places)).map(|((xi, _), layer)| {
+        let other = if is_covered(*xi) { others.next().unwrap_or(f64::NAN) } else { 0.0 };
+        (fine.layer.pressure(layer) - coarse.layer.pressure(other)).abs()
+    });
+    let pressure = differences.fold(0.0, f64::max);
     Change::between([fine, coarse].map(|solved| (&solved.state, &solved.nodes.zones[..])), pressure)
 }
 

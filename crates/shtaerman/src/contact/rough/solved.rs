@@ -9,6 +9,7 @@ use crate::Error;
 use crate::contact::accuracy::{Accuracy, ErrorKind};
 use crate::contact::balance::State;
 use crate::contact::ground::Ground;
+use crate::contact::iteration::Point;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
 
@@ -132,8 +133,21 @@ impl<F: Field> Solved<F> {
 
     /// `D - beta y - f0 - theta K p`, given the height: what the layer gives in a zone, minus the gap beside.
     pub(super) fn layer_at(&self, xi: f64, height: f64) -> f64 {
-        let right = self.local[0] - self.local[1] * self.nodes.frame.local(xi) - height;
-        right - self.field.at(xi)
+        self.under((xi, height), self.field.at(xi))
+    }
+
+    /// The same at many places with their heights.
+    pub(super) fn layers_at(&self, places: &[Point]) -> Vec<f64> {
+        let displaced = self.field.at_all(&places.iter().map(|(xi, _)| *xi).collect::<Vec<_>>());
+        places
+            .iter()
+            .zip(displaced)
+            .map(|(place, displaced)| self.under(*place, displaced))
+            .collect()
+    }
+
+    fn under(&self, (xi, height): Point, displaced: f64) -> f64 {
+        self.local[0] - self.local[1] * self.nodes.frame.local(xi) - height - displaced
     }
 
     /// The pressure of that.

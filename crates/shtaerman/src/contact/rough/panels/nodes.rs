@@ -67,6 +67,11 @@ impl Field for OnPanels {
         self.parameter * self.field.at(self.local(xi))
     }
 
+    fn at_all(&self, places: &[f64]) -> Vec<f64> {
+        let local: Vec<f64> = places.iter().map(|xi| self.local(*xi)).collect();
+        self.field.values(&local).iter().map(|value| self.parameter * value).collect()
+    }
+
     fn interpolated(&self, values: &[f64], xi: f64) -> Option<f64> {
         self.field.panels().interpolate(values, self.local(xi))
     }

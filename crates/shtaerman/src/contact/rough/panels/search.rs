@@ -186,11 +186,10 @@ impl<'b> ManyPanels<'b> {
         let base = self.base;
         let size = solved.deepest() + solved.state.settlement.abs() + solved.state.tilt.abs();
         let given = |xi: f64| solved.layer_at(xi, base.height(xi));
-        let value = |(xi, height): (f64, f64)| {
+        let inside = |xi: f64| {
             // At an end the polynomials are least exact, and beside it the same function goes on.
             let at_end = solved.nodes.end_at(xi).is_some();
-            let inside = if at_end { None } else { solved.field.interpolated(&solved.given, xi) };
-            (xi, inside.unwrap_or_else(|| solved.layer_at(xi, height)))
+            if at_end { None } else { solved.field.interpolated(&solved.given, xi) }
         };
         // Of zones and of the gaps between them the ends and the middles.
         let ends: Vec<f64> = solved.nodes.zones.iter().flat_map(|zone| zone.ends).collect();
@@ -199,10 +198,17 @@ impl<'b> ManyPanels<'b> {
         let on_piece = |piece: &Places| {
             let [first, last] = [piece[0].0, piece[piece.len() - 1].0];
             let own = marks.iter().copied().filter(|xi| (first..=last).contains(xi));
-            let mut points: Vec<(f64, f64)> = piece.iter().map(|place| value(*place)).collect();
-            points.extend(own.map(|xi| value((xi, base.height(xi)))));
+            let mut points = piece.clone();
+            points.extend(own.map(|xi| (xi, base.height(xi))));
             points.sort_by(|one, two| one.0.total_cmp(&two.0));
             points.dedup_by(|one, two| one.0 == two.0);
+            let known: Vec<Option<f64>> = points.iter().map(|(xi, _)| inside(*xi)).collect();
+            let open = points.iter().zip(&known).filter(|(_, known)| known.is_none());
+            let mut found =
+                solved.layers_at(&open.map(|(at, _)| *at).collect::<Places>()).into_iter();
+            for (point, known) in points.iter_mut().zip(known) {
+                point.1 = known.or_else(|| found.next()).unwrap_or(point.1);
+            }
             positive(&given, &points, OF_A_VALUE * size)
         };
         self.pieces.iter().flat_map(on_piece).map(|ends| base.zone(ends)).collect()
