@@ -169,10 +169,11 @@ fn steepest(problem: &Problem, zones: Vec<[f64; 2]>) -> Option<(f64, f64)> {
     let mut steepest: Option<(f64, f64)> = None;
     for [left, right] in zones {
         let place = |k: usize| (left + (right - left) * k as f64 / PLACES as f64) / half_width;
-        for (from, to) in (0..PLACES).map(|k| (place(k), place(k + 1))) {
+        let places = (0..=PLACES).map(|k| (place(k), profile.height(place(k), half_width)));
+        for pair in places.collect::<Vec<_>>().windows(2) {
+            let [(from, before), (to, after)] = [pair[0], pair[1]];
             let is_broken = breaks.iter().any(|at| from <= *at && *at <= to);
-            let rise = profile.height(to, half_width) - profile.height(from, half_width);
-            let slope = (rise / ((to - from) * half_width)).abs();
+            let slope = ((after - before) / ((to - from) * half_width)).abs();
             if !is_broken && slope.is_finite() && steepest.is_none_or(|(most, _)| slope > most) {
                 steepest = Some((slope, 0.5 * (from + to) * half_width));
             }
