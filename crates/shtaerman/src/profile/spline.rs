@@ -91,10 +91,19 @@ impl Spline {
         (chord + bent) / width
     }
 
+    /// The piece of a place. Points lie at nearly equal distances more often than not: where they do it is guessed.
+    fn piece_at(&self, x: f64) -> usize {
+        let (knots, last) = (&self.abscissas, self.abscissas.len() - 2);
+        let share = (x - knots[0]) / (knots[last + 1] - knots[0]);
+        let guess = ((share * (last + 1) as f64) as usize).min(last);
+        if knots[guess] <= x && x < knots[guess + 1] {
+            return guess;
+        }
+        knots.partition_point(|&knot| knot <= x).saturating_sub(1).min(last)
+    }
+
     fn piece(&self, x: f64) -> Piece {
-        let last_piece = self.abscissas.len() - 2;
-        let piece =
-            self.abscissas.partition_point(|&knot| knot <= x).saturating_sub(1).min(last_piece);
+        let piece = self.piece_at(x);
         let width = self.abscissas[piece + 1] - self.abscissas[piece];
         let start = self.ordinates[piece];
         let chord = self.ordinates[piece + 1] - start;
