@@ -411,6 +411,32 @@ mod tests {
     }
 
     #[test]
+    fn what_is_shared_among_processors_has_the_bits_of_one() {
+        let bounds: Vec<[f64; 2]> = (0..1500)
+            .map(|i| [-0.9 + 0.0011 * f64::from(i), -0.9 + 0.0011 * f64::from(i + 1)])
+            .collect();
+        let panels = Panels::new(bounds, 10).unwrap();
+        let operator = PanelOperator::new(PanelKernel::Logarithm, panels).unwrap();
+        let own = |turns: f64| -> Vec<f64> {
+            operator.panels().nodes().iter().map(|x| (turns * x).sin()).collect()
+        };
+        let [one, other] = [own(3.0), own(40.0)];
+        let together = operator.potentials(&[&one, &other]);
+        for (values, shared) in [one, other].into_iter().zip(together) {
+            let locals = operator.tree.locals(&operator.charges(&values), false);
+            let mut alone = vec![0.0; values.len()];
+            operator.add_up(0..operator.tree.leaves(), &[values], &[locals], &mut [&mut alone]);
+            assert_eq!(shared, alone);
+        }
+        let field = operator.field(&own(7.0));
+        let places: Vec<f64> = (0..20_000).map(|i| f64::from(i) / 10_000.0 - 1.0).collect();
+        let alone: Vec<f64> = places.iter().map(|x| field.at(*x)).collect();
+        assert_eq!(field.values(&places), alone);
+        // Enough for more than one part.
+        assert!(operator.near.len() > 1 << 19, "{}", operator.near.len());
+    }
+
+    #[test]
     fn an_operator_beside_another_is_its_own_to_the_last_bit() {
         let before = uneven(0);
         let mut after = before.clone();
