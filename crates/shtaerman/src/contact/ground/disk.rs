@@ -101,10 +101,6 @@ impl Ground for Disk {
         self.kernel.pair(y, t, f64::MIN_POSITIVE).value
     }
 
-    fn values(&self, y: f64, places: &[f64], values: &mut [f64]) {
-        values.iter_mut().zip(places).for_each(|(value, t)| *value = self.value(y, *t));
-    }
-
     fn slope(&self, xi: f64, eta: f64) -> f64 {
         let difference = xi - eta;
         if difference == 0.0 {

@@ -159,7 +159,7 @@ pub(in crate::contact) trait Ground: Debug + Send + Sync {
     fn values(&self, y: f64, places: &[f64], values: &mut [f64]) {
         let distance = |t: &f64| (y - t).abs().max(f64::MIN_POSITIVE);
         let distances: Vec<f64> = places.iter().map(distance).collect();
-        self.kernel().pairs(y, places, &distances, values, &mut vec![0.0; places.len()]);
+        self.kernel().values(y, places, &distances, values, &mut vec![0.0; places.len()]);
     }
 
     /// `dK/dxi` for different points.
