@@ -16,9 +16,6 @@ use shtaerman_study::Study;
 use crate::Failure;
 
 const LIMIT: &str = "solver.time_limit";
-const TOLERANCE: &str = "solver.tolerance";
-/// The relative error that serves while something moves: less than a pixel, and than the digits that figures show.
-const WHILE_MOVING: &str = "1e-6";
 
 /// A problem file that is on no disk.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
@@ -76,17 +73,6 @@ impl Asked {
     /// The problem, which ends in time.
     pub(super) fn problem(&self) -> Result<ProblemFile, Failure> {
         Ok(ProblemFile::from_document(self.limited()?, Path::new(""))?)
-    }
-
-    /// The problem to the error that serves while something moves; none where it states one of its own.
-    pub(super) fn moving(&self) -> Result<Option<ProblemFile>, Failure> {
-        let mut document = self.limited()?;
-        let solver = document.reader().table("solver")?;
-        if solver.is_some_and(|table| table.has("tolerance")) {
-            return Ok(None);
-        }
-        document.set(TOLERANCE, WHILE_MOVING)?;
-        Ok(Some(ProblemFile::from_document(document, Path::new(""))?))
     }
 
     /// The problem as it is stated, without the limit of time of the page.

@@ -19,6 +19,8 @@ pub(super) const POINTS: usize = 201;
 /// Points of the surface beside the punch, on each side, and how far it is drawn, in half-widths.
 const BESIDE: u32 = 40;
 const MARGIN: f64 = 0.6;
+/// The relative error that serves while something moves: less than a pixel, and than the digits that figures show.
+const WHILE_MOVING: f64 = 1e-6;
 
 /// A file and its contact.
 pub(super) struct Solution {
@@ -38,23 +40,29 @@ impl Solution {
 
     /// The same of a file that was read.
     pub(super) fn of(file: ProblemFile, is_audited: bool) -> Result<Self, Failure> {
-        let contact = match problem_file::solved(&file, is_audited)? {
-            Solved::Answer(contact) => contact,
-            Solved::Unfinished(contact, _) => contact,
-        };
-        let doubts = file.sense_checks(&contact);
-        Ok(Self { file, contact, doubts })
+        let solved = problem_file::solved(&file, is_audited)?;
+        Ok(Self::with(file, solved))
     }
 
-    /// To what is enough while something moves, where that can be met.
-    fn moving(asked: &Asked, file: ProblemFile) -> Result<Self, Failure> {
-        let Some(moving) = asked.moving()? else { return Self::of(file, false) };
+    /// To what is enough while something moves, where the file states no tolerance and that can be met.
+    fn moving(file: ProblemFile) -> Result<Self, Failure> {
+        let solver = file.problem().solver();
+        if solver.tolerance().is_some() {
+            return Self::of(file, false);
+        }
+        let problem = file.problem().with_solver(solver.with_tolerance(WHILE_MOVING)?);
         let is_short =
             |error: &Error| error.is_numerical() && !matches!(error, Error::TimeLimit { .. });
-        Self::of(moving, false).or_else(|failure| match &failure {
-            Failure::Problem(error) if is_short(error) => Self::of(file, false),
-            _ => Err(failure),
-        })
+        match problem_file::solved_as(&file, &problem, false) {
+            Err(Failure::Problem(error)) if is_short(&error) => Self::of(file, false),
+            solved => Ok(Self::with(file, solved?)),
+        }
+    }
+
+    fn with(file: ProblemFile, solved: Solved) -> Self {
+        let (Solved::Answer(contact) | Solved::Unfinished(contact, _)) = solved;
+        let doubts = file.sense_checks(&contact);
+        Self { file, contact, doubts }
     }
 
     /// The answer as `solve --format json` writes it, or as its table shows it.
@@ -86,8 +94,7 @@ fn shown(
     file: ProblemFile,
     is_audited: bool,
 ) -> Result<Value, Failure> {
-    let solution =
-        if is_audited { Solution::of(file, true) } else { Solution::moving(asked, file) }?;
+    let solution = if is_audited { Solution::of(file, true) } else { Solution::moving(file) }?;
     let (contact, answer) = (&solution.contact, solution.answer(false)?);
     let units = solution.file.units();
     let document = asked.document()?;
@@ -97,7 +104,7 @@ fn shown(
         "table": report::answer_rows(contact, &answer, units),
         "words": report::sentences(contact, units),
         "notes": report::answer_notes(contact, &answer, units),
-        "picture": picture(contact, units)?,
+        "picture": picture(contact, &answer.pressure, units)?,
         "inputs": inputs(&document),
         "unfinished": contact.is_unfinished(),
         "python": snippets::python(&document),
@@ -167,11 +174,14 @@ fn finite(value: f64) -> Value {
 }
 
 /// What the pictures are drawn from, in the units of the problem.
-fn picture(contact: &Contact, units: &OutputUnits) -> Result<Value, Failure> {
+fn picture(
+    contact: &Contact,
+    curve: &PressureCurve,
+    units: &OutputUnits,
+) -> Result<Value, Failure> {
     let problem = contact.problem();
     let punch = problem.punch();
     let half_width = punch.half_width();
-    let curve = PressureCurve::along(contact, POINTS)?;
     let beside = (1..=BESIDE)
         .map(|i| half_width * (1.0 + MARGIN * (f64::from(i) / f64::from(BESIDE)).powi(2)));
     let mut places: Vec<f64> =
