@@ -1,6 +1,7 @@
 //! The slope of the base by polynomials where it is one to rounding: Abel's transforms ask for it in thousands of places, and a formula costs more than all else there.
 
 use std::f64::consts::FRAC_PI_2;
+use std::sync::LazyLock;
 
 use fredholm::basis::chebyshev;
 
@@ -14,6 +15,10 @@ const HALVINGS: i32 = 48;
 const DEEPEST: u32 = 7;
 /// Where a polynomial is compared with the slope, between the nodes.
 const BETWEEN: [f64; 3] = [-0.93, 0.17, 0.77];
+
+/// Cosines of multiples of a quarter turn over the number of nodes.
+static COSINES: LazyLock<[f64; 4 * NODES]> =
+    LazyLock::new(|| std::array::from_fn(|m| (FRAC_PI_2 * m as f64 / NODES as f64).cos()));
 
 /// Pieces from the axis to the edge.
 #[derive(Debug)]
@@ -63,8 +68,8 @@ impl Slopes {
 /// Chebyshev coefficients of a function, if it is their sum to rounding.
 fn resolved([from, to]: [f64; 2], f: &impl Fn(f64) -> f64) -> Option<Vec<f64>> {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-    // Cosines of multiples of a quarter turn over the number of nodes.
-    let cosine = |m: usize| (FRAC_PI_2 * (m % (4 * NODES)) as f64 / NODES as f64).cos();
+    let cosines = &*COSINES;
+    let cosine = |m: usize| cosines[m % (4 * NODES)];
     let values: Vec<f64> = (0..NODES).map(|q| f(middle + half * cosine(2 * q + 1))).collect();
     let largest = values.iter().fold(0.0f64, |most, value| most.max(value.abs()));
     let coefficient = |k: usize| {
@@ -76,7 +81,16 @@ fn resolved([from, to]: [f64; 2], f: &impl Fn(f64) -> f64) -> Option<Vec<f64>> {
     if [1, 2].iter().any(|k| coefficient(NODES - k).abs() > rounding) || !largest.is_finite() {
         return None;
     }
-    let coefficients: Vec<f64> = (0..NODES).map(coefficient).collect();
+    let mut coefficients: Vec<f64> = (0..NODES).map(coefficient).collect();
+    // The last that add up to no more than rounding: of a simple formula all but a few.
+    let mut dropped = 0.0;
+    while let Some(last) = coefficients.last() {
+        dropped += last.abs();
+        if dropped > rounding {
+            break;
+        }
+        coefficients.pop();
+    }
     let is_met = |t: &f64| {
         let off = f(middle + half * t) - chebyshev::sum(&coefficients, *t);
         // A formula of many terms rounds as much.
