@@ -29,41 +29,22 @@ const ROUNDS: usize = 28;
 /// Panels on which the zones are found, those whose answer is compared, and those of the answer. Heights are resolved to a tenth of what zones are found to: with 1e-8 rows take 1.3 times as long,
 /// with 1e-4 no less time. At half or twice the ends that are good enough stated errors grow up to 2.6 times (survey).
 const LADDER: [Effort; 3] = [
-    COARSE,
+    Effort {
+        fineness: Fineness { order: 4, ends: 4.0, longest: LONGEST, straight: 1e-5 },
+        residual: 1e-6,
+        good: 1e-4,
+    },
     Effort {
         fineness: Fineness { order: 10, ends: 2.0, longest: LONGEST, straight: STRAIGHT },
         residual: 1e-11,
         good: 1e-6,
     },
-    FINEST,
-];
-/// The same under a tolerance that these are likely to meet; the finest follow where they do not.
-const LOOSE_LADDER: [Effort; 4] = [
-    COARSE,
     Effort {
-        fineness: Fineness { order: 5, ends: 2.0, longest: LONGEST, straight: 1e-9 },
-        residual: 1e-9,
-        good: 1e-5,
+        fineness: Fineness { order: 13, ends: 1.0, longest: LONGEST, straight: STRAIGHT },
+        residual: 1e-14,
+        good: 1e-7,
     },
-    Effort {
-        fineness: Fineness { order: 6, ends: 1.0, longest: LONGEST, straight: 1e-10 },
-        residual: 1e-10,
-        good: 1e-6,
-    },
-    FINEST,
 ];
-const COARSE: Effort = Effort {
-    fineness: Fineness { order: 4, ends: 4.0, longest: LONGEST, straight: 1e-5 },
-    residual: 1e-6,
-    good: 1e-4,
-};
-const FINEST: Effort = Effort {
-    fineness: Fineness { order: 13, ends: 1.0, longest: LONGEST, straight: STRAIGHT },
-    residual: 1e-14,
-    good: 1e-7,
-};
-/// Least tolerance that the looser panels are tried for.
-const LOOSE: f64 = 1e-7;
 
 type OnZones = Solved<OnPanels>;
 /// Places of a piece of the base from end to end, with the heights there.
@@ -75,16 +56,13 @@ pub(in crate::contact::rough) struct ManyPanels<'b> {
     /// Where the profile bends.
     joints: Vec<f64>,
     pieces: Vec<Places>,
-    ladder: &'static [Effort],
 }
 
 impl<'b> ManyPanels<'b> {
     pub(in crate::contact::rough) fn new(base: &'b Base) -> Self {
         let joints = joints(base);
         let pieces = base.pieces.iter().map(|piece| places(base, &joints, *piece)).collect();
-        let is_loose = |tolerance: f64| tolerance >= LOOSE;
-        let is_loose = base.problem().solver().tolerance.is_some_and(is_loose);
-        Self { base, joints, pieces, ladder: if is_loose { &LOOSE_LADDER } else { &LADDER } }
+        Self { base, joints, pieces }
     }
 
     /// The answer on the whole base.
@@ -137,7 +115,7 @@ impl<'b> ManyPanels<'b> {
             self.add_places(&coarse, &left);
             coarse = self.settled(self.next_zones(&coarse), 0, Some(&coarse))?;
         }
-        let next = |solved: &OnZones, level: usize| match self.ladder.get(level) {
+        let next = |solved: &OnZones, level: usize| match LADDER.get(level) {
             Some(_) => self.settled(solved.nodes.zones.clone(), level, Some(solved)).map(Some),
             None => Ok(None),
         };
@@ -174,7 +152,7 @@ impl<'b> ManyPanels<'b> {
         level: usize,
         near: Option<&OnZones>,
     ) -> Result<OnZones, Error> {
-        let (base, effort) = (self.base, self.ladder[level]);
+        let (base, effort) = (self.base, LADDER[level]);
         let (mut latest, mut known): (Option<OnZones>, Option<PanelOperator>) = (None, None);
         for _ in 0..ROUNDS {
             if zones.is_empty() {

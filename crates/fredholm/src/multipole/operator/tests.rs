@@ -1,0 +1,191 @@
+//! Operators on panels against closed forms, and what is shared against one processor.
+
+use super::*;
+
+/// Panels of very different lengths, with gaps, the last ones ever shorter.
+fn uneven(closing: i32) -> Vec<[f64; 2]> {
+    let mut bounds = Vec::new();
+    let mut left = -1.0;
+    for i in 0..400 {
+        let length = 0.004 * (1.1 + (1.7 * f64::from(i)).sin()) / 2.2;
+        bounds.push([left, left + length]);
+        left += length;
+        if i % 7 == 3 {
+            left += 0.01;
+        }
+    }
+    for i in 0..closing {
+        let [from, to] = [1.0 - 0.1 * 0.4f64.powi(i), 1.0 - 0.1 * 0.4f64.powi(i + 1)];
+        bounds.push([from, to]);
+    }
+    bounds
+}
+
+#[test]
+fn products_agree_with_those_in_closed_form() {
+    // phi = 2 + x: int ln(1/|x - s|) (2 + s) ds by its primitive on each panel
+    let panels = Panels::new(uneven(20), 6).unwrap();
+    let operator = PanelOperator::new(PanelKernel::Logarithm, panels).unwrap();
+    let primitive = |x: f64, s: f64| {
+        let d = s - x;
+        if d == 0.0 {
+            return 0.0;
+        }
+        let logarithm = d.abs().ln();
+        (2.0 + x) * d * (1.0 - logarithm) + 0.5 * d * d * (0.5 - logarithm)
+    };
+    let exact = |x: f64| -> f64 {
+        let bounds = operator.panels().bounds();
+        bounds.iter().map(|[left, right]| primitive(x, *right) - primitive(x, *left)).sum()
+    };
+    let values: Vec<f64> = operator.panels().nodes().iter().map(|x| 2.0 + x).collect();
+    for (x, found) in operator.panels().nodes().iter().zip(operator.potential(&values)) {
+        assert!((found - exact(*x)).abs() < 2e-13, "{x}: {found} {}", exact(*x));
+    }
+    let field = operator.field(&values);
+    for i in -60..=60 {
+        let x = f64::from(i) / 57.3;
+        assert!((field.at(x) - exact(x)).abs() < 2e-13, "{x}: {} {}", field.at(x), exact(x));
+    }
+}
+
+#[test]
+fn panels_of_one_length_have_the_potentials_of_others() {
+    // int ln(1/|x - s|) ds over [left, right] by its primitive; most nodes are seen from panels of the same length beside them.
+    let bounds: Vec<[f64; 2]> =
+        (0..300).map(|i| [-0.9 + 0.005 * f64::from(i), -0.9 + 0.005 * f64::from(i + 1)]).collect();
+    let [from, to] = [bounds[0][0], bounds[299][1]];
+    let primitive = |d: f64| if d == 0.0 { 0.0 } else { d * (1.0 - d.abs().ln()) };
+    for order in [6, 10, 13] {
+        let panels = Panels::new(bounds.clone(), order).unwrap();
+        let operator = PanelOperator::new(PanelKernel::Logarithm, panels).unwrap();
+        let ones = vec![1.0; operator.panels().count()];
+        for (x, found) in operator.panels().nodes().iter().zip(operator.potential(&ones)) {
+            let exact = primitive(x - from) + primitive(to - x);
+            assert!((found - exact).abs() < 4e-14, "{order} {x}: {found} {exact}");
+        }
+    }
+}
+
+#[test]
+fn what_is_shared_among_processors_has_the_bits_of_one() {
+    let bounds: Vec<[f64; 2]> = (0..1500)
+        .map(|i| [-0.9 + 0.0011 * f64::from(i), -0.9 + 0.0011 * f64::from(i + 1)])
+        .collect();
+    let panels = Panels::new(bounds, 10).unwrap();
+    let operator = PanelOperator::new(PanelKernel::Logarithm, panels).unwrap();
+    let own = |turns: f64| -> Vec<f64> {
+        operator.panels().nodes().iter().map(|x| (turns * x).sin()).collect()
+    };
+    let [one, other] = [own(3.0), own(40.0)];
+    let together = operator.potentials(&[&one, &other]);
+    for (values, shared) in [one, other].into_iter().zip(together) {
+        let locals = operator.tree.locals(&operator.charges(&values), false);
+        let mut alone = vec![0.0; values.len()];
+        operator.add_up(0..operator.tree.leaves(), &[values], &[locals], &mut [&mut alone]);
+        assert_eq!(shared, alone);
+    }
+    let field = operator.field(&own(7.0));
+    let places: Vec<f64> = (0..20_000).map(|i| f64::from(i) / 10_000.0 - 1.0).collect();
+    let alone: Vec<f64> = places.iter().map(|x| field.at(*x)).collect();
+    assert_eq!(field.values(&places), alone);
+    // Enough for more than one part.
+    assert!(operator.near.len() > 1 << 19, "{}", operator.near.len());
+}
+
+#[test]
+fn an_operator_beside_another_is_its_own_to_the_last_bit() {
+    let before = uneven(0);
+    let mut after = before.clone();
+    after[120][1] -= 1e-4;
+    after.remove(200);
+    let halved = 0.5 * (after[300][0] + after[300][1]);
+    let right = std::mem::replace(&mut after[300][1], halved);
+    after.insert(301, [halved, right]);
+    let kernels = [PanelKernel::Logarithm, PanelKernel::Sine, PanelKernel::Power { exponent: 0.4 }];
+    for kernel in kernels {
+        let other = PanelOperator::new(kernel, Panels::new(before.clone(), 4).unwrap()).unwrap();
+        let panels = || Panels::new(after.clone(), 4).unwrap();
+        let fresh = PanelOperator::new(kernel, panels()).unwrap();
+        let beside = PanelOperator::beside(kernel, panels(), Some(&other)).unwrap();
+        assert!(fresh.near.iter().all(|entry| entry.is_finite()));
+        assert_eq!(fresh.near, beside.near, "{kernel:?}");
+        let known = (0..fresh.tree.leaves())
+            .filter(|leaf| other.block(*leaf, fresh.panels(), &fresh.tree).is_some());
+        let known = known.count();
+        assert!(known > fresh.tree.leaves() / 2, "{kernel:?}: {known} of {}", fresh.tree.leaves());
+    }
+}
+
+#[test]
+fn potentials_at_the_end_of_the_shortest_panels_are_exact() {
+    // phi = 1: int (1 - s)^-mu ds from 1 - d to 1 is d^(1-mu)/(1-mu). Lengths of some thousand roundings, whose middles are off by a share of them.
+    for closing in 24..=34 {
+        let from = |i: i32| 1.0 - 0.05 * 0.4f64.powi(i);
+        let mut bounds: Vec<[f64; 2]> = (0..closing).map(|i| [from(i), from(i + 1)]).collect();
+        bounds.push([from(closing), 1.0]);
+        let panels = Panels::new(bounds, 6).unwrap();
+        let operator = PanelOperator::new(PanelKernel::Power { exponent: 0.8 }, panels).unwrap();
+        let field = operator.field(&vec![1.0; operator.panels().count()]);
+        let exact = (1.0 - from(0)).powf(0.2) / 0.2;
+        assert!((field.at(1.0) / exact - 1.0).abs() < 1e-12, "{closing}: {}", field.at(1.0));
+    }
+}
+
+#[test]
+fn products_with_powers_agree_with_those_in_closed_form() {
+    for exponent in [0.05, 0.5, 0.8] {
+        // Beside the singularity rounded distances show in what the primitive gives.
+        let panels = Panels::new(uneven(8), 6).unwrap();
+        let operator = PanelOperator::new(PanelKernel::Power { exponent }, panels).unwrap();
+        // phi = 2 + x by its primitive on each panel
+        let power = 1.0 - exponent;
+        let primitive = |x: f64, s: f64| {
+            let d = s - x;
+            let near = d.abs().powf(power).copysign(d);
+            (2.0 + x) * near / power + near * d / (1.0 + power)
+        };
+        let exact = |x: f64| -> f64 {
+            let bounds = operator.panels().bounds();
+            bounds.iter().map(|[left, right]| primitive(x, *right) - primitive(x, *left)).sum()
+        };
+        let values: Vec<f64> = operator.panels().nodes().iter().map(|x| 2.0 + x).collect();
+        let size = 4.0 / power;
+        for (x, found) in operator.panels().nodes().iter().zip(operator.potential(&values)) {
+            assert!((found - exact(*x)).abs() < 2e-13 * size, "{exponent} {x}: {found}");
+        }
+        let field = operator.field(&values);
+        for i in -60..=60 {
+            let x = f64::from(i) / 57.3;
+            let found = field.at(x);
+            assert!((found - exact(x)).abs() < 2e-13 * size, "{exponent} {x}: {found}");
+        }
+    }
+    let panels = || Panels::new(uneven(8), 6).unwrap();
+    for exponent in [0.0, 1.0, f64::NAN] {
+        assert!(PanelOperator::new(PanelKernel::Power { exponent }, panels()).is_err());
+    }
+}
+
+#[test]
+fn on_a_circle_waves_are_divided_by_their_number() {
+    // ln 1/(2 sin(y/2)) = sum cos(m y)/m: over the whole turn cos(m pi s) becomes cos(m pi x)/m.
+    let mut cuts: Vec<f64> = (0..=60).map(|i| f64::from(i) / 30.0 - 1.0).collect();
+    cuts.extend((1..12).map(|i| 1.0 - 0.03 * 0.4f64.powi(i)));
+    cuts.sort_by(f64::total_cmp);
+    let bounds = cuts.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+    let panels = Panels::new(bounds, 13).unwrap();
+    let operator = PanelOperator::new(PanelKernel::Sine, panels).unwrap();
+    let pi = std::f64::consts::PI;
+    for m in [1.0, 2.0, 5.0] {
+        let wave = |x: f64| (m * pi * x + 0.3).cos();
+        let values: Vec<f64> = operator.panels().nodes().iter().map(|x| wave(*x)).collect();
+        for (x, found) in operator.panels().nodes().iter().zip(operator.potential(&values)) {
+            assert!((found - wave(*x) / m).abs() < 1e-13, "{m} {x}: {found}");
+        }
+        let field = operator.field(&values);
+        for x in [-1.7, -1.0, -0.99, -0.3, 0.0, 0.77, 1.0, 2.4] {
+            assert!((field.at(x) - wave(x) / m).abs() < 1e-13, "{m} {x}: {}", field.at(x));
+        }
+    }
+}
