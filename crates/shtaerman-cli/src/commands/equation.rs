@@ -169,10 +169,13 @@ fn plot(
         places.sort_by(f64::total_cmp);
         places.dedup();
     }
-    let values = places
-        .iter()
-        .map(|&x| Ok(solved.evaluate(x)?.unwrap_or(f64::INFINITY)))
-        .collect::<Result<Vec<_>, shtaerman::Error>>()?;
+    let evaluate = |places: &[f64]| -> Result<[Vec<f64>; 1], shtaerman::Error> {
+        let value = |&x: &f64| Ok(solved.evaluate(x)?.unwrap_or(f64::INFINITY));
+        Ok([places.iter().map(value).collect::<Result<_, shtaerman::Error>>()?])
+    };
+    let known = evaluate(&places)?;
+    let shown = window.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]);
+    let [values] = report::between(&mut places, known, shown, evaluate)?;
     let values = signed(values);
     let error = answer.error.solution_sup.filter(|_| equation.kind() != Kind::First);
     let kind = match equation.kind() {

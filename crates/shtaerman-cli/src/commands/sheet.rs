@@ -77,6 +77,8 @@ pub(super) fn of_contact(
     (contact, doubts): (&Contact, &[Warning]),
 ) -> Result<Sheet, Failure> {
     let mut sheet = of_file(title, command, told, file);
+    // What was found may differ from what the file says.
+    sheet.problem(contact.problem());
     sheet.words(report::sentences(contact, file.units()));
     let wanted = ContactPicture {
         name: name.to_owned(),

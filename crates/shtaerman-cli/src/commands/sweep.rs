@@ -118,6 +118,7 @@ fn sheet(
     // What varies may be missing in the problem itself, which then has no model of its own.
     if let Ok(file) = ProblemFile::from_document(run.study.problem().clone(), folder) {
         sheet.problem(file.problem());
+        sheet.varied();
     }
     if arguments.summary {
         sheet.unchecked("the run itself, without --summary, looks at the cases with the least and the largest of each output.");

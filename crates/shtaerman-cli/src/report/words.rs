@@ -101,6 +101,9 @@ fn touching(contact: &Contact, shown: &Words) -> String {
             count => format!("All {count} bases touch wholly, {width} together."),
         };
     }
+    if contact.problem().is_circular() {
+        return touching_rings(contact, shown);
+    }
     let whole: f64 = punch.pieces().iter().map(|piece| piece[1] - piece[0]).sum();
     let share = 100.0 * contact.dimensionless().contact_width() / whole;
     let places: Vec<String> = zones
@@ -112,6 +115,34 @@ fn touching(contact: &Contact, shown: &Words) -> String {
     let more = if more > 0 { format!(" and in {more} more zones") } else { String::new() };
     format!(
         "It touches {}{more}: {width}, {} % of its base; the rest has lifted off.",
+        places.join(" and "),
+        significant(share, 3)
+    )
+}
+
+/// Where a circular punch touches, as radii, and the share of the area of its base.
+fn touching_rings(contact: &Contact, shown: &Words) -> String {
+    let radius = contact.problem().punch().half_width();
+    let rings: Vec<[f64; 2]> = contact
+        .zones()
+        .into_iter()
+        .map(|[from, to]| [from.max(0.0), to])
+        .filter(|[from, to]| from < to)
+        .collect();
+    let area = |[from, to]: &[f64; 2]| (to / radius).powi(2) - (from / radius).powi(2);
+    let share = 100.0 * rings.iter().map(area).sum::<f64>();
+    let place = |[from, to]: &[f64; 2]| match *from {
+        0.0 => format!("up to {}", shown.length(*to)),
+        from => format!("from {} to {}", shown.length(from), shown.length(*to)),
+    };
+    let places: Vec<String> = rings.iter().take(MOST_ZONES).map(place).collect();
+    let more = match rings.len().saturating_sub(MOST_ZONES) {
+        0 => String::new(),
+        1 => " and in one ring more".to_owned(),
+        more => format!(" and in {more} rings more"),
+    };
+    format!(
+        "It touches at radii {}{more}: {} % of the area of its base; the rest has lifted off.",
         places.join(" and "),
         significant(share, 3)
     )

@@ -79,13 +79,21 @@ fn shown(
     let (contact, answer) = (&solution.contact, solution.answer(false)?);
     let units = solution.file.units();
     let document = asked.document()?;
+    // While something moves, the points of the answer serve; the answer that stays is drawn as finely as it bends.
+    let curve = answer.pressure.clone();
+    let half_width = contact.problem().punch().half_width();
+    let curve = if is_audited {
+        report::refined(contact, curve, [-half_width, half_width]).map_err(Failure::from)?
+    } else {
+        curve
+    };
     let told = json!({
         "answer": serde_json::to_value(&answer).map_err(asked::unwritable)?,
         "cards": cards(contact, units),
         "table": report::answer_rows(contact, &answer, units),
         "words": report::sentences(contact, units),
         "notes": report::answer_notes(contact, &answer, units),
-        "picture": picture(contact, &answer.pressure, units)?,
+        "picture": picture(contact, &curve, units)?,
         "inputs": inputs(&document),
         "unfinished": contact.is_unfinished(),
         "python": snippets::python(&document),

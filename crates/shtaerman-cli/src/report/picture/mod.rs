@@ -1,5 +1,6 @@
 //! The picture of a contact.
 
+mod sampling;
 mod surfaces;
 mod words;
 
@@ -7,6 +8,7 @@ use shtaerman::quantity::{Measure, OutputUnits};
 use shtaerman::{Contact, Error, PressureCurve};
 
 use crate::plot::ContactPlot;
+pub(crate) use sampling::{between, refined};
 use surfaces::{Surfaces, shifts};
 pub(crate) use words::load as said_load;
 
@@ -107,9 +109,11 @@ fn neighbourhood(contact: &Contact) -> Option<[f64; 2]> {
 /// The pressure from edge to edge, with points enough in the window.
 fn curve(contact: &Contact, window: Option<[f64; 2]>) -> Result<PressureCurve, Error> {
     let whole = PressureCurve::along(contact, PLOT_POINTS)?;
-    let Some([left, right]) = window else { return Ok(whole) };
     let punch = contact.problem().punch();
     let half_width = punch.half_width();
+    let Some([left, right]) = window else {
+        return refined(contact, whole, [-half_width, half_width]);
+    };
     // The parts of the base that the window shows, wherever they are repeated: a few at most, or all of it.
     let mut parts: Vec<[f64; 2]> = shifts(punch, window)
         .into_iter()
@@ -119,6 +123,9 @@ fn curve(contact: &Contact, window: Option<[f64; 2]>) -> Result<PressureCurve, E
     if parts.len() > FEW {
         parts = vec![[-half_width, half_width]];
     }
+    let shown = parts.iter().fold([half_width, -half_width], |[from, to], [left, right]| {
+        [from.min(*left), to.max(*right)]
+    });
     let more = parts.into_iter().flat_map(|[left, right]| {
         let step = (right - left) / PLOT_POINTS as f64;
         (1..PLOT_POINTS).map(move |index| left + step * index as f64)
@@ -127,7 +134,7 @@ fn curve(contact: &Contact, window: Option<[f64; 2]>) -> Result<PressureCurve, E
     places.retain(|place| place.abs() <= half_width);
     places.sort_by(f64::total_cmp);
     places.dedup();
-    PressureCurve::at(contact, places)
+    refined(contact, PressureCurve::at(contact, places)?, shown)
 }
 
 fn largest(values: &[f64]) -> f64 {

@@ -76,6 +76,13 @@ impl Sheet {
         self.checked = "steep bases and large tilts (small slopes are assumed), pressures that no solid bears or above the yield stress, settlements beyond the half-width, bases wider than machines have, moduli and yield stresses without a unit that are softer than rubber";
     }
 
+    /// That the numbers of the model are those before anything is varied.
+    pub(crate) fn varied(&mut self) {
+        self.model.push_str(
+            "<p>These numbers are those of the file as it stands, before the study varies any of them.</p>",
+        );
+    }
+
     /// That nothing was looked at with the eyes of an engineer, and why.
     pub(crate) fn unchecked(&mut self, why: &'static str) {
         self.unchecked = Some(why);
