@@ -207,3 +207,24 @@ fn titles_of_maps_and_traces_say_what_is_shown() {
     let svg = folder.read("t.svg");
     assert!(svg.contains("<title>Ground ring: as read and as used<") && !svg.contains("deep/"));
 }
+
+/// Waves of the base that are finer than the usual points of a curve: every crest of the pressure is drawn as high as it is.
+#[test]
+fn a_picture_shows_what_is_finer_than_its_usual_points() {
+    let folder = Folder::with(UNILATERAL);
+    let overrides = ["punch.profile=1e-6*cos(30*pi*xi)", "load.force=50 kN/m", "load.moment=0"];
+    let overrides = overrides.map(str::to_owned);
+    let file = shtaerman::file::ProblemFile::open(&folder.path("punch.toml"), &overrides).unwrap();
+    let contact = file.problem().solve().unwrap();
+    let zones = contact.zones();
+    assert_eq!(zones.len(), 30);
+    let drawn = shtaerman_cli::contact_plot(&contact).unwrap().pressure;
+    // The axes are in mm and MPa.
+    for [left, right] in zones {
+        let inside = drawn.iter().filter(|(x, _)| (1e3 * left..=1e3 * right).contains(x));
+        let shown = inside.map(|point| point.1).fold(0.0, f64::max);
+        let steps = (0..=1000).map(|step| left + (right - left) * f64::from(step) / 1000.0);
+        let true_peak = steps.map(|x| contact.pressure(x).unwrap()).fold(0.0, f64::max);
+        assert!((1e6 * shown / true_peak - 1.0).abs() < 0.01, "{shown} of {true_peak}");
+    }
+}

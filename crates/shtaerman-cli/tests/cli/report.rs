@@ -231,3 +231,38 @@ fn without_a_browser_there_is_no_pdf_and_with_one_there_is() {
         eprintln!("no Chromium here: what it prints is not tested");
     }
 }
+
+#[test]
+fn the_model_of_a_report_is_that_of_what_was_found() {
+    let folder = Folder::with(UNILATERAL);
+    let find = ["find", "roughness", "punch.toml", "--settlement", "5 um", "--no-audit"];
+    let html = report(&folder, &find);
+    let found = folder.run(&[&find[..], &["--format", "json"]].concat()).answer();
+    let found: serde_json::Value = serde_json::from_str(&found).unwrap();
+    let roughness = found["value"].as_f64().unwrap();
+    let problem = shtaerman::file::ProblemFile::open(&folder.path("punch.toml"), &[]).unwrap();
+    let before = problem.problem().theta0();
+    // theta0 is inversely proportional to the roughness.
+    let after = before * 1.2e-14 / roughness;
+    let says = |value: f64| {
+        let numbers = html.split("= ").filter_map(|rest| {
+            let end = rest.find(|c: char| c != '.' && !c.is_ascii_digit())?;
+            rest[..end].parse::<f64>().ok()
+        });
+        numbers.into_iter().any(|number| (number / value - 1.0).abs() < 1e-6)
+    };
+    assert!(says(after) && !says(before), "{after} {before}");
+}
+
+#[test]
+fn of_a_disk_the_share_that_touches_is_one_of_area() {
+    let folder = Folder::new();
+    folder.run(&["init", "--geometry", "circular"]).answer();
+    let ring = "punch.profile=1e-6*(1-r/0.0005)";
+    let html = report(&folder, &["solve", "punch.toml", "--no-audit", "--set", ring]);
+    let said = html.split("It touches at radii from ").nth(1).unwrap();
+    let (inner, rest) = said.split_once(" µm to 500 µm: ").unwrap();
+    let share: f64 = rest.split_once(" % of the area").unwrap().0.parse().unwrap();
+    let inner: f64 = inner.parse().unwrap();
+    assert!((share - 100.0 * (1.0 - (inner / 500.0).powi(2))).abs() < 0.06, "{share} {inner}");
+}
