@@ -247,7 +247,7 @@ fn the_model_of_a_report_is_that_of_what_was_found() {
     let says = |value: f64| {
         let numbers = html.split("= ").filter_map(|rest| {
             let end = rest.find(|c: char| c != '.' && !c.is_ascii_digit())?;
-            rest[..end].parse::<f64>().ok()
+            rest[..end].trim_end_matches('.').parse::<f64>().ok()
         });
         numbers.into_iter().any(|number| (number / value - 1.0).abs() < 1e-6)
     };
