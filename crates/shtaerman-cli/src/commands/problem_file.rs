@@ -7,7 +7,7 @@ use shtaerman::document::{Document, FileError, load_bytes, read_bytes};
 use shtaerman::equation::EquationFile;
 use shtaerman::file::{AnyFile, ProblemFile};
 use shtaerman::quantity::{Dimension, OutputUnits};
-use shtaerman::{Contact, Error, Warning};
+use shtaerman::{Contact, Error, Problem, Warning};
 use shtaerman_study::Study;
 
 use super::places;
@@ -207,10 +207,18 @@ const UNAUDITED_SEARCH: f64 = 0.9;
 
 /// Solves the problem, with its audit if that is wanted, or comes as far as the time limit allows.
 pub(super) fn solved(file: &ProblemFile, is_audited: bool) -> Result<Solved, Failure> {
-    let problem = file.problem();
+    solved_as(file, file.problem(), is_audited)
+}
+
+/// The same of the problem of a file with another solver.
+pub(super) fn solved_as(
+    file: &ProblemFile,
+    problem: &Problem,
+    is_audited: bool,
+) -> Result<Solved, Failure> {
     let located = |error| Failure::from(file.locate(error));
     let Some(limit) = problem.solver().time_limit() else {
-        let contact = file.solve()?;
+        let contact = problem.solve().map_err(located)?;
         let audited = if is_audited { contact.audited().map_err(located)? } else { contact };
         return Ok(Solved::Answer(audited));
     };

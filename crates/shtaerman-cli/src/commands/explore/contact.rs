@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 use shtaerman::document::{Document, Table, ValueKind};
 use shtaerman::file::ProblemFile;
 use shtaerman::quantity::{self, Measure, OutputUnits};
-use shtaerman::{Answer, Contact, Errors, Law, PressureCurve, Warning};
+use shtaerman::{Answer, Contact, Error, Errors, Law, PressureCurve, Warning};
 
 use super::asked::{self, Asked};
 use crate::commands::problem_file::{self, Solved};
@@ -19,6 +19,8 @@ pub(super) const POINTS: usize = 201;
 /// Points of the surface beside the punch, on each side, and how far it is drawn, in half-widths.
 const BESIDE: u32 = 40;
 const MARGIN: f64 = 0.6;
+/// The relative error that serves while something moves: less than a pixel, and than the digits that figures show.
+const WHILE_MOVING: f64 = 1e-6;
 
 /// A file and its contact.
 pub(super) struct Solution {
@@ -38,12 +40,29 @@ impl Solution {
 
     /// The same of a file that was read.
     pub(super) fn of(file: ProblemFile, is_audited: bool) -> Result<Self, Failure> {
-        let contact = match problem_file::solved(&file, is_audited)? {
-            Solved::Answer(contact) => contact,
-            Solved::Unfinished(contact, _) => contact,
-        };
+        let solved = problem_file::solved(&file, is_audited)?;
+        Ok(Self::with(file, solved))
+    }
+
+    /// To what is enough while something moves, where the file states no tolerance and that can be met.
+    fn moving(file: ProblemFile) -> Result<Self, Failure> {
+        let solver = file.problem().solver();
+        if solver.tolerance().is_some() {
+            return Self::of(file, false);
+        }
+        let problem = file.problem().with_solver(solver.with_tolerance(WHILE_MOVING)?);
+        let is_short =
+            |error: &Error| error.is_numerical() && !matches!(error, Error::TimeLimit { .. });
+        match problem_file::solved_as(&file, &problem, false) {
+            Err(Failure::Problem(error)) if is_short(&error) => Self::of(file, false),
+            solved => Ok(Self::with(file, solved?)),
+        }
+    }
+
+    fn with(file: ProblemFile, solved: Solved) -> Self {
+        let (Solved::Answer(contact) | Solved::Unfinished(contact, _)) = solved;
         let doubts = file.sense_checks(&contact);
-        Ok(Self { file, contact, doubts })
+        Self { file, contact, doubts }
     }
 
     /// The answer as `solve --format json` writes it, or as its table shows it.
@@ -75,7 +94,7 @@ fn shown(
     file: ProblemFile,
     is_audited: bool,
 ) -> Result<Value, Failure> {
-    let solution = Solution::of(file, is_audited)?;
+    let solution = if is_audited { Solution::of(file, true) } else { Solution::moving(file) }?;
     let (contact, answer) = (&solution.contact, solution.answer(false)?);
     let units = solution.file.units();
     let document = asked.document()?;

@@ -106,3 +106,49 @@ fn kind(document: &Document) -> &'static str {
         (false, false) => "problem",
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use shtaerman_explore::Engine;
+
+    use super::*;
+
+    const CROWNED: &str = "[foundation]\nyoung_modulus = \"200 GPa\"\npoisson_ratio = 0.3\nroughness = \"1 um/GPa\"\n\
+        [punch]\nhalf_width = \"5 mm\"\nprofile = \"x^2/(2*50)\"\n[load]\nforce = \"1 MN/m\"\nmoment = 0\n";
+
+    fn solved(toml: &str, is_audited: bool) -> Value {
+        let body = json!({ "name": "x.toml", "toml": toml, "files": {}, "audit": is_audited });
+        let mut engine = PageEngine::new(Duration::from_secs(20));
+        serde_json::from_slice(&engine.answer("solve", body.to_string().as_bytes())).unwrap()
+    }
+
+    fn settlement(told: &Value) -> f64 {
+        told["answer"]["physical"]["settlement"].as_f64().unwrap_or_else(|| panic!("{told}"))
+    }
+
+    #[test]
+    fn what_moves_is_near_what_is_audited() {
+        let [moving, audited] = [false, true].map(|is_audited| solved(CROWNED, is_audited));
+        let error = (settlement(&moving) / settlement(&audited) - 1.0).abs();
+        assert!(error < 1e-6, "{error:e}");
+        assert_eq!(moving["python"], audited["python"], "the file is shown as it is written");
+    }
+
+    #[test]
+    fn what_cannot_be_met_while_something_moves_is_answered_all_the_same() {
+        let few =
+            format!("{CROWNED}[solver]\ncontact = \"bilateral\"\nmethod = \"spectral\"\nn = 6\n");
+        let moving = solved(&few, false);
+        let error = moving["answer"]["error"]["physical"]["settlement"].as_f64().unwrap();
+        assert!(error > 1e-6 * settlement(&moving), "{error:e}");
+    }
+
+    #[test]
+    fn a_tolerance_of_the_file_counts() {
+        let stated = format!(
+            "{CROWNED}[solver]\ncontact = \"bilateral\"\nmethod = \"spectral\"\nn = 6\ntolerance = 1e-9\n"
+        );
+        let fault = &solved(&stated, false)["fault"];
+        assert_eq!(fault["exit_code"], 3, "{fault}");
+    }
+}

@@ -54,7 +54,9 @@ impl Stressed {
     fn new(solved: &mut Kept, asked: &AskedMap) -> Result<Self, Failure> {
         let file = asked.problem.problem()?;
         file.problem().check_stresses().map_err(|error| file.locate(error))?;
-        let solution = match solved.take().filter(|(known, _)| *known == asked.problem) {
+        // What was solved while something moved serves for that alone.
+        let fits = |(known, _): &(Asked, Solution)| *known == asked.problem && !asked.peaks;
+        let solution = match solved.take().filter(fits) {
             Some((_, solution)) => solution,
             None => Solution::of(file, false)?,
         };
