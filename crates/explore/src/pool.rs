@@ -16,7 +16,7 @@ use crate::lane::{Lane, Place};
 /// Why there is no answer of a worker.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Unanswered {
-    #[error("this took longer than {} s and was ended", .0.as_secs_f64())]
+    #[error("this took longer than {} s and was ended: fewer waves, kinks or measured points take less, and `shtaerman solve` in a terminal waits as long as it takes", .0.as_secs_f64())]
     Late(Duration),
     #[error("too many questions are waiting")]
     Crowded,

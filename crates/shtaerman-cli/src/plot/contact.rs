@@ -6,6 +6,7 @@ use super::colour::Colour;
 use super::figure::{
     Area, Arrangement, Band, Base, Dash, Figure, Layer, LegendPlace, Line, Mark, Panel, Pole,
 };
+use super::layout::{BELOW_INSET, BESIDE_INSET};
 
 /// Most ends of zones that are marked: more would hide the curve.
 const MOST_MARKED: usize = 32;
@@ -63,6 +64,7 @@ impl Plot for ContactPlot {
             panels[0].horizontal.label.clear();
             if !self.whole.is_empty() {
                 panels[0].inset = Some(Box::new(self.inset()));
+                panels[0].vertical.include.extend(self.highest_beside_inset());
             }
             panels.push(self.surface_panel());
         }
@@ -182,6 +184,16 @@ impl ContactPlot {
         layers
     }
 
+    /// What the vertical axis of the pressure must reach so that the curve stays below an inset.
+    fn highest_beside_inset(&self) -> Option<f64> {
+        let [left, right] = self.window?;
+        let from = right - BESIDE_INSET * (right - left);
+        let cut = self.cut();
+        let below = cut.iter().filter(|(x, p)| (from..=right).contains(x) && p.is_finite());
+        let highest = below.map(|point| point.1).fold(0.0, f64::max);
+        (highest > 0.0).then_some(highest / BELOW_INSET)
+    }
+
     /// The whole base with the window in it, as an inset.
     fn inset(&self) -> Panel {
         let mut layers = self.bodies(false);
@@ -210,5 +222,25 @@ impl ContactPlot {
         let mut layers = marked("edges of the punch", &self.edges, Dash::Dashed);
         layers.extend(marked("ends of the contact", &self.contact_ends, Dash::Dotted));
         layers
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_curve_stays_below_an_inset() {
+        let plot = ContactPlot {
+            window: Some([0.0, 1.0]),
+            pressure: vec![(0.0, 9.0), (0.5, 8.0), (0.9, 2.0), (1.0, 1.0)],
+            body_surface: vec![(0.0, 0.0), (1.0, 0.0)],
+            whole: "the whole base".to_owned(),
+            ..ContactPlot::default()
+        };
+        let included = |plot: &ContactPlot| plot.figure().panels[0].vertical.include.clone();
+        assert!(included(&plot).contains(&(2.0 / BELOW_INSET)));
+        let bare = ContactPlot { whole: String::new(), ..plot };
+        assert!(!included(&bare).contains(&(2.0 / BELOW_INSET)));
     }
 }

@@ -198,6 +198,9 @@ impl PanelLayout {
 
 /// Size of an inset as a share of its frame, and the least it may have.
 const INSET: [f64; 2] = [0.32, 0.36];
+/// Shares of a frame from its right end within which an inset stands, and from its lower end below which it and its heading do not reach.
+pub(super) const BESIDE_INSET: f64 = 0.36;
+pub(super) const BELOW_INSET: f64 = 0.5;
 const SMALLEST_INSET: [f64; 2] = [110.0, 50.0];
 
 /// A small panel in the upper right corner of a frame, with its heading above; none where there is no room.
