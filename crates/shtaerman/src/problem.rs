@@ -212,6 +212,19 @@ impl Problem {
         self.frame.scaling().map_or(height, |scaling| height / scaling.displacement())
     }
 
+    /// The same at many places, which must be finite.
+    pub(crate) fn finite_profiles(&self, places: &[f64]) -> Result<Vec<f64>, Error> {
+        let mut heights = self.profile().heights(places, self.frame.half_width());
+        if let Some(scaling) = self.frame.scaling() {
+            let displacement = scaling.displacement();
+            heights.iter_mut().for_each(|height| *height /= displacement);
+        }
+        match heights.iter().position(|height| !height.is_finite()) {
+            Some(place) => self.checked(places[place], heights[place]).map(|_| heights),
+            None => Ok(heights),
+        }
+    }
+
     /// `df0/dxi`.
     pub(crate) fn dimensionless_slope(&self, xi: f64) -> Option<f64> {
         let slope = self.profile().slope(xi, self.frame.half_width())?;

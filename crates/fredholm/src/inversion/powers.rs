@@ -8,7 +8,7 @@
 //! which is Copson's way (E. T. Copson 1947, Proc. Edinburgh Math. Soc. 8; I. N. Sneddon, *Mixed Boundary Value Problems*, 1966).
 
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use libm::tgamma;
 
@@ -46,10 +46,14 @@ pub(crate) struct PowerRule {
 }
 
 impl PowerRule {
-    fn new(exponent: f64) -> Result<Self, Error> {
-        let nodes = crate::quadrature::gauss_power(ORDER, exponent)?;
+    /// For an exponent above -1; of others integrals are no numbers.
+    fn new(exponent: f64) -> Self {
         let plain = |u: f64, weight: f64| (u, weight * u.powf(-exponent));
-        Ok(Self { nodes: nodes.iter().map(|node| plain(node.from_left, node.weight)).collect() })
+        let nodes = match crate::quadrature::gauss_power(ORDER, exponent) {
+            Ok(nodes) => nodes.iter().map(|node| plain(node.from_left, node.weight)).collect(),
+            Err(_) => vec![(f64::NAN, f64::NAN)],
+        };
+        Self { nodes }
     }
 
     /// `int_0^end f`.
@@ -62,8 +66,8 @@ impl PowerRule {
 #[derive(Debug, Clone)]
 pub struct Powers {
     exponent: f64,
-    /// For `x^(mu-1)`, `x^mu` and `x^(mu+1)`; none on a homogeneous body, where all powers are plain.
-    rules: Option<Arc<[PowerRule; 3]>>,
+    /// For `x^(mu-1)`, `x^mu` and `x^(mu+1)`, once they are asked for; none on a homogeneous body, where all powers are plain.
+    rules: Option<Arc<[OnceLock<PowerRule>; 3]>>,
     sines: Arc<SinePower>,
 }
 
@@ -71,20 +75,15 @@ impl Powers {
     /// # Errors
     /// [`Error::InvalidValue`] unless `0 <= mu < 1`.
     pub fn new(exponent: f64) -> Result<Self, Error> {
-        let requirement = "at least 0 and less than 1";
-        if !(0.0..1.0).contains(&exponent) {
+        let requirement = "0, or more than a rounding of 1 and less than 1";
+        if exponent != 0.0 && !(exponent < 1.0 && exponent - 1.0 > -1.0) {
             return Err(Error::InvalidParameter {
                 name: "exponent of grading",
                 value: exponent,
                 requirement,
             });
         }
-        let rules = if exponent > 0.0 {
-            let rule = |shift: f64| PowerRule::new(exponent + shift);
-            Some(Arc::new([rule(-1.0)?, rule(0.0)?, rule(1.0)?]))
-        } else {
-            None
-        };
+        let rules = (exponent > 0.0).then(Arc::default);
         Ok(Self { exponent, rules, sines: Arc::new(SinePower::new(exponent)) })
     }
 
@@ -151,7 +150,8 @@ impl Powers {
     /// The rule for `x^(mu + shift)`, `shift` -1, 0 or 1; none for others.
     fn rule(&self, shift: i32) -> Option<&PowerRule> {
         let index = usize::try_from(shift + 1).ok()?;
-        self.rules.as_ref().and_then(|rules| rules.get(index))
+        let rule = self.rules.as_ref()?.get(index)?;
+        Some(rule.get_or_init(|| PowerRule::new(self.exponent + f64::from(shift))))
     }
 
     /// `int_from^to f`, where `f` at zero is `x^(mu + shift)` times something smooth, or [`PLAIN`].
@@ -160,6 +160,11 @@ impl Powers {
             Some(rule) if from == 0.0 => rule.integral(to, f),
             _ => integral(from, to, f),
         }
+    }
+
+    /// Whether these are those of polynomials.
+    pub(crate) fn is_plain(&self, [from, _]: [f64; 2]) -> bool {
+        self.rules.is_none() || from > 0.0
     }
 
     /// Nodes and weights of that for `x^mu` at zero.

@@ -40,6 +40,16 @@ impl Rule {
         coefficients
     }
 
+    /// The sizes of the last two of these together.
+    pub(crate) fn last(&self, values: &[f64; ORDER]) -> f64 {
+        let size = |n: usize| {
+            let nodes = self.weights.iter().zip(&self.polynomials);
+            let terms = nodes.zip(values).map(|((weight, row), value)| weight * value * row[n]);
+            (n as f64 + 0.5) * terms.sum::<f64>().abs()
+        };
+        size(ORDER - 2) + size(ORDER - 1)
+    }
+
     /// The values at the nodes of a polynomial with these coefficients.
     pub(crate) fn values(&self, coefficients: &[f64; ORDER]) -> [f64; ORDER] {
         self.polynomials.map(|row| row.iter().zip(coefficients).map(|(p, c)| p * c).sum())

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::accuracy::{DEEPEST, NOISE, OF_A_VALUE};
 use super::powers::Powers;
-use super::rule::integral;
+use super::rule::{ORDER, RULE, integral};
 
 /// Panels of an integral at most, and its accuracy over that of what is made of it. At half or twice 6 of 27 answers change, within what they state (survey).
 const MOST_PANELS: usize = 512;
@@ -137,19 +137,29 @@ impl Shape<'_> {
         let mut size = 0.0;
         let mut panels: VecDeque<Panel> = (pieces.iter().enumerate())
             .map(|(piece, &(turn, ends))| {
-                let mut whole = 0.0;
-                for (angle, weight) in self.powers.nodes(turn) {
-                    let term = weight * value(angle, ends);
+                let (mut whole, mut values) = (0.0, [0.0; ORDER]);
+                for ((angle, weight), kept) in self.powers.nodes(turn).into_iter().zip(&mut values)
+                {
+                    *kept = value(angle, ends);
+                    let term = weight * *kept;
                     whole += term;
                     size += term.abs();
                 }
-                Panel { piece, ends: turn, whole, depth: 0, before: f64::INFINITY }
+                // Between joints the slope is one polynomial, and nothing hides from the nodes.
+                let is_told = !self.joints.is_empty() && self.powers.is_plain(turn);
+                let tail =
+                    if is_told { RULE.last(&values) * (turn[1] - turn[0]) } else { f64::INFINITY };
+                Panel { piece, ends: turn, whole, tail, depth: 0, before: f64::INFINITY }
             })
             .collect();
         let agreed = (INNER * self.tolerance).max(OF_A_VALUE) * size + self.noise;
         // The first in, the first out: where there is an end to it, no place is left out.
         let (mut sum, mut halved) = (0.0, 0);
         while let Some(panel) = panels.pop_front() {
+            if panel.tail <= agreed {
+                sum += panel.whole;
+                continue;
+            }
             let halves = panel.halves(&self.powers, |angle| value(angle, pieces[panel.piece].1));
             let both = halves[0].whole + halves[1].whole;
             let difference = (both - panel.whole).abs();
@@ -208,6 +218,8 @@ struct Panel {
     piece: usize,
     ends: [f64; 2],
     whole: f64,
+    /// What its last coefficients add up to, if they tell how well it is known; the rule for polynomials of twice their degree is closer.
+    tail: f64,
     depth: u32,
     /// How much the integral of the panel twice as long changed.
     before: f64,
@@ -221,6 +233,7 @@ impl Panel {
             piece: self.piece,
             ends,
             whole: powers.integral(0, ends, &f),
+            tail: f64::INFINITY,
             depth: self.depth + 1,
             before: self.before,
         })

@@ -33,8 +33,8 @@ impl Panel {
     fn new(ends: [f64; 2], mut values: [f64; ORDER]) -> Self {
         let half = 0.5 * (ends[1] - ends[0]);
         let size = largest(&values);
-        // Of the degree `n` rounding is `2 n + 1` times that of the values: derivatives of the last coefficients would blow it up.
-        let is_more = |n: &usize| values[*n].abs() > f64::EPSILON * (2 * n + 1) as f64 * size;
+        // Derivatives of the last coefficients would blow rounding up.
+        let is_more = |n: &usize| values[*n].abs() > rounding_of(*n) * size;
         let count = (0..ORDER).rev().find(is_more).map_or(0, |last| last + 1);
         values[count..].fill(0.0);
         Self { ends, values, slopes: derivative(&values).map(|c| c / half), count }
@@ -86,14 +86,19 @@ impl Panel {
     }
 }
 
+/// What the coefficient of the degree `n` is rounded by, relative to the values: `2 n + 1` times as much as they are.
+fn rounding_of(n: usize) -> f64 {
+    f64::EPSILON * (2 * n + 1) as f64
+}
+
 /// A panel that may be halved.
 struct Sampled {
     ends: [f64; 2],
     values: [f64; ORDER],
     depth: u32,
-    /// The last coefficients, and those of the panel twice as long.
+    /// The last coefficients, and those of the panel twice as long with its largest coefficient.
     tail: f64,
-    before: f64,
+    before: [f64; 2],
 }
 
 fn sample(shape: &Shape<'_>, kink: f64, [from, to]: [f64; 2]) -> [f64; ORDER] {
@@ -121,20 +126,26 @@ fn leg(x: f64, y: f64) -> f64 {
 
 impl Segment {
     fn new(shape: &Shape<'_>, ends: [f64; 2], size: f64) -> Self {
-        let sampled = |own: [f64; 2], depth: u32, before: f64| {
+        let sampled = |own: [f64; 2], depth: u32, before: [f64; 2]| {
             let values = sample(shape, ends[0], own);
             Sampled { ends: own, values, depth, tail: largest(&values[ORDER - 2..]), before }
         };
-        let first = sampled([0.0, leg(ends[1], ends[0])], 0, f64::INFINITY);
+        let first = sampled([0.0, leg(ends[1], ends[0])], 0, [f64::INFINITY, 1.0]);
         let size = size.max(largest(&first.values));
         let rounded = shape.noise * if shape.part == Symmetry::Odd { 1.0 } else { ends[1] };
         let resolved = |own: f64| shape.tolerance.max(RESOLVED) * own + rounded;
         let noise = (10.0 * shape.tolerance).max(NOISE) * size + rounded;
         let is_open = |panel: &Sampled| {
-            let is_noise = panel.tail >= 0.5 * panel.before && panel.tail <= noise;
-            // Beside the axis G is as small as the power of the base has it, and its slope is divided by the distance.
+            let [before, whole] = panel.before;
+            // Beside the axis G is as small as the power of the base has it, and its slope is divided by the distance: there all is held against its own size, and rounding is what a panel drops.
             let is_beside_axis = ends[0] == 0.0 && panel.ends[0] == 0.0;
             let own = if is_beside_axis { largest(&panel.values) } else { size };
+            let (before, noise) = if is_beside_axis {
+                (before * (own / whole), rounding_of(ORDER - 1) * own + rounded)
+            } else {
+                (before, noise)
+            };
+            let is_noise = panel.tail >= 0.5 * before && panel.tail <= noise;
             let is_settled = panel.tail <= resolved(own) || is_noise;
             !is_settled && panel.depth < DEEPEST && panel.tail.is_finite()
         };
@@ -142,10 +153,12 @@ impl Segment {
         while panels.len() < MOST_PANELS && !(shape.is_over)() {
             let open = panels.iter().enumerate().filter(|(_, panel)| is_open(panel));
             let worst = open.max_by(|one, two| one.1.tail.total_cmp(&two.1.tail));
-            let Some((i, &Sampled { ends: [from, to], depth, tail, .. })) = worst else { break };
-            let middle = 0.5 * (from + to);
-            panels[i] = sampled([from, middle], depth + 1, tail);
-            panels.insert(i + 1, sampled([middle, to], depth + 1, tail));
+            let Some((i, Sampled { ends: [from, to], values, depth, tail, .. })) = worst else {
+                break;
+            };
+            let (middle, depth, before) = (0.5 * (from + to), depth + 1, [*tail, largest(values)]);
+            let halves = [[*from, middle], [middle, *to]].map(|own| sampled(own, depth, before));
+            panels.splice(i..=i, halves);
         }
         let panels = panels.iter().map(|panel| Panel::new(panel.ends, panel.values)).collect();
         Self { ends, panels }
@@ -376,13 +389,23 @@ impl AbelTransform {
         Self { segments, powers: shape.powers.clone(), part: shape.part, is_zero }
     }
 
-    /// The same up to a smaller radius, by the same polynomials: as accurate relative to `G` at the old one. None where it ends in the first part of a segment, whose polynomial says nothing of a share.
+    /// The same up to a smaller radius, by the same polynomials: as accurate relative to `G` at the old one. None where it ends before the middle of the first part of a segment, whose polynomial says nothing of
+    /// a small share.
     #[must_use]
     pub fn within(&self, radius: f64) -> Option<Self> {
+        if self.segments.last().is_some_and(|last| last.ends[1] == radius) {
+            return Some(self.clone());
+        }
         let inside = self.segments.iter().filter(|segment| segment.ends[0] < radius);
         let cut = |segment: &Segment| segment.within(segment.ends[1].min(radius));
         let segments: Vec<Segment> = inside.map(cut).collect();
-        let is_told = segments.last().is_some_and(|last| last.panels.len() > 1);
+        let is_told = |last: &Segment| {
+            let first =
+                self.segments.get(segments.len() - 1).and_then(|whole| whole.panels.first());
+            let reached = last.panels.last().map_or(0.0, |panel| panel.ends[1]);
+            last.panels.len() > 1 || first.is_some_and(|first| reached >= 0.5 * first.ends[1])
+        };
+        let is_told = segments.last().is_some_and(is_told);
         is_told.then(|| Self { segments, ..self.clone() })
     }
 

@@ -206,6 +206,8 @@ mod tests {
                 let x = 0.13 * f64::from(i);
                 let alone = super::super::evaluate::run(&expression.operations, height, |_| x).0;
                 assert_eq!(alone.to_bits(), expression.evaluate(&[x]).to_bits(), "{text}");
+                let [_, beside] = expression.evaluate_beside(&[[0.5, x]]);
+                assert_eq!(alone.to_bits(), beside.to_bits(), "{text}");
             }
         }
     }

@@ -85,6 +85,11 @@ impl Expression {
         self.compiled.run(|index| given(variables, index))
     }
 
+    /// The values for several sets of variables side by side, those of [`evaluate`](Self::evaluate) to the last bit for less.
+    pub fn evaluate_beside<const COUNT: usize>(&self, variables: &[[f64; COUNT]]) -> [f64; COUNT] {
+        self.compiled.run(|index| variables.get(index).copied().unwrap_or([f64::NAN; COUNT]))
+    }
+
     /// The value at a parameter of a line.
     pub fn evaluate_at(&self, line: &Line, t: f64) -> f64 {
         self.compiled.run(|index| line.variable(index, t))

@@ -38,3 +38,22 @@ impl Value for f64 {
         }
     }
 }
+
+/// Numbers side by side, each by itself: reading the program costs as much as most of its operations.
+impl<const COUNT: usize> Value for [f64; COUNT] {
+    fn constant(value: f64) -> Self {
+        [value; COUNT]
+    }
+
+    fn unary(function: Unary, u: Self) -> Self {
+        u.map(|u| function.value(u))
+    }
+
+    fn binary(function: Binary, u: Self, v: Self) -> Self {
+        std::array::from_fn(|k| function.value(u[k], v[k]))
+    }
+
+    fn choose(condition: Self, holds: Self, fails: Self) -> Self {
+        std::array::from_fn(|k| f64::choose(condition[k], holds[k], fails[k]))
+    }
+}

@@ -22,8 +22,11 @@ impl Warning {
     /// The base of a circular punch is not proved to be even; none where it is.
     pub(super) fn evenness_not_proved(problem: &Problem) -> Option<Self> {
         let frame = problem.frame();
+        if !frame.is_circular() {
+            return None;
+        }
         let unevenness = problem.profile().unevenness(frame.half_width(), STAGNANT);
-        if !frame.is_circular() || unevenness.is_negligible() {
+        if unevenness.is_negligible() {
             return None;
         }
         let length = if frame.scaling().is_some() { Dimension::LENGTH } else { Dimension::NONE };

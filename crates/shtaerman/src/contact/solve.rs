@@ -102,7 +102,8 @@ impl Problem {
         let contact = SpectralContact::new(&setting, &series, degree)?;
         let [_, edge] = contact.iterated_edges(&series);
         let found = Found::spectral(contact, Reason::DegreeGiven);
-        let contact = Contact::new(setting, found)?;
+        let of_heights = setting.of_heights(found.solution.as_ref());
+        let contact = Contact::new(setting, found, of_heights)?;
         let [displacement, pressure] = [Scaling::displacement, Scaling::pressure]
             .map(|unit: fn(&Scaling) -> f64| self.frame().scaling().map_or(1.0, unit));
         Ok((contact.with_level(self, level / displacement), edge * pressure))
@@ -116,14 +117,14 @@ fn draw_up(setting: Setting, found: Found) -> Result<Contact, Error> {
     }
     let solution = found.solution.as_ref();
     let (method, profile_error) = (solution.method(), found.profile_error);
-    let of_heights = setting.of_heights(solution).map_or(0.0, |error| error.relative());
-    let reached = solution.relative_error().max(of_heights);
+    let of_heights = setting.of_heights(solution);
+    let reached = solution.relative_error().max(of_heights.map_or(0.0, |error| error.relative()));
     let State { settlement, tilt, .. } = solution.state();
     let solver = *setting.problem().solver();
     Reached { error: reached, method, displacements: [settlement, tilt] }.require_kept(&solver)?;
     require_explained(solution.complementarity(), reached)?;
     let is_unknown = setting.has_unknown_layer();
-    let mut contact = Contact::new(setting, found)?;
+    let mut contact = Contact::new(setting, found, of_heights)?;
     let frame = contact.problem().frame().clone();
     for code in Contact::PLACED {
         contact.warn(contact.placed_warning(code, &OutputUnits::default()));

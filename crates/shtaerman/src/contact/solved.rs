@@ -85,9 +85,12 @@ struct Record {
 }
 
 impl Contact {
-    /// The answer that a solution amounts to.
-    pub(super) fn new(setting: Setting, found: Found) -> Result<Self, Error> {
-        let of_heights = setting.of_heights(found.solution.as_ref());
+    /// The answer that a solution amounts to, with what the rounding of heights makes of it.
+    pub(super) fn new(
+        setting: Setting,
+        found: Found,
+        of_heights: Option<OfHeights>,
+    ) -> Result<Self, Error> {
         let accuracy = of_heights.zip(found.solution.accuracy()).map(|(own, known)| own.or(known));
         Self::with_errors(setting, found, of_heights, accuracy)
     }

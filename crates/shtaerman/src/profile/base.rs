@@ -14,6 +14,9 @@ pub const VARIABLES: [&str; 3] = ["x", "xi", "a"];
 /// Rounding of the ends of a period, relative to its half.
 const END: f64 = 1e-12;
 
+/// Heights of a formula that are taken side by side.
+const BESIDE: usize = 8;
+
 /// Further names for a body of revolution, with the variables that they are the magnitude of.
 const RADIAL: [(&str, usize); 2] = [("r", 0), ("rho", 1)];
 
@@ -144,6 +147,21 @@ impl Profile {
             Shape::Measured(spline) => spline.evaluate(half_width * xi),
             Shape::Function(function) => function.evaluate(half_width * xi),
         }
+    }
+
+    /// The same at many places.
+    pub(crate) fn heights(&self, places: &[f64], half_width: f64) -> Vec<f64> {
+        let Shape::Expression(expression) = &self.shape else {
+            return places.iter().map(|xi| self.height(*xi, half_width)).collect();
+        };
+        let mut heights = Vec::with_capacity(places.len());
+        let (beside, rest) = places.as_chunks::<BESIDE>();
+        for xi in beside {
+            let x = xi.map(|xi| half_width * xi);
+            heights.extend(expression.evaluate_beside(&[x, *xi, [half_width; BESIDE]]));
+        }
+        heights.extend(rest.iter().map(|xi| self.height(*xi, half_width)));
+        heights
     }
 
     /// `df/dxi` of a punch of this half-width, at a kink to the right.

@@ -51,10 +51,10 @@ impl Profile {
             return Unevenness::NONE;
         }
         let places = self.compared(half_width);
-        let height = |xi: f64| self.height(xi, half_width);
+        let mirrored: Vec<f64> = places.iter().map(|xi| -xi).collect();
+        let [right, left] = [&places, &mirrored].map(|places| self.heights(places, half_width));
         let (mut lowest, mut highest, mut found) = (f64::INFINITY, f64::NEG_INFINITY, 0.0f64);
-        for &xi in &places {
-            let (here, there) = (height(xi), height(-xi));
+        for (here, there) in right.into_iter().zip(left) {
             (lowest, highest) = (lowest.min(here).min(there), highest.max(here).max(there));
             found = found.max((here - there).abs());
         }

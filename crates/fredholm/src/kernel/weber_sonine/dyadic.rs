@@ -6,6 +6,8 @@ use crate::basis::{ChebyshevSeries, chebyshev};
 const TERMS: usize = 24;
 /// Coefficients side by side: one chain of dependent operations each.
 const LANES: usize = 4;
+/// Places side by side: their sums fill half of the registers of a processor with vectors of four.
+const BESIDE: usize = 8;
 
 /// The polynomials. One evaluation costs about 10 ns.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,26 +28,75 @@ impl Dyadic {
 
     /// The value at `w` in `(0, 1]`; below the last piece that piece is continued.
     pub(super) fn evaluate(&self, w: f64) -> f64 {
+        let index = self.piece(w);
+        polynomial(&self.pieces[index], local(index, w))
+    }
+
+    /// Puts the values at many places there, the same to the last bit for less: those of a piece that follow each other are taken side by side.
+    #[inline(always)]
+    pub(super) fn evaluate_all(&self, mut places: &mut [f64]) {
+        while let Some(first) = places.first() {
+            let index = self.piece(*first);
+            let count = places.iter().take_while(|w| self.piece(**w) == index).count();
+            let (own, others) = places.split_at_mut(count);
+            own.iter_mut().for_each(|w| *w = local(index, *w));
+            polynomials(&self.pieces[index], own);
+            places = others;
+        }
+    }
+
+    #[inline(always)]
+    fn piece(&self, w: f64) -> usize {
         // 1/2 <= w < 1 has the biased exponent 1022.
         let exponent = 1022_usize.saturating_sub((w.to_bits() >> 52) as usize);
-        let index = exponent.min(self.pieces.len() - 1);
-        let scale = f64::from_bits((1025 + index as u64) << 52);
-        let u = w * scale - 3.0;
-        polynomial(&self.pieces[index], u)
+        exponent.min(self.pieces.len() - 1)
     }
 }
 
+/// `u` of a piece.
+#[inline(always)]
+fn local(piece: usize, w: f64) -> f64 {
+    w * f64::from_bits((1025 + piece as u64) << 52) - 3.0
+}
+
 /// `sum_n c_n u^n` with the coefficients `c_n` row by row.
+#[inline(always)]
 pub(super) fn polynomial<const ROWS: usize>(rows: &[[f64; LANES]; ROWS], u: f64) -> f64 {
-    let square = u * u;
-    let fourth = square * square;
-    let mut sums = [0.0; LANES];
+    let mut sum = [u];
+    polynomials_of(rows, &mut sum);
+    sum[0]
+}
+
+/// Puts the sums at many places there, those of [`polynomial`] to the last bit.
+#[inline(always)]
+pub(super) fn polynomials<const ROWS: usize>(rows: &[[f64; LANES]; ROWS], places: &mut [f64]) {
+    let (blocks, rest) = places.as_chunks_mut::<BESIDE>();
+    blocks.iter_mut().for_each(|block| polynomials_of(rows, block));
+    rest.iter_mut().for_each(|u| *u = polynomial(rows, *u));
+}
+
+#[inline(always)]
+fn polynomials_of<const ROWS: usize, const COUNT: usize>(
+    rows: &[[f64; LANES]; ROWS],
+    places: &mut [f64; COUNT],
+) {
+    let (mut squares, mut fourths) = ([0.0; COUNT], [0.0; COUNT]);
+    for k in 0..COUNT {
+        squares[k] = places[k] * places[k];
+        fourths[k] = squares[k] * squares[k];
+    }
+    let mut sums = [[0.0; COUNT]; LANES];
     for row in rows.iter().rev() {
-        for (sum, c) in sums.iter_mut().zip(row) {
-            *sum = *sum * fourth + c;
+        for (sums, c) in sums.iter_mut().zip(row) {
+            for (sum, fourth) in sums.iter_mut().zip(&fourths) {
+                *sum = *sum * fourth + c;
+            }
         }
     }
-    (sums[0] + sums[1] * u) + (sums[2] + sums[3] * u) * square
+    for (k, u) in places.iter_mut().enumerate() {
+        let [zero, one, two, three] = [sums[0][k], sums[1][k], sums[2][k], sums[3][k]];
+        *u = (zero + one * *u) + (two + three * *u) * squares[k];
+    }
 }
 
 /// The coefficients of the powers of `u` in the polynomial through the values of a function at Chebyshev points of `[-1, 1]`, row by row; it loses no more

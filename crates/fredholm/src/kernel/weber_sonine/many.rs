@@ -1,7 +1,7 @@
 //! The kernel between one point and many others, with all logarithms at once.
 
 use super::coefficients::Coefficients;
-use super::dyadic::polynomial;
+use super::dyadic::polynomials;
 use super::value::Tables;
 use crate::linear::vectorised;
 use crate::special::logarithms;
@@ -9,7 +9,7 @@ use crate::special::logarithms;
 /// Points that are taken at once.
 const CHUNK: usize = 64;
 
-/// Points beside one that is not 0, none of them 0 either.
+/// Points beside one that is not 0, none of them 0 either: room that is filled again and again, as moving it takes as long as the kernel.
 struct Chunk {
     count: usize,
     /// The larger of the two.
@@ -20,38 +20,50 @@ struct Chunk {
     /// The distance over the larger one, and `delta^2/4`.
     apart: [f64; CHUNK],
     quarters: [f64; CHUNK],
-    /// `ln` of the larger one, and `|ln(x/s)|`; 0 where nobody asks for them.
+    /// `ln` of the larger one, and `|ln(x/s)|`; of no meaning where nobody asks for them.
     heights: [f64; CHUNK],
     ratios: [f64; CHUNK],
 }
 
 impl Chunk {
-    fn new(x: f64, points: &[f64], distances: &[f64], has_logarithms: bool) -> Self {
-        let [larger, shares, roots, apart, quarters] = [[1.0; CHUNK]; 5];
-        let [heights, ratios] = [[0.0; CHUNK]; 2];
+    fn empty() -> Self {
+        const NOTHING: [f64; CHUNK] = [0.0; CHUNK];
+        Self {
+            count: 0,
+            larger: NOTHING,
+            shares: NOTHING,
+            roots: NOTHING,
+            apart: NOTHING,
+            quarters: NOTHING,
+            heights: NOTHING,
+            ratios: NOTHING,
+        }
+    }
+
+    fn fill(&mut self, x: f64, points: &[f64], distances: &[f64], has_logarithms: bool) {
         let count = points.len();
-        let mut all = Self { count, larger, shares, roots, apart, quarters, heights, ratios };
+        self.count = count;
         vectorised(
             #[inline(always)]
             || {
                 for (k, (s, distance)) in points.iter().zip(distances).enumerate() {
                     let (larger, smaller) = (x.max(*s), x.min(*s));
-                    all.larger[k] = larger;
-                    all.shares[k] = smaller / larger;
-                    all.roots[k] = all.shares[k].sqrt();
-                    all.apart[k] = distance / larger;
-                    all.quarters[k] = 0.25 * all.apart[k] * (distance / smaller);
+                    self.larger[k] = larger;
+                    self.shares[k] = smaller / larger;
+                    self.roots[k] = self.shares[k].sqrt();
+                    self.apart[k] = distance / larger;
+                    self.quarters[k] = 0.25 * self.apart[k] * (distance / smaller);
                 }
             },
         );
         if has_logarithms {
-            all.heights = all.larger;
-            all.ratios = all.shares;
-            logarithms(&mut all.heights[..count]);
-            logarithms(&mut all.ratios[..count]);
-            all.ratios.iter_mut().for_each(|ratio| *ratio = -*ratio);
+            let (heights, ratios) = (&mut self.heights[..count], &mut self.ratios[..count]);
+            heights.copy_from_slice(&self.larger[..count]);
+            ratios.copy_from_slice(&self.shares[..count]);
+            logarithms(heights);
+            logarithms(ratios);
+            ratios.iter_mut().for_each(|ratio| *ratio = -*ratio);
         }
-        all
     }
 }
 
@@ -64,12 +76,13 @@ impl Tables {
         values: &mut [f64],
         mut factors: Option<&mut [f64]>,
     ) {
+        let mut room = Chunk::empty();
         for (chunk, values) in values.chunks_mut(CHUNK).enumerate() {
             let part = chunk * CHUNK..chunk * CHUNK + values.len();
             let factors = factors.as_deref_mut().map(|all| &mut all[part.clone()]);
             let (points, distances) = (&points[part.clone()], &distances[part]);
             if x > 0.0 && points.iter().all(|s| *s > 0.0) {
-                self.some(x, (points, distances), values, factors);
+                self.some(x, (points, distances), values, factors, &mut room);
                 continue;
             }
             let mut unwanted = [0.0; CHUNK];
@@ -88,21 +101,29 @@ impl Tables {
         (points, distances): (&[f64], &[f64]),
         values: &mut [f64],
         factors: Option<&mut [f64]>,
+        chunk: &mut Chunk,
     ) {
         let Coefficients { order, exponent, .. } = self.coefficients;
         let is_scaled = order != 0.0 || exponent != 0.0;
-        let chunk = Chunk::new(x, points, distances, factors.is_some() || is_scaled);
+        chunk.fill(x, points, distances, factors.is_some() || is_scaled);
+        let chunk = &*chunk;
         let mut series = [0.0; CHUNK];
-        self.near(&chunk, &mut series, values);
+        self.near(chunk, &mut series, values);
         vectorised(
             #[inline(always)]
             || {
-                for (k, value) in values.iter_mut().enumerate() {
-                    if !self.is_near(chunk.quarters[k]) {
-                        let rest_of_square = chunk.apart[k] * (1.0 + chunk.shares[k]);
-                        *value =
-                            self.far_strength * self.far.evaluate(rest_of_square) / chunk.larger[k];
+                let mut start = 0;
+                while start < chunk.count {
+                    let near = |k: &usize| self.is_near(chunk.quarters[*k]);
+                    let end = (start..chunk.count).find(near).unwrap_or(chunk.count);
+                    for (k, value) in (start..end).zip(&mut values[start..end]) {
+                        *value = chunk.apart[k] * (1.0 + chunk.shares[k]);
                     }
+                    self.far.evaluate_all(&mut values[start..end]);
+                    for (k, value) in (start..end).zip(&mut values[start..end]) {
+                        *value = self.far_strength * *value / chunk.larger[k];
+                    }
+                    start = end + 1;
                 }
             },
         );
@@ -116,7 +137,7 @@ impl Tables {
         values.iter_mut().for_each(|value| *value = value.min(f64::MAX));
         let Some(factors) = factors else { return };
         for (k, factor) in factors.iter_mut().enumerate() {
-            *factor = self.factor_of(&chunk, k, series[k]);
+            *factor = self.factor_of(chunk, k, series[k]);
         }
     }
 
@@ -140,9 +161,10 @@ impl Tables {
                 for k in near.clone() {
                     // |x - s|/sqrt(x s)
                     sizes[k] = chunk.apart[k] / chunk.roots[k];
-                    series[k] = polynomial(&self.near, chunk.quarters[k]);
-                    differences[k] = polynomial(&self.difference, chunk.quarters[k]);
+                    (series[k], differences[k]) = (chunk.quarters[k], chunk.quarters[k]);
                 }
+                polynomials(&self.near, &mut series[near.clone()]);
+                polynomials(&self.difference, &mut differences[near.clone()]);
             },
         );
         logarithms(&mut sizes[near.clone()]);

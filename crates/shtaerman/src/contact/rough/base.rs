@@ -60,10 +60,10 @@ fn samples(problem: &Problem, pieces: &[[f64; 2]]) -> Result<Vec<(f64, f64)>, Er
             let height = |xi| problem.dimensionless_profile(xi);
             steps = valleys::steps(height, [*left, *right], steps, MOST_SAMPLES);
         }
-        for i in 0..=steps {
-            let xi = left + (right - left) * i as f64 / steps as f64;
-            samples.push((xi, problem.finite_profile(xi)?));
-        }
+        let place = |i: usize| left + (right - left) * i as f64 / steps as f64;
+        let places: Vec<f64> = (0..=steps).map(place).collect();
+        let heights = problem.finite_profiles(&places)?;
+        samples.extend(places.into_iter().zip(heights));
     }
     Ok(samples)
 }

@@ -106,7 +106,7 @@ impl Base {
             tolerance: if is_rounded { MEASURED } else { 0.0 },
             samples: Vec::new(),
         };
-        base.balanced()?.seen()
+        base.balanced()?.sampled()?.seen()
     }
 
     /// The wave from a place that becomes `-1` and `1`; its own seam is a break where it bends there.
@@ -121,7 +121,22 @@ impl Base {
         let (breaks, joints) =
             (moved(&self.breaks, has_seam.then_some(1.0)), moved(&self.joints, None));
         let walls = Walls::of(&self.pieces);
-        Self { shift, breaks, joints, walls, ..self.clone() }.seen()
+        let turned = Self { shift, breaks, joints, walls, ..self.clone() };
+        turned.moved().seen()
+    }
+
+    /// With the samples where they lie from here, and both ends.
+    fn moved(mut self) -> Self {
+        let ends = [-1.0, 1.0].map(|end| (end, self.height(end)));
+        for piece in &mut self.samples {
+            // The first and the last are one.
+            let kept = piece.iter().skip(1).map(|(xi, height)| (wrapped(xi - self.shift), *height));
+            let inside = kept.filter(|(xi, _)| -1.0 < *xi && *xi < 1.0);
+            let mut moved: Vec<Sample> = inside.chain(ends).collect();
+            moved.sort_by(|one, two| one.0.total_cmp(&two.0));
+            *piece = moved;
+        }
+        self
     }
 
     /// The same under a force.
@@ -130,10 +145,8 @@ impl Base {
         Self { load, ..self.clone() }
     }
 
-    /// With samples, hollow kinks and steps; refuses a base that is clear of the body, and a step where all is kept in contact.
+    /// With hollow kinks and steps; refuses a base that is clear of the body, and a step where all is kept in contact.
     fn seen(mut self) -> Result<Self, Error> {
-        self.samples =
-            self.pieces.iter().map(|piece| self.sampled(*piece)).collect::<Result<_, _>>()?;
         let problem = self.setting.problem();
         let is_hollow =
             |at: &&f64| jump(problem, self.own(**at)).is_some_and(|jump| jump.is_hollow());
@@ -153,13 +166,19 @@ impl Base {
         if self.setting.is_unilateral() && is_clear() { Err(Error::NoContact) } else { Ok(self) }
     }
 
-    /// Heights of a piece, which must be finite.
-    fn sampled(&self, [left, right]: [f64; 2]) -> Result<Vec<Sample>, Error> {
-        let height = |xi: f64| self.height(xi);
-        let steps = valleys::steps(height, [left, right], SAMPLES, MOST_SAMPLES);
-        let place = |i: usize| left + (right - left) * i as f64 / steps as f64;
+    /// With the heights of all pieces, which must be finite.
+    fn sampled(mut self) -> Result<Self, Error> {
         let problem = self.setting.problem();
-        (0..=steps).map(place).map(|xi| Ok((xi, problem.checked(xi, height(xi))?))).collect()
+        let of = |&[left, right]: &[f64; 2]| {
+            let height = |xi: f64| self.height(xi);
+            let steps = valleys::steps(height, [left, right], SAMPLES, MOST_SAMPLES);
+            let place = |i: usize| left + (right - left) * i as f64 / steps as f64;
+            let places: Vec<f64> = (0..=steps).map(place).collect();
+            let heights = problem.finite_profiles(&places)?;
+            Ok(places.into_iter().zip(heights).collect())
+        };
+        self.samples = self.pieces.iter().map(of).collect::<Result<_, Error>>()?;
+        Ok(self)
     }
 
     /// Leaves out of the load what a geometry answers elsewhere, and refuses what no contact can balance.

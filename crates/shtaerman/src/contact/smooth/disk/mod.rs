@@ -39,6 +39,9 @@ use slopes::Slopes;
 use solved::Solved;
 use tilt::require_contact;
 
+/// In the answer a transform serves radii that are smaller by this share, so that steps to the edge do not ask for one each: it is known to its rounding at its own end, and falls by no more than a few times this (theory).
+const NEARBY: f64 = 1e-6;
+
 /// The contact of a circular punch.
 pub(super) fn solve(base: Arc<Base>) -> Result<Arc<dyn Solution>, Error> {
     let disk = Disk::new(base)?;
@@ -70,7 +73,7 @@ pub(super) struct Disk {
     work: Work,
     /// The slope of a formula; none of a base whose slope is told at once.
     slopes: OnceCell<Option<Slopes>>,
-    /// The transform over the whole base, and the last one up to a radius of its own.
+    /// The transform over the whole base, and the last one up to less.
     whole: OnceCell<AbelTransform>,
     latest: RefCell<Option<(f64, Arc<AbelTransform>)>>,
 }
@@ -107,19 +110,34 @@ impl Disk {
         Error::Rings { variable: frame.coordinate(), at: at * frame.half_width(), found }
     }
 
-    /// The transform up to a radius: its own, or while zones are looked for a part of the one over the whole base.
+    /// The transform up to a radius: while zones are looked for a part of the one over the whole base where that tells it, else of the last one that reached hardly farther.
     fn transform(&self, radius: f64, is_own: bool) -> Arc<AbelTransform> {
         let up_to = |radius: f64| self.with_shape(|shape| AbelTransform::new(shape, radius));
         let part = || self.whole.get_or_init(|| up_to(1.0)).within(radius);
         if let Some(part) = if is_own { None } else { part() } {
             return Arc::new(part);
         }
-        // While the edges of rings move that of the disk often rests.
+        let share = if is_own { 1.0 - NEARBY } else { 0.5 };
         let mut latest = self.latest.borrow_mut();
-        match &*latest {
-            Some((known, transform)) if *known == radius => Arc::clone(transform),
-            _ => Arc::clone(&latest.insert((radius, Arc::new(up_to(radius)))).1),
+        let known = latest.as_ref().filter(|(far, _)| share * far <= radius && radius <= *far);
+        // While the edges of rings move that of the disk often rests.
+        if let Some((far, transform)) = known
+            && let Some(part) = if *far == radius {
+                Some(Arc::clone(transform))
+            } else {
+                transform.within(radius).map(Arc::new)
+            }
+        {
+            return part;
         }
+        let far = (radius / share).min(1.0);
+        let transform = Arc::new(up_to(far));
+        let part = transform.within(radius).map(Arc::new);
+        // Where a kink lies between that tells nothing of the radius.
+        let (far, transform) =
+            if part.is_some() { (far, transform) } else { (radius, Arc::new(up_to(radius))) };
+        *latest = Some((far, Arc::clone(&transform)));
+        part.unwrap_or(transform)
     }
 
     fn slope(&self, r: f64) -> f64 {
