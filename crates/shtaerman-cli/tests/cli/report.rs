@@ -231,3 +231,15 @@ fn without_a_browser_there_is_no_pdf_and_with_one_there_is() {
         eprintln!("no Chromium here: what it prints is not tested");
     }
 }
+
+/// A smooth punch has two corners, and an error near none of them.
+#[test]
+fn both_edges_of_a_smooth_punch_are_named() {
+    let folder = Folder::with(UNILATERAL);
+    let smooth = ["--set", "foundation.roughness=0", "--set", "punch.profile=0"];
+    let html = report(&folder, &[&["solve", "punch.toml"][..], &smooth].concat());
+    assert!(html.contains("the pressure is infinite at both edges."), "{html}");
+    assert!(html.contains("of the truth in the middle of the contact"), "{html}");
+    let html = report(&folder, &["solve", "punch.toml"]);
+    assert!(html.contains("of the truth everywhere"), "{html}");
+}
