@@ -250,7 +250,7 @@ class Contact:
 
     @property
     def peak_pressure_at(self) -> float:
-        """Its place (m); of equal ones the leftmost."""
+        """Its place (m); of equal ones the leftmost, of -r and r under a circular punch, which are one, either."""
         return self._engine.peak_pressure_at
 
     @property

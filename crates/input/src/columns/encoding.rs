@@ -13,8 +13,10 @@ const SAMPLE: usize = 4096;
 /// Without a label it is told by a byte order mark, by the zeros of UTF-16, or by being UTF-8; the rest is read as Windows-1252, whose numbers are those of every encoding that
 /// contains ASCII: only letters beyond ASCII, as in a header, may then be others.
 ///
+/// Lines that end with carriage returns alone, as those of some instruments do, end with line feeds in the text.
+///
 /// # Errors
-/// What is wrong, as a text that reads on after the name of the file: a label that names no encoding, bytes that the named encoding does not have.
+/// What is wrong, as a text that reads on after the name of the file: a label that names no encoding, bytes that the named encoding does not have, UTF-32.
 pub fn decode<'b>(
     bytes: &'b [u8],
     label: Option<&str>,
@@ -26,13 +28,27 @@ pub fn decode<'b>(
                 crate::shortened(label, 40)
             )
         })?,
+        None if is_utf_32(bytes) => {
+            return Err("is UTF-32, which is not read: save it as UTF-8".to_owned());
+        }
         None => told(bytes),
     };
     let (text, used, is_faulty) = encoding.decode(bytes);
     if is_faulty {
         return Err(format!("is not text in the encoding {}", used.name()));
     }
+    let has_returns_alone = text.contains('\r') && !text.contains('\n');
+    let text = if has_returns_alone { text.replace('\r', "\n").into() } else { text };
     Ok((text, used.name()))
+}
+
+/// Whether of each four bytes two beside each other are zero, as those of ASCII in UTF-32 are, and of no other text: that of UTF-16 has zeros at every second place.
+fn is_utf_32(bytes: &[u8]) -> bool {
+    let sample = &bytes[..bytes.len().min(SAMPLE)];
+    let are_zero = |places: [usize; 2]| {
+        sample.chunks_exact(4).all(|four| places.iter().all(|&at| four[at] == 0))
+    };
+    sample.len() >= 4 && (are_zero([2, 3]) || are_zero([0, 1]))
 }
 
 /// The encoding by what the bytes show.
@@ -77,6 +93,24 @@ mod tests {
         ] {
             let (read, told) = decode(bytes, None).unwrap();
             assert_eq!((read.as_ref(), told), (text, name));
+        }
+    }
+
+    #[test]
+    fn returns_alone_end_lines_and_utf_32_is_told() {
+        let (text, _) = decode(b"x,f\r1,2\r3,4\r", None).unwrap();
+        assert_eq!(text.lines().collect::<Vec<_>>(), ["x,f", "1,2", "3,4"]);
+        // A return before a line feed belongs to it.
+        assert_eq!(decode(b"x\r\n1\r\n", None).unwrap().0, "x\r\n1\r\n");
+        let wide = |bytes: fn(u32) -> [u8; 4], mark: &[char]| -> Vec<u8> {
+            let text = mark.iter().copied().chain("Höhe\n1,2\n".chars());
+            text.flat_map(|letter| bytes(letter as u32)).collect()
+        };
+        for mark in [&[][..], &['\u{feff}']] {
+            for bytes in [u32::to_le_bytes, u32::to_be_bytes] {
+                let said = decode(&wide(bytes, mark), None).unwrap_err();
+                assert_eq!(said, "is UTF-32, which is not read: save it as UTF-8");
+            }
         }
     }
 

@@ -207,7 +207,13 @@ impl Columns {
             }
             Column::Named(name) => named(header, name),
         };
-        Ok([index(&columns[0])?, index(&columns[1])?])
+        let chosen = [index(&columns[0])?, index(&columns[1])?];
+        if chosen[0] == chosen[1] {
+            let [first, second] = self.names;
+            let number = chosen[0] + 1;
+            return Err(format!("column {number} is asked for as {first} and as {second}"));
+        }
+        Ok(chosen)
     }
 
     /// Units that a header has are those in which the numbers are read.
@@ -392,6 +398,9 @@ mod tests {
             let error = columns.sheet(text.as_bytes(), "a.csv", &dialect(x, Column::Number(4)));
             assert_eq!(error.unwrap_err().to_string(), said);
         }
+        let same = dialect(Column::Number(2), Column::Named("Position".to_owned()));
+        let said = columns.sheet(text.as_bytes(), "a.csv", &same).unwrap_err().to_string();
+        assert_eq!(said, "a.csv: line 2: column 2 is asked for as position and as height");
         let plain = Dialect { skip: 1, chosen_by: "x_column and f_column", ..Dialect::default() };
         let said = columns.sheet(text.as_bytes(), "a.csv", &plain).unwrap_err().to_string();
         assert!(said.ends_with("got 4: x_column and f_column say which are meant"), "{said}");

@@ -16,12 +16,12 @@ impl Document {
     ///
     /// `text` is read as a TOML value if it is one (`5`, `true`, `"flat"`, `[1, 2]`), and is taken as
     /// a string otherwise (`1 MN/m`, `x^2/2`). Tables on the way are made; where a plain value stood
-    /// (`punch.profile = "flat"` under `punch.profile.csv`) a table takes its place. Key parts are
-    /// bare: letters, digits, `_` and `-`.
+    /// (`punch.profile = "flat"` under `punch.profile.csv`) a table takes its place, and a plain value
+    /// that of a table below the top. Key parts are bare: letters, digits, `_` and `-`.
     ///
     /// # Errors
-    /// If the key is malformed, goes through an array, or names a table while the value is none; if
-    /// the value has a number that is not finite. The document is then unchanged.
+    /// If the key is malformed, goes through an array, or names a table at the top while the value is
+    /// none; if the value has a number that is not finite. The document is then unchanged.
     ///
     /// ```
     /// use shtaerman_input::document::Document;
@@ -158,7 +158,9 @@ fn insert(
         let ValueKind::Table(inner) = &mut entry.value.kind else { return Ok(()) };
         table = inner;
     }
-    if let Some(ValueKind::Table(old)) = table.get(last).map(Value::kind)
+    // A table at the top is a section, and nothing else can be one; elsewhere whoever reads the key knows what it may be.
+    if path.is_empty()
+        && let Some(ValueKind::Table(old)) = table.get(last).map(Value::kind)
         && !matches!(value.kind, ValueKind::Table(_))
     {
         return Err(table_replaced(old, &parts.join("."), &value));

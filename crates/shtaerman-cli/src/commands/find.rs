@@ -2,8 +2,8 @@
 
 use shtaerman::file::ProblemFile;
 use shtaerman::inverse::{self, Found, Goal, Normalisation};
-use shtaerman::quantity::Dimension;
-use shtaerman::{Contact, Error, Warning};
+use shtaerman::quantity::{self, Dimension};
+use shtaerman::{Contact, Error, Warning, WarningCode};
 
 use super::sheet::{self, ReportFile};
 use super::{places, problem_file};
@@ -18,6 +18,9 @@ use crate::output::{Content, Outputs};
 use crate::plot::{Arrangement, Curve, CurvePanel, CurveScaling, CurvesPlot, Size};
 use crate::report::{CrownReport, Entry, FoundReport, ShapedReport, Sheet, Told};
 
+/// The option of a pressure that is wanted.
+const PEAK_PRESSURE: &str = "--peak-pressure";
+
 pub(super) fn run(arguments: &FindArguments) -> Result<(), Failure> {
     match &arguments.unknown {
         Unknown::Force(arguments) => force(arguments),
@@ -30,7 +33,9 @@ pub(super) fn run(arguments: &FindArguments) -> Result<(), Failure> {
 fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
     let report_file = ReportFile::of(&arguments.report)?;
     let file = read(&arguments.problem, &arguments.units, &arguments.output, report_file.as_ref())?;
-    problem_file::check_input(&file, &arguments.sense, arguments.output.is_table())?;
+    let doubt = doubt(&file, arguments.peak_pressure.as_deref());
+    let input = [file.input_checks(), doubt.clone()].concat();
+    problem_file::check_doubts(input, &arguments.sense, arguments.output.is_table())?;
     let FindForceArguments { peak_pressure, contact_width, .. } = arguments;
     let goal = goal(&file, [peak_pressure, contact_width, &None])?;
     let given = given([peak_pressure, contact_width, &None]);
@@ -38,7 +43,7 @@ fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
     let found = audited(&file, found, arguments.no_audit)?;
     let name = problem_file::name(&arguments.problem.file);
     let mut report = FoundReport::force(file.problem(), &found, file.units());
-    let warnings = warnings(&file, &found.contact, &arguments.sense)?;
+    let warnings = warnings(&file, &found.contact, doubt, &arguments.sense)?;
     say(&arguments.output, &warnings);
     report.warn(warnings);
     let sheet = || {
@@ -58,7 +63,9 @@ fn force(arguments: &FindForceArguments) -> Result<(), Failure> {
 fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
     let report_file = ReportFile::of(&arguments.report)?;
     let file = read(&arguments.problem, &arguments.units, &arguments.output, report_file.as_ref())?;
-    problem_file::check_input(&file, &arguments.sense, arguments.output.is_table())?;
+    let doubt = doubt(&file, arguments.peak_pressure.as_deref());
+    let input = [file.input_checks(), doubt.clone()].concat();
+    problem_file::check_doubts(input, &arguments.sense, arguments.output.is_table())?;
     let FindRoughnessArguments { peak_pressure, contact_width, settlement, .. } = arguments;
     let goal = goal(&file, [peak_pressure, contact_width, settlement])?;
     let given = given([peak_pressure, contact_width, settlement]);
@@ -66,7 +73,7 @@ fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
     let found = audited(&file, found, arguments.no_audit)?;
     let name = problem_file::name(&arguments.problem.file);
     let mut report = FoundReport::roughness(file.problem(), &found, file.units());
-    let warnings = warnings(&file, &found.contact, &arguments.sense)?;
+    let warnings = warnings(&file, &found.contact, doubt, &arguments.sense)?;
     say(&arguments.output, &warnings);
     report.warn(warnings);
     let sheet = || {
@@ -86,11 +93,13 @@ fn roughness(arguments: &FindRoughnessArguments) -> Result<(), Failure> {
 fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
     let report_file = ReportFile::of(&arguments.report)?;
     let file = read(&arguments.problem, &arguments.units, &arguments.output, report_file.as_ref())?;
-    problem_file::check_input(&file, &arguments.sense, arguments.output.is_table())?;
+    let doubt = doubt(&file, arguments.peak_pressure.as_deref());
+    let input = [file.input_checks(), doubt.clone()].concat();
+    problem_file::check_doubts(input, &arguments.sense, arguments.output.is_table())?;
     let limit = arguments
         .peak_pressure
         .as_deref()
-        .map(|text| positive(&file, "--peak-pressure", text, Dimension::PRESSURE))
+        .map(|text| positive(&file, PEAK_PRESSURE, text, Dimension::PRESSURE))
         .transpose()?;
     let mut crown = located(&file, inverse::crown(file.problem(), limit))?;
     if !arguments.no_audit {
@@ -101,7 +110,7 @@ fn crown(arguments: &FindCrownArguments) -> Result<(), Failure> {
         }
     }
     let name = problem_file::name(&arguments.problem.file);
-    let warnings = warnings(&file, &crown.best.contact, &arguments.sense)?;
+    let warnings = warnings(&file, &crown.best.contact, doubt, &arguments.sense)?;
     say(&arguments.output, &warnings);
     let report = CrownReport::new(&crown, file.units(), warnings);
     let sheet = || {
@@ -185,7 +194,7 @@ fn of_contact(
 /// What was wanted, as inputs of a report.
 fn given([peak_pressure, contact_width, settlement]: [&Option<String>; 3]) -> Vec<Entry> {
     sheet::options(&[
-        ("--peak-pressure", peak_pressure.as_deref()),
+        (PEAK_PRESSURE, peak_pressure.as_deref()),
         ("--contact-width", contact_width.as_deref()),
         ("--settlement", settlement.as_deref()),
     ])
@@ -216,10 +225,26 @@ fn located<T>(file: &ProblemFile, result: Result<T, Error>) -> Result<T, Failure
 fn warnings(
     file: &ProblemFile,
     contact: &Contact,
+    of_goal: Vec<Warning>,
     sense: &SenseArguments,
 ) -> Result<Vec<Warning>, Failure> {
     let doubts = problem_file::doubts(file, contact, sense)?;
-    Ok([contact.warnings_in(file.units()), doubts].concat())
+    Ok([contact.warnings_in(file.units()), doubts, of_goal].concat())
+}
+
+/// A pressure that is wanted and has no unit, below any that would be sought in pascals: as low as a yield stress that is doubted.
+fn doubt(file: &ProblemFile, text: Option<&str>) -> Vec<Warning> {
+    let is_physical = !file.problem().is_dimensionless();
+    let read = text.filter(|_| is_physical).and_then(|text| quantity::parse(text).ok());
+    let bare = read.filter(|read| !read.unit_written()).map(|read| read.value);
+    let low = bare.filter(|value| Warning::low_yield_stress(PEAK_PRESSURE, *value).is_some());
+    let doubt = |value| Warning {
+        code: WarningCode::UnknownUnit,
+        message: format!(
+            "{PEAK_PRESSURE} = {value} has no unit and is taken in Pa, far below what metals bear: is \"{value} MPa\" meant?"
+        ),
+    };
+    low.map(doubt).into_iter().collect()
 }
 
 /// Says the warnings that the result itself does not show.
@@ -244,7 +269,7 @@ fn goal(
     [peak_pressure, contact_width, settlement]: [&Option<String>; 3],
 ) -> Result<Goal, Failure> {
     if let Some(text) = peak_pressure {
-        let value = positive(file, "--peak-pressure", text, Dimension::PRESSURE)?;
+        let value = positive(file, PEAK_PRESSURE, text, Dimension::PRESSURE)?;
         return Ok(Goal::PeakPressure(value));
     }
     if let Some(text) = contact_width {

@@ -33,6 +33,23 @@ pub(super) fn run(arguments: &InitArguments) -> Result<(), Failure> {
     }
     let schema = if arguments.equation { SchemaName::EquationFile } else { SchemaName::Problem };
     let beside = path.with_file_name(schema::file_name(schema));
+    // Comments name the file as it is called.
+    let stem = Path::new(usual).with_extension("");
+    let text = match path.file_stem() {
+        Some(called) => {
+            let named = |ending: &str| {
+                (
+                    format!("{}{ending}", shown(&stem)),
+                    format!("{}{ending}", shown(Path::new(called))),
+                )
+            };
+            [".toml", ".svg"]
+                .map(named)
+                .iter()
+                .fold(text, |text, (old, new)| text.replace(old, new))
+        }
+        None => text,
+    };
     let text = format!("#:schema ./{}\n{text}", schema::file_name(schema));
     // A link that leads nowhere is there as well.
     if path.symlink_metadata().is_ok() && !arguments.force {

@@ -80,6 +80,9 @@ pub(super) fn units_override(arguments: &UnitArguments) -> Result<Option<String>
         // As a table it takes the place of a table in the file, too.
         return Ok(Some(format!("{UNITS}{{ system = {} }}", quoted(text))));
     }
+    if let Some(twice) = stated_twice(text) {
+        return Err(Failure::Usage(format!("--units `{text}`: states {twice} twice")));
+    }
     let pair = |part: &str| {
         let (key, unit) = part.split_once('=')?;
         Some(format!("{} = {}", quoted(key), quoted(unit)))
@@ -91,6 +94,17 @@ pub(super) fn units_override(arguments: &UnitArguments) -> Result<Option<String>
         ))
     })?;
     Ok(Some(format!("{UNITS}{{ {} }}", pairs.join(", "))))
+}
+
+/// What has more than one unit of `KEY=UNIT,KEY=UNIT`.
+pub(super) fn stated_twice(text: &str) -> Option<&str> {
+    let keys: Vec<&str> = text
+        .split(',')
+        .filter_map(|part| part.split_once('='))
+        .map(|(key, _)| key.trim())
+        .collect();
+    let again = |(index, key): (usize, &&str)| keys[..index].contains(key);
+    keys.iter().enumerate().find(|pair| again(*pair)).map(|(_, key)| *key)
 }
 
 /// The bytes of the problem, and its overrides.
@@ -258,7 +272,16 @@ pub(super) fn check_input(
     sense: &SenseArguments,
     is_shown: bool,
 ) -> Result<(), Failure> {
-    let doubts = refuse(sense, file.input_checks())?;
+    check_doubts(file.input_checks(), sense, is_shown)
+}
+
+/// The same of doubts that were found, those of options among them.
+pub(super) fn check_doubts(
+    doubts: Vec<Warning>,
+    sense: &SenseArguments,
+    is_shown: bool,
+) -> Result<(), Failure> {
+    let doubts = refuse(sense, doubts)?;
     if is_shown {
         failure::hold(doubts.into_iter().map(|doubt| doubt.message));
     } else {

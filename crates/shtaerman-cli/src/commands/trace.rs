@@ -94,6 +94,9 @@ fn units(arguments: &TraceArguments) -> Result<OutputUnits, Failure> {
         return Ok(units);
     }
     let refused = |why: String| Failure::Usage(format!("--units `{text}`: {why}"));
+    if let Some(twice) = problem_file::stated_twice(text) {
+        return Err(refused(format!("states {twice} twice")));
+    }
     let mut units = OutputUnits::default();
     for part in text.split(',') {
         let (key, unit) = part.split_once('=').ok_or_else(|| {
@@ -143,6 +146,7 @@ fn asked(arguments: &TraceArguments, bytes: &[u8], name: &str) -> Result<Asked, 
     let mut sizes = [1.0; 2];
     let mut said = [None, None];
     let mut doubts = Vec::new();
+    let are_heights_bare = arguments.f_unit.is_none() && header[1] == HeaderUnit::Silent;
     for (index, ((what, key, option, asked), header)) in asked.into_iter().zip(header).enumerate() {
         match (asked, header) {
             (Some(text), _) => {
@@ -163,7 +167,8 @@ fn asked(arguments: &TraceArguments, bytes: &[u8], name: &str) -> Result<Asked, 
             _ => {}
         }
     }
-    if arguments.x_unit.is_some() && said[1].is_none() && doubts.is_empty() {
+    // The line that is handed out states the unit of the positions, whoever said it.
+    if are_heights_bare && said[0].is_some() {
         let stated = "--f-unit um or the like, in a file f_unit = \"um\"";
         doubts.push(Warning::heights_in_metres(stated));
     }

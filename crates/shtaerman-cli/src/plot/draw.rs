@@ -205,7 +205,10 @@ fn draw_vertical_axis(canvas: &mut Canvas, mapping: &Mapping<'_>) {
     }
     let above = (frame.left, frame.top - 0.5 * line_height(sizes.tick));
     canvas.text(above, &ticks.multiplier(), style(sizes.tick, Colour::INK, Anchor::Start));
-    draw_upright(canvas, &mapping.panel.vertical.label, mapping.layout.label, frame, reach);
+    for (index, line) in mapping.layout.upright.iter().enumerate() {
+        let across = mapping.layout.label + index as f64 * line_height(sizes.label);
+        draw_upright(canvas, line, across, frame, reach);
+    }
 }
 
 /// Draws a layer and tells whether anything but a mark was there to draw.

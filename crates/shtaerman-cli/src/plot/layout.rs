@@ -24,6 +24,8 @@ pub(super) const BAR_LABEL_GAP: f64 = 6.0;
 pub(super) const NUMBER_GAP: f64 = 4.0;
 /// Frames are not made smaller than this.
 const SMALLEST_FRAME: f64 = 20.0;
+/// Most lines of the label up an axis: a name of two words, and its unit.
+const LABEL_LINES: usize = 3;
 /// Space above a frame.
 const ABOVE: f64 = 4.0;
 
@@ -47,8 +49,10 @@ pub(super) struct PanelLayout {
     pub(super) frame: Frame,
     /// What the panel takes with all that is around its frame.
     pub(super) cell: Frame,
-    /// Middle of the vertical axis' label.
+    /// Middle of the first line of the vertical axis' label.
     pub(super) label: f64,
+    /// Its lines: more where one has no room.
+    pub(super) upright: Vec<String>,
     pub(super) legend: Legend,
     pub(super) horizontal: AxisLayout,
     pub(super) vertical: AxisLayout,
@@ -101,14 +105,16 @@ impl Layout {
         Self { title, notes, legend: (legend, legend_top), panels, sizes }
     }
 
-    /// Whether frames have a height and a width, in sizes of tick labels, no name is left out and none lies on another.
+    /// Whether frames have a height and a width, in sizes of tick labels, no name is left out, none lies on another, and those of panels below each other, which nothing else tells apart, are whole.
     pub(super) fn fits(&self, figure: &Figure, [height, width]: [f64; 2]) -> bool {
         let tick = f64::from(self.sizes.tick);
+        let is_single = figure.panels.len() < 2;
         let is_roomy = |(panel, layout): (&Panel, &PanelLayout)| {
             let names = LEADING * tick * panel.vertical.names.len() as f64;
             layout.frame.height() >= (height * tick).max(names)
                 && layout.frame.width() >= width * tick
                 && layout.legend.is_complete()
+                && (is_single || layout.has_whole_label(self.sizes.label))
         };
         self.legend.0.is_complete() && figure.panels.iter().zip(&self.panels).all(is_roomy)
     }
@@ -147,16 +153,19 @@ fn panels(figure: &Figure, area: Frame, sizes: Sizes) -> Vec<PanelLayout> {
         let vertical = ticks_up(&panel.vertical, ranges.1, room, sizes);
         let right = cell.right - right_margin(panel, ranges.0, cell.width(), sizes);
         let left = cell.left + left_margin(&panel.vertical, &vertical, sizes);
-        built.push(PanelLayout {
+        let mut layout = PanelLayout {
             frame: Frame { left, top, right, bottom },
             cell,
             label: cell.left + 0.5 * line_height(sizes.label),
+            upright: Vec::new(),
             legend: rows.legend,
             horizontal: AxisLayout { range: ranges.0, ticks: Ticks::default() },
             vertical: AxisLayout { range: ranges.1, ticks: vertical },
             exaggeration: None,
             inset: None,
-        });
+        };
+        layout.break_label(&panel.vertical.label, sizes);
+        built.push(layout);
     }
     align(figure, &mut built);
     for (panel, layout) in figure.panels.iter().zip(&mut built) {
@@ -181,6 +190,26 @@ impl PanelLayout {
     pub(super) fn label_reach(&self) -> [f64; 2] {
         let is_free = self.legend_left() >= self.frame.left;
         [if is_free { self.cell.top } else { self.frame.top }, self.cell.bottom]
+    }
+
+    /// Sets the lines of the label up the axis: more than one, beside which the frame is narrower, where they are whole and one is not.
+    fn break_label(&mut self, label: &str, sizes: Sizes) {
+        let label = text::clean(label);
+        let [top, bottom] = self.label_reach();
+        let lines = text::wrap(&label, sizes.label, bottom - top, LABEL_LINES);
+        if label.is_empty() || text::is_cut(&lines) {
+            self.upright = vec![label];
+            return;
+        }
+        let more = lines.len().saturating_sub(1);
+        self.frame.left += line_height(sizes.label) * more as f64;
+        self.upright = lines;
+    }
+
+    /// Whether the label up the axis is whole.
+    fn has_whole_label(&self, size: u32) -> bool {
+        let [top, bottom] = self.label_reach();
+        self.upright.iter().all(|line| text::width(line, size) <= bottom - top)
     }
 
     /// Sets what follows from the final frame: ticks along, and the factor by which heights are drawn larger.
@@ -218,6 +247,7 @@ fn inset(panel: &Panel, around: Frame, sizes: Sizes) -> Option<PanelLayout> {
         frame,
         cell: around,
         label: frame.left,
+        upright: Vec::new(),
         legend: Legend::default(),
         horizontal: AxisLayout { range: across, ticks: Ticks::default() },
         vertical: AxisLayout { range: down, ticks: Ticks::default() },

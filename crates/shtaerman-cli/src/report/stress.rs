@@ -272,7 +272,11 @@ pub(crate) fn stress_table(
         .map(|zone| format!("{} to {}", length(zone[0]), length(zone[1])))
         .collect();
     let more = report.zones.len() - zones.len();
-    let more = if more > 0 { format!("and {more} more zones") } else { String::new() };
+    let more = match more {
+        0 => String::new(),
+        1 => "and 1 more zone".to_owned(),
+        more => format!("and {more} more zones"),
+    };
     row("contact", zones.join(", "), more);
     for (name, peak) in [
         ("von Mises, largest", &report.maximum.von_mises),
@@ -368,7 +372,9 @@ pub(crate) fn stress_csv<'a>(stresses: &'a Stresses, shown: &Shown) -> Content<'
     let header: Vec<String> = lengths.into_iter().chain(columns).map(|(name, _)| name).collect();
     let rows = stresses.places().zip(&stresses.stresses).map(move |((x, y), at)| {
         let values = COMPONENTS.iter().map(|(_, which)| component(at, *which) * stress);
-        [x * length, y * length].into_iter().chain(values).map(|value| value.to_string()).collect()
+        // A zero has no sign.
+        let numbers = [x * length, y * length].into_iter().chain(values).map(|value| value + 0.0);
+        numbers.map(|value| value.to_string()).collect()
     });
     Content::csv(&header, rows)
 }

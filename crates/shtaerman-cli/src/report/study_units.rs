@@ -2,7 +2,7 @@
 
 use shtaerman::file::AnyFile;
 use shtaerman::quantity::{AxisUnit, Measure, OutputUnits};
-use shtaerman_study::Study;
+use shtaerman_study::{Input, Study};
 
 use super::Shown;
 
@@ -58,6 +58,15 @@ impl StudyUnits {
     /// An axis that reaches from zero to `largest` (SI) at least: in the chosen unit, or that of SI with a prefix.
     pub(crate) fn axis(&self, name: &str, largest: f64) -> Scaled {
         self.scaled(name, |units, measure| units.axis(largest, measure))
+    }
+
+    /// A varied value as messages show it: with its unit where it has one, else as it is given.
+    pub(crate) fn value(&self, key: &str, value: &Input) -> String {
+        let shown = self.0.as_ref().zip(value.number());
+        let with_unit = shown.and_then(|(shown, number)| {
+            measure(shown, key).map(|measure| shown.units.shown(number, measure))
+        });
+        with_unit.unwrap_or_else(|| value.to_string())
     }
 
     fn scaled(&self, name: &str, unit: impl Fn(&OutputUnits, Measure) -> AxisUnit) -> Scaled {

@@ -1,7 +1,7 @@
 //! An answer in sentences.
 
 use shtaerman::quantity::{Measure, OutputUnits};
-use shtaerman::{Contact, Rotational, Vertical};
+use shtaerman::{Contact, Geometry, Law, Rotational, Vertical};
 
 use super::{Shown, significant};
 
@@ -112,7 +112,11 @@ fn touching(contact: &Contact, shown: &Words) -> String {
         .map(|zone| format!("from {} to {}", shown.length(zone[0]), shown.length(zone[1])))
         .collect();
     let more = zones.len().saturating_sub(MOST_ZONES);
-    let more = if more > 0 { format!(" and in {more} more zones") } else { String::new() };
+    let more = match more {
+        0 => String::new(),
+        1 => " and in 1 more zone".to_owned(),
+        more => format!(" and in {more} more zones"),
+    };
     format!(
         "It touches {}{more}: {width}, {} % of its base; the rest has lifted off.",
         places.join(" and "),
@@ -165,7 +169,10 @@ fn pressing(contact: &Contact, shown: &Words) -> String {
         )
     };
     if !peak.is_finite() {
-        return format!("Without roughness the pressure is infinite {place}.");
+        return format!(
+            "Without roughness the pressure is infinite {}.",
+            infinite(contact, shown, place)
+        );
     }
     let mean = contact.mean_pressure();
     let ratio = peak / mean;
@@ -175,6 +182,23 @@ fn pressing(contact: &Contact, shown: &Words) -> String {
         String::new()
     };
     format!("The pressure is largest {place}: {}{beside}.", shown.pressure(peak))
+}
+
+/// Where the pressure is infinite: at edges, or below a kink, the place of the largest pressure.
+fn infinite(contact: &Contact, shown: &Words, place: String) -> String {
+    let ends: Vec<f64> = contact.zones().into_iter().flatten().collect();
+    let pressures = contact.pressures(&ends).unwrap_or_default();
+    let found = ends.iter().zip(pressures).filter(|(_, pressure)| pressure.is_infinite());
+    let edges: Vec<f64> = found.map(|(end, _)| *end).collect();
+    let punch = contact.problem().punch();
+    match edges.as_slice() {
+        [] | [_] => place,
+        _ if punch.geometry() == Geometry::Circular => "at its edge".to_owned(),
+        [left, right] if *left == -*right && *right == punch.half_width() => {
+            "at both edges".to_owned()
+        }
+        edges => super::stress::infinite_at(edges, &|x| shown.length(x)),
+    }
 }
 
 fn certainty(contact: &Contact, shown: &Shown) -> Option<String> {
@@ -188,7 +212,13 @@ fn certainty(contact: &Contact, shown: &Shown) -> Option<String> {
         Vertical::Settlement(_) => ("force", shown.few_digits(error.force, shown.force())),
     };
     let sure = if is_bound { "is guaranteed to be" } else { "is estimated to be" };
+    // That of a smooth surface is stated for the middle of the zones, and nearer to a corner it grows as the pressure does.
+    let is_smooth = contact.problem().foundation().law() == Law::Smooth;
+    let place = match is_smooth && !(is_bound && contact.peak_pressure().is_finite()) {
+        true => "in the middle of the contact",
+        false => "everywhere",
+    };
     Some(format!(
-        "The pressure {sure} within {pressure} of the truth everywhere, the {what} within {value}."
+        "The pressure {sure} within {pressure} of the truth {place}, the {what} within {value}."
     ))
 }

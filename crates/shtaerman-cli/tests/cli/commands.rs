@@ -177,3 +177,15 @@ fn an_interrupt_ends_with_130() {
     drop(input);
     assert_eq!(folder.files(), Vec::<String>::new());
 }
+
+#[test]
+fn comments_of_a_file_that_init_writes_have_its_name() {
+    let folder = Folder::new();
+    for more in [&[][..], &["--geometry", "circular"], &["--equation"], &["--dimensionless"]] {
+        folder.run(&[&["init", "plate.toml", "--force"], more].concat()).answer();
+        let text = folder.read("plate.toml");
+        assert!(text.contains("plate.toml"), "{more:?}: {text}");
+        let usual = ["punch.toml", "equation.toml", "punch.svg", "equation.svg"];
+        assert!(usual.iter().all(|name| !text.contains(name)), "{more:?}: {text}");
+    }
+}

@@ -107,6 +107,24 @@ fn a_measured_profile_is_found_beside_the_problem_file() {
 }
 
 #[test]
+fn a_formula_takes_the_place_of_a_measured_profile() {
+    let table = "profile = { csv = \"trace.csv\" }";
+    let folder = Folder::with(&PHYSICAL.replace("profile = \"x^2 / (2*20)\"", table));
+    assert!(std::fs::read_to_string(folder.path("punch.toml")).unwrap().contains(table));
+    let solve = ["solve", "punch.toml", "--no-audit", "--format", "json", "--set"];
+    let plain = Folder::with(PHYSICAL);
+    for profile in ["punch.profile=0", "punch.profile=x^2/40"] {
+        let solve = [&solve[..], &[profile]].concat();
+        assert_eq!(folder.run(&solve).json(), plain.run(&solve).json(), "{profile}");
+    }
+    let vary = ["solve", "punch.toml", "--no-audit", "--vary", "punch.profile=0,x^2/40"];
+    assert_eq!(folder.run(&vary).answer(), plain.run(&vary).answer());
+    let run = folder.run(&[&solve[..], &["punch.profile=Trace.csv"]].concat());
+    assert_eq!(run.code, Some(2));
+    assert!(run.stderr.contains("profile = { csv = \"Trace.csv\" }"), "{}", run.stderr);
+}
+
+#[test]
 fn bad_overrides_are_refused() {
     for (text, said) in [
         ("load.force", "has no `=`"),
@@ -119,6 +137,7 @@ fn bad_overrides_are_refused() {
         ("load.force=", "has no value"),
         ("load.force=nan", "is nan"),
         ("load=3", "load: is a table, got the number 3"),
+        ("foundation.coating=3", "foundation.coating: is a table ([foundation.coating]), got"),
         (".=3", "nothing between its dots"),
         ("punch.profile=1/xi", "is infinite at x = 0"),
         ("punch.profile={csv=\"nowhere.csv\"}", "nowhere.csv cannot be read"),

@@ -228,3 +228,59 @@ fn a_picture_shows_what_is_finer_than_its_usual_points() {
         assert!((1e6 * shown / true_peak - 1.0).abs() < 0.01, "{shown} of {true_peak}");
     }
 }
+
+/// Panels of a study are told apart by the names of their axes alone.
+#[test]
+fn names_of_axes_of_a_study_are_whole_or_the_size_is_refused() {
+    let folder = Folder::with(UNILATERAL);
+    let names = ["settlement", "peak_pressure", "mean_contact_pressure", "contact_width"];
+    let outputs = names.join(",");
+    let vary = ["solve", "punch.toml", "--no-audit", "--vary", "load.force=0.4..0.8 MN/m:3"];
+    let drawn = [&vary[..], &["--outputs", &outputs, "--plot", "p.svg"]].concat();
+    folder.run(&drawn).answer();
+    let svg = folder.read("p.svg");
+    // Broken between words, and not cut.
+    assert!(!svg.contains('…'), "{svg}");
+    for word in names.iter().flat_map(|name| name.split('_')) {
+        let is_in = |text: &str| text.split(' ').any(|part| part == word);
+        let mut texts = svg.split("</text>").filter_map(|text| text.rsplit('>').next());
+        assert!(texts.any(is_in), "{word}");
+    }
+    folder.run(&[&drawn[..], &["--size", "160 mm x 100 mm"]].concat()).answer();
+    let small = folder.run(&[&drawn[..], &["--size", "400x300"]].concat());
+    assert!(small.stderr.contains("400 x 300"), "{}", small.stderr);
+    assert_eq!(small.code, Some(2), "{}", small.stderr);
+}
+
+#[test]
+fn the_line_below_the_title_says_what_the_ground_is() {
+    let folder = Folder::new();
+    let examples = repository().join("examples");
+    for (name, more, said) in [
+        ("rubber_layer", "", " thick, "),
+        ("coated_shaft", "", "coating "),
+        ("crowned_punch", "graded", "graded as y^0.5"),
+    ] {
+        let file = std::fs::read_to_string(examples.join(format!("{name}.toml"))).unwrap();
+        let graded = "grading_modulus = \"2000 GPa\"\ngrading_exponent = 0.5";
+        let file = match more {
+            "graded" => file.replace("young_modulus = \"200 GPa\"", graded),
+            _ => file,
+        };
+        folder.write("punch.toml", file);
+        folder.run(&["solve", "punch.toml", "--no-audit", "--plot", "p.svg"]).answer();
+        let svg = folder.read("p.svg");
+        assert!(svg.contains(said), "{name}");
+    }
+}
+
+/// A wave of period 500 um that touches by a small part of itself.
+#[test]
+fn the_inset_of_what_repeats_says_what_it_shows() {
+    let folder = Folder::new();
+    let wave = repository().join("examples/wave.toml");
+    let plot = ["solve", wave.to_str().unwrap(), "--no-audit", "--plot", "p.svg"];
+    folder.run(&[&plot[..], &["--x-range", "-20 um..20 um"]].concat()).answer();
+    let svg = folder.read("p.svg");
+    assert!(svg.contains(">two periods, to ±") && !svg.contains("the whole base"), "{svg}");
+}

@@ -265,4 +265,15 @@ fn of_a_disk_the_share_that_touches_is_one_of_area() {
     let share: f64 = rest.split_once(" % of the area").unwrap().0.parse().unwrap();
     let inner: f64 = inner.parse().unwrap();
     assert!((share - 100.0 * (1.0 - (inner / 500.0).powi(2))).abs() < 0.06, "{share} {inner}");
+
+/// A smooth punch has two corners, and an error near none of them.
+#[test]
+fn both_edges_of_a_smooth_punch_are_named() {
+    let folder = Folder::with(UNILATERAL);
+    let smooth = ["--set", "foundation.roughness=0", "--set", "punch.profile=0"];
+    let html = report(&folder, &[&["solve", "punch.toml"][..], &smooth].concat());
+    assert!(html.contains("the pressure is infinite at both edges."), "{html}");
+    assert!(html.contains("of the truth in the middle of the contact"), "{html}");
+    let html = report(&folder, &["solve", "punch.toml"]);
+    assert!(html.contains("of the truth everywhere"), "{html}");
 }

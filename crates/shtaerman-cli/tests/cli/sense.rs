@@ -43,6 +43,8 @@ fn slips_are_doubted_with_their_number_and_refused_when_asked() {
     for (slip, code, said) in [
         ("load.force=62 GN/m", "high_pressure", "is above a tenth of the modulus that resists it"),
         ("foundation.young_modulus=200", "soft_modulus", "is \"200 GPa\" meant?"),
+        ("foundation.young_modulus='200'", "soft_modulus", "is \"200 GPa\" meant?"),
+        ("foundation.yield_stress='350'", "low_yield_stress", "is \"350 MPa\" meant?"),
         ("punch.half_width=5", "wide_base", "the half-width is 5 m: are millimetres meant?"),
         ("load.force=4 MN/m", "above_yield", "is above the yield stress, 350 MPa"),
         ("punch.profile=x^2/(2*0.0001)", "steep_base", "small slopes are assumed"),
@@ -87,6 +89,50 @@ fn slips_are_doubted_with_their_number_and_refused_when_asked() {
         "load.force=1 N/m",
     ]);
     assert!(!gel.stdout.contains("softer than rubber"), "{}", gel.stdout);
+}
+
+/// What pulls is no less than what presses, and what is wanted without a unit is doubted as what is stated.
+#[test]
+fn tension_and_goals_without_a_unit_are_doubted() {
+    let folder = Folder::new();
+    folder.write("steel.toml", STEEL);
+    let pulled = ["--set", "solver.contact=bilateral", "--set", "load.force=-62 GN/m"];
+    let run = folder.run(&[&["solve", "steel.toml", "--strict"][..], &pulled].concat());
+    assert!(run.refusal().contains("the largest tension, "), "{}", run.stderr);
+    assert!(run.stderr.contains("is above the yield stress"), "{}", run.stderr);
+    let weak = ["--set", "solver.contact=bilateral", "--set", "load.force=-0.1 MN/m"];
+    folder.run(&[&["solve", "steel.toml", "--strict"][..], &weak].concat()).answer();
+
+    for find in ["force", "crown"] {
+        let find = |more: &[&str]| {
+            let find = ["find", find, "steel.toml", "--set", "load.force=1 N/m", "--no-audit"];
+            folder.run(&[&find[..], more].concat())
+        };
+        let strict = find(&["--peak-pressure", "350", "--strict"]);
+        assert!(strict.refusal().contains("is \"350 MPa\" meant?"), "{}", strict.stderr);
+    }
+    let find = ["find", "force", "steel.toml", "--no-audit", "--peak-pressure"];
+    let json = folder.run(&[&find[..], &["1e5", "--format", "json"]].concat());
+    assert_eq!(json.stderr.matches("has no unit").count(), 1, "{}", json.stderr);
+    assert_eq!(json.json()["warnings"][0]["code"], "unknown_unit");
+    folder.run(&[&find[..], &["300 MPa", "--strict"]].concat()).answer();
+}
+
+/// A disk has a radius and a force in newtons.
+#[test]
+fn slips_of_disks_are_named_in_their_own_words() {
+    let folder = Folder::new();
+    let disk = repository().join("examples/rough_ball.toml");
+    let solve = |sets: &[&str]| {
+        let sets = sets.iter().flat_map(|set| ["--set", set]);
+        let solve = ["solve", disk.to_str().unwrap(), "--no-audit", "--strict"];
+        folder.run(&solve.into_iter().chain(sets).collect::<Vec<_>>())
+    };
+    let heavy = solve(&["load.force=500000000"]);
+    assert!(heavy.refusal().contains("is the load in N, and"), "{}", heavy.stderr);
+    assert!(!heavy.stderr.contains("per metre") && !heavy.stderr.contains("half-width"));
+    let wide = solve(&["punch.radius=5", "punch.profile=0"]);
+    assert!(wide.refusal().contains("the radius is 5 m: are"), "{}", wide.stderr);
 }
 
 /// Two punches on a foundation whose gigapascals were left out: no zones are found, and the likely cause stands beside the error.
@@ -137,6 +183,15 @@ fn a_modulus_refused_beside_another_has_the_likely_slip_as_its_help() {
     let run = folder.run(&[&["solve", shaft.to_str().unwrap()][..], &set].concat());
     assert!(run.refusal().contains("foundation.coating.young_modulus"), "{}", run.stderr);
     assert!(run.stderr.contains("is \"210 GPa\" meant?"), "{}", run.stderr);
+    for set in [
+        "foundation.coating.young_modulus=400",
+        "foundation.coating.young_modulus='400'",
+        "foundation.young_modulus='210'",
+    ] {
+        let run = folder.run(&["solve", shaft.to_str().unwrap(), "--set", set]);
+        assert!(run.refusal().contains("must be between 1e-4 and 1e4"), "{}", run.stderr);
+        assert!(run.stderr.contains("has no unit and is taken in Pa"), "{}", run.stderr);
+    }
 }
 
 #[test]
@@ -228,6 +283,22 @@ fn units_of_headers_are_understood_however_they_are_written() {
     folder.write("trace.csv", format!("t [s],f [um]\n{rows}"));
     let run = folder.run(&["trace", "trace.csv"]);
     assert!(run.refusal().contains("in s, a time (s), and it is a length"), "{}", run.stderr);
+}
+
+/// The unit of the positions may be that of the header: the line that is handed out is doubted by a solve, too.
+#[test]
+fn heights_without_a_unit_beside_positions_with_one_are_doubted() {
+    let folder = Folder::new();
+    folder.write("steel.toml", STEEL);
+    folder.write("trace.csv", "x [mm],z\n-6,1e-6\n-2,2e-7\n2,1e-7\n6,1.2e-6\n");
+    let said = "none for its heights, which are read in metres";
+    let trace = folder.run(&["trace", "trace.csv", "--half-width", "5mm"]);
+    assert_eq!(trace.stderr.matches(said).count(), 1, "{}", trace.stderr);
+    let stated = folder.run(&["trace", "trace.csv", "--half-width", "5mm", "--f-unit", "m"]);
+    assert!(stated.stderr.is_empty(), "{}", stated.stderr);
+    let profile = "punch.profile={ csv = \"trace.csv\", x_unit = \"mm\" }";
+    let solve = folder.run(&["solve", "steel.toml", "--no-audit", "--strict", "--set", profile]);
+    assert!(solve.refusal().contains(said), "{}", solve.stderr);
 }
 
 #[test]
@@ -364,7 +435,7 @@ fn cases_of_a_study_are_doubted_by_their_number() {
     folder.run(&[&few[..], &["load.force=0.4,0.8 MN/m", "--strict"]].concat()).answer();
     let slip = folder.run(&[&few[..], &["load.force=0.4,800 MN/m"]].concat());
     assert_eq!(slip.code, Some(0), "{slip:?}");
-    assert!(slip.stdout.contains("warning: case 1 (load.force = 800000000.0): the"), "{slip:?}");
+    assert!(slip.stdout.contains("warning: case 1 (load.force = 800 MN/m): the"), "{slip:?}");
     let strict = folder.run(&[&few[..], &["load.force=0.4,800 MN/m", "--strict"]].concat());
     assert!(strict.refusal().starts_with("error: --strict: case 1 (load.force = "), "{strict:?}");
 

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::{Folder, assert_valid, number, repository, schema};
+use crate::support::{Folder, UNILATERAL, assert_valid, number, repository, schema};
 
 /// A crown that touches in the middle, nearly smooth: Hertz.
 const CROWN: &str = r#"[foundation]
@@ -214,4 +214,12 @@ fn the_peak_below_a_wave_is_told_in_its_period() {
     for name in ["von_mises", "max_shear"] {
         assert_eq!(found["maximum"][name]["x"], 0.0, "{found}");
     }
+}
+
+#[test]
+fn zeros_of_a_column_have_no_sign() {
+    let folder = Folder::with(UNILATERAL);
+    let csv = ["stress", "punch.toml", "--no-audit", "--format", "csv", "--grid", "9x5"];
+    let csv = folder.run(&csv).answer();
+    assert!(csv.lines().skip(1).all(|line| line.split(',').all(|field| field != "-0")), "{csv}");
 }

@@ -206,7 +206,7 @@ fn options_of_a_trace_that_make_no_sense_are_refused() {
         ),
         (
             "x_column = 1, f_column = 2, filter = { kind = \"gauss\", cutoff = \"1 um\" }",
-            "less than twice the distance",
+            "less than 4 times the distance",
         ),
         ("x_column = 1, f_column = 2, encoding = \"ebcdic\"", "has no encoding `ebcdic`"),
         ("x_column = 1, f_column = 2, skip = -1", "skip"),
@@ -235,7 +235,7 @@ fn messages_have_the_units_and_the_option_of_the_user() {
         ("80 mm", "the cutoff of the filter, 80 mm, is longer than the trace, 12 mm"),
         (
             "8 um",
-            "the cutoff of the filter, 0.008 mm, is less than twice the distance of the points, 3 mm",
+            "the cutoff of the filter, 0.008 mm, is less than 4 times the distance of the points, 3 mm",
         ),
     ] {
         let told = trace("mm.csv", &["--cutoff", cutoff]);

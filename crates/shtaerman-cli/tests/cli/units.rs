@@ -185,6 +185,7 @@ fn units_that_are_none_are_refused() {
     // As it was asked for, and not as the override that it is inside.
     for (units, said) in [
         ("lenght=in", "--units `lenght=in`: lenght: is not a known key, did you mean length?"),
+        ("length=mm,length=in", "--units `length=mm,length=in`: states length twice"),
         ("length=foo", "--units `length=foo`: length: has the unknown unit foo"),
         ("force=kip", "--units `force=kip`: force: is a force per length"),
     ] {

@@ -144,7 +144,7 @@ pub struct Quantities {
     pub mean_contact_pressure: f64,
     /// The largest pressure (Pa); `p/E`.
     pub peak_pressure: f64,
-    /// Its place (m); `x/a`; of equal ones the leftmost.
+    /// Its place (m); `x/a`; of equal ones the leftmost, of -r and r under a circular punch, which are one, either.
     pub peak_pressure_at: f64,
     /// `d(P, M)/d(delta, -alpha)` (Pa, N/m; N/m, N; under a circular punch N/m, N; N, N m).
     pub stiffness: [[f64; 2]; 2],

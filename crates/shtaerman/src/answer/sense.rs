@@ -2,7 +2,9 @@
 
 use crate::contact::{Warning, WarningCode};
 use crate::quantity::{Measure, OutputUnits};
-use crate::{Contact, Foundation, LayerBase, Layering, Load, Problem, Rotational, Vertical};
+use crate::{
+    Contact, Foundation, Geometry, LayerBase, Layering, Load, Problem, Rotational, Vertical,
+};
 
 /// Slopes and angles above this are not small: `tan x` and `x` differ by 0.3 %.
 const SMALL_SLOPE: f64 = 0.1;
@@ -41,7 +43,8 @@ impl Contact {
         let modulus = resisting_modulus(self.problem().foundation(), scaling.contact_modulus());
         let length = |value| units.shown(value, Measure::Length);
         let stress = |value| units.shown(value, Measure::Pressure);
-        let slips = Slips::of(self.problem().load());
+        let is_circular = self.problem().punch().geometry() == Geometry::Circular;
+        let slips = Slips::of(self.problem().load(), is_circular);
         let mut found = Vec::new();
         found.extend(wide_base(self.problem(), units));
         let mut doubt = |is_doubtful: bool, code, message: String| {
@@ -73,7 +76,7 @@ impl Contact {
             pressure > ELASTIC_SHARE * modulus,
             WarningCode::HighPressure,
             format!(
-                "the {name} pressure, {}, is above a tenth of the modulus that resists it, {}: no solid bears that elastically; {}",
+                "the {name}, {}, is above a tenth of the modulus that resists it, {}: no solid bears that elastically; {}",
                 stress(pressure),
                 stress(modulus),
                 slips.pressure
@@ -84,8 +87,9 @@ impl Contact {
             settlement.abs() > half_width,
             WarningCode::LargeDisplacement,
             format!(
-                "the settlement, {}, is more than the half-width, {}, and small displacements are assumed: {}",
+                "the settlement, {}, is more than the {}, {}, and small displacements are assumed: {}",
                 units.shown(settlement, Measure::Displacement),
+                half_width_name(is_circular),
                 length(half_width),
                 slips.settlement
             ),
@@ -95,10 +99,32 @@ impl Contact {
 }
 
 impl Contact {
-    /// The largest pressure, or, where a corner or a kink of a smooth surface makes that infinite, the mean one in contact (Pa), with its name.
+    /// The largest pressure or tension, whichever is more, or, where a corner or a kink of a smooth surface makes that infinite, the mean one in contact (Pa), with its name.
     pub(crate) fn telling_pressure(&self) -> (&'static str, f64) {
-        let peak = self.peak_pressure();
-        if peak.is_finite() { ("largest", peak) } else { ("mean", self.mean_contact_pressure()) }
+        let (peak, tension) = (self.peak_pressure(), self.largest_tension());
+        match self.mean_contact_pressure() {
+            mean if !(peak.is_finite() && tension.is_finite()) => {
+                (if mean < 0.0 { "mean tension" } else { "mean pressure" }, mean.abs())
+            }
+            _ if tension > peak => ("largest tension", tension),
+            _ => ("largest pressure", peak),
+        }
+    }
+
+    /// The largest tension at some places where the pressure of a bilateral contact is negative (Pa); 0 where it is so nowhere.
+    fn largest_tension(&self) -> f64 {
+        let places: Vec<f64> = self
+            .tension()
+            .into_iter()
+            .flat_map(|[left, right]| {
+                // A rounding beyond the edge would be no place of the base.
+                (0..=PLACES).map(move |k| {
+                    (left + (right - left) * k as f64 / PLACES as f64).clamp(left, right)
+                })
+            })
+            .collect();
+        let pressures = self.pressures(&places).unwrap_or_default();
+        pressures.into_iter().fold(0.0, |most, pressure| f64::max(most, -pressure))
     }
 }
 
@@ -110,18 +136,22 @@ struct Slips {
 }
 
 impl Slips {
-    fn of(load: &Load) -> Self {
+    fn of(load: &Load, is_circular: bool) -> Self {
         let is_by_settlement = matches!(load.vertical(), Vertical::Settlement(_));
         Self {
             tilt: match load.rotational() {
                 Rotational::Tilt(_) => "is the tilt in rad, or were mrad or degrees meant?",
+                Rotational::Moment(_) | Rotational::Eccentricity(_) if is_circular => {
+                    "is the moment in N m, and the roughness in m/Pa?"
+                }
                 Rotational::Moment(_) | Rotational::Eccentricity(_) => {
                     "is the moment in N m per m, and the roughness in m/Pa?"
                 }
             },
-            pressure: match is_by_settlement {
-                true => "is the settlement in m, and the modulus in GPa?",
-                false => "is the load per metre of length, and the modulus in GPa?",
+            pressure: match (is_by_settlement, is_circular) {
+                (true, _) => "is the settlement in m, and the modulus in GPa?",
+                (false, true) => "is the load in N, and the modulus in GPa?",
+                (false, false) => "is the load per metre of length, and the modulus in GPa?",
             },
             settlement: match is_by_settlement {
                 true => "were mm or um meant?",
@@ -129,6 +159,11 @@ impl Slips {
             },
         }
     }
+}
+
+/// What the half-width of a base is called.
+fn half_width_name(is_circular: bool) -> &'static str {
+    if is_circular { "radius" } else { "half-width" }
 }
 
 /// An angle to three decimals, large ones by their power of ten.
@@ -140,9 +175,10 @@ fn angle(value: f64) -> String {
 pub(crate) fn wide_base(problem: &Problem, units: &OutputUnits) -> Option<Warning> {
     let half_width = problem.scaling()?.half_width();
     let shown = units.shown(half_width, Measure::Length);
+    let name = half_width_name(problem.punch().geometry() == Geometry::Circular);
     (half_width > WIDE).then(|| Warning {
         code: WarningCode::WideBase,
-        message: format!("the half-width is {shown}: are millimetres meant?"),
+        message: format!("the {name} is {shown}: are millimetres meant?"),
     })
 }
 

@@ -65,10 +65,23 @@ fn expression(field: &Field<'_>, frame: &Frame) -> Result<Profile, FileError> {
     parsed.map_err(|error| {
         let fault = field.error_within(&error, error.span.clone());
         match error.help() {
+            _ if is_file_name(text) => {
+                let name = serde_json::Value::from(text.trim());
+                fault.with_help(format!(
+                    "a measured profile is a table:\nprofile = {{ csv = {name} }}"
+                ))
+            }
             Some(help) => fault.with_help(help),
             None => fault,
         }
     })
+}
+
+/// Whether what is no formula ends as files of measured profiles do.
+fn is_file_name(text: &str) -> bool {
+    let endings = ["csv", "txt", "tsv", "dat", "asc", "prf"];
+    let ending = text.trim().rsplit_once('.').map(|(_, ending)| ending.to_lowercase());
+    ending.is_some_and(|ending| endings.contains(&ending.as_str()))
 }
 
 /// The file that `profile = { csv = ".." }` names in a document that was read.

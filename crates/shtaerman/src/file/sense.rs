@@ -4,7 +4,7 @@ use super::located::ProblemFile;
 use super::physical;
 use crate::answer::wide_base;
 use crate::document::{Document, Value, ValueKind};
-use crate::quantity::Measure;
+use crate::quantity::{self, Measure};
 use crate::{Contact, Error, Warning, WarningCode};
 
 /// Keys of moduli.
@@ -52,7 +52,7 @@ impl ProblemFile {
         {
             let shown = |value| self.units().shown(value, Measure::Pressure);
             let message = format!(
-                "the {name} pressure, {}, is above the yield stress, {}: `shtaerman stress` says where and when the body yields",
+                "the {name}, {}, is above the yield stress, {}: `shtaerman stress` says where and when the body yields",
                 shown(pressure),
                 shown(limit)
             );
@@ -84,14 +84,15 @@ pub(super) fn advised(document: &Document, error: Error) -> Error {
     }
 }
 
+/// The value of a key that was written without a unit, in quotes or not.
 fn bare(document: &Document, key: &str) -> Option<f64> {
-    document.get(key).map(Value::kind).and_then(plain_number)
-}
-
-fn plain_number(kind: &ValueKind) -> Option<f64> {
-    match kind {
+    match document.get(key).map(Value::kind)? {
         ValueKind::Integer(value) => Some(*value as f64),
         ValueKind::Float(value) => Some(*value),
+        ValueKind::String(text) => {
+            let read = quantity::parse(text).ok()?;
+            (!read.unit_written()).then_some(read.value)
+        }
         _ => None,
     }
 }

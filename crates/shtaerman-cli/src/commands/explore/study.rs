@@ -44,11 +44,12 @@ pub(super) fn doubts(asked: &AskedStudy) -> Result<Value, Failure> {
     let (study, range) = asked.read()?;
     let cases: Vec<usize> = range.clone().collect();
     let found = study.sense_checks_of(&cases, &[]);
+    let units = report::StudyUnits::new(&study, &[])?;
     let told = found.iter().map(|doubt| {
         json!({
             "code": doubt.warning.code,
             "count": doubt.count,
-            "message": study_sense::line(&study, doubt),
+            "message": study_sense::line(&study, &units, doubt),
         })
     });
     Ok(json!({ "cases": study.cases(), "to": range.end, "doubts": told.collect::<Vec<_>>() }))

@@ -5,7 +5,7 @@ mod surfaces;
 mod words;
 
 use shtaerman::quantity::{Measure, OutputUnits};
-use shtaerman::{Contact, Error, PressureCurve};
+use shtaerman::{Contact, Error, Geometry, PressureCurve};
 
 use crate::plot::ContactPlot;
 pub(crate) use sampling::{between, refined};
@@ -82,7 +82,9 @@ pub fn contact_picture(contact: &Contact, wanted: &ContactPicture) -> Result<Con
         contact_ends: surfaces.ends(contact).iter().map(|at| at * x).collect(),
         window: Some(window.unwrap_or_else(|| surfaces.reach()).map(|at| at * x)),
         whole: match window {
-            Some(window) if surfaces.is_part(window) => shown.whole(contact, wanted),
+            Some(window) if surfaces.is_part(window) => {
+                shown.whole(contact, wanted, surfaces.reach())
+            }
             _ => String::new(),
         },
         length_of_depth: shown.length_of_depth(),
@@ -211,12 +213,19 @@ impl Shown {
         self.is_physical.then(|| self.length.factor / self.depth.factor)
     }
 
-    /// What an inset shows around a part.
-    fn whole(&self, contact: &Contact, wanted: &ContactPicture) -> String {
-        let half_width = contact.problem().punch().half_width();
+    /// What an inset shows around a part: the base between its edges, of what is repeated all that is drawn.
+    fn whole(&self, contact: &Contact, wanted: &ContactPicture, reach: [f64; 2]) -> String {
+        let punch = contact.problem().punch();
+        let is_repeated = matches!(punch.geometry(), Geometry::Periodic { .. });
         if self.is_physical {
-            let edge = wanted.units.shown_with_digits(half_width, Measure::Length, 4);
-            format!("the whole base, to ±{edge}")
+            let length = |value| wanted.units.shown_with_digits(value, Measure::Length, 4);
+            match reach {
+                _ if !is_repeated => {
+                    format!("the whole base, to ±{}", length(punch.half_width()))
+                }
+                [left, right] if left == -right => format!("two periods, to ±{}", length(right)),
+                [left, right] => format!("from {} to {}", length(left), length(right)),
+            }
         } else {
             "the whole base".to_owned()
         }

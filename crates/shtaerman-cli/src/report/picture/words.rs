@@ -1,7 +1,9 @@
 //! What is said above the picture of a contact.
 
 use shtaerman::quantity::{Measure, OutputUnits};
-use shtaerman::{Contact, ContactKind, Geometry, Law, Roughness, Scaling};
+use shtaerman::{
+    Contact, ContactKind, Geometry, Law, LayerBase, Layering, Problem, Roughness, Scaling,
+};
 
 use super::ContactPicture;
 use crate::report::heading::heading;
@@ -88,6 +90,7 @@ fn setting(contact: &Contact, units: &OutputUnits) -> String {
         if problem.foundation().law() != Law::Smooth {
             said.push(format!("θ₀ = {}", significant(contact.theta0(), DIGITS)));
         }
+        said.extend(ground(problem, units));
         return said.join(", ");
     };
     let length = |value: f64| units.shown_with_digits(value, Measure::Length, DIGITS);
@@ -107,8 +110,36 @@ fn setting(contact: &Contact, units: &OutputUnits) -> String {
     });
     let modulus = scaling.contact_modulus();
     said.push(format!("E* = {}", units.shown_with_digits(modulus, Measure::Pressure, DIGITS)));
+    said.extend(ground(problem, units));
     said.push(layer(scaling, units));
     said.join(", ")
+}
+
+/// What the ground is beside its modulus; nothing of a half-space of one material.
+fn ground(problem: &Problem, units: &OutputUnits) -> Option<String> {
+    let foundation = problem.foundation();
+    let length = |value: f64| match problem.is_dimensionless() {
+        true => format!("{} a", significant(value, DIGITS)),
+        false => units.shown_with_digits(value, Measure::Length, DIGITS),
+    };
+    match (foundation.layering(), foundation.grading()) {
+        (Some(Layering::Layer { thickness, base, .. }), _) => {
+            let held = match base {
+                LayerBase::Bonded { .. } => "bonded to",
+                LayerBase::Frictionless => "sliding on",
+            };
+            Some(format!("a layer {} thick, {held} a rigid base", length(*thickness)))
+        }
+        (Some(Layering::Coating { thickness, coating, .. }), _) => {
+            let modulus =
+                units.shown_with_digits(coating.young_modulus(), Measure::Pressure, DIGITS);
+            Some(format!("coating {} thick of E = {modulus}", length(*thickness)))
+        }
+        (None, Some(grading)) if !grading.is_homogeneous() => {
+            Some(format!("graded as y^{}", significant(grading.exponent(), DIGITS)))
+        }
+        _ => None,
+    }
 }
 
 fn layer(scaling: &Scaling, units: &OutputUnits) -> String {
