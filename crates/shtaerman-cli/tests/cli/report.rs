@@ -265,6 +265,7 @@ fn of_a_disk_the_share_that_touches_is_one_of_area() {
     let share: f64 = rest.split_once(" % of the area").unwrap().0.parse().unwrap();
     let inner: f64 = inner.parse().unwrap();
     assert!((share - 100.0 * (1.0 - (inner / 500.0).powi(2))).abs() < 0.06, "{share} {inner}");
+}
 
 /// A smooth punch has two corners, and an error near none of them.
 #[test]
