@@ -195,9 +195,13 @@ impl PanelLayout {
     /// Sets the lines of the label up the axis: more than one, beside which the frame is narrower, where they are whole and one is not.
     fn break_label(&mut self, label: &str, sizes: Sizes) {
         let label = text::clean(label);
+        if label.is_empty() || is_endless(&label, sizes.label) {
+            self.upright = vec![label];
+            return;
+        }
         let [top, bottom] = self.label_reach();
         let lines = text::wrap(&label, sizes.label, bottom - top, LABEL_LINES);
-        if label.is_empty() || text::is_cut(&lines) {
+        if text::is_cut(&lines) {
             self.upright = vec![label];
             return;
         }
@@ -206,10 +210,11 @@ impl PanelLayout {
         self.upright = lines;
     }
 
-    /// Whether the label up the axis is whole.
+    /// Whether the label up the axis is whole, or can be so on no picture.
     fn has_whole_label(&self, size: u32) -> bool {
         let [top, bottom] = self.label_reach();
-        self.upright.iter().all(|line| text::width(line, size) <= bottom - top)
+        let is_whole = |line: &String| text::width(line, size) <= bottom - top;
+        self.upright.iter().all(|line| is_whole(line) || is_endless(line, size))
     }
 
     /// Sets what follows from the final frame: ticks along, and the factor by which heights are drawn larger.
@@ -223,6 +228,11 @@ impl PanelLayout {
             self.exaggeration = Some(factor);
         }
     }
+}
+
+/// Whether a label is longer than all its lines up the highest picture.
+fn is_endless(label: &str, size: u32) -> bool {
+    text::width(label, size) > LABEL_LINES as f64 * f64::from(Size::LARGEST.height)
 }
 
 /// Size of an inset as a share of its frame, and the least it may have.
