@@ -21,13 +21,13 @@ sys.path.insert(0, str(Path(__file__).parent))
 import draw  # noqa: E402
 
 
-def solve(binary, path, audit, limit):
+def solve(binary, path, audit, limit, more=()):
     """Exit code, seconds of the processor, and the answer, if there is one."""
 
     def limited():
         resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
 
-    command = [binary, "solve", str(path), "--format", "json"] + ([] if audit else ["--no-audit"])
+    command = [binary, "solve", str(path), "--format", "json"] + ([] if audit else ["--no-audit"]) + list(more)
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err:
         process = subprocess.Popen(command, stdout=out, stderr=err, preexec_fn=limited)
         _, status, usage = os.wait4(process.pid, 0)
@@ -77,6 +77,7 @@ def main():
     arguments.add_argument("--binary", default="target/release/shtaerman")
     arguments.add_argument("--against")
     arguments.add_argument("--no-audit", action="store_true")
+    arguments.add_argument("--tolerance", help="of the first program alone: `--binary B --against B --no-audit --tolerance 1e-6` shows whether what ends early states enough")
     arguments.add_argument("--limit", type=int, default=60)
     arguments.add_argument("--jobs", type=int, default=1)
     arguments.add_argument("--only", type=int)
@@ -84,6 +85,7 @@ def main():
     given = arguments.parse_args()
     folder = Path(given.keep or tempfile.mkdtemp(prefix="plausible_"))
     folder.mkdir(parents=True, exist_ok=True)
+    first = ["--set", f"solver.tolerance={given.tolerance}"] if given.tolerance else []
 
     def one(index):
         text, trace = draw.problem(given.seed, index, f"trace_{given.seed}_{index}.csv")
@@ -92,7 +94,7 @@ def main():
         if trace:
             (folder / f"trace_{given.seed}_{index}.csv").write_text(trace)
         binaries = [given.binary] + ([given.against] if given.against else [])
-        return index, path, [solve(binary, path, not given.no_audit, given.limit) for binary in binaries]
+        return index, path, [solve(binary, path, not given.no_audit, given.limit, () if place else first) for place, binary in enumerate(binaries)]
 
     indices = [given.only] if given.only is not None else range(given.count)
     with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
