@@ -16,6 +16,7 @@ import shutil
 import subprocess
 import sys
 import sysconfig
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -79,6 +80,22 @@ def install(python: Path) -> None:
     shutil.copyfile(TARGET / "debug" / built, place / name)
 
 
+def checked_types(python: Path) -> tuple[str, int]:
+    """What mypy and stubtest say, and their code of exit."""
+    told = []
+    for command in (
+        (python, "-m", "mypy", "--config-file", HERE / "pyproject.toml", "--cache-dir", TARGET / "mypy", "-p", "shtaerman"),
+        (python, "-m", "mypy.stubtest", "--mypy-config-file", HERE / "pyproject.toml", "shtaerman"),
+    ):
+        words = [str(word) for word in command]
+        environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PYTHONHOME")}
+        done = subprocess.run(words, cwd=ROOT, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        told.append(f"$ {' '.join(words)}\n{done.stdout.rstrip()}")
+        if done.returncode:
+            return "\n".join(told), done.returncode
+    return "\n".join(told), 0
+
+
 def main(arguments: list[str]) -> None:
     if sys.version_info < (3, 10):
         sys.exit(f"Python 3.10 or newer is needed, this is {sysconfig.get_python_version()}")
@@ -95,11 +112,17 @@ def main(arguments: list[str]) -> None:
         run("cargo", "build", "--quiet", *features, *(["--release"] if is_wheel else []))
     program = TARGET / ("release" if is_wheel else "debug") / ("shtaerman.exe" if os.name == "nt" else "shtaerman")
     rest = [argument for argument in arguments if argument not in ("--wheel", "--parquet")]
-    # pytest before mypy: what it finds is the more telling.
-    run(python, "-m", "pytest", "-q", "-c", HERE / "pyproject.toml", "--rootdir", HERE, *(rest or [HERE / "tests"]), SHTAERMAN=str(program))
-    checked = ("--config-file", HERE / "pyproject.toml", "--cache-dir", TARGET / "mypy")
-    run(python, "-m", "mypy", *checked, "-p", "shtaerman")
-    run(python, "-m", "mypy.stubtest", "--mypy-config-file", HERE / "pyproject.toml", "shtaerman")
+    # The types are checked meanwhile; pytest speaks first, as what it finds is the more telling.
+    with ThreadPoolExecutor(max_workers=1) as beside:
+        types = beside.submit(checked_types, python)
+        tests = [python, "-m", "pytest", "-q", "-c", HERE / "pyproject.toml", "--rootdir", HERE, *(rest or [HERE / "tests"])]
+        try:
+            run(*tests, SHTAERMAN=str(program))
+        finally:
+            told, failed = types.result()
+            print(told, flush=True)
+    if failed:
+        sys.exit(failed)
     # The page, whose snippets of Python run in this environment.
     if not rest:
         run(sys.executable, ROOT / "crates" / "explore" / "tests" / "browser" / "run.py", SHTAERMAN=str(program))

@@ -5,6 +5,7 @@
 
 Chromium is that of `SHTAERMAN_CHROMIUM`, one that is on the path, or Debian's, which is installed by apt-get where this may be done; where there is none the tests are left out, and it is said.
 What Python needs goes into a virtual environment of its own, `target/browser-tests`; pictures of every tab in both themes are left in `target/browser-tests/screenshots`. Arguments go to pytest.
+`test_redraw.py` measures times where `REDRAW=measure` is set.
 """
 
 from __future__ import annotations
@@ -90,10 +91,7 @@ def main(arguments: list[str]) -> int:
     pytest = [python, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir", HERE]
     if arguments:
         return run([*pytest, *arguments, *([] if any(map(is_place, arguments)) else [HERE])], variables)
-    # Two browsers at once, but for what measures how long an answer takes.
-    timed = HERE / "test_redraw.py"
-    together = run([*pytest, "-n", "2", "--dist", "loadfile", "--ignore", timed, HERE], variables)
-    return together or run([*pytest, timed], variables)
+    return run([*pytest, "-n", "2", "--dist", "loadfile", HERE], variables)
 
 
 def run(command: list[object], variables: dict[str, str]) -> int:

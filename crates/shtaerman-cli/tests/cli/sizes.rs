@@ -168,14 +168,21 @@ fn no_text_lies_on_another_in_any_size() {
                 told.push(format!("{command:?} {look:?}: {fault}"));
             }
         };
-        for theme in ["screen", "print"] {
-            for size in [
-                "80 mm x 50 mm",
-                "60 mm x 120 mm",
-                "90 mm x 60 mm",
-                "120 mm x 90 mm",
-                "500 mm x 400 mm",
-            ] {
+        // Both themes write with the same letters.
+        for (theme, sizes) in [
+            (
+                "screen",
+                &[
+                    "80 mm x 50 mm",
+                    "60 mm x 120 mm",
+                    "90 mm x 60 mm",
+                    "120 mm x 90 mm",
+                    "500 mm x 400 mm",
+                ][..],
+            ),
+            ("print", &["90 mm x 60 mm"]),
+        ] {
+            for &size in sizes {
                 let look = ["--size", size, "--theme", theme];
                 let run = draw(&look);
                 if run.code == Some(0) {

@@ -42,6 +42,10 @@ use tilt::require_contact;
 /// In the answer a transform serves radii that are smaller by this share, so that steps to the edge do not ask for one each: it is known to its rounding at its own end, and falls by no more than a few times this (theory).
 const NEARBY: f64 = 1e-6;
 
+/// While zones are looked for a transform serves radii down to this share of its own: under a parabola it is known there to `eps/SERVED^2`, 1e-12 (theory), which an edge that is looked for does not ask for, and steps that halve the radius ask for one in
+/// six of them.
+const SERVED: f64 = 1.0 / 64.0;
+
 /// The contact of a circular punch.
 pub(super) fn solve(base: Arc<Base>) -> Result<Arc<dyn Solution>, Error> {
     let disk = Disk::new(base)?;
@@ -117,9 +121,9 @@ impl Disk {
         if let Some(part) = if is_own { None } else { part() } {
             return Arc::new(part);
         }
-        let share = if is_own { 1.0 - NEARBY } else { 0.5 };
+        let (share, served) = if is_own { (1.0 - NEARBY, 1.0 - NEARBY) } else { (0.5, SERVED) };
         let mut latest = self.latest.borrow_mut();
-        let known = latest.as_ref().filter(|(far, _)| share * far <= radius && radius <= *far);
+        let known = latest.as_ref().filter(|(far, _)| served * far <= radius && radius <= *far);
         // While the edges of rings move that of the disk often rests.
         if let Some((far, transform)) = known
             && let Some(part) = if *far == radius {
