@@ -275,3 +275,20 @@ fn hundreds_of_rings_are_too_many() {
         }
     }
 }
+
+/// Under the axis a root of the distance is steeper than any number beside it shows: the pressure there is the limit, and the largest.
+#[test]
+fn roots_of_the_distance_have_their_peak_on_the_axis() {
+    for exponent in [0.1, 0.6, 0.9] {
+        let toml = format!(
+            "[foundation]\npoisson_ratio = 0.3\nyoung_modulus = 1e9\nroughness = 1e-9\n[punch]\ngeometry = \"circular\"\nradius = 1.0\nprofile = \"1e-5*abs(xi)^{exponent}\"\n[load]\nforce = 1e4\nmoment = 0\n"
+        );
+        let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+        let stated = contact.error().unwrap().pressure;
+        let [axis, beside] = [0.0, 1e-300].map(|r| contact.pressure(r).unwrap());
+        assert!((axis - beside).abs() <= stated, "{exponent}: {axis:e} {beside:e} {stated:e}");
+        assert!(
+            (contact.peak_pressure() - axis).abs() <= stated && contact.peak_pressure_at() == 0.0
+        );
+    }
+}

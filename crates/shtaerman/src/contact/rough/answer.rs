@@ -19,7 +19,7 @@ use crate::contact::search::ALLOWED;
 use crate::contact::solution::Solution;
 use crate::contact::steps::INSIDE;
 use crate::contact::stiffness::Stiffness;
-use crate::contact::zones::{Zone, outside};
+use crate::contact::zones::{EndKind, Zone, outside};
 use crate::{Error, Load};
 
 /// Samples are no closer to the ends of panels than this share of them: the end itself counts for those, as at a corner the pressure differs from that by `d ln d` (theory).
@@ -148,7 +148,7 @@ impl<F: Field> Solution for RoughContact<F> {
         let inwards = match (0..2).find(|&side| zone.ends[side] == place) {
             Some(side) if zone.is_free(side) => return 0.0,
             // At a step of the base the height is that under pressure.
-            Some(side) if xi.abs() < 1.0 => {
+            Some(side) if zone.kinds[side] == EndKind::Wall && xi.abs() < 1.0 => {
                 if side == 0 {
                     inside
                 } else {
