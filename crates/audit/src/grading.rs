@@ -3,6 +3,7 @@
 use crate::legendre::ORDER;
 use crate::panel::{Panel, TAIL};
 use crate::sample::{COARSE, FINEST, Sampled, graininess, sampled};
+use crate::sampled::SMALLEST;
 
 /// A panel at an end of a part is cut at one of these shares of it from the end: densities bend there as `d ln d`, with which short panels need to be less exact.
 const CUTS: [f64; 6] = [1.0 / 64.0, 1.0 / 32.0, 1.0 / 16.0, 1.0 / 8.0, 0.25, FARTHEST];
@@ -167,6 +168,8 @@ struct Sampling<'a> {
     density: &'a dyn Fn(f64) -> f64,
     limits: &'a Limits<'a>,
     longest: f64,
+    /// Nearer to the origin numbers are finer than anything the pressure is known to.
+    origin: f64,
 }
 
 /// Panels of a zone from left to right on which the density is a polynomial to a tolerance for their ends; none where they would be more than `most`.
@@ -184,8 +187,9 @@ pub(crate) fn panels(
         inside.map(|at| (at, cuts.bent.binary_search_by(|cut| cut.total_cmp(&at)).is_ok())),
     );
     ends.push((zone[1], true));
-    let longest = LONGEST.min(LONGEST_OF_ZONE * (zone[1] - zone[0]));
-    let sampling = Sampling { density, limits, longest };
+    let width = zone[1] - zone[0];
+    let longest = LONGEST.min(LONGEST_OF_ZONE * width);
+    let sampling = Sampling { density, limits, longest, origin: SMALLEST * width };
     let mut stack: Vec<Part> = (ends.windows(2).rev())
         .map(|pair| Part::new([pair[0].0, pair[1].0], [pair[0].1, pair[1].1]))
         .collect();
@@ -216,7 +220,7 @@ impl Sampling<'_> {
     fn judged(&self, mut part: Part) -> Judged {
         let width = part.width();
         let exact = (self.limits.exact)(part.left, part.right);
-        let finest = FINEST * part.left.abs().max(part.right.abs());
+        let finest = FINEST * part.left.abs().max(part.right.abs()).max(self.origin);
         // What is too long is not looked at, nor what cannot be resolved yet.
         let is_worth =
             part.known.is_some() || part.expected() <= GUESSED * exact || width <= COARSE * finest;
@@ -274,5 +278,21 @@ impl Sampling<'_> {
             tail = tail.max(sampled.1 / fallen);
         }
         (part.place(FARTHEST), None)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What never comes to rest towards the axis ends all the same, long before the smallest numbers of the machine.
+    #[test]
+    fn panels_at_the_origin_have_an_end() {
+        let density = |r: f64| if r == 0.0 { 1.0 } else { 1.0 + 0.1 * r.ln().sin() };
+        let limits = Limits { exact: &|_, _| 1e-14, known: &|_, _| 0.0, scale: 1.0, exponent: 0.5 };
+        let (cuts, mut found) = (Cuts { all: &[], bent: &[] }, Vec::new());
+        assert!(panels(&density, [0.0, 1.0], &cuts, &limits, 1 << 16, &mut found));
+        assert_eq!(found[0].left, 0.0);
+        assert!(found[0].right > 1e-20, "{:e}", found[0].right);
     }
 }

@@ -13,7 +13,7 @@ const SHARE: f64 = 0.15;
 const MISSED: f64 = 6.0;
 /// Windows are at least this wide, relative to their distance from the origin, and beside it to that of this share of the whole.
 const FINEST: f64 = 16.0 * f64::EPSILON;
-const SMALLEST: f64 = 1e-3;
+pub(crate) const SMALLEST: f64 = 1e-3;
 
 /// A residual that can be computed at places.
 pub(crate) trait Field {

@@ -97,7 +97,7 @@ impl Radial {
 
     /// Adds a panel that reaches far from the place or to the axis.
     fn add_cut(&self, panel: &Panel, r: f64, sums: &mut Sums) {
-        let r = r.max(AT_AXIS * panel.right);
+        let r = r.max(AT_AXIS * panel.right).max(f64::MIN_POSITIVE);
         let (inner, outer) = (r - ABOUT * r, r + ABOUT * r);
         let mut left = panel.left;
         let mut next = inner;

@@ -42,7 +42,7 @@ pub(super) struct PlainSum {
 }
 
 /// As many as near leaves have, about.
-const SIDE_BY_SIDE: usize = 64;
+pub(super) const SIDE_BY_SIDE: usize = 64;
 
 impl PlainSum {
     pub(super) fn new(kernel: PanelKernel) -> Self {

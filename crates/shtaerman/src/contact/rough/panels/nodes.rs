@@ -26,9 +26,6 @@ const MOST_NODES: usize = 400_000;
 /// Longest groups, in lengths of the layer, and about the most groups beyond the number of zones. At half or twice stated errors grow up to 6.4 times (survey).
 const GROUP: f64 = 0.25;
 const MOST_GROUPS: f64 = 400.0;
-/// Residuals of responses relative to their right-hand sides, on the panels before the last and on those; of integrals the square is left. With 1e-7 and 1e-10 rates without free
-/// edges lose their digits.
-const RESIDUALS: [f64; 2] = [1e-9, 1e-12];
 /// Places on each panel where finenesses are compared. At half or twice 27 of 32 answers change, within what they state (survey).
 const PLACES: [f64; 2] = [-0.78, 0.26];
 
@@ -38,6 +35,8 @@ pub(super) struct Effort {
     pub(super) fineness: Fineness,
     /// Residual relative to the layer.
     pub(super) residual: f64,
+    /// Residual of responses relative to their right-hand sides; of integrals the square is left.
+    pub(super) responses: f64,
     /// What the layer gives at free ends over the largest, at which the zones are good enough: its square is what the pressure elsewhere is off.
     pub(super) good: f64,
 }
@@ -89,6 +88,8 @@ pub(super) struct PanelNodes<'b> {
     nodes: Arc<Nodes>,
     parameter: f64,
     residual: f64,
+    /// Residual of responses relative to their right-hand sides.
+    responses: f64,
     /// The length of all zones in local coordinates.
     total: f64,
 }
@@ -135,7 +136,8 @@ impl<'b> PanelNodes<'b> {
         let parameter = base.strength() * base.ground.scale(&hull);
         let zones = zones.to_vec();
         let nodes = Arc::new(Nodes { zones, panels, places, locals, heights, frame });
-        Ok(Self { base, operator, kernel, nodes, parameter, residual: effort.residual, total })
+        let Effort { residual, responses, .. } = effort;
+        Ok(Self { base, operator, kernel, nodes, parameter, residual, responses, total })
     }
 
     /// The operator alone.
@@ -254,7 +256,7 @@ impl Discrete for PanelNodes<'_> {
         body: &[f64],
         near: Option<&[Response<OnPanels>; 3]>,
     ) -> Result<[Response<OnPanels>; 3], Error> {
-        let share = RESIDUALS[usize::from(near.is_some())];
+        let share = self.responses;
         let (ones, lever, turns) =
             (vec![1.0; body.len()], self.nodes.lever(), self.nodes.frame.turns);
         // What does not turn has no use for the third.

@@ -27,21 +27,24 @@ use crate::contact::zones::Zone;
 /// Most rounds on the way to the zones: an edge that is off by many lengths of the layer comes nearer by a half each, from a cell to the thinnest layers twenty times, and then by squares. Half and twice change none of 32 answers (survey).
 const ROUNDS: usize = 28;
 /// Panels on which the zones are found, those whose answer is compared, and those of the answer. Heights are resolved to a tenth of what zones are found to: with 1e-8 rows take 1.3 times as long,
-/// with 1e-4 no less time. At half or twice the ends that are good enough stated errors grow up to 2.6 times (survey).
+/// with 1e-4 no less time. Responses begin with those on the panels before; with 1e-7 and 1e-10 on the last two rates without free edges lose their digits. At half or twice the ends that are good enough stated errors grow up to 2.6 times (survey).
 const LADDER: [Effort; 3] = [
     Effort {
         fineness: Fineness { order: 4, ends: 4.0, longest: LONGEST, straight: 1e-5 },
         residual: 1e-6,
+        responses: 1e-4,
         good: 1e-4,
     },
     Effort {
         fineness: Fineness { order: 10, ends: 2.0, longest: LONGEST, straight: STRAIGHT },
         residual: 1e-11,
+        responses: 1e-9,
         good: 1e-6,
     },
     Effort {
         fineness: Fineness { order: 13, ends: 1.0, longest: LONGEST, straight: STRAIGHT },
         residual: 1e-14,
+        responses: 1e-12,
         good: 1e-7,
     },
 ];
@@ -145,7 +148,7 @@ impl<'b> ManyPanels<'b> {
         }
     }
 
-    /// The solution on zones that agree with their own pressure, with responses but on the coarsest panels.
+    /// The solution on zones that agree with their own pressure, with responses.
     fn settled(
         &self,
         mut zones: Vec<Zone>,
@@ -175,8 +178,7 @@ impl<'b> ManyPanels<'b> {
                 // The pressure outside of the panels goes on as the negative gap: these edges are its own.
                 Arc::make_mut(&mut solved.nodes).zones = zones;
             }
-            let answers = level > 0;
-            return if answers { solved.answering(&nodes, &inverse, near) } else { Ok(solved) };
+            return solved.answering(&nodes, &inverse, near);
         }
         Err(unknown())
     }
