@@ -105,12 +105,17 @@ impl OnZone {
         let kinks = if known { kinks(&clamped, zone, &bends, steepest) } else { Vec::new() };
         // Between the nodes of a short series may be what the cuts are for.
         let is_short = known && cuts.len() == bends.len();
-        let rest = Arc::new(without(&clamped, zone, &kinks));
+        let rest = without(&clamped, zone, &kinks);
         let by_place =
             |y: f64| rest(if y < 0.0 { left + half * (1.0 + y) } else { right - half * (1.0 - y) });
         let rest = match is_short.then(|| Series::new(powers, half, noise, &by_place)).flatten() {
             Some(series) => Rest::Smooth(series),
-            None => Rest::Bent(halves(base, zone, &cuts, rest, noise * steepest)),
+            None => {
+                let (own, inside_of) = (Arc::clone(base), *zone);
+                let slope: Slope = Arc::new(move |xi| own.quick_slope(inside_of.inside(xi)));
+                let rest = Arc::new(without(&slope, zone, &kinks));
+                Rest::Bent(halves(base, zone, &cuts, rest, noise * steepest))
+            }
         };
         let centre = 0.5 * (left + right);
         let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
