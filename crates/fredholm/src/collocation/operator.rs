@@ -259,7 +259,7 @@ impl SincOperator {
     }
 
     /// `w_j phi_j` from the scaled solutions, for integrals: `f - parameter (K phi)` is a small difference where the parameter is large, `z` is not.
-    fn masses(&self, scaled: &[Vec<f64>]) -> Vec<f64> {
+    pub(super) fn masses(&self, scaled: &[Vec<f64>]) -> Vec<f64> {
         let mut masses = vec![0.0; self.count()];
         for (block, z) in self.blocks.iter().zip(scaled) {
             block.extend(&block.unscaled(z), &mut masses);

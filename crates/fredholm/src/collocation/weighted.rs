@@ -66,6 +66,20 @@ impl<'o> WeightedFactor<'o> {
     /// # Errors
     /// [`Error::WrongLength`] unless there is one value for each node, [`Error::NotFinite`] for NaN or an infinity.
     pub fn solve(&self, right_hand_side: &[f64]) -> Result<SincSolution, Error> {
+        let scaled = self.scaled(right_hand_side)?;
+        Ok(self.operator.finish(self.parameter, right_hand_side, &scaled))
+    }
+
+    /// What the integrals of that add up, as [`SincSolution::node_masses`], without the potential, which takes as long as the solution.
+    ///
+    /// # Errors
+    /// As [`WeightedFactor::solve`].
+    pub fn node_masses(&self, right_hand_side: &[f64]) -> Result<Vec<f64>, Error> {
+        Ok(self.operator.masses(&self.scaled(right_hand_side)?))
+    }
+
+    /// The densities of the blocks, scaled by the roots of the masses.
+    fn scaled(&self, right_hand_side: &[f64]) -> Result<Vec<Vec<f64>>, Error> {
         self.operator.require_values(right_hand_side)?;
         let solved = |roots: &[f64], factored: &Factored, mut z: Vec<f64>| {
             z.iter_mut().zip(roots).for_each(|(z, root)| *z *= root);
@@ -77,18 +91,13 @@ impl<'o> WeightedFactor<'o> {
         Ok(match &self.factored {
             Parts::Whole { roots, masses, factored } => {
                 let z = right_hand_side.iter().zip(masses).map(|(f, mass)| mass * f).collect();
-                let z = solved(roots, factored, z);
-                self.operator.respond(self.parameter, right_hand_side, &z)
+                self.operator.restricted(&solved(roots, factored, z))
             }
-            Parts::Blocks(parts) => {
-                let blocks = self.operator.blocks().iter().zip(parts);
-                let scaled: Vec<Vec<f64>> = blocks
-                    .map(|(block, (roots, factored))| {
-                        solved(roots, factored, block.scaled(right_hand_side))
-                    })
-                    .collect();
-                self.operator.finish(self.parameter, right_hand_side, &scaled)
-            }
+            Parts::Blocks(parts) => (self.operator.blocks().iter().zip(parts))
+                .map(|(block, (roots, factored))| {
+                    solved(roots, factored, block.scaled(right_hand_side))
+                })
+                .collect(),
         })
     }
 }
@@ -141,7 +150,12 @@ impl SincOperator {
 
     /// `f - parameter K p` for the density `p` scaled by the roots of the masses.
     fn respond(&self, parameter: f64, right_hand_side: &[f64], scaled: &[f64]) -> SincSolution {
-        let parts: Vec<Vec<f64>> = (self.blocks().iter())
+        self.finish(parameter, right_hand_side, &self.restricted(scaled))
+    }
+
+    /// What a density scaled by the roots of the masses is to the blocks.
+    fn restricted(&self, scaled: &[f64]) -> Vec<Vec<f64>> {
+        (self.blocks().iter())
             .map(|block| {
                 let mut part = block.restrict(scaled);
                 if block.part == Part::Even && scaled.len() % 2 == 1 {
@@ -149,8 +163,7 @@ impl SincOperator {
                 }
                 part
             })
-            .collect();
-        self.finish(parameter, right_hand_side, &parts)
+            .collect()
     }
 
     /// `S` for all nodes, from its parts.

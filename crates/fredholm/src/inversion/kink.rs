@@ -69,7 +69,7 @@ impl Kink {
         [self.size * even, self.odd_size() * ((1.0 + mu) * rest + power * cosine) / (2.0 + mu)]
     }
 
-    /// `a_n` of `A |s - k|` from `n = 2` on, the first two zero.
+    /// `a_n` of `A |s - k|`, the first two those of its force and moment about the height in the middle.
     pub fn heights(&self, powers: &Powers, norms: &[f64]) -> Vec<f64> {
         // (1-y^2)^(mu/2-1/2) c_n is a derivative twice, of (1-y^2)^(mu/2+3/2) c_(n-2) of the order mu/2 + 2.
         let mu = powers.exponent();
@@ -79,6 +79,10 @@ impl Kink {
         let polynomials = inside(0.5 * mu + 2.0, norms.len(), place);
         for (n, norm) in norms.iter().enumerate().skip(2) {
             heights[n] = scale * polynomials[n - 2] / ((1.0 + mu) * (3.0 + mu) * norm);
+        }
+        let levers = self.levers(powers).into_iter().zip([1.0 / mu, (2.0 + mu) / (1.0 + mu)]);
+        for (height, (lever, share)) in heights.iter_mut().zip(levers) {
+            *height = self.half * share * lever / powers.total();
         }
         heights
     }
@@ -189,6 +193,7 @@ fn at_kink(powers: &Powers, m: f64, offset: f64, end: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::ultraspherical::{displaced, norms};
     use super::super::{AbelTransform, Shape, Symmetry, Weight};
     use super::*;
 
@@ -250,18 +255,22 @@ mod tests {
                 // It is the panels that lose digits.
                 assert!((found - exact).abs() < 4e-9, "{mu} {at} {s}: {found} {exact}");
             }
-            for s in [0.8001, 1.0, -1.7, 30.0f64] {
+            let heights = kink.heights(&powers, &norms(&powers, 400));
+            for s in [0.8001, 0.806, 0.83, 1.0, -1.7, 30.0f64] {
                 let [even, odd] = transforms.each_ref().map(|all| all.displacement(s.abs(), 0.0));
                 let found = powers.beside() * kink.displacement(&powers, s.abs(), s.signum());
                 let exact = even + s.signum() * odd;
                 assert!((found - exact).abs() < 1e-11, "{mu} {at} {s}: {found} {exact}");
+                let series = displaced(&powers, &heights, s.abs() / HALF - 1.0, s.signum());
+                assert_eq!(series.is_some(), s != 0.8001, "{mu} {at} {s}");
+                let missed = series.map_or(0.0, |sum| sum + found);
+                assert!(missed.abs() < 4e-15, "{mu} {at} {s}: {missed:e}");
             }
         }
     }
 
     #[test]
     fn heights_are_integrals_of_polynomials() {
-        use super::super::ultraspherical::norms;
         for (mu, at) in [(0.1, 0.3), (0.7, -0.79), (0.4, 0.0)] {
             let (powers, kink) = (Powers::new(mu).unwrap(), kink(at));
             let norms = norms(&powers, 12);

@@ -44,6 +44,15 @@ pub fn outside(powers: &Powers, count: usize, excess: f64) -> Vec<f64> {
     values
 }
 
+/// `sum a_n d_n(1 + excess)` on the side of a sign, the displacement beside the zone by a pressure that displaces it by `sum a_n c_n`; none where more terms are felt than are given.
+pub fn displaced(powers: &Powers, heights: &[f64], excess: f64, sign: f64) -> Option<f64> {
+    let growth = (excess + (excess * (2.0 + excess)).sqrt()).ln_1p();
+    let felt = -f64::EPSILON.ln() / growth;
+    let count = if felt < heights.len() as f64 { felt as usize + 2 } else { return None };
+    let terms = outside(powers, count.min(heights.len()), excess).into_iter().zip(heights);
+    Some(terms.enumerate().map(|(n, (d, a))| if n % 2 == 0 { d * a } else { sign * d * a }).sum())
+}
+
 /// `l_n`.
 pub fn gains(powers: &Powers, count: usize) -> Vec<f64> {
     let mu = powers.exponent();

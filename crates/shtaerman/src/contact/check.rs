@@ -42,6 +42,15 @@ impl Check {
         Error::NotComplementary { tension: self.tension, penetration: self.penetration }
     }
 
+    /// The same with the mirror images of what is listed right of the middle.
+    pub(super) fn with_images(mut self) -> Self {
+        let pulling = self.pulling.iter().rev().map(|[left, right]| [-right, -left]);
+        self.pulling = pulling.chain(self.pulling.iter().copied()).collect();
+        let images = self.penetrating.iter().rev().map(|place| [2, 1, 0].map(|k| -place[k]));
+        self.penetrating = images.chain(self.penetrating.iter().copied()).collect();
+        self
+    }
+
     /// The intervals of penetration, narrowed by a factor towards the deepest places.
     pub(super) fn narrowed(&self, width: f64) -> Vec<[f64; 2]> {
         let narrowed = |[left, deepest, right]: &[f64; 3]| {

@@ -132,6 +132,11 @@ pub(super) trait Equation {
     /// The answer, from what was found with this effort.
     fn refined(&self, coarse: Self::Solved, effort: &Self::Effort) -> Result<Self::Solved, Error>;
 
+    /// Whether that takes a solution as it is, as more effort adds nothing.
+    fn is_refined(&self, _solved: &Self::Solved) -> bool {
+        false
+    }
+
     /// Tension and penetration, relative to their scales, that an answer does not resolve.
     fn noise(&self, _solved: &Self::Solved, _left: &Check) -> f64 {
         0.0
@@ -143,9 +148,9 @@ pub(super) trait Equation {
 /// # Errors
 /// [`Error::NotComplementary`] where no zones were found, [`Error::TooManyZones`]; those of the solutions.
 pub(super) fn complementary<E: Equation>(equation: &E) -> Result<(E::Solved, Check), Error> {
-    let (mut coarse, mut effort) = found(equation)?;
+    let Coarse { solved: mut coarse, mut effort, mut left } = found(equation)?;
     if equation.deadline().is_past() {
-        let left = equation.check(&coarse, ALLOWED);
+        let left = left.unwrap_or_else(|| equation.check(&coarse, ALLOWED));
         return Ok((coarse, left));
     }
     let mut last = unknown();
@@ -157,7 +162,7 @@ pub(super) fn complementary<E: Equation>(equation: &E) -> Result<(E::Solved, Che
             Err(_) if is_attempt(&last) => break,
             Err(error) => return Err(error),
         };
-        let left = equation.check(&solved, ALLOWED);
+        let left = left.take().unwrap_or_else(|| equation.check(&solved, ALLOWED));
         // What the nodes do not resolve is no reason to correct zones.
         let is_noise = || {
             let noise = equation.noise(&solved, &left);
@@ -181,8 +186,15 @@ pub(super) fn complementary<E: Equation>(equation: &E) -> Result<(E::Solved, Che
     Err(last)
 }
 
-/// The answer on few nodes, with their effort.
-fn found<E: Equation>(equation: &E) -> Result<(E::Solved, E::Effort), Error> {
+/// An answer on few nodes, with their effort.
+struct Coarse<E: Equation> {
+    solved: E::Solved,
+    effort: E::Effort,
+    /// What is left of tension and penetration, where that is known as of an answer.
+    left: Option<Check>,
+}
+
+fn found<E: Equation>(equation: &E) -> Result<Coarse<E>, Error> {
     let mut last = unknown();
     let mut doubtful = Doubtful { violation: DOUBTFUL, zones: None };
     let valleys = equation.valleys();
@@ -209,7 +221,7 @@ fn found<E: Equation>(equation: &E) -> Result<(E::Solved, E::Effort), Error> {
     // All nodes tell whether there is anything left.
     let Some(zones) = doubtful.zones else { return Err(last) };
     let effort = equation.effort(&zones, None)?;
-    Ok((edges::settle(equation, &zones, &effort)?, effort))
+    Ok(Coarse { solved: edges::settle(equation, &zones, &effort)?, effort, left: None })
 }
 
 /// The zones with the least violation so small that more nodes may show none.
@@ -222,7 +234,7 @@ fn corrected_zones<E: Equation>(
     equation: &E,
     mut zones: Vec<Zone>,
     doubtful: &mut Doubtful,
-) -> Result<(E::Solved, E::Effort), Error> {
+) -> Result<Coarse<E>, Error> {
     let mut effort = equation.effort(&zones, None)?;
     let mut last = unknown();
     let mut progress = Progress::new();
@@ -234,11 +246,15 @@ fn corrected_zones<E: Equation>(
         effort = equation.effort(&zones, Some(effort))?;
         let solved = edges::settle(equation, &zones, &effort)?;
         if equation.deadline().is_past() {
-            return Ok((solved, effort));
+            return Ok(Coarse { solved, effort, left: None });
+        }
+        let last_of_all = equation.is_refined(&solved).then(|| equation.check(&solved, ALLOWED));
+        if last_of_all.as_ref().is_some_and(Check::is_clean) {
+            return Ok(Coarse { solved, effort, left: last_of_all });
         }
         let left = equation.check(&solved, COARSELY_ALLOWED);
         if left.is_clean() {
-            return Ok((solved, effort));
+            return Ok(Coarse { solved, effort, left: last_of_all });
         }
         if left.violation() < doubtful.violation {
             let zones = Some(equation.zones(&solved));

@@ -1,5 +1,6 @@
 //! The zones of contact.
 
+use super::edges::CLOSE;
 use super::intervals::joined;
 use crate::Error;
 
@@ -144,6 +145,28 @@ pub(super) fn corrected(
     joined(intervals)
 }
 
+/// Makes mirror images of zones that nearly are, where the contact is its own: so are their operators, of which a half is enough.
+pub(super) fn mirror(zones: &mut [Zone]) {
+    let count = zones.len();
+    let is_near = |i: usize| {
+        let (one, other) = (&zones[i], &zones[count - 1 - i]);
+        let apart = (one.left() + other.right()).abs();
+        apart <= CLOSE * one.length().min(other.length()) && one.kinds[0] == other.kinds[1]
+    };
+    if (0..count).all(is_near) {
+        for i in 0..count {
+            let at = 0.5 * (zones[i].left() - zones[count - 1 - i].right());
+            (zones[i].ends[0], zones[count - 1 - i].ends[1]) = (at, -at);
+        }
+    }
+}
+
+/// Whether zones are mirror images to the last bit.
+pub(super) fn are_images(zones: &[Zone]) -> bool {
+    let pairs = zones.iter().zip(zones.iter().rev());
+    pairs.into_iter().all(|(one, other)| one.left() == -other.right())
+}
+
 /// The intervals of the pieces of a base beside zones.
 pub(super) fn outside(pieces: &[[f64; 2]], zones: &[Zone]) -> Vec<[f64; 2]> {
     let mut intervals = Vec::new();
@@ -253,6 +276,17 @@ mod tests {
         // An edge that was a little off.
         assert_eq!(corrected(&zones, &[[-1e-4, 0.0]], &[[1e-9, 2e-4]]), [[-1.0, 2e-4], [0.5, 1.0]]);
         assert_eq!(outside(&[[-1.0, 2.0]], &zones), [[0.0, 0.5], [1.0, 2.0]]);
+    }
+
+    #[test]
+    fn what_is_nearly_even_becomes_even() {
+        let mut zones = [Zone::within(-0.9, -0.3), Zone::within(0.3 + 1e-9, 0.9 - 1e-12)];
+        mirror(&mut zones);
+        assert!(are_images(&zones));
+        assert!((zones[0].left() + 0.9).abs() < 1e-12 && (zones[1].left() - 0.3).abs() < 1e-9);
+        let mut other = [Zone::within(-0.9, 0.8)];
+        mirror(&mut other);
+        assert_eq!(other, [Zone::within(-0.9, 0.8)]);
     }
 
     #[test]

@@ -175,7 +175,7 @@ fn kinks() {
     assert!(contact.relative_error() > 1e-8 && contact.relative_error() < 1e-6);
     is_contact(blunt, &contact, 2e3, contact.relative_error());
     let contact = solve(blunt, pressed(2e4));
-    assert!(contact.relative_error() > 1e-5 && contact.relative_error() < 1e-2);
+    assert!(contact.relative_error() > 1e-5 && contact.relative_error() < 2e-3);
     is_contact(blunt, &contact, 2e4, contact.relative_error());
 }
 
@@ -350,10 +350,11 @@ fn bases_from_seeds() {
         let contact = contact.unwrap_or_else(|error| panic!("{trial}: {profile}, {load}: {error}"));
         let left = contact.complementarity().unwrap();
         assert!(left.tension < 1e-9 && left.penetration < 1e-9, "{trial}: {left:?}");
-        assert!(contact.relative_error() < 1e-8, "{trial}: {:e}", contact.relative_error());
-        // Places near a corner of a narrow ring are rounded.
+        // Places near a corner of a narrow ring are rounded, and so are its ends: one that is 2e-9 wide states 1.9e-9.
         let narrowest =
             contact.dimensionless().zones().iter().fold(2.0f64, |least, [l, r]| least.min(r - l));
+        let most = 1e-11f64.max(4e-18 / narrowest);
+        assert!(contact.relative_error() < most, "{trial}: {:e}", contact.relative_error());
         let error = force(&contact) / load - 1.0;
         assert!(narrowest < 1e-3 || error.abs() < 1e-9, "{trial}: {error:e}");
     }

@@ -202,6 +202,15 @@ impl Base {
         if self.ground.is_disk() { zone.about_axis() } else { zone }
     }
 
+    /// Whether base and load of an open contact are their own mirror images.
+    pub(super) fn is_mirrored(&self) -> bool {
+        let is_even =
+            |places: &[f64]| places.iter().zip(places.iter().rev()).all(|(a, b)| *a == -*b);
+        let is_open = !self.ground.is_disk() && !self.ground.is_closed();
+        let are_even = is_even(&self.breaks) && is_even(self.pieces.as_flattened());
+        is_open && are_even && self.problem().is_symmetric()
+    }
+
     /// The pieces of the base as zones.
     pub(super) fn whole(&self) -> Vec<Zone> {
         self.pieces.iter().map(|piece| self.zone(*piece)).collect()

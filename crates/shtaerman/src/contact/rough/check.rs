@@ -6,7 +6,7 @@ use super::solved::Solved;
 use crate::contact::accuracy::SAFETY;
 use crate::contact::check::{Check, POINTS, with_tops};
 use crate::contact::steps::INSIDE;
-use crate::contact::zones::outside;
+use crate::contact::zones::{are_images, outside};
 
 /// Tension and penetration beyond `allowed`, relative to their scales, and beyond rounding are listed for correction.
 pub(super) fn check<F: Field>(base: &Base, solved: &Solved<F>, allowed: f64) -> Check {
@@ -15,18 +15,23 @@ pub(super) fn check<F: Field>(base: &Base, solved: &Solved<F>, allowed: f64) -> 
     let floor = SAFETY * solved.rounding();
     let layer = |xi: f64| solved.layer_at(xi, base.sampled_height(xi));
     let mut check = Check { largest, ..Check::none() };
-    for zone in &solved.nodes.zones {
-        let points = points(base, zone.left(), zone.right());
+    let zones = &solved.nodes.zones;
+    // Of what is its own mirror image one half tells all.
+    let is_half = are_images(zones) && base.is_mirrored();
+    let from = if is_half { 0.0 } else { f64::NEG_INFINITY };
+    for zone in zones.iter().filter(|zone| zone.right() > from) {
+        let points = points(base, zone.left().max(from), zone.right());
         let (points, values) = with_tops(&points, |xi| -layer(xi));
         check.add_tension(&points, &values, [largest, allowed * largest + floor]);
     }
     // What is compared outside is of the size of its terms.
     let scale = solved.size() + solved.state.settlement.abs() + solved.state.tilt.abs();
-    for [left, right] in outside(&base.pieces, &solved.nodes.zones) {
-        let (points, values) = with_tops(&points(base, left, right), layer);
+    let gaps = outside(&base.pieces, zones).into_iter();
+    for [left, right] in gaps.filter(|[_, right]| *right > from) {
+        let (points, values) = with_tops(&points(base, left.max(from), right), layer);
         check.add_penetration(&points, &values, [scale, allowed * scale + floor]);
     }
-    check
+    if is_half { check.with_images() } else { check }
 }
 
 /// Of every part both ends, places between that are closer near the ends, and the samples of the profile.

@@ -137,18 +137,23 @@ pub(super) trait Discrete {
     /// `p dm` at the nodes, but for the measure.
     fn masses(&self, pressure: &Self::Pressure) -> Vec<f64>;
 
+    /// Force, and moment about the centre, of masses.
+    fn carried(&self, masses: &[f64]) -> [f64; 2] {
+        let (ground, nodes) = (self.base().ground.as_ref(), self.nodes());
+        let frame = &nodes.frame;
+        let unit = ground.area() * ground.measure(&frame.hull);
+        let turn: f64 = masses.iter().zip(&nodes.locals).map(|(mass, y)| mass * y).sum();
+        let turn = if frame.turns { unit * frame.hull.half * turn } else { 0.0 };
+        [unit * masses.iter().sum::<f64>(), turn]
+    }
+
     /// A pressure with its potential `K p` at the nodes.
     fn with_potential(
         &self,
         pressure: Self::Pressure,
         potential: &[f64],
     ) -> Pressed<Self::Pressure> {
-        let (ground, nodes) = (self.base().ground.as_ref(), self.nodes());
-        let (frame, masses) = (&nodes.frame, self.masses(&pressure));
-        let unit = ground.area() * ground.measure(&frame.hull);
-        let turn: f64 = masses.iter().zip(&nodes.locals).map(|(mass, y)| mass * y).sum();
-        let turn = if frame.turns { unit * frame.hull.half * turn } else { 0.0 };
-        let carried = [unit * masses.iter().sum::<f64>(), turn];
+        let carried = self.carried(&self.masses(&pressure));
         let displaced = potential.iter().map(|u| self.parameter() * u).collect();
         Pressed { pressure, displaced, carried }
     }

@@ -1,6 +1,8 @@
 //! The base of a punch on a smooth surface: heights and slopes, where it bends, and where ends of the contact can rest.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
+
+use fredholm::inversion::Slopes;
 
 use crate::contact::ground::Ground;
 use crate::contact::ground::of_problem::ground;
@@ -48,6 +50,8 @@ pub(in crate::contact) struct Base {
     /// Where ends of the contact can rest.
     pub(super) walls: Walls,
     samples: Vec<Vec<Sample>>,
+    /// The slope of a formula; none of a base whose slope is told at once.
+    slopes: OnceLock<Option<Slopes>>,
 }
 
 /// A place moved by whole periods into `-1 .. 1`.
@@ -105,6 +109,7 @@ impl Base {
             joints,
             tolerance: if is_rounded { MEASURED } else { 0.0 },
             samples: Vec::new(),
+            slopes: OnceLock::new(),
         };
         base.balanced()?.sampled()?.seen()
     }
@@ -121,7 +126,8 @@ impl Base {
         let (breaks, joints) =
             (moved(&self.breaks, has_seam.then_some(1.0)), moved(&self.joints, None));
         let walls = Walls::of(&self.pieces);
-        let turned = Self { shift, breaks, joints, walls, ..self.clone() };
+        let slopes = OnceLock::new();
+        let turned = Self { shift, breaks, joints, walls, slopes, ..self.clone() };
         turned.moved().seen()
     }
 
@@ -234,6 +240,24 @@ impl Base {
     /// `df0/dxi`, NaN where there is none.
     pub(super) fn slope(&self, xi: f64) -> f64 {
         self.setting.problem().dimensionless_slope(self.own(xi)).unwrap_or(f64::NAN)
+    }
+
+    /// The same for Abel's transforms, by polynomials where they are sooner known.
+    pub(super) fn quick_slope(&self, xi: f64) -> f64 {
+        let slope = |xi: f64| self.slope(xi);
+        let of_formula = || {
+            let profile = self.setting.problem().profile();
+            let mut ends = self.cuts();
+            if self.ground.is_disk() {
+                ends.extend(Slopes::towards_axis());
+            } else {
+                ends.extend(self.pieces.as_flattened());
+            }
+            let is_formula = !profile.is_closure() && profile.points().is_none();
+            is_formula.then(|| Slopes::new(ends))
+        };
+        let slopes = self.slopes.get_or_init(of_formula).as_ref();
+        slopes.and_then(|slopes| slopes.at(xi, slope)).unwrap_or_else(|| slope(xi))
     }
 
     /// Whether slopes are known better than by differences of heights: not those of a closure.

@@ -143,6 +143,10 @@ impl<F: FirstKind> Equation for F {
         if coarse.is_fine() { Ok(coarse) } else { settle(self, &coarse.zones(), &FINE) }
     }
 
+    fn is_refined(&self, solved: &F::Solved) -> bool {
+        solved.is_fine()
+    }
+
     fn noise(&self, solved: &F::Solved, left: &Check) -> f64 {
         noise(self, solved, left.largest).min(COARSELY_ALLOWED)
     }

@@ -4,6 +4,7 @@ use fredholm::collocation::first_half_count;
 
 use super::nodes::{RATIO, Resolution, SincField, SincNodes};
 use crate::Error;
+use crate::contact::accuracy::SAFETY;
 use crate::contact::check::Check;
 use crate::contact::edges::{EndState, settle};
 use crate::contact::rough::base::Base;
@@ -12,7 +13,7 @@ use crate::contact::rough::solved::{BESIDE, Solved};
 use crate::contact::rough::{check, coarse, refinement};
 use crate::contact::search::{Equation, Start, Work, unknown};
 use crate::contact::valleys::MOST_CELLS;
-use crate::contact::zones::{Walls, Zone};
+use crate::contact::zones::{Walls, Zone, mirror};
 use crate::deadline::Deadline;
 
 /// Nodes on either side of the middle of a panel for each valley of the whole base: `cos(k xi)` needs about `4 k`, and has `k/pi` valleys (survey).
@@ -48,11 +49,13 @@ pub(in crate::contact::rough) struct Collocation<'b> {
     base: &'b Base,
     effort: Effort,
     work: Work,
+    /// Whether the contact is its own mirror image.
+    is_mirrored: bool,
 }
 
 impl<'b> Collocation<'b> {
     pub(in crate::contact::rough) fn new(base: &'b Base, effort: Effort) -> Self {
-        Self { base, effort, work: Work::default() }
+        Self { base, effort, work: Work::default(), is_mirrored: base.is_mirrored() }
     }
 
     /// The answer on the whole base.
@@ -125,6 +128,9 @@ impl Equation for Collocation<'_> {
         if self.base.ground.is_disk() {
             zones.iter_mut().for_each(|zone| *zone = zone.about_axis());
         }
+        if self.is_mirrored {
+            mirror(&mut zones);
+        }
         zones
     }
 
@@ -189,7 +195,7 @@ impl Equation for Collocation<'_> {
         let (rounding, scale) = (solved.rounding(), solved.deepest());
         let end = |zone: usize, side: usize| {
             let (value, step) = solved.end(zone, side);
-            EndState { value, rounding, scale, none: 0.0, enough: rounding, step }
+            EndState { value, rounding, scale, none: rounding / SAFETY, enough: rounding, step }
         };
         (0..solved.nodes.zones.len()).map(|zone| [end(zone, 0), end(zone, 1)]).collect()
     }

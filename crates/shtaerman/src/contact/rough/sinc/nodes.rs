@@ -1,6 +1,6 @@
 //! The equation collocated on given zones.
 
-use std::cell::OnceCell;
+use std::cell::RefCell;
 use std::sync::Arc;
 
 use fredholm::collocation::{Place, SincGrid, WeightedFactor, rounding};
@@ -27,29 +27,37 @@ pub(in crate::contact::rough) struct Resolution {
     pub(super) strength: f64,
     ground: Arc<dyn Ground>,
     grid: Arc<SincGrid>,
-    /// The operator on the local interval in one panel.
-    whole: OnceCell<Arc<SincOperator>>,
+    /// The last operator with its panels: a zone without bends, and one that is its own mirror image with a bend in the middle, has the same wherever its ends are.
+    last: RefCell<Option<(LocalPanels, Arc<SincOperator>)>>,
 }
+
+/// Panels in local coordinates.
+type LocalPanels = Vec<(f64, f64)>;
 
 impl Resolution {
     /// About so many nodes on either side of the middle of a panel.
     pub(super) fn new(ground: &Arc<dyn Ground>, strength: f64) -> Result<Self, Error> {
         let grid = ground.grid((strength.round() as usize).max(FEWEST))?;
-        Ok(Self { strength, ground: Arc::clone(ground), grid, whole: OnceCell::new() })
+        Ok(Self { strength, ground: Arc::clone(ground), grid, last: RefCell::default() })
     }
 
-    fn operator(&self, panels: &[(f64, f64)]) -> Result<Arc<SincOperator>, Error> {
-        let build = || self.ground.operator(&self.grid, panels).map(Arc::new);
-        match (self.ground.local_ends(), panels) {
-            (Some([left, right]), [panel]) if *panel == (left, right) => {}
-            _ => return build(),
+    fn operator(&self, panels: LocalPanels) -> Result<Arc<SincOperator>, Error> {
+        let mut last = self.last.borrow_mut();
+        if let Some((known, operator)) = &*last
+            && *known == panels
+        {
+            return Ok(Arc::clone(operator));
         }
-        if let Some(known) = self.whole.get() {
-            return Ok(Arc::clone(known));
-        }
-        let known = self.ground.known_operator(self.grid.half_count());
-        let operator = known.unwrap_or_else(build)?;
-        Ok(Arc::clone(self.whole.get_or_init(|| operator)))
+        let build = || self.ground.operator(&self.grid, &panels).map(Arc::new);
+        let operator = match (self.ground.local_ends(), &panels[..]) {
+            (Some([left, right]), [panel]) if *panel == (left, right) => {
+                let known = self.ground.known_operator(self.grid.half_count());
+                known.unwrap_or_else(build)?
+            }
+            _ => build()?,
+        };
+        *last = Some((panels, Arc::clone(&operator)));
+        Ok(operator)
     }
 }
 
@@ -116,7 +124,7 @@ impl<'b> SincNodes<'b> {
         let hull = ground.hull(first.left(), last.right(), base.surface.origin);
         let panels: Vec<[f64; 2]> =
             zones.iter().flat_map(|zone| zone.panels(&base.breaks)).map(<[f64; 2]>::from).collect();
-        let operator = resolution.operator(&local_panels(ground, &hull, &panels))?;
+        let operator = resolution.operator(local_panels(ground, &hull, &panels))?;
         let place = |place: Place| {
             let [left, right] = panels[place.panel];
             let xi = if place.from_left < place.from_right {
@@ -188,8 +196,8 @@ impl Discrete for SincNodes<'_> {
         inverse: &SincInverse<'_>,
         Task { right, lack, .. }: Task<'_>,
     ) -> Result<Step<SincSolution>, Error> {
-        let free = self.with_displacement(inverse.factor.solve(right)?);
-        let free = Direction { local: [0.0; 2], carried: free.carried };
+        let carried = self.carried(&inverse.factor.node_masses(right)?);
+        let free = Direction { local: [0.0; 2], carried };
         let directions = Direction::of_local(inverse.frame.each_ref().map(|unit| unit.carried));
         let local = self.nodes.frame.met(&directions, (1.0, &free), lack)?;
         let sums = right.iter().zip(&self.nodes.locals);
@@ -225,13 +233,13 @@ impl Discrete for SincNodes<'_> {
 }
 
 /// The panels in local coordinates, the ends of the hull exact.
-fn local_panels(ground: &dyn Ground, hull: &Hull, panels: &[[f64; 2]]) -> Vec<(f64, f64)> {
+fn local_panels(ground: &dyn Ground, hull: &Hull, panels: &[[f64; 2]]) -> LocalPanels {
     let ends = ground.local_ends();
     let local = |xi: f64| {
         let y = (xi - hull.centre) / hull.half;
         ends.map_or(y, |[left, right]| y.clamp(left, right))
     };
-    let mut local: Vec<(f64, f64)> =
+    let mut local: LocalPanels =
         panels.iter().map(|&[left, right]| (local(left), local(right))).collect();
     let Some([left, right]) = ends else { return local };
     if let (Some(first), Some(begin)) = (local.first_mut(), panels.first())

@@ -17,7 +17,6 @@ mod core;
 mod coupling;
 mod ring;
 mod ring_part;
-mod slopes;
 mod solved;
 mod tilt;
 
@@ -35,7 +34,6 @@ use crate::contact::search::{ALLOWED, Work};
 use crate::contact::solution::Solution;
 use crate::contact::zones::Zone;
 use crate::{Error, Rotational};
-use slopes::Slopes;
 use solved::Solved;
 use tilt::require_contact;
 
@@ -75,8 +73,6 @@ pub(super) struct Disk {
     /// What is prescribed of the tilt.
     rotational: Rotational,
     work: Work,
-    /// The slope of a formula; none of a base whose slope is told at once.
-    slopes: OnceCell<Option<Slopes>>,
     /// The transform over the whole base, and the last one up to less.
     whole: OnceCell<AbelTransform>,
     latest: RefCell<Option<(f64, Arc<AbelTransform>)>>,
@@ -87,9 +83,9 @@ impl Disk {
         let powers = Powers::new(base.ground.exponent())?;
         let modulus = powers.modulus(std::f64::consts::PI * base.setting.theta0());
         let rotational = base.setting.load().rotational;
-        let (work, slopes, whole) = (Work::default(), OnceCell::new(), OnceCell::new());
+        let (work, whole) = (Work::default(), OnceCell::new());
         let latest = RefCell::new(None);
-        Ok(Self { base, powers, modulus, rotational, work, slopes, whole, latest })
+        Ok(Self { base, powers, modulus, rotational, work, whole, latest })
     }
 
     /// Whether a contact of rings can be solved for.
@@ -144,22 +140,11 @@ impl Disk {
         part.unwrap_or(transform)
     }
 
-    fn slope(&self, r: f64) -> f64 {
-        let base = &self.base;
-        let of_formula = || {
-            let profile = base.setting.problem().profile();
-            let is_formula = !profile.is_closure() && profile.points().is_none();
-            is_formula.then(|| Slopes::new(&base.cuts(), |r| base.slope(r)))
-        };
-        let known = self.slopes.get_or_init(of_formula).as_ref().and_then(|slopes| slopes.at(r));
-        known.unwrap_or_else(|| base.slope(r))
-    }
-
     /// The slope of the base along a radius, for Abel's transforms.
     fn with_shape<T>(&self, of: impl FnOnce(&Shape<'_>) -> T) -> T {
         let base = &self.base;
         let shape = Shape {
-            slope: &|r| self.slope(r),
+            slope: &|r| base.quick_slope(r),
             breaks: base.breaks.clone(),
             joints: base.joints.clone(),
             tolerance: base.tolerance,

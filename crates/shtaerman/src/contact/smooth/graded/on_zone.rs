@@ -1,8 +1,8 @@
 //! What the profile is made of on a zone: kinks, and a rest that is a series or, where it bends in other ways, two halves on panels.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
-use fredholm::inversion::ultraspherical::{gains, norms};
+use fredholm::inversion::ultraspherical::{displaced, gains, norms};
 use fredholm::inversion::{AbelTransform, Kink, Powers, Series, Shape, Symmetry, Weight};
 
 use super::super::base::Base;
@@ -16,6 +16,9 @@ const MOST_BREAKS: usize = 320;
 /// Places on either side of the middle that show the size of slopes. At half or twice 19 of 20 answers change, within what they state (survey).
 const SAMPLES: usize = 8;
 
+/// Polynomials by which the surface beside a zone feels its kinks: so many are felt a hundredth of the half-length from its ends; nearer integrals are as cheap. At half or twice no answer changes (theory).
+const FELT: usize = 256;
+
 /// A slope as a function of the place, or of the distance from the middle of a zone.
 type Slope = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
 
@@ -23,6 +26,8 @@ type Slope = Arc<dyn Fn(f64) -> f64 + Send + Sync>;
 #[derive(Debug)]
 pub(super) struct OnZone {
     kinks: Vec<Kink>,
+    /// `a_n` of all kinks, once the surface beside is looked at.
+    felt: OnceLock<Vec<f64>>,
     rest: Rest,
     breaks: Vec<f64>,
     tolerance: f64,
@@ -100,17 +105,23 @@ impl OnZone {
         let kinks = if known { kinks(&clamped, zone, &bends, steepest) } else { Vec::new() };
         // Between the nodes of a short series may be what the cuts are for.
         let is_short = known && cuts.len() == bends.len();
-        let rest = Arc::new(without(&clamped, zone, &kinks));
+        let rest = without(&clamped, zone, &kinks);
         let by_place =
             |y: f64| rest(if y < 0.0 { left + half * (1.0 + y) } else { right - half * (1.0 - y) });
         let rest = match is_short.then(|| Series::new(powers, half, noise, &by_place)).flatten() {
             Some(series) => Rest::Smooth(series),
-            None => Rest::Bent(halves(base, zone, &cuts, rest, noise * steepest)),
+            None => {
+                let (own, inside_of) = (Arc::clone(base), *zone);
+                let slope: Slope = Arc::new(move |xi| own.quick_slope(inside_of.inside(xi)));
+                let rest = Arc::new(without(&slope, zone, &kinks));
+                Rest::Bent(halves(base, zone, &cuts, rest, noise * steepest))
+            }
         };
         let centre = 0.5 * (left + right);
         let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
         tidy(&mut breaks, zone);
-        Self { kinks, rest, breaks, tolerance: base.tolerance, half, steepest }
+        let felt = OnceLock::new();
+        Self { kinks, felt, rest, breaks, tolerance: base.tolerance, half, steepest }
     }
 
     /// Where the halves bend.
@@ -130,11 +141,8 @@ impl OnZone {
     pub(super) fn heights(&self, powers: &Powers, count: usize) -> Option<Vec<f64>> {
         let (gains, series) = (gains(powers, count.max(2)), self.series()?);
         let mut heights = vec![0.0; count.max(2)];
-        let norms = norms(powers, count);
-        for kink in &self.kinks {
-            let own = kink.heights(powers, &norms);
-            heights.iter_mut().zip(own).for_each(|(sum, a)| *sum += a);
-        }
+        let kinks = self.heights_of_kinks(powers, count);
+        heights.iter_mut().zip(kinks).for_each(|(sum, a)| *sum += a);
         let modes = series.modes.iter().zip(&gains).map(|(m, l)| m * l);
         heights.iter_mut().zip(modes).for_each(|(sum, a)| *sum += a);
         // Force and moment tell the first two.
@@ -142,6 +150,29 @@ impl OnZone {
         [heights[0], heights[1]] = [gains[0] * even, gains[1] * odd * self.half];
         heights.truncate(count);
         Some(heights)
+    }
+
+    fn heights_of_kinks(&self, powers: &Powers, count: usize) -> Vec<f64> {
+        let (norms, mut heights) = (norms(powers, count), vec![0.0; count]);
+        for kink in &self.kinks {
+            let own = kink.heights(powers, &norms);
+            heights.iter_mut().zip(own).for_each(|(sum, a)| *sum += a);
+        }
+        heights
+    }
+
+    /// What the kinks add to the displacement beside the zone, at `|y| = 1 + excess` on the side of a sign.
+    pub(super) fn beside(&self, powers: &Powers, excess: f64, side: f64) -> f64 {
+        if self.kinks.is_empty() {
+            return 0.0;
+        }
+        let felt = self.felt.get_or_init(|| self.heights_of_kinks(powers, FELT));
+        if let Some(sum) = displaced(powers, felt, excess, side) {
+            return -sum;
+        }
+        let r = self.half * (1.0 + excess);
+        let kinks = self.kinks.iter().map(|kink| kink.displacement(powers, r, side));
+        powers.beside() * kinks.sum::<f64>()
     }
 
     /// What is taken away from the coefficients of the polynomials.

@@ -222,8 +222,8 @@ impl Strip {
             let [even, odd] = halves.each_ref().map(|half| half.displacement(r, 0.0));
             even + odd * side
         });
-        let kinks = self.kinks().iter().map(|kink| kink.displacement(powers, r, side));
-        polynomials + halves + powers.beside() * kinks.sum::<f64>()
+        let profile = self.profile.as_ref();
+        polynomials + halves + profile.map_or(0.0, |own| own.beside(powers, excess, side))
     }
 }
 

@@ -1,11 +1,10 @@
-//! The slope of the base by polynomials where it is one to rounding: Abel's transforms ask for it in thousands of places, and a formula costs more than all else there.
+//! The slope of a base by polynomials where it is one to rounding: Abel's transforms ask for it in thousands of places, and a formula costs more than all else there.
 
 use std::f64::consts::FRAC_PI_2;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, OnceLock};
 
-use fredholm::basis::chebyshev;
-
-use crate::contact::accuracy::{OF_A_VALUE, SAFETY};
+use super::accuracy::OF_A_VALUE;
+use crate::basis::chebyshev;
 
 /// Nodes of a piece.
 const NODES: usize = 24;
@@ -16,17 +15,22 @@ const DEEPEST: u32 = 7;
 /// Where a polynomial is compared with the slope, between the nodes.
 const BETWEEN: [f64; 3] = [-0.93, 0.17, 0.77];
 
+/// The rounding of a formula of many terms over that of a value (survey).
+const MANY: f64 = 4.0;
+
 /// Cosines of multiples of a quarter turn over the number of nodes.
 static COSINES: LazyLock<[f64; 4 * NODES]> =
     LazyLock::new(|| std::array::from_fn(|m| (FRAC_PI_2 * m as f64 / NODES as f64).cos()));
 
-/// Pieces from the axis to the edge.
-#[derive(Debug)]
-pub(super) struct Slopes {
-    pieces: Vec<Piece>,
+/// Between places where the base may bend.
+#[derive(Debug, Clone)]
+pub struct Slopes {
+    ends: Vec<f64>,
+    /// The pieces between two ends, once the slope is asked for there.
+    pieces: Vec<OnceLock<Vec<Piece>>>,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Piece {
     ends: [f64; 2],
     /// None where the slope is not known by a polynomial.
@@ -34,35 +38,45 @@ struct Piece {
 }
 
 impl Slopes {
-    /// Of a base that may bend at `cuts`, increasing, all positive.
-    pub(super) fn new(cuts: &[f64], slope: impl Fn(f64) -> f64) -> Self {
-        let graded = (0..HALVINGS).rev().map(|halving| 0.5f64.powi(halving));
-        let mut ends: Vec<f64> = graded.chain(cuts.iter().copied()).collect();
-        ends.retain(|at| *at <= 1.0);
+    /// Of a base that is smooth between these places.
+    #[must_use]
+    pub fn new(mut ends: Vec<f64>) -> Self {
         ends.sort_by(f64::total_cmp);
         ends.dedup();
-        let mut stack: Vec<([f64; 2], u32)> =
-            ends.windows(2).rev().map(|pair| ([pair[0], pair[1]], 0)).collect();
-        let mut pieces = Vec::new();
-        while let Some(([from, to], depth)) = stack.pop() {
-            let coefficients = resolved([from, to], &slope);
-            let middle = 0.5 * (from + to);
-            if coefficients.is_some() || depth == DEEPEST || middle <= from || middle >= to {
-                pieces.push(Piece { ends: [from, to], coefficients });
-            } else {
-                stack.extend([([middle, to], depth + 1), ([from, middle], depth + 1)]);
-            }
-        }
-        Self { pieces }
+        let pieces = ends.windows(2).map(|_| OnceLock::new()).collect();
+        Self { ends, pieces }
     }
 
-    /// The slope inside of a piece.
-    pub(super) fn at(&self, r: f64) -> Option<f64> {
-        let index = self.pieces.partition_point(|piece| piece.ends[1] <= r);
-        let Piece { ends: [from, to], coefficients } = self.pieces.get(index)?;
-        let coefficients = coefficients.as_ref().filter(|_| *from < r)?;
-        Some(chebyshev::sum(coefficients, ((r - from) - (to - r)) / (to - from)))
+    /// Ends of pieces towards the axis of a disk of the radius 1.
+    pub fn towards_axis() -> impl Iterator<Item = f64> {
+        (0..HALVINGS).map(|halving| 0.5f64.powi(halving))
     }
+
+    /// The slope inside of a piece, of a base that tells its own; none where it is no polynomial.
+    pub fn at(&self, xi: f64, slope: impl Fn(f64) -> f64) -> Option<f64> {
+        let between = self.ends.partition_point(|end| *end <= xi).checked_sub(1)?;
+        let ends = [self.ends[between], *self.ends.get(between + 1)?];
+        let pieces = self.pieces[between].get_or_init(|| pieces(ends, slope));
+        let index = pieces.partition_point(|piece| piece.ends[1] <= xi);
+        let Piece { ends: [from, to], coefficients } = pieces.get(index)?;
+        let coefficients = coefficients.as_ref().filter(|_| *from < xi)?;
+        Some(chebyshev::sum(coefficients, ((xi - from) - (to - xi)) / (to - from)))
+    }
+}
+
+/// Between two places, halved where the slope is no polynomial.
+fn pieces(ends: [f64; 2], slope: impl Fn(f64) -> f64) -> Vec<Piece> {
+    let (mut stack, mut pieces) = (vec![(ends, 0)], Vec::new());
+    while let Some(([from, to], depth)) = stack.pop() {
+        let coefficients = resolved([from, to], &slope);
+        let middle = 0.5 * (from + to);
+        if coefficients.is_some() || depth == DEEPEST || middle <= from || middle >= to {
+            pieces.push(Piece { ends: [from, to], coefficients });
+        } else {
+            stack.extend([([middle, to], depth + 1), ([from, middle], depth + 1)]);
+        }
+    }
+    pieces
 }
 
 /// Chebyshev coefficients of a function, if it is their sum to rounding.
@@ -94,7 +108,7 @@ fn resolved([from, to]: [f64; 2], f: &impl Fn(f64) -> f64) -> Option<Vec<f64>> {
     let is_met = |t: &f64| {
         let off = f(middle + half * t) - chebyshev::sum(&coefficients, *t);
         // A formula of many terms rounds as much.
-        off.abs() <= SAFETY * rounding
+        off.abs() <= MANY * rounding
     };
     BETWEEN.iter().all(is_met).then_some(coefficients)
 }
@@ -111,21 +125,22 @@ mod tests {
             let wave: f64 = (1..18).map(|k| (f64::from(k) * PI * r).sin() / f64::from(k)).sum();
             wave + if r > 0.3 { 1.0 } else { 0.0 }
         };
-        let slopes = Slopes::new(&[0.3], slope);
+        let ends = |bend: Option<f64>| Slopes::towards_axis().chain(bend).collect();
+        let slopes = Slopes::new(ends(Some(0.3)));
         let mut known = 0;
         for i in 1..=5000 {
             let r = f64::from(i) / 5000.7;
-            let Some(found) = slopes.at(r) else { continue };
+            let Some(found) = slopes.at(r, slope) else { continue };
             known += 1;
             // Of the largest slope on a piece, which is about ten times as long as the wave.
             assert!((found - slope(r)).abs() < 8e-15, "{r}: {found} {}", slope(r));
         }
         assert!(known > 4900, "{known}");
         // A jump that is not told is left to the base.
-        let hidden = Slopes::new(&[], slope);
+        let hidden = Slopes::new(ends(None));
         for i in 1..=1000 {
             let r = 0.3 + 1e-4 * (f64::from(i) / 500.0 - 1.0);
-            let found = hidden.at(r).unwrap_or_else(|| slope(r));
+            let found = hidden.at(r, slope).unwrap_or_else(|| slope(r));
             assert!((found - slope(r)).abs() < 8e-15, "{r}");
         }
     }
