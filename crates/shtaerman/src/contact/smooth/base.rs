@@ -58,7 +58,7 @@ pub(in crate::contact) struct Base {
 pub(super) fn wrapped(xi: f64) -> f64 {
     match xi.abs() {
         size if size < 1.0 => xi,
-        size if size < 3.0 => xi - 2f64.copysign(xi),
+        size if size - 2.0 < 1.0 => xi - 2f64.copysign(xi),
         _ => xi - 2.0 * (0.5 * xi).round(),
     }
 }
