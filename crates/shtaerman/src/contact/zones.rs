@@ -1,6 +1,5 @@
 //! The zones of contact.
 
-use super::edges::CLOSE;
 use super::intervals::joined;
 use crate::Error;
 
@@ -145,13 +144,13 @@ pub(super) fn corrected(
     joined(intervals)
 }
 
-/// Makes mirror images of zones that nearly are, where the contact is its own: so are their operators, of which a half is enough.
-pub(super) fn mirror(zones: &mut [Zone]) {
+/// Makes mirror images of zones that are to this share of the shorter one, where the contact is its own: so are their operators, of which a half is enough.
+pub(super) fn mirror(zones: &mut [Zone], close: f64) {
     let count = zones.len();
     let is_near = |i: usize| {
         let (one, other) = (&zones[i], &zones[count - 1 - i]);
         let apart = (one.left() + other.right()).abs();
-        apart <= CLOSE * one.length().min(other.length()) && one.kinds[0] == other.kinds[1]
+        apart <= close * one.length().min(other.length()) && one.kinds[0] == other.kinds[1]
     };
     if (0..count).all(is_near) {
         for i in 0..count {
@@ -281,11 +280,11 @@ mod tests {
     #[test]
     fn what_is_nearly_even_becomes_even() {
         let mut zones = [Zone::within(-0.9, -0.3), Zone::within(0.3 + 1e-9, 0.9 - 1e-12)];
-        mirror(&mut zones);
+        mirror(&mut zones, 1e-6);
         assert!(are_images(&zones));
         assert!((zones[0].left() + 0.9).abs() < 1e-12 && (zones[1].left() - 0.3).abs() < 1e-9);
         let mut other = [Zone::within(-0.9, 0.8)];
-        mirror(&mut other);
+        mirror(&mut other, 1e-6);
         assert_eq!(other, [Zone::within(-0.9, 0.8)]);
     }
 

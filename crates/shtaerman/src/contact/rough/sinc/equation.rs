@@ -6,7 +6,7 @@ use super::nodes::{RATIO, Resolution, SincField, SincNodes};
 use crate::Error;
 use crate::contact::accuracy::SAFETY;
 use crate::contact::check::Check;
-use crate::contact::edges::{EndState, settle};
+use crate::contact::edges::{CLOSE, EndState, settle};
 use crate::contact::rough::base::Base;
 use crate::contact::rough::newton::{self, Found};
 use crate::contact::rough::solved::{BESIDE, Solved};
@@ -129,7 +129,7 @@ impl Equation for Collocation<'_> {
             zones.iter_mut().for_each(|zone| *zone = zone.about_axis());
         }
         if self.is_mirrored {
-            mirror(&mut zones);
+            mirror(&mut zones, CLOSE);
         }
         zones
     }
