@@ -1,7 +1,7 @@
 //! Products of a kernel with functions on panels.
 
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use super::kernel::PanelKernel;
 use super::near::NearEntries;
@@ -145,7 +145,7 @@ impl PanelOperator {
 
     fn potentials_of<const N: usize>(&self, all: &[&[f64]; N]) -> [Vec<f64>; N] {
         let values = all.map(|values| self.without_mean(values));
-        let charges = values.each_ref().map(|values| self.charges(values));
+        let charges = values.each_ref().map(|values| self.panels.charges(values));
         let mut results = [(); N].map(|()| vec![0.0; self.panels.count()]);
         let mut locals = [(); N].map(|()| Locals::new());
         let share = N.div_ceil(parts_of(N * self.near.len() / 2));
@@ -211,29 +211,18 @@ impl PanelOperator {
         let mut values = values.to_vec();
         values.resize(self.panels.count(), 0.0);
         if self.kernel.is_closed() && self.panels.are_whole() {
-            let mean = 0.5 * self.charges(&values).iter().sum::<f64>();
+            let mean = 0.5 * self.panels.charges(&values).iter().sum::<f64>();
             values.iter_mut().for_each(|value| *value -= mean);
         }
         values
     }
 
-    fn charges(&self, values: &[f64]) -> Vec<f64> {
-        self.panels.weights().iter().zip(values).map(|(w, value)| w * value).collect()
-    }
-
     /// The potential at any place of a function with these values at the nodes.
     #[must_use]
     pub fn field(&self, values: &[f64]) -> PanelField {
-        let order = self.panels.order();
         let values = self.without_mean(values);
-        let charges = self.charges(&values);
-        let locals = self.tree.locals(&charges, true);
-        let mut coefficients = vec![0.0; values.len()];
-        for (c, v) in coefficients.chunks_exact_mut(order).zip(values.chunks_exact(order)) {
-            self.panels.rule.coefficients(v, c);
-        }
         let (panels, tree) = (Arc::clone(&self.panels), Arc::clone(&self.tree));
-        PanelField { kernel: self.kernel, panels, tree, locals, charges, coefficients }
+        PanelField { kernel: self.kernel, panels, tree, values, sources: OnceLock::new() }
     }
 }
 
@@ -268,12 +257,41 @@ pub struct PanelField {
     kernel: PanelKernel,
     panels: Arc<Panels>,
     tree: Arc<Tree>,
+    values: Vec<f64>,
+    /// Found once a potential is asked for: of many functions only their values are.
+    sources: OnceLock<Sources>,
+}
+
+/// What gives the potential of a function.
+#[derive(Debug, Clone)]
+struct Sources {
     locals: Locals,
     charges: Vec<f64>,
+    /// Legendre coefficients, panel by panel.
     coefficients: Vec<f64>,
 }
 
+impl Sources {
+    fn new(panels: &Panels, tree: &Tree, values: &[f64]) -> Self {
+        let charges = panels.charges(values);
+        let locals = vectorised(
+            #[inline(always)]
+            || tree.locals(&charges, true),
+        );
+        let order = panels.order();
+        let mut coefficients = vec![0.0; values.len()];
+        for (c, v) in coefficients.chunks_exact_mut(order).zip(values.chunks_exact(order)) {
+            panels.rule.coefficients(v, c);
+        }
+        Self { locals, charges, coefficients }
+    }
+}
+
 impl PanelField {
+    fn sources(&self) -> &Sources {
+        self.sources.get_or_init(|| Sources::new(&self.panels, &self.tree, &self.values))
+    }
+
     /// The panels.
     #[must_use]
     pub fn panels(&self) -> &Panels {
@@ -289,7 +307,7 @@ impl PanelField {
         }
         let leaf = self.tree.leaf(x);
         let points = super::tree::POINTS;
-        let local = &self.locals[leaf * points..(leaf + 1) * points];
+        let local = &self.sources().locals[leaf * points..(leaf + 1) * points];
         let near: f64 = self.tree.near(leaf).into_iter().map(|part| self.direct(x, part)).sum();
         interpolate(local, self.tree.inside(leaf, x)) + near
     }
@@ -309,6 +327,7 @@ impl PanelField {
     /// The potential of some nodes.
     fn direct(&self, x: f64, nodes: Range<usize>) -> f64 {
         let order = self.panels.order();
+        let Sources { charges, coefficients, .. } = self.sources();
         let mut moments = [0.0; super::rule::MOST];
         let moments = &mut moments[..order];
         let mut sum = 0.0;
@@ -320,20 +339,19 @@ impl PanelField {
             let places = self.panels.nodes();
             if z.abs() >= self.panels.rule.far {
                 let part = all.start.max(nodes.start)..all.end.min(nodes.end);
-                for (place, charge) in places[part.clone()].iter().zip(&self.charges[part]) {
+                for (place, charge) in places[part.clone()].iter().zip(&charges[part]) {
                     plain.add(x - place, *charge);
                 }
                 continue;
             }
             self.kernel.moments(z, moments);
-            let c = &self.coefficients[all.clone()];
+            let c = &coefficients[all.clone()];
             let moment: f64 = moments.iter().zip(c).map(|(m, c)| m * c).sum();
             let [factor, level] = self.kernel.scale(half);
             sum += factor * moment + half * level * 2.0 * c[0];
             if self.kernel.is_closed() {
-                let charges =
-                    all.map(|node| self.charges[node] * self.kernel.remainder(x - places[node]));
-                sum += charges.sum::<f64>();
+                let terms = all.map(|node| charges[node] * self.kernel.remainder(x - places[node]));
+                sum += terms.sum::<f64>();
             }
         }
         sum + plain.total()

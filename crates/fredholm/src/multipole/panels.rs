@@ -78,6 +78,11 @@ impl Panels {
         self.nodes.len()
     }
 
+    /// Values at the nodes times their weights.
+    pub(super) fn charges(&self, values: &[f64]) -> Vec<f64> {
+        self.weights.iter().zip(values).map(|(w, value)| w * value).collect()
+    }
+
     /// Whether they cover `[-1, 1]` without a gap.
     pub(super) fn are_whole(&self) -> bool {
         let joined = self.bounds.windows(2).all(|pair| pair[0][1] == pair[1][0]);

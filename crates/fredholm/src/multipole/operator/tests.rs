@@ -80,7 +80,7 @@ fn what_is_shared_among_processors_has_the_bits_of_one() {
     let [one, other] = [own(3.0), own(40.0)];
     let together = operator.potentials(&[&one, &other]);
     for (values, shared) in [one, other].into_iter().zip(together) {
-        let locals = operator.tree.locals(&operator.charges(&values), false);
+        let locals = operator.tree.locals(&operator.panels().charges(&values), false);
         let mut alone = vec![0.0; values.len()];
         operator.add_up(0..operator.tree.leaves(), &[values], &[locals], &mut [&mut alone]);
         assert_eq!(shared, alone);

@@ -10,10 +10,10 @@ use crate::contact::zones::Zone;
 /// ground state five times the error. At half or twice stated errors grow up to 97 times and time grows by 108 % (survey).
 const FREE_GROWTH: f64 = 0.8;
 const GROWTH: f64 = 0.6;
-/// Nearer to such a place the pressure leaves its limit by a power of the distance, and polynomials may miss as much more of that: the share of this power that panels make use of. With all of it the
-/// stated error of a measured base doubles, with two thirds of it panels are a sixth more.
+/// Nearer to such a place than a length of the layer the pressure leaves its limit by a power of the distance, and polynomials may miss as much more of that: the share of this power that panels make use of.
+/// With 1 the stated error of a measured base doubles; with 0.5 it takes a quarter more time.
 const EASED: f64 = 0.75;
-/// The growth up to which they do: of more each panel holds the next, and none is saved. Twice changes no answer of a measured base.
+/// The longest that they get by this, over their distance: there few are left to be saved. Twice changes a measured base by rounding.
 const STEEPEST: f64 = 4.0;
 /// Longest panels of the base, from the first to be tried. At half or twice stated errors grow up to 5 times (survey).
 pub(super) const LONGEST: f64 = 1.0 / 32.0;
