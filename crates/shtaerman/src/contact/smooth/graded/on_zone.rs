@@ -16,7 +16,7 @@ const MOST_BREAKS: usize = 320;
 /// Places on either side of the middle that show the size of slopes. At half or twice 19 of 20 answers change, within what they state (survey).
 const SAMPLES: usize = 8;
 
-/// Polynomials by which the surface beside a zone feels its kinks: so many are felt a hundredth of the half-length from its ends; nearer integrals are as cheap. At half or twice no answer changes (theory).
+/// Polynomials by which the surface beside a zone feels its kinks: so many are felt a hundredth of the half-length from its ends; nearer integrals are as cheap (theory).
 const FELT: usize = 256;
 
 /// A slope as a function of the place, or of the distance from the middle of a zone.
