@@ -200,7 +200,7 @@ impl Contact {
         self.solution().complementarity()
     }
 
-    /// The tangent stiffness.
+    /// The tangent stiffness. A wave cannot tilt: all but the first entry of its are 0, and the change of its moment is not told.
     #[must_use]
     pub fn stiffness(&self) -> Stiffness {
         self.in_units(self.without_symmetry(self.solution().stiffness()))

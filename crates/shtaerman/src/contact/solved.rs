@@ -284,7 +284,7 @@ impl Contact {
 
     /// With zeros where symmetry makes them.
     pub(super) fn without_symmetry(&self, known: Stiffness) -> Stiffness {
-        let coupling = if self.is_level() { 0.0 } else { known.coupling };
+        let coupling = if self.record.is_symmetric { 0.0 } else { known.coupling };
         let moment_tilt = if self.problem().is_wave() { 0.0 } else { known.moment_tilt };
         Stiffness { coupling, moment_tilt, ..known }
     }
