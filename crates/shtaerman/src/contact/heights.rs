@@ -5,7 +5,7 @@ use super::iteration::GOLDEN;
 use super::setting::Setting;
 use super::solution::Solution;
 use crate::roughness::Law;
-use crate::{Error, Scaling, Vertical};
+use crate::{Error, Rotational, Scaling, Vertical};
 
 /// Places in all zones at which the rounding of heights is looked at, at least one in each, and where in its step each lies: an irrational share keeps clear of jumps (survey).
 const PLACES: usize = 128;
@@ -16,7 +16,7 @@ const FLAT: f64 = 4.0 * std::f64::consts::FRAC_1_PI;
 /// Share of a zone at whose distance from an end the pressure is that of the end, a power of the distance. At half or twice stated errors grow up to 1.3 times (survey).
 const AT_END: f64 = 1.0 / 1024.0;
 
-/// Errors that the rounding of heights makes, and the sizes against which they are held.
+/// Errors that the rounding of heights, and of the moment, makes, and the sizes against which they are held.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OfHeights {
     accuracy: Accuracy,
@@ -115,7 +115,22 @@ impl Setting {
         ends.flat_map(|(zone, ends)| [of(zone, *ends, 0), of(zone, *ends, 1)]).fold(0.0, f64::max)
     }
 
-    /// What the rounding of heights makes of a solution; none where the method tells no error.
+    /// Changes of settlement and `-alpha0` by the rounding of the moment without dimensions: a load next to an end of the base turns a narrow contact by it.
+    fn of_moment(&self, solution: &dyn Solution) -> [f64; 2] {
+        let load = self.load();
+        if let Rotational::Tilt(_) = load.rotational {
+            return [0.0; 2];
+        }
+        let rounding = OF_A_VALUE * solution.state().moment.abs();
+        let changes = solution.stiffness().displaced(&load, [0.0, rounding]);
+        if rounding > 0.0 && changes.iter().all(|change| change.is_finite()) {
+            changes
+        } else {
+            [0.0; 2]
+        }
+    }
+
+    /// What the rounding of heights, and of the moment, makes of a solution; none where the method tells no error.
     pub(super) fn of_heights(&self, solution: &dyn Solution) -> Option<OfHeights> {
         let known = *solution.accuracy()?;
         let zones = solution.zones();
@@ -124,6 +139,10 @@ impl Setting {
         let (half, middle) = (0.5 * (right - left), 0.5 * (right + left).abs());
         let stiffness = solution.stiffness().force_settlement.abs();
         let force = if stiffness.is_finite() { stiffness * rounding } else { 0.0 };
+        let [lowered, tilted] = self.of_moment(solution);
+        let at_end = |end: &f64| (lowered + tilted * end).abs();
+        let coupling = if tilted == 0.0 { 0.0 } else { solution.stiffness().coupling };
+        let turned = zones.as_flattened().iter().map(at_end).fold(0.0, f64::max);
         let free = solution.edge_error().is_some();
         let law = self.problem().frame().law();
         let (pressure, edges) = match law {
@@ -150,7 +169,7 @@ impl Setting {
                 let steepness = solution.size().max(f64::MIN_POSITIVE).powf(1.0 - kappa) / kappa;
                 let at_ends = self.rounding_at_ends(&zones);
                 // A single place is disturbed by itself, which is half of what disturbances grow to.
-                let error = solution.growth() * rounding.max(0.5 * at_ends);
+                let error = solution.growth() * rounding.max(0.5 * at_ends) + turned;
                 let edges = if free { self.edges_of_layer(solution, error) } else { 0.0 };
                 (steepness * error, edges)
             }
@@ -162,9 +181,9 @@ impl Setting {
         let accuracy = Accuracy {
             kind: known.kind,
             pressure,
-            settlement: unless_exact(known.settlement, rounding + middle * turn),
-            tilt: unless_exact(known.tilt, turn),
-            force: unless_exact(known.force, force),
+            settlement: unless_exact(known.settlement, rounding + middle * turn + lowered.abs()),
+            tilt: unless_exact(known.tilt, turn + tilted.abs()),
+            force: unless_exact(known.force, force + (coupling * tilted).abs()),
             moment: unless_exact(known.moment, (middle + half) * force),
         };
         let sizes = solution.state().sizes(solution.size());

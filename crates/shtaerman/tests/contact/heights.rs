@@ -226,3 +226,29 @@ fn constants_that_do_not_add_up_exactly_cost_no_digit() {
     let stated = contact.dimensionless().error().unwrap().pressure;
     assert!(error <= stated && stated < 1e-14, "{error:e} {stated:e}");
 }
+
+/// A load next to the end of a rigid base on a layer: `c = 3 (1 - e)` wide, with the pressure a triangle of the height `2 P/c`. The moment is a number that is rounded, and the answer states what that does.
+#[test]
+fn rounding_of_the_moment_is_stated_where_it_tells() {
+    for eccentricity in [0.9, 0.99991, 0.9999835] {
+        for force in [645585.7093079733, 109165.98909137525, 31234.56789] {
+            let toml = format!(
+                "[foundation]\nyoung_modulus = 5.466140240246691e+30\npoisson_ratio = 0.3\nroughness = 8.2336141667822e-08\n[punch]\nhalf_width = 1.0\nprofile = \"0\"\n[load]\nforce = {force}\neccentricity = {eccentricity}\n"
+            );
+            let contact = shtaerman::file::parse(&toml, "test").unwrap().solve().unwrap();
+            let width = 3.0 * (1.0 - eccentricity);
+            let peak = 2.0 * force / width;
+            let tilt = -8.2336141667822e-08 * peak / width;
+            let stated = contact.error().unwrap();
+            // The closed form is rounded, too.
+            let rounding = |size: f64| 8.0 * f64::EPSILON * size.abs();
+            let off = (contact.tilt() - tilt).abs();
+            assert!(off <= stated.tilt + rounding(tilt), "{eccentricity} {force}: {off:e}");
+            assert!(stated.tilt < 1e-8 * tilt.abs(), "{stated:?}");
+            let off = (contact.settlement() - tilt * (1.0 - width)).abs();
+            assert!(off <= stated.settlement + rounding(tilt), "{eccentricity} {force}: {off:e}");
+            let off = (contact.peak_pressure() - peak).abs();
+            assert!(off <= stated.pressure + rounding(peak), "{eccentricity} {force}: {off:e}");
+        }
+    }
+}
