@@ -10,11 +10,6 @@ use crate::contact::zones::Zone;
 /// ground state five times the error. At half or twice stated errors grow up to 97 times and time grows by 108 % (survey).
 const FREE_GROWTH: f64 = 0.8;
 const GROWTH: f64 = 0.6;
-/// Nearer to such a place than a length of the layer the pressure leaves its limit by a power of the distance, and polynomials may miss as much more of that: the share of this power that panels make use of.
-/// With 1 the stated error of a measured base doubles; with 0.5 it takes a quarter more time.
-const EASED: f64 = 0.75;
-/// The longest that they get by this, over their distance: there few are left to be saved. Twice changes a measured base by rounding.
-const STEEPEST: f64 = 4.0;
 /// Longest panels of the base, from the first to be tried. At half or twice stated errors grow up to 5 times (survey).
 pub(super) const LONGEST: f64 = 1.0 / 32.0;
 /// The panel at a measured point, where the third derivative jumps and the pressure goes on as `d^4 ln d`, in lengths `1/theta0` of the layer. At half or twice stated errors grow up to 18 times and time grows by 38 % (survey).
@@ -54,11 +49,8 @@ struct Anchor {
     is_left: bool,
     /// The panel at the place.
     shortest: f64,
-    /// Length of a panel over its distance from the place, from this distance on.
+    /// Length of a panel over its distance from the place.
     growth: f64,
-    reach: f64,
-    /// The power of the distance with which the convergence on nearer panels may fall.
-    eased: f64,
 }
 
 impl Anchor {
@@ -90,48 +82,20 @@ impl Anchor {
             fineness.ends * share(KINK, 2.0) * layer
         };
         let growth = if is_free { FREE_GROWTH } else { GROWTH };
-        let power = if is_corner && !is_free { 1.0 } else { 2.0 };
-        // On graded ground the pressure at a corner hardly falls on the way to it, so that all panels miss as much: eased they stated three times the error.
-        let is_slow = exponent > 0.0 && is_corner && !is_free;
-        let eased = if is_slow { 0.0 } else { EASED * (power - exponent) / fineness.order as f64 };
-        // The pressure at a free end rises over the length of its zone.
-        let reach = if is_free { layer.min((zone.length() * layer).sqrt()) } else { layer };
-        Self { at, is_left, shortest: least.max(SHORTEST), growth, reach, eased }
+        Self { at, is_left, shortest: least.max(SHORTEST), growth }
     }
 
     /// The longest panel between these places.
-    fn allowed(&self, places: [f64; 2]) -> f64 {
-        let far = self.far(places);
-        (far - self.begin(far)).max(self.shortest)
+    fn allowed(&self, [left, right]: [f64; 2]) -> f64 {
+        let distance = if self.is_left { left - self.at } else { self.at - right };
+        (self.growth * distance).max(self.shortest)
     }
 
     /// Where the panel that reaches to the far one of these places may begin.
-    fn cut(&self, places: [f64; 2]) -> f64 {
-        let begin = self.begin(self.far(places));
-        if self.is_left { self.at + begin } else { self.at - begin }
+    fn cut(&self, [left, right]: [f64; 2]) -> f64 {
+        let far = if self.is_left { right } else { left };
+        self.at + (far - self.at) / (1.0 + self.growth)
     }
-
-    fn far(&self, [left, right]: [f64; 2]) -> f64 {
-        if self.is_left { right - self.at } else { self.at - left }
-    }
-
-    /// The distance at which a panel may begin that ends at another.
-    fn begin(&self, far: f64) -> f64 {
-        let growth = if far < self.reach { self.eased_growth(far) } else { self.growth };
-        far / (1.0 + growth)
-    }
-
-    fn eased_growth(&self, distance: f64) -> f64 {
-        let eased = (distance / self.reach).powf(self.eased);
-        let left = (eased * convergence(self.growth)).max(convergence(STEEPEST));
-        2.0 / (0.5 * (left + 1.0 / left) - 1.0)
-    }
-}
-
-/// What a node more divides the error by on panels so much longer than their distance from a singularity: the sum of the half-axes of Bernstein's ellipse through that.
-fn convergence(growth: f64) -> f64 {
-    let middle = 1.0 + 2.0 / growth;
-    middle + (middle * middle - 1.0).sqrt()
 }
 
 /// The panels of all zones from left to right; none where they are too many.
