@@ -262,8 +262,7 @@ impl Audit<'_> {
         }
         let wide = zones.iter().chain(&gaps).filter(|window| !window.is_narrow);
         let others = wide.fold(0.0f64, |most, window| most.max(window.at_numbers));
-        residual.look_closer(&mut zones, others);
-        residual.look_closer(&mut gaps, others);
+        residual.look_closer(zones.iter_mut().chain(&mut gaps), others);
         let windows = Windows { zones: &zones, gaps: &gaps };
         // First with all of the base, then with what of it may be in contact.
         let whole = self.hull(&windows, f64::INFINITY);

@@ -149,15 +149,17 @@ impl Density {
                 // Interpolation reproduces a constant, so that windows need not know of it. The integral is compensated; the constant is a rounded logarithm.
                 let constant = self.kernel.constant();
                 let rounding = 8.0 * constant.abs() * root.mass;
-                sums.add(&[constant * root.integral(); N], &[rounding; N]);
+                sums.add(1.0, &[constant * root.integral(); N], &[rounding; N]);
             }
             Kernel::Power { .. } => self.add_singular(places, 1.0, &mut sums),
             Kernel::Row { period } => {
                 for image in [0.0, -period, period] {
-                    self.add_singular(&places.map(|x| x + image), -1.0, &mut sums);
+                    let mut moved = *places;
+                    moved.iter_mut().for_each(|x| *x += image);
+                    self.add_singular(&moved, -1.0, &mut sums);
                 }
                 let (values, rounding) = self.regular.at(places);
-                sums.add(&values, &[rounding; N]);
+                sums.add(1.0, &values, &[rounding; N]);
             }
         }
         sums
@@ -190,7 +192,7 @@ impl Density {
             } else {
                 self.beside(cluster, places)
             };
-            sums.add(&values.map(|value| sign * value), &roundings);
+            sums.add(sign, &values, &roundings);
         }
     }
 
@@ -212,10 +214,11 @@ impl Density {
         }
         let index = cluster.first;
         let panel = &self.panels[index];
-        let seen = Places {
-            from_left: near.map(|x| x - panel.left),
-            to_right: near.map(|x| panel.right - x),
-        };
+        let mut seen = Places { from_left: near, to_right: near };
+        for i in 0..N {
+            seen.from_left[i] = near[i] - panel.left;
+            seen.to_right[i] = panel.right - near[i];
+        }
         let mut found = self.recurrence.potentials(panel, self.scales[index], &seen);
         if is_any_far {
             let nearest = nearest.min(2.0 * least);

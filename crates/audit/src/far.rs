@@ -124,7 +124,9 @@ impl Cluster {
                 }
             }
             Singularity::Power(mu) => {
-                let scales = exp(&logarithms.map(|logarithm| -mu * logarithm));
+                let mut powers = logarithms;
+                powers.iter_mut().for_each(|power| *power *= -mu);
+                let scales = exp(&powers);
                 for i in 0..N {
                     let whole = self.moments[0] + (self.lost + sums[i]);
                     let off = 8.0 + 3.0 * mu * logarithms[i].abs();

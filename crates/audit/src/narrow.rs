@@ -56,13 +56,22 @@ impl Residual<'_> {
         Bounded { left, right, largest, norm, at_numbers: largest, least, is_narrow: true }
     }
 
-    /// Looks at all numbers of those narrow windows that would say more than the others, and more than is allowed.
-    pub(crate) fn look_closer(&self, windows: &mut [Bounded], others: f64) {
+    /// Looks at all numbers of those narrow windows that would say more than the others, and more than is allowed: of that which says most first, as what its numbers tell may leave nothing to the rest.
+    pub(crate) fn look_closer<'w>(
+        &self,
+        windows: impl Iterator<Item = &'w mut Bounded>,
+        others: f64,
+    ) {
+        let mut windows: Vec<&mut Bounded> = windows.filter(|window| window.is_narrow).collect();
+        windows.sort_by(|one, other| other.at_numbers.total_cmp(&one.at_numbers));
         let mut most = others;
-        for window in windows.iter_mut().filter(|window| window.is_narrow) {
+        for window in windows {
+            if window.at_numbers <= most {
+                break;
+            }
             let [left, right] = [window.left, window.right];
             let allowed = allowance(self.theta, right - left) * self.density.largest();
-            if window.at_numbers > most.max(allowed) {
+            if window.at_numbers > allowed {
                 let numbers: Vec<f64> = std::iter::successors(Some(left), |x| Some(x.next_up()))
                     .take_while(|x| *x <= right)
                     .take(MOST_NUMBERS + 1)
@@ -83,8 +92,12 @@ impl Residual<'_> {
         let mut seen = Seen { largest: 0.0, least: f64::INFINITY, at_numbers: 0.0 };
         let mut potentials = [(0.0, 0.0); MOST_NUMBERS];
         self.density.potentials(numbers, &mut potentials[..numbers.len()]);
-        for (&x, potential) in numbers.iter().zip(potentials) {
-            let (height, q) = (self.profile.height(x), self.density.value(x));
+        let mut heights = [[0.0; 2]; MOST_NUMBERS];
+        self.profile.heights(numbers, &mut heights[..numbers.len()]);
+        let densities = self.density.values(numbers);
+        for (((&x, potential), height), q) in
+            numbers.iter().zip(potentials).zip(heights).zip(densities)
+        {
             let (w, error) = self.formed(x, height, q, potential);
             // Of what may be off by the error.
             let size = |w: f64, error: f64| {

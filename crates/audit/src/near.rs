@@ -169,8 +169,12 @@ impl Recurrence {
                 }
             }
             Singularity::Power(mu) => {
-                let [one, two] = logarithms;
-                let powers = [one, two].map(|ln| exp(&ln.map(|ln| (1.0 - mu) * ln)));
+                let [mut one, mut two] = logarithms;
+                for i in 0..N {
+                    one[i] *= 1.0 - mu;
+                    two[i] *= 1.0 - mu;
+                }
+                let powers = [exp(&one), exp(&two)];
                 for i in 0..N {
                     let signed =
                         |d: f64, power: f64| if d == 0.0 { 0.0 } else { power.copysign(d) };

@@ -14,11 +14,11 @@ pub(crate) struct Sums<const N: usize> {
 impl<const N: usize> Sums<N> {
     pub(crate) const NONE: Self = Self { values: [0.0; N], lost: [0.0; N], roundings: [0.0; N] };
 
-    /// Adds a part of the potentials.
+    /// Adds a part of the potentials with this sign. Loops over lanes as all of these are written out: what the standard library maps is compiled by itself, for narrow vectors.
     #[inline(always)]
-    pub(crate) fn add(&mut self, values: &[f64; N], roundings: &[f64; N]) {
+    pub(crate) fn add(&mut self, sign: f64, values: &[f64; N], roundings: &[f64; N]) {
         for i in 0..N {
-            let (sum, lost) = two_sum(self.values[i], values[i]);
+            let (sum, lost) = two_sum(self.values[i], sign * values[i]);
             self.values[i] = sum;
             self.lost[i] += lost;
             self.roundings[i] += roundings[i];
