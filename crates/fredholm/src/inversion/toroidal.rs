@@ -60,6 +60,13 @@ impl RingKernel {
         self.whole(y) + self.factor(y) * y.abs().ln()
     }
 
+    /// Both of these, the factor first.
+    pub fn parts(self, y: f64) -> [f64; 2] {
+        let factor = self.factor(y);
+        let rest = if y == 0.0 { self.rest(y) } else { self.whole(y) + factor * y.abs().ln() };
+        [factor, rest]
+    }
+
     /// `H_m` of a disk of radius `c`; places by radius and distance from the disk.
     pub fn taken(self, c: f64, [r, beside_r]: [f64; 2], [s, beside_s]: [f64; 2]) -> f64 {
         if c == 0.0 {

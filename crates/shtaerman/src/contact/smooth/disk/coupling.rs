@@ -3,6 +3,7 @@
 //! On a ring `ln r = m + l cos phi` the pressure is `p0 = G(phi)/(theta0 l r^(3/2) sin phi)`, and the displacement times `sqrt(r)` is `int (Q - H) G dphi` over all rings, `Q` the kernel of rings and `H`
 //! what a disk inside them takes away.
 
+use std::borrow::Cow;
 use std::f64::consts::{LN_2, LN_10, PI};
 
 use fredholm::inversion::RingKernel;
@@ -24,6 +25,14 @@ impl RingNodes {
         let nodes = Nodes::new(count);
         let spots = nodes.angles.iter().map(|angle| ring.spot(*angle)).collect();
         Self { ring, nodes, spots }
+    }
+
+    /// As many nodes as what is so far away takes: more tell no more of it.
+    fn felt(&self, gap: f64, digits: f64) -> Cow<'_, Self> {
+        match count(&self.ring, gap, digits).filter(|few| *few < self.nodes.count()) {
+            Some(few) => Cow::Owned(Self::new(self.ring, few)),
+            None => Cow::Borrowed(self),
+        }
     }
 
     /// A node by its radius and its distance from a disk of radius `c`.
@@ -61,13 +70,18 @@ fn gaps(c: f64, rings: &[Ring]) -> Vec<f64> {
 pub(super) fn counts(c: f64, rings: &[Ring], digits: f64) -> Result<Vec<usize>, Error> {
     let gaps = gaps(c, rings);
     let count = |(ring, pair): (&Ring, &[f64])| {
-        let e = pair[0].min(pair[1]) / ring.half;
-        let beside = if e.is_infinite() { e } else { (e + (e * (2.0 + e)).sqrt()).ln_1p() };
-        let own = (PI / ring.half).asinh();
-        let each = LN_10 / beside.min(own);
-        modes::count(each, digits).ok_or_else(|| Error::ZonesTooClose { gap: narrowest(c, rings) })
+        count(ring, pair[0].min(pair[1]), digits)
+            .ok_or_else(|| Error::ZonesTooClose { gap: narrowest(c, rings) })
     };
     rings.iter().zip(gaps.windows(2)).map(count).collect()
+}
+
+/// The same of one ring for what is so far away in the logarithm of the radius; none where that is too close.
+fn count(ring: &Ring, gap: f64, digits: f64) -> Option<usize> {
+    let e = gap / ring.half;
+    let beside = if e.is_infinite() { e } else { (e + (e * (2.0 + e)).sqrt()).ln_1p() };
+    let own = (PI / ring.half).asinh();
+    modes::count(LN_10 / beside.min(own), digits)
 }
 
 /// The narrowest gap between rings, or from a disk of radius `c` to the first of them.
@@ -77,18 +91,42 @@ pub(super) fn narrowest(c: f64, rings: &[Ring]) -> f64 {
     between.chain(inner).fold(f64::INFINITY, f64::min).max(0.0)
 }
 
-/// Densities whose displacements times `sqrt(r)` have given modes, ring by ring; beside a disk of radius `c` that does not move.
+/// Densities whose displacements times `sqrt(r)` have given modes, ring by ring; beside a disk of radius `c` that does not move. Modes are coupled to these digits.
 pub(super) fn coupled(
     kernel: RingKernel,
-    c: f64,
+    (c, digits): (f64, f64),
     rings: &[&RingNodes],
     rights: &[Modes],
 ) -> Result<Vec<Modes>, Error> {
     let counts: Vec<usize> = rings.iter().map(|ring| ring.nodes.count()).collect();
     let block = |target: usize, source: usize| {
-        Ok(block(kernel, c, rings[target], rings[source], target == source))
+        if target == source {
+            return Ok(block(kernel, c, rings[target], rings[source], true));
+        }
+        let both = [rings[target], rings[source]];
+        let few = both.map(|ring| ring.felt(gap_of(c, both, ring), digits));
+        let coupled = block(kernel, c, &few[0], &few[1], false);
+        Ok(filled(&coupled, few[1].nodes.count(), [counts[target], counts[source]]))
     };
     modes::coupled(&counts, block, rights)
+}
+
+/// The gap between two rings or, for one of them, to the disk inside them if that is nearer, as logarithm of the radius.
+fn gap_of(c: f64, [one, other]: [&RingNodes; 2], own: &RingNodes) -> f64 {
+    let [inner, outer] =
+        if one.ring.inner() < other.ring.inner() { [one, other] } else { [other, one] };
+    let from = inner.ring.outer();
+    let between = distance(from, outer.ring.inner() - from);
+    if c > 0.0 { between.min(distance(c, own.ring.inner() - c)) } else { between }
+}
+
+/// A block with so many columns as the first of a larger one, whose other modes are nothing.
+fn filled(block: &[f64], few: usize, [rows, columns]: [usize; 2]) -> Vec<f64> {
+    let mut all = vec![0.0; rows * columns];
+    for (row, own) in all.chunks_exact_mut(columns).zip(block.chunks_exact(few)) {
+        row[..few].copy_from_slice(own);
+    }
+    all
 }
 
 /// Modes on the target of the displacement by each mode of the source.
@@ -109,8 +147,8 @@ fn block(
         }
         let half = source.ring.half;
         let y = along(half, target.nodes.angles[q], source.nodes.angles[r]);
-        let factor = kernel.factor(y);
-        let rest = kernel.rest(y) - factor * half.ln() - taken;
+        let [factor, rest] = kernel.parts(y);
+        let rest = rest - factor * half.ln() - taken;
         factor * (logarithms[q.abs_diff(r)] + logarithms[q + r + 1]) + weight * rest
     };
     let mut influences = vec![0.0; rows * columns];

@@ -136,13 +136,18 @@ impl RingPart {
         for value in logarithm.iter_mut().skip(1) {
             *value *= 2.0;
         }
+        // What is left out of the series is rounding: then it is the logarithm itself.
+        let is_whole = power.abs() < f64::EPSILON;
         let kernel = RingKernel::Axisymmetric;
         let rest: f64 = (self.masses.iter().zip(&self.nodes.nodes.angles))
             .map(|(mass, &angle)| {
                 let half = if is_outside { 0.5 * angle } else { 0.5 * (PI - angle) };
                 let y = length + 2.0 * ring.half * half.sin().powi(2);
-                let added = (kernel.factor(y) - 1.0) * cosines(&logarithm, angle);
-                mass * (added + kernel.rest(y))
+                if is_whole {
+                    return mass * (kernel.whole(y) + y.ln());
+                }
+                let [factor, rest] = kernel.parts(y);
+                mass * ((factor - 1.0) * cosines(&logarithm, angle) + rest)
             })
             .sum();
         own - self.slope.outside(excess, side) + rest

@@ -75,7 +75,7 @@ impl Solved {
             }
         }
         let all: Vec<&RingNodes> = nodes.iter().collect();
-        let found = coupled(kernel, c, &all, &[levels.clone(), heights])?;
+        let found = coupled(kernel, (c, detail.digits), &all, &[levels.clone(), heights])?;
         let (level, profile) = (&found[0], &found[1]);
         let theta0 = base.setting.theta0();
         let weight = kernel.weight() / theta0;
@@ -419,7 +419,7 @@ fn tilted_rate(c: f64, rings: &[&RingNodes]) -> Result<f64, Error> {
     let kernel = RingKernel::Tilted;
     let levers: Modes =
         rings.iter().map(|ring| ring.modes_of(c, |place| kernel.left(c, place))).collect();
-    let tilted = coupled(kernel, c, rings, std::slice::from_ref(&levers))?;
+    let tilted = coupled(kernel, (c, FINE.digits), rings, std::slice::from_ref(&levers))?;
     Ok(kernel.weight() * tilted.first().map_or(0.0, |found| product(&levers, found)))
 }
 
