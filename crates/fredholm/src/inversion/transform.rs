@@ -211,8 +211,10 @@ impl Segment {
                 let f = |y: f64| panel.slope(scale * y.cosh()) * powers.power(scale * y.sinh());
                 powers.graded(0, turn, [STEP, f64::INFINITY], f)
             } else {
-                let f = |y: f64| panel.slope(scale * y.sinh()) * powers.power(scale * y.cosh());
-                stepwise(turn, STEP, f)
+                stepwise_at_nodes(turn, STEP, |y| {
+                    let slopes = panel.slopes_at(&y.map(|y| scale * y.sinh()));
+                    std::array::from_fn(|i| slopes[i] * powers.power(scale * y[i].cosh()))
+                })
             };
         }
         sum

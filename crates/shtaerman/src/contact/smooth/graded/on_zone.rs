@@ -47,6 +47,8 @@ enum Rest {
 struct Halves {
     slopes: [Slope; 2],
     breaks: Vec<f64>,
+    /// The same where between two of them slopes are one polynomial, else none.
+    joints: Vec<f64>,
     tolerance: f64,
     /// Rounding of the slopes.
     noise: f64,
@@ -67,7 +69,7 @@ impl Halves {
         Shape {
             slope,
             breaks,
-            joints: Vec::new(),
+            joints: self.joints.clone(),
             tolerance,
             noise,
             powers: powers.clone(),
@@ -114,7 +116,9 @@ impl OnZone {
                 let (own, inside_of) = (Arc::clone(base), *zone);
                 let slope: Slope = Arc::new(move |xi| own.quick_slope(inside_of.inside(xi)));
                 let rest = Arc::new(without(&slope, zone, &kinks));
-                Rest::Bent(halves(base, zone, &cuts, rest, noise * steepest))
+                // A spline is one polynomial between two of its points.
+                let is_told = known && base.is_measured();
+                Rest::Bent(halves(base, zone, (&cuts, is_told), rest, noise * steepest))
             }
         };
         let centre = 0.5 * (left + right);
@@ -303,7 +307,7 @@ fn without(
 fn halves(
     base: &Arc<Base>,
     zone: &Zone,
-    cuts: &[f64],
+    (cuts, is_told): (&[f64], bool),
     rest: Arc<impl Fn(f64) -> f64 + Send + Sync + 'static>,
     noise: f64,
 ) -> Halves {
@@ -314,9 +318,10 @@ fn halves(
     let odd: Slope = Arc::new(move |r| 0.5 * (other(centre + r) + other(centre - r)));
     let mut breaks: Vec<f64> = cuts.iter().map(|at| (*at - centre).abs()).collect();
     tidy(&mut breaks, zone);
+    let joints = if is_told { breaks.clone() } else { Vec::new() };
     let deadline = base.deadline().clone();
     let is_over = Box::new(move || deadline.is_past());
-    Halves { slopes: [even, odd], breaks, tolerance, noise, is_over }
+    Halves { slopes: [even, odd], breaks, joints, tolerance, noise, is_over }
 }
 
 /// Breaks in order, without those that the middle is known not to be.
