@@ -134,8 +134,13 @@ impl Equation for Collocation<'_> {
         zones
     }
 
+    /// Beyond the first number, which serves panels as well, no more cells than may be spent on one system: theirs is dense, too.
     fn starts(&self) -> Vec<Start> {
-        Start::on_cells(self.base.cells(), MOST_CELLS)
+        let first = self.base.cells();
+        let mut starts = Start::on_cells(first, MOST_CELLS);
+        let fits = |cells: usize| cells == first || (cells as f64).powi(3) <= self.effort.work;
+        starts.retain(|start| matches!(start, Start::Cells(cells) if fits(*cells)));
+        starts
     }
 
     fn pieces(&self) -> Vec<[f64; 2]> {
