@@ -205,9 +205,10 @@ fn steepest(problem: &Problem, zones: Vec<[f64; 2]>) -> Option<(f64, f64)> {
     let mut steepest: Option<(f64, f64)> = None;
     for [left, right] in zones {
         let place = |k: usize| (left + (right - left) * k as f64 / PLACES as f64) / half_width;
-        let places = (0..=PLACES).map(|k| (place(k), profile.height(place(k), half_width)));
-        for pair in places.collect::<Vec<_>>().windows(2) {
-            let [(from, before), (to, after)] = [pair[0], pair[1]];
+        let places: Vec<f64> = (0..=PLACES).map(place).collect();
+        let heights = profile.heights(&places, half_width);
+        for (ends, heights) in places.windows(2).zip(heights.windows(2)) {
+            let ([from, to], [before, after]) = ([ends[0], ends[1]], [heights[0], heights[1]]);
             let is_broken = breaks.iter().any(|at| from <= *at && *at <= to);
             let slope = ((after - before) / ((to - from) * half_width)).abs();
             if !is_broken && slope.is_finite() && steepest.is_none_or(|(most, _)| slope > most) {
