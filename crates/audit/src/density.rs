@@ -215,10 +215,8 @@ impl Density {
         let index = cluster.first;
         let panel = &self.panels[index];
         let mut seen = Places { from_left: near, to_right: near };
-        for i in 0..N {
-            seen.from_left[i] = near[i] - panel.left;
-            seen.to_right[i] = panel.right - near[i];
-        }
+        seen.from_left.iter_mut().for_each(|x| *x -= panel.left);
+        seen.to_right.iter_mut().for_each(|x| *x = panel.right - *x);
         let mut found = self.recurrence.potentials(panel, self.scales[index], &seen);
         if is_any_far {
             let nearest = nearest.min(2.0 * least);
