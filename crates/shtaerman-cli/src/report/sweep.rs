@@ -127,6 +127,9 @@ pub(crate) fn sweep_table(
     for (reason, first, count) in &summary.reasons {
         let _ = writeln!(text, "refused {}, first case {first}: {reason}", times_said(*count));
     }
+    for (code, first, count) in &summary.warnings {
+        let _ = writeln!(text, "warned {}, first case {first}: {code}", times_said(*count));
+    }
     if !study.is_audited() {
         let _ = writeln!(
             text,

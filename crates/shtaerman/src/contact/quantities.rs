@@ -224,7 +224,8 @@ impl Contact {
         let scaled = |unit: fn(&Scaling) -> f64, error: f64| error * self.scale(unit);
         let unless = |prescribed: bool, error: f64| if prescribed { 0.0 } else { error };
         let stiffness = self.solution().stiffness_error();
-        let stiffness = stiffness.map(|error| self.in_units(self.stiffness_by(error, f64::NAN)).matrix());
+        let stiffness =
+            stiffness.map(|error| self.in_units(self.stiffness_by(error, f64::NAN)).matrix());
         Some(Errors {
             kind,
             pressure: scaled(Scaling::pressure, pressure),
