@@ -146,7 +146,7 @@ pub(crate) fn sweep_table(
         };
         let _ = writeln!(
             text,
-            "sense checks of {looked_at} of {}, those with the least and the largest varied values and outputs: {found}",
+            "sense checks of {looked_at} of {}, the first with each warning and those with the least and the largest varied values and outputs: {found}",
             cases(manifest.cases)
         );
         for doubt in doubts {
