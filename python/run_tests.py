@@ -112,10 +112,13 @@ def main(arguments: list[str]) -> None:
         run("cargo", "build", "--quiet", *features, *(["--release"] if is_wheel else []))
     program = TARGET / ("release" if is_wheel else "debug") / ("shtaerman.exe" if os.name == "nt" else "shtaerman")
     rest = [argument for argument in arguments if argument not in ("--wheel", "--parquet")]
+    # Options alone choose among all tests.
+    is_place = any((ROOT / argument.split("::")[0]).exists() for argument in rest)
+    rest = rest if is_place else [*rest, str(HERE / "tests")]
     # The types are checked meanwhile; pytest speaks first, as what it finds is the more telling.
     with ThreadPoolExecutor(max_workers=1) as beside:
         types = beside.submit(checked_types, python)
-        tests = [python, "-m", "pytest", "-q", "-c", HERE / "pyproject.toml", "--rootdir", HERE, *(rest or [HERE / "tests"])]
+        tests = [python, "-m", "pytest", "-q", "-c", HERE / "pyproject.toml", "--rootdir", HERE, *rest]
         try:
             run(*tests, SHTAERMAN=str(program))
         finally:

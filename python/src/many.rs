@@ -87,11 +87,7 @@ impl Case {
             stated(error.map(|error| error.moment)),
             contact.relative_error(),
         ];
-        let codes = contact.warnings().iter().map(|warning| {
-            // The name that JSON has for it.
-            let name = serde_json::to_value(warning.code).unwrap_or_default();
-            name.as_str().unwrap_or_default().to_owned()
-        });
+        let codes = contact.warnings().iter().map(|warning| warning.code.to_string());
         let warnings = codes.collect::<Vec<_>>().join(" ");
         let kind = error.map_or("", |error| error.kind.name());
         Self { numbers, kind, warnings, reason: String::new() }

@@ -146,6 +146,7 @@ impl Study {
                 outputs: values.collect(),
                 errors: vec![None; outputs.len()],
                 error_kind: String::new(),
+                warnings: String::new(),
                 reason: if *is_answered { String::new() } else { "none".to_owned() },
             });
         }

@@ -78,7 +78,8 @@ def test_rows_are_single_solves(tmp_path: Path) -> None:
     # Keys in alphabetical order, the last changes fastest.
     assert data.settlement.dims == ("foundation.roughness", "load.force") and data.settlement.shape == (3, 9)
     assert float(data.settlement[2, 0]) == arrays["settlement"][18]
-    assert found.to_pandas().shape == (27, 9)
+    assert found.to_pandas().shape == (27, 10)
+    assert not any(arrays["warnings"])
     told = found.summary()["settlement"]
     assert told["largest"] == arrays["settlement"].max() and arrays["settlement"][int(told["least_case"])] == told["least"]
     sample = found.audited_sample

@@ -15,6 +15,8 @@ pub(crate) struct Answered {
     pub(crate) errors: Vec<Option<f64>>,
     /// `bound` or `estimate`; empty where no error is stated.
     pub(crate) error_kind: String,
+    /// Codes with spaces between.
+    pub(crate) warnings: String,
 }
 
 /// A value with its error.
@@ -23,7 +25,7 @@ type Stated = (f64, Option<f64>);
 impl Answered {
     fn new(stated: Vec<Stated>, error_kind: &str) -> Self {
         let (outputs, errors) = stated.into_iter().unzip();
-        Self { outputs, errors, error_kind: error_kind.to_owned() }
+        Self { outputs, errors, error_kind: error_kind.to_owned(), warnings: String::new() }
     }
 
     /// Of a contact, and of what was looked for where it was found.
@@ -51,7 +53,11 @@ impl Answered {
         // Those of stresses are estimates whatever is known of the pressure.
         let is_estimate = !kind.is_empty() && outputs.iter().any(Output::is_stress);
         let kind = if is_estimate { "estimate" } else { kind };
-        Ok(Self::new(outputs.iter().map(stated).collect::<Result<_, _>>()?, kind))
+        let warnings = codes(contact);
+        Ok(Self {
+            warnings,
+            ..Self::new(outputs.iter().map(stated).collect::<Result<_, _>>()?, kind)
+        })
     }
 
     /// Of the solution of an equation.
@@ -73,6 +79,18 @@ impl Answered {
         let stated = outputs.iter().map(stated).collect::<Result<_, _>>()?;
         Ok(Self::new(stated, solved.error_kind().name()))
     }
+}
+
+/// The codes of what is warned of and doubted about an answer, each once.
+fn codes(contact: &Contact) -> String {
+    let mut codes: Vec<String> = Vec::new();
+    for warning in contact.warnings().iter().chain(&contact.sense_checks()) {
+        let code = warning.code.to_string();
+        if !codes.contains(&code) {
+            codes.push(code);
+        }
+    }
+    codes.join(" ")
 }
 
 fn finite(value: f64) -> Option<f64> {

@@ -62,8 +62,9 @@ impl Study {
             let errors = rows.iter().map(|row| row.errors[index].unwrap_or(f64::NAN));
             arrays.push(Column::Number(errors.collect()));
         }
-        arrays.push(Column::Text(rows.iter().map(|row| row.error_kind.clone()).collect()));
-        arrays.push(Column::Text(rows.iter().map(|row| row.reason.clone()).collect()));
+        let texts: [fn(&Row) -> &String; 3] =
+            [|row| &row.error_kind, |row| &row.warnings, |row| &row.reason];
+        arrays.extend(texts.map(|text| Column::Text(rows.iter().map(text).cloned().collect())));
         arrays
     }
 
@@ -99,10 +100,12 @@ impl Study {
         expected.extend(self.input_arrays(&views));
         let is_ours = expected.iter().zip(arrays).all(|(ours, theirs)| ours.is_same(theirs));
         let told = &arrays[expected.len()..];
-        let (figures, texts) = told.split_at(told.len() - 2);
+        let (figures, texts) = told.split_at(2 * self.outputs().len());
         let figures = figures.iter().map(Column::numbers).collect::<Option<Vec<_>>>();
         let texts = texts.iter().map(Column::texts).collect::<Option<Vec<_>>>();
-        let (Some(figures), Some(texts), true) = (figures, texts, is_ours) else {
+        let (Some(figures), Some(&[error_kinds, warnings, reasons]), true) =
+            (figures, texts.as_deref(), is_ours)
+        else {
             return Err(fault("has columns of something else"));
         };
         let row = |(place, (case, inputs)): (usize, (usize, Vec<Input>))| Row {
@@ -115,8 +118,9 @@ impl Study {
                 .step_by(2)
                 .map(|values| Some(values[place]).filter(|error| !error.is_nan()))
                 .collect(),
-            error_kind: texts[0][place].clone(),
-            reason: texts[1][place].clone(),
+            error_kind: error_kinds[place].clone(),
+            warnings: warnings[place].clone(),
+            reason: reasons[place].clone(),
         };
         Ok(cases.zip(inputs).enumerate().map(row).collect())
     }

@@ -147,6 +147,7 @@ mod tests {
                 outputs: vec![y],
                 errors: vec![None],
                 error_kind: String::new(),
+                warnings: String::new(),
                 reason: String::new(),
             });
         }

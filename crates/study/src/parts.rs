@@ -101,7 +101,7 @@ impl Study {
         })
     }
 
-    /// The heads of the columns: the case, the varied keys, each output and its error, the kind of the errors, the reason where there is no answer.
+    /// The heads of the columns: the case, the varied keys, each output and its error, the kind of the errors, the codes of warnings, the reason where there is no answer.
     #[must_use]
     pub fn columns(&self) -> Vec<String> {
         let mut columns = vec!["case".to_owned()];
@@ -109,7 +109,7 @@ impl Study {
         for output in &self.outputs {
             columns.extend([output.name.clone(), format!("{}_error", output.name)]);
         }
-        columns.extend(["error_kind".to_owned(), "reason".to_owned()]);
+        columns.extend(["error_kind", "warnings", "reason"].map(str::to_owned));
         columns
     }
 
@@ -122,7 +122,7 @@ impl Study {
             fields.push(format!("{output:?}"));
             fields.push(error.map_or_else(String::new, |error| format!("{error:?}")));
         }
-        fields.extend([row.error_kind.clone(), row.reason.clone()]);
+        fields.extend([&row.error_kind, &row.warnings, &row.reason].map(Clone::clone));
         fields
     }
 
@@ -154,7 +154,7 @@ impl Study {
         let (written, fields) = fields.split_at_checked(inputs.len())?;
         let same = inputs.iter().zip(written).all(|(input, text)| input.to_string() == *text);
         let (figures, told) = fields.split_at_checked(2 * self.outputs.len())?;
-        let [error_kind, reason] = told else { return None };
+        let [error_kind, warnings, reason] = told else { return None };
         if number.parse() != Ok(case) || !same {
             return None;
         }
@@ -164,6 +164,7 @@ impl Study {
             outputs: Vec::new(),
             errors: Vec::new(),
             error_kind: error_kind.clone(),
+            warnings: warnings.clone(),
             reason: reason.clone(),
         };
         for pair in figures.chunks_exact(2) {

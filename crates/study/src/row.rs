@@ -49,6 +49,8 @@ pub struct Row {
     pub errors: Vec<Option<f64>>,
     /// `bound` or `estimate`; empty where no error is stated.
     pub error_kind: String,
+    /// Codes of the warnings and sense checks of the answer, such as `high_pressure`, with spaces between; those of cases that a sweep solves together are not looked for.
+    pub warnings: String,
     /// Why there is no answer; empty where there is one.
     pub reason: String,
 }

@@ -5,8 +5,8 @@ use shtaerman::{Contact, Error, Warning};
 
 use crate::{Study, Summary};
 
-/// Most cases that are looked at: a dozen of varied values and outputs have two of their own each, and five reasons one.
-const MOST: usize = 29;
+/// Most cases that are looked at: a dozen of varied values and outputs have two of their own each, and five reasons and a dozen kinds of warnings one.
+const MOST: usize = 41;
 
 /// What an engineer would doubt about cases of a study.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +20,7 @@ pub struct Doubt {
 }
 
 impl Study {
-    /// What an engineer would doubt about the cases in which a varied value or an output is least or largest, and the first that was refused for each reason: at most 29, each solved again.
+    /// What an engineer would doubt about the cases in which a varied value or an output is least or largest, the first that was refused for each reason, and the first with each warning: at most 41, each solved again.
     /// `overrides` are those of [`Study::first`].
     ///
     /// Gives the number of cases that were looked at, and the doubts, one for each kind, in order of their cases. Equations have none.

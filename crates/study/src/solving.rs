@@ -108,6 +108,7 @@ impl Study {
                 errors: self.outputs.iter().map(error).collect(),
                 outputs,
                 error_kind: "estimate".to_owned(),
+                warnings: String::new(),
                 reason: String::new(),
             }
         };
@@ -118,8 +119,8 @@ impl Study {
 /// What is kept of an answer, or why there is none.
 fn row(study: &Study, case: usize, inputs: Vec<Input>, answered: Result<Answered, Error>) -> Row {
     match answered {
-        Ok(Answered { outputs, errors, error_kind }) => {
-            Row { case, inputs, outputs, errors, error_kind, reason: String::new() }
+        Ok(Answered { outputs, errors, error_kind, warnings }) => {
+            Row { case, inputs, outputs, errors, error_kind, warnings, reason: String::new() }
         }
         Err(error) => Row {
             case,
@@ -127,6 +128,7 @@ fn row(study: &Study, case: usize, inputs: Vec<Input>, answered: Result<Answered
             outputs: vec![f64::NAN; study.outputs.len()],
             errors: vec![None; study.outputs.len()],
             error_kind: String::new(),
+            warnings: String::new(),
             reason: error.to_string(),
         },
     }

@@ -116,6 +116,8 @@ pub struct Summary {
     pub refused: usize,
     /// The first few reasons, each with the first case that has it and the number of cases.
     pub reasons: Vec<(String, usize, usize)>,
+    /// The codes of warnings, each with the first case that has it and the number of cases.
+    pub warnings: Vec<(String, usize, usize)>,
     /// One for each output, in order.
     pub extremes: Vec<Extreme>,
     /// Sobol's indices, for the design that has them.
@@ -131,6 +133,7 @@ impl Summary {
             answered: 0,
             refused: 0,
             reasons: Vec::new(),
+            warnings: Vec::new(),
             extremes: study.outputs().iter().map(Extreme::new).collect(),
             indices: matches!(study.design(), Design::SobolIndices { .. })
                 .then(|| Indices::new(study.variables().len(), study.outputs().len())),
@@ -149,20 +152,27 @@ impl Summary {
             return;
         }
         self.answered += 1;
+        for code in row.warnings.split_ascii_whitespace() {
+            match self.warnings.iter_mut().find(|(known, ..)| known == code) {
+                Some((.., count)) => *count += 1,
+                None => self.warnings.push((code.to_owned(), row.case, 1)),
+            }
+        }
         let found = row.outputs.iter().zip(&row.errors);
         for (extreme, (&value, &error)) in self.extremes.iter_mut().zip(found) {
             extreme.add(row.case, value, error);
         }
     }
 
-    /// The cases in which a slip of the input shows, without repetition: where a varied value or an output is least or largest, and the first that was refused for each reason.
+    /// The cases in which a slip of the input shows, without repetition: where a varied value or an output is least or largest, the first that was refused for each reason, and the first with each warning.
     pub(crate) fn telling_cases(&self) -> Vec<usize> {
         let ends = self.extremes.iter().flat_map(|extreme| [extreme.least, extreme.largest]);
         let ends = ends.filter(|_| self.answered > 0).map(|(_, case)| case);
         let varied = self.varied.iter().flat_map(Varied::cases);
         let refused = self.reasons.iter().map(|(_, first, _)| *first);
         let mut cases: Vec<usize> = Vec::new();
-        for case in refused.chain(varied).chain(ends) {
+        let warned = self.warnings.iter().map(|(_, first, _)| *first);
+        for case in warned.chain(refused).chain(varied).chain(ends) {
             if !cases.contains(&case) {
                 cases.push(case);
             }

@@ -70,7 +70,7 @@ class Audit:
     error: Errors | None
     """The errors of the answer; those of the method where there is no audit."""
     mean_square: float | None = None
-    """Error of ``p/E`` in the mean square over the base."""
+    """Error of ``p/E`` in the mean square over the base, where it is finite."""
     residual: float | None = None
     """Norm of the residual."""
     panels: int | None = None
@@ -265,7 +265,7 @@ class Contact:
 
     @property
     def stiffness(self) -> FloatArray:
-        """Tangent stiffness ``d(P, M)/d(delta, -alpha)``, an array of shape (2, 2)."""
+        """Tangent stiffness ``d(P, M)/d(delta, -alpha)``, an array of shape (2, 2); of a wave infinite against tilt, and ``nan`` where a change of its moment is not found."""
         return np.array(self._engine.stiffness)
 
     @property

@@ -391,7 +391,7 @@ class Sweep:
         return self._audited
 
     def arrays(self) -> dict[str, Array]:
-        """All columns of the parts that are there: ``case``, what varies, each output with its error, ``error_kind`` and ``reason``."""
+        """All columns of the parts that are there: ``case``, what varies, each output with its error, ``error_kind``, ``warnings`` and ``reason``."""
         every = (self._read(part) for part in range(self._study.parts))
         return _named(self._study.columns, [columns for columns in every if columns is not None])
 

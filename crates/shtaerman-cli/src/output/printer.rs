@@ -1,5 +1,6 @@
 //! PDF by a browser: Chromium prints a page into a file.
 
+use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
@@ -65,7 +66,7 @@ impl Printer {
         })
     }
 
-    /// The page as a PDF. The same page gives the same bytes from the same browser: the time at which it was printed is left out.
+    /// The page as a PDF. The same page gives the same bytes from the same browser: the time at which it was printed, and the numbers that the browser gave to elements, are left out.
     ///
     /// # Errors
     /// [`Failure::Check`] where the browser does not print it.
@@ -87,7 +88,7 @@ impl Printer {
         if !bytes.starts_with(b"%PDF-") {
             return Err(failed("what it wrote is no PDF".to_owned()));
         }
-        Ok(timeless(bytes))
+        Ok(renumbered(timeless(bytes)))
     }
 
     fn start(&self, folder: &Path, page: &Path, pdf: &Path) -> io::Result<Child> {
@@ -152,26 +153,39 @@ fn is_root() -> bool {
 fn timeless(mut bytes: Vec<u8>) -> Vec<u8> {
     const DATE: &[u8] = b"19700101000000";
     for key in [&b"/CreationDate (D:"[..], b"/ModDate (D:"] {
-        let places: Vec<usize> = bytes
-            .windows(key.len())
-            .enumerate()
-            .filter(|(_, window)| *window == key)
-            .map(|(at, _)| at + key.len())
-            .collect();
-        for place in places {
-            if let Some(date) = bytes.get_mut(place..place + DATE.len())
-                && date.iter().all(u8::is_ascii_digit)
-            {
-                date.copy_from_slice(DATE);
-            }
+        for place in digits_behind(&bytes, key, DATE.len()) {
+            bytes[place..place + DATE.len()].copy_from_slice(DATE);
         }
     }
     bytes
 }
 
+/// The names of marked elements, as `(node00000023)`, which a browser numbers by what it did before, are numbered from 1 in their order, which the tree of names keeps.
+fn renumbered(mut bytes: Vec<u8>) -> Vec<u8> {
+    const DIGITS: usize = 8;
+    let places = digits_behind(&bytes, b"(node", DIGITS);
+    let names: BTreeSet<Vec<u8>> =
+        places.iter().map(|&place| bytes[place..place + DIGITS].to_vec()).collect();
+    for place in places {
+        let name = &mut bytes[place..place + DIGITS];
+        let rank = names.range(..=name.to_vec()).count();
+        name.copy_from_slice(format!("{rank:0DIGITS$}").as_bytes());
+    }
+    bytes
+}
+
+/// Where so many digits stand behind a key.
+fn digits_behind(bytes: &[u8], key: &[u8], count: usize) -> Vec<usize> {
+    let ends = bytes.windows(key.len()).enumerate().filter(|(_, window)| *window == key);
+    let is_number = |place: &usize| {
+        bytes.get(*place..place + count).is_some_and(|text| text.iter().all(u8::is_ascii_digit))
+    };
+    ends.map(|(at, _)| at + key.len()).filter(is_number).collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::timeless;
+    use super::{renumbered, timeless};
 
     #[test]
     fn dates_are_left_out_of_a_pdf() {
@@ -181,5 +195,16 @@ mod tests {
             shown,
             "%PDF-1.4 /CreationDate (D:19700101000000+00'00') /ModDate (D:19700101000000+00'00') (D:2026)"
         );
+    }
+    #[test]
+    fn elements_of_a_pdf_are_numbered_in_their_order() {
+        let one = "(node00000023) (node00000024) (node00000031) (node00000023) (node12)";
+        let other = "(node00000003) (node00000004) (node00000005) (node00000003) (node12)";
+        let shown = |text: &str| String::from_utf8(renumbered(text.into())).unwrap();
+        assert_eq!(
+            shown(one),
+            "(node00000001) (node00000002) (node00000003) (node00000001) (node12)"
+        );
+        assert_eq!(shown(one), shown(other));
     }
 }

@@ -23,18 +23,23 @@ struct Attempt {
     scale: f64,
     has_notes: bool,
     title: usize,
+    /// Whether the title is as small as a label.
+    is_title_small: bool,
     /// Height and width of frames.
     frame: [f64; 2],
 }
 
-/// What is tried in turn: without the notes, with smaller text, with lower frames, with one line of a title that is cut.
+/// The smallest text, without notes.
+const SMALLEST: Attempt =
+    Attempt { scale: 0.65, has_notes: false, title: TITLE, is_title_small: false, frame: LEAST };
+
+/// What is tried in turn: without the notes, with smaller text, with lower frames, with a title as small as a label, with one line of a title that is cut.
 fn attempts() -> impl Iterator<Item = Attempt> {
     let roomy = [1.0, 0.87, 0.75, 0.65].into_iter().flat_map(|scale| {
-        [true, false].map(|has_notes| Attempt { scale, has_notes, title: TITLE, frame: ROOMY })
+        [true, false].map(|has_notes| Attempt { scale, has_notes, frame: ROOMY, ..SMALLEST })
     });
-    let tight =
-        [TITLE, 1].map(|title| Attempt { scale: 0.65, has_notes: false, title, frame: LEAST });
-    roomy.chain(tight)
+    let small = Attempt { is_title_small: true, ..SMALLEST };
+    roomy.chain([SMALLEST, small, Attempt { title: 1, ..SMALLEST }])
 }
 
 /// The sizes of a picture that is looked at whole.
@@ -57,7 +62,10 @@ fn fitting(figure: &Figure, size: Size, theme: Theme) -> Option<Layout> {
 }
 
 fn tried(figure: &Figure, size: Size, theme: Theme, attempt: &Attempt) -> Layout {
-    let sizes = usual(size, theme).scaled(attempt.scale);
+    let mut sizes = usual(size, theme).scaled(attempt.scale);
+    if attempt.is_title_small {
+        sizes.title = sizes.label;
+    }
     Layout::new(figure, size, sizes, attempt.title, attempt.has_notes)
 }
 
@@ -81,7 +89,7 @@ pub(super) fn usually(figure: &Figure, size: Size, theme: Theme) -> (Size, Layou
         .or_else(|| grown(size, [1.0, GROWTH], fits))
         .or_else(|| grown(size, [GROWTH; 2], fits));
     // What fits on no picture is drawn as well as may be.
-    let last = Attempt { scale: 0.65, has_notes: false, title: 1, frame: LEAST };
+    let last = Attempt { title: 1, ..SMALLEST };
     found.unwrap_or_else(|| (Size::LARGEST, tried(figure, Size::LARGEST, theme, &last)))
 }
 

@@ -128,11 +128,13 @@ pub(super) fn wrap(text: &str, size: u32, room: f64, lines: usize) -> Vec<String
     wrapped
 }
 
-/// The words of a text, of which `λ = 0.5` is one.
+/// The words of a text, of which `λ = 0.5` is one, and `5 MPa`.
 fn together(text: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
+    let is_number = |word: &str| word.parse::<f64>().is_ok();
     for word in text.split_whitespace() {
-        match words.last_mut().filter(|last| word == "=" || last.ends_with(" =")) {
+        let stays = |last: &str| word == "=" || last.ends_with(" =") || is_number(last);
+        match words.last_mut().filter(|last| stays(last)) {
             Some(last) => {
                 last.push(' ');
                 last.push_str(word);

@@ -221,9 +221,14 @@ fn physical_table(
     let stiffness = |value, error, measure| shown.certain(value, error, measure);
     let k11 = stiffness(k11, stated.stiffness(0, 0), of_settlement);
     row("stiffness dP/d(settlement)", k11, notes.force);
-    let k22 = stiffness(k22, stated.stiffness(1, 1), of_tilt);
-    row("stiffness dM/d(-tilt)", k22, notes.turning);
-    row("stiffness dM/d(settlement)", stiffness(k12, stated.stiffness(0, 1), mixed), "");
+    // A wave cannot tilt.
+    if k22.is_finite() {
+        let k22 = stiffness(k22, stated.stiffness(1, 1), of_tilt);
+        row("stiffness dM/d(-tilt)", k22, notes.turning);
+    }
+    if !k12.is_nan() {
+        row("stiffness dM/d(settlement)", stiffness(k12, stated.stiffness(0, 1), mixed), "");
+    }
     let elastic_punch = problem.punch().body().is_some();
     let modulus =
         if elastic_punch { "composite of both bodies" } else { "E/(1-nu^2), rigid punch" };
@@ -362,8 +367,12 @@ fn dimensionless_table(
         row(&name, value, &note);
     }
     row("stiffness dP0/d(delta0)", certain(k11, stated.stiffness(0, 0)), "");
-    row("stiffness dM0/d(-alpha0)", certain(k22, stated.stiffness(1, 1)), "");
-    row("stiffness dM0/d(delta0)", certain(k12, stated.stiffness(0, 1)), "");
+    if k22.is_finite() {
+        row("stiffness dM0/d(-alpha0)", certain(k22, stated.stiffness(1, 1)), "");
+    }
+    if !k12.is_nan() {
+        row("stiffness dM0/d(delta0)", certain(k12, stated.stiffness(0, 1)), "");
+    }
     table
 }
 

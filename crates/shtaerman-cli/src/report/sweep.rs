@@ -127,6 +127,9 @@ pub(crate) fn sweep_table(
     for (reason, first, count) in &summary.reasons {
         let _ = writeln!(text, "refused {}, first case {first}: {reason}", times_said(*count));
     }
+    for (code, first, count) in &summary.warnings {
+        let _ = writeln!(text, "warned {}, first case {first}: {code}", times_said(*count));
+    }
     if !study.is_audited() {
         let _ = writeln!(
             text,
@@ -143,7 +146,7 @@ pub(crate) fn sweep_table(
         };
         let _ = writeln!(
             text,
-            "sense checks of {looked_at} of {}, those with the least and the largest varied values and outputs: {found}",
+            "sense checks of {looked_at} of {}, the first with each warning and those with the least and the largest varied values and outputs: {found}",
             cases(manifest.cases)
         );
         for doubt in doubts {

@@ -226,7 +226,7 @@ fn without_a_browser_there_is_no_pdf_and_with_one_there_is() {
         assert!(pdf.starts_with(b"%PDF-"));
         std::fs::remove_file(folder.path("report.pdf")).unwrap();
         run(&[]);
-        assert_eq!(std::fs::read(folder.path("report.pdf")).unwrap(), pdf, "the same bytes");
+        assert!(std::fs::read(folder.path("report.pdf")).unwrap() == pdf, "the same bytes");
     } else {
         eprintln!("no Chromium here: what it prints is not tested");
     }

@@ -416,16 +416,21 @@ fn cases_of_a_study_are_doubted_by_their_number() {
     let words = |text: &str| text.split_whitespace().collect::<Vec<&str>>().join(" ");
     assert!(words(&plain).contains("nothing to doubt there"), "{plain}");
     let doubted = folder.run(&["sweep", "slip.toml", "-o", "slip"]).answer();
-    assert!(doubted.contains("\nwarning: case 4 (load.force = "), "{doubted}");
-    // Least force, least answers: nothing to doubt there.
-    assert!(words(&doubted).contains("of 2 of 5 cases, those with the least"), "{doubted}");
+    // The first that has it, which is none with the least or the largest of anything.
+    assert!(doubted.contains("\nwarned 2 times, first case 3: high_pressure\n"), "{doubted}");
+    assert!(doubted.contains("\nwarning: case 3 (load.force = "), "{doubted}");
+    assert!(words(&doubted).contains("of 3 of 5 cases, the first with each warning"), "{doubted}");
+    let part = std::fs::read_to_string(folder.path("slip/part-00000000.csv")).unwrap();
+    let lines: Vec<&str> = part.lines().collect();
+    assert!(lines[0].ends_with(",warnings,reason") && lines[3].ends_with(",,"), "{part}");
+    assert!(lines[4].ends_with(",high_pressure,"), "{part}");
     let strict = folder.run(&["sweep", "slip.toml", "-o", "slip", "--strict"]);
     assert_eq!(strict.code, Some(2), "{strict:?}");
-    assert!(strict.stderr.starts_with("error: --strict: case 4 (load.force = "), "{strict:?}");
+    assert!(strict.stderr.starts_with("error: --strict: case 3 (load.force = "), "{strict:?}");
     let summary = ["sweep", "slip.toml", "-o", "slip", "--summary"];
     assert!(!folder.run(&summary).answer().contains("sense checks"));
     let strict = folder.run(&[&summary[..], &["--strict"]].concat());
-    assert!(strict.refusal().contains("--strict: case 4"), "{strict:?}");
+    assert!(strict.refusal().contains("--strict: case 3"), "{strict:?}");
     // What the file alone shows is refused before anything is solved.
     let soft = ["--set", "foundation.young_modulus=200", "--strict"];
     let soft = folder.run(&[&["sweep", "plain.toml", "-o", "soft"][..], &soft].concat());

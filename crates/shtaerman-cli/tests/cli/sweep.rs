@@ -438,7 +438,7 @@ fn parts_are_in_the_units_of_the_file() {
     sweep("study.toml", "si", &[]);
     let told = sweep("own.toml", "own", &[]);
     let part = std::fs::read_to_string(folder.path("own/part-00000000.csv")).unwrap();
-    let heads = "case,foundation.roughness [m/Pa],load.force [kip/ft],settlement [mil],settlement_error [mil],peak_pressure [ksi],peak_pressure_error [ksi],error_kind,reason";
+    let heads = "case,foundation.roughness [m/Pa],load.force [kip/ft],settlement [mil],settlement_error [mil],peak_pressure [ksi],peak_pressure_error [ksi],error_kind,warnings,reason";
     assert_eq!(part.lines().next(), Some(heads));
     // 1 kip/ft is 14593.9029.. N/m; 1 mil 25.4 um; 1 ksi 6.894757.. MPa.
     let units = [

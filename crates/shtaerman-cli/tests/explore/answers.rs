@@ -60,7 +60,8 @@ fn answers_are_those_of_the_command_line_to_the_last_digit() {
 /// What stays is drawn as finely as it bends: the picture reaches the largest pressure that is told.
 #[test]
 fn the_picture_of_an_answer_that_stays_reaches_its_largest_pressure() {
-    let page = Page::open(&[]);
+    // Some seconds of a processor without optimisation, on a machine that may be busy.
+    let page = Page::open(&["--time-limit", "1 min"]);
     let toml = PUNCH.replace("x^2 / (2*20)", "1e-6*cos(30*pi*xi)").replace("0.8 MN/m", "50 kN/m");
     assert_ne!(toml, PUNCH);
     let told =

@@ -78,8 +78,8 @@ pub struct AuditReport {
 /// The figures of an audit.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct AuditFigures {
-    /// The error of the pressure `p/E` in the mean square over the base.
-    pub mean_square: f64,
+    /// The error of the pressure `p/E` in the mean square over the base, where it is finite.
+    pub mean_square: Option<f64>,
     /// The norm of the residual.
     pub residual: f64,
     /// Panels of the resampled pressure.

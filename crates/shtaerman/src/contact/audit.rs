@@ -22,8 +22,8 @@ const IN_THE_MEAN: f64 = 1e-3;
 pub struct Audit {
     /// Bound or estimate.
     pub kind: ErrorKind,
-    /// The error of the pressure in the mean square over the base, without dimensions.
-    pub mean_square: f64,
+    /// The error of the pressure in the mean square over the base, without dimensions; `None` where a layer that bends leaves none that is finite.
+    pub mean_square: Option<f64>,
     /// The norm of the residual.
     pub residual: f64,
     /// Panels of the resampled pressure.
@@ -167,7 +167,7 @@ impl Contact {
         }
         Ok(Audit {
             kind,
-            mean_square: bound.mean_square,
+            mean_square: Some(bound.mean_square).filter(|error| error.is_finite()),
             residual: bound.residual,
             panels: bound.panels,
             windows: bound.windows,
@@ -227,9 +227,8 @@ impl Contact {
                 auditor(&plane(ground.kernel(), Some(&**ground), *strength, OF_A_VALUE), answer)
             }
             Posed::Plane(kernel, size, layer) if *layer < 1.0 => {
-                let stiffness = self.dimensionless().stiffness().matrix();
                 let posed = plane(**kernel, None, 1.0, *size);
-                shtaerman_audit::audit_bent(&posed, *layer, stiffness, answer)
+                shtaerman_audit::audit_bent(&posed, *layer, self.tangent(), answer)
             }
             Posed::Plane(kernel, size, _) => auditor(&plane(**kernel, None, 1.0, *size), answer),
             &Posed::Disk(exponent, layer) => {
@@ -257,10 +256,17 @@ impl Contact {
         Ok((bound, posed.is_bound()))
     }
 
+    /// The tangent stiffness without dimensions. Of a wave, which is infinitely stiff against tilt, nothing follows from the coupling.
+    fn tangent(&self) -> [[f64; 2]; 2] {
+        let [[k11, k12], [_, k22]] = self.dimensionless().stiffness().matrix();
+        let k12 = if self.problem().is_wave() { 0.0 } else { k12 };
+        [[k11, k12], [k12, k22]]
+    }
+
     /// What the errors of the contact under the answer's own force become at the settlement prescribed, from which that contact is off by `missed`: to first order, by the tangent
     /// stiffness along `M = e P`, `-alpha = -(k12 - e k11)/(k22 - e k12) delta`. An estimate.
     fn at_settlement(&self, under_own_force: Accuracy, missed: f64, e: f64) -> Accuracy {
-        let [[k11, k12], [_, k22]] = self.dimensionless().stiffness().matrix();
+        let [[k11, k12], [_, k22]] = self.tangent();
         let turn = (k12 - e * k11) / (k22 - e * k12);
         let force = missed * (k11 - k12 * turn).abs();
         let largest = self.peak().0.abs();

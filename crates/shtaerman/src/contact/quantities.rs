@@ -200,10 +200,10 @@ impl Contact {
         self.solution().complementarity()
     }
 
-    /// The tangent stiffness. A wave cannot tilt: all but the first entry of its are 0, and the change of its moment is not told.
+    /// The tangent stiffness. A wave cannot tilt: its stiffness against that is infinite. How its moment changes is found of a symmetric one alone, which has none; else it is not a number.
     #[must_use]
     pub fn stiffness(&self) -> Stiffness {
-        self.in_units(self.without_symmetry(self.solution().stiffness()))
+        self.in_units(self.stiffness_by(self.solution().stiffness(), f64::INFINITY))
     }
 
     fn in_units(&self, stiffness: Stiffness) -> Stiffness {
@@ -224,7 +224,8 @@ impl Contact {
         let scaled = |unit: fn(&Scaling) -> f64, error: f64| error * self.scale(unit);
         let unless = |prescribed: bool, error: f64| if prescribed { 0.0 } else { error };
         let stiffness = self.solution().stiffness_error();
-        let stiffness = stiffness.map(|error| self.in_units(self.without_symmetry(error)).matrix());
+        let stiffness =
+            stiffness.map(|error| self.in_units(self.stiffness_by(error, f64::NAN)).matrix());
         Some(Errors {
             kind,
             pressure: scaled(Scaling::pressure, pressure),

@@ -282,10 +282,15 @@ impl Contact {
         }
     }
 
-    /// With zeros where symmetry makes them.
-    pub(super) fn without_symmetry(&self, known: Stiffness) -> Stiffness {
-        let coupling = if self.record.is_symmetric { 0.0 } else { known.coupling };
-        let moment_tilt = if self.problem().is_wave() { 0.0 } else { known.moment_tilt };
+    /// With zeros where symmetry makes them, and what is `missing` of a wave: it cannot tilt, and how its moment changes is not found, which is not a number.
+    pub(super) fn stiffness_by(&self, known: Stiffness, missing: f64) -> Stiffness {
+        let is_wave = self.problem().is_wave();
+        let coupling = match self.record.is_symmetric {
+            true => 0.0,
+            false if is_wave => f64::NAN,
+            false => known.coupling,
+        };
+        let moment_tilt = if is_wave { missing } else { known.moment_tilt };
         Stiffness { coupling, moment_tilt, ..known }
     }
 
@@ -362,13 +367,15 @@ impl Contact {
 
     /// Refuses an answer that is not finite: extreme but valid input can overflow.
     fn require_finite(&self) -> Result<(), Error> {
-        let stiffness = self.stiffness();
+        let [[k11, k12], [_, k22]] = self.stiffness().matrix();
+        // A wave has the first entry alone.
+        let entries = if self.problem().is_wave() { k11 } else { k11 + k12 + k22 };
         for (quantity, value) in [
             ("force", self.force()),
             ("moment", self.moment()),
             ("settlement", self.settlement()),
             ("tilt", self.tilt()),
-            ("stiffness", stiffness.force_settlement + stiffness.coupling + stiffness.moment_tilt),
+            ("stiffness", entries),
             ("pressure", self.pressure_bound()),
             ("pressure at the left edge", self.pressure_left()),
             ("pressure in the middle", self.pressure_middle()),

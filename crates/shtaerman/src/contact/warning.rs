@@ -1,5 +1,7 @@
 //! What a user should know about an answer.
 
+use std::fmt;
+
 use serde::Serialize;
 
 use super::Contact;
@@ -56,6 +58,13 @@ pub enum WarningCode {
     UnknownUnit,
     /// The yield stress of a file is reached by no load.
     NoYield,
+}
+
+impl fmt::Display for WarningCode {
+    /// The name that JSON has for it, such as `high_pressure`.
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.serialize(formatter)
+    }
 }
 
 /// A warning with its text.
