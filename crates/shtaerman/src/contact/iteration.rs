@@ -57,19 +57,14 @@ pub(super) fn top(f: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> Poi
         if (best.0 - middle).abs() + 0.5 * (right - left) <= 2.0 * least {
             break;
         }
-        let by_parabola = vertex(best, second, third)
-            .filter(|to| to.abs() < 0.5 * before.abs())
-            .filter(|to| left < best.0 + to && best.0 + to < right);
-        (step, before) = match by_parabola {
-            Some(to) => {
-                let at = best.0 + to;
-                let is_beside = at - left < 2.0 * least || right - at < 2.0 * least;
-                (if is_beside { least.copysign(middle - best.0) } else { to }, step)
-            }
-            None => {
-                let longer = if best.0 < middle { right } else { left } - best.0;
-                ((1.0 - GOLDEN) * longer, longer)
-            }
+        let to = vertex(best, second, third);
+        let at = best.0 + to;
+        (step, before) = if to.abs() < 0.5 * before.abs() && left < at && at < right {
+            let is_beside = at - left < 2.0 * least || right - at < 2.0 * least;
+            (if is_beside { least.copysign(middle - best.0) } else { to }, step)
+        } else {
+            let longer = if best.0 < middle { right } else { left } - best.0;
+            ((1.0 - GOLDEN) * longer, longer)
         };
         let place = best.0 + if step.abs() < least { least.copysign(step) } else { step };
         let next = (place, f(place));
@@ -88,13 +83,11 @@ pub(super) fn top(f: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> Poi
     best
 }
 
-/// Where the parabola through three places has its vertex, from the first of them; none where they lie on a line.
-fn vertex(one: Point, two: Point, three: Point) -> Option<f64> {
-    let [by_two, by_three] =
-        [(one.0 - two.0) * (one.1 - three.1), (one.0 - three.0) * (one.1 - two.1)];
-    let across = 2.0 * (by_three - by_two);
-    let step = ((one.0 - three.0) * by_three - (one.0 - two.0) * by_two) / -across;
-    step.is_finite().then_some(step)
+/// Where the parabola through three places has its vertex, from the first of them; no number where they lie on a line.
+fn vertex(one: Point, two: Point, three: Point) -> f64 {
+    let (to_two, to_three) = (one.0 - two.0, one.0 - three.0);
+    let (by_two, by_three) = (to_two * (one.1 - three.1), to_three * (one.1 - two.1));
+    (to_two * by_two - to_three * by_three) / (2.0 * (by_three - by_two))
 }
 
 #[cfg(test)]

@@ -280,10 +280,6 @@ impl Base {
         self.setting.problem().deadline()
     }
 
-    pub(super) fn is_measured(&self) -> bool {
-        self.setting.problem().profile().measured_points().is_some()
-    }
-
     /// Breaks and joints, increasing.
     pub(super) fn cuts(&self) -> Vec<f64> {
         let mut cuts: Vec<f64> = self.breaks.iter().chain(&self.joints).copied().collect();

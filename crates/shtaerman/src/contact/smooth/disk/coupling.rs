@@ -27,14 +27,6 @@ impl RingNodes {
         Self { ring, nodes, spots }
     }
 
-    /// As many nodes as what is so far away takes: more tell no more of it.
-    fn felt(&self, gap: f64, digits: f64) -> Cow<'_, Self> {
-        match count(&self.ring, gap, digits).filter(|few| *few < self.nodes.count()) {
-            Some(few) => Cow::Owned(Self::new(self.ring, few)),
-            None => Cow::Borrowed(self),
-        }
-    }
-
     /// A node by its radius and its distance from a disk of radius `c`.
     pub(super) fn beside(&self, q: usize, c: f64) -> [f64; 2] {
         let spot = &self.spots[q];
@@ -104,7 +96,11 @@ pub(super) fn coupled(
             return Ok(block(kernel, c, rings[target], rings[source], true));
         }
         let both = [rings[target], rings[source]];
-        let few = both.map(|ring| ring.felt(gap_of(c, both, ring), digits));
+        // As many nodes as what is so far away takes: more tell no more of it.
+        let few = both.map(|ring| match count(&ring.ring, gap_of(c, both, ring), digits) {
+            Some(few) if few < ring.nodes.count() => Cow::Owned(RingNodes::new(ring.ring, few)),
+            _ => Cow::Borrowed(ring),
+        });
         let coupled = block(kernel, c, &few[0], &few[1], false);
         Ok(filled(&coupled, few[1].nodes.count(), [counts[target], counts[source]]))
     };

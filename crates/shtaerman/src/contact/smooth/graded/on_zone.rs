@@ -117,7 +117,8 @@ impl OnZone {
                 let slope: Slope = Arc::new(move |xi| own.quick_slope(inside_of.inside(xi)));
                 let rest = Arc::new(without(&slope, zone, &kinks));
                 // A spline is one polynomial between two of its points.
-                let is_told = known && base.is_measured();
+                let profile = base.setting.problem().profile();
+                let is_told = known && profile.measured_points().is_some();
                 Rest::Bent(halves(base, zone, (&cuts, is_told), rest, noise * steepest))
             }
         };
