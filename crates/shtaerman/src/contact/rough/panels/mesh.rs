@@ -97,8 +97,9 @@ impl Anchor {
         // At a measured point the power is 4: with that a stated error grew 2.9 times.
         let power = if is_corner && !is_free { 1.0 } else { 2.0 };
         let eased = EASED * (power - exponent) / fineness.order as f64;
-        // The pressure at a free end rises over the length of its zone.
-        let reach = if is_free { layer.min((zone.length() * layer).sqrt()) } else { layer };
+        // The pressure at a free end rises over the length of its zone. Farther away than the longest panels ask for none is longer for its distance, and what is missed there is no measure.
+        let rise = if is_free { layer.min((zone.length() * layer).sqrt()) } else { layer };
+        let reach = rise.min(fineness.longest / growth);
         Self { at, is_left, shortest: least.max(SHORTEST), growth, reach, eased }
     }
 
