@@ -106,6 +106,11 @@ fn stated<F: Field>(base: &Base, fine: &Solved<F>, changes: [&Change; 2]) -> Sta
     Stated { accuracy, edge: edge.max(fine.rounding() / fine.gentlest(base)) }
 }
 
+/// What polynomials through so many points miss of a power of the distance from an end, some, as a share of it at the other end.
+pub(super) fn missed_of_power(points: usize, power: f64) -> f64 {
+    (points as f64).powf(-2.0 * power)
+}
+
 impl<F: Field> Solved<F> {
     /// What is stated with what a kernel that is not known to all digits leaves in a displacement, and that in the pressure and in the ends.
     pub(super) fn stated_with_kernel(&self, base: &Base, stiffness: &Stiffness) -> Stated {
@@ -135,14 +140,12 @@ impl<F: Field> Solved<F> {
     }
 
     /// What polynomials miss on the panels at corners. There the pressure goes on as a power of the distance of its own size; at all finenesses they may be as short as numbers allow, so that no
-    /// difference tells. The pressure changes by `V` on such a panel because the potential of a pressure `p` does by `V`: that of what is missed, `s V`, changes by `s V^2/p` at most. Of a power
-    /// `d^nu` polynomials of the degree `n` miss `s = n^(-2 nu)`, some.
+    /// difference tells. The pressure changes by `V` on such a panel because the potential of a pressure `p` does by `V`: that of what is missed, `s V`, changes by `s V^2/p` at most.
     fn missed_at_corners(&self, base: &Base) -> f64 {
         if F::RATIO.is_some() {
             return 0.0;
         }
-        let order = self.nodes.a_panel() as f64;
-        let share = order.powf(-2.0 * (1.0 - self.ground.exponent()));
+        let share = missed_of_power(self.nodes.a_panel(), 1.0 - self.ground.exponent());
         let missed = |zone: &Zone, side: usize| -> Option<f64> {
             let panels = &self.nodes.panels[self.nodes.panels_of(zone)];
             let panel = if side == 0 { panels.first()? } else { panels.last()? };
