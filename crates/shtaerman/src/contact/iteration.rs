@@ -44,50 +44,24 @@ pub(super) fn crossing(f: &impl Fn(f64) -> f64, one: Point, other: Point, none: 
     0.5 * (left + right)
 }
 
-/// The largest value between two places, by parabolas through the three best, and by golden sections where these lead nowhere (R. P. Brent, *Algorithms for minimization without derivatives*, 1973): to where
-/// values do not tell places apart, the root of rounding.
+/// The largest value between two places, by golden sections: to where values do not tell places apart, the root of rounding.
 pub(super) fn top(f: &impl Fn(f64) -> f64, mut left: f64, mut right: f64) -> Point {
-    let least = f64::EPSILON.sqrt() * (right - left);
-    let start = right - (1.0 - GOLDEN) * (right - left);
-    let [mut best, mut second, mut third] = [(start, f(start)); 3];
-    // The last step, and that before it.
-    let (mut step, mut before) = (0.0f64, 0.0f64);
-    for _ in 0..STEPS {
-        let middle = 0.5 * (left + right);
-        if (best.0 - middle).abs() + 0.5 * (right - left) <= 2.0 * least {
-            break;
-        }
-        let to = vertex(best, second, third);
-        let at = best.0 + to;
-        (step, before) = if to.abs() < 0.5 * before.abs() && left < at && at < right {
-            let is_beside = at - left < 2.0 * least || right - at < 2.0 * least;
-            (if is_beside { least.copysign(middle - best.0) } else { to }, step)
+    let steps = (f64::EPSILON.sqrt().ln() / GOLDEN.ln()).ceil() as usize;
+    let mut inner = [right - GOLDEN * (right - left), left + GOLDEN * (right - left)];
+    let mut values = inner.map(f);
+    for _ in 0..steps {
+        if values[0] >= values[1] {
+            right = inner[1];
+            inner = [right - GOLDEN * (right - left), inner[0]];
+            values = [f(inner[0]), values[0]];
         } else {
-            let longer = if best.0 < middle { right } else { left } - best.0;
-            ((1.0 - GOLDEN) * longer, longer)
-        };
-        let place = best.0 + if step.abs() < least { least.copysign(step) } else { step };
-        let next = (place, f(place));
-        // The lower of both places ends the interval.
-        let (is_best, is_left) = (next.1 >= best.1, place < best.0);
-        let end = if is_best { best.0 } else { place };
-        *(if is_best == is_left { &mut right } else { &mut left }) = end;
-        if is_best {
-            (best, second, third) = (next, best, second);
-        } else if next.1 >= second.1 || second.0 == best.0 {
-            (second, third) = (next, second);
-        } else if next.1 >= third.1 || third.0 == best.0 || third.0 == second.0 {
-            third = next;
+            left = inner[0];
+            inner = [inner[1], left + GOLDEN * (right - left)];
+            values = [values[1], f(inner[1])];
         }
     }
-    best
-}
-
-/// Where the parabola through three places has its vertex, from the first of them; no number where they lie on a line.
-fn vertex(one: Point, two: Point, three: Point) -> f64 {
-    let (to_two, to_three) = (one.0 - two.0, one.0 - three.0);
-    let (by_two, by_three) = (to_two * (one.1 - three.1), to_three * (one.1 - two.1));
-    (to_two * by_two - to_three * by_three) / (2.0 * (by_three - by_two))
+    let best = usize::from(values[1] > values[0]);
+    (inner[best], values[best])
 }
 
 #[cfg(test)]
