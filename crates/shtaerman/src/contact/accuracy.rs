@@ -74,17 +74,13 @@ impl State {
 }
 
 impl Accuracy {
-    /// No error below rounding, which the bounds leave aside; what the load prescribes stays exact.
-    pub(super) fn with_rounding(self, sizes: &Sizes) -> Self {
-        self.at_least(ROUNDING, sizes)
-    }
-
     /// An estimate of no less than this share of each size, where nothing is known of the profile between samples.
     pub(super) fn of_the_unknown(self, share: f64, sizes: &Sizes) -> Self {
         Self { kind: ErrorKind::Estimate, ..self.at_least(share, sizes) }
     }
 
-    fn at_least(self, share: f64, sizes: &Sizes) -> Self {
+    /// No error below this share of its size; what the load prescribes stays exact.
+    pub(super) fn at_least(self, share: f64, sizes: &Sizes) -> Self {
         let floor =
             |error: f64, size: f64| if error == 0.0 { 0.0 } else { error.max(share * size) };
         Self {

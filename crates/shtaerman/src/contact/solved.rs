@@ -284,14 +284,9 @@ impl Contact {
 
     /// With zeros where symmetry makes them, and what is `missing` of a wave: it cannot tilt, and how its moment changes is not found, which is not a number.
     pub(super) fn stiffness_by(&self, known: Stiffness, missing: f64) -> Stiffness {
-        let is_wave = self.problem().is_wave();
-        let coupling = match self.record.is_symmetric {
-            true => 0.0,
-            false if is_wave => f64::NAN,
-            false => known.coupling,
-        };
-        let moment_tilt = if is_wave { missing } else { known.moment_tilt };
-        Stiffness { coupling, moment_tilt, ..known }
+        let of_wave = Stiffness { coupling: f64::NAN, moment_tilt: missing, ..known };
+        let found = if self.problem().is_wave() { of_wave } else { known };
+        Stiffness { coupling: if self.record.is_symmetric { 0.0 } else { found.coupling }, ..found }
     }
 
     /// How it was solved.
@@ -376,7 +371,7 @@ impl Contact {
             ("settlement", self.settlement()),
             ("tilt", self.tilt()),
             ("stiffness", entries),
-            ("pressure", self.pressure_bound()),
+            ("pressure", self.solution_size() * self.scale(Scaling::pressure)),
             ("pressure at the left edge", self.pressure_left()),
             ("pressure in the middle", self.pressure_middle()),
             ("pressure at the right edge", self.pressure_right()),
@@ -409,11 +404,6 @@ impl Contact {
             return audit.accuracy.relative(&Sizes { displacement, ..sizes });
         }
         self.solution().relative_error().max(self.of_heights())
-    }
-
-    /// A bound of `|p + E f0|` on the base (Pa).
-    fn pressure_bound(&self) -> f64 {
-        self.solution_size() * self.scale(Scaling::pressure)
     }
 
     /// A bound of `|p0 + f0|` on the base.

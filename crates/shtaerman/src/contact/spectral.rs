@@ -7,7 +7,7 @@ use fredholm::bounds::{Given, IteratedSolution, Kind, ResidualOperator, Response
 use fredholm::kernel::Logarithm;
 use fredholm::{DegenerateSolution, DegenerateSolver};
 
-use super::accuracy::{Accuracy, ErrorKind};
+use super::accuracy::{Accuracy, ErrorKind, ROUNDING};
 use super::balance::{Balance, State};
 use super::method::{Method, MethodName};
 use super::rates::Linearised;
@@ -354,7 +354,9 @@ impl<'s, 'k> Truncated<'s, 'k> {
             force: force.error_of(state.force),
             moment: moment.error_of(state.moment),
         };
-        let rounded = exact.with_rounding(&state.sizes(profile.largest() + state.settlement.abs()));
+        // The bounds leave rounding aside.
+        let sizes = state.sizes(profile.largest() + state.settlement.abs());
+        let rounded = exact.at_least(ROUNDING, &sizes);
         if profile.is_resolved() {
             return Ok(rounded);
         }

@@ -121,14 +121,12 @@ impl Anchor {
 
     /// The distance at which a panel may begin that ends at another.
     fn begin(&self, far: f64) -> f64 {
-        let growth = if far < self.reach { self.eased_growth(far) } else { self.growth };
-        far / (1.0 + growth)
-    }
-
-    fn eased_growth(&self, distance: f64) -> f64 {
-        let eased = (distance / self.reach).powf(self.eased);
+        if far >= self.reach {
+            return far / (1.0 + self.growth);
+        }
+        let eased = (far / self.reach).powf(self.eased);
         let left = (eased * convergence(self.growth)).max(convergence(STEEPEST));
-        2.0 / (0.5 * (left + 1.0 / left) - 1.0)
+        far / (1.0 + 2.0 / (0.5 * (left + 1.0 / left) - 1.0))
     }
 }
 

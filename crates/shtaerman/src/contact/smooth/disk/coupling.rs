@@ -43,29 +43,17 @@ impl RingNodes {
     }
 }
 
-/// Gaps before each ring and after the last, from a disk of radius `c`, as logarithms of the radius.
-fn gaps(c: f64, rings: &[Ring]) -> Vec<f64> {
-    let mut from = c;
-    let mut gaps = Vec::with_capacity(rings.len() + 1);
-    for ring in rings {
-        gaps.push(if from > 0.0 { distance(from, ring.inner() - from) } else { f64::INFINITY });
-        from = ring.outer();
-    }
-    gaps.push(f64::INFINITY);
-    gaps
-}
-
 /// Number of modes for each ring: kernels end at `y = i pi`, and the field of what lies nearest is a series that falls as `rho^-k`, `rho` set by the distance.
 ///
 /// # Errors
 /// [`Error::ZonesTooClose`].
 pub(super) fn counts(c: f64, rings: &[Ring], digits: f64) -> Result<Vec<usize>, Error> {
-    let gaps = gaps(c, rings);
-    let count = |(ring, pair): (&Ring, &[f64])| {
-        count(ring, pair[0].min(pair[1]), digits)
-            .ok_or_else(|| Error::ZonesTooClose { gap: narrowest(c, rings) })
+    let nearest = |ring: &Ring| {
+        let others = rings.iter().filter(|other| other.inner() != ring.inner());
+        others.map(|other| apart(ring, other)).fold(from_disk(c, ring), f64::min)
     };
-    rings.iter().zip(gaps.windows(2)).map(count).collect()
+    let counts: Option<_> = rings.iter().map(|ring| count(ring, nearest(ring), digits)).collect();
+    counts.ok_or_else(|| Error::ZonesTooClose { gap: narrowest(c, rings) })
 }
 
 /// The same of one ring for what is so far away in the logarithm of the radius; none where that is too close.
@@ -92,37 +80,35 @@ pub(super) fn coupled(
 ) -> Result<Vec<Modes>, Error> {
     let counts: Vec<usize> = rings.iter().map(|ring| ring.nodes.count()).collect();
     let block = |target: usize, source: usize| {
-        if target == source {
-            return Ok(block(kernel, c, rings[target], rings[source], true));
-        }
-        let both = [rings[target], rings[source]];
+        let (both, is_own) = ([rings[target], rings[source]], target == source);
+        let gap = apart(&both[0].ring, &both[1].ring);
         // As many nodes as what is so far away takes: more tell no more of it.
-        let few = both.map(|ring| match count(&ring.ring, gap_of(c, both, ring), digits) {
-            Some(few) if few < ring.nodes.count() => Cow::Owned(RingNodes::new(ring.ring, few)),
-            _ => Cow::Borrowed(ring),
+        let few = both.map(|ring| {
+            let few = count(&ring.ring, gap.min(from_disk(c, &ring.ring)), digits);
+            let few = few.filter(|few| !is_own && *few < ring.nodes.count());
+            few.map_or(Cow::Borrowed(ring), |few| Cow::Owned(RingNodes::new(ring.ring, few)))
         });
-        let coupled = block(kernel, c, &few[0], &few[1], false);
-        Ok(filled(&coupled, few[1].nodes.count(), [counts[target], counts[source]]))
+        // Its other modes are nothing.
+        let mut all = vec![0.0; counts[target] * counts[source]];
+        let known = block(kernel, c, &few[0], &few[1], is_own);
+        let rows = known.chunks_exact(few[1].nodes.count());
+        for (row, known) in all.chunks_exact_mut(counts[source]).zip(rows) {
+            row[..known.len()].copy_from_slice(known);
+        }
+        Ok(all)
     };
     modes::coupled(&counts, block, rights)
 }
 
-/// The gap between two rings or, for one of them, to the disk inside them if that is nearer, as logarithm of the radius.
-fn gap_of(c: f64, [one, other]: [&RingNodes; 2], own: &RingNodes) -> f64 {
-    let [inner, outer] =
-        if one.ring.inner() < other.ring.inner() { [one, other] } else { [other, one] };
-    let from = inner.ring.outer();
-    let between = distance(from, outer.ring.inner() - from);
-    if c > 0.0 { between.min(distance(c, own.ring.inner() - c)) } else { between }
+/// The gap between two rings, as logarithm of the radius; of a ring to itself none.
+fn apart(one: &Ring, other: &Ring) -> f64 {
+    let gap = |from: &Ring, to: &Ring| distance(from.outer(), to.inner() - from.outer());
+    gap(one, other).max(gap(other, one)).max(0.0)
 }
 
-/// A block with so many columns as the first of a larger one, whose other modes are nothing.
-fn filled(block: &[f64], few: usize, [rows, columns]: [usize; 2]) -> Vec<f64> {
-    let mut all = vec![0.0; rows * columns];
-    for (row, own) in all.chunks_exact_mut(columns).zip(block.chunks_exact(few)) {
-        row[..few].copy_from_slice(own);
-    }
-    all
+/// The gap to a disk of radius `c` inside.
+fn from_disk(c: f64, ring: &Ring) -> f64 {
+    if c > 0.0 { distance(c, ring.inner() - c) } else { f64::INFINITY }
 }
 
 /// Modes on the target of the displacement by each mode of the source.
