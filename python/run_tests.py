@@ -114,11 +114,11 @@ def main(arguments: list[str]) -> None:
     rest = [argument for argument in arguments if argument not in ("--wheel", "--parquet")]
     # Options alone choose among all tests.
     is_place = any((ROOT / argument.split("::")[0]).exists() for argument in rest)
-    rest = rest if is_place else [*rest, str(HERE / "tests")]
+    chosen = rest if is_place else [*rest, str(HERE / "tests")]
     # The types are checked meanwhile; pytest speaks first, as what it finds is the more telling.
     with ThreadPoolExecutor(max_workers=1) as beside:
         types = beside.submit(checked_types, python)
-        tests = [python, "-m", "pytest", "-q", "-c", HERE / "pyproject.toml", "--rootdir", HERE, *rest]
+        tests = [python, "-m", "pytest", "-q", "-c", HERE / "pyproject.toml", "--rootdir", HERE, *chosen]
         try:
             run(*tests, SHTAERMAN=str(program))
         finally:
