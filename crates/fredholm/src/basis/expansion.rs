@@ -18,7 +18,7 @@ const RESOLVED: f64 = 1e-12;
 /// # Errors
 /// [`Error::NotFinite`] with the place when `f` is not finite at a node; those of the rule.
 pub(crate) fn expand_by_rule(
-    relation: &(impl SpectralRelation + ?Sized),
+    relation: &dyn SpectralRelation,
     f: &dyn Fn(f64) -> f64,
     rule: impl Fn(usize) -> Result<Rule, Error>,
 ) -> Result<Expansion, Error> {
@@ -31,7 +31,7 @@ pub(crate) fn expand_by_rule(
 /// # Errors
 /// As [`expand_by_rule`].
 pub(crate) fn expand_at_nodes<Node>(
-    relation: &(impl SpectralRelation + ?Sized),
+    relation: &dyn SpectralRelation,
     f: &dyn Fn(f64) -> f64,
     rule: impl Fn(usize) -> Result<Rule<Node>, Error>,
     place: impl Fn(&Node) -> f64,
@@ -70,7 +70,7 @@ pub(crate) fn expand_at_nodes<Node>(
 /// # Errors
 /// [`Error::NotFinite`] where `f` is not finite.
 pub(crate) fn misfit(
-    relation: &(impl SpectralRelation + ?Sized),
+    relation: &dyn SpectralRelation,
     f: &dyn Fn(f64) -> f64,
     coefficients: &[f64],
     cuts: &[f64],
@@ -85,7 +85,7 @@ pub(crate) fn misfit(
 
 /// The coefficients, without the trailing ones that are rounding of a function with this largest value.
 fn project<Node>(
-    relation: &(impl SpectralRelation + ?Sized),
+    relation: &dyn SpectralRelation,
     rule: &Rule<Node>,
     eigenfunctions: &impl Fn(&Node, &mut [f64]),
     values: &[f64],

@@ -16,7 +16,7 @@ const MOST_NODES: f64 = 1e8;
 /// # Errors
 /// [`Error::NotFinite`] when `f` is not finite at a node, [`Error::TooLarge`] beyond memory.
 pub(crate) fn interval_moments(
-    relation: &(impl SpectralRelation + ?Sized),
+    relation: &dyn SpectralRelation,
     f: &dyn Fn(f64) -> f64,
     count: usize,
     degree_step: usize,

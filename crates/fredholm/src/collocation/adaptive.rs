@@ -84,7 +84,7 @@ pub struct AdaptiveSolution {
 /// [`SincOperator::sample`] and [`SincOperator::factor`]. A tolerance that is out of reach is no error: see
 /// [`AdaptiveSolution::converged`].
 pub fn solve_adaptive(
-    kernel: &(impl Kernel + ?Sized),
+    kernel: &dyn Kernel,
     parameter: f64,
     f: impl Fn(f64) -> f64,
     tolerance: f64,
@@ -97,7 +97,7 @@ pub fn solve_adaptive(
 /// # Errors
 /// As [`solve_adaptive`]; [`Error::InvalidParameter`] for a bad breakpoint.
 pub fn solve_adaptive_with_breaks(
-    kernel: &(impl Kernel + ?Sized),
+    kernel: &dyn Kernel,
     breaks: &[f64],
     parameter: f64,
     f: impl Fn(f64) -> f64,
@@ -128,7 +128,7 @@ pub fn solve_adaptive_with_breaks(
 /// # Errors
 /// As [`solve_adaptive_with_breaks`].
 pub fn solve_adaptive_in_parts(
-    kernel: &(impl Kernel + ?Sized),
+    kernel: &dyn Kernel,
     breaks: &[f64],
     cuts: &[f64],
     parameter: f64,
@@ -159,7 +159,7 @@ pub fn solve_adaptive_in_parts(
     problem.resolved(&breaks)
 }
 
-fn grid(kernel: &(impl Kernel + ?Sized), half_count: f64) -> Result<Arc<SincGrid>, Error> {
+fn grid(kernel: &dyn Kernel, half_count: f64) -> Result<Arc<SincGrid>, Error> {
     Ok(Arc::new(SincGrid::new(kernel, (half_count.round() as usize).max(LEAST_HALF_COUNT))?))
 }
 
@@ -168,8 +168,8 @@ fn most(breaks: &[f64]) -> usize {
     LARGEST_HALF_COUNT.min(LARGEST_TOTAL / (breaks.len() + 1))
 }
 
-struct Problem<'p, K: ?Sized> {
-    kernel: &'p K,
+struct Problem<'p> {
+    kernel: &'p dyn Kernel,
     parameter: f64,
     f: &'p dyn Fn(f64) -> f64,
     tolerance: f64,
@@ -178,7 +178,7 @@ struct Problem<'p, K: ?Sized> {
     sampled: &'p Sampled,
 }
 
-impl<K: Kernel + ?Sized> Problem<'_, K> {
+impl Problem<'_> {
     /// The breakpoints with those of narrow features: of several choices the one on whose panels the nodes miss least.
     fn with_joints(&self, breaks: &[f64], choices: &[Vec<f64>; 2]) -> Result<Vec<f64>, Error> {
         let mut best = (f64::INFINITY, breaks.to_vec());

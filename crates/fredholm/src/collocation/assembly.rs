@@ -147,7 +147,7 @@ impl Block {
 
 /// The blocks of a kernel on a mesh; `masses` are the weights of the nodes times the density of the measure. Nodes without mass have empty rows and columns: there the kernel may overflow.
 pub(super) fn blocks(
-    kernel: &(impl Kernel + ?Sized),
+    kernel: &dyn Kernel,
     mesh: &Mesh,
     masses: &[f64],
 ) -> Result<Vec<Block>, Error> {
@@ -192,7 +192,7 @@ fn require_finite(block: &Block, mesh: &Mesh) -> Result<(), Error> {
     }
 }
 
-impl<K: Kernel + ?Sized> Entries<'_, K> {
+impl Entries<'_> {
     fn whole(&self) -> Block {
         let roots: Vec<f64> = self.masses.iter().map(|mass| mass.sqrt()).collect();
         let order = roots.len();
@@ -294,7 +294,7 @@ fn mirror(matrix: &mut [f64], order: usize) {
 
 /// `m_j K(x_b, x_j)` for every boundary `x_b` of the panels: a row for each.
 pub(super) fn boundary_rows(
-    kernel: &(impl Kernel + ?Sized),
+    kernel: &dyn Kernel,
     mesh: &Mesh,
     masses: &[f64],
 ) -> Vec<f64> {

@@ -23,8 +23,8 @@ const ROWS: usize = 64;
 const LEAST_STRIDE: usize = 3;
 
 /// What is asked of an equation on a mesh.
-pub(super) struct Check<'c, K: ?Sized> {
-    pub(super) kernel: &'c K,
+pub(super) struct Check<'c> {
+    pub(super) kernel: &'c dyn Kernel,
     pub(super) operator: &'c SincOperator,
     /// With twice as many nodes on each panel as the operator.
     pub(super) finer: Mesh,
@@ -50,7 +50,7 @@ struct Residual {
     boundaries: Vec<f64>,
 }
 
-impl<K: Kernel + ?Sized> Check<'_, K> {
+impl Check<'_> {
     /// The largest error of a solution and those of its integrals, in size.
     ///
     /// # Errors

@@ -7,8 +7,8 @@ use super::weights::{Differences, SincWeights};
 use crate::kernel::Kernel;
 
 /// Entries of the unscaled matrix, less the weights.
-pub(super) struct Entries<'k, K: ?Sized> {
-    kernel: &'k K,
+pub(super) struct Entries<'k> {
+    kernel: &'k dyn Kernel,
     pub(super) mesh: &'k Mesh,
     /// Weights of the nodes times the density of the measure. Nodes without mass have empty rows and columns: there the kernel may overflow.
     pub(super) masses: &'k [f64],
@@ -27,8 +27,8 @@ impl Scratch {
     }
 }
 
-impl<'k, K: Kernel + ?Sized> Entries<'k, K> {
-    pub(super) fn new(kernel: &'k K, mesh: &'k Mesh, masses: &'k [f64]) -> Self {
+impl<'k> Entries<'k> {
+    pub(super) fn new(kernel: &'k dyn Kernel, mesh: &'k Mesh, masses: &'k [f64]) -> Self {
         let weights = SincWeights::new(kernel.singularity(), mesh.panel_count());
         Self { kernel, mesh, masses, weights }
     }

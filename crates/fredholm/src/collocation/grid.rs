@@ -57,7 +57,7 @@ impl SincGrid {
     ///
     /// # Errors
     /// [`Error::InvalidParameter`] unless `4 <= half_count <= 4000`.
-    pub fn new(kernel: &(impl Kernel + ?Sized), half_count: usize) -> Result<Self, Error> {
+    pub fn new(kernel: &dyn Kernel, half_count: usize) -> Result<Self, Error> {
         let lengths = kernel.interval().half_length() / kernel.decay_length();
         let deepest = FRAC_PI_2 / kernel.end_exponent().min(1.0);
         let falling = 1.0 + FALLING * kernel.centre_exponent();
@@ -75,7 +75,7 @@ impl SincGrid {
     ///
     /// # Errors
     /// [`Error::InvalidParameter`] unless `4 <= half_count <= 4000`.
-    pub fn crowded(kernel: &(impl Kernel + ?Sized), half_count: usize) -> Result<Self, Error> {
+    pub fn crowded(kernel: &dyn Kernel, half_count: usize) -> Result<Self, Error> {
         let exponent = kernel.end_exponent();
         // A point is `2 exp(-pi sinh T)` of the half-length from its end. For beta < 0.05 distances underflow, and accuracy is lost.
         let decades = (LN_2 - TAIL.ln() / exponent) / PI;

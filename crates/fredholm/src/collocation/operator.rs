@@ -42,7 +42,7 @@ impl SincOperator {
     /// # Errors
     /// [`Error::InvalidParameter`] unless `4 <= half_count <= 4000`, [`Error::NotFinite`] when the kernel is not finite
     /// between two nodes, [`Error::TooLarge`] beyond memory.
-    pub fn new(kernel: &(impl Kernel + ?Sized), half_count: usize) -> Result<Self, Error> {
+    pub fn new(kernel: &dyn Kernel, half_count: usize) -> Result<Self, Error> {
         Self::with_breaks(kernel, half_count, &[])
     }
 
@@ -53,7 +53,7 @@ impl SincOperator {
     /// As [`SincOperator::new`]; [`Error::InvalidParameter`] for a breakpoint that is not inside the interval and apart
     /// from the others, and for more than 8001 nodes altogether.
     pub fn with_breaks(
-        kernel: &(impl Kernel + ?Sized),
+        kernel: &dyn Kernel,
         half_count: usize,
         breaks: &[f64],
     ) -> Result<Self, Error> {
@@ -65,7 +65,7 @@ impl SincOperator {
     /// # Errors
     /// As [`SincOperator::with_breaks`].
     pub fn on_grid(
-        kernel: &(impl Kernel + ?Sized),
+        kernel: &dyn Kernel,
         grid: Arc<SincGrid>,
         breaks: &[f64],
     ) -> Result<Self, Error> {
@@ -94,7 +94,7 @@ impl SincOperator {
     /// As [`SincOperator::with_breaks`]; [`Error::InvalidParameter`] for panels that overlap, are empty, are not in order or leave the
     /// interval, [`Error::WrongLength`] for no panel.
     pub fn on_panels(
-        kernel: &(impl Kernel + ?Sized),
+        kernel: &dyn Kernel,
         grid: Arc<SincGrid>,
         panels: &[(f64, f64)],
     ) -> Result<Self, Error> {
@@ -102,7 +102,7 @@ impl SincOperator {
         Self::on_mesh(kernel, mesh)
     }
 
-    pub(super) fn on_mesh(kernel: &(impl Kernel + ?Sized), mesh: Mesh) -> Result<Self, Error> {
+    pub(super) fn on_mesh(kernel: &dyn Kernel, mesh: Mesh) -> Result<Self, Error> {
         let masses = masses(kernel, &mesh)?;
         let blocks = blocks(kernel, &mesh, &masses)?;
         Ok(Self {
@@ -289,7 +289,7 @@ impl SincOperator {
 const VANISHING: f64 = 1e-280;
 
 /// `h x'(t_j) m(x_j)`.
-pub(super) fn masses(kernel: &(impl Kernel + ?Sized), mesh: &Mesh) -> Result<Vec<f64>, Error> {
+pub(super) fn masses(kernel: &dyn Kernel, mesh: &Mesh) -> Result<Vec<f64>, Error> {
     let mass = |(weight, place): (&f64, Place)| {
         let density = kernel.measure(place.position);
         if density.is_finite() && density >= 0.0 {

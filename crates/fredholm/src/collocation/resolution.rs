@@ -34,7 +34,7 @@ pub(super) struct Unknown {
 /// What the values of a function at the nodes leave unknown at the ends of the panels; `largest` is its largest value.
 pub(super) fn between_numbers(
     mesh: &Mesh,
-    kernel: &(impl Kernel + ?Sized),
+    kernel: &dyn Kernel,
     f: &dyn Fn(f64) -> f64,
     largest: f64,
 ) -> Unknown {
@@ -135,7 +135,7 @@ impl<'m> Misfit<'m> {
     }
 
     /// What solutions lack.
-    pub(super) fn missed(&self, kernel: &(impl Kernel + ?Sized)) -> Missed {
+    pub(super) fn missed(&self, kernel: &dyn Kernel) -> Missed {
         let Some(density) = dominant(&self.differences, self.sampled.largest) else {
             return Missed::default();
         };

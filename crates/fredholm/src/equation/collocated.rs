@@ -15,7 +15,7 @@ use crate::kernel::Kernel;
 /// # Errors
 /// As [`solve_adaptive_in_parts`]; [`Error::Singular`] where `-1/parameter` is an eigenvalue. A tolerance out of reach is no error: see [`Solution::converged`].
 pub fn collocate<'a>(
-    kernel: &(impl Kernel + ?Sized),
+    kernel: &dyn Kernel,
     parameter: f64,
     f: &'a dyn Fn(f64) -> f64,
     breakpoints: &[f64],
@@ -30,7 +30,7 @@ pub fn collocate<'a>(
 /// # Errors
 /// As [`collocate`].
 pub fn collocate_in_parts<'a>(
-    kernel: &(impl Kernel + ?Sized),
+    kernel: &dyn Kernel,
     parameter: f64,
     f: &'a dyn Fn(f64) -> f64,
     places: [&[f64]; 2],

@@ -27,7 +27,7 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// [`Error::ZeroEigenvalue`] where an eigenvalue vanishes that is needed; [`Error::InvalidParameter`] for no terms; those of
 /// [`SpectralRelation::expand`].
 pub fn first_kind<'a>(
-    relation: &'a (impl SpectralRelation + ?Sized),
+    relation: &'a dyn SpectralRelation,
     f: &dyn Fn(f64) -> f64,
     count: usize,
 ) -> Result<Solution<'a>, Error> {
@@ -39,7 +39,7 @@ pub fn first_kind<'a>(
 /// # Errors
 /// As [`first_kind`].
 pub fn first_kind_in_parts<'a>(
-    relation: &'a (impl SpectralRelation + ?Sized),
+    relation: &'a dyn SpectralRelation,
     f: &dyn Fn(f64) -> f64,
     cuts: &[f64],
     count: usize,
@@ -98,14 +98,14 @@ pub fn first_kind_in_parts<'a>(
 }
 
 /// The largest `|sum c_n phi_n|` over points.
-fn largest_of<K: SpectralRelation + ?Sized>(relation: &K, density: &[f64], points: &[f64]) -> f64 {
+fn largest_of(relation: &dyn SpectralRelation, density: &[f64], points: &[f64]) -> f64 {
     let sum = relation.combination(density);
     points.iter().map(|&x| sum(x).abs()).fold(0.0, f64::max)
 }
 
 /// `c_n / lambda_n`.
 fn densities(
-    relation: &(impl SpectralRelation + ?Sized),
+    relation: &dyn SpectralRelation,
     coefficients: &[f64],
 ) -> Result<Vec<f64>, Error> {
     let largest = (0..coefficients.len().max(2).min(relation.available()))
@@ -129,7 +129,7 @@ struct Noise {
 }
 
 /// Independent errors of `c_n phi_n`, of the size of one, after division by the eigenvalues.
-fn noise(relation: &(impl SpectralRelation + ?Sized), count: usize, points: &[f64]) -> Noise {
+fn noise(relation: &dyn SpectralRelation, count: usize, points: &[f64]) -> Noise {
     let mut sizes = vec![0.0f64; count];
     let mut values = vec![0.0; count];
     for &x in points {
@@ -151,8 +151,8 @@ fn noise(relation: &(impl SpectralRelation + ?Sized), count: usize, points: &[f6
 }
 
 /// `sum c_n w phi_n`, by parity where the weights differ.
-fn weighted<'a, K: SpectralRelation + ?Sized>(
-    relation: &'a K,
+fn weighted<'a>(
+    relation: &'a dyn SpectralRelation,
     density: &[f64],
 ) -> Box<dyn Fn(f64) -> f64 + 'a> {
     if relation.parity() == Parity::None {

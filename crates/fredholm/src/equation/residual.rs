@@ -10,8 +10,8 @@ const PLAIN: EndExponents = EndExponents { left: 0.0, right: 0.0 };
 
 /// The largest `|f - phi - lambda K phi|` over a few points, the ends among them: there a truncated expansion is worst, and a layer at an end that is thinner than its last term can
 /// resolve shows in no difference of two truncations. By double-exponential quadrature; the solution has `degree` oscillations at most.
-pub(super) fn residual<K: Kernel + ?Sized>(
-    kernel: &K,
+pub(super) fn residual(
+    kernel: &dyn Kernel,
     parameter: f64,
     f: &dyn Fn(f64) -> f64,
     phi: &dyn Fn(f64) -> f64,

@@ -8,6 +8,9 @@ use crate::quadrature::places::Sampled;
 use crate::quadrature::{Node, double_exponential, gauss_legendre};
 use crate::{DegenerateSolution, DegenerateSolver, Error};
 
+/// The solution of the degenerate kernel for whatever kernel it is of.
+type Truncated<'k> = DegenerateSolution<'k, dyn SpectralRelation + 'k>;
+
 /// Intervals between the points at which solutions are compared.
 const CHECKS: usize = 257;
 /// Safety on the extrapolated difference.
@@ -43,7 +46,7 @@ const USEFUL: f64 = 0.1;
 /// # Errors
 /// [`Error::InvalidParameter`] for a degree below 8; those of [`DegenerateSolver::new`] and of the moments.
 pub fn degenerate<'a>(
-    relation: &'a (impl SpectralRelation + ?Sized),
+    relation: &'a dyn SpectralRelation,
     parameter: f64,
     f: &'a dyn Fn(f64) -> f64,
     degree: usize,
@@ -56,7 +59,7 @@ pub fn degenerate<'a>(
 /// # Errors
 /// As [`degenerate`].
 pub fn degenerate_in_parts<'a>(
-    relation: &'a (impl SpectralRelation + ?Sized),
+    relation: &'a dyn SpectralRelation,
     parameter: f64,
     f: &'a dyn Fn(f64) -> f64,
     cuts: &[f64],
@@ -117,7 +120,7 @@ struct Features {
 impl Features {
     /// None on an infinite interval, and where panels would be too many.
     fn new(
-        relation: &(impl SpectralRelation + ?Sized),
+        relation: &dyn SpectralRelation,
         f: &dyn Fn(f64) -> f64,
         cuts: &[f64],
     ) -> Result<Option<Self>, Error> {
@@ -141,7 +144,7 @@ impl Features {
     /// `int u f dm` on these panels, and on their halves.
     fn integrals(
         &self,
-        relation: &(impl SpectralRelation + ?Sized),
+        relation: &dyn SpectralRelation,
         f: &dyn Fn(f64) -> f64,
     ) -> Option<[f64; 2]> {
         let rule = gauss_legendre(PANEL_NODES).ok()?;
@@ -164,8 +167,8 @@ impl Features {
 }
 
 /// The moments of the right-hand side: those of the relation where they are right, else by panels that are cut wherever the values of `f` ask for it.
-fn moments_of<K: SpectralRelation + ?Sized>(
-    relation: &K,
+fn moments_of(
+    relation: &dyn SpectralRelation,
     f: &dyn Fn(f64) -> f64,
     features: Option<&Features>,
     count: usize,
@@ -192,8 +195,8 @@ fn moments_of<K: SpectralRelation + ?Sized>(
 }
 
 /// `int f phi_k dm` by panels on which both `f` and the eigenfunctions, which oscillate evenly in `arccos`, are resolved.
-fn panel_moments<K: SpectralRelation + ?Sized>(
-    relation: &K,
+fn panel_moments(
+    relation: &dyn SpectralRelation,
     f: &dyn Fn(f64) -> f64,
     panels: &[(f64, f64)],
     (count, share): (usize, f64),
@@ -239,10 +242,10 @@ struct Sizes {
 }
 
 impl Sizes {
-    fn new<K: SpectralRelation + ?Sized>(
-        relation: &K,
+    fn new(
+        relation: &dyn SpectralRelation,
         f: &dyn Fn(f64) -> f64,
-        solution: &DegenerateSolution<'_, K>,
+        solution: &Truncated<'_>,
         (moment_error, points): (f64, &[f64]),
     ) -> Self {
         let correction = solution.prepared_correction();
@@ -263,9 +266,9 @@ impl Sizes {
 }
 
 /// The difference of the last two levels over the points, continued.
-fn solution_error<K: SpectralRelation + ?Sized>(
-    relation: &K,
-    [first, second, last]: &[DegenerateSolution<'_, K>; 3],
+fn solution_error(
+    relation: &dyn SpectralRelation,
+    [first, second, last]: &[Truncated<'_>; 3],
     points: &[f64],
 ) -> f64 {
     let before = difference(relation, first, second, points);
@@ -274,11 +277,11 @@ fn solution_error<K: SpectralRelation + ?Sized>(
 }
 
 /// The residual at single points.
-fn residual_of<K: SpectralRelation + ?Sized>(
-    relation: &K,
+fn residual_of(
+    relation: &dyn SpectralRelation,
     parameter: f64,
     f: &dyn Fn(f64) -> f64,
-    solution: &DegenerateSolution<'_, K>,
+    solution: &Truncated<'_>,
     degree: usize,
 ) -> f64 {
     let correction = solution.prepared_correction();
@@ -286,7 +289,7 @@ fn residual_of<K: SpectralRelation + ?Sized>(
 }
 
 /// `int |u| dm`, roughly.
-fn functional_size(relation: &(impl SpectralRelation + ?Sized)) -> f64 {
+fn functional_size(relation: &dyn SpectralRelation) -> f64 {
     let extent = relation.extent();
     let densities =
         checks(extent, 16).map(|x| (relation.measure(x) * relation.mass_function(x)).abs());
@@ -294,10 +297,10 @@ fn functional_size(relation: &(impl SpectralRelation + ?Sized)) -> f64 {
 }
 
 /// The largest difference over the points.
-fn difference<K: SpectralRelation + ?Sized>(
-    relation: &K,
-    coarse: &DegenerateSolution<'_, K>,
-    fine: &DegenerateSolution<'_, K>,
+fn difference(
+    relation: &dyn SpectralRelation,
+    coarse: &Truncated<'_>,
+    fine: &Truncated<'_>,
     points: &[f64],
 ) -> f64 {
     let mut gap = fine.correction().to_vec();
@@ -307,7 +310,7 @@ fn difference<K: SpectralRelation + ?Sized>(
 }
 
 /// By how much the error at the ends falls when the degree doubles, at least: `degree^{-2(1-q)}`, on a half-line `degree^{-(1-q)}`.
-fn slowest_rate(relation: &(impl SpectralRelation + ?Sized)) -> f64 {
+fn slowest_rate(relation: &dyn SpectralRelation) -> f64 {
     let power = if relation.interval().is_finite() { 2.0 } else { 1.0 };
     0.5f64.powf(power * (1.0 - relation.singularity().exponent()).min(2.0))
 }
@@ -328,7 +331,7 @@ struct Integral<'a> {
 impl<'a> Integral<'a> {
     /// `c_n = h_n^-1 int u phi_n w dm`, where they have fallen to rounding within the degree.
     fn new(
-        relation: &(impl SpectralRelation + ?Sized),
+        relation: &dyn SpectralRelation,
         degree: usize,
         features: Option<&'a Features>,
     ) -> Self {
@@ -340,11 +343,11 @@ impl<'a> Integral<'a> {
     }
 
     /// And what panels are seen to miss of it.
-    fn of<K: SpectralRelation + ?Sized>(
+    fn of(
         &self,
-        relation: &K,
+        relation: &dyn SpectralRelation,
         f: &dyn Fn(f64) -> f64,
-        solution: &DegenerateSolution<'_, K>,
+        solution: &Truncated<'_>,
     ) -> Option<[f64; 2]> {
         let projections = solution.projections();
         match &self.coefficients {

@@ -92,8 +92,8 @@ pub(crate) fn tail(start: f64, scale: f64, half_count: usize) -> impl Iterator<I
 
 /// The panels that make `int_L K(x, s) g(s) w(s) dm(s)` for one `x` of the closed interval, `w` the powers of the distances to the ends: `(s, weight times kernel
 /// times measure)`.
-pub(crate) fn kernel_rule<K: Kernel + ?Sized>(
-    kernel: &K,
+pub(crate) fn kernel_rule(
+    kernel: &dyn Kernel,
     exponents: EndExponents,
     x: f64,
     half_count: usize,
@@ -136,8 +136,8 @@ fn power(distance: f64, exponent: f64) -> f64 {
 }
 
 /// The panel that begins at the diagonal.
-fn inner<K: Kernel + ?Sized>(
-    kernel: &K,
+fn inner(
+    kernel: &dyn Kernel,
     x: f64,
     end: f64,
     half_count: usize,

@@ -129,7 +129,7 @@ impl Sampled {
     /// The largest `|K delta|` at the extremes of a density and at some more places.
     pub(crate) fn potential(
         &self,
-        kernel: &(impl Kernel + ?Sized),
+        kernel: &dyn Kernel,
         density: &[(usize, f64)],
         more: &[f64],
     ) -> f64 {
@@ -158,7 +158,7 @@ impl Sampled {
     /// `int u delta dm`.
     pub(crate) fn integral(
         &self,
-        kernel: &(impl Kernel + ?Sized),
+        kernel: &dyn Kernel,
         density: &[(usize, f64)],
         u: &dyn Fn(f64) -> f64,
     ) -> f64 {

@@ -44,7 +44,7 @@ fn collocation_gives_the_reference_solutions() {
 
 /// Solves for `f = phi + lambda potential(phi)`, and notes the difference from `phi`, over the whole interval.
 fn manufactured(
-    kernel: &(impl Kernel + ?Sized),
+    kernel: &dyn Kernel,
     parameter: f64,
     phi: impl Fn(f64) -> f64,
     potential: impl Fn(f64) -> f64,

@@ -32,7 +32,7 @@ fn a_stated_error_covers_rounding_too() {
 }
 
 /// The largest difference to the solution on finer nodes, and what both are stated to differ by at most; none where the finer nodes are too many.
-fn compare(kernel: &(impl Kernel + ?Sized), random: &mut Random) -> Option<[f64; 2]> {
+fn compare(kernel: &dyn Kernel, random: &mut Random) -> Option<[f64; 2]> {
     let interval = kernel.interval();
     let (middle, half) = (interval.centre(), interval.half_length());
     let (centre, width, height) =

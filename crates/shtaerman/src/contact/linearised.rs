@@ -10,35 +10,51 @@ use crate::roughness::Law;
 const STEP: f64 = 5e-4;
 /// Steps that the formula of five points and a correction by one reach to either side.
 const REACH: f64 = 3.0;
-/// The share of a rate at the largest pressure by which it may miss what its place has in error.
-const MISSED: f64 = 1e-10;
+/// The error of a pressure varies over this share of a zone.
+const VARIES: f64 = 0.1;
+
+/// Where the pressure is largest.
+struct Peak {
+    place: f64,
+    /// A step of the differences that showed it, and how many of these the place may be off by.
+    step: f64,
+    off: f64,
+}
 
 impl Contact {
-    /// Where the pressure is largest: a maximum shows its place to the root of rounding only, its slope all of it. With the error it leaves in a rate.
-    fn peak_place(&self) -> (f64, f64) {
+    /// Where the pressure is largest: a maximum shows its place to the root of rounding only, its slope all of it.
+    fn peak_place(&self) -> Peak {
         let (_, start) = self.peak();
+        let exact = Peak { place: start, step: 0.0, off: 0.0 };
+        // Zones of a wave may lie beyond the period about the origin.
+        let images: &[f64] = if self.problem().is_wave() { &[0.0, -2.0, 2.0] } else { &[0.0] };
         let zones = self.solution().zones();
-        let Some([left, right]) =
-            zones.iter().find(|[left, right]| *left < start && start < *right)
-        else {
-            return (start, 0.0);
-        };
+        let zone = zones.iter().find_map(|[left, right]| {
+            let image = images.iter().find(|image| (*left..*right).contains(&(start + *image)))?;
+            Some([left - image, right - image])
+        });
+        let Some([left, right]) = zone else { return exact };
         let step = STEP * (right - left);
         let half_width = self.problem().frame().half_width();
         let is_near = |at: f64| (at - start).abs() < REACH * step;
         let breaks = self.problem().profile().breakpoints(half_width);
-        if is_near(*left) || is_near(*right) || breaks.into_iter().any(is_near) {
-            return (start, 0.0);
+        if is_near(left) || is_near(right) || breaks.into_iter().any(is_near) {
+            return exact;
         }
-        let [a, b, c, d, e] =
-            [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| self.pressure_at(start + k * step));
-        let slope = (8.0 * (d - b) - (e - a)) / 12.0;
-        let bend = (16.0 * (d + b) - (e + a) - 30.0 * c) / 12.0;
-        let shift = -slope / bend;
-        if bend >= 0.0 || shift.is_nan() || shift.abs() > 1.0 {
-            return (start, 0.0);
-        }
-        (start + shift * step, MISSED)
+        // Newton's step to the root of the slope, and the pressure over its bend.
+        let shift = |place: f64| {
+            let [a, b, c, d, e] =
+                [-2.0, -1.0, 0.0, 1.0, 2.0].map(|k| self.pressure_at(place + k * step));
+            let slope = (8.0 * (d - b) - (e - a)) / 12.0;
+            let bend = (16.0 * (d + b) - (e + a) - 30.0 * c) / 12.0;
+            let is_peak = bend < 0.0 && slope.abs() <= -bend;
+            is_peak.then_some((-slope / bend, c / bend))
+        };
+        let Some((first, _)) = shift(start) else { return exact };
+        let place = start + first * step;
+        let Some((second, size)) = shift(place) else { return exact };
+        let slope = STEP / VARIES * self.known_to() + 2.0 * f64::EPSILON;
+        Peak { place, step, off: second.abs() + slope * size.abs() }
     }
 
     /// The error of the solution relative to its size; 0 where the method tells none.
@@ -57,10 +73,14 @@ impl Contact {
 
     /// The first-order change, where the method has one.
     pub(crate) fn linearised(&self) -> Option<Linearised> {
-        let (place, share) = self.peak_place();
-        let mut found = self.solution().linearised(self.solved().dimensionless_load(), place)?;
-        for (rates, errors) in found.rates.iter().zip(&mut found.errors) {
-            errors[3] += share * rates[3].abs();
+        let Peak { place, step, off } = self.peak_place();
+        let load = self.solved().dimensionless_load();
+        let mut found = self.solution().linearised(load, place)?;
+        if off > 0.0 {
+            let beside = self.solution().linearised(load, place + step)?;
+            for (k, errors) in found.errors.iter_mut().enumerate() {
+                errors[3] += off * (beside.rates[k][3] - found.rates[k][3]).abs();
+            }
         }
         if self.is_level() {
             for rates in found.rates.iter_mut().chain(&mut found.errors) {

@@ -68,7 +68,7 @@ impl Rule {
     /// `int K(x, s) g(s) ds` over a panel at or beside `x`.
     pub(super) fn near(
         &self,
-        kernel: &(impl Kernel + ?Sized),
+        kernel: &dyn Kernel,
         x: f64,
         (left, right): (f64, f64),
         g: &dyn Fn(f64) -> f64,
@@ -96,7 +96,7 @@ impl Rule {
     /// From `x` to an end, with the singularity at `x`.
     fn from(
         &self,
-        kernel: &(impl Kernel + ?Sized),
+        kernel: &dyn Kernel,
         x: f64,
         end: f64,
         g: &dyn Fn(f64) -> f64,
@@ -127,7 +127,7 @@ impl Rule {
 
     fn plain(
         &self,
-        kernel: &(impl Kernel + ?Sized),
+        kernel: &dyn Kernel,
         x: f64,
         (one, other): (f64, f64),
         g: &dyn Fn(f64) -> f64,

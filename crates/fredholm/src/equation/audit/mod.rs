@@ -62,7 +62,7 @@ pub struct Audit {
 /// [`Error::InvalidParameter`] for a negative parameter, where there is no such bound, for an infinite interval, and where the kernel has features so fine that too many panels would be needed;
 /// [`Error::NotFinite`] where the right-hand side or the solution is not finite.
 pub fn audit(
-    kernel: &(impl Kernel + ?Sized),
+    kernel: &dyn Kernel,
     parameter: f64,
     f: &dyn Fn(f64) -> f64,
     places: [&[f64]; 2],

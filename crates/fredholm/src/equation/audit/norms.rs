@@ -30,7 +30,7 @@ pub(super) struct Norms {
 }
 
 impl Norms {
-    pub(super) fn new(kernel: &(impl Kernel + ?Sized)) -> Self {
+    pub(super) fn new(kernel: &dyn Kernel) -> Self {
         let interval = kernel.interval();
         let length = interval.right() - interval.left();
         let (mut near, mut far, mut whole) = (Vec::new(), Vec::new(), 0.0f64);
@@ -68,7 +68,7 @@ impl Norms {
     /// `||r||/sqrt(m)` with the measure `m` of that neighbourhood, and from there to the point it changes by `parameter ||K(x, .) - K(y, .)|| ||r||` at most. None where the plain bound serves.
     pub(super) fn continuity(
         &self,
-        kernel: &(impl Kernel + ?Sized),
+        kernel: &dyn Kernel,
         parameter: f64,
     ) -> Option<f64> {
         let interval = kernel.interval();
@@ -117,7 +117,7 @@ impl Norms {
 }
 
 /// `int (K(x, s) - K(y, s))^2 dm`, by shells about the nearer of the two.
-fn square_difference(kernel: &(impl Kernel + ?Sized), x: f64, y: f64, length: f64) -> f64 {
+fn square_difference(kernel: &dyn Kernel, x: f64, y: f64, length: f64) -> f64 {
     let interval = kernel.interval();
     let middle = x.midpoint(y);
     let mut sum = 0.0;
@@ -146,7 +146,7 @@ fn square_difference(kernel: &(impl Kernel + ?Sized), x: f64, y: f64, length: f6
 }
 
 /// `int |K| dm` and `int K^2 dm` over the shells, from the outermost inwards.
-fn shells(kernel: &(impl Kernel + ?Sized), x: f64, length: f64) -> [[f64; 2]; SHELLS] {
+fn shells(kernel: &dyn Kernel, x: f64, length: f64) -> [[f64; 2]; SHELLS] {
     let interval = kernel.interval();
     std::array::from_fn(|index| {
         let outer = length * 0.5f64.powi(index as i32);

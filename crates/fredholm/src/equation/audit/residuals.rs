@@ -4,7 +4,6 @@ use super::leaf::legendre;
 use super::tree::{Leaf, Tree};
 use crate::Error;
 use crate::equation::Solution;
-use crate::kernel::Kernel;
 use crate::quadrature::gauss_legendre;
 
 /// Nodes of a part of a panel.
@@ -29,8 +28,8 @@ pub(super) struct Residuals {
 }
 
 /// What is looked at.
-struct Look<'l, 's, K: ?Sized> {
-    tree: &'l Tree<'l, K>,
+struct Look<'l, 's> {
+    tree: &'l Tree<'l>,
     parameter: f64,
     f: &'l dyn Fn(f64) -> f64,
     solution: &'l Solution<'s>,
@@ -46,8 +45,8 @@ struct At {
 }
 
 impl Residuals {
-    pub(super) fn new<K: Kernel + ?Sized>(
-        tree: &Tree<'_, K>,
+    pub(super) fn new(
+        tree: &Tree<'_>,
         parameter: f64,
         f: &dyn Fn(f64) -> f64,
         solution: &Solution<'_>,
@@ -70,7 +69,7 @@ impl Residuals {
     }
 }
 
-impl<K: Kernel + ?Sized> Look<'_, '_, K> {
+impl Look<'_, '_> {
     fn at(&mut self, leaf: &Leaf, x: f64) -> Result<At, Error> {
         let (value, own) = ((self.f)(x), self.solution.evaluate(x));
         let resampled = self.tree.evaluate(leaf, x);

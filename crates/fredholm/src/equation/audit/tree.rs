@@ -52,8 +52,8 @@ enum Content {
 }
 
 /// The panels and the intervals they make, the whole last.
-pub(super) struct Tree<'k, K: ?Sized> {
-    kernel: &'k K,
+pub(super) struct Tree<'k> {
+    kernel: &'k dyn Kernel,
     rule: Rule,
     leaves: Vec<Leaf>,
     branches: Vec<Branch>,
@@ -120,9 +120,9 @@ impl Maker<'_> {
     }
 }
 
-impl<'k, K: Kernel + ?Sized> Tree<'k, K> {
+impl<'k> Tree<'k> {
     pub(super) fn new(
-        kernel: &'k K,
+        kernel: &'k dyn Kernel,
         sampled: &Sampled,
         f: &dyn Fn(f64) -> f64,
         breakpoints: &[f64],
@@ -280,7 +280,7 @@ impl<'k, K: Kernel + ?Sized> Tree<'k, K> {
 }
 
 /// The longest interval, halved from the whole, over which both parts of the split are polynomials of degree 15 to rounding.
-fn scale(kernel: &(impl Kernel + ?Sized), rule: &Rule) -> f64 {
+fn scale(kernel: &dyn Kernel, rule: &Rule) -> f64 {
     let interval = kernel.interval();
     let whole = interval.right() - interval.left();
     let mut length = whole;
