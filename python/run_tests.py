@@ -80,20 +80,27 @@ def install(python: Path) -> None:
     shutil.copyfile(TARGET / "debug" / built, place / name)
 
 
-def checked_types(python: Path) -> tuple[str, int]:
-    """What mypy and stubtest say, and their code of exit."""
-    told = []
-    for command in (
-        (python, "-m", "mypy", "--config-file", HERE / "pyproject.toml", "--cache-dir", TARGET / "mypy", "-p", "shtaerman"),
-        (python, "-m", "mypy.stubtest", "--mypy-config-file", HERE / "pyproject.toml", "shtaerman"),
-    ):
-        words = [str(word) for word in command]
-        environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PYTHONHOME")}
-        done = subprocess.run(words, cwd=ROOT, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
-        told.append(f"$ {' '.join(words)}\n{done.stdout.rstrip()}")
-        if done.returncode:
-            return "\n".join(told), done.returncode
-    return "\n".join(told), 0
+def told(*command: object, **variables: str) -> tuple[str, int]:
+    """What a command says, and its code of exit."""
+    words = [str(word) for word in command]
+    environment = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "PYTHONHOME")}
+    done = subprocess.run(
+        words, cwd=ROOT, env={**environment, **variables}, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    )
+    return f"$ {' '.join(words)}\n{done.stdout.rstrip()}", done.returncode
+
+
+def checked_types(python: Path) -> list[tuple[str, int]]:
+    """mypy and stubtest."""
+    return [
+        told(python, "-m", "mypy", "--config-file", HERE / "pyproject.toml", "--cache-dir", TARGET / "mypy", "-p", "shtaerman"),
+        told(python, "-m", "mypy.stubtest", "--mypy-config-file", HERE / "pyproject.toml", "shtaerman"),
+    ]
+
+
+def checked_page(program: Path) -> list[tuple[str, int]]:
+    """The tests of the page in a browser; its snippets of Python run in the environment of the package."""
+    return [told(sys.executable, ROOT / "crates" / "explore" / "tests" / "browser" / "run.py", SHTAERMAN=str(program))]
 
 
 def main(arguments: list[str]) -> None:
@@ -115,20 +122,18 @@ def main(arguments: list[str]) -> None:
     # Options alone choose among all tests.
     is_place = any((ROOT / argument.split("::")[0]).exists() for argument in rest)
     chosen = rest if is_place else [*rest, str(HERE / "tests")]
-    # The types are checked meanwhile; pytest speaks first, as what it finds is the more telling.
-    with ThreadPoolExecutor(max_workers=1) as beside:
-        types = beside.submit(checked_types, python)
+    # The types and the page, which mostly waits, are checked meanwhile; pytest speaks first.
+    with ThreadPoolExecutor(max_workers=2) as beside:
+        others = [beside.submit(checked_types, python)]
+        if not rest:
+            others.append(beside.submit(checked_page, program))
         tests = [python, "-m", "pytest", "-q", "-c", HERE / "pyproject.toml", "--rootdir", HERE, *chosen]
         try:
             run(*tests, SHTAERMAN=str(program))
         finally:
-            told, failed = types.result()
-            print(told, flush=True)
-    if failed:
-        sys.exit(failed)
-    # The page, whose snippets of Python run in this environment.
-    if not rest:
-        run(sys.executable, ROOT / "crates" / "explore" / "tests" / "browser" / "run.py", SHTAERMAN=str(program))
+            found = [one for other in others for one in other.result()]
+            print(*(text for text, _ in found), sep="\n", flush=True)
+    sys.exit(next((code for _, code in found if code), 0))
 
 
 if __name__ == "__main__":
