@@ -293,11 +293,7 @@ fn mirror(matrix: &mut [f64], order: usize) {
 }
 
 /// `m_j K(x_b, x_j)` for every boundary `x_b` of the panels: a row for each.
-pub(super) fn boundary_rows(
-    kernel: &dyn Kernel,
-    mesh: &Mesh,
-    masses: &[f64],
-) -> Vec<f64> {
+pub(super) fn boundary_rows(kernel: &dyn Kernel, mesh: &Mesh, masses: &[f64]) -> Vec<f64> {
     let boundaries = mesh.boundaries().len();
     let is_even = kernel.is_even() && mesh.is_symmetric();
     let half = if is_even { boundaries.div_ceil(2) } else { boundaries };

@@ -104,10 +104,7 @@ fn largest_of(relation: &dyn SpectralRelation, density: &[f64], points: &[f64]) 
 }
 
 /// `c_n / lambda_n`.
-fn densities(
-    relation: &dyn SpectralRelation,
-    coefficients: &[f64],
-) -> Result<Vec<f64>, Error> {
+fn densities(relation: &dyn SpectralRelation, coefficients: &[f64]) -> Result<Vec<f64>, Error> {
     let largest = (0..coefficients.len().max(2).min(relation.available()))
         .map(|n| relation.eigenvalue(n).abs())
         .fold(0.0, f64::max);

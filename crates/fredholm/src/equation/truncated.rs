@@ -330,11 +330,7 @@ struct Integral<'a> {
 
 impl<'a> Integral<'a> {
     /// `c_n = h_n^-1 int u phi_n w dm`, where they have fallen to rounding within the degree.
-    fn new(
-        relation: &dyn SpectralRelation,
-        degree: usize,
-        features: Option<&'a Features>,
-    ) -> Self {
+    fn new(relation: &dyn SpectralRelation, degree: usize, features: Option<&'a Features>) -> Self {
         let coefficients: Vec<f64> =
             (0..=degree).map(|n| relation.mass(n) / relation.norm(n)).collect();
         let largest = coefficients.iter().fold(0.0f64, |most, c| most.max(c.abs()));

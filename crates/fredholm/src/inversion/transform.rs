@@ -3,11 +3,14 @@
 //! Between kinks `b < x` of the base `G` is smooth in `s = sqrt(x^2 - b^2)`, on graded powers but for a power `s^(1+mu)` at the kink; on each panel of `s` it
 //! is a polynomial.
 
+mod panel;
+
 use std::f64::consts::FRAC_PI_2;
 
+use self::panel::{Panel, largest, rounding_of};
 use super::accuracy::{DEEPEST, HARMLESS, NOISE, RESOLVED};
 use super::powers::{NEAREST, PLAIN, Powers, TURN, distant};
-use super::rule::{ORDER, RULE, derivative, integral, integral_at_nodes, series, series_at};
+use super::rule::{ORDER, RULE, integral, integral_at_nodes};
 use super::shape::{Shape, Symmetry};
 
 /// There are at most so many panels. Half and twice change none of 26 answers (survey).
@@ -18,78 +21,6 @@ const STEP: f64 = 1.0;
 const LENGTHS: f64 = 1024.0;
 /// A first panel shorter than this share of its segment is there for a kink. Half and twice change none of 14 answers (survey).
 const SHORT: f64 = 1e-5;
-
-#[derive(Debug, Clone)]
-struct Panel {
-    ends: [f64; 2],
-    values: [f64; ORDER],
-    /// `dG/ds`.
-    slopes: [f64; ORDER],
-    /// Number of coefficients that are not rounding.
-    count: usize,
-}
-
-impl Panel {
-    fn new(ends: [f64; 2], mut values: [f64; ORDER]) -> Self {
-        let half = 0.5 * (ends[1] - ends[0]);
-        let size = largest(&values);
-        // Derivatives of the last coefficients would blow rounding up.
-        let is_more = |n: &usize| values[*n].abs() > rounding_of(*n) * size;
-        let count = (0..ORDER).rev().find(is_more).map_or(0, |last| last + 1);
-        values[count..].fill(0.0);
-        Self { ends, values, slopes: derivative(&values).map(|c| c / half), count }
-    }
-
-    fn local(&self, s: f64) -> f64 {
-        let [from, to] = self.ends;
-        ((2.0 * s - from - to) / (to - from)).clamp(-1.0, 1.0)
-    }
-
-    fn sum(&self, coefficients: &[f64; ORDER], s: f64) -> f64 {
-        series(&coefficients[..self.count], self.local(s))
-    }
-
-    fn values_at(&self, places: &[f64; ORDER]) -> [f64; ORDER] {
-        series_at(&self.values[..self.count], &places.map(|s| self.local(s)))
-    }
-
-    fn slopes_at(&self, places: &[f64; ORDER]) -> [f64; ORDER] {
-        series_at(&self.slopes[..self.count], &places.map(|s| self.local(s)))
-    }
-
-    fn value(&self, s: f64) -> f64 {
-        self.sum(&self.values, s)
-    }
-
-    fn slope(&self, s: f64) -> f64 {
-        self.sum(&self.slopes, s)
-    }
-
-    fn length(&self) -> f64 {
-        self.ends[1] - self.ends[0]
-    }
-
-    /// The part up to `to`.
-    fn within(&self, to: f64) -> Self {
-        let [from, end] = self.ends;
-        if to >= end {
-            return self.clone();
-        }
-        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let values = self.values_at(&RULE.nodes.map(|u| middle + half * u));
-        Self::new([from, to], RULE.coefficients(&values))
-    }
-
-    /// The derivative of a series blows the rounding of its coefficients up by the square of their number.
-    fn blown(&self, size: f64) -> f64 {
-        24.0 * f64::EPSILON * (self.count * self.count) as f64 * size / self.length()
-    }
-}
-
-/// What the coefficient of the degree `n` is rounded by, relative to the values: `2 n + 1` times as much as they are.
-fn rounding_of(n: usize) -> f64 {
-    f64::EPSILON * (2 * n + 1) as f64
-}
 
 /// A panel that may be halved.
 struct Sampled {
@@ -106,16 +37,18 @@ fn sample(shape: &Shape<'_>, kink: f64, [from, to]: [f64; 2]) -> [f64; ORDER] {
     RULE.coefficients(&RULE.nodes.map(|u| shape.transform_beyond(kink, middle + half * u)))
 }
 
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most, c| most.max(c.abs()))
-}
-
 /// The part of the disk between two kinks.
 #[derive(Debug, Clone)]
 struct Segment {
     /// `b` and the next kink or the edge.
     ends: [f64; 2],
     panels: Vec<Panel>,
+}
+
+/// Whether the first panel of a segment is there for a kink: beside the middle all is as short as the distance from it.
+fn is_for_kink(first: &Panel, ends: [f64; 2]) -> bool {
+    let length = leg(ends[1], ends[0]);
+    first.ends[1] < SHORT * if ends[0] > 0.0 { length.min(ends[0]) } else { length }
 }
 
 /// `sqrt(x^2 - y^2)` for `x >= y`.
@@ -161,15 +94,49 @@ impl Segment {
             panels.splice(i..=i, halves);
         }
         let panels = panels.iter().map(|panel| Panel::new(panel.ends, panel.values)).collect();
+        Self::at_rest(ends, panels, &shape.powers)
+    }
+
+    /// On graded ground `G` rises from a bend as a power above 1 of `s`, but where a kink was not told.
+    fn at_rest(ends: [f64; 2], mut panels: Vec<Panel>, powers: &Powers) -> Self {
+        if let Some(first) = panels.first_mut()
+            && powers.exponent() > 0.0
+            && ends[0] > 0.0
+            && !is_for_kink(first, ends)
+        {
+            *first = first.clone().from_rest();
+        }
         Self { ends, panels }
     }
 
     /// The part up to `end`, by the same polynomials.
-    fn within(&self, end: f64) -> Self {
+    fn within(&self, end: f64, powers: &Powers) -> Self {
         let to = leg(end, self.ends[0]);
         let kept = self.panels.iter().filter(|panel| panel.ends[0] < to);
         let panels = kept.map(|panel| panel.within(to)).collect();
-        Self { ends: [self.ends[0], end], panels }
+        Self::at_rest([self.ends[0], end], panels, powers)
+    }
+
+    /// The same with less of each series.
+    fn truncated(&self, powers: &Powers) -> Self {
+        let less = |panel: &Panel| {
+            let mut values = panel.values;
+            values[ORDER - 2..].fill(0.0);
+            Panel::new(panel.ends, values)
+        };
+        Self::at_rest(self.ends, self.panels.iter().map(less).collect(), powers)
+    }
+
+    /// What is missed of `int dG s^(mu-1)` from a bend on.
+    fn pressure_missed(&self, powers: &Powers) -> f64 {
+        let mu = powers.exponent();
+        let of = |panel: &Panel| {
+            let [from, to] = panel.ends.map(|s| s.powf(mu));
+            // From rest it grows evenly.
+            let weight = if from == 0.0 { to / (1.0 + mu) } else { (to - from) / mu };
+            panel.slope_missed() * weight
+        };
+        self.panels.iter().map(of).sum()
     }
 
     /// `sqrt(x^2 - r^2)` or its negative square at the end `s` of a panel.
@@ -226,7 +193,7 @@ impl Segment {
         let mu = powers.exponent();
         let [_, to] = first.ends;
         let f = |panel: &Panel, s: f64| panel.slope(s) * s.powf(mu - 1.0);
-        let is_kink = self.ends[0] > 0.0 && to < SHORT * leg(self.ends[1], self.ends[0]);
+        let is_kink = self.ends[0] > 0.0 && is_for_kink(first, self.ends);
         let mut sum = if is_kink {
             let rise = first.value(to) - first.value(0.0);
             rise * to.powf(mu - 1.0) * (1.0 + mu) / (2.0 * mu)
@@ -271,7 +238,7 @@ impl Segment {
         let to = first.ends[1];
         let rise = |panel: &Panel| panel.value(panel.ends[1]) - panel.value(panel.ends[0]);
         let doubles = third.ends[1] == 4.0 * to && second.ends[1] == 2.0 * to;
-        let is_short = to < SHORT * leg(self.ends[1], self.ends[0]);
+        let is_short = is_for_kink(first, self.ends);
         let ratio = rise(third) / rise(second);
         let power = ratio.log2();
         let over_length = rise(second) / ((ratio - 1.0) * to);
@@ -399,7 +366,7 @@ impl AbelTransform {
             return Some(self.clone());
         }
         let inside = self.segments.iter().filter(|segment| segment.ends[0] < radius);
-        let cut = |segment: &Segment| segment.within(segment.ends[1].min(radius));
+        let cut = |segment: &Segment| segment.within(segment.ends[1].min(radius), &self.powers);
         let segments: Vec<Segment> = inside.map(cut).collect();
         let is_told = |last: &Segment| {
             let first =
@@ -419,12 +386,8 @@ impl AbelTransform {
 
     /// The same with less of each series, for a comparison.
     pub fn truncated(&self) -> Self {
-        let mut other = self.clone();
-        for panel in other.segments.iter_mut().flat_map(|segment| &mut segment.panels) {
-            panel.values[ORDER - 2..].fill(0.0);
-            *panel = Panel::new(panel.ends, panel.values);
-        }
-        other
+        let segments = self.segments.iter().map(|segment| segment.truncated(&self.powers));
+        Self { segments: segments.collect(), ..self.clone() }
     }
 
     /// `int_r^c G'(x) dx/(x^2 - r^2)^beta`; infinite at a kink of a homogeneous body.
@@ -465,6 +428,20 @@ impl AbelTransform {
             longest.map_or(0.0, |panel| panel.blown(size))
         };
         self.segments.iter().map(of).fold(0.0, f64::max)
+    }
+
+    /// What is missed of [`AbelTransform::pressure`], of odd displacements times the place, at the bend where that is most, on graded ground: short panels know the slope of `G` less well, and a bend
+    /// near the middle asks for such.
+    pub fn pressure_missed(&self) -> f64 {
+        if self.powers.exponent() == 0.0 {
+            return 0.0;
+        }
+        let at_bend = |segment: &Segment| {
+            let arm = if self.part == Symmetry::Odd { segment.ends[0] } else { 1.0 };
+            arm * segment.pressure_missed(&self.powers)
+        };
+        let bends = self.segments.iter().filter(|segment| segment.ends[0] > 0.0);
+        bends.map(at_bend).fold(0.0, f64::max)
     }
 
     /// `G'(c)`.

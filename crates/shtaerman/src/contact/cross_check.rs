@@ -77,7 +77,9 @@ impl Problem {
             self.frame().layering().map(|on| on.clone().scaled(self.frame().half_width()));
         let influence = layering.as_ref().map(influence);
         let posed = Posing::new(&problem, level / displacement, &height, influence.as_deref());
-        posed.and_then(|posing| posing.compare(contact)).map_err(Error::no_reference)
+        posed
+            .and_then(|posing| posing.compare(contact))
+            .map_err(|reason| Error::NoReference { reason })
     }
 }
 
@@ -90,12 +92,6 @@ fn influence(layering: &Layering) -> Box<dyn Fn(f64) -> f64 + '_> {
     let transfer = |u| layering.transfer(u);
     let kernel = Transferred::new(layering.thickness(), layering.far_share(), &transfer, 2.0);
     Box::new(move |d| strength * kernel.value(d))
-}
-
-impl Error {
-    fn no_reference(reason: Refusal) -> Self {
-        Self::NoReference { reason }
-    }
 }
 
 /// A problem as the reference takes it.

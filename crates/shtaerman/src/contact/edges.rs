@@ -104,7 +104,9 @@ pub(super) fn settle<E: Equation>(
         let is_better = best_before.is_none_or(|before| free.worst < before);
         if let Some(before) = best_before {
             stalls = if free.worst >= FALLING * before { stalls + 1 } else { 0 };
-            if stalls >= free.patience() || free.are_enough {
+            // Values within their rounding are noise at once, of which a later one is smaller by chance only.
+            let patience = if free.are_rounding { 1 } else { STALLS };
+            if stalls >= patience || free.are_enough {
                 return Ok(latest.filter(|_| !is_better).unwrap_or(solved));
             }
         } else {
@@ -234,12 +236,6 @@ impl Free {
             }
         }
         free
-    }
-
-    /// Steps in a row after which values that do not fall have come as far as they do: those within their rounding are noise at once, of which a later one is smaller by
-    /// chance only.
-    fn patience(&self) -> usize {
-        if self.are_rounding { 1 } else { STALLS }
     }
 }
 

@@ -94,13 +94,7 @@ impl Rule {
     }
 
     /// From `x` to an end, with the singularity at `x`.
-    fn from(
-        &self,
-        kernel: &dyn Kernel,
-        x: f64,
-        end: f64,
-        g: &dyn Fn(f64) -> f64,
-    ) -> f64 {
+    fn from(&self, kernel: &dyn Kernel, x: f64, end: f64, g: &dyn Fn(f64) -> f64) -> f64 {
         let length = (end - x).abs();
         let direction = (end - x).signum();
         // sigma(L u) = L^-q sigma(u) + sigma(L), the logarithm ln(L u) = ln u + ln L.

@@ -66,11 +66,7 @@ impl Norms {
 
     /// The factor of `||r||` in a bound of `parameter |K e|`. As `parameter K` and its sum with 1 have one spectrum apart from that 1, `||parameter K e|| <= ||r||`, so that its mean within `h` of a point is at most
     /// `||r||/sqrt(m)` with the measure `m` of that neighbourhood, and from there to the point it changes by `parameter ||K(x, .) - K(y, .)|| ||r||` at most. None where the plain bound serves.
-    pub(super) fn continuity(
-        &self,
-        kernel: &dyn Kernel,
-        parameter: f64,
-    ) -> Option<f64> {
+    pub(super) fn continuity(&self, kernel: &dyn Kernel, parameter: f64) -> Option<f64> {
         let interval = kernel.interval();
         let length = interval.right() - interval.left();
         let size = self.far.iter().map(|norms| norms[SHELLS / 4]).fold(0.0, f64::max);

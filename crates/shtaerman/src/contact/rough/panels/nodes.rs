@@ -83,7 +83,7 @@ impl Field for OnPanels {
 /// The nodes of given zones with their operator.
 pub(super) struct PanelNodes<'b> {
     base: &'b Base,
-    operator: PanelOperator,
+    pub(super) operator: PanelOperator,
     kernel: PanelKernel,
     nodes: Arc<Nodes>,
     parameter: f64,
@@ -138,11 +138,6 @@ impl<'b> PanelNodes<'b> {
         let nodes = Arc::new(Nodes { zones, panels, places, locals, heights, frame });
         let Effort { residual, responses, .. } = effort;
         Ok(Self { base, operator, kernel, nodes, parameter, residual, responses, total })
-    }
-
-    /// The operator alone.
-    pub(super) fn into_operator(self) -> PanelOperator {
-        self.operator
     }
 
     /// The conditions of the load that are met by pressures, for what is lacking of them.

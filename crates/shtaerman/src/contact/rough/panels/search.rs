@@ -172,7 +172,7 @@ impl<'b> ManyPanels<'b> {
                 let at_ends = solved.at_ends(|xi| base.height(xi));
                 let is_good = is_same && at_ends <= effort.good * solved.deepest();
                 if !is_over && !is_good {
-                    (latest, known) = (Some(solved), Some(nodes.into_operator()));
+                    (latest, known) = (Some(solved), Some(nodes.operator));
                     continue;
                 }
                 // The pressure outside of the panels goes on as the negative gap: these edges are its own.

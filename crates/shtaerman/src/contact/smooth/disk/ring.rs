@@ -52,10 +52,6 @@ impl Ring {
             PI - 2.0 * share((from_inner / self.inner()).ln_1p())
         }
     }
-
-    pub(super) fn angle_of(&self, radius: f64) -> f64 {
-        self.angle((radius - self.inner()).max(0.0), (self.outer() - radius).max(0.0))
-    }
 }
 
 /// `ln((r + d)/r)`.

@@ -326,7 +326,7 @@ impl Pressure for Solved {
                 let size = self.theta0 * ring.half * ring.inner() * ring.inner().sqrt();
                 part.rounding(Conjugate::error) / size
             }
-            (None, Some(core)) => core.flat_pressure(density + core.slope_rounding()),
+            (None, Some(core)) => core.missed_pressure(density + core.slope_rounding()),
             (None, None) => 0.0,
         };
         Known { density, pressure }
@@ -383,8 +383,8 @@ impl Profiles {
         let mut counts = counts(c, rings, detail.digits)?;
         let slope = |ring: &Ring| {
             let inside = |at: &&f64| ring.inner() < **at && **at < ring.outer();
-            let bends: Vec<f64> =
-                base.breaks.iter().filter(inside).map(|at| ring.angle_of(*at)).collect();
+            let angle = |at: &f64| ring.angle(at - ring.inner(), ring.outer() - at);
+            let bends: Vec<f64> = base.breaks.iter().filter(inside).map(angle).collect();
             let on_ring = OnRing { base, ring: *ring, reference };
             let slope =
                 Conjugate::resolve(&on_ring, [&bends, &[]], [detail.panels, 1], base.tolerance);
