@@ -127,18 +127,6 @@ impl Segment {
         Self::at_rest(self.ends, self.panels.iter().map(less).collect(), powers)
     }
 
-    /// What is missed of `int dG s^(mu-1)` from a bend on.
-    fn pressure_missed(&self, powers: &Powers) -> f64 {
-        let mu = powers.exponent();
-        let of = |panel: &Panel| {
-            let [from, to] = panel.ends.map(|s| s.powf(mu));
-            // From rest it grows evenly.
-            let weight = if from == 0.0 { to / (1.0 + mu) } else { (to - from) / mu };
-            panel.slope_missed() * weight
-        };
-        self.panels.iter().map(of).sum()
-    }
-
     /// `sqrt(x^2 - r^2)` or its negative square at the end `s` of a panel.
     fn beyond(&self, s: f64, r: f64) -> f64 {
         let [kink, end] = self.ends;
@@ -428,20 +416,6 @@ impl AbelTransform {
             longest.map_or(0.0, |panel| panel.blown(size))
         };
         self.segments.iter().map(of).fold(0.0, f64::max)
-    }
-
-    /// What is missed of [`AbelTransform::pressure`], of odd displacements times the place, at the bend where that is most, on graded ground: short panels know the slope of `G` less well, and a bend
-    /// near the middle asks for such.
-    pub fn pressure_missed(&self) -> f64 {
-        if self.powers.exponent() == 0.0 {
-            return 0.0;
-        }
-        let at_bend = |segment: &Segment| {
-            let arm = if self.part == Symmetry::Odd { segment.ends[0] } else { 1.0 };
-            arm * segment.pressure_missed(&self.powers)
-        };
-        let bends = self.segments.iter().filter(|segment| segment.ends[0] > 0.0);
-        bends.map(at_bend).fold(0.0, f64::max)
     }
 
     /// `G'(c)`.

@@ -74,9 +74,9 @@ impl Contact {
         let mut found = at(place)?;
         if step > 0.0 {
             let beside = at(place + step)?;
-            for (k, errors) in found.errors.iter_mut().enumerate() {
+            for k in 0..found.rates.len() {
                 let [here, there] = [&found, &beside].map(|at| at.rates[k][3]);
-                errors[3] += MISSED * here.abs() + off * (there - here).abs();
+                found.errors[k][3] += MISSED * here.abs() + off * (there - here).abs();
             }
         }
         if self.is_level() {

@@ -1,10 +1,6 @@
-//! A polynomial for `G` on a panel of `s`, with its slope and what it misses.
+//! A polynomial for `G` on a panel of `s`, with its slope.
 
-use super::super::accuracy::OF_A_VALUE;
 use super::super::rule::{ORDER, RULE, derivative, series, series_at};
-
-/// Safety on what is missed of a pressure: of 675 places beside bends at most twice the estimate was.
-const SAFETY: f64 = 4.0;
 
 #[derive(Debug, Clone)]
 pub(super) struct Panel {
@@ -14,8 +10,6 @@ pub(super) struct Panel {
     pub(super) slopes: [f64; ORDER],
     /// Number of coefficients that are not rounding.
     pub(super) count: usize,
-    /// What the series misses: its last coefficients, those that were dropped, and rounding.
-    pub(super) missed: f64,
 }
 
 impl Panel {
@@ -25,9 +19,8 @@ impl Panel {
         // Derivatives of the last coefficients would blow rounding up.
         let is_more = |n: &usize| values[*n].abs() > rounding_of(*n) * size;
         let count = (0..ORDER).rev().find(is_more).map_or(0, |last| last + 1);
-        let missed = largest(&values[count.min(ORDER - 2)..]) + OF_A_VALUE * size;
         values[count..].fill(0.0);
-        Self { ends, values, slopes: derivative(&values).map(|c| c / half), count, missed }
+        Self { ends, values, slopes: derivative(&values).map(|c| c / half), count }
     }
 
     /// The slope without what rounding makes of it at the start, where it is known to vanish; at the end it stays, as a jump where panels meet would be felt as well.
@@ -36,12 +29,6 @@ impl Panel {
         self.slopes[0] -= 0.5 * start;
         self.slopes[1] += 0.5 * start;
         self
-    }
-
-    /// What of the slope is not known: by Markov's inequality, and `missed` as often as there are coefficients.
-    pub(super) fn slope_missed(&self) -> f64 {
-        let count = self.count as f64;
-        SAFETY * 2.0 * count * count * self.missed / self.length()
     }
 
     pub(super) fn local(&self, s: f64) -> f64 {

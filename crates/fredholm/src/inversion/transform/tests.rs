@@ -81,7 +81,7 @@ fn a_part_of_a_transform_is_the_transform_of_a_part() {
 }
 
 #[test]
-fn a_bend_beside_the_middle_has_no_cusp_beyond_what_is_missed() {
+fn a_bend_beside_the_middle_has_no_cusp() {
     // Where the second derivative of the base jumps the pressure changes as d^(1+mu): within a millionth of the bend by nothing.
     let mut worst = 0.0f64;
     for mu in [0.02f64, 0.05, 0.103, 0.3, 0.6] {
@@ -102,8 +102,6 @@ fn a_bend_beside_the_middle_has_no_cusp_beyond_what_is_missed() {
                     is_over: &|| false,
                 };
                 let found = AbelTransform::new(&shape, 1.0);
-                let arm = if part == Symmetry::Odd { bend } else { 1.0 };
-                let missed = found.pressure_missed() / arm;
                 // Both sides together, as the pressure may rise from one to the other.
                 let both = |share: f64| {
                     let [left, right] = [-share, share].map(|d| found.pressure(bend * (1.0 + d)));
@@ -112,13 +110,13 @@ fn a_bend_beside_the_middle_has_no_cusp_beyond_what_is_missed() {
                 let smooth = both(1e-8);
                 for share in [0.0, 1e-9, 1e-10, 1e-12, 1e-14] {
                     let off = (both(share) - smooth).abs();
-                    worst = worst.max(off / missed);
-                    println!("{mu} {bend} {part:?} {share}: {off:e} {missed:e} of {smooth}");
+                    worst = worst.max(off / smooth.abs().max(1.0));
                 }
             }
         }
     }
-    assert!(worst < 1.0, "{worst}");
+    // Short panels know the slope of the transform to so much, over the exponent.
+    assert!(worst < 1e-8, "{worst:e}");
 }
 
 fn short([from, to]: [f64; 2], f: impl Fn(f64) -> f64) -> f64 {

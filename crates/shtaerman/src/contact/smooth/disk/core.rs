@@ -62,10 +62,9 @@ impl Core {
         self.modulus / PI * (flat + bent + PI * root * by_rings)
     }
 
-    /// What a flat base so deep has in the middle, with what is missed at bends of the base.
-    pub(super) fn missed_pressure(&self, depth: f64) -> f64 {
-        let at_bends = self.transform.as_ref().map_or(0.0, |all| all.pressure_missed());
-        self.modulus / PI * (depth / self.powers.taper(self.radius) + at_bends)
+    /// What a flat base so deep has in the middle.
+    pub(super) fn flat_pressure(&self, depth: f64) -> f64 {
+        self.modulus / PI * depth / self.powers.taper(self.radius)
     }
 
     /// What the tilt adds to the corner, over the radius.

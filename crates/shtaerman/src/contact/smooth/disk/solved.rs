@@ -326,7 +326,7 @@ impl Pressure for Solved {
                 let size = self.theta0 * ring.half * ring.inner() * ring.inner().sqrt();
                 part.rounding(Conjugate::error) / size
             }
-            (None, Some(core)) => core.missed_pressure(density + core.slope_rounding()),
+            (None, Some(core)) => core.flat_pressure(density + core.slope_rounding()),
             (None, None) => 0.0,
         };
         Known { density, pressure }

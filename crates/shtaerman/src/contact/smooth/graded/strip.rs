@@ -206,11 +206,9 @@ impl Strip {
         self.ground.modulus / PI * self.ground.powers.corner(self.half())
     }
 
-    /// What a density of this size adds in the middle, with what is missed at bends of the base.
-    pub(super) fn missed_pressure(&self, density: f64) -> f64 {
-        let at_bends: f64 =
-            self.halves().iter().flatten().map(AbelTransform::pressure_missed).sum();
-        self.ground.modulus / PI * (density / self.ground.powers.taper(self.half()) + at_bends)
+    /// What a density of this size adds in the middle.
+    pub(super) fn flat_pressure(&self, density: f64) -> f64 {
+        self.ground.modulus / PI * density / self.ground.powers.taper(self.half())
     }
 
     /// The displacement of the surface beside the zone by its own pressure.
