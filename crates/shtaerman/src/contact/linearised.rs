@@ -10,8 +10,8 @@ use crate::roughness::Law;
 const STEP: f64 = 5e-4;
 /// Steps that the formula of five points and a correction by one reach to either side.
 const REACH: f64 = 3.0;
-/// The share of a rate at the largest pressure that differences of resolutions may not show: beside walls it was at most 4e-10 (survey).
-const MISSED: f64 = 1e-9;
+/// The share of a rate at the largest pressure that neither differences of resolutions nor its place show: beside walls it was up to 2.5e-11 (survey).
+const MISSED: f64 = 1e-10;
 
 impl Contact {
     /// Where the pressure is largest: a maximum shows its place to the root of rounding only, its slope all of it. With the step of the differences that showed it, 0 where it is known as a

@@ -175,6 +175,20 @@ fn several_zones_and_rows() {
     }
 }
 
+/// A wave that is moved changes nothing, whether its crest lies within the period about the origin or its zone reaches beyond it.
+#[test]
+fn moved_waves_have_the_same_derivatives() {
+    let rate = |centre: f64| {
+        let shape = format!("4e-4*(1-cos(pi*(x/a-{centre}))+0.2*sin(2*pi*(x/a-{centre})))");
+        let contact = problem(WAVE, CHI, &shape, load(8e5, 0.0)).solve().unwrap();
+        contact.tangent_sensitivities().unwrap().peak_pressure.unwrap().force.unwrap()
+    };
+    let first = rate(0.2);
+    for centre in [0.7, 1.1, 1.2, 1.3] {
+        close(rate(centre), first, 2e-13);
+    }
+}
+
 #[test]
 fn rough_disks() {
     agree(&problem(DISK, CHI, PARABOLA, load(4e3, 0.0)), 2e-11);
