@@ -104,7 +104,7 @@ impl Segment {
             && ends[0] > 0.0
             && !is_for_kink(first, ends)
         {
-            *first = first.clone().from_rest();
+            *first = first.clone().with_rest();
         }
         Self { ends, panels }
     }

@@ -24,7 +24,7 @@ impl Panel {
     }
 
     /// The slope without what rounding makes of it at the start, where it is known to vanish; at the end it stays, as a jump where panels meet would be felt as well.
-    pub(super) fn from_rest(mut self) -> Self {
+    pub(super) fn with_rest(mut self) -> Self {
         let start = self.slope(self.ends[0]);
         self.slopes[0] -= 0.5 * start;
         self.slopes[1] += 0.5 * start;
