@@ -5,7 +5,7 @@ import { byId, html, save, settled, show, tabs } from "./dom.js";
 import { ask, Latest } from "./engine.js";
 import { blame, showInputs } from "./inputs.js";
 import { showKernels } from "./kernels.js";
-import { askMap, forgetMap } from "./map.js";
+import { askMap, forgetMap, showMap, viewWhileMoving } from "./map.js";
 import { showModel } from "./model.js";
 import { showPaper } from "./paper.js";
 import { showPictures } from "./pictures.js";
@@ -29,7 +29,7 @@ let solvedFor = "";
 
 function askFor(isAudited) {
   if (isDrawn()) writeDrawn();
-  solve.ask({ ...state.question(), audit: isAudited }, isAudited);
+  solve.ask({ ...state.question(), audit: isAudited, map: isAudited ? undefined : viewWhileMoving() }, isAudited);
 }
 
 const panel = byId("panel-contact");
@@ -58,7 +58,8 @@ function answered(answer, isAudited, isLast) {
   showAnswer(answer);
   showPictures(answer);
   showModel(answer);
-  if (isAudited && isLast) askMap(false, answer.picture.has_stresses);
+  if (answer.map) showMap(answer.map, solve.took);
+  else if (isAudited && isLast) askMap(false, answer.picture.has_stresses);
   else askMap(true, answer.picture.has_stresses);
   showUnits();
   show(byId("save-map"), answer.picture.has_stresses);
@@ -91,6 +92,15 @@ function showUnits() {
 
 const editor = byId("editor");
 
+function writeFile() {
+  if (document.activeElement === editor) return;
+  editor.value = state.toml();
+  show(byId("editor-fault"), false);
+}
+
+// Nobody reads the file while a slider moves, and a frame in which little changes is drawn sooner.
+const writeFileAtRest = settled(writeFile, REST);
+
 state.addEventListener("change", ({ detail }) => {
   if (detail.isNew) {
     state.si = detail.si ?? {};
@@ -98,10 +108,8 @@ state.addEventListener("change", ({ detail }) => {
     forgetMap();
   }
   if (!detail.by || detail.isBuilt) showInputs(detail);
-  if (document.activeElement !== editor) {
-    editor.value = state.toml();
-    show(byId("editor-fault"), false);
-  }
+  if (detail.isMoving) writeFileAtRest();
+  else writeFile();
   document.title = `${state.name}: Shtaerman`;
   panel.setAttribute("aria-busy", "true");
   askFor(false);
@@ -147,6 +155,7 @@ async function take(name, text, files, { isTyped = false } = {}) {
 }
 
 editor.addEventListener("input", settled(() => take(state.name, editor.value, state.files, { isTyped: true }), 250));
+editor.addEventListener("pointerdown", writeFile);
 editor.addEventListener("blur", () => {
   if (byId("editor-fault").hidden) editor.value = state.toml();
 });

@@ -29,6 +29,8 @@ const picture = svg("svg", { role: "img", "aria-label": "Stress below the surfac
 host.append(canvas, picture);
 const latest = new Latest("map", answered, (isMoving) => !isMoving);
 let coarseness = 0;
+/** Whether a map takes so little that it comes with the answer: both are drawn in one frame. */
+let isQuick = false;
 let shown = null;
 
 component.addEventListener("change", () => askMap(false));
@@ -43,29 +45,50 @@ new ResizeObserver(([{ contentRect }]) => {
 
 /** Asks for the map: a coarse one while something moves. */
 export function askMap(isMoving, isWanted = true) {
+  if (place(isWanted)) latest.ask({ ...state.question(), ...view(isMoving) }, isMoving);
+}
+
+/** What to ask for together with an answer while something moves, if that is quick and no other map is on its way. */
+export function viewWhileMoving() {
+  return isQuick && shown && !card.hidden && !latest.isBusy ? view(true) : undefined;
+}
+
+/** Shows the map that came with an answer in this time (ms), while something moves. */
+export function showMap(map, took) {
+  place(true);
+  takeMap(map, true, true, took);
+}
+
+/** Whether there is a map to wait for, which has its place then. */
+function place(isWanted) {
   show(card, isWanted);
-  if (!isWanted) {
-    card.removeAttribute("aria-busy");
-    return;
-  }
+  if (isWanted) card.setAttribute("aria-busy", "true");
+  else card.removeAttribute("aria-busy");
+  return isWanted;
+}
+
+function view(isMoving) {
   show(byId("map-ratio-field"), state.isDimensionless);
-  const question = { ...state.question(), component: component.value, points: isMoving ? COARSE[coarseness] : FINE, peaks: !isMoving };
+  const asked = { component: component.value, points: isMoving ? COARSE[coarseness] : FINE, peaks: !isMoving };
   const stated = Number(ratio.value);
-  if (state.isDimensionless && Number.isFinite(stated)) question.poisson_ratio = stated;
-  card.setAttribute("aria-busy", "true");
-  latest.ask(question, isMoving);
+  return state.isDimensionless && Number.isFinite(stated) ? { ...asked, poisson_ratio: stated } : asked;
 }
 
 /** Another problem: what is shown is not its map. */
 export function forgetMap() {
   shown = null;
   coarseness = 0;
+  isQuick = false;
   canvas.hidden = true;
   picture.replaceChildren();
   byId("map-legend").replaceChildren();
 }
 
 function answered(answer, isMoving, isLast) {
+  takeMap(answer, isMoving, isLast, latest.took);
+}
+
+function takeMap(answer, isMoving, isLast, took) {
   if (isLast && !isMoving) card.removeAttribute("aria-busy");
   if (answer.fault) {
     legend(byId("map-legend"), [["k-none", answer.fault.what ?? answer.fault.message, "none"]]);
@@ -76,8 +99,11 @@ function answered(answer, isMoving, isLast) {
   }
   shown = answer;
   draw(answer);
-  if (isMoving && latest.took > IN_TIME) coarseness = Math.min(coarseness + 1, COARSE.length - 1);
-  else if (isMoving && latest.took < IN_TIME / 3) coarseness = Math.max(coarseness - 1, 0);
+  if (isMoving) {
+    isQuick = took < IN_TIME;
+    if (!isQuick) coarseness = Math.min(coarseness + 1, COARSE.length - 1);
+    else if (took < IN_TIME / 3) coarseness = Math.max(coarseness - 1, 0);
+  }
   document.dispatchEvent(new CustomEvent("mapped", { detail: { isMoving, isLast } }));
 }
 
@@ -92,8 +118,8 @@ function draw(map) {
   const [low, high] = map.limits ?? [0, 1];
   const unit = map.units?.pressure ?? (map.is_physical ? axisUnit(Math.max(Math.abs(low), Math.abs(high)), "pressure") : { factor: 1, label: "" });
   const levels = bands(low * unit.factor, high * unit.factor);
-  const colour = painter(levels, low < 0 && high > 0 ? BOTH : low < 0 ? [...VIRIDIS].reverse() : VIRIDIS);
-  paint(map, { inner, tall, factor: unit.factor, colour });
+  const colours = painter(levels, low < 0 && high > 0 ? BOTH : low < 0 ? [...VIRIDIS].reverse() : VIRIDIS);
+  paint(map, { inner, tall, factor: unit.factor, levels, colours });
   Object.assign(canvas.style, { left: `${LEFT}px`, top: `${TOP}px`, width: `${inner}px`, height: `${tall}px` });
   canvas.hidden = false;
   const px = (x) => LEFT + ((x - x0) / (x1 - x0)) * inner;
@@ -111,7 +137,7 @@ function draw(map) {
   // What lies beyond the ends of the bar has the colour of the last band: an arrow says so.
   const reach = [Math.min(...map.values), Math.max(...map.values)].map((one) => one * unit.factor);
   const beyond = [reach[0] < levels[0] - 1e-9 * (levels.at(-1) - levels[0]), reach[1] > levels.at(-1) + 1e-9 * (levels.at(-1) - levels[0])];
-  parts.push(...bar(levels, colour, beyond, { x: LEFT + inner + 12, tall, label: map.is_physical ? `[${unit.label}]` : "/E" }));
+  parts.push(...bar(levels, colours, beyond, { x: LEFT + inner + 12, tall, label: map.is_physical ? `[${unit.label}]` : "/E" }));
   const peak = component.value === "von-mises" ? map.von_mises : component.value === "max-shear" ? map.max_shear : null;
   const places = peak?.infinite_at.length ? peak.infinite_at.map((x) => [x, 0]) : peak ? [[peak.x, peak.depth]] : [];
   for (const [x, y] of places.filter(([x, y]) => x >= x0 && x <= x1 && y <= depth)) {
@@ -148,62 +174,68 @@ function bands(low, high) {
   return Array.from({ length: last - first + 1 }, (_, i) => Number(((first + i) * step).toPrecision(12)));
 }
 
-/** The colour of a value: that of its band. */
+/** The colours of the bands between levels. */
 function painter(levels, palette) {
   const bands = Math.max(1, levels.length - 1);
-  const colours = Array.from({ length: bands }, (_, band) => {
+  return Array.from({ length: bands }, (_, band) => {
     const at = (bands === 1 ? 0.5 : band / (bands - 1)) * (palette.length - 1);
     const index = Math.min(palette.length - 2, Math.floor(at));
     return palette[index].map((one, i) => Math.round(one + (at - index) * (palette[index + 1][i] - one)));
   });
-  const [first, step] = [levels[0], (levels.at(-1) - levels[0]) / bands || 1];
-  const pick = (value) => colours[Math.min(bands - 1, Math.max(0, Math.floor((value - first) / step)))];
-  return Object.assign(pick, { colours });
 }
 
-function paint(map, { inner, tall, factor, colour }) {
+/** Paints each pixel in the colour of the band of its value, which is interpolated between the points of the map. */
+function paint(map, { inner, tall, factor, levels, colours }) {
   const sharp = Math.min(2, window.devicePixelRatio || 1);
   const [wide, high] = [Math.round(inner * sharp), Math.round(tall * sharp)];
-  canvas.width = wide;
-  canvas.height = high;
+  if (canvas.width !== wide) canvas.width = wide;
+  if (canvas.height !== high) canvas.height = high;
   const context = canvas.getContext("2d");
   const image = context.createImageData(wide, high);
   const pixels = new Uint32Array(image.data.buffer);
   const [nx, ny] = [map.x.length, map.depth.length];
-  const packed = new Map(colour.colours.map((one) => [one, (255 << 24) | (one[2] << 16) | (one[1] << 8) | one[0]]));
-  const columns = Array.from({ length: wide }, (_, i) => {
+  const bands = colours.length;
+  const packed = Uint32Array.from(colours, ([r, g, b]) => (255 << 24) | (b << 16) | (g << 8) | r);
+  // In bands from the first level.
+  const [first, step] = [levels[0], (levels.at(-1) - levels[0]) / bands || 1];
+  const values = Float64Array.from(map.values, (value) => (value * factor - first) / step);
+  const before = new Int32Array(wide);
+  const shares = new Float64Array(wide);
+  for (let i = 0; i < wide; i++) {
     const at = (i / Math.max(1, wide - 1)) * (nx - 1);
-    const index = Math.min(nx - 2, Math.floor(at));
-    return [index, at - index];
-  });
+    before[i] = Math.min(nx - 2, Math.floor(at));
+    shares[i] = at - before[i];
+  }
+  const between = new Float64Array(nx);
   for (let j = 0; j < high; j++) {
     const at = (j / Math.max(1, high - 1)) * (ny - 1);
     const row = Math.min(ny - 2, Math.floor(at));
-    const part = at - row;
-    const [upper, lower] = [row * nx, (row + 1) * nx];
+    for (let k = 0; k < nx; k++) {
+      const [upper, lower] = [values[row * nx + k], values[(row + 1) * nx + k]];
+      between[k] = upper + (at - row) * (lower - upper);
+    }
     for (let i = 0; i < wide; i++) {
-      const [column, share] = columns[i];
-      const top = map.values[upper + column] + share * (map.values[upper + column + 1] - map.values[upper + column]);
-      const bottom = map.values[lower + column] + share * (map.values[lower + column + 1] - map.values[lower + column]);
-      pixels[j * wide + i] = packed.get(colour((top + part * (bottom - top)) * factor));
+      const k = before[i];
+      const band = Math.floor(between[k] + shares[i] * (between[k + 1] - between[k]));
+      pixels[j * wide + i] = packed[band < 0 ? 0 : band >= bands ? bands - 1 : band];
     }
   }
   context.putImageData(image, 0, 0);
 }
 
-function bar(levels, colour, beyond, { x, tall, label }) {
-  const bands = colour.colours.length;
+function bar(levels, colours, beyond, { x, tall, label }) {
+  const bands = colours.length;
   const above = beyond[1] ? 9 : 0;
   const top = TOP + 16 + above;
   const each = (tall - 16 - above - (beyond[0] ? 9 : 0)) / bands;
   const parts = [svg("text", { x, y: TOP + 8 }, label)];
-  colour.colours.forEach(([r, g, b], band) => {
+  colours.forEach(([r, g, b], band) => {
     parts.push(svg("rect", { x, y: top + (bands - 1 - band) * each, width: 14, height: each + 0.5, fill: `rgb(${r} ${g} ${b})` }));
   });
   const arrow = ([r, g, b], from, to) => svg("path", { d: `M${x} ${from}h14L${x + 7} ${to}Z`, fill: `rgb(${r} ${g} ${b})` });
   const bottom = top + bands * each;
-  if (beyond[1]) parts.push(arrow(colour.colours.at(-1), top, top - 9));
-  if (beyond[0]) parts.push(arrow(colour.colours[0], bottom, bottom + 9));
+  if (beyond[1]) parts.push(arrow(colours.at(-1), top, top - 9));
+  if (beyond[0]) parts.push(arrow(colours[0], bottom, bottom + 9));
   const every = Math.max(1, Math.ceil(levels.length / Math.max(2, tall / 24)));
   levels.forEach((level, i) => {
     if (i % every === 0) parts.push(svg("text", { x: x + 19, y: top + (bands - i) * each + 4 }, number(level)));

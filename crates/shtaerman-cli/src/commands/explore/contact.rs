@@ -125,6 +125,11 @@ fn shown(
     Ok(told)
 }
 
+/// Whether what was told is an answer under which stresses are known.
+pub(super) fn has_stresses(told: &Value) -> bool {
+    told["picture"]["has_stresses"] == Value::Bool(true)
+}
+
 /// The figures that are looked at first, each with its stated error, as the table shows them.
 fn cards(contact: &Contact, units: &OutputUnits) -> Value {
     let shown = Shown::of(contact.problem(), units);

@@ -7,6 +7,7 @@ use shtaerman::document::Document;
 use shtaerman::equation::is_equation;
 
 use super::asked::{self, Asked};
+use super::map::AskedMap;
 use super::{contact, kernel, map, paper, start, study};
 use crate::Failure;
 
@@ -33,13 +34,15 @@ impl shtaerman_explore::Engine for PageEngine {
     }
 }
 
-/// A problem and whether its answer is to be audited.
+/// A problem, whether its answer is to be audited, and the map that is to come with it.
 #[derive(Debug, serde::Deserialize)]
 struct AskedSolve {
     #[serde(flatten)]
     problem: Asked,
     #[serde(default)]
     audit: bool,
+    #[serde(default)]
+    map: Option<map::View>,
 }
 
 impl PageEngine {
@@ -48,8 +51,16 @@ impl PageEngine {
             "start" => Ok(start::without_file(self.limit)),
             "read" => read(&asked::read(body, self.limit)?),
             "solve" => {
-                let AskedSolve { problem, audit } = asked::read(body, self.limit)?;
-                contact::told(&mut self.solved, &problem, audit)
+                let AskedSolve { problem, audit, map } = asked::read(body, self.limit)?;
+                let mut told = contact::told(&mut self.solved, &problem, audit)?;
+                // What was not kept would have to be solved once more.
+                let has_map = self.solved.is_some() && contact::has_stresses(&told);
+                if let Some(view) = map.filter(|_| has_map) {
+                    let known = (&mut self.stressed, &mut self.solved);
+                    let map = map::told(known, &AskedMap::new(problem, view));
+                    told["map"] = map.unwrap_or_else(|failure| asked::fault(&failure));
+                }
+                Ok(told)
             }
             "csv" => contact::csv(&asked::read(body, self.limit)?),
             "svg" => contact::svg(&asked::read(body, self.limit)?),
@@ -132,6 +143,33 @@ mod tests {
         let error = (settlement(&moving) / settlement(&audited) - 1.0).abs();
         assert!(error < 1e-6, "{error:e}");
         assert_eq!(moving["python"], audited["python"], "the file is shown as it is written");
+    }
+
+    #[test]
+    fn a_map_that_comes_with_an_answer_is_the_one_that_is_asked_for_alone() {
+        let problem = json!({ "name": "x.toml", "toml": CROWNED, "files": {} });
+        let view = json!({ "component": "von-mises", "points": [9, 5] });
+        let (mut alone, mut together) = (problem.clone(), problem);
+        alone.as_object_mut().unwrap().extend(view.as_object().unwrap().clone());
+        together["map"] = view;
+        let asked = |engine: &mut PageEngine, operation: &str, body: &Value| -> Value {
+            serde_json::from_slice(&engine.answer(operation, body.to_string().as_bytes())).unwrap()
+        };
+        let mut engine = PageEngine::new(Duration::from_secs(20));
+        let answer = asked(&mut engine, "solve", &together);
+        let mut other = PageEngine::new(Duration::from_secs(20));
+        asked(&mut other, "solve", &json!({ "audit": false, "name": "x.toml", "toml": CROWNED }));
+        let map = asked(&mut other, "map", &alone);
+        assert_eq!(answer["map"], map);
+        assert_eq!(map["values"].as_array().map(Vec::len), Some(5), "{map}");
+        // Stresses under a disk are not known: the answer comes without a map.
+        let disk = CROWNED
+            .replace("half_width", "geometry = \"circular\"\nradius")
+            .replace("1 MN/m", "1 kN")
+            .replace("x^2", "r^2");
+        together["toml"] = json!(disk);
+        let answer = asked(&mut engine, "solve", &together);
+        assert!(answer["cards"].is_array() && answer["map"].is_null(), "{answer}");
     }
 
     #[test]

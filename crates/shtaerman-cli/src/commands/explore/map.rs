@@ -17,11 +17,18 @@ const WHILE_MOVING: f64 = 1e-4;
 /// Points of a map that are asked for at most, in each direction.
 const MOST: usize = 400;
 
-/// A map, and how fine it is.
+/// A map of a problem.
 #[derive(Debug, Deserialize)]
 pub(super) struct AskedMap {
     #[serde(flatten)]
     problem: Asked,
+    #[serde(flatten)]
+    view: View,
+}
+
+/// What a map shows, and how fine it is.
+#[derive(Debug, Clone, Deserialize)]
+pub(super) struct View {
     component: StressComponent,
     /// Points along the surface and in depth.
     points: [usize; 2],
@@ -33,6 +40,12 @@ pub(super) struct AskedMap {
 }
 
 impl AskedMap {
+    pub(super) fn new(problem: Asked, view: View) -> Self {
+        Self { problem, view }
+    }
+}
+
+impl View {
     /// What moves is drawn in bands of colour, of which there are fourteen; what is told in figures is as exact as may be.
     fn accuracy(&self) -> f64 {
         if self.peaks { 0.0 } else { WHILE_MOVING }
@@ -55,15 +68,15 @@ impl Stressed {
         let file = asked.problem.problem()?;
         file.problem().check_stresses().map_err(|error| file.locate(error))?;
         // What was solved while something moved serves for that alone.
-        let fits = |(known, _): &(Asked, Solution)| *known == asked.problem && !asked.peaks;
+        let fits = |(known, _): &(Asked, Solution)| *known == asked.problem && !asked.view.peaks;
         let solution = match solved.take().filter(fits) {
             Some((_, solution)) => solution,
             None => Solution::of(file, false)?,
         };
         let problem = solution.file.problem();
         let stated = problem.foundation().poisson_ratio();
-        let ratio = stated.or(asked.poisson_ratio).ok_or(Error::NoPoissonRatio)?;
-        let accuracy = asked.accuracy();
+        let ratio = stated.or(asked.view.poisson_ratio).ok_or(Error::NoPoissonRatio)?;
+        let accuracy = asked.view.accuracy();
         let field = StressField::to_accuracy(&solution.contact, Some(ratio), accuracy)
             .map_err(|error| solution.file.locate(error))?;
         Ok(Self { problem: asked.problem.clone(), ratio, accuracy, solution, field, peaks: None })
@@ -76,8 +89,8 @@ impl Stressed {
     ) -> Result<&'k mut Self, Failure> {
         let fits = |known: &Self| {
             known.problem == asked.problem
-                && known.accuracy <= asked.accuracy()
-                && asked.poisson_ratio.is_none_or(|ratio| ratio == known.ratio)
+                && known.accuracy <= asked.view.accuracy()
+                && asked.view.poisson_ratio.is_none_or(|ratio| ratio == known.ratio)
         };
         let stressed = match known.take().filter(fits) {
             Some(stressed) => stressed,
@@ -93,7 +106,7 @@ impl Stressed {
     }
 
     fn grid(&self, asked: &AskedMap) -> Result<report::Stresses, Failure> {
-        Section::usual(asked.points.map(|count| count.clamp(2, MOST))).stresses(&self.field)
+        Section::usual(asked.view.points.map(|count| count.clamp(2, MOST))).stresses(&self.field)
     }
 }
 
@@ -103,12 +116,12 @@ pub(super) fn told(
     asked: &AskedMap,
 ) -> Result<Value, Failure> {
     let stressed = Stressed::of(known, asked)?;
-    let peaks = asked.peaks.then(|| stressed.peaks());
+    let peaks = asked.view.peaks.then(|| stressed.peaks());
     let grid = stressed.grid(asked)?;
     let Stressed { solution, field, ratio, .. } = &*stressed;
     let is_physical = !solution.file.problem().is_dimensionless();
-    let values = grid.values(asked.component);
-    let first_yield = match solution.file.yield_stress()?.filter(|_| asked.peaks) {
+    let values = grid.values(asked.view.component);
+    let first_yield = match solution.file.yield_stress()?.filter(|_| asked.view.peaks) {
         None => Value::Null,
         Some(limit) => first_yield(solution, limit, *ratio)?,
     };
@@ -117,7 +130,7 @@ pub(super) fn told(
         |index: usize, share: f64| peaks.map(|peaks| peak(&peaks[index], share, field, &shown));
     let highest = stress::limits(&values).map_or(0.0, |(low, high)| low.abs().max(high.abs()));
     Ok(json!({
-        "name": stress::name(asked.component),
+        "name": stress::name(asked.view.component),
         "x": grid.x,
         "depth": grid.y,
         "values": values,
@@ -185,6 +198,6 @@ pub(super) fn svg(
     let shown = Shown::of(file.problem(), file.units());
     let name = asked.problem.stem();
     let solved = (&stressed.solution.contact, &stressed.field);
-    let plot = stress::plot(name, asked.component, solved, &grid, &peaks, &shown);
+    let plot = stress::plot(name, asked.view.component, solved, &grid, &peaks, &shown);
     Ok(json!({ "text": contact::drawn(&plot)? }))
 }
