@@ -62,6 +62,10 @@ impl Reference {
         let n = cells.len() * ORDER;
         let mut a = vec![0.0; n * n];
         let singularity = kernel.singularity();
+        // The polynomials that are 1 at one node.
+        let units: [[f64; ORDER]; ORDER] = std::array::from_fn(|m| {
+            RULE.expand(&std::array::from_fn(|k| if k == m { 1.0 } else { 0.0 }))
+        });
         for i in 0..n {
             let x = node(&cells, i).0;
             for (j, [l, r]) in cells.iter().enumerate() {
@@ -73,10 +77,7 @@ impl Reference {
                 };
                 let moments =
                     if at.z.abs() < 3.0 { potentials(singularity, at) } else { far(kernel, at.z) };
-                for m in 0..ORDER {
-                    let mut unit = [0.0; ORDER];
-                    unit[m] = 1.0;
-                    let c = RULE.expand(&unit);
+                for (m, c) in units.iter().enumerate() {
                     let sum: f64 = c.iter().zip(&moments).map(|(a, b)| a * b).sum();
                     let singular = match kernel {
                         Kernel::Power { exponent } => half.powf(1.0 - exponent) * sum,

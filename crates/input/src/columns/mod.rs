@@ -362,7 +362,6 @@ mod tests {
         let columns =
             Columns { dimensions: LENGTHS, names: ["position", "height"], units: [1.0, 1.0] };
         let mut text = "1,2\n".repeat(MAXIMUM_ROWS);
-        assert_eq!(columns.read(text.as_bytes(), "a.csv").unwrap().len(), MAXIMUM_ROWS);
         text.push_str("# a comment\n1,2\n");
         let error = columns.read(text.as_bytes(), "a.csv").unwrap_err();
         let said = "a.csv: line 5000002: has more than the 5000000 rows that are read";

@@ -197,6 +197,11 @@ impl Angular for OnRing<'_> {
         OF_A_VALUE * (height + slope / self.ring.half + self.reference.abs())
     }
 
+    /// Places are rounded in `r`, not in lengths of the ring.
+    fn blur(&self) -> f64 {
+        f64::EPSILON * (1.0 + 0.5 / self.ring.half)
+    }
+
     fn slope(&self, angle: f64) -> Option<f64> {
         let r = self.radius(angle);
         let height = self.base.height(r) - self.reference;
