@@ -51,19 +51,30 @@ fn decode(bytes: &[u8]) -> Result<(Vec<u8>, usize), png::DecodingError> {
     Ok((pixels, info.width as usize))
 }
 
-/// Mean red, green and blue of squares of pixels.
+/// Mean red, green and blue of squares of pixels. Written as plain loops: this is most of the time of a picture where the program is not optimised.
 fn means(fine: &[u8], width: usize, side: usize) -> Vec<u8> {
     let count = (side * side) as u32;
+    let columns = width / side;
     let mut pixels = Vec::with_capacity(fine.len() / (side * side) * 3 / 4);
+    let mut sums = vec![[0_u32; 3]; columns];
     for rows in fine.chunks_exact(4 * width * side) {
-        for column in 0..width / side {
-            let mut sums = [0_u32; 3];
-            for row in rows.chunks_exact(4 * width) {
-                for pixel in row[4 * side * column..4 * side * (column + 1)].chunks_exact(4) {
-                    sums.iter_mut().zip(pixel).for_each(|(sum, part)| *sum += u32::from(*part));
+        sums.fill([0; 3]);
+        for row in rows.chunks_exact(4 * width) {
+            let mut at = 0;
+            for sum in &mut sums {
+                let end = at + 4 * side;
+                while at < end {
+                    sum[0] += u32::from(row[at]);
+                    sum[1] += u32::from(row[at + 1]);
+                    sum[2] += u32::from(row[at + 2]);
+                    at += 4;
                 }
             }
-            pixels.extend(sums.map(|sum| ((sum + count / 2) / count) as u8));
+        }
+        for sum in &sums {
+            for part in sum {
+                pixels.push(((part + count / 2) / count) as u8);
+            }
         }
     }
     pixels
