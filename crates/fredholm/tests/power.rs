@@ -2,6 +2,9 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
 
+mod common;
+
+use common::together;
 use fredholm::collocation::{solve_adaptive, solve_adaptive_with_breaks};
 use fredholm::kernel::{Kernel as _, Power, SpectralRelation};
 use fredholm::{DegenerateSystem, Interval};
@@ -215,7 +218,7 @@ fn require_stated(exponent: f64, error: f64, stated: f64) {
 /// Closer to an end than numbers lie nothing is known of a right-hand side, and `d^(1-mu)` changes there by much: the error that is stated knows. The solution is made to be 1.
 #[test]
 fn the_error_covers_what_lies_between_neighbouring_numbers() {
-    for (exponent, parameter) in STEEP {
+    together(STEEP, |(exponent, parameter)| {
         let kernel = power(1.0, exponent);
         let f = |x: f64| 1.0 + parameter * (side(exponent, 1.0 - x) + side(exponent, 1.0 + x));
         let found = solve_adaptive(&kernel, parameter, f, 1e-11).unwrap();
@@ -223,13 +226,13 @@ fn the_error_covers_what_lies_between_neighbouring_numbers() {
         let places = [-1.0, (-1.0f64).next_up(), -1.0 + 1e-15, -0.3, 1.0 - 1e-12, 1.0];
         let error = places.into_iter().fold(0.0, |most: f64, x| most.max((at(x) - 1.0).abs()));
         require_stated(exponent, error, found.estimate.solution);
-    }
+    });
 }
 
 /// The same with a jump inside: the solution is made to be 1 and 2.
 #[test]
 fn the_error_covers_what_lies_between_numbers_beside_a_jump() {
-    for (exponent, parameter) in STEEP {
+    together(STEEP, |(exponent, parameter)| {
         let kernel = power(1.0, exponent);
         let u = |d: f64| side(exponent, d);
         let cut = 0.3;
@@ -243,5 +246,5 @@ fn the_error_covers_what_lies_between_numbers_beside_a_jump() {
             most.max((found.solution.evaluate(x, f(x)) - if x < cut { 1.0 } else { 2.0 }).abs())
         });
         require_stated(exponent, error, found.estimate.solution);
-    }
+    });
 }

@@ -59,9 +59,7 @@ impl Transferred {
         let Some(([left, right], values)) = self.panels.get(index).or(self.panels.last()) else {
             return 0.0;
         };
-        let mut cardinals = [0.0; NODES];
-        self.rule.cardinals(((t - left) - (right - t)) / (right - left), &mut cardinals);
-        cardinals.iter().zip(values).map(|(share, value)| share * value).sum()
+        self.rule.interpolate(values, ((t - left) - (right - t)) / (right - left))
     }
 }
 

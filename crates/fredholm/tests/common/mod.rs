@@ -6,6 +6,16 @@
 use fredholm::Interval;
 use fredholm::kernel::{Kernel, Singularity, Split};
 
+/// Runs all cases at once: a test that is alone in the end leaves no core idle. What panics in a case is the panic of the test.
+pub fn together<T: Send>(cases: impl IntoIterator<Item = T>, run: impl Fn(T) + Sync) {
+    let run = &run;
+    std::thread::scope(|scope| {
+        for case in cases {
+            scope.spawn(move || run(case));
+        }
+    });
+}
+
 /// `exp(-(x - s)^2) - ln|x - s|` on `(-1, 1)`: a kernel of a user's own.
 pub struct Layered;
 

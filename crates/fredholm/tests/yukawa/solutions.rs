@@ -6,6 +6,7 @@ use fredholm::kernel::{Kernel, SpectralRelation, Yukawa};
 use fredholm::quadrature::double_exponential;
 use serde_json::Value;
 
+use super::common::together;
 use super::{kernel, number, numbers, reference, rows};
 
 /// `x^m sum f_j x^(2j)`.
@@ -79,9 +80,8 @@ fn image(kernel: &Yukawa, u: impl Fn(f64) -> f64, x: f64) -> f64 {
 
 #[test]
 fn manufactured_solutions() {
-    for (a, chi, m, lambda) in
-        [(1.0, 1.0, 0, 0.5), (1.0, 30.0, 0, 3.0), (2.0, 4.0, 3, 1.0), (1.0, 2.0, 1, -0.1)]
-    {
+    let cases = [(1.0, 1.0, 0, 0.5), (1.0, 30.0, 0, 3.0), (2.0, 4.0, 3, 1.0), (1.0, 2.0, 1, -0.1)];
+    together(cases, |(a, chi, m, lambda)| {
         let kernel = Yukawa::new(a, chi, m).unwrap();
         let exact = |x: f64| x.powi(m as i32) * (1.0 - 0.4 * (x / a).powi(2)).exp();
         let f = |x: f64| exact(x) + lambda * image(&kernel, exact, x);
@@ -93,7 +93,7 @@ fn manufactured_solutions() {
             assert!(error < 1e-11, "chi = {chi}, m = {m}, x = {x}: {error:e}");
         }
         assert!(found.converged);
-    }
+    });
 }
 
 #[test]
