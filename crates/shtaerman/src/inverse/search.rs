@@ -2,13 +2,20 @@
 
 use super::bracket::Bracket;
 use super::{Goal, InverseError};
-use crate::{Contact, Error};
+use crate::{Contact, ContactKind, Error, PressureCurve};
 
 /// Relative distance from the wanted value that counts as reached, and that which is rounding.
 const REACHED: f64 = 1e-7;
 const ROUNDING: f64 = 1e-13;
+/// The least pressure, as a share of the mean, that is as good as none: some hundred roundings of a pressure.
+const LEAST: f64 = 1e-11;
 /// Share of the values at the ends of the first bracket that counts as their size.
 const NEARBY: f64 = 1e-3;
+
+/// Places at which the least pressure is looked for, those between the neighbours of the least of them, and how often these are looked at: each time they lie ten times as close.
+const LOOKED_AT: usize = 401;
+const CLOSER: usize = 21;
+const ROUNDS: usize = 6;
 
 /// The value found, with the contact that it gives.
 #[derive(Debug, Clone)]
@@ -111,9 +118,22 @@ impl Search<'_> {
         let size = wanted.abs().max(NEARBY * ends_size);
         let small = ROUNDING * size;
         let mut trials = ends.to_vec();
+        // Where the whole base touches, ever more force changes no width: there the least pressure tells how far it is to where that begins, and that of the base kept in contact on the other side.
+        let is_level =
+            ends.iter().any(|end| end.value == wanted && least_share(&end.contact) > 0.0);
+        let value = |trial: &Trial| match trial.value - wanted {
+            off if !is_level => off,
+            0.0 => least_share(&trial.contact) * wanted,
+            off => {
+                pulled_share(&trial.contact).map_or(off, |share| share.min(-2.0 * LEAST) * wanted)
+            }
+        };
+        let small = if is_level { LEAST * wanted } else { small };
+        let of = |at: f64| ends.iter().find(|trial| trial.at == at).map_or(0.0, value);
+        let bracket = Bracket { values: bracket.at.map(of), ..bracket };
         let narrowed = bracket.narrowed(small, &mut |at| {
             let trial = self.trial(at)?;
-            let value = trial.value - wanted;
+            let value = value(&trial);
             trials.push(trial);
             Ok(value)
         })?;
@@ -160,6 +180,32 @@ impl Search<'_> {
             dimension: self.goal.dimension_in(trials[0].contact.problem()),
         }
     }
+}
+
+/// The same where the whole base is kept in contact, if it pulls then.
+fn pulled_share(contact: &Contact) -> Option<f64> {
+    let problem = contact.problem();
+    let kept = problem.with_solver(problem.solver().with_contact(ContactKind::Bilateral));
+    kept.solve().ok().map(|contact| least_share(&contact)).filter(|share| *share < 0.0)
+}
+
+/// The least pressure over the mean one; 0 where it is not finite.
+fn least_share(contact: &Contact) -> f64 {
+    let Ok(PressureCurve { mut x, mut pressure }) = PressureCurve::along(contact, LOOKED_AT) else {
+        return 0.0;
+    };
+    let mut least = 0.0;
+    for _ in 0..=ROUNDS {
+        let lowest = (0..x.len()).min_by(|one, two| pressure[*one].total_cmp(&pressure[*two]));
+        let Some(lowest) = lowest else { break };
+        least = pressure[lowest];
+        let [from, to] = [x[lowest.saturating_sub(1)], x[(lowest + 1).min(x.len() - 1)]];
+        x = (0..CLOSER).map(|i| from + (to - from) * i as f64 / (CLOSER - 1) as f64).collect();
+        let Ok(closer) = contact.pressures(&x) else { break };
+        pressure = closer;
+    }
+    let share = least / contact.mean_pressure();
+    if share.is_finite() { share } else { 0.0 }
 }
 
 fn distance(trial: &Trial, wanted: f64) -> f64 {
