@@ -3,7 +3,7 @@
 use std::cell::OnceCell;
 
 use shtaerman::equation::SolvedEquation;
-use shtaerman::{Contact, Criterion, Error, Peak, StressField};
+use shtaerman::{Contact, Criterion, Error, Peak, StressField, Warning};
 
 use crate::Output;
 use crate::output::Told;
@@ -53,11 +53,11 @@ impl Answered {
         // Those of stresses are estimates whatever is known of the pressure.
         let is_estimate = !kind.is_empty() && outputs.iter().any(Output::is_stress);
         let kind = if is_estimate { "estimate" } else { kind };
-        let warnings = codes(contact);
-        Ok(Self {
-            warnings,
-            ..Self::new(outputs.iter().map(stated).collect::<Result<_, _>>()?, kind)
-        })
+        Ok(Self::new(outputs.iter().map(stated).collect::<Result<_, _>>()?, kind))
+    }
+
+    pub(crate) fn with_warnings(self, warnings: &[Warning]) -> Self {
+        Self { warnings: codes(warnings), ..self }
     }
 
     /// Of the solution of an equation.
@@ -81,10 +81,10 @@ impl Answered {
     }
 }
 
-/// The codes of what is warned of and doubted about an answer, each once.
-fn codes(contact: &Contact) -> String {
+/// The codes of warnings, each once.
+fn codes(warnings: &[Warning]) -> String {
     let mut codes: Vec<String> = Vec::new();
-    for warning in contact.warnings().iter().chain(&contact.sense_checks()) {
+    for warning in warnings {
         let code = warning.code.to_string();
         if !codes.contains(&code) {
             codes.push(code);

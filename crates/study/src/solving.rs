@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use shtaerman::equation::Equation;
-use shtaerman::file::AnyFile;
+use shtaerman::file::{AnyFile, ProblemFile};
 use shtaerman::{Contact, Error, Problem};
 
 use crate::answered::Answered;
@@ -43,12 +43,14 @@ impl Study {
     }
 
     fn answered(&self, inputs: &[Input], is_audited: bool) -> Result<Answered, Error> {
-        if let Some(varied) = &self.way().varied {
-            return self.contact(&varied.problem(inputs)?, is_audited);
+        if let Some(varied) = &self.way().varied
+            && let Some(file) = varied.file()
+        {
+            return self.contact(&varied.problem(inputs)?, file, is_audited);
         }
         match self.file(inputs)? {
             AnyFile::Problem(file) => {
-                self.contact(file.problem(), is_audited).map_err(|error| file.locate(error))
+                self.contact(file.problem(), &file, is_audited).map_err(|error| file.locate(error))
             }
             AnyFile::Equation(file) => {
                 self.equation(file.equation(), is_audited).map_err(|error| file.locate(error))
@@ -56,7 +58,13 @@ impl Study {
         }
     }
 
-    fn contact(&self, problem: &Problem, is_audited: bool) -> Result<Answered, Error> {
+    /// Of a problem, with the doubts about its file.
+    fn contact(
+        &self,
+        problem: &Problem,
+        file: &ProblemFile,
+        is_audited: bool,
+    ) -> Result<Answered, Error> {
         let audited = |contact: Contact| if is_audited { contact.audited() } else { Ok(contact) };
         let (contact, found) = match self.find {
             Some(find) => {
@@ -65,7 +73,9 @@ impl Study {
             }
             None => (problem.solve()?, None),
         };
-        Answered::contact(&self.outputs, &audited(contact)?, found)
+        let contact = audited(contact)?;
+        let warnings = [contact.warnings(), &file.sense_checks(&contact)].concat();
+        Ok(Answered::contact(&self.outputs, &contact, found)?.with_warnings(&warnings))
     }
 
     fn equation(&self, equation: &Equation, is_audited: bool) -> Result<Answered, Error> {
@@ -82,7 +92,7 @@ impl Study {
                 let is_told = |output: &Output| output.quantity().is_some_and(Quantity::is_swept);
                 let may_sweep =
                     !self.is_audited && self.find.is_none() && self.outputs.iter().all(is_told);
-                Way::of(&self.problem, &self.variables, file.problem(), may_sweep)
+                Way::of(&self.problem, &self.variables, *file, may_sweep)
             }
             Ok(AnyFile::Equation(_)) | Err(_) => Way::default(),
         })

@@ -1,11 +1,14 @@
 //! How the cases of a study are computed: only what changes anew.
 
 use shtaerman::document::{Document, ValueKind};
+use shtaerman::file::ProblemFile;
 use shtaerman::{Error, Load, LoadSweep, LoadSwept, Problem, Rotational, Vertical};
 
 use crate::design::LEAST_SHARE;
 use crate::quantity::SweptCase;
 use crate::{Input, Variable, Variation};
+
+const YOUNG_MODULUS: &str = "foundation.young_modulus";
 
 /// How a problem takes another value of a key.
 type Setter = fn(&Problem, f64) -> Result<Problem, Error>;
@@ -20,8 +23,11 @@ pub(crate) struct Way {
 /// A problem whose values are replaced.
 #[derive(Debug, Clone)]
 pub(crate) struct VariedCases {
-    problem: Problem,
+    /// With the first values.
+    file: ProblemFile,
     setters: Vec<Setter>,
+    /// Whether what is doubted about the file alone is another thing with other values.
+    has_varied_doubts: bool,
 }
 
 /// Cases in which `theta0` and the values of the load vary.
@@ -47,7 +53,7 @@ fn setter(key: &str) -> Option<Setter> {
     Some(match key {
         "dimensionless.theta0" => Problem::with_theta0,
         "foundation.roughness" => |problem, value| problem.with_roughness(value),
-        "foundation.young_modulus" => Problem::with_young_modulus,
+        YOUNG_MODULUS => Problem::with_young_modulus,
         "load.force" | "dimensionless.force" => Problem::with_force,
         "load.settlement" | "dimensionless.settlement" => Problem::with_settlement,
         "load.moment" | "dimensionless.moment" => Problem::with_moment,
@@ -55,6 +61,11 @@ fn setter(key: &str) -> Option<Setter> {
         "load.tilt" | "dimensionless.tilt" => Problem::with_tilt,
         _ => return None,
     })
+}
+
+/// Whether a value of this key that can be set may be doubted by itself.
+fn may_be_doubted(key: &str) -> bool {
+    key == YOUNG_MODULUS
 }
 
 fn place(key: &str) -> Option<Place> {
@@ -67,24 +78,25 @@ fn place(key: &str) -> Option<Place> {
 }
 
 impl Way {
-    /// The cheapest way that gives the cases, from the file and its problem with the first values.
+    /// The cheapest way that gives the cases, from the file as it is and with the first values.
     pub(crate) fn of(
         document: &Document,
         variables: &[Variable],
-        problem: &Problem,
+        first: ProblemFile,
         may_sweep: bool,
     ) -> Self {
-        let varied = VariedCases::of(document, variables, problem);
+        let problem = first.problem().clone();
+        let varied = VariedCases::of(document, variables, first);
         let is_sweep = varied.is_some() && may_sweep;
         // Where a sweep fails, single solves say why.
-        let swept = is_sweep.then(|| SweptCases::of(variables, problem).ok()).flatten();
+        let swept = is_sweep.then(|| SweptCases::of(variables, &problem).ok()).flatten();
         Self { swept: swept.flatten(), varied }
     }
 }
 
 impl VariedCases {
     /// None unless every key stands in the file, as a plain value that a problem can be given anew.
-    fn of(document: &Document, variables: &[Variable], problem: &Problem) -> Option<Self> {
+    fn of(document: &Document, variables: &[Variable], file: ProblemFile) -> Option<Self> {
         let setter = |variable: &Variable| {
             // A table, such as that of a power law, is more than the value.
             let is_plain = document
@@ -93,12 +105,19 @@ impl VariedCases {
             setter(&variable.key).filter(|_| variable.is_number() && is_plain)
         };
         let setters = variables.iter().map(setter).collect::<Option<_>>()?;
-        Some(Self { problem: problem.clone(), setters })
+        let has_varied_doubts = variables.iter().any(|variable| may_be_doubted(&variable.key));
+        Some(Self { file, setters, has_varied_doubts })
+    }
+
+    /// The file of which the doubts about all cases are, if there is one.
+    pub(crate) fn file(&self) -> Option<&ProblemFile> {
+        (!self.has_varied_doubts).then_some(&self.file)
     }
 
     /// The problem with these values.
     pub(crate) fn problem(&self, inputs: &[Input]) -> Result<Problem, Error> {
-        self.setters.iter().zip(inputs).try_fold(self.problem.clone(), |problem, (set, input)| {
+        let first = self.file.problem().clone();
+        self.setters.iter().zip(inputs).try_fold(first, |problem, (set, input)| {
             set(&problem, input.number().unwrap_or(f64::NAN))
         })
     }

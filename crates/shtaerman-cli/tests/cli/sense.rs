@@ -400,6 +400,27 @@ fn slips_of_a_rough_surface_are_doubted() {
     assert_eq!(folder.run(&[&bearing[..], &["--strict"]].concat()).code, Some(2));
 }
 
+/// What is doubted about a file is doubted in each of its cases, as far as they have it.
+#[test]
+fn cases_have_the_doubts_about_their_file() {
+    let folder = Folder::new();
+    folder.write("steel.toml", STEEL);
+    let codes = |arguments: &[&str]| -> Vec<String> {
+        let all = [&["solve", "steel.toml", "--format", "csv"], arguments].concat();
+        let table = folder.run(&all).answer();
+        let mut lines = table.lines().map(|line| line.split(',').collect::<Vec<_>>());
+        let heads = lines.next().unwrap();
+        let column = heads.iter().position(|head| *head == "warnings").unwrap();
+        lines.map(|line| line[column].to_owned()).collect()
+    };
+    let forces = ["--vary", "load.force=0.2 MN/m,0.4 MN/m"];
+    assert_eq!(codes(&forces), ["", ""]);
+    let bare = codes(&[&forces[..], &["--set", "foundation.young_modulus=2e5"]].concat());
+    assert!(bare.iter().all(|codes| codes.contains("soft_modulus")), "{bare:?}");
+    let moduli = codes(&["--vary", "foundation.young_modulus=2e5,2e11", "--set", "load.force=2e5"]);
+    assert!(moduli[0].contains("soft_modulus") && moduli[1].is_empty(), "{moduli:?}");
+}
+
 /// A slip shows in the cases with the extremes, with the number of the case; a study without one is not doubted.
 #[test]
 fn cases_of_a_study_are_doubted_by_their_number() {
@@ -417,20 +438,22 @@ fn cases_of_a_study_are_doubted_by_their_number() {
     assert!(words(&plain).contains("nothing to doubt there"), "{plain}");
     let doubted = folder.run(&["sweep", "slip.toml", "-o", "slip"]).answer();
     // The first that has it, which is none with the least or the largest of anything.
+    assert!(doubted.contains("\nwarned 4 times, first case 1: above_yield\n"), "{doubted}");
     assert!(doubted.contains("\nwarned 2 times, first case 3: high_pressure\n"), "{doubted}");
     assert!(doubted.contains("\nwarning: case 3 (load.force = "), "{doubted}");
-    assert!(words(&doubted).contains("of 3 of 5 cases, the first with each warning"), "{doubted}");
+    assert!(words(&doubted).contains("of 4 of 5 cases, the first with each warning"), "{doubted}");
     let part = std::fs::read_to_string(folder.path("slip/part-00000000.csv")).unwrap();
     let lines: Vec<&str> = part.lines().collect();
-    assert!(lines[0].ends_with(",warnings,reason") && lines[3].ends_with(",,"), "{part}");
-    assert!(lines[4].ends_with(",high_pressure,"), "{part}");
+    assert!(lines[0].ends_with(",warnings,reason") && lines[1].ends_with(",,"), "{part}");
+    assert!(lines[3].ends_with(",above_yield,"), "{part}");
+    assert!(lines[4].ends_with(",high_pressure above_yield,"), "{part}");
     let strict = folder.run(&["sweep", "slip.toml", "-o", "slip", "--strict"]);
     assert_eq!(strict.code, Some(2), "{strict:?}");
-    assert!(strict.stderr.starts_with("error: --strict: case 3 (load.force = "), "{strict:?}");
+    assert!(strict.stderr.starts_with("error: --strict: case 1 (load.force = "), "{strict:?}");
     let summary = ["sweep", "slip.toml", "-o", "slip", "--summary"];
     assert!(!folder.run(&summary).answer().contains("sense checks"));
     let strict = folder.run(&[&summary[..], &["--strict"]].concat());
-    assert!(strict.refusal().contains("--strict: case 3"), "{strict:?}");
+    assert!(strict.refusal().contains("--strict: case 1"), "{strict:?}");
     // What the file alone shows is refused before anything is solved.
     let soft = ["--set", "foundation.young_modulus=200", "--strict"];
     let soft = folder.run(&[&["sweep", "plain.toml", "-o", "soft"][..], &soft].concat());
