@@ -70,9 +70,9 @@ impl Rule {
             }
         }
         let (mut sum, mut total) = (sums.iter().sum::<f64>(), totals.iter().sum::<f64>());
-        for i in LANES * parts[2].len()..values.len() {
+        for (i, value) in values.iter().enumerate().skip(LANES * parts[2].len()) {
             let share = self.barycentric[i] / (t - self.nodes[i]);
-            (sum, total) = (sum + share, total + share * values[i]);
+            (sum, total) = (sum + share, total + share * value);
         }
         if sum.is_finite() {
             return total / sum;
