@@ -41,8 +41,6 @@ pub fn roughness(problem: &Problem, goal: Goal) -> Result<Found, Error> {
     let unit = chi * pressure.powf(1.0 - exponent);
     let ends = RANGE.map(|share| share * unit);
     let start = start.unwrap_or(unit).clamp(ends[0], ends[1]);
-    let solve = |coefficient: f64| {
-        problem.with_roughness(Roughness::power(coefficient, exponent)?)?.solve()
-    };
-    Search { unknown: "roughness", goal, solve: &solve }.run(Range { start, ends })
+    let posed = |coefficient: f64| problem.with_roughness(Roughness::power(coefficient, exponent)?);
+    Search { unknown: "roughness", goal, posed: &posed }.run(Range { start, ends })
 }

@@ -1,8 +1,10 @@
 //! Looking for the value of one positive unknown.
 
+use std::cell::Cell;
+
 use super::bracket::Bracket;
 use super::{Goal, InverseError};
-use crate::{Contact, ContactKind, Error, PressureCurve};
+use crate::{Contact, ContactKind, Error, Law, PressureCurve, Problem};
 
 /// Relative distance from the wanted value that counts as reached, and that which is rounding.
 const REACHED: f64 = 1e-7;
@@ -64,8 +66,8 @@ pub(super) struct Search<'s> {
     /// Name of the unknown.
     pub(super) unknown: &'static str,
     pub(super) goal: Goal,
-    /// The contact at a value of the unknown.
-    pub(super) solve: &'s dyn Fn(f64) -> Result<Contact, Error>,
+    /// The problem with a value of the unknown.
+    pub(super) posed: &'s dyn Fn(f64) -> Result<Problem, Error>,
 }
 
 impl Search<'_> {
@@ -95,8 +97,16 @@ impl Search<'_> {
     }
 
     fn trial(&self, at: f64) -> Result<Trial, Error> {
-        let contact = (self.solve)(at.exp())?;
+        let contact = (self.posed)(at.exp())?.solve()?;
         Ok(Trial { at, value: self.goal.of(&contact), contact })
+    }
+
+    /// The whole base kept in contact, if it pulls: as a width that much below the one wanted.
+    fn kept(&self, at: f64) -> Option<Trial> {
+        let contact = bilateral(&(self.posed)(at.exp()).ok()?).ok()?;
+        let share = Some(least_share(&contact)).filter(|share| *share < 0.0)?;
+        let value = self.goal.wanted() * (1.0 + share.clamp(-1.0, -LEAST));
+        Some(Trial { at, value, contact })
     }
 
     fn bracket(&self, one: &Trial, two: &Trial) -> Option<Bracket> {
@@ -119,25 +129,31 @@ impl Search<'_> {
         let small = ROUNDING * size;
         let mut trials = ends.to_vec();
         // Where the whole base touches, ever more force changes no width: there the least pressure tells how far it is to where that begins, and that of the base kept in contact on the other side.
-        let is_level =
-            ends.iter().any(|end| end.value == wanted && least_share(&end.contact) > 0.0);
+        let is_level = ends.iter().any(|end| end.value == wanted && self.is_level(&end.contact));
+        let kept = Cell::new(0);
         let value = |trial: &Trial| match trial.value - wanted {
             off if !is_level => off,
             0.0 => least_share(&trial.contact) * wanted,
             off => {
-                pulled_share(&trial.contact).map_or(off, |share| share.min(-2.0 * LEAST) * wanted)
+                kept.set(kept.get() + 1);
+                let share = pulled_share(&trial.contact);
+                share.map_or(off, |share| share.min(-2.0 * LEAST) * wanted)
             }
         };
         let small = if is_level { LEAST * wanted } else { small };
         let of = |at: f64| ends.iter().find(|trial| trial.at == at).map_or(0.0, value);
         let bracket = Bracket { values: bracket.at.map(of), ..bracket };
         let narrowed = bracket.narrowed(small, &mut |at| {
-            let trial = self.trial(at)?;
+            let trial = match self.trial(at) {
+                // Where a base is about to lift off a gap may be too narrow to be found.
+                Err(error) if is_level && error.is_numerical() => self.kept(at).ok_or(error)?,
+                trial => trial?,
+            };
             let value = value(&trial);
             trials.push(trial);
             Ok(value)
         })?;
-        let evaluations = evaluations + trials.len() - 2;
+        let evaluations = evaluations + trials.len() - 2 + kept.get();
         let of = |side: usize| trials.iter().rev().find(|trial| trial.at == narrowed.at[side]);
         let (Some(one), Some(two)) = (of(0), of(1)) else {
             unreachable!("both ends of a bracket were tried")
@@ -169,6 +185,12 @@ impl Search<'_> {
         })
     }
 
+    /// Whether the whole base touches where that is what is wanted, with a pressure that begins as a straight line of the force: under a power law it begins as a power, and such a base cannot be kept in contact.
+    fn is_level(&self, contact: &Contact) -> bool {
+        let is_power = matches!(contact.problem().foundation().law(), Law::Power(_));
+        matches!(self.goal, Goal::ContactWidth(_)) && !is_power && least_share(contact) > 0.0
+    }
+
     fn no_such_value(&self, trials: &[Trial]) -> InverseError {
         let values = || trials.iter().map(|trial| trial.value);
         InverseError::NoSuchValue {
@@ -182,11 +204,14 @@ impl Search<'_> {
     }
 }
 
+fn bilateral(problem: &Problem) -> Result<Contact, Error> {
+    problem.with_solver(problem.solver().with_contact(ContactKind::Bilateral)).solve()
+}
+
 /// The same where the whole base is kept in contact, if it pulls then.
 fn pulled_share(contact: &Contact) -> Option<f64> {
-    let problem = contact.problem();
-    let kept = problem.with_solver(problem.solver().with_contact(ContactKind::Bilateral));
-    kept.solve().ok().map(|contact| least_share(&contact)).filter(|share| *share < 0.0)
+    let kept = bilateral(contact.problem()).ok();
+    kept.map(|contact| least_share(&contact)).filter(|share| *share < 0.0)
 }
 
 /// The least pressure over the mean one; 0 where it is not finite.

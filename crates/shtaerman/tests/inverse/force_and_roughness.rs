@@ -2,7 +2,7 @@
 
 use crate::support::{HERTZ_FORCE, bare, close, load, parabola, physical, unilateral};
 use shtaerman::inverse::{Goal, InverseError, force, roughness};
-use shtaerman::{Error, Load, Rotational, Solver, Vertical};
+use shtaerman::{Error, Load, Rotational, Roughness, Solver, Vertical};
 
 /// `chi E*/a_H`, `a/a_H`, `p/p_H` of the rough parabola.
 const GOLDEN: [[f64; 3]; 3] = [
@@ -81,7 +81,7 @@ fn roughness_behind_a_settlement() {
     let found = roughness(&problem, Goal::Settlement(chi * 3e5 / 2e-2)).unwrap();
     close(found.value, chi, 1e-6);
     // A power law has its coefficient found: delta = B (P/2a)^kappa.
-    let power = shtaerman::Roughness::power(1e-7, 0.5).unwrap();
+    let power = Roughness::power(1e-7, 0.5).unwrap();
     let problem = problem.with_roughness(power).unwrap();
     if let Ok(found) = roughness(&problem, Goal::Settlement(1e-3 * (3e5f64 / 2e-2).sqrt())) {
         close(found.value, 1e-3, 1e-5);
@@ -169,4 +169,33 @@ fn unsuited_problems_are_refused() {
     assert!(roughness(&problem, Goal::ContactWidth(1.0)).is_err());
     let pulled = bare(1.0, "xi^2", load(-1.0, 0.0), Solver::bilateral());
     assert!(force(&pulled, Goal::PeakPressure(1.0)).is_err());
+}
+
+/// The least force under which the whole base touches is that with no least pressure: just below it the base lifts off, on smooth surfaces beside a gap between the places where an answer is looked at.
+#[test]
+fn the_whole_base_touches_from_where_the_least_pressure_is_zero() {
+    let waves = "2.67e-7*cos(pi*x/0.005) + 8e-8*cos(2*pi*x/0.005 + 1)";
+    for chi in [0.0, 1.2e-14] {
+        let problem = physical(200e9, chi, 5e-3, waves, load(6.83e4, 0.0));
+        let found = force(&problem, Goal::ContactWidth(1e-2)).unwrap();
+        assert!(found.evaluations < 45, "{}", found.evaluations);
+        let pressed = |share: f64| problem.with_force(share * found.value).unwrap();
+        assert_eq!(found.contact.zones().len(), 1);
+        let lifted = pressed(1.0 - 4e-4).solve().unwrap();
+        let [left, right] = [lifted.zones()[0][1], lifted.zones()[1][0]];
+        assert!(
+            lifted.zones().len() == 2 && (0.0..2e-4).contains(&(right - left)),
+            "{left} {right}"
+        );
+        // Kept in contact there it pulls about as much as the force falls short of.
+        let bilateral = Solver::bilateral();
+        let kept = pressed(1.0 - 4e-4).with_solver(bilateral).solve().unwrap();
+        let pull = kept.pressure(0.5 * (left + right)).unwrap() / kept.mean_pressure();
+        assert!((-8e-4..-8e-5).contains(&pull), "{pull}");
+    }
+    // Under a power law the least pressure begins as a power of the force: c p^k at the edge of a parabola.
+    let law = Roughness::power(1e-11, 0.5).unwrap();
+    let bent = physical(200e9, 1e-14, 5e-3, "x^2/(2*50)", load(1e6, 0.0)).with_roughness(law);
+    let found = force(&bent.unwrap(), Goal::ContactWidth(1e-2)).unwrap();
+    close(found.value, 66407.82503, 1e-9);
 }

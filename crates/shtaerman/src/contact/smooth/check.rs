@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::base::Base;
 use super::pressure::{Pressure, place};
-use crate::contact::check::{Check, POINTS, between_breaks};
+use crate::contact::check::{Check, POINTS, between_breaks, with_tops};
 use crate::contact::search::COARSELY_ALLOWED;
 use crate::contact::zones::{Zone, outside};
 
@@ -66,11 +66,10 @@ impl Along {
         points.dedup();
         points.retain(|xi| zone.left() < *xi && *xi < zone.right());
         let has_corner = zone.kinds.contains(&crate::contact::zones::EndKind::Wall);
-        let pulls = points.iter().map(|&xi| {
+        let (points, pulls) = with_tops(&points, |xi| {
             let place = place(&zone, xi);
             -if has_corner { solved.regular(j, place) } else { solved.at(j, place) }
         });
-        let pulls = pulls.collect();
         let first = points.first().map_or(0.5, |xi| (xi - zone.left()) / zone.length());
         let steepest =
             if has_corner { 1.0 } else { (4.0 * first).powf(-solved.corner_exponent()).max(1.0) };
@@ -90,7 +89,7 @@ fn look_beside<P: Pressure>(check: &mut Check, base: &Base, solved: &P, allowed:
         // At the end of a zone the base touches.
         let touches = |xi: f64| zones.iter().any(|zone| zone.ends.contains(&xi));
         let value = |xi: f64| if touches(xi) { 0.0 } else { depth(xi) - solved.outside(xi) };
-        let values: Vec<f64> = points.iter().map(|&xi| value(xi)).collect();
+        let (points, values) = with_tops(&points, value);
         check.add_penetration(&points, &values, [scale, allowed * scale]);
     }
 }
