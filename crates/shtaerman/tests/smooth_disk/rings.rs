@@ -2,7 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::support::{A, MODULUS, attempt, close, honest, pressed, problem, solve, sunk};
+use crate::support::{
+    A, MODULUS, attempt, close, honest, pressed, problem, solve, solve_bilateral, sunk,
+};
 use shtaerman::{Contact, Profile, Solver};
 
 /// Distance from a corner, as share of the zone, below which the pressure is its singularity.
@@ -394,5 +396,22 @@ fn answers_or_errors(profiles: &[&str], forces: &[f64]) {
                 Err(error) => assert!(!error.to_string().is_empty()),
             }
         }
+    }
+}
+
+/// Between the forces at which the pressure on the axis vanishes and a little less the disk has a hole far smaller than the places where an answer is looked at are apart.
+#[test]
+fn a_hole_at_the_axis_is_found() {
+    let wave = "1.98e-7*cos(3*pi*x/0.005)";
+    let on_axis = |force: f64| solve_bilateral(wave, pressed(force)).pressure(0.0).unwrap();
+    // Linear in the force.
+    let [one, two] = [8e3, 12e3].map(|force| (force, on_axis(force)));
+    let vanishing = one.0 - one.1 * (two.0 - one.0) / (two.1 - one.1);
+    for share in [1e-5, 5e-5, 1e-3] {
+        let pierced = solve(wave, pressed((1.0 - share) * vanishing));
+        let hole = pierced.zones()[1][0];
+        assert!(pierced.zones().len() == 2 && hole > 0.0 && hole < 1e-4, "{share}: {hole}");
+        assert_eq!(pierced.pressure(0.0).unwrap(), 0.0);
+        assert_eq!(solve(wave, pressed((1.0 + share) * vanishing)).zones().len(), 1);
     }
 }

@@ -6,12 +6,14 @@ use super::base::Base;
 use super::pressure::{Pressure, place};
 use crate::contact::check::{Check, POINTS, between_breaks, with_tops};
 use crate::contact::search::COARSELY_ALLOWED;
-use crate::contact::zones::{Zone, outside};
+use crate::contact::zones::{EndKind, Zone, outside};
 
 /// Most points of a zone and of an interval outside the zones. Half and twice change none of 20 answers (survey).
 pub(super) const MOST_POINTS: usize = 1500;
 /// Tenths of tenths of half a zone to which places close in on a kink. At half or twice 1 of 4 answers are lost (survey).
 const CLOSING: i32 = 12;
+/// How near to the axis a disk is looked at, over its radius: a smaller hole changes its pressure by 1e-11 (theory).
+const BESIDE_AXIS: f64 = 1e-6;
 
 /// Tension and penetration beyond `allowed`, relative to their scales, are listed for correction. Tension is that of the pressure without its singularity where the zone has a corner.
 pub(super) fn check<P: Pressure>(base: &Base, solved: &P, allowed: f64) -> Check {
@@ -26,14 +28,10 @@ pub(super) fn check<P: Pressure>(base: &Base, solved: &P, allowed: f64) -> Check
         let listed = check.pulling.len();
         check.add_tension(&along.points, &along.pulls, [largest, allowed * largest + floor]);
         // Tension at the outermost points reaches to the end of the zone.
-        if let (Some(first), Some(last)) = (along.points.first(), along.points.last()) {
-            for interval in &mut check.pulling[listed..] {
-                if interval[0] == *first {
-                    interval[0] = zone.left();
-                }
-                if interval[1] == *last {
-                    interval[1] = zone.right();
-                }
+        if let [first, .., last] = along.points[..] {
+            for [left, right] in &mut check.pulling[listed..] {
+                *left = if *left == first { zone.left() } else { *left };
+                *right = if *right == last { zone.right() } else { *right };
             }
         }
         // Slopes alone know nothing of a step.
@@ -64,8 +62,10 @@ impl Along {
         points.extend(beside_hollows(base, &zone));
         points.sort_by(f64::total_cmp);
         points.dedup();
+        // Pressures are often least on the axis, where those of kinks are infinite.
+        points[0] += if zone.kinds[0] == EndKind::Axis { BESIDE_AXIS * zone.length() } else { 0.0 };
         points.retain(|xi| zone.left() < *xi && *xi < zone.right());
-        let has_corner = zone.kinds.contains(&crate::contact::zones::EndKind::Wall);
+        let has_corner = zone.kinds.contains(&EndKind::Wall);
         let (points, pulls) = with_tops(&points, |xi| {
             let place = place(&zone, xi);
             -if has_corner { solved.regular(j, place) } else { solved.at(j, place) }
