@@ -88,19 +88,28 @@ impl Check {
 pub(super) fn with_tops(points: &[f64], value: impl Fn(f64) -> f64) -> (Vec<f64>, Vec<f64>) {
     let values: Vec<f64> = points.iter().map(|&xi| value(xi)).collect();
     let mut found: Vec<(f64, f64)> = points.iter().copied().zip(values.iter().copied()).collect();
-    for (x, v) in points.windows(3).zip(values.windows(3)) {
-        if v[1] < v[0] || v[1] < v[2] {
-            continue;
-        }
-        let [before, after] = [(v[1] - v[0]) / (x[1] - x[0]), (v[2] - v[1]) / (x[2] - x[1])];
-        let curvature = (after - before) / (x[2] - x[0]);
-        let top = 0.5 * (x[0] + x[1]) - 0.5 * before / curvature;
-        if x[0] < top && top < x[2] && top != x[1] {
-            found.push((top, value(top)));
+    let threes = points.windows(3).zip(values.windows(3));
+    for (x, v) in threes.filter(|(_, v)| v[1] >= v[0] && v[1] >= v[2]) {
+        let mut three = [0, 1, 2].map(|i| (x[i], v[i]));
+        // The second lies about the first: a dip may be far narrower than places are apart.
+        for _ in 0..2 {
+            let Some(top) = top_of(three).map(|top| (top, value(top))) else { break };
+            found.push(top);
+            let mut four = [three[0], three[1], three[2], top];
+            four.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let largest = if four[1].1 >= four[2].1 { 1 } else { 2 };
+            three = [0, 1, 2].map(|i| four[largest + i - 1]);
         }
     }
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.into_iter().unzip()
+}
+
+/// The top of the parabola through three points, if it lies between them.
+fn top_of([(a, u), (b, v), (c, w)]: [(f64, f64); 3]) -> Option<f64> {
+    let [before, after] = [(v - u) / (b - a), (w - v) / (c - b)];
+    let top = 0.5 * (a + b) - 0.5 * before * (c - a) / (after - before);
+    (a < top && top < c && top != b).then_some(top)
 }
 
 /// The intervals around points where the values exceed a threshold, to halfway to the nearest points where they do not, with the place of the largest value in the middle.

@@ -55,8 +55,7 @@ impl EndState {
 /// The ends of all zones, as [`Equation::ends`] tells them.
 type Ends = [[EndState; 2]];
 
-/// Moves the free ends until the pressure vanishes there. Zones that carry nothing disappear, those that meet become one, ends that come to a wall stay there and leave
-/// it again if it pulls.
+/// Moves the free ends until the pressure vanishes there. Zones that carry nothing disappear, those that meet become one, ends that come to a wall stay there and leave it again if it pulls.
 ///
 /// # Errors
 /// Those of the solutions.

@@ -31,8 +31,7 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         Self { f, points, values }
     }
 
-    /// The largest value and its place; of equal ones the leftmost, but the middle of the base before places found by search that only rounding
-    /// sets apart from it.
+    /// The largest value and its place; of equal ones the leftmost, but the middle of the base before places found by search that only rounding sets apart from it.
     pub(super) fn maximum(&self) -> Extreme {
         let found = self.candidates().into_iter().map(|i| self.refined(i));
         let found = found.reduce(|best, other| {

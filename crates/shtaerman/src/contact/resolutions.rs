@@ -154,13 +154,7 @@ mod tests {
         let differences = [1.7e-4, 2.5e-6, 3.9e-7, 2.5e-10, 1e-14];
         for known in differences.windows(3) {
             let [before, change] = [known[0], known[1]];
-            let uneven = Trust::new(
-                Smoothness::Proved,
-                std::f64::consts::SQRT_2,
-                [before, change],
-                1e-15,
-                1.0,
-            );
+            let uneven = Trust::new(Smoothness::Proved, 2f64.sqrt(), [before, change], 1e-15, 1.0);
             assert!(uneven.left([before, change], 1.0) >= known[2], "{change:e}");
         }
         // A measured profile under a layer: the third difference is small by chance.

@@ -176,8 +176,7 @@ impl Base {
         self.problem().profile().measured_points().is_some()
     }
 
-    /// Whether panels are tried first: the third derivative of the base jumps at measured points, where collocation loses its digits, or the base falls into more parts than
-    /// that has panels for.
+    /// Whether panels are tried first: the third derivative of the base jumps at measured points, where collocation loses its digits, or the base falls into more parts than that has panels for.
     pub(super) fn is_for_panels(&self) -> bool {
         self.has_panels() && (self.is_measured() || self.breaks.len() > MOST_BREAKS)
     }
