@@ -59,11 +59,11 @@ impl Along {
     fn new<P: Pressure>(base: &Base, solved: &P, j: usize) -> Self {
         let zone = solved.zones()[j];
         let mut points = looked_at(base, zone.ends, POINTS);
+        // Pressures are often least on the axis, where those of kinks are infinite.
+        points[0] += if zone.kinds[0] == EndKind::Axis { BESIDE_AXIS * zone.length() } else { 0.0 };
         points.extend(beside_hollows(base, &zone));
         points.sort_by(f64::total_cmp);
         points.dedup();
-        // Pressures are often least on the axis, where those of kinks are infinite.
-        points[0] += if zone.kinds[0] == EndKind::Axis { BESIDE_AXIS * zone.length() } else { 0.0 };
         points.retain(|xi| zone.left() < *xi && *xi < zone.right());
         let has_corner = zone.kinds.contains(&EndKind::Wall);
         let (points, pulls) = with_tops(&points, |xi| {
