@@ -1,6 +1,6 @@
 // The answer in figures and words.
 
-import { byId, html, settled, show } from "./dom.js";
+import { become, byId, html, settled, show } from "./dom.js";
 import { state } from "./state.js";
 
 const SIGN = { bound: "guaranteed", estimate: "estimated" };
@@ -30,31 +30,31 @@ function card(one) {
 
 // A screen reader hears the words when nothing moves any more.
 const say = settled((words) => {
-  byId("words").replaceChildren(...words.map((text, i) => html("p", { class: i === words.length - 1 && words.length > 3 ? "sure" : "" }, `${text} `)));
+  become(byId("words"), words.map((text, i) => html("p", { class: i === words.length - 1 && words.length > 3 ? "sure" : "" }, `${text} `)));
 }, 120);
 
 function showDoubts(doubts) {
-  byId("warnings").replaceChildren(...doubts.map((warning) => html("li", { "data-code": warning.code }, warning.message)));
+  become(byId("warnings"), doubts.map((warning) => html("li", { "data-code": warning.code }, warning.message)));
   show(byId("warnings"), doubts.length > 0);
 }
 
 /** Shows a solved contact. */
 export function showAnswer(answer) {
   const cards = cardsShown();
-  byId("cards").replaceChildren(...cards.map((key) => card(answer.cards.find((one) => one.key === key))));
+  become(byId("cards"), cards.map((key) => card(answer.cards.find((one) => one.key === key))));
   say(answer.words);
   const { warnings } = answer.answer;
   // An error a little above what was aimed at is stated with the answer: it belongs to the notes.
   const doubts = warnings.filter(({ code }) => code !== "tolerance_not_met");
   showDoubts(doubts);
   const rows = answer.table.map(([name, shown, note]) => html("tr", {}, html("th", { scope: "row" }, name), html("td", {}, html("strong", {}, shown)), html("td", { class: "note" }, note)));
-  byId("table").tBodies[0].replaceChildren(...rows);
+  become(byId("table").tBodies[0], rows);
   const short = warnings.filter((warning) => !doubts.includes(warning)).map(({ message }) => `accuracy: ${message}`);
   const notes = [...answer.notes.split("\n").filter(Boolean), ...short].map((line) => {
     const at = line.indexOf(": ");
     return html("div", {}, html("dt", {}, `${line.slice(0, at)}:`), html("dd", {}, line.slice(at + 2)));
   });
-  byId("notes").replaceChildren(...notes);
+  become(byId("notes"), notes);
   byId("python").textContent = answer.python;
   byId("shell").textContent = `${answer.command}\n${answer.command} --plot punch.svg --format json`;
 }

@@ -1,6 +1,6 @@
 // Curves in a pair of axes, as SVG: drawn anew in a few milliseconds, read with the pointer or the arrow keys.
 
-import { html, svg, unique } from "./dom.js";
+import { become, html, svg, unique } from "./dom.js";
 import { digits, logTicks, ticks } from "./units.js";
 
 const LEFT = 62;
@@ -20,8 +20,9 @@ export class Chart {
     this.height = height;
     this.reading = reading;
     this.clip = unique("clip");
-    this.svg = svg("svg", { role: "img", "aria-label": label });
+    this.plot = svg("g", {});
     this.overlay = svg("g", {});
+    this.svg = svg("svg", { role: "img", "aria-label": label }, this.plot, this.overlay);
     this.keys = html("input", { type: "range", class: "keys", min: 0, max: KEYS, step: 1, value: KEYS / 2, "aria-label": `${label}: place to read` });
     host.append(this.svg, this.keys);
     this.svg.addEventListener("pointermove", (event) => this.#point(this.#placeOf(event)));
@@ -59,11 +60,10 @@ export class Chart {
       svg("g", { "clip-path": `url(#${this.clip})` }, content.layers.map((layer) => this.#layer(layer))),
       svg("path", { class: "axis", d: `M${left} ${top}V${bottom}H${right}` }),
       ...(content.over?.(this) ?? []),
-      this.overlay,
     ];
     this.svg.setAttribute("viewBox", `0 0 ${this.width} ${this.height}`);
     if (content.description) this.svg.setAttribute("aria-label", content.description);
-    this.svg.replaceChildren(...parts);
+    become(this.plot, parts);
     this.keys.hidden = !content.readings;
     if (this.at !== undefined && this.at !== null) this.#point(this.at);
   }
@@ -195,7 +195,7 @@ export function between(xs, ys, x) {
 
 /** The names of curves, below a chart. */
 export function legend(host, entries) {
-  host.replaceChildren(...entries.map(([kind, name, style]) => html("span", {}, html("i", { class: `${kind} ${style ?? ""}`, "aria-hidden": "true" }), html("span", {}, name))));
+  become(host, entries.map(([kind, name, style]) => html("span", {}, html("i", { class: `${kind} ${style ?? ""}`, "aria-hidden": "true" }), html("span", {}, name))));
 }
 
 /** Ends that hold all values, with some room. */

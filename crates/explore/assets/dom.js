@@ -21,6 +21,33 @@ export const html = (tag, attributes, ...children) => fill(document.createElemen
 /** An element of SVG. */
 export const svg = (tag, attributes, ...children) => fill(document.createElementNS(SVG, tag), attributes, children);
 
+/**
+ * Makes the children of an element those given, and keeps what is there already: only what differs is laid out and painted anew.
+ * The given ones have no listeners and no state beyond their attributes.
+ */
+export function become(element, children) {
+  const old = [...element.childNodes];
+  children.forEach((child, i) => {
+    if (!old[i]) element.append(child);
+    else if (!alter(old[i], child)) old[i].replaceWith(child);
+  });
+  for (const one of old.slice(children.length)) one.remove();
+}
+
+/** Makes one node the other, if they are of one kind. */
+function alter(node, other) {
+  if (node.isEqualNode(other)) return true;
+  if (node.nodeName !== other.nodeName) return false;
+  if (node.nodeType !== Node.ELEMENT_NODE) {
+    node.data = other.data;
+    return true;
+  }
+  for (const { name, value } of other.attributes) if (node.getAttribute(name) !== value) node.setAttribute(name, value);
+  for (const name of node.getAttributeNames()) if (!other.hasAttribute(name)) node.removeAttribute(name);
+  become(node, [...other.childNodes]);
+  return true;
+}
+
 /** Shows an element or not. */
 export function show(element, isShown) {
   element.hidden = !isShown;

@@ -1,7 +1,7 @@
 // The page: what is shown follows the problem, and the problem follows what is moved and typed.
 
 import { showAnswer, showTrouble } from "./answers.js";
-import { byId, html, save, settled, show, tabs } from "./dom.js";
+import { become, byId, html, save, settled, show, tabs } from "./dom.js";
 import { ask, Latest } from "./engine.js";
 import { blame, showInputs } from "./inputs.js";
 import { showKernels } from "./kernels.js";
@@ -85,9 +85,11 @@ units.addEventListener("change", () => {
 function showUnits() {
   const stated = state.get("output.units") ?? "si";
   const isOwn = typeof stated !== "string";
-  const options = begun.unit_systems.map((name) => html("option", { value: name, selected: name === stated }, SYSTEMS[name] ?? name));
-  if (isOwn) options.push(html("option", { value: "", selected: true }, "as the file says"));
-  if (document.activeElement !== units) units.replaceChildren(...options);
+  const chosen = isOwn ? "" : stated;
+  const names = [...begun.unit_systems, ...(isOwn ? [""] : [])];
+  if (document.activeElement === units) return;
+  become(units, names.map((name) => html("option", { value: name }, name === "" ? "as the file says" : SYSTEMS[name] ?? name)));
+  if (units.value !== chosen) units.value = chosen;
 }
 
 const editor = byId("editor");

@@ -1,14 +1,17 @@
 // Stresses below the surface, as bands of colour.
 
-import { byId, html, show, svg } from "./dom.js";
+import { become, byId, html, show, svg } from "./dom.js";
 import { legend, shown as number } from "./chart.js";
 import { Latest } from "./engine.js";
 import { state } from "./state.js";
 import { axisUnit, digits, ticks } from "./units.js";
 
-/** Points of the map while something moves: as many as come in the time, in milliseconds, that a redraw may take. */
+/** Points of the map while something moves. */
 const COARSE = [[61, 31], [41, 21], [25, 13]];
+/** What comes in this time (ms) is drawn in one frame with the answer: nearly what a redraw may take. */
 const IN_TIME = 45;
+/** A map has fewer points where it comes later than this (ms), since to draw takes as long again, and more where it comes in half of it. */
+const SOON = 20;
 const FINE = [161, 81];
 const BANDS = 14;
 const LEFT = 62;
@@ -39,8 +42,10 @@ ratio.addEventListener("input", () => askMap(false));
 /** The width that there is, as it was told last: to ask the element would lay out the page anew. */
 let room = 0;
 new ResizeObserver(([{ contentRect }]) => {
+  const before = room;
   room = Math.round(contentRect.width);
-  if (shown && room > 0) draw(shown);
+  // A map that is less deep changes the height of its place.
+  if (shown && room > 0 && room !== before) draw(shown);
 }).observe(host);
 
 /** Asks for the map: a coarse one while something moves. */
@@ -101,8 +106,8 @@ function takeMap(answer, isMoving, isLast, took) {
   draw(answer);
   if (isMoving) {
     isQuick = took < IN_TIME;
-    if (!isQuick) coarseness = Math.min(coarseness + 1, COARSE.length - 1);
-    else if (took < IN_TIME / 3) coarseness = Math.max(coarseness - 1, 0);
+    if (took > SOON) coarseness = Math.min(coarseness + 1, COARSE.length - 1);
+    else if (took < SOON / 2) coarseness = Math.max(coarseness - 1, 0);
   }
   document.dispatchEvent(new CustomEvent("mapped", { detail: { isMoving, isLast } }));
 }
@@ -146,7 +151,7 @@ function draw(map) {
   }
   picture.setAttribute("viewBox", `0 0 ${width} ${height}`);
   if (map.von_mises) picture.setAttribute("aria-label", `${map.name} below the surface; von Mises largest ${map.von_mises.value} ${map.von_mises.place}; shear stress largest ${map.max_shear.value} ${map.max_shear.place}`);
-  picture.replaceChildren(...parts);
+  become(picture, parts);
   if (map.von_mises) legend(byId("map-legend"), words(map));
 }
 
