@@ -82,20 +82,25 @@ pub struct Bound {
 }
 
 /// Why there is no bound.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Refusal {
     /// The pressure has no zone, or is not finite.
+    #[error("the pressure is not finite")]
     NoPressure,
     /// The pressure needs more panels than are kept.
+    #[error("the pressure bends at more places than the audit follows")]
     TooManyPanels,
     /// The residual needs more windows than are kept; it was last looked at here.
+    #[error("the residual near xi = {at} changes faster than the audit follows")]
     TooManyWindows {
         /// The place.
         at: f64,
     },
     /// The answer is far from the force or moment that is prescribed.
+    #[error("the pressure is far from the prescribed force or moment")]
     LoadNotMet,
     /// The base penetrates where the answer has no contact: the bound is no small one, and most of it comes from here.
+    #[error("the base penetrates near xi = {at:.6}, where the answer has no contact")]
     Penetrates {
         /// The place.
         at: f64,

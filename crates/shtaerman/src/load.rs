@@ -15,6 +15,20 @@ pub enum Vertical {
     Settlement(f64),
 }
 
+impl Vertical {
+    /// The same kind of load, with what these make of a force and of a settlement.
+    pub(crate) fn mapped(
+        self,
+        force: impl FnOnce(f64) -> f64,
+        settlement: impl FnOnce(f64) -> f64,
+    ) -> Self {
+        match self {
+            Self::Force(given) => Self::Force(force(given)),
+            Self::Settlement(given) => Self::Settlement(settlement(given)),
+        }
+    }
+}
+
 /// The rotational half of the load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::error::{positive, require};
-use crate::{Elastic, Error, Geometry, Load, Rotational, Roughness, Vertical};
+use crate::{Elastic, Error, Geometry, Load, Rotational, Roughness};
 
 /// The units in which a problem becomes dimensionless: `a` for lengths along the base, `E` for pressures, `chi E` for displacements (`B E^kappa`
 /// with the law `B p^kappa` of the layer; for a smooth surface, which has no such scale, that which makes `theta0 = 1`).
@@ -148,12 +148,9 @@ impl Scaling {
     /// The load without dimensions.
     #[must_use]
     pub fn load(&self, load: &Load) -> Load {
-        let vertical = match load.vertical {
-            Vertical::Force(force) => Vertical::Force(force / self.force()),
-            Vertical::Settlement(settlement) => {
-                Vertical::Settlement(settlement / self.displacement())
-            }
-        };
+        let vertical = load
+            .vertical
+            .mapped(|force| force / self.force(), |length| length / self.displacement());
         let rotational = match load.rotational {
             Rotational::Moment(moment) => Rotational::Moment(moment / self.moment()),
             Rotational::Eccentricity(length) => Rotational::Eccentricity(length / self.half_width),

@@ -227,6 +227,13 @@ impl Conjugate {
         self.panels.iter().fold(PI, |least, panel| least.min(2.0 * panel.half()))
     }
 
+    /// How far from an end of a half turn, 0 or `pi`, `g` is one polynomial.
+    #[must_use]
+    pub fn reach(&self, end: f64) -> f64 {
+        let panel = if end == 0.0 { self.panels.first() } else { self.panels.last() };
+        panel.map_or(PI, |panel| 2.0 * panel.half())
+    }
+
     /// Mean of `f` over the angle.
     #[must_use]
     pub fn mean(&self) -> f64 {

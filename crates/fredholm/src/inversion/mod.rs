@@ -35,6 +35,6 @@ pub use powers::{PLAIN, Powers, TURN};
 pub use rule::integral;
 pub use series::Series;
 pub use shape::{Shape, Symmetry, Weight};
-pub use slopes::Slopes;
+pub use slopes::{Slopes, few_waves};
 pub use toroidal::RingKernel;
 pub use transform::AbelTransform;

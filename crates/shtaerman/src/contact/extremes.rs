@@ -7,7 +7,6 @@ use super::iteration::{crossing, top};
 const MOST_REFINED: usize = 32;
 /// A pressure below this, relative to the largest, counts as zero (survey).
 pub(super) const NEGLIGIBLE: f64 = 1e-12;
-
 /// How far above a sample a maximum beside it may lie, in its second difference: four times the eighth that it is for a parabola (theory).
 pub(super) const RISE: f64 = 0.5;
 

@@ -5,6 +5,7 @@
 mod accuracy;
 mod bent;
 mod conditions;
+mod hidden;
 mod one_punch;
 mod pair;
 mod periodic;

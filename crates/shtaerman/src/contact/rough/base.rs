@@ -267,7 +267,8 @@ impl Base {
         }
         self.problem().check_balance()?;
         // Parts between breaks may be so short that no sample lies in them.
-        let places = between_breaks(&self.breaks, [f64::NEG_INFINITY, f64::INFINITY]);
+        let of = |piece: &[f64; 2]| between_breaks(&self.breaks, *piece);
+        let places: Vec<f64> = self.pieces.iter().flat_map(of).collect();
         let heights = self.heights(&places)?;
         let beside: Vec<(f64, f64)> = places.into_iter().zip(heights).collect();
         if self.load.keeps_clear(self.samples.iter().chain(&beside)) {

@@ -4,15 +4,12 @@ use super::base::Base;
 use super::layer::reference_pressure;
 use crate::contact::cells::{Cell, Cells, Loaded};
 use crate::contact::steps::BESIDE;
-use crate::{Error, Load, Vertical};
+use crate::{Error, Load};
 
 /// The intervals of contact to about a cell, given about how many cells to begin with.
 pub(super) fn intervals(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Error> {
     let valleys: Vec<f64> = base.valleys().collect();
-    let vertical = match base.load.vertical {
-        Vertical::Force(force) => Vertical::Force(force / base.ground.area()),
-        Vertical::Settlement(settlement) => Vertical::Settlement(settlement),
-    };
+    let vertical = base.load.vertical.mapped(|force| force / base.ground.area(), |given| given);
     let load = Load { vertical, ..base.load };
     // v = p/gain
     let reference = reference_pressure(base, base.pieces.iter().copied());

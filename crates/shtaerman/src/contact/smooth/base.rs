@@ -2,7 +2,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use fredholm::inversion::Slopes;
+use fredholm::inversion::{Slopes, few_waves};
 
 use crate::contact::ground::Ground;
 use crate::contact::ground::of_problem::ground;
@@ -25,6 +25,9 @@ pub(super) const SAMPLES: usize = 2048;
 /// polynomials through its values. At half or twice 1 of 10 answers are lost and stated errors grow up to 2.7 times (survey).
 const MEASURED: f64 = 1e-10;
 
+/// Waves of slopes that are a smaller share of the largest change pressures by no more than is [allowed](crate::contact::search::ALLOWED) (theory).
+const UNSEEN: f64 = 1e-8;
+
 /// A place with the height there, `(xi, f0)`.
 type Sample = (f64, f64);
 
@@ -43,6 +46,8 @@ pub(in crate::contact) struct Base {
     pub(super) breaks: Vec<f64>,
     /// Where only higher derivatives jump, as at measured points, increasing.
     pub(super) joints: Vec<f64>,
+    /// Breaks, joints and places between: on each interval slopes have a wave or two at most.
+    pub(super) marks: Vec<f64>,
     /// The kinks among the breaks that open away from the body: under these the pressure falls, on homogeneous ground below all bounds.
     pub(super) hollows: Vec<f64>,
     /// Relative accuracy to which slopes are resolved; 0 for the best.
@@ -104,6 +109,7 @@ impl Base {
             setting: setting.clone(),
             pieces,
             shift: 0.0,
+            marks: Vec::new(),
             hollows: Vec::new(),
             breaks,
             joints,
@@ -168,6 +174,13 @@ impl Base {
             require(self.setting.is_unilateral(), "profile", at, requirement)?;
             self.walls.add_step(place, rise);
         }
+        let slope = |xi: f64| if self.has_slope() { self.slope(xi) } else { self.height(xi) };
+        let marked = |[left, right]: &[f64; 2]| {
+            let inside = self.cuts().into_iter().filter(|at| left < at && at < right);
+            let ends: Vec<f64> = [*left].into_iter().chain(inside).chain([*right]).collect();
+            few_waves(&ends, slope, UNSEEN)
+        };
+        self.marks = self.pieces.iter().flat_map(marked).collect();
         let is_clear = || self.load.keeps_clear(self.samples.iter().flatten());
         if self.setting.is_unilateral() && is_clear() { Err(Error::NoContact) } else { Ok(self) }
     }

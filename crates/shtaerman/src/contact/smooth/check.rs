@@ -8,8 +8,6 @@ use crate::contact::check::{Check, POINTS, between_breaks, with_tops};
 use crate::contact::search::COARSELY_ALLOWED;
 use crate::contact::zones::{EndKind, Zone, outside};
 
-/// Most points of a zone and of an interval outside the zones. Half and twice change none of 20 answers (survey).
-pub(super) const MOST_POINTS: usize = 1500;
 /// Tenths of tenths of half a zone to which places close in on a kink. At half or twice 1 of 4 answers are lost (survey).
 const CLOSING: i32 = 12;
 /// How near to the axis a disk is looked at, over its radius: a smaller hole changes its pressure by 1e-11 (theory).
@@ -61,16 +59,17 @@ impl Along {
         let mut points = looked_at(base, zone.ends, POINTS);
         // Pressures are often least on the axis, where those of kinks are infinite.
         points[0] += if zone.kinds[0] == EndKind::Axis { BESIDE_AXIS * zone.length() } else { 0.0 };
-        points.extend(beside_hollows(base, &zone));
+        points.extend(closing_in(base, &zone));
         points.sort_by(f64::total_cmp);
         points.dedup();
-        points.retain(|xi| zone.left() < *xi && *xi < zone.right());
+        points.retain(|xi| zone.left() <= *xi && *xi <= zone.right());
         let has_corner = zone.kinds.contains(&EndKind::Wall);
         let (points, pulls) = with_tops(&points, |xi| {
             let place = place(&zone, xi);
             -if has_corner { solved.regular(j, place) } else { solved.at(j, place) }
         });
-        let first = points.first().map_or(0.5, |xi| (xi - zone.left()) / zone.length());
+        let first = points.iter().find(|xi| **xi > zone.left());
+        let first = first.map_or(0.5, |xi| (xi - zone.left()) / zone.length());
         let steepest =
             if has_corner { 1.0 } else { (4.0 * first).powf(-solved.corner_exponent()).max(1.0) };
         Self { points, pulls, steepest }
@@ -95,26 +94,28 @@ fn look_beside<P: Pressure>(check: &mut Check, base: &Base, solved: &P, allowed:
 }
 
 /// Both ends and places between that show every feature of the profile.
-fn looked_at(base: &Base, ends: [f64; 2], fewest: usize) -> Vec<f64> {
-    let mut points = points(ends, base.cells(), fewest);
-    points.extend(between_breaks(&base.cuts(), ends));
+pub(super) fn looked_at(base: &Base, ends: [f64; 2], fewest: usize) -> Vec<f64> {
+    let mut points = points(ends, fewest);
+    points.extend(between_breaks(&base.marks, ends));
     points.sort_by(f64::total_cmp);
     points.dedup();
     points
 }
 
-/// Places that close in on the hollow kinks of a zone from either side: under these the pressure falls below all bounds, but as slowly as a logarithm.
-fn beside_hollows(base: &Base, zone: &Zone) -> Vec<f64> {
+/// Places that close in on the hollow kinks of a zone from either side, under which the pressure falls below all bounds, but as slowly as a logarithm, and half as often on its free ends: not on those of rings, whose modes are cut off.
+fn closing_in(base: &Base, zone: &Zone) -> Vec<f64> {
     let half = 0.5 * zone.length();
-    let offsets = || (1..=CLOSING).flat_map(|k| [-1.0, 1.0].map(|side| side * 0.1f64.powi(k)));
-    let kinks = base.hollows.iter().filter(|at| zone.contains(**at));
-    kinks.flat_map(|kink| offsets().map(move |offset| kink + offset * half)).collect()
+    let kinks = base.hollows.iter().filter(|at| zone.contains(**at)).map(|at| (*at, CLOSING));
+    let ends = zone.free_ends().filter(|_| !base.ground.is_disk()).map(|(_, at)| (at, CLOSING / 2));
+    let about = |(at, most): (f64, i32)| {
+        let offsets = (1..=most).flat_map(|k| [-1.0, 1.0].map(|side| side * 0.1f64.powi(k)));
+        offsets.map(move |offset| at + offset * half)
+    };
+    kinks.chain(ends).flat_map(about).collect()
 }
 
-/// Both ends and points between, closer near the ends, so many on a unit that the valleys of the profile show.
-pub(super) fn points([left, right]: [f64; 2], on_a_unit: usize, fewest: usize) -> Vec<f64> {
-    let wanted = (right - left) * on_a_unit as f64;
-    let count = (wanted as usize).clamp(fewest, MOST_POINTS);
+/// Both ends and points between, closer near the ends.
+pub(super) fn points([left, right]: [f64; 2], count: usize) -> Vec<f64> {
     let inner = (1..count).map(|i| {
         let half = (0.5 * PI * i as f64 / count as f64).sin();
         (left + (right - left) * half * half).clamp(left, right)

@@ -6,6 +6,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::equation::{COARSE, FINE};
 use crate::Error;
+use crate::contact::search::COARSELY_ALLOWED;
+use crate::contact::zones::Zone;
 
 /// Most modes of a zone, and of all together. Half and twice change none of 32 answers (survey).
 const MOST_OF_A_ZONE: f64 = 800.0;
@@ -154,20 +156,29 @@ pub(super) fn cosines(coefficients: &[f64], angle: f64) -> f64 {
     fredholm::basis::chebyshev::sum(coefficients, angle.cos())
 }
 
-/// What `d^2 G/dphi^2` is at the end `phi = 0` or `pi` of a density, with its error: the slope over `-cos phi` outwards. A bend of the base close by asks for small angles, modes that were left out for large
-/// ones: of three series of angles that one is taken whose own steps differ least.
-pub(super) fn bend(density: impl Fn(f64) -> f64, end: f64) -> [f64; 2] {
+/// What `d^2 G/dphi^2` is at the end `phi = 0` or `pi` of a density known to a `rounding`, with its error: the slope over `-cos phi` outwards. A bend of the base close by asks for small angles, the profile
+/// being smooth as far as `reach`, modes that were left out and rounding for large ones: of series of three angles each that one is taken that is known best.
+pub(super) fn bend(
+    density: impl Fn(f64) -> f64,
+    end: f64,
+    [reach, rounding]: [f64; 2],
+) -> [f64; 2] {
     let at_end = density(end);
-    let at = |offset: f64| 2.0 * (density((end - offset).abs()) - at_end) / (offset * offset);
-    let values = [1.0, 2.0, 4.0, 8.0, 16.0].map(|k| at(k * BESIDE));
-    let mut known = [0, 1, 2].map(|first| {
-        let [one, two, four] = [0, 1, 2].map(|k| values[first + k]);
+    let at = |angle: f64| 2.0 * (density((end - angle).abs()) - at_end) / (angle * angle);
+    let (mut angle, mut values) = (16.0 * BESIDE, [f64::NAN; 3]);
+    let mut best = [f64::NAN, f64::INFINITY];
+    while angle >= BESIDE.min(reach / 16.0) {
+        values = [values[1], values[2], at(angle)];
+        let [four, two, one] = values;
         let (fine, coarse) = ((4.0 * one - two) / 3.0, (4.0 * two - four) / 3.0);
         let bend = (16.0 * fine - coarse) / 15.0;
-        [bend, (bend - fine).abs()]
-    });
-    known.sort_by(|one, other| one[1].total_cmp(&other[1]));
-    known[0]
+        let error = (bend - fine).abs() + 4.0 * rounding / (angle * angle);
+        if error * best[0].abs() < best[1] * bend.abs() || best[0].is_nan() {
+            best = [bend, error];
+        }
+        angle *= 0.5;
+    }
+    best
 }
 
 /// The same for Newton's method, of a series cut off after so many modes whose last ones are not small: from angles at which these say nothing.
@@ -178,5 +189,8 @@ pub(super) fn bend_of_cut(density: impl Fn(f64) -> f64, end: f64, count: usize) 
     (4.0 * at(beside) - at(2.0 * beside)) / 3.0
 }
 
-/// The rounding of a density over that of its bend.
-pub(super) const BLOWN: f64 = 4.0 / (BESIDE * BESIDE);
+/// What is left of a density at free ends where it was made to vanish, given its size: more was not.
+pub(super) fn left_over(zone: &Zone, density: impl Fn(usize) -> f64, size: f64) -> [f64; 2] {
+    let left = |side: usize| if zone.is_free(side) { density(side) } else { 0.0 };
+    [0, 1].map(left).map(|left| if left.abs() <= COARSELY_ALLOWED * size { left } else { 0.0 })
+}

@@ -1,5 +1,6 @@
 //! A pressure on given zones, whatever the ground.
 
+use std::f64::consts::TAU;
 use std::fmt::Debug;
 
 use fredholm::inversion::Place;
@@ -78,6 +79,12 @@ pub(in crate::contact) trait Pressure:
     /// `lim sqrt(2 pi) d^beta p0` of a density 1 at an end, `d` in `xi`.
     fn intensity(&self, zone: usize, side: usize) -> f64;
 
+    /// What a density 1 at an end is there of the [regular](Self::regular) pressure.
+    fn singular(&self, zone: usize, side: usize) -> f64 {
+        let length = self.zones()[zone].length();
+        self.intensity(zone, side) * (4.0 / length).powf(self.corner_exponent()) / TAU.sqrt()
+    }
+
     /// What a zone is known to, given the largest pressure.
     fn known(&self, zone: usize, largest: f64) -> Known;
 
@@ -104,6 +111,12 @@ pub(in crate::contact) trait Pressure:
     fn regular(&self, zone: usize, place: Place) -> f64 {
         let length = place.from_left + place.from_right;
         let share = 4.0 * (place.from_left / length) * (place.from_right / length);
+        if share == 0.0 {
+            let side = usize::from(place.from_left > 0.0);
+            let is_free = self.zones()[zone].is_free(side);
+            let density = if is_free { 0.0 } else { self.end(zone, side).value };
+            return density * self.singular(zone, side);
+        }
         share.powf(self.corner_exponent()) * self.at(zone, place)
     }
 }

@@ -34,13 +34,16 @@ pub(super) fn estimate<F: FirstKind>(
             |angle| along(solved, angle),
             |angle| other.as_ref().map_or(f64::INFINITY, |other| along(other, angle)),
         );
-        pressure = pressure.max(changed + own);
+        // What is left at a free end is taken away along the whole zone.
+        let mut left = 0.0f64;
         for (side, at) in zone.free_ends() {
             let here = solved.density(j, side);
             let there = other.as_ref().map_or(f64::INFINITY, |o| o.density(j, side).value);
             let density = here.value.abs() + (here.value - there).abs() + rounding;
+            left = left.max(here.value.abs() * solved.singular(j, side));
             edge = edge.max((density / here.fall).abs() + 0.5 * ROUNDING * at.abs());
         }
+        pressure = pressure.max(changed + own + left);
     }
     let state = solved.state();
     let change = |part: fn(&State) -> f64| {

@@ -7,10 +7,7 @@ use crate::{Error, Load, Vertical};
 /// The intervals of contact to about a cell, each of which has several; `count` is the number of cells to begin with.
 pub(super) fn find(base: &Base, count: usize) -> Result<Vec<[f64; 2]>, Error> {
     let ground = &base.ground;
-    let vertical = match base.load.vertical {
-        Vertical::Force(force) => Vertical::Force(force / ground.area()),
-        Vertical::Settlement(settlement) => Vertical::Settlement(settlement),
-    };
+    let vertical = base.load.vertical.mapped(|force| force / ground.area(), |given| given);
     let load = Load { vertical, ..base.load };
     let is_forced = matches!(vertical, Vertical::Force(_));
     let theta = ground.strength() * base.setting.theta0();

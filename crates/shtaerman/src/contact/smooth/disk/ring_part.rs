@@ -7,7 +7,7 @@ use fredholm::inversion::{Angular, Conjugate, RingKernel};
 use fredholm::special::arithmetic_geometric_mean as mean;
 
 use super::super::base::Base;
-use super::super::modes::{bend, bend_of_cut, cosines};
+use super::super::modes::{bend, bend_of_cut, cosines, left_over};
 use super::coupling::RingNodes;
 use super::ring::{Ring, distance};
 use crate::contact::accuracy::OF_A_VALUE;
@@ -20,6 +20,8 @@ pub(super) struct RingPart {
     smooth: Vec<f64>,
     /// `(pi/n) G` at the nodes, of as many modes.
     masses: Vec<f64>,
+    /// `G` at the free edges, where it is rounding.
+    rounded: [f64; 2],
 }
 
 impl RingPart {
@@ -34,7 +36,9 @@ impl RingPart {
         let smooth = modes.iter().zip(own).map(|(mode, own)| mode + own).collect();
         let weight = nodes.nodes.weight();
         let masses = nodes.nodes.values(modes).into_iter().map(|g| weight * g).collect();
-        Self { nodes, slope, smooth, masses }
+        let mut part = Self { nodes, slope, smooth, masses, rounded: [0.0; 2] };
+        part.rounded = left_over(&part.ring().zone, |side| part.end_density(side), part.size());
+        part
     }
 
     pub(super) fn ring(&self) -> &Ring {
@@ -55,12 +59,13 @@ impl RingPart {
         self.density(if side == 0 { PI } else { 0.0 })
     }
 
-    /// By how much that falls as the edge moves outwards of the ring, over the radius, with its error but for rounding.
+    /// By how much that falls as the edge moves outwards of the ring, over the radius, with its error.
     pub(super) fn fall(&self, side: usize) -> [f64; 2] {
         let end = if side == 0 { PI } else { 0.0 };
         let ring = self.ring();
         let scale = 2.0 * ring.half * ring.zone.ends[side];
-        bend(|angle| self.density(angle), end).map(|bend| bend / scale)
+        let known = [self.slope.reach(end), self.rounding(Conjugate::end_error)];
+        bend(|angle| self.density(angle), end, known).map(|bend| bend / scale)
     }
 
     /// The same for Newton's method: beside a kink of the base the modes end before they are small.
@@ -77,10 +82,12 @@ impl RingPart {
         terms.map(|(q, mass)| mass * f(self.nodes.beside(q, c))).sum()
     }
 
-    /// `theta0 p0` at an angle without the singularity at the edges.
+    /// `theta0 p0` at an angle without the singularity at the edges, and what is left of it at free ones.
     pub(super) fn regular(&self, angle: f64) -> f64 {
         let radius = self.ring().spot(angle).radius;
-        self.density(angle) / (self.ring().half * radius * radius.sqrt())
+        let (sine, cosine) = (0.5 * angle).sin_cos();
+        let rounded = self.rounded[0] * sine * sine + self.rounded[1] * cosine * cosine;
+        (self.density(angle) - rounded) / (self.ring().half * radius * radius.sqrt())
     }
 
     /// `theta0 p0` by the distances from both edges; infinite at a singular one.

@@ -13,7 +13,7 @@ use std::sync::{Arc, OnceLock};
 use fredholm::inversion::{Conjugate, Place, RingKernel, Weight};
 
 use super::super::equation::{Detail, FINE};
-use super::super::modes::{BLOWN, Modes, norm, require_few};
+use super::super::modes::{Modes, norm, require_few};
 use super::super::pressure::{Density, Known, Pressure};
 use super::Disk;
 use super::core::Core;
@@ -265,6 +265,7 @@ impl Pressure for Solved {
             (Some(part), _) => {
                 part.regular(part.ring().angle(place.from_left, place.from_right)) / self.theta0
             }
+            (None, Some(core)) if place.from_right == 0.0 => core.flat_pressure(core.corner),
             (None, Some(core)) => core.share(place.from_right) * self.at(zone, place),
             (None, None) => f64::NAN,
         }
@@ -302,12 +303,8 @@ impl Pressure for Solved {
     }
 
     fn density(&self, zone: usize, side: usize) -> Density {
-        let (value, [fall, missed]) = self.at_end(zone, side);
-        let blown = self.ring(zone).map_or(0.0, |part| {
-            let ring = part.ring();
-            BLOWN * part.rounding(Conjugate::end_error) / (2.0 * ring.half * ring.zone.ends[side])
-        });
-        Density { value, fall, fall_error: missed + blown }
+        let (value, [fall, fall_error]) = self.at_end(zone, side);
+        Density { value, fall, fall_error }
     }
 
     fn intensity(&self, zone: usize, side: usize) -> f64 {

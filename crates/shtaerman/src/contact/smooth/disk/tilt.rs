@@ -1,6 +1,6 @@
 //! The tilt of a disk of contact: another harmonic of the pressure, which must not lift it off.
 
-use super::super::check::points;
+use super::super::check::looked_at;
 use super::super::pressure::{Pressure, place};
 use super::Disk;
 use super::core::Core;
@@ -49,7 +49,7 @@ fn largest_share(disk: &Disk, solved: &Solved, core: &Core) -> f64 {
         gap / (core.tilt.abs() * r * (1.0 - core.share_of_tilt(r)))
     };
     let least = |ends: [f64; 2], share: &dyn Fn(f64) -> f64| {
-        let places = points(ends, 0, 2 * POINTS);
+        let places = looked_at(&disk.base, ends, 2 * POINTS);
         let places = places[1..places.len() - 1].to_vec();
         let values = places.iter().map(|r| -share(*r)).collect();
         -Sampled::new(|r| -share(r), places, values).maximum().value

@@ -9,7 +9,7 @@ use super::super::equation::{COMPARED, FINE};
 use super::super::stated::difference;
 use crate::contact::accuracy::{Accuracy, ErrorKind, ROUNDING, Sizes};
 use crate::contact::balance::State;
-use crate::contact::check::BETWEEN;
+use crate::contact::check::between_breaks;
 use crate::contact::complementarity::Complementarity;
 use crate::contact::extremes::RISE;
 use crate::contact::iteration::{crossing, top};
@@ -23,7 +23,7 @@ use crate::{Load, Vertical};
 /// Panels of the moment where panels do not resolve the slope. At half or twice 3 of 5 answers change, within what they state (survey).
 pub(super) const PANELS: usize = 64;
 /// Places that show extremes.
-const PLACES: usize = 1024;
+pub(super) const PLACES: usize = 1024;
 
 /// A place and the pressure there.
 type Point = (f64, f64);
@@ -126,12 +126,25 @@ impl FullWave {
         panels.map(|pair| integral(pair[0], pair[1], |xi| xi * self.at(xi))).sum()
     }
 
-    /// The least pressure with its place, given those of equally spaced ones: a gap about to open is shorter than their distance, and may lie beside a hollow kink or about a narrow feature.
-    pub(super) fn lowest(&self, along: &[Point], breaks: &[f64]) -> Point {
-        let sampled = along.iter().copied();
-        let found = [self.valley(along), self.beside_kink(), self.between(breaks)];
-        let lower = |one: Point, two: Point| if two.1 < one.1 { two } else { one };
-        sampled.chain(found.into_iter().flatten()).fold((0.0, f64::INFINITY), lower)
+    /// The least pressure with its place, given those of equally spaced ones and places between which it has a wave or two: a gap about to open is shorter than their distance, and may lie beside a
+    /// hollow kink.
+    pub(super) fn lowest(&self, along: &[Point], marks: &[f64]) -> Point {
+        let between = between_breaks(marks, [-1.0, 1.0]).into_iter().map(|xi| (xi, self.at(xi)));
+        let mut places: Vec<Point> = along.iter().copied().chain(between).collect();
+        places.sort_by(|one, two| one.0.total_cmp(&two.0));
+        // The first comes after the last again.
+        let [first, second] = [places[0], places[1]];
+        places.extend([(first.0 + 2.0, first.1), (second.0 + 2.0, second.1)]);
+        let may_reach = |[before, here, after]: [f64; 3]| {
+            here <= before && here <= after && here < RISE * (before + after - 2.0 * here)
+        };
+        let valleys = places.windows(3).filter(|w| may_reach([w[0].1, w[1].1, w[2].1]));
+        let bottoms = valleys.map(|w| {
+            let (place, height) = top(&|xi| -self.at(wrapped(xi)), w[0].0, w[2].0);
+            (wrapped(place), -height)
+        });
+        let found = places.iter().copied().chain(bottoms).chain(self.beside_kink());
+        found.fold((0.0, f64::INFINITY), |one, two| if two.1 < one.1 { two } else { one })
     }
 
     /// The pressure at equally spaced places.
@@ -148,40 +161,6 @@ impl FullWave {
         let kink = deepest.0 / PI;
         let beside = [-INSIDE, INSIDE].map(|offset| self.at(wrapped(kink + offset)));
         Some((kink, beside[0].min(beside[1])))
-    }
-
-    /// The least pressure in the valleys between equally spaced places that might reach below zero, with its place: a gap about to open is shorter than their distance.
-    fn valley(&self, along: &[Point]) -> Option<Point> {
-        let count = along.len();
-        let step = 2.0 / count as f64;
-        let at = |i: usize| along[i % count].1;
-        let may_reach = |i: usize| {
-            let (before, here, after) = (at(i + count - 1), at(i), at(i + 1));
-            let bend = before + after - 2.0 * here;
-            here <= before && here <= after && here < RISE * bend
-        };
-        (0..count)
-            .filter(|&i| may_reach(i))
-            .map(|i| self.bottom(along[i].0, step))
-            .min_by(|one, two| one.1.total_cmp(&two.1))
-    }
-
-    /// The least pressure between cuts of the profile, which lie about narrow features that equally spaced places miss.
-    fn between(&self, cuts: &[f64]) -> Option<Point> {
-        let places = cuts.windows(2).flat_map(|pair| {
-            let step = (pair[1] - pair[0]) / BETWEEN as f64;
-            (1..BETWEEN).map(move |i| (pair[0] + step * i as f64, step))
-        });
-        let lowest = places
-            .map(|(at, step)| (at, self.at(at), step))
-            .min_by(|one, two| one.1.total_cmp(&two.1));
-        lowest.map(|(at, _, step)| self.bottom(at, step))
-    }
-
-    /// The bottom of the valley within a step of a place.
-    fn bottom(&self, at: f64, step: f64) -> Point {
-        let (place, height) = top(&|xi| -self.at(wrapped(xi)), at - step, at + step);
-        (wrapped(place), -height)
     }
 
     /// A zone for a force: where the pressure of full contact is above its largest value less twice the mean. Of one cosine that is the zone itself,

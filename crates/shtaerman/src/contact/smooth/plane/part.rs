@@ -6,7 +6,7 @@ use std::sync::Arc;
 use fredholm::basis::ChebyshevSeries;
 use fredholm::inversion::{Conjugate, Place};
 
-use super::super::modes::{bend, cosines};
+use super::super::modes::{bend, cosines, left_over};
 use super::kernel::{Kernel, Remainder};
 use crate::contact::accuracy::OF_A_VALUE;
 use crate::contact::zones::Zone;
@@ -26,6 +26,8 @@ pub(super) struct Part {
     series: Option<ChebyshevSeries>,
     /// Places and masses that stand for the coupled modes in the remainder of the kernel.
     sources: Vec<(f64, f64)>,
+    /// `G` at the free ends, where it is rounding.
+    rounded: [f64; 2],
 }
 
 impl Part {
@@ -58,7 +60,11 @@ impl Part {
             (zone.middle() + 0.5 * zone.length() * angle.cos(), mass)
         };
         let sources = (0..if kernel.period.is_some() { count } else { 0 }).map(source).collect();
-        Self { zone, slope, lean, smooth, first: modes[0], series, sources }
+        let rounded = [0.0; 2];
+        let mut part =
+            Self { zone, slope, lean, smooth, first: modes[0], series, sources, rounded };
+        part.rounded = left_over(&zone, |side| part.end_density(side), part.size());
+        part
     }
 
     pub(super) fn half(&self) -> f64 {
@@ -73,12 +79,16 @@ impl Part {
         self.slope.as_ref()
     }
 
-    /// `G` at a place.
+    /// `G` at a place, without what is left of it at free ends.
     pub(super) fn density_at(&self, place: Place) -> f64 {
-        match &self.series {
+        let Place { from_left, from_right } = place;
+        let [left, right] = self.rounded;
+        let rounded = (left * from_right + right * from_left) / (from_left + from_right);
+        let density = match &self.series {
             Some(series) => series.evaluate(place.cosine()),
             None => self.density(place.angle()),
-        }
+        };
+        density - rounded
     }
 
     /// `G(phi)`.
@@ -95,10 +105,12 @@ impl Part {
         self.density(if side == 0 { PI } else { 0.0 })
     }
 
-    /// By how much that falls as the end moves outwards, over `xi`, with its error but for rounding.
-    pub(super) fn fall(&self, side: usize) -> [f64; 2] {
+    /// By how much that falls as the end moves outwards, over `xi`, with its error.
+    pub(super) fn fall(&self, side: usize, rounding: f64) -> [f64; 2] {
         let end = if side == 0 { PI } else { 0.0 };
-        bend(|angle| self.density(angle), end).map(|bend| bend / self.zone.length())
+        let reach = self.slope.as_ref().map_or(PI, |slope| slope.reach(end));
+        let bend = bend(|angle| self.density(angle), end, [reach, rounding]);
+        bend.map(|bend| bend / self.zone.length())
     }
 
     /// `theta0` times the force of the zone.

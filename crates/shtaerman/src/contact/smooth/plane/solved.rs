@@ -7,7 +7,7 @@ use fredholm::inversion::{Conjugate, Place};
 
 use super::super::base::Base;
 use super::super::equation::Detail;
-use super::super::modes::{BLOWN, Modes};
+use super::super::modes::Modes;
 use super::super::pressure::{Density, Known, Pressure};
 use super::coupling::{carried, counts, coupled};
 use super::kernel::Kernel;
@@ -16,7 +16,7 @@ use crate::contact::balance::{Balance, State};
 use crate::contact::edges::EndState;
 use crate::contact::stiffness::Stiffness;
 use crate::contact::zones::Zone;
-use crate::{Error, Load, Rotational, Vertical};
+use crate::{Error, Load, Rotational};
 
 /// Below so many roundings of the scale, and one for each that a rounding of the displacement counts, a density is none where slopes are known: at an end it is no better known.
 const NONE: f64 = 8.0;
@@ -153,16 +153,17 @@ impl Pressure for Solved {
         let rounding = f64::EPSILON * scale;
         let is_sampled = self.sampled_slopes().all(|slope| slope.is_some());
         let none = if is_sampled { (NONE + self.condition()) * rounding } else { 0.0 };
-        let (value, [fall, _]) = (self.parts[zone].end_density(side), self.parts[zone].fall(side));
+        let part = &self.parts[zone];
+        let [fall, _] = part.fall(side, self.rounding(zone, Conjugate::end_error));
+        let value = part.end_density(side);
         let rounding = self.rounding(zone, Conjugate::error) + rounding;
         EndState { value, rounding, scale, none, enough: none, step: value / fall }
     }
 
     fn density(&self, zone: usize, side: usize) -> Density {
         let part = &self.parts[zone];
-        let [fall, missed] = part.fall(side);
-        let rounding = BLOWN * self.rounding(zone, Conjugate::end_error) / (2.0 * part.half());
-        Density { value: part.end_density(side), fall, fall_error: missed + rounding }
+        let [fall, fall_error] = part.fall(side, self.rounding(zone, Conjugate::end_error));
+        Density { value: part.end_density(side), fall, fall_error }
     }
 
     fn intensity(&self, zone: usize, _side: usize) -> f64 {
@@ -203,10 +204,7 @@ impl Pressure for Solved {
 
 /// The load of a profile less the line `reference + lean xi`.
 fn beside_line(load: Load, reference: f64, lean: f64) -> Load {
-    let vertical = match load.vertical {
-        Vertical::Settlement(settlement) => Vertical::Settlement(settlement - reference),
-        force @ Vertical::Force(_) => force,
-    };
+    let vertical = load.vertical.mapped(|force| force, |settlement| settlement - reference);
     let rotational = match load.rotational {
         Rotational::Tilt(tilt) => Rotational::Tilt(tilt + lean),
         other @ (Rotational::Moment(_) | Rotational::Eccentricity(_)) => other,

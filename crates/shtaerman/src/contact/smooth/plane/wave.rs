@@ -7,12 +7,12 @@ use fredholm::inversion::integral;
 
 use super::super::answer::{SmoothContact, contact};
 use super::super::base::{Base, wrapped};
-use super::super::check::{MOST_POINTS, check};
+use super::super::check::check;
 use super::super::equation::FINE;
 use super::super::pressure::place;
 use super::super::topology;
 use super::Plane;
-use super::full::{FullWave, PANELS};
+use super::full::{FullWave, PANELS, PLACES};
 use super::solved::Solved;
 use crate::contact::accuracy::ROUNDING;
 use crate::contact::edges::settle;
@@ -37,9 +37,9 @@ pub(in super::super) fn solve(base: &Arc<Base>) -> Result<Arc<dyn Solution>, Err
         Vertical::Settlement(_) => 0.0,
     };
     let full = FullWave::new(base, force);
-    let along = full.along((4 * base.cells()).min(MOST_POINTS));
+    let along = full.along((4 * base.cells()).min(PLACES));
     let size = along.iter().fold(0.0f64, |most, (_, p)| most.max(p.abs()));
-    let (bottom, least) = full.lowest(&along, &base.breaks);
+    let (bottom, least) = full.lowest(&along, &base.marks);
     // The seam is best left where it is as deep in the valley.
     let is_seam = full.at(-1.0) <= least + NEGLIGIBLE * size;
     let first = |force: f64| full.first_zone(&along, (bottom, least), force);
