@@ -285,7 +285,10 @@ fn hostile(values: &[&str]) {
         for text in [lambda, half_length, rhs, mu, decay, half_line, disk, order, first] {
             let folder = Folder::new();
             folder.write("e.toml", &text);
-            let run = folder.run(&["equation", "e.toml", "--format", "json", "--points", "9"]);
+            let mut arguments = vec!["equation", "e.toml", "--format", "json", "--points", "9"];
+            // The audit of the thousands of nodes of so fast a decay takes ten seconds.
+            arguments.extend((*value == "745.5").then_some("--no-audit"));
+            let run = folder.run(&arguments);
             assert!(!run.stderr.contains("panicked"), "{text}{}", run.stderr);
             match run.code {
                 Some(0) => {

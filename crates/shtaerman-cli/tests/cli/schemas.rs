@@ -18,41 +18,59 @@ fn file(geometry: &str, surface: &str, profile: &str, force: &str, contact: &str
 const BODY: &str = "young_modulus = \"200 GPa\"\npoisson_ratio = 0.3\n";
 const GRADED: &str = "grading_exponent = 0.3\ngrading_modulus = 3e12\npoisson_ratio = 0.3\n";
 
-#[test]
-fn answers_of_every_kind_match_the_schema() {
+/// Answers of every kind under one geometry.
+#[track_caller]
+fn answers_match_the_schema(geometry: &str) {
     let schema = schema("answer");
     let mut answers = 0;
-    for geometry in [
-        "",
-        "geometry = \"pair\"\ninner_half_gap = \"2 mm\"",
-        "geometry = \"periodic\"\nperiod = \"30 mm\"",
-        "geometry = \"periodic\"\nperiod = \"10 mm\"",
-        "geometry = \"circular\"",
+    let force = if geometry.contains("circular") { "8 kN" } else { "8 MN/m" };
+    for surface in [
+        format!("{BODY}roughness = 0"),
+        format!("{BODY}roughness = 1.2e-14"),
+        format!("{BODY}roughness = {{ coefficient = 1e-10, exponent = 0.5 }}"),
+        format!("{GRADED}roughness = 0"),
+        format!("{GRADED}roughness = 1.2e-14"),
     ] {
-        let force = if geometry.contains("circular") { "8 kN" } else { "8 MN/m" };
-        for surface in [
-            format!("{BODY}roughness = 0"),
-            format!("{BODY}roughness = 1.2e-14"),
-            format!("{BODY}roughness = {{ coefficient = 1e-10, exponent = 0.5 }}"),
-            format!("{GRADED}roughness = 0"),
-            format!("{GRADED}roughness = 1.2e-14"),
-        ] {
-            // Waves of a micrometre touch as a whole, those of a millimetre in parts; the flat base has corners, the tent a kink.
-            for profile in ["0", "1e-6*cos(pi*x/0.005)", "1e-3*cos(pi*x/0.005)", "abs(x)/100"] {
-                for contact in ["unilateral", "bilateral"] {
-                    let text = file(geometry, &surface, profile, force, contact);
-                    let run = Folder::with(&text).run(&["solve", "punch.toml", "--format", "json"]);
-                    if run.code == Some(0) {
-                        answers += 1;
-                        assert_valid(&schema, &run.json(), &text);
-                    } else {
-                        assert!(matches!(run.code, Some(2 | 3)), "{text}: {}", run.stderr);
-                    }
+        // Waves of a micrometre touch as a whole, those of a millimetre in parts; the flat base has corners, the tent a kink.
+        for profile in ["0", "1e-6*cos(pi*x/0.005)", "1e-3*cos(pi*x/0.005)", "abs(x)/100"] {
+            for contact in ["unilateral", "bilateral"] {
+                let text = file(geometry, &surface, profile, force, contact);
+                let run = Folder::with(&text).run(&["solve", "punch.toml", "--format", "json"]);
+                if run.code == Some(0) {
+                    answers += 1;
+                    assert_valid(&schema, &run.json(), &text);
+                } else {
+                    assert!(matches!(run.code, Some(2 | 3)), "{text}: {}", run.stderr);
                 }
             }
         }
     }
-    assert!(answers > 100, "{answers}");
+    assert!(answers > 15, "{answers}");
+}
+
+#[test]
+fn answers_of_one_punch_match_the_schema() {
+    answers_match_the_schema("");
+}
+
+#[test]
+fn answers_of_a_pair_match_the_schema() {
+    answers_match_the_schema("geometry = \"pair\"\ninner_half_gap = \"2 mm\"");
+}
+
+#[test]
+fn answers_of_a_row_match_the_schema() {
+    answers_match_the_schema("geometry = \"periodic\"\nperiod = \"30 mm\"");
+}
+
+#[test]
+fn answers_of_a_wave_match_the_schema() {
+    answers_match_the_schema("geometry = \"periodic\"\nperiod = \"10 mm\"");
+}
+
+#[test]
+fn answers_of_a_circular_punch_match_the_schema() {
+    answers_match_the_schema("geometry = \"circular\"");
 }
 
 #[test]

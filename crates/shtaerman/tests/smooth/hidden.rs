@@ -8,8 +8,8 @@ use crate::support::{Smooth, balanced, punch};
 fn least(contact: &crate::support::Solved) -> f64 {
     let pressures = contact.zones().into_iter().flat_map(|zone| {
         let [left, right] = zone.ends;
-        let place = move |i: i32| left + (right - left) * (f64::from(i) + 0.37) / 8000.0;
-        (0..8000).map(place)
+        let place = move |i: i32| left + (right - left) * (f64::from(i) + 0.37) / 4000.0;
+        (0..4000).map(place)
     });
     let least = pressures.map(|x| contact.pressure(x)).fold(f64::INFINITY, f64::min);
     least / (0.5 * contact.force())
@@ -18,8 +18,8 @@ fn least(contact: &crate::support::Solved) -> f64 {
 /// The force at which a base that is held in contact pulls nowhere any more: a force adds that of a flat one.
 fn lift_off(base: &dyn Fn(f64) -> Smooth) -> f64 {
     let held = base(1.0).bilateral().solved();
-    (1..20_000).fold(f64::NEG_INFINITY, |most, i| {
-        let x = f64::from(i) / 10_000.0 - 1.0;
+    (1..8000).fold(f64::NEG_INFINITY, |most, i| {
+        let x = f64::from(i) / 4000.0 - 1.0;
         let flat = 1.0 / (PI * (1.0 - x * x).sqrt());
         most.max(1.0 - held.pressure(x) / flat)
     })
