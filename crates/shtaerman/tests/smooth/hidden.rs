@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{Smooth, balanced, punch};
+use crate::support::{Smooth, balanced, level, punch};
 
 /// The least pressure over the mean, at many places of all zones.
 fn least(contact: &crate::support::Solved) -> f64 {
@@ -90,5 +90,20 @@ fn small_roundings_of_a_flat_base() {
         let off = (contact.pressure(0.0) / sharp - 1.0).abs();
         assert!(off < turn * turn, "{flat} {turn}: {off:e}");
         assert!(least(&contact) >= 0.0, "{flat} {turn}: {:e}", least(&contact));
+    }
+}
+
+/// Of two equal teeth each bears half the force, however little that is: the tip of the other is looked at.
+#[test]
+fn teeth_beside_a_contact_touch() {
+    for (left, right) in [(-0.54, -0.225), (-0.31, 0.77), (0.1, 0.9)] {
+        for force in [1e-3, 1e-5, 1e-8] {
+            let height = move |x: f64| 0.01 * (x - left).abs().min((x - right).abs());
+            let formula = format!("min(0.01*abs(x - ({left})), 0.01*abs(x - ({right})))");
+            let contact = punch(1.0, height, level(force)).formula(&formula).solved();
+            assert_eq!(contact.zones().len(), 2, "{left} {right} {force}");
+            let arm = contact.moment() / force;
+            assert!((arm - 0.5 * (left + right)).abs() < 1e-9, "{left} {right} {force}: {arm}");
+        }
     }
 }

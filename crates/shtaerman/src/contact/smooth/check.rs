@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use super::base::Base;
 use super::pressure::{Pressure, place};
+use crate::contact::accuracy::ROUNDING;
 use crate::contact::check::{Check, POINTS, between_breaks, with_tops};
-use crate::contact::search::COARSELY_ALLOWED;
 use crate::contact::zones::{EndKind, Zone, outside};
 
 /// Tenths of tenths of half a zone to which places close in on a kink. At half or twice 1 of 4 answers are lost (survey).
@@ -79,17 +79,18 @@ impl Along {
 fn look_beside<P: Pressure>(check: &mut Check, base: &Base, solved: &P, allowed: f64) {
     let (state, zones) = (solved.state(), solved.zones());
     let forces: f64 = (0..zones.len()).map(|j| solved.force(j).abs()).sum();
-    let scale = forces + state.settlement.abs() + state.tilt.abs() + base.range();
-    // Of few modes every other place is enough: all are looked at with all modes.
-    let fewest = if allowed >= COARSELY_ALLOWED { POINTS / 2 } else { POINTS };
+    let scale = forces + state.settlement.abs() + state.tilt.abs();
+    let floor = ROUNDING * (scale + base.range());
     for ends in outside(&base.pieces, &zones) {
-        let points = looked_at(base, ends, fewest);
+        let mut points = looked_at(base, ends, POINTS);
+        // A base is often lowest at a kink itself.
+        points.extend(base.breaks.iter().filter(|at| ends[0] < **at && **at < ends[1]));
+        points.sort_by(f64::total_cmp);
         let depth = |xi: f64| state.settlement - state.tilt * xi - base.height_in(ends, xi);
-        // At the end of a zone the base touches.
         let touches = |xi: f64| zones.iter().any(|zone| zone.ends.contains(&xi));
         let value = |xi: f64| if touches(xi) { 0.0 } else { depth(xi) - solved.outside(xi) };
         let (points, values) = with_tops(&points, value);
-        check.add_penetration(&points, &values, [scale, allowed * scale]);
+        check.add_penetration(&points, &values, [scale, allowed * scale + floor]);
     }
 }
 
