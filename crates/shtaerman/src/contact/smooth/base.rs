@@ -24,7 +24,7 @@ pub(super) const SAMPLES: usize = 2048;
 /// To this share slopes of a measured profile or a closure are resolved by Abel's transforms: the third derivative of a spline jumps at every point, and slopes of a closure are those of
 /// polynomials through its values. At half or twice 1 of 10 answers are lost and stated errors grow up to 2.7 times (survey).
 const MEASURED: f64 = 1e-10;
-/// Waves of slopes that are a smaller share of the largest change pressures by no more than is [allowed](crate::contact::search::ALLOWED) (theory).
+/// Waves of slopes that are a smaller share of the largest are not looked for: they change the pressure by about as small a share (theory).
 const UNSEEN: f64 = 1e-8;
 
 /// A place with the height there, `(xi, f0)`.
