@@ -193,22 +193,20 @@ def test_long_calls_let_others_run_and_can_be_interrupted(call: str) -> None:
         import numpy as np
         import shtaerman as st
         problem = st.Problem(st.Foundation(theta0=2e3), st.Punch(profile="abs(sin(40*xi))+0.3*cos(97*xi)+xi^2"), st.Load(force=50.0))
-        ticks = []
-        def tick():
-            while True:
-                ticks.append(1)
+        def others():
+            for _ in range(40):
                 time.sleep(0.01)
-        threading.Thread(target=tick, daemon=True).start()
-        threading.Timer(0.4, lambda: print("go", flush=True)).start()
+            print("go", flush=True)
+        threading.Thread(target=others, daemon=True).start()
         try:
             {call}
-            print("solved", len(ticks))
+            print("solved")
         except KeyboardInterrupt:
-            print("interrupted", len(ticks))
+            print("interrupted")
         """
     )
+    # A call that holds the interpreter is over before the others have had their turns, however busy the machine is.
     with subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None and process.stdout.readline() == "go\n"
         process.send_signal(signal.SIGINT)
-        word, ticks = process.stdout.readline().split()
-    assert word == "interrupted" and int(ticks) >= 5, (word, ticks)
+        assert process.stdout.readline() == "interrupted\n"

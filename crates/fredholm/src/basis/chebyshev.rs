@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::transform::cosine_sums;
+use fredholm_transforms::cosine_sums;
 
 /// Highest degree of a series whose moments are summed term by term: cheaper than the transforms, and each to its own rounding.
 const DIRECT_DEGREE: usize = 32;

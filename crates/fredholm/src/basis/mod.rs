@@ -12,7 +12,6 @@ pub(crate) mod legendre;
 pub(crate) mod spheroidal;
 mod supremum;
 mod table;
-pub(crate) mod transform;
 
 pub use chebyshev::ChebyshevSeries;
 pub use function::Function;

@@ -167,7 +167,10 @@ pub(super) fn join(
             }
             continue;
         }
-        let [to_last, to_first] = if is_end { [0.0; 2] } else { [0.5 * (last + first); 2] };
+        // What an end is moved by spreads over its panel: a short one at a root of the distance moves to a long one, and not that to it.
+        let [half, other] = [panels[i].half(), panels[next].half()];
+        let meeting = (last * half + first * other) / (half + other);
+        let [to_last, to_first] = if is_end { [0.0; 2] } else { [meeting; 2] };
         changes[i][1] = to_last - last;
         changes[next][0] = to_first - first;
     }

@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
-use rustfft::FftPlanner;
+use fredholm_transforms::Planner;
 
 use super::preconditioner::largest_leading_order;
 use super::product::{Product, Workspace};
 use super::system::StructuredSystem;
 use crate::degenerate::split::{Indices, check_parameter, positive_factors};
-use crate::kernel::{Gram, SpectralRelation};
+use crate::kernel::{Gram, Parity, SpectralRelation};
 use crate::{Error, memory};
 
 /// Memory a coefficient takes at the peak of a solve, in bytes: measured, rounded up.
@@ -65,10 +65,7 @@ impl<'k, K: SpectralRelation + ?Sized> StructuredOperator<'k, K> {
         if toeplitz.len() <= degree || hankel.len() <= 2 * degree {
             return Err(Error::Unstructured);
         }
-        let mut planner = FftPlanner::new();
-        let parts = Indices::parts(kernel.parity(), degree + 1)
-            .map(|indices| Part::new(&mut planner, indices, &factors, &toeplitz, &hankel))
-            .collect();
+        let parts = Part::all(kernel.parity(), &factors, &toeplitz, &hankel);
         Ok(Self { kernel, shared: Arc::new(Shared { factors, parts }) })
     }
 
@@ -118,8 +115,16 @@ impl<'k, K: SpectralRelation + ?Sized> StructuredOperator<'k, K> {
 }
 
 impl Part {
+    /// All parts of a kernel of this parity.
+    fn all(parity: Parity, factors: &[f64], toeplitz: &[f64], hankel: &[f64]) -> Vec<Self> {
+        let mut planner = Planner::new();
+        Indices::parts(parity, factors.len())
+            .map(|indices| Self::new(&mut planner, indices, factors, toeplitz, hankel))
+            .collect()
+    }
+
     fn new(
-        planner: &mut FftPlanner<f64>,
+        planner: &mut Planner,
         indices: Indices,
         factors: &[f64],
         toeplitz: &[f64],

@@ -1,8 +1,6 @@
 //! The product with a Toeplitz plus Hankel matrix.
 
-use rustfft::FftPlanner;
-
-use crate::basis::transform::{Complex, PackedTransform, fast_length};
+use fredholm_transforms::{Complex, PackedTransform, Planner, fast_length};
 
 /// `y_p = sum_q (t_|p-q| + h_{p+q}) x_q`, `p, q < count`, by one real Fourier transform each way:
 ///
@@ -38,7 +36,7 @@ pub(crate) struct Workspace {
 impl Product {
     /// The product for `t_0 ..= t_{count-1}` and `h_0 ..= h_{2 count - 2}`, `count >= 1`.
     pub(crate) fn new(
-        planner: &mut FftPlanner<f64>,
+        planner: &mut Planner,
         count: usize,
         toeplitz: impl Fn(usize) -> f64,
         hankel: impl Fn(usize) -> f64,
@@ -149,7 +147,7 @@ mod tests {
         let toeplitz = |j: usize| 1.0 / (1.0 + j as f64);
         let hankel = |j: usize| (0.7 * j as f64).cos() / (2.0 + j as f64);
         for count in [1usize, 2, 3, 4, 5, 8, 9, 10, 17, 33, 51, 64, 65, 200, 257, 1000] {
-            let product = Product::new(&mut FftPlanner::new(), count, toeplitz, hankel);
+            let product = Product::new(&mut Planner::new(), count, toeplitz, hankel);
             let x: Vec<f64> = (0..count).map(|q| (1.1 * q as f64 + 0.2).sin()).collect();
             let mut positions = 0;
             let mut workspace = product.workspace();

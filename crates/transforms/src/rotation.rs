@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::Complex;
+use crate::Complex;
 
 /// `exp(-2 pi i k / order)` for `0 <= k < order`, as the product of two table entries: two tables of about
 /// `sqrt(order)` entries stay in the cache where a full one would be read from memory each time.
@@ -25,6 +25,7 @@ impl Rotation {
     }
 
     /// `exp(-2 pi i k / order)`.
+    #[inline]
     pub(crate) fn at(&self, k: usize) -> Complex {
         self.coarse[k >> self.bits] * self.fine[k & ((1 << self.bits) - 1)]
     }

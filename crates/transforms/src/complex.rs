@@ -1,4 +1,4 @@
 //! Complex numbers.
 
 /// A complex number as the transforms take it.
-pub(crate) type Complex = rustfft::num_complex::Complex<f64>;
+pub type Complex = rustfft::num_complex::Complex<f64>;

@@ -2,15 +2,13 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use rustfft::FftPlanner;
-
-use super::{Complex, PackedTransform};
+use crate::{Complex, PackedTransform, Planner};
 
 /// In place `y_k = x_0 / 2 + sum_{0<j<n} x_j cos(pi j k / n) + (-1)^k x_n / 2`, with `n + 1` values (type I).
 ///
 /// Even `n`: the sums `x_j + x_{n-j}` give the even outputs by the same transform of half the length, the differences the odd ones
 /// by one of type III. This halves the work of the mirrored sequence, and keeps its accuracy: no running sums.
-pub(crate) fn cosine_sums(values: &mut [f64]) {
+pub fn cosine_sums(values: &mut [f64]) {
     let n = values.len().saturating_sub(1);
     if n == 0 {
         return;
@@ -48,14 +46,14 @@ fn half_shifted_sums(values: &mut [f64]) {
         root * Complex::new(direct, -mirrored)
     };
     let sequence: Vec<f64> = if n.is_multiple_of(2) {
-        let transform = PackedTransform::new(&mut FftPlanner::new(), n / 2);
+        let transform = PackedTransform::new(&mut Planner::new(), n / 2);
         let mut buffer = vec![Complex::default(); n / 2];
         transform.filter(&mut buffer, |k, _, _| (spectrum(k), spectrum(n / 2 - k)));
         transform.backward(&mut buffer, &mut transform.scratch());
         buffer.into_iter().flat_map(|pair| [pair.re, -pair.im]).collect()
     } else {
         let mut buffer: Vec<Complex> = (0..n).map(spectrum).collect();
-        FftPlanner::new().plan_fft_inverse(n).process(&mut buffer);
+        Planner::new().inverse(n).process(&mut buffer);
         buffer.into_iter().map(|value| 0.5 * value.re).collect()
     };
     for (i, pair) in values.chunks_mut(2).enumerate() {
@@ -71,52 +69,8 @@ fn mirrored_sums(values: &mut [f64]) {
     let n = values.len() - 1;
     let mirrored = (0..2 * n).map(|j| values[if j <= n { j } else { 2 * n - j }]);
     let mut buffer: Vec<Complex> = mirrored.map(|value| Complex::new(0.5 * value, 0.0)).collect();
-    FftPlanner::new().plan_fft_forward(2 * n).process(&mut buffer);
+    Planner::new().forward(2 * n).process(&mut buffer);
     for (value, sum) in values.iter_mut().zip(buffer) {
         *value = sum.re;
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use std::f64::consts::PI;
-
-    use super::*;
-
-    fn input(count: usize) -> Vec<f64> {
-        (0..count).map(|j| (2.3 * j as f64 + 0.4).cos() + 0.1).collect()
-    }
-
-    #[test]
-    fn type_one_agrees_with_the_sum() {
-        for n in [1usize, 2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 20, 45, 64, 100, 255, 256] {
-            let x = input(n + 1);
-            let mut found = x.clone();
-            cosine_sums(&mut found);
-            for (k, found) in found.into_iter().enumerate() {
-                let exact: f64 = (0..=n)
-                    .map(|j| {
-                        let share = if j == 0 || j == n { 0.5 } else { 1.0 };
-                        share * x[j] * (PI * ((j * k) % (2 * n)) as f64 / n as f64).cos()
-                    })
-                    .sum();
-                assert!((found - exact).abs() < 2e-15 * n as f64, "n = {n}, k = {k}");
-            }
-        }
-        cosine_sums(&mut []);
-        cosine_sums(&mut [1.0]);
-    }
-
-    #[test]
-    fn type_one_is_its_own_inverse_up_to_half_the_degree() {
-        for n in [1usize << 17, 3 * 5 * 4096, 30_001] {
-            let x = input(n + 1);
-            let mut back = x.clone();
-            cosine_sums(&mut back);
-            cosine_sums(&mut back);
-            for (x, back) in x.iter().zip(back) {
-                assert!((back / (0.5 * n as f64) - x).abs() < 4e-15, "n = {n}");
-            }
-        }
     }
 }
