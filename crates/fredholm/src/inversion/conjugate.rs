@@ -509,7 +509,7 @@ mod tests {
             let slopes = Conjugate::resolve(&power, [&[bend, PI - bend], &[]], [8, 1], 0.0);
             // Heights beyond the bend are rounded to this share.
             let tolerance = 1e-14 + f64::EPSILON / (b - 0.9);
-            for (angle, exact) in [(0.0, exact), (PI, -exact)] {
+            for angle in [0.0, PI] {
                 let found = slopes.conjugate(angle);
                 assert!((found / exact - 1.0).abs() < tolerance, "{n} {b} {angle}: {found:e}");
             }

@@ -23,12 +23,9 @@ impl Problem {
             return None;
         }
         let Load { vertical, rotational } = self.dimensionless_load();
-        match (vertical, rotational) {
-            (Vertical::Settlement(settlement), Rotational::Eccentricity(e)) if e != 0.0 => {
-                Some((settlement, e))
-            }
-            _ => None,
-        }
+        let Vertical::Settlement(settlement) = vertical else { return None };
+        let Rotational::Eccentricity(e) = rotational else { return None };
+        (e != 0.0).then_some((settlement, e))
     }
 
     /// The contact under the least force at `e` with this settlement.
@@ -98,8 +95,7 @@ impl Curve<'_> {
         let contact = self.problem.under(given).solve_as_given().ok()?;
         let [raise, _] = contact.solution().stiffness().displaced(&load, [1.0, 0.0]);
         let (slope, excess) = (force * raise, contact.state().settlement - self.settlement);
-        let is_finite = slope.is_finite() && excess.is_finite();
-        is_finite.then_some(Point { log, excess, slope, contact })
+        (slope.is_finite() && excess.is_finite()).then_some(Point { log, excess, slope, contact })
     }
 
     /// From the smallest force up, until the settlement is crossed; else how near it came.
@@ -137,9 +133,9 @@ impl Curve<'_> {
     /// The depth over the compliance of the whole base.
     fn unit(&self) -> f64 {
         let problem = self.problem;
-        let depths =
-            self.places().map(|xi| (self.settlement - problem.dimensionless_profile(xi)).abs());
-        depths.fold(f64::MIN_POSITIVE, f64::max) / (1.0 + problem.frame().theta0())
+        let depth = |xi: f64| (self.settlement - problem.dimensionless_profile(xi)).abs();
+        let deepest = self.places().map(depth).fold(f64::MIN_POSITIVE, f64::max);
+        deepest / (1.0 + problem.frame().theta0())
     }
 
     /// Places of the base.
@@ -198,9 +194,8 @@ impl Curve<'_> {
 
     /// Whether the prescribed settlement leaves the base clear of the body.
     fn is_clear(&self) -> bool {
-        let heights: Vec<(f64, f64)> =
-            self.places().map(|xi| (xi, self.problem.dimensionless_profile(xi))).collect();
-        self.problem.dimensionless_load().keeps_clear(heights.iter())
+        let heights = self.places().map(|xi| (xi, self.problem.dimensionless_profile(xi)));
+        self.problem.dimensionless_load().keeps_clear(heights.collect::<Vec<_>>().iter())
     }
 
     fn out_of_reach(&self, excess: f64) -> Error {

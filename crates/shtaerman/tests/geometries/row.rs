@@ -34,6 +34,30 @@ fn a_rough_wave() {
 }
 
 #[test]
+fn ends_of_a_wave_that_steps_where_it_is_joined_keep_their_sides() {
+    for theta in [0.3, 40.0] {
+        let body = (row(2.0), theta, 1.0);
+        // The displacement goes on over the step, so that the layer bears it: and the mean is that of both ends.
+        let full = solve(body, "0.1*xi", pressed(1.0));
+        assert_near(full.dimensionless().pressure(-1.0).unwrap(), 0.6, 1e-12);
+        assert_near(full.dimensionless().pressure(1.0).unwrap(), 0.4, 1e-12);
+        let mut parted = 0;
+        for (profile, force) in
+            [("xi", 0.1), ("-xi", 0.1), ("cos(pi*xi) + 0.3*xi", 0.5), ("0.3*xi - cos(pi*xi)", 0.2)]
+        {
+            let contact = solve(body, profile, pressed(force));
+            for end in [-1.0, 1.0] {
+                let [at, beside] = [end, end * (1.0 - 1e-13)]
+                    .map(|xi| contact.dimensionless().pressure(xi).unwrap());
+                assert_near(at, beside, 1e-9);
+                parted += usize::from(at == 0.0);
+            }
+        }
+        assert!(parted >= 3, "{parted}");
+    }
+}
+
+#[test]
 fn waves_in_full_contact_stand_alone() {
     // K turns cos(m pi xi) into cos(m pi xi)/m over a period of 2.
     for theta in [0.0, 0.3, 40.0, 1e4] {

@@ -68,6 +68,8 @@ pub(super) struct Surface {
     pub(super) tangent: Option<Tangent>,
     is_disk: bool,
     is_closed: bool,
+    /// Whether the profile has a step where the period is joined.
+    has_seam: bool,
     /// The middle of the base: where it has no gaps, of the part of the wave that is looked at.
     pub(super) origin: f64,
 }
@@ -75,7 +77,8 @@ pub(super) struct Surface {
 impl Surface {
     pub(super) fn new(setting: &Setting, ground: &dyn Ground) -> Self {
         let (is_disk, is_closed) = (ground.is_disk(), ground.is_closed());
-        Self { setting: setting.clone(), tangent: None, is_disk, is_closed, origin: 0.0 }
+        let has_seam = is_closed && setting.height(-1.0) != setting.height(1.0);
+        Self { setting: setting.clone(), tangent: None, is_disk, is_closed, has_seam, origin: 0.0 }
     }
 
     /// `f0(xi)`, or what it has beyond its tangent.
@@ -99,8 +102,9 @@ impl Surface {
         if self.is_closed && xi.abs() > 1.0 { xi - 2.0 * (0.5 * xi).round() } else { xi }
     }
 
-    /// Where a place of the base lies in the solution: on a disk the distance from the axis, on a wave without gaps the image about the origin.
+    /// Where a place of the base lies in the solution: on a disk the distance from the axis, on a wave without gaps the image about the origin. Ends of a period that differ lie just inside it.
     pub(super) fn located(&self, xi: f64) -> f64 {
+        let xi = if self.has_seam && xi.abs() == 1.0 { xi * (1.0 - f64::EPSILON) } else { xi };
         if self.is_disk {
             xi.abs()
         } else if self.is_closed {
