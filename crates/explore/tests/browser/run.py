@@ -63,7 +63,7 @@ def environment() -> Path:
         return python
     shutil.rmtree(FOLDER / "environment", ignore_errors=True)
     subprocess.run([sys.executable, "-m", "venv", FOLDER / "environment"], check=True)
-    subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", *NEEDED], check=True)
+    subprocess.run([python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile", *NEEDED], check=True)
     mark.write_text(asked)
     return python
 

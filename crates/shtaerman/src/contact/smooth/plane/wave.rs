@@ -22,7 +22,7 @@ use crate::contact::search::ALLOWED;
 use crate::contact::solution::Solution;
 use crate::contact::steps::BESIDE;
 use crate::error::require;
-use crate::{Error, Vertical};
+use crate::{Error, Scaling, Vertical};
 
 /// A step at the seam, as a share of the range of the heights, that is rounding.
 const SEAM: f64 = 1e-6;
@@ -30,8 +30,9 @@ const SEAM: f64 = 1e-6;
 /// The contact of a base that repeats without gaps.
 pub(in super::super) fn solve(base: &Arc<Base>) -> Result<Arc<dyn Solution>, Error> {
     let step = (base.height(1.0 - BESIDE) - base.height(BESIDE - 1.0)).abs();
-    let requirement = "the same at both ends of a period";
-    require(step <= SEAM * base.range(), "profile", base.height(1.0), requirement)?;
+    let requirement = "the same at both ends of a period: a smooth surface bears no step";
+    let unit = base.setting.problem().frame().scaling().map_or(1.0, Scaling::displacement);
+    require(step <= SEAM * base.range(), "profile", unit * base.height(1.0), requirement)?;
     let force = match base.load.vertical {
         Vertical::Force(force) => force,
         Vertical::Settlement(_) => 0.0,
