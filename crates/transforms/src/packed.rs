@@ -5,9 +5,8 @@ use std::sync::Arc;
 
 use rustfft::Fft;
 
-use crate::Complex;
-use crate::Planner;
 use crate::rotation::Rotation;
+use crate::{Complex, Planner};
 
 /// `X_k = sum_{j < 2h} x_j exp(-2 pi i j k / 2h)` of a real sequence, kept as `h` complex numbers `x_2j + i x_2j+1`.
 ///
