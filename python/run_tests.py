@@ -21,6 +21,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent
+PAGE = ROOT / "crates" / "explore" / "tests" / "browser" / "run.py"
 TARGET = Path(os.environ.get("CARGO_TARGET_DIR", ROOT / "target"))
 if not TARGET.is_absolute():
     TARGET = ROOT / TARGET
@@ -64,10 +65,14 @@ def environment() -> Path:
     return python
 
 
-def install(python: Path) -> None:
-    """Puts the package into the environment: its Python files, and the compiled half beside them."""
+def build() -> None:
+    """The compiled half of the package, and the command line."""
     # As `cargo test --workspace` builds, so that no dependency is compiled twice; for no interpreter in particular, as the module is for all of them.
     run("cargo", "build", "--quiet", "--workspace", "--lib", "--bins", "--tests", PYO3_NO_PYTHON="1")
+
+
+def install(python: Path) -> None:
+    """Puts the package into the environment: its Python files, and the compiled half beside them."""
     packages = subprocess.run(
         [str(python), "-c", "import sysconfig; print(sysconfig.get_path('platlib'))"], capture_output=True, text=True, check=True
     )
@@ -99,35 +104,45 @@ def checked_types(python: Path) -> list[tuple[str, int]]:
     ]
 
 
+def prepared_page() -> list[tuple[str, int]]:
+    """What the tests of the page need: Chromium, and an environment of their own."""
+    return [told(sys.executable, PAGE, "--prepare")]
+
+
 def checked_page(program: Path) -> list[tuple[str, int]]:
     """The tests of the page in a browser; its snippets of Python run in the environment of the package."""
-    return [told(sys.executable, ROOT / "crates" / "explore" / "tests" / "browser" / "run.py", SHTAERMAN=str(program))]
+    return [told(sys.executable, PAGE, SHTAERMAN=str(program))]
 
 
 def main(arguments: list[str]) -> None:
     if sys.version_info < (3, 10):
         sys.exit(f"Python 3.10 or newer is needed, this is {sysconfig.get_python_version()}")
     is_wheel = "--wheel" in arguments
-    python = environment()
-    if is_wheel:
-        run("cargo", "build", "--quiet", "--release", "-p", "shtaerman-cli")
-        run(python, "-m", "pip", "install", "--disable-pip-version-check", "--force-reinstall", "--no-deps", HERE)
-    else:
-        install(python)
-    if "--parquet" in arguments:
-        features = ("-p", "shtaerman-cli", "--features", "parquet")
-        run("cargo", "test", "--quiet", *features, *(["--release"] if is_wheel else []), "--test", "cli", "--", "parquet")
-        run("cargo", "build", "--quiet", *features, *(["--release"] if is_wheel else []))
-    program = TARGET / ("release" if is_wheel else "debug") / ("shtaerman.exe" if os.name == "nt" else "shtaerman")
     rest = [argument for argument in arguments if argument not in ("--wheel", "--parquet")]
-    # Options alone choose among all tests.
-    is_place = any((ROOT / argument.split("::")[0]).exists() for argument in rest)
-    chosen = rest if is_place else [*rest, str(HERE / "tests")]
-    # The types and the page, which mostly waits, are checked meanwhile; pytest speaks first.
     with ThreadPoolExecutor(max_workers=2) as beside:
-        others = [beside.submit(checked_types, python)]
-        if not rest:
-            others.append(beside.submit(checked_page, program))
+        # What is fetched comes while the compiler works.
+        fetched = beside.submit(environment)
+        prepared = None if rest else beside.submit(prepared_page)
+        if is_wheel:
+            run("cargo", "build", "--quiet", "--release", "-p", "shtaerman-cli")
+        else:
+            build()
+        python = fetched.result()
+        if is_wheel:
+            run(python, "-m", "pip", "install", "--disable-pip-version-check", "--force-reinstall", "--no-deps", HERE)
+        else:
+            install(python)
+        if "--parquet" in arguments:
+            features = ("-p", "shtaerman-cli", "--features", "parquet")
+            run("cargo", "test", "--quiet", *features, *(["--release"] if is_wheel else []), "--test", "cli", "--", "parquet")
+            run("cargo", "build", "--quiet", *features, *(["--release"] if is_wheel else []))
+        program = TARGET / ("release" if is_wheel else "debug") / ("shtaerman.exe" if os.name == "nt" else "shtaerman")
+        # Options alone choose among all tests.
+        is_place = any((ROOT / argument.split("::")[0]).exists() for argument in rest)
+        chosen = rest if is_place else [*rest, str(HERE / "tests")]
+        # The types and the page, which mostly waits, are checked meanwhile; pytest speaks first.
+        others = [] if prepared is None else [prepared, beside.submit(checked_page, program)]
+        others.append(beside.submit(checked_types, python))
         tests = [python, "-m", "pytest", "-q", "-c", HERE / "pyproject.toml", "--rootdir", HERE, *chosen]
         try:
             run(*tests, SHTAERMAN=str(program))

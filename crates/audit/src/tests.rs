@@ -170,28 +170,42 @@ fn far(kernel: Kernel, z: f64) -> [f64; ORDER] {
     found
 }
 
+/// Rows that are reduced together, so that those above them are read once for all.
+const TOGETHER: usize = 8;
+
+/// Gauss's elimination. The matrix is close to a positive one in a weighted norm: its diagonal serves as pivots.
 fn eliminate(mut a: Vec<f64>, mut right: [Vec<f64>; 3]) -> [Vec<f64>; 3] {
     let n = right[0].len();
-    // A is close to a positive matrix in a weighted norm: its diagonal serves as pivots.
-    for k in 0..n {
-        let (top, rest) = a.split_at_mut((k + 1) * n);
-        let row = &top[k * n..];
-        for i in 0..n - k - 1 {
-            let factor = rest[i * n + k] / row[k];
-            if factor != 0.0 {
-                for (entry, known) in rest[i * n + k..(i + 1) * n].iter_mut().zip(&row[k..]) {
-                    *entry -= factor * known;
-                }
-                for b in &mut right {
-                    b[k + 1 + i] -= factor * b[k];
-                }
+    let reduce = |(row, b): (&mut [f64], &mut [f64; 3]),
+                  (pivot, c): (&[f64], &[f64; 3]),
+                  k: usize| {
+        let factor = row[k] / pivot[k];
+        row[k..].iter_mut().zip(&pivot[k..]).for_each(|(entry, known)| *entry -= factor * known);
+        b.iter_mut().zip(c).for_each(|(entry, known)| *entry -= factor * known);
+    };
+    let mut beside: Vec<[f64; 3]> = (0..n).map(|i| right.each_ref().map(|b| b[i])).collect();
+    for first in (0..n).step_by(TOGETHER) {
+        let last = n.min(first + TOGETHER);
+        let (above, rest) = a.split_at_mut(first * n);
+        let (known, rows) = beside.split_at_mut(first);
+        for k in 0..first {
+            for (row, b) in rest.chunks_mut(n).zip(&mut *rows).take(last - first) {
+                reduce((row, b), (&above[k * n..(k + 1) * n], &known[k]), k);
+            }
+        }
+        for i in 1..last - first {
+            let (above, rest) = rest.split_at_mut(i * n);
+            let (known, rows) = rows.split_at_mut(i);
+            for k in 0..i {
+                let pivot = (&above[k * n..(k + 1) * n], &known[k]);
+                reduce((&mut rest[..n], &mut rows[0]), pivot, first + k);
             }
         }
     }
-    for b in &mut right {
+    for (j, b) in right.iter_mut().enumerate() {
         for k in (0..n).rev() {
             let sum: f64 = (k + 1..n).map(|j| a[k * n + j] * b[j]).sum();
-            b[k] = (b[k] - sum) / a[k * n + k];
+            b[k] = (beside[k][j] - sum) / a[k * n + k];
         }
     }
     right

@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
 
-mod common;
-
-use common::{Disguised, Layered};
+use crate::common::{Disguised, Layered};
 use fredholm::collocation::{Place, PointSet, SweepValue};
 use fredholm::kernel::{Kernel, Logarithm, Power};
 use fredholm::{DegenerateSystem, Interval, SincOperator, SincSolution};

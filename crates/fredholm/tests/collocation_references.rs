@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
 
-mod common;
-
-use common::{Layered, Reference, references, right_hand_side};
+use crate::common::{Layered, Reference, references, right_hand_side};
 use fredholm::collocation::{SincSolution, solve_adaptive};
 use fredholm::kernel::{Logarithm, Power};
 use fredholm::{Interval, SincOperator};

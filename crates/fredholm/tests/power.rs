@@ -2,9 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
 
-mod common;
-
-use common::together;
+use crate::common::together;
 use fredholm::collocation::{solve_adaptive, solve_adaptive_with_breaks};
 use fredholm::kernel::{Kernel as _, Power, SpectralRelation};
 use fredholm::{DegenerateSystem, Interval};

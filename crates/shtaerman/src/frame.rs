@@ -211,6 +211,17 @@ impl Frame {
         }
     }
 
+    /// Young's modulus of the foundation as it is stated (Pa): of a graded one that at the depth of 1 m. 1 of a dimensionless one.
+    #[must_use]
+    pub(crate) fn stated_modulus(&self) -> f64 {
+        match self {
+            Self::Physical { foundation, grading, .. } => {
+                grading.map_or(foundation.young_modulus(), |grading| grading.modulus())
+            }
+            Self::Dimensionless { .. } => 1.0,
+        }
+    }
+
     /// The law of the rough layer without dimensions.
     #[must_use]
     pub(crate) fn law(&self) -> Law {

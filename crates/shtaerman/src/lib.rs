@@ -47,6 +47,7 @@ pub mod inverse;
 mod layering;
 pub mod load;
 pub mod material;
+mod order;
 pub mod paper;
 mod problem;
 pub mod profile;

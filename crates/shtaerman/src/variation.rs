@@ -46,7 +46,7 @@ impl Problem {
         self.with_foundation(self.foundation().with_roughness(roughness)?)
     }
 
-    /// The same problem on a foundation of another Young's modulus (Pa); of a graded one that at the depth `a`.
+    /// The same problem on a foundation of another Young's modulus (Pa); of a graded one that at the depth of 1 m, its `grading_modulus`.
     ///
     /// # Errors
     /// [`Error::InvalidValue`] unless the modulus is finite and positive; [`Error::NotDimensionless`] for a dimensionless problem; those of [`Problem::new`].
@@ -63,9 +63,7 @@ impl Problem {
             }
             GroundKind::Graded(grading, poisson_ratio) => {
                 crate::error::positive("young_modulus", modulus)?;
-                let factor = modulus / grading.modulus_at(self.punch().half_width());
-                let grading = Grading::new(grading.exponent(), grading.modulus() * factor)?;
-                Foundation::graded(grading, poisson_ratio)?
+                Foundation::graded(Grading::new(grading.exponent(), modulus)?, poisson_ratio)?
             }
             GroundKind::Dimensionless(_) => return Err(stands_for_all("young_modulus")),
         };
@@ -194,7 +192,7 @@ mod tests {
         let grading = Grading::new(0.3, 1e9).unwrap();
         let ground = Foundation::graded(grading, 0.2).unwrap().with_roughness(1e-12).unwrap();
         let load = Load::force(1.0).unwrap();
-        let graded = Problem::new(ground, Punch::new(1.0).unwrap(), load).unwrap();
+        let graded = Problem::new(ground, Punch::new(0.2).unwrap(), load).unwrap();
         let doubled = graded.with_young_modulus(2e9).unwrap();
         assert_eq!(doubled.foundation().grading(), Some(Grading::new(0.3, 2e9).unwrap()));
         assert_eq!(doubled.theta0(), graded.theta0() / 2.0);

@@ -110,7 +110,7 @@ class Derivatives:
     roughness: float | None = None
     """By ``chi`` (m/Pa) or the coefficient ``B``."""
     young_modulus: float | None = None
-    """By Young's modulus of the foundation (Pa)."""
+    """By Young's modulus of the foundation (Pa); of graded ground by ``grading_modulus``."""
     theta0: float | None = None
     """By ``theta0`` of a dimensionless problem."""
     force: float | None = None

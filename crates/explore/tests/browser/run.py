@@ -5,7 +5,7 @@
 
 Chromium is that of `SHTAERMAN_CHROMIUM`, one that is on the path, or Debian's, which is installed by apt-get where this may be done; where there is none the tests are left out, and it is said.
 What Python needs goes into a virtual environment of its own, `target/browser-tests`; pictures of every tab in both themes are left in `target/browser-tests/screenshots`. Arguments go to pytest.
-`test_redraw.py` measures times where `REDRAW=measure` is set.
+`--prepare` installs what is needed, and tests nothing. `test_redraw.py` measures times where `REDRAW=measure` is set.
 """
 
 from __future__ import annotations
@@ -80,6 +80,9 @@ def main(arguments: list[str]) -> int:
         if browser is None:
             print(f"SKIPPED: the tests of the page in a browser: there is no Chromium, and it cannot be installed: {why}", flush=True)
             return 0
+    if arguments == ["--prepare"]:
+        environment()
+        return 0
     # As `cargo test --workspace` builds, so that nothing is compiled twice.
     program = os.environ.get("SHTAERMAN")
     if program is None:

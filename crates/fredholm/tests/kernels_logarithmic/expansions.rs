@@ -7,7 +7,7 @@ use fredholm::kernel::{
 };
 use fredholm::quadrature::double_exponential;
 
-use crate::reference::{EXACT, Worst};
+use crate::kernels_logarithmic::reference::{EXACT, Worst};
 
 #[test]
 fn first_kind_right_hand_sides_are_expanded() {

@@ -8,7 +8,7 @@ use fredholm::kernel::{
 use fredholm::quadrature::double_exponential;
 use serde_json::Value;
 
-use crate::reference::{
+use crate::kernels_logarithmic::reference::{
     EXACT, Worst, indexed, kernel, kernels_2_3, more, number, numbers, placed, square,
 };
 

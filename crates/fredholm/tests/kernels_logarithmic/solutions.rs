@@ -7,7 +7,7 @@ use fredholm::kernel::{
     SpectralRelation,
 };
 
-use crate::reference::{
+use crate::kernels_logarithmic::reference::{
     SOLUTION, Worst, kernel, kernels_2_3, more, number, numbers, placed, ratio_of_one, sine_of_one,
     square, square_of_identity, square_of_one,
 };

@@ -5,7 +5,7 @@ use fredholm::collocation::solve_adaptive;
 use fredholm::kernel::Kernel;
 use shtaerman_random::Random;
 
-use crate::survey::KERNELS;
+use crate::methods::survey::KERNELS;
 
 /// Equations for each kernel.
 const COUNT: u64 = 4;

@@ -6,7 +6,7 @@ use fredholm::conformance;
 use fredholm::equation::{collocate, degenerate};
 use fredholm::kernel::{ComputedRelation, Kernel};
 
-use crate::layer_example::kernel::{Base, LAMBDA, Layer, on_half_plane, on_springs};
+use crate::own_kernel::layer_example::kernel::{Base, LAMBDA, Layer, on_half_plane, on_springs};
 
 const BONDED: Base = Base::Bonded { poisson: 0.3 };
 

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use fredholm::conformance;
 use fredholm::kernel::{ComputedRelation, Kernel, SpectralRelation};
 
-use crate::love_example::equation::{
+use crate::own_kernel::love_example::equation::{
     Love, PUBLISHED, by_collocation, by_degenerate_kernel, capacitance, close_disks, energy,
     published_series, strong_coupling,
 };

@@ -6,7 +6,7 @@ use fredholm::degenerate::regularity::{
 };
 use proptest::prelude::*;
 
-use crate::direct::{Part, direct};
+use crate::regularity::direct::{Part, direct};
 
 const BOTH: [Parity; 2] = [Parity::Even, Parity::Odd];
 /// Parameters with the first rows below 1 of the even and the odd system, computed with 40 digits.

@@ -4,7 +4,7 @@ use std::f64::consts::{LN_2, PI};
 
 use fredholm::degenerate::regularity::{LAST_ROW, Parity, RegularityError, Row};
 
-use crate::direct::{Part, direct};
+use crate::regularity::direct::{Part, direct};
 
 const BOTH: [Parity; 2] = [Parity::Even, Parity::Odd];
 

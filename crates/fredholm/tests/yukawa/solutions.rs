@@ -6,8 +6,8 @@ use fredholm::kernel::{Kernel, SpectralRelation, Yukawa};
 use fredholm::quadrature::double_exponential;
 use serde_json::Value;
 
-use super::common::together;
 use super::{kernel, number, numbers, reference, rows};
+use crate::common::together;
 
 /// `x^m sum f_j x^(2j)`.
 fn right_hand_side(entry: &Value) -> impl Fn(f64) -> f64 {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use shtaerman::{Contact, ErrorKind};
 
-use crate::draw::Case;
+use super::draw::Case;
 
 /// Degrees of the degenerate kernel.
 const DEGREES: [usize; 4] = [6, 20, 60, 180];

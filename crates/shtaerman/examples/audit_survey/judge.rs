@@ -7,8 +7,8 @@ use shtaerman::equation::EquationFile;
 use shtaerman::{Contact, CrossCheck, Error, ErrorKind, Errors, Problem};
 use shtaerman_reference::{Break, Kernel, Layer, Rotational, Vertical};
 
-use crate::coarse;
-use crate::draw::Case;
+use super::coarse;
+use super::draw::Case;
 
 /// How an attempt ended.
 pub(crate) enum Outcome {

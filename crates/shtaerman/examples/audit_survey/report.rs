@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::draw::Case;
-use crate::judge::{Answered, Outcome};
+use super::draw::Case;
+use super::judge::{Answered, Outcome};
 
 #[derive(Default)]
 struct Class {

@@ -192,7 +192,7 @@ fn within_period(zones: &[[f64; 2]]) -> Vec<[f64; 2]> {
         }
     }
     found.retain(|[left, right]| left < right);
-    found.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    crate::order::sort_by_number(&mut found, |a| a[0]);
     found
 }
 

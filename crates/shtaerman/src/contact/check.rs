@@ -96,12 +96,12 @@ pub(super) fn with_tops(points: &[f64], value: impl Fn(f64) -> f64) -> (Vec<f64>
             let Some(top) = top_of(three).map(|top| (top, value(top))) else { break };
             found.push(top);
             let mut four = [three[0], three[1], three[2], top];
-            four.sort_by(|a, b| a.0.total_cmp(&b.0));
+            crate::order::sort_by_number(&mut four, |a| a.0);
             let largest = if four[1].1 >= four[2].1 { 1 } else { 2 };
             three = [0, 1, 2].map(|i| four[largest + i - 1]);
         }
     }
-    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    crate::order::sort_by_number(&mut found, |a| a.0);
     found.into_iter().unzip()
 }
 

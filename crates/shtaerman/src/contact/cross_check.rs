@@ -425,7 +425,7 @@ fn breaks(problem: &Problem, pieces: &[[f64; 2]], bends: Option<f64>) -> Vec<Bre
     found.retain(|cut| {
         is_tip(cut.at) || pieces.iter().any(|[left, right]| *left < cut.at && cut.at < *right)
     });
-    found.sort_by(|one, two| one.at.total_cmp(&two.at));
+    crate::order::sort_by_number(&mut found, |one| one.at);
     found.dedup_by(|later, earlier| later.at - earlier.at < INSIDE);
     found
 }

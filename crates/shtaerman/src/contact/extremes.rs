@@ -66,7 +66,7 @@ impl<F: Fn(f64) -> f64> Sampled<F> {
         let is_top = |i: &usize| neighbours(*i).iter().all(|value| values[*i] >= *value);
         let is_near = |i: &usize| *i != best && reached(*i) > values[best];
         let mut others: Vec<usize> = (0..values.len()).filter(is_top).filter(is_near).collect();
-        others.sort_by(|one, other| reached(*other).total_cmp(&reached(*one)));
+        crate::order::sort_by_number(&mut others, |one| -reached(*one));
         others.truncate(MOST_REFINED - 1);
         others.push(best);
         others.sort_unstable();

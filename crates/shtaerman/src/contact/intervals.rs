@@ -5,7 +5,7 @@ pub(super) const SLIVER: f64 = 1e-9;
 
 /// The union of intervals, from left to right, without slivers.
 pub(super) fn joined(mut intervals: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    intervals.sort_by(|one, two| one[0].total_cmp(&two[0]));
+    crate::order::sort_by_number(&mut intervals, |one| one[0]);
     let mut joined: Vec<[f64; 2]> = Vec::new();
     for interval in intervals {
         match joined.last_mut() {

@@ -55,7 +55,7 @@ impl Contact {
                 Some(Roughness::Power { coefficient, .. }) => coefficient,
                 Some(Roughness::Smooth) | None => 0.0,
             },
-            Parameter::YoungModulus => frame.scaling().map_or(1.0, crate::Scaling::pressure),
+            Parameter::YoungModulus => frame.stated_modulus(),
             Parameter::Theta0 => frame.theta0(),
             Parameter::Vertical => match self.problem().load().vertical {
                 Vertical::Force(value) | Vertical::Settlement(value) => value,

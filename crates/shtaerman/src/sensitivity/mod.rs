@@ -79,7 +79,7 @@ pub struct Derivatives {
     /// With respect to `chi` (m/Pa) or the coefficient `B` (m/Pa^kappa).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub roughness: Option<f64>,
-    /// With respect to Young's modulus of the foundation (Pa).
+    /// With respect to Young's modulus of the foundation (Pa); of a graded one that at the depth of 1 m, its `grading_modulus`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub young_modulus: Option<f64>,
     /// With respect to `theta0`, of a dimensionless problem.

@@ -97,7 +97,8 @@ impl<'c> Units<'c> {
             Frame::Dimensionless { .. } => {}
             Frame::Physical { foundation, scaling, .. } => {
                 let share = scaling.contact_modulus() / foundation.plane_strain_modulus();
-                slot.young_modulus = Some(-share * body[0] / scaling.pressure());
+                let modulus = self.contact.problem().frame().stated_modulus();
+                slot.young_modulus = Some(-share * body[0] / modulus);
                 elasticities.push(body.map(|part| share * part));
                 if let Some((coefficient, exponent)) = law(scaling.roughness()) {
                     let layer = self.by_layer(k, found, value, body, exponent);

@@ -88,12 +88,12 @@ impl StressField {
         }
         let best = found.iter().fold(0.0f64, |most, candidate| most.max(candidate.1));
         found.retain(|candidate| candidate.1 >= WORTHWHILE * best);
-        found.sort_by(|one, two| two.1.total_cmp(&one.1));
+        crate::order::sort_by_number(&mut found, |one| -one.1);
         found.truncate(MOST_REFINED);
         let mut peaks: Vec<Peak> =
             found.into_iter().map(|(place, value)| self.refined(criterion, place, value)).collect();
         peaks.iter_mut().for_each(|peak| peak.x = self.within_period(peak.x));
-        peaks.sort_by(|one, two| one.x.total_cmp(&two.x));
+        crate::order::sort_by_number(&mut peaks, |one| one.x);
         peaks
     }
 

@@ -22,7 +22,8 @@ impl Stress {
         let mean = 0.5 * (self.sigma_x + self.sigma_y);
         let radius = self.in_plane_shear();
         let mut stresses = [mean + radius, mean - radius, self.sigma_z];
-        stresses.sort_by(|one, two| two.total_cmp(one));
+        stresses.sort_by(f64::total_cmp);
+        stresses.reverse();
         stresses
     }
 

@@ -85,7 +85,7 @@ const EXPONENT: f64 = 0.3;
 const THETA0: f64 = 6697.6;
 const LOAD: [f64; 2] = [1.293e5, -27760.0];
 
-/// What the independent solver of `shtaerman-reference` found, which takes minutes: renewed by `RENEW_REFERENCES=1 cargo test -p shtaerman --test audit -- a_step_in_a_bent_layer`.
+/// What the independent solver of `shtaerman-reference` found, which takes minutes: renewed by `RENEW_REFERENCES=1 cargo test -p shtaerman --test all a_step_in_a_bent_layer`.
 #[derive(serde::Serialize, serde::Deserialize)]
 struct Found {
     origin: String,

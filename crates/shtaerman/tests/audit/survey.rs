@@ -1,7 +1,7 @@
 //! A small survey of random problems; `examples/audit_survey` runs larger ones.
 
-use crate::draw::case;
-use crate::judge::{Against, Outcome, judge};
+use crate::audit::draw::case;
+use crate::audit::judge::{Against, Outcome, judge};
 
 /// Another seed than examples and reports have.
 const SEED: u64 = 5_150_927;

@@ -1,6 +1,6 @@
 //! Pressure against (2.4) and (2.3), by a quadrature of its own.
 
-use crate::support::{assert_near, force_and_moment, integral, order, potential, solve};
+use crate::contact::support::{assert_near, force_and_moment, integral, order, potential, solve};
 use shtaerman::Contact;
 
 #[test]

@@ -5,7 +5,7 @@ use shtaerman::{
     Rotational, Solver, Vertical,
 };
 
-use crate::support::{force_and_moment, load};
+use crate::contact::support::{force_and_moment, load};
 
 const PLACES: [f64; 5] = [-1.0, -0.4, 0.0, 0.7, 1.0];
 

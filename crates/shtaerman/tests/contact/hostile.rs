@@ -1,6 +1,6 @@
 //! Valid but extreme values: an answer or an error, never a panic, and no NaN in an answer.
 
-use crate::support::{assert_near, force_and_moment, load, settlement_and_tilt, solver};
+use crate::contact::support::{assert_near, force_and_moment, load, settlement_and_tilt, solver};
 use shtaerman::{
     Answer, Contact, Elastic, Error, Foundation, Load, PressureCurve, Problem, Profile, Punch,
     Rotational, Vertical,

@@ -1,6 +1,6 @@
 //! What may not matter: reflection, constants and slopes of the profile, scale, the way a problem is stated.
 
-use crate::support::{assert_near, force_and_moment, load, solve, solver};
+use crate::contact::support::{assert_near, force_and_moment, load, solve, solver};
 use shtaerman::{
     Contact, Elastic, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical,
 };

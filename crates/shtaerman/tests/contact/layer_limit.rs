@@ -1,6 +1,8 @@
 //! The pure layer, `theta0 -> 0`: `p = (delta - alpha x - f)/chi`, exact at `theta0 = 0`, with its first-order term beyond.
 
-use crate::support::{assert_near, force_and_moment, integral, settlement_and_tilt, solve};
+use crate::contact::support::{
+    assert_near, force_and_moment, integral, settlement_and_tilt, solve,
+};
 
 type Base = fn(f64) -> f64;
 

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::support::assert_near;
+use crate::contact::support::assert_near;
 use shtaerman::{Contact, file};
 
 /// A folder of its own for each test.

@@ -1,6 +1,8 @@
 //! One of each pair: whichever is given, the contact is the same; the stiffness that links them.
 
-use crate::support::{assert_near, force_and_moment, integral, load, settlement_and_tilt, solve};
+use crate::contact::support::{
+    assert_near, force_and_moment, integral, load, settlement_and_tilt, solve,
+};
 use shtaerman::{Contact, Rotational, Vertical};
 
 const PROFILES: [&str; 3] = ["0", "10*xi^2 - 3*xi + 1", "cos(2*xi) + sin(3*xi)/2"];

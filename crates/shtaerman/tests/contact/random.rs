@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use crate::support::{force_and_moment, integral, settlement_and_tilt, solve};
+use crate::contact::support::{force_and_moment, integral, settlement_and_tilt, solve};
 use shtaerman::Contact;
 
 /// `c0 + c1 xi + c2 xi^2 + c3 sin(4 xi) + c4 exp(xi)`, and the same with `xi -> -xi`.

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use crate::trees::tree;
+use crate::contact::trees::tree;
 use shtaerman::Profile;
 
 const DEGREE: usize = 32;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use crate::support::{assert_near, force_and_moment, solve};
+use crate::contact::support::{assert_near, force_and_moment, solve};
 use shtaerman::Contact;
 
 fn flat(theta0: f64, force: f64, moment: f64, degree: usize) -> Contact {

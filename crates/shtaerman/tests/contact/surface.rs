@@ -1,6 +1,6 @@
 //! The surface of the body under and beside the punch.
 
-use crate::support::{assert_near, force_and_moment, integrate, order, solve};
+use crate::contact::support::{assert_near, force_and_moment, integrate, order, solve};
 use shtaerman::{Contact, Elastic, Foundation, Problem, Punch, Solver};
 
 #[test]

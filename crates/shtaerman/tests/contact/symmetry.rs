@@ -2,7 +2,7 @@
 
 use shtaerman::{Contact, Foundation, Problem, Profile, Punch, Solver};
 
-use crate::support::{assert_near, force_and_moment, integrate, settlement_and_tilt};
+use crate::contact::support::{assert_near, force_and_moment, integrate, settlement_and_tilt};
 
 fn solve(theta0: f64, profile: &str, load: shtaerman::Load) -> Contact {
     let (foundation, punch) =

@@ -1,6 +1,6 @@
 //! Problem files: units, alternatives and forms that say the same give the same physics.
 
-use crate::support::assert_near;
+use crate::contact::support::assert_near;
 use shtaerman::{Contact, file};
 
 fn solve(text: &str) -> Contact {

@@ -7,7 +7,7 @@ use shtaerman::{
     Rotational, Solver, Vertical,
 };
 
-use crate::support::{assert_near, attempt};
+use crate::geometries::support::{assert_near, attempt};
 
 const WAVE: Geometry = Geometry::Periodic { period: 2.0 };
 

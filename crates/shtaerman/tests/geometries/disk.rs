@@ -4,7 +4,9 @@ use std::f64::consts::PI;
 
 use shtaerman::{Error, Geometry, Rotational, Solver, Vertical};
 
-use crate::support::{assert_near, assert_stiffness, attempt, pressed, solve, solve_bilateral};
+use crate::geometries::support::{
+    assert_near, assert_stiffness, attempt, pressed, solve, solve_bilateral,
+};
 
 const DISK: Geometry = Geometry::Circular;
 

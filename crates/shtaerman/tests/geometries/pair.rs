@@ -6,7 +6,9 @@ use fredholm::collocation::solve_adaptive;
 use fredholm::kernel::{LogarithmRatio, LogarithmSquare};
 use shtaerman::{Geometry, Rotational, Solver, Vertical};
 
-use crate::support::{assert_near, assert_stiffness, attempt, pressed, solve, solve_bilateral};
+use crate::geometries::support::{
+    assert_near, assert_stiffness, attempt, pressed, solve, solve_bilateral,
+};
 
 fn pair(inner_half_gap: f64) -> Geometry {
     Geometry::Pair { inner_half_gap }

@@ -4,7 +4,9 @@ use std::f64::consts::{LN_2, PI};
 
 use shtaerman::{Error, Geometry, Rotational, Solver, Vertical};
 
-use crate::support::{assert_near, assert_stiffness, attempt, pressed, solve, solve_bilateral};
+use crate::geometries::support::{
+    assert_near, assert_stiffness, attempt, pressed, solve, solve_bilateral,
+};
 
 const PLANE: Geometry = Geometry::Plane;
 

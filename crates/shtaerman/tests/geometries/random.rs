@@ -2,7 +2,7 @@
 
 use shtaerman::{Geometry, Rotational, Solver, Vertical};
 
-use crate::support::attempt;
+use crate::geometries::support::attempt;
 
 /// Marsaglia's xorshift.
 struct Chance(u64);

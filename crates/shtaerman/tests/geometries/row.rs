@@ -6,7 +6,9 @@ use shtaerman::{
     Elastic, Foundation, Geometry, Load, Problem, Profile, Punch, Rotational, Solver, Vertical,
 };
 
-use crate::support::{assert_near, assert_stiffness, attempt, pressed, solve, solve_bilateral};
+use crate::geometries::support::{
+    assert_near, assert_stiffness, attempt, pressed, solve, solve_bilateral,
+};
 
 fn row(period: f64) -> Geometry {
     Geometry::Periodic { period }

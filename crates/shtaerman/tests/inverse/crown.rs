@@ -1,6 +1,6 @@
 //! Crowns and the limit of the peak pressure.
 
-use crate::support::{bare, close, load, physical, unilateral};
+use crate::inverse::support::{bare, close, load, physical, unilateral};
 use shtaerman::inverse::{InverseError, crown};
 use shtaerman::{Error, Load, Profile, Rotational, Solver, Vertical};
 

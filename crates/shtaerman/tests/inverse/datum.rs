@@ -1,6 +1,6 @@
 //! Settlements relative to a datum, and the surface.
 
-use crate::support::{load, physical, unilateral};
+use crate::inverse::support::{load, physical, unilateral};
 use shtaerman::{Datum, Elastic, Foundation, Geometry, Problem, Profile, Punch, SurfaceCurve};
 
 #[test]

@@ -1,6 +1,6 @@
 //! Force and roughness from what they cause.
 
-use crate::support::{HERTZ_FORCE, bare, close, load, parabola, physical, unilateral};
+use crate::inverse::support::{HERTZ_FORCE, bare, close, load, parabola, physical, unilateral};
 use shtaerman::inverse::{Goal, InverseError, force, roughness};
 use shtaerman::{Error, Load, Rotational, Roughness, Solver, Vertical};
 

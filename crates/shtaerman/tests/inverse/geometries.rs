@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{close, load};
+use crate::inverse::support::{close, load};
 use shtaerman::inverse::{
     Goal, InverseError, Normalisation, crown, force, prescribed_pressure, roughness,
 };

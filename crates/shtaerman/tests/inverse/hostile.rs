@@ -1,6 +1,6 @@
 //! Extreme wishes end in an answer or in words, never in a panic or a wrong number.
 
-use crate::support::{load, physical, unilateral};
+use crate::inverse::support::{load, physical, unilateral};
 use shtaerman::inverse::{Goal, Normalisation, crown, force, prescribed_pressure, roughness};
 
 const EXTREMES: [f64; 5] = [-1e300, 0.0, f64::MIN_POSITIVE, 1.0, f64::MAX];

@@ -1,6 +1,6 @@
 //! The profile for a prescribed pressure.
 
-use crate::support::{bare, close, load, physical, unilateral};
+use crate::inverse::support::{bare, close, load, physical, unilateral};
 use shtaerman::inverse::{Normalisation, prescribed_pressure};
 use shtaerman::{
     Elastic, Foundation, Load, Problem, Profile, Punch, Rotational, Roughness, Solver, Vertical,

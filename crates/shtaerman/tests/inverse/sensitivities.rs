@@ -1,6 +1,6 @@
 //! Sensitivities against the tangent stiffness, scaling laws and closed forms.
 
-use crate::support::{bare, load, physical, unilateral};
+use crate::inverse::support::{bare, load, physical, unilateral};
 use shtaerman::{Derivatives, Load, Problem, Rotational, Roughness, Solver, Vertical};
 
 #[track_caller]

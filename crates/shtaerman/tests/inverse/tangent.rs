@@ -2,7 +2,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use crate::support::{bare, close, load};
+use crate::inverse::support::{bare, close, load};
 use shtaerman::{
     Contact, Derivatives, Elastic, Foundation, Geometry, Grading, Load, Problem, Profile, Punch,
     Rotational, Roughness, Scaling, Sensitivities, Solver, Vertical,
@@ -73,7 +73,8 @@ fn rows(contact: &Contact, found: &Sensitivities) -> Vec<Row> {
         Some(Roughness::Power { coefficient, .. }) => coefficient,
         _ => 0.0,
     };
-    let modulus = problem.scaling().map_or(0.0, Scaling::pressure);
+    let graded = problem.foundation().grading().map(|grading| grading.modulus());
+    let modulus = graded.or(problem.scaling().map(Scaling::pressure)).unwrap_or(0.0);
     let parts: [(&str, Option<Derivatives>, f64); 5] = [
         ("settlement", found.settlement, contact.settlement()),
         ("force", found.force, contact.force()),
@@ -264,6 +265,19 @@ fn elastic_punches_and_graded_bodies() {
         let problem =
             Problem::new(foundation, punch.with_profile(profile()), load(force, 0.0)).unwrap();
         agree(&problem, 1e-9);
+        // By the modulus at the depth of 1 m, as it is stated.
+        let settled = |modulus: f64| {
+            let ground = Foundation::graded(Grading::new(0.3, modulus).unwrap(), 0.3).unwrap();
+            let ground = ground.with_roughness(1e-13).unwrap();
+            problem.with_foundation(ground).unwrap().solve().unwrap()
+        };
+        let quotient = (settled(2.001e11).settlement() - settled(1.999e11).settlement()) / 2e8;
+        let contact = settled(2e11);
+        let by = |found: Sensitivities| found.settlement.unwrap().young_modulus.unwrap();
+        close(by(contact.sensitivities().unwrap()), quotient, 1e-6);
+        close(by(contact.difference_sensitivities().unwrap()), quotient, 1e-6);
+        let stiffer = problem.with_young_modulus(2.001e11).unwrap().solve().unwrap();
+        assert_eq!(stiffer.settlement(), settled(2.001e11).settlement());
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{CASES, FLAT, PARABOLA, roughness};
+use crate::limits::support::{CASES, FLAT, PARABOLA, roughness};
 use shtaerman::{Contact, Foundation, Load, Problem, Punch, Rotational, Solver, Vertical};
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use crate::support::PARABOLA;
+use crate::limits::support::PARABOLA;
 
 /// Euler's constant.
 const EULER: f64 = 0.577_215_664_901_532_9;

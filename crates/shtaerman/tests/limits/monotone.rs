@@ -1,6 +1,6 @@
 //! From one limit to the other.
 
-use crate::support::{CASES, Case};
+use crate::limits::support::{CASES, Case};
 
 /// `chi E*/a` from 1e-6 to 1e6: rounding takes the digits of thinner layers.
 fn ladder() -> impl Iterator<Item = f64> {

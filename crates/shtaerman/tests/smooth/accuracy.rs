@@ -2,7 +2,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use crate::support::{Solved, balanced, level, punch};
+use crate::smooth::support::{Solved, balanced, level, punch};
 
 /// Beside true errors this far below the scale a statement may be larger by any factor: it is rounding of some units.
 const ROUNDING: f64 = 1e-13;

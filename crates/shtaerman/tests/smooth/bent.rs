@@ -4,7 +4,7 @@ use shtaerman::{
     Contact, Elastic, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical,
 };
 
-use crate::support::close;
+use crate::smooth::support::close;
 
 fn solved(profile: Profile, vertical: Vertical, rotational: Rotational) -> Contact {
     let body = Elastic::new(2e11, 0.3).unwrap();

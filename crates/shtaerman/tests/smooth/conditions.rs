@@ -1,6 +1,6 @@
 //! The conditions of contact, checked by quadrature.
 
-use crate::support::{balanced, holds, punch};
+use crate::smooth::support::{balanced, holds, punch};
 use shtaerman::{Load, Rotational, Vertical};
 
 #[test]

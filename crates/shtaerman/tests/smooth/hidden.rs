@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{Smooth, balanced, level, punch};
+use crate::smooth::support::{Smooth, balanced, level, punch};
 
 /// The least pressure over the mean, at many places of all zones.
-fn least(contact: &crate::support::Solved) -> f64 {
+fn least(contact: &crate::smooth::support::Solved) -> f64 {
     let pressures = contact.zones().into_iter().flat_map(|zone| {
         let [left, right] = zone.ends;
         let place = move |i: i32| left + (right - left) * (f64::from(i) + 0.37) / 4000.0;

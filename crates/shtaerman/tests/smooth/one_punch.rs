@@ -2,7 +2,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use crate::support::{balanced, close, holds, punch};
+use crate::smooth::support::{balanced, close, holds, punch};
 use shtaerman::{Load, Rotational, Vertical};
 
 #[test]

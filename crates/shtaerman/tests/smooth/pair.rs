@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{balanced, close, holds, level, punch};
+use crate::smooth::support::{balanced, close, holds, level, punch};
 
 /// Complete elliptic integral of the first kind by the arithmetic-geometric mean, of modulus `k`.
 fn elliptic(k: f64) -> f64 {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{balanced, close, holds, level, punch};
+use crate::smooth::support::{balanced, close, holds, level, punch};
 use shtaerman::{Error, Load, Rotational, Vertical};
 
 #[test]
@@ -39,7 +39,7 @@ fn a_row_under_moments() {
 }
 
 /// `f = -h cos(pi (x - at))`, contact at the crests, wherever the seam is.
-fn wave(mean: f64, at: f64) -> crate::support::Solved {
+fn wave(mean: f64, at: f64) -> crate::smooth::support::Solved {
     let h = 0.3;
     punch(1.0, move |x| -h * (PI * (x - at)).cos(), level(2.0 * mean))
         .formula(&format!("-{h}*cos(pi*(x - ({at})))"))

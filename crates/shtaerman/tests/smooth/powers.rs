@@ -3,7 +3,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{integral, level, punch};
+use crate::smooth::support::{integral, level, punch};
 
 fn half(n: f64, force: f64) -> f64 {
     (PI * force / (n * moments(n))).powf(1.0 / n)
@@ -14,7 +14,7 @@ fn moments(n: f64) -> f64 {
     2.0 * integral(PI / 2.0, |from, _| from.sin().powf(n))
 }
 
-fn solved(n: f64, c: f64, force: f64) -> crate::support::Solved {
+fn solved(n: f64, c: f64, force: f64) -> crate::smooth::support::Solved {
     let height = move |x: f64| (x - c).abs().powf(n);
     punch(1.0, height, level(force)).formula(&format!("abs(x - {c})^{n}")).breaks(&[c]).solved()
 }

@@ -1,6 +1,6 @@
 //! What no contact can balance, or no such problem can mean.
 
-use crate::support::{balanced, level, punch};
+use crate::smooth::support::{balanced, level, punch};
 use shtaerman::{Error, Load, Rotational, Vertical};
 
 #[test]

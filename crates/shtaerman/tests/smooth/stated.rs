@@ -2,7 +2,7 @@
 
 use std::f64::consts::{LN_2, PI};
 
-use crate::support::close;
+use crate::smooth::support::close;
 use shtaerman::{
     Contact, Elastic, Foundation, Geometry, Load, Problem, Profile, Punch, Rotational, Solver,
     Vertical,

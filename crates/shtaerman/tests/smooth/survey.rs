@@ -1,6 +1,6 @@
 //! Random problems from a seed.
 
-use crate::support::{Smooth, holds, punch};
+use crate::smooth::support::{Smooth, holds, punch};
 use shtaerman::{Error, Load, Rotational, Vertical};
 
 /// A xorshift generator (G. Marsaglia, J. Stat. Software 8 (2003) 14).

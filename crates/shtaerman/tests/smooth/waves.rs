@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{Solved, holds, level, punch};
+use crate::smooth::support::{Solved, holds, level, punch};
 use shtaerman::{Error, Load, Rotational, Vertical};
 
 /// Amplitudes and phases of the harmonics.

@@ -2,7 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::support::{A, MODULUS, close, honest, pressed, solve, solve_bilateral, sunk};
+use crate::smooth_disk::support::{
+    A, MODULUS, close, honest, pressed, solve, solve_bilateral, sunk,
+};
 use shtaerman::{Contact, Vertical};
 
 /// The errors stated for pressure, settlement or force, and edge, in SI units.
@@ -239,7 +241,9 @@ fn a_measured_sphere() {
     let profile = shtaerman::Profile::from_points(places, heights).unwrap();
     let load = pressed(1e3);
     let contact =
-        crate::support::problem(profile, 0.0, load, shtaerman::Solver::default()).solve().unwrap();
+        crate::smooth_disk::support::problem(profile, 0.0, load, shtaerman::Solver::default())
+            .solve()
+            .unwrap();
     let c = (3.0 * 1e3 * 0.5 / (4.0 * MODULUS)).cbrt();
     close(contact.zones()[0][1], c, 1e-9, "radius");
     close(contact.pressure(0.0).unwrap(), 1.5e3 / (PI * c * c), 1e-8, "peak");

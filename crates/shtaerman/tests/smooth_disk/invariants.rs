@@ -1,6 +1,6 @@
 //! The limit of thin layers, scales, and conditions of contact.
 
-use crate::support::{A, MODULUS, close, pressed, problem, solve};
+use crate::smooth_disk::support::{A, MODULUS, close, pressed, problem, solve};
 use shtaerman::{Profile, Solver};
 
 #[test]
@@ -65,7 +65,9 @@ fn stiffness_is_the_slope_of_the_force() {
     let profile = "x^2 + 1e3*x^4";
     let contact = solve(profile, pressed(1e3));
     let step = 1e-4 * contact.settlement();
-    let force = |by: f64| solve(profile, crate::support::sunk(contact.settlement() + by)).force();
+    let force = |by: f64| {
+        solve(profile, crate::smooth_disk::support::sunk(contact.settlement() + by)).force()
+    };
     let slope = (force(step) - force(-step)) / (2.0 * step);
     close(contact.stiffness().force_settlement, slope, 1e-7, "stiffness");
 }

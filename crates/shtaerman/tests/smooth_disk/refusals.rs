@@ -1,6 +1,6 @@
 //! What is no disk of contact.
 
-use crate::support::{attempt, pressed, problem, sunk};
+use crate::smooth_disk::support::{attempt, pressed, problem, sunk};
 use shtaerman::{Error, Profile, Rotational, Solver, Vertical};
 
 #[test]

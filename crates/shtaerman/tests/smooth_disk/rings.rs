@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use crate::support::{
+use crate::smooth_disk::support::{
     A, MODULUS, attempt, close, honest, pressed, problem, solve, solve_bilateral, sunk,
 };
 use shtaerman::{Contact, Profile, Solver};

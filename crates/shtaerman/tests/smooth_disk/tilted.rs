@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{A, MODULUS, attempt, close, problem, solve, solve_bilateral};
+use crate::smooth_disk::support::{A, MODULUS, attempt, close, problem, solve, solve_bilateral};
 use shtaerman::{Error, Profile, Rotational, Solver, Vertical};
 
 #[test]

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use libm::tgamma;
 use shtaerman::{Rotational, Solver, Vertical};
 
-use crate::support::{Case, EXPONENTS, close, piece, rings};
+use crate::smooth_graded::support::{Case, EXPONENTS, close, piece, rings};
 
 const PLACES: [f64; 5] = [0.0, 1e-9, 0.3, 0.75, 0.999];
 

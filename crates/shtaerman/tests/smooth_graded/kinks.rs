@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use fredholm::quadrature::double_exponential;
 use shtaerman::{Rotational, Vertical};
 
-use crate::support::{Case, EXPONENTS, beta_integral, close, cosine, potential};
+use crate::smooth_graded::support::{Case, EXPONENTS, beta_integral, close, cosine, potential};
 
 const STEEPNESS: f64 = 1.0 / 3.0;
 const PROFILE: &str = "abs(x)/3";

@@ -4,7 +4,7 @@ use shtaerman::{
     Elastic, Foundation, Geometry, Load, Problem, Profile, Punch, Rotational, Vertical,
 };
 
-use crate::support::{Case, NU};
+use crate::smooth_graded::support::{Case, NU};
 
 #[test]
 fn little_grading_is_none() {

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use shtaerman::{Profile, Rotational, Solver, Vertical};
 
-use crate::support::{Case, close};
+use crate::smooth_graded::support::{Case, close};
 
 /// The force of a settlement of 1 without a profile, and the same less the force of full contact under a profile.
 fn missing(case: &Case, formula: &str) -> [f64; 2] {

@@ -2,7 +2,7 @@
 
 use shtaerman::{Contact, Rotational, Solver, Vertical};
 
-use crate::support::{Case, EXPONENTS, beta_integral, close, cosine, potential};
+use crate::smooth_graded::support::{Case, EXPONENTS, beta_integral, close, cosine, potential};
 
 /// `Gamma(1+mu/2)/(sqrt(pi) Gamma((1+mu)/2))`: one over `int (1 - t^2)^((mu-1)/2)`.
 fn factor(mu: f64) -> f64 {

@@ -2,7 +2,7 @@
 
 use shtaerman::{Error, Geometry, Rotational, Vertical};
 
-use crate::support::Case;
+use crate::smooth_graded::support::Case;
 
 const LEVEL: Rotational = Rotational::Moment(0.0);
 

@@ -2,11 +2,12 @@
 
 use shtaerman::{Contact, Derivatives, Geometry, Rotational, Sensitivities, Solver, Vertical};
 
-use crate::support::Case;
+use crate::smooth_graded::support::Case;
 
 /// Every derivative by the logarithm of its parameter, with the size of its quantity and its stated error.
 fn rows(contact: &Contact, found: &Sensitivities) -> Vec<(String, f64, f64, f64)> {
-    let modulus = contact.problem().scaling().unwrap().pressure();
+    let graded = contact.problem().foundation().grading().map(|grading| grading.modulus());
+    let modulus = graded.unwrap_or(contact.problem().scaling().unwrap().pressure());
     let turned = contact.settlement() / contact.problem().punch().half_width();
     let parts: [(&str, Option<Derivatives>, f64); 5] = [
         ("settlement", found.settlement, contact.settlement()),

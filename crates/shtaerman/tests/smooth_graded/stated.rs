@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use libm::tgamma;
 use shtaerman::{ErrorKind, Rotational, Vertical};
 
-use crate::support::{Case, beta_integral, cosine};
+use crate::smooth_graded::support::{Case, beta_integral, cosine};
 
 /// The statement holds and is no larger than `most` of the size.
 #[track_caller]

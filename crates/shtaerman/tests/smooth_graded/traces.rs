@@ -2,7 +2,7 @@
 
 use shtaerman::{Profile, Rotational, Vertical};
 
-use crate::support::{Case, potential};
+use crate::smooth_graded::support::{Case, potential};
 
 /// Equally spaced places with waves of many lengths.
 fn trace(points: i32) -> (Vec<f64>, Vec<f64>) {

@@ -6,7 +6,7 @@ use shtaerman::{
     Vertical,
 };
 
-use crate::support::{Case, NU, close, piece};
+use crate::smooth_graded::support::{Case, NU, close, piece};
 
 const LEVEL: Rotational = Rotational::Moment(0.0);
 

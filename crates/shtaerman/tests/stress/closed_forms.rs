@@ -2,7 +2,7 @@
 
 use shtaerman::{Elastic, Foundation, Load, Problem, Punch, Rotational, StressField, Vertical};
 
-use crate::support::{DEPTHS, flat_punch, hertz, places, strip, worst};
+use crate::stress::support::{DEPTHS, flat_punch, hertz, places, strip, worst};
 
 const RATIO: f64 = 0.3;
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use shtaerman::{Stress, StressField};
 
-use crate::support::difference;
+use crate::stress::support::difference;
 
 /// Two zones, one with a kink, one with an infinite corner.
 fn field() -> StressField {

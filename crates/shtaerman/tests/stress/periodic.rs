@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use shtaerman::{Criterion, Stress, StressField};
 
-use crate::support::{Complex, DEPTHS, difference, divide, from_potential};
+use crate::stress::support::{Complex, DEPTHS, difference, divide, from_potential};
 
 const RATIO: f64 = 0.3;
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{force_and_moment, load, solve};
+use crate::unilateral::support::{force_and_moment, load, solve};
 use shtaerman::{Elastic, Foundation, Load, Problem, Profile, Punch, Rotational, Vertical};
 
 #[test]

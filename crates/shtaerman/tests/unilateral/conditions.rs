@@ -1,6 +1,6 @@
 //! The conditions of unilateral contact, and what follows from them.
 
-use crate::support::{bilateral, force_and_moment, integral, load, over_zones, solve};
+use crate::unilateral::support::{bilateral, force_and_moment, integral, load, over_zones, solve};
 use shtaerman::{Contact, Rotational, Vertical};
 
 /// The equation, the signs and the balance, by a quadrature of its own.

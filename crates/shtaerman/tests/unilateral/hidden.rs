@@ -1,6 +1,6 @@
 //! Kinks without a switch and features between all samples: by product integration on panels cut where they are (as `data/traces.py`), to 1e-14.
 
-use crate::support::force_and_moment;
+use crate::unilateral::support::force_and_moment;
 use shtaerman::{Contact, ContactKind, Error, Foundation, Load, Problem, Profile, Punch, Solver};
 
 fn solved(theta0: f64, profile: &str, load: Load, contact: ContactKind) -> Result<Contact, Error> {

@@ -1,6 +1,6 @@
 //! Profiles of thousands of points.
 
-use crate::support::{force_and_moment, solve};
+use crate::unilateral::support::{force_and_moment, solve};
 use shtaerman::{Contact, Foundation, Load, MethodName, Problem, Profile, Punch};
 
 fn measured(theta0: f64, height: impl Fn(f64) -> f64, load: Load) -> Contact {

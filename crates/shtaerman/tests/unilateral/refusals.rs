@@ -1,6 +1,6 @@
 //! What no contact can balance.
 
-use crate::support::{attempt, force_and_moment, load};
+use crate::unilateral::support::{attempt, force_and_moment, load};
 use shtaerman::{Elastic, Error, Foundation, Load, Problem, Punch, Rotational, Vertical};
 
 #[test]

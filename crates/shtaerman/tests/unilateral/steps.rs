@@ -2,7 +2,7 @@
 
 use shtaerman::{Load, Rotational, Vertical};
 
-use crate::support::{bilateral, load, solve};
+use crate::unilateral::support::{bilateral, load, solve};
 
 fn assert_near(found: f64, exact: f64, tolerance: f64) {
     assert!((found - exact).abs() <= tolerance, "{found} instead of {exact}");

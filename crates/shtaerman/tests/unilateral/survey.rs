@@ -1,6 +1,6 @@
 //! Random problems.
 
-use crate::random::{Ending, Random, judge, problem};
+use crate::unilateral::random::{Ending, Random, judge, problem};
 
 /// Not that of the example: what was mended there is not all that there is.
 const SEED: u64 = 1_207;

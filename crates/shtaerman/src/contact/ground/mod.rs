@@ -46,7 +46,7 @@ pub(in crate::contact) type SharedKernel = Arc<dyn KeptKernel>;
 pub(in crate::contact) const SHARP: f64 = 0.5;
 /// Step of a difference quotient of fourth order, as a share of the length over which a function changes: so it is good to `1e-12` (theory).
 pub(in crate::contact) const STEP: f64 = 1e-3;
-/// Tables of kernels are good to this (`cargo test -p fredholm --test transfer`). At half or twice stated errors grow up to 2 times (survey).
+/// Tables of kernels are good to this (`cargo test -p fredholm --test all transfer::`). At half or twice stated errors grow up to 2 times (survey).
 const KERNEL: f64 = 1e-13;
 /// Nodes on either side of the middle of a panel that is as long as a layer is thick, and the most to begin with: answers to rounding were seen on twice as many, and fewer show tension where
 /// there is none. At half or twice stated errors grow up to 9.8 times (survey).

@@ -188,7 +188,7 @@ impl<F: Field> Solution for RoughContact<F> {
             self.surface.images(*place).map(at)
         });
         let mut samples: Vec<(f64, f64)> = ends.chain(known).collect();
-        samples.sort_by(|one, two| one.0.total_cmp(&two.0));
+        crate::order::sort_by_number(&mut samples, |one| one.0);
         samples.dedup_by(|one, two| one.0 == two.0);
         samples.into_iter().unzip()
     }

@@ -158,7 +158,7 @@ impl Base {
         let samples =
             self.samples.iter().flat_map(|&(at, height)| images(at).map(move |at| (at, height)));
         let mut samples: Vec<(f64, f64)> = samples.filter(|(at, _)| inside(at)).collect();
-        samples.sort_by(|one, two| one.0.total_cmp(&two.0));
+        crate::order::sort_by_number(&mut samples, |one| one.0);
         self.walls = Walls::of(&[window]);
         (self.breaks, self.samples, self.pieces) = (breaks, samples, vec![window]);
         self.surface.origin = cut + 1.0;

@@ -135,7 +135,7 @@ impl Surface {
                 along.push([left, right]);
             }
         }
-        along.sort_by(|one, two| one[0].total_cmp(&two[0]));
+        crate::order::sort_by_number(&mut along, |one| one[0]);
         along
     }
 }

@@ -155,7 +155,7 @@ fn along(base: &Base, zones: &[Zone]) -> Vec<([f64; 2], usize, bool)> {
         }
         along.push((ends, j, false));
     }
-    along.sort_by(|one, two| one.0[0].total_cmp(&two.0[0]));
+    crate::order::sort_by_number(&mut along, |one| one.0[0]);
     along
 }
 

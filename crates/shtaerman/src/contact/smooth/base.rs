@@ -143,9 +143,8 @@ impl Base {
             // The first and the last are one.
             let kept = piece.iter().skip(1).map(|(xi, height)| (wrapped(xi - self.shift), *height));
             let inside = kept.filter(|(xi, _)| -1.0 < *xi && *xi < 1.0);
-            let mut moved: Vec<Sample> = inside.chain(ends).collect();
-            moved.sort_by(|one, two| one.0.total_cmp(&two.0));
-            *piece = moved;
+            *piece = inside.chain(ends).collect();
+            crate::order::sort_by_number(piece, |one| one.0);
         }
         self
     }

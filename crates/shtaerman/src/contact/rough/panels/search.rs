@@ -202,7 +202,7 @@ impl<'b> ManyPanels<'b> {
             let own = marks.iter().copied().filter(|xi| (first..=last).contains(xi));
             let mut points = piece.clone();
             points.extend(own.map(|xi| (xi, base.height(xi))));
-            points.sort_by(|one, two| one.0.total_cmp(&two.0));
+            crate::order::sort_by_number(&mut points, |one| one.0);
             points.dedup_by(|one, two| one.0 == two.0);
             let known: Vec<Option<f64>> = points.iter().map(|(xi, _)| inside(*xi)).collect();
             let open = points.iter().zip(&known).filter(|(_, known)| known.is_none());

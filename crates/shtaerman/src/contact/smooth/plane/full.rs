@@ -131,7 +131,7 @@ impl FullWave {
     pub(super) fn lowest(&self, along: &[Point], marks: &[f64]) -> Point {
         let between = between_breaks(marks, [-1.0, 1.0]).into_iter().map(|xi| (xi, self.at(xi)));
         let mut places: Vec<Point> = along.iter().copied().chain(between).collect();
-        places.sort_by(|one, two| one.0.total_cmp(&two.0));
+        crate::order::sort_by_number(&mut places, |one| one.0);
         // The first comes after the last again.
         let [first, second] = [places[0], places[1]];
         places.extend([(first.0 + 2.0, first.1), (second.0 + 2.0, second.1)]);

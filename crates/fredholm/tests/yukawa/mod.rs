@@ -2,8 +2,6 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
 
-#[path = "../common/mod.rs"]
-mod common;
 mod relation;
 mod solutions;
 mod values;
