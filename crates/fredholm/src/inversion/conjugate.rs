@@ -13,8 +13,8 @@ use std::sync::OnceLock;
 use super::accuracy::{HARMLESS, RESOLVED, ROUNDING};
 use super::angular::Angular;
 use super::harmonics::{Harmonics, Resolved};
-use super::panels::{Builder, Panel, join};
-use super::roots::{Local, NEAREST, Root};
+use super::panels::{Builder, Panel, follow_cusps, join};
+use super::roots::{Local, NEAREST};
 use super::rule::{ORDER, RULE, integral};
 
 /// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding. At half or twice 3 of 32 answers change, within what they state (survey).
@@ -36,8 +36,8 @@ pub struct Conjugate {
     jumps: Vec<(f64, f64)>,
     /// Where the profile may bend.
     bends: Vec<f64>,
-    /// Where `g` goes as a power of the distance, which no panels resolve.
-    roots: Vec<Root>,
+    /// Whether `g` goes as a power of the distance somewhere, which no panels resolve.
+    is_cusped: bool,
     /// Mean of `f` over the angle.
     mean: f64,
     /// Estimated error of `F`.
@@ -81,7 +81,7 @@ impl Conjugate {
             is_odd,
             jumps: Vec::new(),
             bends: Vec::new(),
-            roots: Vec::new(),
+            is_cusped: false,
             mean,
             error,
             end_error: error,
@@ -148,14 +148,16 @@ impl Conjugate {
         let is_bend = |at: f64| bends.contains(&at) || !is_odd && at == PI;
         // By heights what is no jump is rounding, and spreads where it is made to meet.
         let may_jump = |at: f64| match local.power(at) {
-            Some((_, power)) => is_bend(at) && power < CONSTANT,
+            Some(power) => is_bend(at) && power < CONSTANT,
             None => is_by_heights || is_bend(at),
         };
+        // A power above zero of the distance may stand where only higher derivatives are known to jump.
+        let is_cusp = |at: f64| {
+            (is_bend(at) || joints.contains(&at)) && local.power(at).is_none_or(|p| p >= CONSTANT)
+        };
+        let cusped = follow_cusps(&mut panels, &local, ROUNDING * scale[1], is_cusp);
         let jumps = join(&mut panels, is_odd, HARMLESS * scale[1], may_jump);
-        let plain = bends.iter().filter(|at| jumps.iter().all(|(jump, _)| jump != *at));
-        let roots: Vec<Root> =
-            plain.filter_map(|at| Root::of(&panels, &local, *at, HARMLESS * scale[1])).collect();
-        worst += roots.iter().map(|root| root.error).fold(0.0, f64::max);
+        worst += cusped;
         let largest =
             panels.iter().flat_map(|p| p.values).fold(0.0f64, |most, v| most.max(v.abs()));
         let mean = sum / (PI - start);
@@ -164,7 +166,7 @@ impl Conjugate {
             is_odd,
             jumps,
             bends: bends.to_vec(),
-            roots,
+            is_cusped: cusped > 0.0,
             mean,
             error: worst,
             end_error,
@@ -173,7 +175,7 @@ impl Conjugate {
             series: None,
             first: OnceLock::new(),
         };
-        if slopes.jumps.is_empty() && slopes.roots.is_empty() {
+        if slopes.jumps.is_empty() && !slopes.is_cusped {
             slopes.series = slopes.short_series();
         }
         slopes
@@ -277,9 +279,6 @@ impl Conjugate {
         if let Some(series) = &self.series {
             return series.conjugate(angle);
         }
-        if let Some(root) = self.roots.iter().find(|root| (root.at - angle).abs() <= root.reach) {
-            return root.conjugate;
-        }
         let sum: f64 = if self.is_odd {
             // g(-t) cot((-t - phi)/2) = g(t) cot((t + phi)/2)
             self.panels.iter().map(|panel| panel.both_cotangents(angle)).sum()
@@ -293,7 +292,7 @@ impl Conjugate {
     ///
     /// Parts of panels are no longer than they are away from `pi`, where the logarithm has its pole.
     pub fn turning(&self) -> Option<f64> {
-        if self.panels.is_empty() || !self.roots.is_empty() {
+        if self.panels.is_empty() || self.is_cusped {
             return None;
         }
         let mut sum = 0.0;

@@ -4,12 +4,16 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::accuracy::{DEEPEST, NOISE, OF_A_VALUE, ROUNDING};
 use super::angular::Angular;
+use super::roots::{Cusp, Local};
 use super::rule::{ORDER, RULE, cauchy, derivative, polynomials};
 
 /// There are at most so many panels. Half and twice change none of 32 answers (survey).
 const MOST_PANELS: usize = 40_000;
 /// The nodes next to the ends of a panel are this share of it away from them, less rounding. Half and twice change none of 32 answers (survey).
 const BLURRED: f64 = 1e3;
+/// Beside a power below one of the distance halving ends at rounding, which that makes of powers near one up to so many times farther away. At half or twice no answer of 9 changes (test
+/// `beside_a_bend_with_a_power_it_is_as_exact_as_stated`).
+const UNRESOLVED: f64 = 100.0;
 /// A last coefficient that keeps this share when a panel is halved does not fall.
 const STAYS: f64 = 0.6;
 /// Half of a panel so short that what is left is noise if it is the same in both halves: without it a ring a millionth as wide as its radius is not found, as heights beside its bottom are
@@ -17,6 +21,8 @@ const STAYS: f64 = 0.6;
 const FASTEST: f64 = 1e-4;
 /// A pole so many half-lengths from the middle of a panel is far. At half or twice 1 of 32 differ beyond what is stated and stated errors grow up to 4e+03 times (survey).
 const FAR: f64 = 2.5;
+/// As near by the angle, too: between short panels the difference of two places has lost its digits, not that of their ends.
+const BESIDE: f64 = 1e-3;
 /// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding. At half or twice stated errors grow up to 1.3 times (survey).
 const CLOSEST: f64 = 1e-30;
 /// Below this the difference of the cotangent and its pole is summed as a series. At half or twice stated errors grow up to 5.8 times (survey).
@@ -29,6 +35,8 @@ pub(super) struct Panel {
     pub(super) end: f64,
     pub(super) values: [f64; ORDER],
     coefficients: [f64; ORDER],
+    /// What the slope is instead, with the same moments, where it goes as a power of the distance from an end.
+    cusp: Option<Cusp>,
     /// Whether `t = 0` is the nearer end of the half turn.
     is_first: bool,
     /// `g(t) sin t` with its weights, and `sin^2(t/2)` or `cos^2(t/2)` of the nearer end.
@@ -49,7 +57,11 @@ impl Panel {
         for (i, mass) in masses.iter_mut().enumerate() {
             *mass *= half * RULE.weights[i] * values[i];
         }
-        Self { start, end, values, coefficients, is_first, masses, squares, sines }
+        Self { start, end, values, coefficients, cusp: None, is_first, masses, squares, sines }
+    }
+
+    fn with_cusp(start: f64, end: f64, cusp: Cusp) -> Self {
+        Self { cusp: Some(cusp), ..Self::new(start, end, cusp.coefficients()) }
     }
 
     /// `g` at both ends.
@@ -72,6 +84,17 @@ impl Panel {
         polynomials(u).iter().zip(&self.coefficients).map(|(p, c)| p * c).sum()
     }
 
+    /// `p.v. int g(t)/(t - pole) dt` for a pole so far to the right of both ends.
+    fn cauchy(&self, [from_left, from_right]: [f64; 2]) -> f64 {
+        let half = self.half();
+        if let Some(cusp) = &self.cusp {
+            let length = 2.0 * half;
+            return cusp.cauchy(from_left / length, from_right / length, CLOSEST / length);
+        }
+        let apart = |distance: f64| if distance.abs() < CLOSEST { CLOSEST } else { distance };
+        cauchy(&self.coefficients, apart(from_left) / half, apart(from_right) / half)
+    }
+
     /// Whether nothing shorter would show more.
     pub(super) fn is_blurred(&self, blur: f64) -> bool {
         self.half() <= BLURRED * blur
@@ -90,7 +113,7 @@ impl Panel {
 
     /// `p.v. int g(t) [cot((t - angle)/2) + cot((t + angle)/2)] dt` on a half turn.
     pub(super) fn both_cotangents(&self, angle: f64) -> f64 {
-        let reach = FAR * self.half();
+        let reach = (FAR * self.half()).max(BESIDE);
         let middle = self.middle();
         let mirrored = (middle + angle).min(TAU - middle - angle);
         if (middle - angle).abs() <= reach || mirrored <= reach {
@@ -113,7 +136,7 @@ impl Panel {
         let offset = self.middle() - pole;
         let turns = (offset / TAU).round() * TAU;
         let pole = if turns == 0.0 { pole } else { pole + turns };
-        let near = (offset - turns).abs() <= FAR * half;
+        let near = (offset - turns).abs() <= (FAR * half).max(BESIDE);
         let mut sum = 0.0;
         for (i, value) in self.values.iter().enumerate() {
             let z = self.middle() + half * RULE.nodes[i] - pole;
@@ -122,13 +145,56 @@ impl Panel {
         }
         sum *= half;
         if near {
-            let [from_left, from_right] = [self.start, self.end]
-                .map(|end| pole - end)
-                .map(|distance| if distance.abs() < CLOSEST { CLOSEST } else { distance });
-            sum += 2.0 * cauchy(&self.coefficients, from_left / half, from_right / half);
+            let distances = [self.start, self.end].map(|end| pole - end);
+            sum += 2.0 * self.cauchy(distances);
         }
         sum
     }
+}
+
+/// Puts cusps in place of panels that cannot follow the slope beside places where it goes as a power of the distance, which bends tell, and tells what `F` may be off by for that.
+pub(super) fn follow_cusps(
+    panels: &mut [Panel],
+    local: &Local<'_>,
+    threshold: f64,
+    is_cusp: impl Fn(f64) -> bool,
+) -> f64 {
+    let count = panels.len();
+    let blur = UNRESOLVED * local.profile.blur();
+    let mut worst = 0.0f64;
+    for i in 0..count {
+        let next = (i + 1) % count;
+        let is_at_an_end = local.is_odd && (i == 0 || next + 1 >= count || next == 0);
+        let at = panels[i].end;
+        if is_at_an_end || ![i, next].iter().any(|k| panels[*k].is_blurred(blur)) || !is_cusp(at) {
+            continue;
+        }
+        let beside = [(i, false), (next, true)];
+        let sides = beside.map(|(k, is_right)| {
+            let is_blurred = panels[k].is_blurred(blur);
+            is_blurred.then(|| local.side(at, is_right)).flatten()
+        });
+        // A side that is resolved says what the slope is at the place.
+        let value = match sides {
+            [None, None] => continue,
+            [None, Some(_)] => panels[i].ends()[1],
+            [Some(_), None] => panels[next].ends()[0],
+            [Some(left), Some(right)] => 0.5 * (left.value + right.value),
+        };
+        let outer =
+            [panels[(i + count - 1) % count].ends()[1], panels[(next + 1) % count].ends()[0]];
+        let rises = outer.map(|outer| outer - value);
+        if sides.iter().zip(rises).all(|(side, rise)| side.is_none() || rise.abs() <= threshold) {
+            continue;
+        }
+        for (((k, is_right), side), rise) in beside.into_iter().zip(sides).zip(rises) {
+            let Some(side) = side else { continue };
+            let cusp = Cusp { is_right, value, rise, power: side.power };
+            panels[k] = Panel::with_cusp(panels[k].start, panels[k].end, cusp);
+            worst = worst.max(side.error * rise.abs());
+        }
+    }
+    worst
 }
 
 fn square(angle: f64, is_first: bool) -> f64 {
@@ -158,6 +224,10 @@ pub(super) fn join(
     let mut changes = vec![[0.0; 2]; count];
     for i in 0..count {
         let next = (i + 1) % count;
+        // A cusp meets its neighbours as it is.
+        if [i, next].iter().any(|k| panels[*k].cusp.is_some()) {
+            continue;
+        }
         let [last, first] = [panels[i].ends()[1], panels[next].ends()[0]];
         let is_end = next == 0 && is_odd;
         let size = if is_end { last.abs().max(first.abs()) } else { (first - last).abs() };
@@ -174,7 +244,8 @@ pub(super) fn join(
         changes[i][1] = to_last - last;
         changes[next][0] = to_first - first;
     }
-    for (panel, [left, right]) in panels.iter_mut().zip(changes) {
+    let moved = panels.iter_mut().zip(changes).filter(|(panel, _)| panel.cusp.is_none());
+    for (panel, [left, right]) in moved {
         let mut coefficients = panel.coefficients;
         coefficients[0] += 0.5 * (left + right);
         coefficients[1] += 0.5 * (right - left);

@@ -4,14 +4,15 @@ use std::f64::consts::{PI, TAU};
 
 use super::accuracy::ROUNDING;
 use super::angular::Angular;
-use super::panels::Panel;
-use super::rule::integral;
+use super::rule::{ORDER, RULE, cauchy};
 
-/// The nearest offset at which both sides of a place are compared, in roundings of the angle, and how much farther each next one is. At half or twice stated errors grow up to 2 times (survey).
+/// The nearest offset at which slopes beside a place are compared, in roundings of the angle, and how much farther each next one is. At half or twice stated errors grow up to 2 times (survey).
 pub(super) const NEAREST: f64 = 1e4;
 const FARTHER: f64 = 30.0;
 /// Powers from here on are resolved by panels. Half and twice change nothing in the one answer that asks for it (survey).
 const SMOOTH: f64 = 0.999;
+/// Terms of the power series of a cusp, whose argument is at most 1/2.
+const TERMS: i32 = 56;
 
 /// A profile near a place.
 pub(super) struct Local<'p> {
@@ -19,79 +20,193 @@ pub(super) struct Local<'p> {
     pub(super) is_odd: bool,
 }
 
-impl Local<'_> {
-    /// `g(at + offset) - g(at - offset)`.
-    fn jump(&self, at: f64, offset: f64) -> Option<f64> {
-        let after = at + offset;
-        let after = if !self.is_odd && after > PI { after - TAU } else { after };
-        Some(self.profile.slope(after)? - self.profile.slope(at - offset)?)
-    }
-
-    fn nearest(&self) -> f64 {
-        NEAREST * self.profile.blur()
-    }
-
-    /// The jump at the nearest offset and the power of the offset that it goes with; none where slopes are not known, or do not differ.
-    pub(super) fn power(&self, at: f64) -> Option<(f64, f64)> {
-        let [power, _] = self.powers(at)?;
-        Some((self.jump(at, self.nearest())?, power))
-    }
-
-    /// The power by the nearest two offsets and by the next two.
-    fn powers(&self, at: f64) -> Option<[f64; 2]> {
-        let nearest = self.nearest();
-        let [near, middle, far] = [1.0, FARTHER, FARTHER * FARTHER]
-            .map(|times| self.jump(at, times * nearest).filter(|jump| *jump != 0.0));
-        let (near, middle, far) = (near?, middle?, far?);
-        let powers = [middle / near, far / middle].map(|ratio| ratio.ln() / FARTHER.ln());
-        powers.iter().all(|power| power.is_finite()).then_some(powers)
-    }
-}
-
-/// A place where `g` goes as a power below one of the distance.
+/// How the slope goes on one side of a place.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Root {
-    pub(super) at: f64,
-    /// The shortest panel beside it.
-    pub(super) reach: f64,
-    /// `F` there, and its error.
-    pub(super) conjugate: f64,
+pub(super) struct Side {
+    /// What it tends to.
+    pub(super) value: f64,
+    pub(super) power: f64,
+    /// What the integral of a rise of 1 over the distance may be off by.
     pub(super) error: f64,
 }
 
-impl Root {
-    /// That of a place where panels meet; none where they resolve the slope, or where it does not differ by more than a threshold at their ends.
-    pub(super) fn of(panels: &[Panel], local: &Local<'_>, at: f64, threshold: f64) -> Option<Self> {
-        let (jump, _) = local.power(at)?;
-        let [power, other] = local.powers(at)?;
-        let before = panels.iter().find(|panel| panel.end == at)?;
-        let after = panels.iter().find(|panel| panel.start == at)?;
-        let blur = local.profile.blur();
-        let is_resolved = !before.is_blurred(blur) && !after.is_blurred(blur);
-        let reach = 2.0 * before.half().min(after.half());
-        // g(at + t) - g(at - t) = J (t/reach)^power
-        let jump = jump * (reach / local.nearest()).powf(power);
-        if is_resolved || !(0.0..SMOOTH).contains(&power) || jump.abs() <= threshold {
-            return None;
+impl Local<'_> {
+    fn slope(&self, angle: f64) -> Option<f64> {
+        let turns = if self.is_odd { 0.0 } else { (angle / TAU).round() * TAU };
+        self.profile.slope(angle - turns)
+    }
+
+    /// The power of the offset with which `g(at + offset) - g(at - offset)` goes; none where slopes are not known, or do not differ.
+    pub(super) fn power(&self, at: f64) -> Option<f64> {
+        let nearest = NEAREST * self.profile.blur();
+        let jump = |offset: f64| Some(self.slope(at + offset)? - self.slope(at - offset)?);
+        power(jump(nearest)?, jump(FARTHER * nearest)?)
+    }
+
+    /// How the slope goes to the right of a place, or to the left, by three differences; none where it is as smooth as a polynomial.
+    pub(super) fn side(&self, at: f64, is_right: bool) -> Option<Side> {
+        let nearest = NEAREST * self.profile.blur();
+        let mut slopes = [0.0; 4];
+        for (k, slope) in (0..).zip(&mut slopes) {
+            let offset = FARTHER.powi(k) * nearest;
+            *slope = self.slope(if is_right { at + offset } else { at - offset })?;
         }
-        let mut sum = 2.0 * jump / power;
-        for panel in panels {
-            let is_beside = panel.end == at || panel.start == at;
-            if is_beside {
-                let rest = [[panel.start, at - reach], [at + reach, panel.end]];
-                let rest = rest.into_iter().filter(|[from, to]| from < to);
-                let pole = |angle: f64| panel.at(angle) / (0.5 * (angle - at)).tan();
-                sum += rest.map(|[from, to]| integral(from, to, pole)).sum::<f64>();
-            } else {
-                sum += panel.cotangent(at);
-            }
-            if local.is_odd {
-                sum += panel.cotangent(-at);
-            }
-        }
-        // The sides at the nearest offset are rounded by that share of it.
+        let [first, second, third] = [0, 1, 2].map(|k| slopes[k + 1] - slopes[k]);
+        let (near, far) = (power(first, second)?, power(second, third)?);
+        let value = slopes[0] - first / (FARTHER.powf(near) - 1.0);
+        // Slopes at the nearest offset are rounded by that share of it.
         let rounding = ROUNDING / (f64::EPSILON * NEAREST);
-        let error = jump.abs() / PI * ((1.0 / power - 1.0 / other).abs() + rounding);
-        Some(Self { at, reach, conjugate: -sum / TAU, error })
+        let error = ((1.0 / near - 1.0 / far).abs() + rounding) / PI;
+        (0.0 < near && near < SMOOTH).then_some(Side { value, power: near, error })
+    }
+}
+
+/// The power of an offset by what goes with it at two.
+fn power(near: f64, far: f64) -> Option<f64> {
+    let power = (far / near).ln() / FARTHER.ln();
+    power.is_finite().then_some(power)
+}
+
+/// The slope on a panel of the length `h` that begins or ends where it goes as a power of the distance `d`: `value + rise (d/h)^power`. No polynomial follows it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cusp {
+    pub(super) is_right: bool,
+    pub(super) value: f64,
+    pub(super) rise: f64,
+    pub(super) power: f64,
+}
+
+impl Cusp {
+    /// Coefficients of the polynomial with the same moments: `int_0^1 P_k(2 t - 1) t^p dt = p (p - 1) .. (p - k + 1)/((p + 1) .. (p + k + 1))`.
+    pub(super) fn coefficients(&self) -> [f64; ORDER] {
+        let mut moment = self.rise / (self.power + 1.0);
+        let mut coefficients = std::array::from_fn(|k| {
+            let n = k as f64;
+            let own = (2.0 * n + 1.0) * moment;
+            moment *= (self.power - n) / (self.power + n + 2.0);
+            if self.is_right || k % 2 == 0 { own } else { -own }
+        });
+        coefficients[0] += self.value;
+        coefficients
+    }
+
+    /// `p.v. int g/(t - x) dt` over the panel, with the distances of `x` from its ends over its length; where one is below the closest, logarithms are of that.
+    pub(super) fn cauchy(&self, from_left: f64, from_right: f64, closest: f64) -> f64 {
+        let (z, rest) =
+            if self.is_right { (from_left, from_right) } else { (-from_right, -from_left) };
+        let apart = |d: f64| if d.abs() < closest { closest } else { d };
+        let constant = match z.abs() {
+            size if size > 2.0 => (-z.recip()).ln_1p(),
+            _ => (apart(rest) / apart(z)).abs().ln(),
+        };
+        let whole = self.value * constant + self.rise * self.integral(z, apart(rest));
+        if self.is_right { whole } else { -whole }
+    }
+
+    /// `p.v. int_0^1 t^p/(t - z) dt` from `z` and `z - 1`.
+    fn integral(&self, z: f64, rest: f64) -> f64 {
+        let p = self.power;
+        if z.abs() <= 0.5 {
+            // Over the half line it is -pi cot(pi p) z^p, or -pi/sin(pi p) |z|^p beside it.
+            let series = (0..TERMS).rev().fold(0.0, |sum, k| z * sum + 1.0 / (p - f64::from(k)));
+            let turned = if z > 0.0 { 1.0 / (PI * p).tan() } else { 1.0 / (PI * p).sin() };
+            series - PI * turned * z.abs().powf(p)
+        } else if z.abs() >= 2.0 {
+            let inverse = z.recip();
+            let series = (0..TERMS).rev();
+            -inverse * series.fold(0.0, |sum, k| inverse * sum + 1.0 / (p + 1.0 + f64::from(k)))
+        } else {
+            let far = RULE.coefficients(&RULE.nodes.map(|u| (0.75 + 0.25 * u).powf(p)));
+            let near = self.integral(2.0 * z, 2.0 * z - 1.0);
+            0.5f64.powf(p) * near + cauchy(&far, 4.0 * z - 2.0, 4.0 * rest)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cusps_are_integrated() {
+        // p.v. int_0^1 t^p/(t - z) dt by mpmath.
+        for (power, z, exact) in [
+            (0.1, 1e-09, 8.7827666729426992),
+            (0.1, 0.03, 3.1571422966621379),
+            (0.1, 0.4999, 0.22174278117353714),
+            (0.1, 0.5001, 0.22095163505248528),
+            (0.1, 0.7, -0.63156983705203754),
+            (0.1, 0.97, -3.3094706743611873),
+            (0.1, 1.03, -3.3956101198153102),
+            (0.1, 1.6, -0.91047042243637605),
+            (0.1, 1.999, -0.64029240073643001),
+            (0.1, 2.5, -0.469752062094942),
+            (0.1, 40.0, -0.023030029327593065),
+            (0.1, -1e-09, 8.7201251407947868),
+            (0.1, -0.3, 1.2803828334308628),
+            (0.1, -0.51, 0.95873108904215304),
+            (0.1, -1.0, 0.61905712967115173),
+            (0.1, -1.9, 0.38038922793680729),
+            (0.1, -7.0, 0.12100126662537825),
+            (0.5, 1e-09, 1.999999998),
+            (0.5, 0.03, 1.9393889630354286),
+            (0.5, 0.4999, 0.75387414100277551),
+            (0.5, 0.5001, 0.75322485090080638),
+            (0.5, 0.7, -0.024608701442884621),
+            (0.5, 0.97, -2.8039583019479686),
+            (0.5, 1.03, -2.980757575661645),
+            (0.5, 1.6, -0.71436836366236648),
+            (0.5, 1.999, -0.49327803265876811),
+            (0.5, 2.5, -0.35747215966389628),
+            (0.5, 40.0, -0.01692121957189695),
+            (0.5, -1e-09, 1.999900656117342),
+            (0.5, -0.3, 0.82819873068370021),
+            (0.5, -0.51, 0.64221242292272593),
+            (0.5, -1.0, 0.42920367320510338),
+            (0.5, -1.9, 0.26977026814290437),
+            (0.5, -7.0, 0.087824916296374931),
+            (0.8, 1e-09, 1.2500002678279325),
+            (0.8, 0.03, 1.3608062054524706),
+            (0.8, 0.4999, 0.93639067786996388),
+            (0.8, 0.5001, 0.93589024282340612),
+            (0.8, 0.7, 0.26397013205577955),
+            (0.8, 0.97, -2.5268580825097134),
+            (0.8, 1.03, -2.7617867380743393),
+            (0.8, 1.6, -0.61887269705998714),
+            (0.8, 1.999, -0.42280835722017278),
+            (0.8, 2.5, -0.30423501253891438),
+            (0.8, 40.0, -0.014116298117348492),
+            (0.8, -1e-09, 1.2499996677661292),
+            (0.8, -0.3, 0.64521719604453321),
+            (0.8, -0.51, 0.50944476721409884),
+            (0.8, -1.0, 0.34677120268096761),
+            (0.8, -1.9, 0.22066340565149703),
+            (0.8, -7.0, 0.072766051082520689),
+        ] {
+            let cusp = Cusp { is_right: true, value: 0.0, rise: 1.0, power };
+            let mirrored = Cusp { is_right: false, ..cusp };
+            let found = cusp.cauchy(z, z - 1.0, 1e-30);
+            assert!((found - exact).abs() < 1e-13 * (1.0 + exact.abs()), "{power} {z} {found}");
+            assert_eq!(mirrored.cauchy(1.0 - z, -z, 1e-30), -found);
+        }
+    }
+
+    #[test]
+    fn polynomials_have_the_moments() {
+        let (power, rise, value) = (0.3, 2.0, 0.7);
+        for is_right in [true, false] {
+            let c = Cusp { is_right, value, rise, power }.coefficients();
+            // int_0^1 t^n g dt in the distance t from the cusp
+            for n in 0..6 {
+                let place = |u: f64| if is_right { 0.5 * (1.0 + u) } else { 0.5 * (1.0 - u) };
+                let at = RULE.values(&c);
+                let sum: f64 = (0..ORDER)
+                    .map(|i| 0.5 * RULE.weights[i] * at[i] * place(RULE.nodes[i]).powi(n))
+                    .sum();
+                let n = f64::from(n);
+                let exact = value / (n + 1.0) + rise / (n + 1.0 + power);
+                assert!((sum - exact).abs() < 1e-13, "{is_right} {n} {sum} {exact}");
+            }
+        }
     }
 }

@@ -113,7 +113,11 @@ pub(crate) fn derivative(coefficients: &[f64; ORDER]) -> [f64; ORDER] {
 /// `p.v. int_{-1}^{1} P_n(u)/(u - x) du = -2 Q_n(x)` summed with coefficients; `x` by its distances `x + 1` and `x - 1`, which are not zero.
 pub(crate) fn cauchy(coefficients: &[f64; ORDER], from_left: f64, from_right: f64) -> f64 {
     let x = 0.5 * (from_left + from_right);
-    let first = 0.5 * (from_left / from_right).abs().ln();
+    // Far away the quotient is 1 but for its last digits.
+    let first = match x.abs() {
+        size if size > 2.0 => 0.5 * (2.0 / from_right).ln_1p(),
+        _ => 0.5 * (from_left / from_right).abs().ln(),
+    };
     if x.abs() <= UPWARD {
         let (mut below, mut value) = (first, x * first - 1.0);
         let mut sum = coefficients[0] * below + coefficients[1] * value;

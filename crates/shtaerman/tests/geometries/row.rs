@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use shtaerman::{
-    Elastic, Foundation, Geometry, Load, Problem, Profile, Punch, Rotational, Solver, Vertical,
+    Elastic, Foundation, Geometry, Load, Problem, Profile, Punch, Rotational, Roughness, Solver,
+    Vertical,
 };
 
 use crate::geometries::support::{
@@ -56,6 +57,31 @@ fn ends_of_a_wave_that_steps_where_it_is_joined_keep_their_sides() {
             }
         }
         assert!(parted >= 3, "{parted}");
+    }
+}
+
+/// Contact that ends at the step, seen from a slit beside it: the slit is no edge of the base.
+#[test]
+fn contact_of_a_wave_reaches_a_step_where_it_is_joined() {
+    for (exponent, settlement) in [(0.4, 6.2664979874286e-6), (0.7, 8e-6)] {
+        let ground = Foundation::new(Elastic::new(200e9, 0.3).unwrap())
+            .with_roughness(Roughness::power(6.154e-11, exponent).unwrap())
+            .unwrap();
+        let punch = Punch::in_geometry(row(2.0), 1.0)
+            .unwrap()
+            .with_profile(Profile::expression("1.28846e-05*(x-0.4)^2").unwrap());
+        let load = Load::settlement(settlement).unwrap();
+        let contact = Problem::new(ground.clone(), punch.clone(), load).unwrap().solve().unwrap();
+        let zones = contact.zones();
+        println!("{exponent} {settlement:e} {zones:?} {:e}", contact.pressure(1.0).unwrap());
+        let [.., last] = &zones[..] else { panic!("no contact") };
+        assert_eq!(last[1], 1.0, "{exponent} {settlement:e}");
+        // What the layer bears at its end, and just before it.
+        let [end, beside] = [1.0, 1.0 - 1e-13].map(|x| contact.pressure(x).unwrap());
+        assert!(end > 1e6 && (end / beside - 1.0).abs() < 1e-3, "{exponent}: {end:e} {beside:e}");
+        let force = Load::force(contact.force()).unwrap();
+        let again = Problem::new(ground.clone(), punch.clone(), force).unwrap().solve().unwrap();
+        assert!((again.settlement() / settlement - 1.0).abs() < 1e-9, "{exponent}");
     }
 }
 

@@ -44,3 +44,34 @@ fn powers_have_closed_forms() {
         }
     }
 }
+
+/// With `f = x^2 + max(0, x)^n` and `theta0 = 1` the pressure at the bend is `sqrt(-l r)/pi^2` times `int f'(s)/(s sqrt((s - l)(r - s))) ds` over the zone `l .. r`.
+#[test]
+fn powers_on_one_side_have_their_pressure_at_the_bend() {
+    for n in [1.1, 1.5, 1.8] {
+        for side in [1.0, -1.0] {
+            let height = move |x: f64| x * x + (side * x).max(0.0).powf(n);
+            let text = format!("x^2 + max(0, {side}*x)^{n}");
+            let smooth = punch(1.0, height, level(0.02)).formula(&text);
+            let contact = smooth.solved();
+            let [zone] = contact.zones().try_into().unwrap();
+            let [left, right] = zone.ends;
+            let [near, far] = if side > 0.0 { [right, -left] } else { [-left, right] };
+            let own = |from: f64, to: f64| from.powf(n - 2.0) / ((far + from) * to).sqrt();
+            let whole = |from: f64, to: f64| (from * to).sqrt().recip();
+            let sum = n * integral(near, own) + 2.0 * integral(near + far, whole);
+            assert_eq!(zone.is_free(), [true; 2]);
+            let exact = (near * far).sqrt() / PI.powi(2) * sum;
+            let found = contact.pressure(0.0);
+            let stated = contact.contact.relative_error().max(1e-12);
+            let what = format!("n = {n}, {side}");
+            println!("{what}: {:e} {stated:e}", found / exact - 1.0);
+            assert!((found / exact - 1.0).abs() <= stated, "{what}: {found} {exact} {stated:e}");
+            // It falls from there as the power of the distance on the other side, and less on this.
+            let fallen = |d: f64| (contact.pressure(-side * d) - found) / d.powf(n - 1.0);
+            let [one, two] = [1e-13, 1e-10].map(fallen);
+            let allowed = 5e-2 * two.abs() + 2.0 * stated * found / 1e-13f64.powf(n - 1.0);
+            assert!(one < 0.0 && (one - two).abs() <= allowed, "{what}: {one} {two}");
+        }
+    }
+}

@@ -134,8 +134,7 @@ pub(super) fn closing_in(load: Load, width: f64, shortest: f64) -> impl Iterator
         _ => 0.0,
     };
     let room = 0.25 * (1.0 - arm.abs());
-    let halvings = std::iter::successors(Some(0.5 * width), |width| Some(0.5 * width));
-    halvings
+    std::iter::successors(Some(0.5 * width), |width| Some(0.5 * width))
         .take_while(move |width| *width > room.max(shortest))
         .map(move |width| (1.0 - 0.5 * width).copysign(arm))
 }

@@ -96,18 +96,20 @@ fn on_panels(base: &Base) -> Result<RoughContact<OnPanels>, Error> {
 
 /// The answer for a wave without gaps: seen from the middle of a gap it is one more base with ends, and so it is from where full contact pulls most.
 fn wave(base: &Base) -> Result<Arc<dyn Solution>, Error> {
+    let seen_from = |cut: f64| open(&base.clone().shifted(cut));
     // Cells that find nothing show no gap.
     if let Some(middle) = coarse::gap(base.coarse().unwrap_or_default())
-        && let Ok(answer) = open(&base.clone().shifted(middle))
+        && let Ok(answer) = seen_from(middle)
         && !touches_about(answer.as_ref(), middle)
     {
         return Ok(answer);
     }
     let full = on_panels(&base.kept())?;
-    match full.pulls_most() {
-        None => Ok(Arc::new(full.lifting())),
-        Some(least) => open(&base.clone().shifted(least)),
-    }
+    let Some(least) = full.pulls_most() else { return Ok(Arc::new(full.lifting())) };
+    let answer = seen_from(least)?;
+    // A slit beside a step, where contact ends, is a wall that the base has not.
+    let gap = coarse::gap(&answer.zones()).filter(|_| touches_about(answer.as_ref(), least));
+    gap.map_or(Ok(answer), seen_from)
 }
 
 /// Whether a wave that was cut here touches beside the cut.
