@@ -134,7 +134,7 @@ def main(arguments: list[str]) -> None:
             install(python)
         if "--parquet" in arguments:
             features = ("-p", "shtaerman-cli", "--features", "parquet")
-            run("cargo", "test", "--quiet", *features, *(["--release"] if is_wheel else []), "--test", "cli", "--", "parquet")
+            run("cargo", "test", "--quiet", *features, *(["--release"] if is_wheel else []), "--test", "all", "--", "parquet")
             run("cargo", "build", "--quiet", *features, *(["--release"] if is_wheel else []))
         program = TARGET / ("release" if is_wheel else "debug") / ("shtaerman.exe" if os.name == "nt" else "shtaerman")
         # Options alone choose among all tests.

@@ -3,7 +3,7 @@
 use clap::{Command, CommandFactory};
 use shtaerman_cli::arguments::Arguments;
 
-use crate::support::{Folder, PHYSICAL};
+use crate::cli::support::{Folder, PHYSICAL};
 
 #[test]
 fn help_and_version_are_answers() {

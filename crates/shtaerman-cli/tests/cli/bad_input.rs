@@ -1,6 +1,6 @@
 //! Problem files with one fault each: one message with file, line and field, exit code 2, no output file.
 
-use crate::support::{DIMENSIONLESS, Folder, PHYSICAL};
+use crate::cli::support::{DIMENSIONLESS, Folder, PHYSICAL};
 
 /// Solves the faulty file with both kinds of output, and checks all but the words of the message.
 #[track_caller]

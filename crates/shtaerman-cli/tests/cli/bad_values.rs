@@ -1,7 +1,7 @@
 //! Problem files with a value out of range, of the wrong dimension or not finite.
 
-use crate::bad_input::{check, refusal};
-use crate::support::{DIMENSIONLESS, Folder, PHYSICAL, UNILATERAL};
+use crate::cli::bad_input::{check, refusal};
+use crate::cli::support::{DIMENSIONLESS, Folder, PHYSICAL, UNILATERAL};
 
 #[test]
 fn values_out_of_range() {

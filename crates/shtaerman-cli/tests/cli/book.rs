@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::support::Folder;
+use crate::cli::support::Folder;
 
 /// SHA-256 of `one\n` and `two\n`, by `sha256sum`.
 const ONE: &str = "2c8b08da5ce60398e1f19af0e5dccc744df274b826abe585eaba68c525434806";

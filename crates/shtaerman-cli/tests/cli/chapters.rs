@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::support::{Folder, PROGRAM, repository};
+use crate::cli::support::{Folder, PROGRAM, repository};
 
 /// Languages of chapters that other tests run, and which.
 const ELSEWHERE: [(&str, &str, &str); 9] = [

@@ -2,7 +2,9 @@
 
 use serde_json::Value;
 
-use crate::support::{DIMENSIONLESS, Folder, PHYSICAL, assert_valid, is_ignored, number, schema};
+use crate::cli::support::{
+    DIMENSIONLESS, Folder, PHYSICAL, assert_valid, is_ignored, number, schema,
+};
 
 #[test]
 fn reproduce_counts_143_of_144() {

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{Folder, UNILATERAL, assert_valid, schema};
+use crate::cli::support::{Folder, UNILATERAL, assert_valid, schema};
 
 fn near(value: &serde_json::Value, exact: f64, tolerance: f64) {
     let value = value.as_f64().unwrap();

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::{Folder, assert_valid, number, schema};
+use crate::cli::support::{Folder, assert_valid, number, schema};
 
 /// An equation of the second kind on the logarithmic kernel; line numbers of tests count in it.
 pub(crate) const SECOND: &str = r#"[equation]

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use crate::equation::{answer, file};
-use crate::support::number;
+use crate::cli::equation::{answer, file};
+use crate::cli::support::number;
 
 /// The complete elliptic integral `K` of the complementary modulus, by the arithmetic-geometric mean.
 fn elliptic(complementary_modulus: f64) -> f64 {

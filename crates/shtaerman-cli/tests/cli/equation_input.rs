@@ -1,7 +1,7 @@
 //! Equation files that make no sense, and values made to break them.
 
-use crate::equation::{FIRST, SECOND, file};
-use crate::support::{Folder, Run};
+use crate::cli::equation::{FIRST, SECOND, file};
+use crate::cli::support::{Folder, Run};
 
 /// Runs `equation` on a faulty file with both kinds of output; nothing is written, whatever the exit code is.
 #[track_caller]
@@ -295,7 +295,11 @@ fn hostile(values: &[&str]) {
                     let first = text.contains("first");
                     assert!(!run.stdout.contains("NaN"), "{text}{}", run.stdout);
                     let json = run.json();
-                    crate::support::assert_valid(&crate::support::schema("equation"), &json, &text);
+                    crate::cli::support::assert_valid(
+                        &crate::cli::support::schema("equation"),
+                        &json,
+                        &text,
+                    );
                     if !first {
                         assert!(!json["solution"]["phi"].to_string().contains("null"), "{text}");
                     }

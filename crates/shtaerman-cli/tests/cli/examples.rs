@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::support::{
+use crate::cli::support::{
     DIMENSIONLESS, Folder, PHYSICAL, assert_valid, number, repository, schema, toml_as_json,
 };
 

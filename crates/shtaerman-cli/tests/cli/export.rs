@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use crate::support::{DIMENSIONLESS, Folder, PROGRAM, UNILATERAL, number, repository};
+use crate::cli::support::{DIMENSIONLESS, Folder, PROGRAM, UNILATERAL, number, repository};
 
 const POWER: &str = "foundation.roughness={ coefficient = 1e-9, exponent = 0.4 }";
 const PROGRAMS: [&str; 2] = ["abaqus", "calculix"];

@@ -2,7 +2,9 @@
 
 use serde_json::Value;
 
-use crate::support::{DIMENSIONLESS, Folder, PHYSICAL, UNILATERAL, assert_valid, number, schema};
+use crate::cli::support::{
+    DIMENSIONLESS, Folder, PHYSICAL, UNILATERAL, assert_valid, number, schema,
+};
 
 fn solve(folder: &Folder, options: &[&str]) -> Value {
     let json = folder.run(&[&["solve", "punch.toml", "--format", "json"], options].concat()).json();

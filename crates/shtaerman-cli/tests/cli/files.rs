@@ -5,7 +5,7 @@ use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use crate::support::{Folder, PHYSICAL, finished, is_ignored};
+use crate::cli::support::{Folder, PHYSICAL, finished, is_ignored};
 
 /// A problem with a measured profile, `trace.csv`.
 fn measured() -> Folder {

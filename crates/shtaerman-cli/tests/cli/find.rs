@@ -2,7 +2,9 @@
 
 use serde_json::Value;
 
-use crate::support::{DIMENSIONLESS, Folder, PHYSICAL, UNILATERAL, assert_valid, number, schema};
+use crate::cli::support::{
+    DIMENSIONLESS, Folder, PHYSICAL, UNILATERAL, assert_valid, number, schema,
+};
 
 fn find(folder: &Folder, arguments: &[&str]) -> Value {
     let all = [&["find"], arguments, &["--format", "json"]].concat();

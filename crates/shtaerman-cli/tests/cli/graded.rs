@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{Folder, assert_valid, number, schema, toml_as_json};
+use crate::cli::support::{Folder, assert_valid, number, schema, toml_as_json};
 
 const GRADED: &str = r#"[foundation]
 grading_exponent = 0.3

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use crate::support::{Folder, PHYSICAL, Run, finished};
+use crate::cli::support::{Folder, PHYSICAL, Run, finished};
 
 /// Solves `file` and checks that the message begins with `place`, is short and leaves no file behind.
 #[track_caller]

@@ -1,6 +1,6 @@
 //! Layers of finite thickness and coatings: read, solved, refused at their field.
 
-use crate::support::{Folder, assert_valid, number, schema, toml_as_json};
+use crate::cli::support::{Folder, assert_valid, number, schema, toml_as_json};
 
 const LAYER: &str = r#"[foundation]
 young_modulus = "3 MPa"

@@ -1,7 +1,7 @@
 //! Results of any size are written as they are made.
 #![cfg(target_os = "linux")]
 
-use crate::support::{Folder, PHYSICAL, finished};
+use crate::cli::support::{Folder, PHYSICAL, finished};
 
 /// 150 MB of addresses, of which the program alone has 60. As trees of values these took from 200 MB on, and forty times that at their largest.
 const LIMIT: &str = "ulimit -v 150000";

@@ -1,6 +1,6 @@
 //! Messages are short, on lines of their own, and nothing in them moves a terminal.
 
-use crate::support::{Folder, PHYSICAL, Run};
+use crate::cli::support::{Folder, PHYSICAL, Run};
 
 /// Begins a title of the window, rings, colours, goes up a line; the last are one character each that terminals obey or that turns the text round.
 const HOSTILE: &str = "\u{1b}]0;owned\u{7}\u{1b}[31m\u{1b}[1A\r\u{9b}2J\u{202e}";

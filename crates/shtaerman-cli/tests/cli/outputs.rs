@@ -1,6 +1,6 @@
 //! Where results go: whole or not at all, the same bytes each time.
 
-use crate::support::{DIMENSIONLESS, Folder, PHYSICAL};
+use crate::cli::support::{DIMENSIONLESS, Folder, PHYSICAL};
 
 #[test]
 fn a_result_goes_to_the_file_and_nothing_to_the_terminal() {

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::{DIMENSIONLESS, Folder, PHYSICAL, number};
+use crate::cli::support::{DIMENSIONLESS, Folder, PHYSICAL, number};
 
 /// The answer with overrides, and the answer of the file that says the same.
 fn both(problem: &str, overrides: &[&str], from_to: &[(&str, &str)]) -> [Value; 2] {

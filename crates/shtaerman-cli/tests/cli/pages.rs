@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{Folder, UNILATERAL, finished, number, repository};
+use crate::cli::support::{Folder, UNILATERAL, finished, number, repository};
 
 /// The longest line that is not to be copied.
 fn widest(text: &str) -> usize {

@@ -1,6 +1,6 @@
 //! Pictures as they are asked for on the command line.
 
-use crate::support::{Folder, UNILATERAL, repository};
+use crate::cli::support::{Folder, UNILATERAL, repository};
 
 #[test]
 fn every_command_that_draws_takes_the_same_options() {

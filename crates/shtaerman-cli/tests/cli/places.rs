@@ -1,6 +1,6 @@
 //! `--at`, `--points` and the pressure curve as CSV.
 
-use crate::support::{DIMENSIONLESS, Folder, PHYSICAL};
+use crate::cli::support::{DIMENSIONLESS, Folder, PHYSICAL};
 
 fn curve(folder: &Folder, options: &[&str]) -> (String, Vec<[f64; 2]>) {
     let csv = folder.run(&[&["solve", "punch.toml", "--format", "csv"], options].concat()).answer();

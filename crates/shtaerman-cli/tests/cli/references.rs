@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::{Folder, assert_valid, number, schema};
+use crate::cli::support::{Folder, assert_valid, number, schema};
 
 const DEGREE: f64 = 400.0;
 /// Digits of the references (they agree among themselves to 2e-13) and of rounding here.

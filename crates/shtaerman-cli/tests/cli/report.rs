@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use crate::support::{DIMENSIONLESS, Folder, PROGRAM, UNILATERAL, repository};
+use crate::cli::support::{DIMENSIONLESS, Folder, PROGRAM, UNILATERAL, repository};
 
 /// The report of a command in the folder.
 fn report(folder: &Folder, arguments: &[&str]) -> String {

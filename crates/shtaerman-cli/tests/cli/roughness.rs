@@ -1,6 +1,6 @@
 //! `shtaerman roughness`: laws from asperities, bearing curves and tables, and what it refuses.
 
-use crate::support::{Folder, assert_valid, number, schema};
+use crate::cli::support::{Folder, assert_valid, number, schema};
 
 const SURFACE: [&str; 9] = [
     "greenwood-williamson",

@@ -1,6 +1,6 @@
 //! Every kind of answer is what the schema says, and what is said of it is in its units.
 
-use crate::support::{Folder, assert_valid, schema};
+use crate::cli::support::{Folder, assert_valid, schema};
 
 /// A file of a geometry, a surface and a base.
 fn file(geometry: &str, surface: &str, profile: &str, force: &str, contact: &str) -> String {

@@ -1,6 +1,6 @@
 //! Sense checks: slips of the input are doubted, plain work is not.
 
-use crate::support::{Folder, assert_valid, repository, schema};
+use crate::cli::support::{Folder, assert_valid, repository, schema};
 
 const STEEL: &str = r#"
 [foundation]

@@ -2,7 +2,7 @@
 
 use std::process::Command;
 
-use crate::support::Folder;
+use crate::cli::support::Folder;
 
 const COMMANDS: [&str; 19] = [
     "solve",
@@ -127,24 +127,31 @@ fn init_writes_a_schema_that_the_first_line_names() {
     ] {
         let text = folder.run(&["schema", name]).answer();
         let file = format!("schema/{}.schema.json", name.replace('-', "_"));
-        assert_eq!(text, std::fs::read_to_string(crate::support::repository().join(file)).unwrap());
+        assert_eq!(
+            text,
+            std::fs::read_to_string(crate::cli::support::repository().join(file)).unwrap()
+        );
     }
 }
 
 #[test]
 fn the_schema_of_equation_files_takes_what_the_program_takes() {
-    let schema = crate::support::schema("equation_file");
-    for entry in std::fs::read_dir(crate::support::repository().join("examples")).unwrap() {
+    let schema = crate::cli::support::schema("equation_file");
+    for entry in std::fs::read_dir(crate::cli::support::repository().join("examples")).unwrap() {
         let path = entry.unwrap().path();
         if path.to_string_lossy().contains("equation_") {
             let text = std::fs::read_to_string(&path).unwrap();
-            crate::support::assert_valid(&schema, &crate::support::toml_as_json(&text), &text);
+            crate::cli::support::assert_valid(
+                &schema,
+                &crate::cli::support::toml_as_json(&text),
+                &text,
+            );
         }
     }
     let folder = Folder::new();
     folder.run(&["init", "--equation"]).answer();
     let text = folder.read("equation.toml");
-    crate::support::assert_valid(&schema, &crate::support::toml_as_json(&text), "init");
+    crate::cli::support::assert_valid(&schema, &crate::cli::support::toml_as_json(&text), "init");
     for (from, to) in [
         ("lambda = 1.0", "lamda = 1.0"),
         ("kind = \"second\"", "kind = \"third\""),
@@ -153,7 +160,7 @@ fn the_schema_of_equation_files_takes_what_the_program_takes() {
     ] {
         let wrong = text.replacen(from, to, 1);
         assert_ne!(wrong, text);
-        assert!(!schema.is_valid(&crate::support::toml_as_json(&wrong)), "{to}");
+        assert!(!schema.is_valid(&crate::cli::support::toml_as_json(&wrong)), "{to}");
         folder.write("wrong.toml", &wrong);
         folder.run(&["equation", "wrong.toml"]).refusal();
     }

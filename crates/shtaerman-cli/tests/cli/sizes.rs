@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::support::{Folder, repository};
+use crate::cli::support::{Folder, repository};
 
 /// Advance widths of `DejaVu` Sans in 1/2048 of its size, from its `hmtx` table: printable ASCII, and what else is written.
 const ASCII: [u16; 95] = [

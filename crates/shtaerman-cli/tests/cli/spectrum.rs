@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use serde_json::Value;
 
-use crate::support::{Folder, assert_valid, schema};
+use crate::cli::support::{Folder, assert_valid, schema};
 
 /// Every kernel with parameters.
 const KERNELS: [&[&str]; 10] = [

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use crate::support::{Folder, UNILATERAL, assert_valid, number, repository, schema};
+use crate::cli::support::{Folder, UNILATERAL, assert_valid, number, repository, schema};
 
 /// A crown that touches in the middle, nearly smooth: Hertz.
 const CROWN: &str = r#"[foundation]

@@ -3,7 +3,7 @@
 use std::fs::File;
 use std::time::{Duration, SystemTime};
 
-use crate::support::{
+use crate::cli::support::{
     DIMENSIONLESS, Folder, UNILATERAL, assert_valid, number, repository, schema, toml_as_json,
 };
 
@@ -222,7 +222,7 @@ fn what_killed_runs_left_is_removed_once_it_is_old_and_nobody_has_it() {
     assert!([".shtaerman-new", ".shtaerman-held", ".other"].into_iter().all(is_there), "{names:?}");
 }
 
-/// With `cargo test -p shtaerman-cli --features parquet --test cli -- parquet`; pyarrow reads the same files in `python/tests/test_parquet.py`.
+/// With `cargo test -p shtaerman-cli --features parquet --test all -- parquet`; pyarrow reads the same files in `python/tests/test_parquet.py`.
 #[cfg(feature = "parquet")]
 #[test]
 fn parquet_parts_hold_the_numbers_of_the_others_and_are_done_again_where_they_are_cut() {

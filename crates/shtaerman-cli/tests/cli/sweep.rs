@@ -5,7 +5,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use crate::support::{Folder, PROGRAM, repository};
+use crate::cli::support::{Folder, PROGRAM, repository};
 
 const STUDY: &str = r#"[foundation]
 young_modulus = "200 GPa"
@@ -355,7 +355,7 @@ fn parts_are_arrays_for_numpy_too_and_a_cut_one_is_done_again() {
 #[test]
 fn a_few_cases_need_no_file() {
     let folder = Folder::new();
-    folder.write("punch.toml", crate::support::PHYSICAL);
+    folder.write("punch.toml", crate::cli::support::PHYSICAL);
     let csv = folder
         .run(&["solve", "punch.toml", "--vary", "load.force=0.2..1 MN/m:5", "--format", "csv"])
         .answer();

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 
-use crate::support::{Folder, UNILATERAL, assert_valid, repository, schema};
+use crate::cli::support::{Folder, UNILATERAL, assert_valid, repository, schema};
 
 /// A trace of this many points, waves of random phase, whose contact takes seconds.
 fn trace(folder: &Folder, points: usize) {

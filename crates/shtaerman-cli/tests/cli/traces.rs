@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::support::{Folder, UNILATERAL, assert_valid, number, schema};
+use crate::cli::support::{Folder, UNILATERAL, assert_valid, number, schema};
 
 const STEEL: &str = "[foundation]\nyoung_modulus = \"200 GPa\"\npoisson_ratio = 0.3\nroughness = \"1.2e-14 m/Pa\"\n\n[load]\nforce = \"0.8 MN/m\"\nmoment = 0\n\n[punch]\nhalf_width = \"5 mm\"\n";
 

@@ -1,6 +1,6 @@
 //! Units of one's own: tables and columns follow, JSON stays SI.
 
-use crate::support::{Folder, UNILATERAL, number};
+use crate::cli::support::{Folder, UNILATERAL, number};
 
 /// Metres, pascals and newtons per metre in an inch, a ksi and a pound-force per inch.
 const INCH: f64 = 0.0254;
@@ -173,7 +173,7 @@ fn places_of_warnings_follow() {
 #[test]
 fn units_that_are_none_are_refused() {
     let folder = Folder::with(UNILATERAL);
-    folder.write("bare.toml", crate::support::DIMENSIONLESS);
+    folder.write("bare.toml", crate::cli::support::DIMENSIONLESS);
     let refused = |file: &str, units: &str| {
         let run = folder.run(&["solve", file, "--units", units]);
         run.refusal().to_owned()

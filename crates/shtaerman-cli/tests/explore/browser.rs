@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use crate::client::{PROGRAM, Page};
+use crate::explore::client::{PROGRAM, Page};
 
 /// What desktops open addresses with; this one writes them down.
 fn fake_browser(folder: &Path) {

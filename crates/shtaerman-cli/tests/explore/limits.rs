@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
-use crate::client::{PROGRAM, PUNCH, Page, Response, finish};
+use crate::explore::client::{PROGRAM, PUNCH, Page, Response, finish};
 
 fn solve(page: &Page) -> Value {
     page.ask("solve", &json!({ "name": "x.toml", "toml": PUNCH }))

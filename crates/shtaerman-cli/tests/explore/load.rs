@@ -5,7 +5,7 @@ use std::thread::scope;
 
 use serde_json::{Value, json};
 
-use crate::client::{PUNCH, Page, Response};
+use crate::explore::client::{PUNCH, Page, Response};
 
 const AT_ONCE: usize = 50;
 const EACH: usize = 20;

@@ -3,7 +3,7 @@
 use std::net::{Ipv4Addr, SocketAddr, TcpStream, UdpSocket};
 use std::time::Duration;
 
-use crate::client::Page;
+use crate::explore::client::Page;
 
 #[test]
 fn only_the_page_itself_is_answered() {
@@ -66,7 +66,8 @@ fn only_files_of_its_own_are_served() {
     }
     assert_eq!(page.get("/?a=b").status, 200, "a question behind a path is no other path");
     // Nor does a problem read a file of the machine.
-    let toml = crate::client::PUNCH.replace("\"x^2 / (2*20)\"", "{ csv = \"/etc/hostname\" }");
+    let toml =
+        crate::explore::client::PUNCH.replace("\"x^2 / (2*20)\"", "{ csv = \"/etc/hostname\" }");
     let told = page.ask("solve", &serde_json::json!({ "name": "x.toml", "toml": toml }));
     let said = told["fault"]["message"].as_str().unwrap();
     assert!(said.contains("/etc/hostname is not there"), "{said}");
