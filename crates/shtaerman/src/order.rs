@@ -3,10 +3,10 @@
 /// Sorts by a number of each item; those with equal numbers stay as they were.
 ///
 /// The standard library's sort is some twenty kilobytes of code for each kind of item: here one serves them all.
-pub(crate) fn sort_by_number<T: Clone>(items: &mut [T], number: impl Fn(&T) -> f64) {
+pub(crate) fn sort_by_number<T: Copy>(items: &mut [T], number: impl Fn(&T) -> f64) {
     let numbers: Vec<f64> = items.iter().map(number).collect();
-    let sorted: Vec<T> = order(&numbers).into_iter().map(|index| items[index].clone()).collect();
-    items.clone_from_slice(&sorted);
+    let sorted: Vec<T> = order(&numbers).into_iter().map(|index| items[index]).collect();
+    items.copy_from_slice(&sorted);
 }
 
 /// Indices of numbers, the smallest first.

@@ -252,7 +252,7 @@ impl<'a> Search<'a> {
                 leaves.push(leaf);
             }
         }
-        crate::order::sort_by_number(&mut leaves, |u| u.part.lower());
+        leaves.sort_by(|u, v| u.part.lower().total_cmp(&v.part.lower()));
         leaves
     }
 
