@@ -1,6 +1,6 @@
 //! What several tests share.
 
-#![allow(dead_code, reason = "each test uses a part")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test may fail by panicking")]
 #![allow(unreachable_pub, reason = "a module of tests")]
 
 use fredholm::Interval;
