@@ -111,7 +111,7 @@ impl Cusp {
             let series = (0..TERMS).rev().fold(0.0, |sum, k| z * sum + 1.0 / (p - f64::from(k)));
             let turned = if z > 0.0 { 1.0 / (PI * p).tan() } else { 1.0 / (PI * p).sin() };
             series - PI * turned * z.abs().powf(p)
-        } else if z.abs() >= 2.0 {
+        } else if z.abs() >= 2.0 || z.is_nan() {
             let inverse = z.recip();
             let series = (0..TERMS).rev();
             -inverse * series.fold(0.0, |sum, k| inverse * sum + 1.0 / (p + 1.0 + f64::from(k)))
