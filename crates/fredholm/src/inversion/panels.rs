@@ -21,7 +21,7 @@ const STAYS: f64 = 0.6;
 const FASTEST: f64 = 1e-4;
 /// A pole so many half-lengths from the middle of a panel is far. At half or twice 1 of 32 differ beyond what is stated and stated errors grow up to 4e+03 times (survey).
 const FAR: f64 = 2.5;
-/// As near by the angle, too: between short panels the difference of two places has lost its digits, not that of their ends: at this distance four of sixteen (rounding).
+/// As near by the angle, too: between short panels the difference of two places has lost its digits, not that of their ends: at this distance three of sixteen (rounding).
 const BESIDE: f64 = 1e-3;
 /// Distances below this count as this: where panels meet, the logarithms of either side cancel to rounding. At half or twice stated errors grow up to 1.3 times (survey).
 const CLOSEST: f64 = 1e-30;
@@ -164,15 +164,17 @@ pub(super) fn follow_cusps(
     let mut worst = 0.0f64;
     for i in 0..count {
         let next = (i + 1) % count;
-        let is_at_an_end = local.is_odd && (i == 0 || next + 1 >= count || next == 0);
+        let is_end = local.is_odd && next == 0;
         let at = panels[i].end;
-        if is_at_an_end || ![i, next].iter().any(|k| panels[*k].is_blurred(blur)) || !is_cusp(at) {
+        if is_end || ![i, next].iter().any(|k| panels[*k].is_blurred(blur)) || !is_cusp(at) {
             continue;
         }
         let beside = [(i, false), (next, true)];
         let sides = beside.map(|(k, is_right)| {
-            let is_blurred = panels[k].is_blurred(blur);
-            is_blurred.then(|| local.side(at, is_right)).flatten()
+            // At an end of a half turn there is no neighbour that says how far the slope rises.
+            let is_last = local.is_odd && k == if is_right { count - 1 } else { 0 };
+            let is_short = panels[k].is_blurred(blur) && !is_last;
+            is_short.then(|| local.side(at, is_right)).flatten()
         });
         // A side that is resolved says what the slope is at the place.
         let value = match sides {
@@ -191,7 +193,9 @@ pub(super) fn follow_cusps(
             let Some(side) = side else { continue };
             let cusp = Cusp { is_right, value, rise, power: side.power };
             panels[k] = Panel::with_cusp(panels[k].start, panels[k].end, cusp);
-            worst = worst.max(side.error * rise.abs());
+            // What rounded places make of the slope on the panels next to it.
+            let places = OF_A_VALUE / f64::EPSILON * local.profile.blur() / panels[k].half();
+            worst = worst.max((side.error + side.power * places) * rise.abs());
         }
     }
     worst

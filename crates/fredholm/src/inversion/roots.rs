@@ -54,8 +54,8 @@ impl Local<'_> {
         let [first, second, third] = [0, 1, 2].map(|k| slopes[k + 1] - slopes[k]);
         let (near, far) = (power(first, second)?, power(second, third)?);
         let value = slopes[0] - first / (FARTHER.powf(near) - 1.0);
-        // Slopes at the nearest offset are rounded by that share of it.
-        let rounding = ROUNDING / (f64::EPSILON * NEAREST);
+        // Slopes at the nearest offset are rounded by that share of it, and so is the rise to the panel next to it.
+        let rounding = 2.0 * ROUNDING / (f64::EPSILON * NEAREST);
         let error = ((1.0 / near - 1.0 / far).abs() + rounding) / PI;
         (0.0 < near && near < SMOOTH).then_some(Side { value, power: near, error })
     }
