@@ -16,8 +16,8 @@ pub trait Angular {
     fn taken_slope(&self) -> f64 {
         0.0
     }
-    /// Rounding of angles.
-    fn blur(&self) -> f64 {
+    /// Rounding of angles about this one: beside an end, where places follow angles by their square, rounded places move them farther.
+    fn blur(&self, _angle: f64) -> f64 {
         f64::EPSILON
     }
 }

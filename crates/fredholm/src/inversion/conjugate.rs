@@ -14,14 +14,12 @@ use super::accuracy::{HARMLESS, RESOLVED, ROUNDING};
 use super::angular::Angular;
 use super::harmonics::{Harmonics, Resolved};
 use super::panels::{Builder, Panel, follow_cusps, join};
-use super::roots::{Local, NEAREST};
+use super::roots::{CONSTANT, Local, NEAREST};
 use super::rule::{ORDER, RULE, integral};
 
 /// From this `w - 1` on so many powers of `1/w` tell of a zone what is outside of it: the next is below rounding. At half or twice 3 of 32 answers change, within what they state (survey).
 const REMOTE: f64 = 0.48;
 const FIRST: usize = 96;
-/// Powers of the distance below this are none: the slope jumps. Half and twice change none of 30 answers (survey).
-const CONSTANT: f64 = 1.5e-3;
 /// Harmonics that are tried of a slope on panels. At half or twice 5 of 20 answers change, within what they state (survey).
 const COUNTS: [usize; 3] = [24, 48, 96];
 /// Shorter panels than this show something that no short series has. Half and twice change none of 20 answers (survey).
@@ -110,9 +108,10 @@ impl Conjugate {
         cuts.extend(own().filter(|bend| **bend > start && **bend < PI));
         cuts.sort_by(f64::total_cmp);
         // A cut by a bend is where it bends, to the last bit: a panel between shows nothing.
-        let blur = profile.blur();
-        let is_apart =
-            |cut: &f64| own().all(|bend| bend == cut || (bend - cut).abs() > NEAREST * blur);
+        let is_apart = |cut: &f64| {
+            let blur = profile.blur(*cut);
+            own().all(|bend| bend == cut || (bend - cut).abs() > NEAREST * blur)
+        };
         cuts.retain(|cut| ends.contains(cut) || is_apart(cut));
         cuts.dedup();
         let tolerance = tolerance.max(RESOLVED);
@@ -126,7 +125,6 @@ impl Conjugate {
             is_by_heights: false,
             scale,
             tolerance,
-            blur: profile.blur(),
         };
         for (pair, sampled) in cuts.windows(2).zip(builder.first(&cuts)) {
             builder.add([pair[0], pair[1]], &sampled, 0, f64::INFINITY);

@@ -32,6 +32,12 @@ pub struct Kink {
 }
 
 impl Kink {
+    /// Whether a slope that jumps by so much so near to a place, and so much twice as far away, jumps at it: it does not where it goes as a power of the distance.
+    #[must_use]
+    pub fn is_jump(near: f64, far: f64) -> bool {
+        (far / near).log2().abs() < super::roots::CONSTANT
+    }
+
     /// `b^2 - k^2` over `b^2`, root.
     fn sine(&self) -> f64 {
         (self.place.from_left.sqrt() * self.place.from_right.sqrt() / self.half).min(1.0)

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, TAU};
 
 use super::accuracy::{DEEPEST, NOISE, OF_A_VALUE, ROUNDING};
 use super::angular::Angular;
-use super::roots::{Cusp, Local};
+use super::roots::{Beside, Cusp, Local, Side};
 use super::rule::{ORDER, RULE, cauchy, derivative, polynomials};
 
 /// There are at most so many panels. Half and twice change none of 32 answers (survey).
@@ -160,12 +160,12 @@ pub(super) fn follow_cusps(
     is_cusp: impl Fn(f64) -> bool,
 ) -> f64 {
     let count = panels.len();
-    let blur = UNRESOLVED * local.profile.blur();
     let mut worst = 0.0f64;
     for i in 0..count {
         let next = (i + 1) % count;
         let is_end = local.is_odd && next == 0;
         let at = panels[i].end;
+        let blur = UNRESOLVED * local.profile.blur(at);
         if is_end || ![i, next].iter().any(|k| panels[*k].is_blurred(blur)) || !is_cusp(at) {
             continue;
         }
@@ -174,28 +174,38 @@ pub(super) fn follow_cusps(
             // At an end of a half turn there is no neighbour that says how far the slope rises.
             let is_last = local.is_odd && k == if is_right { count - 1 } else { 0 };
             let is_short = panels[k].is_blurred(blur) && !is_last;
-            is_short.then(|| local.side(at, is_right)).flatten()
+            if is_short { local.side(at, is_right, threshold) } else { Beside::Smooth }
         });
         // A side that is resolved says what the slope is at the place.
         let value = match sides {
-            [None, None] => continue,
-            [None, Some(_)] => panels[i].ends()[1],
-            [Some(_), None] => panels[next].ends()[0],
-            [Some(left), Some(right)] => 0.5 * (left.value + right.value),
+            [Beside::Smooth, Beside::Smooth] => continue,
+            [Beside::Smooth, _] => panels[i].ends()[1],
+            [_, Beside::Smooth] => panels[next].ends()[0],
+            [Beside::Power(left), Beside::Power(right)] => 0.5 * (left.value + right.value),
+            _ => 0.5 * (panels[i].ends()[1] + panels[next].ends()[0]),
         };
         let outer =
             [panels[(i + count - 1) % count].ends()[1], panels[(next + 1) % count].ends()[0]];
         let rises = outer.map(|outer| outer - value);
-        if sides.iter().zip(rises).all(|(side, rise)| side.is_none() || rise.abs() <= threshold) {
+        let is_flat = |(side, rise): (&Beside, f64)| {
+            matches!(side, Beside::Smooth) || rise.abs() <= threshold
+        };
+        if sides.iter().zip(rises).all(is_flat) {
             continue;
         }
         for (((k, is_right), side), rise) in beside.into_iter().zip(sides).zip(rises) {
-            let Some(side) = side else { continue };
+            let side: Side = match side {
+                Beside::Smooth => continue,
+                Beside::Power(side) => side,
+                Beside::Unclear => return f64::INFINITY,
+            };
             let cusp = Cusp { is_right, value, rise, power: side.power };
             panels[k] = Panel::with_cusp(panels[k].start, panels[k].end, cusp);
             // What rounded places make of the slope on the panels next to it.
-            let places = OF_A_VALUE / f64::EPSILON * local.profile.blur() / panels[k].half();
-            worst = worst.max((side.error + side.power * places) * rise.abs());
+            let places = OF_A_VALUE / f64::EPSILON * local.profile.blur(at) / panels[k].half();
+            // What goes with the distance is taken for a part of the power.
+            let leaning = (1.0 / side.power - 1.0) * (panels[k].half() * side.lean).abs();
+            worst = worst.max((side.error + side.power * places) * rise.abs() + leaning);
         }
     }
     worst
@@ -272,8 +282,6 @@ pub(super) struct Builder<'p> {
     /// Largest `|f|` and `|g|`.
     pub(super) scale: [f64; 2],
     pub(super) tolerance: f64,
-    /// Rounding of angles: shorter panels than [`BLURRED`] times that show nothing else.
-    pub(super) blur: f64,
 }
 
 /// What samples of an interval tell.
@@ -336,7 +344,9 @@ impl Builder<'_> {
         before: f64,
     ) {
         let half = 0.5 * (end - start);
-        let is_short = half <= BLURRED * self.blur || depth >= DEEPEST;
+        // Shorter panels show nothing but rounded angles.
+        let blur = self.profile.blur(0.5 * (start + end));
+        let is_short = half <= BLURRED * blur || depth >= DEEPEST;
         let is_full = self.panels.len() >= MOST_PANELS;
         if self.is_met(sampled, half) || is_short || is_full || !sampled.tail.is_finite() {
             self.push([start, end], sampled);
@@ -355,7 +365,7 @@ impl Builder<'_> {
         } else {
             sampled.tail >= STAYS * before
         };
-        if depth > 0 && stays && self.may_be_noise(sampled, half) {
+        if depth > 0 && stays && self.may_be_noise(sampled, half, blur) {
             self.push([start, end], sampled);
             return;
         }
@@ -375,13 +385,13 @@ impl Builder<'_> {
 
     /// Whether last coefficients that no halving makes smaller are rounding: small ones, those that rounded places make, or those of panels so short that nothing of
     /// the profile is as fast.
-    fn may_be_noise(&self, sampled: &Sampled, half: f64) -> bool {
+    fn may_be_noise(&self, sampled: &Sampled, half: f64, blur: f64) -> bool {
         if !sampled.is_slope {
             return sampled.tail <= NOISE * self.scale[0];
         }
         let noise = NOISE * self.scale[1].max(self.profile.taken_slope());
         let bend: f64 = sampled.coefficients[1..].iter().map(|c| c.abs()).sum();
-        let blurred = ROUNDING / f64::EPSILON * self.blur / half * bend;
+        let blurred = ROUNDING / f64::EPSILON * blur / half * bend;
         sampled.tail <= noise.max(blurred) || half <= FASTEST
     }
 

@@ -1,6 +1,6 @@
 //! Slopes that go as a power of the distance from a place, which is a jump if the power is zero.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::accuracy::ROUNDING;
 use super::angular::Angular;
@@ -9,8 +9,12 @@ use super::rule::{ORDER, RULE, cauchy};
 /// The nearest offset at which slopes beside a place are compared, in roundings of the angle, and how much farther each next one is. At half or twice stated errors grow up to 2 times (survey).
 pub(super) const NEAREST: f64 = 1e4;
 const FARTHER: f64 = 30.0;
+/// Powers of the distance below this are none: the slope jumps. Half and twice change none of 30 answers (survey).
+pub(super) const CONSTANT: f64 = 1.5e-3;
 /// Powers from here on are resolved by panels. Half and twice change nothing in the one answer that asks for it (survey).
 const SMOOTH: f64 = 0.999;
+/// How far below what is seen the power may end, in changes of it from one offset to the next (survey).
+const DRIFT: f64 = 30.0;
 /// Terms of the power series of a cusp, whose argument is at most 1/2.
 const TERMS: i32 = 56;
 
@@ -22,12 +26,23 @@ pub(super) struct Local<'p> {
 
 /// How the slope goes on one side of a place.
 #[derive(Debug, Clone, Copy)]
+pub(super) enum Beside {
+    /// As a polynomial.
+    Smooth,
+    Power(Side),
+    /// Neither: as a sum of several powers that nearly cancel, or too near to an end of the half turn to be seen.
+    Unclear,
+}
+
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Side {
     /// What it tends to.
     pub(super) value: f64,
     pub(super) power: f64,
     /// What the integral of a rise of 1 over the distance may be off by.
     pub(super) error: f64,
+    /// What goes with the distance itself, over it.
+    pub(super) lean: f64,
 }
 
 impl Local<'_> {
@@ -38,26 +53,56 @@ impl Local<'_> {
 
     /// The power of the offset with which `g(at + offset) - g(at - offset)` goes; none where slopes are not known, or do not differ.
     pub(super) fn power(&self, at: f64) -> Option<f64> {
-        let nearest = NEAREST * self.profile.blur();
+        let nearest = NEAREST * self.profile.blur(at);
         let jump = |offset: f64| Some(self.slope(at + offset)? - self.slope(at - offset)?);
         power(jump(nearest)?, jump(FARTHER * nearest)?)
     }
 
-    /// How the slope goes to the right of a place, or to the left, by three differences; none where it is as smooth as a polynomial.
-    pub(super) fn side(&self, at: f64, is_right: bool) -> Option<Side> {
-        let nearest = NEAREST * self.profile.blur();
-        let mut slopes = [0.0; 4];
+    /// How the slope goes to the right of a place, or to the left; `noise` is its rounding.
+    pub(super) fn side(&self, at: f64, is_right: bool, noise: f64) -> Beside {
+        let nearest = NEAREST * self.profile.blur(at);
+        let mut slopes = [0.0; 5];
         for (k, slope) in (0..).zip(&mut slopes) {
             let offset = FARTHER.powi(k) * nearest;
-            *slope = self.slope(if is_right { at + offset } else { at - offset })?;
+            let end = if self.is_odd { FRAC_PI_2 - (at - FRAC_PI_2).abs() } else { PI };
+            // Where only heights are known nothing tells a power.
+            let known = self.slope(if is_right { at + offset } else { at - offset });
+            let Some(known) = known else { return Beside::Smooth };
+            if !known.is_finite() || 2.0 * offset > end {
+                return Beside::Unclear;
+            }
+            *slope = known;
         }
-        let [first, second, third] = [0, 1, 2].map(|k| slopes[k + 1] - slopes[k]);
-        let (near, far) = (power(first, second)?, power(second, third)?);
+        // What goes with the distance itself is the same part of each difference: without it only powers are left.
+        let risen = |k: usize| slopes[k + 1] - slopes[k];
+        let bent = [0, 1, 2].map(|k| risen(k + 1) - FARTHER * risen(k));
+        if bent.iter().all(|b| b.abs() <= FARTHER * noise) {
+            return Beside::Smooth;
+        }
+        let powers = power(bent[0], bent[1]).zip(power(bent[1], bent[2]));
+        let Some((near, far)) = powers else { return Beside::Unclear };
+        // What falls as quickly as the inverse of the distance is what a formula loses beside a crest.
+        let is_lost = near < -0.5 && far < -0.5;
+        if near >= SMOOTH && far >= SMOOTH || is_lost {
+            return Beside::Smooth;
+        }
+        if near <= 0.0 || near >= SMOOTH || far <= 0.0 || far >= SMOOTH {
+            return Beside::Unclear;
+        }
+        let first = bent[0] / (FARTHER.powf(near) - FARTHER);
         let value = slopes[0] - first / (FARTHER.powf(near) - 1.0);
         // Slopes at the nearest offset are rounded by that share of it, and so is the rise to the panel next to it.
         let rounding = 2.0 * ROUNDING / (f64::EPSILON * NEAREST);
-        let error = ((1.0 / near - 1.0 / far).abs() + rounding) / PI;
-        (0.0 < near && near < SMOOTH).then_some(Side { value, power: near, error })
+        // Of a sum of powers the least is what remains in the end.
+        let least = near - DRIFT * (near - far).abs();
+        if least <= 0.0 {
+            return Beside::Unclear;
+        }
+        let hidden = (near / least).powi(2) - 1.0;
+        let error = ((1.0 / near - 1.0 / far).abs() + rounding + hidden / near) / PI;
+        let last = FARTHER.powi(3);
+        let lean = (risen(3) - first * last.powf(near)) / ((FARTHER - 1.0) * last * nearest);
+        Beside::Power(Side { value, power: near, error, lean })
     }
 }
 

@@ -4,10 +4,12 @@
 //! is a polynomial.
 
 mod panel;
+mod start;
 
 use std::f64::consts::FRAC_PI_2;
 
 use self::panel::{Panel, largest, rounding_of};
+use self::start::Start;
 use super::accuracy::{DEEPEST, HARMLESS, NOISE, RESOLVED};
 use super::powers::{NEAREST, PLAIN, Powers, TURN, distant};
 use super::rule::{ORDER, RULE, integral, integral_at_nodes};
@@ -21,6 +23,10 @@ const STEP: f64 = 1.0;
 const LENGTHS: f64 = 1024.0;
 /// A first panel shorter than this share of its segment is there for a kink. Half and twice change none of 14 answers (survey).
 const SHORT: f64 = 1e-5;
+
+/// Share of a segment that a bend shapes alone: what is left out goes as its square, and rounding as the inverse of a power above one. The first panel serves up to the other share (theory).
+const START: f64 = 1e-4;
+const LONGEST_START: f64 = 1e-2;
 
 /// A panel that may be halved.
 struct Sampled {
@@ -43,12 +49,27 @@ struct Segment {
     /// `b` and the next kink or the edge.
     ends: [f64; 2],
     panels: Vec<Panel>,
+    /// What `G` is in place of the first panels beside a bend.
+    start: Option<Start>,
 }
 
 /// Whether the first panel of a segment is there for a kink: beside the middle all is as short as the distance from it.
 fn is_for_kink(first: &Panel, ends: [f64; 2]) -> bool {
     let length = leg(ends[1], ends[0]);
     first.ends[1] < SHORT * if ends[0] > 0.0 { length.min(ends[0]) } else { length }
+}
+
+/// What stands for the first panels of a segment that begins with a bend, where they are there for it.
+fn started(shape: &Shape<'_>, ends: [f64; 2], panels: &[Panel]) -> Option<Start> {
+    let first = panels.first()?;
+    let length = leg(ends[1], ends[0]).min(ends[0]);
+    if ends[0] == 0.0 || first.ends[1] > LONGEST_START * length {
+        return None;
+    }
+    let short = panels.iter().take_while(|panel| panel.ends[1] <= START * length);
+    let start = Start::new(shape, ends[0], short.last().unwrap_or(first).ends[1])?;
+    // Under a kink of homogeneous ground the pressure is infinite.
+    start.is_finite(&shape.powers).then_some(start)
 }
 
 /// `sqrt(x^2 - y^2)` for `x >= y`.
@@ -93,8 +114,10 @@ impl Segment {
             let halves = [[*from, middle], [middle, *to]].map(|own| sampled(own, depth, before));
             panels.splice(i..=i, halves);
         }
-        let panels = panels.iter().map(|panel| Panel::new(panel.ends, panel.values)).collect();
-        Self::at_rest(ends, panels, &shape.powers)
+        let panels: Vec<Panel> =
+            panels.iter().map(|panel| Panel::new(panel.ends, panel.values)).collect();
+        let start = started(shape, ends, &panels);
+        Self { start, ..Self::at_rest(ends, panels, &shape.powers) }
     }
 
     /// On graded ground `G` rises from a bend as a power above 1 of `s`, but where a kink was not told.
@@ -106,7 +129,7 @@ impl Segment {
         {
             *first = first.clone().with_rest();
         }
-        Self { ends, panels }
+        Self { ends, panels, start: None }
     }
 
     /// The part up to `end`, by the same polynomials.
@@ -114,7 +137,8 @@ impl Segment {
         let to = leg(end, self.ends[0]);
         let kept = self.panels.iter().filter(|panel| panel.ends[0] < to);
         let panels = kept.map(|panel| panel.within(to)).collect();
-        Self::at_rest([self.ends[0], end], panels, powers)
+        let start = self.start.filter(|start| start.to <= to);
+        Self { start, ..Self::at_rest([self.ends[0], end], panels, powers) }
     }
 
     /// The same with less of each series.
@@ -124,7 +148,8 @@ impl Segment {
             values[ORDER - 2..].fill(0.0);
             Panel::new(panel.ends, values)
         };
-        Self::at_rest(self.ends, self.panels.iter().map(less).collect(), powers)
+        let panels = self.panels.iter().map(less).collect();
+        Self { start: self.start, ..Self::at_rest(self.ends, panels, powers) }
     }
 
     /// `sqrt(x^2 - r^2)` or its negative square at the end `s` of a panel.
@@ -142,13 +167,21 @@ impl Segment {
             return 0.0;
         }
         if r == kink {
-            return if powers.exponent() == 0.0 { self.at_kink() } else { self.at_place(powers) };
+            return if powers.exponent() == 0.0 {
+                self.at_kink(powers)
+            } else {
+                self.at_place(powers)
+            };
         }
         let is_inside = r > kink;
         // s = scale cosh y or scale sinh y
         let scale = if is_inside { leg(r, kink) } else { leg(kink, r) };
-        let mut sum = 0.0;
-        for panel in self.panels.iter().filter(|panel| !is_inside || panel.ends[1] > scale) {
+        let mut sum = match &self.start {
+            Some(start) if !is_inside => start.outside(powers, scale),
+            Some(start) if start.to > scale => start.inside(powers, scale),
+            _ => 0.0,
+        };
+        for panel in self.resolved().filter(|panel| !is_inside || panel.ends[1] > scale) {
             let place = |s: f64| {
                 if is_inside {
                     if s <= scale { 0.0 } else { (self.beyond(s, r) / scale).asinh() }
@@ -175,16 +208,19 @@ impl Segment {
         sum
     }
 
+    /// The panels that a start does not stand for.
+    fn resolved(&self) -> impl Iterator<Item = &Panel> {
+        let from = self.start.map_or(0.0, |start| start.to);
+        self.panels.iter().filter(move |panel| panel.ends[0] >= from)
+    }
+
     /// `int dG s^(mu-1)`: at a kink `G` rises as `s^(1+mu)`.
     fn at_place(&self, powers: &Powers) -> f64 {
         let Some(first) = self.panels.first() else { return 0.0 };
         let mu = powers.exponent();
-        let [_, to] = first.ends;
         let f = |panel: &Panel, s: f64| panel.slope(s) * s.powf(mu - 1.0);
-        let is_kink = self.ends[0] > 0.0 && is_for_kink(first, self.ends);
-        let mut sum = if is_kink {
-            let rise = first.value(to) - first.value(0.0);
-            rise * to.powf(mu - 1.0) * (1.0 + mu) / (2.0 * mu)
+        let mut sum = if let Some(start) = &self.start {
+            start.at_bend(powers)
         } else {
             // Rounding of a slope that vanishes would be blown up by 1/mu.
             let start = first.slope(0.0);
@@ -192,15 +228,20 @@ impl Segment {
                 if start.abs() > first.blown(largest(&first.values)) { 0.0 } else { start };
             powers.integral(-1, first.ends, |s| f(first, s) - rounded * s.powf(mu - 1.0))
         };
-        for panel in &self.panels[1..] {
+        for panel in self.resolved().filter(|panel| panel.ends[0] > 0.0) {
             sum += powers.graded(-1, panel.ends, [f64::INFINITY; 2], |s| f(panel, s));
         }
         sum
     }
 
     /// `int dG/s`, infinite where the base has a kink.
-    fn at_kink(&self) -> f64 {
+    fn at_kink(&self, powers: &Powers) -> f64 {
         let Some(first) = self.panels.first() else { return 0.0 };
+        let beyond =
+            |panel: &Panel| stepwise(panel.ends.map(f64::ln), STEP, |y| panel.slope(y.exp()));
+        if let Some(start) = &self.start {
+            return start.at_bend(powers) + self.resolved().map(beyond).sum::<f64>();
+        }
         let slope = first.slope(0.0);
         let largest = self.largest_slope();
         let far = LENGTHS * first.ends[1];
@@ -213,9 +254,7 @@ impl Segment {
         let mut sum = self
             .beside_power()
             .unwrap_or_else(|| integral(0.0, first.ends[1], |s| (first.slope(s) - slope) / s));
-        for panel in &self.panels[1..] {
-            sum += stepwise(panel.ends.map(f64::ln), STEP, |y| panel.slope(y.exp()));
-        }
+        sum += self.panels[1..].iter().map(beyond).sum::<f64>();
         sum
     }
 
@@ -402,6 +441,12 @@ impl AbelTransform {
     /// `int_0^c (level - G(x)) x^mu dx`.
     pub fn volume(&self, level: f64) -> f64 {
         self.segments.iter().map(|segment| segment.volume(&self.powers, level)).sum()
+    }
+
+    /// What the pressure beside bends may be off by.
+    pub fn bend_error(&self) -> f64 {
+        let starts = self.segments.iter().filter_map(|segment| segment.start);
+        starts.fold(0.0, |sum, start| sum + start.error(&self.powers))
     }
 
     /// What rounding of `G` makes of `G'` on the longest panels of each segment.

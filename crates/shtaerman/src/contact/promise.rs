@@ -27,6 +27,7 @@ impl Reached {
         let method = name.name();
         let is_kept = |most: f64| reached <= most;
         match solver.tolerance {
+            _ if reached == f64::INFINITY => Err(Error::UnclearBend),
             Some(tolerance) if is_kept(tolerance) => Ok(()),
             Some(tolerance) => {
                 let [settlement0, tilt0] = displacements;

@@ -247,6 +247,13 @@ pub enum Error {
         n: usize,
     },
 
+    /// A bend of the profile under a smooth surface that nothing tells the power of.
+    #[error(
+        "no error of the pressure can be stated: the profile bends somewhere as several powers of the distance that nearly cancel there, or so near to an end of the contact that nothing shows \
+         its power; one power at a place, a rounded bend such as sqrt(x^2 + r^2) for abs(x), or a small roughness instead of 0 leaves an answer"
+    )]
+    UnclearBend,
+
     /// Zones of a smooth contact, or of neighbouring punches, that come too close for the modes that can be kept.
     #[error(
         "the zones of contact, or a zone and the next period's, come within {gap:.1e} of the half-width: on a smooth surface that is too close to be resolved; \
@@ -464,6 +471,7 @@ impl Error {
                 | Self::NotComplementary { .. }
                 | Self::TooManyZones { .. }
                 | Self::NotAccurate { .. }
+                | Self::UnclearBend
                 | Self::AuditFailed { .. }
                 | Self::TimeLimit { .. }
                 | Self::TooManyParts { .. }

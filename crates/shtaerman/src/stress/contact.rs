@@ -6,6 +6,8 @@ use crate::{Contact, Error, Geometry, Problem, Scaling};
 
 /// Most breakpoints of the profile that get panels of their own.
 const MOST_BREAKS: usize = 15;
+/// Rounding of a place in a zone: of its distances from both ends and the angle that they make (rounding).
+const BLUR: f64 = 16.0 * f64::EPSILON;
 /// Error of the stresses aimed at, in errors of the pressure.
 const SHARE: f64 = 0.1;
 /// A pressure of more terms than these is costly (milliseconds each), and gets no more nodes than those.
@@ -76,20 +78,34 @@ fn under(
         Geometry::Periodic { period } => Some(period),
         _ => None,
     };
-    let breaks = breaks(problem);
+    let breaks = breaks(problem, period);
     let (panels, owners): (Vec<[f64; 2]>, Vec<usize>) = (zones.iter().enumerate())
         .flat_map(|(owner, &zone)| cut(zone, &breaks).into_iter().map(move |panel| (panel, owner)))
         .unzip();
     let pressure = |panel: usize, from_left: f64, to_right: f64| {
         let ([left, right], zone) = (panels[panel], zones[owners[panel]]);
+        // Beside a kink within a zone no place is nearer than its rounding, and at it the pressure may be infinite.
+        let rounding = BLUR * zone[0].abs().max(zone[1].abs());
+        let beside = |distance: f64, is_inside: bool| {
+            if is_inside && distance > 0.0 { distance.max(rounding) } else { distance }
+        };
+        let from_left = beside(from_left, left > zone[0]);
+        let to_right = beside(to_right, right < zone[1]);
         pressure0(owners[panel], left - zone[0] + from_left, zone[1] - right + to_right)
     };
     StressField::within(&panels, period, given, effort, &pressure)
 }
 
-/// Breakpoints of the profile, as `xi`, unless there are more than the solver gives panels: then none, and the error tells what that costs.
-fn breaks(problem: &Problem) -> Vec<f64> {
+/// Breakpoints of the profile, as `xi`, unless there are more than the solver gives panels: then none, and the error tells what that costs. What is repeated may bend at its seam as well, and a zone may lie across it.
+fn breaks(problem: &Problem, period: Option<f64>) -> Vec<f64> {
     let mut breaks = problem.profile().breakpoints(problem.frame().half_width());
+    if let Some(period) = period {
+        breaks.push(0.5 * period);
+        breaks = [-period, 0.0, period]
+            .iter()
+            .flat_map(|by| breaks.iter().map(move |at| at + by))
+            .collect();
+    }
     if breaks.len() > MOST_BREAKS {
         return Vec::new();
     }

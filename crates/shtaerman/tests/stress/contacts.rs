@@ -136,3 +136,74 @@ fn there_may_be_no_load_at_yield() {
         Some(Error::NoPoissonRatio)
     );
 }
+
+/// A smooth surface under a kink has an infinite pressure there, and stresses below it by the same independent sum.
+#[test]
+fn kinks_of_smooth_contacts_are_integrated() {
+    let body = Elastic::new(1.0, 0.3).unwrap();
+    let foundation = Foundation::new(body).with_roughness(0.0).unwrap();
+    let load = Load::new(Vertical::Force(0.3), Rotational::Moment(0.01)).unwrap();
+    let profile = Profile::expression("0.3*x^2 + 0.1*abs(x - 0.1)").unwrap();
+    let punch = Punch::new(1.0).unwrap().with_profile(profile);
+    let contact = Problem::new(foundation, punch, load).unwrap().solve().unwrap();
+    let field = StressField::new(&contact, None).unwrap();
+    assert_eq!(field.infinite_corners(), [0.1]);
+    // Places so close to the kink that their distance is rounded are among those that it is estimated at.
+    assert!(field.error() < 1e-5, "{:e}", field.error());
+    let [left, right] = contact.zones()[0];
+    // Gauss's two nodes on pieces that fall as the square of their number towards the ends and the kink.
+    const PIECES: i32 = 4000;
+    let mut nodes = Vec::new();
+    for ([from, to], end) in
+        [([left, 0.1], left), ([left, 0.1], 0.1), ([0.1, right], 0.1), ([0.1, right], right)]
+    {
+        let half = 0.5 * (to - from);
+        let place = |i: f64| {
+            (half * (i / f64::from(PIECES)).powi(2)).copysign(0.5 * (from + to) - end) + end
+        };
+        for i in 0..PIECES {
+            let [a, b] = [place(f64::from(i)), place(f64::from(i + 1))];
+            for side in [-1.0, 1.0] {
+                let s = 0.5 * (a + b) + side * 0.5 * (b - a) / 3f64.sqrt();
+                nodes.push((s, 0.5 * (b - a).abs() * contact.pressure(s).unwrap()));
+            }
+        }
+    }
+    let force: f64 = nodes.iter().map(|(_, p)| p).sum();
+    assert!((force - 0.3).abs() < 1e-7, "{force}");
+    for (x, y) in [(0.1, 0.05), (-0.3, 0.2), (0.12, 0.01)] {
+        let by = |f: &dyn Fn(f64) -> f64| -> f64 {
+            let terms = nodes.iter().map(|(s, p)| p * f(x - s));
+            -2.0 / std::f64::consts::PI * terms.sum::<f64>()
+        };
+        let sigma_x = by(&|d| y * d * d / (d * d + y * y).powi(2));
+        let sigma_y = by(&|d| y * y * y / (d * d + y * y).powi(2));
+        let stress = field.stress(x, y).unwrap();
+        let off = (stress.sigma_x - sigma_x).abs().max((stress.sigma_y - sigma_y).abs());
+        assert!(off < 1e-6, "{x} {y}: {stress:?} {sigma_x} {sigma_y}");
+    }
+}
+
+/// Where a wave is cut into periods changes nothing, and at its seam it may bend.
+#[test]
+fn a_wave_may_bend_at_its_seam() {
+    let field = |profile: &str| {
+        let load = Load::new(Vertical::Force(1.0), Rotational::Tilt(0.0)).unwrap();
+        let punch =
+            Punch::periodic(1.0, 2.0).unwrap().with_profile(Profile::expression(profile).unwrap());
+        let problem = Problem::new(Foundation::dimensionless(3.0).unwrap(), punch, load).unwrap();
+        field_of(&problem, Some(0.3))
+    };
+    let (at_seam, inside) = (field("-0.4*abs(xi)"), field("0.4*abs(xi) - 0.4"));
+    let stated = at_seam.error() + inside.error();
+    assert!(stated < 1e-9, "{stated:e}");
+    for (x, y) in [(1.0, 1e-4), (0.99, 1e-3), (-0.97, 0.01), (0.3, 0.2)] {
+        let one = at_seam.stress(x, y).unwrap();
+        let two = inside.stress(if x > 0.0 { x - 1.0 } else { x + 1.0 }, y).unwrap();
+        for (one, two) in
+            [(one.sigma_x, two.sigma_x), (one.sigma_y, two.sigma_y), (one.tau_xy, two.tau_xy)]
+        {
+            assert!((one - two).abs() <= stated + 1e-12, "{x} {y}: {one} {two}, stated {stated:e}");
+        }
+    }
+}

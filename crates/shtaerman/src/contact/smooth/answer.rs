@@ -59,8 +59,10 @@ impl<P: Pressure> SmoothContact<P> {
             ("pressure", left.largest),
             ("error of the pressure", accuracy.pressure),
         ];
-        if let Some((quantity, value)) = values.into_iter().find(|(_, value)| !value.is_finite()) {
-            return Err(Error::Overflow { quantity, value });
+        match values.into_iter().find(|(_, value)| !value.is_finite()) {
+            Some((_, error)) if error == accuracy.pressure => return Err(Error::UnclearBend),
+            Some((quantity, value)) => return Err(Error::Overflow { quantity, value }),
+            None => {}
         }
         let is_disk = base.ground.is_disk();
         let rotational =

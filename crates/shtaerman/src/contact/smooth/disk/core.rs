@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
-use fredholm::inversion::{AbelTransform, Powers, TURN};
+use fredholm::inversion::{AbelTransform, Place, Powers, TURN};
 
 /// A disk of contact with what the rings about it make of its own depth.
 #[derive(Debug, Clone)]
@@ -49,9 +49,9 @@ impl Core {
         self.powers.taper(self.root(from_edge)) / self.powers.taper(self.radius)
     }
 
-    /// `p0` so far from the edge on this side of the axis, 0 for both, for what rings add besides.
-    pub(super) fn pressure(&self, from_edge: f64, side: f64, by_rings: f64) -> f64 {
-        let (root, r) = (self.root(from_edge), (self.radius - from_edge).max(0.0));
+    /// `p0` at a place on this side of the axis, 0 for both, for what rings add besides.
+    pub(super) fn pressure(&self, place: Place, side: f64, by_rings: f64) -> f64 {
+        let (root, r) = (self.root(place.from_right), place.from_left);
         // At a free edge the corner is rounding.
         let corner = if self.is_free { 0.0 } else { self.corner } + side * self.tilt_density() * r;
         if root == 0.0 {
@@ -112,6 +112,11 @@ impl Core {
         let edge =
             if self.is_free { 2.0 * f64::EPSILON * self.slope.abs() * self.radius } else { 0.0 };
         self.rounding * self.level.abs() + edge
+    }
+
+    /// What the pressure beside bends may be off by.
+    pub(super) fn bend_error(&self) -> f64 {
+        self.modulus / PI * self.transform.as_ref().map_or(0.0, |transform| transform.bend_error())
     }
 
     /// What rounding of the transform makes of the pressure of a flat base.

@@ -205,8 +205,8 @@ impl Angular for OnRing<'_> {
     }
 
     /// Places are rounded in `r`, not in lengths of the ring.
-    fn blur(&self) -> f64 {
-        f64::EPSILON * (1.0 + 0.5 / self.ring.half)
+    fn blur(&self, angle: f64) -> f64 {
+        f64::EPSILON * (1.0 + 0.5 / (self.ring.half * angle.sin().abs()))
     }
 
     fn slope(&self, angle: f64) -> Option<f64> {

@@ -249,9 +249,7 @@ impl Pressure for Solved {
     fn on_side(&self, zone: usize, place: Place, side: f64) -> f64 {
         match (self.ring(zone), &self.core) {
             (Some(part), _) => part.pressure(place.from_left, place.from_right) / self.theta0,
-            (None, Some(core)) => {
-                core.pressure(place.from_right, side, self.on_disk(core, place.from_right))
-            }
+            (None, Some(core)) => core.pressure(place, side, self.on_disk(core, place.from_right)),
             (None, None) => f64::NAN,
         }
     }
@@ -323,7 +321,9 @@ impl Pressure for Solved {
                 let size = self.theta0 * ring.half * ring.inner() * ring.inner().sqrt();
                 part.rounding(Conjugate::error) / size
             }
-            (None, Some(core)) => core.flat_pressure(density + core.slope_rounding()),
+            (None, Some(core)) => {
+                core.flat_pressure(density + core.slope_rounding()) + core.bend_error()
+            }
             (None, None) => 0.0,
         };
         Known { density, pressure }

@@ -278,7 +278,9 @@ fn add(sums: &mut [f64; 2], [even, odd]: [f64; 2]) {
 fn kinks(slope: &Slope, zone: &Zone, cuts: &[f64], steepest: f64) -> Vec<Kink> {
     let offset = OF_A_VALUE * zone.left().abs().max(zone.right().abs());
     let kink = |&at: &f64| {
-        let size = 0.5 * (slope(at + offset) - slope(at - offset));
+        let jump = |offset: f64| slope(at + offset) - slope(at - offset);
+        let size =
+            0.5 * if Kink::is_jump(jump(offset), jump(2.0 * offset)) { jump(offset) } else { 0.0 };
         let place = place(zone, at);
         let from_middle = 0.5 * (place.from_left - place.from_right);
         Kink { at: from_middle, place, size, half: 0.5 * zone.length() }

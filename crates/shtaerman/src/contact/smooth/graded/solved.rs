@@ -219,7 +219,8 @@ impl Pressure for Solved {
         let (strip, share) = (&self.strips[zone], self.share(zone));
         let density = share * strip.density_scale();
         let blown = strip.slope_rounding() * strip.half();
-        Known { density, pressure: share * largest + strip.flat_pressure(density + blown) }
+        let bent = strip.flat_pressure(density + blown) + strip.bend_error();
+        Known { density, pressure: share * largest + bent }
     }
 
     /// A depth or tilt that is off changes the densities by `mu B` or `b B` of it, `b` the half-length of all zones together: a turn raises some and sinks others, which even a kernel that is nearly the same everywhere tells apart.

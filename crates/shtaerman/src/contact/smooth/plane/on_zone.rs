@@ -65,8 +65,8 @@ impl Angular for OnZone<'_> {
         self.mean.abs() * 0.5 * self.zone.length()
     }
 
-    fn blur(&self) -> f64 {
-        f64::EPSILON * (1.0 + self.farthest() / self.zone.length())
+    fn blur(&self, angle: f64) -> f64 {
+        f64::EPSILON * (1.0 + self.farthest() / (self.zone.length() * angle.sin().abs()))
     }
 
     fn slope(&self, angle: f64) -> Option<f64> {
