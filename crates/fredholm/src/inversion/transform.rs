@@ -425,6 +425,13 @@ impl AbelTransform {
         self.segments.iter().map(|segment| segment.pressure(&self.powers, r)).sum()
     }
 
+    /// The same at a bend, if one lies no farther than what places are rounded to.
+    pub fn pressure_about(&self, r: f64, rounding: f64) -> f64 {
+        let bends = self.segments.iter().skip(1).map(|segment| segment.ends[0]);
+        let near = bends.into_iter().find(|bend| (bend - r).abs() <= rounding);
+        self.pressure(near.unwrap_or(r))
+    }
+
     /// `(2/pi) cos(pi mu/2) int_0^c (level - G(x)) x^mu dx/(r^2 - x^2)^((1+mu)/2)` for `r >= c`; in the plane times `r/x` for even, `x` for odd
     /// displacements.
     pub fn displacement(&self, r: f64, level: f64) -> f64 {

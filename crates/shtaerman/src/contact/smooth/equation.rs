@@ -37,14 +37,12 @@ pub(in crate::contact) trait FirstKind {
     /// Most zones that are coupled: beyond, minutes go by.
     const MOST_ZONES: usize;
 
-    fn shared_base(&self) -> &Arc<Base>;
+    /// The base, and what the search has cost so far.
+    fn shared(&self) -> (&Arc<Base>, &Work);
 
     fn base(&self) -> &Base {
-        self.shared_base()
+        self.shared().0
     }
-
-    /// What the search has cost so far.
-    fn work(&self) -> &Work;
 
     /// The pressure on zones, from left to right.
     ///
@@ -63,7 +61,7 @@ fn solved<F: FirstKind>(equation: &F, zones: &[Zone], detail: Detail) -> Result<
         return Err(Error::NoContact);
     }
     let solved = equation.on_zones(zones, detail)?;
-    equation.work().spend(solved.coupled(), 0.0, MOST_WORK)?;
+    equation.shared().1.spend(solved.coupled(), 0.0, MOST_WORK)?;
     Ok(solved)
 }
 

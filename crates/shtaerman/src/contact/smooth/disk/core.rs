@@ -114,13 +114,9 @@ impl Core {
         self.rounding * self.level.abs() + edge
     }
 
-    /// What the pressure beside bends may be off by.
-    pub(super) fn bend_error(&self) -> f64 {
-        self.modulus / PI * self.transform.as_ref().map_or(0.0, |transform| transform.bend_error())
-    }
-
-    /// What rounding of the transform makes of the pressure of a flat base.
+    /// What rounding of the transform, and what is not known of bends, makes of the pressure of a flat base.
     pub(super) fn slope_rounding(&self) -> f64 {
-        self.transform.as_ref().map_or(0.0, |transform| transform.slope_rounding() * self.radius)
+        let Some(all) = &self.transform else { return 0.0 };
+        all.slope_rounding() * self.radius + all.bend_error() * self.powers.taper(self.radius)
     }
 }

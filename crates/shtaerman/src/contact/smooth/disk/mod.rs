@@ -161,12 +161,8 @@ impl FirstKind for Disk {
     type Solved = Solved;
     const MOST_ZONES: usize = 48;
 
-    fn shared_base(&self) -> &Arc<Base> {
-        &self.base
-    }
-
-    fn work(&self) -> &Work {
-        &self.work
+    fn shared(&self) -> (&Arc<Base>, &Work) {
+        (&self.base, &self.work)
     }
 
     fn on_zones(&self, zones: &[Zone], detail: Detail) -> Result<Solved, Error> {

@@ -321,9 +321,7 @@ impl Pressure for Solved {
                 let size = self.theta0 * ring.half * ring.inner() * ring.inner().sqrt();
                 part.rounding(Conjugate::error) / size
             }
-            (None, Some(core)) => {
-                core.flat_pressure(density + core.slope_rounding()) + core.bend_error()
-            }
+            (None, Some(core)) => core.flat_pressure(density + core.slope_rounding()),
             (None, None) => 0.0,
         };
         Known { density, pressure }

@@ -177,21 +177,15 @@ impl Strip {
         };
         let s = 0.5 * (from_left - from_right);
         let halves = self.halves().as_ref().map_or(0.0, |halves| {
-            let r = self.at_break(s.abs().min(self.half()));
-            let [even, odd] = halves.each_ref().map(|half| half.pressure(r));
+            let r = s.abs().min(self.half());
+            let at = |half: &AbelTransform| half.pressure_about(r, OF_A_VALUE * self.farthest());
+            let [even, odd] = halves.each_ref().map(at);
             even + s * odd
         });
         let kinks = self.kinks().iter();
         let kinks =
             kinks.map(|kink| kink.pressure(powers, place, self.distance_from_kink(kink, place)));
         self.ground.modulus / PI * (corners + halves + kinks.sum::<f64>())
-    }
-
-    /// A distance from the middle where the halves bend, if it is one but for rounding.
-    fn at_break(&self, r: f64) -> f64 {
-        let rounded = OF_A_VALUE * self.farthest();
-        let breaks = self.profile.iter().flat_map(|profile| profile.breaks());
-        breaks.copied().find(|at| (at - r).abs() <= rounded).unwrap_or(r)
     }
 
     /// What the pressure beside bends may be off by.
