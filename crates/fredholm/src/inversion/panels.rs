@@ -1,6 +1,6 @@
 //! Panels on which a slope is a polynomial, halved until it is, with their integrals against the pole.
 
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::accuracy::{DEEPEST, NOISE, OF_A_VALUE, ROUNDING};
 use super::angular::Angular;
@@ -204,7 +204,7 @@ pub(super) fn follow_cusps(
             // What rounded places make of the slope on the panels next to it.
             let places = OF_A_VALUE / f64::EPSILON * local.profile.blur(at) / panels[k].half();
             // What goes with the distance is taken for a part of the power.
-            let leaning = (1.0 / side.power - 1.0) * (panels[k].half() * side.lean).abs();
+            let leaning = (1.0 / side.power - 1.0) / PI * (panels[k].half() * side.lean).abs();
             worst += (side.error + side.power * places) * rise.abs() + leaning;
         }
     }

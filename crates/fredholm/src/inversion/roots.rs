@@ -51,11 +51,12 @@ impl Local<'_> {
         self.profile.slope(angle - turns)
     }
 
-    /// The power of the offset with which `g(at + offset) - g(at - offset)` goes; none where slopes are not known, or do not differ.
+    /// The power of the offset with which `g(at + offset) - g(at - offset)` goes, but for what goes with the offset itself; none where slopes are not known, or do not differ.
     pub(super) fn power(&self, at: f64) -> Option<f64> {
         let nearest = NEAREST * self.profile.blur(at);
         let jump = |offset: f64| Some(self.slope(at + offset)? - self.slope(at - offset)?);
-        power(jump(nearest)?, jump(FARTHER * nearest)?)
+        let bent = |offset: f64| Some(jump(FARTHER * offset)? - FARTHER * jump(offset)?);
+        power(bent(nearest)?, bent(FARTHER * nearest)?)
     }
 
     /// How the slope goes to the right of a place, or to the left; `noise` is its rounding.

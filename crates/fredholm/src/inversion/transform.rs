@@ -27,6 +27,8 @@ const SHORT: f64 = 1e-5;
 /// Share of a segment that a bend shapes alone: what is left out goes as its square, and rounding as the inverse of a power above one. The first panel serves up to the other share (theory).
 const START: f64 = 1e-4;
 const LONGEST_START: f64 = 1e-2;
+/// A bend that is no nearer to the middle of a zone, in radii, is known to what is stated (survey).
+const BESIDE_MIDDLE: f64 = 1e-5;
 
 /// A panel that may be halved.
 struct Sampled {
@@ -59,17 +61,18 @@ fn is_for_kink(first: &Panel, ends: [f64; 2]) -> bool {
     first.ends[1] < SHORT * if ends[0] > 0.0 { length.min(ends[0]) } else { length }
 }
 
-/// What stands for the first panels of a segment that begins with a bend, where they are there for it.
+/// What stands for the first panels of a segment that begins with a bend, or in the middle, where they are there for a power.
 fn started(shape: &Shape<'_>, ends: [f64; 2], panels: &[Panel]) -> Option<Start> {
     let first = panels.first()?;
-    let length = leg(ends[1], ends[0]).min(ends[0]);
-    if ends[0] == 0.0 || first.ends[1] > LONGEST_START * length {
+    let length = leg(ends[1], ends[0]).min(if ends[0] > 0.0 { ends[0] } else { ends[1] });
+    if first.ends[1] > LONGEST_START * length {
         return None;
     }
     let short = panels.iter().take_while(|panel| panel.ends[1] <= START * length);
     let start = Start::new(shape, ends[0], short.last().unwrap_or(first).ends[1])?;
-    // Under a kink of homogeneous ground the pressure is infinite.
-    start.is_finite(&shape.powers).then_some(start)
+    // Under a kink of homogeneous ground the pressure is infinite. What an odd part has in the middle is felt times the distance from there.
+    let is_odd = ends[0] == 0.0 && shape.part == Symmetry::Odd;
+    (is_odd || start.is_finite(&shape.powers)).then_some(start)
 }
 
 /// `sqrt(x^2 - y^2)` for `x >= y`.
@@ -425,10 +428,10 @@ impl AbelTransform {
         self.segments.iter().map(|segment| segment.pressure(&self.powers, r)).sum()
     }
 
-    /// The same at a bend, if one lies no farther than what places are rounded to.
+    /// The same at a bend or in the middle, if that lies no farther than what places are rounded to.
     pub fn pressure_about(&self, r: f64, rounding: f64) -> f64 {
-        let bends = self.segments.iter().skip(1).map(|segment| segment.ends[0]);
-        let near = bends.into_iter().find(|bend| (bend - r).abs() <= rounding);
+        let mut bends = self.segments.iter().map(|segment| segment.ends[0]);
+        let near = bends.find(|bend| (bend - r).abs() <= rounding);
         self.pressure(near.unwrap_or(r))
     }
 
@@ -450,8 +453,16 @@ impl AbelTransform {
         self.segments.iter().map(|segment| segment.volume(&self.powers, level)).sum()
     }
 
-    /// What the pressure beside bends may be off by.
+    /// What the pressure beside bends may be off by. In the plane that of one next to the middle, but not at it, is not known: what either half has between them cancels, and places are rounded in lengths of the zone.
     pub fn bend_error(&self) -> f64 {
+        let is_blurred = |segment: &Segment| {
+            let [bend, end] = segment.ends;
+            let is_near = 0.0 < bend && bend < BESIDE_MIDDLE * self.radius();
+            is_near && segment.panels[0].ends[1] <= LONGEST_START * leg(end, bend)
+        };
+        if self.part != Symmetry::Revolution && self.segments.iter().any(is_blurred) {
+            return f64::INFINITY;
+        }
         let starts = self.segments.iter().filter_map(|segment| segment.start);
         starts.fold(0.0, |sum, start| sum + start.error(&self.powers))
     }
@@ -468,6 +479,10 @@ impl AbelTransform {
             longest.map_or(0.0, |panel| panel.blown(size))
         };
         self.segments.iter().map(of).fold(0.0, f64::max)
+    }
+
+    fn radius(&self) -> f64 {
+        self.segments.last().map_or(0.0, |segment| segment.ends[1])
     }
 
     /// `G'(c)`.

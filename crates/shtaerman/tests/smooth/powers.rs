@@ -75,3 +75,43 @@ fn powers_on_one_side_have_their_pressure_at_the_bend() {
         }
     }
 }
+
+/// Powers add up at one place: with `theta0 = 1` and `f = sum A |t|^n` each adds `A n a^n m/pi` to the force, `m = int_-1^1 |t|^n/sqrt(1 - t^2) dt`, and `n/((n-1) pi a)` of that to the pressure in the middle. What cannot be told of that is refused.
+#[test]
+fn several_powers_at_one_place_are_as_exact_as_stated_or_refused() {
+    let (mut solved, mut refused) = (0, 0);
+    for [one, two, less] in [
+        [1.06, 1.23, 1e-3],
+        [1.06, 1.23, 0.1],
+        [1.2, 1.29, -0.25],
+        [1.3, 1.4, -0.1],
+        [1.09, 1.6, 1e-2],
+        [1.25, 1.8, 0.5],
+        [1.05, 1.1, -0.3],
+        [1.4, 1.9, 1e-4],
+    ] {
+        let height = move |x: f64| x.abs().powf(two) + less * x.abs().powf(one);
+        let text = format!("abs(x)^{two} + ({less})*abs(x)^{one}");
+        let contact = match punch(1.0, height, level(0.02)).formula(&text).solve() {
+            Ok(contact) => contact,
+            Err(error) => {
+                assert!(matches!(error, shtaerman::Error::UnclearBend), "{text}: {error}");
+                refused += 1;
+                continue;
+            }
+        };
+        solved += 1;
+        let [zone] = contact.zones().try_into().unwrap();
+        let [left, right] = zone.ends;
+        let a: f64 = 0.5 * (right - left);
+        let parts = [(1.0, two), (less, one)];
+        let sum = |of: &dyn Fn(f64) -> f64| -> f64 {
+            parts.iter().map(|(size, n)| size * n * a.powf(*n) * moments(*n) / PI * of(*n)).sum()
+        };
+        assert!((sum(&|_| 1.0) / 0.02 - 1.0).abs() < 1e-9, "{text}");
+        let exact = sum(&|n| n / ((n - 1.0) * PI * a));
+        let (off, stated) = ((contact.pressure(0.0) - exact).abs(), contact.error().pressure);
+        assert!(off <= stated, "{text}: off {off:e}, stated {stated:e} of {exact}");
+    }
+    assert!(solved >= 2 && refused >= 1, "{solved} {refused}");
+}

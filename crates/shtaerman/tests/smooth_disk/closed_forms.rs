@@ -260,3 +260,20 @@ fn what_is_prescribed_does_not_matter() {
     assert!(matches!(second.problem().load().vertical(), Vertical::Settlement(_)));
     assert!(first.zones()[0][1] < A * FRAC_PI_2);
 }
+
+/// Under `H max(0, rho - 0.3)^1.1` the whole base has `p = (E* H/(pi a)) [d/sqrt(1 - rho^2) + F(rho)]`, with `F` by mpmath (`fredholm`, test `beside_a_bend_it_is_as_exact_as_stated`).
+#[test]
+fn a_ring_that_bends_as_a_power_has_its_pressure() {
+    let height = 1e-6;
+    let profile = format!("{height:e}*max(0, abs(x)/{A:e} - 0.3)^1.1");
+    let contact = solve_bilateral(&profile, pressed(900.0));
+    let unit = MODULUS * height / (PI * A);
+    let at = |rho: f64| contact.pressure(rho * A).unwrap() / unit;
+    let corner = (at(0.5) - 2.230_999_882_837_028_5) * 0.75f64.sqrt();
+    let stated = contact.error().unwrap().pressure / unit;
+    for (rho, exact) in [(0.2, 2.542_622_158_940_113_2), (0.3, 6.957_021_081_636_042_9)] {
+        let off = (at(rho) - corner / ((1.0 - rho) * (1.0 + rho)).sqrt() - exact).abs();
+        assert!(off <= 2.0 * stated + 1e-12 * exact, "{rho}: off {off:e}, stated {stated:e}");
+    }
+    assert!(stated < 1e-5, "{stated:e}");
+}

@@ -77,10 +77,13 @@ impl Start {
         self.power + powers.exponent() > 1.0 + 2.0 * CONSTANT
     }
 
-    /// `int dG s^(mu-1)`.
+    /// `int dG s^(mu-1)`, or 0 where that is no number.
     pub(super) fn at_bend(&self, powers: &Powers) -> f64 {
         let mu = powers.exponent();
         let excess = self.power + mu - 1.0;
+        if !self.is_finite(powers) {
+            return 0.0;
+        }
         let sum = self.rise * self.power / excess + 2.0 * self.square / (1.0 + mu);
         sum * self.to.powf(mu - 1.0)
     }
@@ -89,6 +92,9 @@ impl Start {
     pub(super) fn error(&self, powers: &Powers) -> f64 {
         let mu = powers.exponent();
         let excess = self.power + mu - 1.0;
+        if !self.is_finite(powers) {
+            return self.error * self.power * self.to.powf(mu - 1.0);
+        }
         self.error * self.power / (excess * excess.min(1.0)) * self.to.powf(mu - 1.0)
     }
 }
