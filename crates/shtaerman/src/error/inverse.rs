@@ -55,6 +55,19 @@ pub enum InverseError {
         dimension: Dimension,
     },
 
+    /// The crown looked for lies at, or beyond, the last that can be solved.
+    #[error("the crown looked for lies where crowns cannot be solved: the last that can is that {}, with a peak pressure of {}, and beyond it {reason}", best_base(*radius, *dimension), engineering(*peak, *dimension))]
+    Unsolved {
+        /// The peak pressure of the last crown that can be solved.
+        peak: f64,
+        /// Its radius.
+        radius: Option<f64>,
+        /// What the pressure measures.
+        dimension: Dimension,
+        /// Why the next one is refused.
+        reason: String,
+    },
+
     /// The prescribed pressure does not fit the problem.
     #[error("the prescribed pressure {fault}")]
     Pressure {

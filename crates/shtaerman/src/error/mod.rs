@@ -483,6 +483,7 @@ impl Error {
                 | Self::CheckUnsolved { .. }
                 | Self::NoReference { .. }
                 | Self::Beyond(_)
+                | Self::Inverse(InverseError::Unsolved { .. })
                 | Self::Equation(
                     fredholm::Error::TooLarge { .. }
                         | fredholm::Error::BeyondMethod { .. }

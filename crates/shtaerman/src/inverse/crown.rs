@@ -61,8 +61,9 @@ pub struct Crown {
 /// curvature, and the radii within a limit are an interval around it.
 ///
 /// # Errors
-/// [`Error::InvalidValue`] unless the limit is finite and positive; [`Error::Inverse`] when no crown keeps the limit, with the lowest peak, and where the
-/// load prescribes no force; what [`Problem::solve`] says of the problem.
+/// [`Error::InvalidValue`] unless the limit is finite and positive; [`Error::Inverse`] when no crown keeps the limit, with the lowest peak, where the
+/// lowest peak or the end of the radii lies at crowns that cannot be solved, with the last that can, and where the load prescribes no force; what
+/// [`Problem::solve`] says of the problem with a flat base.
 pub fn crown(problem: &Problem, limit: Option<f64>) -> Result<Crown, Error> {
     if let Some(limit) = limit {
         positive("peak pressure", limit)?;
@@ -142,41 +143,56 @@ impl Trials<'_> {
         crown.radius.map_or(f64::NEG_INFINITY, |radius| -(radius * self.unit).ln())
     }
 
+    /// One trial, with the reason where it was refused.
+    fn trial(&self, t: f64) -> Trial {
+        Trial { t, outcome: self.at(t) }
+    }
+
     /// The crown of the lowest peak, by golden section around the best of the first trials.
+    ///
+    /// A crown that is refused counts as higher than all others, so that the search stays among those that can be solved, on whichever side they end.
     fn best(&self, flat: Crowned) -> Result<Crowned, Error> {
-        let places: Vec<f64> =
-            DECADES.map(|k| f64::from(k) * 0.5 * std::f64::consts::LN_10).collect();
-        // The far ends of the range may be out of reach of a solver; between them the minimum shows.
-        let solved: Vec<(f64, Crowned)> =
-            places.into_iter().filter_map(|t| Some((t, self.at(t).ok()?))).collect();
-        let Some(lowest) = (0..solved.len())
-            .min_by(|&one, &two| solved[one].1.peak().total_cmp(&solved[two].1.peak()))
-        else {
-            return Ok(flat);
-        };
-        let mut best = solved[lowest].1.clone();
-        let mut left = solved[lowest.saturating_sub(1)].0;
-        let mut right = solved[(lowest + 1).min(solved.len() - 1)].0;
-        let (mut one, mut two) =
-            (self.at(right - GOLDEN * (right - left))?, self.at(left + GOLDEN * (right - left))?);
+        let first: Vec<Trial> =
+            DECADES.map(|k| self.trial(f64::from(k) * 0.5 * std::f64::consts::LN_10)).collect();
+        let peaks: Vec<f64> = first.iter().map(Trial::peak).collect();
+        let last = first.len() - 1;
+        let lowest = (0..=last).min_by(|&one, &two| peaks[one].total_cmp(&peaks[two]));
+        let lowest = lowest.unwrap_or(0);
+        let mut best = first[lowest].clone();
+        let mut ends =
+            [first[lowest.saturating_sub(1)].clone(), first[(lowest + 1).min(last)].clone()];
         for _ in 0..GOLDEN_STEPS {
-            for trial in [&one, &two] {
-                if trial.peak() < best.peak() {
-                    best = trial.clone();
-                }
-            }
-            if (one.peak() - two.peak()).abs() <= ROUNDING * best.peak() {
+            let rise = ends[0].peak().max(ends[1].peak()) - best.peak();
+            // All were refused, or the peak is level.
+            if rise.is_nan() || rise <= ROUNDING * best.peak() {
                 break;
             }
-            if one.peak() <= two.peak() {
-                (right, two) = (self.place(&two), one);
-                one = self.at(right - GOLDEN * (right - left))?;
+            // The longer side is divided.
+            let side = usize::from(ends[1].t - best.t > best.t - ends[0].t);
+            let trial = self.trial(best.t + (1.0 - GOLDEN) * (ends[side].t - best.t));
+            if trial.peak() < best.peak() {
+                ends[1 - side] = std::mem::replace(&mut best, trial);
             } else {
-                (left, one) = (self.place(&one), two);
-                two = self.at(left + GOLDEN * (right - left))?;
+                ends[side] = trial;
             }
         }
-        Ok(if best.peak() < flat.peak() * (1.0 - BETTER) { best } else { flat })
+        let best = best.outcome?;
+        if best.peak() >= flat.peak() * (1.0 - BETTER) {
+            return Ok(flat);
+        }
+        // Where the bracket ends at a crown that is refused the peak falls as far as can be solved: lower ones may be beyond.
+        match ends.into_iter().find_map(|end| end.outcome.err()) {
+            Some(refusal) => Err(self.unsolved(best, &refusal)),
+            None => Ok(best),
+        }
+    }
+
+    /// Refuses what ends at the last crown that can be solved.
+    fn unsolved(&self, last: Crowned, refusal: &Error) -> Error {
+        let peak = last.peak();
+        let dimension = Goal::PeakPressure(peak).dimension_in(self.problem);
+        let reason = refusal.to_string();
+        InverseError::Unsolved { peak, radius: last.radius, dimension, reason }.into()
     }
 
     /// The last crown within the limit from the best one on, to flatter (`sign = -1`) or sharper ones.
@@ -186,14 +202,14 @@ impl Trials<'_> {
         let mut value = best.peak() - limit;
         loop {
             let next = inside + sign * std::f64::consts::LN_10;
-            let trial = self.at(next)?;
+            let trial = self.trial(next);
             let beyond = trial.peak() - limit;
             if beyond > 0.0 {
                 return self.narrowed([inside, next], [value, beyond], limit);
             }
             // As good as a point, or as flat.
             if next.abs() > farthest {
-                return Ok(trial);
+                return trial.outcome;
             }
             (inside, value) = (next, beyond);
         }
@@ -206,9 +222,30 @@ impl Trials<'_> {
             return self.at(at[0]);
         };
         let narrowed =
-            bracket.narrowed(ROUNDING * limit, &mut |t| Ok(limit - self.at(t)?.peak()))?;
+            bracket.narrowed(ROUNDING * limit, &mut |t| Ok(limit - self.trial(t).peak()))?;
         // Beyond the limit by no more than rounding.
         let nearer = usize::from(narrowed.values[1].abs() < narrowed.values[0].abs());
-        self.at(narrowed.at[nearer])
+        let crown = self.at(narrowed.at[nearer])?;
+        match self.at(narrowed.at[1 - nearer]) {
+            Err(refusal) if narrowed.values[1 - nearer].is_infinite() => {
+                Err(self.unsolved(crown, &refusal))
+            }
+            _ => Ok(crown),
+        }
+    }
+}
+
+/// A crown that was tried.
+#[derive(Debug, Clone)]
+struct Trial {
+    /// Logarithm of the curvature over its unit.
+    t: f64,
+    outcome: Result<Crowned, Error>,
+}
+
+impl Trial {
+    /// The peak pressure; infinite where the crown was refused.
+    fn peak(&self) -> f64 {
+        self.outcome.as_ref().map_or(f64::INFINITY, Crowned::peak)
     }
 }
