@@ -182,13 +182,13 @@ impl Trials<'_> {
         }
         // Where the bracket ends at a crown that is refused the peak falls as far as can be solved: lower ones may be beyond.
         match ends.into_iter().find_map(|end| end.outcome.err()) {
-            Some(refusal) => Err(self.unsolved(best, &refusal)),
+            Some(refusal) => Err(self.unsolved(&best, &refusal)),
             None => Ok(best),
         }
     }
 
     /// Refuses what ends at the last crown that can be solved.
-    fn unsolved(&self, last: Crowned, refusal: &Error) -> Error {
+    fn unsolved(&self, last: &Crowned, refusal: &Error) -> Error {
         let peak = last.peak();
         let dimension = Goal::PeakPressure(peak).dimension_in(self.problem);
         let reason = refusal.to_string();
@@ -228,7 +228,7 @@ impl Trials<'_> {
         let crown = self.at(narrowed.at[nearer])?;
         match self.at(narrowed.at[1 - nearer]) {
             Err(refusal) if narrowed.values[1 - nearer].is_infinite() => {
-                Err(self.unsolved(crown, &refusal))
+                Err(self.unsolved(&crown, &refusal))
             }
             _ => Ok(crown),
         }
