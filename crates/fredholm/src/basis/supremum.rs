@@ -10,6 +10,13 @@ const ATTAINED: f64 = 1.02;
 const DENSITY: usize = 4;
 
 impl ChebyshevSeries {
+    /// The largest `|f(x)|` of a grid of at least eight points per degree: at most 2 % below that of all `x`, by the same theorem of Riesz as the bound below.
+    #[must_use]
+    pub(crate) fn largest_value(&self) -> f64 {
+        let grid = (2 * DENSITY * self.degree().max(1)).next_power_of_two();
+        (self.values(grid).iter()).fold(0.0f64, |most, value| most.max(value.abs()))
+    }
+
     /// An upper bound of `max |f(x)|` over `[-1, 1]`, at most 1.083 times that maximum.
     ///
     /// It is the smaller of `sum |c_m|` and `max_j |f(x_j)| / cos(pi degree / (2 L))` over the `L + 1` points of a Chebyshev

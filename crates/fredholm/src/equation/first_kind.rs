@@ -1,5 +1,6 @@
 //! The first kind: the smooth limit, straight from the spectral relation.
 
+use super::remainder::Remainder;
 use super::{ErrorStatement, Method, Solution, checks};
 use crate::Error;
 use crate::basis::expansion::misfit;
@@ -16,11 +17,14 @@ const SAFETY: f64 = 4.0;
 const RESOLVED: f64 = 2e-12;
 /// Rounding of a coefficient of the right-hand side, in units of its largest value.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
+/// Most terms that are looked at for what those of the solution leave out, where a cosine transform sums them and where it does not.
+const LOOKED_AT: [usize; 2] = [1 << 16, 1 << 12];
 
 /// `K phi = f`: with `f = sum c_n phi_n`, by (1.2), `phi = w sum (c_n / lambda_n) phi_n`. It contains its weight, which is infinite at the ends for all our kernels; the
 /// statement of the error is for `phi/w`. No more than `count` terms are used.
 ///
-/// The error is an estimate: rounding of the coefficients divided by the eigenvalues, and where `f` is not resolved the difference from the sum of half as many terms, times 4.
+/// The error is an estimate: rounding of the coefficients divided by the eigenvalues, and where `f` is not resolved the difference from the sum of half as many terms, times 4, or what is left out
+/// if that is more, by the rate at which the terms fall. It is infinite where they do not fall: under a kink the solution itself is infinite.
 /// Whether it is resolved, its values show at the nodes and at 6000 places between them; a feature narrower than about a 4000th of the interval may be hidden from all of these.
 ///
 /// # Errors
@@ -56,6 +60,11 @@ pub fn first_kind_in_parts<'a>(
         error = error.max(misfit(relation, f, &coefficients, cuts)?);
     }
     let complete = resolved && error <= RESOLVED && coefficients.len() <= count;
+    let kept = coefficients.len().min(count);
+    let most = LOOKED_AT[usize::from(relation.largest_sum(&[0.0]).is_none())];
+    let looked_at = coefficients.len().min(kept.max(most));
+    let is_whole = resolved && error <= RESOLVED && looked_at == coefficients.len();
+    let known = densities(relation, &coefficients[..looked_at]);
     coefficients.truncate(count);
     let largest_value =
         checks(relation.extent(), CHECKS).map(|x| f(x).abs()).fold(0.0, |most: f64, v| most.max(v));
@@ -71,19 +80,21 @@ pub fn first_kind_in_parts<'a>(
         (ROUNDING + error) * largest_value * noise.integral + 4.0 * f64::EPSILON * integral.abs(),
     );
     if !complete {
-        let half = &density[..density.len().div_ceil(2)];
-        let rest: Vec<f64> = density
-            .iter()
-            .enumerate()
-            .map(|(n, c)| if n < half.len() { 0.0 } else { *c })
-            .collect();
+        let half = density.len().div_ceil(2)..density.len();
+        let mut rest = density.clone();
+        rest[..half.start].fill(0.0);
         let gap = largest_of(relation, &rest, &points);
-        solution_error += SAFETY * gap;
-        integral_error +=
-            SAFETY * rest.iter().enumerate().map(|(n, c)| c * relation.mass(n)).sum::<f64>().abs();
+        let integral_gap: f64 = half.map(|n| density[n] * relation.mass(n)).sum();
+        // Where an eigenvalue vanishes beyond the terms of the solution, these are all that is known.
+        let is_whole = is_whole && known.is_ok();
+        let known = known.unwrap_or_else(|_| density.clone());
+        let noise = ROUNDING * largest_value;
+        let rest = Remainder { relation, density: &known, kept, is_whole, noise };
+        solution_error += rest.solution().max(SAFETY * gap);
+        integral_error += rest.integral().max(SAFETY * integral_gap.abs());
     }
     Ok(Solution {
-        integral: Some(integral),
+        integral: Some(integral).filter(|_| integral_error.is_finite()),
         error: ErrorStatement {
             kind: Kind::Estimate,
             solution: solution_error,

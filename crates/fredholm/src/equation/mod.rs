@@ -26,6 +26,7 @@ mod collocated;
 mod first_kind;
 mod half_line;
 mod logarithm;
+mod remainder;
 mod residual;
 mod solution;
 mod truncated;

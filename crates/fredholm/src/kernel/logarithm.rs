@@ -126,6 +126,10 @@ impl SpectralRelation for Logarithm {
         basis::chebyshev::sum(coefficients, x / self.half_length())
     }
 
+    fn largest_sum(&self, coefficients: &[f64]) -> Option<f64> {
+        Some(basis::ChebyshevSeries::new(coefficients.to_vec()).largest_value())
+    }
+
     fn gram(&self, count: usize) -> Result<Gram, Error> {
         let entry = |j: usize| {
             if j.is_multiple_of(2) {

@@ -6,8 +6,8 @@ use super::half_sums::half_sums;
 use super::{
     EndExponents, Expansion, Gram, Kernel, Pair, Parity, Singularity, SpectralRelation, Split,
 };
-use crate::basis::Function;
 use crate::basis::harmonics::Harmonics;
+use crate::basis::{ChebyshevSeries, Function};
 use crate::special::elliptic::{carlson_first_kind, complete_first_kind};
 use crate::special::logarithms_of_one_and;
 use crate::{Error, Interval};
@@ -230,6 +230,10 @@ impl SpectralRelation for LogarithmRatio {
 
     fn sum(&self, coefficients: &[f64], x: f64) -> f64 {
         self.harmonics(x).sum(coefficients.iter())
+    }
+
+    fn largest_sum(&self, coefficients: &[f64]) -> Option<f64> {
+        Some(ChebyshevSeries::new(coefficients.to_vec()).largest_value())
     }
 
     fn gram(&self, count: usize) -> Result<Gram, Error> {

@@ -8,9 +8,9 @@ use super::{
     EndExponents, Expansion, Gram, Kernel, Moments, Pair, Parity, Singularity, SpectralRelation,
     Split,
 };
-use crate::basis::Function;
 use crate::basis::harmonics::Harmonics;
 use crate::basis::interval_moments::interval_moments;
+use crate::basis::{ChebyshevSeries, Function};
 use crate::{Error, Interval};
 
 /// `K(x, s) = ln((x + s)/|x - s|)` on `(0, a)`: the odd half of [`Logarithm`](super::Logarithm) on `(-a, a)`, a punch under a moment. Positive; 0 at `x = 0`.
@@ -123,6 +123,11 @@ impl SpectralRelation for LogarithmRatioLimit {
 
     fn sum(&self, coefficients: &[f64], x: f64) -> f64 {
         self.harmonics(x).sum(coefficients.iter())
+    }
+
+    fn largest_sum(&self, coefficients: &[f64]) -> Option<f64> {
+        let odd = coefficients.iter().flat_map(|c| [0.0, *c]).collect();
+        Some(ChebyshevSeries::new(odd).largest_value())
     }
 
     fn gram(&self, count: usize) -> Result<Gram, Error> {

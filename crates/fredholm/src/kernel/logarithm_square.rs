@@ -7,9 +7,9 @@ use super::{
     EndExponents, Expansion, Gram, Kernel, Moments, Pair, Parity, Singularity, SpectralRelation,
     Split,
 };
-use crate::basis::Function;
 use crate::basis::harmonics::Harmonics;
 use crate::basis::interval_moments::interval_moments;
+use crate::basis::{ChebyshevSeries, Function};
 use crate::quadrature::double_exponential;
 use crate::special::exponential_sum::ExponentialSum;
 use crate::special::logarithms;
@@ -234,6 +234,10 @@ impl SpectralRelation for LogarithmSquare {
 
     fn sum(&self, coefficients: &[f64], x: f64) -> f64 {
         self.harmonics(x).sum(coefficients.iter())
+    }
+
+    fn largest_sum(&self, coefficients: &[f64]) -> Option<f64> {
+        Some(ChebyshevSeries::new(coefficients.to_vec()).largest_value())
     }
 
     fn gram(&self, count: usize) -> Result<Gram, Error> {

@@ -111,6 +111,12 @@ pub trait SpectralRelation: Kernel {
         Box::new(move |x| self.sum(&coefficients, x))
     }
 
+    /// The largest `|sum_m coefficients[m] phi_m|` to 2 %, where a cosine transform has it: of cosines in a variable of their own.
+    fn largest_sum(&self, coefficients: &[f64]) -> Option<f64> {
+        let _ = coefficients;
+        None
+    }
+
     /// The Gram matrix `R_km = int_L phi_k phi_m dm` of `phi_0 .. phi_{count-1}`, to machine precision.
     ///
     /// # Errors

@@ -34,7 +34,7 @@ pub(super) fn name(method: Method) -> &'static str {
 impl<'a> SolvedEquation<'a> {
     /// The solution, unless it leaves the range of double precision.
     pub(super) fn new(equation: &'a Equation, draft: Draft<'a>, reach: f64) -> Result<Self, Error> {
-        let Draft { mut solution, reason, warnings, .. } = draft;
+        let Draft { mut solution, reason, warnings, is_truncated } = draft;
         if matches!(equation.kind(), Kind::Second { .. }) {
             // The inverse of 1 + lambda K has a norm near one: a width is twice what the right-hand side may be off by.
             let rounding = equation.rounding();
@@ -42,10 +42,12 @@ impl<'a> SolvedEquation<'a> {
             let extent = equation.kernel().kernel().extent();
             solution.error.integral += rounding * 2.0 * extent.half_length();
         }
+        // Of the first kind with a size of its own the solution may be infinite under a kink, and so may its error.
+        let may_be_infinite = matches!(equation.kind(), Kind::First) && is_truncated;
         for (quantity, value) in
             [("solution", solution.largest), ("error of the solution", solution.error.solution)]
         {
-            if !value.is_finite() {
+            if !value.is_finite() && !(may_be_infinite && value == f64::INFINITY) {
                 return Err(Error::EquationOverflow { quantity, value });
             }
         }
