@@ -160,7 +160,7 @@ pub(super) fn follow_cusps(
     is_cusp: impl Fn(f64) -> bool,
 ) -> f64 {
     let count = panels.len();
-    let mut worst = 0.0;
+    let (mut worst, mut hidden) = (0.0f64, 0.0);
     for i in 0..count {
         let next = (i + 1) % count;
         let is_end = local.is_odd && next == 0;
@@ -205,10 +205,11 @@ pub(super) fn follow_cusps(
             let places = OF_A_VALUE / f64::EPSILON * local.profile.blur(at) / panels[k].half();
             // What goes with the distance is taken for a part of the power.
             let leaning = (1.0 / side.power - 1.0) / PI * (panels[k].half() * side.lean).abs();
-            worst += (side.error + side.power * places) * rise.abs() + leaning;
+            hidden += side.hidden * rise.abs();
+            worst = worst.max((side.error + side.power * places) * rise.abs() + leaning);
         }
     }
-    worst
+    worst + hidden
 }
 
 fn square(angle: f64, is_first: bool) -> f64 {

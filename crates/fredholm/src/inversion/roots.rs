@@ -41,6 +41,8 @@ pub(super) struct Side {
     pub(super) power: f64,
     /// What the integral of a rise of 1 over the distance may be off by.
     pub(super) error: f64,
+    /// What a lower power that hides below adds to it, on both sides alike.
+    pub(super) hidden: f64,
     /// What goes with the distance itself, over it.
     pub(super) lean: f64,
 }
@@ -99,11 +101,11 @@ impl Local<'_> {
         if least <= 0.0 {
             return Beside::Unclear;
         }
-        let hidden = (near / least).powi(2) - 1.0;
-        let error = ((1.0 / near - 1.0 / far).abs() + rounding + hidden / near) / PI;
+        let hidden = ((near / least).powi(2) - 1.0) / (PI * near);
+        let error = ((1.0 / near - 1.0 / far).abs() + rounding) / PI;
         let last = FARTHER.powi(3);
         let lean = (risen(3) - first * last.powf(near)) / ((FARTHER - 1.0) * last * nearest);
-        Beside::Power(Side { value, power: near, error, lean })
+        Beside::Power(Side { value, power: near, error, hidden, lean })
     }
 }
 
